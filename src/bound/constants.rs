@@ -1,0 +1,111 @@
+//! The constants of one scheme, each computed once.
+
+use super::contraction::{ClassCap, Order, joint_norm, power_norm};
+use crate::exact::Rational;
+use crate::scheme::{Mask, Rules};
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
+/// The operator whose powers a constant is the norm of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Operator {
+    /// The differences: T_c.
+    Difference,
+    /// The scheme itself: Λ_c.
+    Scheme,
+}
+
+/// How the two suprema of a tensor product are taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Suprema {
+    /// T_c·Λ_c, each over its own residue class: the norm of the tensor product.
+    Independent,
+    /// One supremum of the product over a common residue class; not a bound.
+    Joint,
+}
+
+type Key = (Option<Operator>, u32, Order);
+
+/// A mask with its constants T_c, Λ_c and the joint ones, computed when first
+/// asked for and kept.
+///
+/// ```
+/// use subcert::bound::{Constants, Operator, Order, Suprema};
+/// use subcert::exact::Rational;
+/// use subcert::scheme::parse_scheme;
+///
+/// let scheme = parse_scheme("quinary-three-point")?;
+/// let constants = Constants::new(scheme.masks()[0].clone());
+/// let t = constants.norm(Operator::Difference, 1, Order::Adjoint)?;
+/// assert_eq!(t, Rational::new(17, 25));
+/// let tensor = constants.tensor(1, Order::Adjoint, Suprema::Independent)?;
+/// assert_eq!(tensor, Rational::new(17 * 31, 625));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct Constants {
+    mask: Mask,
+    difference: Rules,
+    known: RefCell<BTreeMap<Key, Rational>>,
+}
+
+impl Constants {
+    /// The constants of `mask`.
+    #[must_use]
+    pub fn new(mask: Mask) -> Constants {
+        let difference = mask.difference();
+        Constants { mask, difference, known: RefCell::default() }
+    }
+
+    /// The mask.
+    #[must_use]
+    pub fn mask(&self) -> &Mask {
+        &self.mask
+    }
+
+    /// Its difference mask.
+    #[must_use]
+    pub fn difference(&self) -> &Rules {
+        &self.difference
+    }
+
+    /// T_c or Λ_c; 1 for c = 0.
+    ///
+    /// # Errors
+    /// When there are too many residue classes.
+    pub fn norm(&self, operator: Operator, c: u32, order: Order) -> Result<Rational, ClassCap> {
+        let rules = match operator {
+            Operator::Difference => &self.difference,
+            Operator::Scheme => self.mask.rules(),
+        };
+        self.once((Some(operator), c, order), || Ok(power_norm(rules, c, order)?.value))
+    }
+
+    /// The constant of the tensor product of the scheme with itself, along one
+    /// direction and c levels.
+    ///
+    /// # Errors
+    /// When there are too many residue classes.
+    pub fn tensor(&self, c: u32, order: Order, suprema: Suprema) -> Result<Rational, ClassCap> {
+        match suprema {
+            Suprema::Independent => Ok(self.norm(Operator::Difference, c, order)?
+                * self.norm(Operator::Scheme, c, order)?),
+            Suprema::Joint => self.once((None, c, order), || {
+                Ok(joint_norm(&self.difference, self.mask.rules(), c, order)?.value)
+            }),
+        }
+    }
+
+    fn once(
+        &self,
+        key: Key,
+        compute: impl FnOnce() -> Result<Rational, ClassCap>,
+    ) -> Result<Rational, ClassCap> {
+        if let Some(value) = self.known.borrow().get(&key) {
+            return Ok(value.clone());
+        }
+        let value = compute()?;
+        self.known.borrow_mut().insert(key, value.clone());
+        Ok(value)
+    }
+}

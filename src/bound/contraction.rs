@@ -1,0 +1,385 @@
+//! ‖Dᶜ‖_∞: the norm of a power of a subdivision operator.
+
+use crate::exact::{CommonDenominator, Integer, Rational, Real, Scalar};
+use crate::scheme::Rules;
+
+/// The most residue classes that are walked: n^c ≤ 2^24.
+pub const MAX_CLASSES: u64 = 1 << 24;
+
+/// The order in which a difference mask is read as a sequence.
+///
+/// For c = 1 the two give the same norms; for c ≥ 2 in general they do not, and
+/// only the adjoint order bounds the differences of a subdivided polygon.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Order {
+    /// t_{nu+β} = b_{β,N−1−u}: the rows of the operator, the sound order.
+    Adjoint,
+    /// t_{nu+β} = b_{β,u}, as some papers print.
+    Forward,
+}
+
+/// A norm, and where it is attained.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PowerNorm<S = Rational> {
+    /// max over r of Σ_s |(Rᶜ)_{r,s}|.
+    pub value: S,
+    /// A row r in 0, …, n^c − 1 that attains it (the first in the order walked).
+    pub class: u64,
+}
+
+/// n^c is beyond [`MAX_CLASSES`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "{arity}^{levels} residue classes are too many to walk; at most {MAX_CLASSES} are: \
+     take a smaller number of levels"
+)]
+pub struct ClassCap {
+    /// n.
+    pub arity: usize,
+    /// c.
+    pub levels: u32,
+}
+
+/// ‖Rᶜ‖_∞ = max_r Σ_s |(Rᶜ)_{r,s}| for the operator (Rx)_{ni+β} = Σ_j r_{β,j} x_{i+o+j},
+/// over the n^c residue classes r mod n^c. It does not depend on the offset o.
+///
+/// With the difference mask this is the contraction constant T_c, with the mask
+/// itself the scheme norm Λ_c. In the forward order the same of the rules read
+/// backwards, which is what the sequence t_{nu+β} = b_{β,u} gives. c = 0 gives 1.
+///
+/// The classes are walked depth first from the fine level to the coarse one, so
+/// that O(c·N) numbers are kept; the numbers are integers over one common
+/// denominator, of 128 bits where a proven bound on them allows it.
+///
+/// # Errors
+/// When there are more than 2^24 residue classes.
+///
+/// ```
+/// use subcert::bound::{Order, power_norm};
+/// use subcert::exact::Rational;
+/// use subcert::scheme::parse_scheme;
+///
+/// let scheme = parse_scheme("quinary-three-point")?;
+/// let difference = scheme.masks()[0].difference();
+/// assert_eq!(power_norm(&difference, 2, Order::Adjoint)?.value, Rational::new(169, 625));
+/// assert_eq!(power_norm(&difference, 2, Order::Forward)?.value, Rational::new(193, 625));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn power_norm(rules: &Rules, levels: u32, order: Order) -> Result<PowerNorm, ClassCap> {
+    let [norm] = integer_norms([rules], levels, order)?;
+    Ok(norm)
+}
+
+/// max_r Σ_s |(Rᶜ)_{r,s}| · Σ_s |(Sᶜ)_{r,s}|: the two norms with one supremum over
+/// the same row, as some papers compute the constants of a tensor product. It is
+/// at most the product of the norms, and does not bound the differences.
+///
+/// The rules are taken at offset 0, and must agree in arity and width.
+///
+/// # Errors
+/// When there are more than 2^24 residue classes.
+///
+/// # Panics
+/// When arity or width differ.
+pub fn joint_norm(
+    first: &Rules,
+    second: &Rules,
+    levels: u32,
+    order: Order,
+) -> Result<PowerNorm, ClassCap> {
+    assert_eq!(first.arity(), second.arity(), "joint suprema need equal arities");
+    assert_eq!(first.width(), second.width(), "joint suprema need equal widths");
+    check_classes(first.arity(), levels)?;
+    let pair = [oriented(first, order).with_offset(0), oriented(second, order).with_offset(0)];
+    let common = pair.each_ref().map(|rules| CommonDenominator::of(rules.rows()));
+    let mut best = (Integer::from(-1), 0);
+    let rows = common.each_ref().map(|common| common.numerators.clone());
+    walk(&rows, 0, levels, &mut |norms: &[Integer; 2], class| {
+        let product = &norms[0] * &norms[1];
+        if product > best.0 {
+            best = (product, class);
+        }
+    });
+    let scale = (&common[0].denominator * &common[1].denominator).pow(levels);
+    Ok(PowerNorm { value: Rational::new(best.0, scale), class: best.1 })
+}
+
+/// [`power_norm`] over any [`Real`] numbers: the same walk, operation by
+/// operation, that [`power_norm`] makes on integers.
+///
+/// # Errors
+/// When there are more than 2^24 residue classes.
+pub fn power_norm_generic<S: Real>(
+    rules: &Rules<S>,
+    levels: u32,
+    order: Order,
+) -> Result<PowerNorm<S>, ClassCap> {
+    check_classes(rules.arity(), levels)?;
+    let oriented = oriented(rules, order);
+    let mut best: Option<PowerNorm<S>> = None;
+    walk(&[oriented.rows().to_vec()], rules.offset(), levels, &mut |[norm]: &[S; 1], class| {
+        best = Some(match best.take() {
+            None => PowerNorm { value: norm.clone(), class },
+            Some(best) => PowerNorm { value: best.value.greater(norm), class: best.class },
+        });
+    });
+    Ok(best.expect("there is at least one residue class"))
+}
+
+fn oriented<S: Scalar>(rules: &Rules<S>, order: Order) -> Rules<S> {
+    match order {
+        Order::Adjoint => rules.clone(),
+        Order::Forward => rules.reversed(),
+    }
+}
+
+fn check_classes(arity: usize, levels: u32) -> Result<(), ClassCap> {
+    let classes = (arity as u64).checked_pow(levels);
+    match classes.filter(|&count| count <= MAX_CLASSES) {
+        Some(_) => Ok(()),
+        None => Err(ClassCap { arity, levels }),
+    }
+}
+
+/// The norms of several operators of one shape, over integers.
+fn integer_norms<const K: usize>(
+    rules: [&Rules; K],
+    levels: u32,
+    order: Order,
+) -> Result<[PowerNorm; K], ClassCap> {
+    check_classes(rules[0].arity(), levels)?;
+    let offset = rules[0].offset();
+    let common = rules.map(|rules| CommonDenominator::of(oriented(rules, order).rows()));
+    let rows = common.each_ref().map(|common| common.numerators.clone());
+    let best = match narrow(&rows, levels) {
+        Some(narrow) => greatest(&narrow, offset, levels).map(|(v, c)| (Integer::from(v), c)),
+        None => greatest(&rows, offset, levels),
+    };
+    let mut scales = common.iter().map(|common| common.denominator.pow(levels));
+    Ok(best.map(|(value, class)| PowerNorm {
+        value: Rational::new(value, scales.next().expect("one scale for each operator")),
+        class,
+    }))
+}
+
+/// The rows as 128-bit integers, if every number of the walk then fits: all are
+/// at most M^c in absolute value, where M is the largest absolute row sum.
+fn narrow<const K: usize>(
+    rows: &[Vec<Vec<Integer>>; K],
+    levels: u32,
+) -> Option<[Vec<Vec<i128>>; K]> {
+    let mut narrow = Vec::with_capacity(K);
+    for operator in rows {
+        let row_sum = |row: &Vec<Integer>| row.iter().map(Integer::abs).sum::<Integer>();
+        let largest = operator.iter().map(row_sum).max()?;
+        if largest.bits() * u64::from(levels) > 126 && largest.pow(levels).bits() > 126 {
+            return None;
+        }
+        let to_narrow = |row: &Vec<Integer>| row.iter().map(Integer::to_i128).collect();
+        narrow.push(operator.iter().map(to_narrow).collect::<Option<Vec<Vec<i128>>>>()?);
+    }
+    narrow.try_into().ok()
+}
+
+fn greatest<T: Kernel + Ord, const K: usize>(
+    rows: &[Vec<Vec<T>>; K],
+    offset: i64,
+    levels: u32,
+) -> [(T, u64); K] {
+    let mut best: Option<[(T, u64); K]> = None;
+    walk(rows, offset, levels, &mut |norms: &[T; K], class| match &mut best {
+        None => best = Some(norms.clone().map(|norm| (norm, class))),
+        Some(best) => {
+            for (best, norm) in best.iter_mut().zip(norms) {
+                if *norm > best.0 {
+                    *best = (norm.clone(), class);
+                }
+            }
+        }
+    });
+    best.expect("there is at least one residue class")
+}
+
+/// What the walk asks of a number.
+trait Kernel: Clone {
+    fn nothing() -> Self;
+    fn unit() -> Self;
+    /// Whether this is 0 for sure, so that its products can be left out. Never so
+    /// for numbers that may be rounded: all of them take the same steps.
+    fn is_certainly_zero(&self) -> bool {
+        false
+    }
+    /// self += x·y.
+    fn accumulate(&mut self, x: &Self, y: &Self);
+    /// self += |x|.
+    fn accumulate_magnitude(&mut self, x: &Self);
+}
+
+impl Kernel for i128 {
+    fn nothing() -> i128 {
+        0
+    }
+    fn unit() -> i128 {
+        1
+    }
+    fn is_certainly_zero(&self) -> bool {
+        *self == 0
+    }
+    fn accumulate(&mut self, x: &i128, y: &i128) {
+        *self += x * y;
+    }
+    fn accumulate_magnitude(&mut self, x: &i128) {
+        *self += x.abs();
+    }
+}
+
+impl Kernel for Integer {
+    fn nothing() -> Integer {
+        Integer::zero()
+    }
+    fn unit() -> Integer {
+        Integer::one()
+    }
+    fn is_certainly_zero(&self) -> bool {
+        self.is_zero()
+    }
+    fn accumulate(&mut self, x: &Integer, y: &Integer) {
+        *self += &(x * y);
+    }
+    fn accumulate_magnitude(&mut self, x: &Integer) {
+        if x.sign() < 0 {
+            *self -= x;
+        } else {
+            *self += x;
+        }
+    }
+}
+
+impl<S: Real> Kernel for S {
+    fn nothing() -> S {
+        S::zero()
+    }
+    fn unit() -> S {
+        S::from_rational(&Rational::one())
+    }
+    fn accumulate(&mut self, x: &S, y: &S) {
+        *self = self.plus(&x.times(y));
+    }
+    fn accumulate_magnitude(&mut self, x: &S) {
+        *self = self.plus(&x.magnitude());
+    }
+}
+
+/// One term of a transition: the entry at `from` sends itself, times the
+/// coefficient, to `to`.
+struct Edge<T> {
+    from: usize,
+    to: usize,
+    coefficient: T,
+}
+
+/// The transitions of a row vector by one level, one list for each digit d.
+///
+/// A row of Rᵐ is kept as its entries at the positions base, …, base + L − 1. The
+/// entry at base + p stands on rule (d+p) mod n, where d = base mod n, and R sends
+/// it to base′ + ⌊(d+p)/n⌋ + j, with base′ = ⌊base/n⌋ + o. As r runs through the
+/// residues mod n^c, (d_1, …, d_c) runs through all words, whatever o is.
+struct Transitions<T> {
+    length: usize,
+    edges: Vec<Vec<Edge<T>>>,
+}
+
+impl<T: Kernel> Transitions<T> {
+    fn new(rows: &[Vec<T>]) -> Transitions<T> {
+        let (arity, width) = (rows.len(), rows[0].len());
+        let mut length = 1;
+        loop {
+            let reach = (arity - 1 + length - 1) / arity + width;
+            if reach <= length {
+                break;
+            }
+            length = reach;
+        }
+        let edges_of = |digit: usize| {
+            let mut edges = Vec::new();
+            for from in 0..length {
+                let (carry, rule) = ((digit + from) / arity, (digit + from) % arity);
+                for (column, coefficient) in rows[rule].iter().enumerate() {
+                    if !coefficient.is_certainly_zero() {
+                        let coefficient = coefficient.clone();
+                        edges.push(Edge { from, to: carry + column, coefficient });
+                    }
+                }
+            }
+            edges
+        };
+        Transitions { length, edges: (0..arity).map(edges_of).collect() }
+    }
+
+    fn advance(&self, digit: usize, from: &[T], to: &mut [T]) {
+        to.fill(T::nothing());
+        for edge in &self.edges[digit] {
+            to[edge.to].accumulate(&from[edge.from], &edge.coefficient);
+        }
+    }
+}
+
+/// Calls `visit` with the absolute row sums of the c-th powers of K operators of
+/// one shape, for every residue class mod n^c.
+fn walk<T: Kernel, const K: usize>(
+    rows: &[Vec<Vec<T>>; K],
+    offset: i64,
+    levels: u32,
+    visit: &mut impl FnMut(&[T; K], u64),
+) {
+    let arity = rows[0].len();
+    let transitions = rows.each_ref().map(|rows| Transitions::new(rows));
+    let levels = levels as usize;
+    let start = transitions.each_ref().map(|transitions| {
+        let mut start = vec![T::nothing(); transitions.length];
+        start[0] = T::unit();
+        start
+    });
+    // One vector for each level and operator, written again and again.
+    let mut stack = vec![start; levels + 1];
+    let mut digits = vec![0_usize; levels];
+    let mut depth = 0;
+    loop {
+        while depth < levels {
+            let (upper, lower) = stack.split_at_mut(depth + 1);
+            let pairs = upper[depth].iter().zip(&mut lower[0]);
+            for (transitions, (from, to)) in transitions.iter().zip(pairs) {
+                transitions.advance(digits[depth], from, to);
+            }
+            depth += 1;
+        }
+        let norms = stack[levels].each_ref().map(|row| {
+            row.iter().fold(T::nothing(), |mut sum, entry| {
+                sum.accumulate_magnitude(entry);
+                sum
+            })
+        });
+        visit(&norms, class_of(&digits, arity, offset));
+        loop {
+            if depth == 0 {
+                return;
+            }
+            depth -= 1;
+            digits[depth] += 1;
+            if digits[depth] < arity {
+                break;
+            }
+            digits[depth] = 0;
+        }
+    }
+}
+
+/// The residue class r mod n^c whose digits these are: base_{m−1} = n·(base_m − o) + d_m,
+/// and r = base_0.
+fn class_of(digits: &[usize], arity: usize, offset: i64) -> u64 {
+    let classes = (arity as i128).pow(u32::try_from(digits.len()).unwrap_or(u32::MAX));
+    let class = digits.iter().rev().fold(0_i128, |base, &digit| {
+        ((base - i128::from(offset)) * arity as i128 + digit as i128).rem_euclid(classes)
+    });
+    u64::try_from(class).expect("a residue is not negative")
+}

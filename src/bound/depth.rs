@@ -1,0 +1,147 @@
+//! Subdivision depths: the least level at which a bound meets a tolerance.
+
+use crate::exact::Rational;
+
+/// The greatest depth that is looked for.
+pub const MAX_DEPTH: u32 = 100_000;
+
+/// The most binary digits of a power that a depth is decided with.
+const MAX_POWER_BITS: u64 = 8_000_000;
+
+/// Why there is no depth.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum DepthError {
+    /// The bound does not shrink with the level.
+    #[error("the ratio {0} is not below 1, so the bound does not shrink")]
+    NoContraction(String),
+    /// A tolerance or a factor that no depth can be asked for.
+    #[error("{what} must be positive, and is {value}")]
+    NotPositive {
+        /// What must be positive.
+        what: &'static str,
+        /// What it is.
+        value: String,
+    },
+    /// Beyond [`MAX_DEPTH`], or too large to decide.
+    #[error("the depth is beyond the cap: {MAX_DEPTH} levels, or powers of {MAX_POWER_BITS} bits")]
+    TooDeep,
+}
+
+/// How a real number of levels becomes an integer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Rounded {
+    /// The least integer that is not below it: what a depth means.
+    Up,
+    /// The nearest integer; of two, the greater.
+    Nearest,
+    /// The greatest integer that is not above it.
+    Down,
+}
+
+/// log_ratio(x) as an integer, for 0 < ratio < 1 and x > 0, rounded as asked: up,
+/// the least integer k with ratio^k ≤ x. Decided on integers, without a logarithm.
+/// Negative values count as 0: there is no level before the first.
+///
+/// # Errors
+/// When the ratio or x is out of range, or the depth beyond the caps.
+///
+/// ```
+/// use subcert::bound::{Rounded, log_level};
+/// use subcert::exact::Rational;
+///
+/// let half = Rational::new(1, 2);
+/// assert_eq!(log_level(&half, &Rational::new(1, 8), Rounded::Up)?, 3);
+/// assert_eq!(log_level(&half, &Rational::new(1, 9), Rounded::Up)?, 4);
+/// assert_eq!(log_level(&half, &Rational::new(1, 9), Rounded::Nearest)?, 3);
+/// # Ok::<(), subcert::bound::DepthError>(())
+/// ```
+pub fn log_level(ratio: &Rational, x: &Rational, rounded: Rounded) -> Result<u32, DepthError> {
+    match rounded {
+        Rounded::Up => least_level(&Rational::one(), ratio, x),
+        Rounded::Down => {
+            let up = least_level(&Rational::one(), ratio, x)?;
+            // Exactly at a power, up and down agree.
+            let exact = ratio.pow(up.cast_signed()) == *x;
+            Ok(if exact { up } else { up.saturating_sub(1) })
+        }
+        Rounded::Nearest => {
+            // ⌊t + 1/2⌋ for t = log_ratio(x): the greatest k with ratio^(2k−1) ≥ x².
+            let (mut low, mut high) = (0, least_level(&Rational::one(), ratio, x)?);
+            let square = x * x;
+            while low < high {
+                let k = low + (high - low).div_ceil(2);
+                if ratio.pow((2 * k).cast_signed() - 1) >= square { low = k } else { high = k - 1 }
+            }
+            Ok(low)
+        }
+    }
+}
+
+/// The least level k ≥ 0 with factor · ratio^k ≤ tolerance, decided on integers.
+///
+/// # Errors
+/// When ratio is not in [0, 1) although the factor exceeds the tolerance, the
+/// tolerance is not positive, the factor is negative, or the depth is beyond the caps.
+///
+/// ```
+/// use subcert::bound::least_level;
+/// use subcert::exact::Rational;
+///
+/// let k = least_level(&Rational::from(10), &Rational::new(1, 10), &Rational::new(1, 100))?;
+/// assert_eq!(k, 3);
+/// # Ok::<(), subcert::bound::DepthError>(())
+/// ```
+pub fn least_level(
+    factor: &Rational,
+    ratio: &Rational,
+    tolerance: &Rational,
+) -> Result<u32, DepthError> {
+    if tolerance.sign() <= 0 {
+        let value = tolerance.to_string();
+        return Err(DepthError::NotPositive { what: "the tolerance", value });
+    }
+    if factor.sign() < 0 {
+        let value = factor.to_string();
+        return Err(DepthError::NotPositive { what: "the factor of a bound", value });
+    }
+    if factor <= tolerance {
+        return Ok(0);
+    }
+    if *ratio >= Rational::one() || ratio.sign() < 0 {
+        let value = crate::exact::format::short(ratio, 6);
+        return Err(DepthError::NoContraction(value));
+    }
+    if ratio.is_zero() {
+        return Ok(1);
+    }
+    // factor·(p/q)^k ≤ tolerance  ⇔  left·p^k ≤ right·q^k.
+    let left = factor.numerator() * tolerance.denominator();
+    let right = tolerance.numerator() * factor.denominator();
+    let (p, q) = (ratio.numerator(), ratio.denominator());
+    let meets = |k: u32| -> Result<bool, DepthError> {
+        if q.bits() * u64::from(k) > MAX_POWER_BITS {
+            return Err(DepthError::TooDeep);
+        }
+        Ok(&left * p.pow(k) <= &right * q.pow(k))
+    };
+    least(meets)
+}
+
+/// The least k ≥ 1 that `meets`, which once true stays true: by doubling, then
+/// by halving.
+fn least(meets: impl Fn(u32) -> Result<bool, DepthError>) -> Result<u32, DepthError> {
+    let mut high = 1;
+    while !meets(high)? {
+        high *= 2;
+        if high > MAX_DEPTH {
+            return Err(DepthError::TooDeep);
+        }
+    }
+    let mut low = high / 2;
+    while high - low > 1 {
+        let middle = low + (high - low) / 2;
+        if meets(middle)? { high = middle } else { low = middle }
+    }
+    Ok(high)
+}

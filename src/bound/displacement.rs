@@ -1,0 +1,87 @@
+//! σ: how far one refinement moves the polygon.
+
+use crate::exact::{Rational, Real};
+use crate::scheme::Mask;
+
+/// How the coefficients of a rule are gathered.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Terms {
+    /// Σ|·|, the sound way.
+    Each,
+    /// |Σ·|, as some papers print; it is not a bound.
+    Total,
+}
+
+impl Terms {
+    /// Σ|t| or |Σt| over `terms`.
+    #[must_use]
+    pub fn gather<'a, S: Real + 'a>(self, terms: impl IntoIterator<Item = &'a S>) -> S {
+        match self {
+            Terms::Each => S::sum_of_magnitudes(terms),
+            Terms::Total => S::total(terms).magnitude(),
+        }
+    }
+}
+
+/// The displacement σ = max_α Σ_m |ã_{α,m}| of a scheme at the offset o of its mask,
+/// where x'_{ni+α} − ((1−α/n) x_i + (α/n) x_{i+1}) = Σ_m ã_{α,m} Δ_{i+m}, so that
+/// ‖P^{k+1} − P^k‖_∞ ≤ σ max|Δ^k| for the piecewise linear interpolants P^k of
+/// level k at the parameters i/n^k. With [`Terms::Total`], |Σ ã| in place of Σ|ã|.
+///
+/// At o = 0: ã_{α,0} = Σ_{h≥1} a_{α,h} − α/n and ã_{α,m} = Σ_{h>m} a_{α,h} for m ≥ 1.
+///
+/// Source: Mustafa and Deng 2007, (2.6); Mustafa et al. 2020, Theorem 4.
+///
+/// ```
+/// use subcert::bound::{Terms, displacement};
+/// use subcert::exact::Rational;
+/// use subcert::scheme::parse_scheme;
+///
+/// let scheme = parse_scheme("quinary-three-point")?;
+/// let mask = scheme.masks()[0];
+/// assert_eq!(displacement(&mask.with_offset(0), Terms::Each), Rational::new(21, 25));
+/// assert_eq!(displacement(&mask.with_offset(0), Terms::Total), Rational::new(3, 5));
+/// assert_eq!(displacement(mask, Terms::Each), Rational::new(2, 5));
+/// # Ok::<(), subcert::scheme::SchemeError>(())
+/// ```
+#[must_use]
+pub fn displacement<S: Real>(mask: &Mask<S>, terms: Terms) -> S {
+    S::maximum((0..mask.arity()).map(|alpha| terms.gather(&displaced(mask, alpha))))
+}
+
+/// ã_{α,m} for every m where it can differ from 0, in the order of m.
+pub(super) fn displaced<S: Real>(mask: &Mask<S>, alpha: usize) -> Vec<S> {
+    let row = &mask.rules().rows()[alpha];
+    let offset = mask.offset();
+    let width = i64::try_from(mask.width()).expect("the width is capped");
+    let from = offset.min(0);
+    let to = (offset + width - 2).max(0);
+    let shift = S::from_rational(&Rational::new(alpha, mask.arity()));
+    (from..=to)
+        .map(|m| {
+            // Δ_m carries the points beyond it when m ≥ 0, and minus those up to it
+            // when m < 0, since x_{i+s} − x_i is a sum of differences between them.
+            let cut = usize::try_from((m + 1 - offset).clamp(0, width)).expect("clamped to 0…N");
+            let coefficient =
+                if m < 0 { S::zero().minus(&S::total(&row[..cut])) } else { S::total(&row[cut..]) };
+            if m == 0 { coefficient.minus(&shift) } else { coefficient }
+        })
+        .collect()
+}
+
+/// The offset o at which σ is least, and that σ; of equally good ones, the one
+/// nearest to 0.
+///
+/// Another offset is a shift of the parameter by an integer: the polygons and
+/// the limit are the same point sets, compared at other parameters.
+#[must_use]
+pub fn best_offset(mask: &Mask) -> (i64, Rational) {
+    let width = i64::try_from(mask.width()).expect("the width is capped");
+    let mut offsets: Vec<i64> = (-width..=1).collect();
+    offsets.sort_by_key(|offset| offset.abs());
+    let sigma = |offset: i64| (offset, displacement(&mask.with_offset(offset), Terms::Each));
+    let candidates = offsets.into_iter().map(sigma);
+    candidates
+        .reduce(|best, next| if next.1 < best.1 { next } else { best })
+        .expect("there is at least one offset")
+}

@@ -1,0 +1,15 @@
+//! Contraction constants, displacement, error bounds, subdivision depth.
+
+mod constants;
+mod contraction;
+mod depth;
+mod displacement;
+mod sound;
+mod surface;
+
+pub use constants::{Constants, Operator, Suprema};
+pub use contraction::{ClassCap, Order, PowerNorm, joint_norm, power_norm, power_norm_generic};
+pub use depth::{DepthError, MAX_DEPTH, Rounded, least_level, log_level};
+pub use displacement::{Terms, best_offset, displacement};
+pub use sound::{SoundBound, SoundDepth};
+pub use surface::{surface_coefficients, surface_factor};

@@ -1,0 +1,65 @@
+//! GMP, through rug.
+
+use rug::Complete as _;
+use rug::ops::{DivRounding as _, Pow as _};
+
+pub(in crate::exact) use rug::Integer as Int;
+pub(in crate::exact) use rug::Rational as Rat;
+
+pub(in crate::exact) const NAME: &str = "GMP";
+
+pub(in crate::exact) fn parse_digits(digits: &str) -> Option<Int> {
+    Int::parse(digits).ok().map(Int::from)
+}
+
+pub(in crate::exact) fn div_floor(a: &Int, b: &Int) -> Int {
+    Int::from(a.div_floor(b))
+}
+
+pub(in crate::exact) fn gcd(a: &Int, b: &Int) -> Int {
+    a.gcd_ref(b).complete()
+}
+
+pub(in crate::exact) fn pow(a: &Int, exponent: u32) -> Int {
+    Int::from(a.pow(exponent))
+}
+
+pub(in crate::exact) fn abs(a: &Int) -> Int {
+    a.abs_ref().complete()
+}
+
+pub(in crate::exact) fn sign(a: &Int) -> i8 {
+    a.cmp0() as i8
+}
+
+pub(in crate::exact) fn bits(a: &Int) -> u64 {
+    u64::from(a.significant_bits())
+}
+
+pub(in crate::exact) fn is_even(a: &Int) -> bool {
+    a.is_even()
+}
+
+pub(in crate::exact) fn to_i128(a: &Int) -> Option<i128> {
+    a.to_i128()
+}
+
+pub(in crate::exact) fn rat(numerator: Int, denominator: Int) -> Rat {
+    Rat::from((numerator, denominator))
+}
+
+pub(in crate::exact) fn rat_is_zero(a: &Rat) -> bool {
+    a.cmp0().is_eq()
+}
+
+pub(in crate::exact) fn rat_sign(a: &Rat) -> i8 {
+    a.cmp0() as i8
+}
+
+pub(in crate::exact) fn rat_pow(a: &Rat, exponent: u32) -> Rat {
+    Rat::from(a.pow(exponent))
+}
+
+pub(in crate::exact) fn rat_bits(a: &Rat) -> u64 {
+    bits(a.numer()) + bits(a.denom())
+}

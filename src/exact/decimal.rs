@@ -1,0 +1,106 @@
+//! A decimal as printed, and how it relates to an exact value.
+
+use super::{Integer, Rational};
+use std::cmp::Ordering;
+
+/// A printed decimal: `mantissa` · 10^`exponent`, where `exponent` is the place
+/// of its last printed digit. `0.0310` and `0.031` are equal in value, but not
+/// as decimals: the first promises a digit more.
+///
+/// ```
+/// use subcert::exact::{Rational, Rounding, parse_decimal};
+///
+/// let printed = parse_decimal("0.667")?;
+/// assert_eq!(printed.rounding_of(&Rational::new(2, 3)), Rounding::Nearest);
+/// assert_eq!(parse_decimal("0.666")?.rounding_of(&Rational::new(2, 3)), Rounding::Truncated);
+/// # Ok::<(), subcert::exact::NumberError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Decimal {
+    mantissa: Integer,
+    exponent: i32,
+}
+
+/// How a printed decimal came from an exact value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Rounding {
+    /// The decimal is the exact value.
+    Exact,
+    /// The nearest decimal of its length; of two equally near ones, either.
+    Nearest,
+    /// Not the nearest; cut towards zero.
+    Truncated,
+    /// Not the nearest; rounded away from zero.
+    Up,
+    /// None of these: off by a unit in the last place or more.
+    Neither,
+}
+
+impl Decimal {
+    /// `mantissa` · 10^`exponent`, printed to the place 10^`exponent`.
+    #[must_use]
+    pub fn new(mantissa: Integer, exponent: i32) -> Decimal {
+        Decimal { mantissa, exponent }
+    }
+
+    /// All printed digits, read as one integer.
+    #[must_use]
+    pub fn mantissa(&self) -> &Integer {
+        &self.mantissa
+    }
+
+    /// The place of the last printed digit, as a power of ten.
+    #[must_use]
+    pub fn exponent(&self) -> i32 {
+        self.exponent
+    }
+
+    /// The exact value of the printed digits.
+    #[must_use]
+    pub fn value(&self) -> Rational {
+        Rational::from(self.mantissa.clone()) * Rational::power_of_ten(self.exponent)
+    }
+
+    /// One unit in the last printed place.
+    #[must_use]
+    pub fn unit(&self) -> Rational {
+        Rational::power_of_ten(self.exponent)
+    }
+
+    /// The number of digits from the first that is not 0 to the last printed
+    /// one; 0 when all are 0.
+    #[must_use]
+    pub fn significant_digits(&self) -> usize {
+        if self.mantissa.is_zero() { 0 } else { self.mantissa.abs().to_string().len() }
+    }
+
+    /// The closed interval of the values that round to this decimal: half a
+    /// unit in the last place to either side.
+    #[must_use]
+    pub fn interval(&self) -> (Rational, Rational) {
+        let half = self.unit() / Rational::from(2);
+        let value = self.value();
+        (&value - &half, value + half)
+    }
+
+    /// How this decimal came from the value `exact`.
+    #[must_use]
+    pub fn rounding_of(&self, exact: &Rational) -> Rounding {
+        let value = self.value();
+        let off = (&value - exact).abs();
+        if off.is_zero() {
+            return Rounding::Exact;
+        }
+        let unit = self.unit();
+        if &off + &off <= unit {
+            return Rounding::Nearest;
+        }
+        if off >= unit {
+            return Rounding::Neither;
+        }
+        match value.abs().cmp(&exact.abs()) {
+            Ordering::Less => Rounding::Truncated,
+            _ => Rounding::Up,
+        }
+    }
+}

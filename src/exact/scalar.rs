@@ -1,0 +1,105 @@
+//! What the algorithms ask of a number type, so that each is written once.
+
+use super::{Polynomial, Rational};
+use std::cmp::Ordering;
+
+/// A commutative ring that contains the rationals: exact numbers, polynomials,
+/// and, up to rounding, machine floats.
+pub trait Scalar: Clone {
+    /// The image of a rational number.
+    fn from_rational(value: &Rational) -> Self;
+    /// self + other.
+    #[must_use]
+    fn plus(&self, other: &Self) -> Self;
+    /// self − other.
+    #[must_use]
+    fn minus(&self, other: &Self) -> Self;
+    /// self · other.
+    #[must_use]
+    fn times(&self, other: &Self) -> Self;
+
+    /// 0.
+    #[must_use]
+    fn zero() -> Self {
+        Self::from_rational(&Rational::zero())
+    }
+
+    /// The sum of `terms`, added from left to right.
+    #[must_use]
+    fn total<'a>(terms: impl IntoIterator<Item = &'a Self>) -> Self
+    where
+        Self: 'a,
+    {
+        terms.into_iter().fold(Self::zero(), |sum, term| sum.plus(term))
+    }
+}
+
+/// An ordered [`Scalar`] with absolute values and division.
+pub trait Real: Scalar {
+    /// |self|.
+    #[must_use]
+    fn magnitude(&self) -> Self;
+    /// The greater of the two.
+    #[must_use]
+    fn greater(&self, other: &Self) -> Self;
+    /// self / other, for other ≠ 0.
+    #[must_use]
+    fn over(&self, other: &Self) -> Self;
+
+    /// Σ |t| over `terms`.
+    #[must_use]
+    fn sum_of_magnitudes<'a>(terms: impl IntoIterator<Item = &'a Self>) -> Self
+    where
+        Self: 'a,
+    {
+        terms.into_iter().fold(Self::zero(), |sum, term| sum.plus(&term.magnitude()))
+    }
+
+    /// The greatest of `values`, or 0 when there are none or all are negative.
+    #[must_use]
+    fn maximum(values: impl IntoIterator<Item = Self>) -> Self {
+        values.into_iter().fold(Self::zero(), |best, value| best.greater(&value))
+    }
+}
+
+impl Scalar for Rational {
+    fn from_rational(value: &Rational) -> Self {
+        value.clone()
+    }
+    fn plus(&self, other: &Self) -> Self {
+        self + other
+    }
+    fn minus(&self, other: &Self) -> Self {
+        self - other
+    }
+    fn times(&self, other: &Self) -> Self {
+        self * other
+    }
+}
+
+impl Real for Rational {
+    fn magnitude(&self) -> Self {
+        self.abs()
+    }
+    fn greater(&self, other: &Self) -> Self {
+        if self.cmp(other) == Ordering::Less { other.clone() } else { self.clone() }
+    }
+    fn over(&self, other: &Self) -> Self {
+        self / other
+    }
+}
+
+impl Scalar for Polynomial {
+    fn from_rational(value: &Rational) -> Self {
+        Polynomial::constant(value.clone())
+    }
+    fn plus(&self, other: &Self) -> Self {
+        self + other
+    }
+    fn minus(&self, other: &Self) -> Self {
+        self - other
+    }
+    fn times(&self, other: &Self) -> Self {
+        self * other
+    }
+}

@@ -1,0 +1,75 @@
+//! The tree of a formula.
+
+use crate::exact::Rational;
+
+/// Bytes of the formula's text.
+pub type Span = std::ops::Range<usize>;
+
+/// An expression and where it stands.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Expr {
+    /// What it is.
+    pub node: Node,
+    /// Where it stands in the formula's text.
+    pub span: Span,
+}
+
+/// A node of the tree. The tree is as deep as the text is nested: operators of
+/// one precedence stand side by side, however many there are.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Node {
+    /// An exact number.
+    Number(Rational),
+    /// A parameter or an index.
+    Name(String),
+    /// −x.
+    Negate(Box<Expr>),
+    /// Operators of one precedence, applied from left to right.
+    Chain(Box<Expr>, Vec<(Operator, Expr)>),
+    /// base^exponent.
+    Power(Box<Expr>, Box<Expr>),
+    /// A function of the language or of the context.
+    Call {
+        /// Its name.
+        function: String,
+        /// The expressions between its parentheses.
+        arguments: Vec<Expr>,
+        /// The words after them, such as `order = forward`.
+        options: Vec<OptionWord>,
+    },
+    /// Σ of `body` over `index` = `from`, …, `to`.
+    Sum {
+        /// The name that `body` may use.
+        index: String,
+        /// The first index.
+        from: Box<Expr>,
+        /// The last index.
+        to: Box<Expr>,
+        /// What is summed.
+        body: Box<Expr>,
+    },
+}
+
+/// An operator between two expressions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Operator {
+    /// +
+    Add,
+    /// −
+    Subtract,
+    /// ·
+    Multiply,
+    /// /
+    Divide,
+}
+
+/// A word that chooses how a function is meant: `order = forward`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct OptionWord {
+    /// The name of the choice.
+    pub name: String,
+    /// What is chosen.
+    pub word: String,
+    /// Where it stands.
+    pub span: Span,
+}

@@ -1,0 +1,135 @@
+//! The functions of the language itself.
+
+use super::ast::OptionWord;
+use super::error::FormulaErrorKind;
+use super::value::Value;
+use crate::exact::Rational;
+
+/// The names of the functions.
+pub(super) const NAMES: [&str; 7] = ["abs", "min", "max", "floor", "ceil", "binomial", "sum"];
+
+/// The most binary digits that a value may have.
+pub(super) const MAX_BITS: u64 = 4_000_000;
+
+/// The greatest lower index of a binomial coefficient.
+const MAX_BINOMIAL: u64 = 10_000;
+
+/// The value of `function`, or `None` when the language has no such function.
+pub(super) fn call<V: Value>(
+    function: &str,
+    arguments: &[V],
+    options: &[OptionWord],
+) -> Option<Result<V, FormulaErrorKind>> {
+    if !NAMES.contains(&function) {
+        return None;
+    }
+    if let Some(option) = options.first() {
+        let message = format!("`{function}` takes no option `{}`", option.name);
+        return Some(Err(FormulaErrorKind::Call(message)));
+    }
+    Some(match (function, arguments) {
+        ("abs", [x]) => x.absolute().ok_or(FormulaErrorKind::Unsupported(SYMBOLIC)),
+        ("max", [first, rest @ ..]) => extreme(first, rest, V::larger),
+        ("min", [first, rest @ ..]) => extreme(first, rest, |a, b| {
+            // min(a, b) = a + b - max(a, b), exactly.
+            Some(a.plus(b).minus(&a.larger(b)?))
+        }),
+        ("floor", [x]) => rational(x).map(|x| V::from_rational(&Rational::from(x.floor()))),
+        ("ceil", [x]) => rational(x).map(|x| V::from_rational(&Rational::from(x.ceil()))),
+        ("binomial", [top, bottom]) => binomial(top, bottom),
+        (name, given) => Err(FormulaErrorKind::Call(format!(
+            "`{name}` takes {}, and was given {} arguments",
+            match name {
+                "min" | "max" => "one argument or more",
+                "binomial" => "two arguments",
+                _ => "one argument",
+            },
+            given.len()
+        ))),
+    })
+}
+
+const SYMBOLIC: &str = "this has no value while a parameter is symbolic";
+
+fn rational<V: Value>(value: &V) -> Result<Rational, FormulaErrorKind> {
+    value.as_rational().ok_or(FormulaErrorKind::Unsupported(SYMBOLIC))
+}
+
+fn extreme<V: Value>(
+    first: &V,
+    rest: &[V],
+    choose: impl Fn(&V, &V) -> Option<V>,
+) -> Result<V, FormulaErrorKind> {
+    rest.iter().try_fold(first.clone(), |best, value| {
+        choose(&best, value).ok_or(FormulaErrorKind::Unsupported(SYMBOLIC))
+    })
+}
+
+/// left · right.
+pub(super) fn multiply<V: Value>(left: &V, right: &V) -> Result<V, FormulaErrorKind> {
+    if left.size().max(right.size()) > MAX_BITS {
+        return Err(FormulaErrorKind::TooLarge { what: "the number of bits", cap: MAX_BITS });
+    }
+    Ok(left.times(right))
+}
+
+/// left / right.
+pub(super) fn divide<V: Value>(left: &V, right: &V) -> Result<V, FormulaErrorKind> {
+    if right.as_rational().is_some_and(|value| value.is_zero()) {
+        return Err(FormulaErrorKind::DivisionByZero);
+    }
+    left.quotient(right).ok_or(FormulaErrorKind::Unsupported(
+        "division by a symbolic parameter is not an identity of polynomials",
+    ))
+}
+
+/// `value` as a machine integer.
+pub(super) fn integer<V: Value>(what: &'static str, value: &V) -> Result<i64, FormulaErrorKind> {
+    let rational = value.as_rational().filter(Rational::is_integer);
+    let integer = rational
+        .ok_or_else(|| FormulaErrorKind::NotAnInteger { what, value: value.to_string() })?;
+    integer
+        .numerator()
+        .to_i64()
+        .filter(|value| value.unsigned_abs() < 1 << 40)
+        .ok_or(FormulaErrorKind::TooLarge { what, cap: 1 << 40 })
+}
+
+/// base^exponent, for an integer exponent.
+pub(super) fn power<V: Value>(base: &V, exponent: &V) -> Result<V, FormulaErrorKind> {
+    let too_large = FormulaErrorKind::TooLarge { what: "the power", cap: MAX_BITS };
+    let exponent = integer("an exponent", exponent)?;
+    let magnitude = u32::try_from(exponent.unsigned_abs()).map_err(|_| too_large.clone())?;
+    if let Some(base) = base.as_rational() {
+        if base.is_zero() && exponent < 0 {
+            return Err(FormulaErrorKind::DivisionByZero);
+        }
+        if base.bits() > 2 && base.bits().saturating_mul(u64::from(magnitude)) > MAX_BITS {
+            return Err(too_large);
+        }
+        let exponent = i32::try_from(exponent).map_err(|_| too_large)?;
+        return Ok(V::from_rational(&base.pow(exponent)));
+    }
+    if magnitude > 64 {
+        return Err(FormulaErrorKind::TooLarge { what: "the power of a symbol", cap: 64 });
+    }
+    let one = V::from_rational(&Rational::one());
+    let power = (0..magnitude).try_fold(one.clone(), |power, _| multiply(&power, base))?;
+    if exponent < 0 { divide(&one, &power) } else { Ok(power) }
+}
+
+/// C(top, bottom) = top(top − 1)…(top − bottom + 1)/bottom!, 0 for bottom < 0.
+fn binomial<V: Value>(top: &V, bottom: &V) -> Result<V, FormulaErrorKind> {
+    let what = "the lower index of `binomial`";
+    let bottom = integer(what, bottom)?;
+    if bottom > MAX_BINOMIAL.cast_signed() {
+        return Err(FormulaErrorKind::TooLarge { what, cap: MAX_BINOMIAL });
+    }
+    if bottom < 0 {
+        return Ok(V::zero());
+    }
+    Ok((0..bottom).fold(V::from_rational(&Rational::one()), |value, i| {
+        let factor = top.minus(&V::from_rational(&Rational::from(i)));
+        value.times(&factor).times(&V::from_rational(&Rational::new(1, i + 1)))
+    }))
+}

@@ -1,0 +1,96 @@
+//! What can be wrong with a formula, and where.
+
+use super::ast::Span;
+use super::parse::{MAX_FORMULA_LENGTH, MAX_NESTING};
+
+/// An error in a formula, with the bytes it is about.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{kind}")]
+pub struct FormulaError {
+    /// What is wrong.
+    pub kind: FormulaErrorKind,
+    /// Where, in bytes of the formula.
+    pub span: Span,
+}
+
+/// What is wrong with a formula.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum FormulaErrorKind {
+    /// The text does not follow the grammar here.
+    #[error("expected {0}")]
+    Expected(&'static str),
+    /// A number that [`parse_decimal`](crate::exact::parse_decimal) refuses.
+    #[error("{0}")]
+    Number(crate::exact::NumberError),
+    /// More than [`MAX_FORMULA_LENGTH`] bytes.
+    #[error("a formula of {0} bytes; at most {MAX_FORMULA_LENGTH} are read")]
+    TooLong(usize),
+    /// Nested deeper than [`MAX_NESTING`].
+    #[error("nested more than {MAX_NESTING} deep")]
+    TooDeep,
+    /// A name that the context does not know.
+    #[error("unknown name `{name}`{}", known_here(.known))]
+    UnknownName {
+        /// The name.
+        name: String,
+        /// What is known.
+        known: Vec<String>,
+    },
+    /// A parameter that exists, but has no value.
+    #[error("`{0}` has no value")]
+    Unstated(String),
+    /// A function that neither the language nor the context has.
+    #[error("unknown function `{name}`{}", known_here(.known))]
+    UnknownFunction {
+        /// The name.
+        name: String,
+        /// What is known.
+        known: Vec<String>,
+    },
+    /// A function that does not accept what it was given.
+    #[error("{0}")]
+    Call(String),
+    /// A value that does not exist, though the formula is well formed.
+    #[error("{0}")]
+    Undefined(String),
+    /// x/0.
+    #[error("division by zero")]
+    DivisionByZero,
+    /// Something that the value's type cannot do, such as |w| of a symbol w.
+    #[error("{0}")]
+    Unsupported(&'static str),
+    /// An integer was needed.
+    #[error("{what} must be an integer, and is {value}")]
+    NotAnInteger {
+        /// What must be an integer.
+        what: &'static str,
+        /// What it is.
+        value: String,
+    },
+    /// A cap was reached.
+    #[error("{what} is too large; at most {cap}")]
+    TooLarge {
+        /// What is too large.
+        what: &'static str,
+        /// The cap.
+        cap: u64,
+    },
+}
+
+fn known_here(names: &[String]) -> String {
+    if names.is_empty() { String::new() } else { format!("; known here: {}", names.join(", ")) }
+}
+
+/// Why a context's function gives no value; the evaluator adds the place.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum CallError {
+    /// The context has no such function; it has these.
+    UnknownFunction(Vec<String>),
+    /// The arguments or options do not fit: what would be right.
+    Misuse(String),
+    /// The value does not exist: why.
+    Undefined(String),
+    /// An error in a formula that the function stands for.
+    Inner(FormulaErrorKind),
+}

@@ -1,0 +1,62 @@
+//! A formula that stands in a file.
+
+use super::ast::Expr;
+use super::error::FormulaError;
+use super::parse::parse;
+use crate::diagnostic::{Diagnostic, SourceText};
+use std::ops::Range;
+use std::sync::Arc;
+
+/// A formula and its place in a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LocatedFormula {
+    /// The formula.
+    pub expr: Expr,
+    /// Its text.
+    pub text: String,
+    /// The file.
+    pub source: Arc<SourceText>,
+    /// The bytes of the file that it takes, quotes included.
+    pub span: Range<usize>,
+}
+
+impl LocatedFormula {
+    /// Reads the TOML string `text`, which takes the bytes `span` of `source`.
+    ///
+    /// # Errors
+    /// When `text` is not a formula; the error underlines the place in the file.
+    pub fn read(
+        source: &Arc<SourceText>,
+        span: Range<usize>,
+        text: &str,
+    ) -> Result<LocatedFormula, Diagnostic> {
+        let at = |error: &FormulaError| locate(source, &span, text, error);
+        let expr = parse(text).map_err(|error| at(&error))?;
+        Ok(LocatedFormula { expr, text: text.to_owned(), source: Arc::clone(source), span })
+    }
+
+    /// An error in this formula, as an error in its file.
+    #[must_use]
+    pub fn diagnostic(&self, error: &FormulaError) -> Diagnostic {
+        locate(&self.source, &self.span, &self.text, error)
+    }
+}
+
+/// Inside a string without escapes, a byte of the formula is a byte of the file;
+/// elsewhere the whole string is underlined.
+fn locate(
+    source: &Arc<SourceText>,
+    span: &Range<usize>,
+    text: &str,
+    error: &FormulaError,
+) -> Diagnostic {
+    let raw = source.text.get(span.clone()).unwrap_or_default();
+    let place = match raw.find(text).filter(|_| !text.is_empty()) {
+        Some(quote) => {
+            let start = span.start + quote;
+            start + error.span.start..start + error.span.end
+        }
+        None => span.clone(),
+    };
+    Diagnostic::new(source, place, error.kind.to_string())
+}

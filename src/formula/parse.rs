@@ -1,0 +1,305 @@
+//! From text to tree, with winnow.
+
+use super::ast::{Expr, Node, Operator, OptionWord, Span};
+use super::error::{FormulaError, FormulaErrorKind};
+use crate::exact::parse_decimal;
+use winnow::Parser;
+use winnow::combinator::{cut_err, delimited, not, opt, peek, preceded, repeat};
+use winnow::error::{ErrMode, ParserError};
+use winnow::stream::{LocatingSlice, Location, Stateful, Stream};
+use winnow::token::{any, one_of, take_while};
+
+/// The longest formula that is read, in bytes.
+pub const MAX_FORMULA_LENGTH: usize = 4_096;
+
+/// The deepest nesting of parentheses, signs and powers that is read.
+pub const MAX_NESTING: usize = 64;
+
+type Input<'a> = Stateful<LocatingSlice<&'a str>, usize>;
+type Parsed<T> = Result<T, ErrMode<Failure>>;
+
+/// Reads a formula.
+///
+/// # Errors
+/// When the text does not follow the grammar of [the module](super), or is
+/// longer or deeper than the caps.
+///
+/// ```
+/// use subcert::exact::Rational;
+/// use subcert::formula::{Parameters, evaluate, parse};
+///
+/// let formula = parse("9/16 + 2*w")?;
+/// let w = Parameters::from([("w", Rational::new(3, 256))]);
+/// assert_eq!(evaluate(&formula, &w)?, Rational::new(75, 128));
+/// assert_eq!(parse("2 w").unwrap_err().span, 2..3);
+/// # Ok::<(), subcert::formula::FormulaError>(())
+/// ```
+pub fn parse(text: &str) -> Result<Expr, FormulaError> {
+    if text.len() > MAX_FORMULA_LENGTH {
+        let kind = FormulaErrorKind::TooLong(text.len());
+        return Err(FormulaError { kind, span: 0..text.len() });
+    }
+    let input = Stateful { input: LocatingSlice::new(text), state: 0 };
+    preceded(space, expression).parse(input).map_err(|error| {
+        let failure = error.into_inner();
+        let at = failure.at.min(text.len());
+        let kind = failure.kind.unwrap_or(FormulaErrorKind::Expected("an operator or the end"));
+        FormulaError { kind, span: failure.span.unwrap_or_else(|| token_at(text, at)) }
+    })
+}
+
+/// Whether `text` can be the name of a parameter: a letter or `_`, then letters,
+/// digits and `_`.
+#[must_use]
+pub fn is_identifier(text: &str) -> bool {
+    let mut characters = text.chars();
+    characters.next().is_some_and(starts_name) && characters.all(continues_name)
+}
+
+fn starts_name(c: char) -> bool {
+    c.is_alphabetic() || c == '_'
+}
+
+fn continues_name(c: char) -> bool {
+    c.is_alphanumeric() || c == '_'
+}
+
+/// The token that starts at byte `at`, for underlining; empty at the end.
+fn token_at(text: &str, at: usize) -> Span {
+    let rest = &text[at..];
+    let word: usize = rest.chars().take_while(|c| continues_name(*c)).map(char::len_utf8).sum();
+    let length = if word > 0 { word } else { rest.chars().next().map_or(0, char::len_utf8) };
+    at..at + length
+}
+
+/// Where parsing stopped, and what was expected there.
+#[derive(Clone, Debug)]
+struct Failure {
+    at: usize,
+    kind: Option<FormulaErrorKind>,
+    span: Option<Span>,
+}
+
+impl<'a> ParserError<Input<'a>> for Failure {
+    type Inner = Failure;
+    fn from_input(input: &Input<'a>) -> Failure {
+        Failure { at: input.current_token_start(), kind: None, span: None }
+    }
+    fn or(self, other: Failure) -> Failure {
+        if self.at > other.at { self } else { other }
+    }
+    fn into_inner(self) -> Result<Failure, Failure> {
+        Ok(self)
+    }
+}
+
+/// Requires `parser`, and says what was expected when it does not match.
+fn required<'a, T>(
+    what: &'static str,
+    mut parser: impl Parser<Input<'a>, T, ErrMode<Failure>>,
+) -> impl Parser<Input<'a>, T, ErrMode<Failure>> {
+    move |input: &mut Input<'a>| {
+        parser.parse_next(input).map_err(|error| match error {
+            ErrMode::Backtrack(mut failure) => {
+                failure.kind = Some(FormulaErrorKind::Expected(what));
+                ErrMode::Cut(failure)
+            }
+            other => other,
+        })
+    }
+}
+
+fn space(input: &mut Input<'_>) -> Parsed<()> {
+    take_while(0.., char::is_whitespace).void().parse_next(input)
+}
+
+fn symbol<'a>(character: char) -> impl Parser<Input<'a>, (), ErrMode<Failure>> {
+    (character, space).void()
+}
+
+fn located<'a>(
+    mut parser: impl Parser<Input<'a>, Node, ErrMode<Failure>>,
+) -> impl Parser<Input<'a>, Expr, ErrMode<Failure>> {
+    move |input: &mut Input<'a>| {
+        let start = input.current_token_start();
+        let node = parser.parse_next(input)?;
+        Ok(Expr { node, span: start..input.previous_token_end() })
+    }
+}
+
+/// Runs `parser` one level deeper.
+fn nested<'a, T>(
+    mut parser: impl Parser<Input<'a>, T, ErrMode<Failure>>,
+) -> impl Parser<Input<'a>, T, ErrMode<Failure>> {
+    move |input: &mut Input<'a>| {
+        if input.state >= MAX_NESTING {
+            let at = input.current_token_start();
+            let kind = Some(FormulaErrorKind::TooDeep);
+            return Err(ErrMode::Cut(Failure { at, kind, span: None }));
+        }
+        input.state += 1;
+        let result = parser.parse_next(input);
+        input.state -= 1;
+        result
+    }
+}
+
+fn expression(input: &mut Input<'_>) -> Parsed<Expr> {
+    chain(input, additive, term)
+}
+
+fn term(input: &mut Input<'_>) -> Parsed<Expr> {
+    chain(input, multiplicative, factor)
+}
+
+fn additive(input: &mut Input<'_>) -> Parsed<Operator> {
+    let sign = one_of(['+', '-', '\u{2212}']);
+    let operator = sign.map(|c| if c == '+' { Operator::Add } else { Operator::Subtract });
+    (operator, space).map(|(operator, ())| operator).parse_next(input)
+}
+
+fn multiplicative(input: &mut Input<'_>) -> Parsed<Operator> {
+    let sign = one_of(['*', '/', '·']);
+    let operator = sign.map(|c| if c == '/' { Operator::Divide } else { Operator::Multiply });
+    (operator, space).map(|(operator, ())| operator).parse_next(input)
+}
+
+fn chain<'a>(
+    input: &mut Input<'a>,
+    operator: fn(&mut Input<'a>) -> Parsed<Operator>,
+    mut operand: fn(&mut Input<'a>) -> Parsed<Expr>,
+) -> Parsed<Expr> {
+    let first = operand.parse_next(input)?;
+    let rest: Vec<(Operator, Expr)> = repeat(0.., (operator, operand)).parse_next(input)?;
+    let Some((_, last)) = rest.last() else { return Ok(first) };
+    let span = first.span.start..last.span.end;
+    Ok(Expr { node: Node::Chain(Box::new(first), rest), span })
+}
+
+/// `-x^2` is `-(x^2)`; `x^-2` is `x^(-2)`.
+fn factor(input: &mut Input<'_>) -> Parsed<Expr> {
+    let minus = (one_of(['-', '\u{2212}']), space);
+    let start = input.current_token_start();
+    if opt(minus).parse_next(input)?.is_some() {
+        let operand = nested(factor).parse_next(input)?;
+        let span = start..operand.span.end;
+        return Ok(Expr { node: Node::Negate(Box::new(operand)), span });
+    }
+    let base = primary(input)?;
+    if opt(symbol('^')).parse_next(input)?.is_none() {
+        return Ok(base);
+    }
+    let exponent = nested(factor).parse_next(input)?;
+    let span = base.span.start..exponent.span.end;
+    Ok(Expr { node: Node::Power(Box::new(base), Box::new(exponent)), span })
+}
+
+fn primary(input: &mut Input<'_>) -> Parsed<Expr> {
+    let next = required("a number, a name or `(`", peek(any)).parse_next(input)?;
+    if next == '(' {
+        let close = required("an operator or `)`", symbol(')'));
+        return delimited(symbol('('), nested(expression), close).parse_next(input);
+    }
+    if next.is_ascii_digit() {
+        return located(number).parse_next(input).and_then(|expr| skip_space(input, expr));
+    }
+    if starts_name(next) {
+        return name_or_call(input);
+    }
+    required("a number, a name or `(`", winnow::combinator::fail).parse_next(input)
+}
+
+fn skip_space(input: &mut Input<'_>, expr: Expr) -> Parsed<Expr> {
+    space(input)?;
+    Ok(expr)
+}
+
+fn digits<'a>(input: &mut Input<'a>) -> Parsed<&'a str> {
+    take_while(1.., '0'..='9').parse_next(input)
+}
+
+fn number(input: &mut Input<'_>) -> Parsed<Node> {
+    let start = input.current_token_start();
+    // `1..3` is a range, not the number `1.` and a stray point.
+    let fraction = opt((('.', not('.')), required("a digit", digits)));
+    let power = opt((one_of(['e', 'E']), opt(one_of(['+', '-'])), required("a digit", digits)));
+    let text = (digits, fraction, power).take().parse_next(input)?;
+    parse_decimal(text).map(|decimal| Node::Number(decimal.value())).map_err(|error| {
+        let span = Some(start..start + text.len());
+        let kind = Some(FormulaErrorKind::Number(error));
+        ErrMode::Cut(Failure { at: start, kind, span })
+    })
+}
+
+fn identifier<'a>(input: &mut Input<'a>) -> Parsed<&'a str> {
+    (one_of(starts_name), take_while(0.., continues_name)).take().parse_next(input)
+}
+
+fn name_or_call(input: &mut Input<'_>) -> Parsed<Expr> {
+    let start = input.current_token_start();
+    let name = identifier(input)?;
+    let end = input.previous_token_end();
+    space(input)?;
+    if opt(symbol('(')).parse_next(input)?.is_none() {
+        return Ok(Expr { node: Node::Name(name.to_owned()), span: start..end });
+    }
+    let node = if name == "sum" {
+        nested(sum).parse_next(input)?
+    } else {
+        nested(|input: &mut Input<'_>| call(input, name)).parse_next(input)?
+    };
+    required("`,` or `)`", ')').parse_next(input)?;
+    let end = input.previous_token_end();
+    space(input)?;
+    Ok(Expr { node, span: start..end })
+}
+
+fn sum(input: &mut Input<'_>) -> Parsed<Node> {
+    let index = required("an index, as in sum(h = 1..m, …)", identifier).parse_next(input)?;
+    space(input)?;
+    required("`=`", symbol('=')).parse_next(input)?;
+    let from = expression(input)?;
+    required("`..` and the last index", ("..", space)).parse_next(input)?;
+    let to = expression(input)?;
+    required("`,` and what is summed", symbol(',')).parse_next(input)?;
+    let body = cut_err(expression).parse_next(input)?;
+    let index = index.to_owned();
+    Ok(Node::Sum { index, from: Box::new(from), to: Box::new(to), body: Box::new(body) })
+}
+
+fn call(input: &mut Input<'_>, function: &str) -> Parsed<Node> {
+    let mut arguments = Vec::new();
+    let mut options = Vec::new();
+    if peek(opt(')')).parse_next(input)?.is_none() {
+        loop {
+            match opt(option_word).parse_next(input)? {
+                Some(option) => options.push(option),
+                None if options.is_empty() => arguments.push(expression(input)?),
+                None => {
+                    let what = "a choice such as `order = forward`; arguments come first";
+                    return required(what, winnow::combinator::fail).parse_next(input);
+                }
+            }
+            if opt(symbol(',')).parse_next(input)?.is_none() {
+                break;
+            }
+        }
+    }
+    Ok(Node::Call { function: function.to_owned(), arguments, options })
+}
+
+fn option_word(input: &mut Input<'_>) -> Parsed<OptionWord> {
+    let start = input.checkpoint();
+    let offset = input.current_token_start();
+    let name = identifier(input)?;
+    space(input)?;
+    if opt(symbol('=')).parse_next(input)?.is_none() {
+        input.reset(&start);
+        return Err(ErrMode::Backtrack(Failure::from_input(input)));
+    }
+    let word = take_while(1.., |c| continues_name(c) || c == '-');
+    let word = required("a word such as `forward`", word).parse_next(input)?;
+    let span = offset..input.previous_token_end();
+    space(input)?;
+    Ok(OptionWord { name: name.to_owned(), word: word.to_owned(), span })
+}

@@ -1,0 +1,100 @@
+//! A context of parameters, definitions and functions.
+
+use super::error::CallError;
+use super::evaluate::{Call, Context, Lookup, evaluate_with};
+use super::located::LocatedFormula;
+use super::value::Value;
+use std::cell::Cell;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// How deep definitions may refer to definitions.
+const MAX_DEFINITION_DEPTH: usize = 32;
+
+/// The functions that a scope offers beyond the language's own.
+pub trait Functions<V> {
+    /// The value of a function.
+    ///
+    /// # Errors
+    /// When there is no such function, or no such value.
+    fn call(&self, call: &Call<'_, V>) -> Result<V, CallError>;
+}
+
+/// No functions.
+impl<V> Functions<V> for () {
+    fn call(&self, _: &Call<'_, V>) -> Result<V, CallError> {
+        Err(CallError::UnknownFunction(Vec::new()))
+    }
+}
+
+/// Parameters with values, parameters without, named formulas over them, and
+/// functions. A named formula is evaluated where it is used, so it sees the
+/// indices of the sums around its use.
+pub struct Scope<'a, V> {
+    values: BTreeMap<String, V>,
+    unstated: BTreeSet<String>,
+    definitions: &'a BTreeMap<String, LocatedFormula>,
+    functions: &'a dyn Functions<V>,
+    depth: Cell<usize>,
+}
+
+impl<'a, V: Value> Scope<'a, V> {
+    /// A scope without parameters.
+    #[must_use]
+    pub fn new(
+        definitions: &'a BTreeMap<String, LocatedFormula>,
+        functions: &'a dyn Functions<V>,
+    ) -> Scope<'a, V> {
+        Scope {
+            values: BTreeMap::new(),
+            unstated: BTreeSet::new(),
+            definitions,
+            functions,
+            depth: Cell::new(0),
+        }
+    }
+
+    /// Gives `name` a value; it hides a definition of that name.
+    #[must_use]
+    pub fn with(mut self, name: &str, value: V) -> Scope<'a, V> {
+        self.values.insert(name.to_owned(), value);
+        self
+    }
+
+    /// Says that `name` exists, without a value.
+    #[must_use]
+    pub fn with_unstated(mut self, name: &str) -> Scope<'a, V> {
+        self.unstated.insert(name.to_owned());
+        self
+    }
+}
+
+impl<V: Value> Context<V> for Scope<'_, V> {
+    fn name(&self, name: &str, indices: &[(String, V)]) -> Result<Lookup<V>, CallError> {
+        if let Some(value) = self.values.get(name) {
+            return Ok(Lookup::Found(value.clone()));
+        }
+        if self.unstated.contains(name) {
+            return Ok(Lookup::Unstated);
+        }
+        let Some(definition) = self.definitions.get(name) else { return Ok(Lookup::Unknown) };
+        if self.depth.get() >= MAX_DEFINITION_DEPTH {
+            return Err(CallError::Misuse(format!(
+                "the definition of `{name}` refers to itself, or definitions are nested more \
+                 than {MAX_DEFINITION_DEPTH} deep"
+            )));
+        }
+        self.depth.set(self.depth.get() + 1);
+        let value = evaluate_with(&definition.expr, self, indices);
+        self.depth.set(self.depth.get() - 1);
+        value.map(Lookup::Found).map_err(|error| CallError::Inner(error.kind))
+    }
+
+    fn names(&self) -> Vec<String> {
+        let names = self.values.keys().chain(&self.unstated).chain(self.definitions.keys());
+        names.cloned().collect::<BTreeSet<String>>().into_iter().collect()
+    }
+
+    fn call(&self, call: &Call<'_, V>) -> Result<V, CallError> {
+        self.functions.call(call)
+    }
+}

@@ -1,0 +1,56 @@
+//! What a formula can be computed over.
+
+use crate::exact::{Polynomial, Rational, Scalar};
+
+/// Values of formulas. Operations that a type does not have give `None`.
+pub trait Value: Scalar + std::fmt::Display {
+    /// This as a rational number, if it is one.
+    fn as_rational(&self) -> Option<Rational>;
+    /// What an operation on this costs, in bits; 0 when it stays small.
+    fn size(&self) -> u64;
+    /// self / divisor, for divisor ≠ 0.
+    fn quotient(&self, divisor: &Self) -> Option<Self>;
+    /// |self|.
+    fn absolute(&self) -> Option<Self>;
+    /// The greater of the two.
+    fn larger(&self, other: &Self) -> Option<Self>;
+}
+
+/// What a term of a polynomial counts for: 4 million bits are 40,000 terms.
+const SYMBOLIC_TERM_BITS: u64 = 100;
+
+impl Value for Rational {
+    fn as_rational(&self) -> Option<Rational> {
+        Some(self.clone())
+    }
+    fn size(&self) -> u64 {
+        self.bits()
+    }
+    fn quotient(&self, divisor: &Self) -> Option<Self> {
+        Some(self / divisor)
+    }
+    fn absolute(&self) -> Option<Self> {
+        Some(self.abs())
+    }
+    fn larger(&self, other: &Self) -> Option<Self> {
+        Some(self.max(other).clone())
+    }
+}
+
+impl Value for Polynomial {
+    fn as_rational(&self) -> Option<Rational> {
+        self.as_constant()
+    }
+    fn size(&self) -> u64 {
+        self.term_count() as u64 * SYMBOLIC_TERM_BITS
+    }
+    fn quotient(&self, divisor: &Self) -> Option<Self> {
+        Some(self * &Polynomial::constant(divisor.as_constant()?.recip()))
+    }
+    fn absolute(&self) -> Option<Self> {
+        Some(Polynomial::constant(self.as_constant()?.abs()))
+    }
+    fn larger(&self, other: &Self) -> Option<Self> {
+        Some(Polynomial::constant(self.as_constant()?.max(other.as_constant()?)))
+    }
+}

@@ -1,0 +1,7 @@
+#![doc = include_str!("../README.md")]
+#![allow(missing_docs)]
+pub mod bound;
+pub mod diagnostic;
+pub mod exact;
+pub mod formula;
+pub mod scheme;

@@ -1,0 +1,2 @@
+//! The program `subcert`.
+fn main() {}

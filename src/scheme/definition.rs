@@ -1,0 +1,168 @@
+//! Schemes as written: formulas over parameters, and the masks they give.
+
+use super::mask::{Mask, MaskError};
+use super::reference::SchemeError;
+use super::rules::{MAX_ARITY, MAX_WIDTH, RulesError};
+use crate::diagnostic::Diagnostic;
+use crate::exact::Rational;
+use crate::formula::{LocatedFormula, Scope, Value, evaluate};
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+/// A parameter of a scheme.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ParameterSpec {
+    /// Its value when none is given; `None` when one must be.
+    pub default: Option<LocatedFormula>,
+    /// What it is.
+    pub about: String,
+}
+
+/// A scheme as written in a file: its mask as formulas over its parameters.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SchemeDefinition {
+    /// Its name: what one writes for SCHEME.
+    pub name: String,
+    /// What it is.
+    pub title: String,
+    /// Where it was published.
+    pub citation: String,
+    /// Its parameters, by name.
+    pub parameters: BTreeMap<String, ParameterSpec>,
+    pub(super) definitions: BTreeMap<String, LocatedFormula>,
+    pub(super) offset: Option<LocatedFormula>,
+    pub(super) coefficients: Coefficients,
+}
+
+/// The two ways to write a mask.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Coefficients {
+    /// One formula for each coefficient.
+    Listed(Vec<Vec<LocatedFormula>>),
+    /// One formula for all, in α (`alpha`) and j (`r`).
+    Rule { arity: LocatedFormula, width: LocatedFormula, entry: LocatedFormula },
+}
+
+impl SchemeDefinition {
+    /// The mask at these parameter values, over any [`Value`]: with
+    /// [`Polynomial`](crate::exact::Polynomial) values it stays symbolic.
+    ///
+    /// # Errors
+    /// When a parameter is missing or unknown, a formula has no value, or the
+    /// coefficients are not a mask.
+    pub fn mask<V: Value + PartialEq>(
+        &self,
+        values: &BTreeMap<String, V>,
+    ) -> Result<Mask<V>, SchemeError> {
+        let parameters = self.complete(values)?;
+        let offset = match &self.offset {
+            Some(formula) => self.integer(formula, &parameters, "the offset", -10_000..10_001)?,
+            None => 0,
+        };
+        let rows = match &self.coefficients {
+            Coefficients::Listed(rows) => rows
+                .iter()
+                .map(|row| row.iter().map(|entry| self.value(entry, &parameters, &[])).collect())
+                .collect::<Result<Vec<Vec<V>>, SchemeError>>()?,
+            Coefficients::Rule { arity, width, entry } => {
+                let arity = self.integer(arity, &parameters, "the arity", 2..cap(MAX_ARITY))?;
+                let width = self.integer(width, &parameters, "the width", 1..cap(MAX_WIDTH))?;
+                let coefficient =
+                    |alpha, r| self.value(entry, &parameters, &[("alpha", alpha), ("r", r)]);
+                (0..arity)
+                    .map(|alpha| (0..width).map(|r| coefficient(alpha, r)).collect())
+                    .collect::<Result<Vec<Vec<V>>, SchemeError>>()?
+            }
+        };
+        Mask::new(rows, offset).map_err(|error| SchemeError::File(Box::new(self.refusal(&error))))
+    }
+
+    /// The given values, completed by defaults.
+    fn complete<V: Value>(
+        &self,
+        values: &BTreeMap<String, V>,
+    ) -> Result<BTreeMap<String, V>, SchemeError> {
+        if let Some(name) = values.keys().find(|name| !self.parameters.contains_key(*name)) {
+            return Err(SchemeError::UnknownParameter {
+                scheme: self.name.clone(),
+                parameter: name.clone(),
+                known: self.parameters.keys().cloned().collect(),
+            });
+        }
+        let mut complete = values.clone();
+        for (name, spec) in &self.parameters {
+            if complete.contains_key(name) {
+                continue;
+            }
+            let Some(default) = &spec.default else {
+                return Err(SchemeError::MissingParameter {
+                    scheme: self.name.clone(),
+                    parameter: name.clone(),
+                });
+            };
+            let value = self.value(default, &BTreeMap::new(), &[])?;
+            complete.insert(name.clone(), value);
+        }
+        Ok(complete)
+    }
+
+    fn value<V: Value>(
+        &self,
+        formula: &LocatedFormula,
+        parameters: &BTreeMap<String, V>,
+        indices: &[(&str, i64)],
+    ) -> Result<V, SchemeError> {
+        let mut scope = Scope::new(&self.definitions, &());
+        for (name, value) in parameters {
+            scope = scope.with(name, value.clone());
+        }
+        for (name, index) in indices {
+            scope = scope.with(name, V::from_rational(&Rational::from(*index)));
+        }
+        evaluate(&formula.expr, &scope)
+            .map_err(|error| SchemeError::File(Box::new(formula.diagnostic(&error))))
+    }
+
+    fn integer<V: Value>(
+        &self,
+        formula: &LocatedFormula,
+        parameters: &BTreeMap<String, V>,
+        what: &str,
+        range: Range<i64>,
+    ) -> Result<i64, SchemeError> {
+        let value = self.value(formula, parameters, &[])?;
+        let integer = value.as_rational().filter(Rational::is_integer);
+        let integer = integer.and_then(|value| value.numerator().to_i64());
+        integer.filter(|value| range.contains(value)).ok_or_else(|| {
+            let (low, high) = (range.start, range.end - 1);
+            let message = format!("{what} is {value}; it must be an integer from {low} to {high}");
+            let source = &formula.source;
+            SchemeError::File(Box::new(Diagnostic::new(source, formula.span.clone(), message)))
+        })
+    }
+
+    /// Why these coefficients are not a mask, at their place in the file.
+    fn refusal(&self, error: &MaskError) -> Diagnostic {
+        let (source, span) = match (&self.coefficients, error) {
+            (Coefficients::Rule { entry, .. }, _) => (&entry.source, entry.span.clone()),
+            (Coefficients::Listed(rows), MaskError::NotAffine { rule, .. })
+            | (Coefficients::Listed(rows), MaskError::Rules(RulesError::Ragged { rule, .. })) => {
+                (&rows[*rule][0].source, extent(&rows[*rule..=*rule]))
+            }
+            (Coefficients::Listed(rows), MaskError::Rules(_)) => (&rows[0][0].source, extent(rows)),
+        };
+        Diagnostic::new(source, span, error.to_string())
+    }
+}
+
+fn cap(max: usize) -> i64 {
+    i64::try_from(max).unwrap_or(i64::MAX - 1) + 1
+}
+
+/// From the first to the last coefficient of these rows. The reader has made
+/// sure that there is one in each row.
+fn extent(rows: &[Vec<LocatedFormula>]) -> Range<usize> {
+    let mut all = rows.iter().flatten();
+    let first = all.next().expect("the reader refuses empty rules");
+    first.span.start..all.last().unwrap_or(first).span.end
+}

@@ -1,0 +1,171 @@
+//! Reading schemes from TOML.
+
+use super::definition::{Coefficients, ParameterSpec, SchemeDefinition};
+use crate::diagnostic::{Diagnostic, SourceText};
+use crate::formula::{LocatedFormula, is_identifier};
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::sync::Arc;
+use toml::Spanned;
+
+/// A scheme as it stands in TOML, at the top of a file or as `[[scheme]]`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct SchemeTable {
+    pub(crate) name: Spanned<String>,
+    #[serde(default)]
+    title: String,
+    #[serde(default)]
+    source: String,
+    #[serde(default)]
+    parameters: BTreeMap<Spanned<String>, ParameterTable>,
+    #[serde(default, rename = "let")]
+    definitions: BTreeMap<Spanned<String>, Spanned<String>>,
+    offset: Option<Spanned<String>>,
+    arity: Option<Spanned<String>>,
+    width: Option<Spanned<String>>,
+    entry: Option<Spanned<String>>,
+    mask: Option<Spanned<Vec<Spanned<Vec<Spanned<String>>>>>>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ParameterTable {
+    default: Option<Spanned<String>>,
+    #[serde(default)]
+    about: String,
+}
+
+/// Reads one scheme from the text of a TOML file.
+///
+/// # Errors
+/// When the text is not TOML, a key is unknown or missing, or a formula is not
+/// one; the error points at the place.
+///
+/// ```
+/// use subcert::diagnostic::SourceText;
+/// use subcert::scheme::read_scheme;
+///
+/// let text = r#"
+/// name = "corner"
+/// parameters.w = { default = "1/4" }
+/// mask = [['1-w', 'w'], ['w', '1-w']]
+/// "#;
+/// let scheme = read_scheme(&SourceText::new("corner.toml", text))?;
+/// assert_eq!(scheme.name, "corner");
+/// # Ok::<(), subcert::diagnostic::Diagnostic>(())
+/// ```
+pub fn read_scheme(source: &Arc<SourceText>) -> Result<SchemeDefinition, Diagnostic> {
+    let table: SchemeTable = from_toml(source)?;
+    table.define(source)
+}
+
+/// Deserialises TOML, with the place of an error.
+pub(crate) fn from_toml<T: serde::de::DeserializeOwned>(
+    source: &Arc<SourceText>,
+) -> Result<T, Diagnostic> {
+    toml::from_str(&source.text).map_err(|error| {
+        let diagnostic = Diagnostic::new(source, error.span().unwrap_or(0..0), error.message());
+        let number = ["integer", "floating point"]
+            .iter()
+            .any(|kind| error.message().contains(&format!("invalid type: {kind}")));
+        if number {
+            diagnostic.with_help("write numbers in quotes, as '3/256': they are read exactly")
+        } else {
+            diagnostic
+        }
+    })
+}
+
+pub(crate) fn formula(
+    source: &Arc<SourceText>,
+    text: &Spanned<String>,
+) -> Result<LocatedFormula, Diagnostic> {
+    LocatedFormula::read(source, text.span(), text.get_ref())
+}
+
+/// Named formulas, each name an identifier.
+pub(crate) fn definitions(
+    source: &Arc<SourceText>,
+    table: &BTreeMap<Spanned<String>, Spanned<String>>,
+) -> Result<BTreeMap<String, LocatedFormula>, Diagnostic> {
+    let read = |(name, text): (&Spanned<String>, &Spanned<String>)| {
+        Ok((identifier(source, name)?, formula(source, text)?))
+    };
+    table.iter().map(read).collect()
+}
+
+/// A name that formulas can use.
+pub(crate) fn identifier(
+    source: &Arc<SourceText>,
+    name: &Spanned<String>,
+) -> Result<String, Diagnostic> {
+    if is_identifier(name.get_ref()) {
+        return Ok(name.get_ref().clone());
+    }
+    let message = format!("`{}` cannot be a name in a formula", name.get_ref());
+    Err(Diagnostic::new(source, name.span(), message)
+        .with_help("use a letter or `_`, then letters, digits and `_`"))
+}
+
+impl SchemeTable {
+    /// The definition that this table states.
+    pub(crate) fn define(&self, source: &Arc<SourceText>) -> Result<SchemeDefinition, Diagnostic> {
+        let mut parameters = BTreeMap::new();
+        for (name, table) in &self.parameters {
+            let default = table.default.as_ref().map(|text| formula(source, text)).transpose()?;
+            let spec = ParameterSpec { default, about: table.about.clone() };
+            parameters.insert(identifier(source, name)?, spec);
+        }
+        Ok(SchemeDefinition {
+            name: self.name.get_ref().clone(),
+            title: self.title.clone(),
+            citation: self.source.clone(),
+            parameters,
+            definitions: definitions(source, &self.definitions)?,
+            offset: self.offset.as_ref().map(|text| formula(source, text)).transpose()?,
+            coefficients: self.coefficients(source)?,
+        })
+    }
+
+    fn coefficients(&self, source: &Arc<SourceText>) -> Result<Coefficients, Diagnostic> {
+        match (&self.mask, &self.arity, &self.width, &self.entry) {
+            (Some(mask), None, None, None) => listed(source, mask).map(Coefficients::Listed),
+            (None, Some(arity), Some(width), Some(entry)) => Ok(Coefficients::Rule {
+                arity: formula(source, arity)?,
+                width: formula(source, width)?,
+                entry: formula(source, entry)?,
+            }),
+            _ => Err(Diagnostic::new(
+                source,
+                self.name.span(),
+                "a scheme needs either `mask`, or `arity`, `width` and `entry`",
+            )
+            .with_help(
+                "mask = [['3/4', '1/4'], ['1/4', '3/4']] lists the rules; `entry` is one formula \
+                 for all coefficients, in alpha = 0..arity-1 and r = 0..width-1",
+            )),
+        }
+    }
+}
+
+fn listed(
+    source: &Arc<SourceText>,
+    mask: &Spanned<Vec<Spanned<Vec<Spanned<String>>>>>,
+) -> Result<Vec<Vec<LocatedFormula>>, Diagnostic> {
+    let empty = |span: Range<usize>| {
+        Diagnostic::new(source, span, "a mask needs at least one coefficient in each rule")
+            .with_help("write a rule as ['3/4', '1/4']")
+    };
+    if mask.get_ref().is_empty() {
+        return Err(empty(mask.span()));
+    }
+    let rule = |row: &Spanned<Vec<Spanned<String>>>| {
+        if row.get_ref().is_empty() {
+            return Err(empty(row.span()));
+        }
+        row.get_ref().iter().map(|text| formula(source, text)).collect()
+    };
+    mask.get_ref().iter().map(rule).collect()
+}

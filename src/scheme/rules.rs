@@ -1,0 +1,147 @@
+//! Refinement rules: what masks and difference masks have in common.
+
+use crate::exact::{Rational, Scalar};
+
+/// The largest arity n.
+pub const MAX_ARITY: usize = 64;
+
+/// The largest number N of coefficients in a rule.
+pub const MAX_WIDTH: usize = 256;
+
+/// n rules of N coefficients each: y_{ni+α} = Σ_j r_{α,j} x_{i+o+j}, with
+/// α = 0, …, n−1 and j = 0, …, N−1.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rules<S = Rational> {
+    rows: Vec<Vec<S>>,
+    offset: i64,
+}
+
+/// Why a table of numbers is not a set of rules.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum RulesError {
+    /// Fewer than 2 or more than [`MAX_ARITY`] rules.
+    #[error("a scheme of arity {0}; the arity must be from 2 to {MAX_ARITY}")]
+    Arity(usize),
+    /// No coefficient, or more than [`MAX_WIDTH`].
+    #[error("rules of {0} coefficients; there must be from 1 to {MAX_WIDTH}")]
+    Width(usize),
+    /// Rules of different lengths.
+    #[error(
+        "rule {rule} has {found} coefficients, and rule 0 has {expected}; \
+         pad the shorter rules with 0"
+    )]
+    Ragged {
+        /// Which rule, counted from 0.
+        rule: usize,
+        /// Its length.
+        found: usize,
+        /// The length of rule 0.
+        expected: usize,
+    },
+}
+
+impl<S: Scalar> Rules<S> {
+    /// The rules with these coefficients, one row for each α, and offset o.
+    ///
+    /// # Errors
+    /// When the rows are ragged, or the arity or the width is out of range.
+    pub fn new(rows: Vec<Vec<S>>, offset: i64) -> Result<Rules<S>, RulesError> {
+        if !(2..=MAX_ARITY).contains(&rows.len()) {
+            return Err(RulesError::Arity(rows.len()));
+        }
+        let expected = rows[0].len();
+        if !(1..=MAX_WIDTH).contains(&expected) {
+            return Err(RulesError::Width(expected));
+        }
+        match rows.iter().enumerate().find(|(_, row)| row.len() != expected) {
+            Some((rule, row)) => Err(RulesError::Ragged { rule, found: row.len(), expected }),
+            None => Ok(Rules { rows, offset }),
+        }
+    }
+
+    /// n.
+    #[must_use]
+    pub fn arity(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// N.
+    #[must_use]
+    pub fn width(&self) -> usize {
+        self.rows[0].len()
+    }
+
+    /// o.
+    #[must_use]
+    pub fn offset(&self) -> i64 {
+        self.offset
+    }
+
+    /// The coefficients, one row for each α.
+    #[must_use]
+    pub fn rows(&self) -> &[Vec<S>] {
+        &self.rows
+    }
+
+    /// The same coefficients at another offset.
+    #[must_use]
+    pub fn with_offset(&self, offset: i64) -> Rules<S> {
+        Rules { rows: self.rows.clone(), offset }
+    }
+
+    /// The rules r_{α,N−1−j}: each read backwards.
+    #[must_use]
+    pub fn reversed(&self) -> Rules<S> {
+        let reverse = |row: &Vec<S>| row.iter().rev().cloned().collect();
+        Rules { rows: self.rows.iter().map(reverse).collect(), offset: self.offset }
+    }
+
+    /// The rules with every coefficient mapped by `map`.
+    #[must_use]
+    pub fn map<T>(&self, mut map: impl FnMut(&S) -> T) -> Rules<T> {
+        let rows = self.rows.iter().map(|row| row.iter().map(&mut map).collect()).collect();
+        Rules { rows, offset: self.offset }
+    }
+
+    /// The rules applied once to a closed polygon x_0, …, x_{m−1}, x_m = x_0:
+    /// the n·m values y_0, …, y_{nm−1}.
+    ///
+    /// ```
+    /// use subcert::exact::Rational;
+    /// use subcert::scheme::parse_scheme;
+    ///
+    /// let chaikin = parse_scheme("chaikin")?;
+    /// let square: Vec<Rational> = [0, 4, 4, 0].map(Rational::from).to_vec();
+    /// let refined = chaikin.masks()[0].rules().refine_closed(&square);
+    /// assert_eq!(refined, [1, 3, 4, 4, 3, 1, 0, 0].map(Rational::from));
+    /// # Ok::<(), subcert::scheme::SchemeError>(())
+    /// ```
+    #[must_use]
+    pub fn refine_closed(&self, points: &[S]) -> Vec<S> {
+        let count = i64::try_from(points.len()).expect("a polygon fits in memory");
+        let at = |index: i64| &points[usize::try_from(index.rem_euclid(count)).expect("0 ≤ it")];
+        let mut refined = Vec::with_capacity(points.len() * self.arity());
+        for i in 0..count {
+            refined.extend(self.rows.iter().map(|row| {
+                (i + self.offset..).zip(row).fold(S::zero(), |sum, (index, coefficient)| {
+                    sum.plus(&coefficient.times(at(index)))
+                })
+            }));
+        }
+        refined
+    }
+
+    /// The rules applied once to an open polygon: every y_{ni+α} whose N points
+    /// all exist, in order; with α = 0 first. Empty for fewer than N points.
+    #[must_use]
+    pub fn refine_open(&self, points: &[S]) -> Vec<S> {
+        let combine = |row: &Vec<S>, window: &[S]| {
+            row.iter()
+                .zip(window)
+                .fold(S::zero(), |sum, (coefficient, point)| sum.plus(&coefficient.times(point)))
+        };
+        let windows = points.windows(self.width());
+        windows.flat_map(|window| self.rows.iter().map(move |row| combine(row, window))).collect()
+    }
+}
