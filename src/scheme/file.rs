@@ -27,6 +27,8 @@ pub(crate) struct SchemeTable {
     width: Option<Spanned<String>>,
     entry: Option<Spanned<String>>,
     mask: Option<Spanned<Vec<Spanned<Vec<Spanned<String>>>>>>,
+    /// Another scheme that `name` stands for; in claim files only.
+    r#use: Option<Spanned<String>>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -110,6 +112,18 @@ pub(crate) fn identifier(
 }
 
 impl SchemeTable {
+    /// The scheme that this table is another name for, if it is only that.
+    pub(crate) fn alias(&self) -> Option<&Spanned<String>> {
+        let own = self.offset.is_some()
+            || self.arity.is_some()
+            || self.width.is_some()
+            || self.entry.is_some()
+            || self.mask.is_some()
+            || !self.parameters.is_empty()
+            || !self.definitions.is_empty();
+        self.r#use.as_ref().filter(|_| !own)
+    }
+
     /// The definition that this table states.
     pub(crate) fn define(&self, source: &Arc<SourceText>) -> Result<SchemeDefinition, Diagnostic> {
         let mut parameters = BTreeMap::new();
@@ -130,6 +144,14 @@ impl SchemeTable {
     }
 
     fn coefficients(&self, source: &Arc<SourceText>) -> Result<Coefficients, Diagnostic> {
+        if let Some(other) = &self.r#use {
+            return Err(Diagnostic::new(
+                source,
+                other.span(),
+                "`use` stands alone, in claim files",
+            )
+            .with_help("write `name` and `use` only, or the scheme's own mask"));
+        }
         match (&self.mask, &self.arity, &self.width, &self.entry) {
             (Some(mask), None, None, None) => listed(source, mask).map(Coefficients::Listed),
             (None, Some(arity), Some(width), Some(entry)) => Ok(Coefficients::Rule {

@@ -14,9 +14,11 @@ mod rules;
 pub use catalogue::{Entry, catalogue, find};
 pub use definition::{ParameterSpec, SchemeDefinition};
 pub use file::read_scheme;
+pub(crate) use file::{SchemeTable, definitions, formula, from_toml, identifier};
 pub use interpolation::lagrange_mask;
 pub use mask::{Mask, MaskError};
-pub use reference::{Reference, ReferenceError, SchemeError, parse_scheme};
+pub(crate) use reference::find_in_catalogue;
+pub use reference::{Instance, Reference, ReferenceError, SchemeError, parse_scheme};
 pub use rules::{MAX_ARITY, MAX_WIDTH, Rules, RulesError};
 
 use crate::exact::Rational;
@@ -31,6 +33,21 @@ pub enum Scheme<S = Rational> {
 }
 
 impl<S> Scheme<S> {
+    /// The scheme of one mask, or the tensor product of two.
+    ///
+    /// # Panics
+    /// When there is none, or more than two.
+    #[must_use]
+    pub fn of(masks: Vec<Mask<S>>) -> Scheme<S> {
+        let count = masks.len();
+        let mut masks = masks.into_iter();
+        match (masks.next(), masks.next(), masks.next()) {
+            (Some(only), None, _) => Scheme::Curve(only),
+            (Some(first), Some(second), None) => Scheme::Tensor(first, second),
+            _ => panic!("a scheme of {count} masks; there are one or two"),
+        }
+    }
+
     /// The masks, one per direction.
     #[must_use]
     pub fn masks(&self) -> Vec<&Mask<S>> {

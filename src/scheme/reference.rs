@@ -11,6 +11,7 @@ use crate::formula::{
     Context, Expr, FormulaError, Parameters, Value, evaluate, is_identifier, parse,
 };
 use std::collections::BTreeMap;
+use std::fmt;
 use std::path::Path;
 
 /// The longest SCHEME that is read, in bytes.
@@ -102,13 +103,20 @@ fn parameters(known: &[String]) -> String {
 /// product.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Reference {
+    text: String,
     parts: Vec<Part>,
+}
+
+impl fmt::Display for Reference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Part {
     name: String,
-    parameters: BTreeMap<String, (String, Expr)>,
+    parameters: BTreeMap<String, Expr>,
 }
 
 impl Reference {
@@ -145,13 +153,14 @@ impl Reference {
                 }
                 let expr = parse(value)
                     .map_err(|error| ReferenceError::Formula { text: value.to_owned(), error })?;
-                if parameters.insert(parameter.to_owned(), (value.to_owned(), expr)).is_some() {
+                if parameters.insert(parameter.to_owned(), expr).is_some() {
                     return Err(form("a parameter is given twice"));
                 }
             }
             Ok(Part { name: name.to_owned(), parameters })
         };
-        Ok(Reference { parts: parts.iter().map(read).collect::<Result<Vec<Part>, _>>()? })
+        let parts = parts.iter().map(read).collect::<Result<Vec<Part>, _>>()?;
+        Ok(Reference { text: text.trim().to_owned(), parts })
     }
 
     /// The names of the schemes that this refers to, one per factor.
@@ -159,34 +168,40 @@ impl Reference {
         self.parts.iter().map(|part| part.name.as_str())
     }
 
-    /// The scheme, its parameters evaluated in `context`, its names looked up by
-    /// `find`. The inner error is one of evaluation.
+    /// The schemes that this refers to, one per factor, their parameters
+    /// evaluated in `context`.
     ///
     /// # Errors
-    /// When a name is unknown, a parameter has no value, or there is no mask.
-    pub fn resolve<'a, V: Value + PartialEq>(
+    /// When a parameter's formula has no value.
+    pub fn instances<V: Value>(
         &self,
         context: &dyn Context<V>,
-        find: impl Fn(&str) -> Result<&'a SchemeDefinition, SchemeError>,
-    ) -> Result<Result<Scheme<V>, SchemeError>, FormulaError> {
-        let mut masks = Vec::with_capacity(2);
-        for part in &self.parts {
-            let mut values = BTreeMap::new();
-            for (name, (_, expr)) in &part.parameters {
-                values.insert(name.clone(), evaluate(expr, context)?);
-            }
-            let mask = find(&part.name).and_then(|definition| definition.mask(&values));
-            match mask {
-                Ok(mask) => masks.push(mask),
-                Err(error) => return Ok(Err(error)),
-            }
-        }
-        let mut masks = masks.into_iter();
-        Ok(Ok(match (masks.next(), masks.next()) {
-            (Some(first), Some(second)) => Scheme::Tensor(first, second),
-            (Some(only), None) => Scheme::Curve(only),
-            (None, _) => unreachable!("a reference has one part or two"),
-        }))
+    ) -> Result<Vec<Instance<V>>, FormulaError> {
+        let instance = |part: &Part| {
+            let value =
+                |(name, expr): (&String, &Expr)| Ok((name.clone(), evaluate(expr, context)?));
+            let parameters = part.parameters.iter().map(value).collect::<Result<_, _>>()?;
+            Ok(Instance { name: part.name.clone(), parameters })
+        };
+        self.parts.iter().map(instance).collect()
+    }
+}
+
+/// The name of a scheme with values for its parameters.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Instance<V = Rational> {
+    /// The scheme's name.
+    pub name: String,
+    /// Its parameters.
+    pub parameters: BTreeMap<String, V>,
+}
+
+impl<V: fmt::Display> fmt::Display for Instance<V> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let values = self.parameters.iter().map(|(name, value)| format!("{name}={value}"));
+        let values: Vec<String> = values.collect();
+        let colon = if values.is_empty() { "" } else { ":" };
+        write!(f, "{}{colon}{}", self.name, values.join(","))
     }
 }
 
@@ -241,13 +256,15 @@ pub fn parse_scheme(text: &str) -> Result<Scheme<Rational>, SchemeError> {
     for name in reference.names().filter(|name| is_file(name)) {
         files.insert(name.to_owned(), read_file(name)?);
     }
-    let find = |name: &str| match files.get(name) {
-        Some(definition) => Ok(definition),
-        None => find_in_catalogue(name),
+    let instances = reference.instances(&Parameters::<Rational>::default()).map_err(|error| {
+        SchemeError::Reference(ReferenceError::Formula { text: text.to_owned(), error })
+    })?;
+    let mask = |instance: Instance| match files.get(&instance.name) {
+        Some(definition) => definition.mask(&instance.parameters),
+        None => find_in_catalogue(&instance.name)?.mask(&instance.parameters),
     };
-    reference.resolve(&Parameters::<Rational>::default(), find).unwrap_or_else(|error| {
-        Err(SchemeError::Reference(ReferenceError::Formula { text: text.to_owned(), error }))
-    })
+    let masks = instances.into_iter().map(mask).collect::<Result<Vec<Mask>, SchemeError>>()?;
+    Ok(Scheme::of(masks))
 }
 
 /// The catalogue entry of this name.

@@ -1,0 +1,97 @@
+//! A printed decimal against an exact value.
+
+use super::finding::{Direction, Slip, Verdict};
+use crate::exact::{Decimal, Integer, Rational, Rounding};
+
+/// The digits that a slip needs before it is more than luck: with fewer, a random
+/// number would be one slip away from the exact value more than once in a
+/// thousand times. A digit can change in 9d ways, towards the value rounded or
+/// cut; a pair can be exchanged in d−1; the point can be off by 3 places at most
+/// either way; a sign has one other; there are four neighbours.
+const DIGITS_FOR_DIGIT: usize = 5;
+const DIGITS_FOR_SWAP: usize = 5;
+const DIGITS_FOR_EXPONENT: usize = 4;
+const DIGITS_FOR_SIGN: usize = 3;
+const DIGITS_FOR_NEIGHBOUR: usize = 4;
+
+/// How far the decimal point may be off.
+const MAX_EXPONENT_SLIP: i32 = 3;
+
+/// The verdict on `printed` for the value `exact`; `neighbours` are the exact
+/// values of the cells around it with their direction.
+pub(super) fn judge(
+    printed: &Decimal,
+    exact: &Rational,
+    neighbours: &[((i32, i32), &Rational)],
+) -> Verdict {
+    match printed.rounding_of(exact) {
+        Rounding::Exact | Rounding::Nearest => Verdict::Confirmed,
+        Rounding::Truncated => Verdict::Rounding(Direction::Cut),
+        Rounding::Up => Verdict::Rounding(Direction::Away),
+        Rounding::Neither => {
+            find_slip(printed, exact, neighbours).map_or(Verdict::Refuted, Verdict::Misprint)
+        }
+    }
+}
+
+fn matches(printed: &Decimal, exact: &Rational) -> bool {
+    printed.rounding_of(exact) != Rounding::Neither
+}
+
+fn find_slip(
+    printed: &Decimal,
+    exact: &Rational,
+    neighbours: &[((i32, i32), &Rational)],
+) -> Option<Slip> {
+    let digits = printed.significant_digits();
+    if digits >= DIGITS_FOR_SIGN && matches(printed, &-exact) {
+        return Some(Slip::Sign);
+    }
+    if digits >= DIGITS_FOR_EXPONENT {
+        let places = (1..=MAX_EXPONENT_SLIP).flat_map(|places| [places, -places]);
+        let moved = |places: i32| exact * Rational::power_of_ten(places);
+        if let Some(places) = places.into_iter().find(|&places| {
+            matches!(printed.rounding_of(&moved(places)), Rounding::Exact | Rounding::Nearest)
+        }) {
+            return Some(Slip::Exponent(places));
+        }
+    }
+    if digits >= DIGITS_FOR_NEIGHBOUR {
+        let same = neighbours.iter().find(|(_, value)| *value != exact && matches(printed, value));
+        if let Some(((rows, columns), _)) = same {
+            return Some(Slip::Neighbour(*rows, *columns));
+        }
+    }
+    if digits < DIGITS_FOR_DIGIT.min(DIGITS_FOR_SWAP) || printed.value().sign() != exact.sign() {
+        return None;
+    }
+    let scaled = (exact / printed.unit()).abs();
+    [scaled.round_half_even(), scaled.floor()]
+        .iter()
+        .find_map(|correct| digit_slip(&printed.mantissa().abs(), correct, digits))
+}
+
+/// One digit changed, or two neighbours exchanged, between two integers of the
+/// same length.
+fn digit_slip(printed: &Integer, correct: &Integer, digits: usize) -> Option<Slip> {
+    let printed: Vec<char> = printed.to_string().chars().collect();
+    let correct: Vec<char> = correct.to_string().chars().collect();
+    if printed.len() != correct.len() {
+        return None;
+    }
+    let differing: Vec<usize> = (0..printed.len()).filter(|&i| printed[i] != correct[i]).collect();
+    match differing[..] {
+        [i] if digits >= DIGITS_FOR_DIGIT => {
+            Some(Slip::Digit { position: i + 1, printed: printed[i], correct: correct[i] })
+        }
+        [i, j]
+            if digits >= DIGITS_FOR_SWAP
+                && j == i + 1
+                && printed[i] == correct[j]
+                && printed[j] == correct[i] =>
+        {
+            Some(Slip::Swap(i + 1))
+        }
+        _ => None,
+    }
+}

@@ -1,0 +1,178 @@
+//! What the audit says of a table cell.
+
+use crate::exact::Rational;
+use std::fmt;
+
+/// The verdict of a number.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Verdict {
+    /// The correctly rounded value of the printed definition.
+    Confirmed,
+    /// The exact value of the printed definition, rounded otherwise in the last
+    /// place.
+    Rounding(Direction),
+    /// One local slip away from the exact value.
+    Misprint(Slip),
+    /// None of these.
+    Refuted,
+    /// Something that it needs is absent.
+    NotCheckable(Missing),
+}
+
+impl Verdict {
+    /// The names of the verdicts of numbers, best first.
+    pub const NAMES: [&'static str; 5] =
+        ["confirmed", "rounding", "misprint", "refuted", "not-checkable"];
+
+    /// The verdict's name.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Verdict::Confirmed => "confirmed",
+            Verdict::Rounding(_) => "rounding",
+            Verdict::Misprint(_) => "misprint",
+            Verdict::Refuted => "refuted",
+            Verdict::NotCheckable(_) => "not-checkable",
+        }
+    }
+}
+
+/// How a printed number was rounded, when not to the nearest (a depth: not up).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// A decimal cut towards zero.
+    Cut,
+    /// A decimal rounded away from zero.
+    Away,
+    /// A depth rounded down: one level short.
+    DepthDown,
+    /// A depth rounded to the nearest integer.
+    DepthNearest,
+}
+
+impl fmt::Display for Direction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Direction::Cut => "cut, not rounded",
+            Direction::Away => "rounded away from zero",
+            Direction::DepthDown => "rounded down: one level short",
+            Direction::DepthNearest => "rounded to the nearest level",
+        })
+    }
+}
+
+/// A slip of the pen that leads from the exact value to the printed one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Slip {
+    /// One digit, counted from 1 among the significant ones, is another.
+    Digit {
+        /// Which digit.
+        position: usize,
+        /// What is printed.
+        printed: char,
+        /// What would be right.
+        correct: char,
+    },
+    /// Two neighbouring digits are exchanged; the first of them, counted from 1.
+    Swap(usize),
+    /// The decimal point is off by so many places to the right.
+    Exponent(i32),
+    /// The sign is wrong.
+    Sign,
+    /// The number is that of a neighbouring cell: how many rows down and columns
+    /// to the right.
+    Neighbour(i32, i32),
+}
+
+impl fmt::Display for Slip {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Slip::Digit { position, printed, correct } => {
+                write!(f, "digit {position} is {printed}, and should be {correct}")
+            }
+            Slip::Swap(position) => {
+                write!(f, "digits {position} and {} are exchanged", position + 1)
+            }
+            Slip::Exponent(places) => write!(f, "too large by the factor 10^{places}"),
+            Slip::Sign => f.write_str("the sign is wrong"),
+            Slip::Neighbour(rows, columns) => f.write_str(match (rows, columns) {
+                (_, 1..) => "this is the value of the next column",
+                (_, ..=-1) => "this is the value of the column before",
+                (1.., _) => "this is the value of the next row",
+                _ => "this is the value of the row before",
+            }),
+        }
+    }
+}
+
+/// Why a number cannot be checked.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Missing {
+    /// The source at hand has lost the cell.
+    Cell,
+    /// The paper does not state these parameters.
+    Parameters(Vec<String>),
+}
+
+impl fmt::Display for Missing {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Missing::Cell => f.write_str("the cell is lost"),
+            Missing::Parameters(names) => {
+                write!(f, "the paper does not state {}", names.join(", "))
+            }
+        }
+    }
+}
+
+/// Parameters that the paper leaves open, and the values that were put in for
+/// them to have something to show.
+pub type Assumed = Vec<(String, Rational)>;
+
+/// What holds whatever the verdict is: the sound value of a bound or depth.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Sound {
+    /// A depth.
+    Depth {
+        /// The least level at which the sound bound meets the tolerance.
+        level: u32,
+        /// The block length c of that bound.
+        block: u32,
+    },
+    /// An upper bound of the distance.
+    Bound(Rational),
+    /// No sound value, and why.
+    None(String),
+}
+
+/// What the audit says of a table cell.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CellFinding {
+    /// `key:table:row:column`, the latter two counted from 1.
+    pub id: String,
+    /// Table, row and column in words.
+    pub locus: String,
+    /// The cell as printed; `None` when it is lost.
+    pub printed: Option<String>,
+    /// Why the number read is not the text printed, when it is not.
+    pub note: Option<String>,
+    /// The verdict.
+    pub verdict: Verdict,
+    /// The value of the printed definition, if it has one.
+    pub exact: Option<Rational>,
+    /// Why it has none.
+    pub undefined: Option<String>,
+    /// The values at which `exact` and `sound` were computed though the paper
+    /// does not state them; empty when all are stated.
+    pub assumed: Assumed,
+    /// What the verdict would be if the assumed values were stated.
+    pub verdict_if_assumed: Option<Verdict>,
+    /// The sound value, for a bound or a depth.
+    pub sound: Option<Sound>,
+    /// Whether the printed number keeps its promise under the printed formula.
+    pub kept_by_formula: Option<bool>,
+    /// Whether the sound bound shows that it keeps its promise.
+    pub kept_by_sound: Option<bool>,
+}

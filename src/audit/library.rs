@@ -1,0 +1,164 @@
+//! The schemes that a paper's claims are about, each with its constants once.
+
+use crate::bound::{ClassCap, Constants, SoundBound};
+use crate::claim::{Paper, SchemeSource};
+use crate::exact::Rational;
+use crate::formula::{Context, FormulaError, Value};
+use crate::scheme::{Instance, Mask, Reference, SchemeDefinition, SchemeError, find_in_catalogue};
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+/// The greatest block length of a sound bound.
+const MAX_SOUND_BLOCK: u32 = 6;
+
+/// The most residue classes that a sound bound walks.
+const MAX_SOUND_CLASSES: u64 = 4_096;
+
+/// How deep names may stand for names.
+const MAX_ALIAS_DEPTH: usize = 8;
+
+/// Why a reference of a claim gives no mask.
+pub(super) enum Unresolved {
+    /// A formula has no value: for a parameter that the paper does not state, a
+    /// finding; otherwise an error of the claim file.
+    Formula(FormulaError),
+    /// There is no such scheme.
+    Scheme(SchemeError),
+}
+
+/// The schemes of a paper.
+pub(super) struct Library<'a> {
+    paper: &'a Paper,
+    constants: RefCell<BTreeMap<Instance, Rc<Constants>>>,
+    sound: RefCell<BTreeMap<(Vec<Instance>, Option<i64>), Rc<SoundBound>>>,
+}
+
+/// A scheme with the constants of its masks, one per direction.
+#[derive(Clone)]
+pub(super) struct Resolved {
+    pub(super) instances: Vec<Instance>,
+    pub(super) constants: Vec<Rc<Constants>>,
+}
+
+impl<'a> Library<'a> {
+    pub(super) fn new(paper: &'a Paper) -> Library<'a> {
+        Library { paper, constants: RefCell::default(), sound: RefCell::default() }
+    }
+
+    /// The scheme that `reference` means in `context`.
+    pub(super) fn resolve(
+        &self,
+        reference: &Reference,
+        context: &dyn Context<Rational>,
+    ) -> Result<Resolved, Unresolved> {
+        let instances = self.instances(reference, context, 0)?;
+        let constants = instances.iter().map(|instance| self.constants(instance));
+        let constants = constants.collect::<Result<_, _>>().map_err(Unresolved::Scheme)?;
+        Ok(Resolved { instances, constants })
+    }
+
+    /// The masks that `reference` means in `context`, over any numbers.
+    pub(super) fn masks<V: Value + PartialEq>(
+        &self,
+        reference: &Reference,
+        context: &dyn Context<V>,
+    ) -> Result<Vec<Mask<V>>, Unresolved> {
+        let instances = self.instances(reference, context, 0)?;
+        let mask = |instance: &Instance<V>| self.define(&instance.name)?.mask(&instance.parameters);
+        instances.iter().map(mask).collect::<Result<_, _>>().map_err(Unresolved::Scheme)
+    }
+
+    /// The schemes behind the names: a name of the claim file may stand for
+    /// another scheme, whose parameters are evaluated where the name is used.
+    fn instances<V: Value>(
+        &self,
+        reference: &Reference,
+        context: &dyn Context<V>,
+        depth: usize,
+    ) -> Result<Vec<Instance<V>>, Unresolved> {
+        let mut instances = Vec::new();
+        for instance in reference.instances(context).map_err(Unresolved::Formula)? {
+            match self.paper.schemes.get(&instance.name) {
+                Some(SchemeSource::Alias(other)) => {
+                    if let Some(parameter) = instance.parameters.keys().next() {
+                        return Err(Unresolved::Scheme(SchemeError::UnknownParameter {
+                            scheme: instance.name,
+                            parameter: parameter.clone(),
+                            known: Vec::new(),
+                        }));
+                    }
+                    if depth >= MAX_ALIAS_DEPTH {
+                        let known = Vec::new();
+                        let name = instance.name;
+                        return Err(Unresolved::Scheme(SchemeError::Unknown { name, known }));
+                    }
+                    instances.extend(self.instances(other, context, depth + 1)?);
+                }
+                _ => instances.push(instance),
+            }
+        }
+        Ok(instances)
+    }
+
+    fn define(&self, name: &str) -> Result<&SchemeDefinition, SchemeError> {
+        match self.paper.schemes.get(name) {
+            Some(SchemeSource::Own(definition)) => Ok(definition),
+            _ => find_in_catalogue(name).map_err(|error| match error {
+                SchemeError::Unknown { name, mut known } => {
+                    known.splice(0..0, self.paper.schemes.keys().cloned());
+                    SchemeError::Unknown { name, known }
+                }
+                other => other,
+            }),
+        }
+    }
+
+    fn constants(&self, instance: &Instance) -> Result<Rc<Constants>, SchemeError> {
+        if let Some(known) = self.constants.borrow().get(instance) {
+            return Ok(Rc::clone(known));
+        }
+        let mask = self.define(&instance.name)?.mask(&instance.parameters)?;
+        let constants = Rc::new(Constants::new(mask));
+        self.constants.borrow_mut().insert(instance.clone(), Rc::clone(&constants));
+        Ok(constants)
+    }
+
+    /// The sound bound of a scheme at its own offset or at another.
+    pub(super) fn sound_bound(
+        &self,
+        scheme: &Resolved,
+        offset: Option<i64>,
+    ) -> Result<Rc<SoundBound>, ClassCap> {
+        let key = (scheme.instances.clone(), offset);
+        if let Some(known) = self.sound.borrow().get(&key) {
+            return Ok(Rc::clone(known));
+        }
+        let shifted: Vec<Rc<Constants>> = match offset {
+            None => scheme.constants.clone(),
+            Some(offset) => {
+                let shift = |constants: &Rc<Constants>| {
+                    Rc::new(Constants::new(constants.mask().with_offset(offset)))
+                };
+                scheme.constants.iter().map(shift).collect()
+            }
+        };
+        let bound = match &shifted[..] {
+            [curve] => SoundBound::curve(curve, block_length(&[curve.mask()]))?,
+            [first, second, ..] => {
+                let block = block_length(&[first.mask(), second.mask()]);
+                SoundBound::surface(first, second, block)?
+            }
+            [] => unreachable!("a scheme has one mask or two"),
+        };
+        let bound = Rc::new(bound);
+        self.sound.borrow_mut().insert(key, Rc::clone(&bound));
+        Ok(bound)
+    }
+}
+
+/// The longest block whose residue classes are few.
+fn block_length(masks: &[&Mask]) -> u32 {
+    let arity = masks.iter().map(|mask| mask.arity() as u64).max().unwrap_or(2);
+    (1..=MAX_SOUND_BLOCK).rev().find(|&c| arity.pow(c) <= MAX_SOUND_CLASSES).unwrap_or(1)
+}

@@ -1,0 +1,273 @@
+//! The functions that claims can use: constants of the scheme they are about.
+
+use super::library::{Library, Resolved, Unresolved};
+use crate::bound::{
+    Constants, Operator, Order, Rounded, Suprema, Terms, displacement, log_level,
+    surface_coefficients,
+};
+use crate::exact::Rational;
+use crate::formula::{Call, CallError, FormulaErrorKind, Functions, OptionWord, Parameters, Value};
+use crate::scheme::{Mask, Reference, Rules};
+
+/// The functions, with what they are; for help texts.
+pub const QUANTITIES: [(&str, &str); 10] = [
+    ("contraction(c, order = adjoint|forward)", "T_c; with `terms = total` and c = 1, max |Σ b|"),
+    ("norm(c, order = adjoint|forward)", "Λ_c, the norm of the scheme"),
+    ("tensor(c, order = …, suprema = independent|joint)", "T_c·Λ_c of the tensor product"),
+    ("displacement(terms = each|total, offset = own|0|-1|…)", "σ"),
+    ("surface_displacement(x1, x2, x3, terms = each|total)", "ν for the spreads x1, x2, x3"),
+    ("levels(ratio, x, rounded = up|nearest|down)", "the logarithm of x to the base `ratio`"),
+    ("mask(alpha, j)", "a coefficient of the mask; 0 beyond its ends"),
+    ("difference(beta, j)", "a coefficient of the difference mask"),
+    ("arity()", "n"),
+    ("width()", "N"),
+];
+
+fn names() -> Vec<String> {
+    let name = |(usage, _): &(&str, &str)| usage.split('(').next().unwrap_or(usage).to_owned();
+    QUANTITIES.iter().map(name).collect()
+}
+
+/// The quantities of one scheme, in exact numbers.
+pub(super) struct Quantities<'a> {
+    pub(super) library: &'a Library<'a>,
+    pub(super) scheme: Option<Resolved>,
+    /// When set, `levels` rounds so, whatever the formula says.
+    pub(super) rounded: Option<Rounded>,
+}
+
+impl Functions<Rational> for Quantities<'_> {
+    fn call(&self, call: &Call<'_, Rational>) -> Result<Rational, CallError> {
+        let mut options = Options::new(call);
+        let other;
+        let scheme = match options.take("scheme") {
+            None => self.scheme.as_ref(),
+            Some(name) => {
+                other = self.other_scheme(&name)?;
+                Some(&other)
+            }
+        };
+        let constants = || {
+            let missing = "this needs a scheme: give the table or equation one".to_owned();
+            scheme.map(|scheme| &*scheme.constants[0]).ok_or(CallError::Misuse(missing))
+        };
+        let value = match (call.function, call.arguments) {
+            ("levels", [ratio, x]) => {
+                let rounded = self.rounded.unwrap_or(options.rounded()?);
+                options.finish()?;
+                let level = log_level(ratio, x, rounded);
+                return level.map(Rational::from).map_err(|e| CallError::Undefined(e.to_string()));
+            }
+            ("contraction", [c]) => contraction(constants()?, level(c)?, &mut options),
+            ("norm", [c]) => {
+                let order = options.order()?;
+                constants()?.norm(Operator::Scheme, level(c)?, order).map_err(undefined)
+            }
+            ("tensor", [c]) => {
+                let (order, suprema) = (options.order()?, options.suprema()?);
+                constants()?.tensor(level(c)?, order, suprema).map_err(undefined)
+            }
+            ("displacement", []) => {
+                let terms = options.terms()?;
+                let mask = constants()?.mask();
+                let offset = options.offset(mask.offset())?;
+                Ok(displacement(&mask.with_offset(offset), terms))
+            }
+            ("surface_displacement", [x1, x2, x3]) => {
+                let terms = options.terms()?;
+                Ok(surface_displacement(constants()?.mask(), [x1, x2, x3], terms))
+            }
+            _ => shape(constants()?.mask(), constants()?.difference(), call),
+        }?;
+        options.finish()?;
+        Ok(value)
+    }
+}
+
+impl Quantities<'_> {
+    fn other_scheme(&self, name: &str) -> Result<Resolved, CallError> {
+        let reference = reference(name)?;
+        let resolved = self.library.resolve(&reference, &Parameters::<Rational>::default());
+        resolved.map_err(|error| unresolved(name, error))
+    }
+}
+
+/// The coefficients of a scheme over any numbers, for identities.
+pub(super) struct Coefficients<'a, V> {
+    pub(super) library: &'a Library<'a>,
+    pub(super) mask: Option<Mask<V>>,
+}
+
+impl<V: Value + PartialEq> Functions<V> for Coefficients<'_, V> {
+    fn call(&self, call: &Call<'_, V>) -> Result<V, CallError> {
+        let mut options = Options::new(call);
+        let mask = match (options.take("scheme"), &self.mask) {
+            (None, Some(mask)) => mask.clone(),
+            (None, None) => {
+                let missing = "this needs a scheme: give the equation one".to_owned();
+                return Err(CallError::Misuse(missing));
+            }
+            (Some(name), _) => {
+                let masks = self.library.masks(&reference(&name)?, &Parameters::<V>::default());
+                let masks = masks.map_err(|error| unresolved(&name, error))?;
+                masks.into_iter().next().expect("a scheme has one mask or two")
+            }
+        };
+        let value = shape(&mask, &mask.difference(), call)?;
+        options.finish()?;
+        Ok(value)
+    }
+}
+
+fn reference(name: &str) -> Result<Reference, CallError> {
+    Reference::parse(name).map_err(|error| CallError::Misuse(error.to_string()))
+}
+
+fn unresolved(name: &str, error: Unresolved) -> CallError {
+    match error {
+        Unresolved::Formula(error) => CallError::Inner(error.kind),
+        Unresolved::Scheme(error) => CallError::Misuse(format!("scheme `{name}`: {error}")),
+    }
+}
+
+fn undefined(error: impl ToString) -> CallError {
+    CallError::Undefined(error.to_string())
+}
+
+/// The functions that only read coefficients.
+fn shape<V: Value>(
+    mask: &Mask<V>,
+    difference: &Rules<V>,
+    call: &Call<'_, V>,
+) -> Result<V, CallError> {
+    let number = |value: usize| V::from_rational(&Rational::from(value));
+    match (call.function, call.arguments) {
+        ("mask", [rule, column]) => coefficient(mask.rules(), rule, column),
+        ("difference", [rule, column]) => coefficient(difference, rule, column),
+        ("arity", []) => Ok(number(mask.arity())),
+        ("width", []) => Ok(number(mask.width())),
+        (name, given) => {
+            let usage = QUANTITIES.iter().find(|(usage, _)| usage.split('(').next() == Some(name));
+            match usage {
+                None => Err(CallError::UnknownFunction(names())),
+                Some((usage, _)) => Err(CallError::Misuse(format!(
+                    "`{name}` does not take {} arguments here; its form is {usage}",
+                    given.len()
+                ))),
+            }
+        }
+    }
+}
+
+fn coefficient<V: Value>(rules: &Rules<V>, rule: &V, column: &V) -> Result<V, CallError> {
+    let index = |what: &'static str, value: &V| {
+        let integer = value.as_rational().filter(Rational::is_integer);
+        integer.and_then(|value| value.numerator().to_i64()).ok_or_else(|| {
+            CallError::Inner(FormulaErrorKind::NotAnInteger { what, value: value.to_string() })
+        })
+    };
+    let (rule, column) = (index("the index of a rule", rule)?, index("a column", column)?);
+    let row = usize::try_from(rule).ok().and_then(|rule| rules.rows().get(rule));
+    let row = row.ok_or_else(|| {
+        let last = rules.arity() - 1;
+        CallError::Misuse(format!("there is no rule {rule}; the rules are 0 to {last}"))
+    })?;
+    let entry = usize::try_from(column).ok().and_then(|column| row.get(column));
+    Ok(entry.cloned().unwrap_or_else(V::zero))
+}
+
+fn contraction(
+    constants: &Constants,
+    c: u32,
+    options: &mut Options<'_>,
+) -> Result<Rational, CallError> {
+    let order = options.order()?;
+    match options.terms()? {
+        Terms::Each => constants.norm(Operator::Difference, c, order).map_err(undefined),
+        Terms::Total if c == 1 => {
+            let rows = constants.difference().rows().iter();
+            Ok(rows.map(|row| Terms::Total.gather(row)).max().unwrap_or_else(Rational::zero))
+        }
+        Terms::Total => {
+            Err(CallError::Misuse("`terms = total` is defined for c = 1 only".to_owned()))
+        }
+    }
+}
+
+/// ν = max_{α,β} (x_1 η¹ + x_2 η² + x_3 η³).
+fn surface_displacement(mask: &Mask, spreads: [&Rational; 3], terms: Terms) -> Rational {
+    let pairs =
+        (0..mask.arity()).flat_map(|alpha| (0..mask.arity()).map(move |beta| (alpha, beta)));
+    let weighted = |(alpha, beta)| {
+        let eta = surface_coefficients(mask, alpha, beta, terms);
+        eta.iter().zip(spreads).map(|(eta, spread)| eta * spread).sum::<Rational>()
+    };
+    pairs.map(weighted).max().unwrap_or_else(Rational::zero)
+}
+
+fn level(value: &Rational) -> Result<u32, CallError> {
+    let level = value.numerator().to_i64().and_then(|level| u32::try_from(level).ok());
+    level.filter(|_| value.is_integer()).ok_or_else(|| {
+        CallError::Misuse(format!("a number of levels is 0, 1, 2, …, and not {value}"))
+    })
+}
+
+/// The options of a call, each to be used once.
+struct Options<'a> {
+    function: &'a str,
+    left: Vec<&'a OptionWord>,
+}
+
+impl<'a> Options<'a> {
+    fn new<V>(call: &Call<'a, V>) -> Options<'a> {
+        Options { function: call.function, left: call.options.iter().collect() }
+    }
+
+    fn take(&mut self, name: &str) -> Option<String> {
+        let at = self.left.iter().position(|option| option.name == name)?;
+        Some(self.left.remove(at).word.clone())
+    }
+
+    fn choose<T: Copy>(&mut self, name: &str, choices: &[(&str, T)]) -> Result<T, CallError> {
+        let Some(word) = self.take(name) else { return Ok(choices[0].1) };
+        let found = choices.iter().find(|(choice, _)| *choice == word);
+        found.map(|(_, value)| *value).ok_or_else(|| {
+            let known: Vec<&str> = choices.iter().map(|(choice, _)| *choice).collect();
+            CallError::Misuse(format!("`{name}` is one of {}, not `{word}`", known.join(", ")))
+        })
+    }
+
+    fn order(&mut self) -> Result<Order, CallError> {
+        self.choose("order", &[("adjoint", Order::Adjoint), ("forward", Order::Forward)])
+    }
+
+    fn terms(&mut self) -> Result<Terms, CallError> {
+        self.choose("terms", &[("each", Terms::Each), ("total", Terms::Total)])
+    }
+
+    fn suprema(&mut self) -> Result<Suprema, CallError> {
+        let choices = [("independent", Suprema::Independent), ("joint", Suprema::Joint)];
+        self.choose("suprema", &choices)
+    }
+
+    fn rounded(&mut self) -> Result<Rounded, CallError> {
+        let choices = [("up", Rounded::Up), ("nearest", Rounded::Nearest), ("down", Rounded::Down)];
+        self.choose("rounded", &choices)
+    }
+
+    fn offset(&mut self, own: i64) -> Result<i64, CallError> {
+        match self.take("offset").as_deref() {
+            None | Some("own") => Ok(own),
+            Some(word) => word.parse().ok().filter(|o: &i64| o.abs() <= 10_000).ok_or_else(|| {
+                CallError::Misuse(format!("`offset` is `own` or an integer, not `{word}`"))
+            }),
+        }
+    }
+
+    fn finish(&self) -> Result<(), CallError> {
+        self.left.first().map_or(Ok(()), |option| {
+            let (name, function) = (&option.name, self.function);
+            Err(CallError::Misuse(format!("`{function}` takes no option `{name}`")))
+        })
+    }
+}

@@ -1,0 +1,354 @@
+//! Judging a table.
+
+use super::compare;
+use super::finding::{Assumed, CellFinding, Direction, Missing, Sound, Verdict};
+use super::library::{Library, Unresolved};
+use super::quantity::Quantities;
+use crate::bound::Rounded;
+use crate::claim::{Axis, AxisEntry, Cell, Paper, Printed, Promise, Table};
+use crate::diagnostic::Diagnostic;
+use crate::exact::Rational;
+use crate::formula::{FormulaError, FormulaErrorKind, LocatedFormula, Parameters, Scope, evaluate};
+use std::collections::BTreeMap;
+
+/// What the audit says of a table.
+#[derive(Clone, Debug)]
+pub struct TableFinding<'a> {
+    /// The table.
+    pub table: &'a Table,
+    /// Its cells, row by row.
+    pub cells: Vec<Vec<CellFinding>>,
+}
+
+/// Judges every cell of a table.
+pub(super) fn judge<'a>(
+    paper: &'a Paper,
+    table: &'a Table,
+    library: &Library<'_>,
+) -> Result<TableFinding<'a>, Diagnostic> {
+    let judge = Judge::new(paper, table, library)?;
+    let mut cells = Vec::with_capacity(table.cells.len());
+    for row in 0..table.cells.len() {
+        let columns = 0..table.cells[row].len();
+        cells.push(columns.map(|column| judge.cell(row, column)).collect::<Result<Vec<_>, _>>()?);
+    }
+    judge.compare_with_neighbours(&mut cells);
+    Ok(TableFinding { table, cells })
+}
+
+/// A value of the claim file's formula, or what stands in its way.
+enum Outcome {
+    Value(Rational),
+    Unstated(String),
+    Undefined(String),
+}
+
+struct Judge<'a> {
+    paper: &'a Paper,
+    table: &'a Table,
+    library: &'a Library<'a>,
+    given: BTreeMap<String, Rational>,
+    assumed: BTreeMap<String, Rational>,
+}
+
+/// One cell's place, and whether unstated parameters get their assumed values.
+#[derive(Clone, Copy)]
+struct At {
+    row: usize,
+    column: usize,
+    assume: bool,
+    rounded: Option<Rounded>,
+}
+
+impl<'a> Judge<'a> {
+    fn new(
+        paper: &'a Paper,
+        table: &'a Table,
+        library: &'a Library<'a>,
+    ) -> Result<Judge<'a>, Diagnostic> {
+        let values = |formulas: &BTreeMap<String, LocatedFormula>| {
+            let value = |(name, formula): (&String, &LocatedFormula)| {
+                let value = evaluate(&formula.expr, &Parameters::<Rational>::default());
+                value.map(|value| (name.clone(), value)).map_err(|error| formula.diagnostic(&error))
+            };
+            formulas.iter().map(value).collect::<Result<BTreeMap<_, _>, _>>()
+        };
+        let mut given = values(&paper.given)?;
+        given.extend(values(&table.given)?);
+        let assumed = values(&table.unstated)?;
+        given.retain(|name, _| !assumed.contains_key(name));
+        Ok(Judge { paper, table, library, given, assumed })
+    }
+
+    fn scope<'s>(&'s self, at: At, functions: &'s Quantities<'s>) -> Scope<'s, Rational> {
+        let mut scope = Scope::new(&self.paper.definitions, functions);
+        for (name, value) in &self.given {
+            scope = scope.with(name, value.clone());
+        }
+        for (name, value) in &self.assumed {
+            scope =
+                if at.assume { scope.with(name, value.clone()) } else { scope.with_unstated(name) };
+        }
+        for (axis, entry) in self.headers(at.row, at.column) {
+            scope = scope.with(&axis.name, entry.value.clone());
+        }
+        scope
+    }
+
+    fn headers(
+        &self,
+        row: usize,
+        column: usize,
+    ) -> impl Iterator<Item = (&'a Axis, &'a AxisEntry)> {
+        let rows = self.table.rows.as_ref().map(|axis| (axis, &axis.entries[row]));
+        let columns = &self.table.columns;
+        rows.into_iter().chain([(columns, &columns.entries[column])])
+    }
+
+    /// The quantities of this cell's scheme.
+    fn quantities(&self, at: At) -> Result<Result<Quantities<'a>, Outcome>, Diagnostic> {
+        let mut quantities =
+            Quantities { library: self.library, scheme: None, rounded: at.rounded };
+        let Some(reference) = &self.table.scheme else { return Ok(Ok(quantities)) };
+        let resolved = self.library.resolve(reference, &self.scope(at, &quantities));
+        match resolved {
+            Ok(scheme) => {
+                quantities.scheme = Some(scheme);
+                Ok(Ok(quantities))
+            }
+            Err(Unresolved::Formula(error)) => self.sort(error, None).map(Err),
+            Err(Unresolved::Scheme(error)) => {
+                let span = self.table.value.span.clone();
+                let message = format!("the scheme of `{}`: {error}", self.table.id);
+                Err(Diagnostic::new(&self.table.value.source, span, message))
+            }
+        }
+    }
+
+    /// A formula error that is a finding, or one that is the claim file's.
+    fn sort(
+        &self,
+        error: FormulaError,
+        formula: Option<&LocatedFormula>,
+    ) -> Result<Outcome, Diagnostic> {
+        match error.kind {
+            FormulaErrorKind::Unstated(name) => Ok(Outcome::Unstated(name)),
+            FormulaErrorKind::Undefined(why) => Ok(Outcome::Undefined(why)),
+            FormulaErrorKind::DivisionByZero => {
+                Ok(Outcome::Undefined("the definition divides by zero".to_owned()))
+            }
+            _ => Err(formula.map_or_else(
+                || {
+                    let (source, span) = (&self.table.value.source, self.table.value.span.clone());
+                    Diagnostic::new(source, span, format!("in the scheme's parameters: {error}"))
+                },
+                |formula| formula.diagnostic(&error),
+            )),
+        }
+    }
+
+    fn evaluate(&self, formula: &LocatedFormula, at: At) -> Result<Outcome, Diagnostic> {
+        let quantities = match self.quantities(at)? {
+            Ok(quantities) => quantities,
+            Err(outcome) => return Ok(outcome),
+        };
+        match evaluate(&formula.expr, &self.scope(at, &quantities)) {
+            Ok(value) => Ok(Outcome::Value(value)),
+            Err(error) => self.sort(error, Some(formula)),
+        }
+    }
+
+    fn cell(&self, row: usize, column: usize) -> Result<CellFinding, Diagnostic> {
+        let cell = &self.table.cells[row][column];
+        let (printed, note) = match cell {
+            Cell::Lost => (None, None),
+            Cell::Printed(printed) => (Some(printed.text.clone()), printed.note.clone()),
+        };
+        let mut finding = CellFinding {
+            id: format!("{}:{}:{}:{}", self.paper.key, self.table.id, row + 1, column + 1),
+            locus: self.locus(row, column),
+            printed,
+            note,
+            verdict: Verdict::NotCheckable(Missing::Cell),
+            exact: None,
+            undefined: None,
+            assumed: Assumed::new(),
+            verdict_if_assumed: None,
+            sound: None,
+            kept_by_formula: None,
+            kept_by_sound: None,
+        };
+        let mut at = At { row, column, assume: false, rounded: None };
+        let mut outcome = self.evaluate(&self.table.value, at)?;
+        if let Outcome::Unstated(_) = outcome {
+            // Every parameter listed as unstated is one that the value needs.
+            let names = self.assumed.keys().cloned().collect();
+            finding.verdict = Verdict::NotCheckable(Missing::Parameters(names));
+            finding.assumed = self.assumed.clone().into_iter().collect();
+            at.assume = true;
+            outcome = self.evaluate(&self.table.value, at)?;
+        }
+        match outcome {
+            Outcome::Value(value) => finding.exact = Some(value),
+            Outcome::Undefined(why) => finding.undefined = Some(why),
+            Outcome::Unstated(name) => {
+                let formula = &self.table.value;
+                let message = format!("`{name}` has no value, not even an assumed one");
+                return Err(Diagnostic::new(&formula.source, formula.span.clone(), message));
+            }
+        }
+        if let Cell::Printed(printed) = cell {
+            let verdict = self.verdict(printed, finding.exact.as_ref(), at)?;
+            if at.assume {
+                finding.verdict_if_assumed = Some(verdict);
+            } else {
+                finding.verdict = verdict;
+            }
+        }
+        self.judge_promise(cell, at, &mut finding)?;
+        Ok(finding)
+    }
+
+    fn locus(&self, row: usize, column: usize) -> String {
+        let headers = self.headers(row, column);
+        let headers: Vec<String> =
+            headers.map(|(axis, entry)| format!("{} = {}", axis.label, entry.printed)).collect();
+        format!("{}, {}", self.table.locus, headers.join(", "))
+    }
+
+    /// The verdict, without regard to the neighbouring cells.
+    fn verdict(
+        &self,
+        printed: &Printed,
+        exact: Option<&Rational>,
+        at: At,
+    ) -> Result<Verdict, Diagnostic> {
+        let Some(exact) = exact else { return Ok(Verdict::Refuted) };
+        let verdict = compare::judge(&printed.decimal, exact, &[]);
+        if verdict == Verdict::Confirmed
+            || !matches!(self.table.promise, Some(Promise::Depth { .. }))
+        {
+            return Ok(verdict);
+        }
+        let otherwise =
+            [(Rounded::Down, Direction::DepthDown), (Rounded::Nearest, Direction::DepthNearest)];
+        for (rounded, direction) in otherwise {
+            let value = self.evaluate(&self.table.value, At { rounded: Some(rounded), ..at })?;
+            if matches!(value, Outcome::Value(value) if value == printed.decimal.value()) {
+                return Ok(Verdict::Rounding(direction));
+            }
+        }
+        Ok(Verdict::Refuted)
+    }
+
+    /// Numbers that are no depths may have been copied from a neighbouring cell.
+    fn compare_with_neighbours(&self, cells: &mut [Vec<CellFinding>]) {
+        if matches!(self.table.promise, Some(Promise::Depth { .. })) {
+            return;
+        }
+        let exact: Vec<Vec<Option<Rational>>> =
+            cells.iter().map(|row| row.iter().map(|cell| cell.exact.clone()).collect()).collect();
+        for (row, findings) in cells.iter_mut().enumerate() {
+            for (column, finding) in findings.iter_mut().enumerate() {
+                let Cell::Printed(printed) = &self.table.cells[row][column] else { continue };
+                let (Verdict::Refuted, Some(value)) = (&finding.verdict, &finding.exact) else {
+                    continue;
+                };
+                let around = [(0, 1), (0, -1), (1, 0), (-1, 0)].into_iter().filter_map(|step| {
+                    let row = row.checked_add_signed(step.0 as isize)?;
+                    let column = column.checked_add_signed(step.1 as isize)?;
+                    Some((step, exact.get(row)?.get(column)?.as_ref()?))
+                });
+                let around: Vec<((i32, i32), &Rational)> = around.collect();
+                finding.verdict = compare::judge(&printed.decimal, value, &around);
+            }
+        }
+    }
+
+    fn judge_promise(
+        &self,
+        cell: &Cell,
+        at: At,
+        finding: &mut CellFinding,
+    ) -> Result<(), Diagnostic> {
+        let Some(promise) = &self.table.promise else { return Ok(()) };
+        let printed = match cell {
+            Cell::Lost => None,
+            Cell::Printed(printed) => Some(printed.decimal.value()),
+        };
+        if let (Some(printed), Some(exact)) = (&printed, &finding.exact) {
+            finding.kept_by_formula = Some(printed >= exact);
+        }
+        let sound = self.sound(promise, at)?;
+        if let Some(printed) = printed {
+            finding.kept_by_sound = match &sound {
+                Sound::Depth { level, .. } => Some(printed >= Rational::from(*level)),
+                Sound::Bound(bound) => Some(printed >= *bound),
+                Sound::None(_) => None,
+            };
+        }
+        finding.sound = Some(sound);
+        Ok(())
+    }
+
+    fn sound(&self, promise: &Promise, at: At) -> Result<Sound, Diagnostic> {
+        let scheme = match self.quantities(at)? {
+            Ok(Quantities { scheme: Some(scheme), .. }) => scheme,
+            _ => return Ok(Sound::None("no scheme is given".to_owned())),
+        };
+        let (Promise::Depth { spread, offset, .. } | Promise::Bound { spread, offset, .. }) =
+            promise;
+        let offset = match offset {
+            None => None,
+            Some(formula) => Some(self.integer(formula, at)?),
+        };
+        let bound = match self.library.sound_bound(&scheme, offset) {
+            Ok(bound) => bound,
+            Err(error) => return Ok(Sound::None(error.to_string())),
+        };
+        let spread = self.number(spread, at)?;
+        match promise {
+            Promise::Depth { tolerance, .. } => {
+                let tolerance = self.number(tolerance, at)?;
+                Ok(match bound.depth(&spread, &tolerance) {
+                    Ok(depth) => Sound::Depth { level: depth.level, block: depth.block },
+                    Err(error) => Sound::None(error.to_string()),
+                })
+            }
+            Promise::Bound { level, .. } => {
+                let level = self.integer(level, at)?;
+                let last = u32::try_from(level).ok().filter(|level| *level <= MAX_BOUND_LEVEL);
+                let bounds = last.and_then(|last| bound.levels(last));
+                Ok(match bounds.as_ref().and_then(|bounds| bounds.last()) {
+                    Some(bound) => Sound::Bound(bound * &spread),
+                    None => Sound::None("no constant of the scheme is below 1".to_owned()),
+                })
+            }
+        }
+    }
+
+    /// The value of a formula of a promise, which must have one.
+    fn number(&self, formula: &LocatedFormula, at: At) -> Result<Rational, Diagnostic> {
+        let refuse =
+            |message: String| Err(Diagnostic::new(&formula.source, formula.span.clone(), message));
+        match self.evaluate(formula, at)? {
+            Outcome::Value(value) => Ok(value),
+            Outcome::Unstated(name) => refuse(format!(
+                "`{name}` has no value here; list it only where the table's value needs it too"
+            )),
+            Outcome::Undefined(why) => refuse(why),
+        }
+    }
+
+    fn integer(&self, formula: &LocatedFormula, at: At) -> Result<i64, Diagnostic> {
+        let value = self.number(formula, at)?;
+        let integer = value.numerator().to_i64().filter(|value| value.abs() <= 10_000);
+        integer.filter(|_| value.is_integer()).ok_or_else(|| {
+            let message = format!("an integer from -10000 to 10000 is needed, and this is {value}");
+            Diagnostic::new(&formula.source, formula.span.clone(), message)
+        })
+    }
+}
+
+/// The highest level at which a bound is computed.
+const MAX_BOUND_LEVEL: u32 = 1_000;

@@ -1,0 +1,430 @@
+//! Reading claim files.
+
+use super::equation::{Equation, EquationBody};
+use super::paper::{Bibliography, Paper, SchemeSource};
+use super::table::{Axis, AxisEntry, Cell, Printed, Promise, Table};
+use crate::diagnostic::{Diagnostic, SourceText, read_text};
+use crate::exact::{parse_decimal, parse_rational};
+use crate::formula::LocatedFormula;
+use crate::scheme::Reference;
+use crate::scheme::{SchemeTable, definitions, formula, from_toml, identifier};
+use serde::Deserialize;
+use serde::de::{MapAccess, Visitor};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
+use std::ops::Range;
+use std::path::Path;
+use std::sync::Arc;
+use toml::Spanned;
+
+/// The largest claim file that is read, in bytes.
+pub const MAX_CLAIM_FILE_BYTES: u64 = 4 << 20;
+
+type Formulas = BTreeMap<Spanned<String>, Spanned<String>>;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct PaperFile {
+    key: Spanned<String>,
+    paper: BibliographyTable,
+    #[serde(default)]
+    define: Formulas,
+    #[serde(default)]
+    given: Formulas,
+    #[serde(default)]
+    scheme: Vec<SchemeTable>,
+    #[serde(default)]
+    table: Vec<TableTable>,
+    #[serde(default)]
+    equation: Vec<EquationTable>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct BibliographyTable {
+    authors: Vec<String>,
+    title: String,
+    venue: String,
+    year: String,
+    doi: Option<String>,
+    note: Option<String>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct TableTable {
+    id: Spanned<String>,
+    locus: String,
+    #[serde(default)]
+    title: String,
+    scheme: Option<Spanned<String>>,
+    value: Spanned<String>,
+    promise: Option<Spanned<PromiseTable>>,
+    rows: Option<AxisTable>,
+    columns: AxisTable,
+    cells: Spanned<CellsField>,
+    #[serde(default)]
+    given: Formulas,
+    #[serde(default)]
+    unstated: Formulas,
+    note: Option<String>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct PromiseTable {
+    tolerance: Option<Spanned<String>>,
+    level: Option<Spanned<String>>,
+    spread: Spanned<String>,
+    offset: Option<Spanned<String>>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct AxisTable {
+    name: Spanned<String>,
+    label: Option<String>,
+    values: Spanned<Vec<Spanned<NumberField>>>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct EquationTable {
+    id: Spanned<String>,
+    locus: String,
+    #[serde(default)]
+    title: String,
+    scheme: Option<Spanned<String>>,
+    #[serde(default)]
+    symbols: Vec<Spanned<String>>,
+    #[serde(default)]
+    indices: Vec<AxisTable>,
+    left: Option<Spanned<Vec<Spanned<String>>>>,
+    right: Option<Spanned<String>>,
+    absent: Option<String>,
+    note: Option<String>,
+}
+
+/// `"0.742"`, or `{ printed = "h1.69e-4", read = "1.69e-4", note = "…" }`.
+#[derive(Debug)]
+struct NumberField {
+    printed: String,
+    read: Option<String>,
+    note: Option<String>,
+}
+
+impl<'de> Deserialize<'de> for NumberField {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<NumberField, D::Error> {
+        #[derive(Deserialize)]
+        #[serde(deny_unknown_fields)]
+        struct Corrected {
+            printed: String,
+            read: String,
+            note: String,
+        }
+        struct Either;
+        impl<'de> Visitor<'de> for Either {
+            type Value = NumberField;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a number in quotes, or { printed = …, read = …, note = … }")
+            }
+            fn visit_str<E>(self, text: &str) -> Result<NumberField, E> {
+                Ok(NumberField { printed: text.to_owned(), read: None, note: None })
+            }
+            fn visit_map<M: MapAccess<'de>>(self, map: M) -> Result<NumberField, M::Error> {
+                let fields = serde::de::value::MapAccessDeserializer::new(map);
+                let Corrected { printed, read, note } = Corrected::deserialize(fields)?;
+                Ok(NumberField { printed, read: Some(read), note: Some(note) })
+            }
+        }
+        deserializer.deserialize_any(Either)
+    }
+}
+
+/// Rows of cells, or `"lost"` when the source has none of them.
+#[derive(Debug)]
+enum CellsField {
+    Lost,
+    Rows(Vec<Spanned<Vec<Spanned<NumberField>>>>),
+}
+
+impl<'de> Deserialize<'de> for CellsField {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<CellsField, D::Error> {
+        struct Either;
+        impl<'de> Visitor<'de> for Either {
+            type Value = CellsField;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("rows of cells such as [['0.68', '0.31'], …], or \"lost\"")
+            }
+            fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<CellsField, E> {
+                if text == "lost" {
+                    return Ok(CellsField::Lost);
+                }
+                Err(E::invalid_value(serde::de::Unexpected::Str(text), &self))
+            }
+            fn visit_seq<S: serde::de::SeqAccess<'de>>(
+                self,
+                rows: S,
+            ) -> Result<CellsField, S::Error> {
+                let rows = serde::de::value::SeqAccessDeserializer::new(rows);
+                Vec::deserialize(rows).map(CellsField::Rows)
+            }
+        }
+        deserializer.deserialize_any(Either)
+    }
+}
+
+/// Reads a claim file.
+///
+/// # Errors
+/// When it is not TOML, a key is unknown or missing, a table is ragged, an id is
+/// used twice, or a formula or number is not one: with the place and a remedy.
+pub fn read_paper(source: &Arc<SourceText>) -> Result<Paper, Diagnostic> {
+    let file: PaperFile = from_toml(source)?;
+    let reader = Reader { source };
+    let mut ids = BTreeSet::new();
+    for id in file.table.iter().map(|t| &t.id).chain(file.equation.iter().map(|e| &e.id)) {
+        reader.id(id)?;
+        if !ids.insert(id.get_ref()) {
+            return Err(reader
+                .error(id.span(), format!("the id `{}` is used twice", id.get_ref()))
+                .with_help("every table and equation needs an id of its own"));
+        }
+    }
+    let bibliography = Bibliography {
+        authors: file.paper.authors,
+        title: file.paper.title,
+        venue: file.paper.venue,
+        year: file.paper.year,
+        doi: file.paper.doi,
+        note: file.paper.note,
+    };
+    let mut schemes = BTreeMap::new();
+    for table in &file.scheme {
+        let name = table.name.get_ref();
+        if schemes.insert(name.clone(), reader.scheme(table)?).is_some() {
+            let message = format!("the scheme `{name}` is defined twice");
+            return Err(reader.error(table.name.span(), message));
+        }
+    }
+    reader.id(&file.key)?;
+    Ok(Paper {
+        key: file.key.into_inner(),
+        bibliography,
+        schemes,
+        definitions: definitions(source, &file.define)?,
+        given: definitions(source, &file.given)?,
+        tables: file.table.iter().map(|table| reader.table(table)).collect::<Result<_, _>>()?,
+        equations: file
+            .equation
+            .iter()
+            .map(|equation| reader.equation(equation))
+            .collect::<Result<_, _>>()?,
+        source: Arc::clone(source),
+    })
+}
+
+/// Reads the claim file at `path`.
+///
+/// # Errors
+/// When the file cannot be read (the inner text says why), or is not a claim file.
+pub fn read_paper_file(path: &Path) -> Result<Result<Paper, Diagnostic>, String> {
+    let text = read_text(path, MAX_CLAIM_FILE_BYTES)
+        .map_err(|reason| format!("cannot read `{}`: {reason}", path.display()))?;
+    Ok(read_paper(&SourceText::new(path.display().to_string(), text)))
+}
+
+struct Reader<'a> {
+    source: &'a Arc<SourceText>,
+}
+
+impl Reader<'_> {
+    fn error(&self, span: Range<usize>, message: impl Into<String>) -> Diagnostic {
+        Diagnostic::new(self.source, span, message)
+    }
+
+    fn id(&self, id: &Spanned<String>) -> Result<(), Diagnostic> {
+        let fits = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
+        if !id.get_ref().is_empty() && id.get_ref().chars().all(fits) {
+            return Ok(());
+        }
+        Err(self
+            .error(id.span(), format!("`{}` cannot be an id", id.get_ref()))
+            .with_help("use letters, digits, `-`, `_` and `.`"))
+    }
+
+    fn scheme(&self, table: &SchemeTable) -> Result<SchemeSource, Diagnostic> {
+        match table.alias() {
+            Some(other) => self.reference(other).map(SchemeSource::Alias),
+            None => Ok(SchemeSource::Own(Box::new(table.define(self.source)?))),
+        }
+    }
+
+    fn reference(&self, text: &Spanned<String>) -> Result<Reference, Diagnostic> {
+        Reference::parse(text.get_ref()).map_err(|error| self.error(text.span(), error.to_string()))
+    }
+
+    fn optional(
+        &self,
+        text: Option<&Spanned<String>>,
+    ) -> Result<Option<LocatedFormula>, Diagnostic> {
+        text.map(|text| formula(self.source, text)).transpose()
+    }
+
+    fn axis(&self, table: &AxisTable) -> Result<Axis, Diagnostic> {
+        let name = identifier(self.source, &table.name)?;
+        if table.values.get_ref().is_empty() {
+            return Err(self.error(table.values.span(), "at least one header is needed"));
+        }
+        let entry = |field: &Spanned<NumberField>| {
+            let NumberField { printed, read, note } = field.get_ref();
+            let text = read.as_ref().unwrap_or(printed);
+            let value = parse_rational(text).map_err(|error| self.damaged(field, &error))?;
+            Ok(AxisEntry { printed: printed.clone(), value, note: note.clone() })
+        };
+        Ok(Axis {
+            label: table.label.clone().unwrap_or_else(|| name.clone()),
+            name,
+            entries: table.values.get_ref().iter().map(entry).collect::<Result<_, Diagnostic>>()?,
+        })
+    }
+
+    fn damaged(
+        &self,
+        field: &Spanned<NumberField>,
+        error: &crate::exact::NumberError,
+    ) -> Diagnostic {
+        self.error(field.span(), error.to_string()).with_help(
+            "if the paper's text is damaged here, keep it and say what it means: \
+             { printed = \"6.02 - 7\", read = \"6.02e-7\", note = \"why\" }",
+        )
+    }
+
+    fn promise(&self, table: &Spanned<PromiseTable>) -> Result<Promise, Diagnostic> {
+        let PromiseTable { tolerance, level, spread, offset } = table.get_ref();
+        let spread = formula(self.source, spread)?;
+        let offset = self.optional(offset.as_ref())?;
+        match (tolerance, level) {
+            (Some(tolerance), None) => {
+                Ok(Promise::Depth { tolerance: formula(self.source, tolerance)?, spread, offset })
+            }
+            (None, Some(level)) => {
+                Ok(Promise::Bound { level: formula(self.source, level)?, spread, offset })
+            }
+            _ => Err(self
+                .error(table.span(), "a promise needs either `tolerance` or `level`")
+                .with_help(
+                    "{ tolerance = 'epsilon', spread = 'tau' } for a table of depths, \
+                     { level = 'k', spread = 'tau' } for a table of error bounds",
+                )),
+        }
+    }
+
+    fn cells(
+        &self,
+        table: &TableTable,
+        shape: (usize, usize),
+    ) -> Result<Vec<Vec<Cell>>, Diagnostic> {
+        let (row_count, column_count) = shape;
+        let CellsField::Rows(rows) = table.cells.get_ref() else {
+            return Ok(vec![vec![Cell::Lost; column_count]; row_count]);
+        };
+        if rows.len() != row_count {
+            let found = rows.len();
+            let message = format!("{found} rows of cells, and {row_count} row headers");
+            return Err(self.error(table.cells.span(), message).with_help(
+                "give one row of cells for each header in `rows`, or one row without `rows`",
+            ));
+        }
+        let cell = |field: &Spanned<NumberField>| {
+            let NumberField { printed, read, note } = field.get_ref();
+            let text = read.as_ref().unwrap_or(printed);
+            let decimal = parse_decimal(text).map_err(|error| self.damaged(field, &error))?;
+            let (text, note) = (printed.clone(), note.clone());
+            Ok(Cell::Printed(Printed { text, decimal, note, span: field.span() }))
+        };
+        let row = |row: &Spanned<Vec<Spanned<NumberField>>>| {
+            if row.get_ref().len() != column_count {
+                let found = row.get_ref().len();
+                let message = format!("{found} cells, and {column_count} column headers");
+                return Err(self
+                    .error(row.span(), message)
+                    .with_help("give one cell for each header in `columns`"));
+            }
+            row.get_ref().iter().map(cell).collect()
+        };
+        rows.iter().map(row).collect()
+    }
+
+    fn table(&self, table: &TableTable) -> Result<Table, Diagnostic> {
+        let rows = table.rows.as_ref().map(|rows| self.axis(rows)).transpose()?;
+        let columns = self.axis(&table.columns)?;
+        let shape = (rows.as_ref().map_or(1, |rows| rows.entries.len()), columns.entries.len());
+        Ok(Table {
+            id: table.id.get_ref().clone(),
+            locus: table.locus.clone(),
+            title: table.title.clone(),
+            scheme: table.scheme.as_ref().map(|text| self.reference(text)).transpose()?,
+            value: formula(self.source, &table.value)?,
+            promise: table.promise.as_ref().map(|promise| self.promise(promise)).transpose()?,
+            cells: self.cells(table, shape)?,
+            rows,
+            columns,
+            given: definitions(self.source, &table.given)?,
+            unstated: definitions(self.source, &table.unstated)?,
+            note: table.note.clone(),
+        })
+    }
+
+    fn equation(&self, table: &EquationTable) -> Result<Equation, Diagnostic> {
+        let body = match (&table.left, &table.right, &table.absent) {
+            (Some(left), Some(right), None) => self.identity(table, left, right)?,
+            (None, None, Some(absent)) => EquationBody::NotCheckable(absent.clone()),
+            _ => {
+                return Err(self
+                    .error(table.id.span(), "an equation needs `left` and `right`, or `absent`")
+                    .with_help(
+                        "left = ['3/4', '1/4'] lists the left sides, right = 'mask(0, r)' is one \
+                         formula in the indices; absent = \"…\" says what the paper lacks",
+                    ));
+            }
+        };
+        Ok(Equation {
+            id: table.id.get_ref().clone(),
+            locus: table.locus.clone(),
+            title: table.title.clone(),
+            body,
+            note: table.note.clone(),
+        })
+    }
+
+    fn identity(
+        &self,
+        table: &EquationTable,
+        left: &Spanned<Vec<Spanned<String>>>,
+        right: &Spanned<String>,
+    ) -> Result<EquationBody, Diagnostic> {
+        let indices =
+            table.indices.iter().map(|axis| self.axis(axis)).collect::<Result<Vec<Axis>, _>>()?;
+        let count: usize = indices.iter().map(|axis| axis.entries.len()).product();
+        let found = left.get_ref().len();
+        if found != count {
+            let message = format!("{found} left sides, and {count} combinations of the indices");
+            return Err(self
+                .error(left.span(), message)
+                .with_help("give one left side for each combination, the first index slowest"));
+        }
+        let symbols = table.symbols.iter().map(|symbol| identifier(self.source, symbol));
+        Ok(EquationBody::Identity {
+            scheme: table.scheme.as_ref().map(|text| self.reference(text)).transpose()?,
+            symbols: symbols.collect::<Result<_, _>>()?,
+            indices,
+            left: left
+                .get_ref()
+                .iter()
+                .map(|text| formula(self.source, text))
+                .collect::<Result<_, _>>()?,
+            right: formula(self.source, right)?,
+        })
+    }
+}

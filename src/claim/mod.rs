@@ -1,0 +1,17 @@
+//! What a paper asserts, as data: schemes, tables, equations.
+//!
+//! A claim file is TOML; [`read_paper`] reads one, [`embedded`] lists those that
+//! are part of the program. Every number and formula is a string: TOML's own
+//! numbers are rounded.
+
+mod embedded;
+mod equation;
+mod file;
+mod paper;
+mod table;
+
+pub use embedded::{EmbeddedPaper, embedded, embedded_papers};
+pub use equation::{Equation, EquationBody};
+pub use file::{MAX_CLAIM_FILE_BYTES, read_paper, read_paper_file};
+pub use paper::{Bibliography, Paper, SchemeSource};
+pub use table::{Axis, AxisEntry, Cell, Printed, Promise, Table};

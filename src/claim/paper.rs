@@ -1,0 +1,68 @@
+//! A paper and its claims.
+
+use super::equation::Equation;
+use super::table::Table;
+use crate::diagnostic::SourceText;
+use crate::formula::LocatedFormula;
+use crate::scheme::{Reference, SchemeDefinition};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// A paper's claim file, read.
+#[derive(Clone, Debug)]
+pub struct Paper {
+    /// The short name that ids begin with, such as `khan2019-newton`.
+    pub key: String,
+    /// Who wrote what, where and when.
+    pub bibliography: Bibliography,
+    /// The schemes that the claims refer to by name.
+    pub schemes: BTreeMap<String, SchemeSource>,
+    /// Named formulas: the paper's definitions.
+    pub definitions: BTreeMap<String, LocatedFormula>,
+    /// Values that the paper states for parameters.
+    pub given: BTreeMap<String, LocatedFormula>,
+    /// The tables, in the paper's order.
+    pub tables: Vec<Table>,
+    /// The equations, in the paper's order.
+    pub equations: Vec<Equation>,
+    /// The claim file.
+    pub source: Arc<SourceText>,
+}
+
+/// Who wrote what, where and when.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Bibliography {
+    /// The authors, family names first or last as printed.
+    pub authors: Vec<String>,
+    /// The title.
+    pub title: String,
+    /// The journal, volume and pages.
+    pub venue: String,
+    /// The year.
+    pub year: String,
+    /// The DOI, when there is one.
+    pub doi: Option<String>,
+    /// What a reader of the claims should know about the text they come from.
+    pub note: Option<String>,
+}
+
+impl Bibliography {
+    /// The authors' family names and the year: `Khan, Omar, Mustafa 2019`.
+    #[must_use]
+    pub fn short(&self) -> String {
+        let family = |author: &String| {
+            author.rsplit_once(' ').map_or(author.as_str(), |(_, family)| family).to_owned()
+        };
+        let names: Vec<String> = self.authors.iter().map(family).collect();
+        format!("{} {}", names.join(", "), self.year)
+    }
+}
+
+/// What a scheme name of a claim file stands for.
+#[derive(Clone, Debug)]
+pub enum SchemeSource {
+    /// A mask written in the claim file.
+    Own(Box<SchemeDefinition>),
+    /// Another scheme with parameters: `use = "newton:j=1,n=3"`.
+    Alias(Reference),
+}

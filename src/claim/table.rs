@@ -1,0 +1,114 @@
+//! A table and its cells as printed.
+
+use crate::exact::{Decimal, Rational};
+use crate::formula::LocatedFormula;
+use crate::scheme::Reference;
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+/// A table: its printed cells, and the formula they are said to equal.
+#[derive(Clone, Debug)]
+pub struct Table {
+    /// Its id within the paper.
+    pub id: String,
+    /// Where it stands, as the paper calls it: `Table 13`.
+    pub locus: String,
+    /// What it shows.
+    pub title: String,
+    /// The scheme its functions are about; parameters may depend on the cell.
+    pub scheme: Option<Reference>,
+    /// What each cell is said to equal.
+    pub value: LocatedFormula,
+    /// What a cell promises beyond its value.
+    pub promise: Option<Promise>,
+    /// The row headers, when there are any.
+    pub rows: Option<Axis>,
+    /// The column headers.
+    pub columns: Axis,
+    /// The cells, row by row.
+    pub cells: Vec<Vec<Cell>>,
+    /// Values that the paper states for parameters of this table.
+    pub given: BTreeMap<String, LocatedFormula>,
+    /// Parameters that the paper does not state, each with the value at which the
+    /// program shows what the formula gives; the cells stay not checkable.
+    pub unstated: BTreeMap<String, LocatedFormula>,
+    /// What a reader should know.
+    pub note: Option<String>,
+}
+
+impl Table {
+    /// The number of cells.
+    #[must_use]
+    pub fn cell_count(&self) -> usize {
+        self.cells.iter().map(Vec::len).sum()
+    }
+}
+
+/// What a cell promises: a distance that is small enough, or a level that is
+/// high enough, for every control polygon of the given spread.
+#[derive(Clone, Debug)]
+pub enum Promise {
+    /// The cell is a depth: from that level on, the distance is at most the
+    /// tolerance.
+    Depth {
+        /// ε.
+        tolerance: LocatedFormula,
+        /// β = max|Δ^0|.
+        spread: LocatedFormula,
+        /// The index offset at which the paper compares polygon and limit.
+        offset: Option<LocatedFormula>,
+    },
+    /// The cell is an upper bound of the distance at a level.
+    Bound {
+        /// k.
+        level: LocatedFormula,
+        /// β = max|Δ^0|.
+        spread: LocatedFormula,
+        /// The index offset at which the paper compares polygon and limit.
+        offset: Option<LocatedFormula>,
+    },
+}
+
+/// The headers of the rows or of the columns: the values of one parameter.
+#[derive(Clone, Debug)]
+pub struct Axis {
+    /// The parameter's name in formulas.
+    pub name: String,
+    /// What the paper prints for it.
+    pub label: String,
+    /// The headers.
+    pub entries: Vec<AxisEntry>,
+}
+
+/// One header.
+#[derive(Clone, Debug)]
+pub struct AxisEntry {
+    /// As printed.
+    pub printed: String,
+    /// Its value.
+    pub value: Rational,
+    /// Why the value is not what is printed, when it is not.
+    pub note: Option<String>,
+}
+
+/// A cell.
+#[derive(Clone, Debug)]
+pub enum Cell {
+    /// The source at hand has lost it.
+    Lost,
+    /// It is printed.
+    Printed(Printed),
+}
+
+/// A number as printed.
+#[derive(Clone, Debug)]
+pub struct Printed {
+    /// The text as transcribed.
+    pub text: String,
+    /// What it says.
+    pub decimal: Decimal,
+    /// Why that is not the text itself, when it is not.
+    pub note: Option<String>,
+    /// Its place in the claim file.
+    pub span: Range<usize>,
+}

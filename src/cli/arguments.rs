@@ -1,0 +1,121 @@
+//! The arguments.
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+
+const AFTER_HELP: &str = "\
+SCHEME is a catalogue name with parameters (`six-point:w=3/256`, `newton:j=1,n=3`),
+the path of a TOML file (`mine.toml:w=1/16`), or two of these with ` x ` between them
+for their tensor product. `subcert schemes` lists the catalogue.
+
+Exit codes: 0 done (findings are no failures), 1 a stated expectation failed,
+2 bad usage or input, 3 an internal fault.";
+
+/// Exact constants of subdivision schemes, and audits of the papers that publish them.
+#[derive(Debug, Parser)]
+#[command(name = "subcert", version, after_help = AFTER_HELP, arg_required_else_help = true)]
+pub(super) struct Arguments {
+    #[command(subcommand)]
+    pub(super) command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub(super) enum Command {
+    /// Judge every claim of papers: the embedded ones, or claim files
+    Audit(AuditArguments),
+    /// Show one claim, table or equation in full
+    Explain(ExplainArguments),
+    /// The exact constants of a scheme: difference mask, T_c, Λ_c, σ
+    Constants(ConstantsArguments),
+    /// The subdivision depth for a tolerance: as papers compute it, and soundly
+    Depth(DepthArguments),
+    /// List the schemes of the catalogue
+    Schemes(SchemesArguments),
+    /// Write a completion script for a shell
+    Completions {
+        /// The shell
+        shell: clap_complete::Shell,
+    },
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Format {
+    /// For people
+    Text,
+    /// For programs
+    Json,
+    /// For pasting into a report
+    Markdown,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct AuditArguments {
+    /// Claim files; without any, the embedded papers
+    pub(super) files: Vec<PathBuf>,
+    /// Only the paper of this key
+    #[arg(long, value_name = "KEY")]
+    pub(super) paper: Option<String>,
+    /// Show every table and equation, also those where nothing is wrong
+    #[arg(long)]
+    pub(super) all: bool,
+    /// Exit with code 1 when a claim has this verdict (may be repeated)
+    #[arg(long, value_name = "VERDICT", value_parser = [
+        "confirmed", "rounding", "misprint", "refuted", "not-checkable", "holds", "fails",
+    ])]
+    pub(super) deny: Vec<String>,
+    /// Output format
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(super) format: Format,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct ExplainArguments {
+    /// The id: `key:table-1`, `key:table-1:2:3` (row, column) or `key:eq-3.8`
+    pub(super) id: String,
+    /// Claim files; without any, the embedded papers
+    pub(super) files: Vec<PathBuf>,
+    /// Output format
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(super) format: Format,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct ConstantsArguments {
+    /// The scheme
+    #[arg(value_name = "SCHEME")]
+    pub(super) scheme: String,
+    /// The greatest number of levels c
+    #[arg(short = 'c', long = "levels", value_name = "MAX", default_value_t = 4,
+          value_parser = clap::value_parser!(u32).range(1..=24))]
+    pub(super) levels: u32,
+    /// Output format
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(super) format: Format,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct DepthArguments {
+    /// The scheme
+    #[arg(value_name = "SCHEME")]
+    pub(super) scheme: String,
+    /// The tolerance ε, an exact number such as 1/1000 or 4.35e-5
+    #[arg(long, value_name = "E", allow_hyphen_values = true)]
+    pub(super) tolerance: String,
+    /// The spread β: the largest difference of neighbouring control points
+    #[arg(long, value_name = "B", default_value = "1", allow_hyphen_values = true)]
+    pub(super) spread: String,
+    /// The greatest block length c
+    #[arg(short = 'c', long = "levels", value_name = "MAX", default_value_t = 4,
+          value_parser = clap::value_parser!(u32).range(1..=24))]
+    pub(super) levels: u32,
+    /// Output format
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(super) format: Format,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct SchemesArguments {
+    /// Output format
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(super) format: Format,
+}

@@ -1,0 +1,99 @@
+//! `subcert audit` and `subcert explain`.
+
+use super::Outcome;
+use super::arguments::{AuditArguments, ExplainArguments, Format};
+use super::output::{Failure, show, write};
+use std::path::PathBuf;
+use subcert::audit::{PaperAudit, audit as judge};
+use subcert::claim::{Paper, embedded_papers, read_paper_file};
+use subcert::report::{audit_json, audit_sheet, explain_sheet};
+
+pub(super) fn audit(arguments: &AuditArguments) -> Outcome {
+    let mut papers = papers(&arguments.files)?;
+    if let Some(key) = &arguments.paper {
+        let known: Vec<String> = papers.iter().map(|paper| paper.key.clone()).collect();
+        papers.retain(|paper| paper.key == *key);
+        if papers.is_empty() {
+            let known = known.join(", ");
+            return Err(Failure::Input(format!("no paper has the key `{key}`; known: {known}")));
+        }
+    }
+    let audits = judge_all(&papers)?;
+    show(
+        arguments.format,
+        || {
+            let mut sheet = audit_sheet(&audits, arguments.all);
+            sheet.text(
+                "✓ confirmed  ≈ rounded otherwise  ± misprint  ✗ refuted  ? not checkable. \
+                 Under a cell: the exact value of the printed definition, and the sound value \
+                 where the printed one is not shown to keep its promise. `--all` shows every \
+                 table, `subcert explain ID` one claim.",
+            );
+            sheet
+        },
+        || audit_json(&audits),
+    )?;
+    for verdict in &arguments.deny {
+        let count = audits.iter().map(|audit| count(audit, verdict)).sum::<usize>();
+        if count > 0 {
+            return Err(Failure::Expectation(format!("{count} claims are {verdict}")));
+        }
+    }
+    Ok(())
+}
+
+pub(super) fn explain(arguments: &ExplainArguments) -> Outcome {
+    let papers = papers(&arguments.files)?;
+    let audits = judge_all(&papers)?;
+    let id = &arguments.id;
+    let Some(sheet) = explain_sheet(&audits, id) else {
+        let keys: Vec<&str> = papers.iter().map(|paper| paper.key.as_str()).collect();
+        return Err(Failure::Input(format!(
+            "no claim has the id `{id}`; an id is `KEY:table-1`, `KEY:table-1:ROW:COLUMN` or \
+             `KEY:EQUATION`, with KEY one of {}",
+            keys.join(", ")
+        )));
+    };
+    match arguments.format {
+        Format::Text => write(&sheet.to_text()),
+        Format::Markdown => write(&sheet.to_markdown()),
+        Format::Json => {
+            let mut json = audit_json(&audits);
+            let claims = json["papers"].as_array_mut().into_iter().flatten();
+            let chosen: Vec<serde_json::Value> = claims
+                .flat_map(|paper| paper["claims"].as_array().cloned().unwrap_or_default())
+                .filter(|claim| {
+                    let claim = claim["id"].as_str().unwrap_or_default();
+                    claim == id || claim.strip_prefix(id).is_some_and(|rest| rest.starts_with(':'))
+                })
+                .collect();
+            write(&format!("{:#}\n", serde_json::Value::from(chosen)))
+        }
+    }
+}
+
+fn papers(files: &[PathBuf]) -> Result<Vec<Paper>, Failure> {
+    if files.is_empty() {
+        return Ok(embedded_papers()?);
+    }
+    let read = |path: &PathBuf| -> Result<Paper, Failure> {
+        Ok(read_paper_file(path).map_err(Failure::Input)??)
+    };
+    let papers = files.iter().map(read).collect::<Result<Vec<Paper>, Failure>>()?;
+    for (i, paper) in papers.iter().enumerate() {
+        if papers[..i].iter().any(|earlier| earlier.key == paper.key) {
+            let message = format!("two of the files have the key `{}`", paper.key);
+            return Err(Failure::Input(message));
+        }
+    }
+    Ok(papers)
+}
+
+fn judge_all(papers: &[Paper]) -> Result<Vec<PaperAudit<'_>>, Failure> {
+    papers.iter().map(|paper| judge(paper).map_err(Failure::from)).collect()
+}
+
+fn count(audit: &PaperAudit<'_>, verdict: &str) -> usize {
+    let counts = [audit.cell_counts(), audit.equation_counts()];
+    counts.iter().filter_map(|counts| counts.get(verdict)).sum()
+}

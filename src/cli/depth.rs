@@ -1,0 +1,138 @@
+//! `subcert depth`.
+
+use super::Outcome;
+use super::arguments::DepthArguments;
+use super::output::{Failure, show};
+use serde_json::{Value, json};
+use subcert::bound::{
+    ClassCap, Constants, DepthError, Operator, Order, SoundBound, SoundDepth, Terms, displacement,
+    least_level, surface_coefficients,
+};
+use subcert::exact::{Rational, format::short, parse_rational};
+use subcert::report::{Grid, Sheet};
+use subcert::scheme::parse_scheme;
+
+pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
+    let scheme = parse_scheme(&arguments.scheme)?;
+    let tolerance = positive("--tolerance", &arguments.tolerance)?;
+    let spread = positive("--spread", &arguments.spread)?;
+    let constants: Vec<Constants> =
+        scheme.masks().into_iter().cloned().map(Constants::new).collect();
+    let report = Report::of(&constants, arguments.levels, &tolerance, &spread)
+        .map_err(|error| Failure::Input(error.to_string()))?;
+    show(
+        arguments.format,
+        || report.sheet(&arguments.scheme, &tolerance, &spread),
+        || report.json(&arguments.scheme, &tolerance, &spread),
+    )
+}
+
+fn positive(flag: &str, text: &str) -> Result<Rational, Failure> {
+    let value = parse_rational(text).map_err(|e| Failure::Input(format!("{flag}: {e}")))?;
+    if value.sign() > 0 {
+        return Ok(value);
+    }
+    Err(Failure::Input(format!("{flag} must be positive, and is {text}")))
+}
+
+type Depth = Result<u32, DepthError>;
+
+struct Report {
+    sound: Result<SoundDepth, DepthError>,
+    /// For each c: the constant as papers print it, and the depth it gives.
+    printed: Vec<(Rational, Depth)>,
+}
+
+impl Report {
+    fn of(
+        constants: &[Constants],
+        levels: u32,
+        tolerance: &Rational,
+        spread: &Rational,
+    ) -> Result<Report, ClassCap> {
+        let first = &constants[0];
+        let bound = match constants {
+            [first, second] => SoundBound::surface(first, second, levels)?,
+            _ => SoundBound::curve(first, levels)?,
+        };
+        let factor = match constants {
+            [_, _] => surface_nu(first) * spread,
+            _ => displacement(&first.mask().with_offset(0), Terms::Total) * spread,
+        };
+        let constant = |c| match constants {
+            [first, second] => Ok(first.norm(Operator::Difference, c, Order::Adjoint)?
+                * second.norm(Operator::Scheme, c, Order::Adjoint)?),
+            _ => first.norm(Operator::Difference, c, Order::Forward),
+        };
+        let one = Rational::one();
+        let printed = (1..=levels).map(|c| {
+            let constant = constant(c)?;
+            let depth = if constant < one {
+                least_level(&(&factor / (&one - &constant)), &constant, tolerance)
+            } else {
+                Err(DepthError::NoContraction(short(&constant, 6)))
+            };
+            Ok((constant, depth))
+        });
+        let printed = printed.collect::<Result<Vec<_>, ClassCap>>()?;
+        Ok(Report { sound: bound.depth(spread, tolerance), printed })
+    }
+
+    fn sheet(&self, name: &str, tolerance: &Rational, spread: &Rational) -> Sheet {
+        let mut sheet = Sheet::default();
+        sheet.heading(1, format!("{name}, ε = {tolerance}, β = {spread}"));
+        let sound = match &self.sound {
+            Ok(depth) => format!("{} levels, by blocks of {} levels", depth.level, depth.block),
+            Err(error) => format!("none: {error}"),
+        };
+        sheet.facts(vec![("sound depth".to_owned(), sound)]);
+        let header = ["c", "constant", "depth by the printed formula"].map(str::to_owned).to_vec();
+        let rows = (1..).zip(&self.printed).map(|(c, (constant, depth)): (u32, _)| {
+            let depth = match depth {
+                Ok(level) => level.to_string(),
+                Err(error) => error.to_string(),
+            };
+            vec![c.to_string(), short(constant, 8), depth]
+        });
+        sheet.grid(Grid { header, rows: rows.collect(), left_columns: 0 });
+        sheet.text(
+            "The sound depth meets the tolerance for every control polygon of this spread, at the \
+             scheme's own offset. The printed formula, σβT^k/(1 − T) with one power of the \
+             constant for each level, |Σ| in place of σ and offset 0, does not promise that.",
+        );
+        sheet
+    }
+
+    fn json(&self, name: &str, tolerance: &Rational, spread: &Rational) -> Value {
+        let printed = (1..).zip(&self.printed).map(|(c, (constant, depth)): (u32, _)| {
+            json!({
+                "c": c,
+                "constant": subcert::report::exact_json(constant),
+                "depth": depth.as_ref().ok(),
+                "note": depth.as_ref().err().map(ToString::to_string),
+            })
+        });
+        let sound = match &self.sound {
+            Ok(depth) => json!({ "depth": depth.level, "block": depth.block }),
+            Err(error) => json!({ "depth": null, "note": error.to_string() }),
+        };
+        json!({
+            "schema": 1,
+            "scheme": name,
+            "tolerance": tolerance.to_string(),
+            "spread": spread.to_string(),
+            "sound": sound,
+            "printed_formula": printed.collect::<Vec<Value>>(),
+        })
+    }
+}
+
+/// ν for unit spreads, as printed.
+fn surface_nu(constants: &Constants) -> Rational {
+    let arity = constants.mask().arity();
+    let pairs = (0..arity).flat_map(|alpha| (0..arity).map(move |beta| (alpha, beta)));
+    let sums = pairs.map(|(alpha, beta)| {
+        surface_coefficients(constants.mask(), alpha, beta, Terms::Total).iter().sum::<Rational>()
+    });
+    sums.max().unwrap_or_else(Rational::zero)
+}

@@ -1,0 +1,44 @@
+//! The command line: the only user of clap and of the standard output.
+
+mod arguments;
+mod audit;
+mod constants;
+mod depth;
+mod output;
+mod schemes;
+
+use arguments::{Arguments, Command};
+use clap::Parser as _;
+use output::Failure;
+use std::process::ExitCode;
+
+/// Runs the program: 0 done, 1 a stated expectation failed, 2 bad usage or input,
+/// 3 an internal fault.
+pub(crate) fn run() -> ExitCode {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => {
+            // Help and version come this way too, with exit code 0.
+            let code = if error.use_stderr() { 2 } else { 0 };
+            return match error.print() {
+                Ok(()) => ExitCode::from(code),
+                Err(_) => ExitCode::from(if code == 0 { output::BROKEN_PIPE } else { code }),
+            };
+        }
+    };
+    let result = match arguments.command {
+        Command::Audit(command) => audit::audit(&command),
+        Command::Explain(command) => audit::explain(&command),
+        Command::Constants(command) => constants::constants(&command),
+        Command::Depth(command) => depth::depth(&command),
+        Command::Schemes(command) => schemes::schemes(&command),
+        Command::Completions { shell } => schemes::completions(shell),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(),
+    }
+}
+
+/// What a command returns.
+type Outcome = Result<(), Failure>;

@@ -1,0 +1,75 @@
+//! Results to the standard output, messages to the standard error.
+
+use super::arguments::Format;
+use std::io::{ErrorKind, IsTerminal as _, Write as _};
+use std::process::ExitCode;
+use subcert::diagnostic::Diagnostic;
+use subcert::report::Sheet;
+
+/// The exit code when a reader such as `head` has gone away: success.
+pub(super) const BROKEN_PIPE: u8 = 0;
+
+/// Why a command did not do all that was asked.
+#[derive(Debug)]
+pub(super) enum Failure {
+    /// A stated expectation failed: exit code 1.
+    Expectation(String),
+    /// Bad usage or input: exit code 2.
+    Input(String),
+    /// An error in a file: exit code 2.
+    File(Box<Diagnostic>),
+    /// The results cannot be written: exit code 2.
+    Output(std::io::Error),
+}
+
+impl From<Diagnostic> for Failure {
+    fn from(diagnostic: Diagnostic) -> Failure {
+        Failure::File(Box::new(diagnostic))
+    }
+}
+
+impl From<subcert::scheme::SchemeError> for Failure {
+    fn from(error: subcert::scheme::SchemeError) -> Failure {
+        match error {
+            subcert::scheme::SchemeError::File(diagnostic) => Failure::File(diagnostic),
+            other => Failure::Input(other.to_string()),
+        }
+    }
+}
+
+impl Failure {
+    /// Writes the message and gives the exit code.
+    pub(super) fn report(self) -> ExitCode {
+        let (message, code) = match self {
+            Failure::Expectation(message) => (format!("subcert: {message}"), 1),
+            Failure::Input(message) => (format!("error: {message}"), 2),
+            Failure::File(diagnostic) => (diagnostic.render(std::io::stderr().is_terminal()), 2),
+            Failure::Output(error) if error.kind() == ErrorKind::BrokenPipe => {
+                return ExitCode::from(BROKEN_PIPE);
+            }
+            Failure::Output(error) => (format!("error: cannot write the results: {error}"), 2),
+        };
+        // Nobody is left to tell when even the standard error is closed.
+        let _ = writeln!(anstream::stderr(), "{message}");
+        ExitCode::from(code)
+    }
+}
+
+/// Writes a text to the standard output; styles only to a terminal.
+pub(super) fn write(text: &str) -> Result<(), Failure> {
+    let mut out = anstream::stdout().lock();
+    out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(Failure::Output)
+}
+
+/// Writes a report in the chosen format.
+pub(super) fn show(
+    format: Format,
+    sheet: impl FnOnce() -> Sheet,
+    json: impl FnOnce() -> serde_json::Value,
+) -> Result<(), Failure> {
+    match format {
+        Format::Text => write(&sheet().to_text()),
+        Format::Markdown => write(&sheet().to_markdown()),
+        Format::Json => write(&format!("{:#}\n", json())),
+    }
+}

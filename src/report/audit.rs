@@ -1,0 +1,321 @@
+//! The report of an audit: what is wrong first.
+
+use super::mark;
+use super::sheet::{Grid, Sheet};
+use crate::audit::{
+    CellFinding, Direction, EquationFinding, EquationVerdict, Missing, PaperAudit, Sound,
+    TableFinding, Verdict,
+};
+use crate::claim::Promise;
+use crate::exact::{Rational, format::short};
+
+/// How many single cells or cases a list names.
+const MAX_LISTED: usize = 4;
+
+/// The report of several papers: a summary, then what is wrong, table by table in
+/// the table's own shape; with `all`, every table and equation.
+#[must_use]
+pub fn audit_sheet(audits: &[PaperAudit<'_>], all: bool) -> Sheet {
+    let mut sheet = Sheet::default();
+    summary(&mut sheet, audits);
+    for audit in audits {
+        paper(&mut sheet, audit, all);
+    }
+    sheet
+}
+
+fn summary(sheet: &mut Sheet, audits: &[PaperAudit<'_>]) {
+    let mut header = vec!["paper".to_owned(), "cells".to_owned()];
+    header.extend(Verdict::NAMES.iter().map(|name| format!("{} {name}", mark(name))));
+    header.push("equations".to_owned());
+    let rows = audits.iter().map(|audit| {
+        let counts = audit.cell_counts();
+        let lost =
+            audit.tables.iter().flat_map(cells).filter(|cell| cell.printed.is_none()).count();
+        let printed = counts.values().sum::<usize>() - lost;
+        let lost = if lost > 0 { format!(" + {lost} lost") } else { String::new() };
+        let mut row = vec![audit.paper.key.clone(), format!("{printed}{lost}")];
+        row.extend(Verdict::NAMES.iter().map(|name| match counts.get(name) {
+            None => "·".to_owned(),
+            Some(count) => count.to_string(),
+        }));
+        let equations = audit.equation_counts();
+        let count = |name: &str| equations.get(name).copied().unwrap_or(0);
+        row.push(match (audit.equations.len(), count("fails")) {
+            (0, _) => "·".to_owned(),
+            (all, 0) => format!("{} of {all} hold", count("holds")),
+            (all, fails) => format!("{} of {all} hold, {fails} ✗", count("holds")),
+        });
+        row
+    });
+    let rows = rows.collect();
+    sheet.grid(Grid { header, rows, left_columns: 1 });
+}
+
+fn paper(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {
+    let paper = audit.paper;
+    sheet.heading(1, format!("{} · {}", paper.key, paper.bibliography.short()));
+    sheet.text(format!("{}. {}.", paper.bibliography.title, paper.bibliography.venue));
+    if let Some(note) = &paper.bibliography.note {
+        sheet.text(note.clone());
+    }
+    let (unclear, judged): (Vec<_>, Vec<_>) =
+        audit.tables.iter().partition(|table| is_unclear(table));
+    let (wrong, right): (Vec<_>, Vec<_>) = judged.into_iter().partition(|table| is_wrong(table));
+    for table in if all { audit.tables.iter().collect() } else { wrong } {
+        one_table(sheet, audit, table);
+    }
+    if !all {
+        let named = |tables: &[&TableFinding<'_>]| {
+            tables.iter().map(|table| table.table.locus.clone()).collect::<Vec<String>>().join(", ")
+        };
+        if !right.is_empty() {
+            sheet.heading(2, "Nothing wrong");
+            sheet.text(format!("✓ {}", named(&right)));
+        }
+        if !unclear.is_empty() {
+            sheet.heading(2, "Not checkable");
+            sheet.grid(unclear_grid(&unclear));
+        }
+    }
+    equations(sheet, &audit.equations, all);
+}
+
+fn is_unclear(table: &TableFinding<'_>) -> bool {
+    cells(table).all(|cell| matches!(cell.verdict, Verdict::NotCheckable(_)))
+}
+
+fn is_wrong(table: &TableFinding<'_>) -> bool {
+    cells(table).any(|cell| cell.verdict != Verdict::Confirmed)
+}
+
+fn cells<'t>(table: &'t TableFinding<'_>) -> impl Iterator<Item = &'t CellFinding> {
+    table.cells.iter().flatten()
+}
+
+fn one_table(sheet: &mut Sheet, audit: &PaperAudit<'_>, finding: &TableFinding<'_>) {
+    let table = finding.table;
+    sheet.heading(2, format!("{} · {}", table.locus, table.title));
+    let mut facts = Vec::new();
+    if let Some(scheme) = &table.scheme {
+        facts.push(("scheme".to_owned(), scheme.to_string()));
+    }
+    facts.push(("said to equal".to_owned(), spelled_out(audit, &table.value.text)));
+    sheet.facts(facts);
+    sheet.grid(table_values(finding));
+    for line in remarks(finding) {
+        sheet.text(line);
+    }
+    if let Some(note) = &table.note {
+        sheet.text(note.clone());
+    }
+}
+
+/// A formula, with the paper's definition beside it when it is just its name.
+fn spelled_out(audit: &PaperAudit<'_>, formula: &str) -> String {
+    match audit.paper.definitions.get(formula) {
+        Some(definition) => format!("{formula} = {}", definition.text),
+        None => formula.to_owned(),
+    }
+}
+
+/// A table in its own shape: each cell as printed with its mark; below it, the
+/// exact value of the definition unless the cell is confirmed, and the sound
+/// value where there is a promise that is not shown to be kept.
+#[must_use]
+pub fn table_values(finding: &TableFinding<'_>) -> Grid {
+    let table = finding.table;
+    let columns = table.columns.entries.iter().map(|entry| entry.printed.clone());
+    let corner = match &table.rows {
+        Some(rows) => format!("{} \\ {}", rows.label, table.columns.label),
+        None => table.columns.label.clone(),
+    };
+    let header = std::iter::once(corner).chain(columns).collect();
+    let rows = finding.cells.iter().enumerate().map(|(row, cells)| {
+        let label = table.rows.as_ref().map(|rows| rows.entries[row].printed.clone());
+        let label = label.unwrap_or_default();
+        std::iter::once(label).chain(cells.iter().map(cell_text)).collect()
+    });
+    Grid { header, rows: rows.collect(), left_columns: 1 }
+}
+
+fn cell_text(cell: &CellFinding) -> String {
+    let printed = cell.printed.as_deref().unwrap_or("lost");
+    let mut lines = vec![format!("{printed} {}", mark(cell.verdict.name()))];
+    if cell.verdict != Verdict::Confirmed {
+        match (&cell.exact, &cell.undefined) {
+            (Some(exact), _) => lines.push(short(exact, digits_beside(cell))),
+            (None, Some(_)) => lines.push("no value".to_owned()),
+            (None, None) => {}
+        }
+    }
+    if cell.kept_by_sound == Some(false) {
+        match &cell.sound {
+            Some(Sound::Depth { level, .. }) => lines.push(format!("sound {level}")),
+            Some(Sound::Bound(bound)) => lines.push(format!("sound {}", short(bound, 4))),
+            _ => {}
+        }
+    }
+    lines.join("\n")
+}
+
+/// As many digits as the cell has, and one more, so that the difference shows.
+fn digits_beside(cell: &CellFinding) -> u32 {
+    let digits = |text: &String| text.chars().filter(char::is_ascii_digit).count();
+    let digits = cell.printed.as_ref().map_or(6, digits);
+    u32::try_from(digits.clamp(4, 12)).unwrap_or(12)
+}
+
+fn remarks(finding: &TableFinding<'_>) -> Vec<String> {
+    let mut lines = Vec::new();
+    let listed = |name: &str, what: &dyn Fn(&CellFinding) -> Option<String>| {
+        let mut all: Vec<String> = cells(finding).filter_map(what).collect();
+        let more = all.len().saturating_sub(MAX_LISTED);
+        all.truncate(MAX_LISTED);
+        let more = if more > 0 { format!("; and {more} more") } else { String::new() };
+        (!all.is_empty()).then(|| format!("{} {name}: {}{more}.", mark(name), all.join("; ")))
+    };
+    lines.extend(listed("misprint", &|cell| match &cell.verdict {
+        Verdict::Misprint(slip) => Some(format!("{} ({slip})", cell.printed.as_deref()?)),
+        _ => None,
+    }));
+    lines.extend(listed("rounding", &|cell| match &cell.verdict {
+        Verdict::Rounding(direction) => Some(format!("{} ({direction})", cell.printed.as_deref()?)),
+        _ => None,
+    }));
+    if let Some(cell) = cells(finding).find(|cell| cell.undefined.is_some()) {
+        let why = cell.undefined.as_deref().unwrap_or_default();
+        lines.push(format!("No value at {}: {why}.", cell.locus));
+    }
+    lines.extend(assumption(finding));
+    lines.extend(promise(finding));
+    lines
+}
+
+fn assumption(finding: &TableFinding<'_>) -> Option<String> {
+    let cell = cells(finding).find(|cell| !cell.assumed.is_empty())?;
+    let Verdict::NotCheckable(missing) = &cell.verdict else { return None };
+    let comparison = comparison(finding).map(|text| format!(": {text}")).unwrap_or_default();
+    Some(format!("? {missing}. Shown at {}{comparison}.", assumed(cell)))
+}
+
+/// What the verdicts would be at the assumed values, counted.
+fn comparison(finding: &TableFinding<'_>) -> Option<String> {
+    let count = |of: &dyn Fn(&Verdict) -> bool| {
+        cells(finding).filter_map(|cell| cell.verdict_if_assumed.as_ref()).filter(|v| of(v)).count()
+    };
+    let all = count(&|_| true);
+    let parts = [
+        ("equal", count(&|verdict| *verdict == Verdict::Confirmed)),
+        ("a level short", count(&|v| *v == Verdict::Rounding(Direction::DepthDown))),
+        (
+            "rounded otherwise",
+            count(&|v| matches!(v, Verdict::Rounding(d) if *d != Direction::DepthDown)),
+        ),
+        ("one slip away", count(&|verdict| matches!(verdict, Verdict::Misprint(_)))),
+        ("different", count(&|verdict| *verdict == Verdict::Refuted)),
+    ];
+    let parts: Vec<String> = parts
+        .iter()
+        .filter(|(_, count)| *count > 0)
+        .map(
+            |(name, count)| {
+                if *count == all { format!("all {name}") } else { format!("{count} {name}") }
+            },
+        )
+        .collect();
+    (all > 0).then(|| parts.join(", "))
+}
+
+fn assumed(cell: &CellFinding) -> String {
+    let value = |(name, value): &(String, Rational)| format!("{name} = {value}");
+    cell.assumed.iter().map(value).collect::<Vec<String>>().join(", ")
+}
+
+fn promise(finding: &TableFinding<'_>) -> Option<String> {
+    let what = match finding.table.promise.as_ref()? {
+        Promise::Depth { .. } => "depths",
+        Promise::Bound { .. } => "bounds",
+    };
+    let count = |kept: &dyn Fn(&CellFinding) -> Option<bool>| {
+        let known: Vec<bool> = cells(finding).filter_map(kept).collect();
+        let kept = known.iter().filter(|kept| **kept).count();
+        format!("{kept} of {}", known.len())
+    };
+    Some(format!(
+        "Promise: {} printed {what} keep it by the printed formula, {} by the sound bound.",
+        count(&|cell| cell.kept_by_formula),
+        count(&|cell| cell.kept_by_sound)
+    ))
+}
+
+fn unclear_grid(tables: &[&TableFinding<'_>]) -> Grid {
+    let rows = tables.iter().map(|finding| {
+        let count = cells(finding).count();
+        let first = cells(finding).next();
+        let missing = match first.map(|cell| &cell.verdict) {
+            Some(Verdict::NotCheckable(Missing::Parameters(names))) => {
+                format!("{} not stated", names.join(", "))
+            }
+            _ => "the cells are lost".to_owned(),
+        };
+        let shown = first.map(assumed).unwrap_or_default();
+        let comparison = comparison(finding).unwrap_or_else(|| {
+            let value = |cell: &CellFinding| cell.exact.as_ref().map(|exact| short(exact, 6));
+            cells(finding).filter_map(value).collect::<Vec<String>>().join("  ")
+        });
+        let kept = cells(finding).filter_map(|cell| cell.kept_by_sound).collect::<Vec<bool>>();
+        let kept = match kept.len() {
+            0 => "·".to_owned(),
+            all => format!("{} of {all}", kept.iter().filter(|kept| **kept).count()),
+        };
+        let at = if shown.is_empty() { "·".to_owned() } else { shown };
+        vec![finding.table.locus.clone(), count.to_string(), missing, at, comparison, kept]
+    });
+    let header = ["table", "cells", "missing", "shown at", "printed against exact", "soundly kept"];
+    Grid { header: header.map(str::to_owned).to_vec(), rows: rows.collect(), left_columns: 5 }
+}
+
+fn equations(sheet: &mut Sheet, findings: &[EquationFinding<'_>], all: bool) {
+    let shown = |finding: &&EquationFinding<'_>| {
+        all || !matches!(finding.verdict, EquationVerdict::Holds { .. })
+    };
+    let shown: Vec<&EquationFinding<'_>> = findings.iter().filter(shown).collect();
+    if shown.is_empty() {
+        return;
+    }
+    sheet.heading(2, "Equations");
+    let fact = |finding: &EquationFinding<'_>| {
+        let mark = mark(finding.verdict.name());
+        let lines = [finding.equation.title.clone(), outcome(finding)].join("\n");
+        (format!("{mark} {}", finding.equation.locus), lines)
+    };
+    sheet.facts(shown.into_iter().map(fact).collect());
+}
+
+/// What was found of an equation, in one line or several.
+#[must_use]
+pub(super) fn outcome(finding: &EquationFinding<'_>) -> String {
+    match &finding.verdict {
+        EquationVerdict::Holds { cases: 1 } => "holds".to_owned(),
+        EquationVerdict::Holds { cases } => format!("holds in all {cases} cases"),
+        EquationVerdict::NotCheckable(absent) => format!("not checkable without {absent}"),
+        EquationVerdict::Fails { cases, failures } => {
+            let mut lines = vec![match cases {
+                1 => "fails".to_owned(),
+                _ => format!("fails in {} of {cases} cases", failures.len()),
+            }];
+            for failure in failures.iter().take(MAX_LISTED) {
+                let at =
+                    if failure.at.is_empty() { String::new() } else { format!("{}: ", failure.at) };
+                let (left, right) = (&failure.left, &failure.right);
+                lines.push(format!(
+                    "{at}{left} is not {right}; left − right = {}",
+                    failure.difference()
+                ));
+            }
+            lines.extend(finding.equation.note.clone());
+            lines.join("\n")
+        }
+    }
+}

@@ -1,0 +1,101 @@
+//! One claim in full.
+
+use super::audit::{outcome, table_values};
+use super::mark;
+use super::sheet::Sheet;
+use crate::audit::{CellFinding, PaperAudit, Sound, TableFinding, Verdict};
+use crate::exact::{Rational, format::short};
+
+/// The claim, table or equation of this id (`key:table-1`, `key:table-1:2:3`,
+/// `key:eq-3.8`) in full; `None` when there is none.
+#[must_use]
+pub fn explain_sheet(audits: &[PaperAudit<'_>], id: &str) -> Option<Sheet> {
+    let (key, rest) = id.split_once(':')?;
+    let audit = audits.iter().find(|audit| audit.paper.key == key)?;
+    let mut sheet = Sheet::default();
+    if let Some(finding) = audit.equations.iter().find(|finding| finding.id == id) {
+        let equation = finding.equation;
+        sheet.heading(1, format!("{} · {}", finding.id, equation.locus));
+        sheet.text(equation.title.clone());
+        sheet.text(format!("{} {}", mark(finding.verdict.name()), outcome(finding)));
+        return Some(sheet);
+    }
+    let table_id = rest.split(':').next()?;
+    let finding = audit.tables.iter().find(|finding| finding.table.id == table_id)?;
+    if table_id == rest {
+        sheet.heading(1, format!("{id} · {}", finding.table.title));
+        definition(&mut sheet, audit, finding);
+        sheet.grid(table_values(finding));
+        return Some(sheet);
+    }
+    let cell = finding.cells.iter().flatten().find(|cell| cell.id == id)?;
+    sheet.heading(1, format!("{id} · {}", cell.locus));
+    sheet.text(finding.table.title.clone());
+    definition(&mut sheet, audit, finding);
+    sheet.facts(facts(cell));
+    Some(sheet)
+}
+
+fn definition(sheet: &mut Sheet, audit: &PaperAudit<'_>, finding: &TableFinding<'_>) {
+    let mut facts = Vec::new();
+    if let Some(scheme) = &finding.table.scheme {
+        facts.push(("scheme".to_owned(), scheme.to_string()));
+    }
+    facts.push(("said to equal".to_owned(), finding.table.value.text.clone()));
+    let definitions = audit.paper.definitions.iter();
+    facts
+        .extend(definitions.map(|(name, formula)| (format!("where {name}"), formula.text.clone())));
+    sheet.facts(facts);
+}
+
+fn facts(cell: &CellFinding) -> Vec<(String, String)> {
+    let mut facts = Vec::new();
+    let mut fact = |name: &str, value: String| facts.push((name.to_owned(), value));
+    fact("printed", cell.printed.clone().unwrap_or_else(|| "lost".to_owned()));
+    if let Some(note) = &cell.note {
+        fact("note", note.clone());
+    }
+    if let Some(exact) = &cell.exact {
+        fact("exact", exact.to_string());
+        fact("decimal", short(exact, 17));
+    }
+    if let Some(why) = &cell.undefined {
+        fact("exact", format!("none: {why}"));
+    }
+    if !cell.assumed.is_empty() {
+        let value = |(name, value): &(String, Rational)| format!("{name} = {value}");
+        let assumed: Vec<String> = cell.assumed.iter().map(value).collect();
+        fact("computed at", format!("{}, which the paper does not state", assumed.join(", ")));
+    }
+    if let Some(verdict) = &cell.verdict_if_assumed {
+        fact("verdict, if they were stated", verdict_text(verdict));
+    }
+    fact("verdict", verdict_text(&cell.verdict));
+    match &cell.sound {
+        Some(Sound::Depth { level, block }) => {
+            fact("sound depth", format!("{level}, by blocks of {block} levels"));
+        }
+        Some(Sound::Bound(bound)) => fact("sound bound", short(bound, 17)),
+        Some(Sound::None(why)) => fact("sound value", format!("none: {why}")),
+        None => {}
+    }
+    let kept = |kept| if kept { "kept" } else { "not kept" };
+    if let Some(by_formula) = cell.kept_by_formula {
+        fact("promise, by the printed formula", kept(by_formula).to_owned());
+    }
+    if let Some(by_sound) = cell.kept_by_sound {
+        let text = if by_sound { "kept" } else { "not shown to be kept" };
+        fact("promise, by the sound bound", text.to_owned());
+    }
+    facts
+}
+
+fn verdict_text(verdict: &Verdict) -> String {
+    let reason = match verdict {
+        Verdict::Rounding(direction) => format!(": {direction}"),
+        Verdict::Misprint(slip) => format!(": {slip}"),
+        Verdict::NotCheckable(missing) => format!(": {missing}"),
+        _ => String::new(),
+    };
+    format!("{} {}{reason}", mark(verdict.name()), verdict.name())
+}

@@ -1,0 +1,104 @@
+//! An audit as JSON.
+
+use crate::audit::{CellFinding, EquationFinding, EquationVerdict, PaperAudit, Sound, Verdict};
+use crate::exact::{Rational, format::short};
+use serde_json::{Map, Value, json};
+use std::collections::BTreeMap;
+
+/// How many significant digits a decimal beside an exact value has.
+const DECIMAL_DIGITS: u32 = 17;
+
+/// The version of the JSON form.
+const SCHEMA: u32 = 1;
+
+/// An audit in the JSON form that the README documents.
+#[must_use]
+pub fn audit_json(audits: &[PaperAudit<'_>]) -> Value {
+    json!({ "schema": SCHEMA, "papers": audits.iter().map(paper).collect::<Vec<Value>>() })
+}
+
+/// An exact value with its decimal.
+#[must_use]
+pub fn exact_json(value: &Rational) -> Value {
+    json!({ "exact": value.to_string(), "decimal": short(value, DECIMAL_DIGITS) })
+}
+
+fn paper(audit: &PaperAudit<'_>) -> Value {
+    let cells = audit.tables.iter().flat_map(|table| table.cells.iter().flatten());
+    let claims: Vec<Value> = cells.map(cell).chain(audit.equations.iter().map(equation)).collect();
+    let mut summary: BTreeMap<&str, usize> = Verdict::NAMES.iter().map(|name| (*name, 0)).collect();
+    for (name, count) in audit.cell_counts().into_iter().chain(audit.equation_counts()) {
+        *summary.entry(name).or_insert(0) += count;
+    }
+    json!({ "key": audit.paper.key, "claims": claims, "summary": summary })
+}
+
+fn cell(cell: &CellFinding) -> Value {
+    let why = match &cell.verdict {
+        Verdict::Rounding(direction) => Some(direction.to_string()),
+        Verdict::Misprint(slip) => Some(slip.to_string()),
+        Verdict::NotCheckable(missing) => Some(missing.to_string()),
+        _ => cell.undefined.clone(),
+    };
+    let notes: Vec<String> = [why, cell.note.clone()].into_iter().flatten().collect();
+    let assumed: Map<String, Value> =
+        cell.assumed.iter().map(|(name, value)| (name.clone(), json!(value.to_string()))).collect();
+    json!({
+        "id": cell.id,
+        "locus": cell.locus,
+        "kind": "number",
+        "printed": cell.printed,
+        "exact": cell.exact.as_ref().map(Rational::to_string),
+        "decimal": cell.exact.as_ref().map(|exact| short(exact, DECIMAL_DIGITS)),
+        "verdict": cell.verdict.name(),
+        "reading": null,
+        "sound": cell.sound.as_ref().map(|sound| sound_json(sound, cell)),
+        "note": if notes.is_empty() { None } else { Some(notes.join("; ")) },
+        "assumed": if assumed.is_empty() { Value::Null } else { Value::Object(assumed) },
+        "verdict_if_assumed": cell.verdict_if_assumed.as_ref().map(Verdict::name),
+    })
+}
+
+fn sound_json(sound: &Sound, cell: &CellFinding) -> Value {
+    let mut object = match sound {
+        Sound::Depth { level, block } => json!({ "depth": level, "block": block }),
+        Sound::Bound(bound) => exact_json(bound),
+        Sound::None(why) => json!({ "none": why }),
+    };
+    object["kept_by_formula"] = json!(cell.kept_by_formula);
+    object["kept_by_sound_bound"] = json!(cell.kept_by_sound);
+    object
+}
+
+fn equation(finding: &EquationFinding<'_>) -> Value {
+    let (failures, absent) = match &finding.verdict {
+        EquationVerdict::Fails { failures, .. } => {
+            let failure = |failure: &crate::audit::Failure| {
+                json!({
+                    "at": failure.at,
+                    "left": failure.left.to_string(),
+                    "right": failure.right.to_string(),
+                    "difference": failure.difference().to_string(),
+                })
+            };
+            (Some(failures.iter().map(failure).collect::<Vec<Value>>()), None)
+        }
+        EquationVerdict::NotCheckable(absent) => (None, Some(format!("missing: {absent}"))),
+        EquationVerdict::Holds { .. } => (None, None),
+    };
+    let notes: Vec<String> =
+        [absent, finding.equation.note.clone()].into_iter().flatten().collect();
+    json!({
+        "id": finding.id,
+        "locus": finding.equation.locus,
+        "kind": "equation",
+        "printed": finding.equation.title,
+        "exact": null,
+        "decimal": null,
+        "verdict": finding.verdict.name(),
+        "reading": null,
+        "sound": null,
+        "note": if notes.is_empty() { None } else { Some(notes.join("; ")) },
+        "failures": failures,
+    })
+}

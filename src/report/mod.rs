@@ -1,0 +1,24 @@
+//! Findings as text, Markdown and JSON.
+
+mod audit;
+mod explain;
+mod json;
+mod sheet;
+mod text;
+
+pub use audit::{audit_sheet, table_values};
+pub use explain::explain_sheet;
+pub use json::{audit_json, exact_json};
+pub use sheet::{Block, Grid, Sheet};
+
+/// The mark of a verdict in a table.
+#[must_use]
+pub fn mark(verdict: &str) -> &'static str {
+    match verdict {
+        "confirmed" | "holds" => "✓",
+        "rounding" => "≈",
+        "misprint" => "±",
+        "refuted" | "fails" => "✗",
+        _ => "?",
+    }
+}

@@ -1,0 +1,112 @@
+//! A report's content, free of its looks.
+
+use std::fmt::Write as _;
+
+/// A report: blocks from top to bottom.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Sheet {
+    /// The blocks.
+    pub blocks: Vec<Block>,
+}
+
+/// A part of a report.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Block {
+    /// A heading, of level 1 (the largest) to 3.
+    Heading(u8, String),
+    /// A paragraph.
+    Text(String),
+    /// Names with values, one on a line.
+    Facts(Vec<(String, String)>),
+    /// A table.
+    Grid(Grid),
+}
+
+/// A table of texts; a cell may have several lines.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Grid {
+    /// The column headers.
+    pub header: Vec<String>,
+    /// The rows.
+    pub rows: Vec<Vec<String>>,
+    /// The number of leading columns that are aligned to the left.
+    pub left_columns: usize,
+}
+
+impl Sheet {
+    /// Appends a heading.
+    pub fn heading(&mut self, level: u8, text: impl Into<String>) {
+        self.blocks.push(Block::Heading(level, text.into()));
+    }
+
+    /// Appends a paragraph.
+    pub fn text(&mut self, text: impl Into<String>) {
+        self.blocks.push(Block::Text(text.into()));
+    }
+
+    /// Appends names with values.
+    pub fn facts(&mut self, facts: Vec<(String, String)>) {
+        self.blocks.push(Block::Facts(facts));
+    }
+
+    /// Appends a table.
+    pub fn grid(&mut self, grid: Grid) {
+        self.blocks.push(Block::Grid(grid));
+    }
+
+    /// The report as Markdown.
+    #[must_use]
+    pub fn to_markdown(&self) -> String {
+        let mut out = String::new();
+        for block in &self.blocks {
+            if !out.is_empty() {
+                out.push('\n');
+            }
+            match block {
+                Block::Heading(level, text) => {
+                    let _ = writeln!(out, "{} {}", "#".repeat(usize::from(*level)), escape(text));
+                }
+                Block::Text(text) => {
+                    let _ = writeln!(out, "{}", escape(text));
+                }
+                Block::Facts(facts) => {
+                    for (name, value) in facts {
+                        let _ = writeln!(out, "- {}: {}", escape(name), escape(value));
+                    }
+                }
+                Block::Grid(grid) => grid.write_markdown(&mut out),
+            }
+        }
+        out
+    }
+}
+
+/// Text that Markdown shows as it is.
+fn escape(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '\n' => escaped.push_str("<br>"),
+            '<' => escaped.push_str("&lt;"),
+            '*' | '_' | '|' | '\\' | '`' | '[' => escaped.extend(['\\', c]),
+            _ => escaped.push(c),
+        }
+    }
+    escaped
+}
+
+impl Grid {
+    fn write_markdown(&self, out: &mut String) {
+        let line = |cells: &[String]| {
+            let cell = |text: &String| escape(text);
+            format!("| {} |\n", cells.iter().map(cell).collect::<Vec<String>>().join(" | "))
+        };
+        out.push_str(&line(&self.header));
+        let rule = |column| if column < self.left_columns { "---" } else { "--:" };
+        let rules: Vec<&str> = (0..self.header.len()).map(rule).collect();
+        let _ = writeln!(out, "| {} |", rules.join(" | "));
+        for row in &self.rows {
+            out.push_str(&line(row));
+        }
+    }
+}
