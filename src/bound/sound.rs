@@ -121,7 +121,7 @@ impl SoundBound {
         for level in 0..=MAX_DEPTH {
             let sums = tail.sums();
             if tests.iter().any(|(at, p, q)| &sums[*at] * p <= &tail.scale * q) {
-                let (_, block) = self.least(&tail).expect("some constant is below 1");
+                let block = self.least(&tail).map_or(1, |(_, block)| block);
                 return Ok(SoundDepth { level, block });
             }
             if tail.scale.bits() > MAX_BOUND_BITS {
