@@ -41,7 +41,7 @@ impl Terms {
 /// let mask = scheme.masks()[0];
 /// assert_eq!(displacement(&mask.with_offset(0), Terms::Each), Rational::new(21, 25));
 /// assert_eq!(displacement(&mask.with_offset(0), Terms::Total), Rational::new(3, 5));
-/// assert_eq!(displacement(mask, Terms::Each), Rational::new(2, 5));
+/// assert_eq!(displacement(mask, Terms::Each), Rational::new(16, 25));
 /// # Ok::<(), subcert::scheme::SchemeError>(())
 /// ```
 #[must_use]
