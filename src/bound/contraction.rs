@@ -20,9 +20,9 @@ pub enum Order {
 
 /// A norm, and where it is attained.
 #[derive(Clone, Debug, PartialEq)]
-pub struct PowerNorm<S = Rational> {
+pub struct PowerNorm {
     /// max over r of Σ_s |(Rᶜ)_{r,s}|.
-    pub value: S,
+    pub value: Rational,
     /// A row r in 0, …, n^c − 1 that attains it (the first in the order walked).
     pub class: u64,
 }
@@ -104,8 +104,9 @@ pub fn joint_norm(
     Ok(PowerNorm { value: Rational::new(best.0, scale), class: best.1 })
 }
 
-/// [`power_norm`] over any [`Real`] numbers: the same walk, operation by
-/// operation, that [`power_norm`] makes on integers.
+/// The value of [`power_norm`] over any [`Real`] numbers: the same walk, operation
+/// by operation, that [`power_norm`] makes on integers. It names no row that
+/// attains the value, since rounded numbers need not tell which one does.
 ///
 /// # Errors
 /// When there are more than 2^24 residue classes.
@@ -113,17 +114,14 @@ pub fn power_norm_generic<S: Real>(
     rules: &Rules<S>,
     levels: u32,
     order: Order,
-) -> Result<PowerNorm<S>, ClassCap> {
+) -> Result<S, ClassCap> {
     check_classes(rules.arity(), levels)?;
     let oriented = oriented(rules, order);
-    let mut best: Option<PowerNorm<S>> = None;
-    walk(&[oriented.rows().to_vec()], rules.offset(), levels, &mut |[norm]: &[S; 1], class| {
-        best = Some(match best.take() {
-            None => PowerNorm { value: norm.clone(), class },
-            Some(best) => PowerNorm { value: best.value.greater(norm), class: best.class },
-        });
+    let mut best = S::zero();
+    walk(&[oriented.rows().to_vec()], rules.offset(), levels, &mut |[norm]: &[S; 1], _| {
+        best = best.greater(norm);
     });
-    Ok(best.expect("there is at least one residue class"))
+    Ok(best)
 }
 
 fn oriented<S: Scalar>(rules: &Rules<S>, order: Order) -> Rules<S> {

@@ -24,7 +24,7 @@ pub enum DepthError {
         value: String,
     },
     /// Beyond [`MAX_DEPTH`], or too large to decide.
-    #[error("the depth is beyond the cap: {MAX_DEPTH} levels, or powers of {MAX_POWER_BITS} bits")]
+    #[error("the depth is beyond the caps: {MAX_DEPTH} levels, or numbers too large to decide it")]
     TooDeep,
 }
 
@@ -57,6 +57,12 @@ pub enum Rounded {
 /// # Ok::<(), subcert::bound::DepthError>(())
 /// ```
 pub fn log_level(ratio: &Rational, x: &Rational, rounded: Rounded) -> Result<u32, DepthError> {
+    if ratio.sign() <= 0 {
+        return Err(DepthError::NotPositive { what: "the ratio", value: ratio.to_string() });
+    }
+    if *ratio >= Rational::one() {
+        return Err(DepthError::NoContraction(crate::exact::format::short(ratio, 6)));
+    }
     match rounded {
         Rounded::Up => least_level(&Rational::one(), ratio, x),
         Rounded::Down => {
@@ -119,29 +125,24 @@ pub fn least_level(
     let left = factor.numerator() * tolerance.denominator();
     let right = tolerance.numerator() * factor.denominator();
     let (p, q) = (ratio.numerator(), ratio.denominator());
-    let meets = |k: u32| -> Result<bool, DepthError> {
-        if q.bits() * u64::from(k) > MAX_POWER_BITS {
-            return Err(DepthError::TooDeep);
-        }
-        Ok(&left * p.pow(k) <= &right * q.pow(k))
-    };
-    least(meets)
+    let limit = u32::try_from(MAX_POWER_BITS / q.bits()).unwrap_or(MAX_DEPTH).min(MAX_DEPTH);
+    let meets = |k: u32| &left * p.pow(k) <= &right * q.pow(k);
+    least(limit, meets).ok_or(DepthError::TooDeep)
 }
 
-/// The least k ≥ 1 that `meets`, which once true stays true: by doubling, then
-/// by halving.
-fn least(meets: impl Fn(u32) -> Result<bool, DepthError>) -> Result<u32, DepthError> {
-    let mut high = 1;
-    while !meets(high)? {
-        high *= 2;
-        if high > MAX_DEPTH {
-            return Err(DepthError::TooDeep);
+/// The least k in 1, …, `limit` that `meets`, which once true stays true: by
+/// doubling, then by halving. `None` when there is none.
+fn least(limit: u32, meets: impl Fn(u32) -> bool) -> Option<u32> {
+    let (mut low, mut high) = (0, limit.min(1));
+    while !meets(high) {
+        if high == limit {
+            return None;
         }
+        (low, high) = (high, (2 * high).min(limit));
     }
-    let mut low = high / 2;
     while high - low > 1 {
         let middle = low + (high - low) / 2;
-        if meets(middle)? { high = middle } else { low = middle }
+        if meets(middle) { high = middle } else { low = middle }
     }
-    Ok(high)
+    Some(high)
 }

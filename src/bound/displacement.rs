@@ -41,7 +41,7 @@ impl Terms {
 /// let mask = scheme.masks()[0];
 /// assert_eq!(displacement(&mask.with_offset(0), Terms::Each), Rational::new(21, 25));
 /// assert_eq!(displacement(&mask.with_offset(0), Terms::Total), Rational::new(3, 5));
-/// assert_eq!(displacement(mask, Terms::Each), Rational::new(2, 5));
+/// assert_eq!(displacement(mask, Terms::Each), Rational::new(16, 25));
 /// # Ok::<(), subcert::scheme::SchemeError>(())
 /// ```
 #[must_use]
@@ -72,8 +72,12 @@ pub(super) fn displaced<S: Real>(mask: &Mask<S>, alpha: usize) -> Vec<S> {
 /// The offset o at which σ is least, and that σ; of equally good ones, the one
 /// nearest to 0.
 ///
-/// Another offset is a shift of the parameter by an integer: the polygons and
-/// the limit are the same point sets, compared at other parameters.
+/// Another offset shifts the indices that one refinement gives, all by the same
+/// multiple of n: the polygons and the limit are the same point sets, compared at
+/// other parameters. Beyond −N ≤ o ≤ 1 σ only grows, so no other o is looked at.
+///
+/// # Panics
+/// Never: the width of a mask is capped.
 #[must_use]
 pub fn best_offset(mask: &Mask) -> (i64, Rational) {
     let width = i64::try_from(mask.width()).expect("the width is capped");

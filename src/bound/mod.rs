@@ -8,7 +8,9 @@ mod sound;
 mod surface;
 
 pub use constants::{Constants, Operator, Suprema};
-pub use contraction::{ClassCap, Order, PowerNorm, joint_norm, power_norm, power_norm_generic};
+pub use contraction::{
+    ClassCap, MAX_CLASSES, Order, PowerNorm, joint_norm, power_norm, power_norm_generic,
+};
 pub use depth::{DepthError, MAX_DEPTH, Rounded, least_level, log_level};
 pub use displacement::{Terms, best_offset, displacement};
 pub use sound::{SoundBound, SoundDepth};

@@ -5,7 +5,8 @@ use super::contraction::{ClassCap, Order};
 use super::depth::{DepthError, MAX_DEPTH};
 use super::displacement::{Terms, displacement};
 use super::surface::surface_factor;
-use crate::exact::Rational;
+use crate::exact::{Integer, Rational, format};
+use std::collections::VecDeque;
 
 /// The sound block bound of a scheme, per unit of β = max|Δ^0|.
 ///
@@ -83,8 +84,13 @@ impl SoundBound {
     /// when no computed C_c is below 1.
     #[must_use]
     pub fn levels(&self, last: u32) -> Option<Vec<Rational>> {
-        let mut tail = Tail::new(self);
-        tail.contracts().then(|| (0..=last).map(|_| tail.next_level().0).collect())
+        let mut tail = Tail::new(&self.exact);
+        let mut next = || {
+            let bound = self.least(&tail)?.0;
+            tail.advance();
+            Some(bound)
+        };
+        (0..=last).map(|_| next()).collect()
     }
 
     /// The least level k whose bound times `spread` meets `tolerance`.
@@ -98,75 +104,99 @@ impl SoundBound {
                 return Err(DepthError::NotPositive { what, value: value.to_string() });
             }
         }
-        let mut tail = Tail::new(self);
-        if !tail.contracts() {
-            let least = self.exact[1..]
-                .iter()
-                .min()
-                .map_or_else(String::new, |least| crate::exact::format::short(least, 6));
-            return Err(DepthError::NoContraction(least));
+        let mut tail = Tail::new(&self.exact);
+        if self.least(&tail).is_none() {
+            let least = self.exact.iter().skip(1).min().unwrap_or(&self.exact[0]);
+            return Err(DepthError::NoContraction(format::short(least, 6)));
         }
-        let allowed = tolerance / spread;
+        // The bound of block c meets the tolerance when its sum, over D^{k+c−1},
+        // is at most 1/t, t = σβ/(ε(1 − C_c)): sum·t/D^{c−1} ≤ D^k, in integers.
+        let unit = spread / tolerance * &self.factor;
+        let tests = self.contracting().map(|(c, constant)| {
+            let places = Rational::from(tail.base.pow(c - 1));
+            let test = &unit / (Rational::one() - constant) / places;
+            (c as usize - 1, test.numerator(), test.denominator())
+        });
+        let tests: Vec<(usize, Integer, Integer)> = tests.collect();
         for level in 0..=MAX_DEPTH {
-            let (bound, block) = tail.next_level();
-            if bound <= allowed {
+            let sums = tail.sums();
+            if tests.iter().any(|(at, p, q)| &sums[*at] * p <= &tail.scale * q) {
+                let block = self.least(&tail).map_or(1, |(_, block)| block);
                 return Ok(SoundDepth { level, block });
             }
-            if bound.bits() > MAX_BOUND_BITS {
+            if tail.scale.bits() > MAX_BOUND_BITS {
                 break;
             }
+            tail.advance();
         }
         Err(DepthError::TooDeep)
     }
+
+    /// The blocks c with C_c < 1, and those constants.
+    fn contracting(&self) -> impl Iterator<Item = (u32, &Rational)> {
+        (1..).zip(&self.exact[1..]).filter(|(_, constant)| **constant < Rational::one())
+    }
+
+    /// The bound at the level that `tail` has reached, and its block length.
+    fn least(&self, tail: &Tail) -> Option<(Rational, u32)> {
+        let sums = tail.sums();
+        let bounds = self.contracting().map(|(c, constant)| {
+            let sum =
+                Rational::new(sums[c as usize - 1].clone(), &tail.scale * tail.base.pow(c - 1));
+            (&self.factor * sum / (Rational::one() - constant), c)
+        });
+        bounds.min()
+    }
 }
 
-/// Where a depth is given up, in bits of the bound.
-const MAX_BOUND_BITS: u64 = 20_000;
+/// Where a depth is given up, in bits of D^k.
+const MAX_BOUND_BITS: u64 = 200_000;
 
-/// The bounds level after level.
-struct Tail<'a> {
-    bound: &'a SoundBound,
-    /// U_k, …, U_{k+c−1} for the next level k.
-    window: Vec<Rational>,
+/// U_k, U_{k+1}, … level after level, as integers: with D such that c_j = D^j C_j
+/// is an integer for every j, U_m = u_m/D^m and u_m is the least c_j u_{m−j}. No
+/// fraction is reduced, so that a level costs time linear in its number.
+struct Tail {
+    /// D.
+    base: Integer,
+    /// c_1, …, c_c.
+    steps: Vec<Integer>,
+    /// u_k, …, u_{k+c−1}.
+    window: VecDeque<Integer>,
+    /// D^k.
+    scale: Integer,
 }
 
-impl<'a> Tail<'a> {
-    fn new(bound: &'a SoundBound) -> Tail<'a> {
-        let blocks = bound.exact.len() - 1;
-        Tail { bound, window: bound.exact[..blocks].to_vec() }
+impl Tail {
+    /// Level 0 of the constants C_0 = 1, C_1, …, C_c.
+    fn new(constants: &[Rational]) -> Tail {
+        let scaled = |base: &Integer, (j, constant): (u32, &Rational)| {
+            constant * Rational::from(base.pow(j))
+        };
+        let base = (1..).zip(&constants[1..]).fold(Integer::one(), |base, constant| {
+            let rest = scaled(&base, constant).denominator();
+            base * rest
+        });
+        let integers = (0..).zip(constants).map(|constant| scaled(&base, constant).numerator());
+        let scaled: Vec<Integer> = integers.collect();
+        let window = scaled[..scaled.len() - 1].iter().cloned().collect();
+        Tail { steps: scaled[1..].to_vec(), window, scale: Integer::one(), base }
     }
 
-    fn contracts(&self) -> bool {
-        self.bound.exact[1..].iter().any(|constant| *constant < Rational::one())
+    /// D^{k+c−1}(U_k + … + U_{k+c−1}) for c = 1, 2, ….
+    fn sums(&self) -> Vec<Integer> {
+        let add = |sum: &mut Integer, next: &Integer| {
+            *sum = &*sum * &self.base + next;
+            Some(sum.clone())
+        };
+        self.window.iter().scan(Integer::zero(), add).collect()
     }
 
-    /// The bound of the next level, and its block length. Some C_c is below 1.
-    fn next_level(&mut self) -> (Rational, u32) {
-        let mut sum = Rational::zero();
-        let mut best: Option<(Rational, u32)> = None;
-        for (c, (constant, next)) in (1..).zip(self.bound.exact[1..].iter().zip(&self.window)) {
-            sum += next;
-            if *constant >= Rational::one() {
-                continue;
-            }
-            let value = &self.bound.factor * &sum / (Rational::one() - constant);
-            if best.as_ref().is_none_or(|(least, _)| value < *least) {
-                best = Some((value, c));
-            }
-        }
-        self.advance();
-        best.expect("some constant is below 1")
-    }
-
+    /// To the next level: u_{k+c} enters, u_k leaves.
     fn advance(&mut self) {
-        // The window holds U_k, …, U_{k+c−1}; the next is U_{k+c}.
-        let from_split = self.bound.exact[1..]
-            .iter()
-            .zip(self.window.iter().rev())
-            .map(|(constant, earlier)| constant * earlier)
-            .min()
-            .expect("there is at least one block");
-        self.window.remove(0);
-        self.window.push(from_split);
+        let splits = self.steps.iter().zip(self.window.iter().rev());
+        let next = splits.map(|(step, earlier)| step * earlier).min();
+        self.window.extend(next);
+        self.window.pop_front();
+        self.scale *= &self.base;
     }
 }

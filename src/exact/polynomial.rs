@@ -38,9 +38,10 @@ impl Polynomial {
     }
 
     fn monomial(monomial: Monomial, coefficient: Rational) -> Polynomial {
-        let mut polynomial = Polynomial::default();
-        polynomial.add_term(monomial, &coefficient);
-        polynomial
+        if coefficient.is_zero() {
+            return Polynomial::default();
+        }
+        Polynomial { terms: BTreeMap::from([(monomial, coefficient)]) }
     }
 
     /// The value of a constant polynomial; `None` when a variable remains.

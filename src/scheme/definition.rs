@@ -40,7 +40,15 @@ pub(super) enum Coefficients {
     /// One formula for each coefficient.
     Listed(Vec<Vec<LocatedFormula>>),
     /// One formula for all, in α (`alpha`) and j (`r`).
-    Rule { arity: LocatedFormula, width: LocatedFormula, entry: LocatedFormula },
+    Rule(Box<RuleFormulas>),
+}
+
+/// The formulas of [`Coefficients::Rule`].
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct RuleFormulas {
+    pub(super) arity: LocatedFormula,
+    pub(super) width: LocatedFormula,
+    pub(super) entry: LocatedFormula,
 }
 
 impl SchemeDefinition {
@@ -64,11 +72,13 @@ impl SchemeDefinition {
                 .iter()
                 .map(|row| row.iter().map(|entry| self.value(entry, &parameters, &[])).collect())
                 .collect::<Result<Vec<Vec<V>>, SchemeError>>()?,
-            Coefficients::Rule { arity, width, entry } => {
-                let arity = self.integer(arity, &parameters, "the arity", 2..cap(MAX_ARITY))?;
-                let width = self.integer(width, &parameters, "the width", 1..cap(MAX_WIDTH))?;
+            Coefficients::Rule(rule) => {
+                let arity =
+                    self.integer(&rule.arity, &parameters, "the arity", 2..cap(MAX_ARITY))?;
+                let width =
+                    self.integer(&rule.width, &parameters, "the width", 1..cap(MAX_WIDTH))?;
                 let coefficient =
-                    |alpha, r| self.value(entry, &parameters, &[("alpha", alpha), ("r", r)]);
+                    |alpha, r| self.value(&rule.entry, &parameters, &[("alpha", alpha), ("r", r)]);
                 (0..arity)
                     .map(|alpha| (0..width).map(|r| coefficient(alpha, r)).collect())
                     .collect::<Result<Vec<Vec<V>>, SchemeError>>()?
@@ -144,11 +154,12 @@ impl SchemeDefinition {
     /// Why these coefficients are not a mask, at their place in the file.
     fn refusal(&self, error: &MaskError) -> Diagnostic {
         let (source, span) = match (&self.coefficients, error) {
-            (Coefficients::Rule { entry, .. }, _) => (&entry.source, entry.span.clone()),
-            (Coefficients::Listed(rows), MaskError::NotAffine { rule, .. })
-            | (Coefficients::Listed(rows), MaskError::Rules(RulesError::Ragged { rule, .. })) => {
-                (&rows[*rule][0].source, extent(&rows[*rule..=*rule]))
-            }
+            (Coefficients::Rule(rule), _) => (&rule.entry.source, rule.entry.span.clone()),
+            (
+                Coefficients::Listed(rows),
+                MaskError::NotAffine { rule, .. }
+                | MaskError::Rules(RulesError::Ragged { rule, .. }),
+            ) => (&rows[*rule][0].source, extent(&rows[*rule..=*rule])),
             (Coefficients::Listed(rows), MaskError::Rules(_)) => (&rows[0][0].source, extent(rows)),
         };
         Diagnostic::new(source, span, error.to_string())

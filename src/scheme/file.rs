@@ -1,6 +1,6 @@
 //! Reading schemes from TOML.
 
-use super::definition::{Coefficients, ParameterSpec, SchemeDefinition};
+use super::definition::{Coefficients, ParameterSpec, RuleFormulas, SchemeDefinition};
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::formula::{LocatedFormula, is_identifier};
 use serde::Deserialize;
@@ -8,6 +8,9 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 use toml::Spanned;
+
+/// The formulas of a mask, each with its place, as each of its rules.
+type MaskTable = Spanned<Vec<Spanned<Vec<Spanned<String>>>>>;
 
 /// A scheme as it stands in TOML, at the top of a file or as `[[scheme]]`.
 #[derive(Debug, Deserialize)]
@@ -26,7 +29,7 @@ pub(crate) struct SchemeTable {
     arity: Option<Spanned<String>>,
     width: Option<Spanned<String>>,
     entry: Option<Spanned<String>>,
-    mask: Option<Spanned<Vec<Spanned<Vec<Spanned<String>>>>>>,
+    mask: Option<MaskTable>,
     /// Another scheme that `name` stands for; in claim files only.
     r#use: Option<Spanned<String>>,
 }
@@ -154,11 +157,13 @@ impl SchemeTable {
         }
         match (&self.mask, &self.arity, &self.width, &self.entry) {
             (Some(mask), None, None, None) => listed(source, mask).map(Coefficients::Listed),
-            (None, Some(arity), Some(width), Some(entry)) => Ok(Coefficients::Rule {
-                arity: formula(source, arity)?,
-                width: formula(source, width)?,
-                entry: formula(source, entry)?,
-            }),
+            (None, Some(arity), Some(width), Some(entry)) => {
+                Ok(Coefficients::Rule(Box::new(RuleFormulas {
+                    arity: formula(source, arity)?,
+                    width: formula(source, width)?,
+                    entry: formula(source, entry)?,
+                })))
+            }
             _ => Err(Diagnostic::new(
                 source,
                 self.name.span(),
@@ -174,7 +179,7 @@ impl SchemeTable {
 
 fn listed(
     source: &Arc<SourceText>,
-    mask: &Spanned<Vec<Spanned<Vec<Spanned<String>>>>>,
+    mask: &MaskTable,
 ) -> Result<Vec<Vec<LocatedFormula>>, Diagnostic> {
     let empty = |span: Range<usize>| {
         Diagnostic::new(source, span, "a mask needs at least one coefficient in each rule")

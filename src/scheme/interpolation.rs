@@ -1,6 +1,7 @@
 //! Masks from polynomial interpolation.
 
 use super::mask::{Mask, MaskError};
+use super::rules::{MAX_ARITY, MAX_WIDTH, RulesError};
 use crate::exact::Rational;
 
 /// The mask whose rule α evaluates, at t_α = (2α+1)/(2n), the polynomial of
@@ -14,6 +15,13 @@ use crate::exact::Rational;
 /// # Errors
 /// When n or 2j+2 is out of range.
 pub fn lagrange_mask(j: u32, n: u32) -> Result<Mask, MaskError> {
+    let (arity, width) = (n as usize, 2 * j as usize + 2);
+    if !(2..=MAX_ARITY).contains(&arity) {
+        return Err(RulesError::Arity(arity).into());
+    }
+    if width > MAX_WIDTH {
+        return Err(RulesError::Width(width).into());
+    }
     let nodes: Vec<i64> = (-i64::from(j)..=i64::from(j) + 1).collect();
     let rule = |alpha: u32| -> Vec<Rational> {
         let t = Rational::new(2 * alpha + 1, 2 * n);

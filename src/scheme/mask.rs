@@ -106,6 +106,9 @@ impl<S: Scalar> Mask<S> {
     ///
     /// Source: Mustafa and Hashmi 2010; Mustafa et al. 2020, section II.
     ///
+    /// # Panics
+    /// Never: the difference mask has the shape of the mask.
+    ///
     /// ```
     /// use subcert::exact::Rational;
     /// use subcert::scheme::parse_scheme;

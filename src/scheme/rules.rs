@@ -107,6 +107,9 @@ impl<S: Scalar> Rules<S> {
     /// The rules applied once to a closed polygon x_0, …, x_{m−1}, x_m = x_0:
     /// the n·m values y_0, …, y_{nm−1}.
     ///
+    /// # Panics
+    /// Never: a polygon that fits in memory has fewer than 2^63 points.
+    ///
     /// ```
     /// use subcert::exact::Rational;
     /// use subcert::scheme::parse_scheme;
