@@ -23,9 +23,16 @@ pub const QUANTITIES: [(&str, &str); 10] = [
     ("width()", "N"),
 ];
 
-fn names() -> Vec<String> {
-    let name = |(usage, _): &(&str, &str)| usage.split('(').next().unwrap_or(usage).to_owned();
-    QUANTITIES.iter().map(name).collect()
+fn name_of(usage: &str) -> &str {
+    usage.split('(').next().unwrap_or(usage)
+}
+
+fn check_name(function: &str) -> Result<(), CallError> {
+    let names = QUANTITIES.iter().map(|(usage, _)| name_of(usage));
+    if names.clone().any(|name| name == function) {
+        return Ok(());
+    }
+    Err(CallError::UnknownFunction(names.map(str::to_owned).collect()))
 }
 
 /// The quantities of one scheme, in exact numbers.
@@ -38,6 +45,7 @@ pub(super) struct Quantities<'a> {
 
 impl Functions<Rational> for Quantities<'_> {
     fn call(&self, call: &Call<'_, Rational>) -> Result<Rational, CallError> {
+        check_name(call.function)?;
         let mut options = Options::new(call);
         let other;
         let scheme = match options.take("scheme") {
@@ -100,6 +108,7 @@ pub(super) struct Coefficients<'a, V> {
 
 impl<V: Value + PartialEq> Functions<V> for Coefficients<'_, V> {
     fn call(&self, call: &Call<'_, V>) -> Result<V, CallError> {
+        check_name(call.function)?;
         let mut options = Options::new(call);
         let mask = match (options.take("scheme"), &self.mask) {
             (None, Some(mask)) => mask.clone(),
@@ -147,14 +156,12 @@ fn shape<V: Value>(
         ("arity", []) => Ok(number(mask.arity())),
         ("width", []) => Ok(number(mask.width())),
         (name, given) => {
-            let usage = QUANTITIES.iter().find(|(usage, _)| usage.split('(').next() == Some(name));
-            match usage {
-                None => Err(CallError::UnknownFunction(names())),
-                Some((usage, _)) => Err(CallError::Misuse(format!(
-                    "`{name}` does not take {} arguments here; its form is {usage}",
-                    given.len()
-                ))),
-            }
+            let usage = QUANTITIES.iter().find(|(usage, _)| name_of(usage) == name);
+            let usage = usage.map_or(name, |(usage, _)| usage);
+            let count = given.len();
+            let message =
+                format!("`{name}` cannot be used so with {count} arguments; its form is {usage}");
+            Err(CallError::Misuse(message))
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::claim::{Axis, AxisEntry, Cell, Paper, Printed, Promise, Table};
 use crate::diagnostic::Diagnostic;
 use crate::exact::Rational;
 use crate::formula::{FormulaError, FormulaErrorKind, LocatedFormula, Parameters, Scope, evaluate};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What the audit says of a table.
 #[derive(Clone, Debug)]
@@ -51,13 +51,29 @@ struct Judge<'a> {
     assumed: BTreeMap<String, Rational>,
 }
 
-/// One cell's place, and whether unstated parameters get their assumed values.
+/// One cell's place, and how it is looked at.
 #[derive(Clone, Copy)]
-struct At {
+struct At<'n> {
     row: usize,
     column: usize,
-    assume: bool,
+    /// The unstated parameters that get their assumed values.
+    assume: Assume<'n>,
     rounded: Option<Rounded>,
+}
+
+#[derive(Clone, Copy)]
+enum Assume<'n> {
+    Only(&'n BTreeSet<String>),
+    All,
+}
+
+impl Assume<'_> {
+    fn contains(self, name: &str) -> bool {
+        match self {
+            Assume::Only(names) => names.contains(name),
+            Assume::All => true,
+        }
+    }
 }
 
 impl<'a> Judge<'a> {
@@ -80,14 +96,16 @@ impl<'a> Judge<'a> {
         Ok(Judge { paper, table, library, given, assumed })
     }
 
-    fn scope<'s>(&'s self, at: At, functions: &'s Quantities<'s>) -> Scope<'s, Rational> {
+    fn scope<'s>(&'s self, at: At<'_>, functions: &'s Quantities<'s>) -> Scope<'s, Rational> {
         let mut scope = Scope::new(&self.paper.definitions, functions);
         for (name, value) in &self.given {
             scope = scope.with(name, value.clone());
         }
         for (name, value) in &self.assumed {
-            scope =
-                if at.assume { scope.with(name, value.clone()) } else { scope.with_unstated(name) };
+            scope = match at.assume.contains(name) {
+                true => scope.with(name, value.clone()),
+                false => scope.with_unstated(name),
+            };
         }
         for (axis, entry) in self.headers(at.row, at.column) {
             scope = scope.with(&axis.name, entry.value.clone());
@@ -106,7 +124,7 @@ impl<'a> Judge<'a> {
     }
 
     /// The quantities of this cell's scheme.
-    fn quantities(&self, at: At) -> Result<Result<Quantities<'a>, Outcome>, Diagnostic> {
+    fn quantities(&self, at: At<'_>) -> Result<Result<Quantities<'a>, Outcome>, Diagnostic> {
         let mut quantities =
             Quantities { library: self.library, scheme: None, rounded: at.rounded };
         let Some(reference) = &self.table.scheme else { return Ok(Ok(quantities)) };
@@ -147,7 +165,7 @@ impl<'a> Judge<'a> {
         }
     }
 
-    fn evaluate(&self, formula: &LocatedFormula, at: At) -> Result<Outcome, Diagnostic> {
+    fn evaluate(&self, formula: &LocatedFormula, at: At<'_>) -> Result<Outcome, Diagnostic> {
         let quantities = match self.quantities(at)? {
             Ok(quantities) => quantities,
             Err(outcome) => return Ok(outcome),
@@ -178,15 +196,21 @@ impl<'a> Judge<'a> {
             kept_by_formula: None,
             kept_by_sound: None,
         };
-        let mut at = At { row, column, assume: false, rounded: None };
-        let mut outcome = self.evaluate(&self.table.value, at)?;
-        if let Outcome::Unstated(_) = outcome {
-            // Every parameter listed as unstated is one that the value needs.
-            let names = self.assumed.keys().cloned().collect();
-            finding.verdict = Verdict::NotCheckable(Missing::Parameters(names));
-            finding.assumed = self.assumed.clone().into_iter().collect();
-            at.assume = true;
-            outcome = self.evaluate(&self.table.value, at)?;
+        // Parameters are assumed one by one, so that those that the value needs
+        // are known.
+        let mut needed = BTreeSet::new();
+        let outcome = loop {
+            let at = At { row, column, assume: Assume::Only(&needed), rounded: None };
+            match self.evaluate(&self.table.value, at)? {
+                Outcome::Unstated(name) if needed.insert(name.clone()) => {}
+                outcome => break outcome,
+            }
+        };
+        if !needed.is_empty() {
+            finding.verdict =
+                Verdict::NotCheckable(Missing::Parameters(needed.iter().cloned().collect()));
+            let value = |name: &String| Some((name.clone(), self.assumed.get(name)?.clone()));
+            finding.assumed = needed.iter().filter_map(value).collect();
         }
         match outcome {
             Outcome::Value(value) => finding.exact = Some(value),
@@ -197,12 +221,13 @@ impl<'a> Judge<'a> {
                 return Err(Diagnostic::new(&formula.source, formula.span.clone(), message));
             }
         }
+        let at = At { row, column, assume: Assume::All, rounded: None };
         if let Cell::Printed(printed) = cell {
             let verdict = self.verdict(printed, finding.exact.as_ref(), at)?;
-            if at.assume {
-                finding.verdict_if_assumed = Some(verdict);
-            } else {
+            if finding.assumed.is_empty() {
                 finding.verdict = verdict;
+            } else {
+                finding.verdict_if_assumed = Some(verdict);
             }
         }
         self.judge_promise(cell, at, &mut finding)?;
@@ -221,7 +246,7 @@ impl<'a> Judge<'a> {
         &self,
         printed: &Printed,
         exact: Option<&Rational>,
-        at: At,
+        at: At<'_>,
     ) -> Result<Verdict, Diagnostic> {
         let Some(exact) = exact else { return Ok(Verdict::Refuted) };
         let verdict = compare::judge(&printed.decimal, exact, &[]);
@@ -268,7 +293,7 @@ impl<'a> Judge<'a> {
     fn judge_promise(
         &self,
         cell: &Cell,
-        at: At,
+        at: At<'_>,
         finding: &mut CellFinding,
     ) -> Result<(), Diagnostic> {
         let Some(promise) = &self.table.promise else { return Ok(()) };
@@ -291,7 +316,7 @@ impl<'a> Judge<'a> {
         Ok(())
     }
 
-    fn sound(&self, promise: &Promise, at: At) -> Result<Sound, Diagnostic> {
+    fn sound(&self, promise: &Promise, at: At<'_>) -> Result<Sound, Diagnostic> {
         let scheme = match self.quantities(at)? {
             Ok(Quantities { scheme: Some(scheme), .. }) => scheme,
             _ => return Ok(Sound::None("no scheme is given".to_owned())),
@@ -328,7 +353,7 @@ impl<'a> Judge<'a> {
     }
 
     /// The value of a formula of a promise, which must have one.
-    fn number(&self, formula: &LocatedFormula, at: At) -> Result<Rational, Diagnostic> {
+    fn number(&self, formula: &LocatedFormula, at: At<'_>) -> Result<Rational, Diagnostic> {
         let refuse =
             |message: String| Err(Diagnostic::new(&formula.source, formula.span.clone(), message));
         match self.evaluate(formula, at)? {
@@ -340,7 +365,7 @@ impl<'a> Judge<'a> {
         }
     }
 
-    fn integer(&self, formula: &LocatedFormula, at: At) -> Result<i64, Diagnostic> {
+    fn integer(&self, formula: &LocatedFormula, at: At<'_>) -> Result<i64, Diagnostic> {
         let value = self.number(formula, at)?;
         let integer = value.numerator().to_i64().filter(|value| value.abs() <= 10_000);
         integer.filter(|_| value.is_integer()).ok_or_else(|| {

@@ -40,6 +40,20 @@ pub struct ClassCap {
     pub levels: u32,
 }
 
+impl ClassCap {
+    /// Whether the residue classes mod `arity`^`levels` are few enough to walk.
+    ///
+    /// # Errors
+    /// When they are more than 2^24.
+    pub fn check(arity: usize, levels: u32) -> Result<(), ClassCap> {
+        let classes = (arity as u64).checked_pow(levels);
+        match classes.filter(|&count| count <= MAX_CLASSES) {
+            Some(_) => Ok(()),
+            None => Err(ClassCap { arity, levels }),
+        }
+    }
+}
+
 /// ‖Rᶜ‖_∞ = max_r Σ_s |(Rᶜ)_{r,s}| for the operator (Rx)_{ni+β} = Σ_j r_{β,j} x_{i+o+j},
 /// over the n^c residue classes r mod n^c. It does not depend on the offset o.
 ///
@@ -89,7 +103,7 @@ pub fn joint_norm(
 ) -> Result<PowerNorm, ClassCap> {
     assert_eq!(first.arity(), second.arity(), "joint suprema need equal arities");
     assert_eq!(first.width(), second.width(), "joint suprema need equal widths");
-    check_classes(first.arity(), levels)?;
+    ClassCap::check(first.arity(), levels)?;
     let pair = [oriented(first, order).with_offset(0), oriented(second, order).with_offset(0)];
     let common = pair.each_ref().map(|rules| CommonDenominator::of(rules.rows()));
     let mut best = (Integer::from(-1), 0);
@@ -115,7 +129,7 @@ pub fn power_norm_generic<S: Real>(
     levels: u32,
     order: Order,
 ) -> Result<S, ClassCap> {
-    check_classes(rules.arity(), levels)?;
+    ClassCap::check(rules.arity(), levels)?;
     let oriented = oriented(rules, order);
     let mut best = S::zero();
     walk(&[oriented.rows().to_vec()], rules.offset(), levels, &mut |[norm]: &[S; 1], _| {
@@ -131,21 +145,13 @@ fn oriented<S: Scalar>(rules: &Rules<S>, order: Order) -> Rules<S> {
     }
 }
 
-fn check_classes(arity: usize, levels: u32) -> Result<(), ClassCap> {
-    let classes = (arity as u64).checked_pow(levels);
-    match classes.filter(|&count| count <= MAX_CLASSES) {
-        Some(_) => Ok(()),
-        None => Err(ClassCap { arity, levels }),
-    }
-}
-
 /// The norms of several operators of one shape, over integers.
 fn integer_norms<const K: usize>(
     rules: [&Rules; K],
     levels: u32,
     order: Order,
 ) -> Result<[PowerNorm; K], ClassCap> {
-    check_classes(rules[0].arity(), levels)?;
+    ClassCap::check(rules[0].arity(), levels)?;
     let offset = rules[0].offset();
     let common = rules.map(|rules| CommonDenominator::of(oriented(rules, order).rows()));
     let rows = common.each_ref().map(|common| common.numerators.clone());

@@ -5,7 +5,7 @@ use super::arguments::ConstantsArguments;
 use super::output::{Failure, show};
 use serde_json::{Value, json};
 use subcert::bound::{
-    Constants, Operator, Order, Suprema, Terms, best_offset, displacement, surface_factor,
+    ClassCap, Constants, Operator, Order, Suprema, Terms, best_offset, displacement, surface_factor,
 };
 use subcert::exact::{Rational, format::short};
 use subcert::report::{Grid, Sheet, exact_json};
@@ -35,7 +35,10 @@ struct Direction {
 }
 
 impl Report {
-    fn of(scheme: &Scheme, levels: u32) -> Result<Report, subcert::bound::ClassCap> {
+    fn of(scheme: &Scheme, levels: u32) -> Result<Report, ClassCap> {
+        for mask in scheme.masks() {
+            ClassCap::check(mask.arity(), levels)?;
+        }
         let constants: Vec<Constants> =
             scheme.masks().into_iter().cloned().map(Constants::new).collect();
         let directions = constants
@@ -55,11 +58,7 @@ impl Report {
 }
 
 /// C_c: the greater of the constants along the two directions.
-fn tensor(
-    first: &Constants,
-    second: &Constants,
-    c: u32,
-) -> Result<Rational, subcert::bound::ClassCap> {
+fn tensor(first: &Constants, second: &Constants, c: u32) -> Result<Rational, ClassCap> {
     if first.mask() == second.mask() {
         return first.tensor(c, Order::Adjoint, Suprema::Independent);
     }
@@ -71,7 +70,7 @@ fn tensor(
 }
 
 impl Direction {
-    fn of(constants: &Constants, levels: u32) -> Result<Direction, subcert::bound::ClassCap> {
+    fn of(constants: &Constants, levels: u32) -> Result<Direction, ClassCap> {
         let row = |c| {
             Ok([
                 constants.norm(Operator::Difference, c, Order::Adjoint)?,

@@ -22,7 +22,7 @@ pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
         .map_err(|error| Failure::Input(error.to_string()))?;
     show(
         arguments.format,
-        || report.sheet(&arguments.scheme, &tolerance, &spread),
+        || report.sheet(arguments),
         || report.json(&arguments.scheme, &tolerance, &spread),
     )
 }
@@ -50,6 +50,9 @@ impl Report {
         tolerance: &Rational,
         spread: &Rational,
     ) -> Result<Report, ClassCap> {
+        for one in constants {
+            ClassCap::check(one.mask().arity(), levels)?;
+        }
         let first = &constants[0];
         let bound = match constants {
             [first, second] => SoundBound::surface(first, second, levels)?,
@@ -78,15 +81,19 @@ impl Report {
         Ok(Report { sound: bound.depth(spread, tolerance), printed })
     }
 
-    fn sheet(&self, name: &str, tolerance: &Rational, spread: &Rational) -> Sheet {
+    fn sheet(&self, arguments: &DepthArguments) -> Sheet {
         let mut sheet = Sheet::default();
-        sheet.heading(1, format!("{name}, ε = {tolerance}, β = {spread}"));
+        sheet.heading(
+            1,
+            format!("{}, ε = {}, β = {}", arguments.scheme, arguments.tolerance, arguments.spread),
+        );
         let sound = match &self.sound {
-            Ok(depth) => format!("{} levels, by blocks of {} levels", depth.level, depth.block),
+            Ok(depth) => format!("{} levels, by blocks of {}", depth.level, depth.block),
             Err(error) => format!("none: {error}"),
         };
         sheet.facts(vec![("sound depth".to_owned(), sound)]);
-        let header = ["c", "constant", "depth by the printed formula"].map(str::to_owned).to_vec();
+        let header = ["c", "constant as printed", "depth by the printed formula"];
+        let header = header.map(str::to_owned).to_vec();
         let rows = (1..).zip(&self.printed).map(|(c, (constant, depth)): (u32, _)| {
             let depth = match depth {
                 Ok(level) => level.to_string(),

@@ -5,7 +5,7 @@ use super::arguments::{Arguments, SchemesArguments};
 use super::output::{show, write};
 use clap::CommandFactory as _;
 use serde_json::{Value, json};
-use subcert::report::{Grid, Sheet};
+use subcert::report::Sheet;
 use subcert::scheme::{SchemeDefinition, catalogue};
 
 pub(super) fn schemes(arguments: &SchemesArguments) -> Outcome {
@@ -13,17 +13,18 @@ pub(super) fn schemes(arguments: &SchemesArguments) -> Outcome {
 }
 
 fn sheet() -> Sheet {
-    let rows = catalogue().iter().map(|entry| {
+    let fact = |entry: &SchemeDefinition| {
         let parameters = entry.parameters.iter().map(|(name, spec)| {
             let default = spec.default.as_ref().map(|formula| format!(" = {}", formula.text));
             format!("{name}{}: {}", default.unwrap_or_default(), spec.about)
         });
-        let parameters = parameters.collect::<Vec<String>>().join("\n");
-        vec![entry.name.clone(), entry.title.clone(), parameters, entry.citation.clone()]
-    });
-    let header = ["name", "scheme", "parameters", "source"].map(str::to_owned).to_vec();
+        let lines = std::iter::once(entry.title.clone()).chain(parameters);
+        let lines = lines.chain([format!("[{}]", entry.citation)]);
+        (entry.name.clone(), lines.collect::<Vec<String>>().join("\n"))
+    };
     let mut sheet = Sheet::default();
-    sheet.grid(Grid { header, rows: rows.collect(), left_columns: 4 });
+    sheet.facts(catalogue().iter().map(fact).collect());
+    sheet.text("Write parameters as `six-point:w=3/256` or `newton:j=1,n=3`.");
     sheet
 }
 

@@ -1,0 +1,236 @@
+//! Verdicts: on the embedded papers against values found by other means, and on
+//! small papers made for the purpose.
+
+#![allow(missing_docs)]
+
+use subcert::audit::{
+    CellFinding, Direction, EquationVerdict, Missing, PaperAudit, Slip, Sound, Verdict, audit,
+};
+use subcert::claim::{Paper, embedded, embedded_papers, read_paper};
+use subcert::diagnostic::SourceText;
+use subcert::exact::{Rational, parse_decimal};
+
+fn q(p: i64, q: i64) -> Rational {
+    Rational::new(p, q)
+}
+
+fn paper(text: &str) -> Paper {
+    let head = "key = 'k'\n[paper]\nauthors = ['A']\ntitle = 't'\nvenue = 'v'\nyear = '1'\n";
+    read_paper(&SourceText::new("k.toml", format!("{head}{text}")))
+        .unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn judged(paper: &Paper) -> PaperAudit<'_> {
+    audit(paper).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The verdicts on printed numbers said to equal x, the values of the header.
+fn verdicts(values: &[&str], cells: &[&str]) -> Vec<Verdict> {
+    let quoted = |texts: &[&str]| {
+        texts.iter().map(|text| format!("'{text}'")).collect::<Vec<_>>().join(", ")
+    };
+    let text = format!(
+        "[[table]]\nid = 't'\nlocus = 'T'\nvalue = 'x'\n\
+         columns = {{ name = 'x', values = [{}] }}\ncells = [[{}]]\n",
+        quoted(values),
+        quoted(cells)
+    );
+    let paper = paper(&text);
+    judged(&paper).tables[0].cells[0].iter().map(|cell| cell.verdict.clone()).collect()
+}
+
+#[test]
+fn a_printed_number_against_an_exact_one() {
+    let digit =
+        |position, printed, correct| Verdict::Misprint(Slip::Digit { position, printed, correct });
+    let cases: [(&str, &str, Verdict); 17] = [
+        ("2/3", "0.667", Verdict::Confirmed),
+        ("2/3", "0.666", Verdict::Rounding(Direction::Cut)),
+        ("1/3", "0.334", Verdict::Rounding(Direction::Away)),
+        ("1/3", "0.335", Verdict::Refuted),
+        // Of two equally near decimals, either is right.
+        ("0.0003125", "0.000312", Verdict::Confirmed),
+        ("0.0003125", "0.000313", Verdict::Confirmed),
+        ("1/7", "0.142957", digit(4, '9', '8')),
+        ("1/7", "0.142587", Verdict::Misprint(Slip::Swap(4))),
+        ("1/7", "1.428571", Verdict::Misprint(Slip::Exponent(1))),
+        ("1/7", "1.428571e-3", Verdict::Misprint(Slip::Exponent(-2))),
+        ("-1/7", "0.143", Verdict::Misprint(Slip::Sign)),
+        // Too few digits to tell a slip from luck.
+        ("1/7", "0.153", Verdict::Refuted),
+        ("1/7", "1.43", Verdict::Refuted),
+        ("1/7", "-0.14", Verdict::Refuted),
+        // Two slips are no slip.
+        ("1/7", "0.152867", Verdict::Refuted),
+        ("0", "0", Verdict::Confirmed),
+        ("7", "8", Verdict::Refuted),
+    ];
+    for (value, printed, expected) in cases {
+        assert_eq!(verdicts(&[value], &[printed]), [expected], "{printed} for {value}");
+    }
+}
+
+#[test]
+fn a_number_of_the_next_column() {
+    let expected = [
+        Verdict::Misprint(Slip::Neighbour(0, 1)),
+        Verdict::Confirmed,
+        Verdict::Misprint(Slip::Neighbour(0, -1)),
+    ];
+    assert_eq!(verdicts(&["1/7", "1/11", "1/13"], &["0.09091", "0.09091", "0.09091"]), expected);
+}
+
+/// Random digits are not explained as slips of the exact value.
+#[test]
+fn slips_are_rarely_luck() {
+    let mut state = 1_u64;
+    let mut misprints = 0;
+    let count = 4_000;
+    let texts: Vec<String> = (0..count)
+        .map(|_| {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            format!("0.{:05}", 10_000 + (state >> 33) % 90_000)
+        })
+        .collect();
+    for text in &texts {
+        let verdict = &verdicts(&["0.271828182845904523536"], &[text])[0];
+        misprints += usize::from(matches!(verdict, Verdict::Misprint(_)));
+    }
+    // 94 in 90,000 would be slips by chance alone, about 4 of these.
+    assert!(misprints < 20, "{misprints} of {count}");
+}
+
+#[test]
+fn every_embedded_paper_reads_and_counts() {
+    let papers = embedded_papers().unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(papers.len(), embedded().len());
+    let counts: Vec<(String, usize)> = papers
+        .iter()
+        .map(|paper| {
+            let printed = |cell: &CellFinding| cell.printed.is_some();
+            let audit = judged(paper);
+            let cells = audit.tables.iter().flat_map(|table| table.cells.iter().flatten());
+            (paper.key.clone(), cells.filter(|cell| printed(cell)).count())
+        })
+        .collect();
+    assert_eq!(counts, [("khan2019-newton".to_owned(), 54), ("mustafa2020-nary".to_owned(), 240)]);
+}
+
+/// Values computed once with another program (plain Python fractions).
+#[test]
+fn cells_of_the_papers() {
+    let papers = embedded_papers().expect("the embedded papers");
+    let audits: Vec<PaperAudit<'_>> = papers.iter().map(judged).collect();
+    let cell = |id: &str| -> CellFinding {
+        let cells = audits.iter().flat_map(|audit| &audit.tables).flat_map(|t| t.cells.iter());
+        let cell = cells.flatten().find(|cell| cell.id == id);
+        cell.unwrap_or_else(|| panic!("no cell {id}")).clone()
+    };
+    // (6.26) as printed: σ = |Σ τ| = 5/4, ξ = |Σ b| = 1/2 for the 4-point scheme.
+    let four_point = cell("khan2019-newton:table-1:2:1");
+    assert_eq!(four_point.exact, Some(q(1, 80)));
+    assert_eq!(four_point.verdict, Verdict::Refuted);
+    // σ = Σ|τ| = 87/64, T_1 = 21/32: 87/64 · 1/100 · (21/32)/(1 − 21/32), or less.
+    let Some(Sound::Bound(sound)) = &four_point.sound else { panic!("{:?}", four_point.sound) };
+    assert!(*sound <= q(87 * 21, 64 * 100 * 11) && *sound > q(1, 80), "{sound}");
+    assert_eq!(cell("khan2019-newton:table-1:1:4").verdict, Verdict::Confirmed);
+    assert_eq!(cell("khan2019-newton:table-3:1:1").verdict, Verdict::Misprint(Slip::Exponent(1)));
+    let quinary = cell("mustafa2020-nary:table-13:1:4");
+    assert_eq!(quinary.exact, Some(parse_decimal("0.05179648").expect("a decimal").value()));
+    assert_eq!(quinary.verdict, Verdict::Confirmed);
+    let surface = cell("mustafa2020-nary:table-15:1:2");
+    assert_eq!(surface.exact, Some(parse_decimal("0.33789184").expect("a decimal").value()));
+    assert_eq!(surface.verdict, Verdict::Refuted);
+    let lost = cell("mustafa2020-nary:table-5:1:1");
+    assert_eq!(lost.verdict, Verdict::NotCheckable(Missing::Cell));
+    assert_eq!(lost.exact, Some(q(143, 324)));
+    let depth = cell("mustafa2020-nary:table-2:1:1");
+    assert_eq!(depth.printed.as_deref(), Some("11"));
+    let missing = Missing::Parameters(vec!["tau".to_owned(), "w".to_owned()]);
+    assert_eq!(depth.verdict, Verdict::NotCheckable(missing));
+    assert_eq!(depth.exact, Some(q(12, 1)));
+    assert_eq!(depth.verdict_if_assumed, Some(Verdict::Rounding(Direction::DepthDown)));
+}
+
+#[test]
+fn equations_of_the_papers() {
+    let papers = embedded_papers().expect("the embedded papers");
+    for paper in &papers {
+        for finding in judged(paper).equations {
+            let expected = match finding.id.as_str() {
+                "khan2019-newton:eq-3.8-derivation" | "khan2019-newton:remark-4.1-size" => "fails",
+                "khan2019-newton:remark-3.1-ko-6" => "not-checkable",
+                _ => "holds",
+            };
+            assert_eq!(finding.verdict.name(), expected, "{}", finding.id);
+        }
+    }
+}
+
+/// Every number and every sign of every equation that holds matters: change one
+/// left side, and the equation fails in exactly that case.
+#[test]
+fn a_changed_coefficient_is_caught() {
+    for embedded in embedded() {
+        let source = SourceText::new(embedded.key, embedded.text);
+        let paper = read_paper(&source).expect("an embedded paper");
+        let holding: Vec<String> = judged(&paper)
+            .equations
+            .iter()
+            .filter(|finding| matches!(finding.verdict, EquationVerdict::Holds { .. }))
+            .map(|finding| finding.equation.id.clone())
+            .collect();
+        for id in holding {
+            let start = embedded.text.find(&format!("id = \"{id}\"")).expect("the equation");
+            let left = start + embedded.text[start..].find("left = [").expect("its left side");
+            let quote = left + embedded.text[left..].find('\'').expect("a formula") + 1;
+            let mut text = embedded.text.to_owned();
+            text.insert_str(quote, "1/1000 + ");
+            let paper = read_paper(&SourceText::new("changed", text)).expect("still a paper");
+            let audit = judged(&paper);
+            let finding = audit.equations.iter().find(|finding| finding.equation.id == id);
+            let EquationVerdict::Fails { failures, .. } = &finding.expect("the equation").verdict
+            else {
+                panic!("{id} still holds");
+            };
+            assert_eq!(failures.len(), 1, "{id}");
+            assert_eq!(failures[0].difference().as_constant(), Some(q(1, 1000)), "{id}");
+        }
+    }
+}
+
+#[test]
+fn a_depth_without_a_value_is_refuted_and_says_why() {
+    let text = "[[table]]\nid = 't'\nlocus = 'T'\nscheme = 'four-point:w=w'\n\
+                value = 'levels(contraction(1), epsilon, rounded = up)'\n\
+                promise = { tolerance = 'epsilon', spread = '1' }\n\
+                rows = { name = 'w', values = ['1/16', '1/4', '1/2'] }\n\
+                columns = { name = 'epsilon', values = ['1/100'] }\n\
+                cells = [['10'], ['10'], ['10']]\n";
+    let paper = paper(text);
+    let audit = judged(&paper);
+    let cells = &audit.tables[0].cells;
+    // (5/8)^10 < 1/100 < (5/8)^9.
+    assert_eq!(cells[0][0].verdict, Verdict::Confirmed);
+    assert_eq!(cells[1][0].verdict, Verdict::Refuted);
+    assert_eq!(cells[1][0].exact, None);
+    assert!(cells[1][0].undefined.as_ref().is_some_and(|why| why.contains("not below 1")));
+    // T_1 = 1 at w = 1/4, but T_2 < 1; at w = 1/2 no T_c is.
+    assert!(matches!(cells[1][0].sound, Some(Sound::Depth { .. })));
+    assert!(matches!(cells[2][0].sound, Some(Sound::None(_))));
+}
+
+#[test]
+fn a_name_for_a_scheme_sees_the_parameters_where_it_is_used() {
+    let text = "[[scheme]]\nname = 'mine'\nuse = 'four-point:w=w/2'\n\
+                [[table]]\nid = 't'\nlocus = 'T'\nscheme = 'mine'\nvalue = 'contraction(1)'\n\
+                columns = { name = 'w', values = ['1/8', '1/4'] }\ncells = [['0.625', '0.75']]\n";
+    let verdict = |text| {
+        let paper = paper(text);
+        judged(&paper).cell_counts().get("confirmed").copied()
+    };
+    // T_1 = 1/2 + 2w for the tension w, here half of the header.
+    assert_eq!(verdict(text), Some(2));
+}

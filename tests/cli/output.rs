@@ -1,0 +1,133 @@
+//! What the commands write.
+
+use super::subcert;
+use snapbox::file;
+
+#[test]
+fn audit_of_the_embedded_papers() {
+    subcert(["audit"]).assert().success().stdout_eq(file!["snapshots/audit.txt"]);
+}
+
+#[test]
+fn audit_in_full() {
+    subcert(["audit", "--all", "--format", "markdown"])
+        .assert()
+        .success()
+        .stdout_eq(file!["snapshots/audit-all.md"]);
+}
+
+/// The record of every verdict; under the feature `gmp` it must be the same.
+#[test]
+fn audit_as_json() {
+    subcert(["audit", "--format", "json"])
+        .assert()
+        .success()
+        .stdout_eq(file!["snapshots/audit.json": Text]);
+}
+
+#[test]
+fn audit_of_a_claim_file() {
+    subcert(["audit", "examples/my-paper.toml"])
+        .assert()
+        .success()
+        .stdout_eq(file!["snapshots/my-paper.txt"]);
+}
+
+#[test]
+fn explain_a_cell_and_an_equation() {
+    subcert(["explain", "mustafa2020-nary:table-2:4:7"])
+        .assert()
+        .success()
+        .stdout_eq(file!["snapshots/explain-cell.txt"]);
+    subcert(["explain", "khan2019-newton:eq-3.8-derivation"])
+        .assert()
+        .success()
+        .stdout_eq(file!["snapshots/explain-equation.txt"]);
+}
+
+#[test]
+fn constants_of_a_curve_and_of_a_surface() {
+    subcert(["constants", "newton:j=1,n=3"])
+        .assert()
+        .success()
+        .stdout_eq(file!["snapshots/constants.txt"]);
+    subcert(["constants", "chaikin x four-point", "-c", "2", "--format", "json"])
+        .assert()
+        .success()
+        .stdout_eq(file!["snapshots/constants-surface.json": Text]);
+}
+
+#[test]
+fn depth_of_a_scheme() {
+    subcert(["depth", "six-point:w=3/256", "--tolerance", "1/1000", "--spread", "1/10"])
+        .assert()
+        .success()
+        .stdout_eq(file!["snapshots/depth.txt"]);
+}
+
+#[test]
+fn certify_a_scheme() {
+    subcert(["certify", "four-point", "-c", "3"])
+        .assert()
+        .success()
+        .stdout_eq(file!["snapshots/certify.txt"]);
+}
+
+#[test]
+fn oracle_as_csv() {
+    subcert(["oracle", "chaikin", "--level", "1", "-c", "2", "--format", "csv"])
+        .assert()
+        .success()
+        .stdout_eq(file!["snapshots/oracle.csv": Text]);
+}
+
+#[test]
+fn schemes_of_the_catalogue() {
+    subcert(["schemes"]).assert().success().stdout_eq(file!["snapshots/schemes.txt"]);
+}
+
+#[test]
+fn a_denied_verdict_gives_exit_code_1_after_the_results() {
+    let output = subcert(["audit", "--deny", "refuted"]).assert().code(1);
+    let output = output.get_output();
+    assert!(!output.stdout.is_empty());
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert!(message.contains("claims are refuted"), "{message}");
+    subcert(["audit", "--deny", "rounding"]).assert().code(0);
+}
+
+#[test]
+fn colour_goes_to_terminals_only() {
+    let coloured = |command: snapbox::cmd::Command| {
+        command.assert().success().get_output().stdout.contains(&0x1b)
+    };
+    assert!(!coloured(subcert(["audit"])));
+    assert!(coloured(subcert(["audit"]).env("CLICOLOR_FORCE", "1")));
+    assert!(!coloured(subcert(["audit"]).env("NO_COLOR", "1")));
+}
+
+#[test]
+fn help_and_completions() {
+    subcert(["--help"]).assert().success();
+    subcert(["completions", "bash"]).assert().success();
+    subcert(std::iter::empty()).assert().code(2);
+}
+
+/// A reader that goes away early, such as `head`, is no error.
+#[cfg(unix)]
+#[test]
+fn a_closed_pipe_is_success() {
+    use std::process::{Command, Stdio};
+    for arguments in [&["audit", "--format", "json"][..], &["--help"]] {
+        let mut child = Command::new(snapbox::cmd::cargo_bin!("subcert"))
+            .args(arguments)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the program starts");
+        drop(child.stdout.take());
+        let output = child.wait_with_output().expect("the program ends");
+        assert!(output.status.success(), "{arguments:?}: {:?}", output.status);
+        assert!(output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
+    }
+}
