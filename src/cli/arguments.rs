@@ -29,6 +29,10 @@ pub(super) enum Command {
     Constants(ConstantsArguments),
     /// The subdivision depth for a tolerance: as papers compute it, and soundly
     Depth(DepthArguments),
+    /// The f64 path of a scheme against the exact one
+    Certify(CertifyArguments),
+    /// Reference values for other programs' tests
+    Oracle(OracleArguments),
     /// List the schemes of the catalogue
     Schemes(SchemesArguments),
     /// Write a completion script for a shell
@@ -118,4 +122,70 @@ pub(super) struct SchemesArguments {
     /// Output format
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub(super) format: Format,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct CertifyArguments {
+    /// The scheme
+    #[arg(value_name = "SCHEME")]
+    pub(super) scheme: String,
+    /// The greatest number of levels c
+    #[arg(short = 'c', long = "levels", value_name = "MAX", default_value_t = 4,
+          value_parser = clap::value_parser!(u32).range(1..=24))]
+    pub(super) levels: u32,
+    /// A tolerance ε for the depths (may be repeated)
+    #[arg(long, value_name = "E", allow_hyphen_values = true)]
+    pub(super) tolerance: Vec<String>,
+    /// The spread β: the largest difference of neighbouring control points
+    #[arg(long, value_name = "B", default_value = "1", allow_hyphen_values = true)]
+    pub(super) spread: String,
+    /// Output format
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(super) format: Format,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum OracleFormat {
+    /// With a header object
+    Json,
+    /// With header lines that begin with `#`
+    Csv,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum BoundaryArgument {
+    /// The last point is followed by the first
+    Closed,
+    /// Only rules whose points all exist are applied
+    Open,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct OracleArguments {
+    /// The scheme
+    #[arg(value_name = "SCHEME")]
+    pub(super) scheme: String,
+    /// How many times the control polygon is refined
+    #[arg(long, value_name = "K", default_value_t = 2)]
+    pub(super) level: u32,
+    /// The greatest number of levels c of the constants
+    #[arg(short = 'c', long = "levels", value_name = "MAX", default_value_t = 4,
+          value_parser = clap::value_parser!(u32).range(1..=24))]
+    pub(super) levels: u32,
+    /// A file of exact numbers, separated by commas or white space; for a surface,
+    /// one line for each row
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["seed", "points"])]
+    pub(super) polygon: Option<std::path::PathBuf>,
+    /// The seed of a control polygon of small integers
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    pub(super) seed: u64,
+    /// How many points that polygon has; a surface, in each direction
+    #[arg(long, value_name = "M", default_value_t = 8)]
+    pub(super) points: usize,
+    /// What happens at the ends
+    #[arg(long, value_enum, default_value_t = BoundaryArgument::Closed)]
+    pub(super) boundary: BoundaryArgument,
+    /// Output format
+    #[arg(long, value_enum, default_value_t = OracleFormat::Json)]
+    pub(super) format: OracleFormat,
 }

@@ -2,13 +2,13 @@
 
 use super::Outcome;
 use super::arguments::DepthArguments;
-use super::output::{Failure, show};
+use super::output::{Failure, positive, show};
 use serde_json::{Value, json};
 use subcert::bound::{
     ClassCap, Constants, DepthError, Operator, Order, SoundBound, SoundDepth, Terms, displacement,
     least_level, surface_coefficients,
 };
-use subcert::exact::{Rational, format::short, parse_rational};
+use subcert::exact::{Rational, format::short};
 use subcert::report::{Grid, Sheet};
 use subcert::scheme::parse_scheme;
 
@@ -25,14 +25,6 @@ pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
         || report.sheet(arguments),
         || report.json(&arguments.scheme, &tolerance, &spread),
     )
-}
-
-fn positive(flag: &str, text: &str) -> Result<Rational, Failure> {
-    let value = parse_rational(text).map_err(|e| Failure::Input(format!("{flag}: {e}")))?;
-    if value.sign() > 0 {
-        return Ok(value);
-    }
-    Err(Failure::Input(format!("{flag} must be positive, and is {text}")))
 }
 
 type Depth = Result<u32, DepthError>;

@@ -2,8 +2,10 @@
 
 mod arguments;
 mod audit;
+mod certify;
 mod constants;
 mod depth;
+mod oracle;
 mod output;
 mod schemes;
 
@@ -31,6 +33,8 @@ pub(crate) fn run() -> ExitCode {
         Command::Explain(command) => audit::explain(&command),
         Command::Constants(command) => constants::constants(&command),
         Command::Depth(command) => depth::depth(&command),
+        Command::Certify(command) => certify::certify(&command),
+        Command::Oracle(command) => oracle::oracle(&command),
         Command::Schemes(command) => schemes::schemes(&command),
         Command::Completions { shell } => schemes::completions(shell),
     };

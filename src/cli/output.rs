@@ -4,6 +4,7 @@ use super::arguments::Format;
 use std::io::{ErrorKind, IsTerminal as _, Write as _};
 use std::process::ExitCode;
 use subcert::diagnostic::Diagnostic;
+use subcert::exact::{Rational, parse_rational};
 use subcert::report::Sheet;
 
 /// The exit code when a reader such as `head` has gone away: success.
@@ -72,4 +73,13 @@ pub(super) fn show(
         Format::Markdown => write(&sheet().to_markdown()),
         Format::Json => write(&format!("{:#}\n", json())),
     }
+}
+
+/// The exact number given for `flag`, which must be positive.
+pub(super) fn positive(flag: &str, text: &str) -> Result<Rational, Failure> {
+    let value = parse_rational(text).map_err(|e| Failure::Input(format!("{flag}: {e}")))?;
+    if value.sign() > 0 {
+        return Ok(value);
+    }
+    Err(Failure::Input(format!("{flag} must be positive, and is {text}")))
 }
