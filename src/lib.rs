@@ -3,5 +3,6 @@
 pub mod bound;
 pub mod diagnostic;
 pub mod exact;
+pub mod float;
 pub mod formula;
 pub mod scheme;
