@@ -5,4 +5,5 @@ pub mod diagnostic;
 pub mod exact;
 pub mod float;
 pub mod formula;
+pub mod oracle;
 pub mod scheme;

@@ -138,3 +138,12 @@ fn a_divisor_that_may_be_zero_promises_nothing() {
     // One that is surely not 0 has a bound.
     assert!(third.over(&third).error() < 1e-15);
 }
+
+#[test]
+fn not_a_number_stays_visible() {
+    let nan = f64::NAN;
+    assert!(nan.greater(&1.0).is_nan());
+    assert!(1.0_f64.greater(&nan).is_nan());
+    assert!(<f64 as Real>::maximum([1.0, nan, 2.0]).is_nan());
+    assert_eq!(<f64 as Real>::maximum([1.0, 3.0, 2.0]).to_bits(), 3.0_f64.to_bits());
+}
