@@ -1,11 +1,68 @@
-#![doc = include_str!("../README.md")]
-#![allow(missing_docs)]
+//! Exact constants of subdivision schemes, and audits of the papers that publish
+//! them.
+//!
+//! ```
+//! use subcert::bound::{Constants, SoundBound};
+//! use subcert::exact::Rational;
+//! use subcert::scheme::parse_scheme;
+//!
+//! // How many levels until every control polygon with differences at most 1/10
+//! // is within 1/1000 of its limit?
+//! let scheme = parse_scheme("six-point:w=3/256")?;
+//! let constants = Constants::new(scheme.masks()[0].clone());
+//! let bound = SoundBound::curve(&constants, 4)?;
+//! let depth = bound.depth(&Rational::new(1, 10), &Rational::new(1, 1000))?;
+//! assert_eq!(depth.level, 7);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Notation
+//!
+//! | papers | here |
+//! |---|---|
+//! | n, N, a_{α,j} | [arity](scheme::Mask::arity), [width](scheme::Mask::width), [`Mask`](scheme::Mask) |
+//! | x_{i+j}, with o = 0 | [offset](scheme::Mask::offset) |
+//! | b_{β,j}; d_j, e_j, f_j | [difference mask](scheme::Mask::difference) |
+//! | T_c; δ for c = 1; ξ | contraction constant, [`Operator::Difference`](bound::Operator) |
+//! | Λ_c, Σ\|a_{α,j}\| | scheme norm, [`Operator::Scheme`](bound::Operator) |
+//! | Y_c Z_c; δ of a surface | [`Constants::tensor`](bound::Constants::tensor) |
+//! | t_{nu+β} = b_{β,N−1−u} or b_{β,u} | [`Order`](bound::Order) |
+//! | σ, γ | [`displacement`](bound::displacement) |
+//! | η, ν | [`surface_coefficients`](bound::surface_coefficients) |
+//! | β, τ, ϑ | spread: the largest difference of neighbouring control points |
+//! | k ≥ log_T(…) | [`log_level`](bound::log_level), [`least_level`](bound::least_level) |
+//!
+//! # Modules
+//!
+//! Imports run one way, from top to bottom:
+//!
+//! | module | what it holds |
+//! |---|---|
+//! | [`exact`] | numbers, no geometry |
+//! | [`formula`] | the expression language of masks and claims |
+//! | [`scheme`] | masks, difference masks, tensor products, the catalogue |
+//! | [`bound`] | contraction constants, displacement, error bounds, depth |
+//! | [`float`] | the same in f64, certified against the exact path |
+//! | [`oracle`] | reference values and checks for other programs' tests |
+//! | [`claim`] | what a paper asserts |
+//! | [`audit`] | from claims to verdicts |
+//! | `report` | findings as text, Markdown and JSON (feature `cli`) |
+//!
+//! [`diagnostic`] serves them all: errors that point at a place in a file.
+
 pub mod audit;
 pub mod bound;
 pub mod claim;
 pub mod diagnostic;
 pub mod exact;
+pub mod float;
 pub mod formula;
+pub mod oracle;
 #[cfg(feature = "cli")]
 pub mod report;
 pub mod scheme;
+
+/// The examples of README.md, run as tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -1,0 +1,208 @@
+//! A proven bound, in advance, on the error of an f64 computation.
+
+use super::convert::{exact, nearest};
+use super::upward::{add_up, div_up, mul_up, sub_down};
+use crate::exact::{Rational, Real, Scalar};
+
+/// u = 2^−53, the unit roundoff.
+const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
+
+/// η = 2^−1074, the least positive f64.
+const LEAST: f64 = f64::from_bits(1);
+
+/// An exact value x with an e such that |x̃ − x| ≤ e for the f64 x̃ which the same
+/// operations, in the same order, compute from the same rationals.
+///
+/// A generic algorithm over [`Real`] that runs on f64 and on this type performs the
+/// same operations on both (provided that it does not branch on values, as those of
+/// [`bound`](crate::bound) do not). By induction over the operations its f64 results
+/// lie within e of the exact ones. It is a bound in advance: no f64 result is looked
+/// at, only exact operands and bounds. e = ∞ promises nothing (x̃ may be NaN).
+///
+/// **Rounding.** Let z̃ be the exact result of one operation on the f64 operands, z
+/// the exact result on the exact operands, and |z̃ − z| ≤ d. The f64 result is fl(z̃),
+/// and |fl(z̃) − z̃| ≤ max(u|z̃|, η/2) with u = 2^−53, η = 2^−1074, unless it
+/// overflows, which it does not while |z̃| is at most the greatest f64. As
+/// |z̃| ≤ m := |z| + d, the new error is at most e = d + max(u·m, η), and ∞ when m is
+/// beyond the greatest f64. When d = 0 and z is itself an f64, z̃ = z = fl(z̃): e = 0.
+///
+/// **Propagation.** With e_x and e_y the errors of the operands, d is
+///
+/// | operation | d | because |
+/// |---|---|---|
+/// | conversion of x | 0 | z̃ = z = x |
+/// | x ± y | e_x + e_y | |
+/// | x·y | \|x\|e_y + \|y\|e_x + e_x e_y | x̃ỹ − xy = x(ỹ−y) + y(x̃−x) + (x̃−x)(ỹ−y) |
+/// | x/y | (e_x + \|x/y\|e_y)/(\|y\| − e_y) | x̃/ỹ − x/y = ((x̃−x) − (x/y)(ỹ−y))/ỹ |
+///
+/// where the quotient has e = ∞ unless |y| > e_y. The magnitude, the negative, a sum
+/// with the exact 0 and a product with the exact 0 or ±1 do not round. The greater
+/// of two has the greater of the errors, since max is 1-Lipschitz in the maximum norm.
+///
+/// Every bound is an f64 that was rounded upwards after each operation.
+///
+/// ```
+/// use subcert::exact::{Rational, Scalar};
+/// use subcert::float::Tracked;
+///
+/// let tenth = Tracked::from_rational(&Rational::new(1, 10));
+/// let sum = Tracked::total(&vec![tenth; 10]);
+/// assert_eq!(*sum.value(), Rational::one());
+/// // The f64 sum is 0.9999999999999999, off by 1.1e-16.
+/// assert!(sum.error() > 1.1e-16 && sum.error() < 2e-15);
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tracked {
+    value: Rational,
+    error: f64,
+}
+
+impl Tracked {
+    /// x, the exact value.
+    #[must_use]
+    pub fn value(&self) -> &Rational {
+        &self.value
+    }
+
+    /// e, the bound on the absolute error of the f64 computation; never NaN.
+    #[must_use]
+    pub fn error(&self) -> f64 {
+        self.error
+    }
+
+    /// The result of an operation whose exact result is `value` and, on the f64
+    /// operands, is off by at most `before`: see Rounding above.
+    fn rounded(value: Rational, before: f64) -> Tracked {
+        if before == 0.0 && is_float(&value) {
+            return Tracked { value, error: 0.0 };
+        }
+        let size = add_up(above(&value), before);
+        // An infinite size makes this infinite.
+        let error = add_up(before, mul_up(UNIT_ROUNDOFF, size).max(LEAST));
+        Tracked { value, error }
+    }
+
+    /// Whether the f64 is surely 0.
+    fn is_exactly_zero(&self) -> bool {
+        self.error == 0.0 && self.value.is_zero()
+    }
+
+    fn negated(&self) -> Tracked {
+        Tracked { value: -&self.value, error: self.error }
+    }
+
+    /// self·other when self is 0 or ±1 and carries no error.
+    fn trivial_product(&self, other: &Tracked) -> Option<Tracked> {
+        if self.error != 0.0 {
+            None
+        } else if self.value.is_zero() {
+            // 0·x̃ = 0 for every finite x̃; without a bound it may be 0·∞.
+            let error = if other.error.is_finite() { 0.0 } else { f64::INFINITY };
+            Some(Tracked { value: Rational::zero(), error })
+        } else if self.value == Rational::one() {
+            Some(other.clone())
+        } else {
+            (-&self.value == Rational::one()).then(|| other.negated())
+        }
+    }
+}
+
+impl Scalar for Tracked {
+    fn from_rational(value: &Rational) -> Tracked {
+        Tracked::rounded(value.clone(), 0.0)
+    }
+
+    fn plus(&self, other: &Tracked) -> Tracked {
+        if self.is_exactly_zero() {
+            other.clone()
+        } else if other.is_exactly_zero() {
+            self.clone()
+        } else {
+            Tracked::rounded(&self.value + &other.value, add_up(self.error, other.error))
+        }
+    }
+
+    fn minus(&self, other: &Tracked) -> Tracked {
+        self.plus(&other.negated())
+    }
+
+    fn times(&self, other: &Tracked) -> Tracked {
+        if let Some(product) = self.trivial_product(other).or_else(|| other.trivial_product(self)) {
+            return product;
+        }
+        let linear = add_up(
+            mul_up(above(&self.value), other.error),
+            mul_up(above(&other.value), self.error),
+        );
+        let before = add_up(linear, mul_up(self.error, other.error));
+        Tracked::rounded(&self.value * &other.value, before)
+    }
+}
+
+impl Real for Tracked {
+    fn magnitude(&self) -> Tracked {
+        Tracked { value: self.value.abs(), error: self.error }
+    }
+
+    fn greater(&self, other: &Tracked) -> Tracked {
+        let value = self.value.greater(&other.value);
+        Tracked { value, error: self.error.max(other.error) }
+    }
+
+    /// # Panics
+    /// When the exact value of `other` is 0.
+    fn over(&self, other: &Tracked) -> Tracked {
+        let value = &self.value / &other.value;
+        let divisor = sub_down(below(&other.value), other.error);
+        if divisor == 0.0 || self.error.is_infinite() {
+            return Tracked { value, error: f64::INFINITY };
+        }
+        let numerator = add_up(self.error, mul_up(above(&value), other.error));
+        Tracked::rounded(value, div_up(numerator, divisor))
+    }
+}
+
+/// Whether `value` is itself an f64.
+fn is_float(value: &Rational) -> bool {
+    match small(value) {
+        // Below 2^127, with a power of two of at most 2^126 below it: an f64 if the
+        // odd part of p has at most 53 bits.
+        Some((p, q)) => {
+            q.is_power_of_two() && (p == 0 || p >> p.trailing_zeros() < 1 << f64::MANTISSA_DIGITS)
+        }
+        None => exact(nearest(value)).as_ref() == Some(value),
+    }
+}
+
+/// An f64 that is not below |x|.
+///
+/// For |x| = p/q with p, q < 2^127 the machine computes r = fl(fl(p)/fl(q)) with
+/// three roundings by relative errors of at most u, so that p/q ≤ r(1+u)/(1−u)²
+/// ≤ r(1+4u) and p/q ≥ r(1−u)/(1+u)² ≥ r(1−4u). Nothing underflows. Otherwise |x|
+/// lies between the neighbours of the f64 nearest to it.
+fn above(value: &Rational) -> f64 {
+    match quotient(value) {
+        Some(r) => mul_up(r, 1.0 + 4.0 * UNIT_ROUNDOFF),
+        None => nearest(value).abs().next_up(),
+    }
+}
+
+/// An f64 that is not above |x|: see [`above`].
+fn below(value: &Rational) -> f64 {
+    match quotient(value) {
+        Some(r) => (r * (1.0 - 4.0 * UNIT_ROUNDOFF)).next_down().max(0.0),
+        None => nearest(value).abs().next_down().max(0.0),
+    }
+}
+
+#[expect(clippy::cast_precision_loss, reason = "the proof counts these roundings")]
+fn quotient(value: &Rational) -> Option<f64> {
+    small(value).map(|(p, q)| p as f64 / q as f64)
+}
+
+/// (p, q) of |value| = p/q when both are below 2^127.
+fn small(value: &Rational) -> Option<(u128, u128)> {
+    let p = value.numerator().to_i128()?.unsigned_abs();
+    let q = value.denominator().to_i128()?.unsigned_abs();
+    Some((p, q)).filter(|_| p <= i128::MAX.unsigned_abs())
+}

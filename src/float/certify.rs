@@ -1,0 +1,212 @@
+//! Every constant of a scheme in f64, with its true error and a proven bound on it.
+
+use super::apriori::Tracked;
+use super::convert::{exact, nearest, ulps_between};
+use super::depth::{Bound, DepthDecision};
+use super::pipeline::Outcome;
+use crate::bound::ClassCap;
+use crate::exact::Rational;
+use crate::scheme::{Mask, Scheme};
+use std::collections::BTreeMap;
+
+/// The greatest level k whose error bound is computed.
+pub const MAX_CERTIFIED_LEVEL: u32 = 1_000;
+
+/// The most steps, n^c·(N+2)·N, of a walk over exact values with error bounds. For
+/// greater c the f64 constants still have their exact values beside them, but no
+/// bound in advance.
+pub const MAX_TRACKED_STEPS: u64 = 20_000;
+
+/// What [`certify`] computes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CertifyOptions {
+    /// The greatest block length c of T_c and Λ_c; 4 by default.
+    pub max_block: u32,
+    /// The k of the error bounds σβ C^k/(1 − C); 1, 5, 10 by default.
+    pub levels: Vec<u32>,
+    /// β > 0, the largest difference of the control polygon; 1 by default.
+    pub spread: Rational,
+    /// The ε > 0 of the depths; 10^−2, 10^−4, 10^−8 by default.
+    pub tolerances: Vec<Rational>,
+}
+
+impl Default for CertifyOptions {
+    fn default() -> CertifyOptions {
+        CertifyOptions {
+            max_block: 4,
+            levels: vec![1, 5, 10],
+            spread: Rational::one(),
+            tolerances: [-2, -4, -8].map(Rational::power_of_ten).to_vec(),
+        }
+    }
+}
+
+/// Why nothing is certified.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum CertifyError {
+    /// Too many residue classes.
+    #[error(transparent)]
+    Classes(#[from] ClassCap),
+    /// A spread or a tolerance that is not positive.
+    #[error("{what} must be positive, and is {value}")]
+    NotPositive {
+        /// Which of the two.
+        what: &'static str,
+        /// What it is.
+        value: Rational,
+    },
+    /// A level beyond [`MAX_CERTIFIED_LEVEL`].
+    #[error("level {0} is too high for an error bound; at most {MAX_CERTIFIED_LEVEL} is")]
+    Level(u32),
+}
+
+/// One number computed in f64, and what is known of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Quantity {
+    /// What it is: `b[β][j]`, `T_c`, `Lambda_c`, `T_c*Lambda_c`, `sigma`,
+    /// `sigma(o=0)`, `surface factor`, `error(c=…, k=…)`; for a tensor product those
+    /// of one direction begin with `first ` or `second `.
+    pub name: String,
+    /// The f64 result; it may be NaN or infinite.
+    pub value: f64,
+    /// The exact value, computed on the exact path.
+    pub exact: Rational,
+    /// |value − exact|; `None` when the value is not finite.
+    pub error: Option<Rational>,
+    /// The error in units in the last place of the nearest f64.
+    pub ulps: Option<Rational>,
+    /// The bound on the error, proven in advance: see [`Tracked`]. Infinite when
+    /// nothing can be promised; `None` beyond [`MAX_TRACKED_STEPS`].
+    pub bound: Option<f64>,
+    /// error/bound, from 0 to 1: how much of the bound the true error takes up.
+    /// `None` where there is no bound, or it is 0 or infinite.
+    pub tightness: Option<f64>,
+}
+
+impl Quantity {
+    fn new(name: String, value: f64, target: Rational, bound: Option<f64>) -> Quantity {
+        let error = exact(value).map(|found| (found - &target).abs());
+        let ulps = ulps_between(value, &target);
+        let tightness = match (&error, bound) {
+            (Some(error), Some(bound)) if bound > 0.0 && bound.is_finite() => {
+                Some(nearest(error) / bound)
+            }
+            _ => None,
+        };
+        Quantity { name, value, exact: target, error, ulps, bound, tightness }
+    }
+
+    /// Whether the true error is within the bound, decided exactly; `None` without a
+    /// bound. It always is: `Some(false)` would refute the proof of [`Tracked`].
+    #[must_use]
+    pub fn encloses(&self) -> Option<bool> {
+        let bound = self.bound?;
+        Some(match (exact(bound), &self.error) {
+            (None, _) => true,
+            (Some(bound), Some(error)) => *error <= bound,
+            (Some(_), None) => false,
+        })
+    }
+}
+
+/// The f64 computation of a scheme, held against the exact one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Certification {
+    /// Every number.
+    pub quantities: Vec<Quantity>,
+    /// Every depth, by block length, then by tolerance.
+    pub depths: Vec<DepthDecision>,
+    /// The greatest c that has a bound in advance.
+    pub tracked_block: u32,
+}
+
+impl Certification {
+    /// The quantity of this name.
+    #[must_use]
+    pub fn quantity(&self, name: &str) -> Option<&Quantity> {
+        self.quantities.iter().find(|quantity| quantity.name == name)
+    }
+}
+
+/// Computes the constants of `scheme` in f64, exactly, and with a proven bound on
+/// the error: the difference mask, T_c and Λ_c for c = 1, …, `max_block`, the
+/// constants of the tensor product, σ at the offset of the mask and at 0, the factor
+/// of a surface, the error bounds σβ C^k/(1 − C) for every exact C < 1, and depths.
+/// Here C = T_c for a curve, and for a tensor product the greater of the T_cΛ_c
+/// along the two directions, with the factor of a surface in place of σ.
+///
+/// An f64 result that is NaN, infinite or on the wrong side of 1 is a finding and
+/// stands in the answer.
+///
+/// # Errors
+/// When there are too many residue classes, a tolerance or the spread is not
+/// positive, or a level is too high.
+///
+/// ```
+/// use subcert::exact::Rational;
+/// use subcert::float::{CertifyOptions, certify};
+/// use subcert::scheme::parse_scheme;
+///
+/// let scheme = parse_scheme("quinary-three-point")?;
+/// let found = certify(&scheme, &CertifyOptions { max_block: 2, ..Default::default() })?;
+/// let t = found.quantity("T_2").unwrap();
+/// assert_eq!(t.exact, Rational::new(169, 625));
+/// assert_eq!(t.encloses(), Some(true));
+/// assert!(t.bound.unwrap() < 1e-14);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn certify(scheme: &Scheme, options: &CertifyOptions) -> Result<Certification, CertifyError> {
+    check(options)?;
+    let CertifyOptions { max_block, levels, spread, tolerances } = options;
+    let tracked_block = tracked_block(scheme, *max_block);
+    let mut ideal = Outcome::<Rational>::constants(scheme, *max_block)?;
+    let mut float = Outcome::<f64>::constants(scheme, *max_block)?;
+    let mut tracked = Outcome::<Tracked>::constants(scheme, tracked_block)?;
+    // One list for all: what exists is decided by the exact values.
+    let contracts: Vec<bool> = ideal.ratios.iter().map(|ratio| *ratio < Rational::one()).collect();
+    ideal.add_bounds(spread, levels, &contracts);
+    float.add_bounds(spread, levels, &contracts);
+    tracked.add_bounds(spread, levels, &contracts);
+    let bounds: BTreeMap<String, f64> =
+        tracked.named.into_iter().map(|(name, tracked)| (name, tracked.error())).collect();
+    let mut depths = Vec::new();
+    for (at, block) in (0..ideal.ratios.len()).zip(1..) {
+        let bound = Bound {
+            block,
+            spread,
+            float: (float.factor, float.ratios[at]),
+            exact: (&ideal.factor, &ideal.ratios[at]),
+        };
+        depths.extend(tolerances.iter().map(|tolerance| bound.decide(tolerance)));
+    }
+    let quantities = ideal.named.into_iter().zip(float.named).map(|((name, exact), (_, value))| {
+        let bound = bounds.get(&name).copied();
+        Quantity::new(name, value, exact, bound)
+    });
+    Ok(Certification { quantities: quantities.collect(), depths, tracked_block })
+}
+
+fn check(options: &CertifyOptions) -> Result<(), CertifyError> {
+    let tolerances = options.tolerances.iter().map(|tolerance| ("a tolerance", tolerance));
+    for (what, value) in tolerances.chain([("the spread", &options.spread)]) {
+        if value.sign() <= 0 {
+            return Err(CertifyError::NotPositive { what, value: value.clone() });
+        }
+    }
+    match options.levels.iter().find(|&&level| level > MAX_CERTIFIED_LEVEL) {
+        Some(&level) => Err(CertifyError::Level(level)),
+        None => Ok(()),
+    }
+}
+
+/// The greatest c up to `max_block` whose walks stay within [`MAX_TRACKED_STEPS`].
+fn tracked_block(scheme: &Scheme, max_block: u32) -> u32 {
+    let fits = |mask: &Mask, c: u32| {
+        let (arity, width) = (mask.arity() as u64, mask.width() as u64);
+        let steps = arity.checked_pow(c).map(|classes| classes.saturating_mul((width + 2) * width));
+        steps.is_some_and(|steps| steps <= MAX_TRACKED_STEPS)
+    };
+    let fits_all = |c: &u32| scheme.masks().iter().all(|mask| fits(mask, *c));
+    (1..=max_block).take_while(fits_all).last().unwrap_or(0)
+}

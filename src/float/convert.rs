@@ -1,0 +1,186 @@
+//! Exact numbers to f64 and back.
+
+use crate::exact::{Integer, Rational};
+use std::cmp::Ordering;
+
+/// 2^`LEAST_EXPONENT` is the least positive f64.
+const LEAST_EXPONENT: i64 = -1074;
+
+/// The binary digits of the fraction field of an f64.
+const FRACTION_BITS: u32 = 52;
+
+/// The f64 nearest to `value`; of two equally near ones, the one with the even
+/// last bit. Beyond the greatest f64 by half a unit in its last place or more, an
+/// infinity. A negative value that rounds to 0 gives −0.
+///
+/// Integer arithmetic on p/q throughout, so this is right for subnormal results
+/// too. With 2^E ≤ |value| < 2^{E+1} and s = max(E − 52, −1074), the result is
+/// m·2^s, where m is |value|/2^s rounded to an integer, half to even.
+///
+/// ```
+/// use subcert::exact::Rational;
+/// use subcert::float::nearest;
+///
+/// assert_eq!(nearest(&Rational::new(1, 10)), 0.1);
+/// assert_eq!(nearest(&Rational::new(-2, 3)), -2.0 / 3.0);
+/// assert_eq!(nearest(&Rational::power_of_ten(400)), f64::INFINITY);
+/// ```
+///
+/// # Panics
+/// Never.
+#[must_use]
+pub fn nearest(value: &Rational) -> f64 {
+    let magnitude = nearest_magnitude(value.numerator().abs(), value.denominator());
+    if value.sign() < 0 { -magnitude } else { magnitude }
+}
+
+/// [`nearest`] of p/q ≥ 0.
+fn nearest_magnitude(p: Integer, q: Integer) -> f64 {
+    if p.is_zero() {
+        return 0.0;
+    }
+    let bits = |integer: &Integer| i64::try_from(integer.bits()).expect("it fits in memory");
+    // 2^(guess−1) < p/q < 2^(guess+1).
+    let guess = bits(&p) - bits(&q);
+    if guess > 1_026 {
+        return f64::INFINITY;
+    }
+    if guess < LEAST_EXPONENT - 2 {
+        return 0.0;
+    }
+    let (left, right) = scaled(p.clone(), q.clone(), guess);
+    let exponent = if left >= right { guess } else { guess - 1 };
+    let unit = (exponent - i64::from(FRACTION_BITS)).max(LEAST_EXPONENT);
+    let (left, right) = scaled(p, q, unit);
+    let mantissa = round_half_even(&left, &right);
+    let mantissa = mantissa.to_i128().and_then(|m| u64::try_from(m).ok()).expect("m ≤ 2^53");
+    // m·2^s for m < 2^52 only at the least s: the bits of a subnormal are m itself.
+    // Otherwise the hidden bit of m adds 1 to the exponent field s + 1074; and so
+    // does once more the carry to m = 2^53.
+    let field = u64::try_from(unit - LEAST_EXPONENT).expect("s ≥ −1074");
+    let infinity = f64::INFINITY.to_bits();
+    f64::from_bits(((field << FRACTION_BITS) + mantissa).min(infinity))
+}
+
+/// p/q / 2^`exponent` as a fraction of integers.
+fn scaled(p: Integer, q: Integer, exponent: i64) -> (Integer, Integer) {
+    let power = power_of_two(exponent.unsigned_abs());
+    if exponent < 0 { (p * power, q) } else { (p, q * power) }
+}
+
+fn power_of_two(exponent: u64) -> Integer {
+    Integer::from(2).pow(u32::try_from(exponent).expect("an exponent of an f64"))
+}
+
+/// p/q rounded to an integer, half to even.
+fn round_half_even(p: &Integer, q: &Integer) -> Integer {
+    let (floor, rest) = p.div_rem_floor(q);
+    let up = match (&rest + &rest).cmp(q) {
+        Ordering::Less => false,
+        Ordering::Equal => !floor.is_even(),
+        Ordering::Greater => true,
+    };
+    if up { floor + Integer::one() } else { floor }
+}
+
+/// The mantissa m and the exponent s with |`value`| = m·2^s, s ≥ −1074, for a
+/// finite value.
+pub(super) fn parts(value: f64) -> (u64, i64) {
+    let bits = value.to_bits();
+    let (fraction, field) = (bits & ((1 << FRACTION_BITS) - 1), (bits >> FRACTION_BITS) & 0x7ff);
+    let hidden = u64::from(field > 0) << FRACTION_BITS;
+    let field = i64::try_from(field.max(1)).expect("11 bits");
+    (fraction + hidden, field - 1 + LEAST_EXPONENT)
+}
+
+/// m·2^`exponent`.
+pub(super) fn binary(mantissa: Integer, exponent: i64) -> Rational {
+    let power = power_of_two(exponent.unsigned_abs());
+    if exponent < 0 { Rational::new(mantissa, power) } else { Rational::from(mantissa * power) }
+}
+
+/// The exact value of a finite f64; `None` for NaN and the infinities.
+///
+/// ```
+/// use subcert::exact::Rational;
+/// use subcert::float::exact;
+///
+/// assert_eq!(exact(-0.375), Some(Rational::new(-3, 8)));
+/// assert_eq!(exact(0.1).unwrap().to_string(), "3602879701896397/36028797018963968");
+/// assert_eq!(exact(f64::NAN), None);
+/// ```
+#[must_use]
+pub fn exact(value: f64) -> Option<Rational> {
+    value.is_finite().then(|| {
+        let (mantissa, exponent) = parts(value);
+        let magnitude = binary(Integer::from(mantissa), exponent);
+        if value.is_sign_negative() { -magnitude } else { magnitude }
+    })
+}
+
+/// The least f64 that is not below `value`: `value` ≤ upper(`value`), with +∞
+/// beyond the greatest f64.
+///
+/// ```
+/// use subcert::exact::Rational;
+/// use subcert::float::{lower, upper};
+///
+/// let third = Rational::new(1, 3);
+/// assert_eq!(upper(&third), lower(&third).next_up());
+/// assert_eq!(upper(&Rational::new(1, 4)), 0.25);
+/// ```
+#[must_use]
+pub fn upper(value: &Rational) -> f64 {
+    let near = nearest(value);
+    match exact(near) {
+        Some(found) if found < *value => near.next_up(),
+        None if near < 0.0 => near.next_up(),
+        _ => near,
+    }
+}
+
+/// The greatest f64 that is not above `value`.
+#[must_use]
+pub fn lower(value: &Rational) -> f64 {
+    -upper(&-value)
+}
+
+/// The unit in the last place of a finite f64: 2^{max(E,−1022)−52} for
+/// 2^E ≤ |x| < 2^{E+1}, and 2^−1074 for x = 0; the distance from |x| to the next
+/// greater f64. `None` for NaN and the infinities.
+///
+/// ```
+/// use subcert::exact::Rational;
+/// use subcert::float::ulp;
+///
+/// assert_eq!(ulp(1.0), Some(Rational::from(2).pow(-52)));
+/// assert_eq!(ulp(0.0), Some(Rational::from(2).pow(-1074)));
+/// ```
+#[must_use]
+pub fn ulp(value: f64) -> Option<Rational> {
+    value.is_finite().then(|| binary(Integer::one(), parts(value).1))
+}
+
+/// |`value` − `target`| / ulp(nearest(`target`)), the distance in units in the last
+/// place; at most 1/2 exactly when `value` is a nearest f64 (at a power of two, 1/4
+/// on the side of 0). Beyond the greatest f64, its unit is taken. `None` when
+/// `value` is not finite.
+///
+/// ```
+/// use subcert::exact::Rational;
+/// use subcert::float::ulps_between;
+///
+/// assert_eq!(ulps_between(1.0 + f64::EPSILON, &Rational::one()), Some(Rational::one()));
+/// assert_eq!(ulps_between(f64::INFINITY, &Rational::one()), None);
+/// ```
+#[must_use]
+pub fn ulps_between(value: f64, target: &Rational) -> Option<Rational> {
+    let near = nearest(target).clamp(f64::MIN, f64::MAX);
+    Some((exact(value)? - target).abs() / ulp(near)?)
+}
+
+/// The shortest decimal that reads back as `value`: `0.1`, `1e-7`, `inf`, `NaN`.
+#[must_use]
+pub fn shortest(value: f64) -> String {
+    format!("{value:?}")
+}

@@ -1,0 +1,123 @@
+//! f64 as hexadecimal text, which loses nothing and rounds nowhere.
+
+use super::convert::{binary, nearest, parts};
+use crate::exact::{Integer, Rational};
+
+/// The most hexadecimal digits that are read.
+const MAX_HEX_DIGITS: usize = 2_000;
+
+/// The largest binary exponent, in absolute value, that is read.
+const MAX_BINARY_EXPONENT: i64 = 20_000;
+
+/// Why a text is not a hexadecimal float.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum HexadecimalError {
+    /// It does not have the form `[-]0xh.hhhp±d`.
+    #[error("`{0}` is not a hexadecimal float; write one such as -0x1.8p-3, inf or nan")]
+    Form(String),
+    /// It is longer, or its exponent larger, than any that is read.
+    #[error(
+        "a hexadecimal float beyond the caps: at most {MAX_HEX_DIGITS} digits and an exponent \
+         up to {MAX_BINARY_EXPONENT}"
+    )]
+    TooLong,
+}
+
+/// `value` as the conversion `%a` of C99 prints it: `0x1.8p-3`, with a leading 1
+/// for normal numbers and 0 for subnormal ones, without trailing zeros, the binary
+/// exponent always signed; `inf`, `-inf` and `nan`.
+///
+/// ```
+/// use subcert::float::hexadecimal;
+///
+/// assert_eq!(hexadecimal(0.1), "0x1.999999999999ap-4");
+/// assert_eq!(hexadecimal(-1.0), "-0x1p+0");
+/// assert_eq!(hexadecimal(f64::from_bits(1)), "0x0.0000000000001p-1022");
+/// ```
+#[must_use]
+pub fn hexadecimal(value: f64) -> String {
+    let sign = if value.is_sign_negative() { "-" } else { "" };
+    if value.is_nan() {
+        return "nan".to_owned();
+    }
+    if value.is_infinite() {
+        return format!("{sign}inf");
+    }
+    let (mantissa, exponent) = parts(value);
+    let exponent = if mantissa == 0 { 0 } else { exponent + 52 };
+    let digits = format!("{:013x}", mantissa & ((1 << 52) - 1));
+    let digits = digits.trim_end_matches('0');
+    let point = if digits.is_empty() { "" } else { "." };
+    format!("{sign}0x{}{point}{digits}p{exponent:+}", mantissa >> 52)
+}
+
+/// Reads what [`hexadecimal`] writes, and any `[±]0xhh.hhhp±d` (upper or lower
+/// case, the exponent may be left out), `inf` or `nan`; rounded to the nearest f64
+/// where it has more digits than fit.
+///
+/// # Errors
+/// When the text has another form, or is beyond the caps.
+///
+/// ```
+/// use subcert::float::parse_hexadecimal;
+///
+/// assert_eq!(parse_hexadecimal("0x1.8p-3")?, 0.1875);
+/// assert_eq!(parse_hexadecimal("-0X18P-7")?, -0.1875);
+/// assert!(parse_hexadecimal("1.8p-3").is_err());
+/// # Ok::<(), subcert::float::HexadecimalError>(())
+/// ```
+pub fn parse_hexadecimal(text: &str) -> Result<f64, HexadecimalError> {
+    let form = || HexadecimalError::Form(text.chars().take(80).collect());
+    let (negative, rest) = match text.strip_prefix(['-', '+']) {
+        Some(rest) => (text.starts_with('-'), rest),
+        None => (false, text),
+    };
+    let magnitude = match rest {
+        "inf" => f64::INFINITY,
+        "nan" => f64::NAN,
+        _ => {
+            let body = rest.strip_prefix("0x").or_else(|| rest.strip_prefix("0X"));
+            nearest(&magnitude(body.ok_or_else(form)?)?.ok_or_else(form)?)
+        }
+    };
+    Ok(if negative { -magnitude } else { magnitude })
+}
+
+/// The value of `hh.hhhp±d`; `Ok(None)` when it has another form.
+fn magnitude(body: &str) -> Result<Option<Rational>, HexadecimalError> {
+    let (digits, power) = match body.split_once(['p', 'P']) {
+        Some((digits, power)) => (digits, Some(power)),
+        None => (body, None),
+    };
+    let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
+    let count = whole.len() + fraction.len();
+    if count > MAX_HEX_DIGITS {
+        return Err(HexadecimalError::TooLong);
+    }
+    let mut mantissa = Integer::zero();
+    for digit in whole.chars().chain(fraction.chars()) {
+        let Some(digit) = digit.to_digit(16) else { return Ok(None) };
+        mantissa = mantissa * Integer::from(16) + Integer::from(digit);
+    }
+    let power = match power.map(exponent) {
+        None => 0,
+        Some(None) => return Ok(None),
+        Some(Some(power)) => power,
+    };
+    if power.abs() > MAX_BINARY_EXPONENT {
+        return Err(HexadecimalError::TooLong);
+    }
+    let places = i64::try_from(fraction.len()).expect("capped");
+    Ok((count > 0).then(|| binary(mantissa, power - 4 * places)))
+}
+
+/// A signed decimal integer; one too large for an i64 as the greatest.
+fn exponent(text: &str) -> Option<i64> {
+    let digits = text.strip_prefix(['-', '+']).unwrap_or(text);
+    if digits.is_empty() || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
+        return None;
+    }
+    let size = digits.parse().unwrap_or(i64::MAX);
+    Some(if text.starts_with('-') { -size } else { size })
+}

@@ -1,0 +1,106 @@
+//! Checks of f64 values against exact ones.
+
+use super::mismatch::{Deviation, Mismatch, Tolerance};
+use crate::exact::Rational;
+use crate::float::{exact as exact_of, ulps_between};
+use std::cmp::Ordering;
+
+/// Whether `value` is at most `ulps` units in the last place from `exact`: of
+/// [`ulps_between`], decided exactly. 0.5 asks for a correctly rounded value, 0 for
+/// an exact one. NaN and the infinities are never within.
+///
+/// # Errors
+/// When it is farther.
+///
+/// # Panics
+/// When `ulps` is negative or NaN.
+///
+/// ```
+/// use subcert::exact::Rational;
+/// use subcert::oracle::check_within_ulps;
+///
+/// let exact = Rational::new(3, 10);
+/// assert!(check_within_ulps(0.3, &exact, 0.5).is_ok());
+/// let error = check_within_ulps(0.1 + 0.2, &exact, 0.5).unwrap_err();
+/// assert!(error.to_string().contains("0x1.3333333333334p-2"));
+/// ```
+pub fn check_within_ulps(value: f64, exact: &Rational, ulps: f64) -> Result<(), Mismatch> {
+    if ulps_are_within(value, exact, ulps) {
+        return Ok(());
+    }
+    let deviation = Box::new(Deviation { index: None, value, exact: exact.clone() });
+    Err(Mismatch::Value { tolerance: Tolerance::Ulps(ulps), deviation })
+}
+
+/// [`check_within_ulps`] for every pair of two slices.
+///
+/// # Errors
+/// When one is farther, with the first such and the worst; or when the slices
+/// differ in length.
+///
+/// # Panics
+/// When `ulps` is negative or NaN.
+pub fn check_slice_within_ulps(
+    values: &[f64],
+    exact: &[Rational],
+    ulps: f64,
+) -> Result<(), Mismatch> {
+    check_ulps(ulps);
+    if values.len() != exact.len() {
+        return Err(Mismatch::Length { values: values.len(), exact: exact.len() });
+    }
+    let pairs = values.iter().zip(exact).enumerate();
+    let wrong: Vec<Deviation> = pairs
+        .filter(|(_, (value, exact))| !ulps_are_within(**value, exact, ulps))
+        .map(|(at, (value, exact))| Deviation {
+            index: Some(at),
+            value: *value,
+            exact: exact.clone(),
+        })
+        .collect();
+    let Some(first) = wrong.first().cloned() else { return Ok(()) };
+    let worse = |left: Deviation, right: &Deviation| match (left.ulps(), right.ulps()) {
+        (Some(_), None) => right.clone(),
+        (Some(x), Some(y)) if x.cmp(&y) == Ordering::Less => right.clone(),
+        _ => left,
+    };
+    let worst = Box::new(wrong.iter().fold(first.clone(), worse));
+    Err(Mismatch::Slice {
+        tolerance: Tolerance::Ulps(ulps),
+        wrong: wrong.len(),
+        total: values.len(),
+        first: Box::new(first),
+        worst,
+    })
+}
+
+/// Whether |`value` − `exact`| ≤ `tolerance`, decided exactly. NaN and the
+/// infinities are never within.
+///
+/// # Errors
+/// When it is farther.
+///
+/// # Panics
+/// When `tolerance` is negative.
+pub fn check_within(value: f64, exact: &Rational, tolerance: &Rational) -> Result<(), Mismatch> {
+    assert!(tolerance.sign() >= 0, "a tolerance must not be negative, and is {tolerance}");
+    if exact_of(value).is_some_and(|found| (found - exact).abs() <= *tolerance) {
+        return Ok(());
+    }
+    let deviation = Box::new(Deviation { index: None, value, exact: exact.clone() });
+    Err(Mismatch::Value { tolerance: Tolerance::Absolute(tolerance.clone()), deviation })
+}
+
+fn check_ulps(ulps: f64) {
+    assert!(ulps >= 0.0, "a tolerance in ulps must be 0 or more, and is {ulps}");
+}
+
+fn ulps_are_within(value: f64, exact: &Rational, ulps: f64) -> bool {
+    check_ulps(ulps);
+    match (ulps_between(value, exact), exact_of(ulps)) {
+        (None, _) => false,
+        // An infinite tolerance still asks for a number.
+        (Some(_), None) => true,
+        (Some(distance), Some(allowed)) => distance <= allowed,
+    }
+}

@@ -1,0 +1,130 @@
+//! Control polygons and control grids to refine.
+
+use super::refine::MAX_VALUES;
+use crate::exact::Rational;
+
+/// A control polygon of numbers x_0, …, x_{m−1}, or a control grid x_{i,j} of them,
+/// row by row. For points, refine each coordinate by itself.
+///
+/// ```
+/// use subcert::oracle::Control;
+///
+/// let control = Control::seeded_polygon(7, 4);
+/// assert_eq!(control, Control::seeded_polygon(7, 4));
+/// assert_eq!((control.rows(), control.columns()), (4, 1));
+/// assert_eq!(control.seed(), Some(7));
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Control {
+    values: Vec<Rational>,
+    columns: usize,
+    seed: Option<u64>,
+    grid: bool,
+}
+
+impl Control {
+    /// The polygon with these values.
+    #[must_use]
+    pub fn polygon(values: Vec<Rational>) -> Control {
+        Control { values, columns: 1, seed: None, grid: false }
+    }
+
+    /// The grid with these values, row by row, of `columns` each; `None` when that
+    /// leaves a last row unfinished, or `columns` is 0.
+    #[must_use]
+    pub fn grid(values: Vec<Rational>, columns: usize) -> Option<Control> {
+        let whole = columns > 0 && values.len().is_multiple_of(columns);
+        whole.then_some(Control { values, columns, seed: None, grid: true })
+    }
+
+    /// The polygon of `count` integers from −100 to 100 that [`SplitMix64`] gives
+    /// from this seed: (r mod 201) − 100 for each output r.
+    #[must_use]
+    pub fn seeded_polygon(seed: u64, count: usize) -> Control {
+        let values = SplitMix64::new(seed).small_integers(count);
+        Control { seed: Some(seed), ..Control::polygon(values) }
+    }
+
+    /// The grid of `rows` × `columns` integers, drawn like those of
+    /// [`Control::seeded_polygon`], row by row.
+    #[must_use]
+    pub fn seeded_grid(seed: u64, rows: usize, columns: usize) -> Control {
+        let values = SplitMix64::new(seed).small_integers(rows.saturating_mul(columns));
+        Control { values, columns, seed: Some(seed), grid: true }
+    }
+
+    /// The values, row by row.
+    #[must_use]
+    pub fn values(&self) -> &[Rational] {
+        &self.values
+    }
+
+    /// How many rows there are: of a polygon, its length.
+    #[must_use]
+    pub fn rows(&self) -> usize {
+        self.values.len().checked_div(self.columns).unwrap_or(0)
+    }
+
+    /// How many columns: 1 for a polygon.
+    #[must_use]
+    pub fn columns(&self) -> usize {
+        self.columns
+    }
+
+    /// The seed, if it was drawn.
+    #[must_use]
+    pub fn seed(&self) -> Option<u64> {
+        self.seed
+    }
+
+    /// Whether this is a grid.
+    #[must_use]
+    pub fn is_grid(&self) -> bool {
+        self.grid
+    }
+}
+
+/// The generator SplitMix64, all arithmetic mod 2^64: the state grows by
+/// 0x9e3779b97f4a7c15, and the output is the new state z mixed by
+/// z ← (z ⊕ z≫30)·0xbf58476d1ce4e5b9, z ← (z ⊕ z≫27)·0x94d049bb133111eb, z ⊕ z≫31.
+///
+/// Source: Steele, Lea and Flood 2014, as Vigna writes it in C.
+///
+/// ```
+/// use subcert::oracle::SplitMix64;
+///
+/// assert_eq!(SplitMix64::new(0).next(), Some(0xe220_a839_7b1d_cdaf));
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SplitMix64 {
+    state: u64,
+}
+
+impl SplitMix64 {
+    /// The generator that starts from this state.
+    #[must_use]
+    pub fn new(seed: u64) -> SplitMix64 {
+        SplitMix64 { state: seed }
+    }
+
+    /// `count` integers from −100 to 100; of more than can be refined, one too many.
+    fn small_integers(&mut self, count: usize) -> Vec<Rational> {
+        // An output of 201 residues out of 2^64 is as good as uniform.
+        self.take(count.min(MAX_VALUES + 1))
+            .map(|r| Rational::from(r % 201) - Rational::from(100))
+            .collect()
+    }
+}
+
+impl Iterator for SplitMix64 {
+    type Item = u64;
+
+    /// The next output; there always is one.
+    fn next(&mut self) -> Option<u64> {
+        self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.state;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        Some(z ^ (z >> 31))
+    }
+}

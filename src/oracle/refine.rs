@@ -1,0 +1,240 @@
+//! Exact refinement of polygons and grids over several levels.
+
+use crate::bound::ClassCap;
+use crate::exact::{CommonDenominator, Integer, Rational, Scalar};
+use crate::scheme::Rules;
+
+/// The most values of a control polygon or grid, refined or not.
+pub const MAX_VALUES: usize = 1_000_000;
+
+/// The most levels of refinement.
+pub const MAX_REFINED_LEVEL: u32 = 64;
+
+/// What becomes of the ends of a polygon.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Boundary {
+    /// There are none: indices are taken mod the number of points.
+    Closed,
+    /// Only the rules all of whose points exist are applied; see
+    /// [`Rules::refine_open`].
+    Open,
+}
+
+/// Why there are no reference values.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum OracleError {
+    /// Too many residue classes.
+    #[error(transparent)]
+    Classes(#[from] ClassCap),
+    /// A control polygon without points.
+    #[error("there are no control points")]
+    Empty,
+    /// More than [`MAX_VALUES`] values.
+    #[error("more than {MAX_VALUES} values: take a lower level or fewer control points")]
+    TooMany,
+    /// More than [`MAX_REFINED_LEVEL`] levels.
+    #[error("level {0} is too high; at most {MAX_REFINED_LEVEL} is")]
+    Level(u32),
+    /// An open polygon that has shrunk below the width of the rules.
+    #[error(
+        "nothing is left of the open polygon after level {level}: it has {count} points there, \
+         and a rule needs {width}"
+    )]
+    TooFew {
+        /// The last level that has points.
+        level: u32,
+        /// How many it has.
+        count: usize,
+        /// N.
+        width: usize,
+    },
+    /// A grid for a curve, or a polygon for a tensor product.
+    #[error("a control {found} for a {scheme}, which refines a {expected}")]
+    Shape {
+        /// What was given.
+        found: &'static str,
+        /// What the scheme is.
+        scheme: &'static str,
+        /// What it refines.
+        expected: &'static str,
+    },
+    /// A grid whose last row is unfinished, or that has no columns.
+    #[error("{count} values are not whole rows of {columns}")]
+    Ragged {
+        /// How many values there are.
+        count: usize,
+        /// How long a row is.
+        columns: usize,
+    },
+}
+
+/// The polygon of level `level`, when `points` is that of level 0. Closed, it has
+/// n^level·m values; open, those of [`Rules::refine_open`], again and again.
+///
+/// # Errors
+/// When there are no points, too many would arise, none are left, or the level is
+/// too high.
+///
+/// ```
+/// use subcert::exact::Rational;
+/// use subcert::oracle::{Boundary, refine_polygon};
+/// use subcert::scheme::parse_scheme;
+///
+/// let scheme = parse_scheme("chaikin")?;
+/// let points = [0, 4, 4, 0].map(Rational::from);
+/// let refined = refine_polygon(scheme.masks()[0].rules(), &points, 2, Boundary::Closed)?;
+/// assert_eq!(refined.len(), 16);
+/// let quarters = [6, 10, 13, 15].map(|p| Rational::new(p, 4));
+/// assert_eq!(refined[..4], quarters);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn refine_polygon(
+    rules: &Rules,
+    points: &[Rational],
+    level: u32,
+    boundary: Boundary,
+) -> Result<Vec<Rational>, OracleError> {
+    count_after(rules, points.len(), level, boundary)?;
+    let (whole, scale) = whole(rules);
+    let (mut values, denominator) = whole_values(points);
+    for _ in 0..level {
+        values = once(&whole, &values, boundary);
+    }
+    Ok(fractions(values, &(denominator * scale.pow(level))))
+}
+
+/// The grid of level `level` and its number of columns, when `grid` is that of
+/// level 0, row by row: p'_{ni+α, mj+β} = Σ_{r,s} a_{α,r} a'_{β,s} p_{i+o+r, j+o'+s}, the
+/// first rules along the columns of the grid (over i), the second along its rows.
+///
+/// # Errors
+/// As of [`refine_polygon`], and when the last row of the grid is unfinished.
+pub fn refine_grid(
+    rules: [&Rules; 2],
+    grid: &[Rational],
+    columns: usize,
+    level: u32,
+    boundary: Boundary,
+) -> Result<(Vec<Rational>, usize), OracleError> {
+    if grid.len() > MAX_VALUES {
+        return Err(OracleError::TooMany);
+    }
+    if columns == 0 || !grid.len().is_multiple_of(columns) {
+        return Err(OracleError::Ragged { count: grid.len(), columns });
+    }
+    let rows_after = count_after(rules[0], grid.len() / columns, level, boundary)?;
+    let columns_after = count_after(rules[1], columns, level, boundary)?;
+    if rows_after.saturating_mul(columns_after) > MAX_VALUES {
+        return Err(OracleError::TooMany);
+    }
+    let [(first, first_scale), (second, second_scale)] = rules.map(whole);
+    let (mut values, denominator) = whole_values(grid);
+    let mut width = columns;
+    for _ in 0..level {
+        let height = values.len() / width;
+        let across = along_rows(&second, &values, width, boundary);
+        let turned = transposed(&across, across.len() / height);
+        let along = along_rows(&first, &turned, height, boundary);
+        width = across.len() / height;
+        values = transposed(&along, along.len() / width);
+    }
+    let scale = denominator * first_scale.pow(level) * second_scale.pow(level);
+    Ok((fractions(values, &scale), width))
+}
+
+/// How many points a polygon of `count` points has at `level`.
+fn count_after(
+    rules: &Rules,
+    count: usize,
+    level: u32,
+    boundary: Boundary,
+) -> Result<usize, OracleError> {
+    if level > MAX_REFINED_LEVEL {
+        return Err(OracleError::Level(level));
+    }
+    if count == 0 {
+        return Err(OracleError::Empty);
+    }
+    let (arity, width) = (rules.arity(), rules.width());
+    let mut now = count;
+    for k in 0..level {
+        let windows = match boundary {
+            Boundary::Closed => now,
+            Boundary::Open => (now + 1).saturating_sub(width),
+        };
+        if windows == 0 {
+            return Err(OracleError::TooFew { level: k, count: now, width });
+        }
+        now = windows.saturating_mul(arity);
+        if now > MAX_VALUES {
+            return Err(OracleError::TooMany);
+        }
+    }
+    if count > MAX_VALUES { Err(OracleError::TooMany) } else { Ok(now) }
+}
+
+fn once(rules: &Rules<Whole>, values: &[Whole], boundary: Boundary) -> Vec<Whole> {
+    match boundary {
+        Boundary::Closed => rules.refine_closed(values),
+        Boundary::Open => rules.refine_open(values),
+    }
+}
+
+fn along_rows(
+    rules: &Rules<Whole>,
+    values: &[Whole],
+    columns: usize,
+    boundary: Boundary,
+) -> Vec<Whole> {
+    values.chunks(columns).flat_map(|row| once(rules, row, boundary)).collect()
+}
+
+/// The grid with rows and columns exchanged.
+fn transposed(values: &[Whole], columns: usize) -> Vec<Whole> {
+    let column = |j: usize| values.iter().skip(j).step_by(columns).cloned();
+    (0..columns).flat_map(column).collect()
+}
+
+/// An integer as a [`Scalar`]: the refinement runs on integers over one common
+/// denominator, and fractions are reduced once, at its end.
+#[derive(Clone)]
+struct Whole(Integer);
+
+impl Scalar for Whole {
+    /// For integers only, which is all that a refinement asks for.
+    fn from_rational(value: &Rational) -> Whole {
+        debug_assert!(value.is_integer());
+        Whole(value.numerator())
+    }
+    fn plus(&self, other: &Whole) -> Whole {
+        Whole(&self.0 + &other.0)
+    }
+    fn minus(&self, other: &Whole) -> Whole {
+        Whole(&self.0 - &other.0)
+    }
+    fn times(&self, other: &Whole) -> Whole {
+        Whole(&self.0 * &other.0)
+    }
+    fn zero() -> Whole {
+        Whole(Integer::zero())
+    }
+}
+
+/// The rules as integers over a common denominator, and that denominator.
+fn whole(rules: &Rules) -> (Rules<Whole>, Integer) {
+    let common = CommonDenominator::of(rules.rows());
+    let scale = Rational::from(common.denominator.clone());
+    (rules.map(|value| Whole((value * &scale).numerator())), common.denominator)
+}
+
+fn whole_values(values: &[Rational]) -> (Vec<Whole>, Integer) {
+    let denominator =
+        values.iter().fold(Integer::one(), |lcm, value| lcm.lcm(&value.denominator()));
+    let scale = Rational::from(denominator.clone());
+    (values.iter().map(|value| Whole((value * &scale).numerator())).collect(), denominator)
+}
+
+fn fractions(values: Vec<Whole>, denominator: &Integer) -> Vec<Rational> {
+    values.into_iter().map(|Whole(value)| Rational::new(value, denominator.clone())).collect()
+}

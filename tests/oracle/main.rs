@@ -1,0 +1,5 @@
+//! Reference values and checks for other programs' tests.
+
+mod check;
+mod refine;
+mod values;
