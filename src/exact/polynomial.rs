@@ -66,6 +66,19 @@ impl Polynomial {
         self.terms.len()
     }
 
+    /// The greatest sum of exponents in a term; 0 for a constant.
+    #[must_use]
+    pub fn degree(&self) -> u64 {
+        let degree = |monomial: &Monomial| monomial.values().map(|&e| u64::from(e)).sum();
+        self.terms.keys().map(degree).max().unwrap_or(0)
+    }
+
+    /// The number of binary digits of all coefficients together.
+    #[must_use]
+    pub fn bits(&self) -> u64 {
+        self.terms.values().map(Rational::bits).sum()
+    }
+
     fn add_term(&mut self, monomial: Monomial, coefficient: &Rational) {
         if coefficient.is_zero() {
             return;
@@ -112,7 +125,8 @@ impl Mul for &Polynomial {
             for (right, b) in &other.terms {
                 let mut monomial = left.clone();
                 for (variable, exponent) in right {
-                    *monomial.entry(variable.clone()).or_insert(0) += exponent;
+                    let sum = monomial.entry(variable.clone()).or_insert(0);
+                    *sum = sum.checked_add(*exponent).expect("an exponent below 2^32");
                 }
                 product.add_term(monomial, &(a * b));
             }

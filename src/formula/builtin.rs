@@ -3,13 +3,16 @@
 use super::ast::OptionWord;
 use super::error::FormulaErrorKind;
 use super::value::Value;
-use crate::exact::Rational;
+use crate::exact::{Integer, Rational};
 
 /// The names of the functions.
 pub(super) const NAMES: [&str; 7] = ["abs", "min", "max", "floor", "ceil", "binomial", "sum"];
 
 /// The most binary digits that a value may have.
-pub(super) const MAX_BITS: u64 = 4_000_000;
+pub(super) const MAX_BITS: u64 = 1_000_000;
+
+/// The greatest power of a symbol, also in a binomial coefficient.
+const MAX_SYMBOLIC_POWER: u64 = 64;
 
 /// The greatest lower index of a binomial coefficient.
 const MAX_BINOMIAL: u64 = 10_000;
@@ -67,7 +70,7 @@ fn extreme<V: Value>(
 
 /// left · right.
 pub(super) fn multiply<V: Value>(left: &V, right: &V) -> Result<V, FormulaErrorKind> {
-    if left.size().max(right.size()) > MAX_BITS {
+    if left.product_size(right) > MAX_BITS {
         return Err(FormulaErrorKind::TooLarge { what: "the number of bits", cap: MAX_BITS });
     }
     Ok(left.times(right))
@@ -77,6 +80,9 @@ pub(super) fn multiply<V: Value>(left: &V, right: &V) -> Result<V, FormulaErrorK
 pub(super) fn divide<V: Value>(left: &V, right: &V) -> Result<V, FormulaErrorKind> {
     if right.as_rational().is_some_and(|value| value.is_zero()) {
         return Err(FormulaErrorKind::DivisionByZero);
+    }
+    if left.product_size(right) > MAX_BITS {
+        return Err(FormulaErrorKind::TooLarge { what: "the number of bits", cap: MAX_BITS });
     }
     left.quotient(right).ok_or(FormulaErrorKind::Unsupported(
         "division by a symbolic parameter is not an identity of polynomials",
@@ -110,8 +116,9 @@ pub(super) fn power<V: Value>(base: &V, exponent: &V) -> Result<V, FormulaErrorK
         let exponent = i32::try_from(exponent).map_err(|_| too_large)?;
         return Ok(V::from_rational(&base.pow(exponent)));
     }
-    if magnitude > 64 {
-        return Err(FormulaErrorKind::TooLarge { what: "the power of a symbol", cap: 64 });
+    if u64::from(magnitude) > MAX_SYMBOLIC_POWER {
+        let what = "the power of a symbol";
+        return Err(FormulaErrorKind::TooLarge { what, cap: MAX_SYMBOLIC_POWER });
     }
     let one = V::from_rational(&Rational::one());
     let power = (0..magnitude).try_fold(one.clone(), |power, _| multiply(&power, base))?;
@@ -122,14 +129,28 @@ pub(super) fn power<V: Value>(base: &V, exponent: &V) -> Result<V, FormulaErrorK
 fn binomial<V: Value>(top: &V, bottom: &V) -> Result<V, FormulaErrorKind> {
     let what = "the lower index of `binomial`";
     let bottom = integer(what, bottom)?;
-    if bottom > MAX_BINOMIAL.cast_signed() {
-        return Err(FormulaErrorKind::TooLarge { what, cap: MAX_BINOMIAL });
-    }
     if bottom < 0 {
         return Ok(V::zero());
     }
-    Ok((0..bottom).fold(V::from_rational(&Rational::one()), |value, i| {
-        let factor = top.minus(&V::from_rational(&Rational::from(i)));
-        value.times(&factor).times(&V::from_rational(&Rational::new(1, i + 1)))
-    }))
+    let cap = if top.as_rational().is_some() { MAX_BINOMIAL } else { MAX_SYMBOLIC_POWER };
+    if bottom.unsigned_abs() > cap {
+        return Err(FormulaErrorKind::TooLarge { what, cap });
+    }
+    let factorial: Integer =
+        (1..=bottom).fold(Integer::one(), |product, i| product * Integer::from(i));
+    let Some(top) = top.as_rational() else {
+        let factor = |i| top.minus(&V::from_rational(&Rational::from(i)));
+        let first = V::from_rational(&Rational::new(1, factorial));
+        return (0..bottom).try_fold(first, |product, i| multiply(&product, &factor(i)));
+    };
+    // Each factor adds at most the bits of `top` and of an index below 2^14.
+    if bottom.unsigned_abs().saturating_mul(top.bits() + 14) > MAX_BITS {
+        return Err(FormulaErrorKind::TooLarge { what: "the number of bits", cap: MAX_BITS });
+    }
+    // With top = p/q the factors are (p − iq)/q: reduced once, at the end.
+    let (p, q) = (top.numerator(), top.denominator());
+    let (product, scale) = (0..bottom).fold((Integer::one(), factorial), |(product, scale), i| {
+        (product * (&p - &q * Integer::from(i)), scale * &q)
+    });
+    Ok(V::from_rational(&Rational::new(product, scale)))
 }

@@ -8,8 +8,21 @@ use crate::exact::Rational;
 use std::cell::Cell;
 use std::collections::BTreeMap;
 
-/// The most nodes that one evaluation visits, sums unrolled.
-const MAX_STEPS: u64 = 1_000_000;
+/// The most work of one evaluation: the nodes visited, sums unrolled and named
+/// formulas entered, and the squares of the sizes of their values in 1024 bits.
+const MAX_WORK: u64 = 1_000_000;
+
+/// How deep the nodes of one evaluation may stand in each other, named formulas
+/// entered.
+const MAX_DEPTH: u32 = 256;
+
+/// What an evaluation has spent. A context that evaluates formulas itself, for
+/// its names or functions, keeps one, so that all of them share the cap.
+#[derive(Clone, Debug, Default)]
+pub struct Work {
+    spent: Cell<u64>,
+    depth: Cell<u32>,
+}
 
 /// What a name means.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -44,6 +57,12 @@ pub trait Context<V> {
 
     /// The names that [`Context::name`] knows, for error messages.
     fn names(&self) -> Vec<String>;
+
+    /// The work that the evaluations in this context share, if it evaluates
+    /// formulas itself.
+    fn work(&self) -> Option<&Work> {
+        None
+    }
 
     /// The value of a function.
     ///
@@ -95,13 +114,17 @@ pub(crate) fn evaluate_with<V: Value>(
     context: &dyn Context<V>,
     indices: &[(String, V)],
 ) -> Result<V, FormulaError> {
-    let evaluator = Evaluator { context, steps: Cell::new(0) };
-    evaluator.value(expr, &mut indices.to_vec())
+    let own = Work::default();
+    let work = context.work().unwrap_or(&own);
+    if work.depth.get() == 0 {
+        work.spent.set(0);
+    }
+    Evaluator { context, work }.value(expr, &mut indices.to_vec())
 }
 
 struct Evaluator<'a, V> {
     context: &'a dyn Context<V>,
-    steps: Cell<u64>,
+    work: &'a Work,
 }
 
 fn fail<T>(kind: FormulaErrorKind, span: &Span) -> Result<T, FormulaError> {
@@ -109,52 +132,107 @@ fn fail<T>(kind: FormulaErrorKind, span: &Span) -> Result<T, FormulaError> {
 }
 
 impl<V: Value> Evaluator<'_, V> {
-    fn value(&self, expr: &Expr, indices: &mut Vec<(String, V)>) -> Result<V, FormulaError> {
-        self.steps.set(self.steps.get() + 1);
-        if self.steps.get() > MAX_STEPS {
-            let kind =
-                FormulaErrorKind::TooLarge { what: "the work of this formula", cap: MAX_STEPS };
-            return fail(kind, &expr.span);
+    /// Counts the work of a value; hands it on while the cap is not reached.
+    fn spend(&self, value: V, span: &Span) -> Result<V, FormulaError> {
+        let size = value.size() / 1024;
+        let spent = self.work.spent.get().saturating_add(1 + size.saturating_mul(size));
+        self.work.spent.set(spent);
+        if spent > MAX_WORK {
+            let what = "the work of this formula";
+            return fail(FormulaErrorKind::TooLarge { what, cap: MAX_WORK }, span);
         }
+        Ok(value)
+    }
+
+    fn value(&self, expr: &Expr, indices: &mut Vec<(String, V)>) -> Result<V, FormulaError> {
+        let depth = self.work.depth.get();
+        if depth >= MAX_DEPTH {
+            let what = "the nesting of this formula and those it names";
+            let cap = u64::from(MAX_DEPTH);
+            return fail(FormulaErrorKind::TooLarge { what, cap }, &expr.span);
+        }
+        self.work.depth.set(depth + 1);
+        let value = self.node(expr, indices);
+        self.work.depth.set(depth);
+        self.spend(value?, &expr.span)
+    }
+
+    // A formula may be nested deep, so what stays on the stack is kept small: one
+    // function for each node, and no iterator adapters around the recursion.
+    fn node(&self, expr: &Expr, indices: &mut Vec<(String, V)>) -> Result<V, FormulaError> {
         match &expr.node {
             Node::Number(number) => Ok(V::from_rational(number)),
             Node::Name(name) => self.name(name, &expr.span, indices),
             Node::Negate(operand) => Ok(V::zero().minus(&self.value(operand, indices)?)),
-            Node::Chain(first, rest) => {
-                let mut value = self.value(first, indices)?;
-                for (operator, operand) in rest {
-                    let right = self.value(operand, indices)?;
-                    value = apply(*operator, &value, &right)
-                        .or_else(|kind| fail(kind, &operand.span))?;
-                }
-                Ok(value)
-            }
-            Node::Power(base, exponent) => {
-                let base = self.value(base, indices)?;
-                let power = self.value(exponent, indices)?;
-                builtin::power(&base, &power).or_else(|kind| fail(kind, &expr.span))
-            }
+            Node::Chain(first, rest) => self.chain(first, rest, indices),
+            Node::Power(base, exponent) => self.power(base, exponent, &expr.span, indices),
             Node::Call { function, arguments, options } => {
-                let arguments = arguments
-                    .iter()
-                    .map(|argument| self.value(argument, indices))
-                    .collect::<Result<Vec<V>, FormulaError>>()?;
+                let arguments = self.arguments(arguments, indices)?;
                 self.call(function, &arguments, options, indices)
                     .or_else(|kind| fail(kind, &expr.span))
             }
             Node::Sum { index, from, to, body } => {
                 let first = self.integer("the first index of a sum", from, indices)?;
                 let last = self.integer("the last index of a sum", to, indices)?;
-                let mut total = V::zero();
-                for i in first..=last {
-                    indices.insert(0, (index.clone(), V::from_rational(&Rational::from(i))));
-                    let term = self.value(body, indices);
-                    indices.remove(0);
-                    total = total.plus(&term?);
-                }
-                Ok(total)
+                self.sum(index, first..=last, body, indices)
             }
         }
+    }
+
+    fn chain(
+        &self,
+        first: &Expr,
+        rest: &[(Operator, Expr)],
+        indices: &mut Vec<(String, V)>,
+    ) -> Result<V, FormulaError> {
+        let mut value = self.value(first, indices)?;
+        for (operator, operand) in rest {
+            let right = self.value(operand, indices)?;
+            let result = apply(*operator, &value, &right);
+            value = self.spend(result.or_else(|kind| fail(kind, &operand.span))?, &operand.span)?;
+        }
+        Ok(value)
+    }
+
+    fn power(
+        &self,
+        base: &Expr,
+        exponent: &Expr,
+        span: &Span,
+        indices: &mut Vec<(String, V)>,
+    ) -> Result<V, FormulaError> {
+        let base = self.value(base, indices)?;
+        let exponent = self.value(exponent, indices)?;
+        builtin::power(&base, &exponent).or_else(|kind| fail(kind, span))
+    }
+
+    fn arguments(
+        &self,
+        arguments: &[Expr],
+        indices: &mut Vec<(String, V)>,
+    ) -> Result<Vec<V>, FormulaError> {
+        let mut values = Vec::with_capacity(arguments.len());
+        for argument in arguments {
+            values.push(self.value(argument, indices)?);
+        }
+        Ok(values)
+    }
+
+    fn sum(
+        &self,
+        index: &str,
+        range: std::ops::RangeInclusive<i64>,
+        body: &Expr,
+        indices: &mut Vec<(String, V)>,
+    ) -> Result<V, FormulaError> {
+        let mut total = V::zero();
+        for i in range {
+            indices.insert(0, (index.to_owned(), V::from_rational(&Rational::from(i))));
+            let term = self.value(body, indices);
+            indices.remove(0);
+            total = self.spend(total.plus(&term?), &body.span)?;
+        }
+        Ok(total)
     }
 
     fn name(&self, name: &str, span: &Span, indices: &[(String, V)]) -> Result<V, FormulaError> {

@@ -51,7 +51,8 @@ fn locate(
     error: &FormulaError,
 ) -> Diagnostic {
     let raw = source.text.get(span.clone()).unwrap_or_default();
-    let place = match raw.find(text).filter(|_| !text.is_empty()) {
+    let escapes = raw.starts_with('"') && raw.contains('\\');
+    let place = match raw.find(text).filter(|_| !text.is_empty() && !escapes) {
         Some(quote) => {
             let start = span.start + quote;
             start + error.span.start..start + error.span.end

@@ -26,7 +26,7 @@ mod value;
 
 pub use ast::{Expr, Node, Operator, OptionWord, Span};
 pub use error::{CallError, FormulaError, FormulaErrorKind};
-pub use evaluate::{Call, Context, Lookup, Parameters, evaluate};
+pub use evaluate::{Call, Context, Lookup, Parameters, Work, evaluate};
 pub use located::LocatedFormula;
 pub use parse::{MAX_FORMULA_LENGTH, MAX_NESTING, is_identifier, parse};
 pub use scope::{Functions, Scope};

@@ -197,8 +197,12 @@ fn factor(input: &mut Input<'_>) -> Parsed<Expr> {
 fn primary(input: &mut Input<'_>) -> Parsed<Expr> {
     let next = required("a number, a name or `(`", peek(any)).parse_next(input)?;
     if next == '(' {
-        let close = required("an operator or `)`", symbol(')'));
-        return delimited(symbol('('), nested(expression), close).parse_next(input);
+        let start = input.current_token_start();
+        let close = required("an operator or `)`", ')');
+        let inner = delimited(symbol('('), nested(expression), close).parse_next(input)?;
+        let span = start..input.previous_token_end();
+        space(input)?;
+        return Ok(Expr { node: inner.node, span });
     }
     if next.is_ascii_digit() {
         return located(number).parse_next(input).and_then(|expr| skip_space(input, expr));

@@ -1,7 +1,7 @@
 //! A context of parameters, definitions and functions.
 
 use super::error::CallError;
-use super::evaluate::{Call, Context, Lookup, evaluate_with};
+use super::evaluate::{Call, Context, Lookup, Work, evaluate_with};
 use super::located::LocatedFormula;
 use super::value::Value;
 use std::cell::Cell;
@@ -35,6 +35,7 @@ pub struct Scope<'a, V> {
     definitions: &'a BTreeMap<String, LocatedFormula>,
     functions: &'a dyn Functions<V>,
     depth: Cell<usize>,
+    work: Work,
 }
 
 impl<'a, V: Value> Scope<'a, V> {
@@ -50,6 +51,7 @@ impl<'a, V: Value> Scope<'a, V> {
             definitions,
             functions,
             depth: Cell::new(0),
+            work: Work::default(),
         }
     }
 
@@ -92,6 +94,10 @@ impl<V: Value> Context<V> for Scope<'_, V> {
     fn names(&self) -> Vec<String> {
         let names = self.values.keys().chain(&self.unstated).chain(self.definitions.keys());
         names.cloned().collect::<BTreeSet<String>>().into_iter().collect()
+    }
+
+    fn work(&self) -> Option<&Work> {
+        Some(&self.work)
     }
 
     fn call(&self, call: &Call<'_, V>) -> Result<V, CallError> {

@@ -8,6 +8,10 @@ pub trait Value: Scalar + std::fmt::Display {
     fn as_rational(&self) -> Option<Rational>;
     /// What an operation on this costs, in bits; 0 when it stays small.
     fn size(&self) -> u64;
+    /// What self · other costs, at least the size of the product.
+    fn product_size(&self, other: &Self) -> u64 {
+        self.size().saturating_add(other.size())
+    }
     /// self / divisor, for divisor ≠ 0.
     fn quotient(&self, divisor: &Self) -> Option<Self>;
     /// |self|.
@@ -16,8 +20,8 @@ pub trait Value: Scalar + std::fmt::Display {
     fn larger(&self, other: &Self) -> Option<Self>;
 }
 
-/// What a term of a polynomial counts for: 4 million bits are 40,000 terms.
-const SYMBOLIC_TERM_BITS: u64 = 100;
+/// What a term of a polynomial counts for, beside its coefficient.
+const TERM_BITS: u64 = 10;
 
 impl Value for Rational {
     fn as_rational(&self) -> Option<Rational> {
@@ -42,7 +46,13 @@ impl Value for Polynomial {
         self.as_constant()
     }
     fn size(&self) -> u64 {
-        self.term_count() as u64 * SYMBOLIC_TERM_BITS
+        (self.term_count() as u64 * TERM_BITS + self.bits()).max(self.degree())
+    }
+    fn product_size(&self, other: &Self) -> u64 {
+        let (left, right) = (self.term_count() as u64, other.term_count() as u64);
+        let bits = left.saturating_mul(right.saturating_mul(TERM_BITS) + other.bits());
+        let bits = bits.saturating_add(right.saturating_mul(self.bits()));
+        bits.max(self.degree() + other.degree())
     }
     fn quotient(&self, divisor: &Self) -> Option<Self> {
         Some(self * &Polynomial::constant(divisor.as_constant()?.recip()))
