@@ -67,16 +67,19 @@ fn quantity_row(quantity: &Quantity) -> Vec<String> {
         digits(&quantity.error),
         digits(&quantity.ulps),
         digits(&quantity.bound.and_then(exact)),
-        digits(&quantity.tightness),
+        digits(&quantity.tightness.and_then(exact)),
     ]
 }
 
 fn depth_row(depth: &DepthDecision) -> Vec<String> {
     let level = |level: Option<u32>| level.map_or_else(|| "none".to_owned(), |k| k.to_string());
-    let margin = depth.margin.as_ref().map_or_else(|| "·".to_owned(), |margin| {
-        let before = margin.before.as_ref().map(|before| format!(", {}", short(before, 6)));
-        format!("{}{}", short(&margin.at, 6), before.unwrap_or_default())
-    });
+    let margin = depth.margin.as_ref().map_or_else(
+        || "·".to_owned(),
+        |margin| {
+            let before = margin.before.as_ref().map(|before| format!(", {}", short(before, 6)));
+            format!("{}{}", short(&margin.at, 6), before.unwrap_or_default())
+        },
+    );
     vec![
         depth.block.to_string(),
         short(&depth.tolerance, 6),
@@ -105,7 +108,7 @@ fn json_of(name: &str, result: &Certification) -> Value {
             "ulps": quantity.ulps.as_ref().map(|ulps| short(ulps, 6)),
             "bound": quantity.bound.map(shortest),
             "encloses": quantity.encloses(),
-            "tightness": quantity.tightness.as_ref().map(|tightness| short(tightness, 6)),
+            "tightness": quantity.tightness.and_then(exact).map(|tightness| short(&tightness, 6)),
         })
     });
     let depths = result.depths.iter().map(|depth| {

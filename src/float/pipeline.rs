@@ -22,13 +22,13 @@ impl Arithmetic for Rational {
 
 impl Arithmetic for f64 {
     fn norm(rules: &Rules<f64>, levels: u32) -> Result<f64, ClassCap> {
-        Ok(power_norm_generic(rules, levels, Order::Adjoint)?.value)
+        power_norm_generic(rules, levels, Order::Adjoint)
     }
 }
 
 impl Arithmetic for Tracked {
     fn norm(rules: &Rules<Tracked>, levels: u32) -> Result<Tracked, ClassCap> {
-        Ok(power_norm_generic(rules, levels, Order::Adjoint)?.value)
+        power_norm_generic(rules, levels, Order::Adjoint)
     }
 }
 

@@ -67,7 +67,7 @@ fn depth_of_a_scheme() {
 
 #[test]
 fn certify_a_scheme() {
-    subcert(["certify", "four-point", "-c", "3"])
+    subcert(["certify", "quinary-three-point", "-c", "2"])
         .assert()
         .success()
         .stdout_eq(file!["snapshots/certify.txt"]);
