@@ -2,7 +2,7 @@
 
 use super::library::{Library, Unresolved};
 use super::quantity::Coefficients;
-use crate::claim::{Axis, Equation, EquationBody, Paper};
+use crate::claim::{Axis, Equation, EquationBody, Identity, Paper};
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Polynomial, Scalar};
 use crate::formula::{LocatedFormula, Scope, evaluate};
@@ -79,18 +79,13 @@ pub(super) fn judge<'a>(
     let id = format!("{}:{}", paper.key, equation.id);
     let verdict = match &equation.body {
         EquationBody::NotCheckable(absent) => EquationVerdict::NotCheckable(absent.clone()),
-        EquationBody::Identity { indices, left, .. } => {
+        EquationBody::Identity(identity) => {
             let mut failures = Vec::new();
-            for (case, left) in left.iter().enumerate() {
-                failures.extend(compare(
-                    paper,
-                    equation,
-                    library,
-                    left,
-                    &indices_of(indices, case),
-                )?);
+            for (case, left) in identity.left.iter().enumerate() {
+                let positions = indices_of(&identity.indices, case);
+                failures.extend(compare(paper, identity, library, left, &positions)?);
             }
-            let cases = left.len();
+            let cases = identity.left.len();
             if failures.is_empty() {
                 EquationVerdict::Holds { cases }
             } else {
@@ -118,14 +113,12 @@ fn indices_of(indices: &[Axis], mut case: usize) -> Vec<usize> {
 
 fn compare(
     paper: &Paper,
-    equation: &Equation,
+    identity: &Identity,
     library: &Library<'_>,
     left: &LocatedFormula,
     positions: &[usize],
 ) -> Result<Option<Failure>, Diagnostic> {
-    let EquationBody::Identity { scheme, symbols, indices, right, .. } = &equation.body else {
-        return Ok(None);
-    };
+    let Identity { scheme, symbols, indices, right, .. } = identity;
     let scope = |functions| {
         let mut scope = Scope::new(&paper.definitions, functions);
         for symbol in symbols {
@@ -146,7 +139,7 @@ fn compare(
                     Unresolved::Formula(error) => error.to_string(),
                     Unresolved::Scheme(error) => error.to_string(),
                 };
-                let message = format!("the scheme of `{}`: {message}", equation.id);
+                let message = format!("the scheme of this equation: {message}");
                 Diagnostic::new(&right.source, right.span.clone(), message)
             })?;
             masks.into_iter().next()

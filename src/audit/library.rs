@@ -27,11 +27,14 @@ pub(super) enum Unresolved {
     Scheme(SchemeError),
 }
 
+/// A scheme, and the offset at which it is looked at if not its own.
+type SoundKey = (Vec<Instance>, Option<i64>);
+
 /// The schemes of a paper.
 pub(super) struct Library<'a> {
     paper: &'a Paper,
     constants: RefCell<BTreeMap<Instance, Rc<Constants>>>,
-    sound: RefCell<BTreeMap<(Vec<Instance>, Option<i64>), Rc<SoundBound>>>,
+    sound: RefCell<BTreeMap<SoundKey, Rc<SoundBound>>>,
 }
 
 /// A scheme with the constants of its masks, one per direction.

@@ -2,7 +2,7 @@
 
 use super::library::{Library, Resolved, Unresolved};
 use crate::bound::{
-    Constants, Operator, Order, Rounded, Suprema, Terms, displacement, log_level,
+    ClassCap, Constants, Operator, Order, Rounded, Suprema, Terms, displacement, log_level,
     surface_coefficients,
 };
 use crate::exact::Rational;
@@ -139,7 +139,7 @@ fn unresolved(name: &str, error: Unresolved) -> CallError {
     }
 }
 
-fn undefined(error: impl ToString) -> CallError {
+fn undefined(error: ClassCap) -> CallError {
     CallError::Undefined(error.to_string())
 }
 

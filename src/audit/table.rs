@@ -102,9 +102,10 @@ impl<'a> Judge<'a> {
             scope = scope.with(name, value.clone());
         }
         for (name, value) in &self.assumed {
-            scope = match at.assume.contains(name) {
-                true => scope.with(name, value.clone()),
-                false => scope.with_unstated(name),
+            scope = if at.assume.contains(name) {
+                scope.with(name, value.clone())
+            } else {
+                scope.with_unstated(name)
             };
         }
         for (axis, entry) in self.headers(at.row, at.column) {
@@ -317,9 +318,8 @@ impl<'a> Judge<'a> {
     }
 
     fn sound(&self, promise: &Promise, at: At<'_>) -> Result<Sound, Diagnostic> {
-        let scheme = match self.quantities(at)? {
-            Ok(Quantities { scheme: Some(scheme), .. }) => scheme,
-            _ => return Ok(Sound::None("no scheme is given".to_owned())),
+        let Ok(Quantities { scheme: Some(scheme), .. }) = self.quantities(at)? else {
+            return Ok(Sound::None("no scheme is given".to_owned()));
         };
         let (Promise::Depth { spread, offset, .. } | Promise::Bound { spread, offset, .. }) =
             promise;

@@ -24,18 +24,22 @@ pub struct Equation {
 pub enum EquationBody {
     /// left = right, for every value of the indices and as polynomials in the
     /// symbols.
-    Identity {
-        /// The scheme its functions are about.
-        scheme: Option<Reference>,
-        /// The names that stay symbolic.
-        symbols: Vec<String>,
-        /// The indices, the first one slowest.
-        indices: Vec<Axis>,
-        /// The left side: one formula for each combination of indices, in order.
-        left: Vec<LocatedFormula>,
-        /// The right side, one formula in the indices.
-        right: LocatedFormula,
-    },
+    Identity(Box<Identity>),
     /// Something it needs is absent from the paper: what.
     NotCheckable(String),
+}
+
+/// Two sides that are claimed to be equal.
+#[derive(Clone, Debug)]
+pub struct Identity {
+    /// The scheme its functions are about.
+    pub scheme: Option<Reference>,
+    /// The names that stay symbolic.
+    pub symbols: Vec<String>,
+    /// The indices, the first one slowest.
+    pub indices: Vec<Axis>,
+    /// The left side: one formula for each combination of indices, in order.
+    pub left: Vec<LocatedFormula>,
+    /// The right side, one formula in the indices.
+    pub right: LocatedFormula,
 }

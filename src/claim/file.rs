@@ -1,6 +1,6 @@
 //! Reading claim files.
 
-use super::equation::{Equation, EquationBody};
+use super::equation::{Equation, EquationBody, Identity};
 use super::paper::{Bibliography, Paper, SchemeSource};
 use super::table::{Axis, AxisEntry, Cell, Printed, Promise, Table};
 use crate::diagnostic::{Diagnostic, SourceText, read_text};
@@ -378,7 +378,9 @@ impl Reader<'_> {
 
     fn equation(&self, table: &EquationTable) -> Result<Equation, Diagnostic> {
         let body = match (&table.left, &table.right, &table.absent) {
-            (Some(left), Some(right), None) => self.identity(table, left, right)?,
+            (Some(left), Some(right), None) => {
+                EquationBody::Identity(Box::new(self.identity(table, left, right)?))
+            }
             (None, None, Some(absent)) => EquationBody::NotCheckable(absent.clone()),
             _ => {
                 return Err(self
@@ -403,7 +405,7 @@ impl Reader<'_> {
         table: &EquationTable,
         left: &Spanned<Vec<Spanned<String>>>,
         right: &Spanned<String>,
-    ) -> Result<EquationBody, Diagnostic> {
+    ) -> Result<Identity, Diagnostic> {
         let indices =
             table.indices.iter().map(|axis| self.axis(axis)).collect::<Result<Vec<Axis>, _>>()?;
         let count: usize = indices.iter().map(|axis| axis.entries.len()).product();
@@ -415,7 +417,7 @@ impl Reader<'_> {
                 .with_help("give one left side for each combination, the first index slowest"));
         }
         let symbols = table.symbols.iter().map(|symbol| identifier(self.source, symbol));
-        Ok(EquationBody::Identity {
+        Ok(Identity {
             scheme: table.scheme.as_ref().map(|text| self.reference(text)).transpose()?,
             symbols: symbols.collect::<Result<_, _>>()?,
             indices,

@@ -23,7 +23,7 @@ impl Sheet {
         for (i, block) in self.blocks.iter().enumerate() {
             let after_heading =
                 i > 0 && matches!(self.blocks[i - 1], Block::Heading(..) | Block::Text(_));
-            if i > 0 && !(after_heading && !matches!(block, Block::Heading(..))) {
+            if i > 0 && (!after_heading || matches!(block, Block::Heading(..))) {
                 out.push('\n');
             }
             match block {
