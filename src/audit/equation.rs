@@ -2,6 +2,7 @@
 
 use super::library::{Library, Unresolved};
 use super::quantity::Coefficients;
+use super::table::scheme_error;
 use crate::claim::{Axis, Equation, EquationBody, Identity, Paper};
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Polynomial, Scalar};
@@ -133,14 +134,14 @@ fn compare(
     let none = Coefficients { library, mask: None };
     let mask: Option<Mask<Polynomial>> = match scheme {
         None => None,
-        Some(reference) => {
-            let masks = library.masks(reference, &scope(&none)).map_err(|error| {
-                let message = match error {
-                    Unresolved::Formula(error) => error.to_string(),
-                    Unresolved::Scheme(error) => error.to_string(),
-                };
-                let message = format!("the scheme of this equation: {message}");
-                Diagnostic::new(&right.source, right.span.clone(), message)
+        Some(located) => {
+            let masks = library.masks(&located.reference, &scope(&none));
+            let masks = masks.map_err(|error| match error {
+                Unresolved::Scheme(error) => scheme_error(located, &error),
+                Unresolved::Formula(error) => {
+                    let message = format!("in its parameters: {error}");
+                    Diagnostic::new(&located.source, located.span.clone(), message)
+                }
             })?;
             masks.into_iter().next()
         }

@@ -5,10 +5,11 @@ use super::finding::{Assumed, CellFinding, Direction, Missing, Sound, Verdict};
 use super::library::{Library, Unresolved};
 use super::quantity::Quantities;
 use crate::bound::Rounded;
-use crate::claim::{Axis, AxisEntry, Cell, Paper, Printed, Promise, Table};
+use crate::claim::{Axis, AxisEntry, Cell, LocatedReference, Paper, Printed, Promise, Table};
 use crate::diagnostic::Diagnostic;
 use crate::exact::Rational;
 use crate::formula::{FormulaError, FormulaErrorKind, LocatedFormula, Parameters, Scope, evaluate};
+use crate::scheme::SchemeError;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What the audit says of a table.
@@ -128,41 +129,29 @@ impl<'a> Judge<'a> {
     fn quantities(&self, at: At<'_>) -> Result<Result<Quantities<'a>, Outcome>, Diagnostic> {
         let mut quantities =
             Quantities { library: self.library, scheme: None, rounded: at.rounded };
-        let Some(reference) = &self.table.scheme else { return Ok(Ok(quantities)) };
-        let resolved = self.library.resolve(reference, &self.scope(at, &quantities));
-        match resolved {
+        let Some(located) = &self.table.scheme else { return Ok(Ok(quantities)) };
+        let LocatedReference { reference, source, span } = located;
+        match self.library.resolve(reference, &self.scope(at, &quantities)) {
             Ok(scheme) => {
                 quantities.scheme = Some(scheme);
                 Ok(Ok(quantities))
             }
-            Err(Unresolved::Formula(error)) => self.sort(error, None).map(Err),
-            Err(Unresolved::Scheme(error)) => {
-                let span = self.table.value.span.clone();
-                let message = format!("the scheme of `{}`: {error}", self.table.id);
-                Err(Diagnostic::new(&self.table.value.source, span, message))
-            }
+            Err(Unresolved::Formula(error)) => Self::sort(error).map(Err).map_err(|error| {
+                Diagnostic::new(source, span.clone(), format!("in its parameters: {error}"))
+            }),
+            Err(Unresolved::Scheme(error)) => Err(scheme_error(located, &error)),
         }
     }
 
     /// A formula error that is a finding, or one that is the claim file's.
-    fn sort(
-        &self,
-        error: FormulaError,
-        formula: Option<&LocatedFormula>,
-    ) -> Result<Outcome, Diagnostic> {
+    fn sort(error: FormulaError) -> Result<Outcome, FormulaError> {
         match error.kind {
             FormulaErrorKind::Unstated(name) => Ok(Outcome::Unstated(name)),
             FormulaErrorKind::Undefined(why) => Ok(Outcome::Undefined(why)),
             FormulaErrorKind::DivisionByZero => {
                 Ok(Outcome::Undefined("the definition divides by zero".to_owned()))
             }
-            _ => Err(formula.map_or_else(
-                || {
-                    let (source, span) = (&self.table.value.source, self.table.value.span.clone());
-                    Diagnostic::new(source, span, format!("in the scheme's parameters: {error}"))
-                },
-                |formula| formula.diagnostic(&error),
-            )),
+            _ => Err(error),
         }
     }
 
@@ -173,7 +162,7 @@ impl<'a> Judge<'a> {
         };
         match evaluate(&formula.expr, &self.scope(at, &quantities)) {
             Ok(value) => Ok(Outcome::Value(value)),
-            Err(error) => self.sort(error, Some(formula)),
+            Err(error) => Self::sort(error).map_err(|error| formula.diagnostic(&error)),
         }
     }
 
@@ -372,6 +361,15 @@ impl<'a> Judge<'a> {
             let message = format!("an integer from -10000 to 10000 is needed, and this is {value}");
             Diagnostic::new(&formula.source, formula.span.clone(), message)
         })
+    }
+}
+
+/// An error of a scheme, at the place that names it or, for a scheme of the claim
+/// file's own, inside it.
+pub(super) fn scheme_error(located: &LocatedReference, error: &SchemeError) -> Diagnostic {
+    match error {
+        SchemeError::File(inner) if inner.source == located.source => (**inner).clone(),
+        other => Diagnostic::new(&located.source, located.span.clone(), other.to_string()),
     }
 }
 

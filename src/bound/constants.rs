@@ -96,6 +96,16 @@ impl Constants {
         }
     }
 
+    /// The constant of the tensor product of this scheme with `other`, along this
+    /// one's direction and c levels: T_c of this times Λ_c of the other.
+    ///
+    /// # Errors
+    /// When there are too many residue classes.
+    pub fn tensor_with(&self, other: &Constants, c: u32) -> Result<Rational, ClassCap> {
+        Ok(self.norm(Operator::Difference, c, Order::Adjoint)?
+            * other.norm(Operator::Scheme, c, Order::Adjoint)?)
+    }
+
     fn once(
         &self,
         key: Key,

@@ -2,6 +2,7 @@
 
 mod constants;
 mod contraction;
+mod delta;
 mod depth;
 mod displacement;
 mod sound;
@@ -11,6 +12,7 @@ pub use constants::{Constants, Operator, Suprema};
 pub use contraction::{
     ClassCap, MAX_CLASSES, Order, PowerNorm, joint_norm, power_norm, power_norm_generic,
 };
+pub use delta::DeltaCondition;
 pub use depth::{DepthError, MAX_DEPTH, Rounded, least_level, log_level};
 pub use displacement::{Terms, best_offset, displacement};
 pub use sound::{SoundBound, SoundDepth};

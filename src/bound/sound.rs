@@ -58,12 +58,8 @@ impl SoundBound {
         second: &Constants,
         max_block: u32,
     ) -> Result<SoundBound, ClassCap> {
-        let along = |one: &Constants, other: &Constants, c| {
-            Ok(one.norm(Operator::Difference, c, Order::Adjoint)?
-                * other.norm(Operator::Scheme, c, Order::Adjoint)?)
-        };
         let exact = (0..=max_block)
-            .map(|c| Ok(along(first, second, c)?.max(along(second, first, c)?)))
+            .map(|c| Ok(first.tensor_with(second, c)?.max(second.tensor_with(first, c)?)))
             .collect::<Result<Vec<Rational>, ClassCap>>()?;
         Ok(SoundBound { factor: surface_factor(first.mask(), second.mask()), exact })
     }

@@ -1,8 +1,7 @@
 //! Equations between formulas.
 
-use super::table::Axis;
+use super::table::{Axis, LocatedReference};
 use crate::formula::LocatedFormula;
-use crate::scheme::Reference;
 
 /// An equation, or a list of equations with indices.
 #[derive(Clone, Debug)]
@@ -33,7 +32,7 @@ pub enum EquationBody {
 #[derive(Clone, Debug)]
 pub struct Identity {
     /// The scheme its functions are about.
-    pub scheme: Option<Reference>,
+    pub scheme: Option<LocatedReference>,
     /// The names that stay symbolic.
     pub symbols: Vec<String>,
     /// The indices, the first one slowest.

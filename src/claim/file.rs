@@ -2,7 +2,7 @@
 
 use super::equation::{Equation, EquationBody, Identity};
 use super::paper::{Bibliography, Paper, SchemeSource};
-use super::table::{Axis, AxisEntry, Cell, Printed, Promise, Table};
+use super::table::{Axis, AxisEntry, Cell, LocatedReference, Printed, Promise, Table};
 use crate::diagnostic::{Diagnostic, SourceText, read_text};
 use crate::exact::{parse_decimal, parse_rational};
 use crate::formula::LocatedFormula;
@@ -264,6 +264,11 @@ impl Reader<'_> {
         Reference::parse(text.get_ref()).map_err(|error| self.error(text.span(), error.to_string()))
     }
 
+    fn located(&self, text: &Spanned<String>) -> Result<LocatedReference, Diagnostic> {
+        let (source, span) = (Arc::clone(self.source), text.span());
+        Ok(LocatedReference { reference: self.reference(text)?, source, span })
+    }
+
     fn optional(
         &self,
         text: Option<&Spanned<String>>,
@@ -364,7 +369,7 @@ impl Reader<'_> {
             id: table.id.get_ref().clone(),
             locus: table.locus.clone(),
             title: table.title.clone(),
-            scheme: table.scheme.as_ref().map(|text| self.reference(text)).transpose()?,
+            scheme: table.scheme.as_ref().map(|text| self.located(text)).transpose()?,
             value: formula(self.source, &table.value)?,
             promise: table.promise.as_ref().map(|promise| self.promise(promise)).transpose()?,
             cells: self.cells(table, shape)?,
@@ -418,7 +423,7 @@ impl Reader<'_> {
         }
         let symbols = table.symbols.iter().map(|symbol| identifier(self.source, symbol));
         Ok(Identity {
-            scheme: table.scheme.as_ref().map(|text| self.reference(text)).transpose()?,
+            scheme: table.scheme.as_ref().map(|text| self.located(text)).transpose()?,
             symbols: symbols.collect::<Result<_, _>>()?,
             indices,
             left: left

@@ -14,4 +14,4 @@ pub use embedded::{EmbeddedPaper, embedded, embedded_papers};
 pub use equation::{Equation, EquationBody, Identity};
 pub use file::{MAX_CLAIM_FILE_BYTES, read_paper, read_paper_file};
 pub use paper::{Bibliography, Paper, SchemeSource};
-pub use table::{Axis, AxisEntry, Cell, Printed, Promise, Table};
+pub use table::{Axis, AxisEntry, Cell, LocatedReference, Printed, Promise, Table};

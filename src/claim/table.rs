@@ -1,10 +1,12 @@
 //! A table and its cells as printed.
 
+use crate::diagnostic::SourceText;
 use crate::exact::{Decimal, Rational};
 use crate::formula::LocatedFormula;
 use crate::scheme::Reference;
 use std::collections::BTreeMap;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// A table: its printed cells, and the formula they are said to equal.
 #[derive(Clone, Debug)]
@@ -16,7 +18,7 @@ pub struct Table {
     /// What it shows.
     pub title: String,
     /// The scheme its functions are about; parameters may depend on the cell.
-    pub scheme: Option<Reference>,
+    pub scheme: Option<LocatedReference>,
     /// What each cell is said to equal.
     pub value: LocatedFormula,
     /// What a cell promises beyond its value.
@@ -42,6 +44,17 @@ impl Table {
     pub fn cell_count(&self) -> usize {
         self.cells.iter().map(Vec::len).sum()
     }
+}
+
+/// A scheme reference and its place in the claim file.
+#[derive(Clone, Debug)]
+pub struct LocatedReference {
+    /// The reference.
+    pub reference: Reference,
+    /// The file.
+    pub source: Arc<SourceText>,
+    /// The bytes that it takes, quotes included.
+    pub span: Range<usize>,
 }
 
 /// What a cell promises: a distance that is small enough, or a level that is

@@ -5,7 +5,8 @@ use super::arguments::ConstantsArguments;
 use super::output::{Failure, show};
 use serde_json::{Value, json};
 use subcert::bound::{
-    ClassCap, Constants, Operator, Order, Suprema, Terms, best_offset, displacement, surface_factor,
+    ClassCap, Constants, DeltaCondition, Operator, Order, Terms, best_offset, displacement,
+    surface_factor,
 };
 use subcert::exact::{Rational, format::short};
 use subcert::report::{Grid, Sheet, exact_json};
@@ -22,11 +23,18 @@ pub(super) fn constants(arguments: &ConstantsArguments) -> Outcome {
 /// The constants of a scheme, computed once for every format.
 struct Report {
     directions: Vec<Direction>,
-    /// For a tensor product: the factor, and C_c for each c.
-    surface: Option<(Rational, Vec<Rational>)>,
+    surface: Option<Surface>,
+}
+
+/// A tensor product: the factor, δ, and C_c for each c.
+struct Surface {
+    factor: Rational,
+    delta: DeltaCondition,
+    constants: Vec<Rational>,
 }
 
 struct Direction {
+    delta: DeltaCondition,
     mask: Mask,
     difference: Rules,
     /// For each c = 1, 2, …: T_c and Λ_c in adjoint and in forward order.
@@ -48,25 +56,15 @@ impl Report {
         let surface = match &constants[..] {
             [first, second] => {
                 let factor = surface_factor(first.mask(), second.mask());
-                let row = |c| tensor(first, second, c);
-                Some((factor, (1..=levels).map(row).collect::<Result<Vec<_>, _>>()?))
+                let row = |c| Ok(first.tensor_with(second, c)?.max(second.tensor_with(first, c)?));
+                let delta = DeltaCondition::surface(first, second)?;
+                let constants = (1..=levels).map(row).collect::<Result<Vec<_>, _>>()?;
+                Some(Surface { factor, delta, constants })
             }
             _ => None,
         };
         Ok(Report { directions, surface })
     }
-}
-
-/// C_c: the greater of the constants along the two directions.
-fn tensor(first: &Constants, second: &Constants, c: u32) -> Result<Rational, ClassCap> {
-    if first.mask() == second.mask() {
-        return first.tensor(c, Order::Adjoint, Suprema::Independent);
-    }
-    let along = |one: &Constants, other: &Constants| {
-        let contraction = one.norm(Operator::Difference, c, Order::Adjoint)?;
-        Ok(contraction * other.norm(Operator::Scheme, c, Order::Adjoint)?)
-    };
-    Ok(along(first, second)?.max(along(second, first)?))
 }
 
 impl Direction {
@@ -91,7 +89,8 @@ impl Direction {
         ];
         let difference = constants.difference().clone();
         let rows = (1..=levels).map(row).collect::<Result<Vec<_>, _>>()?;
-        Ok(Direction { mask, difference, rows, sigma })
+        let delta = DeltaCondition::curve(constants)?;
+        Ok(Direction { delta, mask, difference, rows, sigma })
     }
 }
 
@@ -105,9 +104,12 @@ impl Report {
             }
             direction.write(&mut sheet);
         }
-        if let Some((factor, constants)) = &self.surface {
+        if let Some(Surface { factor, delta, constants }) = &self.surface {
             sheet.heading(2, "Tensor product");
-            let mut facts = vec![("factor σ of the surface".to_owned(), with_decimal(factor))];
+            let mut facts = vec![
+                ("factor σ of the surface".to_owned(), with_decimal(factor)),
+                ("δ = T_1·Λ_1".to_owned(), delta_text(delta)),
+            ];
             facts.extend(
                 (1..)
                     .zip(constants)
@@ -119,9 +121,10 @@ impl Report {
     }
 
     fn json(&self, name: &str) -> Value {
-        let surface = self.surface.as_ref().map(|(factor, constants)| {
+        let surface = self.surface.as_ref().map(|Surface { factor, delta, constants }| {
             json!({
                 "factor": exact_json(factor),
+                "delta": delta_json(delta),
                 "constants": constants.iter().map(exact_json).collect::<Vec<Value>>(),
             })
         });
@@ -144,6 +147,17 @@ fn with_decimal(value: &Rational) -> String {
     }
 }
 
+fn delta_text(condition: &DeltaCondition) -> String {
+    let holds = if condition.holds() { "< 1: one level contracts" } else { "not < 1" };
+    format!("{}, {holds}", with_decimal(&condition.delta))
+}
+
+fn delta_json(condition: &DeltaCondition) -> Value {
+    let mut value = exact_json(&condition.delta);
+    value["holds"] = json!(condition.holds());
+    value
+}
+
 fn rows_json(rows: &[Vec<Rational>]) -> Vec<Vec<String>> {
     rows.iter().map(|row| row.iter().map(Rational::to_string).collect()).collect()
 }
@@ -155,6 +169,7 @@ impl Direction {
             ("mask".to_owned(), rules_text(self.mask.rules().rows())),
             ("difference mask".to_owned(), rules_text(self.difference.rows())),
         ];
+        facts.push(("δ = T_1".to_owned(), delta_text(&self.delta)));
         facts.extend(self.sigma.iter().map(|(name, value)| (name.clone(), with_decimal(value))));
         sheet.facts(facts);
         let header = ["c", "T_c", "Λ_c", "T_c forward", "Λ_c forward"].map(str::to_owned).to_vec();
@@ -189,6 +204,7 @@ impl Direction {
             "offset": self.mask.offset(),
             "mask": rows_json(self.mask.rules().rows()),
             "difference": rows_json(self.difference.rows()),
+            "delta": delta_json(&self.delta),
             "displacement": sigma.collect::<Vec<Value>>(),
             "levels": rows.collect::<Vec<Value>>(),
         })

@@ -98,7 +98,7 @@ fn one_table(sheet: &mut Sheet, audit: &PaperAudit<'_>, finding: &TableFinding<'
     sheet.heading(2, format!("{} · {}", table.locus, table.title));
     let mut facts = Vec::new();
     if let Some(scheme) = &table.scheme {
-        facts.push(("scheme".to_owned(), scheme.to_string()));
+        facts.push(("scheme".to_owned(), scheme.reference.to_string()));
     }
     facts.push(("said to equal".to_owned(), spelled_out(audit, &table.value.text)));
     sheet.facts(facts);

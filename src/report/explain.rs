@@ -39,7 +39,7 @@ pub fn explain_sheet(audits: &[PaperAudit<'_>], id: &str) -> Option<Sheet> {
 fn definition(sheet: &mut Sheet, audit: &PaperAudit<'_>, finding: &TableFinding<'_>) {
     let mut facts = Vec::new();
     if let Some(scheme) = &finding.table.scheme {
-        facts.push(("scheme".to_owned(), scheme.to_string()));
+        facts.push(("scheme".to_owned(), scheme.reference.to_string()));
     }
     facts.push(("said to equal".to_owned(), finding.table.value.text.clone()));
     let definitions = audit.paper.definitions.iter();
