@@ -4,7 +4,7 @@ use crate::strategy::{largest_row_sum, scheme, two};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use std::cell::Cell;
-use subcert::bound::{Constants, Operator, Order, Suprema, Terms, displacement};
+use subcert::bound::{Constants, DepthError, Operator, Order, Suprema, Terms, displacement};
 use subcert::exact::{Rational, parse_rational};
 use subcert::float::{
     Certification, CertifyError, CertifyOptions, MAX_CERTIFIED_LEVEL, certify, float_depth, nearest,
@@ -236,4 +236,22 @@ fn a_cap_on_what_is_tracked() {
     assert_eq!((quantity.bound, quantity.encloses()), (None, None));
     assert!(nearest(quantity.error.as_ref().unwrap()) < 1e-15);
     assert!(found.quantity("T_4").unwrap().bound.is_some());
+}
+
+/// σ = 1/2 − w and T_1 = 1 − 2w of the corner cutting [1−w, w], [w, 1−w] give depths of
+/// about ln(4w·ε)/(−2w).
+#[test]
+fn deep_levels() {
+    let rules: &[&[&str]] = &[&["9999/10000", "1/10000"], &["1/10000", "9999/10000"]];
+    let tolerances = vec![Rational::new(1, 64), Rational::power_of_ten(-40)];
+    let options = CertifyOptions { max_block: 1, tolerances, ..CertifyOptions::default() };
+    let found = certify(&curve(rules), &options).unwrap();
+    let deep = &found.depths[0];
+    let level = *deep.exact.as_ref().unwrap();
+    assert!((50_000..65_000).contains(&level), "{level}");
+    assert_eq!((deep.float, deep.agree, &deep.margin), (Some(level), Some(true), &None));
+    // Beyond the caps nothing is decided, and nothing said.
+    let beyond = &found.depths[1];
+    assert_eq!(beyond.exact, Err(DepthError::TooDeep));
+    assert_eq!((beyond.agree, beyond.float, &beyond.margin), (None, None, &None));
 }
