@@ -30,7 +30,8 @@ macro_rules! assert_within_ulps {
 }
 
 /// Asserts the same of every pair of a slice of f64 and one of exact values:
-/// [`check_slice_within_ulps`](crate::oracle::check_slice_within_ulps).
+/// [`check_slice_within_ulps`](crate::oracle::check_slice_within_ulps). Both may be arrays,
+/// vectors, slices, or references to them.
 ///
 /// ```
 /// use subcert::assert_slice_within_ulps;
@@ -46,12 +47,12 @@ macro_rules! assert_within_ulps {
 #[macro_export]
 macro_rules! assert_slice_within_ulps {
     ($values:expr, $exact:expr, $ulps:expr $(,)?) => {
-        if let Err(mismatch) = $crate::oracle::check_slice_within_ulps(&$values, &$exact, $ulps) {
+        if let Err(mismatch) = $crate::oracle::check_slice_within_ulps(&$values[..], &$exact[..], $ulps) {
             panic!("{mismatch}");
         }
     };
     ($values:expr, $exact:expr, $ulps:expr, $($message:tt)+) => {
-        if let Err(mismatch) = $crate::oracle::check_slice_within_ulps(&$values, &$exact, $ulps) {
+        if let Err(mismatch) = $crate::oracle::check_slice_within_ulps(&$values[..], &$exact[..], $ulps) {
             panic!("{}: {mismatch}", format_args!($($message)+));
         }
     };
