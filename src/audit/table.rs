@@ -1,7 +1,7 @@
 //! Judging a table.
 
 use super::compare;
-use super::finding::{Assumed, CellFinding, Direction, Missing, Sound, Verdict};
+use super::finding::{Assumed, CellFinding, Direction, Missing, Verdict};
 use super::library::{Library, Unresolved};
 use super::quantity::Quantities;
 use crate::bound::Rounded;
@@ -38,23 +38,23 @@ pub(super) fn judge<'a>(
 }
 
 /// A value of the claim file's formula, or what stands in its way.
-enum Outcome {
+pub(super) enum Outcome {
     Value(Rational),
     Unstated(String),
     Undefined(String),
 }
 
-struct Judge<'a> {
-    paper: &'a Paper,
-    table: &'a Table,
-    library: &'a Library<'a>,
-    given: BTreeMap<String, Rational>,
-    assumed: BTreeMap<String, Rational>,
+pub(super) struct Judge<'a> {
+    pub(super) paper: &'a Paper,
+    pub(super) table: &'a Table,
+    pub(super) library: &'a Library<'a>,
+    pub(super) given: BTreeMap<String, Rational>,
+    pub(super) assumed: BTreeMap<String, Rational>,
 }
 
 /// One cell's place, and how it is looked at.
 #[derive(Clone, Copy)]
-struct At<'n> {
+pub(super) struct At<'n> {
     row: usize,
     column: usize,
     /// The unstated parameters that get their assumed values.
@@ -63,7 +63,7 @@ struct At<'n> {
 }
 
 #[derive(Clone, Copy)]
-enum Assume<'n> {
+pub(super) enum Assume<'n> {
     Only(&'n BTreeSet<String>),
     All,
 }
@@ -126,7 +126,10 @@ impl<'a> Judge<'a> {
     }
 
     /// The quantities of this cell's scheme.
-    fn quantities(&self, at: At<'_>) -> Result<Result<Quantities<'a>, Outcome>, Diagnostic> {
+    pub(super) fn quantities(
+        &self,
+        at: At<'_>,
+    ) -> Result<Result<Quantities<'a>, Outcome>, Diagnostic> {
         let mut quantities =
             Quantities { library: self.library, scheme: None, rounded: at.rounded };
         let Some(located) = &self.table.scheme else { return Ok(Ok(quantities)) };
@@ -155,7 +158,11 @@ impl<'a> Judge<'a> {
         }
     }
 
-    fn evaluate(&self, formula: &LocatedFormula, at: At<'_>) -> Result<Outcome, Diagnostic> {
+    pub(super) fn evaluate(
+        &self,
+        formula: &LocatedFormula,
+        at: At<'_>,
+    ) -> Result<Outcome, Diagnostic> {
         let quantities = match self.quantities(at)? {
             Ok(quantities) => quantities,
             Err(outcome) => return Ok(outcome),
@@ -279,89 +286,6 @@ impl<'a> Judge<'a> {
             }
         }
     }
-
-    fn judge_promise(
-        &self,
-        cell: &Cell,
-        at: At<'_>,
-        finding: &mut CellFinding,
-    ) -> Result<(), Diagnostic> {
-        let Some(promise) = &self.table.promise else { return Ok(()) };
-        let printed = match cell {
-            Cell::Lost => None,
-            Cell::Printed(printed) => Some(printed.decimal.value()),
-        };
-        if let (Some(printed), Some(exact)) = (&printed, &finding.exact) {
-            finding.kept_by_formula = Some(printed >= exact);
-        }
-        let sound = self.sound(promise, at)?;
-        if let Some(printed) = printed {
-            finding.kept_by_sound = match &sound {
-                Sound::Depth { level, .. } => Some(printed >= Rational::from(*level)),
-                Sound::Bound(bound) => Some(printed >= *bound),
-                Sound::None(_) => None,
-            };
-        }
-        finding.sound = Some(sound);
-        Ok(())
-    }
-
-    fn sound(&self, promise: &Promise, at: At<'_>) -> Result<Sound, Diagnostic> {
-        let Ok(Quantities { scheme: Some(scheme), .. }) = self.quantities(at)? else {
-            return Ok(Sound::None("no scheme is given".to_owned()));
-        };
-        let (Promise::Depth { spread, offset, .. } | Promise::Bound { spread, offset, .. }) =
-            promise;
-        let offset = match offset {
-            None => None,
-            Some(formula) => Some(self.integer(formula, at)?),
-        };
-        let bound = match self.library.sound_bound(&scheme, offset) {
-            Ok(bound) => bound,
-            Err(error) => return Ok(Sound::None(error.to_string())),
-        };
-        let spread = self.number(spread, at)?;
-        match promise {
-            Promise::Depth { tolerance, .. } => {
-                let tolerance = self.number(tolerance, at)?;
-                Ok(match bound.depth(&spread, &tolerance) {
-                    Ok(depth) => Sound::Depth { level: depth.level, block: depth.block },
-                    Err(error) => Sound::None(error.to_string()),
-                })
-            }
-            Promise::Bound { level, .. } => {
-                let level = self.integer(level, at)?;
-                let last = u32::try_from(level).ok().filter(|level| *level <= MAX_BOUND_LEVEL);
-                let bounds = last.and_then(|last| bound.levels(last));
-                Ok(match bounds.as_ref().and_then(|bounds| bounds.last()) {
-                    Some(bound) => Sound::Bound(bound * &spread),
-                    None => Sound::None("no constant of the scheme is below 1".to_owned()),
-                })
-            }
-        }
-    }
-
-    /// The value of a formula of a promise, which must have one.
-    fn number(&self, formula: &LocatedFormula, at: At<'_>) -> Result<Rational, Diagnostic> {
-        let refuse =
-            |message: String| Err(Diagnostic::new(&formula.source, formula.span.clone(), message));
-        match self.evaluate(formula, at)? {
-            Outcome::Value(value) => Ok(value),
-            Outcome::Unstated(name) => refuse(format!(
-                "`{name}` has no value here; list it only where the table's value needs it too"
-            )),
-            Outcome::Undefined(why) => refuse(why),
-        }
-    }
-
-    fn integer(&self, formula: &LocatedFormula, at: At<'_>) -> Result<i64, Diagnostic> {
-        let value = self.number(formula, at)?;
-        let integer = value.numerator().to_i64().filter(|value| value.abs() <= 10_000);
-        integer.filter(|_| value.is_integer()).ok_or_else(|| {
-            let message = format!("an integer from -10000 to 10000 is needed, and this is {value}");
-            Diagnostic::new(&formula.source, formula.span.clone(), message)
-        })
-    }
 }
 
 /// An error of a scheme, at the place that names it or, for a scheme of the claim
@@ -372,6 +296,3 @@ pub(super) fn scheme_error(located: &LocatedReference, error: &SchemeError) -> D
         other => Diagnostic::new(&located.source, located.span.clone(), other.to_string()),
     }
 }
-
-/// The highest level at which a bound is computed.
-const MAX_BOUND_LEVEL: u32 = 1_000;

@@ -7,6 +7,7 @@ mod depth;
 mod displacement;
 mod sound;
 mod surface;
+mod walk;
 
 pub use constants::{Constants, Operator, Suprema};
 pub use contraction::{

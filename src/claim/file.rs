@@ -1,6 +1,9 @@
 //! Reading claim files.
 
 use super::equation::{Equation, EquationBody, Identity};
+use super::fields::{
+    AxisTable, CellsField, EquationTable, NumberField, PaperFile, PromiseTable, TableTable,
+};
 use super::paper::{Bibliography, Paper, SchemeSource};
 use super::table::{Axis, AxisEntry, Cell, LocatedReference, Printed, Promise, Table};
 use crate::diagnostic::{Diagnostic, SourceText, read_text};
@@ -8,10 +11,7 @@ use crate::exact::{parse_decimal, parse_rational};
 use crate::formula::LocatedFormula;
 use crate::scheme::Reference;
 use crate::scheme::{SchemeTable, definitions, formula, from_toml, identifier};
-use serde::Deserialize;
-use serde::de::{MapAccess, Visitor};
 use std::collections::{BTreeMap, BTreeSet};
-use std::fmt;
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
@@ -19,160 +19,6 @@ use toml::Spanned;
 
 /// The largest claim file that is read, in bytes.
 pub const MAX_CLAIM_FILE_BYTES: u64 = 4 << 20;
-
-type Formulas = BTreeMap<Spanned<String>, Spanned<String>>;
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct PaperFile {
-    key: Spanned<String>,
-    paper: BibliographyTable,
-    #[serde(default)]
-    define: Formulas,
-    #[serde(default)]
-    given: Formulas,
-    #[serde(default)]
-    scheme: Vec<SchemeTable>,
-    #[serde(default)]
-    table: Vec<TableTable>,
-    #[serde(default)]
-    equation: Vec<EquationTable>,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct BibliographyTable {
-    authors: Vec<String>,
-    title: String,
-    venue: String,
-    year: String,
-    doi: Option<String>,
-    note: Option<String>,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct TableTable {
-    id: Spanned<String>,
-    locus: String,
-    #[serde(default)]
-    title: String,
-    scheme: Option<Spanned<String>>,
-    value: Spanned<String>,
-    promise: Option<Spanned<PromiseTable>>,
-    rows: Option<AxisTable>,
-    columns: AxisTable,
-    cells: Spanned<CellsField>,
-    #[serde(default)]
-    given: Formulas,
-    #[serde(default)]
-    unstated: Formulas,
-    note: Option<String>,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct PromiseTable {
-    tolerance: Option<Spanned<String>>,
-    level: Option<Spanned<String>>,
-    spread: Spanned<String>,
-    offset: Option<Spanned<String>>,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct AxisTable {
-    name: Spanned<String>,
-    label: Option<String>,
-    values: Spanned<Vec<Spanned<NumberField>>>,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct EquationTable {
-    id: Spanned<String>,
-    locus: String,
-    #[serde(default)]
-    title: String,
-    scheme: Option<Spanned<String>>,
-    #[serde(default)]
-    symbols: Vec<Spanned<String>>,
-    #[serde(default)]
-    indices: Vec<AxisTable>,
-    left: Option<Spanned<Vec<Spanned<String>>>>,
-    right: Option<Spanned<String>>,
-    absent: Option<String>,
-    note: Option<String>,
-}
-
-/// `"0.742"`, or `{ printed = "h1.69e-4", read = "1.69e-4", note = "…" }`.
-#[derive(Debug)]
-struct NumberField {
-    printed: String,
-    read: Option<String>,
-    note: Option<String>,
-}
-
-impl<'de> Deserialize<'de> for NumberField {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<NumberField, D::Error> {
-        #[derive(Deserialize)]
-        #[serde(deny_unknown_fields)]
-        struct Corrected {
-            printed: String,
-            read: String,
-            note: String,
-        }
-        struct Either;
-        impl<'de> Visitor<'de> for Either {
-            type Value = NumberField;
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a number in quotes, or { printed = …, read = …, note = … }")
-            }
-            fn visit_str<E>(self, text: &str) -> Result<NumberField, E> {
-                Ok(NumberField { printed: text.to_owned(), read: None, note: None })
-            }
-            fn visit_map<M: MapAccess<'de>>(self, map: M) -> Result<NumberField, M::Error> {
-                let fields = serde::de::value::MapAccessDeserializer::new(map);
-                let Corrected { printed, read, note } = Corrected::deserialize(fields)?;
-                Ok(NumberField { printed, read: Some(read), note: Some(note) })
-            }
-        }
-        deserializer.deserialize_any(Either)
-    }
-}
-
-/// Rows of cells, or `"lost"` when the source has none of them.
-#[derive(Debug)]
-enum CellsField {
-    Lost,
-    Rows(Vec<Spanned<Vec<Spanned<NumberField>>>>),
-}
-
-impl<'de> Deserialize<'de> for CellsField {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<CellsField, D::Error> {
-        struct Either;
-        impl<'de> Visitor<'de> for Either {
-            type Value = CellsField;
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("rows of cells such as [['0.68', '0.31'], …], or \"lost\"")
-            }
-            fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<CellsField, E> {
-                if text == "lost" {
-                    return Ok(CellsField::Lost);
-                }
-                Err(E::invalid_value(serde::de::Unexpected::Str(text), &self))
-            }
-            fn visit_seq<S: serde::de::SeqAccess<'de>>(
-                self,
-                rows: S,
-            ) -> Result<CellsField, S::Error> {
-                let rows = serde::de::value::SeqAccessDeserializer::new(rows);
-                Vec::deserialize(rows).map(CellsField::Rows)
-            }
-        }
-        deserializer.deserialize_any(Either)
-    }
-}
 
 /// Reads a claim file.
 ///

@@ -6,6 +6,7 @@
 
 mod embedded;
 mod equation;
+mod fields;
 mod file;
 mod paper;
 mod table;

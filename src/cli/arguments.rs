@@ -52,6 +52,31 @@ pub(super) enum Format {
     Markdown,
 }
 
+/// How results are written.
+#[derive(Debug, Args)]
+pub(super) struct Output {
+    /// Output format
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(super) format: Format,
+}
+
+/// How many levels at a time.
+#[derive(Debug, Args)]
+pub(super) struct Block {
+    /// The greatest number of levels c
+    #[arg(short = 'c', long = "levels", value_name = "MAX", default_value_t = 4,
+          value_parser = clap::value_parser!(u32).range(1..=24))]
+    pub(super) levels: u32,
+}
+
+/// How far neighbouring control points are apart.
+#[derive(Debug, Args)]
+pub(super) struct Spread {
+    /// The spread β: the largest difference of neighbouring control points
+    #[arg(long, value_name = "B", default_value = "1", allow_hyphen_values = true)]
+    pub(super) spread: String,
+}
+
 #[derive(Debug, Args)]
 pub(super) struct AuditArguments {
     /// Claim files; without any, the embedded papers
@@ -67,9 +92,8 @@ pub(super) struct AuditArguments {
         "confirmed", "rounding", "misprint", "refuted", "not-checkable", "holds", "fails",
     ])]
     pub(super) deny: Vec<String>,
-    /// Output format
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub(super) format: Format,
+    #[command(flatten)]
+    pub(super) output: Output,
 }
 
 #[derive(Debug, Args)]
@@ -78,9 +102,8 @@ pub(super) struct ExplainArguments {
     pub(super) id: String,
     /// Claim files; without any, the embedded papers
     pub(super) files: Vec<PathBuf>,
-    /// Output format
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub(super) format: Format,
+    #[command(flatten)]
+    pub(super) output: Output,
 }
 
 #[derive(Debug, Args)]
@@ -88,13 +111,10 @@ pub(super) struct ConstantsArguments {
     /// The scheme
     #[arg(value_name = "SCHEME")]
     pub(super) scheme: String,
-    /// The greatest number of levels c
-    #[arg(short = 'c', long = "levels", value_name = "MAX", default_value_t = 4,
-          value_parser = clap::value_parser!(u32).range(1..=24))]
-    pub(super) levels: u32,
-    /// Output format
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub(super) format: Format,
+    #[command(flatten)]
+    pub(super) block: Block,
+    #[command(flatten)]
+    pub(super) output: Output,
 }
 
 #[derive(Debug, Args)]
@@ -105,23 +125,18 @@ pub(super) struct DepthArguments {
     /// The tolerance ε, an exact number such as 1/1000 or 4.35e-5
     #[arg(long, value_name = "E", allow_hyphen_values = true)]
     pub(super) tolerance: String,
-    /// The spread β: the largest difference of neighbouring control points
-    #[arg(long, value_name = "B", default_value = "1", allow_hyphen_values = true)]
-    pub(super) spread: String,
-    /// The greatest block length c
-    #[arg(short = 'c', long = "levels", value_name = "MAX", default_value_t = 4,
-          value_parser = clap::value_parser!(u32).range(1..=24))]
-    pub(super) levels: u32,
-    /// Output format
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub(super) format: Format,
+    #[command(flatten)]
+    pub(super) spread: Spread,
+    #[command(flatten)]
+    pub(super) block: Block,
+    #[command(flatten)]
+    pub(super) output: Output,
 }
 
 #[derive(Debug, Args)]
 pub(super) struct SchemesArguments {
-    /// Output format
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub(super) format: Format,
+    #[command(flatten)]
+    pub(super) output: Output,
 }
 
 #[derive(Debug, Args)]
@@ -129,19 +144,15 @@ pub(super) struct CertifyArguments {
     /// The scheme
     #[arg(value_name = "SCHEME")]
     pub(super) scheme: String,
-    /// The greatest number of levels c
-    #[arg(short = 'c', long = "levels", value_name = "MAX", default_value_t = 4,
-          value_parser = clap::value_parser!(u32).range(1..=24))]
-    pub(super) levels: u32,
+    #[command(flatten)]
+    pub(super) block: Block,
     /// A tolerance ε for the depths (may be repeated)
     #[arg(long, value_name = "E", allow_hyphen_values = true)]
     pub(super) tolerance: Vec<String>,
-    /// The spread β: the largest difference of neighbouring control points
-    #[arg(long, value_name = "B", default_value = "1", allow_hyphen_values = true)]
-    pub(super) spread: String,
-    /// Output format
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub(super) format: Format,
+    #[command(flatten)]
+    pub(super) spread: Spread,
+    #[command(flatten)]
+    pub(super) output: Output,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -168,10 +179,8 @@ pub(super) struct OracleArguments {
     /// How many times the control polygon is refined
     #[arg(long, value_name = "K", default_value_t = 2)]
     pub(super) level: u32,
-    /// The greatest number of levels c of the constants
-    #[arg(short = 'c', long = "levels", value_name = "MAX", default_value_t = 4,
-          value_parser = clap::value_parser!(u32).range(1..=24))]
-    pub(super) levels: u32,
+    #[command(flatten)]
+    pub(super) block: Block,
     /// A file of exact numbers, separated by commas or white space; for a surface,
     /// one line for each row
     #[arg(long, value_name = "FILE", conflicts_with_all = ["seed", "points"])]

@@ -20,7 +20,7 @@ pub(super) fn audit(arguments: &AuditArguments) -> Outcome {
     }
     let audits = judge_all(&papers)?;
     show(
-        arguments.format,
+        arguments.output.format,
         || {
             let mut sheet = audit_sheet(&audits, arguments.all);
             sheet.text(
@@ -54,7 +54,7 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Outcome {
             keys.join(", ")
         )));
     };
-    match arguments.format {
+    match arguments.output.format {
         Format::Text => write(&sheet.to_text()),
         Format::Markdown => write(&sheet.to_markdown()),
         Format::Json => {

@@ -15,8 +15,8 @@ use subcert::scheme::parse_scheme;
 pub(super) fn certify(arguments: &CertifyArguments) -> Outcome {
     let scheme = parse_scheme(&arguments.scheme)?;
     let mut options = CertifyOptions {
-        max_block: arguments.levels,
-        spread: positive("--spread", &arguments.spread)?,
+        max_block: arguments.block.levels,
+        spread: positive("--spread", &arguments.spread.spread)?,
         ..CertifyOptions::default()
     };
     if !arguments.tolerance.is_empty() {
@@ -26,7 +26,7 @@ pub(super) fn certify(arguments: &CertifyArguments) -> Outcome {
     let result = compare(&scheme, &options)
         .map_err(|error: CertifyError| Failure::Input(error.to_string()))?;
     show(
-        arguments.format,
+        arguments.output.format,
         || sheet(&arguments.scheme, &result),
         || json_of(&arguments.scheme, &result),
     )

@@ -14,10 +14,10 @@ use subcert::scheme::{Mask, Rules, Scheme, parse_scheme};
 
 pub(super) fn constants(arguments: &ConstantsArguments) -> Outcome {
     let scheme = parse_scheme(&arguments.scheme)?;
-    let levels = arguments.levels;
+    let levels = arguments.block.levels;
     let report = Report::of(&scheme, levels).map_err(|e| Failure::Input(e.to_string()))?;
     let name = &arguments.scheme;
-    show(arguments.format, || report.sheet(name), || report.json(name))
+    show(arguments.output.format, || report.sheet(name), || report.json(name))
 }
 
 /// The constants of a scheme, computed once for every format.

@@ -15,13 +15,13 @@ use subcert::scheme::parse_scheme;
 pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
     let scheme = parse_scheme(&arguments.scheme)?;
     let tolerance = positive("--tolerance", &arguments.tolerance)?;
-    let spread = positive("--spread", &arguments.spread)?;
+    let spread = positive("--spread", &arguments.spread.spread)?;
     let constants: Vec<Constants> =
         scheme.masks().into_iter().cloned().map(Constants::new).collect();
-    let report = Report::of(&constants, arguments.levels, &tolerance, &spread)
+    let report = Report::of(&constants, arguments.block.levels, &tolerance, &spread)
         .map_err(|error| Failure::Input(error.to_string()))?;
     show(
-        arguments.format,
+        arguments.output.format,
         || report.sheet(arguments),
         || report.json(&arguments.scheme, &tolerance, &spread),
     )
@@ -77,7 +77,10 @@ impl Report {
         let mut sheet = Sheet::default();
         sheet.heading(
             1,
-            format!("{}, ε = {}, β = {}", arguments.scheme, arguments.tolerance, arguments.spread),
+            format!(
+                "{}, ε = {}, β = {}",
+                arguments.scheme, arguments.tolerance, arguments.spread.spread
+            ),
         );
         let sound = match &self.sound {
             Ok(depth) => format!("{} levels, by blocks of {}", depth.level, depth.block),

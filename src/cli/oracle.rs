@@ -16,7 +16,7 @@ pub(super) fn oracle(arguments: &OracleArguments) -> Outcome {
     let scheme = parse_scheme(&arguments.scheme)?;
     let request = OracleRequest {
         scheme: arguments.scheme.clone(),
-        max_block: arguments.levels,
+        max_block: arguments.block.levels,
         control: control(arguments, &scheme)?,
         level: arguments.level,
         boundary: match arguments.boundary {

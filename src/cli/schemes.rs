@@ -9,7 +9,9 @@ use subcert::report::Sheet;
 use subcert::scheme::{SchemeDefinition, catalogue};
 
 pub(super) fn schemes(arguments: &SchemesArguments) -> Outcome {
-    show(arguments.format, sheet, || Value::from(catalogue().iter().map(json).collect::<Vec<_>>()))
+    show(arguments.output.format, sheet, || {
+        Value::from(catalogue().iter().map(json).collect::<Vec<_>>())
+    })
 }
 
 fn sheet() -> Sheet {

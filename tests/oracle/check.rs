@@ -79,7 +79,7 @@ fn slices_report_the_first_and_the_worst() {
 #[test]
 fn assertions_take_what_users_have() {
     let exact = vec![third(), Rational::one()];
-    let values = vec![1.0 / 3.0, 1.0];
+    let values = [1.0 / 3.0, 1.0];
     assert_within_ulps!(values[0], &exact[0], 1.0);
     assert_within_ulps!(values[0], exact[0], 1.0, "rule {}", 3);
     assert_slice_within_ulps!(values, exact, 0.5);

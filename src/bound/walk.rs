@@ -1,0 +1,187 @@
+//! The walk over the residue classes of a power of an operator.
+
+use crate::exact::{Integer, Rational, Real};
+
+/// What the walk asks of a number.
+pub(super) trait Kernel: Clone {
+    fn nothing() -> Self;
+    fn unit() -> Self;
+    /// Whether this is 0 for sure, so that its products can be left out. Never so
+    /// for numbers that may be rounded: all of them take the same steps.
+    fn is_certainly_zero(&self) -> bool {
+        false
+    }
+    /// self += x·y.
+    fn accumulate(&mut self, x: &Self, y: &Self);
+    /// self += |x|.
+    fn accumulate_magnitude(&mut self, x: &Self);
+}
+
+impl Kernel for i128 {
+    fn nothing() -> i128 {
+        0
+    }
+    fn unit() -> i128 {
+        1
+    }
+    fn is_certainly_zero(&self) -> bool {
+        *self == 0
+    }
+    fn accumulate(&mut self, x: &i128, y: &i128) {
+        *self += x * y;
+    }
+    fn accumulate_magnitude(&mut self, x: &i128) {
+        *self += x.abs();
+    }
+}
+
+impl Kernel for Integer {
+    fn nothing() -> Integer {
+        Integer::zero()
+    }
+    fn unit() -> Integer {
+        Integer::one()
+    }
+    fn is_certainly_zero(&self) -> bool {
+        self.is_zero()
+    }
+    fn accumulate(&mut self, x: &Integer, y: &Integer) {
+        *self += &(x * y);
+    }
+    fn accumulate_magnitude(&mut self, x: &Integer) {
+        if x.sign() < 0 {
+            *self -= x;
+        } else {
+            *self += x;
+        }
+    }
+}
+
+impl<S: Real> Kernel for S {
+    fn nothing() -> S {
+        S::zero()
+    }
+    fn unit() -> S {
+        S::from_rational(&Rational::one())
+    }
+    fn accumulate(&mut self, x: &S, y: &S) {
+        *self = self.plus(&x.times(y));
+    }
+    fn accumulate_magnitude(&mut self, x: &S) {
+        *self = self.plus(&x.magnitude());
+    }
+}
+
+/// One term of a transition: the entry at `from` sends itself, times the
+/// coefficient, to `to`.
+struct Edge<T> {
+    from: usize,
+    to: usize,
+    coefficient: T,
+}
+
+/// The transitions of a row vector by one level, one list for each digit d.
+///
+/// A row of Rᵐ is kept as its entries at the positions base, …, base + L − 1. The
+/// entry at base + p stands on rule (d+p) mod n, where d = base mod n, and R sends
+/// it to base′ + ⌊(d+p)/n⌋ + j, with base′ = ⌊base/n⌋ + o. As r runs through the
+/// residues mod n^c, (d_1, …, d_c) runs through all words, whatever o is.
+struct Transitions<T> {
+    length: usize,
+    edges: Vec<Vec<Edge<T>>>,
+}
+
+impl<T: Kernel> Transitions<T> {
+    fn new(rows: &[Vec<T>]) -> Transitions<T> {
+        let (arity, width) = (rows.len(), rows[0].len());
+        let mut length = 1;
+        loop {
+            let reach = (arity - 1 + length - 1) / arity + width;
+            if reach <= length {
+                break;
+            }
+            length = reach;
+        }
+        let edges_of = |digit: usize| {
+            let mut edges = Vec::new();
+            for from in 0..length {
+                let (carry, rule) = ((digit + from) / arity, (digit + from) % arity);
+                for (column, coefficient) in rows[rule].iter().enumerate() {
+                    if !coefficient.is_certainly_zero() {
+                        let coefficient = coefficient.clone();
+                        edges.push(Edge { from, to: carry + column, coefficient });
+                    }
+                }
+            }
+            edges
+        };
+        Transitions { length, edges: (0..arity).map(edges_of).collect() }
+    }
+
+    fn advance(&self, digit: usize, from: &[T], to: &mut [T]) {
+        to.fill(T::nothing());
+        for edge in &self.edges[digit] {
+            to[edge.to].accumulate(&from[edge.from], &edge.coefficient);
+        }
+    }
+}
+
+/// Calls `visit` with the absolute row sums of the c-th powers of K operators of
+/// one shape, for every residue class mod n^c.
+pub(super) fn walk<T: Kernel, const K: usize>(
+    rows: &[Vec<Vec<T>>; K],
+    offset: i64,
+    levels: u32,
+    visit: &mut impl FnMut(&[T; K], u64),
+) {
+    let arity = rows[0].len();
+    let transitions = rows.each_ref().map(|rows| Transitions::new(rows));
+    let levels = levels as usize;
+    let start = transitions.each_ref().map(|transitions| {
+        let mut start = vec![T::nothing(); transitions.length];
+        start[0] = T::unit();
+        start
+    });
+    // One vector for each level and operator, written again and again.
+    let mut stack = vec![start; levels + 1];
+    let mut digits = vec![0_usize; levels];
+    let mut depth = 0;
+    loop {
+        while depth < levels {
+            let (upper, lower) = stack.split_at_mut(depth + 1);
+            let pairs = upper[depth].iter().zip(&mut lower[0]);
+            for (transitions, (from, to)) in transitions.iter().zip(pairs) {
+                transitions.advance(digits[depth], from, to);
+            }
+            depth += 1;
+        }
+        let norms = stack[levels].each_ref().map(|row| {
+            row.iter().fold(T::nothing(), |mut sum, entry| {
+                sum.accumulate_magnitude(entry);
+                sum
+            })
+        });
+        visit(&norms, class_of(&digits, arity, offset));
+        loop {
+            if depth == 0 {
+                return;
+            }
+            depth -= 1;
+            digits[depth] += 1;
+            if digits[depth] < arity {
+                break;
+            }
+            digits[depth] = 0;
+        }
+    }
+}
+
+/// The residue class r mod n^c whose digits these are: base_{m−1} = n·(base_m − o) + d_m,
+/// and r = base_0.
+fn class_of(digits: &[usize], arity: usize, offset: i64) -> u64 {
+    let classes = (arity as i128).pow(u32::try_from(digits.len()).unwrap_or(u32::MAX));
+    let class = digits.iter().rev().fold(0_i128, |base, &digit| {
+        ((base - i128::from(offset)) * arity as i128 + digit as i128).rem_euclid(classes)
+    });
+    u64::try_from(class).expect("a residue is not negative")
+}
