@@ -9,7 +9,7 @@ use crate::exact::{Integer, Rational};
 pub(super) const NAMES: [&str; 7] = ["abs", "min", "max", "floor", "ceil", "binomial", "sum"];
 
 /// The most binary digits that a value may have.
-pub(super) const MAX_BITS: u64 = 1_000_000;
+pub(super) const MAX_BITS: u64 = 500_000;
 
 /// The greatest power of a symbol, also in a binomial coefficient.
 const MAX_SYMBOLIC_POWER: u64 = 64;

@@ -9,7 +9,7 @@ use std::cell::Cell;
 use std::collections::BTreeMap;
 
 /// The most work of one evaluation: the nodes visited, sums unrolled and named
-/// formulas entered, and the squares of the sizes of their values in 1024 bits.
+/// formulas entered, and the squares of the sizes of their values in 512 bits.
 const MAX_WORK: u64 = 1_000_000;
 
 /// How deep the nodes of one evaluation may stand in each other, named formulas
@@ -134,7 +134,7 @@ fn fail<T>(kind: FormulaErrorKind, span: &Span) -> Result<T, FormulaError> {
 impl<V: Value> Evaluator<'_, V> {
     /// Counts the work of a value; hands it on while the cap is not reached.
     fn spend(&self, value: V, span: &Span) -> Result<V, FormulaError> {
-        let size = value.size() / 1024;
+        let size = value.size() / 512;
         let spent = self.work.spent.get().saturating_add(1 + size.saturating_mul(size));
         self.work.spent.set(spent);
         if spent > MAX_WORK {
