@@ -1,0 +1,82 @@
+//! Random masks and polygons, and the refinement of a polygon written out.
+
+#![allow(dead_code, reason = "each test crate uses its part")]
+
+use proptest::prelude::*;
+use subcert::exact::Rational;
+use subcert::scheme::{Mask, Rules, Scheme, parse_scheme};
+
+pub fn r(p: i64, q: i64) -> Rational {
+    Rational::new(p, q)
+}
+
+pub fn int(n: usize) -> i64 {
+    i64::try_from(n).expect("a small number")
+}
+
+/// The first mask of a scheme.
+pub fn mask(scheme: &str) -> Mask {
+    match parse_scheme(scheme) {
+        Ok(Scheme::Curve(mask) | Scheme::Tensor(mask, _)) => mask,
+        Err(error) => panic!("{error}"),
+    }
+}
+
+pub fn rational() -> impl Strategy<Value = Rational> {
+    (-9_i64..10, 1_i64..7).prop_map(|(p, q)| r(p, q))
+}
+
+pub fn rows(arity: usize, width: usize) -> impl Strategy<Value = Vec<Vec<Rational>>> {
+    prop::collection::vec(prop::collection::vec(rational(), width), arity)
+}
+
+/// Arity and width of random rules.
+pub fn shape(arity: usize, width: usize) -> impl Strategy<Value = (usize, usize)> {
+    (2..=arity, 1..=width)
+}
+
+/// Any rules with offset −5, …, 5.
+pub fn rules(arity: usize, width: usize) -> impl Strategy<Value = Rules> {
+    (shape(arity, width), -5_i64..6).prop_flat_map(|((arity, width), offset)| {
+        rows(arity, width).prop_map(move |rows| Rules::new(rows, offset).expect("rules"))
+    })
+}
+
+/// Any affine mask: one coefficient of each rule makes its sum 1.
+pub fn affine(arity: usize, width: usize) -> impl Strategy<Value = Mask> {
+    (rules(arity, width), any::<prop::sample::Index>()).prop_map(|(rules, place)| {
+        let (mut rows, place) = (rules.rows().to_vec(), place.index(rules.width()));
+        for row in &mut rows {
+            let rest: Rational = row.iter().sum();
+            row[place] += &(Rational::one() - rest);
+        }
+        Mask::new(rows, rules.offset()).expect("an affine mask")
+    })
+}
+
+pub fn polygon(count: std::ops::Range<usize>) -> impl Strategy<Value = Vec<Rational>> {
+    prop::collection::vec(rational(), count)
+}
+
+/// The index i of a closed polygon.
+pub fn at(points: &[Rational], index: i64) -> &Rational {
+    &points[usize::try_from(index.rem_euclid(int(points.len()))).expect("not negative")]
+}
+
+/// x'_{ni+α} = Σ_j a_{α,j} x_{i+o+j}, as it stands.
+pub fn refine(rules: &Rules, points: &[Rational]) -> Vec<Rational> {
+    let rule = |i: usize, row: &Vec<Rational>| -> Rational {
+        let terms = row.iter().enumerate();
+        terms.map(|(j, a)| a * at(points, int(i) + rules.offset() + int(j))).sum()
+    };
+    (0..points.len()).flat_map(|i| rules.rows().iter().map(move |row| rule(i, row))).collect()
+}
+
+/// Δ_i = x_{i+1} − x_i.
+pub fn differences(points: &[Rational]) -> Vec<Rational> {
+    (0..points.len()).map(|i| at(points, int(i) + 1) - &points[i]).collect()
+}
+
+pub fn largest(values: &[Rational]) -> Rational {
+    values.iter().map(Rational::abs).max().unwrap_or_else(Rational::zero)
+}

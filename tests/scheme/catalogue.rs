@@ -1,0 +1,177 @@
+//! The named schemes against what is published about them.
+
+use super::common::{int, mask, r};
+use std::collections::BTreeMap;
+use subcert::exact::{Integer, Polynomial, Rational};
+use subcert::formula::{Parameters, evaluate, parse};
+use subcert::scheme::{Mask, MaskError, RulesError, catalogue, find, lagrange_mask};
+
+/// A value for every parameter; `newton` and `b-spline` need integers.
+fn parameters(names: impl Iterator<Item = String>) -> BTreeMap<String, Rational> {
+    let value = |name: &str| match name {
+        "j" => r(2, 1),
+        "n" | "degree" => r(3, 1),
+        _ => r(3, 29),
+    };
+    names.map(|name| (name.clone(), value(&name))).collect()
+}
+
+#[test]
+fn every_entry_is_an_affine_mask_with_a_citation() {
+    let names: Vec<&str> = catalogue().iter().map(|entry| entry.name.as_str()).collect();
+    assert!(names.is_sorted_by(|a, b| a < b), "sorted, none twice: {names:?}");
+    for entry in catalogue() {
+        let name = &entry.name;
+        assert!(find(name).is_some_and(|found| found.name == *name));
+        assert!(!entry.title.is_empty(), "{name}");
+        assert!(
+            entry.citation.contains(char::is_numeric),
+            "{name} cites nobody: {}",
+            entry.citation
+        );
+        assert!(entry.parameters.values().all(|spec| !spec.about.is_empty()), "{name}");
+        let mask = entry.mask(&parameters(entry.parameters.keys().cloned())).unwrap();
+        for row in mask.rules().rows() {
+            assert_eq!(row.iter().sum::<Rational>(), Rational::one(), "{name}");
+        }
+    }
+    assert!(find("no-such-scheme").is_none());
+}
+
+// The mask with symbols, evaluated, is the mask with numbers.
+#[test]
+fn symbolic_masks_agree_with_numbers() {
+    let mut symbolic_entries = 0;
+    for entry in catalogue() {
+        if ["newton", "b-spline"].contains(&entry.name.as_str()) {
+            continue;
+        }
+        let values = parameters(entry.parameters.keys().cloned());
+        let symbols =
+            values.keys().map(|name| (name.clone(), Polynomial::variable(name))).collect();
+        let symbolic = entry.mask(&symbols).unwrap();
+        let parameters = Parameters(values.clone());
+        let at = |p: &Polynomial| evaluate(&parse(&p.to_string()).unwrap(), &parameters).unwrap();
+        assert_eq!(symbolic.map(at), entry.mask(&values).unwrap(), "{}", entry.name);
+        let constant = symbolic.rules().rows().iter().flatten().all(|a| a.as_constant().is_some());
+        assert_eq!(constant, values.is_empty(), "{}", entry.name);
+        symbolic_entries += usize::from(!constant);
+    }
+    assert!(symbolic_entries >= 5);
+}
+
+fn over(denominator: i64, rows: &[&[i64]]) -> Vec<Vec<Rational>> {
+    rows.iter().map(|row| row.iter().map(|&p| r(p, denominator)).collect()).collect()
+}
+
+#[test]
+fn published_masks() {
+    for (scheme, offset, rows) in [
+        ("chaikin", 0, over(4, &[&[3, 1], &[1, 3]])),
+        ("newton:j=0,n=2", 0, over(4, &[&[3, 1], &[1, 3]])),
+        ("newton:j=0,n=3", 0, over(6, &[&[5, 1], &[3, 3], &[1, 5]])),
+        // Dyn, Floater and Hormann 2005.
+        ("newton:j=1,n=2", -1, over(128, &[&[-7, 105, 35, -5], &[-5, 35, 105, -7]])),
+        (
+            "newton:j=1,n=3",
+            -1,
+            over(1296, &[&[-55, 1155, 231, -35], &[-81, 729, 729, -81], &[-35, 231, 1155, -55]]),
+        ),
+        ("six-point:w=3/256", -2, over(256, &[&[0, 0, 256, 0, 0, 0], &[3, -25, 150, 150, -25, 3]])),
+        ("six-point:w=0", -2, over(16, &[&[0, 0, 16, 0, 0, 0], &[0, -1, 9, 9, -1, 0]])),
+        ("four-point", -1, over(16, &[&[0, 16, 0, 0], &[-1, 9, 9, -1]])),
+        ("b-spline:degree=1", 0, over(2, &[&[2, 0], &[1, 1]])),
+        ("b-spline:degree=3", -1, over(8, &[&[1, 6, 1], &[0, 4, 4]])),
+    ] {
+        let mask = mask(scheme);
+        assert_eq!(mask.rules().rows(), rows, "{scheme}");
+        assert_eq!(mask.offset(), offset, "{scheme}");
+    }
+    let ternary = mask("ternary-four-point-approximating");
+    assert_eq!(ternary, mask("newton:j=1,n=3"));
+    assert_eq!(ternary.rules().rows()[0], [r(-55, 1296), r(385, 432), r(77, 432), r(-35, 1296)]);
+}
+
+// Formula (3.23) and Lagrange's, and the sum that either makes.
+#[test]
+fn newton_is_lagrange() {
+    for j in 0..=4_u32 {
+        for n in 2..=8_u32 {
+            let newton = mask(&format!("newton:j={j},n={n}"));
+            assert_eq!(lagrange_mask(j, n), Ok(newton), "j = {j}, n = {n}");
+        }
+    }
+    let refusal = |j, n| lagrange_mask(j, n).unwrap_err();
+    assert_eq!(refusal(1, 1), MaskError::Rules(RulesError::Arity(1)));
+    assert_eq!(refusal(1, u32::MAX), MaskError::Rules(RulesError::Arity(u32::MAX as usize)));
+    assert_eq!(refusal(128, 2), MaskError::Rules(RulesError::Width(258)));
+    assert_eq!(refusal(u32::MAX, 2), MaskError::Rules(RulesError::Width(2 * (1 << 32))));
+}
+
+/// Whether the rules take t^d at the integers to t^d at the points i + τ_α.
+fn reproduces(mask: &Mask, degree: i32, tau: impl Fn(usize) -> Rational) -> bool {
+    mask.rules().rows().iter().enumerate().all(|(alpha, row)| {
+        let terms =
+            (mask.offset()..).zip(row).map(|(node, a)| a * Rational::from(node).pow(degree));
+        terms.sum::<Rational>() == tau(alpha).pow(degree)
+    })
+}
+
+// The degree up to which a scheme reproduces polynomials, and no further.
+#[test]
+fn polynomial_reproduction() {
+    let primal = |n: i64| move |alpha: usize| r(int(alpha), n);
+    for (scheme, arity, degree) in [
+        ("four-point", 2, 3),
+        ("four-point:w=1/20", 2, 1),
+        ("six-point:w=3/256", 2, 5),
+        ("six-point:w=0", 2, 3),
+        ("ternary-four-point:mu=1/11", 3, 2),
+        ("ternary-four-point:mu=1/27", 3, 3),
+        ("ternary-three-point:a=1/3", 3, 1),
+        ("ternary-three-point:a=2/9", 3, 2),
+        ("b-spline:degree=1", 2, 1),
+    ] {
+        let mask = mask(scheme);
+        for d in 0..=degree {
+            assert!(reproduces(&mask, d, primal(arity)), "{scheme} and t^{d}");
+        }
+        assert!(!reproduces(&mask, degree + 1, primal(arity)), "{scheme}: {degree} is sharp");
+    }
+    // Centred at rule 2: the quinary scheme reproduces quadratics.
+    let quinary = mask("quinary-three-point");
+    let centred = |alpha: usize| r(int(alpha) - 2, 5);
+    assert!((0..=2).all(|d| reproduces(&quinary, d, centred)));
+    assert!(!reproduces(&quinary, 3, centred));
+    for j in 0..4_i32 {
+        for n in 2..6_i64 {
+            let newton = mask(&format!("newton:j={j},n={n}"));
+            let dual = |alpha: usize| r(2 * int(alpha) + 1, 2 * n);
+            assert!((0..2 * j + 2).all(|d| reproduces(&newton, d, dual)));
+            assert!(!reproduces(&newton, 2 * j + 2, dual));
+        }
+    }
+}
+
+// Σ_k C(d+1, k)z^k/2^d, split by parity; degree 2 is Chaikin's.
+#[test]
+fn b_splines() {
+    assert_eq!(mask("b-spline:degree=2"), mask("chaikin"));
+    for degree in 1..12_u32 {
+        let mask = mask(&format!("b-spline:degree={degree}"));
+        let mut symbol = BTreeMap::new();
+        for (alpha, row) in (0..).zip(mask.rules().rows()) {
+            for (j, a) in (0_i64..).zip(row).filter(|(_, a)| !a.is_zero()) {
+                // x_m enters x'_{2i+α} for i + o + j = m: the place 2i + α, less 2m.
+                symbol.insert(alpha - 2 * (mask.offset() + j), a.clone());
+            }
+        }
+        let scale = Integer::from(2).pow(degree);
+        let pascal: Vec<Rational> = (0..=degree + 1)
+            .map(|k| Rational::new(Integer::binomial(degree + 1, k), scale.clone()))
+            .collect();
+        let places: Vec<i64> = symbol.keys().copied().collect();
+        assert!(places.windows(2).all(|pair| pair[1] == pair[0] + 1), "{places:?}");
+        assert_eq!(symbol.into_values().collect::<Vec<_>>(), pascal);
+    }
+}

@@ -1,0 +1,225 @@
+//! Schemes in files of one's own.
+
+use super::common::{mask, r};
+use std::path::PathBuf;
+use subcert::diagnostic::{Diagnostic, SourceText};
+use subcert::exact::Rational;
+use subcert::scheme::{SchemeDefinition, SchemeError, parse_scheme, read_scheme};
+
+const CORNER: &str = "\
+name = 'corner'
+parameters.w = { default = '1/8' }
+offset = '-1 + 1'
+
+mask = [
+    ['1 - cut', 'cut'],
+    ['cut', '1 - cut'],
+]
+
+[let]
+cut = '2*w'
+";
+
+fn write(name: &str, text: &[u8]) -> PathBuf {
+    let path = std::env::temp_dir().join(format!("subcert-{}-{name}", std::process::id()));
+    std::fs::write(&path, text).expect("a temporary file");
+    path
+}
+
+#[test]
+fn a_file_is_a_scheme_with_parameters() {
+    let path = write("corner.toml", CORNER.as_bytes());
+    let text = path.display().to_string();
+    assert_eq!(mask(&text), mask("chaikin"));
+    let wide = mask(&format!("{text}:w=1/16"));
+    assert_eq!(wide.rules().rows()[0], [r(7, 8), r(1, 8)]);
+    let tensor = parse_scheme(&format!("{text}:w=1/8 x chaikin")).unwrap();
+    assert_eq!(tensor, parse_scheme("chaikin x chaikin").unwrap());
+    let error = parse_scheme(&format!("{text}:v=1")).unwrap_err().to_string();
+    assert!(error.contains("`corner` has no parameter `v`; it has: w"), "{error}");
+    std::fs::remove_file(path).unwrap();
+}
+
+#[test]
+fn files_that_cannot_be_read() {
+    let latin = write("latin.toml", b"name = 'caf\xe9'");
+    let large = write("large.toml", &vec![b'#'; (1 << 20) + 1]);
+    for (path, reason) in
+        [(&latin, "it is not UTF-8 text"), (&large, "it is larger than 1048576 bytes")]
+    {
+        let error = parse_scheme(&path.display().to_string()).unwrap_err();
+        assert!(
+            matches!(&error, SchemeError::Unreadable { reason: found, .. } if found == reason),
+            "{error}"
+        );
+        std::fs::remove_file(path).unwrap();
+    }
+}
+
+fn read(text: &str) -> Result<SchemeDefinition, Diagnostic> {
+    read_scheme(&SourceText::new("my.toml", text))
+}
+
+/// The error of a text, wherever it shows: on reading, or when the mask is asked for.
+fn refusal(text: &str) -> Diagnostic {
+    match read(text).map(|definition| definition.mask::<Rational>(&[].into())) {
+        Err(diagnostic) => diagnostic,
+        Ok(Err(SchemeError::File(diagnostic))) => *diagnostic,
+        Ok(other) => panic!("{text}: {other:?}"),
+    }
+}
+
+#[test]
+#[expect(clippy::too_many_lines, reason = "one table")]
+fn errors_say_where_what_and_what_would_be_right() {
+    // The text, the place that is underlined, what is said, the remedy.
+    for (text, place, message, help) in [
+        (
+            "name = 'a'\nmask = [['1'], ['1']]\ncolour = 'red'",
+            "colour",
+            "unknown field `colour`",
+            "",
+        ),
+        (
+            "name = 'a'\nmask = [['1', 0], ['1', '0']]",
+            "0",
+            "invalid type: integer",
+            "write numbers in quotes, as '3/256'",
+        ),
+        (
+            "name = 'a'\nmask = [[0.5, '1/2'], ['1', '0']]",
+            "0.5",
+            "invalid type: floating point",
+            "write numbers in quotes",
+        ),
+        (
+            "name = 'a'\noffset = -1\nmask = [['1'], ['1']]",
+            "-1",
+            "invalid type: integer",
+            "write numbers in quotes",
+        ),
+        ("name = 'a", "", "invalid literal string", ""),
+        (
+            "name = 'a'",
+            "'a'",
+            "either `mask`, or `arity`, `width` and `entry`",
+            "mask = [['3/4', '1/4']",
+        ),
+        (
+            "name = 'a'\nwidth = '2'\nmask = [['1'], ['1']]",
+            "'a'",
+            "either `mask`",
+            "`entry` is one formula",
+        ),
+        ("name = 'a'\nmask = []", "[]", "at least one coefficient", "['3/4', '1/4']"),
+        ("name = 'a'\nmask = [['1'], []]", "[]", "at least one coefficient", "['3/4', '1/4']"),
+        (
+            "name = 'a'\nmask = [['1', '2 w'], ['1', '0']]",
+            "w",
+            "expected an operator or the end",
+            "",
+        ),
+        ("name = 'a'\nmask = [['1', 'w'], ['1', '0']]", "w", "unknown name `w`", ""),
+        ("name = 'a'\nmask = [['1', '1/0'], ['1', '0']]", "0", "division by zero", ""),
+        (
+            "name = 'a'\nmask = [['1'], ['1/2']]",
+            "'1/2'",
+            "rule 1 sums to 1/2, not to 1: its excess is -1/2",
+            "",
+        ),
+        (
+            "name = 'a'\nmask = [['1', '0'], ['1']]",
+            "'1'",
+            "rule 1 has 1 coefficients, and rule 0 has 2",
+            "",
+        ),
+        ("name = 'a'\nmask = [['1', '0']]", "'1', '0'", "a scheme of arity 1", ""),
+        (
+            "name = 'a'\nparameters.2w = {}\nmask = [['1'], ['1']]",
+            "2w",
+            "`2w` cannot be a name",
+            "use a letter or `_`",
+        ),
+        (
+            "name = 'a'\nmask = [['1'], ['1']]\nlet.'a b' = '1'",
+            "'a b'",
+            "`a b` cannot be a name",
+            "use a letter",
+        ),
+        (
+            "name = 'a'\noffset = '1/2'\nmask = [['1'], ['1']]",
+            "'1/2'",
+            "the offset is 1/2; it must be an integer from -10000 to 10000",
+            "",
+        ),
+        (
+            "name = 'a'\noffset = '20000'\nmask = [['1'], ['1']]",
+            "'20000'",
+            "the offset is 20000",
+            "",
+        ),
+        (
+            "name = 'a'\narity = '65'\nwidth = '1'\nentry = '1'",
+            "'65'",
+            "the arity is 65; it must be an integer from 2 to 64",
+            "",
+        ),
+        (
+            "name = 'a'\narity = '2'\nwidth = '0'\nentry = '1'",
+            "'0'",
+            "the width is 0; it must be an integer from 1 to 256",
+            "",
+        ),
+        (
+            "name = 'a'\narity = '2'\nwidth = '2'\nentry = 'alpha + r'",
+            "'alpha + r'",
+            "rule 1 sums to 3",
+            "",
+        ),
+        ("name = 'a'\nlet.a = 'a'\nmask = [['a'], ['1']]", "a", "refers to itself", ""),
+    ] {
+        let error = refusal(text);
+        assert_eq!(text.get(error.span.clone()), Some(place), "{text}\n{error}");
+        assert!(error.message.contains(message), "{text}\n{error}");
+        assert!(error.help.clone().unwrap_or_default().contains(help), "{text}\n{error}");
+        let (line, column) = error.line_and_column();
+        let start = text.lines().take(line - 1).map(|line| line.len() + 1).sum::<usize>();
+        assert_eq!(start + column - 1, error.span.start, "{text}\n{error}");
+        assert!(error.to_string().contains(&format!("my.toml:{line}:{column}")), "{error}");
+    }
+}
+
+#[test]
+fn places_count_characters_not_bytes() {
+    let error = refusal("name = 'a'\n# ré\nmask = [['1', 'é + é'], ['1', '0']]");
+    assert_eq!(error.line_and_column(), (3, 16));
+    let error = refusal("name = 'é'\nmask = [['1', \"μ + ω\"], ['1', '0']]");
+    assert_eq!(error.line_and_column(), (2, 16));
+}
+
+// Files without a name, empty ones and odd ones give an error that can be drawn.
+#[test]
+fn odd_files() {
+    for text in [
+        "",
+        "\n\n",
+        "mask = [['1'], ['1']]",
+        "=",
+        "[",
+        "name = \"\u{0}\"",
+        "\u{feff}name = 1",
+        "a = \"é",
+    ] {
+        let error = read(text).unwrap_err();
+        assert!(error.render(true).len() >= error.render(false).len());
+        assert!(error.to_string().contains("my.toml"), "{error}");
+    }
+}
+
+#[test]
+fn parameters_without_value() {
+    let definition = read("name = 'a'\nparameters.w = {}\nmask = [['w'], ['1']]").unwrap();
+    let error = definition.mask::<Rational>(&[].into()).unwrap_err();
+    assert_eq!(error.to_string(), "`a` needs its parameter `w`: write `a:w=…`");
+    assert!(definition.mask(&[("w".to_owned(), r(1, 1))].into()).is_ok());
+}
