@@ -1,13 +1,17 @@
 //! Judging an equation.
 
 use super::library::{Library, Unresolved};
+use super::mend;
 use super::quantity::Coefficients;
 use super::table::scheme_error;
-use crate::claim::{Axis, Equation, EquationBody, Identity, Paper};
+use crate::claim::{Equation, EquationBody, Hypothesis, Identity, Index, Left, Paper};
 use crate::diagnostic::Diagnostic;
-use crate::exact::{Polynomial, Scalar};
-use crate::formula::{LocatedFormula, Scope, evaluate};
-use crate::scheme::Mask;
+use crate::exact::{Polynomial, Rational, Scalar};
+use crate::formula::{Expr, LocatedFormula, Node, Parameters, Scope, evaluate};
+use std::collections::BTreeMap;
+
+/// The most combinations of indices that an identity is compared in.
+pub const MAX_CASES: usize = 100_000;
 
 /// What the audit says of an equation.
 #[derive(Clone, Debug)]
@@ -35,6 +39,8 @@ pub enum EquationVerdict {
         cases: usize,
         /// Those where the sides differ.
         failures: Vec<Failure>,
+        /// Changes of one symbol with which it holds in all cases.
+        mends: Vec<String>,
     },
     /// Something that it needs is absent: what.
     NotCheckable(String),
@@ -80,84 +86,151 @@ pub(super) fn judge<'a>(
     let id = format!("{}:{}", paper.key, equation.id);
     let verdict = match &equation.body {
         EquationBody::NotCheckable(absent) => EquationVerdict::NotCheckable(absent.clone()),
-        EquationBody::Identity(identity) => {
-            let mut failures = Vec::new();
-            for (case, left) in identity.left.iter().enumerate() {
-                let positions = indices_of(&identity.indices, case);
-                failures.extend(compare(paper, identity, library, left, &positions)?);
-            }
-            let cases = identity.left.len();
-            if failures.is_empty() {
-                EquationVerdict::Holds { cases }
-            } else {
-                EquationVerdict::Fails { cases, failures }
-            }
-        }
+        EquationBody::Identity(identity) => compare(paper, identity, library)?,
     };
     Ok(EquationFinding { id, equation, verdict })
-}
-
-/// The position in each axis of the `case`-th combination, the first slowest.
-fn indices_of(indices: &[Axis], mut case: usize) -> Vec<usize> {
-    let mut positions: Vec<usize> = indices
-        .iter()
-        .rev()
-        .map(|axis| {
-            let position = case % axis.entries.len();
-            case /= axis.entries.len();
-            position
-        })
-        .collect();
-    positions.reverse();
-    positions
 }
 
 fn compare(
     paper: &Paper,
     identity: &Identity,
     library: &Library<'_>,
-    left: &LocatedFormula,
-    positions: &[usize],
-) -> Result<Option<Failure>, Diagnostic> {
-    let Identity { scheme, symbols, indices, right, .. } = identity;
-    let scope = |functions| {
-        let mut scope = Scope::new(&paper.definitions, functions);
-        for symbol in symbols {
-            scope = scope.with(symbol, Polynomial::variable(symbol));
+) -> Result<EquationVerdict, Diagnostic> {
+    let cases = cases(identity)?;
+    let comparison = Comparison { paper, identity, library };
+    let mut failures = Vec::new();
+    for (i, case) in cases.iter().enumerate() {
+        let left = match &identity.left {
+            Left::One(formula) => formula,
+            Left::Each(formulas) => &formulas[i],
+        };
+        let left = comparison.value(left, &left.expr, case)?;
+        let right = comparison.value(&identity.right, &identity.right.expr, case)?;
+        if left != right {
+            failures.push(Failure { at: case.text.clone(), left, right });
         }
-        for (axis, &position) in indices.iter().zip(positions) {
-            let value = Polynomial::from_rational(&axis.entries[position].value);
-            scope = scope.with(&axis.name, value);
-        }
-        scope
-    };
-    let none = Coefficients { library, mask: None };
-    let mask: Option<Mask<Polynomial>> = match scheme {
-        None => None,
-        Some(located) => {
-            let masks = library.masks(&located.reference, &scope(&none));
-            let masks = masks.map_err(|error| match error {
-                Unresolved::Scheme(error) => scheme_error(located, &error),
-                Unresolved::Formula(error) => {
-                    let message = format!("in its parameters: {error}");
-                    Diagnostic::new(&located.source, located.span.clone(), message)
-                }
-            })?;
-            masks.into_iter().next()
-        }
-    };
-    let functions = Coefficients { library, mask };
-    let scope = scope(&functions);
-    let value = |formula: &LocatedFormula| {
-        evaluate(&formula.expr, &scope).map_err(|error| formula.diagnostic(&error))
-    };
-    let (left, right) = (value(left)?, value(right)?);
-    if left == right {
-        return Ok(None);
     }
-    let at = indices
-        .iter()
-        .zip(positions)
-        .map(|(axis, &position)| format!("{} = {}", axis.label, axis.entries[position].printed));
-    Ok(Some(Failure { at: at.collect::<Vec<String>>().join(", "), left, right }))
+    if failures.is_empty() {
+        return Ok(EquationVerdict::Holds { cases: cases.len() });
+    }
+    let mends = mend::search(&comparison, &cases);
+    Ok(EquationVerdict::Fails { cases: cases.len(), failures, mends })
+}
+
+/// A combination of the indices.
+pub(super) struct Case {
+    pub(super) values: Vec<(String, Rational)>,
+    text: String,
+}
+
+/// Every combination of the indices, the first one slowest.
+fn cases(identity: &Identity) -> Result<Vec<Case>, Diagnostic> {
+    let mut cases = vec![Case { values: Vec::new(), text: String::new() }];
+    for index in &identity.indices {
+        let mut longer = Vec::new();
+        for case in cases {
+            let (name, label, entries) = match index {
+                Index::Listed(axis) => {
+                    let entry = |entry: &crate::claim::AxisEntry| {
+                        (entry.value.clone(), entry.printed.clone())
+                    };
+                    (&axis.name, &axis.label, axis.entries.iter().map(entry).collect())
+                }
+                Index::Range { name, label, from, to } => {
+                    let (from, to) = (bound(from, &case)?, bound(to, &case)?);
+                    let entry = |value: i64| (Rational::from(value), value.to_string());
+                    (name, label, (from..=to).map(entry).collect::<Vec<_>>())
+                }
+            };
+            for (value, printed) in entries {
+                let comma = if case.text.is_empty() { "" } else { ", " };
+                let text = format!("{}{comma}{label} = {printed}", case.text);
+                let mut values = case.values.clone();
+                values.push((name.clone(), value));
+                longer.push(Case { values, text });
+            }
+            if longer.len() > MAX_CASES {
+                let source = &identity.right.source;
+                let message = format!("more than {MAX_CASES} combinations of the indices");
+                return Err(Diagnostic::new(source, identity.right.span.clone(), message));
+            }
+        }
+        cases = longer;
+    }
+    Ok(cases)
+}
+
+fn bound(formula: &LocatedFormula, case: &Case) -> Result<i64, Diagnostic> {
+    let values: BTreeMap<String, Rational> = case.values.iter().cloned().collect();
+    let value =
+        evaluate(&formula.expr, &Parameters(values)).map_err(|error| formula.diagnostic(&error))?;
+    let integer = value.numerator().to_i64().filter(|value| value.abs() <= 1_000_000);
+    integer.filter(|_| value.is_integer()).ok_or_else(|| {
+        let message = format!("an index runs over integers up to 10^6, and this is {value}");
+        Diagnostic::new(&formula.source, formula.span.clone(), message)
+    })
+}
+
+/// An identity with what its formulas refer to.
+pub(super) struct Comparison<'a> {
+    paper: &'a Paper,
+    pub(super) identity: &'a Identity,
+    library: &'a Library<'a>,
+}
+
+impl Comparison<'_> {
+    /// The value of `expr`, which stands in `formula` or instead of it.
+    pub(super) fn value(
+        &self,
+        formula: &LocatedFormula,
+        expr: &Expr,
+        case: &Case,
+    ) -> Result<Polynomial, Diagnostic> {
+        let member = |name: &str| Polynomial::variable(name);
+        let none = Coefficients { library: self.library, mask: None };
+        let mask = match &self.identity.scheme {
+            None => None,
+            Some(located) => {
+                let scope = self.scope(case, &none, &member)?;
+                let masks = self.library.masks(&located.reference, &scope);
+                let masks = masks.map_err(|error| match error {
+                    Unresolved::Scheme(error) => scheme_error(located, &error),
+                    Unresolved::Formula(error) => {
+                        let message = format!("in its parameters: {error}");
+                        Diagnostic::new(&located.source, located.span.clone(), message)
+                    }
+                })?;
+                masks.into_iter().next()
+            }
+        };
+        let functions = Coefficients { library: self.library, mask };
+        let scope = self.scope(case, &functions, &member)?;
+        evaluate(expr, &scope).map_err(|error| formula.diagnostic(&error))
+    }
+
+    fn scope<'s>(
+        &'s self,
+        case: &Case,
+        functions: &'s Coefficients<'s, Polynomial>,
+        member: &'s dyn Fn(&str) -> Polynomial,
+    ) -> Result<Scope<'s, Polynomial>, Diagnostic> {
+        let mut scope = Scope::new(&self.paper.definitions, functions);
+        for symbol in &self.identity.symbols {
+            scope = scope.with(symbol, Polynomial::variable(symbol)).with_family(symbol, member);
+        }
+        for (name, value) in &case.values {
+            scope = scope.with(name, Polynomial::from_rational(value));
+        }
+        for Hypothesis { member, value } in &self.identity.hypotheses {
+            let Node::Indexed { name, indices } = &member.expr.node else { continue };
+            let position = |index: &Expr| {
+                let value = evaluate(index, &scope).map_err(|error| member.diagnostic(&error))?;
+                Ok(value.to_string())
+            };
+            let key = indices.iter().map(position).collect::<Result<Vec<String>, Diagnostic>>()?;
+            let value = evaluate(&value.expr, &scope).map_err(|error| value.diagnostic(&error))?;
+            scope = scope.with(&format!("{name}[{}]", key.join(",")), value);
+        }
+        Ok(scope)
+    }
 }

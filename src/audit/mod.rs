@@ -4,6 +4,7 @@ mod compare;
 mod equation;
 mod finding;
 mod library;
+mod mend;
 mod promise;
 mod quantity;
 mod table;

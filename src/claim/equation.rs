@@ -33,12 +33,50 @@ pub enum EquationBody {
 pub struct Identity {
     /// The scheme its functions are about.
     pub scheme: Option<LocatedReference>,
-    /// The names that stay symbolic.
+    /// The names that stay symbolic, alone or as families q[i].
     pub symbols: Vec<String>,
+    /// What the paper presupposes: members of families given by formulas.
+    pub hypotheses: Vec<Hypothesis>,
     /// The indices, the first one slowest.
-    pub indices: Vec<Axis>,
-    /// The left side: one formula for each combination of indices, in order.
-    pub left: Vec<LocatedFormula>,
+    pub indices: Vec<Index>,
+    /// The left side.
+    pub left: Left,
     /// The right side, one formula in the indices.
     pub right: LocatedFormula,
+}
+
+/// The left side of an identity.
+#[derive(Clone, Debug)]
+pub enum Left {
+    /// One formula in the indices.
+    One(LocatedFormula),
+    /// One formula for each combination of indices, in order.
+    Each(Vec<LocatedFormula>),
+}
+
+/// An index of an identity.
+#[derive(Clone, Debug)]
+pub enum Index {
+    /// Its values, listed.
+    Listed(Axis),
+    /// All integers from one formula to another, in the indices before it.
+    Range {
+        /// Its name in formulas.
+        name: String,
+        /// What the paper prints for it.
+        label: String,
+        /// The first value.
+        from: LocatedFormula,
+        /// The last value.
+        to: LocatedFormula,
+    },
+}
+
+/// `a[0, m] = 1 - sum(…)`: a member of a family that a formula gives.
+#[derive(Clone, Debug)]
+pub struct Hypothesis {
+    /// The member.
+    pub member: LocatedFormula,
+    /// What it equals.
+    pub value: LocatedFormula,
 }

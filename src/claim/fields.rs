@@ -71,7 +71,9 @@ pub(super) struct PromiseTable {
 pub(super) struct AxisTable {
     pub(super) name: Spanned<String>,
     pub(super) label: Option<String>,
-    pub(super) values: Spanned<Vec<Spanned<NumberField>>>,
+    pub(super) values: Option<Spanned<Vec<Spanned<NumberField>>>>,
+    pub(super) from: Option<Spanned<String>>,
+    pub(super) to: Option<Spanned<String>>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -85,11 +87,43 @@ pub(super) struct EquationTable {
     #[serde(default)]
     pub(super) symbols: Vec<Spanned<String>>,
     #[serde(default)]
+    pub(super) hypotheses: Vec<Spanned<String>>,
+    #[serde(default)]
     pub(super) indices: Vec<AxisTable>,
-    pub(super) left: Option<Spanned<Vec<Spanned<String>>>>,
+    pub(super) left: Option<Spanned<LeftField>>,
     pub(super) right: Option<Spanned<String>>,
     pub(super) absent: Option<String>,
     pub(super) note: Option<String>,
+}
+
+/// One formula for all combinations of the indices, or one for each.
+#[derive(Debug)]
+pub(super) enum LeftField {
+    One(String),
+    Each(Vec<Spanned<String>>),
+}
+
+impl<'de> Deserialize<'de> for LeftField {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<LeftField, D::Error> {
+        struct Either;
+        impl<'de> Visitor<'de> for Either {
+            type Value = LeftField;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a formula in quotes, or a list of them")
+            }
+            fn visit_str<E>(self, text: &str) -> Result<LeftField, E> {
+                Ok(LeftField::One(text.to_owned()))
+            }
+            fn visit_seq<S: serde::de::SeqAccess<'de>>(
+                self,
+                formulas: S,
+            ) -> Result<LeftField, S::Error> {
+                let formulas = serde::de::value::SeqAccessDeserializer::new(formulas);
+                Vec::deserialize(formulas).map(LeftField::Each)
+            }
+        }
+        deserializer.deserialize_any(Either)
+    }
 }
 
 /// `"0.742"`, or `{ printed = "h1.69e-4", read = "1.69e-4", note = "…" }`.

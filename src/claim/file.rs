@@ -1,14 +1,15 @@
 //! Reading claim files.
 
-use super::equation::{Equation, EquationBody, Identity};
+use super::equation::{Equation, EquationBody, Hypothesis, Identity, Index, Left};
 use super::fields::{
-    AxisTable, CellsField, EquationTable, NumberField, PaperFile, PromiseTable, TableTable,
+    AxisTable, CellsField, EquationTable, LeftField, NumberField, PaperFile, PromiseTable,
+    TableTable,
 };
 use super::paper::{Bibliography, Paper, SchemeSource};
 use super::table::{Axis, AxisEntry, Cell, LocatedReference, Printed, Promise, Table};
 use crate::diagnostic::{Diagnostic, SourceText, read_text};
 use crate::exact::{parse_decimal, parse_rational};
-use crate::formula::LocatedFormula;
+use crate::formula::{LocatedFormula, Node};
 use crate::scheme::Reference;
 use crate::scheme::{SchemeTable, definitions, formula, from_toml, identifier};
 use std::collections::{BTreeMap, BTreeSet};
@@ -124,8 +125,11 @@ impl Reader<'_> {
 
     fn axis(&self, table: &AxisTable) -> Result<Axis, Diagnostic> {
         let name = identifier(self.source, &table.name)?;
-        if table.values.get_ref().is_empty() {
-            return Err(self.error(table.values.span(), "at least one header is needed"));
+        let (Some(values), None, None) = (&table.values, &table.from, &table.to) else {
+            return Err(self.error(table.name.span(), "headers are given by `values`"));
+        };
+        if values.get_ref().is_empty() {
+            return Err(self.error(values.span(), "at least one header is needed"));
         }
         let entry = |field: &Spanned<NumberField>| {
             let NumberField { printed, read, note } = field.get_ref();
@@ -136,7 +140,7 @@ impl Reader<'_> {
         Ok(Axis {
             label: table.label.clone().unwrap_or_else(|| name.clone()),
             name,
-            entries: table.values.get_ref().iter().map(entry).collect::<Result<_, Diagnostic>>()?,
+            entries: values.get_ref().iter().map(entry).collect::<Result<_, Diagnostic>>()?,
         })
     }
 
@@ -254,30 +258,78 @@ impl Reader<'_> {
     fn identity(
         &self,
         table: &EquationTable,
-        left: &Spanned<Vec<Spanned<String>>>,
+        left: &Spanned<LeftField>,
         right: &Spanned<String>,
     ) -> Result<Identity, Diagnostic> {
-        let indices =
-            table.indices.iter().map(|axis| self.axis(axis)).collect::<Result<Vec<Axis>, _>>()?;
-        let count: usize = indices.iter().map(|axis| axis.entries.len()).product();
-        let found = left.get_ref().len();
-        if found != count {
+        let indices = table.indices.iter().map(|axis| self.index(axis));
+        let indices = indices.collect::<Result<Vec<Index>, Diagnostic>>()?;
+        let symbols = table.symbols.iter().map(|symbol| identifier(self.source, symbol));
+        let hypotheses = table.hypotheses.iter().map(|text| self.hypothesis(text));
+        Ok(Identity {
+            scheme: table.scheme.as_ref().map(|text| self.located(text)).transpose()?,
+            symbols: symbols.collect::<Result<_, _>>()?,
+            hypotheses: hypotheses.collect::<Result<_, _>>()?,
+            left: self.left(left, &indices)?,
+            indices,
+            right: formula(self.source, right)?,
+        })
+    }
+
+    fn left(&self, left: &Spanned<LeftField>, indices: &[Index]) -> Result<Left, Diagnostic> {
+        let formulas = match left.get_ref() {
+            LeftField::One(text) => {
+                return LocatedFormula::read(self.source, left.span(), text).map(Left::One);
+            }
+            LeftField::Each(formulas) => formulas,
+        };
+        let mut count = 1;
+        for index in indices {
+            let Index::Listed(axis) = index else {
+                return Err(self
+                    .error(left.span(), "a list of left sides needs indices with `values`")
+                    .with_help("write one formula for all combinations"));
+            };
+            count *= axis.entries.len();
+        }
+        if formulas.len() != count {
+            let found = formulas.len();
             let message = format!("{found} left sides, and {count} combinations of the indices");
             return Err(self
                 .error(left.span(), message)
                 .with_help("give one left side for each combination, the first index slowest"));
         }
-        let symbols = table.symbols.iter().map(|symbol| identifier(self.source, symbol));
-        Ok(Identity {
-            scheme: table.scheme.as_ref().map(|text| self.located(text)).transpose()?,
-            symbols: symbols.collect::<Result<_, _>>()?,
-            indices,
-            left: left
-                .get_ref()
-                .iter()
-                .map(|text| formula(self.source, text))
-                .collect::<Result<_, _>>()?,
-            right: formula(self.source, right)?,
+        let formulas = formulas.iter().map(|text| formula(self.source, text));
+        formulas.collect::<Result<_, _>>().map(Left::Each)
+    }
+
+    fn index(&self, table: &AxisTable) -> Result<Index, Diagnostic> {
+        let (Some(from), Some(to), None) = (&table.from, &table.to, &table.values) else {
+            if table.from.is_some() || table.to.is_some() {
+                return Err(self
+                    .error(table.name.span(), "an index needs either `values`, or `from` and `to`")
+                    .with_help("{ name = \"i\", from = '2', to = 'N - 1' }"));
+            }
+            return self.axis(table).map(Index::Listed);
+        };
+        let name = identifier(self.source, &table.name)?;
+        Ok(Index::Range {
+            label: table.label.clone().unwrap_or_else(|| name.clone()),
+            name,
+            from: formula(self.source, from)?,
+            to: formula(self.source, to)?,
         })
+    }
+
+    fn hypothesis(&self, text: &Spanned<String>) -> Result<Hypothesis, Diagnostic> {
+        let help = "write a member of a family and its value: 'a[0, m] = 1 - a[0, 0]'";
+        let refuse = || self.error(text.span(), "this is no hypothesis").with_help(help);
+        let (member, value) = text.get_ref().split_once('=').ok_or_else(refuse)?;
+        let read = |part: &str| LocatedFormula::read(self.source, text.span(), part.trim());
+        let (member, value) = (read(member)?, read(value)?);
+        if matches!(member.expr.node, Node::Indexed { .. }) {
+            Ok(Hypothesis { member, value })
+        } else {
+            Err(refuse())
+        }
     }
 }

@@ -12,7 +12,7 @@ mod paper;
 mod table;
 
 pub use embedded::{EmbeddedPaper, embedded, embedded_papers};
-pub use equation::{Equation, EquationBody, Identity};
+pub use equation::{Equation, EquationBody, Hypothesis, Identity, Index, Left};
 pub use file::{MAX_CLAIM_FILE_BYTES, read_paper, read_paper_file};
 pub use paper::{Bibliography, Paper, SchemeSource};
 pub use table::{Axis, AxisEntry, Cell, LocatedReference, Printed, Promise, Table};

@@ -22,6 +22,13 @@ pub enum Node {
     Number(Rational),
     /// A parameter or an index.
     Name(String),
+    /// A member of a family: q[2*i − 1], a[0, j].
+    Indexed {
+        /// The family's name.
+        name: String,
+        /// What stands between the brackets.
+        indices: Vec<Expr>,
+    },
     /// −x.
     Negate(Box<Expr>),
     /// Operators of one precedence, applied from left to right.

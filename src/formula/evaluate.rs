@@ -163,6 +163,13 @@ impl<V: Value> Evaluator<'_, V> {
         match &expr.node {
             Node::Number(number) => Ok(V::from_rational(number)),
             Node::Name(name) => self.name(name, &expr.span, indices),
+            Node::Indexed { name, indices: positions } => {
+                let mut key = Vec::with_capacity(positions.len());
+                for position in positions {
+                    key.push(self.integer("an index", position, indices)?.to_string());
+                }
+                self.name(&format!("{name}[{}]", key.join(",")), &expr.span, indices)
+            }
             Node::Negate(operand) => Ok(V::zero().minus(&self.value(operand, indices)?)),
             Node::Chain(first, rest) => self.chain(first, rest, indices),
             Node::Power(base, exponent) => self.power(base, exponent, &expr.span, indices),

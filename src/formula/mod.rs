@@ -3,6 +3,7 @@
 //! ```text
 //! 3/4   0.0266   4.35e-5        exact numbers
 //! w   tau   μ                   named parameters
+//! q[2*i - 1]   a[0, j]          members of families
 //! a + b   a - b   a*b   a/b     exact arithmetic; -x^2 is -(x^2)
 //! x^k                           k an integer, also negative
 //! abs(x)  min(x, …)  max(x, …)  floor(x)  ceil(x)
@@ -17,6 +18,7 @@
 
 mod ast;
 mod builtin;
+mod display;
 mod error;
 mod evaluate;
 mod located;

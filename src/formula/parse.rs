@@ -244,6 +244,16 @@ fn name_or_call(input: &mut Input<'_>) -> Parsed<Expr> {
     let name = identifier(input)?;
     let end = input.previous_token_end();
     space(input)?;
+    if opt(symbol('[')).parse_next(input)?.is_some() {
+        let indices = nested(indices).parse_next(input)?;
+        required("`,` or `]`", ']').parse_next(input)?;
+        let end = input.previous_token_end();
+        space(input)?;
+        return Ok(Expr {
+            node: Node::Indexed { name: name.to_owned(), indices },
+            span: start..end,
+        });
+    }
     if opt(symbol('(')).parse_next(input)?.is_none() {
         return Ok(Expr { node: Node::Name(name.to_owned()), span: start..end });
     }
@@ -256,6 +266,14 @@ fn name_or_call(input: &mut Input<'_>) -> Parsed<Expr> {
     let end = input.previous_token_end();
     space(input)?;
     Ok(Expr { node, span: start..end })
+}
+
+fn indices(input: &mut Input<'_>) -> Parsed<Vec<Expr>> {
+    let mut indices = vec![expression(input)?];
+    while opt(symbol(',')).parse_next(input)?.is_some() {
+        indices.push(expression(input)?);
+    }
+    Ok(indices)
 }
 
 fn sum(input: &mut Input<'_>) -> Parsed<Node> {

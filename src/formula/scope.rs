@@ -32,6 +32,7 @@ impl<V> Functions<V> for () {
 pub struct Scope<'a, V> {
     values: BTreeMap<String, V>,
     unstated: BTreeSet<String>,
+    families: BTreeMap<String, &'a dyn Fn(&str) -> V>,
     definitions: &'a BTreeMap<String, LocatedFormula>,
     functions: &'a dyn Functions<V>,
     depth: Cell<usize>,
@@ -48,6 +49,7 @@ impl<'a, V: Value> Scope<'a, V> {
         Scope {
             values: BTreeMap::new(),
             unstated: BTreeSet::new(),
+            families: BTreeMap::new(),
             definitions,
             functions,
             depth: Cell::new(0),
@@ -59,6 +61,14 @@ impl<'a, V: Value> Scope<'a, V> {
     #[must_use]
     pub fn with(mut self, name: &str, value: V) -> Scope<'a, V> {
         self.values.insert(name.to_owned(), value);
+        self
+    }
+
+    /// Gives every member `name[i]`, `name[i,j]`, … the value of `member` at its full
+    /// name; a value given to one member by [`Scope::with`] goes before.
+    #[must_use]
+    pub fn with_family(mut self, name: &str, member: &'a dyn Fn(&str) -> V) -> Scope<'a, V> {
+        self.families.insert(name.to_owned(), member);
         self
     }
 
@@ -78,6 +88,11 @@ impl<V: Value> Context<V> for Scope<'_, V> {
         if self.unstated.contains(name) {
             return Ok(Lookup::Unstated);
         }
+        if let Some((family, _)) = name.split_once('[')
+            && let Some(member) = self.families.get(family)
+        {
+            return Ok(Lookup::Found(member(name)));
+        }
         let Some(definition) = self.definitions.get(name) else { return Ok(Lookup::Unknown) };
         if self.depth.get() >= MAX_DEFINITION_DEPTH {
             return Err(CallError::Misuse(format!(
@@ -93,6 +108,7 @@ impl<V: Value> Context<V> for Scope<'_, V> {
 
     fn names(&self) -> Vec<String> {
         let names = self.values.keys().chain(&self.unstated).chain(self.definitions.keys());
+        let names = names.chain(self.families.keys());
         names.cloned().collect::<BTreeSet<String>>().into_iter().collect()
     }
 

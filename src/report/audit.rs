@@ -300,7 +300,7 @@ pub(super) fn outcome(finding: &EquationFinding<'_>) -> String {
         EquationVerdict::Holds { cases: 1 } => "holds".to_owned(),
         EquationVerdict::Holds { cases } => format!("holds in all {cases} cases"),
         EquationVerdict::NotCheckable(absent) => format!("not checkable without {absent}"),
-        EquationVerdict::Fails { cases, failures } => {
+        EquationVerdict::Fails { cases, failures, mends } => {
             let mut lines = vec![match cases {
                 1 => "fails".to_owned(),
                 _ => format!("fails in {} of {cases} cases", failures.len()),
@@ -314,6 +314,7 @@ pub(super) fn outcome(finding: &EquationFinding<'_>) -> String {
                     failure.difference()
                 ));
             }
+            lines.extend(mends.iter().map(|mend| format!("It holds with one side as {mend}")));
             lines.extend(finding.equation.note.clone());
             lines.join("\n")
         }

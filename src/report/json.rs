@@ -71,8 +71,8 @@ fn sound_json(sound: &Sound, cell: &CellFinding) -> Value {
 }
 
 fn equation(finding: &EquationFinding<'_>) -> Value {
-    let (failures, absent) = match &finding.verdict {
-        EquationVerdict::Fails { failures, .. } => {
+    let (failures, mends, absent) = match &finding.verdict {
+        EquationVerdict::Fails { failures, mends, .. } => {
             let failure = |failure: &crate::audit::Failure| {
                 json!({
                     "at": failure.at,
@@ -81,10 +81,10 @@ fn equation(finding: &EquationFinding<'_>) -> Value {
                     "difference": failure.difference().to_string(),
                 })
             };
-            (Some(failures.iter().map(failure).collect::<Vec<Value>>()), None)
+            (Some(failures.iter().map(failure).collect::<Vec<Value>>()), Some(mends), None)
         }
-        EquationVerdict::NotCheckable(absent) => (None, Some(format!("missing: {absent}"))),
-        EquationVerdict::Holds { .. } => (None, None),
+        EquationVerdict::NotCheckable(absent) => (None, None, Some(format!("missing: {absent}"))),
+        EquationVerdict::Holds { .. } => (None, None, None),
     };
     let notes: Vec<String> =
         [absent, finding.equation.note.clone()].into_iter().flatten().collect();
@@ -100,5 +100,6 @@ fn equation(finding: &EquationFinding<'_>) -> Value {
         "sound": null,
         "note": if notes.is_empty() { None } else { Some(notes.join("; ")) },
         "failures": failures,
+        "mends": mends,
     })
 }

@@ -1,0 +1,129 @@
+//! Looking for the one symbol that mends a failing identity.
+
+use super::equation::{Case, Comparison};
+use crate::claim::Left;
+use crate::exact::Rational;
+use crate::formula::{Expr, LocatedFormula, Node, Operator};
+
+/// The most mends that are reported; with more, the identity says too little.
+const MAX_MENDS: usize = 3;
+
+/// The most changed formulas that are tried.
+const MAX_TRIES: usize = 2_000;
+
+/// Changes of one symbol in the right side, or in the left side if that is one
+/// formula, with which the identity holds in all cases: a sign, or an integer by 1.
+/// Empty when there is none, or more than three.
+pub(super) fn search(comparison: &Comparison<'_>, cases: &[Case]) -> Vec<String> {
+    let identity = comparison.identity;
+    let mut sides = vec![&identity.right];
+    if let Left::One(left) = &identity.left {
+        sides.push(left);
+    }
+    let mut mends = Vec::new();
+    for side in sides {
+        for changed in variants(&side.expr).into_iter().take(MAX_TRIES) {
+            if holds(comparison, cases, side, &changed) {
+                mends.push(changed.to_string());
+            }
+            if mends.len() > MAX_MENDS {
+                return Vec::new();
+            }
+        }
+    }
+    mends
+}
+
+/// Whether the identity holds with `changed` in place of `side`.
+fn holds(
+    comparison: &Comparison<'_>,
+    cases: &[Case],
+    side: &LocatedFormula,
+    changed: &Expr,
+) -> bool {
+    let identity = comparison.identity;
+    let pick = |formula: &'_ LocatedFormula| -> Expr {
+        if std::ptr::eq(formula, side) { changed.clone() } else { formula.expr.clone() }
+    };
+    cases.iter().enumerate().all(|(i, case)| {
+        let left = match &identity.left {
+            Left::One(formula) => formula,
+            Left::Each(formulas) => &formulas[i],
+        };
+        let value = |formula: &LocatedFormula| comparison.value(formula, &pick(formula), case).ok();
+        match (value(left), value(&identity.right)) {
+            (Some(left), Some(right)) => left == right,
+            _ => false,
+        }
+    })
+}
+
+/// The formula with one symbol changed, in every way.
+fn variants(expr: &Expr) -> Vec<Expr> {
+    let same = |node: Node| Expr { node, span: expr.span.clone() };
+    let boxed = |part: &Expr, build: &dyn Fn(Box<Expr>) -> Node| -> Vec<Expr> {
+        variants(part).into_iter().map(|changed| same(build(Box::new(changed)))).collect()
+    };
+    match &expr.node {
+        Node::Number(number) if number.is_integer() => [1, -1]
+            .map(|step| same(Node::Number(number + Rational::from(step))))
+            .into_iter()
+            .filter(|changed| !matches!(&changed.node, Node::Number(n) if n.sign() < 0))
+            .collect(),
+        Node::Number(_) | Node::Name(_) => Vec::new(),
+        Node::Negate(operand) => {
+            let mut all = boxed(operand, &Node::Negate);
+            all.push((**operand).clone());
+            all
+        }
+        Node::Power(base, exponent) => {
+            let mut all = boxed(base, &|base| Node::Power(base, exponent.clone()));
+            all.extend(boxed(exponent, &|exponent| Node::Power(base.clone(), exponent)));
+            all
+        }
+        Node::Indexed { name, indices } => replaced(indices)
+            .map(|indices| same(Node::Indexed { name: name.clone(), indices }))
+            .collect(),
+        Node::Call { function, arguments, options } => replaced(arguments)
+            .map(|arguments| {
+                let (function, options) = (function.clone(), options.clone());
+                same(Node::Call { function, arguments, options })
+            })
+            .collect(),
+        Node::Sum { index, from, to, body } => {
+            let sum = |from, to, body| Node::Sum { index: index.clone(), from, to, body };
+            let mut all = boxed(from, &|from| sum(from, to.clone(), body.clone()));
+            all.extend(boxed(to, &|to| sum(from.clone(), to, body.clone())));
+            all.extend(boxed(body, &|body| sum(from.clone(), to.clone(), body)));
+            all
+        }
+        Node::Chain(first, rest) => {
+            let mut all = boxed(first, &|first| Node::Chain(first, rest.clone()));
+            for (i, (operator, operand)) in rest.iter().enumerate() {
+                let with = |operator: Operator, operand: Expr| {
+                    let mut rest = rest.clone();
+                    rest[i] = (operator, operand);
+                    same(Node::Chain(first.clone(), rest))
+                };
+                match operator {
+                    Operator::Add => all.push(with(Operator::Subtract, operand.clone())),
+                    Operator::Subtract => all.push(with(Operator::Add, operand.clone())),
+                    Operator::Multiply | Operator::Divide => {}
+                }
+                all.extend(variants(operand).into_iter().map(|changed| with(*operator, changed)));
+            }
+            all
+        }
+    }
+}
+
+/// The list with one expression changed, in every way.
+fn replaced(list: &[Expr]) -> impl Iterator<Item = Vec<Expr>> {
+    list.iter().enumerate().flat_map(move |(i, part)| {
+        variants(part).into_iter().map(move |changed| {
+            let mut list = list.to_vec();
+            list[i] = changed;
+            list
+        })
+    })
+}
