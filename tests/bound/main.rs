@@ -4,6 +4,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 mod constants;
+mod convolution;
 mod depth;
 mod displacement;
 mod norm;
