@@ -1,11 +1,14 @@
-//! Numbers: reading, printing and arithmetic, against naive versions and against
-//! num-bigint and num-rational.
+//! Numbers: reading, printing and arithmetic, against naive versions, against
+//! num-bigint and num-rational, and against facts from elsewhere.
 
+mod algebraic;
 mod arithmetic;
 mod decimal;
+mod enclosure;
 mod format;
 mod polynomial;
 mod reading;
+mod univariate;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
