@@ -6,6 +6,8 @@
 //! | [`Decimal`] | a decimal as printed, which knows its rounding interval |
 //! | [`format`] | correctly rounded decimals of exact values |
 //! | [`Polynomial`] | polynomials in named variables, the normal form of an identity |
+//! | [`RealCyclotomic`] | real numbers of Q(2cos(2π/n)): sums of cosines |
+//! | [`cosine_polynomial`] | the minimal polynomial of 2cos(2π/n) |
 //! | [`RealAlgebraic`] | a root of a polynomial in an interval |
 //! | [`IntegerPolynomial`], [`SturmSequence`] | polynomials in one variable, and their real roots |
 //! | [`Enclosure`], [`Enclosed`] | intervals around a real number, as narrow as needed |
@@ -15,6 +17,7 @@
 mod algebraic;
 mod backend;
 mod common;
+mod cyclotomic;
 mod decimal;
 mod enclosure;
 pub mod format;
@@ -29,6 +32,9 @@ mod univariate;
 
 pub use algebraic::RealAlgebraic;
 pub use common::CommonDenominator;
+pub use cyclotomic::{
+    CosineError, MAX_CONDUCTOR, RealCyclotomic, common_conductor, cosine_polynomial,
+};
 pub use decimal::{Decimal, Rounding};
 pub use enclosure::{Enclosed, Enclosure};
 pub use integer::Integer;

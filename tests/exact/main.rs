@@ -3,7 +3,11 @@
 
 mod algebraic;
 mod arithmetic;
+mod cosine;
+mod cosine_facts;
+mod cosine_polynomial;
 mod decimal;
+mod doo_sabin;
 mod enclosure;
 mod format;
 mod polynomial;
