@@ -197,11 +197,13 @@ fn numbers_beyond_128_bits() {
             assert_eq!(norm.value, power_norm_generic(&rules, c, order).unwrap());
         }
     }
-    // (2^64)^2 = 2^128 in one class: one bit too many for a signed 128-bit integer.
-    let power = Rational::from(2).pow(64);
-    let rows = vec![vec![power.clone()], vec![Rational::zero()]];
-    let norm = power_norm(&Rules::new(rows, 0).unwrap(), 2, Order::Adjoint).unwrap();
-    assert_eq!(norm.value, power.pow(2));
+    // The squares next to 2^126, 2^127 and 2^128, of which only the first fits.
+    for (root, more) in [(1 << 63, 0), (13_043_817_825_332_782_212_i128, 1), (1 << 64, 0)] {
+        let power = Rational::from(root + more);
+        let rows = vec![vec![power.clone()], vec![Rational::zero()]];
+        let norm = power_norm(&Rules::new(rows, 0).unwrap(), 2, Order::Adjoint).unwrap();
+        assert_eq!(norm.value, power.pow(2));
+    }
 }
 
 #[test]
