@@ -145,7 +145,7 @@ fn attained(first: &Rules, second: &Rules, c: u32) -> Rational {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(40))]
+    #![proptest_config(ProptestConfig::with_cases(8))]
 
     // C_c is what differences along one direction can grow by: D along it, S along
     // the other, for the worse of the two directions.
@@ -188,6 +188,8 @@ fn bounds_hold_for_named_surfaces() {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(100))]
+
     #[test]
     fn levels_are_the_documented_formula(mask in gentle(3, 4), blocks in 1_u32..5, last in 0_u32..12) {
         let bound = curve(&mask, blocks);
