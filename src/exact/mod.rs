@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`Integer`], [`Rational`] | numbers of any size |
 //! | [`Decimal`] | a decimal as printed, which knows its rounding interval |
-//! | [`format`] | correctly rounded decimals of exact values |
+//! | [`mod@format`] | correctly rounded decimals of exact values |
 //! | [`Polynomial`] | polynomials in named variables, the normal form of an identity |
 //! | [`Scalar`], [`Real`] | what the algorithms ask of a number type |
 //! | [`CommonDenominator`] | rationals as integers over one denominator, for hot loops |
