@@ -13,7 +13,7 @@
 //! T(c, order = forward)         whatever the context offers; options are words
 //! ```
 //!
-//! [`parse`] gives an [`Expr`]; [`evaluate`] computes it over any [`Value`], with
+//! [`parse()`] gives an [`Expr`]; [`evaluate()`] computes it over any [`Value`], with
 //! names and functions supplied by a [`Context`]. Every error carries the bytes
 //! of the formula it is about.
 //!
