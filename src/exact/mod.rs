@@ -6,6 +6,8 @@
 //! | [`Decimal`] | a decimal as printed, which knows its rounding interval |
 //! | [`mod@format`] | correctly rounded decimals of exact values |
 //! | [`Polynomial`] | polynomials in named variables, the normal form of an identity |
+//! | [`PiecewiseLinear`], [`Parametric`] | functions of a free parameter |
+//! | [`Interval`], [`IntervalSet`] | where such a function is below a bound |
 //! | [`Scalar`], [`Real`] | what the algorithms ask of a number type |
 //! | [`CommonDenominator`] | rationals as integers over one denominator, for hot loops |
 
@@ -14,7 +16,10 @@ mod common;
 mod decimal;
 pub mod format;
 mod integer;
+mod interval;
 mod ops;
+mod parametric;
+mod piecewise;
 mod polynomial;
 mod rational;
 mod read;
@@ -23,6 +28,9 @@ mod scalar;
 pub use common::CommonDenominator;
 pub use decimal::{Decimal, Rounding};
 pub use integer::Integer;
+pub use interval::{Interval, IntervalSet};
+pub use parametric::Parametric;
+pub use piecewise::PiecewiseLinear;
 pub use polynomial::Polynomial;
 pub use rational::Rational;
 pub use read::{MAX_DIGITS, MAX_EXPONENT, NumberError, parse_decimal, parse_rational};

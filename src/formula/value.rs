@@ -1,6 +1,6 @@
 //! What a formula can be computed over.
 
-use crate::exact::{Polynomial, Rational, Scalar};
+use crate::exact::{Parametric, PiecewiseLinear, Polynomial, Rational, Real, Scalar};
 
 /// Values of formulas. Operations that a type does not have give `None`.
 pub trait Value: Scalar + std::fmt::Display {
@@ -62,5 +62,30 @@ impl Value for Polynomial {
     }
     fn larger(&self, other: &Self) -> Option<Self> {
         Some(Polynomial::constant(self.as_constant()?.max(other.as_constant()?)))
+    }
+}
+
+/// Products and quotients that are not piecewise linear are
+/// [`Parametric::Outside`], which the caller of an evaluation has to look for.
+impl Value for Parametric {
+    fn as_rational(&self) -> Option<Rational> {
+        self.function()?.as_constant()
+    }
+    fn size(&self) -> u64 {
+        self.function().map_or(0, PiecewiseLinear::bits)
+    }
+    fn product_size(&self, other: &Self) -> u64 {
+        let pieces = |value: &Parametric| value.function().map_or(1, |f| f.piece_count() as u64);
+        let (left, right) = (self.size(), other.size());
+        left.saturating_mul(pieces(other)).saturating_add(right.saturating_mul(pieces(self)))
+    }
+    fn quotient(&self, divisor: &Self) -> Option<Self> {
+        Some(self.over(divisor))
+    }
+    fn absolute(&self) -> Option<Self> {
+        Some(self.magnitude())
+    }
+    fn larger(&self, other: &Self) -> Option<Self> {
+        Some(self.greater(other))
     }
 }
