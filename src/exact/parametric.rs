@@ -15,16 +15,16 @@ use std::fmt;
 /// ```
 /// use subcert::bound::{Order, Terms, displacement, power_norm_generic};
 /// use subcert::exact::{Parametric, Rational, Scalar};
-/// use subcert::scheme::find_in_catalogue;
+/// use subcert::scheme::find;
 ///
 /// // T_1 and σ of the 4-point scheme with tension w, as functions of w.
 /// let parameters = [("w".to_owned(), Parametric::variable())].into();
-/// let mask = find_in_catalogue("four-point")?.mask(&parameters)?;
+/// let mask = find("four-point").expect("it is there").mask(&parameters)?;
 /// let contraction = power_norm_generic(&mask.difference(), 1, Order::Adjoint)?;
 /// let sigma = displacement(&mask, Terms::Each);
 /// let function = contraction.function().expect("piecewise linear");
 /// assert_eq!(function.at(&Rational::new(1, 16)), Rational::new(5, 8));
-/// assert_eq!(function.below(&Rational::one()).describe("w"), "-1/2 < w < 1/4");
+/// assert_eq!(function.below(&Rational::one()).describe("w"), "-1/4 < w < 1/4");
 /// assert_eq!(sigma.function().map(|f| f.piece_count()), Some(2));
 /// assert_eq!(Parametric::variable().times(&Parametric::variable()).function(), None);
 /// # Ok::<(), Box<dyn std::error::Error>>(())

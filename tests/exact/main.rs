@@ -4,6 +4,7 @@
 mod arithmetic;
 mod decimal;
 mod format;
+mod piecewise;
 mod polynomial;
 mod reading;
 
