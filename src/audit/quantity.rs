@@ -5,7 +5,7 @@ use crate::bound::{
     ClassCap, Constants, Operator, Order, Rounded, Suprema, Terms, displacement, log_level,
     surface_coefficients,
 };
-use crate::exact::Rational;
+use crate::exact::{Rational, Real};
 use crate::formula::{Call, CallError, FormulaErrorKind, Functions, OptionWord, Parameters, Value};
 use crate::scheme::{Mask, Reference, Rules};
 
@@ -75,12 +75,7 @@ impl Functions<Rational> for Quantities<'_> {
                 let (order, suprema) = (options.order()?, options.suprema()?);
                 constants()?.tensor(level(c)?, order, suprema).map_err(undefined)
             }
-            ("displacement", []) => {
-                let terms = options.terms()?;
-                let mask = constants()?.mask();
-                let offset = options.offset(mask.offset())?;
-                Ok(displacement(&mask.with_offset(offset), terms))
-            }
+            ("displacement", []) => moved(constants()?.mask(), &mut options),
             ("surface_displacement", [x1, x2, x3]) => {
                 let terms = options.terms()?;
                 Ok(surface_displacement(constants()?.mask(), [x1, x2, x3], terms))
@@ -108,23 +103,34 @@ pub(super) struct Coefficients<'a, V> {
 
 impl<V: Value + PartialEq> Functions<V> for Coefficients<'_, V> {
     fn call(&self, call: &Call<'_, V>) -> Result<V, CallError> {
-        check_name(call.function)?;
         let mut options = Options::new(call);
-        let mask = match (options.take("scheme"), &self.mask) {
-            (None, Some(mask)) => mask.clone(),
+        let mask = self.mask(call, &mut options)?;
+        let value = shape(&mask, &mask.difference(), call)?;
+        options.finish()?;
+        Ok(value)
+    }
+}
+
+impl<V: Value + PartialEq> Coefficients<'_, V> {
+    /// The mask that a call is about.
+    pub(super) fn mask(
+        &self,
+        call: &Call<'_, V>,
+        options: &mut Options<'_>,
+    ) -> Result<Mask<V>, CallError> {
+        check_name(call.function)?;
+        match (options.take("scheme"), &self.mask) {
+            (None, Some(mask)) => Ok(mask.clone()),
             (None, None) => {
-                let missing = "this needs a scheme: give the equation one".to_owned();
-                return Err(CallError::Misuse(missing));
+                let missing = "this needs a scheme: give the claim one".to_owned();
+                Err(CallError::Misuse(missing))
             }
             (Some(name), _) => {
                 let masks = self.library.masks(&reference(&name)?, &Parameters::<V>::default());
                 let masks = masks.map_err(|error| unresolved(&name, error))?;
-                masks.into_iter().next().expect("a scheme has one mask or two")
+                Ok(masks.into_iter().next().expect("a scheme has one mask or two"))
             }
-        };
-        let value = shape(&mask, &mask.difference(), call)?;
-        options.finish()?;
-        Ok(value)
+        }
     }
 }
 
@@ -139,12 +145,12 @@ fn unresolved(name: &str, error: Unresolved) -> CallError {
     }
 }
 
-fn undefined(error: ClassCap) -> CallError {
+pub(super) fn undefined(error: ClassCap) -> CallError {
     CallError::Undefined(error.to_string())
 }
 
 /// The functions that only read coefficients.
-fn shape<V: Value>(
+pub(super) fn shape<V: Value>(
     mask: &Mask<V>,
     difference: &Rules<V>,
     call: &Call<'_, V>,
@@ -191,14 +197,23 @@ fn contraction(
     let order = options.order()?;
     match options.terms()? {
         Terms::Each => constants.norm(Operator::Difference, c, order).map_err(undefined),
-        Terms::Total if c == 1 => {
-            let rows = constants.difference().rows().iter();
-            Ok(rows.map(|row| Terms::Total.gather(row)).max().unwrap_or_else(Rational::zero))
-        }
+        Terms::Total if c == 1 => Ok(total_contraction(constants.difference())),
         Terms::Total => {
             Err(CallError::Misuse("`terms = total` is defined for c = 1 only".to_owned()))
         }
     }
+}
+
+/// max_β |Σ_j b_{β,j}|.
+pub(super) fn total_contraction<S: Real>(difference: &Rules<S>) -> S {
+    S::maximum(difference.rows().iter().map(|row| Terms::Total.gather(row)))
+}
+
+/// σ with the terms and at the offset that the options name.
+pub(super) fn moved<S: Real>(mask: &Mask<S>, options: &mut Options<'_>) -> Result<S, CallError> {
+    let terms = options.terms()?;
+    let offset = options.offset(mask.offset())?;
+    Ok(displacement(&mask.with_offset(offset), terms))
 }
 
 /// ν = max_{α,β} (x_1 η¹ + x_2 η² + x_3 η³).
@@ -212,21 +227,22 @@ fn surface_displacement(mask: &Mask, spreads: [&Rational; 3], terms: Terms) -> R
     pairs.map(weighted).max().unwrap_or_else(Rational::zero)
 }
 
-fn level(value: &Rational) -> Result<u32, CallError> {
-    let level = value.numerator().to_i64().and_then(|level| u32::try_from(level).ok());
-    level.filter(|_| value.is_integer()).ok_or_else(|| {
+pub(super) fn level<V: Value>(value: &V) -> Result<u32, CallError> {
+    let integer = value.as_rational().filter(Rational::is_integer);
+    let level = integer.and_then(|level| u32::try_from(level.numerator().to_i64()?).ok());
+    level.ok_or_else(|| {
         CallError::Misuse(format!("a number of levels is 0, 1, 2, …, and not {value}"))
     })
 }
 
 /// The options of a call, each to be used once.
-struct Options<'a> {
+pub(super) struct Options<'a> {
     function: &'a str,
     left: Vec<&'a OptionWord>,
 }
 
 impl<'a> Options<'a> {
-    fn new<V>(call: &Call<'a, V>) -> Options<'a> {
+    pub(super) fn new<V>(call: &Call<'a, V>) -> Options<'a> {
         Options { function: call.function, left: call.options.iter().collect() }
     }
 
@@ -244,11 +260,11 @@ impl<'a> Options<'a> {
         })
     }
 
-    fn order(&mut self) -> Result<Order, CallError> {
+    pub(super) fn order(&mut self) -> Result<Order, CallError> {
         self.choose("order", &[("adjoint", Order::Adjoint), ("forward", Order::Forward)])
     }
 
-    fn terms(&mut self) -> Result<Terms, CallError> {
+    pub(super) fn terms(&mut self) -> Result<Terms, CallError> {
         self.choose("terms", &[("each", Terms::Each), ("total", Terms::Total)])
     }
 
@@ -271,7 +287,7 @@ impl<'a> Options<'a> {
         }
     }
 
-    fn finish(&self) -> Result<(), CallError> {
+    pub(super) fn finish(&self) -> Result<(), CallError> {
         self.left.first().map_or(Ok(()), |option| {
             let (name, function) = (&option.name, self.function);
             Err(CallError::Misuse(format!("`{function}` takes no option `{name}`")))

@@ -83,13 +83,6 @@ impl<'a> Judge<'a> {
         table: &'a Table,
         library: &'a Library<'a>,
     ) -> Result<Judge<'a>, Diagnostic> {
-        let values = |formulas: &BTreeMap<String, LocatedFormula>| {
-            let value = |(name, formula): (&String, &LocatedFormula)| {
-                let value = evaluate(&formula.expr, &Parameters::<Rational>::default());
-                value.map(|value| (name.clone(), value)).map_err(|error| formula.diagnostic(&error))
-            };
-            formulas.iter().map(value).collect::<Result<BTreeMap<_, _>, _>>()
-        };
         let mut given = values(&paper.given)?;
         given.extend(values(&table.given)?);
         let assumed = values(&table.unstated)?;
@@ -286,6 +279,17 @@ impl<'a> Judge<'a> {
             }
         }
     }
+}
+
+/// The values of formulas without parameters.
+pub(super) fn values(
+    formulas: &BTreeMap<String, LocatedFormula>,
+) -> Result<BTreeMap<String, Rational>, Diagnostic> {
+    let value = |(name, formula): (&String, &LocatedFormula)| {
+        let value = evaluate(&formula.expr, &Parameters::<Rational>::default());
+        value.map(|value| (name.clone(), value)).map_err(|error| formula.diagnostic(&error))
+    };
+    formulas.iter().map(value).collect()
 }
 
 /// An error of a scheme, at the place that names it or, for a scheme of the claim

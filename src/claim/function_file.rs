@@ -77,8 +77,8 @@ impl Reader<'_> {
                     .error(table.id.span(), "a range needs its printed ends")
                     .with_help("from = '0.1679', to = '0.6666'; one of them for a half line"));
             }
-            (Some(from), Some(to)) if from.decimal.value() > to.decimal.value() => {
-                let message = format!("this range ends at {}, before it begins", to.text);
+            (Some(from), Some(to)) if from.decimal.value() >= to.decimal.value() => {
+                let message = format!("the upper end {} is not above the lower one", to.text);
                 return Err(self
                     .error(to.span.clone(), message)
                     .with_help("`from` is the lower end, `to` the upper one"));
