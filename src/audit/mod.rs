@@ -6,6 +6,7 @@ mod finding;
 mod function;
 mod library;
 mod mend;
+mod options;
 mod parametric;
 mod promise;
 mod quantity;

@@ -1,9 +1,9 @@
 //! Formulas and constants as functions of one free parameter.
 
 use super::equation::first_mask;
-use super::library::Library;
-use super::quantity::{Coefficients, Options, level, moved, shape, total_contraction, undefined};
-use super::table::values;
+use super::library::{Library, values};
+use super::options::Options;
+use super::quantity::{Coefficients, level, moved, shape, total_contraction, undefined};
 use crate::bound::{Terms, power_norm_generic};
 use crate::claim::{LocatedReference, Paper};
 use crate::diagnostic::Diagnostic;
@@ -94,7 +94,7 @@ impl Functions<Parametric> for Constants<'_> {
                 let message = format!("`{name}` is not piecewise linear in a free parameter");
                 return Err(CallError::Misuse(message));
             }
-            _ => shape(&mask, &mask.difference(), call)?,
+            _ => shape(&mask, &mask.difference(), call, &mut options)?,
         };
         options.finish()?;
         Ok(value)

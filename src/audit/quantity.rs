@@ -1,16 +1,17 @@
 //! The functions that claims can use: constants of the scheme they are about.
 
 use super::library::{Library, Resolved, Unresolved};
+use super::options::Options;
 use crate::bound::{
-    ClassCap, Constants, Operator, Order, Rounded, Suprema, Terms, displacement, log_level,
-    surface_coefficients,
+    ClassCap, Constants, Operator, Rounded, Terms, convolution_coefficient, displacement,
+    log_level, sequence, surface_coefficients,
 };
 use crate::exact::{Rational, Real};
-use crate::formula::{Call, CallError, FormulaErrorKind, Functions, OptionWord, Parameters, Value};
+use crate::formula::{Call, CallError, FormulaErrorKind, Functions, Parameters, Value};
 use crate::scheme::{Mask, Reference, Rules};
 
 /// The functions, with what they are; for help texts.
-pub const QUANTITIES: [(&str, &str); 10] = [
+pub const QUANTITIES: [(&str, &str); 11] = [
     ("contraction(c, order = adjoint|forward)", "T_c; with `terms = total` and c = 1, max |Σ b|"),
     ("norm(c, order = adjoint|forward)", "Λ_c, the norm of the scheme"),
     ("tensor(c, order = …, suprema = independent|joint)", "T_c·Λ_c of the tensor product"),
@@ -19,6 +20,10 @@ pub const QUANTITIES: [(&str, &str); 10] = [
     ("levels(ratio, x, rounded = up|nearest|down)", "the logarithm of x to the base `ratio`"),
     ("mask(alpha, j)", "a coefficient of the mask; 0 beyond its ends"),
     ("difference(beta, j)", "a coefficient of the difference mask"),
+    (
+        "convolution(c, l, f, order = adjoint|forward, recursion = derived|printed)",
+        "E^c_{l,f}, a coefficient of c convolutions of the difference mask",
+    ),
     ("arity()", "n"),
     ("width()", "N"),
 ];
@@ -80,7 +85,7 @@ impl Functions<Rational> for Quantities<'_> {
                 let terms = options.terms()?;
                 Ok(surface_displacement(constants()?.mask(), [x1, x2, x3], terms))
             }
-            _ => shape(constants()?.mask(), constants()?.difference(), call),
+            _ => shape(constants()?.mask(), constants()?.difference(), call, &mut options),
         }?;
         options.finish()?;
         Ok(value)
@@ -105,7 +110,7 @@ impl<V: Value + PartialEq> Functions<V> for Coefficients<'_, V> {
     fn call(&self, call: &Call<'_, V>) -> Result<V, CallError> {
         let mut options = Options::new(call);
         let mask = self.mask(call, &mut options)?;
-        let value = shape(&mask, &mask.difference(), call)?;
+        let value = shape(&mask, &mask.difference(), call, &mut options)?;
         options.finish()?;
         Ok(value)
     }
@@ -154,11 +159,23 @@ pub(super) fn shape<V: Value>(
     mask: &Mask<V>,
     difference: &Rules<V>,
     call: &Call<'_, V>,
+    options: &mut Options<'_>,
 ) -> Result<V, CallError> {
     let number = |value: usize| V::from_rational(&Rational::from(value));
     match (call.function, call.arguments) {
         ("mask", [rule, column]) => coefficient(mask.rules(), rule, column),
         ("difference", [rule, column]) => coefficient(difference, rule, column),
+        ("convolution", [c, l, f]) => {
+            let (order, recursion) = (options.order()?, options.recursion()?);
+            let c = u32::try_from(index("a number of convolutions", c)?).unwrap_or(0);
+            if !(1..=MAX_CONVOLUTIONS).contains(&c) {
+                let message = format!("from 1 to {MAX_CONVOLUTIONS} convolutions, and not {c}");
+                return Err(CallError::Misuse(message));
+            }
+            let (l, f) = (index("the index l", l)?, index("the index f", f)?);
+            let t = sequence(difference, order);
+            Ok(convolution_coefficient(&t, mask.arity(), c, l, f, recursion))
+        }
         ("arity", []) => Ok(number(mask.arity())),
         ("width", []) => Ok(number(mask.width())),
         (name, given) => {
@@ -172,13 +189,18 @@ pub(super) fn shape<V: Value>(
     }
 }
 
+/// The most convolutions whose coefficients are summed term by term.
+const MAX_CONVOLUTIONS: u32 = 4;
+
+fn index<V: Value>(what: &'static str, value: &V) -> Result<i64, CallError> {
+    let integer = value.as_rational().filter(Rational::is_integer);
+    let integer = integer.and_then(|value| value.numerator().to_i64());
+    integer.filter(|value| value.abs() <= 1_000_000).ok_or_else(|| {
+        CallError::Inner(FormulaErrorKind::NotAnInteger { what, value: value.to_string() })
+    })
+}
+
 fn coefficient<V: Value>(rules: &Rules<V>, rule: &V, column: &V) -> Result<V, CallError> {
-    let index = |what: &'static str, value: &V| {
-        let integer = value.as_rational().filter(Rational::is_integer);
-        integer.and_then(|value| value.numerator().to_i64()).ok_or_else(|| {
-            CallError::Inner(FormulaErrorKind::NotAnInteger { what, value: value.to_string() })
-        })
-    };
     let (rule, column) = (index("the index of a rule", rule)?, index("a column", column)?);
     let row = usize::try_from(rule).ok().and_then(|rule| rules.rows().get(rule));
     let row = row.ok_or_else(|| {
@@ -233,64 +255,4 @@ pub(super) fn level<V: Value>(value: &V) -> Result<u32, CallError> {
     level.ok_or_else(|| {
         CallError::Misuse(format!("a number of levels is 0, 1, 2, …, and not {value}"))
     })
-}
-
-/// The options of a call, each to be used once.
-pub(super) struct Options<'a> {
-    function: &'a str,
-    left: Vec<&'a OptionWord>,
-}
-
-impl<'a> Options<'a> {
-    pub(super) fn new<V>(call: &Call<'a, V>) -> Options<'a> {
-        Options { function: call.function, left: call.options.iter().collect() }
-    }
-
-    fn take(&mut self, name: &str) -> Option<String> {
-        let at = self.left.iter().position(|option| option.name == name)?;
-        Some(self.left.remove(at).word.clone())
-    }
-
-    fn choose<T: Copy>(&mut self, name: &str, choices: &[(&str, T)]) -> Result<T, CallError> {
-        let Some(word) = self.take(name) else { return Ok(choices[0].1) };
-        let found = choices.iter().find(|(choice, _)| *choice == word);
-        found.map(|(_, value)| *value).ok_or_else(|| {
-            let known: Vec<&str> = choices.iter().map(|(choice, _)| *choice).collect();
-            CallError::Misuse(format!("`{name}` is one of {}, not `{word}`", known.join(", ")))
-        })
-    }
-
-    pub(super) fn order(&mut self) -> Result<Order, CallError> {
-        self.choose("order", &[("adjoint", Order::Adjoint), ("forward", Order::Forward)])
-    }
-
-    pub(super) fn terms(&mut self) -> Result<Terms, CallError> {
-        self.choose("terms", &[("each", Terms::Each), ("total", Terms::Total)])
-    }
-
-    fn suprema(&mut self) -> Result<Suprema, CallError> {
-        let choices = [("independent", Suprema::Independent), ("joint", Suprema::Joint)];
-        self.choose("suprema", &choices)
-    }
-
-    fn rounded(&mut self) -> Result<Rounded, CallError> {
-        let choices = [("up", Rounded::Up), ("nearest", Rounded::Nearest), ("down", Rounded::Down)];
-        self.choose("rounded", &choices)
-    }
-
-    fn offset(&mut self, own: i64) -> Result<i64, CallError> {
-        match self.take("offset").as_deref() {
-            None | Some("own") => Ok(own),
-            Some(word) => word.parse().ok().filter(|o: &i64| o.abs() <= 10_000).ok_or_else(|| {
-                CallError::Misuse(format!("`offset` is `own` or an integer, not `{word}`"))
-            }),
-        }
-    }
-
-    pub(super) fn finish(&self) -> Result<(), CallError> {
-        self.left.first().map_or(Ok(()), |option| {
-            let (name, function) = (&option.name, self.function);
-            Err(CallError::Misuse(format!("`{function}` takes no option `{name}`")))
-        })
-    }
 }
