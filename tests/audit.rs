@@ -119,6 +119,7 @@ fn every_embedded_paper_reads_and_counts() {
         counts,
         [
             ("mustafa2007-bajaj".to_owned(), 0),
+            ("mustafa2007-ternary".to_owned(), 0),
             ("khan2019-newton".to_owned(), 54),
             ("mustafa2020-nary".to_owned(), 240),
         ]

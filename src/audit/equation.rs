@@ -4,10 +4,13 @@ use super::library::{Library, Unresolved};
 use super::mend;
 use super::quantity::Coefficients;
 use super::table::scheme_error;
-use crate::claim::{Equation, EquationBody, Hypothesis, Identity, Index, Left, Paper};
+use crate::claim::{
+    Equation, EquationBody, Hypothesis, Identity, Index, Left, LocatedReference, Paper,
+};
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Polynomial, Rational, Scalar};
-use crate::formula::{Expr, LocatedFormula, Node, Parameters, Scope, evaluate};
+use crate::formula::{Context, Expr, LocatedFormula, Node, Parameters, Scope, Value, evaluate};
+use crate::scheme::Mask;
 use std::collections::BTreeMap;
 
 /// The most combinations of indices that an identity is compared in.
@@ -171,6 +174,22 @@ fn bound(formula: &LocatedFormula, case: &Case) -> Result<i64, Diagnostic> {
     })
 }
 
+/// The mask of the scheme that a claim is about; of a tensor product, the first.
+pub(super) fn first_mask<V: Value + PartialEq>(
+    library: &Library<'_>,
+    located: &LocatedReference,
+    context: &dyn Context<V>,
+) -> Result<Option<Mask<V>>, Diagnostic> {
+    let masks = library.masks(&located.reference, context).map_err(|error| match error {
+        Unresolved::Scheme(error) => scheme_error(located, &error),
+        Unresolved::Formula(error) => {
+            let message = format!("in its parameters: {error}");
+            Diagnostic::new(&located.source, located.span.clone(), message)
+        }
+    })?;
+    Ok(masks.into_iter().next())
+}
+
 /// An identity with what its formulas refer to.
 pub(super) struct Comparison<'a> {
     paper: &'a Paper,
@@ -192,15 +211,7 @@ impl Comparison<'_> {
             None => None,
             Some(located) => {
                 let scope = self.scope(case, &none, &member)?;
-                let masks = self.library.masks(&located.reference, &scope);
-                let masks = masks.map_err(|error| match error {
-                    Unresolved::Scheme(error) => scheme_error(located, &error),
-                    Unresolved::Formula(error) => {
-                        let message = format!("in its parameters: {error}");
-                        Diagnostic::new(&located.source, located.span.clone(), message)
-                    }
-                })?;
-                masks.into_iter().next()
+                first_mask(self.library, located, &scope)?
             }
         };
         let functions = Coefficients { library: self.library, mask };

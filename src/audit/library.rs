@@ -2,8 +2,9 @@
 
 use crate::bound::{ClassCap, Constants, SoundBound};
 use crate::claim::{Paper, SchemeSource};
+use crate::diagnostic::Diagnostic;
 use crate::exact::Rational;
-use crate::formula::{Context, FormulaError, Value};
+use crate::formula::{Context, FormulaError, LocatedFormula, Parameters, Value, evaluate};
 use crate::scheme::{Instance, Mask, Reference, SchemeDefinition, SchemeError, find_in_catalogue};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -164,4 +165,15 @@ impl<'a> Library<'a> {
 fn block_length(masks: &[&Mask]) -> u32 {
     let arity = masks.iter().map(|mask| mask.arity() as u64).max().unwrap_or(2);
     (1..=MAX_SOUND_BLOCK).rev().find(|&c| arity.pow(c) <= MAX_SOUND_CLASSES).unwrap_or(1)
+}
+
+/// The values of formulas without parameters.
+pub(super) fn values(
+    formulas: &BTreeMap<String, LocatedFormula>,
+) -> Result<BTreeMap<String, Rational>, Diagnostic> {
+    let value = |(name, formula): (&String, &LocatedFormula)| {
+        let value = evaluate(&formula.expr, &Parameters::<Rational>::default());
+        value.map(|value| (name.clone(), value)).map_err(|error| formula.diagnostic(&error))
+    };
+    formulas.iter().map(value).collect()
 }

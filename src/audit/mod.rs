@@ -3,15 +3,21 @@
 mod compare;
 mod equation;
 mod finding;
+mod function;
 mod library;
 mod mend;
+mod options;
+mod parametric;
 mod promise;
 mod quantity;
+mod range;
 mod table;
 
 pub use equation::{EquationFinding, EquationVerdict, Failure};
 pub use finding::{Assumed, CellFinding, Direction, Missing, Slip, Sound, Verdict};
+pub use function::{Example, FunctionFinding, FunctionVerdict};
 pub use quantity::QUANTITIES;
+pub use range::{EndFinding, EndRelation, RangeFinding, RangeVerdict};
 pub use table::TableFinding;
 
 use crate::claim::Paper;
@@ -28,6 +34,10 @@ pub struct PaperAudit<'a> {
     pub tables: Vec<TableFinding<'a>>,
     /// Its equations.
     pub equations: Vec<EquationFinding<'a>>,
+    /// Its closed forms in a free parameter.
+    pub functions: Vec<FunctionFinding<'a>>,
+    /// Its ranges of a free parameter.
+    pub ranges: Vec<RangeFinding<'a>>,
 }
 
 /// Judges every claim of a paper.
@@ -41,7 +51,7 @@ pub struct PaperAudit<'a> {
 /// use subcert::claim::embedded_papers;
 ///
 /// let papers = embedded_papers()?;
-/// let khan = audit(&papers[1])?;
+/// let khan = audit(&papers[2])?;
 /// assert_eq!(khan.tables[0].cells[0][0].verdict, Verdict::Confirmed);
 /// # Ok::<(), subcert::diagnostic::Diagnostic>(())
 /// ```
@@ -49,10 +59,14 @@ pub fn audit(paper: &Paper) -> Result<PaperAudit<'_>, Diagnostic> {
     let library = Library::new(paper);
     let tables = paper.tables.iter().map(|claim| table::judge(paper, claim, &library));
     let equations = paper.equations.iter().map(|claim| equation::judge(paper, claim, &library));
+    let functions = paper.functions.iter().map(|claim| function::judge(paper, claim, &library));
+    let ranges = paper.ranges.iter().map(|claim| range::judge(paper, claim, &library));
     Ok(PaperAudit {
         paper,
         tables: tables.collect::<Result<_, _>>()?,
         equations: equations.collect::<Result<_, _>>()?,
+        functions: functions.collect::<Result<_, _>>()?,
+        ranges: ranges.collect::<Result<_, _>>()?,
     })
 }
 
@@ -60,20 +74,29 @@ impl PaperAudit<'_> {
     /// How many table cells have each verdict, in the order of [`Verdict::NAMES`].
     #[must_use]
     pub fn cell_counts(&self) -> BTreeMap<&'static str, usize> {
-        let mut counts = BTreeMap::new();
-        for cell in self.tables.iter().flat_map(|table| table.cells.iter().flatten()) {
-            *counts.entry(cell.verdict.name()).or_insert(0) += 1;
-        }
-        counts
+        let cells = self.tables.iter().flat_map(|table| table.cells.iter().flatten());
+        count(cells.map(|cell| cell.verdict.name()))
     }
 
-    /// How many equations have each verdict.
+    /// How many equations have each verdict, those between functions of a free
+    /// parameter among them.
     #[must_use]
     pub fn equation_counts(&self) -> BTreeMap<&'static str, usize> {
-        let mut counts = BTreeMap::new();
-        for equation in &self.equations {
-            *counts.entry(equation.verdict.name()).or_insert(0) += 1;
-        }
-        counts
+        let equations = self.equations.iter().map(|finding| finding.verdict.name());
+        count(equations.chain(self.functions.iter().map(|finding| finding.verdict.name())))
     }
+
+    /// How many ranges have each verdict.
+    #[must_use]
+    pub fn range_counts(&self) -> BTreeMap<&'static str, usize> {
+        count(self.ranges.iter().map(|finding| finding.verdict.name()))
+    }
+}
+
+fn count(names: impl Iterator<Item = &'static str>) -> BTreeMap<&'static str, usize> {
+    let mut counts = BTreeMap::new();
+    for name in names {
+        *counts.entry(name).or_insert(0) += 1;
+    }
+    counts
 }

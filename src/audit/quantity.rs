@@ -1,12 +1,13 @@
 //! The functions that claims can use: constants of the scheme they are about.
 
 use super::library::{Library, Resolved, Unresolved};
+use super::options::Options;
 use crate::bound::{
-    ClassCap, Constants, Operator, Order, Recursion, Rounded, Suprema, Terms,
-    convolution_coefficient, displacement, log_level, sequence, surface_coefficients,
+    ClassCap, Constants, Operator, Rounded, Terms, convolution_coefficient, displacement,
+    log_level, sequence, surface_coefficients,
 };
-use crate::exact::Rational;
-use crate::formula::{Call, CallError, FormulaErrorKind, Functions, OptionWord, Parameters, Value};
+use crate::exact::{Rational, Real};
+use crate::formula::{Call, CallError, FormulaErrorKind, Functions, Parameters, Value};
 use crate::scheme::{Mask, Reference, Rules};
 
 /// The functions, with what they are; for help texts.
@@ -79,12 +80,7 @@ impl Functions<Rational> for Quantities<'_> {
                 let (order, suprema) = (options.order()?, options.suprema()?);
                 constants()?.tensor(level(c)?, order, suprema).map_err(undefined)
             }
-            ("displacement", []) => {
-                let terms = options.terms()?;
-                let mask = constants()?.mask();
-                let offset = options.offset(mask.offset())?;
-                Ok(displacement(&mask.with_offset(offset), terms))
-            }
+            ("displacement", []) => moved(constants()?.mask(), &mut options),
             ("surface_displacement", [x1, x2, x3]) => {
                 let terms = options.terms()?;
                 Ok(surface_displacement(constants()?.mask(), [x1, x2, x3], terms))
@@ -112,23 +108,34 @@ pub(super) struct Coefficients<'a, V> {
 
 impl<V: Value + PartialEq> Functions<V> for Coefficients<'_, V> {
     fn call(&self, call: &Call<'_, V>) -> Result<V, CallError> {
-        check_name(call.function)?;
         let mut options = Options::new(call);
-        let mask = match (options.take("scheme"), &self.mask) {
-            (None, Some(mask)) => mask.clone(),
+        let mask = self.mask(call, &mut options)?;
+        let value = shape(&mask, &mask.difference(), call, &mut options)?;
+        options.finish()?;
+        Ok(value)
+    }
+}
+
+impl<V: Value + PartialEq> Coefficients<'_, V> {
+    /// The mask that a call is about.
+    pub(super) fn mask(
+        &self,
+        call: &Call<'_, V>,
+        options: &mut Options<'_>,
+    ) -> Result<Mask<V>, CallError> {
+        check_name(call.function)?;
+        match (options.take("scheme"), &self.mask) {
+            (None, Some(mask)) => Ok(mask.clone()),
             (None, None) => {
-                let missing = "this needs a scheme: give the equation one".to_owned();
-                return Err(CallError::Misuse(missing));
+                let missing = "this needs a scheme: give the claim one".to_owned();
+                Err(CallError::Misuse(missing))
             }
             (Some(name), _) => {
                 let masks = self.library.masks(&reference(&name)?, &Parameters::<V>::default());
                 let masks = masks.map_err(|error| unresolved(&name, error))?;
-                masks.into_iter().next().expect("a scheme has one mask or two")
+                Ok(masks.into_iter().next().expect("a scheme has one mask or two"))
             }
-        };
-        let value = shape(&mask, &mask.difference(), call, &mut options)?;
-        options.finish()?;
-        Ok(value)
+        }
     }
 }
 
@@ -143,12 +150,12 @@ fn unresolved(name: &str, error: Unresolved) -> CallError {
     }
 }
 
-fn undefined(error: ClassCap) -> CallError {
+pub(super) fn undefined(error: ClassCap) -> CallError {
     CallError::Undefined(error.to_string())
 }
 
 /// The functions that only read coefficients.
-fn shape<V: Value>(
+pub(super) fn shape<V: Value>(
     mask: &Mask<V>,
     difference: &Rules<V>,
     call: &Call<'_, V>,
@@ -212,14 +219,23 @@ fn contraction(
     let order = options.order()?;
     match options.terms()? {
         Terms::Each => constants.norm(Operator::Difference, c, order).map_err(undefined),
-        Terms::Total if c == 1 => {
-            let rows = constants.difference().rows().iter();
-            Ok(rows.map(|row| Terms::Total.gather(row)).max().unwrap_or_else(Rational::zero))
-        }
+        Terms::Total if c == 1 => Ok(total_contraction(constants.difference())),
         Terms::Total => {
             Err(CallError::Misuse("`terms = total` is defined for c = 1 only".to_owned()))
         }
     }
+}
+
+/// max_β |Σ_j b_{β,j}|.
+pub(super) fn total_contraction<S: Real>(difference: &Rules<S>) -> S {
+    S::maximum(difference.rows().iter().map(|row| Terms::Total.gather(row)))
+}
+
+/// σ with the terms and at the offset that the options name.
+pub(super) fn moved<S: Real>(mask: &Mask<S>, options: &mut Options<'_>) -> Result<S, CallError> {
+    let terms = options.terms()?;
+    let offset = options.offset(mask.offset())?;
+    Ok(displacement(&mask.with_offset(offset), terms))
 }
 
 /// ν = max_{α,β} (x_1 η¹ + x_2 η² + x_3 η³).
@@ -233,74 +249,10 @@ fn surface_displacement(mask: &Mask, spreads: [&Rational; 3], terms: Terms) -> R
     pairs.map(weighted).max().unwrap_or_else(Rational::zero)
 }
 
-fn level(value: &Rational) -> Result<u32, CallError> {
-    let level = value.numerator().to_i64().and_then(|level| u32::try_from(level).ok());
-    level.filter(|_| value.is_integer()).ok_or_else(|| {
+pub(super) fn level<V: Value>(value: &V) -> Result<u32, CallError> {
+    let integer = value.as_rational().filter(Rational::is_integer);
+    let level = integer.and_then(|level| u32::try_from(level.numerator().to_i64()?).ok());
+    level.ok_or_else(|| {
         CallError::Misuse(format!("a number of levels is 0, 1, 2, …, and not {value}"))
     })
-}
-
-/// The options of a call, each to be used once.
-struct Options<'a> {
-    function: &'a str,
-    left: Vec<&'a OptionWord>,
-}
-
-impl<'a> Options<'a> {
-    fn new<V>(call: &Call<'a, V>) -> Options<'a> {
-        Options { function: call.function, left: call.options.iter().collect() }
-    }
-
-    fn take(&mut self, name: &str) -> Option<String> {
-        let at = self.left.iter().position(|option| option.name == name)?;
-        Some(self.left.remove(at).word.clone())
-    }
-
-    fn choose<T: Copy>(&mut self, name: &str, choices: &[(&str, T)]) -> Result<T, CallError> {
-        let Some(word) = self.take(name) else { return Ok(choices[0].1) };
-        let found = choices.iter().find(|(choice, _)| *choice == word);
-        found.map(|(_, value)| *value).ok_or_else(|| {
-            let known: Vec<&str> = choices.iter().map(|(choice, _)| *choice).collect();
-            CallError::Misuse(format!("`{name}` is one of {}, not `{word}`", known.join(", ")))
-        })
-    }
-
-    fn order(&mut self) -> Result<Order, CallError> {
-        self.choose("order", &[("adjoint", Order::Adjoint), ("forward", Order::Forward)])
-    }
-
-    fn terms(&mut self) -> Result<Terms, CallError> {
-        self.choose("terms", &[("each", Terms::Each), ("total", Terms::Total)])
-    }
-
-    fn suprema(&mut self) -> Result<Suprema, CallError> {
-        let choices = [("independent", Suprema::Independent), ("joint", Suprema::Joint)];
-        self.choose("suprema", &choices)
-    }
-
-    fn recursion(&mut self) -> Result<Recursion, CallError> {
-        let choices = [("derived", Recursion::Derived), ("printed", Recursion::Printed)];
-        self.choose("recursion", &choices)
-    }
-
-    fn rounded(&mut self) -> Result<Rounded, CallError> {
-        let choices = [("up", Rounded::Up), ("nearest", Rounded::Nearest), ("down", Rounded::Down)];
-        self.choose("rounded", &choices)
-    }
-
-    fn offset(&mut self, own: i64) -> Result<i64, CallError> {
-        match self.take("offset").as_deref() {
-            None | Some("own") => Ok(own),
-            Some(word) => word.parse().ok().filter(|o: &i64| o.abs() <= 10_000).ok_or_else(|| {
-                CallError::Misuse(format!("`offset` is `own` or an integer, not `{word}`"))
-            }),
-        }
-    }
-
-    fn finish(&self) -> Result<(), CallError> {
-        self.left.first().map_or(Ok(()), |option| {
-            let (name, function) = (&option.name, self.function);
-            Err(CallError::Misuse(format!("`{function}` takes no option `{name}`")))
-        })
-    }
 }

@@ -2,13 +2,13 @@
 
 use super::compare;
 use super::finding::{Assumed, CellFinding, Direction, Missing, Verdict};
-use super::library::{Library, Unresolved};
+use super::library::{Library, Unresolved, values};
 use super::quantity::Quantities;
 use crate::bound::Rounded;
 use crate::claim::{Axis, AxisEntry, Cell, LocatedReference, Paper, Printed, Promise, Table};
 use crate::diagnostic::Diagnostic;
 use crate::exact::Rational;
-use crate::formula::{FormulaError, FormulaErrorKind, LocatedFormula, Parameters, Scope, evaluate};
+use crate::formula::{FormulaError, FormulaErrorKind, LocatedFormula, Scope, evaluate};
 use crate::scheme::SchemeError;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -83,13 +83,6 @@ impl<'a> Judge<'a> {
         table: &'a Table,
         library: &'a Library<'a>,
     ) -> Result<Judge<'a>, Diagnostic> {
-        let values = |formulas: &BTreeMap<String, LocatedFormula>| {
-            let value = |(name, formula): (&String, &LocatedFormula)| {
-                let value = evaluate(&formula.expr, &Parameters::<Rational>::default());
-                value.map(|value| (name.clone(), value)).map_err(|error| formula.diagnostic(&error))
-            };
-            formulas.iter().map(value).collect::<Result<BTreeMap<_, _>, _>>()
-        };
         let mut given = values(&paper.given)?;
         given.extend(values(&table.given)?);
         let assumed = values(&table.unstated)?;

@@ -22,8 +22,8 @@ macro_rules! claims {
     };
 }
 
-const PAPERS: [EmbeddedPaper; 3] =
-    claims!["mustafa2007-bajaj", "khan2019-newton", "mustafa2020-nary"];
+const PAPERS: [EmbeddedPaper; 4] =
+    claims!["mustafa2007-bajaj", "mustafa2007-ternary", "khan2019-newton", "mustafa2020-nary"];
 
 /// The embedded claim files, in the order of the papers' years.
 #[must_use]

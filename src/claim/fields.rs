@@ -1,5 +1,6 @@
 //! The fields of a claim file, as TOML gives them.
 
+use super::function_file::{FunctionTable, RangeTable};
 use crate::scheme::SchemeTable;
 use serde::Deserialize;
 use serde::de::{MapAccess, Visitor};
@@ -24,6 +25,10 @@ pub(super) struct PaperFile {
     pub(super) table: Vec<TableTable>,
     #[serde(default)]
     pub(super) equation: Vec<EquationTable>,
+    #[serde(default)]
+    pub(super) function: Vec<FunctionTable>,
+    #[serde(default)]
+    pub(super) range: Vec<RangeTable>,
 }
 
 #[derive(Debug, Deserialize)]

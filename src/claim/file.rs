@@ -30,12 +30,16 @@ pub fn read_paper(source: &Arc<SourceText>) -> Result<Paper, Diagnostic> {
     let file: PaperFile = from_toml(source)?;
     let reader = Reader { source };
     let mut ids = BTreeSet::new();
-    for id in file.table.iter().map(|t| &t.id).chain(file.equation.iter().map(|e| &e.id)) {
+    let ids_of_tables = file.table.iter().map(|table| &table.id);
+    let ids_of_others = file.equation.iter().map(|equation| &equation.id);
+    let ids_of_others = ids_of_others.chain(file.function.iter().map(|function| &function.id));
+    let ids_of_others = ids_of_others.chain(file.range.iter().map(|range| &range.id));
+    for id in ids_of_tables.chain(ids_of_others) {
         reader.id(id)?;
         if !ids.insert(id.get_ref()) {
             return Err(reader
                 .error(id.span(), format!("the id `{}` is used twice", id.get_ref()))
-                .with_help("every table and equation needs an id of its own"));
+                .with_help("every table, equation, function and range needs an id of its own"));
         }
     }
     let bibliography = Bibliography {
@@ -67,6 +71,12 @@ pub fn read_paper(source: &Arc<SourceText>) -> Result<Paper, Diagnostic> {
             .iter()
             .map(|equation| reader.equation(equation))
             .collect::<Result<_, _>>()?,
+        functions: file
+            .function
+            .iter()
+            .map(|function| reader.function(function))
+            .collect::<Result<_, _>>()?,
+        ranges: file.range.iter().map(|range| reader.range(range)).collect::<Result<_, _>>()?,
         source: Arc::clone(source),
     })
 }
@@ -81,12 +91,12 @@ pub fn read_paper_file(path: &Path) -> Result<Result<Paper, Diagnostic>, String>
     Ok(read_paper(&SourceText::new(path.display().to_string(), text)))
 }
 
-struct Reader<'a> {
-    source: &'a Arc<SourceText>,
+pub(super) struct Reader<'a> {
+    pub(super) source: &'a Arc<SourceText>,
 }
 
 impl Reader<'_> {
-    fn error(&self, span: Range<usize>, message: impl Into<String>) -> Diagnostic {
+    pub(super) fn error(&self, span: Range<usize>, message: impl Into<String>) -> Diagnostic {
         Diagnostic::new(self.source, span, message)
     }
 
@@ -111,7 +121,7 @@ impl Reader<'_> {
         Reference::parse(text.get_ref()).map_err(|error| self.error(text.span(), error.to_string()))
     }
 
-    fn located(&self, text: &Spanned<String>) -> Result<LocatedReference, Diagnostic> {
+    pub(super) fn located(&self, text: &Spanned<String>) -> Result<LocatedReference, Diagnostic> {
         let (source, span) = (Arc::clone(self.source), text.span());
         Ok(LocatedReference { reference: self.reference(text)?, source, span })
     }
@@ -155,6 +165,15 @@ impl Reader<'_> {
         )
     }
 
+    /// A printed decimal.
+    pub(super) fn printed(&self, field: &Spanned<NumberField>) -> Result<Printed, Diagnostic> {
+        let NumberField { printed, read, note } = field.get_ref();
+        let text = read.as_ref().unwrap_or(printed);
+        let decimal = parse_decimal(text).map_err(|error| self.damaged(field, &error))?;
+        let (text, note) = (printed.clone(), note.clone());
+        Ok(Printed { text, decimal, note, span: field.span() })
+    }
+
     fn promise(&self, table: &Spanned<PromiseTable>) -> Result<Promise, Diagnostic> {
         let PromiseTable { tolerance, level, spread, offset } = table.get_ref();
         let spread = formula(self.source, spread)?;
@@ -191,13 +210,7 @@ impl Reader<'_> {
                 "give one row of cells for each header in `rows`, or one row without `rows`",
             ));
         }
-        let cell = |field: &Spanned<NumberField>| {
-            let NumberField { printed, read, note } = field.get_ref();
-            let text = read.as_ref().unwrap_or(printed);
-            let decimal = parse_decimal(text).map_err(|error| self.damaged(field, &error))?;
-            let (text, note) = (printed.clone(), note.clone());
-            Ok(Cell::Printed(Printed { text, decimal, note, span: field.span() }))
-        };
+        let cell = |field: &Spanned<NumberField>| self.printed(field).map(Cell::Printed);
         let row = |row: &Spanned<Vec<Spanned<NumberField>>>| {
             if row.get_ref().len() != column_count {
                 let found = row.get_ref().len();

@@ -1,4 +1,5 @@
-//! What a paper asserts, as data: schemes, tables, equations.
+//! What a paper asserts, as data: schemes, tables, equations, and what
+//! holds of a free parameter.
 //!
 //! A claim file is TOML; [`read_paper`] reads one, [`embedded`] lists those that
 //! are part of the program. Every number and formula is a string: TOML's own
@@ -8,11 +9,14 @@ mod embedded;
 mod equation;
 mod fields;
 mod file;
+mod function;
+mod function_file;
 mod paper;
 mod table;
 
 pub use embedded::{EmbeddedPaper, embedded, embedded_papers};
 pub use equation::{Equation, EquationBody, Hypothesis, Identity, Index, Left};
 pub use file::{MAX_CLAIM_FILE_BYTES, read_paper, read_paper_file};
+pub use function::{FunctionClaim, Limit, RangeClaim};
 pub use paper::{Bibliography, Paper, SchemeSource};
 pub use table::{Axis, AxisEntry, Cell, LocatedReference, Printed, Promise, Table};

@@ -1,6 +1,7 @@
 //! A paper and its claims.
 
 use super::equation::Equation;
+use super::function::{FunctionClaim, RangeClaim};
 use super::table::Table;
 use crate::diagnostic::SourceText;
 use crate::formula::LocatedFormula;
@@ -25,6 +26,10 @@ pub struct Paper {
     pub tables: Vec<Table>,
     /// The equations, in the paper's order.
     pub equations: Vec<Equation>,
+    /// The closed forms in a free parameter, in the paper's order.
+    pub functions: Vec<FunctionClaim>,
+    /// The ranges of a free parameter, in the paper's order.
+    pub ranges: Vec<RangeClaim>,
     /// The claim file.
     pub source: Arc<SourceText>,
 }

@@ -90,6 +90,7 @@ pub(super) struct AuditArguments {
     /// Exit with code 1 when a claim has this verdict (may be repeated)
     #[arg(long, value_name = "VERDICT", value_parser = [
         "confirmed", "rounding", "misprint", "refuted", "not-checkable", "holds", "fails",
+        "exact", "inexact",
     ])]
     pub(super) deny: Vec<String>,
     #[command(flatten)]

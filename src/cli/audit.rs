@@ -94,6 +94,6 @@ fn judge_all(papers: &[Paper]) -> Result<Vec<PaperAudit<'_>>, Failure> {
 }
 
 fn count(audit: &PaperAudit<'_>, verdict: &str) -> usize {
-    let counts = [audit.cell_counts(), audit.equation_counts()];
+    let counts = [audit.cell_counts(), audit.equation_counts(), audit.range_counts()];
     counts.iter().filter_map(|counts| counts.get(verdict)).sum()
 }

@@ -11,6 +11,8 @@
 //! | [`RealAlgebraic`] | a root of a polynomial in an interval |
 //! | [`IntegerPolynomial`], [`SturmSequence`] | polynomials in one variable, and their real roots |
 //! | [`Enclosure`], [`Enclosed`] | intervals around a real number, as narrow as needed |
+//! | [`PiecewiseLinear`], [`Parametric`] | functions of a free parameter |
+//! | [`Interval`], [`IntervalSet`] | where such a function is below a bound |
 //! | [`Scalar`], [`Real`] | what the algorithms ask of a number type |
 //! | [`CommonDenominator`] | rationals as integers over one denominator, for hot loops |
 
@@ -22,7 +24,10 @@ mod decimal;
 mod enclosure;
 pub mod format;
 mod integer;
+mod interval;
 mod ops;
+mod parametric;
+mod piecewise;
 mod polynomial;
 mod rational;
 mod read;
@@ -38,6 +43,9 @@ pub use cyclotomic::{
 pub use decimal::{Decimal, Rounding};
 pub use enclosure::{Enclosed, Enclosure};
 pub use integer::Integer;
+pub use interval::{Interval, IntervalSet};
+pub use parametric::Parametric;
+pub use piecewise::PiecewiseLinear;
 pub use polynomial::Polynomial;
 pub use rational::Rational;
 pub use read::{MAX_DIGITS, MAX_EXPONENT, NumberError, parse_decimal, parse_rational};

@@ -1,6 +1,9 @@
 //! What a formula can be computed over.
 
-use crate::exact::{CosineError, Integer, Polynomial, Rational, RealCyclotomic, Scalar};
+use crate::exact::{
+    CosineError, Integer, Parametric, PiecewiseLinear, Polynomial, Rational, Real, RealCyclotomic,
+    Scalar,
+};
 
 /// Values of formulas. Operations that a type does not have give `None`.
 pub trait Value: Scalar + std::fmt::Display {
@@ -126,5 +129,30 @@ impl Value for RealCyclotomic {
     }
     fn conductor(&self) -> u32 {
         self.conductor()
+    }
+}
+
+/// Products and quotients that are not piecewise linear are
+/// [`Parametric::Outside`], which the caller of an evaluation has to look for.
+impl Value for Parametric {
+    fn as_rational(&self) -> Option<Rational> {
+        self.function()?.as_constant()
+    }
+    fn size(&self) -> u64 {
+        self.function().map_or(0, PiecewiseLinear::bits)
+    }
+    fn product_size(&self, other: &Self) -> u64 {
+        let pieces = |value: &Parametric| value.function().map_or(1, |f| f.piece_count() as u64);
+        let (left, right) = (self.size(), other.size());
+        left.saturating_mul(pieces(other)).saturating_add(right.saturating_mul(pieces(self)))
+    }
+    fn quotient(&self, divisor: &Self) -> Option<Self> {
+        Some(self.over(divisor))
+    }
+    fn absolute(&self) -> Option<Self> {
+        Some(self.magnitude())
+    }
+    fn larger(&self, other: &Self) -> Option<Self> {
+        Some(self.greater(other))
     }
 }

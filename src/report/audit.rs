@@ -1,5 +1,6 @@
 //! The report of an audit: what is wrong first.
 
+use super::function;
 use super::mark;
 use super::sheet::{Grid, Sheet};
 use crate::audit::{
@@ -28,6 +29,10 @@ fn summary(sheet: &mut Sheet, audits: &[PaperAudit<'_>]) {
     let mut header = vec!["paper".to_owned(), "cells".to_owned()];
     header.extend(Verdict::NAMES.iter().map(|name| format!("{} {name}", mark(name))));
     header.push("equations".to_owned());
+    let ranges = audits.iter().any(|audit| !audit.ranges.is_empty());
+    if ranges {
+        header.push("ranges".to_owned());
+    }
     let rows = audits.iter().map(|audit| {
         let counts = audit.cell_counts();
         let lost =
@@ -41,11 +46,14 @@ fn summary(sheet: &mut Sheet, audits: &[PaperAudit<'_>]) {
         }));
         let equations = audit.equation_counts();
         let count = |name: &str| equations.get(name).copied().unwrap_or(0);
-        row.push(match (audit.equations.len(), count("fails")) {
+        row.push(match (audit.equations.len() + audit.functions.len(), count("fails")) {
             (0, _) => "·".to_owned(),
             (all, 0) => format!("{} of {all} hold", count("holds")),
             (all, fails) => format!("{} of {all} hold, {fails} ✗", count("holds")),
         });
+        if ranges {
+            row.push(function::range_summary(audit));
+        }
         row
     });
     let rows = rows.collect();
@@ -79,6 +87,7 @@ fn paper(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {
         }
     }
     equations(sheet, &audit.equations, all);
+    function::sections(sheet, audit, all);
 }
 
 fn is_unclear(table: &TableFinding<'_>) -> bool {

@@ -1,6 +1,7 @@
 //! One claim in full.
 
 use super::audit::{outcome, table_values};
+use super::function;
 use super::mark;
 use super::sheet::Sheet;
 use crate::audit::{
@@ -9,11 +10,14 @@ use crate::audit::{
 use crate::exact::{Rational, format::short};
 
 /// The claim, table or equation of this id (`key:table-1`, `key:table-1:2:3`,
-/// `key:eq-3.8`) in full; `None` when there is none.
+/// `key:eq-3.8`, `key:range-1`) in full; `None` when there is none.
 #[must_use]
 pub fn explain_sheet(audits: &[PaperAudit<'_>], id: &str) -> Option<Sheet> {
     let (key, rest) = id.split_once(':')?;
     let audit = audits.iter().find(|audit| audit.paper.key == key)?;
+    if let Some(sheet) = function::explain(audit, id) {
+        return Some(sheet);
+    }
     let mut sheet = Sheet::default();
     if let Some(finding) = audit.equations.iter().find(|finding| finding.id == id) {
         let equation = finding.equation;

@@ -2,6 +2,7 @@
 
 mod audit;
 mod explain;
+mod function;
 mod json;
 mod sheet;
 mod text;
@@ -15,10 +16,10 @@ pub use sheet::{Block, Grid, Sheet};
 #[must_use]
 pub fn mark(verdict: &str) -> &'static str {
     match verdict {
-        "confirmed" | "holds" => "✓",
+        "confirmed" | "holds" | "exact" => "✓",
         "rounding" => "≈",
         "misprint" => "±",
-        "refuted" | "fails" => "✗",
+        "refuted" | "fails" | "inexact" => "✗",
         _ => "?",
     }
 }

@@ -1,0 +1,97 @@
+//! Judging a closed form in a free parameter.
+
+use super::library::Library;
+use super::parametric::FreeParameter;
+use crate::claim::{FunctionClaim, Paper};
+use crate::diagnostic::Diagnostic;
+use crate::exact::{IntervalSet, PiecewiseLinear, Rational};
+
+/// What the audit says of a closed form in a free parameter.
+#[derive(Clone, Debug)]
+pub struct FunctionFinding<'a> {
+    /// `key:function`.
+    pub id: String,
+    /// The claim.
+    pub claim: &'a FunctionClaim,
+    /// The verdict.
+    pub verdict: FunctionVerdict,
+}
+
+/// The verdict of a closed form in a free parameter.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum FunctionVerdict {
+    /// Both sides are equal at every value of the parameter.
+    Holds,
+    /// They differ somewhere.
+    Fails {
+        /// Where the printed form is larger.
+        larger: IntervalSet,
+        /// Where it is smaller: there a bound that uses it promises too much.
+        smaller: IntervalSet,
+        /// A value of the parameter at which they differ.
+        example: Box<Example>,
+    },
+}
+
+impl FunctionVerdict {
+    /// The verdict's name.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            FunctionVerdict::Holds => "holds",
+            FunctionVerdict::Fails { .. } => "fails",
+        }
+    }
+}
+
+/// Both sides at one value of the parameter.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Example {
+    /// The parameter.
+    pub at: Rational,
+    /// The printed form there.
+    pub left: Rational,
+    /// What it should equal.
+    pub right: Rational,
+}
+
+/// Judges a closed form: both sides as piecewise linear functions, in normal form.
+pub(super) fn judge<'a>(
+    paper: &Paper,
+    claim: &'a FunctionClaim,
+    library: &Library<'_>,
+) -> Result<FunctionFinding<'a>, Diagnostic> {
+    let free = FreeParameter::new(paper, library, &claim.variable, claim.scheme.as_ref())?;
+    let (left, right) = (free.function(&claim.left)?, free.function(&claim.right)?);
+    let verdict = if left == right {
+        FunctionVerdict::Holds
+    } else {
+        FunctionVerdict::Fails {
+            larger: left.exceeds(&right),
+            smaller: right.exceeds(&left),
+            example: Box::new(example(&left, &right)),
+        }
+    };
+    Ok(FunctionFinding { id: format!("{}:{}", paper.key, claim.id), claim, verdict })
+}
+
+/// Where two different functions differ: of 0, the breaks of their difference, and
+/// a point beyond these on each side, the one with the largest difference; of
+/// equally good ones, the first.
+fn example(left: &PiecewiseLinear, right: &PiecewiseLinear) -> Example {
+    let difference = left.minus(right);
+    let breaks = difference.breakpoints();
+    let mut points = vec![Rational::zero()];
+    points.extend(breaks.iter().cloned());
+    let size = |x: &Rational| difference.at(x).abs();
+    if points.iter().all(|x| size(x).is_zero()) {
+        // Then it is linear and 0 between the breaks, and not beyond both of them.
+        let zero = Rational::zero();
+        points.push(breaks.last().unwrap_or(&zero) + Rational::one());
+        points.push(breaks.first().unwrap_or(&zero) - Rational::one());
+    }
+    let better = |best: Rational, x: Rational| if size(&x) > size(&best) { x } else { best };
+    let at = points.into_iter().reduce(better).expect("0 is one of them");
+    Example { left: left.at(&at), right: right.at(&at), at }
+}

@@ -1,0 +1,232 @@
+//! Judging a range of a free parameter.
+
+use super::finding::Direction;
+use super::library::Library;
+use super::parametric::FreeParameter;
+use crate::claim::{Limit, Paper, Printed, RangeClaim};
+use crate::diagnostic::Diagnostic;
+use crate::exact::{Interval, IntervalSet, PiecewiseLinear, Rational, Rounding};
+use crate::formula::{Parameters, evaluate};
+use std::fmt;
+use std::ops::Bound;
+
+/// What the audit says of a range of a free parameter.
+#[derive(Clone, Debug)]
+pub struct RangeFinding<'a> {
+    /// `key:range`.
+    pub id: String,
+    /// The claim.
+    pub claim: &'a RangeClaim,
+    /// The verdict.
+    pub verdict: RangeVerdict,
+    /// The limit.
+    pub limit: Rational,
+    /// The exact set where the value keeps the limit.
+    pub exact: IntervalSet,
+    /// The ends that are printed, the lower one first.
+    pub ends: Vec<EndFinding>,
+    /// Whether the value keeps the limit in the whole printed range. A range for
+    /// which it does is safe to use, though it may be too small.
+    pub kept: bool,
+}
+
+/// The verdict of a range of a free parameter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum RangeVerdict {
+    /// The printed range is the exact set.
+    Exact,
+    /// It is, up to the rounding of its printed ends.
+    Rounding,
+    /// It is not.
+    Inexact,
+}
+
+impl RangeVerdict {
+    /// The verdict's name.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            RangeVerdict::Exact => "exact",
+            RangeVerdict::Rounding => "rounding",
+            RangeVerdict::Inexact => "inexact",
+        }
+    }
+}
+
+/// A printed end of a range.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EndFinding {
+    /// The end as printed.
+    pub printed: String,
+    /// The nearest end of this side of the exact set; `None` when it has none.
+    pub exact: Option<Rational>,
+    /// How the printed end came from the exact one.
+    pub relation: EndRelation,
+    /// Whether the printed number is in the exact set.
+    pub inside: bool,
+    /// The value at the printed number.
+    pub value: Rational,
+}
+
+/// How a printed end of a range came from the exact one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum EndRelation {
+    /// They are equal.
+    Equal,
+    /// Equal numbers, but the printed one belongs to the range and the exact one
+    /// does not, or the other way round.
+    Belonging,
+    /// Correctly rounded.
+    Nearest,
+    /// Cut, or rounded away from zero.
+    Rounded(Direction),
+    /// The exact end does not belong to the set, and this is the last decimal of its
+    /// length that does.
+    LastInside,
+    /// None of these.
+    Apart,
+}
+
+impl fmt::Display for EndRelation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            EndRelation::Equal => f.write_str("exact"),
+            EndRelation::Belonging => f.write_str("the same number, but open for closed"),
+            EndRelation::Nearest => f.write_str("correctly rounded"),
+            EndRelation::Rounded(direction) => direction.fmt(f),
+            EndRelation::LastInside => f.write_str("the last decimal of its length in the set"),
+            EndRelation::Apart => f.write_str("not this end rounded"),
+        }
+    }
+}
+
+/// Judges a range against the exact set where the value keeps its limit.
+pub(super) fn judge<'a>(
+    paper: &Paper,
+    claim: &'a RangeClaim,
+    library: &Library<'_>,
+) -> Result<RangeFinding<'a>, Diagnostic> {
+    let free = FreeParameter::new(paper, library, &claim.variable, claim.scheme.as_ref())?;
+    let function = free.function(&claim.value)?;
+    let formula = claim.limit.formula();
+    let limit = evaluate(&formula.expr, &Parameters::<Rational>::default())
+        .map_err(|error| formula.diagnostic(&error))?;
+    let exact = match &claim.limit {
+        Limit::Below(_) => function.below(&limit),
+        Limit::AtMost(_) => function.at_most(&limit),
+    };
+    let comparison = Comparison { claim, function: &function, exact: &exact };
+    let sides = [(Side::Low, claim.from.as_ref()), (Side::High, claim.to.as_ref())];
+    let ends = sides.map(|(side, printed)| printed.map(|printed| comparison.end(side, printed)));
+    let verdict = comparison.verdict(&ends);
+    let kept = exact.covers(&comparison.printed(&ends));
+    let ends = ends.into_iter().flatten().collect();
+    let id = format!("{}:{}", paper.key, claim.id);
+    Ok(RangeFinding { id, claim, verdict, limit, exact, ends, kept })
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Side {
+    Low,
+    High,
+}
+
+impl Side {
+    fn of(self, interval: &Interval) -> &Bound<Rational> {
+        match self {
+            Side::Low => &interval.low,
+            Side::High => &interval.high,
+        }
+    }
+}
+
+struct Comparison<'a> {
+    claim: &'a RangeClaim,
+    function: &'a PiecewiseLinear,
+    exact: &'a IntervalSet,
+}
+
+impl Comparison<'_> {
+    fn end(&self, side: Side, printed: &Printed) -> EndFinding {
+        let decimal = &printed.decimal;
+        let at = decimal.value();
+        let ends = self.exact.intervals().iter().map(|interval| side.of(interval));
+        let nearest = ends
+            .filter_map(|end| match end {
+                Bound::Unbounded => None,
+                Bound::Included(place) => Some((place, true)),
+                Bound::Excluded(place) => Some((place, false)),
+            })
+            .min_by_key(|(place, _)| (&at - *place).abs());
+        let inside = self.exact.contains(&at);
+        let relation = nearest.map_or(EndRelation::Apart, |(exact, belongs)| {
+            match decimal.rounding_of(exact) {
+                Rounding::Exact if self.claim.closed.is_none_or(|closed| closed == belongs) => {
+                    EndRelation::Equal
+                }
+                Rounding::Exact => EndRelation::Belonging,
+                Rounding::Nearest => EndRelation::Nearest,
+                Rounding::Truncated => EndRelation::Rounded(Direction::Cut),
+                Rounding::Up => EndRelation::Rounded(Direction::Away),
+                Rounding::Neither => {
+                    let outwards = match side {
+                        Side::Low => &at - decimal.unit(),
+                        Side::High => &at + decimal.unit(),
+                    };
+                    // An open printed range would have to begin at the exact end.
+                    let last = inside && outwards == *exact && !belongs;
+                    if last && self.claim.closed != Some(false) {
+                        EndRelation::LastInside
+                    } else {
+                        EndRelation::Apart
+                    }
+                }
+            }
+        });
+        EndFinding {
+            printed: printed.text.clone(),
+            exact: nearest.map(|(place, _)| place.clone()),
+            relation,
+            inside,
+            value: self.function.at(&at),
+        }
+    }
+
+    fn verdict(&self, ends: &[Option<EndFinding>; 2]) -> RangeVerdict {
+        let [exact] = self.exact.intervals() else { return RangeVerdict::Inexact };
+        let mut verdict = RangeVerdict::Exact;
+        for (side, end) in [Side::Low, Side::High].into_iter().zip(ends) {
+            let Some(end) = end else {
+                if *side.of(exact) != Bound::Unbounded {
+                    return RangeVerdict::Inexact;
+                }
+                continue;
+            };
+            match end.relation {
+                EndRelation::Equal => {}
+                EndRelation::Belonging | EndRelation::Apart => return RangeVerdict::Inexact,
+                EndRelation::Nearest | EndRelation::Rounded(_) | EndRelation::LastInside => {
+                    verdict = RangeVerdict::Rounding;
+                }
+            }
+        }
+        verdict
+    }
+
+    /// The range as printed. Where the paper does not say whether an end belongs to
+    /// it, an end that is equal to the exact one does as that does, and any other
+    /// belongs to it.
+    fn printed(&self, ends: &[Option<EndFinding>; 2]) -> Interval {
+        let [low, high] = ends;
+        let place = |printed: &Option<Printed>, end: &Option<EndFinding>| {
+            let (Some(printed), Some(end)) = (printed, end) else { return Bound::Unbounded };
+            let belongs =
+                self.claim.closed.unwrap_or(end.inside || end.relation != EndRelation::Equal);
+            let place = printed.decimal.value();
+            if belongs { Bound::Included(place) } else { Bound::Excluded(place) }
+        };
+        Interval { low: place(&self.claim.from, low), high: place(&self.claim.to, high) }
+    }
+}

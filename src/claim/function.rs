@@ -1,0 +1,81 @@
+//! Claims about a free parameter: closed forms and ranges.
+
+use super::table::{LocatedReference, Printed};
+use crate::formula::LocatedFormula;
+
+/// left = right, as functions of one free parameter.
+#[derive(Clone, Debug)]
+pub struct FunctionClaim {
+    /// Its id within the paper.
+    pub id: String,
+    /// Where it stands: `Corollary 2.1`.
+    pub locus: String,
+    /// What it says.
+    pub title: String,
+    /// The free parameter's name in formulas.
+    pub variable: String,
+    /// The scheme its functions are about; its parameters may depend on the free one.
+    pub scheme: Option<LocatedReference>,
+    /// The printed closed form.
+    pub left: LocatedFormula,
+    /// What it is said to equal.
+    pub right: LocatedFormula,
+    /// What a reader should know.
+    pub note: Option<String>,
+}
+
+/// The range of a free parameter in which a value is below a limit.
+#[derive(Clone, Debug)]
+pub struct RangeClaim {
+    /// Its id within the paper.
+    pub id: String,
+    /// Where it stands: `Remark 2.2`.
+    pub locus: String,
+    /// What it says.
+    pub title: String,
+    /// The free parameter's name in formulas.
+    pub variable: String,
+    /// The scheme its functions are about; its parameters may depend on the free one.
+    pub scheme: Option<LocatedReference>,
+    /// The value that is limited.
+    pub value: LocatedFormula,
+    /// Its limit.
+    pub limit: Limit,
+    /// The lower end as printed; `None` when the range has none.
+    pub from: Option<Printed>,
+    /// The upper end as printed; `None` when the range has none.
+    pub to: Option<Printed>,
+    /// Whether the printed ends belong to the range; `None` when the paper does not
+    /// say, and then they belong to it where they can.
+    pub closed: Option<bool>,
+    /// What a reader should know.
+    pub note: Option<String>,
+}
+
+/// A limit of a value, a formula without parameters.
+#[derive(Clone, Debug)]
+pub enum Limit {
+    /// value < limit.
+    Below(LocatedFormula),
+    /// value ≤ limit.
+    AtMost(LocatedFormula),
+}
+
+impl Limit {
+    /// The formula.
+    #[must_use]
+    pub fn formula(&self) -> &LocatedFormula {
+        match self {
+            Limit::Below(formula) | Limit::AtMost(formula) => formula,
+        }
+    }
+
+    /// `<` or `<=`.
+    #[must_use]
+    pub fn relation(&self) -> &'static str {
+        match self {
+            Limit::Below(_) => "<",
+            Limit::AtMost(_) => "<=",
+        }
+    }
+}

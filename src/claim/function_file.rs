@@ -1,0 +1,102 @@
+//! Reading the claims about a free parameter.
+
+use super::fields::NumberField;
+use super::file::Reader;
+use super::function::{FunctionClaim, Limit, RangeClaim};
+use crate::diagnostic::Diagnostic;
+use crate::scheme::{formula, identifier};
+use serde::Deserialize;
+use toml::Spanned;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct FunctionTable {
+    pub(super) id: Spanned<String>,
+    locus: String,
+    #[serde(default)]
+    title: String,
+    variable: Spanned<String>,
+    scheme: Option<Spanned<String>>,
+    left: Spanned<String>,
+    right: Spanned<String>,
+    note: Option<String>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RangeTable {
+    pub(super) id: Spanned<String>,
+    locus: String,
+    #[serde(default)]
+    title: String,
+    variable: Spanned<String>,
+    scheme: Option<Spanned<String>>,
+    value: Spanned<String>,
+    below: Option<Spanned<String>>,
+    at_most: Option<Spanned<String>>,
+    from: Option<Spanned<NumberField>>,
+    to: Option<Spanned<NumberField>>,
+    closed: Option<bool>,
+    note: Option<String>,
+}
+
+impl Reader<'_> {
+    pub(super) fn function(&self, table: &FunctionTable) -> Result<FunctionClaim, Diagnostic> {
+        Ok(FunctionClaim {
+            id: table.id.get_ref().clone(),
+            locus: table.locus.clone(),
+            title: table.title.clone(),
+            variable: identifier(self.source, &table.variable)?,
+            scheme: table.scheme.as_ref().map(|text| self.located(text)).transpose()?,
+            left: formula(self.source, &table.left)?,
+            right: formula(self.source, &table.right)?,
+            note: table.note.clone(),
+        })
+    }
+
+    pub(super) fn range(&self, table: &RangeTable) -> Result<RangeClaim, Diagnostic> {
+        let limit = match (&table.below, &table.at_most) {
+            (Some(limit), None) => Limit::Below(formula(self.source, limit)?),
+            (None, Some(limit)) => Limit::AtMost(formula(self.source, limit)?),
+            _ => {
+                return Err(self
+                    .error(table.id.span(), "a range needs either `below` or `at_most`")
+                    .with_help(
+                        "below = '1' is the range where value < 1, at_most = '1' the one where \
+                         value <= 1",
+                    ));
+            }
+        };
+        let end = |field: &Option<Spanned<NumberField>>| {
+            field.as_ref().map(|field| self.printed(field)).transpose()
+        };
+        let (from, to) = (end(&table.from)?, end(&table.to)?);
+        match (&from, &to) {
+            (None, None) => {
+                return Err(self
+                    .error(table.id.span(), "a range needs its printed ends")
+                    .with_help("from = '0.1679', to = '0.6666'; one of them for a half line"));
+            }
+            (Some(from), Some(to)) if from.decimal.value() >= to.decimal.value() => {
+                let message = format!("the upper end {} is not above the lower one", to.text);
+                return Err(self
+                    .error(to.span.clone(), message)
+                    .with_help("`from` is the lower end, `to` the upper one"));
+            }
+            _ => {}
+        }
+        Ok(RangeClaim {
+            id: table.id.get_ref().clone(),
+            locus: table.locus.clone(),
+            title: table.title.clone(),
+            variable: identifier(self.source, &table.variable)?,
+            scheme: table.scheme.as_ref().map(|text| self.located(text)).transpose()?,
+            value: formula(self.source, &table.value)?,
+            limit,
+            from,
+            to,
+            closed: table.closed,
+            note: table.note.clone(),
+        })
+    }
+}

@@ -1,0 +1,119 @@
+//! Numbers that depend on a free parameter.
+
+use super::scalar::{Real, Scalar};
+use super::{PiecewiseLinear, Rational};
+use std::fmt;
+
+/// A number that depends on one free parameter: a piecewise linear function of it,
+/// or one that has left this class.
+///
+/// The operations of a [`Scalar`] cannot fail, but not every product of two
+/// functions of this class is in it. What is not becomes [`Parametric::Outside`],
+/// and so does everything computed from that, so that whoever wants the result
+/// sees it at the end and not a wrong function.
+///
+/// ```
+/// use subcert::bound::{Order, Terms, displacement, power_norm_generic};
+/// use subcert::exact::{Parametric, Rational, Scalar};
+/// use subcert::scheme::find;
+///
+/// // T_1 and σ of the 4-point scheme with tension w, as functions of w.
+/// let parameters = [("w".to_owned(), Parametric::variable())].into();
+/// let mask = find("four-point").expect("it is there").mask(&parameters)?;
+/// let contraction = power_norm_generic(&mask.difference(), 1, Order::Adjoint)?;
+/// let sigma = displacement(&mask, Terms::Each);
+/// let function = contraction.function().expect("piecewise linear");
+/// assert_eq!(function.at(&Rational::new(1, 16)), Rational::new(5, 8));
+/// assert_eq!(function.below(&Rational::one()).describe("w"), "-1/4 < w < 1/4");
+/// assert_eq!(sigma.function().map(|f| f.piece_count()), Some(2));
+/// assert_eq!(Parametric::variable().times(&Parametric::variable()).function(), None);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub enum Parametric {
+    /// A piecewise linear function of the parameter.
+    Function(PiecewiseLinear),
+    /// Not known to be one: computed with a product or a quotient of two numbers
+    /// that both depend on the parameter.
+    Outside,
+}
+
+impl Parametric {
+    /// The parameter itself.
+    #[must_use]
+    pub fn variable() -> Parametric {
+        Parametric::Function(PiecewiseLinear::variable())
+    }
+
+    /// The function, if it is piecewise linear.
+    #[must_use]
+    pub fn function(&self) -> Option<&PiecewiseLinear> {
+        match self {
+            Parametric::Function(function) => Some(function),
+            Parametric::Outside => None,
+        }
+    }
+
+    fn with(
+        &self,
+        other: &Parametric,
+        apply: impl FnOnce(&PiecewiseLinear, &PiecewiseLinear) -> Option<PiecewiseLinear>,
+    ) -> Parametric {
+        let both = self.function().zip(other.function());
+        both.and_then(|(left, right)| apply(left, right))
+            .map_or(Parametric::Outside, Parametric::Function)
+    }
+
+    /// The lesser of the two.
+    #[must_use]
+    pub fn lesser(&self, other: &Parametric) -> Parametric {
+        self.with(other, |left, right| Some(left.lesser(right)))
+    }
+}
+
+/// [`Parametric::Outside`] is equal to nothing, not even to itself: nothing is
+/// known of it.
+impl PartialEq for Parametric {
+    fn eq(&self, other: &Parametric) -> bool {
+        self.function().zip(other.function()).is_some_and(|(left, right)| left == right)
+    }
+}
+
+impl fmt::Display for Parametric {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Parametric::Function(function) => function.fmt(f),
+            Parametric::Outside => f.pad("a function that is not piecewise linear"),
+        }
+    }
+}
+
+impl Scalar for Parametric {
+    fn from_rational(value: &Rational) -> Parametric {
+        Parametric::Function(PiecewiseLinear::constant(value.clone()))
+    }
+    fn plus(&self, other: &Parametric) -> Parametric {
+        self.with(other, |left, right| Some(left.plus(right)))
+    }
+    fn minus(&self, other: &Parametric) -> Parametric {
+        self.with(other, |left, right| Some(left.minus(right)))
+    }
+    fn times(&self, other: &Parametric) -> Parametric {
+        self.with(other, PiecewiseLinear::times)
+    }
+}
+
+/// The order is the one at every point: [`Real::greater`] is the function that is
+/// the greater of the two everywhere. A quotient is a function of this class only
+/// for a constant divisor.
+impl Real for Parametric {
+    fn magnitude(&self) -> Parametric {
+        self.with(self, |function, _| Some(function.magnitude()))
+    }
+    fn greater(&self, other: &Parametric) -> Parametric {
+        self.with(other, |left, right| Some(left.greater(right)))
+    }
+    fn over(&self, other: &Parametric) -> Parametric {
+        self.with(other, |left, right| Some(left.scaled(&right.as_constant()?.recip())))
+    }
+}

@@ -1,0 +1,208 @@
+//! Findings about a free parameter.
+
+use super::mark;
+use super::sheet::Sheet;
+use crate::audit::{
+    EndFinding, EndRelation, FunctionFinding, FunctionVerdict, PaperAudit, RangeFinding,
+    RangeVerdict,
+};
+use crate::exact::{Rational, format::short};
+use serde_json::{Value, json};
+
+/// The sections on closed forms and on ranges; without `all`, on those where
+/// something is wrong.
+pub(super) fn sections(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {
+    let wrong = |finding: &&FunctionFinding<'_>| all || finding.verdict != FunctionVerdict::Holds;
+    let facts = audit.functions.iter().filter(wrong).map(|finding| {
+        let lines =
+            lines(&finding.claim.title, function_outcome(finding), finding.claim.note.as_deref());
+        (format!("{} {}", mark(finding.verdict.name()), finding.claim.locus), lines)
+    });
+    section(sheet, "Functions of a parameter", facts.collect());
+    let wrong = |finding: &&RangeFinding<'_>| all || finding.verdict != RangeVerdict::Exact;
+    let facts = audit.ranges.iter().filter(wrong).map(|finding| {
+        let lines =
+            lines(&finding.claim.title, range_outcome(finding), finding.claim.note.as_deref());
+        (format!("{} {}", mark(finding.verdict.name()), finding.claim.locus), lines)
+    });
+    section(sheet, "Parameter ranges", facts.collect());
+}
+
+/// How many ranges have which verdict, for the summary.
+pub(super) fn range_summary(audit: &PaperAudit<'_>) -> String {
+    let counts = audit.range_counts();
+    let parts = ["exact", "rounding", "inexact"]
+        .iter()
+        .filter_map(|name| counts.get(name).map(|count| format!("{count} {}", mark(name))));
+    let parts: Vec<String> = parts.collect();
+    if parts.is_empty() { "·".to_owned() } else { parts.join(", ") }
+}
+
+fn section(sheet: &mut Sheet, heading: &str, facts: Vec<(String, String)>) {
+    if !facts.is_empty() {
+        sheet.heading(2, heading);
+        sheet.facts(facts);
+    }
+}
+
+fn lines(title: &str, outcome: Vec<String>, note: Option<&str>) -> String {
+    let title = Some(title.to_owned()).filter(|title| !title.is_empty());
+    title
+        .into_iter()
+        .chain(outcome)
+        .chain(note.map(str::to_owned))
+        .collect::<Vec<String>>()
+        .join("\n")
+}
+
+/// The claim of this id in full, if it is one about a free parameter.
+pub(super) fn explain(audit: &PaperAudit<'_>, id: &str) -> Option<Sheet> {
+    let mut sheet = Sheet::default();
+    if let Some(finding) = audit.functions.iter().find(|finding| finding.id == id) {
+        let claim = finding.claim;
+        sheet.heading(1, format!("{id} · {}", claim.locus));
+        sheet.text(claim.title.clone());
+        let mut facts = vec![("variable".to_owned(), claim.variable.clone())];
+        facts.extend(claim.scheme.as_ref().map(|s| ("scheme".to_owned(), s.reference.to_string())));
+        facts.push(("left".to_owned(), claim.left.text.clone()));
+        facts.push(("right".to_owned(), claim.right.text.clone()));
+        facts.push((verdict(finding.verdict.name()), function_outcome(finding).join("\n")));
+        facts.extend(claim.note.clone().map(|note| ("note".to_owned(), note)));
+        sheet.facts(facts);
+        return Some(sheet);
+    }
+    let finding = audit.ranges.iter().find(|finding| finding.id == id)?;
+    let claim = finding.claim;
+    sheet.heading(1, format!("{id} · {}", claim.locus));
+    sheet.text(claim.title.clone());
+    let mut facts = vec![("variable".to_owned(), claim.variable.clone())];
+    facts.extend(claim.scheme.as_ref().map(|s| ("scheme".to_owned(), s.reference.to_string())));
+    let condition =
+        format!("{} {} {}", claim.value.text, claim.limit.relation(), claim.limit.formula().text);
+    facts.push(("condition".to_owned(), condition));
+    facts.push(("printed".to_owned(), printed(finding)));
+    facts.push((verdict(finding.verdict.name()), range_outcome(finding).join("\n")));
+    facts.extend(claim.note.clone().map(|note| ("note".to_owned(), note)));
+    sheet.facts(facts);
+    Some(sheet)
+}
+
+fn verdict(name: &str) -> String {
+    format!("{} {name}", mark(name))
+}
+
+fn function_outcome(finding: &FunctionFinding<'_>) -> Vec<String> {
+    let variable = &finding.claim.variable;
+    let FunctionVerdict::Fails { larger, smaller, example } = &finding.verdict else {
+        return vec![format!("holds for every {variable}")];
+    };
+    let mut lines = vec!["fails".to_owned()];
+    for (what, set) in [("larger", larger), ("smaller", smaller)] {
+        if !set.is_empty() {
+            lines.push(format!("the printed form is {what} for {}", set.describe(variable)));
+        }
+    }
+    let (at, left, right) = (&example.at, &example.left, &example.right);
+    lines.push(format!("at {variable} = {at} it is {left}, and should be {right}"));
+    lines
+}
+
+fn range_outcome(finding: &RangeFinding<'_>) -> Vec<String> {
+    let exact = finding.exact.describe(&finding.claim.variable);
+    if finding.verdict == RangeVerdict::Exact {
+        return vec![format!("exactly {exact}")];
+    }
+    let mut lines = vec![format!("printed {}; exactly {exact}", printed(finding))];
+    lines.extend(finding.ends.iter().map(|end| end_text(finding, end)));
+    lines.push(
+        if finding.kept {
+            "The condition holds in the whole printed range."
+        } else {
+            "The condition fails in a part of the printed range."
+        }
+        .to_owned(),
+    );
+    lines
+}
+
+fn end_text(finding: &RangeFinding<'_>, end: &EndFinding) -> String {
+    let against = match (&end.exact, end.relation) {
+        (None, _) => "the exact set has no such end".to_owned(),
+        (Some(exact), EndRelation::Equal) => format!("exactly {exact}"),
+        (Some(exact), relation) if exact.to_string() == short(exact, 6) => {
+            format!("{relation}, {exact}")
+        }
+        (Some(exact), relation) => format!("{relation}, {exact} = {}", short(exact, 6)),
+    };
+    let place = if end.inside { "inside the exact set" } else { "outside the exact set" };
+    let (value, limit) = (short(&end.value, 6), &finding.limit);
+    format!("{}: {against}; {place}, with {value} against {limit}", end.printed)
+}
+
+/// The range as printed.
+fn printed(finding: &RangeFinding<'_>) -> String {
+    let claim = finding.claim;
+    let relation = if claim.closed == Some(false) { "<" } else { "<=" };
+    let from = claim.from.as_ref().map(|from| format!("{} {relation} ", from.text));
+    let to = claim.to.as_ref().map(|to| format!(" {relation} {}", to.text));
+    format!("{}{}{}", from.unwrap_or_default(), claim.variable, to.unwrap_or_default())
+}
+
+/// A closed form in the JSON form of an equation.
+pub(super) fn function_json(finding: &FunctionFinding<'_>) -> Value {
+    let variable = &finding.claim.variable;
+    let (failures, larger, smaller) = match &finding.verdict {
+        FunctionVerdict::Fails { larger, smaller, example } => {
+            let failure = json!({
+                "at": format!("{variable} = {}", example.at),
+                "left": example.left.to_string(),
+                "right": example.right.to_string(),
+                "difference": (&example.left - &example.right).to_string(),
+            });
+            (Some(vec![failure]), Some(larger.to_string()), Some(smaller.to_string()))
+        }
+        _ => (None, None, None),
+    };
+    json!({
+        "id": finding.id,
+        "locus": finding.claim.locus,
+        "kind": "equation",
+        "printed": finding.claim.left.text,
+        "exact": null,
+        "decimal": null,
+        "verdict": finding.verdict.name(),
+        "reading": null,
+        "sound": null,
+        "note": finding.claim.note,
+        "variable": variable,
+        "failures": failures,
+        "printed_larger": larger,
+        "printed_smaller": smaller,
+    })
+}
+
+pub(super) fn range_json(finding: &RangeFinding<'_>) -> Value {
+    let end = |end: &EndFinding| {
+        json!({
+            "printed": end.printed,
+            "exact": end.exact.as_ref().map(Rational::to_string),
+            "relation": end.relation.to_string(),
+            "inside": end.inside,
+            "value": end.value.to_string(),
+        })
+    };
+    json!({
+        "id": finding.id,
+        "locus": finding.claim.locus,
+        "kind": "range",
+        "printed": printed(finding),
+        "exact": finding.exact.to_string(),
+        "decimal": null,
+        "verdict": finding.verdict.name(),
+        "reading": null,
+        "sound": { "kept": finding.kept },
+        "note": finding.claim.note,
+        "variable": finding.claim.variable,
+        "ends": finding.ends.iter().map(end).collect::<Vec<Value>>(),
+    })
+}
