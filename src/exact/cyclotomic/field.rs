@@ -58,7 +58,7 @@ pub fn common_conductor(m: u32, n: u32) -> Result<u32, CosineError> {
 ///
 /// Its elements are Σ_{k<m} a_k C_k with C_0 = 1, C_k = 2cos(2πk/n): polynomials in
 /// θ of degree below m, as C_k is a monic polynomial of degree k in θ. With integers
-/// a_k these are all of Z[θ], the ring of integers.
+/// a_k these are all of `Z[θ]`, the ring of integers.
 #[derive(Debug)]
 pub(super) struct Field {
     conductor: usize,
@@ -163,7 +163,7 @@ impl Field {
         coefficients
     }
 
-    /// The product of two elements of Z[θ].
+    /// The product of two elements of `Z[θ]`.
     pub(super) fn multiply(&self, left: &[Integer], right: &[Integer]) -> Vec<Integer> {
         let mut sum = self.room();
         let terms = |factor: &[Integer]| -> Vec<usize> {

@@ -4,10 +4,10 @@ use super::field::Field;
 use super::symmetric::product;
 use crate::exact::Integer;
 
-/// (A, N) with f·A = N, where N is the norm of f ≠ 0 from Z[θ] and A, the product
-/// of the other conjugates, is in Z[θ] too.
+/// (A, N) with f·A = N, where N is the norm of f ≠ 0 from `Z[θ]` and A, the product
+/// of the other conjugates, is in `Z[θ]` too.
 ///
-/// Modulo a prime p, N is the resultant of Ψ_n and f, and A = N/f in F_p[y]/Ψ_n; both
+/// Modulo a prime p, N is the resultant of Ψ_n and f, and A = N/f in `F_p[y]`/Ψ_n; both
 /// come out of one Euclidean algorithm. The Chinese remainder theorem puts them
 /// together, until another prime changes nothing; f·A = N is then checked, so that
 /// the answer is right whatever primes it came from.
