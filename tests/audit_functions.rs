@@ -98,13 +98,19 @@ fn where_the_printed_forms_come_from() {
     assert!(holds("exchanged:mu=mu", printed_gamma, sigma));
     let exchanged = printed_gamma.replace("13/18", "#").replace("7/18", "13/18");
     assert!(holds(scheme, &exchanged.replace('#', "7/18"), sigma));
-    // Neither the other sign of μ nor another offset gives it.
+    // Neither the other sign of μ nor another offset gives it, but for the mirror
+    // image, at -2.
     assert!(!holds("ternary-four-point:mu=-mu", printed_gamma, sigma));
     for offset in -4..=2 {
         let sigma = format!("displacement(offset = {offset})");
         assert!(!holds(scheme, printed_gamma, &sigma), "{offset}");
-        assert_eq!(holds("exchanged:mu=mu", printed_gamma, &sigma), offset == 0, "{offset}");
+        let mirrored = offset == 0 || offset == -2;
+        assert_eq!(holds("exchanged:mu=mu", printed_gamma, &sigma), mirrored, "{offset}");
     }
+    // At the schemes' own offset -1, where p_{3i} = p_i, γ is smaller.
+    let own = "abs(mu/6 + 1/18) + abs(mu/3) + abs(mu/6 - 1/18)";
+    assert!(holds(scheme, own, "displacement()"));
+    assert!(holds("ternary-three-point:a=mu", "2*abs(mu - 1/3)", "displacement(offset = -1)"));
 
     let delta = |first: &str, second: &str| {
         format!(

@@ -80,7 +80,6 @@ pub(super) fn explain(audit: &PaperAudit<'_>, id: &str) -> Option<Sheet> {
     let condition =
         format!("{} {} {}", claim.value.text, claim.limit.relation(), claim.limit.formula().text);
     facts.push(("condition".to_owned(), condition));
-    facts.push(("printed".to_owned(), printed(finding)));
     facts.push((verdict(finding.verdict.name()), range_outcome(finding).join("\n")));
     facts.extend(claim.note.clone().map(|note| ("note".to_owned(), note)));
     sheet.facts(facts);
@@ -96,14 +95,14 @@ fn function_outcome(finding: &FunctionFinding<'_>) -> Vec<String> {
     let FunctionVerdict::Fails { larger, smaller, example } = &finding.verdict else {
         return vec![format!("holds for every {variable}")];
     };
-    let mut lines = vec!["fails".to_owned()];
+    let mut lines = Vec::new();
     for (what, set) in [("larger", larger), ("smaller", smaller)] {
         if !set.is_empty() {
-            lines.push(format!("the printed form is {what} for {}", set.describe(variable)));
+            lines.push(format!("The printed form is {what} for {}.", set.describe(variable)));
         }
     }
     let (at, left, right) = (&example.at, &example.left, &example.right);
-    lines.push(format!("at {variable} = {at} it is {left}, and should be {right}"));
+    lines.push(format!("At {variable} = {at} it is {left}, and should be {right}."));
     lines
 }
 
