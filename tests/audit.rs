@@ -115,7 +115,14 @@ fn every_embedded_paper_reads_and_counts() {
             (paper.key.clone(), cells.filter(|cell| printed(cell)).count())
         })
         .collect();
-    assert_eq!(counts, [("khan2019-newton".to_owned(), 54), ("mustafa2020-nary".to_owned(), 240)]);
+    assert_eq!(
+        counts,
+        [
+            ("mustafa2007-bajaj".to_owned(), 0),
+            ("khan2019-newton".to_owned(), 54),
+            ("mustafa2020-nary".to_owned(), 240),
+        ]
+    );
 }
 
 /// Values computed once with another program (plain Python fractions).
@@ -160,7 +167,20 @@ fn equations_of_the_papers() {
     for paper in &papers {
         for finding in judged(paper).equations {
             let expected = match finding.id.as_str() {
-                "khan2019-newton:eq-3.8-derivation" | "khan2019-newton:remark-4.1-size" => "fails",
+                "khan2019-newton:eq-3.8-derivation"
+                | "khan2019-newton:eq-3.18-values"
+                | "khan2019-newton:lemma-6.1-b"
+                | "khan2019-newton:remark-4.1-size"
+                | "mustafa2020-nary:eq-26-six-point"
+                | "mustafa2020-nary:eq-26-ternary"
+                | "mustafa2020-nary:eq-26-quaternary"
+                | "mustafa2020-nary:eq-26-quinary"
+                | "mustafa2007-bajaj:eq-9"
+                | "mustafa2007-bajaj:eq-11"
+                | "mustafa2007-bajaj:eq-24"
+                | "mustafa2007-bajaj:eq-25"
+                | "mustafa2007-bajaj:eq-26"
+                | "mustafa2007-bajaj:eq-35-level-0" => "fails",
                 "khan2019-newton:remark-3.1-ko-6" => "not-checkable",
                 _ => "holds",
             };
@@ -170,7 +190,7 @@ fn equations_of_the_papers() {
 }
 
 /// Every number and every sign of every equation that holds matters: change one
-/// left side, and the equation fails in exactly that case.
+/// left side, and the equation fails by what was changed.
 #[test]
 fn a_changed_coefficient_is_caught() {
     for embedded in embedded() {
@@ -184,18 +204,22 @@ fn a_changed_coefficient_is_caught() {
             .collect();
         for id in holding {
             let start = embedded.text.find(&format!("id = \"{id}\"")).expect("the equation");
-            let left = start + embedded.text[start..].find("left = [").expect("its left side");
-            let quote = left + embedded.text[left..].find('\'').expect("a formula") + 1;
+            let left = start + embedded.text[start..].find("left = ").expect("its left side");
+            let quotes = left + embedded.text[left..].find('\'').expect("a formula");
+            let formula = embedded.text[quotes..].trim_start_matches('\'');
+            let quote = embedded.text.len() - formula.len();
             let mut text = embedded.text.to_owned();
             text.insert_str(quote, "1/1000 + ");
-            let paper = read_paper(&SourceText::new("changed", text)).expect("still a paper");
+            let mut paper = read_paper(&SourceText::new("changed", text)).expect("still a paper");
+            paper.tables.clear();
+            paper.equations.retain(|equation| equation.id == id);
             let audit = judged(&paper);
             let finding = audit.equations.iter().find(|finding| finding.equation.id == id);
             let EquationVerdict::Fails { failures, .. } = &finding.expect("the equation").verdict
             else {
                 panic!("{id} still holds");
             };
-            assert_eq!(failures.len(), 1, "{id}");
+            assert!(!failures.is_empty(), "{id}");
             assert_eq!(failures[0].difference().as_constant(), Some(q(1, 1000)), "{id}");
         }
     }

@@ -13,9 +13,13 @@ const MAX_TRIES: usize = 2_000;
 
 /// Changes of one symbol in the right side, or in the left side if that is one
 /// formula, with which the identity holds in all cases: a sign, or an integer by 1.
-/// Empty when there is none, or more than three.
+/// Empty when there is none, or more than three, or nothing is symbolic: between
+/// plain numbers a change that fits is luck.
 pub(super) fn search(comparison: &Comparison<'_>, cases: &[Case]) -> Vec<String> {
     let identity = comparison.identity;
+    if identity.symbols.is_empty() {
+        return Vec::new();
+    }
     let mut sides = vec![&identity.right];
     if let Left::One(left) = &identity.left {
         sides.push(left);

@@ -41,7 +41,7 @@ pub struct PaperAudit<'a> {
 /// use subcert::claim::embedded_papers;
 ///
 /// let papers = embedded_papers()?;
-/// let khan = audit(&papers[0])?;
+/// let khan = audit(&papers[1])?;
 /// assert_eq!(khan.tables[0].cells[0][0].verdict, Verdict::Confirmed);
 /// # Ok::<(), subcert::diagnostic::Diagnostic>(())
 /// ```

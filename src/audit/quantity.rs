@@ -2,8 +2,8 @@
 
 use super::library::{Library, Resolved, Unresolved};
 use crate::bound::{
-    ClassCap, Constants, DepthError, Operator, Order, Rounded, Suprema, Terms, displacement,
-    log_level, surface_coefficients,
+    ClassCap, Constants, DepthError, Operator, Order, Recursion, Rounded, Suprema, Terms,
+    convolution_coefficient, displacement, log_level, sequence, surface_coefficients,
 };
 use crate::exact::Rational;
 use crate::formula::{Call, CallError, FormulaErrorKind, Functions, OptionWord, Parameters, Value};
@@ -11,7 +11,7 @@ use crate::scheme::{Mask, Reference, Rules};
 use std::cell::Cell;
 
 /// The functions, with what they are; for help texts.
-pub const QUANTITIES: [(&str, &str); 10] = [
+pub const QUANTITIES: [(&str, &str); 11] = [
     ("contraction(c, order = adjoint|forward)", "T_c; with `terms = total` and c = 1, max |Σ b|"),
     ("norm(c, order = adjoint|forward)", "Λ_c, the norm of the scheme"),
     ("tensor(c, order = …, suprema = independent|joint)", "T_c·Λ_c of the tensor product"),
@@ -20,6 +20,10 @@ pub const QUANTITIES: [(&str, &str); 10] = [
     ("levels(ratio, x, rounded = up|nearest|down)", "the logarithm of x to the base `ratio`"),
     ("mask(alpha, j)", "a coefficient of the mask; 0 beyond its ends"),
     ("difference(beta, j)", "a coefficient of the difference mask"),
+    (
+        "convolution(c, l, f, order = adjoint|forward, recursion = derived|printed)",
+        "E^c_{l,f}, a coefficient of c convolutions of the difference mask",
+    ),
     ("arity()", "n"),
     ("width()", "N"),
 ];
@@ -94,7 +98,7 @@ impl Functions<Rational> for Quantities<'_> {
                 let terms = options.terms()?;
                 Ok(surface_displacement(constants()?.mask(), [x1, x2, x3], terms))
             }
-            _ => shape(constants()?.mask(), constants()?.difference(), call),
+            _ => shape(constants()?.mask(), constants()?.difference(), call, &mut options),
         }?;
         options.finish()?;
         Ok(value)
@@ -157,7 +161,7 @@ impl<V: Value + PartialEq> Functions<V> for Coefficients<'_, V> {
                 masks.into_iter().next().expect("a scheme has one mask or two")
             }
         };
-        let value = shape(&mask, &mask.difference(), call)?;
+        let value = shape(&mask, &mask.difference(), call, &mut options)?;
         options.finish()?;
         Ok(value)
     }
@@ -179,11 +183,23 @@ fn shape<V: Value>(
     mask: &Mask<V>,
     difference: &Rules<V>,
     call: &Call<'_, V>,
+    options: &mut Options<'_>,
 ) -> Result<V, CallError> {
     let number = |value: usize| V::from_rational(&Rational::from(value));
     match (call.function, call.arguments) {
         ("mask", [rule, column]) => coefficient(mask.rules(), rule, column),
         ("difference", [rule, column]) => coefficient(difference, rule, column),
+        ("convolution", [c, l, f]) => {
+            let (order, recursion) = (options.order()?, options.recursion()?);
+            let c = u32::try_from(index("a number of convolutions", c)?).unwrap_or(0);
+            if !(1..=MAX_CONVOLUTIONS).contains(&c) {
+                let message = format!("from 1 to {MAX_CONVOLUTIONS} convolutions, and not {c}");
+                return Err(CallError::Misuse(message));
+            }
+            let (l, f) = (index("the index l", l)?, index("the index f", f)?);
+            let t = sequence(difference, order);
+            Ok(convolution_coefficient(&t, mask.arity(), c, l, f, recursion))
+        }
         ("arity", []) => Ok(number(mask.arity())),
         ("width", []) => Ok(number(mask.width())),
         (name, given) => {
@@ -197,13 +213,18 @@ fn shape<V: Value>(
     }
 }
 
+/// The most convolutions whose coefficients are summed term by term.
+const MAX_CONVOLUTIONS: u32 = 4;
+
+fn index<V: Value>(what: &'static str, value: &V) -> Result<i64, CallError> {
+    let integer = value.as_rational().filter(Rational::is_integer);
+    let integer = integer.and_then(|value| value.numerator().to_i64());
+    integer.filter(|value| value.abs() <= 1_000_000).ok_or_else(|| {
+        CallError::Inner(FormulaErrorKind::NotAnInteger { what, value: value.to_string() })
+    })
+}
+
 fn coefficient<V: Value>(rules: &Rules<V>, rule: &V, column: &V) -> Result<V, CallError> {
-    let index = |what: &'static str, value: &V| {
-        let integer = value.as_rational().filter(Rational::is_integer);
-        integer.and_then(|value| value.numerator().to_i64()).ok_or_else(|| {
-            CallError::Inner(FormulaErrorKind::NotAnInteger { what, value: value.to_string() })
-        })
-    };
     let (rule, column) = (index("the index of a rule", rule)?, index("a column", column)?);
     let row = usize::try_from(rule).ok().and_then(|rule| rules.rows().get(rule));
     let row = row.ok_or_else(|| {
@@ -268,6 +289,11 @@ impl<'a> Options<'a> {
     fn suprema(&mut self) -> Result<Suprema, CallError> {
         let choices = [("independent", Suprema::Independent), ("joint", Suprema::Joint)];
         self.choose("suprema", &choices)
+    }
+
+    fn recursion(&mut self) -> Result<Recursion, CallError> {
+        let choices = [("derived", Recursion::Derived), ("printed", Recursion::Printed)];
+        self.choose("recursion", &choices)
     }
 
     fn rounded(&mut self) -> Result<Rounded, CallError> {

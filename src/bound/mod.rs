@@ -2,6 +2,7 @@
 
 mod constants;
 mod contraction;
+mod convolution;
 mod delta;
 mod depth;
 mod displacement;
@@ -13,6 +14,7 @@ pub use constants::{Constants, Operator, Suprema};
 pub use contraction::{
     ClassCap, MAX_CLASSES, Order, PowerNorm, joint_norm, power_norm, power_norm_generic,
 };
+pub use convolution::{Recursion, convolution_coefficient, sequence};
 pub use delta::DeltaCondition;
 pub use depth::{DepthError, MAX_DEPTH, Rounded, least_level, log_level};
 pub use displacement::{Terms, best_offset, displacement};

@@ -22,7 +22,8 @@ macro_rules! claims {
     };
 }
 
-const PAPERS: [EmbeddedPaper; 2] = claims!["khan2019-newton", "mustafa2020-nary"];
+const PAPERS: [EmbeddedPaper; 3] =
+    claims!["mustafa2007-bajaj", "khan2019-newton", "mustafa2020-nary"];
 
 /// The embedded claim files, in the order of the papers' years.
 #[must_use]

@@ -66,9 +66,9 @@ pub enum Index {
         /// What the paper prints for it.
         label: String,
         /// The first value.
-        from: LocatedFormula,
+        from: Box<LocatedFormula>,
         /// The last value.
-        to: LocatedFormula,
+        to: Box<LocatedFormula>,
     },
 }
 

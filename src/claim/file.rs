@@ -315,8 +315,8 @@ impl Reader<'_> {
         Ok(Index::Range {
             label: table.label.clone().unwrap_or_else(|| name.clone()),
             name,
-            from: formula(self.source, from)?,
-            to: formula(self.source, to)?,
+            from: Box::new(formula(self.source, from)?),
+            to: Box::new(formula(self.source, to)?),
         })
     }
 

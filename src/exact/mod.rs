@@ -6,12 +6,20 @@
 //! | [`Decimal`] | a decimal as printed, which knows its rounding interval |
 //! | [`mod@format`] | correctly rounded decimals of exact values |
 //! | [`Polynomial`] | polynomials in named variables, the normal form of an identity |
+//! | [`RealCyclotomic`] | real numbers of Q(2cos(2π/n)): sums of cosines |
+//! | [`cosine_polynomial`] | the minimal polynomial of 2cos(2π/n) |
+//! | [`RealAlgebraic`] | a root of a polynomial in an interval |
+//! | [`IntegerPolynomial`], [`SturmSequence`] | polynomials in one variable, and their real roots |
+//! | [`Enclosure`], [`Enclosed`] | intervals around a real number, as narrow as needed |
 //! | [`Scalar`], [`Real`] | what the algorithms ask of a number type |
 //! | [`CommonDenominator`] | rationals as integers over one denominator, for hot loops |
 
+mod algebraic;
 mod backend;
 mod common;
+mod cyclotomic;
 mod decimal;
+mod enclosure;
 pub mod format;
 mod integer;
 mod ops;
@@ -19,11 +27,20 @@ mod polynomial;
 mod rational;
 mod read;
 mod scalar;
+mod sturm;
+mod univariate;
 
+pub use algebraic::RealAlgebraic;
 pub use common::CommonDenominator;
+pub use cyclotomic::{
+    CosineError, MAX_CONDUCTOR, RealCyclotomic, common_conductor, cosine_polynomial,
+};
 pub use decimal::{Decimal, Rounding};
+pub use enclosure::{Enclosed, Enclosure};
 pub use integer::Integer;
 pub use polynomial::Polynomial;
 pub use rational::Rational;
 pub use read::{MAX_DIGITS, MAX_EXPONENT, NumberError, parse_decimal, parse_rational};
 pub use scalar::{Real, Scalar};
+pub use sturm::SturmSequence;
+pub use univariate::IntegerPolynomial;

@@ -301,6 +301,9 @@ fn equations(sheet: &mut Sheet, findings: &[EquationFinding<'_>], all: bool) {
     sheet.facts(shown.into_iter().map(fact).collect());
 }
 
+/// How many cases a failing equation shows.
+const MAX_FAILURES: usize = 2;
+
 /// What was found of an equation, in one line or several.
 #[must_use]
 pub(super) fn outcome(finding: &EquationFinding<'_>) -> String {
@@ -313,14 +316,10 @@ pub(super) fn outcome(finding: &EquationFinding<'_>) -> String {
                 1 => "fails".to_owned(),
                 _ => format!("fails in {} of {cases} cases", failures.len()),
             }];
-            for failure in failures.iter().take(MAX_LISTED) {
+            for failure in failures.iter().take(MAX_FAILURES) {
                 let at =
                     if failure.at.is_empty() { String::new() } else { format!("{}: ", failure.at) };
-                let (left, right) = (&failure.left, &failure.right);
-                lines.push(format!(
-                    "{at}{left} is not {right}; left − right = {}",
-                    failure.difference()
-                ));
+                lines.push(format!("{at}left − right = {}", failure.difference()));
             }
             lines.extend(mends.iter().map(|mend| format!("It holds with one side as {mend}")));
             lines.extend(finding.equation.note.clone());

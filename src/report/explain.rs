@@ -3,7 +3,9 @@
 use super::audit::{outcome, table_values};
 use super::mark;
 use super::sheet::Sheet;
-use crate::audit::{CellFinding, PaperAudit, Sound, TableFinding, Verdict};
+use crate::audit::{
+    CellFinding, EquationVerdict, Failure, PaperAudit, Sound, TableFinding, Verdict,
+};
 use crate::exact::{Rational, format::short};
 
 /// The claim, table or equation of this id (`key:table-1`, `key:table-1:2:3`,
@@ -18,6 +20,13 @@ pub fn explain_sheet(audits: &[PaperAudit<'_>], id: &str) -> Option<Sheet> {
         sheet.heading(1, format!("{} · {}", finding.id, equation.locus));
         sheet.text(equation.title.clone());
         sheet.text(format!("{} {}", mark(finding.verdict.name()), outcome(finding)));
+        if let EquationVerdict::Fails { failures, .. } = &finding.verdict {
+            let fact = |failure: &Failure| {
+                let sides = format!("left  = {}\nright = {}", failure.left, failure.right);
+                (failure.at.clone(), sides)
+            };
+            sheet.facts(failures.iter().map(fact).collect());
+        }
         return Some(sheet);
     }
     let table_id = rest.split(':').next()?;

@@ -1,0 +1,84 @@
+//! The coefficients of repeated convolution, by their recursions.
+
+use super::contraction::Order;
+use crate::exact::Scalar;
+use crate::scheme::Rules;
+
+/// How the coefficients of c convolutions are built from those of fewer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Recursion {
+    /// E^c_{l,f} = Σ_e E^1_{l,e} E^{c−1}_{e,f}: what c convolutions give.
+    Derived,
+    /// E^c_{l,f} = Σ_e E^{c−1}_{l,e} E^{c−1}_{e,f}, as some papers print; for c ≥ 3 it
+    /// stands for 2^{c−1} convolutions.
+    Printed,
+}
+
+/// The sequence t_{nu+β} of rules r: r_{β,N−1−u} in adjoint, r_{β,u} in forward
+/// order, with u = 0, …, N−1 and β = 0, …, n−1.
+#[must_use]
+pub fn sequence<S: Scalar>(rules: &Rules<S>, order: Order) -> Vec<S> {
+    let last = rules.width() - 1;
+    let column = |u: usize| match order {
+        Order::Adjoint => last - u,
+        Order::Forward => u,
+    };
+    let rows = rules.rows();
+    (0..=last).flat_map(|u| rows.iter().map(move |row| row[column(u)].clone())).collect()
+}
+
+/// E^c_{l,f} of the sequence t of a scheme of arity n: E^1_{l,f} = t_{f−nl}, 0 outside
+/// the sequence, and for c ≥ 2 the sum of the recursion over e = nl, …, ⌊f/n^{c−1}⌋.
+///
+/// This is the definition, term by term; [`power_norm`](super::power_norm) does not
+/// use it. It visits about N^{c−1} terms, or N^{2^{c−1}−1} by the printed recursion.
+///
+/// Source: Mustafa et al. 2020, (6) and (26).
+///
+/// # Panics
+/// When c is 0.
+///
+/// ```
+/// use subcert::bound::{Order, Recursion, convolution_coefficient, sequence};
+/// use subcert::exact::Rational;
+/// use subcert::scheme::parse_scheme;
+///
+/// let scheme = parse_scheme("chaikin")?;
+/// let t = sequence(&scheme.masks()[0].difference(), Order::Adjoint);
+/// assert_eq!(t, [0, 1, 2, 1].map(|p| Rational::new(p, 4)));
+/// // The coefficient of z^3 in t(z)·t(z^2).
+/// let e = convolution_coefficient(&t, 2, 2, 0, 3, Recursion::Derived);
+/// assert_eq!(e, Rational::new(2, 16));
+/// # Ok::<(), subcert::scheme::SchemeError>(())
+/// ```
+#[must_use]
+pub fn convolution_coefficient<S: Scalar>(
+    sequence: &[S],
+    arity: usize,
+    c: u32,
+    l: i64,
+    f: i64,
+    recursion: Recursion,
+) -> S {
+    assert!(c > 0, "at least one convolution");
+    let n = i64::try_from(arity).expect("the arity is capped");
+    if c == 1 {
+        let position = usize::try_from(f - n * l).ok();
+        return position.and_then(|at| sequence.get(at)).cloned().unwrap_or_else(S::zero);
+    }
+    let last = f.div_euclid(n.pow(c - 1));
+    let left = |e: i64| match recursion {
+        Recursion::Derived => convolution_coefficient(sequence, arity, 1, l, e, recursion),
+        Recursion::Printed => convolution_coefficient(sequence, arity, c - 1, l, e, recursion),
+    };
+    // Beyond the end of the left factor every term is 0.
+    let length = i64::try_from(sequence.len()).expect("it fits in memory");
+    let reach = match recursion {
+        Recursion::Derived => n * l + length - 1,
+        Recursion::Printed => last,
+    };
+    (n * l..=last.min(reach)).fold(S::zero(), |sum, e| {
+        let right = convolution_coefficient(sequence, arity, c - 1, e, f, recursion);
+        sum.plus(&left(e).times(&right))
+    })
+}

@@ -1,0 +1,12 @@
+//! Bounds: constants against explicit sequences and matrix powers, and what they
+//! promise against exactly subdivided data.
+
+#[path = "../common/mod.rs"]
+mod common;
+mod constants;
+mod convolution;
+mod depth;
+mod displacement;
+mod norm;
+mod sound;
+mod surface;
