@@ -122,6 +122,7 @@ fn every_embedded_paper_reads_and_counts() {
             ("mustafa2007-ternary".to_owned(), 0),
             ("khan2019-newton".to_owned(), 54),
             ("mustafa2020-nary".to_owned(), 240),
+            ("khan2022-doo-sabin".to_owned(), 0),
         ]
     );
 }
@@ -172,6 +173,10 @@ fn equations_of_the_papers() {
                 | "khan2019-newton:eq-3.18-values"
                 | "khan2019-newton:lemma-6.1-b"
                 | "khan2019-newton:remark-4.1-size"
+                | "mustafa2007-ternary:eq-3.4"
+                | "khan2022-doo-sabin:eq-24"
+                | "khan2022-doo-sabin:eq-83"
+                | "khan2022-doo-sabin:eq-84-h"
                 | "mustafa2020-nary:eq-26-six-point"
                 | "mustafa2020-nary:eq-26-ternary"
                 | "mustafa2020-nary:eq-26-quaternary"
@@ -258,4 +263,51 @@ fn a_name_for_a_scheme_sees_the_parameters_where_it_is_used() {
     };
     // T_1 = 1/2 + 2w for the tension w, here half of the header.
     assert_eq!(verdict(text), Some(2));
+}
+
+/// A value that the program cannot reach says nothing about the printed number.
+#[test]
+fn a_value_beyond_the_caps_is_not_checkable() {
+    let text = "[[table]]\nid = 't'\nlocus = 'T'\nscheme = 'chaikin'\n\
+                value = 'contraction(c)'\n\
+                columns = { name = 'c', values = ['1', '30'] }\n\
+                cells = [['0.5', '9.3e-10']]\n\
+                [[table]]\nid = 'u'\nlocus = 'U'\nscheme = 'chaikin'\n\
+                value = 'tau*contraction(c)'\nunstated = { tau = '1/10' }\n\
+                columns = { name = 'c', values = ['30'] }\ncells = [['9.3e-11']]\n";
+    let paper = paper(text);
+    let audit = judged(&paper);
+    let [known, beyond] = &audit.tables[0].cells[0][..] else { panic!("two cells") };
+    assert_eq!(known.verdict, Verdict::Confirmed);
+    let Verdict::NotCheckable(Missing::Capacity(why)) = &beyond.verdict else {
+        panic!("{:?}", beyond.verdict)
+    };
+    assert!(why.contains("2^30 residue classes"), "{why}");
+    let unstated = &audit.tables[1].cells[0][0];
+    let missing = Missing::Parameters(vec!["tau".to_owned()]);
+    assert_eq!(unstated.verdict, Verdict::NotCheckable(missing));
+    assert!(matches!(
+        unstated.verdict_if_assumed,
+        Some(Verdict::NotCheckable(Missing::Capacity(_)))
+    ));
+}
+
+/// (1/2)^3 > 1/10 ≥ (1/2)^4: a depth that the paper's own definition rounds down
+/// is confirmed, and does not keep its promise.
+#[test]
+fn a_depth_that_is_defined_rounded_down_keeps_no_promise() {
+    let text = "[[table]]\nid = 't'\nlocus = 'T'\nscheme = 'chaikin'\n\
+                value = 'levels(contraction(1), epsilon, rounded = down)'\n\
+                promise = { tolerance = 'epsilon', spread = 'beta' }\n\
+                unstated = { beta = '1/7' }\n\
+                columns = { name = 'epsilon', values = ['1/10', '1/8'] }\ncells = [['3', '3']]\n";
+    let paper = paper(text);
+    let audit = judged(&paper);
+    let [short, enough] = &audit.tables[0].cells[0][..] else { panic!("two cells") };
+    assert_eq!(short.verdict, Verdict::Confirmed);
+    assert_eq!(short.kept_by_formula, Some(false));
+    assert_eq!(enough.kept_by_formula, Some(true));
+    // The value needs no spread, so none is assumed for the sound depth either.
+    assert_eq!(short.sound, Some(Sound::None("the paper does not state beta".to_owned())));
+    assert_eq!(short.kept_by_sound, None);
 }

@@ -109,11 +109,14 @@ impl fmt::Display for Slip {
 
 /// Why a number cannot be checked.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Missing {
     /// The source at hand has lost the cell.
     Cell,
     /// The paper does not state these parameters.
     Parameters(Vec<String>),
+    /// The value is beyond the caps of this program: which one.
+    Capacity(String),
 }
 
 impl fmt::Display for Missing {
@@ -123,6 +126,7 @@ impl fmt::Display for Missing {
             Missing::Parameters(names) => {
                 write!(f, "the paper does not state {}", names.join(", "))
             }
+            Missing::Capacity(why) => f.write_str(why),
         }
     }
 }

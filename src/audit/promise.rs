@@ -3,6 +3,7 @@
 use super::finding::{CellFinding, Sound};
 use super::quantity::Quantities;
 use super::table::{At, Judge, Outcome};
+use crate::bound::Rounded;
 use crate::claim::{Cell, Promise};
 use crate::diagnostic::Diagnostic;
 use crate::exact::Rational;
@@ -10,6 +11,28 @@ use crate::formula::LocatedFormula;
 
 /// The highest level at which a bound is computed.
 const MAX_BOUND_LEVEL: u32 = 1_000;
+
+/// Why there is no sound value: a finding, or an error of the claim file.
+enum NoSound {
+    Because(String),
+    Wrong(Diagnostic),
+}
+
+impl From<Diagnostic> for NoSound {
+    fn from(diagnostic: Diagnostic) -> NoSound {
+        NoSound::Wrong(diagnostic)
+    }
+}
+
+impl From<Outcome> for NoSound {
+    fn from(outcome: Outcome) -> NoSound {
+        NoSound::Because(match outcome {
+            Outcome::Value(value) => value.to_string(),
+            Outcome::Unstated(name) => format!("the paper does not state {name}"),
+            Outcome::Undefined(why) | Outcome::BeyondCaps(why) => why,
+        })
+    }
+}
 
 impl Judge<'_> {
     pub(super) fn judge_promise(
@@ -24,9 +47,22 @@ impl Judge<'_> {
             Cell::Printed(printed) => Some(printed.decimal.value()),
         };
         if let (Some(printed), Some(exact)) = (&printed, &finding.exact) {
-            finding.kept_by_formula = Some(printed >= exact);
+            // A depth that the definition itself rounds down keeps no promise.
+            let needed = match promise {
+                Promise::Bound { .. } => Outcome::Value(exact.clone()),
+                Promise::Depth { .. } => {
+                    self.evaluate(&self.table.value, at.rounding(Rounded::Up))?
+                }
+            };
+            if let Outcome::Value(needed) = needed {
+                finding.kept_by_formula = Some(*printed >= needed);
+            }
         }
-        let sound = self.sound(promise, at)?;
+        let sound = match self.sound(promise, at) {
+            Ok(sound) => sound,
+            Err(NoSound::Because(why)) => Sound::None(why),
+            Err(NoSound::Wrong(diagnostic)) => return Err(diagnostic),
+        };
         if let Some(printed) = printed {
             finding.kept_by_sound = match &sound {
                 Sound::Depth { level, .. } => Some(printed >= Rational::from(*level)),
@@ -38,60 +74,50 @@ impl Judge<'_> {
         Ok(())
     }
 
-    fn sound(&self, promise: &Promise, at: At<'_>) -> Result<Sound, Diagnostic> {
-        let Ok(Quantities { scheme: Some(scheme), .. }) = self.quantities(at)? else {
-            return Ok(Sound::None("no scheme is given".to_owned()));
-        };
+    fn sound(&self, promise: &Promise, at: At<'_>) -> Result<Sound, NoSound> {
+        let because = |why: String| NoSound::Because(why);
+        let Quantities { scheme, .. } = self.quantities(at)??;
+        let scheme = scheme.ok_or_else(|| because("no scheme is given".to_owned()))?;
         let (Promise::Depth { spread, offset, .. } | Promise::Bound { spread, offset, .. }) =
             promise;
-        let offset = match offset {
-            None => None,
-            Some(formula) => Some(self.integer(formula, at)?),
-        };
-        let bound = match self.library.sound_bound(&scheme, offset) {
-            Ok(bound) => bound,
-            Err(error) => return Ok(Sound::None(error.to_string())),
-        };
+        let offset = offset.as_ref().map(|formula| self.integer(formula, at)).transpose()?;
+        let bound = self.library.sound_bound(&scheme, offset);
+        let bound = bound.map_err(|error| because(error.to_string()))?;
         let spread = self.number(spread, at)?;
         match promise {
             Promise::Depth { tolerance, .. } => {
                 let tolerance = self.number(tolerance, at)?;
-                Ok(match bound.depth(&spread, &tolerance) {
-                    Ok(depth) => Sound::Depth { level: depth.level, block: depth.block },
-                    Err(error) => Sound::None(error.to_string()),
-                })
+                let depth = bound.depth(&spread, &tolerance);
+                let depth = depth.map_err(|error| because(error.to_string()))?;
+                Ok(Sound::Depth { level: depth.level, block: depth.block })
             }
             Promise::Bound { level, .. } => {
                 let level = self.integer(level, at)?;
                 let last = u32::try_from(level).ok().filter(|level| *level <= MAX_BOUND_LEVEL);
-                let bounds = last.and_then(|last| bound.levels(last));
-                Ok(match bounds.as_ref().and_then(|bounds| bounds.last()) {
-                    Some(bound) => Sound::Bound(bound * &spread),
-                    None => Sound::None("no constant of the scheme is below 1".to_owned()),
-                })
+                let last = last.ok_or_else(|| {
+                    because(format!("a level is from 0 to {MAX_BOUND_LEVEL}, and this is {level}"))
+                })?;
+                let last = bound.levels(last).and_then(|mut bounds| bounds.pop());
+                let none = || because("no constant of the scheme is below 1".to_owned());
+                Ok(Sound::Bound(last.ok_or_else(none)? * &spread))
             }
         }
     }
 
-    /// The value of a formula of a promise, which must have one.
-    fn number(&self, formula: &LocatedFormula, at: At<'_>) -> Result<Rational, Diagnostic> {
-        let refuse =
-            |message: String| Err(Diagnostic::new(&formula.source, formula.span.clone(), message));
+    /// The value of a formula of a promise.
+    fn number(&self, formula: &LocatedFormula, at: At<'_>) -> Result<Rational, NoSound> {
         match self.evaluate(formula, at)? {
             Outcome::Value(value) => Ok(value),
-            Outcome::Unstated(name) => refuse(format!(
-                "`{name}` has no value here; list it only where the table's value needs it too"
-            )),
-            Outcome::Undefined(why) => refuse(why),
+            outcome => Err(outcome.into()),
         }
     }
 
-    fn integer(&self, formula: &LocatedFormula, at: At<'_>) -> Result<i64, Diagnostic> {
+    fn integer(&self, formula: &LocatedFormula, at: At<'_>) -> Result<i64, NoSound> {
         let value = self.number(formula, at)?;
         let integer = value.numerator().to_i64().filter(|value| value.abs() <= 10_000);
         integer.filter(|_| value.is_integer()).ok_or_else(|| {
             let message = format!("an integer from -10000 to 10000 is needed, and this is {value}");
-            Diagnostic::new(&formula.source, formula.span.clone(), message)
+            NoSound::Wrong(Diagnostic::new(&formula.source, formula.span.clone(), message))
         })
     }
 }

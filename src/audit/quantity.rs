@@ -3,12 +3,13 @@
 use super::library::{Library, Resolved, Unresolved};
 use super::options::Options;
 use crate::bound::{
-    ClassCap, Constants, Operator, Rounded, Terms, convolution_coefficient, displacement,
-    log_level, sequence, surface_coefficients,
+    ClassCap, Constants, DepthError, Operator, Rounded, Terms, convolution_coefficient,
+    displacement, log_level, sequence, surface_coefficients,
 };
 use crate::exact::{Rational, Real};
 use crate::formula::{Call, CallError, FormulaErrorKind, Functions, Parameters, Value};
 use crate::scheme::{Mask, Reference, Rules};
+use std::cell::Cell;
 
 /// The functions, with what they are; for help texts.
 pub const QUANTITIES: [(&str, &str); 11] = [
@@ -46,6 +47,9 @@ pub(super) struct Quantities<'a> {
     pub(super) scheme: Option<Resolved>,
     /// When set, `levels` rounds so, whatever the formula says.
     pub(super) rounded: Option<Rounded>,
+    /// Whether a value was given up because it is beyond the caps of the program,
+    /// not because it does not exist.
+    pub(super) beyond_caps: Cell<bool>,
 }
 
 impl Functions<Rational> for Quantities<'_> {
@@ -69,16 +73,21 @@ impl Functions<Rational> for Quantities<'_> {
                 let rounded = self.rounded.unwrap_or(options.rounded()?);
                 options.finish()?;
                 let level = log_level(ratio, x, rounded);
-                return level.map(Rational::from).map_err(|e| CallError::Undefined(e.to_string()));
+                return level.map(Rational::from).map_err(|error| {
+                    if error == DepthError::TooDeep {
+                        self.beyond_caps.set(true);
+                    }
+                    CallError::Undefined(error.to_string())
+                });
             }
-            ("contraction", [c]) => contraction(constants()?, level(c)?, &mut options),
+            ("contraction", [c]) => self.contraction(constants()?, level(c)?, &mut options),
             ("norm", [c]) => {
                 let order = options.order()?;
-                constants()?.norm(Operator::Scheme, level(c)?, order).map_err(undefined)
+                self.capped(constants()?.norm(Operator::Scheme, level(c)?, order))
             }
             ("tensor", [c]) => {
                 let (order, suprema) = (options.order()?, options.suprema()?);
-                constants()?.tensor(level(c)?, order, suprema).map_err(undefined)
+                self.capped(constants()?.tensor(level(c)?, order, suprema))
             }
             ("displacement", []) => moved(constants()?.mask(), &mut options),
             ("surface_displacement", [x1, x2, x3]) => {
@@ -97,6 +106,29 @@ impl Quantities<'_> {
         let reference = reference(name)?;
         let resolved = self.library.resolve(&reference, &Parameters::<Rational>::default());
         resolved.map_err(|error| unresolved(name, error))
+    }
+
+    fn capped(&self, value: Result<Rational, ClassCap>) -> Result<Rational, CallError> {
+        value.map_err(|error| {
+            self.beyond_caps.set(true);
+            CallError::Undefined(error.to_string())
+        })
+    }
+
+    fn contraction(
+        &self,
+        constants: &Constants,
+        c: u32,
+        options: &mut Options<'_>,
+    ) -> Result<Rational, CallError> {
+        let order = options.order()?;
+        match options.terms()? {
+            Terms::Each => self.capped(constants.norm(Operator::Difference, c, order)),
+            Terms::Total if c == 1 => Ok(total_contraction(constants.difference())),
+            Terms::Total => {
+                Err(CallError::Misuse("`terms = total` is defined for c = 1 only".to_owned()))
+            }
+        }
     }
 }
 
@@ -209,21 +241,6 @@ fn coefficient<V: Value>(rules: &Rules<V>, rule: &V, column: &V) -> Result<V, Ca
     })?;
     let entry = usize::try_from(column).ok().and_then(|column| row.get(column));
     Ok(entry.cloned().unwrap_or_else(V::zero))
-}
-
-fn contraction(
-    constants: &Constants,
-    c: u32,
-    options: &mut Options<'_>,
-) -> Result<Rational, CallError> {
-    let order = options.order()?;
-    match options.terms()? {
-        Terms::Each => constants.norm(Operator::Difference, c, order).map_err(undefined),
-        Terms::Total if c == 1 => Ok(total_contraction(constants.difference())),
-        Terms::Total => {
-            Err(CallError::Misuse("`terms = total` is defined for c = 1 only".to_owned()))
-        }
-    }
 }
 
 /// max_β |Σ_j b_{β,j}|.

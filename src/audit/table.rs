@@ -42,6 +42,7 @@ pub(super) enum Outcome {
     Value(Rational),
     Unstated(String),
     Undefined(String),
+    BeyondCaps(String),
 }
 
 pub(super) struct Judge<'a> {
@@ -58,22 +59,14 @@ pub(super) struct At<'n> {
     row: usize,
     column: usize,
     /// The unstated parameters that get their assumed values.
-    assume: Assume<'n>,
+    assume: &'n BTreeSet<String>,
     rounded: Option<Rounded>,
 }
 
-#[derive(Clone, Copy)]
-pub(super) enum Assume<'n> {
-    Only(&'n BTreeSet<String>),
-    All,
-}
-
-impl Assume<'_> {
-    fn contains(self, name: &str) -> bool {
-        match self {
-            Assume::Only(names) => names.contains(name),
-            Assume::All => true,
-        }
+impl At<'_> {
+    /// The same with every depth of the claim's formula rounded so.
+    pub(super) fn rounding(self, rounded: Rounded) -> Self {
+        At { rounded: Some(rounded), ..self }
     }
 }
 
@@ -123,8 +116,12 @@ impl<'a> Judge<'a> {
         &self,
         at: At<'_>,
     ) -> Result<Result<Quantities<'a>, Outcome>, Diagnostic> {
-        let mut quantities =
-            Quantities { library: self.library, scheme: None, rounded: at.rounded };
+        let mut quantities = Quantities {
+            library: self.library,
+            scheme: None,
+            rounded: at.rounded,
+            beyond_caps: std::cell::Cell::new(false),
+        };
         let Some(located) = &self.table.scheme else { return Ok(Ok(quantities)) };
         let LocatedReference { reference, source, span } = located;
         match self.library.resolve(reference, &self.scope(at, &quantities)) {
@@ -162,7 +159,12 @@ impl<'a> Judge<'a> {
         };
         match evaluate(&formula.expr, &self.scope(at, &quantities)) {
             Ok(value) => Ok(Outcome::Value(value)),
-            Err(error) => Self::sort(error).map_err(|error| formula.diagnostic(&error)),
+            Err(error) => match Self::sort(error).map_err(|error| formula.diagnostic(&error))? {
+                Outcome::Undefined(why) if quantities.beyond_caps.get() => {
+                    Ok(Outcome::BeyondCaps(why))
+                }
+                outcome => Ok(outcome),
+            },
         }
     }
 
@@ -190,31 +192,39 @@ impl<'a> Judge<'a> {
         // are known.
         let mut needed = BTreeSet::new();
         let outcome = loop {
-            let at = At { row, column, assume: Assume::Only(&needed), rounded: None };
+            let at = At { row, column, assume: &needed, rounded: None };
             match self.evaluate(&self.table.value, at)? {
                 Outcome::Unstated(name) if needed.insert(name.clone()) => {}
                 outcome => break outcome,
             }
         };
-        if !needed.is_empty() {
-            finding.verdict =
-                Verdict::NotCheckable(Missing::Parameters(needed.iter().cloned().collect()));
-            let value = |name: &String| Some((name.clone(), self.assumed.get(name)?.clone()));
-            finding.assumed = needed.iter().filter_map(value).collect();
-        }
+        let value = |name: &String| Some((name.clone(), self.assumed.get(name)?.clone()));
+        finding.assumed = needed.iter().filter_map(value).collect();
+        let mut beyond_caps = None;
         match outcome {
             Outcome::Value(value) => finding.exact = Some(value),
             Outcome::Undefined(why) => finding.undefined = Some(why),
+            Outcome::BeyondCaps(why) => {
+                finding.undefined = Some(why.clone());
+                beyond_caps = Some(Verdict::NotCheckable(Missing::Capacity(why)));
+            }
             Outcome::Unstated(name) => {
                 let formula = &self.table.value;
                 let message = format!("`{name}` has no value, not even an assumed one");
                 return Err(Diagnostic::new(&formula.source, formula.span.clone(), message));
             }
         }
-        let at = At { row, column, assume: Assume::All, rounded: None };
+        if !needed.is_empty() {
+            let names = needed.iter().cloned().collect();
+            finding.verdict = Verdict::NotCheckable(Missing::Parameters(names));
+        }
+        let at = At { row, column, assume: &needed, rounded: None };
         if let Cell::Printed(printed) = cell {
-            let verdict = self.verdict(printed, finding.exact.as_ref(), at)?;
-            if finding.assumed.is_empty() {
+            let verdict = match beyond_caps {
+                Some(verdict) => verdict,
+                None => self.verdict(printed, finding.exact.as_ref(), at)?,
+            };
+            if needed.is_empty() {
                 finding.verdict = verdict;
             } else {
                 finding.verdict_if_assumed = Some(verdict);
@@ -248,7 +258,7 @@ impl<'a> Judge<'a> {
         let otherwise =
             [(Rounded::Down, Direction::DepthDown), (Rounded::Nearest, Direction::DepthNearest)];
         for (rounded, direction) in otherwise {
-            let value = self.evaluate(&self.table.value, At { rounded: Some(rounded), ..at })?;
+            let value = self.evaluate(&self.table.value, at.rounding(rounded))?;
             if matches!(value, Outcome::Value(value) if value == printed.decimal.value()) {
                 return Ok(Verdict::Rounding(direction));
             }

@@ -22,8 +22,13 @@ macro_rules! claims {
     };
 }
 
-const PAPERS: [EmbeddedPaper; 4] =
-    claims!["mustafa2007-bajaj", "mustafa2007-ternary", "khan2019-newton", "mustafa2020-nary"];
+const PAPERS: [EmbeddedPaper; 5] = claims![
+    "mustafa2007-bajaj",
+    "mustafa2007-ternary",
+    "khan2019-newton",
+    "mustafa2020-nary",
+    "khan2022-doo-sabin",
+];
 
 /// The embedded claim files, in the order of the papers' years.
 #[must_use]

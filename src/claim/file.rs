@@ -295,14 +295,14 @@ impl Reader<'_> {
             }
             LeftField::Each(formulas) => formulas,
         };
-        let mut count = 1;
+        let mut count = 1_usize;
         for index in indices {
             let Index::Listed(axis) = index else {
                 return Err(self
                     .error(left.span(), "a list of left sides needs indices with `values`")
                     .with_help("write one formula for all combinations"));
             };
-            count *= axis.entries.len();
+            count = count.saturating_mul(axis.entries.len());
         }
         if formulas.len() != count {
             let found = formulas.len();

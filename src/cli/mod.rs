@@ -14,9 +14,17 @@ use clap::Parser as _;
 use output::Failure;
 use std::process::ExitCode;
 
+/// The exit code of an internal fault.
+const FAULT: i32 = 3;
+
 /// Runs the program: 0 done, 1 a stated expectation failed, 2 bad usage or input,
 /// 3 an internal fault.
 pub(crate) fn run() -> ExitCode {
+    let report = std::panic::take_hook();
+    std::panic::set_hook(Box::new(move |panic| {
+        report(panic);
+        std::process::exit(FAULT);
+    }));
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) => {

@@ -4,8 +4,8 @@ use super::function;
 use super::mark;
 use super::sheet::{Grid, Sheet};
 use crate::audit::{
-    CellFinding, Direction, EquationFinding, EquationVerdict, Missing, PaperAudit, Sound,
-    TableFinding, Verdict,
+    CellFinding, Direction, EquationFinding, EquationVerdict, PaperAudit, Sound, TableFinding,
+    Verdict,
 };
 use crate::claim::Promise;
 use crate::exact::{Rational, format::short};
@@ -223,6 +223,7 @@ fn comparison(finding: &TableFinding<'_>) -> Option<String> {
         ),
         ("one slip away", count(&|verdict| matches!(verdict, Verdict::Misprint(_)))),
         ("different", count(&|verdict| *verdict == Verdict::Refuted)),
+        ("not computed", count(&|verdict| matches!(verdict, Verdict::NotCheckable(_)))),
     ];
     let parts: Vec<String> = parts
         .iter()
@@ -262,12 +263,18 @@ fn unclear_grid(tables: &[&TableFinding<'_>]) -> Grid {
     let rows = tables.iter().map(|finding| {
         let count = cells(finding).count();
         let first = cells(finding).next();
-        let missing = match first.map(|cell| &cell.verdict) {
-            Some(Verdict::NotCheckable(Missing::Parameters(names))) => {
-                format!("{} not stated", names.join(", "))
-            }
-            _ => "the cells are lost".to_owned(),
-        };
+        let names = first.into_iter().flat_map(|cell| &cell.assumed);
+        let names = names.map(|(name, _)| name.clone()).collect::<Vec<String>>().join(", ");
+        let mut missing = Vec::new();
+        if !names.is_empty() {
+            missing.push(format!("{names} not stated"));
+        }
+        if cells(finding).any(|cell| cell.printed.is_none()) {
+            missing.push("the cells are lost".to_owned());
+        }
+        if missing.is_empty() {
+            missing.push("beyond the program's caps".to_owned());
+        }
         let shown = first.map(assumed).unwrap_or_default();
         let comparison = comparison(finding).unwrap_or_else(|| {
             let value = |cell: &CellFinding| cell.exact.as_ref().map(|exact| short(exact, 6));
@@ -279,6 +286,7 @@ fn unclear_grid(tables: &[&TableFinding<'_>]) -> Grid {
             all => format!("{} of {all}", kept.iter().filter(|kept| **kept).count()),
         };
         let at = if shown.is_empty() { "·".to_owned() } else { shown };
+        let missing = missing.join("; ");
         vec![finding.table.locus.clone(), count.to_string(), missing, at, comparison, kept]
     });
     let header = ["table", "cells", "missing", "shown at", "printed against exact", "soundly kept"];

@@ -171,6 +171,15 @@ fn nonsense_files() {
         ("binary", "\u{0}\u{1}\u{2}".repeat(100)),
         ("deep-formula", format!("{PAPER}{deep}")),
         ("deep-toml", format!("{PAPER}x = {}", "[".repeat(100_000))),
+        ("many-indices", {
+            let index = |i| format!("{{ name = 'i{i}', values = [{}] }}", "'0', ".repeat(10));
+            let indices: Vec<String> = (0..30).map(index).collect();
+            format!(
+                "{PAPER}[[equation]]\nid = 'e'\nlocus = 'l'\nindices = [{}]\n\
+                 left = ['1']\nright = '1'\n",
+                indices.join(", ")
+            )
+        }),
     ];
     for (name, text) in cases {
         let message = refused_paper(name, &text);
