@@ -211,7 +211,9 @@ fn a_changed_coefficient_is_caught() {
             let quote = embedded.text.len() - formula.len();
             let mut text = embedded.text.to_owned();
             text.insert_str(quote, "1/1000 + ");
-            let paper = read_paper(&SourceText::new("changed", text)).expect("still a paper");
+            let mut paper = read_paper(&SourceText::new("changed", text)).expect("still a paper");
+            paper.tables.clear();
+            paper.equations.retain(|equation| equation.id == id);
             let audit = judged(&paper);
             let finding = audit.equations.iter().find(|finding| finding.equation.id == id);
             let EquationVerdict::Fails { failures, .. } = &finding.expect("the equation").verdict

@@ -1,9 +1,10 @@
-//! Correctly rounded decimals of exact values.
+//! Correctly rounded decimals of exact values, rational or not.
 //!
 //! Every function rounds to the nearest decimal of the asked length, and of two
-//! equally near ones to the one with the even last digit.
+//! equally near ones to the one with the even last digit. An irrational value is
+//! enclosed until both ends of the enclosure round alike.
 
-use super::{Integer, Rational};
+use super::{Enclosed, Integer, Rational};
 
 /// `value` with `places` digits after the point.
 ///
@@ -14,7 +15,11 @@ use super::{Integer, Rational};
 /// assert_eq!(fixed(&Rational::new(5, 2), 0), "2");
 /// ```
 #[must_use]
-pub fn fixed(value: &Rational, places: u32) -> String {
+pub fn fixed(value: &impl Enclosed, places: u32) -> String {
+    value.step(|value| fixed_rational(value, places))
+}
+
+fn fixed_rational(value: &Rational, places: u32) -> String {
     let scaled = (value * Rational::from(Integer::power_of_ten(places))).round_half_even();
     let digits = scaled.abs().to_string();
     let places = places as usize;
@@ -36,7 +41,11 @@ pub fn fixed(value: &Rational, places: u32) -> String {
 /// # Panics
 /// When `digits` is 0.
 #[must_use]
-pub fn scientific(value: &Rational, digits: u32) -> String {
+pub fn scientific(value: &impl Enclosed, digits: u32) -> String {
+    value.step(|value| scientific_rational(value, digits))
+}
+
+fn scientific_rational(value: &Rational, digits: u32) -> String {
     let (mantissa, exponent) = significant(value, digits);
     let sign = if mantissa.sign() < 0 { "-" } else { "" };
     let text = mantissa.abs().to_string();
@@ -61,14 +70,18 @@ pub fn scientific(value: &Rational, digits: u32) -> String {
 /// # Panics
 /// When `digits` is 0.
 #[must_use]
-pub fn short(value: &Rational, digits: u32) -> String {
+pub fn short(value: &impl Enclosed, digits: u32) -> String {
+    value.step(|value| short_rational(value, digits))
+}
+
+fn short_rational(value: &Rational, digits: u32) -> String {
     if value.is_zero() {
         return "0".to_owned();
     }
     let (mantissa, exponent) = significant(value, digits);
     let plain = (-5..=i64::from(digits).max(6)).contains(&exponent);
     if !plain {
-        let text = scientific(value, digits);
+        let text = scientific_rational(value, digits);
         return match text.split_once('e') {
             Some((number, power)) => format!("{}e{power}", trim_zeros(number)),
             None => text,
@@ -77,7 +90,7 @@ pub fn short(value: &Rational, digits: u32) -> String {
     let rounded = Rational::from(mantissa)
         * Rational::power_of_ten(clamp_exponent(exponent - i64::from(digits) + 1));
     let places = u32::try_from(i64::from(digits) - 1 - exponent).unwrap_or(0);
-    trim_zeros(&fixed(&rounded, places)).to_owned()
+    trim_zeros(&fixed_rational(&rounded, places)).to_owned()
 }
 
 fn trim_zeros(number: &str) -> &str {

@@ -96,6 +96,38 @@ impl Integer {
         Integer::from(10).pow(exponent)
     }
 
+    /// self·2^places.
+    #[must_use]
+    pub fn shifted_left(&self, places: u32) -> Integer {
+        Integer(backend::shl(&self.0, places))
+    }
+
+    /// ⌊self/2^places⌋.
+    ///
+    /// ```
+    /// # use subcert::exact::Integer;
+    /// assert_eq!(Integer::from(-5).shifted_right(1), Integer::from(-3));
+    /// ```
+    #[must_use]
+    pub fn shifted_right(&self, places: u32) -> Integer {
+        Integer(backend::shr(&self.0, places))
+    }
+
+    /// self mod `modulus`, from 0 to `modulus` − 1.
+    ///
+    /// # Panics
+    /// When `modulus` is 0.
+    ///
+    /// ```
+    /// # use subcert::exact::Integer;
+    /// assert_eq!(Integer::from(-5).residue(3), 1);
+    /// ```
+    #[must_use]
+    pub fn residue(&self, modulus: u32) -> u32 {
+        assert!(modulus > 0, "division by zero");
+        backend::residue(&self.0, modulus)
+    }
+
     /// |self|.
     #[must_use]
     pub fn abs(&self) -> Integer {

@@ -6,14 +6,22 @@
 //! | [`Decimal`] | a decimal as printed, which knows its rounding interval |
 //! | [`mod@format`] | correctly rounded decimals of exact values |
 //! | [`Polynomial`] | polynomials in named variables, the normal form of an identity |
+//! | [`RealCyclotomic`] | real numbers of Q(2cos(2π/n)): sums of cosines |
+//! | [`cosine_polynomial`] | the minimal polynomial of 2cos(2π/n) |
+//! | [`RealAlgebraic`] | a root of a polynomial in an interval |
+//! | [`IntegerPolynomial`], [`SturmSequence`] | polynomials in one variable, and their real roots |
+//! | [`Enclosure`], [`Enclosed`] | intervals around a real number, as narrow as needed |
 //! | [`PiecewiseLinear`], [`Parametric`] | functions of a free parameter |
 //! | [`Interval`], [`IntervalSet`] | where such a function is below a bound |
 //! | [`Scalar`], [`Real`] | what the algorithms ask of a number type |
 //! | [`CommonDenominator`] | rationals as integers over one denominator, for hot loops |
 
+mod algebraic;
 mod backend;
 mod common;
+mod cyclotomic;
 mod decimal;
+mod enclosure;
 pub mod format;
 mod integer;
 mod interval;
@@ -24,9 +32,16 @@ mod polynomial;
 mod rational;
 mod read;
 mod scalar;
+mod sturm;
+mod univariate;
 
+pub use algebraic::RealAlgebraic;
 pub use common::CommonDenominator;
+pub use cyclotomic::{
+    CosineError, MAX_CONDUCTOR, RealCyclotomic, common_conductor, cosine_polynomial,
+};
 pub use decimal::{Decimal, Rounding};
+pub use enclosure::{Enclosed, Enclosure};
 pub use integer::Integer;
 pub use interval::{Interval, IntervalSet};
 pub use parametric::Parametric;
@@ -35,3 +50,5 @@ pub use polynomial::Polynomial;
 pub use rational::Rational;
 pub use read::{MAX_DIGITS, MAX_EXPONENT, NumberError, parse_decimal, parse_rational};
 pub use scalar::{Real, Scalar};
+pub use sturm::SturmSequence;
+pub use univariate::IntegerPolynomial;

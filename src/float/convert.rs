@@ -1,6 +1,6 @@
 //! Exact numbers to f64 and back.
 
-use crate::exact::{Integer, Rational};
+use crate::exact::{Enclosed, Integer, Rational};
 use std::cmp::Ordering;
 
 /// 2^`LEAST_EXPONENT` is the least positive f64.
@@ -12,6 +12,8 @@ const FRACTION_BITS: u32 = 52;
 /// The f64 nearest to `value`; of two equally near ones, the one with the even
 /// last bit. Beyond the greatest f64 by half a unit in its last place or more, an
 /// infinity. A negative value that rounds to 0 gives −0.
+///
+/// An irrational value is enclosed until both ends of the enclosure round alike.
 ///
 /// Integer arithmetic on p/q throughout, so this is right for subnormal results
 /// too. With 2^E ≤ |value| < 2^{E+1} and s = max(E − 52, −1074), the result is
@@ -29,7 +31,12 @@ const FRACTION_BITS: u32 = 52;
 /// # Panics
 /// Never.
 #[must_use]
-pub fn nearest(value: &Rational) -> f64 {
+pub fn nearest(value: &impl Enclosed) -> f64 {
+    // By their bits, since −0 == 0.
+    f64::from_bits(value.step(|value| nearest_rational(value).to_bits()))
+}
+
+fn nearest_rational(value: &Rational) -> f64 {
     let magnitude = nearest_magnitude(value.numerator().abs(), value.denominator());
     if value.sign() < 0 { -magnitude } else { magnitude }
 }

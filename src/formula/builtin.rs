@@ -1,17 +1,21 @@
 //! The functions of the language itself.
 
-use super::ast::OptionWord;
+use super::ast::{Operator, OptionWord};
 use super::error::FormulaErrorKind;
 use super::value::Value;
-use crate::exact::{Integer, Rational};
+use crate::exact::{Integer, Rational, common_conductor};
 
 /// The names of the functions.
-pub(super) const NAMES: [&str; 7] = ["abs", "min", "max", "floor", "ceil", "binomial", "sum"];
+pub(super) const NAMES: [&str; 8] =
+    ["abs", "min", "max", "floor", "ceil", "binomial", "sum", COSINE];
+
+/// The function whose argument is an angle; the evaluator calls it.
+pub(super) const COSINE: &str = "cos";
 
 /// The most binary digits that a value may have.
 pub(super) const MAX_BITS: u64 = 500_000;
 
-/// The greatest power of a symbol, also in a binomial coefficient.
+/// The greatest power of a symbol or of an irrational number, also in a binomial coefficient.
 const MAX_SYMBOLIC_POWER: u64 = 64;
 
 /// The greatest lower index of a binomial coefficient.
@@ -27,8 +31,7 @@ pub(super) fn call<V: Value>(
         return None;
     }
     if let Some(option) = options.first() {
-        let message = format!("`{function}` takes no option `{}`", option.name);
-        return Some(Err(FormulaErrorKind::Call(message)));
+        return Some(Err(no_option(function, option)));
     }
     Some(match (function, arguments) {
         ("abs", [x]) => x.absolute().ok_or(FormulaErrorKind::Unsupported(SYMBOLIC)),
@@ -37,25 +40,40 @@ pub(super) fn call<V: Value>(
             // min(a, b) = a + b - max(a, b), exactly.
             Some(a.plus(b).minus(&a.larger(b)?))
         }),
-        ("floor", [x]) => rational(x).map(|x| V::from_rational(&Rational::from(x.floor()))),
-        ("ceil", [x]) => rational(x).map(|x| V::from_rational(&Rational::from(x.ceil()))),
+        ("floor", [x]) => floor(x).map(|floor| V::from_rational(&Rational::from(floor))),
+        ("ceil", [x]) => {
+            floor(&V::zero().minus(x)).map(|floor| V::from_rational(&Rational::from(-floor)))
+        }
         ("binomial", [top, bottom]) => binomial(top, bottom),
-        (name, given) => Err(FormulaErrorKind::Call(format!(
-            "`{name}` takes {}, and was given {} arguments",
-            match name {
-                "min" | "max" => "one argument or more",
-                "binomial" => "two arguments",
-                _ => "one argument",
-            },
-            given.len()
-        ))),
+        (name, given) => Err(wrong_count(name, given.len())),
     })
+}
+
+/// `name` takes no options, and was given one.
+pub(super) fn no_option(name: &str, option: &OptionWord) -> FormulaErrorKind {
+    FormulaErrorKind::Call(format!("`{name}` takes no option `{}`", option.name))
+}
+
+/// What `name` takes, where it was given something else.
+pub(super) fn wrong_count(name: &str, given: usize) -> FormulaErrorKind {
+    let takes = match name {
+        "min" | "max" => "one argument or more",
+        "binomial" => "two arguments",
+        _ => "one argument",
+    };
+    FormulaErrorKind::Call(format!("`{name}` takes {takes}, and was given {given} arguments"))
 }
 
 const SYMBOLIC: &str = "this has no value while a parameter is symbolic";
 
-fn rational<V: Value>(value: &V) -> Result<Rational, FormulaErrorKind> {
-    value.as_rational().ok_or(FormulaErrorKind::Unsupported(SYMBOLIC))
+fn floor<V: Value>(value: &V) -> Result<Integer, FormulaErrorKind> {
+    value.floor().ok_or(FormulaErrorKind::Unsupported(SYMBOLIC))
+}
+
+/// Makes sure that two values have a field in common.
+fn together<V: Value>(left: &V, right: &V) -> Result<(), FormulaErrorKind> {
+    common_conductor(left.conductor(), right.conductor())?;
+    Ok(())
 }
 
 fn extreme<V: Value>(
@@ -64,12 +82,28 @@ fn extreme<V: Value>(
     choose: impl Fn(&V, &V) -> Option<V>,
 ) -> Result<V, FormulaErrorKind> {
     rest.iter().try_fold(first.clone(), |best, value| {
+        together(&best, value)?;
         choose(&best, value).ok_or(FormulaErrorKind::Unsupported(SYMBOLIC))
     })
 }
 
+/// left ∘ right, in a field that holds both.
+pub(super) fn apply<V: Value>(
+    operator: Operator,
+    left: &V,
+    right: &V,
+) -> Result<V, FormulaErrorKind> {
+    together(left, right)?;
+    match operator {
+        Operator::Add => Ok(left.plus(right)),
+        Operator::Subtract => Ok(left.minus(right)),
+        Operator::Multiply => multiply(left, right),
+        Operator::Divide => divide(left, right),
+    }
+}
+
 /// left · right.
-pub(super) fn multiply<V: Value>(left: &V, right: &V) -> Result<V, FormulaErrorKind> {
+fn multiply<V: Value>(left: &V, right: &V) -> Result<V, FormulaErrorKind> {
     if left.product_size(right) > MAX_BITS {
         return Err(FormulaErrorKind::TooLarge { what: "the number of bits", cap: MAX_BITS });
     }
@@ -77,11 +111,11 @@ pub(super) fn multiply<V: Value>(left: &V, right: &V) -> Result<V, FormulaErrorK
 }
 
 /// left / right.
-pub(super) fn divide<V: Value>(left: &V, right: &V) -> Result<V, FormulaErrorKind> {
+fn divide<V: Value>(left: &V, right: &V) -> Result<V, FormulaErrorKind> {
     if right.as_rational().is_some_and(|value| value.is_zero()) {
         return Err(FormulaErrorKind::DivisionByZero);
     }
-    if left.product_size(right) > MAX_BITS {
+    if left.quotient_size(right) > MAX_BITS {
         return Err(FormulaErrorKind::TooLarge { what: "the number of bits", cap: MAX_BITS });
     }
     left.quotient(right).ok_or(FormulaErrorKind::Unsupported(
@@ -117,7 +151,7 @@ pub(super) fn power<V: Value>(base: &V, exponent: &V) -> Result<V, FormulaErrorK
         return Ok(V::from_rational(&base.pow(exponent)));
     }
     if u64::from(magnitude) > MAX_SYMBOLIC_POWER {
-        let what = "the power of a symbol";
+        let what = "the power of a symbol or cosine";
         return Err(FormulaErrorKind::TooLarge { what, cap: MAX_SYMBOLIC_POWER });
     }
     let one = V::from_rational(&Rational::one());

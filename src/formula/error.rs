@@ -68,6 +68,15 @@ pub enum FormulaErrorKind {
         /// What it is.
         value: String,
     },
+    /// A cosine that the value's type does not have.
+    #[error(transparent)]
+    Cosine(#[from] crate::exact::CosineError),
+    /// An angle other than a rational multiple of π.
+    #[error("`cos` needs a rational multiple of `pi`, such as cos(2*pi*j/n); this is {0}")]
+    Angle(String),
+    /// π where no angle is.
+    #[error("`pi` stands for an angle, and only inside `cos`, as in cos(2*pi*j/n)")]
+    PiOutsideCosine,
     /// A cap was reached.
     #[error("{what} is too large; at most {cap}")]
     TooLarge {

@@ -1,5 +1,6 @@
 //! From tree to value.
 
+use super::angle::PI;
 use super::ast::{Expr, Node, Operator, OptionWord, Span};
 use super::builtin;
 use super::error::{CallError, FormulaError, FormulaErrorKind};
@@ -122,18 +123,18 @@ pub(crate) fn evaluate_with<V: Value>(
     Evaluator { context, work }.value(expr, &mut indices.to_vec())
 }
 
-struct Evaluator<'a, V> {
+pub(super) struct Evaluator<'a, V> {
     context: &'a dyn Context<V>,
     work: &'a Work,
 }
 
-fn fail<T>(kind: FormulaErrorKind, span: &Span) -> Result<T, FormulaError> {
+pub(super) fn fail<T>(kind: FormulaErrorKind, span: &Span) -> Result<T, FormulaError> {
     Err(FormulaError { kind, span: span.clone() })
 }
 
 impl<V: Value> Evaluator<'_, V> {
     /// Counts the work of a value; hands it on while the cap is not reached.
-    fn spend(&self, value: V, span: &Span) -> Result<V, FormulaError> {
+    pub(super) fn spend(&self, value: V, span: &Span) -> Result<V, FormulaError> {
         let size = value.size() / 512;
         let spent = self.work.spent.get().saturating_add(1 + size.saturating_mul(size));
         self.work.spent.set(spent);
@@ -144,7 +145,11 @@ impl<V: Value> Evaluator<'_, V> {
         Ok(value)
     }
 
-    fn value(&self, expr: &Expr, indices: &mut Vec<(String, V)>) -> Result<V, FormulaError> {
+    pub(super) fn value(
+        &self,
+        expr: &Expr,
+        indices: &mut Vec<(String, V)>,
+    ) -> Result<V, FormulaError> {
         let depth = self.work.depth.get();
         if depth >= MAX_DEPTH {
             let what = "the nesting of this formula and those it names";
@@ -173,6 +178,9 @@ impl<V: Value> Evaluator<'_, V> {
             Node::Negate(operand) => Ok(V::zero().minus(&self.value(operand, indices)?)),
             Node::Chain(first, rest) => self.chain(first, rest, indices),
             Node::Power(base, exponent) => self.power(base, exponent, &expr.span, indices),
+            Node::Call { function, arguments, options } if function == builtin::COSINE => {
+                self.cosine(arguments, options, &expr.span, indices)
+            }
             Node::Call { function, arguments, options } => {
                 let arguments = self.arguments(arguments, indices)?;
                 self.call(function, &arguments, options, indices)
@@ -195,7 +203,7 @@ impl<V: Value> Evaluator<'_, V> {
         let mut value = self.value(first, indices)?;
         for (operator, operand) in rest {
             let right = self.value(operand, indices)?;
-            let result = apply(*operator, &value, &right);
+            let result = builtin::apply(*operator, &value, &right);
             value = self.spend(result.or_else(|kind| fail(kind, &operand.span))?, &operand.span)?;
         }
         Ok(value)
@@ -237,12 +245,17 @@ impl<V: Value> Evaluator<'_, V> {
             indices.insert(0, (index.to_owned(), V::from_rational(&Rational::from(i))));
             let term = self.value(body, indices);
             indices.remove(0);
-            total = self.spend(total.plus(&term?), &body.span)?;
+            let sum = builtin::apply(Operator::Add, &total, &term?)
+                .or_else(|kind| fail(kind, &body.span));
+            total = self.spend(sum?, &body.span)?;
         }
         Ok(total)
     }
 
     fn name(&self, name: &str, span: &Span, indices: &[(String, V)]) -> Result<V, FormulaError> {
+        if name == PI {
+            return fail(FormulaErrorKind::PiOutsideCosine, span);
+        }
         if let Some((_, value)) = indices.iter().find(|(index, _)| index == name) {
             return Ok(value.clone());
         }
@@ -291,14 +304,5 @@ fn kind_of(error: CallError, name: &str) -> FormulaErrorKind {
         CallError::Misuse(message) => FormulaErrorKind::Call(message),
         CallError::Undefined(message) => FormulaErrorKind::Undefined(message),
         CallError::Inner(kind) => kind,
-    }
-}
-
-fn apply<V: Value>(operator: Operator, left: &V, right: &V) -> Result<V, FormulaErrorKind> {
-    match operator {
-        Operator::Add => Ok(left.plus(right)),
-        Operator::Subtract => Ok(left.minus(right)),
-        Operator::Multiply => builtin::multiply(left, right),
-        Operator::Divide => builtin::divide(left, right),
     }
 }

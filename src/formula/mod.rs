@@ -9,13 +9,33 @@
 //! abs(x)  min(x, …)  max(x, …)  floor(x)  ceil(x)
 //! binomial(t, k)                t(t-1)…(t-k+1)/k!, t rational, k = 0, 1, …
 //! sum(h = 1..m, body)           empty when m < 1
+//! cos(2*pi*j/n)                 of any rational multiple of pi
 //! T(c, order = forward)         whatever the context offers; options are words
 //! ```
 //!
-//! [`parse`] gives an [`Expr`]; [`evaluate`] computes it over any [`Value`], with
+//! [`parse()`] gives an [`Expr`]; [`evaluate()`] computes it over any [`Value`], with
 //! names and functions supplied by a [`Context`]. Every error carries the bytes
 //! of the formula it is about.
+//!
+//! `pi` is a reserved name, for angles: it stands inside `cos` only, written out
+//! there, in sums, products and above division bars. A cosine is a
+//! [`RealCyclotomic`](crate::exact::RealCyclotomic) number; over rationals and
+//! polynomials a formula has a value where its cosines are rational.
+//!
+//! ```
+//! use subcert::exact::{Rational, RealCyclotomic};
+//! use subcert::formula::{Parameters, evaluate, parse};
+//!
+//! let formula = parse("sum(j = 1..n, cos(2*pi*j/n)^2)")?;
+//! let n = Parameters::from([("n", RealCyclotomic::from(7))]);
+//! assert_eq!(evaluate(&formula, &n)?, RealCyclotomic::from(Rational::new(7, 2)));
+//!
+//! let rational = evaluate(&formula, &Parameters::from([("n", Rational::from(7))]));
+//! assert_eq!(rational.unwrap_err().to_string(), "cos(2*pi/7) is not rational");
+//! # Ok::<(), subcert::formula::FormulaError>(())
+//! ```
 
+mod angle;
 mod ast;
 mod builtin;
 mod display;
@@ -26,6 +46,7 @@ mod parse;
 mod scope;
 mod value;
 
+pub use angle::PI;
 pub use ast::{Expr, Node, Operator, OptionWord, Span};
 pub use error::{CallError, FormulaError, FormulaErrorKind};
 pub use evaluate::{Call, Context, Lookup, Parameters, Work, evaluate};

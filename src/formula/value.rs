@@ -1,6 +1,9 @@
 //! What a formula can be computed over.
 
-use crate::exact::{Parametric, PiecewiseLinear, Polynomial, Rational, Real, Scalar};
+use crate::exact::{
+    CosineError, Integer, Parametric, PiecewiseLinear, Polynomial, Rational, Real, RealCyclotomic,
+    Scalar,
+};
 
 /// Values of formulas. Operations that a type does not have give `None`.
 pub trait Value: Scalar + std::fmt::Display {
@@ -12,12 +15,40 @@ pub trait Value: Scalar + std::fmt::Display {
     fn product_size(&self, other: &Self) -> u64 {
         self.size().saturating_add(other.size())
     }
+    /// What self / divisor costs, for divisor ≠ 0.
+    fn quotient_size(&self, divisor: &Self) -> u64 {
+        self.product_size(divisor)
+    }
     /// self / divisor, for divisor ≠ 0.
     fn quotient(&self, divisor: &Self) -> Option<Self>;
     /// |self|.
     fn absolute(&self) -> Option<Self>;
     /// The greater of the two.
     fn larger(&self, other: &Self) -> Option<Self>;
+
+    /// ⌊self⌋.
+    fn floor(&self) -> Option<Integer> {
+        self.as_rational().map(|value| value.floor())
+    }
+
+    /// cos(2π·`turn`), which most types have only where it is rational.
+    ///
+    /// # Errors
+    /// When the type does not have it.
+    fn cosine(turn: &Rational) -> Result<Self, CosineError> {
+        let cosine = RealCyclotomic::cosine(turn)?;
+        match cosine.as_rational() {
+            Some(value) => Ok(Self::from_rational(value)),
+            None => Err(CosineError::irrational(turn)),
+        }
+    }
+
+    /// The n of the field Q(2cos(2π/n)) of this; 1 for types without such fields.
+    /// Whoever brings values together makes sure that theirs have a
+    /// [`common_conductor`](crate::exact::common_conductor).
+    fn conductor(&self) -> u32 {
+        1
+    }
 }
 
 /// What a term of a polynomial counts for, beside its coefficient.
@@ -62,6 +93,42 @@ impl Value for Polynomial {
     }
     fn larger(&self, other: &Self) -> Option<Self> {
         Some(Polynomial::constant(self.as_constant()?.max(other.as_constant()?)))
+    }
+}
+
+impl Value for RealCyclotomic {
+    fn as_rational(&self) -> Option<Rational> {
+        self.as_rational().cloned()
+    }
+    fn size(&self) -> u64 {
+        self.bits()
+    }
+    fn product_size(&self, other: &Self) -> u64 {
+        // A product of two terms counts as one bit: it is much quicker than one of
+        // terms with names.
+        let terms = self.term_count() as u64 * other.term_count() as u64;
+        terms.saturating_add(self.bits()).saturating_add(other.bits())
+    }
+    fn quotient_size(&self, divisor: &Self) -> u64 {
+        self.bits().saturating_add(divisor.recip_cost())
+    }
+    fn quotient(&self, divisor: &Self) -> Option<Self> {
+        Some(self / divisor)
+    }
+    fn absolute(&self) -> Option<Self> {
+        Some(self.abs())
+    }
+    fn larger(&self, other: &Self) -> Option<Self> {
+        Some(self.max(other).clone())
+    }
+    fn floor(&self) -> Option<Integer> {
+        Some(self.floor())
+    }
+    fn cosine(turn: &Rational) -> Result<Self, CosineError> {
+        RealCyclotomic::cosine(turn)
+    }
+    fn conductor(&self) -> u32 {
+        self.conductor()
     }
 }
 

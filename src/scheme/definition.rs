@@ -3,11 +3,12 @@
 use super::mask::{Mask, MaskError};
 use super::reference::SchemeError;
 use super::rules::{MAX_ARITY, MAX_WIDTH, RulesError};
-use crate::diagnostic::Diagnostic;
-use crate::exact::Rational;
+use crate::diagnostic::{Diagnostic, SourceText};
+use crate::exact::{Rational, common_conductor};
 use crate::formula::{LocatedFormula, Scope, Value, evaluate};
 use std::collections::BTreeMap;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// A parameter of a scheme.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -53,11 +54,12 @@ pub(super) struct RuleFormulas {
 
 impl SchemeDefinition {
     /// The mask at these parameter values, over any [`Value`]: with
-    /// [`Polynomial`](crate::exact::Polynomial) values it stays symbolic.
+    /// [`Polynomial`](crate::exact::Polynomial) values it stays symbolic, with
+    /// [`RealCyclotomic`](crate::exact::RealCyclotomic) values it may have cosines.
     ///
     /// # Errors
-    /// When a parameter is missing or unknown, a formula has no value, or the
-    /// coefficients are not a mask.
+    /// When a parameter is missing or unknown, a formula has no value, the
+    /// coefficients have no [`common_conductor`], or they are not a mask.
     pub fn mask<V: Value + PartialEq>(
         &self,
         values: &BTreeMap<String, V>,
@@ -84,6 +86,12 @@ impl SchemeDefinition {
                     .collect::<Result<Vec<Vec<V>>, SchemeError>>()?
             }
         };
+        rows.iter().flatten().map(Value::conductor).try_fold(1, common_conductor).map_err(
+            |error| {
+                let (source, span) = self.whole();
+                SchemeError::File(Box::new(Diagnostic::new(source, span, error.to_string())))
+            },
+        )?;
         Mask::new(rows, offset).map_err(|error| SchemeError::File(Box::new(self.refusal(&error))))
     }
 
@@ -154,15 +162,22 @@ impl SchemeDefinition {
     /// Why these coefficients are not a mask, at their place in the file.
     fn refusal(&self, error: &MaskError) -> Diagnostic {
         let (source, span) = match (&self.coefficients, error) {
-            (Coefficients::Rule(rule), _) => (&rule.entry.source, rule.entry.span.clone()),
             (
                 Coefficients::Listed(rows),
                 MaskError::NotAffine { rule, .. }
                 | MaskError::Rules(RulesError::Ragged { rule, .. }),
             ) => (&rows[*rule][0].source, extent(&rows[*rule..=*rule])),
-            (Coefficients::Listed(rows), MaskError::Rules(_)) => (&rows[0][0].source, extent(rows)),
+            _ => self.whole(),
         };
         Diagnostic::new(source, span, error.to_string())
+    }
+
+    /// The place of all the coefficients.
+    fn whole(&self) -> (&Arc<SourceText>, Range<usize>) {
+        match &self.coefficients {
+            Coefficients::Rule(rule) => (&rule.entry.source, rule.entry.span.clone()),
+            Coefficients::Listed(rows) => (&rows[0][0].source, extent(rows)),
+        }
     }
 }
 

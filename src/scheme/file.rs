@@ -2,7 +2,7 @@
 
 use super::definition::{Coefficients, ParameterSpec, RuleFormulas, SchemeDefinition};
 use crate::diagnostic::{Diagnostic, SourceText};
-use crate::formula::{LocatedFormula, is_identifier};
+use crate::formula::{LocatedFormula, PI, is_identifier};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -106,6 +106,10 @@ pub(crate) fn identifier(
     source: &Arc<SourceText>,
     name: &Spanned<String>,
 ) -> Result<String, Diagnostic> {
+    if name.get_ref() == PI {
+        let message = "`pi` is reserved for the angles inside `cos`";
+        return Err(Diagnostic::new(source, name.span(), message));
+    }
     if is_identifier(name.get_ref()) {
         return Ok(name.get_ref().clone());
     }

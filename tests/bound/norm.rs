@@ -43,7 +43,7 @@ fn class_sums(rules: &Rules, levels: u32, order: Order) -> Vec<Rational> {
 }
 
 /// Row r of the power Rᶜ, from the definition of R: index and entry.
-fn row(rules: &Rules, levels: u32, class: u64) -> BTreeMap<i64, Rational> {
+pub fn row(rules: &Rules, levels: u32, class: u64) -> BTreeMap<i64, Rational> {
     let n = int(rules.arity());
     let mut row = BTreeMap::from([(i64::try_from(class).unwrap(), Rational::one())]);
     for _ in 0..levels {
@@ -197,11 +197,24 @@ fn numbers_beyond_128_bits() {
             assert_eq!(norm.value, power_norm_generic(&rules, c, order).unwrap());
         }
     }
-    // (2^64)^2 = 2^128 in one class: one bit too many for a signed 128-bit integer.
-    let power = Rational::from(2).pow(64);
-    let rows = vec![vec![power.clone()], vec![Rational::zero()]];
-    let norm = power_norm(&Rules::new(rows, 0).unwrap(), 2, Order::Adjoint).unwrap();
-    assert_eq!(norm.value, power.pow(2));
+    // The squares next to 2^126, 2^127 and 2^128, of which only the first fits.
+    for (root, more) in [(1 << 63, 0), (13_043_817_825_332_782_212_i128, 1), (1 << 64, 0)] {
+        let power = Rational::from(root + more);
+        let rows = vec![vec![power.clone()], vec![Rational::zero()]];
+        let norm = power_norm(&Rules::new(rows, 0).unwrap(), 2, Order::Adjoint).unwrap();
+        assert_eq!(norm.value, power.pow(2));
+    }
+}
+
+#[test]
+fn rules_that_are_0() {
+    let (zero, chaikin) = (Rules::new(vec![vec![r(0, 1); 2]; 2], 0).unwrap(), mask("chaikin"));
+    for order in ORDERS {
+        let nothing = Ok(PowerNorm { value: r(0, 1), class: 0 });
+        assert_eq!(power_norm(&zero, 3, order), nothing);
+        assert_eq!(joint_norm(&zero, chaikin.rules(), 3, order), nothing);
+        assert_eq!(power_norm(&zero, 0, order).unwrap().value, r(1, 1));
+    }
 }
 
 #[test]

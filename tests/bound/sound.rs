@@ -1,11 +1,12 @@
 //! The sound bound, against what subdivision does.
 
 use super::common::{affine, differences, int, largest, mask, polygon, r, refine};
+use super::norm::row;
 use super::surface::{Grid, bilinear, distance, grid, spread};
 use proptest::prelude::*;
-use subcert::bound::{Constants, DepthError, SoundBound};
+use subcert::bound::{Constants, DepthError, Order, SoundBound, power_norm};
 use subcert::exact::Rational;
-use subcert::scheme::Mask;
+use subcert::scheme::{Mask, Rules};
 
 /// U_0, …, U_last as the documentation states them, with fractions.
 fn naive_upper(bound: &SoundBound, last: usize) -> Vec<Rational> {
@@ -124,6 +125,43 @@ proptest! {
     }
 }
 
+/// The greatest refined value over grids of ±1: of c levels of `first` along the
+/// rows' index and `second` along the columns', at a row and a column that attain
+/// their own norms.
+fn attained(first: &Rules, second: &Rules, c: u32) -> Rational {
+    let norms = [first, second].map(|rules| power_norm(rules, c, Order::Adjoint).unwrap());
+    let rows = [row(first, c, norms[0].class), row(second, c, norms[1].class)];
+    let [rows, columns] = rows.map(|row| {
+        let (low, high) = (*row.keys().next().unwrap(), *row.keys().last().unwrap());
+        let count = high - low + 1;
+        let entry = move |i: i64| row.get(&(low + (i - low).rem_euclid(count))).cloned();
+        (0..count)
+            .map(|i| r(if entry(i).is_some_and(|x| x.sign() < 0) { -1 } else { 1 }, 1))
+            .collect::<Vec<_>>()
+    });
+    let signs: Grid = rows.iter().map(|x| columns.iter().map(|y| x * y).collect()).collect();
+    let refined = (0..c).fold(signs, |grid, _| super::surface::refine(first, second, &grid));
+    refined.into_iter().flatten().max().unwrap()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(8))]
+
+    // C_c is what differences along one direction can grow by: D along it, S along
+    // the other, for the worse of the two directions.
+    #[test]
+    fn constants_of_surfaces_are_attained(first in affine(3, 3), second in affine(3, 3)) {
+        let pair = [&first, &second].map(|mask| Constants::new(mask.clone()));
+        let bound = SoundBound::surface(&pair[0], &pair[1], 2).unwrap();
+        prop_assert_eq!(&bound.constants()[0], &Rational::one());
+        for c in 1..=2 {
+            let along = attained(&first.difference(), second.rules(), c);
+            let across = attained(first.rules(), &second.difference(), c);
+            prop_assert_eq!(&bound.constants()[c as usize], &along.max(across));
+        }
+    }
+}
+
 fn surface_steps(first: &Mask, second: &Mask, mut grid: Grid, count: usize) -> Vec<Rational> {
     let mut steps = Vec::new();
     for _ in 0..count {
@@ -150,6 +188,8 @@ fn bounds_hold_for_named_surfaces() {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(100))]
+
     #[test]
     fn levels_are_the_documented_formula(mask in gentle(3, 4), blocks in 1_u32..5, last in 0_u32..12) {
         let bound = curve(&mask, blocks);

@@ -1,12 +1,19 @@
-//! Numbers: reading, printing and arithmetic, against naive versions and against
-//! num-bigint and num-rational.
+//! Numbers: reading, printing and arithmetic, against naive versions, against
+//! num-bigint and num-rational, and against facts from elsewhere.
 
+mod algebraic;
 mod arithmetic;
+mod cosine;
+mod cosine_facts;
+mod cosine_polynomial;
 mod decimal;
+mod doo_sabin;
+mod enclosure;
 mod format;
 mod piecewise;
 mod polynomial;
 mod reading;
+mod univariate;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;

@@ -2,6 +2,7 @@
 //! makes the program panic or run on.
 
 mod caps;
+mod cosine;
 mod errors;
 mod scope;
 mod syntax;

@@ -193,8 +193,8 @@ fn errors_say_where_what_and_what_would_be_right() {
 fn places_count_characters_not_bytes() {
     let error = refusal("name = 'a'\n# ré\nmask = [['1', 'é + é'], ['1', '0']]");
     assert_eq!(error.line_and_column(), (3, 16));
-    let error = refusal("name = 'é'\nmask = [['1', \"μ + ω\"], ['1', '0']]");
-    assert_eq!(error.line_and_column(), (2, 16));
+    let error = refusal("name = 'é'\nmask = [['1', \"μ*ω 2\"], ['1', '0']]");
+    assert_eq!(error.line_and_column(), (2, 20));
 }
 
 // Files without a name, empty ones and odd ones give an error that can be drawn.

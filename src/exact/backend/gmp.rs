@@ -44,6 +44,21 @@ pub(in crate::exact) fn to_i128(a: &Int) -> Option<i128> {
     a.to_i128()
 }
 
+/// a·2^places.
+pub(in crate::exact) fn shl(a: &Int, places: u32) -> Int {
+    (a << places).complete()
+}
+
+/// ⌊a/2^places⌋.
+pub(in crate::exact) fn shr(a: &Int, places: u32) -> Int {
+    (a >> places).complete()
+}
+
+/// a mod modulus, from 0 to modulus − 1.
+pub(in crate::exact) fn residue(a: &Int, modulus: u32) -> u32 {
+    a.mod_u(modulus)
+}
+
 pub(in crate::exact) fn rat(numerator: Int, denominator: Int) -> Rat {
     Rat::from((numerator, denominator))
 }

@@ -1,0 +1,250 @@
+//! Real algebraic numbers: a polynomial, and an interval that isolates one root.
+
+use super::{Enclosed, Enclosure, Integer, IntegerPolynomial, Rational, SturmSequence};
+use std::cmp::Ordering;
+use std::fmt;
+use std::sync::Arc;
+
+/// A real root of an integer polynomial: a rational number, or the one root of a
+/// square-free polynomial in an open interval. The polynomial need not be
+/// irreducible; but a rational root is always recognised as one.
+///
+/// Numbers compare exactly, whatever polynomials define them.
+///
+/// ```
+/// use subcert::exact::{IntegerPolynomial, Rational, RealAlgebraic, format::fixed};
+///
+/// // (x² − 2)(2x − 3)
+/// let roots = RealAlgebraic::roots_of(&IntegerPolynomial::from([6, -4, -3, 2]));
+/// let decimals: Vec<String> = roots.iter().map(|root| fixed(root, 8)).collect();
+/// assert_eq!(decimals, ["-1.41421356", "1.41421356", "1.50000000"]);
+/// assert_eq!(roots[2], RealAlgebraic::from(Rational::new(3, 2)));
+///
+/// let four = IntegerPolynomial::from([-4, 0, 0, 0, 1]);
+/// assert_eq!(RealAlgebraic::roots_of(&four)[1], roots[1]);
+/// ```
+#[derive(Clone, Debug)]
+pub struct RealAlgebraic(Form);
+
+#[derive(Clone, Debug)]
+enum Form {
+    Rational(Rational),
+    Irrational(Root),
+}
+
+/// The root of f in (lower, upper): one, and simple, with f(lower)·f(upper) < 0.
+#[derive(Clone, Debug)]
+struct Root {
+    /// Primitive and square-free.
+    polynomial: Arc<IntegerPolynomial>,
+    lower: Rational,
+    upper: Rational,
+    /// The sign of f(lower).
+    sign: i8,
+}
+
+impl From<Rational> for RealAlgebraic {
+    fn from(value: Rational) -> RealAlgebraic {
+        RealAlgebraic(Form::Rational(value))
+    }
+}
+
+impl RealAlgebraic {
+    /// The distinct real roots of `polynomial`, in increasing order.
+    ///
+    /// # Panics
+    /// When `polynomial` is 0.
+    #[must_use]
+    pub fn roots_of(polynomial: &IntegerPolynomial) -> Vec<RealAlgebraic> {
+        SturmSequence::new(polynomial).roots()
+    }
+
+    /// The root of the square-free `polynomial` in (lower, upper], which holds
+    /// exactly one.
+    pub(super) fn isolated(
+        polynomial: &Arc<IntegerPolynomial>,
+        lower: Rational,
+        upper: Rational,
+    ) -> RealAlgebraic {
+        if polynomial.sign_at(&upper) == 0 {
+            return RealAlgebraic::from(upper);
+        }
+        let sign = -polynomial.sign_at(&upper);
+        let mut root = Root { polynomial: Arc::clone(polynomial), lower, upper, sign };
+        // The lower end may be another root; on its right the sign is `sign` still.
+        while root.polynomial.sign_at(&root.lower) == 0 {
+            if let Some(value) = root.halve() {
+                return RealAlgebraic::from(value);
+            }
+        }
+        root.normal()
+    }
+
+    /// This, if it is rational.
+    #[must_use]
+    pub fn as_rational(&self) -> Option<&Rational> {
+        match &self.0 {
+            Form::Rational(value) => Some(value),
+            Form::Irrational(_) => None,
+        }
+    }
+
+    /// A primitive square-free polynomial that has this as a root: qx − p for
+    /// p/q; otherwise not always the minimal one.
+    #[must_use]
+    pub fn polynomial(&self) -> IntegerPolynomial {
+        match &self.0 {
+            Form::Rational(value) => {
+                IntegerPolynomial::from([-value.numerator(), value.denominator()])
+            }
+            Form::Irrational(root) => (*root.polynomial).clone(),
+        }
+    }
+
+    /// −1, 0 or 1.
+    #[must_use]
+    pub fn sign(&self) -> i8 {
+        match self.cmp_rational(&Rational::zero()) {
+            Ordering::Less => -1,
+            Ordering::Equal => 0,
+            Ordering::Greater => 1,
+        }
+    }
+
+    /// How this compares with `other`, by one evaluation of the polynomial.
+    #[must_use]
+    pub fn cmp_rational(&self, other: &Rational) -> Ordering {
+        match &self.0 {
+            Form::Rational(value) => value.cmp(other),
+            Form::Irrational(root) if *other <= root.lower => Ordering::Greater,
+            Form::Irrational(root) if *other >= root.upper => Ordering::Less,
+            // f(other) = 0 would make the root rational.
+            Form::Irrational(root) if root.polynomial.sign_at(other) == root.sign => {
+                Ordering::Greater
+            }
+            Form::Irrational(_) => Ordering::Less,
+        }
+    }
+}
+
+impl Root {
+    /// Halves the interval; the root, if it is the middle.
+    fn halve(&mut self) -> Option<Rational> {
+        let middle = (&self.lower + &self.upper) / Rational::from(2);
+        match self.polynomial.sign_at(&middle) {
+            0 => return Some(middle),
+            sign if sign == self.sign => self.lower = middle,
+            _ => self.upper = middle,
+        }
+        None
+    }
+
+    fn width(&self) -> Rational {
+        &self.upper - &self.lower
+    }
+
+    /// This root, recognised when it is rational: the denominator of a rational
+    /// root divides the leading coefficient l, so l times the root is the one
+    /// integer in an interval shorter than 1.
+    fn normal(mut self) -> RealAlgebraic {
+        let leading = Rational::from(self.polynomial.leading());
+        while self.width() * &leading >= Rational::one() {
+            if let Some(value) = self.halve() {
+                return RealAlgebraic::from(value);
+            }
+        }
+        let candidate = Rational::from((&self.upper * &leading).floor()) / leading;
+        if candidate > self.lower && self.polynomial.sign_at(&candidate) == 0 {
+            return RealAlgebraic::from(candidate);
+        }
+        RealAlgebraic(Form::Irrational(self))
+    }
+
+    /// Whether this and `other` are the same number. A common root is a root of
+    /// the gcd g of the two polynomials, in the intersection of the two
+    /// intervals; which holds no other root of either. Neither end of it is a root
+    /// of g, so that g changes sign between them if and only if g has a root there.
+    fn equals(&self, other: &Root) -> bool {
+        let (lower, upper) = ((&self.lower).max(&other.lower), (&self.upper).min(&other.upper));
+        if lower >= upper {
+            return false;
+        }
+        if self.polynomial == other.polynomial {
+            return self.polynomial.sign_at(lower) == -self.polynomial.sign_at(upper);
+        }
+        let gcd = self.polynomial.gcd(&other.polynomial);
+        gcd.sign_at(lower) == -gcd.sign_at(upper)
+    }
+}
+
+impl Enclosed for RealAlgebraic {
+    /// An interval no wider than 2^(−64·2^level), by bisection.
+    fn enclosure(&self, level: u32) -> Enclosure {
+        let mut root = match &self.0 {
+            Form::Rational(value) => return Enclosure::exact(value.clone()),
+            Form::Irrational(root) => root.clone(),
+        };
+        let bits = 64_u32.checked_shl(level).expect("a precision that fits in memory");
+        let width = Rational::new(1, Integer::one().shifted_left(bits));
+        while root.width() > width {
+            // The middle is never the root, which is not rational.
+            root.halve();
+        }
+        Enclosure::new(root.lower, root.upper)
+    }
+}
+
+impl Ord for RealAlgebraic {
+    fn cmp(&self, other: &RealAlgebraic) -> Ordering {
+        match (&self.0, &other.0) {
+            (_, Form::Rational(value)) => self.cmp_rational(value),
+            (Form::Rational(value), _) => other.cmp_rational(value).reverse(),
+            (Form::Irrational(a), Form::Irrational(b)) => {
+                if a.equals(b) {
+                    return Ordering::Equal;
+                }
+                let (mut a, mut b) = (a.clone(), b.clone());
+                loop {
+                    if a.upper <= b.lower {
+                        return Ordering::Less;
+                    }
+                    if b.upper <= a.lower {
+                        return Ordering::Greater;
+                    }
+                    a.halve();
+                    b.halve();
+                }
+            }
+        }
+    }
+}
+
+impl PartialOrd for RealAlgebraic {
+    fn partial_cmp(&self, other: &RealAlgebraic) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for RealAlgebraic {
+    fn eq(&self, other: &RealAlgebraic) -> bool {
+        match (&self.0, &other.0) {
+            (Form::Rational(a), Form::Rational(b)) => a == b,
+            (Form::Irrational(a), Form::Irrational(b)) => a.equals(b),
+            _ => false,
+        }
+    }
+}
+
+impl Eq for RealAlgebraic {}
+
+impl fmt::Display for RealAlgebraic {
+    /// p/q, or the polynomial and an interval: `root of x^2 - 2 in (1, 3/2)`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.0 {
+            Form::Rational(value) => value.fmt(f),
+            Form::Irrational(Root { polynomial, lower, upper, .. }) => {
+                f.pad(&format!("root of {polynomial} in ({lower}, {upper})"))
+            }
+        }
+    }
+}

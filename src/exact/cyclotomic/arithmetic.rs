@@ -1,0 +1,185 @@
+//! The operators.
+
+use super::field::Field;
+use super::norm::cofactor;
+use super::number::{Element, Form, RealCyclotomic};
+use crate::exact::{Integer, Rational, Real, Scalar};
+use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::sync::Arc;
+
+/// The field of lowest conductor that holds both.
+///
+/// # Panics
+/// When that is beyond the cap.
+fn common_field(left: &Element, right: &Element) -> Arc<Field> {
+    if Arc::ptr_eq(&left.field, &right.field) {
+        return Arc::clone(&left.field);
+    }
+    Field::of(num_integer::lcm(left.field.conductor(), right.field.conductor()))
+}
+
+impl Element {
+    fn scaled(&self, factor: &Rational) -> RealCyclotomic {
+        let p = factor.numerator();
+        let numerators = self.numerators.iter().map(|a| a * &p).collect();
+        let denominator = &self.denominator * factor.denominator();
+        RealCyclotomic::normal(Arc::clone(&self.field), numerators, denominator)
+    }
+
+    fn plus_rational(&self, value: &Rational) -> RealCyclotomic {
+        let (p, q) = (value.numerator(), value.denominator());
+        let mut numerators: Vec<Integer> = self.numerators.iter().map(|a| a * &q).collect();
+        numerators[0] += &(p * &self.denominator);
+        RealCyclotomic::normal(Arc::clone(&self.field), numerators, &self.denominator * &q)
+    }
+
+    fn plus(&self, other: &Element) -> RealCyclotomic {
+        let field = common_field(self, other);
+        let (left, right) = (self.lifted(&field), other.lifted(&field));
+        if self.denominator == other.denominator {
+            let sum = left.iter().zip(&*right).map(|(a, b)| a + b).collect();
+            return RealCyclotomic::normal(field, sum, self.denominator.clone());
+        }
+        let denominator = self.denominator.lcm(&other.denominator);
+        let p = denominator.div_floor(&self.denominator);
+        let q = denominator.div_floor(&other.denominator);
+        let sum = left.iter().zip(&*right).map(|(a, b)| a * &p + b * &q).collect();
+        RealCyclotomic::normal(field, sum, denominator)
+    }
+
+    fn times(&self, other: &Element) -> RealCyclotomic {
+        let field = common_field(self, other);
+        let product = field.multiply(&self.lifted(&field), &other.lifted(&field));
+        RealCyclotomic::normal(field, product, &self.denominator * &other.denominator)
+    }
+
+    /// q/f for this f/q: q·A/N with f·A = N, the norm.
+    fn recip(&self) -> RealCyclotomic {
+        let (numerators, norm) = cofactor(&self.field, &self.numerators);
+        let factor = Rational::new(self.denominator.clone(), norm);
+        Element { field: Arc::clone(&self.field), numerators, denominator: Integer::one() }
+            .scaled(&factor)
+    }
+}
+
+impl RealCyclotomic {
+    /// 1/self. By way of the norm, which is found modulo as many primes as it has
+    /// digits: quadratic in the degree of the field for each.
+    ///
+    /// # Panics
+    /// When this is 0.
+    ///
+    /// ```
+    /// use subcert::exact::{Rational, RealCyclotomic};
+    ///
+    /// // 1/(2cos36°) = 2cos36° − 1
+    /// let golden = &RealCyclotomic::from(2) * &RealCyclotomic::cosine(&Rational::new(1, 10))?;
+    /// assert_eq!(golden.recip(), &golden - &RealCyclotomic::from(1));
+    /// # Ok::<(), subcert::exact::CosineError>(())
+    /// ```
+    #[must_use]
+    pub fn recip(&self) -> RealCyclotomic {
+        match &self.0 {
+            Form::Rational(value) => RealCyclotomic::from(value.recip()),
+            Form::Irrational(element) => element.recip(),
+        }
+    }
+
+    /// What [`recip`](Self::recip) costs: m² operations, in units of 64, for each
+    /// prime of 31 bits in a bound on the norm, (Σ_k 2|a_k|)^m.
+    pub(crate) fn recip_cost(&self) -> u64 {
+        let Form::Irrational(element) = &self.0 else { return self.bits() };
+        let degree = element.field.degree() as u64;
+        let sum: Integer = element.terms().map(|(_, a)| a.abs()).sum();
+        let primes = degree.saturating_mul(sum.bits() + 1) / 30 + 1;
+        (degree * degree / 64 + 1).saturating_mul(primes)
+    }
+
+    /// |self|.
+    #[must_use]
+    pub fn abs(&self) -> RealCyclotomic {
+        if self.sign() < 0 { -self } else { self.clone() }
+    }
+}
+
+impl Neg for &RealCyclotomic {
+    type Output = RealCyclotomic;
+    fn neg(self) -> RealCyclotomic {
+        match &self.0 {
+            Form::Rational(value) => RealCyclotomic::from(-value),
+            Form::Irrational(element) => {
+                let numerators = element.numerators.iter().map(|a| -a).collect();
+                RealCyclotomic(Form::Irrational(Element { numerators, ..element.clone() }))
+            }
+        }
+    }
+}
+
+impl Add for &RealCyclotomic {
+    type Output = RealCyclotomic;
+    fn add(self, other: &RealCyclotomic) -> RealCyclotomic {
+        match (&self.0, &other.0) {
+            (Form::Rational(a), Form::Rational(b)) => RealCyclotomic::from(a + b),
+            (Form::Irrational(a), Form::Rational(b)) | (Form::Rational(b), Form::Irrational(a)) => {
+                a.plus_rational(b)
+            }
+            (Form::Irrational(a), Form::Irrational(b)) => a.plus(b),
+        }
+    }
+}
+
+impl Sub for &RealCyclotomic {
+    type Output = RealCyclotomic;
+    fn sub(self, other: &RealCyclotomic) -> RealCyclotomic {
+        self + &-other
+    }
+}
+
+impl Mul for &RealCyclotomic {
+    type Output = RealCyclotomic;
+    fn mul(self, other: &RealCyclotomic) -> RealCyclotomic {
+        match (&self.0, &other.0) {
+            (Form::Rational(a), Form::Rational(b)) => RealCyclotomic::from(a * b),
+            (Form::Irrational(a), Form::Rational(b)) | (Form::Rational(b), Form::Irrational(a)) => {
+                a.scaled(b)
+            }
+            (Form::Irrational(a), Form::Irrational(b)) => a.times(b),
+        }
+    }
+}
+
+impl Div for &RealCyclotomic {
+    type Output = RealCyclotomic;
+    /// # Panics
+    /// When `other` is 0.
+    fn div(self, other: &RealCyclotomic) -> RealCyclotomic {
+        self.times(&other.recip())
+    }
+}
+
+impl Scalar for RealCyclotomic {
+    fn from_rational(value: &Rational) -> Self {
+        RealCyclotomic::from(value.clone())
+    }
+    fn plus(&self, other: &Self) -> Self {
+        self + other
+    }
+    fn minus(&self, other: &Self) -> Self {
+        self - other
+    }
+    fn times(&self, other: &Self) -> Self {
+        self * other
+    }
+}
+
+impl Real for RealCyclotomic {
+    fn magnitude(&self) -> Self {
+        self.abs()
+    }
+    fn greater(&self, other: &Self) -> Self {
+        if self < other { other.clone() } else { self.clone() }
+    }
+    fn over(&self, other: &Self) -> Self {
+        self / other
+    }
+}

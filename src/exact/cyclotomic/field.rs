@@ -1,0 +1,205 @@
+//! The fields Q(2cos(2π/n)).
+
+use super::fixed::cosines;
+use super::number::angle;
+use super::symmetric::{cyclotomic, product};
+use crate::exact::{Integer, Rational};
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+/// The largest conductor n of a field Q(2cos(2π/n)) that is computed in.
+pub const MAX_CONDUCTOR: u32 = 10_000;
+
+/// Why a cosine is not a number of the wanted kind.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum CosineError {
+    /// A rational number was needed.
+    #[error("cos({angle}) is not rational")]
+    Irrational {
+        /// The angle as a formula, such as `2*pi/5`.
+        angle: String,
+    },
+    /// The least n such that all the cosines are in Q(2cos(2π/n)) is beyond
+    /// [`MAX_CONDUCTOR`].
+    #[error(
+        "the cosines need the field of 2cos(2π/n) for n = {conductor}; \
+         at most n = {MAX_CONDUCTOR} is computed in"
+    )]
+    Conductor {
+        /// n.
+        conductor: String,
+    },
+}
+
+impl CosineError {
+    /// cos(2π·`turn`) is not rational.
+    pub(crate) fn irrational(turn: &Rational) -> CosineError {
+        CosineError::Irrational { angle: angle(turn) }
+    }
+}
+
+/// The conductor of the field that numbers of conductors m and n lie in together:
+/// lcm(m, n).
+///
+/// # Errors
+/// When it is beyond [`MAX_CONDUCTOR`]. Arithmetic with two such numbers panics,
+/// so that whoever brings numbers together asks here first.
+pub fn common_conductor(m: u32, n: u32) -> Result<u32, CosineError> {
+    let lcm = num_integer::lcm(u64::from(m), u64::from(n));
+    match u32::try_from(lcm) {
+        Ok(lcm) if lcm <= MAX_CONDUCTOR => Ok(lcm),
+        _ => Err(CosineError::Conductor { conductor: lcm.to_string() }),
+    }
+}
+
+/// Q(θ), θ = 2cos(2π/n), of degree m = φ(n)/2 ≥ 2, where n is not 2 mod 4 (Q(ζ_2n) =
+/// Q(ζ_n) for odd n).
+///
+/// Its elements are Σ_{k<m} a_k C_k with C_0 = 1, C_k = 2cos(2πk/n): polynomials in
+/// θ of degree below m, as C_k is a monic polynomial of degree k in θ. With integers
+/// a_k these are all of `Z[θ]`, the ring of integers.
+#[derive(Debug)]
+pub(super) struct Field {
+    conductor: usize,
+    degree: usize,
+    /// The (k, a_k) with a_k ≠ 0 and k < m in Ψ_n = C_m + Σ a_k C_k.
+    relation: Vec<(usize, i64)>,
+}
+
+/// The fields used so far, by conductor.
+static FIELDS: Mutex<BTreeMap<usize, Arc<Field>>> = Mutex::new(BTreeMap::new());
+
+/// Cosines in fixed point.
+type Table = Arc<Vec<Integer>>;
+
+/// The tables used so far, by conductor and level.
+static TABLES: Mutex<BTreeMap<(usize, u32), Table>> = Mutex::new(BTreeMap::new());
+
+/// The data behind these locks is only ever added to, and so never left broken.
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl Field {
+    /// The field of this conductor, computed once for the whole program.
+    ///
+    /// # Panics
+    /// When the degree would be below 2, or the conductor is 2 mod 4 or beyond
+    /// [`MAX_CONDUCTOR`].
+    pub(super) fn of(conductor: usize) -> Arc<Field> {
+        assert!(
+            conductor <= MAX_CONDUCTOR as usize,
+            "arithmetic in the field of 2cos(2π/{conductor}), beyond the cap of {MAX_CONDUCTOR}"
+        );
+        assert!(conductor >= 5 && conductor % 4 != 2, "a field other than Q, in normal form");
+        let mut fields = lock(&FIELDS);
+        let field = fields.entry(conductor).or_insert_with(|| {
+            let mut coefficients = cyclotomic(conductor);
+            coefficients.pop();
+            let degree = coefficients.len();
+            let relation = coefficients.into_iter().enumerate().filter(|(_, a)| *a != 0).collect();
+            Arc::new(Field { conductor, degree, relation })
+        });
+        Arc::clone(field)
+    }
+
+    pub(super) fn conductor(&self) -> usize {
+        self.conductor
+    }
+
+    pub(super) fn degree(&self) -> usize {
+        self.degree
+    }
+
+    pub(super) fn relation(&self) -> &[(usize, i64)] {
+        &self.relation
+    }
+
+    /// The binary digits of the approximations of a level.
+    pub(super) fn bits(level: u32) -> u32 {
+        64_u32.checked_shl(level).filter(|&bits| bits > 0).expect("it fits in memory")
+    }
+
+    /// The integers within 1 of 2^bits·2cos(2πk/n), k = 0, …, m − 1.
+    pub(super) fn table(&self, level: u32) -> Table {
+        let key = (self.conductor, level);
+        if let Some(table) = lock(&TABLES).get(&key) {
+            return Arc::clone(table);
+        }
+        let table = Arc::new(cosines(self.conductor, self.degree, Field::bits(level)));
+        Arc::clone(lock(&TABLES).entry(key).or_insert(table))
+    }
+
+    /// The index in 0, …, ⌊n/2⌋ of the same cosine as k.
+    pub(super) fn fold(&self, k: usize) -> usize {
+        let k = k % self.conductor;
+        k.min(self.conductor - k)
+    }
+
+    /// Room for the coefficients of C_0, …, C_⌊n/2⌋.
+    pub(super) fn room(&self) -> Vec<Integer> {
+        vec![Integer::zero(); self.conductor / 2 + 1]
+    }
+
+    /// Σ a_k C_k for k = 0, …, ⌊n/2⌋, in the basis of the first m: from the top,
+    /// a_k C_{k−m} Ψ_n, which is 0, is taken away.
+    pub(super) fn reduce(&self, mut coefficients: Vec<Integer>) -> Vec<Integer> {
+        for k in (self.degree..coefficients.len()).rev() {
+            let top = std::mem::replace(&mut coefficients[k], Integer::zero());
+            if top.is_zero() {
+                continue;
+            }
+            let shift = k - self.degree;
+            let (_, second, times) = product(shift, self.degree);
+            subtract(&mut coefficients[second], &top, i64::from(times));
+            for &(j, a) in &self.relation {
+                let (first, second, times) = product(shift, j);
+                subtract(&mut coefficients[first], &top, a);
+                subtract(&mut coefficients[second], &top, a * i64::from(times));
+            }
+        }
+        coefficients.truncate(self.degree);
+        coefficients
+    }
+
+    /// The product of two elements of `Z[θ]`.
+    pub(super) fn multiply(&self, left: &[Integer], right: &[Integer]) -> Vec<Integer> {
+        let mut sum = self.room();
+        let terms = |factor: &[Integer]| -> Vec<usize> {
+            (0..factor.len()).filter(|&k| !factor[k].is_zero()).collect()
+        };
+        let right_terms = terms(right);
+        for i in terms(left) {
+            for &j in &right_terms {
+                let value = &left[i] * &right[j];
+                let (first, second, times) = product(i, j);
+                sum[self.fold(first)] += &value;
+                for _ in 0..times {
+                    sum[second] += &value;
+                }
+            }
+        }
+        self.reduce(sum)
+    }
+
+    /// The element with every C_k replaced by C_{k·multiplier}: an automorphism, for
+    /// a multiplier prime to n.
+    pub(super) fn conjugate(&self, element: &[Integer], multiplier: usize) -> Vec<Integer> {
+        let mut sum = self.room();
+        for (k, coefficient) in element.iter().enumerate() {
+            sum[self.fold(k * multiplier)] += coefficient;
+        }
+        self.reduce(sum)
+    }
+}
+
+/// target −= factor·times.
+fn subtract(target: &mut Integer, factor: &Integer, times: i64) {
+    match times {
+        0 => {}
+        1 => *target -= factor,
+        -1 => *target += factor,
+        _ => *target -= &(factor * Integer::from(times)),
+    }
+}

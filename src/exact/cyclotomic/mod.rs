@@ -1,0 +1,25 @@
+//! Real numbers of Q(2cos(2π/n)).
+//!
+//! | file | subject |
+//! |---|---|
+//! | `symmetric` | sums of x^k + x^(−k); the polynomials Φ_n and Ψ_n |
+//! | `fixed` | enclosures of cosines |
+//! | `field` | the fields, shared; products and reduction |
+//! | `number` | the number type: how numbers are made and what they tell |
+//! | `arithmetic` | its operators |
+//! | `order` | sign, order, enclosures |
+//! | `norm` | inverses, by norms modulo primes |
+//! | `minimal` | the minimal polynomial of a number |
+
+mod arithmetic;
+mod field;
+mod fixed;
+mod minimal;
+mod norm;
+mod number;
+mod order;
+mod symmetric;
+
+pub use field::{CosineError, MAX_CONDUCTOR, common_conductor};
+pub use number::RealCyclotomic;
+pub use symmetric::cosine_polynomial;

@@ -1,0 +1,164 @@
+//! Norms and inverses, modulo primes.
+
+use super::field::Field;
+use super::symmetric::product;
+use crate::exact::Integer;
+
+/// (A, N) with f·A = N, where N is the norm of f ≠ 0 from `Z[θ]` and A, the product
+/// of the other conjugates, is in `Z[θ]` too.
+///
+/// Modulo a prime p, N is the resultant of Ψ_n and f, and A = N/f in `F_p[y]`/Ψ_n; both
+/// come out of one Euclidean algorithm. The Chinese remainder theorem puts them
+/// together, until another prime changes nothing; f·A = N is then checked, so that
+/// the answer is right whatever primes it came from.
+pub(super) fn cofactor(field: &Field, f: &[Integer]) -> (Vec<Integer>, Integer) {
+    let mut modulus = Integer::one();
+    // The coefficients of A, and N at the end.
+    let mut lifted = vec![Integer::zero(); field.degree() + 1];
+    for p in primes() {
+        let residues: Vec<u64> = f.iter().map(|a| u64::from(a.residue(p))).collect();
+        let Some(images) = cofactor_modulo(field, residues, u64::from(p)) else { continue };
+        let inverse = power(u64::from(modulus.residue(p)), u64::from(p) - 2, u64::from(p));
+        let mut stable = true;
+        for (value, image) in lifted.iter_mut().zip(images) {
+            let p = u64::from(p);
+            let step = (image + p - u64::from(value.residue(narrow(p)))) * inverse % p;
+            if step == 0 {
+                continue;
+            }
+            stable = false;
+            // The residue of least absolute value, so that negative numbers settle.
+            let step = Integer::from(step);
+            let step =
+                if &step + &step > Integer::from(p) { step - Integer::from(p) } else { step };
+            *value += &(&modulus * step);
+        }
+        modulus = modulus * Integer::from(p);
+        if stable {
+            let (norm, a) = lifted.split_last().expect("N is there");
+            let product = field.multiply(f, a);
+            if product[0] == *norm && product[1..].iter().all(Integer::is_zero) {
+                return (a.to_vec(), norm.clone());
+            }
+        }
+    }
+    unreachable!("there are 10^8 primes of 31 bits, and N has fewer digits")
+}
+
+fn narrow(p: u64) -> u32 {
+    u32::try_from(p).expect("a prime of 31 bits")
+}
+
+/// The coefficients of A modulo p, and N modulo p after them; `None` when p divides
+/// N.
+fn cofactor_modulo(field: &Field, mut f: Vec<u64>, p: u64) -> Option<Vec<u64>> {
+    let mut psi = vec![0; field.degree() + 1];
+    psi[field.degree()] = 1;
+    for &(k, a) in field.relation() {
+        psi[k] = a.rem_euclid(p.cast_signed()).cast_unsigned();
+    }
+    trim(&mut f);
+    // r_i = s_i f modulo Ψ; and res(Ψ, f) = norm·res(r_0, r_1).
+    let (mut r0, mut r1) = (psi, f);
+    let (mut s0, mut s1) = (vec![0; field.degree() + 1], vec![0; field.degree() + 1]);
+    s1[0] = 1;
+    let mut norm = 1;
+    while r1.len() > 1 {
+        let (high, low) = (r0.len() - 1, r1.len() - 1);
+        let leading = r1[low];
+        let inverse = power(leading, p - 2, p);
+        while r0.len() > low {
+            let shift = r0.len() - 1 - low;
+            let factor = r0[r0.len() - 1] * inverse % p;
+            subtract(&mut r0, factor, shift, &r1, p);
+            subtract(&mut s0, factor, shift, &s1[..field.degree() - shift], p);
+            trim(&mut r0);
+        }
+        if high * low % 2 == 1 {
+            norm = p - norm;
+        }
+        let rest = r0.len().checked_sub(1)?;
+        norm = norm * power(leading, (high - rest) as u64, p) % p;
+        std::mem::swap(&mut r0, &mut r1);
+        std::mem::swap(&mut s0, &mut s1);
+    }
+    let &constant = r1.first()?;
+    norm = norm * power(constant, (r0.len() - 1) as u64, p) % p;
+    let scale = norm * power(constant, p - 2, p) % p;
+    let mut images: Vec<u64> = s1[..field.degree()].iter().map(|s| s * scale % p).collect();
+    images.push(norm);
+    Some(images)
+}
+
+/// target −= factor·C_shift·source modulo p.
+fn subtract(target: &mut [u64], factor: u64, shift: usize, source: &[u64], p: u64) {
+    let factor = p - factor;
+    for (j, &value) in source.iter().enumerate().filter(|(_, value)| **value != 0) {
+        let value = factor * value % p;
+        let (first, second, times) = product(shift, j);
+        target[first] = (target[first] + value) % p;
+        target[second] = (target[second] + u64::from(times) * value) % p;
+    }
+}
+
+/// Without the zeros at the top.
+fn trim(coefficients: &mut Vec<u64>) {
+    let length = coefficients.iter().rposition(|&c| c != 0).map_or(0, |last| last + 1);
+    coefficients.truncate(length);
+}
+
+/// base^exponent modulo p < 2^31.
+fn power(mut base: u64, mut exponent: u64, p: u64) -> u64 {
+    let mut result = 1;
+    base %= p;
+    while exponent > 0 {
+        if exponent % 2 == 1 {
+            result = result * base % p;
+        }
+        base = base * base % p;
+        exponent /= 2;
+    }
+    result
+}
+
+/// The primes below 2^31, from the greatest down.
+fn primes() -> impl Iterator<Item = u32> {
+    (3..1 << 31).rev().step_by(2).filter(|&candidate| is_prime(candidate))
+}
+
+/// For odd n with 61 < n < 2^32: strong probable primes to the bases 2, 7 and 61 are
+/// primes there (Jaeschke 1993).
+fn is_prime(n: u32) -> bool {
+    let n = u64::from(n);
+    let twos = (n - 1).trailing_zeros();
+    [2, 7, 61].into_iter().all(|base| {
+        let mut x = power(base, (n - 1) >> twos, n);
+        if x == 1 {
+            return true;
+        }
+        for _ in 0..twos {
+            if x == n - 1 {
+                return true;
+            }
+            x = x * x % n;
+        }
+        false
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{is_prime, primes};
+
+    #[test]
+    fn primes_agree_with_trial_division() {
+        let prime = |n: u32| (2..=n.isqrt()).all(|d| !n.is_multiple_of(d));
+        assert_eq!(primes().next(), Some((1 << 31) - 1));
+        let (some, naive): (Vec<u32>, Vec<u32>) = (
+            primes().take(12).collect(),
+            (3..1 << 31).rev().step_by(2).filter(|&n| prime(n)).take(12).collect(),
+        );
+        assert_eq!(some, naive);
+        assert!((63..20_001).step_by(2).all(|n| is_prime(n) == prime(n)));
+    }
+}

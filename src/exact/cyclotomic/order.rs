@@ -1,0 +1,131 @@
+//! Sign, order and enclosures: with the embedding in which 2cos(2π/n) is the
+//! greatest of its conjugates.
+
+use super::field::Field;
+use super::number::{Element, Form, RealCyclotomic};
+use crate::exact::{Enclosed, Enclosure, Integer, Rational};
+use std::cmp::Ordering;
+use std::hash::{Hash, Hasher};
+
+impl Element {
+    /// (s, e) with |s − 2^bits·q·self| ≤ e: each cosine is within 2^−bits of its
+    /// fixed-point value, so that e = Σ_{k≥1} |a_k|.
+    fn fixed(&self, level: u32) -> (Integer, Integer) {
+        let table = self.field.table(level);
+        let (mut sum, mut error) =
+            (self.numerators[0].shifted_left(Field::bits(level)), Integer::zero());
+        for (k, numerator) in self.terms().filter(|(k, _)| *k > 0) {
+            sum += &(numerator * &table[k]);
+            error += &numerator.abs();
+        }
+        (sum, error)
+    }
+
+    /// The sign at this precision, if that decides it.
+    fn sign_at(&self, level: u32) -> Option<i8> {
+        let (sum, error) = self.fixed(level);
+        (sum.abs() > error).then(|| sum.sign())
+    }
+}
+
+impl RealCyclotomic {
+    /// −1, 0 or 1: 0 exactly for 0.
+    #[must_use]
+    pub fn sign(&self) -> i8 {
+        self.sign_with_refinements().0
+    }
+
+    /// The sign, and how often the enclosures of the cosines had to be refined for
+    /// it, from 64 binary digits to twice as many, and again. Never when this is
+    /// rational, nor further than the first enclosure without 0: there is one, as 0
+    /// is recognised without any.
+    ///
+    /// # Panics
+    /// Never.
+    #[must_use]
+    pub fn sign_with_refinements(&self) -> (i8, u32) {
+        match &self.0 {
+            Form::Rational(value) => (value.sign(), 0),
+            Form::Irrational(element) => (0..)
+                .find_map(|level| Some((element.sign_at(level)?, level)))
+                .expect("a number other than 0"),
+        }
+    }
+
+    /// ⌊self⌋.
+    #[must_use]
+    pub fn floor(&self) -> Integer {
+        self.step(Rational::floor)
+    }
+}
+
+impl Enclosed for RealCyclotomic {
+    /// From cosines to 64·2^level binary digits.
+    fn enclosure(&self, level: u32) -> Enclosure {
+        match &self.0 {
+            Form::Rational(value) => Enclosure::exact(value.clone()),
+            Form::Irrational(element) => {
+                let (sum, error) = element.fixed(level);
+                let scale = element.denominator.shifted_left(Field::bits(level));
+                Enclosure::new(
+                    Rational::new(&sum - &error, scale.clone()),
+                    Rational::new(sum + error, scale),
+                )
+            }
+        }
+    }
+}
+
+impl Ord for RealCyclotomic {
+    /// By the first enclosures, if these are disjoint; otherwise by the sign of the
+    /// difference.
+    ///
+    /// # Panics
+    /// When they are not, and the numbers have no common field within the cap.
+    fn cmp(&self, other: &RealCyclotomic) -> Ordering {
+        if let (Form::Rational(a), Form::Rational(b)) = (&self.0, &other.0) {
+            return a.cmp(b);
+        }
+        let (a, b) = (self.enclosure(0), other.enclosure(0));
+        if a.upper() < b.lower() {
+            return Ordering::Less;
+        }
+        if b.upper() < a.lower() {
+            return Ordering::Greater;
+        }
+        (self - other).sign().cmp(&0)
+    }
+}
+
+impl PartialOrd for RealCyclotomic {
+    fn partial_cmp(&self, other: &RealCyclotomic) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for RealCyclotomic {
+    /// Without enclosures in one field, where coefficients decide; otherwise as
+    /// [`Ord::cmp`].
+    fn eq(&self, other: &RealCyclotomic) -> bool {
+        match (&self.0, &other.0) {
+            (Form::Rational(a), Form::Rational(b)) => a == b,
+            (Form::Irrational(a), Form::Irrational(b)) => {
+                if a.field.conductor() == b.field.conductor() {
+                    return a.denominator == b.denominator && a.numerators == b.numerators;
+                }
+                self.cmp(other) == Ordering::Equal
+            }
+            _ => false,
+        }
+    }
+}
+
+impl Eq for RealCyclotomic {}
+
+impl Hash for RealCyclotomic {
+    /// ⌊2^64·self⌋, which does not depend on the field that this is kept in.
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        let scale = Rational::from(Integer::one().shifted_left(64));
+        self.step(|value| (value * &scale).floor()).hash(state);
+    }
+}

@@ -1,0 +1,124 @@
+//! Sums of C_k = x^k + x^(−k), and the cyclotomic polynomials among them.
+//!
+//! A symmetric Laurent polynomial is kept as its coefficients a_0, a_1, … for
+//! a_0 + Σ_{k≥1} a_k C_k. In y = x + 1/x, C_k is a monic polynomial of degree k
+//! (2T_k(y/2), with T_k of Chebyshev), so that these are the polynomials in y, in
+//! a basis in which products, reduction modulo Φ_n and values stay small.
+
+use crate::exact::{Integer, IntegerPolynomial};
+
+/// C_t·C_j = C_first + times·C_second, where C_0 stands for 1: as
+/// (first, second, times).
+pub(super) fn product(t: usize, j: usize) -> (usize, usize, u8) {
+    match (t, j) {
+        (0, k) | (k, 0) => (k, 0, 0),
+        _ if t == j => (2 * t, 0, 2),
+        _ => (t + j, t.abs_diff(j), 1),
+    }
+}
+
+/// The prime divisors of n ≥ 1, in increasing order.
+pub(super) fn prime_divisors(mut n: usize) -> Vec<usize> {
+    let mut primes = Vec::new();
+    let mut p = 2;
+    while p * p <= n {
+        if n.is_multiple_of(p) {
+            primes.push(p);
+            while n.is_multiple_of(p) {
+                n /= p;
+            }
+        }
+        p += 1;
+    }
+    if n > 1 {
+        primes.push(n);
+    }
+    primes
+}
+
+/// Euler's φ(n).
+pub(super) fn totient(n: usize) -> usize {
+    prime_divisors(n).into_iter().fold(n, |phi, p| phi / p * (p - 1))
+}
+
+/// a_0, …, a_m with Φ_n(x) = x^m (a_0 + Σ_k a_k C_k), m = φ(n)/2, for n ≥ 3; a_m = 1.
+///
+/// Φ_n = Π_{d|n} (1 − x^d)^{μ(n/d)} as a power series, up to x^m. Sums may wrap
+/// around on the way: they are right modulo 2^64, and a coefficient of a cyclotomic
+/// polynomial that fits in memory fits in 64 bits.
+pub(super) fn cyclotomic(n: usize) -> Vec<i64> {
+    let m = totient(n) / 2;
+    let mut series = vec![0_i64; m + 1];
+    series[0] = 1;
+    // n/d runs through the products of different primes, by bits of `choice`.
+    let primes = prime_divisors(n);
+    for choice in 0_usize..1 << primes.len() {
+        let chosen = primes.iter().enumerate().filter(|(bit, _)| choice >> bit & 1 == 1);
+        let d = chosen.fold(n, |d, (_, p)| d / p);
+        if choice.count_ones() % 2 == 0 {
+            for i in (d..=m).rev() {
+                series[i] = series[i].wrapping_sub(series[i - d]);
+            }
+        } else {
+            for i in d..=m {
+                series[i] = series[i].wrapping_add(series[i - d]);
+            }
+        }
+    }
+    series.reverse();
+    series
+}
+
+/// Ψ_n, the minimal polynomial of 2cos(2π/n) over the rationals, n ≥ 1. It is
+/// monic with integer coefficients, of degree φ(n)/2 for n ≥ 3, and its roots are
+/// 2cos(2πj/n) with gcd(j, n) = 1 (Lehmer 1933; Watkins and Zeitlin 1993).
+///
+/// Φ_n(x) = x^m Ψ_n(x + 1/x) with m = φ(n)/2. With Φ_n(x) = x^m (a_0 + Σ_k a_k C_k)
+/// and C_k = S_k − S_{k−2}, where S_k(2cos t) = sin((k+1)t)/sin t, this gives
+/// Ψ_n = Σ_k (a_k − a_{k+2}) S_k; summed by Clenshaw's recurrence b_k = y b_{k+1} −
+/// b_{k+2} + (a_k − a_{k+2}), Ψ_n = b_0, in m²/2 additions of integers.
+///
+/// # Panics
+/// When n is 0.
+///
+/// ```
+/// use subcert::exact::cosine_polynomial;
+///
+/// assert_eq!(cosine_polynomial(5).to_string(), "x^2 + x - 1");
+/// assert_eq!(cosine_polynomial(7).to_string(), "x^3 + x^2 - 2x - 1");
+/// assert_eq!(cosine_polynomial(148).degree(), Some(36));
+/// ```
+#[must_use]
+pub fn cosine_polynomial(n: u32) -> IntegerPolynomial {
+    match n {
+        0 => panic!("there is no angle 2π/0"),
+        1 => return IntegerPolynomial::from([-2, 1]),
+        2 => return IntegerPolynomial::from([2, 1]),
+        _ => {}
+    }
+    let a = cyclotomic(n as usize);
+    let m = a.len() - 1;
+    // b_k and b_{k+1}, each times a sign that changes with every second k; so that
+    // b_{k+2} becomes b_k where it stands, by additions or by subtractions only.
+    let (mut this, mut other) = (vec![Integer::zero(); m + 1], vec![Integer::zero(); m + 1]);
+    let negated = |k: usize| k / 2 % 2 == 1;
+    for k in (0..=m).rev() {
+        // `this` holds ±b_{k+2}, of degree m − k − 2, and `other` ±b_{k+1}.
+        let subtract = negated(k) != negated(k + 1);
+        for (to, from) in this[1..].iter_mut().zip(&other[..m - k]) {
+            if subtract {
+                *to -= from;
+            } else {
+                *to += from;
+            }
+        }
+        let start = Integer::from(a[k] - a.get(k + 2).unwrap_or(&0));
+        if negated(k) {
+            this[0] -= &start;
+        } else {
+            this[0] += &start;
+        }
+        std::mem::swap(&mut this, &mut other);
+    }
+    IntegerPolynomial::new(other)
+}

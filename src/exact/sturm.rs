@@ -1,0 +1,117 @@
+//! Sturm sequences: how many real roots a polynomial has, and where.
+
+use super::{Integer, IntegerPolynomial, Rational, RealAlgebraic};
+use std::sync::Arc;
+
+/// The Sturm sequence of a polynomial f: f, f′, and then each the negative
+/// remainder of the two before it, up to positive factors.
+///
+/// The number of distinct real roots of f in (a, b] is the number of sign
+/// changes of the sequence at a less that at b, for a < b, f(a) ≠ 0 (Sturm 1829).
+///
+/// ```
+/// use subcert::exact::{IntegerPolynomial, Rational, SturmSequence};
+///
+/// let sturm = SturmSequence::new(&IntegerPolynomial::from([-2, 0, 1]));
+/// assert_eq!(sturm.count_real_roots(), 2);
+/// assert_eq!(sturm.count_roots(&Rational::from(1), &Rational::from(2)), 1);
+/// ```
+#[derive(Clone, Debug)]
+pub struct SturmSequence {
+    sequence: Vec<IntegerPolynomial>,
+}
+
+impl SturmSequence {
+    /// The sequence of `polynomial`, over the part of it that is square-free.
+    ///
+    /// # Panics
+    /// When `polynomial` is 0.
+    #[must_use]
+    pub fn new(polynomial: &IntegerPolynomial) -> SturmSequence {
+        assert!(!polynomial.is_zero(), "every number is a root of 0");
+        SturmSequence::of_square_free(polynomial.square_free())
+    }
+
+    fn of_square_free(polynomial: IntegerPolynomial) -> SturmSequence {
+        let derivative = polynomial.derivative();
+        let mut sequence = vec![polynomial, derivative];
+        while let [.., a, b] = &sequence[..]
+            && !b.is_zero()
+        {
+            let next = -&a.remainder(b);
+            sequence.push(next);
+        }
+        sequence.pop();
+        SturmSequence { sequence }
+    }
+
+    /// The number of distinct roots in (lower, upper]; 0 when that is empty.
+    #[must_use]
+    pub fn count_roots(&self, lower: &Rational, upper: &Rational) -> usize {
+        if lower >= upper {
+            return 0;
+        }
+        // With one factor x − lower less, if that is a root, nothing changes in
+        // (lower, upper]; and then the sign change at a root is counted on its left.
+        self.changes_right_of(lower) - self.changes_right_of(upper)
+    }
+
+    /// The number of distinct real roots.
+    #[must_use]
+    pub fn count_real_roots(&self) -> usize {
+        let at = |infinity: i8| {
+            changes(self.sequence.iter().map(|p| {
+                let odd = p.degree().unwrap_or(0) % 2 == 1;
+                if odd { infinity * p.leading().sign() } else { p.leading().sign() }
+            }))
+        };
+        at(-1) - at(1)
+    }
+
+    /// The sign changes at x + 0. Zeros of f itself do not count as a sign, which
+    /// is what f′ has the sign of there; nor do those of the others, whose
+    /// neighbours in the sequence have opposite signs.
+    fn changes_right_of(&self, x: &Rational) -> usize {
+        changes(self.sequence.iter().map(|p| p.sign_at(x)))
+    }
+
+    /// The real roots of the polynomial, in increasing order.
+    ///
+    /// # Panics
+    /// Never.
+    #[must_use]
+    pub fn roots(&self) -> Vec<RealAlgebraic> {
+        let polynomial = Arc::new(self.sequence[0].clone());
+        // Cauchy: every root is below 1 + max |c_i/c_d| in absolute value.
+        let largest = polynomial.coefficients().iter().map(Integer::abs).max();
+        let ratio =
+            Rational::new(largest.unwrap_or_else(Integer::zero), polynomial.leading().abs());
+        let bits = u32::try_from(ratio.ceil().bits()).expect("a number that fits in memory");
+        let bound = Rational::from(Integer::one().shifted_left(bits + 1));
+        let mut roots = Vec::new();
+        // Bisection; the stack holds the left half on top.
+        let mut stack = vec![(-&bound, bound)];
+        while let Some((lower, upper)) = stack.pop() {
+            match self.count_roots(&lower, &upper) {
+                0 => {}
+                1 => roots.push(RealAlgebraic::isolated(&polynomial, lower, upper)),
+                _ => {
+                    let middle = (&lower + &upper) / Rational::from(2);
+                    stack.push((middle.clone(), upper));
+                    stack.push((lower, middle));
+                }
+            }
+        }
+        roots
+    }
+}
+
+/// The number of sign changes, zeros left out.
+fn changes(signs: impl Iterator<Item = i8>) -> usize {
+    let (mut count, mut last) = (0, 0);
+    for sign in signs.filter(|&sign| sign != 0) {
+        count += usize::from(sign == -last);
+        last = sign;
+    }
+    count
+}
