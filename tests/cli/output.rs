@@ -93,7 +93,8 @@ fn a_denied_verdict_gives_exit_code_1_after_the_results() {
     assert!(!output.stdout.is_empty());
     let message = String::from_utf8_lossy(&output.stderr);
     assert!(message.contains("claims are refuted"), "{message}");
-    subcert(["audit", "--deny", "rounding"]).assert().code(0);
+    subcert(["audit", "--deny", "inexact"]).assert().code(1);
+    subcert(["audit", "--deny", "exact"]).assert().code(0);
 }
 
 #[test]
