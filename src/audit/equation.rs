@@ -2,9 +2,9 @@
 
 use super::library::{Library, Unresolved};
 use super::mend;
-use super::quantity::Coefficients;
+use super::quantity::{Coefficients, Shapes};
 use super::table::scheme_error;
-use crate::claim::{Equation, EquationBody, Hypothesis, Identity, Index, Left, Paper};
+use crate::claim::{Equation, EquationBody, Hypothesis, Identity, Index, Paper};
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Polynomial, Rational, Scalar};
 use crate::formula::{Expr, LocatedFormula, Node, Parameters, Scope, evaluate};
@@ -97,23 +97,21 @@ fn compare(
     library: &Library<'_>,
 ) -> Result<EquationVerdict, Diagnostic> {
     let cases = cases(identity)?;
-    let comparison = Comparison { paper, identity, library };
-    let mut failures = Vec::new();
+    let comparison = Comparison { paper, identity, shapes: Shapes::new(library) };
+    let (mut failures, mut failing) = (Vec::new(), Vec::new());
     for (i, case) in cases.iter().enumerate() {
-        let left = match &identity.left {
-            Left::One(formula) => formula,
-            Left::Each(formulas) => &formulas[i],
-        };
+        let left = identity.left.formula(i);
         let left = comparison.value(left, &left.expr, case)?;
         let right = comparison.value(&identity.right, &identity.right.expr, case)?;
         if left != right {
             failures.push(Failure { at: case.text.clone(), left, right });
+            failing.push(i);
         }
     }
     if failures.is_empty() {
         return Ok(EquationVerdict::Holds { cases: cases.len() });
     }
-    let mends = mend::search(&comparison, &cases);
+    let mends = mend::search(&comparison, &cases, &failing);
     Ok(EquationVerdict::Fails { cases: cases.len(), failures, mends })
 }
 
@@ -175,7 +173,7 @@ fn bound(formula: &LocatedFormula, case: &Case) -> Result<i64, Diagnostic> {
 pub(super) struct Comparison<'a> {
     paper: &'a Paper,
     pub(super) identity: &'a Identity,
-    library: &'a Library<'a>,
+    shapes: Shapes<'a, Polynomial>,
 }
 
 impl Comparison<'_> {
@@ -187,23 +185,22 @@ impl Comparison<'_> {
         case: &Case,
     ) -> Result<Polynomial, Diagnostic> {
         let member = |name: &str| Polynomial::variable(name);
-        let none = Coefficients { library: self.library, mask: None };
-        let mask = match &self.identity.scheme {
+        let none = Coefficients { shapes: &self.shapes, own: None };
+        let own = match &self.identity.scheme {
             None => None,
             Some(located) => {
                 let scope = self.scope(case, &none, &member)?;
-                let masks = self.library.masks(&located.reference, &scope);
-                let masks = masks.map_err(|error| match error {
+                let shape = self.shapes.own(&located.reference, &scope);
+                Some(shape.map_err(|error| match error {
                     Unresolved::Scheme(error) => scheme_error(located, &error),
                     Unresolved::Formula(error) => {
                         let message = format!("in its parameters: {error}");
                         Diagnostic::new(&located.source, located.span.clone(), message)
                     }
-                })?;
-                masks.into_iter().next()
+                })?)
             }
         };
-        let functions = Coefficients { library: self.library, mask };
+        let functions = Coefficients { shapes: &self.shapes, own };
         let scope = self.scope(case, &functions, &member)?;
         evaluate(expr, &scope).map_err(|error| formula.diagnostic(&error))
     }

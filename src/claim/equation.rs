@@ -54,6 +54,20 @@ pub enum Left {
     Each(Vec<LocatedFormula>),
 }
 
+impl Left {
+    /// The left side in the case of this place, counted from 0.
+    ///
+    /// # Panics
+    /// When each case has a formula of its own, and there is none of this place.
+    #[must_use]
+    pub fn formula(&self, case: usize) -> &LocatedFormula {
+        match self {
+            Left::One(formula) => formula,
+            Left::Each(formulas) => &formulas[case],
+        }
+    }
+}
+
 /// An index of an identity.
 #[derive(Clone, Debug)]
 pub enum Index {
