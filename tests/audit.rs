@@ -311,3 +311,24 @@ fn a_depth_that_is_defined_rounded_down_keeps_no_promise() {
     assert_eq!(short.sound, Some(Sound::None("the paper does not state beta".to_owned())));
     assert_eq!(short.kept_by_sound, None);
 }
+
+/// The identity fails in the last of many cases: the search for a mend looks there
+/// first, and the mask is made once.
+#[test]
+fn many_cases_are_compared_in_good_time() {
+    let sum: String = (1..40).map(|k| format!(" + 0*{k}")).collect();
+    let text = format!(
+        "[[equation]]\nid = 'e'\nlocus = 'l'\nscheme = 'newton:j=8,n=8'\nsymbols = ['x']\n\
+         indices = [{{ name = 'i', from = '1', to = '1000' }}]\n\
+         left = 'mask(1, 1)*x'\n\
+         right = 'mask(1, 1)*x + (max(i, 999) - 999)*x{sum}'\n"
+    );
+    let paper = paper(&text);
+    let audit = judged(&paper);
+    let EquationVerdict::Fails { cases, failures, mends } = &audit.equations[0].verdict else {
+        panic!("{:?}", audit.equations[0].verdict)
+    };
+    assert_eq!((*cases, failures.len()), (1000, 1));
+    assert_eq!(failures[0].at, "i = 1000");
+    assert_eq!(mends.len(), 0, "{mends:?}");
+}

@@ -2,16 +2,14 @@
 
 use super::library::{Library, Unresolved};
 use super::mend;
-use super::quantity::Coefficients;
+use super::quantity::{Coefficients, Shape, Shapes};
 use super::table::scheme_error;
-use crate::claim::{
-    Equation, EquationBody, Hypothesis, Identity, Index, Left, LocatedReference, Paper,
-};
+use crate::claim::{Equation, EquationBody, Hypothesis, Identity, Index, LocatedReference, Paper};
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Polynomial, Rational, Scalar};
 use crate::formula::{Context, Expr, LocatedFormula, Node, Parameters, Scope, Value, evaluate};
-use crate::scheme::Mask;
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 /// The most combinations of indices that an identity is compared in.
 pub const MAX_CASES: usize = 100_000;
@@ -100,23 +98,21 @@ fn compare(
     library: &Library<'_>,
 ) -> Result<EquationVerdict, Diagnostic> {
     let cases = cases(identity)?;
-    let comparison = Comparison { paper, identity, library };
-    let mut failures = Vec::new();
+    let comparison = Comparison { paper, identity, shapes: Shapes::new(library) };
+    let (mut failures, mut failing) = (Vec::new(), Vec::new());
     for (i, case) in cases.iter().enumerate() {
-        let left = match &identity.left {
-            Left::One(formula) => formula,
-            Left::Each(formulas) => &formulas[i],
-        };
+        let left = identity.left.formula(i);
         let left = comparison.value(left, &left.expr, case)?;
         let right = comparison.value(&identity.right, &identity.right.expr, case)?;
         if left != right {
             failures.push(Failure { at: case.text.clone(), left, right });
+            failing.push(i);
         }
     }
     if failures.is_empty() {
         return Ok(EquationVerdict::Holds { cases: cases.len() });
     }
-    let mends = mend::search(&comparison, &cases);
+    let mends = mend::search(&comparison, &cases, &failing);
     Ok(EquationVerdict::Fails { cases: cases.len(), failures, mends })
 }
 
@@ -174,27 +170,26 @@ fn bound(formula: &LocatedFormula, case: &Case) -> Result<i64, Diagnostic> {
     })
 }
 
-/// The mask of the scheme that a claim is about; of a tensor product, the first.
-pub(super) fn first_mask<V: Value + PartialEq>(
-    library: &Library<'_>,
+/// The scheme that a claim is about; of a tensor product, the first.
+pub(super) fn own_shape<V: Value + PartialEq>(
+    shapes: &Shapes<'_, V>,
     located: &LocatedReference,
     context: &dyn Context<V>,
-) -> Result<Option<Mask<V>>, Diagnostic> {
-    let masks = library.masks(&located.reference, context).map_err(|error| match error {
+) -> Result<Rc<Shape<V>>, Diagnostic> {
+    shapes.own(&located.reference, context).map_err(|error| match error {
         Unresolved::Scheme(error) => scheme_error(located, &error),
         Unresolved::Formula(error) => {
             let message = format!("in its parameters: {error}");
             Diagnostic::new(&located.source, located.span.clone(), message)
         }
-    })?;
-    Ok(masks.into_iter().next())
+    })
 }
 
 /// An identity with what its formulas refer to.
 pub(super) struct Comparison<'a> {
     paper: &'a Paper,
     pub(super) identity: &'a Identity,
-    library: &'a Library<'a>,
+    shapes: Shapes<'a, Polynomial>,
 }
 
 impl Comparison<'_> {
@@ -206,15 +201,15 @@ impl Comparison<'_> {
         case: &Case,
     ) -> Result<Polynomial, Diagnostic> {
         let member = |name: &str| Polynomial::variable(name);
-        let none = Coefficients { library: self.library, mask: None };
-        let mask = match &self.identity.scheme {
+        let none = Coefficients { shapes: &self.shapes, own: None };
+        let own = match &self.identity.scheme {
             None => None,
             Some(located) => {
                 let scope = self.scope(case, &none, &member)?;
-                first_mask(self.library, located, &scope)?
+                Some(own_shape(&self.shapes, located, &scope)?)
             }
         };
-        let functions = Coefficients { library: self.library, mask };
+        let functions = Coefficients { shapes: &self.shapes, own };
         let scope = self.scope(case, &functions, &member)?;
         evaluate(expr, &scope).map_err(|error| formula.diagnostic(&error))
     }

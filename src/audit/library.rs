@@ -56,26 +56,34 @@ impl<'a> Library<'a> {
         reference: &Reference,
         context: &dyn Context<Rational>,
     ) -> Result<Resolved, Unresolved> {
-        let instances = self.instances(reference, context, 0)?;
+        let instances = self.instances(reference, context)?;
         let constants = instances.iter().map(|instance| self.constants(instance));
         let constants = constants.collect::<Result<_, _>>().map_err(Unresolved::Scheme)?;
         Ok(Resolved { instances, constants })
     }
 
-    /// The masks that `reference` means in `context`, over any numbers.
+    /// The masks of these schemes, over any numbers.
     pub(super) fn masks<V: Value + PartialEq>(
         &self,
-        reference: &Reference,
-        context: &dyn Context<V>,
+        instances: &[Instance<V>],
     ) -> Result<Vec<Mask<V>>, Unresolved> {
-        let instances = self.instances(reference, context, 0)?;
         let mask = |instance: &Instance<V>| self.define(&instance.name)?.mask(&instance.parameters);
         instances.iter().map(mask).collect::<Result<_, _>>().map_err(Unresolved::Scheme)
     }
 
+    /// The schemes behind the names of `reference`, their parameters evaluated in
+    /// `context`.
+    pub(super) fn instances<V: Value>(
+        &self,
+        reference: &Reference,
+        context: &dyn Context<V>,
+    ) -> Result<Vec<Instance<V>>, Unresolved> {
+        self.followed(reference, context, 0)
+    }
+
     /// The schemes behind the names: a name of the claim file may stand for
     /// another scheme, whose parameters are evaluated where the name is used.
-    fn instances<V: Value>(
+    fn followed<V: Value>(
         &self,
         reference: &Reference,
         context: &dyn Context<V>,
@@ -97,7 +105,7 @@ impl<'a> Library<'a> {
                         let name = instance.name;
                         return Err(Unresolved::Scheme(SchemeError::Unknown { name, known }));
                     }
-                    instances.extend(self.instances(other, context, depth + 1)?);
+                    instances.extend(self.followed(other, context, depth + 1)?);
                 }
                 _ => instances.push(instance),
             }

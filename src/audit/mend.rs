@@ -11,11 +11,19 @@ const MAX_MENDS: usize = 3;
 /// The most changed formulas that are tried.
 const MAX_TRIES: usize = 2_000;
 
+/// The most cases in which changed formulas are compared, all of them together.
+const MAX_COMPARISONS: usize = 50_000;
+
 /// Changes of one symbol in the right side, or in the left side if that is one
 /// formula, with which the identity holds in all cases: a sign, or an integer by 1.
 /// Empty when there is none, or more than three, or nothing is symbolic: between
-/// plain numbers a change that fits is luck.
-pub(super) fn search(comparison: &Comparison<'_>, cases: &[Case]) -> Vec<String> {
+/// plain numbers a change that fits is luck. `failing` are the places of the cases
+/// that fail: they are compared first, since nearly every change fails there too.
+pub(super) fn search(
+    comparison: &Comparison<'_>,
+    cases: &[Case],
+    failing: &[usize],
+) -> Vec<String> {
     let identity = comparison.identity;
     if identity.symbols.is_empty() {
         return Vec::new();
@@ -24,10 +32,19 @@ pub(super) fn search(comparison: &Comparison<'_>, cases: &[Case]) -> Vec<String>
     if let Left::One(left) = &identity.left {
         sides.push(left);
     }
+    let order: Vec<usize> = failing.iter().copied().chain(0..cases.len()).collect();
+    let mut left = MAX_COMPARISONS;
     let mut mends = Vec::new();
     for side in sides {
         for changed in variants(&side.expr).into_iter().take(MAX_TRIES) {
-            if holds(comparison, cases, side, &changed) {
+            let holds = order.iter().all(|&i| {
+                left = left.saturating_sub(1);
+                left > 0 && holds(comparison, i, &cases[i], side, &changed)
+            });
+            if left == 0 {
+                return Vec::new();
+            }
+            if holds {
                 mends.push(changed.to_string());
             }
             if mends.len() > MAX_MENDS {
@@ -38,28 +55,23 @@ pub(super) fn search(comparison: &Comparison<'_>, cases: &[Case]) -> Vec<String>
     mends
 }
 
-/// Whether the identity holds with `changed` in place of `side`.
+/// Whether the identity holds in the `i`-th case with `changed` in place of `side`.
 fn holds(
     comparison: &Comparison<'_>,
-    cases: &[Case],
+    i: usize,
+    case: &Case,
     side: &LocatedFormula,
     changed: &Expr,
 ) -> bool {
-    let identity = comparison.identity;
-    let pick = |formula: &'_ LocatedFormula| -> Expr {
-        if std::ptr::eq(formula, side) { changed.clone() } else { formula.expr.clone() }
+    let value = |formula: &LocatedFormula| {
+        let expr = if std::ptr::eq(formula, side) { changed } else { &formula.expr };
+        comparison.value(formula, expr, case).ok()
     };
-    cases.iter().enumerate().all(|(i, case)| {
-        let left = match &identity.left {
-            Left::One(formula) => formula,
-            Left::Each(formulas) => &formulas[i],
-        };
-        let value = |formula: &LocatedFormula| comparison.value(formula, &pick(formula), case).ok();
-        match (value(left), value(&identity.right)) {
-            (Some(left), Some(right)) => left == right,
-            _ => false,
-        }
-    })
+    let identity = comparison.identity;
+    match (value(identity.left.formula(i)), value(&identity.right)) {
+        (Some(left), Some(right)) => left == right,
+        _ => false,
+    }
 }
 
 /// The formula with one symbol changed, in every way.

@@ -1,15 +1,14 @@
 //! Formulas and constants as functions of one free parameter.
 
-use super::equation::first_mask;
+use super::equation::own_shape;
 use super::library::{Library, values};
 use super::options::Options;
-use super::quantity::{Coefficients, level, moved, shape, total_contraction, undefined};
+use super::quantity::{Coefficients, Shapes, level, moved, shape, total_contraction, undefined};
 use crate::bound::{Terms, power_norm_generic};
 use crate::claim::{LocatedReference, Paper};
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Parametric, PiecewiseLinear, Rational, Scalar};
 use crate::formula::{Call, CallError, Functions, LocatedFormula, Scope, evaluate};
-use crate::scheme::Rules;
 use std::collections::BTreeMap;
 
 /// What the formulas of a claim about a free parameter refer to.
@@ -33,12 +32,13 @@ impl<'a> FreeParameter<'a> {
 
     /// The value of a formula, as a function of the free parameter.
     pub(super) fn function(&self, formula: &LocatedFormula) -> Result<PiecewiseLinear, Diagnostic> {
-        let none = Constants { coefficients: Coefficients { library: self.library, mask: None } };
-        let mask = match self.scheme {
+        let shapes = Shapes::new(self.library);
+        let none = Constants { coefficients: Coefficients { shapes: &shapes, own: None } };
+        let own = match self.scheme {
             None => None,
-            Some(located) => first_mask(self.library, located, &self.scope(&none))?,
+            Some(located) => Some(own_shape(&shapes, located, &self.scope(&none))?),
         };
-        let constants = Constants { coefficients: Coefficients { library: self.library, mask } };
+        let constants = Constants { coefficients: Coefficients { shapes: &shapes, own } };
         let value = evaluate(&formula.expr, &self.scope(&constants));
         match value.map_err(|error| formula.diagnostic(&error))? {
             Parametric::Function(function) => Ok(function),
@@ -73,15 +73,16 @@ struct Constants<'a> {
 impl Functions<Parametric> for Constants<'_> {
     fn call(&self, call: &Call<'_, Parametric>) -> Result<Parametric, CallError> {
         let mut options = Options::new(call);
-        let mask = self.coefficients.mask(call, &mut options)?;
+        let found = self.coefficients.shape(call, &mut options)?;
+        let mask = &found.mask;
         let value = match (call.function, call.arguments) {
             ("contraction", [c]) => {
                 let (order, terms) = (options.order()?, options.terms()?);
                 one_level(call.function, c)?;
-                let difference: Rules<Parametric> = mask.difference();
+                let difference = found.difference();
                 match terms {
-                    Terms::Each => power_norm_generic(&difference, 1, order).map_err(undefined)?,
-                    Terms::Total => total_contraction(&difference),
+                    Terms::Each => power_norm_generic(difference, 1, order).map_err(undefined)?,
+                    Terms::Total => total_contraction(difference),
                 }
             }
             ("norm", [c]) => {
@@ -89,12 +90,12 @@ impl Functions<Parametric> for Constants<'_> {
                 one_level(call.function, c)?;
                 power_norm_generic(mask.rules(), 1, order).map_err(undefined)?
             }
-            ("displacement", []) => moved(&mask, &mut options)?,
+            ("displacement", []) => moved(mask, &mut options)?,
             (name @ ("tensor" | "surface_displacement" | "levels"), _) => {
                 let message = format!("`{name}` is not piecewise linear in a free parameter");
                 return Err(CallError::Misuse(message));
             }
-            _ => shape(&mask, &mask.difference(), call, &mut options)?,
+            _ => shape(mask, || found.difference(), call, &mut options)?,
         };
         options.finish()?;
         Ok(value)

@@ -7,9 +7,11 @@ use crate::bound::{
     displacement, log_level, sequence, surface_coefficients,
 };
 use crate::exact::{Rational, Real};
-use crate::formula::{Call, CallError, FormulaErrorKind, Functions, Parameters, Value};
-use crate::scheme::{Mask, Reference, Rules};
-use std::cell::Cell;
+use crate::formula::{Call, CallError, Context, FormulaErrorKind, Functions, Parameters, Value};
+use crate::scheme::{Instance, Mask, Reference, Rules};
+use std::cell::{Cell, OnceCell, RefCell};
+use std::collections::BTreeMap;
+use std::rc::Rc;
 
 /// The functions, with what they are; for help texts.
 pub const QUANTITIES: [(&str, &str); 11] = [
@@ -94,7 +96,10 @@ impl Functions<Rational> for Quantities<'_> {
                 let terms = options.terms()?;
                 Ok(surface_displacement(constants()?.mask(), [x1, x2, x3], terms))
             }
-            _ => shape(constants()?.mask(), constants()?.difference(), call, &mut options),
+            _ => {
+                let constants = constants()?;
+                shape(constants.mask(), || constants.difference(), call, &mut options)
+            }
         }?;
         options.finish()?;
         Ok(value)
@@ -132,41 +137,97 @@ impl Quantities<'_> {
     }
 }
 
+/// A mask over any numbers, with its difference mask once that is asked for.
+pub(super) struct Shape<V> {
+    pub(super) mask: Mask<V>,
+    difference: OnceCell<Rules<V>>,
+}
+
+impl<V: Value> Shape<V> {
+    fn new(masks: Vec<Mask<V>>) -> Rc<Shape<V>> {
+        let mask = masks.into_iter().next().expect("a scheme has one mask or two");
+        Rc::new(Shape { mask, difference: OnceCell::new() })
+    }
+
+    pub(super) fn difference(&self) -> &Rules<V> {
+        self.difference.get_or_init(|| self.mask.difference())
+    }
+}
+
+/// A scheme, one name with parameters per direction, and its shape.
+type Own<V> = (Vec<Instance<V>>, Rc<Shape<V>>);
+
+/// The shapes of the schemes that an identity refers to: its own at the last
+/// parameters, and those that are named in formulas.
+pub(super) struct Shapes<'a, V> {
+    library: &'a Library<'a>,
+    own: RefCell<Option<Own<V>>>,
+    named: RefCell<BTreeMap<String, Rc<Shape<V>>>>,
+}
+
+impl<'a, V: Value + PartialEq> Shapes<'a, V> {
+    pub(super) fn new(library: &'a Library<'a>) -> Shapes<'a, V> {
+        Shapes { library, own: RefCell::default(), named: RefCell::default() }
+    }
+
+    /// The shape of the scheme that `reference` means in `context`.
+    pub(super) fn own(
+        &self,
+        reference: &Reference,
+        context: &dyn Context<V>,
+    ) -> Result<Rc<Shape<V>>, Unresolved> {
+        let instances = self.library.instances(reference, context)?;
+        if let Some((known, shape)) = &*self.own.borrow()
+            && *known == instances
+        {
+            return Ok(Rc::clone(shape));
+        }
+        let shape = Shape::new(self.library.masks(&instances)?);
+        *self.own.borrow_mut() = Some((instances, Rc::clone(&shape)));
+        Ok(shape)
+    }
+
+    fn named(&self, name: &str) -> Result<Rc<Shape<V>>, CallError> {
+        if let Some(shape) = self.named.borrow().get(name) {
+            return Ok(Rc::clone(shape));
+        }
+        let instances = self.library.instances(&reference(name)?, &Parameters::<V>::default());
+        let masks = instances.and_then(|instances| self.library.masks(&instances));
+        let shape = Shape::new(masks.map_err(|error| unresolved(name, error))?);
+        self.named.borrow_mut().insert(name.to_owned(), Rc::clone(&shape));
+        Ok(shape)
+    }
+}
+
 /// The coefficients of a scheme over any numbers, for identities.
 pub(super) struct Coefficients<'a, V> {
-    pub(super) library: &'a Library<'a>,
-    pub(super) mask: Option<Mask<V>>,
+    pub(super) shapes: &'a Shapes<'a, V>,
+    pub(super) own: Option<Rc<Shape<V>>>,
 }
 
 impl<V: Value + PartialEq> Functions<V> for Coefficients<'_, V> {
     fn call(&self, call: &Call<'_, V>) -> Result<V, CallError> {
         let mut options = Options::new(call);
-        let mask = self.mask(call, &mut options)?;
-        let value = shape(&mask, &mask.difference(), call, &mut options)?;
+        let found = self.shape(call, &mut options)?;
+        let value = shape(&found.mask, || found.difference(), call, &mut options)?;
         options.finish()?;
         Ok(value)
     }
 }
 
 impl<V: Value + PartialEq> Coefficients<'_, V> {
-    /// The mask that a call is about.
-    pub(super) fn mask(
+    /// The scheme that a call is about.
+    pub(super) fn shape(
         &self,
         call: &Call<'_, V>,
         options: &mut Options<'_>,
-    ) -> Result<Mask<V>, CallError> {
+    ) -> Result<Rc<Shape<V>>, CallError> {
         check_name(call.function)?;
-        match (options.take("scheme"), &self.mask) {
-            (None, Some(mask)) => Ok(mask.clone()),
-            (None, None) => {
-                let missing = "this needs a scheme: give the claim one".to_owned();
-                Err(CallError::Misuse(missing))
-            }
-            (Some(name), _) => {
-                let masks = self.library.masks(&reference(&name)?, &Parameters::<V>::default());
-                let masks = masks.map_err(|error| unresolved(&name, error))?;
-                Ok(masks.into_iter().next().expect("a scheme has one mask or two"))
-            }
+        match options.take("scheme") {
+            Some(name) => self.shapes.named(&name),
+            None => self.own.clone().ok_or_else(|| {
+                CallError::Misuse("this needs a scheme: give the claim one".to_owned())
+            }),
         }
     }
 }
@@ -187,16 +248,16 @@ pub(super) fn undefined(error: ClassCap) -> CallError {
 }
 
 /// The functions that only read coefficients.
-pub(super) fn shape<V: Value>(
+pub(super) fn shape<'m, V: Value + 'm>(
     mask: &Mask<V>,
-    difference: &Rules<V>,
+    difference: impl FnOnce() -> &'m Rules<V>,
     call: &Call<'_, V>,
     options: &mut Options<'_>,
 ) -> Result<V, CallError> {
     let number = |value: usize| V::from_rational(&Rational::from(value));
     match (call.function, call.arguments) {
         ("mask", [rule, column]) => coefficient(mask.rules(), rule, column),
-        ("difference", [rule, column]) => coefficient(difference, rule, column),
+        ("difference", [rule, column]) => coefficient(difference(), rule, column),
         ("convolution", [c, l, f]) => {
             let (order, recursion) = (options.order()?, options.recursion()?);
             let c = u32::try_from(index("a number of convolutions", c)?).unwrap_or(0);
@@ -205,7 +266,7 @@ pub(super) fn shape<V: Value>(
                 return Err(CallError::Misuse(message));
             }
             let (l, f) = (index("the index l", l)?, index("the index f", f)?);
-            let t = sequence(difference, order);
+            let t = sequence(difference(), order);
             Ok(convolution_coefficient(&t, mask.arity(), c, l, f, recursion))
         }
         ("arity", []) => Ok(number(mask.arity())),

@@ -48,7 +48,7 @@ pub fn sequence<S: Scalar>(rules: &Rules<S>, order: Order) -> Vec<S> {
 /// assert_eq!(t, [0, 1, 2, 1].map(|p| Rational::new(p, 4)));
 /// // The coefficient of z^3 in t(z)·t(z^2).
 /// let e = convolution_coefficient(&t, 2, 2, 0, 3, Recursion::Derived);
-/// assert_eq!(e, Rational::new(2, 16));
+/// assert_eq!(e, Rational::new(1, 16));
 /// # Ok::<(), subcert::scheme::SchemeError>(())
 /// ```
 #[must_use]

@@ -33,7 +33,7 @@ pub enum EquationBody {
 pub struct Identity {
     /// The scheme its functions are about.
     pub scheme: Option<LocatedReference>,
-    /// The names that stay symbolic, alone or as families q[i].
+    /// The names that stay symbolic, alone or as families `q[i]`.
     pub symbols: Vec<String>,
     /// What the paper presupposes: members of families given by formulas.
     pub hypotheses: Vec<Hypothesis>,
@@ -52,6 +52,20 @@ pub enum Left {
     One(LocatedFormula),
     /// One formula for each combination of indices, in order.
     Each(Vec<LocatedFormula>),
+}
+
+impl Left {
+    /// The left side in the case of this place, counted from 0.
+    ///
+    /// # Panics
+    /// When each case has a formula of its own, and there is none of this place.
+    #[must_use]
+    pub fn formula(&self, case: usize) -> &LocatedFormula {
+        match self {
+            Left::One(formula) => formula,
+            Left::Each(formulas) => &formulas[case],
+        }
+    }
 }
 
 /// An index of an identity.
