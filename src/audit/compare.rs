@@ -3,15 +3,16 @@
 use super::finding::{Direction, Slip, Verdict};
 use crate::exact::{Decimal, Integer, Rational, Rounding};
 
-/// The digits that a slip needs before it is more than luck: with fewer, a random
-/// number would be one slip away from the exact value more than once in a
-/// thousand times. A digit can change in 9d ways, towards the value rounded or
+/// The digits that a slip needs before it is more than luck: with fewer, a number
+/// of random digits would be one slip away from the exact value more than once in
+/// a thousand times. A digit can change in 9d ways, towards the value rounded or
 /// cut; a pair can be exchanged in d−1; the point can be off by 3 places at most
-/// either way; a sign has one other; there are four neighbours.
+/// either way; a sign has one other; there are four neighbours. Zeros at the end
+/// do not count: 0.1600 for 0.1400 says no more than 0.16 for 0.14.
 const DIGITS_FOR_DIGIT: usize = 5;
 const DIGITS_FOR_SWAP: usize = 5;
 const DIGITS_FOR_EXPONENT: usize = 4;
-const DIGITS_FOR_SIGN: usize = 3;
+const DIGITS_FOR_SIGN: usize = 4;
 const DIGITS_FOR_NEIGHBOUR: usize = 4;
 
 /// How far the decimal point may be off.
@@ -38,12 +39,17 @@ fn matches(printed: &Decimal, exact: &Rational) -> bool {
     printed.rounding_of(exact) != Rounding::Neither
 }
 
+/// The significant digits without the zeros at the end.
+fn telling_digits(printed: &Decimal) -> usize {
+    printed.mantissa().abs().to_string().trim_matches('0').len()
+}
+
 fn find_slip(
     printed: &Decimal,
     exact: &Rational,
     neighbours: &[((i32, i32), &Rational)],
 ) -> Option<Slip> {
-    let digits = printed.significant_digits();
+    let digits = telling_digits(printed);
     if digits >= DIGITS_FOR_SIGN && matches(printed, &-exact) {
         return Some(Slip::Sign);
     }

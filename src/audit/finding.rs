@@ -95,7 +95,10 @@ impl fmt::Display for Slip {
             Slip::Swap(position) => {
                 write!(f, "digits {position} and {} are exchanged", position + 1)
             }
-            Slip::Exponent(places) => write!(f, "too large by the factor 10^{places}"),
+            Slip::Exponent(places) => {
+                let large = if *places > 0 { "large" } else { "small" };
+                write!(f, "too {large} by the factor 10^{}", places.unsigned_abs())
+            }
             Slip::Sign => f.write_str("the sign is wrong"),
             Slip::Neighbour(rows, columns) => f.write_str(match (rows, columns) {
                 (_, 1..) => "this is the value of the next column",
