@@ -175,7 +175,9 @@ fn digits_beside(cell: &CellFinding) -> u32 {
     u32::try_from(digits.clamp(4, 12)).unwrap_or(12)
 }
 
-fn remarks(finding: &TableFinding<'_>) -> Vec<String> {
+/// What a table's shape does not say: the slips, how damaged text is read, why a
+/// value is missing, the assumptions, and how many promises are kept.
+pub(super) fn remarks(finding: &TableFinding<'_>) -> Vec<String> {
     let mut lines = Vec::new();
     let listed = |name: &str, what: &dyn Fn(&CellFinding) -> Option<String>| {
         let mut all: Vec<String> = cells(finding).filter_map(what).collect();
@@ -191,6 +193,15 @@ fn remarks(finding: &TableFinding<'_>) -> Vec<String> {
     lines.extend(listed("rounding", &|cell| match &cell.verdict {
         Verdict::Rounding(direction) => Some(format!("{} ({direction})", cell.printed.as_deref()?)),
         _ => None,
+    }));
+    let axes = finding.table.rows.iter().chain([&finding.table.columns]);
+    lines.extend(axes.flat_map(|axis| &axis.entries).filter_map(|entry| {
+        let (printed, value, note) = (&entry.printed, short(&entry.value, 12), &entry.note);
+        note.as_ref().map(|note| format!("The header {printed} is read as {value}: {note}."))
+    }));
+    lines.extend(cells(finding).filter_map(|cell| {
+        let (printed, note) = (cell.printed.as_ref()?, cell.note.as_ref()?);
+        Some(format!("The cell {printed}: {note}."))
     }));
     if let Some(cell) = cells(finding).find(|cell| cell.undefined.is_some()) {
         let why = cell.undefined.as_deref().unwrap_or_default();

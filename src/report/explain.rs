@@ -1,12 +1,13 @@
 //! One claim in full.
 
-use super::audit::{outcome, table_values};
+use super::audit::{outcome, remarks, table_values};
 use super::function;
 use super::mark;
 use super::sheet::Sheet;
 use crate::audit::{
     CellFinding, EquationVerdict, Failure, PaperAudit, Sound, TableFinding, Verdict,
 };
+use crate::claim::{EquationBody, Identity, Left};
 use crate::exact::{Rational, format::short};
 
 /// The claim, table or equation of this id (`key:table-1`, `key:table-1:2:3`,
@@ -23,6 +24,9 @@ pub fn explain_sheet(audits: &[PaperAudit<'_>], id: &str) -> Option<Sheet> {
         let equation = finding.equation;
         sheet.heading(1, format!("{} · {}", finding.id, equation.locus));
         sheet.text(equation.title.clone());
+        if let EquationBody::Identity(identity) = &equation.body {
+            sheet.facts(sides(identity));
+        }
         sheet.text(format!("{} {}", mark(finding.verdict.name()), outcome(finding)));
         if let EquationVerdict::Fails { failures, .. } = &finding.verdict {
             let fact = |failure: &Failure| {
@@ -30,6 +34,8 @@ pub fn explain_sheet(audits: &[PaperAudit<'_>], id: &str) -> Option<Sheet> {
                 (failure.at.clone(), sides)
             };
             sheet.facts(failures.iter().map(fact).collect());
+        } else if let Some(note) = &equation.note {
+            sheet.text(note.clone());
         }
         return Some(sheet);
     }
@@ -39,6 +45,9 @@ pub fn explain_sheet(audits: &[PaperAudit<'_>], id: &str) -> Option<Sheet> {
         sheet.heading(1, format!("{id} · {}", finding.table.title));
         definition(&mut sheet, audit, finding);
         sheet.grid(table_values(finding));
+        for line in remarks(finding).into_iter().chain(finding.table.note.clone()) {
+            sheet.text(line);
+        }
         return Some(sheet);
     }
     let cell = finding.cells.iter().flatten().find(|cell| cell.id == id)?;
@@ -47,6 +56,26 @@ pub fn explain_sheet(audits: &[PaperAudit<'_>], id: &str) -> Option<Sheet> {
     definition(&mut sheet, audit, finding);
     sheet.facts(facts(cell));
     Some(sheet)
+}
+
+/// An identity as it stands in the claim file.
+fn sides(identity: &Identity) -> Vec<(String, String)> {
+    let mut facts = Vec::new();
+    if let Some(scheme) = &identity.scheme {
+        facts.push(("scheme".to_owned(), scheme.reference.to_string()));
+    }
+    if !identity.symbols.is_empty() {
+        facts.push(("symbols".to_owned(), identity.symbols.join(", ")));
+    }
+    let left = match &identity.left {
+        Left::One(formula) => formula.text.clone(),
+        Left::Each(formulas) => {
+            formulas.iter().map(|formula| formula.text.as_str()).collect::<Vec<&str>>().join(", ")
+        }
+    };
+    facts.push(("left".to_owned(), left));
+    facts.push(("right".to_owned(), identity.right.text.clone()));
+    facts
 }
 
 fn definition(sheet: &mut Sheet, audit: &PaperAudit<'_>, finding: &TableFinding<'_>) {
