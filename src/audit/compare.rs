@@ -78,7 +78,7 @@ fn find_slip(
 }
 
 /// One digit changed, or two neighbours exchanged, between two integers of the
-/// same length.
+/// same length. A last digit that differs is no slip: inexact computing gives it too.
 fn digit_slip(printed: &Integer, correct: &Integer, digits: usize) -> Option<Slip> {
     let printed: Vec<char> = printed.to_string().chars().collect();
     let correct: Vec<char> = correct.to_string().chars().collect();
@@ -87,7 +87,7 @@ fn digit_slip(printed: &Integer, correct: &Integer, digits: usize) -> Option<Sli
     }
     let differing: Vec<usize> = (0..printed.len()).filter(|&i| printed[i] != correct[i]).collect();
     match differing[..] {
-        [i] if digits >= DIGITS_FOR_DIGIT => {
+        [i] if digits >= DIGITS_FOR_DIGIT && i + 1 < printed.len() => {
             Some(Slip::Digit { position: i + 1, printed: printed[i], correct: correct[i] })
         }
         [i, j]

@@ -3,7 +3,7 @@
 use super::library::{Library, Resolved, Unresolved};
 use super::options::Options;
 use crate::bound::{
-    ClassCap, Constants, DepthError, Operator, Rounded, Terms, convolution_coefficient,
+    ClassCap, Constants, DepthError, Operator, Recursion, Rounded, Terms, convolution_coefficient,
     displacement, log_level, sequence, surface_coefficients,
 };
 use crate::exact::{Rational, Real};
@@ -261,8 +261,12 @@ pub(super) fn shape<'m, V: Value + 'm>(
         ("convolution", [c, l, f]) => {
             let (order, recursion) = (options.order()?, options.recursion()?);
             let c = u32::try_from(index("a number of convolutions", c)?).unwrap_or(0);
-            if !(1..=MAX_CONVOLUTIONS).contains(&c) {
-                let message = format!("from 1 to {MAX_CONVOLUTIONS} convolutions, and not {c}");
+            let most = match recursion {
+                Recursion::Derived => MAX_CONVOLUTIONS,
+                Recursion::Printed => MAX_PRINTED_CONVOLUTIONS,
+            };
+            if !(1..=most).contains(&c) {
+                let message = format!("from 1 to {most} convolutions here, and not {c}");
                 return Err(CallError::Misuse(message));
             }
             let (l, f) = (index("the index l", l)?, index("the index f", f)?);
@@ -284,6 +288,9 @@ pub(super) fn shape<'m, V: Value + 'm>(
 
 /// The most convolutions whose coefficients are summed term by term.
 const MAX_CONVOLUTIONS: u32 = 4;
+
+/// The same by the printed recursion, whose terms are far more.
+const MAX_PRINTED_CONVOLUTIONS: u32 = 3;
 
 fn index<V: Value>(what: &'static str, value: &V) -> Result<i64, CallError> {
     let integer = value.as_rational().filter(Rational::is_integer);
