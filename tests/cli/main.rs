@@ -13,5 +13,6 @@ fn subcert<'a>(arguments: impl IntoIterator<Item = &'a str>) -> Command {
     Command::new(cargo_bin!("subcert"))
         .current_dir(env!("CARGO_MANIFEST_DIR"))
         .env_remove("CLICOLOR_FORCE")
+        .env_remove("NO_COLOR")
         .args(arguments)
 }
