@@ -4,7 +4,7 @@ use super::library::{Library, Resolved, Unresolved};
 use super::options::Options;
 use crate::bound::{
     ClassCap, Constants, DepthError, Operator, Recursion, Rounded, Terms, convolution_coefficient,
-    displacement, log_level, sequence, surface_coefficients,
+    displacement, log_level, sequence, surface_displacement,
 };
 use crate::exact::{Rational, Real};
 use crate::formula::{Call, CallError, Context, FormulaErrorKind, Functions, Parameters, Value};
@@ -321,17 +321,6 @@ pub(super) fn moved<S: Real>(mask: &Mask<S>, options: &mut Options<'_>) -> Resul
     let terms = options.terms()?;
     let offset = options.offset(mask.offset())?;
     Ok(displacement(&mask.with_offset(offset), terms))
-}
-
-/// ν = max_{α,β} (x_1 η¹ + x_2 η² + x_3 η³).
-fn surface_displacement(mask: &Mask, spreads: [&Rational; 3], terms: Terms) -> Rational {
-    let pairs =
-        (0..mask.arity()).flat_map(|alpha| (0..mask.arity()).map(move |beta| (alpha, beta)));
-    let weighted = |(alpha, beta)| {
-        let eta = surface_coefficients(mask, alpha, beta, terms);
-        eta.iter().zip(spreads).map(|(eta, spread)| eta * spread).sum::<Rational>()
-    };
-    pairs.map(weighted).max().unwrap_or_else(Rational::zero)
 }
 
 pub(super) fn level<V: Value>(value: &V) -> Result<u32, CallError> {

@@ -19,4 +19,4 @@ pub use delta::DeltaCondition;
 pub use depth::{DepthError, MAX_DEPTH, Rounded, least_level, log_level};
 pub use displacement::{Terms, best_offset, displacement};
 pub use sound::{SoundBound, SoundDepth};
-pub use surface::{surface_coefficients, surface_factor};
+pub use surface::{surface_coefficients, surface_displacement, surface_factor};

@@ -42,6 +42,22 @@ pub fn surface_coefficients<S: Real>(
     ]
 }
 
+/// ν = max_{α,β} (x_1 η¹ + x_2 η² + x_3 η³) for the spreads x_1, x_2, x_3 of the three
+/// differences, with the η of [`surface_coefficients`].
+///
+/// Source: Mustafa et al. 2020, Theorem 8.
+#[must_use]
+pub fn surface_displacement<S: Real>(mask: &Mask<S>, spreads: [&S; 3], terms: Terms) -> S {
+    let arity = mask.arity();
+    let pairs = (0..arity).flat_map(|alpha| (0..arity).map(move |beta| (alpha, beta)));
+    let weighted = |(alpha, beta)| {
+        let eta = surface_coefficients(mask, alpha, beta, terms);
+        eta.iter().zip(spreads).fold(S::zero(), |sum, (eta, spread)| sum.plus(&eta.times(spread)))
+    };
+    // Not S::maximum, which is at least 0: a spread may be any number here.
+    pairs.map(weighted).reduce(|best, value| best.greater(&value)).unwrap_or_else(S::zero)
+}
+
 /// The sound counterpart: max_{α,β} (ς_α λ_β + ς_β), where ς_α = Σ_m |ã_{α,m}| of the
 /// first mask, λ_β = Σ_j |a_{β,j}| and ς_β of the second, at the masks' offsets.
 ///

@@ -6,7 +6,7 @@ use super::output::{Failure, positive, show};
 use serde_json::{Value, json};
 use subcert::bound::{
     ClassCap, Constants, DepthError, Operator, Order, SoundBound, SoundDepth, Terms, displacement,
-    least_level, surface_coefficients,
+    least_level, surface_displacement,
 };
 use subcert::exact::{Rational, format::short};
 use subcert::report::{Grid, Sheet};
@@ -51,12 +51,11 @@ impl Report {
             _ => SoundBound::curve(first, levels)?,
         };
         let factor = match constants {
-            [_, _] => surface_nu(first) * spread,
+            [_, _] => surface_displacement(first.mask(), [spread; 3], Terms::Total),
             _ => displacement(&first.mask().with_offset(0), Terms::Total) * spread,
         };
         let constant = |c| match constants {
-            [first, second] => Ok(first.norm(Operator::Difference, c, Order::Adjoint)?
-                * second.norm(Operator::Scheme, c, Order::Adjoint)?),
+            [first, second] => first.tensor_with(second, c),
             _ => first.norm(Operator::Difference, c, Order::Forward),
         };
         let one = Rational::one();
@@ -127,14 +126,4 @@ impl Report {
             "printed_formula": printed.collect::<Vec<Value>>(),
         })
     }
-}
-
-/// ν for unit spreads, as printed.
-fn surface_nu(constants: &Constants) -> Rational {
-    let arity = constants.mask().arity();
-    let pairs = (0..arity).flat_map(|alpha| (0..arity).map(move |beta| (alpha, beta)));
-    let sums = pairs.map(|(alpha, beta)| {
-        surface_coefficients(constants.mask(), alpha, beta, Terms::Total).iter().sum::<Rational>()
-    });
-    sums.max().unwrap_or_else(Rational::zero)
 }

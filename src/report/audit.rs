@@ -248,7 +248,8 @@ fn comparison(finding: &TableFinding<'_>) -> Option<String> {
     (all > 0).then(|| parts.join(", "))
 }
 
-fn assumed(cell: &CellFinding) -> String {
+/// The values that were put in for parameters that the paper does not state.
+pub(super) fn assumed(cell: &CellFinding) -> String {
     let value = |(name, value): &(String, Rational)| format!("{name} = {value}");
     cell.assumed.iter().map(value).collect::<Vec<String>>().join(", ")
 }

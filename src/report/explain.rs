@@ -1,6 +1,6 @@
 //! One claim in full.
 
-use super::audit::{outcome, remarks, table_values};
+use super::audit::{assumed, outcome, remarks, table_values};
 use super::function;
 use super::mark;
 use super::sheet::Sheet;
@@ -8,7 +8,7 @@ use crate::audit::{
     CellFinding, EquationVerdict, Failure, PaperAudit, Sound, TableFinding, Verdict,
 };
 use crate::claim::{EquationBody, Identity, Left};
-use crate::exact::{Rational, format::short};
+use crate::exact::format::short;
 
 /// The claim, table or equation of this id (`key:table-1`, `key:table-1:2:3`,
 /// `key:eq-3.8`, `key:range-1`) in full; `None` when there is none.
@@ -105,9 +105,7 @@ fn facts(cell: &CellFinding) -> Vec<(String, String)> {
         fact("exact", format!("none: {why}"));
     }
     if !cell.assumed.is_empty() {
-        let value = |(name, value): &(String, Rational)| format!("{name} = {value}");
-        let assumed: Vec<String> = cell.assumed.iter().map(value).collect();
-        fact("computed at", format!("{}, which the paper does not state", assumed.join(", ")));
+        fact("computed at", format!("{}, which the paper does not state", assumed(cell)));
     }
     if let Some(verdict) = &cell.verdict_if_assumed {
         fact("verdict, if they were stated", verdict_text(verdict));
