@@ -1,7 +1,7 @@
 //! A printed decimal against an exact value.
 
 use super::finding::{Direction, Slip, Verdict};
-use crate::exact::{Decimal, Integer, Rational, Rounding};
+use crate::exact::{Decimal, Enclosed, Integer, Rational, RealCyclotomic, Rounding};
 
 /// The digits that a slip needs before it is more than luck: with fewer, a number
 /// of random digits would be one slip away from the exact value more than once in
@@ -22,8 +22,8 @@ const MAX_EXPONENT_SLIP: i32 = 3;
 /// values of the cells around it with their direction.
 pub(super) fn judge(
     printed: &Decimal,
-    exact: &Rational,
-    neighbours: &[((i32, i32), &Rational)],
+    exact: &RealCyclotomic,
+    neighbours: &[((i32, i32), &RealCyclotomic)],
 ) -> Verdict {
     match printed.rounding_of(exact) {
         Rounding::Exact | Rounding::Nearest => Verdict::Confirmed,
@@ -35,7 +35,7 @@ pub(super) fn judge(
     }
 }
 
-fn matches(printed: &Decimal, exact: &Rational) -> bool {
+fn matches(printed: &Decimal, exact: &RealCyclotomic) -> bool {
     printed.rounding_of(exact) != Rounding::Neither
 }
 
@@ -46,8 +46,8 @@ fn telling_digits(printed: &Decimal) -> usize {
 
 fn find_slip(
     printed: &Decimal,
-    exact: &Rational,
-    neighbours: &[((i32, i32), &Rational)],
+    exact: &RealCyclotomic,
+    neighbours: &[((i32, i32), &RealCyclotomic)],
 ) -> Option<Slip> {
     let digits = telling_digits(printed);
     if digits >= DIGITS_FOR_SIGN && matches(printed, &-exact) {
@@ -55,7 +55,7 @@ fn find_slip(
     }
     if digits >= DIGITS_FOR_EXPONENT {
         let places = (1..=MAX_EXPONENT_SLIP).flat_map(|places| [places, -places]);
-        let moved = |places: i32| exact * Rational::power_of_ten(places);
+        let moved = |places: i32| exact * &RealCyclotomic::from(Rational::power_of_ten(places));
         if let Some(places) = places.into_iter().find(|&places| {
             matches!(printed.rounding_of(&moved(places)), Rounding::Exact | Rounding::Nearest)
         }) {
@@ -71,8 +71,9 @@ fn find_slip(
     if digits < DIGITS_FOR_DIGIT.min(DIGITS_FOR_SWAP) || printed.value().sign() != exact.sign() {
         return None;
     }
-    let scaled = (exact / printed.unit()).abs();
-    [scaled.round_half_even(), scaled.floor()]
+    let unit = RealCyclotomic::from(printed.unit().recip());
+    let scaled = (exact * &unit).abs();
+    [scaled.step(Rational::round_half_even), scaled.floor()]
         .iter()
         .find_map(|correct| digit_slip(&printed.mantissa().abs(), correct, digits))
 }

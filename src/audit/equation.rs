@@ -2,7 +2,7 @@
 
 use super::library::{Library, Unresolved};
 use super::mend;
-use super::quantity::{Coefficients, Shape, Shapes};
+use super::shape::{Coefficients, Shape, Shapes};
 use super::table::scheme_error;
 use crate::claim::{Equation, EquationBody, Hypothesis, Identity, Index, LocatedReference, Paper};
 use crate::diagnostic::Diagnostic;

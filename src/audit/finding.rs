@@ -1,6 +1,6 @@
 //! What the audit says of a table cell.
 
-use crate::exact::Rational;
+use crate::exact::{Rational, RealCyclotomic};
 use std::fmt;
 
 /// The verdict of a number.
@@ -168,7 +168,7 @@ pub struct CellFinding {
     /// The verdict.
     pub verdict: Verdict,
     /// The value of the printed definition, if it has one.
-    pub exact: Option<Rational>,
+    pub exact: Option<RealCyclotomic>,
     /// Why it has none.
     pub undefined: Option<String>,
     /// The values at which `exact` and `sound` were computed though the paper

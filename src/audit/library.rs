@@ -3,7 +3,7 @@
 use crate::bound::{ClassCap, Constants, SoundBound};
 use crate::claim::{Paper, SchemeSource};
 use crate::diagnostic::Diagnostic;
-use crate::exact::Rational;
+use crate::exact::{Rational, RealCyclotomic};
 use crate::formula::{Context, FormulaError, LocatedFormula, Parameters, Value, evaluate};
 use crate::scheme::{Instance, Mask, Reference, SchemeDefinition, SchemeError, find_in_catalogue};
 use std::cell::RefCell;
@@ -54,9 +54,11 @@ impl<'a> Library<'a> {
     pub(super) fn resolve(
         &self,
         reference: &Reference,
-        context: &dyn Context<Rational>,
+        context: &dyn Context<RealCyclotomic>,
     ) -> Result<Resolved, Unresolved> {
         let instances = self.instances(reference, context)?;
+        let instances = instances.into_iter().map(rational).collect::<Result<Vec<Instance>, _>>();
+        let instances = instances.map_err(Unresolved::Scheme)?;
         let constants = instances.iter().map(|instance| self.constants(instance));
         let constants = constants.collect::<Result<_, _>>().map_err(Unresolved::Scheme)?;
         Ok(Resolved { instances, constants })
@@ -167,6 +169,21 @@ impl<'a> Library<'a> {
         self.sound.borrow_mut().insert(key, Rc::clone(&bound));
         Ok(bound)
     }
+}
+
+/// The same scheme with its parameters as rational numbers.
+fn rational(instance: Instance<RealCyclotomic>) -> Result<Instance, SchemeError> {
+    let Instance { name, parameters } = instance;
+    let parameter = |(parameter, value): (String, RealCyclotomic)| match value.as_rational() {
+        Some(rational) => Ok((parameter, rational.clone())),
+        None => Err(SchemeError::IrrationalParameter {
+            scheme: name.clone(),
+            parameter,
+            value: value.to_string(),
+        }),
+    };
+    let parameters = parameters.into_iter().map(parameter).collect::<Result<_, _>>()?;
+    Ok(Instance { name, parameters })
 }
 
 /// The longest block whose residue classes are few.

@@ -106,8 +106,11 @@ fn variants(expr: &Expr) -> Vec<Expr> {
                 same(Node::Call { function, arguments, options })
             })
             .collect(),
-        Node::Sum { index, from, to, body } => {
-            let sum = |from, to, body| Node::Sum { index: index.clone(), from, to, body };
+        Node::Fold { fold, index, from, to, body } => {
+            let sum = |from, to, body| {
+                let (fold, index) = (*fold, index.clone());
+                Node::Fold { fold, index, from, to, body }
+            };
             let mut all = boxed(from, &|from| sum(from, to.clone(), body.clone()));
             all.extend(boxed(to, &|to| sum(from.clone(), to, body.clone())));
             all.extend(boxed(body, &|body| sum(from.clone(), to.clone(), body)));

@@ -11,6 +11,8 @@ mod parametric;
 mod promise;
 mod quantity;
 mod range;
+mod series;
+mod shape;
 mod table;
 
 pub use equation::{EquationFinding, EquationVerdict, Failure};

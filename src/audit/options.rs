@@ -60,6 +60,11 @@ impl<'a> Options<'a> {
         }
     }
 
+    /// `value`, once every option has been used.
+    pub(super) fn finished<V>(&self, value: V) -> Result<V, CallError> {
+        self.finish().map(|()| value)
+    }
+
     pub(super) fn finish(&self) -> Result<(), CallError> {
         self.left.first().map_or(Ok(()), |option| {
             let (name, function) = (&option.name, self.function);

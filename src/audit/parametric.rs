@@ -3,12 +3,14 @@
 use super::equation::own_shape;
 use super::library::{Library, values};
 use super::options::Options;
-use super::quantity::{Coefficients, Shapes, level, moved, shape, total_contraction, undefined};
+use super::quantity::{level, moved, total_contraction, undefined};
+use super::series;
+use super::shape::{Coefficients, Shapes, shape};
 use crate::bound::{Terms, power_norm_generic};
 use crate::claim::{LocatedReference, Paper};
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Parametric, PiecewiseLinear, Rational, Scalar};
-use crate::formula::{Call, CallError, Functions, LocatedFormula, Scope, evaluate};
+use crate::formula::{Call, CallError, Context, Functions, LocatedFormula, Scope, evaluate};
 use std::collections::BTreeMap;
 
 /// What the formulas of a claim about a free parameter refer to.
@@ -71,8 +73,15 @@ struct Constants<'a> {
 }
 
 impl Functions<Parametric> for Constants<'_> {
-    fn call(&self, call: &Call<'_, Parametric>) -> Result<Parametric, CallError> {
+    fn call(
+        &self,
+        call: &Call<'_, Parametric>,
+        context: &dyn Context<Parametric>,
+    ) -> Result<Parametric, CallError> {
         let mut options = Options::new(call);
+        if let Some(value) = series::call(call, context, &mut options) {
+            return options.finished(value?);
+        }
         let found = self.coefficients.shape(call, &mut options)?;
         let mask = &found.mask;
         let value = match (call.function, call.arguments) {
@@ -97,8 +106,7 @@ impl Functions<Parametric> for Constants<'_> {
             }
             _ => shape(mask, || found.difference(), call, &mut options)?,
         };
-        options.finish()?;
-        Ok(value)
+        options.finished(value)
     }
 }
 

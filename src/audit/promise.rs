@@ -6,7 +6,7 @@ use super::table::{At, Judge, Outcome};
 use crate::bound::Rounded;
 use crate::claim::{Cell, Promise};
 use crate::diagnostic::Diagnostic;
-use crate::exact::Rational;
+use crate::exact::{Rational, RealCyclotomic};
 use crate::formula::LocatedFormula;
 
 /// The highest level at which a bound is computed.
@@ -55,7 +55,7 @@ impl Judge<'_> {
                 }
             };
             if let Outcome::Value(needed) = needed {
-                finding.kept_by_formula = Some(*printed >= needed);
+                finding.kept_by_formula = Some(RealCyclotomic::from(printed.clone()) >= needed);
             }
         }
         let sound = match self.sound(promise, at) {
@@ -107,7 +107,9 @@ impl Judge<'_> {
     /// The value of a formula of a promise.
     fn number(&self, formula: &LocatedFormula, at: At<'_>) -> Result<Rational, NoSound> {
         match self.evaluate(formula, at)? {
-            Outcome::Value(value) => Ok(value),
+            Outcome::Value(value) => value.as_rational().cloned().ok_or_else(|| {
+                NoSound::Because(format!("sound values are computed at rational numbers, not at {value}"))
+            }),
             outcome => Err(outcome.into()),
         }
     }

@@ -7,7 +7,7 @@ use super::quantity::Quantities;
 use crate::bound::Rounded;
 use crate::claim::{Axis, AxisEntry, Cell, LocatedReference, Paper, Printed, Promise, Table};
 use crate::diagnostic::Diagnostic;
-use crate::exact::Rational;
+use crate::exact::{Rational, RealCyclotomic};
 use crate::formula::{FormulaError, FormulaErrorKind, LocatedFormula, Scope, evaluate};
 use crate::scheme::SchemeError;
 use std::collections::{BTreeMap, BTreeSet};
@@ -39,7 +39,7 @@ pub(super) fn judge<'a>(
 
 /// A value of the claim file's formula, or what stands in its way.
 pub(super) enum Outcome {
-    Value(Rational),
+    Value(RealCyclotomic),
     Unstated(String),
     Undefined(String),
     BeyondCaps(String),
@@ -83,20 +83,20 @@ impl<'a> Judge<'a> {
         Ok(Judge { paper, table, library, given, assumed })
     }
 
-    fn scope<'s>(&'s self, at: At<'_>, functions: &'s Quantities<'s>) -> Scope<'s, Rational> {
+    fn scope<'s>(&'s self, at: At<'_>, functions: &'s Quantities<'s>) -> Scope<'s, RealCyclotomic> {
         let mut scope = Scope::new(&self.paper.definitions, functions);
         for (name, value) in &self.given {
-            scope = scope.with(name, value.clone());
+            scope = scope.with(name, value.clone().into());
         }
         for (name, value) in &self.assumed {
             scope = if at.assume.contains(name) {
-                scope.with(name, value.clone())
+                scope.with(name, value.clone().into())
             } else {
                 scope.with_unstated(name)
             };
         }
         for (axis, entry) in self.headers(at.row, at.column) {
-            scope = scope.with(&axis.name, entry.value.clone());
+            scope = scope.with(&axis.name, entry.value.clone().into());
         }
         scope
     }
@@ -245,7 +245,7 @@ impl<'a> Judge<'a> {
     fn verdict(
         &self,
         printed: &Printed,
-        exact: Option<&Rational>,
+        exact: Option<&RealCyclotomic>,
         at: At<'_>,
     ) -> Result<Verdict, Diagnostic> {
         let Some(exact) = exact else { return Ok(Verdict::Refuted) };
@@ -259,7 +259,7 @@ impl<'a> Judge<'a> {
             [(Rounded::Down, Direction::DepthDown), (Rounded::Nearest, Direction::DepthNearest)];
         for (rounded, direction) in otherwise {
             let value = self.evaluate(&self.table.value, at.rounding(rounded))?;
-            if matches!(value, Outcome::Value(value) if value == printed.decimal.value()) {
+            if matches!(value, Outcome::Value(value) if value == printed.decimal.value().into()) {
                 return Ok(Verdict::Rounding(direction));
             }
         }
@@ -271,7 +271,7 @@ impl<'a> Judge<'a> {
         if matches!(self.table.promise, Some(Promise::Depth { .. })) {
             return;
         }
-        let exact: Vec<Vec<Option<Rational>>> =
+        let exact: Vec<Vec<Option<RealCyclotomic>>> =
             cells.iter().map(|row| row.iter().map(|cell| cell.exact.clone()).collect()).collect();
         for (row, findings) in cells.iter_mut().enumerate() {
             for (column, finding) in findings.iter_mut().enumerate() {
@@ -284,7 +284,7 @@ impl<'a> Judge<'a> {
                     let column = column.checked_add_signed(step.1 as isize)?;
                     Some((step, exact.get(row)?.get(column)?.as_ref()?))
                 });
-                let around: Vec<((i32, i32), &Rational)> = around.collect();
+                let around: Vec<((i32, i32), &RealCyclotomic)> = around.collect();
                 finding.verdict = compare::judge(&printed.decimal, value, &around);
             }
         }

@@ -82,3 +82,66 @@ pub fn convolution_coefficient<S: Scalar>(
         sum.plus(&left(e).times(&right))
     })
 }
+
+/// E^c_{l,f} for all l = 0, …, ⌊f/n^c⌋, one list for each f of the window
+/// max(0, `last` − n^c + 1), …, `last`: what a constant of c convolutions takes the
+/// absolute sums of. Equal to [`convolution_coefficient`] at all of them.
+///
+/// E^c_{l,f} depends on f − n^e l alone, where n^e is n^c by the derived and
+/// n^(2^(c−1)) by the printed recursion. So one product of sequences, cut off after
+/// `last`, gives all of them: O(`last`·N) sums and products for each convolution.
+///
+/// Source: Khan et al. 2022, (9)–(13).
+///
+/// # Panics
+/// When c or the arity is 0.
+///
+/// ```
+/// use subcert::bound::{Recursion, convolution_window};
+/// use subcert::exact::Rational;
+///
+/// // (1 + z)(1 + z²)/4 has four coefficients 1/4: one for each class mod 4.
+/// let half = Rational::new(1, 2);
+/// let window = convolution_window(&[half.clone(), half], 2, 2, 3, Recursion::Derived);
+/// assert_eq!(window, vec![vec![Rational::new(1, 4)]; 4]);
+/// ```
+#[must_use]
+pub fn convolution_window<S: Scalar>(
+    sequence: &[S],
+    arity: usize,
+    c: u32,
+    last: usize,
+    recursion: Recursion,
+) -> Vec<Vec<S>> {
+    assert!(c > 0 && arity > 0, "at least one convolution, of an arity of at least 1");
+    let length = last + 1;
+    let power = |exponent: u32| arity.checked_pow(exponent).unwrap_or(length).min(length);
+    let mut product: Vec<S> = sequence.iter().take(length).cloned().collect();
+    // The number of convolutions so far.
+    let mut factors = 1_u32;
+    for _ in 1..c {
+        (product, factors) = match recursion {
+            Recursion::Derived => (spread(sequence, &product, power(factors), length), factors + 1),
+            Recursion::Printed => {
+                (spread(&product, &product, power(factors), length), factors.saturating_mul(2))
+            }
+        };
+    }
+    let (rows, stride) = (power(c), power(factors));
+    let at = |f: usize, l: usize| {
+        let position = stride.checked_mul(l).and_then(|skipped| f.checked_sub(skipped));
+        position.and_then(|at| product.get(at)).cloned().unwrap_or_else(S::zero)
+    };
+    (length - rows..length).map(|f| (0..=f / rows).map(|l| at(f, l)).collect()).collect()
+}
+
+/// left(z^step)·right(z), cut off after `length` coefficients.
+fn spread<S: Scalar>(left: &[S], right: &[S], step: usize, length: usize) -> Vec<S> {
+    let mut product = vec![S::zero(); length];
+    for (i, a) in left.iter().enumerate().take_while(|(i, _)| i * step < length) {
+        for (sum, b) in product[i * step..].iter_mut().zip(right) {
+            *sum = sum.plus(&a.times(b));
+        }
+    }
+    product
+}

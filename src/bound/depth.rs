@@ -6,7 +6,7 @@ use crate::exact::Rational;
 pub const MAX_DEPTH: u32 = 100_000;
 
 /// The most binary digits of a power that a depth is decided with.
-const MAX_POWER_BITS: u64 = 8_000_000;
+pub(super) const MAX_POWER_BITS: u64 = 8_000_000;
 
 /// Why there is no depth.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

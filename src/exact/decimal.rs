@@ -1,7 +1,6 @@
 //! A decimal as printed, and how it relates to an exact value.
 
-use super::{Integer, Rational};
-use std::cmp::Ordering;
+use super::{Integer, Rational, Real};
 
 /// A printed decimal: `mantissa` · 10^`exponent`, where `exponent` is the place
 /// of its last printed digit. `0.0310` and `0.031` are equal in value, but not
@@ -83,24 +82,21 @@ impl Decimal {
         (&value - &half, value + half)
     }
 
-    /// How this decimal came from the value `exact`.
+    /// How this decimal came from the value `exact`, in exact arithmetic.
     #[must_use]
-    pub fn rounding_of(&self, exact: &Rational) -> Rounding {
-        let value = self.value();
-        let off = (&value - exact).abs();
-        if off.is_zero() {
+    pub fn rounding_of<R: Real + PartialOrd>(&self, exact: &R) -> Rounding {
+        let value = R::from_rational(&self.value());
+        let off = value.minus(exact).magnitude();
+        if off == R::zero() {
             return Rounding::Exact;
         }
-        let unit = self.unit();
-        if &off + &off <= unit {
+        let unit = R::from_rational(&self.unit());
+        if off.plus(&off) <= unit {
             return Rounding::Nearest;
         }
         if off >= unit {
             return Rounding::Neither;
         }
-        match value.abs().cmp(&exact.abs()) {
-            Ordering::Less => Rounding::Truncated,
-            _ => Rounding::Up,
-        }
+        if value.magnitude() < exact.magnitude() { Rounding::Truncated } else { Rounding::Up }
     }
 }

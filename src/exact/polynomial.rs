@@ -1,6 +1,6 @@
-//! Polynomials over the rationals in named variables.
+//! Polynomials over the real cyclotomic numbers in named variables.
 
-use super::Rational;
+use super::{Rational, RealCyclotomic, Scalar};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::{Add, Mul, Sub};
@@ -8,37 +8,44 @@ use std::ops::{Add, Mul, Sub};
 /// Variables with their exponents, all positive; empty for the constant term.
 type Monomial = BTreeMap<String, u32>;
 
-/// A polynomial over Q in named variables, in normal form: two polynomials are
-/// equal exactly when they agree as functions.
+/// A polynomial in named variables over the fields Q(2cos(2π/n)), in normal form:
+/// two polynomials are equal exactly when they agree as functions.
+///
+/// The coefficients of all polynomials that are brought together need a
+/// [`common_conductor`](super::common_conductor).
 ///
 /// ```
-/// use subcert::exact::Polynomial;
+/// use subcert::exact::{Polynomial, Rational, RealCyclotomic};
 ///
 /// let w = Polynomial::variable("w");
 /// let square = &(&w + &w) * &w;
 /// assert_eq!(square.to_string(), "2*w^2");
+///
+/// let cosine = Polynomial::constant(RealCyclotomic::cosine(&Rational::new(1, 5))?);
+/// assert_eq!((&cosine * &w).to_string(), "(cos(2*pi/5))*w");
+/// # Ok::<(), subcert::exact::CosineError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
 pub struct Polynomial {
     /// No coefficient is 0.
-    terms: BTreeMap<Monomial, Rational>,
+    terms: BTreeMap<Monomial, RealCyclotomic>,
 }
 
 impl Polynomial {
     /// The constant `value`.
     #[must_use]
-    pub fn constant(value: Rational) -> Polynomial {
-        Polynomial::monomial(Monomial::new(), value)
+    pub fn constant(value: impl Into<RealCyclotomic>) -> Polynomial {
+        Polynomial::monomial(Monomial::new(), value.into())
     }
 
     /// The variable `name`.
     #[must_use]
     pub fn variable(name: &str) -> Polynomial {
-        Polynomial::monomial(Monomial::from([(name.to_owned(), 1)]), Rational::one())
+        Polynomial::monomial(Monomial::from([(name.to_owned(), 1)]), RealCyclotomic::from(1))
     }
 
-    fn monomial(monomial: Monomial, coefficient: Rational) -> Polynomial {
-        if coefficient.is_zero() {
+    fn monomial(monomial: Monomial, coefficient: RealCyclotomic) -> Polynomial {
+        if is_zero(&coefficient) {
             return Polynomial::default();
         }
         Polynomial { terms: BTreeMap::from([(monomial, coefficient)]) }
@@ -46,9 +53,9 @@ impl Polynomial {
 
     /// The value of a constant polynomial; `None` when a variable remains.
     #[must_use]
-    pub fn as_constant(&self) -> Option<Rational> {
+    pub fn as_constant(&self) -> Option<RealCyclotomic> {
         match self.terms.len() {
-            0 => Some(Rational::zero()),
+            0 => Some(RealCyclotomic::zero()),
             1 => self.terms.get(&Monomial::new()).cloned(),
             _ => None,
         }
@@ -73,21 +80,17 @@ impl Polynomial {
         self.terms.keys().map(degree).max().unwrap_or(0)
     }
 
-    /// The number of binary digits of all coefficients together.
-    #[must_use]
-    pub fn bits(&self) -> u64 {
-        self.terms.values().map(Rational::bits).sum()
+    /// The coefficients, none of them 0.
+    pub fn coefficients(&self) -> impl Iterator<Item = &RealCyclotomic> {
+        self.terms.values()
     }
 
-    fn add_term(&mut self, monomial: Monomial, coefficient: &Rational) {
-        if coefficient.is_zero() {
-            return;
-        }
+    fn add_term(&mut self, monomial: Monomial, coefficient: RealCyclotomic) {
         let sum = match self.terms.get(&monomial) {
-            Some(present) => present + coefficient,
-            None => coefficient.clone(),
+            Some(present) => present + &coefficient,
+            None => coefficient,
         };
-        if sum.is_zero() {
+        if is_zero(&sum) {
             self.terms.remove(&monomial);
         } else {
             self.terms.insert(monomial, sum);
@@ -95,12 +98,16 @@ impl Polynomial {
     }
 }
 
+fn is_zero(value: &RealCyclotomic) -> bool {
+    value.as_rational().is_some_and(Rational::is_zero)
+}
+
 impl Add for &Polynomial {
     type Output = Polynomial;
     fn add(self, other: &Polynomial) -> Polynomial {
         let mut sum = self.clone();
         for (monomial, coefficient) in &other.terms {
-            sum.add_term(monomial.clone(), coefficient);
+            sum.add_term(monomial.clone(), coefficient.clone());
         }
         sum
     }
@@ -111,7 +118,7 @@ impl Sub for &Polynomial {
     fn sub(self, other: &Polynomial) -> Polynomial {
         let mut difference = self.clone();
         for (monomial, coefficient) in &other.terms {
-            difference.add_term(monomial.clone(), &-coefficient);
+            difference.add_term(monomial.clone(), -coefficient);
         }
         difference
     }
@@ -128,7 +135,7 @@ impl Mul for &Polynomial {
                     let sum = monomial.entry(variable.clone()).or_insert(0);
                     *sum = sum.checked_add(*exponent).expect("an exponent below 2^32");
                 }
-                product.add_term(monomial, &(a * b));
+                product.add_term(monomial, a * b);
             }
         }
         product
@@ -142,26 +149,36 @@ impl fmt::Display for Polynomial {
         }
         let mut text = String::new();
         for (monomial, coefficient) in &self.terms {
-            let negative = coefficient.sign() < 0;
+            let (negative, term) = term(monomial, coefficient);
             text.push_str(match (text.is_empty(), negative) {
                 (true, true) => "-",
                 (true, false) => "",
                 (false, true) => " - ",
                 (false, false) => " + ",
             });
-            let magnitude = coefficient.abs();
-            let mut factors = Vec::new();
-            if monomial.is_empty() || magnitude != Rational::one() {
-                factors.push(magnitude.to_string());
-            }
-            for (variable, exponent) in monomial {
-                factors.push(match exponent {
-                    1 => variable.clone(),
-                    _ => format!("{variable}^{exponent}"),
-                });
-            }
-            text.push_str(&factors.join("*"));
+            text.push_str(&term);
         }
         f.pad(&text)
     }
+}
+
+/// A term without its sign, and whether that is a minus. An irrational coefficient
+/// is a sum itself, and stands in parentheses before variables.
+fn term(monomial: &Monomial, coefficient: &RealCyclotomic) -> (bool, String) {
+    let (negative, magnitude) = match coefficient.as_rational() {
+        Some(value) => (value.sign() < 0, value.abs().to_string()),
+        None if monomial.is_empty() => (false, coefficient.to_string()),
+        None => (false, format!("({coefficient})")),
+    };
+    let mut factors = Vec::new();
+    if monomial.is_empty() || magnitude != "1" {
+        factors.push(magnitude);
+    }
+    for (variable, exponent) in monomial {
+        factors.push(match exponent {
+            1 => variable.clone(),
+            _ => format!("{variable}^{exponent}"),
+        });
+    }
+    (negative, factors.join("*"))
 }

@@ -44,17 +44,46 @@ pub enum Node {
         /// The words after them, such as `order = forward`.
         options: Vec<OptionWord>,
     },
-    /// Σ of `body` over `index` = `from`, …, `to`.
-    Sum {
+    /// The sum or an extreme of `body` over `index` = `from`, …, `to`.
+    Fold {
+        /// What is done with the values of `body`.
+        fold: Fold,
         /// The name that `body` may use.
         index: String,
         /// The first index.
         from: Box<Expr>,
         /// The last index.
         to: Box<Expr>,
-        /// What is summed.
+        /// What is summed or compared.
         body: Box<Expr>,
     },
+}
+
+/// What becomes of the values of an expression over a range of an index.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fold {
+    /// Their sum; 0 when there are none.
+    Sum,
+    /// The greatest.
+    Max,
+    /// The least.
+    Min,
+}
+
+impl Fold {
+    /// The function with this name, if there is one.
+    pub(super) fn named(name: &str) -> Option<Fold> {
+        [Fold::Sum, Fold::Max, Fold::Min].into_iter().find(|fold| fold.name() == name)
+    }
+
+    /// The name of the function.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Fold::Sum => "sum",
+            Fold::Max => "max",
+            Fold::Min => "min",
+        }
+    }
 }
 
 /// An operator between two expressions.

@@ -35,11 +35,12 @@ pub(super) fn call<V: Value>(
     }
     Some(match (function, arguments) {
         ("abs", [x]) => x.absolute().ok_or(FormulaErrorKind::Unsupported(SYMBOLIC)),
-        ("max", [first, rest @ ..]) => extreme(first, rest, V::larger),
-        ("min", [first, rest @ ..]) => extreme(first, rest, |a, b| {
-            // min(a, b) = a + b - max(a, b), exactly.
-            Some(a.plus(b).minus(&a.larger(b)?))
-        }),
+        ("max", [first, rest @ ..]) => {
+            rest.iter().try_fold(first.clone(), |best, value| greater(&best, value))
+        }
+        ("min", [first, rest @ ..]) => {
+            rest.iter().try_fold(first.clone(), |best, value| lesser(&best, value))
+        }
         ("floor", [x]) => floor(x).map(|floor| V::from_rational(&Rational::from(floor))),
         ("ceil", [x]) => {
             floor(&V::zero().minus(x)).map(|floor| V::from_rational(&Rational::from(-floor)))
@@ -76,15 +77,15 @@ fn together<V: Value>(left: &V, right: &V) -> Result<(), FormulaErrorKind> {
     Ok(())
 }
 
-fn extreme<V: Value>(
-    first: &V,
-    rest: &[V],
-    choose: impl Fn(&V, &V) -> Option<V>,
-) -> Result<V, FormulaErrorKind> {
-    rest.iter().try_fold(first.clone(), |best, value| {
-        together(&best, value)?;
-        choose(&best, value).ok_or(FormulaErrorKind::Unsupported(SYMBOLIC))
-    })
+/// max(left, right).
+pub(super) fn greater<V: Value>(left: &V, right: &V) -> Result<V, FormulaErrorKind> {
+    together(left, right)?;
+    left.larger(right).ok_or(FormulaErrorKind::Unsupported(SYMBOLIC))
+}
+
+/// min(left, right) = left + right − max(left, right), exactly.
+pub(super) fn lesser<V: Value>(left: &V, right: &V) -> Result<V, FormulaErrorKind> {
+    Ok(left.plus(right).minus(&greater(left, right)?))
 }
 
 /// left ∘ right, in a field that holds both.

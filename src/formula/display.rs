@@ -73,8 +73,8 @@ impl fmt::Display for Expr {
                 }
                 f.write_str(")")
             }
-            Node::Sum { index, from, to, body } => {
-                write!(f, "sum({index} = {from}..{to}, {body})")
+            Node::Fold { fold, index, from, to, body } => {
+                write!(f, "{}({index} = {from}..{to}, {body})", fold.name())
             }
         }
     }

@@ -57,6 +57,9 @@ pub enum FormulaErrorKind {
     /// x/0.
     #[error("division by zero")]
     DivisionByZero,
+    /// The greatest or least value over an empty range.
+    #[error("the range is empty, so that there is no greatest or least value")]
+    EmptyRange,
     /// Something that the value's type cannot do, such as |w| of a symbol w.
     #[error("{0}")]
     Unsupported(&'static str),

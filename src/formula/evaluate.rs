@@ -1,7 +1,7 @@
 //! From tree to value.
 
 use super::angle::PI;
-use super::ast::{Expr, Node, Operator, OptionWord, Span};
+use super::ast::{Expr, Fold, Node, Operator, OptionWord, Span};
 use super::builtin;
 use super::error::{CallError, FormulaError, FormulaErrorKind};
 use super::value::Value;
@@ -186,10 +186,11 @@ impl<V: Value> Evaluator<'_, V> {
                 self.call(function, &arguments, options, indices)
                     .or_else(|kind| fail(kind, &expr.span))
             }
-            Node::Sum { index, from, to, body } => {
-                let first = self.integer("the first index of a sum", from, indices)?;
-                let last = self.integer("the last index of a sum", to, indices)?;
-                self.sum(index, first..=last, body, indices)
+            Node::Fold { fold, index, from, to, body } => {
+                let first = self.integer("the first index of a range", from, indices)?;
+                let last = self.integer("the last index of a range", to, indices)?;
+                self.fold(*fold, index, first..=last, body, indices)?
+                    .map_or_else(|| fail(FormulaErrorKind::EmptyRange, &expr.span), Ok)
             }
         }
     }
@@ -233,21 +234,32 @@ impl<V: Value> Evaluator<'_, V> {
         Ok(values)
     }
 
-    fn sum(
+    /// The sum or an extreme; `None` for the extremes of nothing.
+    fn fold(
         &self,
+        fold: Fold,
         index: &str,
         range: std::ops::RangeInclusive<i64>,
         body: &Expr,
         indices: &mut Vec<(String, V)>,
-    ) -> Result<V, FormulaError> {
-        let mut total = V::zero();
+    ) -> Result<Option<V>, FormulaError> {
+        let mut total = (fold == Fold::Sum).then(V::zero);
         for i in range {
             indices.insert(0, (index.to_owned(), V::from_rational(&Rational::from(i))));
             let term = self.value(body, indices);
             indices.remove(0);
-            let sum = builtin::apply(Operator::Add, &total, &term?)
-                .or_else(|kind| fail(kind, &body.span));
-            total = self.spend(sum?, &body.span)?;
+            let term = term?;
+            total = Some(match total {
+                None => term,
+                Some(total) => {
+                    let next = match fold {
+                        Fold::Sum => builtin::apply(Operator::Add, &total, &term),
+                        Fold::Max => builtin::greater(&total, &term),
+                        Fold::Min => builtin::lesser(&total, &term),
+                    };
+                    self.spend(next.or_else(|kind| fail(kind, &body.span))?, &body.span)?
+                }
+            });
         }
         Ok(total)
     }

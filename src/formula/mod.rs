@@ -8,7 +8,8 @@
 //! x^k                           k an integer, also negative
 //! abs(x)  min(x, …)  max(x, …)  floor(x)  ceil(x)
 //! binomial(t, k)                t(t-1)…(t-k+1)/k!, t rational, k = 0, 1, …
-//! sum(h = 1..m, body)           empty when m < 1
+//! sum(h = 1..m, body)           0 when m < 1
+//! max(h = 1..m, body)  min(…)   over a range, which must not be empty
 //! cos(2*pi*j/n)                 of any rational multiple of pi
 //! T(c, order = forward)         whatever the context offers; options are words
 //! ```
@@ -19,8 +20,8 @@
 //!
 //! `pi` is a reserved name, for angles: it stands inside `cos` only, written out
 //! there, in sums, products and above division bars. A cosine is a
-//! [`RealCyclotomic`](crate::exact::RealCyclotomic) number; over rationals and
-//! polynomials a formula has a value where its cosines are rational.
+//! [`RealCyclotomic`](crate::exact::RealCyclotomic) number; over rationals a
+//! formula has a value where its cosines are rational.
 //!
 //! ```
 //! use subcert::exact::{Rational, RealCyclotomic};
@@ -47,7 +48,7 @@ mod scope;
 mod value;
 
 pub use angle::PI;
-pub use ast::{Expr, Node, Operator, OptionWord, Span};
+pub use ast::{Expr, Fold, Node, Operator, OptionWord, Span};
 pub use error::{CallError, FormulaError, FormulaErrorKind};
 pub use evaluate::{Call, Context, Lookup, Parameters, Work, evaluate};
 pub use located::LocatedFormula;

@@ -1,6 +1,6 @@
 //! From text to tree, with winnow.
 
-use super::ast::{Expr, Node, Operator, OptionWord, Span};
+use super::ast::{Expr, Fold, Node, Operator, OptionWord, Span};
 use super::error::{FormulaError, FormulaErrorKind};
 use crate::exact::parse_decimal;
 use winnow::Parser;
@@ -257,10 +257,11 @@ fn name_or_call(input: &mut Input<'_>) -> Parsed<Expr> {
     if opt(symbol('(')).parse_next(input)?.is_none() {
         return Ok(Expr { node: Node::Name(name.to_owned()), span: start..end });
     }
-    let node = if name == "sum" {
-        nested(sum).parse_next(input)?
-    } else {
-        nested(|input: &mut Input<'_>| call(input, name)).parse_next(input)?
+    let node = match Fold::named(name) {
+        Some(fold) if fold == Fold::Sum || peek(opt(index)).parse_next(input)?.is_some() => {
+            nested(|input: &mut Input<'_>| over_range(input, fold)).parse_next(input)?
+        }
+        _ => nested(|input: &mut Input<'_>| call(input, name)).parse_next(input)?,
     };
     required("`,` or `)`", ')').parse_next(input)?;
     let end = input.previous_token_end();
@@ -276,17 +277,22 @@ fn indices(input: &mut Input<'_>) -> Parsed<Vec<Expr>> {
     Ok(indices)
 }
 
-fn sum(input: &mut Input<'_>) -> Parsed<Node> {
+/// `h =`
+fn index<'a>(input: &mut Input<'a>) -> Parsed<&'a str> {
+    (identifier, space, symbol('=')).map(|(index, ..)| index).parse_next(input)
+}
+
+fn over_range(input: &mut Input<'_>, fold: Fold) -> Parsed<Node> {
     let index = required("an index, as in sum(h = 1..m, …)", identifier).parse_next(input)?;
     space(input)?;
     required("`=`", symbol('=')).parse_next(input)?;
     let from = expression(input)?;
     required("`..` and the last index", ("..", space)).parse_next(input)?;
     let to = expression(input)?;
-    required("`,` and what is summed", symbol(',')).parse_next(input)?;
+    required("`,` and what is summed or compared", symbol(',')).parse_next(input)?;
     let body = cut_err(expression).parse_next(input)?;
     let index = index.to_owned();
-    Ok(Node::Sum { index, from: Box::new(from), to: Box::new(to), body: Box::new(body) })
+    Ok(Node::Fold { fold, index, from: Box::new(from), to: Box::new(to), body: Box::new(body) })
 }
 
 fn call(input: &mut Input<'_>, function: &str) -> Parsed<Node> {

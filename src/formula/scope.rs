@@ -12,16 +12,17 @@ const MAX_DEFINITION_DEPTH: usize = 32;
 
 /// The functions that a scope offers beyond the language's own.
 pub trait Functions<V> {
-    /// The value of a function.
+    /// The value of a function. `context` is the scope that it is called in, for
+    /// functions that evaluate named formulas themselves.
     ///
     /// # Errors
     /// When there is no such function, or no such value.
-    fn call(&self, call: &Call<'_, V>) -> Result<V, CallError>;
+    fn call(&self, call: &Call<'_, V>, context: &dyn Context<V>) -> Result<V, CallError>;
 }
 
 /// No functions.
 impl<V> Functions<V> for () {
-    fn call(&self, _: &Call<'_, V>) -> Result<V, CallError> {
+    fn call(&self, _: &Call<'_, V>, _: &dyn Context<V>) -> Result<V, CallError> {
         Err(CallError::UnknownFunction(Vec::new()))
     }
 }
@@ -117,6 +118,6 @@ impl<V: Value> Context<V> for Scope<'_, V> {
     }
 
     fn call(&self, call: &Call<'_, V>) -> Result<V, CallError> {
-        self.functions.call(call)
+        self.functions.call(call, self)
     }
 }

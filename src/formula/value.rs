@@ -74,25 +74,45 @@ impl Value for Rational {
 
 impl Value for Polynomial {
     fn as_rational(&self) -> Option<Rational> {
-        self.as_constant()
+        self.as_constant()?.as_rational().cloned()
     }
     fn size(&self) -> u64 {
-        (self.term_count() as u64 * TERM_BITS + self.bits()).max(self.degree())
+        let bits = self.coefficients().map(|c| TERM_BITS + c.bits()).sum();
+        self.degree().max(bits)
     }
     fn product_size(&self, other: &Self) -> u64 {
+        // Every coefficient of the one by every coefficient of the other.
         let (left, right) = (self.term_count() as u64, other.term_count() as u64);
-        let bits = left.saturating_mul(right.saturating_mul(TERM_BITS) + other.bits());
-        let bits = bits.saturating_add(right.saturating_mul(self.bits()));
+        let bits = |p: &Polynomial| p.coefficients().map(RealCyclotomic::bits).sum::<u64>();
+        let terms = |p: &Polynomial| p.coefficients().map(|c| c.term_count() as u64).sum::<u64>();
+        let bits = left.saturating_mul(right.saturating_mul(TERM_BITS) + bits(other))
+            .saturating_add(right.saturating_mul(bits(self)))
+            .saturating_add(terms(self).saturating_mul(terms(other)));
         bits.max(self.degree() + other.degree())
     }
+    fn quotient_size(&self, divisor: &Self) -> u64 {
+        let inverse = divisor.as_constant().map_or(0, |divisor| divisor.recip_cost());
+        self.product_size(divisor).saturating_add(inverse)
+    }
     fn quotient(&self, divisor: &Self) -> Option<Self> {
-        Some(self * &Polynomial::constant(divisor.as_constant()?.recip()))
+        let inverse = &RealCyclotomic::from(1) / &divisor.as_constant()?;
+        Some(self * &Polynomial::constant(inverse))
     }
     fn absolute(&self) -> Option<Self> {
         Some(Polynomial::constant(self.as_constant()?.abs()))
     }
     fn larger(&self, other: &Self) -> Option<Self> {
         Some(Polynomial::constant(self.as_constant()?.max(other.as_constant()?)))
+    }
+    fn floor(&self) -> Option<Integer> {
+        Some(self.as_constant()?.floor())
+    }
+    fn cosine(turn: &Rational) -> Result<Self, CosineError> {
+        RealCyclotomic::cosine(turn).map(Polynomial::constant)
+    }
+    fn conductor(&self) -> u32 {
+        // What is brought together has a common field, so this stays below the cap.
+        self.coefficients().map(RealCyclotomic::conductor).fold(1, num_integer::lcm)
     }
 }
 

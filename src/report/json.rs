@@ -52,7 +52,7 @@ fn cell(cell: &CellFinding) -> Value {
         "locus": cell.locus,
         "kind": "number",
         "printed": cell.printed,
-        "exact": cell.exact.as_ref().map(Rational::to_string),
+        "exact": cell.exact.as_ref().map(ToString::to_string),
         "decimal": cell.exact.as_ref().map(|exact| short(exact, DECIMAL_DIGITS)),
         "verdict": cell.verdict.name(),
         "reading": null,

@@ -78,6 +78,16 @@ pub enum SchemeError {
         /// Those it has.
         known: Vec<String>,
     },
+    /// A parameter that is irrational where only rational ones are computed with.
+    #[error("`{scheme}` is computed for rational `{parameter}` only here, and not for {value}")]
+    IrrationalParameter {
+        /// The scheme.
+        scheme: String,
+        /// The parameter.
+        parameter: String,
+        /// Its value.
+        value: String,
+    },
     /// A file that cannot be read.
     #[error("cannot read `{path}`: {reason}")]
     Unreadable {

@@ -3,7 +3,7 @@
 use super::{kind, value};
 use proptest::prelude::*;
 use subcert::diagnostic::SourceText;
-use subcert::exact::{Polynomial, Rational};
+use subcert::exact::{Polynomial, RealCyclotomic};
 use subcert::formula::{FormulaErrorKind, LocatedFormula, Parameters, evaluate, parse};
 
 #[test]
@@ -26,9 +26,11 @@ fn errors_point_at_the_bytes_they_are_about() {
         ("μ/(2 - 2)", "(2 - 2)", "division by zero"),
         ("1 + 0^-1", "0^-1", "division by zero"),
         ("1 + 2^(1/2)", "2^(1/2)", "an exponent must be an integer, and is 1/2"),
-        ("sum(h = 1/2..3, h)", "1/2", "the first index of a sum must be an integer"),
-        ("sum(h = 1..w, h)", "w", "the last index of a sum must be an integer"),
+        ("sum(h = 1/2..3, h)", "1/2", "the first index of a range must be an integer"),
+        ("sum(h = 1..w, h)", "w", "the last index of a range must be an integer"),
         ("sum(1 = 1..2, 3)", "1", "an index"),
+        ("max(h = 2..1, h)", "max(h = 2..1, h)", "the range is empty"),
+        ("min(h = 1..2)", ")", "`,` and what is summed or compared"),
         ("sum(h = 1, h)", ",", "`..`"),
         ("sum(h = 1..2)", ")", "`,` and what is summed"),
         ("sum(h = 1..2, k)", "k", "unknown name `k`"),
@@ -85,7 +87,7 @@ fn symbols_have_no_order_and_no_reciprocal() {
     }
     // What cancels is a number again.
     let one = evaluate(&parse("abs(w - w - 1)/(w - w + 1)").unwrap(), &symbols);
-    assert_eq!(one.unwrap().as_constant(), Some(Rational::one()));
+    assert_eq!(one.unwrap().as_constant(), Some(RealCyclotomic::from(1)));
     let error = evaluate(&parse("1/(w - w)").unwrap(), &symbols).unwrap_err();
     assert_eq!(error.kind, FormulaErrorKind::DivisionByZero);
 }

@@ -4,6 +4,7 @@ use super::{definition, definitions, r};
 use std::collections::BTreeMap;
 use subcert::exact::{Polynomial, Rational};
 use subcert::formula::{
+    Context,
     Call, CallError, FormulaErrorKind, Functions, LocatedFormula, Scope, evaluate, parse,
 };
 
@@ -90,7 +91,11 @@ fn definitions_share_one_cap_on_depth() {
 struct Pairs;
 
 impl Functions<Rational> for Pairs {
-    fn call(&self, call: &Call<'_, Rational>) -> Result<Rational, CallError> {
+    fn call(
+        &self,
+        call: &Call<'_, Rational>,
+        _: &dyn Context<Rational>,
+    ) -> Result<Rational, CallError> {
         match (call.function, call.arguments) {
             ("pair", [a, b]) => match call.options {
                 [option] if option.name == "order" && option.word == "forward" => Ok(a - b),

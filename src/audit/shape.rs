@@ -1,0 +1,175 @@
+//! Masks over any numbers, and the functions that only read coefficients.
+
+use super::library::{Library, Unresolved};
+use super::options::Options;
+use super::quantity::{QUANTITIES, check_name, name_of, reference, unresolved};
+use super::series;
+use crate::bound::{Recursion, convolution_coefficient, sequence};
+use crate::exact::Rational;
+use crate::formula::{Call, CallError, Context, FormulaErrorKind, Functions, Parameters, Value};
+use crate::scheme::{Instance, Mask, Reference, Rules};
+use std::borrow::Borrow;
+use std::cell::{OnceCell, RefCell};
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+/// A mask over any numbers, with its difference mask once that is asked for.
+pub(super) struct Shape<V> {
+    pub(super) mask: Mask<V>,
+    difference: OnceCell<Rules<V>>,
+}
+
+impl<V: Value> Shape<V> {
+    fn new(masks: Vec<Mask<V>>) -> Rc<Shape<V>> {
+        let mask = masks.into_iter().next().expect("a scheme has one mask or two");
+        Rc::new(Shape { mask, difference: OnceCell::new() })
+    }
+
+    pub(super) fn difference(&self) -> &Rules<V> {
+        self.difference.get_or_init(|| self.mask.difference())
+    }
+}
+
+/// A scheme, one name with parameters per direction, and its shape.
+type Own<V> = (Vec<Instance<V>>, Rc<Shape<V>>);
+
+/// The shapes of the schemes that an identity refers to: its own at the last
+/// parameters, and those that are named in formulas.
+pub(super) struct Shapes<'a, V> {
+    library: &'a Library<'a>,
+    own: RefCell<Option<Own<V>>>,
+    named: RefCell<BTreeMap<String, Rc<Shape<V>>>>,
+}
+
+impl<'a, V: Value + PartialEq> Shapes<'a, V> {
+    pub(super) fn new(library: &'a Library<'a>) -> Shapes<'a, V> {
+        Shapes { library, own: RefCell::default(), named: RefCell::default() }
+    }
+
+    /// The shape of the scheme that `reference` means in `context`.
+    pub(super) fn own(
+        &self,
+        reference: &Reference,
+        context: &dyn Context<V>,
+    ) -> Result<Rc<Shape<V>>, Unresolved> {
+        let instances = self.library.instances(reference, context)?;
+        if let Some((known, shape)) = &*self.own.borrow()
+            && *known == instances
+        {
+            return Ok(Rc::clone(shape));
+        }
+        let shape = Shape::new(self.library.masks(&instances)?);
+        *self.own.borrow_mut() = Some((instances, Rc::clone(&shape)));
+        Ok(shape)
+    }
+
+    fn named(&self, name: &str) -> Result<Rc<Shape<V>>, CallError> {
+        if let Some(shape) = self.named.borrow().get(name) {
+            return Ok(Rc::clone(shape));
+        }
+        let instances = self.library.instances(&reference(name)?, &Parameters::<V>::default());
+        let masks = instances.and_then(|instances| self.library.masks(&instances));
+        let shape = Shape::new(masks.map_err(|error| unresolved(name, error))?);
+        self.named.borrow_mut().insert(name.to_owned(), Rc::clone(&shape));
+        Ok(shape)
+    }
+}
+
+/// The coefficients of a scheme over any numbers, for identities.
+pub(super) struct Coefficients<'a, V> {
+    pub(super) shapes: &'a Shapes<'a, V>,
+    pub(super) own: Option<Rc<Shape<V>>>,
+}
+
+impl<V: Value + PartialEq> Functions<V> for Coefficients<'_, V> {
+    fn call(&self, call: &Call<'_, V>, context: &dyn Context<V>) -> Result<V, CallError> {
+        let mut options = Options::new(call);
+        if let Some(value) = series::call(call, context, &mut options) {
+            return options.finished(value?);
+        }
+        let found = self.shape(call, &mut options)?;
+        let value = shape(&found.mask, || found.difference(), call, &mut options)?;
+        options.finished(value)
+    }
+}
+
+impl<V: Value + PartialEq> Coefficients<'_, V> {
+    /// The scheme that a call is about.
+    pub(super) fn shape(
+        &self,
+        call: &Call<'_, V>,
+        options: &mut Options<'_>,
+    ) -> Result<Rc<Shape<V>>, CallError> {
+        check_name(call.function)?;
+        match options.take("scheme") {
+            Some(name) => self.shapes.named(&name),
+            None => self.own.clone().ok_or_else(|| {
+                CallError::Misuse("this needs a scheme: give the claim one".to_owned())
+            }),
+        }
+    }
+}
+
+/// The functions that only read coefficients.
+pub(super) fn shape<V: Value, R: Borrow<Rules<V>>>(
+    mask: &Mask<V>,
+    difference: impl FnOnce() -> R,
+    call: &Call<'_, V>,
+    options: &mut Options<'_>,
+) -> Result<V, CallError> {
+    let number = |value: usize| V::from_rational(&Rational::from(value));
+    match (call.function, call.arguments) {
+        ("mask", [rule, column]) => coefficient(mask.rules(), rule, column),
+        ("difference", [rule, column]) => coefficient(difference().borrow(), rule, column),
+        ("convolution", [c, l, f]) => {
+            let (order, recursion) = (options.order()?, options.recursion()?);
+            let c = u32::try_from(index("a number of convolutions", c)?).unwrap_or(0);
+            let most = match recursion {
+                Recursion::Derived => MAX_CONVOLUTIONS,
+                Recursion::Printed => MAX_PRINTED_CONVOLUTIONS,
+            };
+            if !(1..=most).contains(&c) {
+                let message = format!("from 1 to {most} convolutions here, and not {c}");
+                return Err(CallError::Misuse(message));
+            }
+            let (l, f) = (index("the index l", l)?, index("the index f", f)?);
+            let t = sequence(difference().borrow(), order);
+            Ok(convolution_coefficient(&t, mask.arity(), c, l, f, recursion))
+        }
+        ("arity", []) => Ok(number(mask.arity())),
+        ("width", []) => Ok(number(mask.width())),
+        (name, given) => {
+            let usage = QUANTITIES.iter().find(|(usage, _)| name_of(usage) == name);
+            let usage = usage.map_or(name, |(usage, _)| usage);
+            let count = given.len();
+            let message =
+                format!("`{name}` cannot be used so with {count} arguments; its form is {usage}");
+            Err(CallError::Misuse(message))
+        }
+    }
+}
+
+/// The most convolutions whose coefficients are summed term by term.
+const MAX_CONVOLUTIONS: u32 = 4;
+
+/// The same by the printed recursion, whose terms are far more.
+const MAX_PRINTED_CONVOLUTIONS: u32 = 3;
+
+pub(super) fn index<V: Value>(what: &'static str, value: &V) -> Result<i64, CallError> {
+    let integer = value.as_rational().filter(Rational::is_integer);
+    let integer = integer.and_then(|value| value.numerator().to_i64());
+    integer.filter(|value| value.abs() <= 1_000_000).ok_or_else(|| {
+        CallError::Inner(FormulaErrorKind::NotAnInteger { what, value: value.to_string() })
+    })
+}
+
+fn coefficient<V: Value>(rules: &Rules<V>, rule: &V, column: &V) -> Result<V, CallError> {
+    let (rule, column) = (index("the index of a rule", rule)?, index("a column", column)?);
+    let row = usize::try_from(rule).ok().and_then(|rule| rules.rows().get(rule));
+    let row = row.ok_or_else(|| {
+        let last = rules.arity() - 1;
+        CallError::Misuse(format!("there is no rule {rule}; the rules are 0 to {last}"))
+    })?;
+    let entry = usize::try_from(column).ok().and_then(|column| row.get(column));
+    Ok(entry.cloned().unwrap_or_else(V::zero))
+}
