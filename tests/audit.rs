@@ -8,10 +8,14 @@ use subcert::audit::{
 };
 use subcert::claim::{Paper, embedded, embedded_papers, read_paper};
 use subcert::diagnostic::SourceText;
-use subcert::exact::{Rational, parse_decimal};
+use subcert::exact::{Rational, RealCyclotomic, parse_decimal};
 
 fn q(p: i64, q: i64) -> Rational {
     Rational::new(p, q)
+}
+
+fn exact(p: i64, q: i64) -> Option<RealCyclotomic> {
+    Some(Rational::new(p, q).into())
 }
 
 fn paper(text: &str) -> Paper {
@@ -124,7 +128,7 @@ fn every_embedded_paper_reads_and_counts() {
             ("mustafa2007-ternary".to_owned(), 0),
             ("khan2019-newton".to_owned(), 54),
             ("mustafa2020-nary".to_owned(), 240),
-            ("khan2022-doo-sabin".to_owned(), 0),
+            ("khan2022-doo-sabin".to_owned(), 200),
         ]
     );
 }
@@ -141,7 +145,7 @@ fn cells_of_the_papers() {
     };
     // (6.26) as printed: σ = |Σ τ| = 5/4, ξ = |Σ b| = 1/2 for the 4-point scheme.
     let four_point = cell("khan2019-newton:table-1:2:1");
-    assert_eq!(four_point.exact, Some(q(1, 80)));
+    assert_eq!(four_point.exact, exact(1, 80));
     assert_eq!(four_point.verdict, Verdict::Refuted);
     // σ = Σ|τ| = 87/64, T_1 = 21/32: 87/64 · 1/100 · (21/32)/(1 − 21/32), or less.
     let Some(Sound::Bound(sound)) = &four_point.sound else { panic!("{:?}", four_point.sound) };
@@ -149,20 +153,34 @@ fn cells_of_the_papers() {
     assert_eq!(cell("khan2019-newton:table-1:1:4").verdict, Verdict::Confirmed);
     assert_eq!(cell("khan2019-newton:table-3:1:1").verdict, Verdict::Misprint(Slip::Exponent(1)));
     let quinary = cell("mustafa2020-nary:table-13:1:4");
-    assert_eq!(quinary.exact, Some(parse_decimal("0.05179648").expect("a decimal").value()));
+    assert_eq!(quinary.exact, Some(parse_decimal("0.05179648").expect("a decimal").value().into()));
     assert_eq!(quinary.verdict, Verdict::Confirmed);
     let surface = cell("mustafa2020-nary:table-15:1:2");
-    assert_eq!(surface.exact, Some(parse_decimal("0.33789184").expect("a decimal").value()));
+    assert_eq!(surface.exact, Some(parse_decimal("0.33789184").expect("a decimal").value().into()));
     assert_eq!(surface.verdict, Verdict::Refuted);
     let lost = cell("mustafa2020-nary:table-5:1:1");
     assert_eq!(lost.verdict, Verdict::NotCheckable(Missing::Cell));
-    assert_eq!(lost.exact, Some(q(143, 324)));
+    assert_eq!(lost.exact, exact(143, 324));
     let depth = cell("mustafa2020-nary:table-2:1:1");
     assert_eq!(depth.printed.as_deref(), Some("11"));
     let missing = Missing::Parameters(vec!["tau".to_owned(), "w".to_owned()]);
     assert_eq!(depth.verdict, Verdict::NotCheckable(missing));
-    assert_eq!(depth.exact, Some(q(12, 1)));
+    assert_eq!(depth.exact, exact(12, 1));
     assert_eq!(depth.verdict_if_assumed, Some(Verdict::Rounding(Direction::DepthDown)));
+    // n = 5 and c = 1 by hand, from the weights 1/2, near, far, far, near of a rule.
+    let weight = |j| {
+        let cosine = RealCyclotomic::cosine(&q(j, 5)).expect("a small conductor");
+        &RealCyclotomic::from(q(3, 20)) + &(&RealCyclotomic::from(q(1, 10)) * &cosine)
+    };
+    let (half, near, far) = (RealCyclotomic::from(q(1, 2)), weight(1), weight(2));
+    let g = [&half - &near, RealCyclotomic::from(0), &far - &near, &far - &near];
+    let h = [&near - &half, &far - &half, &far - &half, &near - &half];
+    let largest = |t: &[RealCyclotomic; 4]| {
+        let sum = |class: usize| &t[class].abs() + &t[class + 2].abs();
+        sum(0).max(sum(1))
+    };
+    let product = &largest(&g) * &largest(&h);
+    assert_eq!(cell("khan2022-doo-sabin:table-1:3:1").exact, Some(product));
 }
 
 #[test]
@@ -176,7 +194,18 @@ fn equations_of_the_papers() {
                 | "khan2019-newton:lemma-6.1-b"
                 | "khan2019-newton:remark-4.1-size"
                 | "mustafa2007-ternary:eq-3.4"
+                | "khan2022-doo-sabin:eq-9"
+                | "khan2022-doo-sabin:eq-14"
+                | "khan2022-doo-sabin:eq-15"
+                | "khan2022-doo-sabin:eq-16"
                 | "khan2022-doo-sabin:eq-24"
+                | "khan2022-doo-sabin:eq-30"
+                | "khan2022-doo-sabin:eq-45"
+                | "khan2022-doo-sabin:eq-53"
+                | "khan2022-doo-sabin:eq-54-second"
+                | "khan2022-doo-sabin:eq-58"
+                | "khan2022-doo-sabin:eq-62"
+                | "khan2022-doo-sabin:eq-81"
                 | "khan2022-doo-sabin:eq-83"
                 | "khan2022-doo-sabin:eq-84-h"
                 | "mustafa2020-nary:eq-26-six-point"
@@ -195,6 +224,45 @@ fn equations_of_the_papers() {
             assert_eq!(finding.verdict.name(), expected, "{}", finding.id);
         }
     }
+}
+
+/// Cosines in tables: values, rounding, and depths by irrational ratios.
+#[test]
+fn tables_of_irrational_numbers() {
+    let table = |value: &str, promise: &str, header: &str, cells: &str| {
+        let text = format!(
+            "[[table]]\nid = 't'\nlocus = 'T'\nvalue = '{value}'\n{promise}\n\
+             columns = {{ name = 'n', values = [{header}] }}\ncells = [[{cells}]]\n"
+        );
+        let paper = paper(&text);
+        let audit = judged(&paper);
+        audit.tables[0].cells[0].iter().map(|cell| cell.verdict.clone()).collect::<Vec<_>>()
+    };
+    // 2cos(2π/n): 0.6180339…, 1.2469796…, 1.5320888….
+    assert_eq!(
+        table(
+            "2*cos(2*pi/n)",
+            "",
+            "'5', '5', '7', '9'",
+            "'0.61803', '0.6181', '1.247', '1.5302888'"
+        ),
+        [
+            Verdict::Confirmed,
+            Verdict::Rounding(Direction::Away),
+            Verdict::Confirmed,
+            Verdict::Misprint(Slip::Swap(4)),
+        ]
+    );
+    // (2cos 72°)^9 = 0.01315…, so that nine levels reach 0.0132, and eight do not.
+    assert_eq!(
+        table(
+            "levels(2*cos(2*pi/5), 0.0132)",
+            "promise = { tolerance = '0.0132', spread = '1' }",
+            "'1', '2', '3'",
+            "'9', '8', '10'"
+        ),
+        [Verdict::Confirmed, Verdict::Rounding(Direction::DepthDown), Verdict::Refuted]
+    );
 }
 
 /// Every number and every sign of every equation that holds matters: change one
@@ -228,7 +296,7 @@ fn a_changed_coefficient_is_caught() {
                 panic!("{id} still holds");
             };
             assert!(!failures.is_empty(), "{id}");
-            assert_eq!(failures[0].difference().as_constant(), Some(q(1, 1000)), "{id}");
+            assert_eq!(failures[0].difference().as_constant(), exact(1, 1000), "{id}");
         }
     }
 }

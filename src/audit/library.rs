@@ -1,5 +1,6 @@
 //! The schemes that a paper's claims are about, each with its constants once.
 
+use super::series::Norms;
 use crate::bound::{ClassCap, Constants, SoundBound};
 use crate::claim::{Paper, SchemeSource};
 use crate::diagnostic::Diagnostic;
@@ -36,6 +37,7 @@ pub(super) struct Library<'a> {
     paper: &'a Paper,
     constants: RefCell<BTreeMap<Instance, Rc<Constants>>>,
     sound: RefCell<BTreeMap<SoundKey, Rc<SoundBound>>>,
+    pub(super) norms: Norms<RealCyclotomic>,
 }
 
 /// A scheme with the constants of its masks, one per direction.
@@ -47,7 +49,8 @@ pub(super) struct Resolved {
 
 impl<'a> Library<'a> {
     pub(super) fn new(paper: &'a Paper) -> Library<'a> {
-        Library { paper, constants: RefCell::default(), sound: RefCell::default() }
+        let (constants, sound, norms) = Default::default();
+        Library { paper, constants, sound, norms }
     }
 
     /// The scheme that `reference` means in `context`.

@@ -79,7 +79,9 @@ impl Functions<Parametric> for Constants<'_> {
         context: &dyn Context<Parametric>,
     ) -> Result<Parametric, CallError> {
         let mut options = Options::new(call);
-        if let Some(value) = series::call(call, context, &mut options) {
+        if let Some(value) =
+            series::call(call, context, &mut options, &self.coefficients.shapes.norms)
+        {
             return options.finished(value?);
         }
         let found = self.coefficients.shape(call, &mut options)?;

@@ -108,7 +108,9 @@ impl Judge<'_> {
     fn number(&self, formula: &LocatedFormula, at: At<'_>) -> Result<Rational, NoSound> {
         match self.evaluate(formula, at)? {
             Outcome::Value(value) => value.as_rational().cloned().ok_or_else(|| {
-                NoSound::Because(format!("sound values are computed at rational numbers, not at {value}"))
+                NoSound::Because(format!(
+                    "sound values are computed at rational numbers, not at {value}"
+                ))
             }),
             outcome => Err(outcome.into()),
         }

@@ -72,7 +72,7 @@ impl Functions<RealCyclotomic> for Quantities<'_> {
         let mut options = Options::new(call);
         let value = match (call.function, call.arguments) {
             ("levels", [ratio, x]) => self.levels(ratio, x, &mut options)?,
-            _ => match series::call(call, context, &mut options) {
+            _ => match series::call(call, context, &mut options, &self.library.norms) {
                 Some(value) => value?,
                 None => self.of_scheme(call, &mut options)?,
             },

@@ -5,6 +5,7 @@ use super::shape::index;
 use crate::bound::{Recursion, convolution_coefficient, convolution_window};
 use crate::exact::{Rational, common_conductor};
 use crate::formula::{Call, CallError, Context, FormulaErrorKind, Lookup, Value};
+use std::cell::RefCell;
 
 /// The longest sequence.
 const MAX_LENGTH: usize = 1_000;
@@ -21,18 +22,25 @@ const MAX_PRODUCTS: usize = 1_000_000;
 /// The index of a sequence when the call does not name it.
 const INDEX: &str = "q";
 
+/// Norms of sequences by what they depend on, each computed once.
+pub(super) type Norms<V> = RefCell<Vec<(Key<V>, V)>>;
+
+/// A sequence, and the arity, number of convolutions, last index and recursion.
+type Key<V> = (Vec<V>, usize, u32, usize, Recursion);
+
 /// The value of a function of a sequence; `None` when `call` is another function.
-pub(super) fn call<V: Value>(
+pub(super) fn call<V: Value + PartialEq>(
     call: &Call<'_, V>,
     context: &dyn Context<V>,
     options: &mut Options<'_>,
+    known: &Norms<V>,
 ) -> Option<Result<V, CallError>> {
     Some(match (call.function, call.arguments) {
         ("convolved", [c, n, length, l, f]) => {
             coefficient(call, context, options, [c, n, length, l, f])
         }
         ("convolution_norm", [c, n, length, last]) => {
-            norm(call, context, options, [c, n, length, last])
+            norm(call, context, options, [c, n, length, last], known)
         }
         _ => return None,
     })
@@ -52,11 +60,12 @@ fn coefficient<V: Value>(
     Ok(convolution_coefficient(&terms, n, narrow(c), l, f, recursion))
 }
 
-fn norm<V: Value>(
+fn norm<V: Value + PartialEq>(
     call: &Call<'_, V>,
     context: &dyn Context<V>,
     options: &mut Options<'_>,
     [c, n, length, last]: [&V; 4],
+    known: &Norms<V>,
 ) -> Result<V, CallError> {
     let c = within("the number of convolutions", c, 1..=i64::from(MAX_CONVOLUTIONS))?;
     let n = within("the arity", n, 2..=16)?;
@@ -74,12 +83,22 @@ fn norm<V: Value>(
         );
         return Err(CallError::Misuse(message));
     }
-    let window = convolution_window(&terms, n, narrow(c), last, recursion);
+    let key = (terms, n, narrow(c), last, recursion);
+    if let Some((_, value)) = known.borrow().iter().find(|(other, _)| *other == key) {
+        return Ok(value.clone());
+    }
+    let value = largest_sum(&convolution_window(&key.0, n, narrow(c), last, recursion))?;
+    known.borrow_mut().push((key, value.clone()));
+    Ok(value)
+}
+
+/// The largest sum of absolute values of a row.
+fn largest_sum<V: Value>(rows: &[Vec<V>]) -> Result<V, CallError> {
     let symbolic = || {
         let what = "an absolute value has no value while a parameter is symbolic";
         CallError::Inner(FormulaErrorKind::Unsupported(what))
     };
-    window.iter().try_fold(V::zero(), |best, row| {
+    rows.iter().try_fold(V::zero(), |best, row| {
         let sum = row.iter().try_fold(V::zero(), |sum, term| {
             Ok::<V, CallError>(sum.plus(&term.absolute().ok_or_else(symbolic)?))
         })?;

@@ -3,7 +3,7 @@
 use super::library::{Library, Unresolved};
 use super::options::Options;
 use super::quantity::{QUANTITIES, check_name, name_of, reference, unresolved};
-use super::series;
+use super::series::{self, Norms};
 use crate::bound::{Recursion, convolution_coefficient, sequence};
 use crate::exact::Rational;
 use crate::formula::{Call, CallError, Context, FormulaErrorKind, Functions, Parameters, Value};
@@ -39,11 +39,13 @@ pub(super) struct Shapes<'a, V> {
     library: &'a Library<'a>,
     own: RefCell<Option<Own<V>>>,
     named: RefCell<BTreeMap<String, Rc<Shape<V>>>>,
+    pub(super) norms: Norms<V>,
 }
 
 impl<'a, V: Value + PartialEq> Shapes<'a, V> {
     pub(super) fn new(library: &'a Library<'a>) -> Shapes<'a, V> {
-        Shapes { library, own: RefCell::default(), named: RefCell::default() }
+        let (own, named, norms) = Default::default();
+        Shapes { library, own, named, norms }
     }
 
     /// The shape of the scheme that `reference` means in `context`.
@@ -84,7 +86,7 @@ pub(super) struct Coefficients<'a, V> {
 impl<V: Value + PartialEq> Functions<V> for Coefficients<'_, V> {
     fn call(&self, call: &Call<'_, V>, context: &dyn Context<V>) -> Result<V, CallError> {
         let mut options = Options::new(call);
-        if let Some(value) = series::call(call, context, &mut options) {
+        if let Some(value) = series::call(call, context, &mut options, &self.shapes.norms) {
             return options.finished(value?);
         }
         let found = self.shape(call, &mut options)?;

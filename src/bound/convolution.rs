@@ -137,6 +137,8 @@ pub fn convolution_window<S: Scalar>(
 
 /// left(z^step)·right(z), cut off after `length` coefficients.
 fn spread<S: Scalar>(left: &[S], right: &[S], step: usize, length: usize) -> Vec<S> {
+    let degree = left.len().saturating_sub(1).saturating_mul(step);
+    let length = length.min(degree.saturating_add(right.len()));
     let mut product = vec![S::zero(); length];
     for (i, a) in left.iter().enumerate().take_while(|(i, _)| i * step < length) {
         for (sum, b) in product[i * step..].iter_mut().zip(right) {

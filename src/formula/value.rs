@@ -85,7 +85,8 @@ impl Value for Polynomial {
         let (left, right) = (self.term_count() as u64, other.term_count() as u64);
         let bits = |p: &Polynomial| p.coefficients().map(RealCyclotomic::bits).sum::<u64>();
         let terms = |p: &Polynomial| p.coefficients().map(|c| c.term_count() as u64).sum::<u64>();
-        let bits = left.saturating_mul(right.saturating_mul(TERM_BITS) + bits(other))
+        let bits = left
+            .saturating_mul(right.saturating_mul(TERM_BITS) + bits(other))
             .saturating_add(right.saturating_mul(bits(self)))
             .saturating_add(terms(self).saturating_mul(terms(other)));
         bits.max(self.degree() + other.degree())

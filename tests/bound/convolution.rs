@@ -2,7 +2,9 @@
 
 use proptest::prelude::*;
 use subcert::bound::{Constants, power_norm};
-use subcert::bound::{Operator, Order, Recursion, convolution_coefficient, sequence};
+use subcert::bound::{
+    Operator, Order, Recursion, convolution_coefficient, convolution_window, sequence,
+};
 use subcert::exact::Rational;
 use subcert::scheme::{Rules, parse_scheme};
 
@@ -42,6 +44,33 @@ proptest! {
         let expected = expected.and_then(|at| product(&t, n, c).get(at).cloned());
         let found = convolution_coefficient(&t, n, c, l, f, Recursion::Derived);
         prop_assert_eq!(found, expected.unwrap_or_else(Rational::zero));
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(60))]
+
+    /// The window by products against the definition term by term, by both recursions.
+    #[test]
+    fn a_window_holds_the_coefficients(
+        entries in prop::collection::vec(-9_i64..10, 1..6),
+        n in 2_usize..4,
+        c in 1_u32..4,
+        last in 0_usize..70,
+        printed in any::<bool>(),
+    ) {
+        let t: Vec<Rational> = entries.iter().map(|&p| Rational::new(p, 4)).collect();
+        let recursion = if printed { Recursion::Printed } else { Recursion::Derived };
+        let window = convolution_window(&t, n, c, last, recursion);
+        let classes = n.pow(c).min(last + 1);
+        prop_assert_eq!(window.len(), classes);
+        for (f, row) in (last + 1 - classes..).zip(&window) {
+            prop_assert_eq!(row.len(), f / n.pow(c) + 1);
+            for (l, found) in (0..).zip(row) {
+                let f = i64::try_from(f).unwrap();
+                prop_assert_eq!(found, &convolution_coefficient(&t, n, c, l, f, recursion));
+            }
+        }
     }
 }
 

@@ -2,8 +2,8 @@
 
 use super::common::r;
 use proptest::prelude::*;
-use subcert::bound::{DepthError, MAX_DEPTH, Rounded, least_level, log_level};
-use subcert::exact::Rational;
+use subcert::bound::{DepthError, MAX_DEPTH, Rounded, least_level, log_level, log_level_algebraic};
+use subcert::exact::{Rational, RealCyclotomic};
 
 /// A ratio in (0, 1) and a positive number.
 fn ratio() -> impl Strategy<Value = Rational> {
@@ -118,4 +118,62 @@ fn what_has_no_depth() {
         let error = log_level(&r(5, 4), &r(2, 1), rounded).unwrap_err();
         assert_eq!(error, DepthError::NoContraction("1.25".to_owned()));
     }
+}
+
+/// A number of Q(2cos 2π/n) in (0, 1): |cos|, made smaller.
+fn algebraic_ratio() -> impl Strategy<Value = RealCyclotomic> {
+    (1_i64..12, 5_i64..13, 1_i64..10).prop_map(|(j, n, q)| {
+        let cosine = RealCyclotomic::cosine(&r(j, n)).unwrap();
+        let half = RealCyclotomic::from(r(1, 2));
+        &(&cosine.abs() * &RealCyclotomic::from(r(q, q + 1)))
+            + &(&half * &RealCyclotomic::from(r(1, q + 1)))
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(60))]
+
+    // By counting, at an equality, and a hair to either side of one.
+    #[test]
+    fn levels_of_algebraic_ratios(ratio in algebraic_ratio(), k in 0_u32..12, x in positive()) {
+        let one = RealCyclotomic::from(1);
+        let power = |k: u32| (0..k).fold(one.clone(), |product, _| &product * &ratio);
+        let up = (0..).find(|&k| power(k) <= RealCyclotomic::from(x.clone())).unwrap();
+        if up < 200 {
+            let x = RealCyclotomic::from(x.clone());
+            prop_assert_eq!(log_level_algebraic(&ratio, &x, Rounded::Up), Ok(up));
+        }
+        let hair = RealCyclotomic::from(r(1, 1_000_000_000_000));
+        let tie = power(k);
+        let (below, above) = (&tie * &(&one - &hair), &tie * &(&one + &hair));
+        for rounded in [Rounded::Up, Rounded::Nearest, Rounded::Down] {
+            prop_assert_eq!(log_level_algebraic(&ratio, &tie, rounded), Ok(k));
+        }
+        prop_assert_eq!(log_level_algebraic(&ratio, &below, Rounded::Up), Ok(k + 1));
+        prop_assert_eq!(log_level_algebraic(&ratio, &below, Rounded::Down), Ok(k));
+        prop_assert_eq!(log_level_algebraic(&ratio, &above, Rounded::Up), Ok(k));
+        // Half way between two levels of the squared ratio, to the greater.
+        let (square, half) = (&ratio * &ratio, power(2 * k + 1));
+        prop_assert_eq!(log_level_algebraic(&square, &half, Rounded::Nearest), Ok(k + 1));
+        let more = &half * &(&one + &hair);
+        prop_assert_eq!(log_level_algebraic(&square, &more, Rounded::Nearest), Ok(k));
+    }
+}
+
+#[test]
+fn algebraic_ratios_out_of_range() {
+    let cosine = |j, n| RealCyclotomic::cosine(&r(j, n)).unwrap();
+    let level = |ratio, x| log_level_algebraic(&ratio, &x, Rounded::Up);
+    let half = || RealCyclotomic::from(r(1, 2));
+    assert!(matches!(
+        level(cosine(2, 5), half()),
+        Err(DepthError::NotPositive { what: "the ratio", .. })
+    ));
+    assert!(matches!(level(half(), cosine(2, 5)), Err(DepthError::NotPositive { .. })));
+    let golden = &cosine(1, 10) + &cosine(1, 10);
+    assert!(matches!(level(golden, half()), Err(DepthError::NoContraction(_))));
+    // 1 − 10^-60, times a hair less than 1: beyond every cap, and quickly so.
+    let tiny = RealCyclotomic::from(Rational::power_of_ten(-60));
+    let near = &RealCyclotomic::from(1) - &(&tiny * &cosine(1, 5));
+    assert_eq!(level(near, half()), Err(DepthError::TooDeep));
 }

@@ -5,7 +5,7 @@ use num_bigint::BigInt;
 use num_integer::Integer as _;
 use num_traits::Signed as _;
 use proptest::prelude::*;
-use subcert::exact::{Decimal, Integer, Rational, Rounding, parse_decimal};
+use subcert::exact::{Decimal, Integer, Rational, RealCyclotomic, Rounding, parse_decimal};
 
 proptest! {
     // |x|/10^e = Q + R/d by long division: the digits Q + step came from x as the
@@ -75,6 +75,19 @@ fn hand_values() {
     ] {
         let decimal = parse_decimal(printed).unwrap();
         assert_eq!(decimal.rounding_of(&Rational::new(p, q)), expected, "{printed} of {p}/{q}");
+    }
+    // cos 72° = 0.309016994…, and its negative.
+    let cosine = RealCyclotomic::cosine(&Rational::new(1, 5)).unwrap();
+    for (printed, expected) in [
+        ("0.3090", Nearest),
+        ("0.309016", Truncated),
+        ("0.31", Nearest),
+        ("0.3091", Up),
+        ("0.308", Neither),
+    ] {
+        assert_eq!(parse_decimal(printed).unwrap().rounding_of(&cosine), expected, "{printed}");
+        let negative = parse_decimal(&format!("-{printed}")).unwrap();
+        assert_eq!(negative.rounding_of(&-&cosine), expected, "-{printed}");
     }
     let (low, high) = parse_decimal("-0.0310").unwrap().interval();
     assert_eq!((low, high), (Rational::new(-3105, 100_000), Rational::new(-3095, 100_000)));

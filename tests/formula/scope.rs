@@ -4,8 +4,7 @@ use super::{definition, definitions, r};
 use std::collections::BTreeMap;
 use subcert::exact::{Polynomial, Rational};
 use subcert::formula::{
-    Context,
-    Call, CallError, FormulaErrorKind, Functions, LocatedFormula, Scope, evaluate, parse,
+    Call, CallError, Context, FormulaErrorKind, Functions, LocatedFormula, Scope, evaluate, parse,
 };
 
 fn value(
