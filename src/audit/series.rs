@@ -8,13 +8,13 @@ use crate::formula::{Call, CallError, Context, FormulaErrorKind, Lookup, Value};
 use std::cell::RefCell;
 
 /// The longest sequence.
-const MAX_LENGTH: usize = 1_000;
+const MAX_LENGTH: i64 = 1_000;
 
 /// The most convolutions of a norm.
-const MAX_CONVOLUTIONS: u32 = 16;
+const MAX_CONVOLUTIONS: i64 = 16;
 
 /// The most convolutions of which single coefficients are summed term by term.
-const MAX_COEFFICIENT_CONVOLUTIONS: u32 = 3;
+const MAX_COEFFICIENT_CONVOLUTIONS: i64 = 3;
 
 /// The most products of one convolution: the last index times the length.
 const MAX_PRODUCTS: usize = 1_000_000;
@@ -52,7 +52,7 @@ fn coefficient<V: Value>(
     options: &mut Options<'_>,
     [c, n, length, l, f]: [&V; 5],
 ) -> Result<V, CallError> {
-    let c = within("the number of convolutions", c, 1..=i64::from(MAX_COEFFICIENT_CONVOLUTIONS))?;
+    let c = within("the number of convolutions", c, 1..=MAX_COEFFICIENT_CONVOLUTIONS)?;
     let n = within("the arity", n, 2..=16)?;
     let (l, f) = (index("the index l", l)?, index("the index f", f)?);
     let recursion = options.recursion()?;
@@ -67,7 +67,7 @@ fn norm<V: Value + PartialEq>(
     [c, n, length, last]: [&V; 4],
     known: &Norms<V>,
 ) -> Result<V, CallError> {
-    let c = within("the number of convolutions", c, 1..=i64::from(MAX_CONVOLUTIONS))?;
+    let c = within("the number of convolutions", c, 1..=MAX_CONVOLUTIONS)?;
     let n = within("the arity", n, 2..=16)?;
     let last = within("the last index", last, 0..=1_000_000)?;
     let recursion = options.recursion()?;
@@ -113,7 +113,7 @@ fn sequence<V: Value>(
     options: &mut Options<'_>,
     length: &V,
 ) -> Result<Vec<V>, CallError> {
-    let length = within("the length of a sequence", length, 1..=MAX_LENGTH as i64)?;
+    let length = within("the length of a sequence", length, 1..=MAX_LENGTH)?;
     let name = options.take("sequence").ok_or_else(|| {
         let message = "name the definition that gives the sequence: `sequence = g`";
         CallError::Misuse(message.to_owned())
