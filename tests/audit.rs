@@ -336,6 +336,18 @@ fn a_name_for_a_scheme_sees_the_parameters_where_it_is_used() {
 }
 
 /// A value that the program cannot reach says nothing about the printed number.
+/// What is wrong in a definition is underlined there, and the claim that needs it is named.
+#[test]
+fn an_error_in_a_definition_is_shown_there() {
+    let paper = paper(
+        "[define]\nbound = '2*inner'\ninner = '1 + nobody'\n[[table]]\nid = 't'\nlocus = 'T'\n\
+         value = 'bound + x'\ncolumns = { name = 'x', values = ['1'] }\ncells = [['1']]\n",
+    );
+    let error = audit(&paper).expect_err("an unknown name");
+    assert_eq!(&error.source.text[error.span.clone()], "nobody");
+    assert_eq!(error.help.as_deref(), Some("this definition is needed for `bound + x`"));
+}
+
 #[test]
 fn a_value_beyond_the_caps_is_not_checkable() {
     let text = "[[table]]\nid = 't'\nlocus = 'T'\nscheme = 'chaikin'\n\

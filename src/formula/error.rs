@@ -2,6 +2,7 @@
 
 use super::ast::Span;
 use super::parse::{MAX_FORMULA_LENGTH, MAX_NESTING};
+use crate::diagnostic::Diagnostic;
 
 /// An error in a formula, with the bytes it is about.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -11,6 +12,8 @@ pub struct FormulaError {
     pub kind: FormulaErrorKind,
     /// Where, in bytes of the formula.
     pub span: Span,
+    /// The place in a definition, when the formula names one that is wrong.
+    pub definition: Option<Box<Diagnostic>>,
 }
 
 /// What is wrong with a formula.
@@ -105,4 +108,6 @@ pub enum CallError {
     Undefined(String),
     /// An error in a formula that the function stands for.
     Inner(FormulaErrorKind),
+    /// An error in a definition in a file, and its place there.
+    Definition(FormulaErrorKind, Box<Diagnostic>),
 }

@@ -129,7 +129,7 @@ pub(super) struct Evaluator<'a, V> {
 }
 
 pub(super) fn fail<T>(kind: FormulaErrorKind, span: &Span) -> Result<T, FormulaError> {
-    Err(FormulaError { kind, span: span.clone() })
+    Err(FormulaError { kind, span: span.clone(), definition: None })
 }
 
 impl<V: Value> Evaluator<'_, V> {
@@ -183,8 +183,7 @@ impl<V: Value> Evaluator<'_, V> {
             }
             Node::Call { function, arguments, options } => {
                 let arguments = self.arguments(arguments, indices)?;
-                self.call(function, &arguments, options, indices)
-                    .or_else(|kind| fail(kind, &expr.span))
+                self.call(function, &arguments, options, indices, &expr.span)
             }
             Node::Fold { fold, index, from, to, body } => {
                 let first = self.integer("the first index of a range", from, indices)?;
@@ -278,7 +277,7 @@ impl<V: Value> Evaluator<'_, V> {
                 let known = self.context.names();
                 fail(FormulaErrorKind::UnknownName { name: name.to_owned(), known }, span)
             }
-            Err(error) => fail(kind_of(error, name), span),
+            Err(error) => fail_call(error, name, span),
         }
     }
 
@@ -298,23 +297,27 @@ impl<V: Value> Evaluator<'_, V> {
         arguments: &[V],
         options: &[OptionWord],
         indices: &[(String, V)],
-    ) -> Result<V, FormulaErrorKind> {
+        span: &Span,
+    ) -> Result<V, FormulaError> {
         if let Some(value) = builtin::call(function, arguments, options) {
-            return value;
+            return value.or_else(|kind| fail(kind, span));
         }
         let call = Call { function, arguments, options, indices };
-        self.context.call(&call).map_err(|error| kind_of(error, function))
+        self.context.call(&call).or_else(|error| fail_call(error, function, span))
     }
 }
 
-fn kind_of(error: CallError, name: &str) -> FormulaErrorKind {
-    match error {
+/// The error of a name or function of the context, which stands at `span`.
+fn fail_call<T>(error: CallError, name: &str, span: &Span) -> Result<T, FormulaError> {
+    let (kind, definition) = match error {
         CallError::UnknownFunction(mut known) => {
             known.extend(builtin::NAMES.iter().map(|&name| name.to_owned()));
-            FormulaErrorKind::UnknownFunction { name: name.to_owned(), known }
+            (FormulaErrorKind::UnknownFunction { name: name.to_owned(), known }, None)
         }
-        CallError::Misuse(message) => FormulaErrorKind::Call(message),
-        CallError::Undefined(message) => FormulaErrorKind::Undefined(message),
-        CallError::Inner(kind) => kind,
-    }
+        CallError::Misuse(message) => (FormulaErrorKind::Call(message), None),
+        CallError::Undefined(message) => (FormulaErrorKind::Undefined(message), None),
+        CallError::Inner(kind) => (kind, None),
+        CallError::Definition(kind, place) => (kind, Some(place)),
+    };
+    Err(FormulaError { kind, span: span.clone(), definition })
 }

@@ -35,10 +35,17 @@ impl LocatedFormula {
         Ok(LocatedFormula { expr, text: text.to_owned(), source: Arc::clone(source), span })
     }
 
-    /// An error in this formula, as an error in its file.
+    /// An error in this formula, or in a definition that it names, as an error in
+    /// the file.
     #[must_use]
     pub fn diagnostic(&self, error: &FormulaError) -> Diagnostic {
-        locate(&self.source, &self.span, &self.text, error)
+        match &error.definition {
+            None => locate(&self.source, &self.span, &self.text, error),
+            Some(place) => {
+                let message = format!("this definition is needed for `{}`", self.text);
+                Diagnostic::clone(place).with_help(message)
+            }
+        }
     }
 }
 

@@ -37,14 +37,15 @@ type Parsed<T> = Result<T, ErrMode<Failure>>;
 pub fn parse(text: &str) -> Result<Expr, FormulaError> {
     if text.len() > MAX_FORMULA_LENGTH {
         let kind = FormulaErrorKind::TooLong(text.len());
-        return Err(FormulaError { kind, span: 0..text.len() });
+        return Err(FormulaError { kind, span: 0..text.len(), definition: None });
     }
     let input = Stateful { input: LocatingSlice::new(text), state: 0 };
     preceded(space, expression).parse(input).map_err(|error| {
         let failure = error.into_inner();
         let at = failure.at.min(text.len());
         let kind = failure.kind.unwrap_or(FormulaErrorKind::Expected("an operator or the end"));
-        FormulaError { kind, span: failure.span.unwrap_or_else(|| token_at(text, at)) }
+        let span = failure.span.unwrap_or_else(|| token_at(text, at));
+        FormulaError { kind, span, definition: None }
     })
 }
 

@@ -104,7 +104,10 @@ impl<V: Value> Context<V> for Scope<'_, V> {
         self.depth.set(self.depth.get() + 1);
         let value = evaluate_with(&definition.expr, self, indices);
         self.depth.set(self.depth.get() - 1);
-        value.map(Lookup::Found).map_err(|error| CallError::Inner(error.kind))
+        value.map(Lookup::Found).map_err(|error| {
+            let place = definition.diagnostic(&error);
+            CallError::Definition(error.kind, Box::new(place))
+        })
     }
 
     fn names(&self) -> Vec<String> {
