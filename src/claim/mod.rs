@@ -7,16 +7,14 @@
 
 mod embedded;
 mod equation;
-mod fields;
-mod file;
 mod function;
-mod function_file;
 mod paper;
+mod read;
 mod table;
 
 pub use embedded::{EmbeddedPaper, embedded, embedded_papers};
 pub use equation::{Equation, EquationBody, Hypothesis, Identity, Index, Left};
-pub use file::{MAX_CLAIM_FILE_BYTES, read_paper, read_paper_file};
 pub use function::{FunctionClaim, Limit, RangeClaim};
 pub use paper::{Bibliography, Paper, SchemeSource};
+pub use read::{MAX_CLAIM_FILE_BYTES, read_paper, read_paper_file};
 pub use table::{Axis, AxisEntry, Cell, LocatedReference, Printed, Promise, Table};
