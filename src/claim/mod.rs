@@ -1,5 +1,5 @@
-//! What a paper asserts, as data: schemes, tables, equations, and what
-//! holds of a free parameter.
+//! What a paper asserts, as data: schemes, tables, equations, what holds of a free
+//! parameter, and theorems.
 //!
 //! A claim file is TOML; [`read_paper`] reads one, [`embedded`] lists those that
 //! are part of the program. Every number and formula is a string: TOML's own
@@ -11,6 +11,7 @@ mod function;
 mod paper;
 mod read;
 mod table;
+mod theorem;
 
 pub use embedded::{EmbeddedPaper, embedded, embedded_papers};
 pub use equation::{Equation, EquationBody, Hypothesis, Identity, Index, Left};
@@ -18,3 +19,4 @@ pub use function::{FunctionClaim, Limit, RangeClaim};
 pub use paper::{Bibliography, Paper, SchemeSource};
 pub use read::{MAX_CLAIM_FILE_BYTES, read_paper, read_paper_file};
 pub use table::{Axis, AxisEntry, Cell, LocatedReference, Printed, Promise, Table};
+pub use theorem::{Quantity, Statement, Theorem};

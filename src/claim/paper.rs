@@ -3,6 +3,7 @@
 use super::equation::Equation;
 use super::function::{FunctionClaim, RangeClaim};
 use super::table::Table;
+use super::theorem::Theorem;
 use crate::diagnostic::SourceText;
 use crate::formula::LocatedFormula;
 use crate::scheme::{Reference, SchemeDefinition};
@@ -30,6 +31,8 @@ pub struct Paper {
     pub functions: Vec<FunctionClaim>,
     /// The ranges of a free parameter, in the paper's order.
     pub ranges: Vec<RangeClaim>,
+    /// The theorems, lemmas and corollaries, in the paper's order.
+    pub theorems: Vec<Theorem>,
     /// The claim file.
     pub source: Arc<SourceText>,
 }

@@ -90,7 +90,7 @@ pub(super) struct AuditArguments {
     /// Exit with code 1 when a claim has this verdict (may be repeated)
     #[arg(long, value_name = "VERDICT", value_parser = [
         "confirmed", "rounding", "misprint", "refuted", "not-checkable", "holds", "fails",
-        "exact", "inexact",
+        "exact", "inexact", "open",
     ])]
     pub(super) deny: Vec<String>,
     #[command(flatten)]
@@ -99,7 +99,7 @@ pub(super) struct AuditArguments {
 
 #[derive(Debug, Args)]
 pub(super) struct ExplainArguments {
-    /// The id: `key:table-1`, `key:table-1:2:3` (row, column) or `key:eq-3.8`
+    /// The id: `key:table-1`, `key:table-1:2:3` (row, column), `key:eq-3.8` or `key:theorem-1`
     pub(super) id: String,
     /// Claim files; without any, the embedded papers
     pub(super) files: Vec<PathBuf>,

@@ -93,7 +93,7 @@ fn judge_all(papers: &[Paper]) -> Result<Vec<PaperAudit<'_>>, Failure> {
     papers.iter().map(|paper| judge(paper).map_err(Failure::from)).collect()
 }
 
+/// How many claims, of tables how many cells, have this verdict.
 fn count(audit: &PaperAudit<'_>, verdict: &str) -> usize {
-    let counts = [audit.cell_counts(), audit.equation_counts(), audit.range_counts()];
-    counts.iter().filter_map(|counts| counts.get(verdict)).sum()
+    audit.claims().iter().filter_map(|claim| claim.verdicts.get(verdict)).sum()
 }

@@ -6,6 +6,7 @@ mod function;
 mod json;
 mod sheet;
 mod text;
+mod theorem;
 
 pub use audit::{audit_sheet, table_values};
 pub use explain::explain_sheet;

@@ -5,6 +5,7 @@ mod equation;
 mod fields;
 mod function;
 mod table;
+mod theorem;
 
 use super::paper::{Bibliography, Paper, SchemeSource};
 use super::table::{LocatedReference, Printed};
@@ -21,6 +22,7 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 use table::TableTable;
+use theorem::TheoremTable;
 use toml::Spanned;
 
 /// The largest claim file that is read, in bytes.
@@ -45,6 +47,8 @@ struct PaperFile {
     function: Vec<FunctionTable>,
     #[serde(default)]
     range: Vec<RangeTable>,
+    #[serde(default)]
+    theorem: Vec<TheoremTable>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -58,6 +62,19 @@ struct BibliographyTable {
     note: Option<String>,
 }
 
+impl BibliographyTable {
+    fn bibliography(&self) -> Bibliography {
+        Bibliography {
+            authors: self.authors.clone(),
+            title: self.title.clone(),
+            venue: self.venue.clone(),
+            year: self.year.clone(),
+            doi: self.doi.clone(),
+            note: self.note.clone(),
+        }
+    }
+}
+
 impl PaperFile {
     /// The claims of every kind, by what they have in common.
     fn claims(&self) -> impl Iterator<Item = CommonFields<'_>> {
@@ -65,7 +82,8 @@ impl PaperFile {
         let equations = self.equation.iter().map(EquationTable::common);
         let functions = self.function.iter().map(FunctionTable::common);
         let ranges = self.range.iter().map(RangeTable::common);
-        tables.chain(equations).chain(functions).chain(ranges)
+        let theorems = self.theorem.iter().map(TheoremTable::common);
+        tables.chain(equations).chain(functions).chain(ranges).chain(theorems)
     }
 }
 
@@ -78,18 +96,10 @@ pub fn read_paper(source: &Arc<SourceText>) -> Result<Paper, Diagnostic> {
     let file: PaperFile = from_toml(source)?;
     let reader = Reader { source };
     reader.id(&file.key)?;
-    reader.ids(&file)?;
-    let bibliography = Bibliography {
-        authors: file.paper.authors,
-        title: file.paper.title,
-        venue: file.paper.venue,
-        year: file.paper.year,
-        doi: file.paper.doi,
-        note: file.paper.note,
-    };
+    let ids = reader.ids(&file)?;
     Ok(Paper {
-        key: file.key.into_inner(),
-        bibliography,
+        key: file.key.get_ref().clone(),
+        bibliography: file.paper.bibliography(),
         schemes: reader.schemes(&file.scheme)?,
         definitions: definitions(source, &file.define)?,
         given: definitions(source, &file.given)?,
@@ -97,6 +107,7 @@ pub fn read_paper(source: &Arc<SourceText>) -> Result<Paper, Diagnostic> {
         equations: all(&file.equation, |equation| reader.equation(equation))?,
         functions: all(&file.function, |function| reader.function(function))?,
         ranges: all(&file.range, |range| reader.range(range))?,
+        theorems: all(&file.theorem, |theorem| reader.theorem(theorem, &ids))?,
         source: Arc::clone(source),
     })
 }
@@ -147,18 +158,18 @@ impl Reader<'_> {
             .with_help("use letters, digits, `-`, `_` and `.`"))
     }
 
-    /// Makes sure that every claim has an id of its own.
-    fn ids(&self, file: &PaperFile) -> Result<(), Diagnostic> {
+    /// The ids of the claims; every claim has one of its own.
+    fn ids<'f>(&self, file: &'f PaperFile) -> Result<BTreeSet<&'f str>, Diagnostic> {
         let mut ids = BTreeSet::new();
         for CommonFields { id, .. } in file.claims() {
             self.id(id)?;
-            if !ids.insert(id.get_ref()) {
+            if !ids.insert(id.get_ref().as_str()) {
                 return Err(self
                     .error(id.span(), format!("the id `{}` is used twice", id.get_ref()))
                     .with_help("every claim of the file needs an id of its own"));
             }
         }
-        Ok(())
+        Ok(ids)
     }
 
     fn head(&self, fields: CommonFields<'_>) -> Result<Head, Diagnostic> {
