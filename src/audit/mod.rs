@@ -2,6 +2,7 @@
 
 mod claims;
 mod compare;
+mod coverage;
 mod equation;
 mod finding;
 mod function;
@@ -16,6 +17,7 @@ mod table;
 mod theorem;
 
 pub use claims::ClaimVerdict;
+pub use coverage::{Coverage, CoverageState};
 pub use equation::{EquationFinding, EquationVerdict, Failure};
 pub use finding::{Assumed, CellFinding, Direction, Missing, Slip, Sound, Verdict};
 pub use function::{Example, FunctionFinding, FunctionVerdict};

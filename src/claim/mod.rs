@@ -5,6 +5,7 @@
 //! are part of the program. Every number and formula is a string: TOML's own
 //! numbers are rounded.
 
+mod contents;
 mod embedded;
 mod equation;
 mod function;
@@ -13,6 +14,7 @@ mod read;
 mod table;
 mod theorem;
 
+pub use contents::{Item, Label, MAX_LABELS};
 pub use embedded::{EmbeddedPaper, embedded, embedded_papers};
 pub use equation::{Equation, EquationBody, Hypothesis, Identity, Index, Left};
 pub use function::{FunctionClaim, Limit, RangeClaim};

@@ -1,5 +1,6 @@
 //! A paper and its claims.
 
+use super::contents::Item;
 use super::equation::Equation;
 use super::function::{FunctionClaim, RangeClaim};
 use super::table::Table;
@@ -17,6 +18,9 @@ pub struct Paper {
     pub key: String,
     /// Who wrote what, where and when.
     pub bibliography: Bibliography,
+    /// What the paper numbers, in the order that the claim file gives; empty when it
+    /// does not say.
+    pub contents: Vec<Item>,
     /// The schemes that the claims refer to by name.
     pub schemes: BTreeMap<String, SchemeSource>,
     /// Named formulas: the paper's definitions.

@@ -25,6 +25,8 @@ pub(super) enum Command {
     Audit(AuditArguments),
     /// Show one claim, table or equation in full
     Explain(ExplainArguments),
+    /// What papers number, and the claims that cover it
+    Coverage(CoverageArguments),
     /// The exact constants of a scheme: difference mask, T_c, Λ_c, σ
     Constants(ConstantsArguments),
     /// The subdivision depth for a tolerance: as papers compute it, and soundly
@@ -103,6 +105,20 @@ pub(super) struct ExplainArguments {
     pub(super) id: String,
     /// Claim files; without any, the embedded papers
     pub(super) files: Vec<PathBuf>,
+    #[command(flatten)]
+    pub(super) output: Output,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct CoverageArguments {
+    /// Claim files; without any, the embedded papers
+    pub(super) files: Vec<PathBuf>,
+    /// Only the paper of this key
+    #[arg(long, value_name = "KEY")]
+    pub(super) paper: Option<String>,
+    /// Exit with code 1 when an item is in this state (may be repeated)
+    #[arg(long, value_name = "STATE", value_parser = ["missing", "unclaimed"])]
+    pub(super) deny: Vec<String>,
     #[command(flatten)]
     pub(super) output: Output,
 }

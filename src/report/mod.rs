@@ -1,6 +1,7 @@
 //! Findings as text, Markdown and JSON.
 
 mod audit;
+mod coverage;
 mod explain;
 mod function;
 mod json;
@@ -9,6 +10,7 @@ mod text;
 mod theorem;
 
 pub use audit::{audit_sheet, table_values};
+pub use coverage::{coverage_json, coverage_sheet};
 pub use explain::explain_sheet;
 pub use json::{audit_json, exact_json};
 pub use sheet::{Block, Grid, Sheet};

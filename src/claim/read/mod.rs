@@ -1,6 +1,7 @@
 //! Reading claim files.
 
 mod axis;
+mod contents;
 mod equation;
 mod fields;
 mod function;
@@ -13,6 +14,7 @@ use crate::diagnostic::{Diagnostic, SourceText, read_text};
 use crate::exact::{NumberError, parse_decimal};
 use crate::formula::LocatedFormula;
 use crate::scheme::{Reference, SchemeTable, definitions, formula, from_toml};
+use contents::UnclaimedTable;
 use equation::EquationTable;
 use fields::{CommonFields, Formulas, NumberField};
 use function::{FunctionTable, RangeTable};
@@ -49,6 +51,8 @@ struct PaperFile {
     range: Vec<RangeTable>,
     #[serde(default)]
     theorem: Vec<TheoremTable>,
+    #[serde(default)]
+    unclaimed: Vec<UnclaimedTable>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -60,6 +64,8 @@ struct BibliographyTable {
     year: String,
     doi: Option<String>,
     note: Option<String>,
+    #[serde(default)]
+    numbered: Vec<Spanned<String>>,
 }
 
 impl BibliographyTable {
@@ -100,6 +106,7 @@ pub fn read_paper(source: &Arc<SourceText>) -> Result<Paper, Diagnostic> {
     Ok(Paper {
         key: file.key.get_ref().clone(),
         bibliography: file.paper.bibliography(),
+        contents: reader.contents(&file.paper.numbered, file.claims(), &file.unclaimed)?,
         schemes: reader.schemes(&file.scheme)?,
         definitions: definitions(source, &file.define)?,
         given: definitions(source, &file.given)?,
