@@ -3,7 +3,7 @@
 #![allow(missing_docs)]
 
 use subcert::audit::{PaperAudit, TheoremFinding, audit};
-use subcert::claim::{Paper, Quantity, Statement, read_paper};
+use subcert::claim::{Paper, Quantity, Statement, embedded, read_paper};
 use subcert::diagnostic::{Diagnostic, SourceText};
 
 const HEAD: &str = "key = 'k'\n[paper]\nauthors = ['A']\ntitle = 't'\nvenue = 'v'\nyear = '1'\n";
@@ -95,5 +95,44 @@ fn malformed_theorems() {
         assert!(error.to_string().contains(message), "no `{message}` in: {error}");
         let underlined = &error.source.text[error.span.clone()];
         assert!(place.is_empty() || underlined == place, "{underlined}: {error}");
+    }
+}
+
+/// Every bound of the embedded papers has a value, at a scheme of its kind and at plain
+/// values of its parameters, and no bound of a distance or step grows with the level.
+#[test]
+fn bounds_of_the_papers_have_values() {
+    for embedded in embedded() {
+        let example = match embedded.key {
+            "mustafa2007-ternary" => "ternary-four-point-approximating",
+            "khan2019-newton" => "newton:j=0,n=3",
+            _ => "six-point:w=3/256",
+        };
+        let source = SourceText::new(embedded.key, embedded.text);
+        let paper = read_paper(&source).unwrap_or_else(|error| panic!("{error}"));
+        for theorem in &paper.theorems {
+            let (Statement::Bound { by, .. } | Statement::Depth(by)) = &theorem.statement else {
+                continue;
+            };
+            let scheme = theorem.scheme.as_ref().map(|scheme| scheme.reference.to_string());
+            let table = format!(
+                "[[table]]\nid = 'values'\nlocus = 'none'\nscheme = '{}'\nvalue = '{}'\n\
+                 given = {{ beta = '1', beta_1 = '1', beta_2 = '1', beta_3 = '1', c = '1', \
+                 epsilon = '1/100', alpha_2 = '1/4', mu = '-1/3' }}\n\
+                 columns = {{ name = 'k', values = ['1', '2', '3'] }}\ncells = 'lost'\n",
+                scheme.as_deref().unwrap_or(example),
+                by.text
+            );
+            let text = format!("{}\n{table}", embedded.text);
+            let mut paper = read_paper(&SourceText::new(embedded.key, text))
+                .unwrap_or_else(|error| panic!("{error}"));
+            paper.tables.retain(|table| table.id == "values");
+            paper.equations.clear();
+            let audit = audit(&paper).unwrap_or_else(|error| panic!("{error}"));
+            let cells = &audit.tables[0].cells[0];
+            let values: Vec<_> = cells.iter().filter_map(|cell| cell.exact.clone()).collect();
+            assert_eq!(values.len(), 3, "{}: {:?}", theorem.id, cells[0].undefined);
+            assert!(values[2] <= values[0] && values[2].sign() > 0, "{}: {values:?}", theorem.id);
+        }
     }
 }

@@ -23,13 +23,18 @@ pub struct Theorem {
 }
 
 /// What a theorem states. P^k is the control polygon, or net, after k levels.
+///
+/// A bound is a formula in k and beta = max ‖Δ^0‖, the largest difference of
+/// neighbouring points of P^0; of a surface, also in beta_1, beta_2 and beta_3, its
+/// largest differences along the first and the second direction, and again along the
+/// first one, a row further.
 #[derive(Clone, Debug)]
 pub enum Statement {
     /// quantity ≤ by, for every level k ≥ from.
     Bound {
         /// What is bounded.
         quantity: Quantity,
-        /// The bound, a formula in k and the spreads of P^0.
+        /// The bound.
         by: LocatedFormula,
         /// The first level for which it is stated.
         from: u32,
