@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Regenerates the program's output that README.md quotes, or checks it.
+"""Regenerates what the program writes into the repository, or checks it.
 
 In README.md, a block
 
@@ -8,7 +8,8 @@ In README.md, a block
     ...
     ```
 
-holds what that command writes; `head=N` before the command keeps N lines.
+holds what that command writes; `head=N` before the command keeps N lines. The files
+of FILES hold what their command writes, and nothing else.
 """
 
 import re
@@ -17,14 +18,14 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-README = ROOT / "README.md"
 BLOCK = re.compile(
     r"(<!-- run(?: head=(?P<head>\d+))?: subcert (?P<command>[^\n]*?) -->\n```\w*\n)(?P<text>.*?)(```\n)",
     re.DOTALL,
 )
+FILES = {"proofs/COVERAGE.md": "coverage --format markdown"}
 
 
-def output(command: str, head: str | None) -> str:
+def output(command: str, head: str | None = None) -> str:
     program = ROOT / "target" / "release" / "subcert"
     words = [word.strip("'") for word in re.findall(r"'[^']*'|\S+", command)]
     done = subprocess.run([program, *words], cwd=ROOT, capture_output=True, text=True, check=True)
@@ -34,19 +35,29 @@ def output(command: str, head: str | None) -> str:
     return "\n".join(line.rstrip() for line in lines) + "\n"
 
 
-def main() -> int:
-    old = README.read_text()
-    new = BLOCK.sub(
-        lambda match: match[1] + output(match["command"], match["head"]) + match[5], old
+def with_blocks(text: str) -> str:
+    return BLOCK.sub(
+        lambda match: match[1] + output(match["command"], match["head"]) + match[5], text
     )
+
+
+def main() -> int:
+    generated = {"README.md": with_blocks((ROOT / "README.md").read_text())}
+    generated |= {name: output(command) for name, command in FILES.items()}
     if "--check" not in sys.argv[1:]:
-        README.write_text(new)
+        for name, text in generated.items():
+            (ROOT / name).write_text(text)
         return 0
-    if old == new:
-        print(f"README.md: {len(BLOCK.findall(old))} blocks are what the program writes")
-        return 0
-    print("README.md quotes other output than the program writes; run .ci/generated.py", file=sys.stderr)
-    return 1
+    stale = [
+        name
+        for name, text in generated.items()
+        if not (ROOT / name).exists() or (ROOT / name).read_text() != text
+    ]
+    for name in stale:
+        print(f"{name} is not what the program writes; run .ci/generated.py", file=sys.stderr)
+    if not stale:
+        print(f"{', '.join(generated)}: as the program writes them")
+    return 1 if stale else 0
 
 
 if __name__ == "__main__":

@@ -193,11 +193,13 @@ fn equations_of_the_papers() {
                 | "khan2019-newton:eq-3.18-values"
                 | "khan2019-newton:lemma-6.1-b"
                 | "khan2019-newton:remark-4.1-size"
-                | "mustafa2007-ternary:eq-3.4"
                 | "khan2022-doo-sabin:eq-9"
                 | "khan2022-doo-sabin:eq-14"
                 | "khan2022-doo-sabin:eq-15"
                 | "khan2022-doo-sabin:eq-16"
+                | "mustafa2007-ternary:bilinear-weights"
+                | "mustafa2007-ternary:eq-3.4b"
+                | "mustafa2007-ternary:eq-3.8"
                 | "khan2022-doo-sabin:eq-24"
                 | "khan2022-doo-sabin:eq-30"
                 | "khan2022-doo-sabin:eq-45"
@@ -217,7 +219,14 @@ fn equations_of_the_papers() {
                 | "mustafa2007-bajaj:eq-24"
                 | "mustafa2007-bajaj:eq-25"
                 | "mustafa2007-bajaj:eq-26"
-                | "mustafa2007-bajaj:eq-35-level-0" => "fails",
+                | "mustafa2007-bajaj:eq-9-any-valence"
+                | "mustafa2007-bajaj:eq-11-any-valence"
+                | "mustafa2007-bajaj:eq-24-any-valence"
+                | "mustafa2007-bajaj:eq-27-first"
+                | "mustafa2007-bajaj:eq-28-centre"
+                | "mustafa2007-bajaj:eq-30-centre"
+                | "mustafa2007-bajaj:eq-35-level-0"
+                | "mustafa2007-bajaj:eq-36-level-0" => "fails",
                 "khan2019-newton:remark-3.1-ko-6" => "not-checkable",
                 _ => "holds",
             };

@@ -1,6 +1,8 @@
 //! From claims to verdicts.
 
+mod claims;
 mod compare;
+mod coverage;
 mod equation;
 mod finding;
 mod function;
@@ -14,16 +16,21 @@ mod range;
 mod series;
 mod shape;
 mod table;
+mod theorem;
 
+pub use claims::ClaimVerdict;
+pub use coverage::{Coverage, CoverageState};
 pub use equation::{EquationFinding, EquationVerdict, Failure};
 pub use finding::{Assumed, CellFinding, Direction, Missing, Slip, Sound, Verdict};
 pub use function::{Example, FunctionFinding, FunctionVerdict};
 pub use quantity::QUANTITIES;
 pub use range::{EndFinding, EndRelation, RangeFinding, RangeVerdict};
 pub use table::TableFinding;
+pub use theorem::{FailingPremise, TheoremFinding, TheoremVerdict};
 
 use crate::claim::Paper;
 use crate::diagnostic::Diagnostic;
+use claims::count;
 use library::Library;
 use std::collections::BTreeMap;
 
@@ -40,6 +47,8 @@ pub struct PaperAudit<'a> {
     pub functions: Vec<FunctionFinding<'a>>,
     /// Its ranges of a free parameter.
     pub ranges: Vec<RangeFinding<'a>>,
+    /// Its theorems.
+    pub theorems: Vec<TheoremFinding<'a>>,
 }
 
 /// Judges every claim of a paper.
@@ -63,13 +72,16 @@ pub fn audit(paper: &Paper) -> Result<PaperAudit<'_>, Diagnostic> {
     let equations = paper.equations.iter().map(|claim| equation::judge(paper, claim, &library));
     let functions = paper.functions.iter().map(|claim| function::judge(paper, claim, &library));
     let ranges = paper.ranges.iter().map(|claim| range::judge(paper, claim, &library));
-    Ok(PaperAudit {
+    let mut audit = PaperAudit {
         paper,
         tables: tables.collect::<Result<_, _>>()?,
         equations: equations.collect::<Result<_, _>>()?,
         functions: functions.collect::<Result<_, _>>()?,
         ranges: ranges.collect::<Result<_, _>>()?,
-    })
+        theorems: Vec::new(),
+    };
+    audit.theorems = theorem::judge(&audit);
+    Ok(audit)
 }
 
 impl PaperAudit<'_> {
@@ -93,12 +105,10 @@ impl PaperAudit<'_> {
     pub fn range_counts(&self) -> BTreeMap<&'static str, usize> {
         count(self.ranges.iter().map(|finding| finding.verdict.name()))
     }
-}
 
-fn count(names: impl Iterator<Item = &'static str>) -> BTreeMap<&'static str, usize> {
-    let mut counts = BTreeMap::new();
-    for name in names {
-        *counts.entry(name).or_insert(0) += 1;
+    /// How many theorems have each verdict.
+    #[must_use]
+    pub fn theorem_counts(&self) -> BTreeMap<&'static str, usize> {
+        count(self.theorems.iter().map(|finding| finding.verdict.name()))
     }
-    counts
 }

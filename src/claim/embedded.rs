@@ -1,7 +1,7 @@
 //! The claim files that are part of the program.
 
-use super::file::read_paper;
 use super::paper::Paper;
+use super::read::read_paper;
 use crate::diagnostic::{Diagnostic, SourceText};
 
 /// A claim file that is part of the program.

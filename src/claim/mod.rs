@@ -1,22 +1,24 @@
-//! What a paper asserts, as data: schemes, tables, equations, and what
-//! holds of a free parameter.
+//! What a paper asserts, as data: schemes, tables, equations, what holds of a free
+//! parameter, and theorems.
 //!
 //! A claim file is TOML; [`read_paper`] reads one, [`embedded`] lists those that
 //! are part of the program. Every number and formula is a string: TOML's own
 //! numbers are rounded.
 
+mod contents;
 mod embedded;
 mod equation;
-mod fields;
-mod file;
 mod function;
-mod function_file;
 mod paper;
+mod read;
 mod table;
+mod theorem;
 
+pub use contents::{Item, Label, MAX_LABELS};
 pub use embedded::{EmbeddedPaper, embedded, embedded_papers};
 pub use equation::{Equation, EquationBody, Hypothesis, Identity, Index, Left};
-pub use file::{MAX_CLAIM_FILE_BYTES, read_paper, read_paper_file};
 pub use function::{FunctionClaim, Limit, RangeClaim};
 pub use paper::{Bibliography, Paper, SchemeSource};
+pub use read::{MAX_CLAIM_FILE_BYTES, read_paper, read_paper_file};
 pub use table::{Axis, AxisEntry, Cell, LocatedReference, Printed, Promise, Table};
+pub use theorem::{Quantity, Statement, Theorem};

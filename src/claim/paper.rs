@@ -1,8 +1,10 @@
 //! A paper and its claims.
 
+use super::contents::Item;
 use super::equation::Equation;
 use super::function::{FunctionClaim, RangeClaim};
 use super::table::Table;
+use super::theorem::Theorem;
 use crate::diagnostic::SourceText;
 use crate::formula::LocatedFormula;
 use crate::scheme::{Reference, SchemeDefinition};
@@ -16,6 +18,9 @@ pub struct Paper {
     pub key: String,
     /// Who wrote what, where and when.
     pub bibliography: Bibliography,
+    /// What the paper numbers, in the order that the claim file gives; empty when it
+    /// does not say.
+    pub contents: Vec<Item>,
     /// The schemes that the claims refer to by name.
     pub schemes: BTreeMap<String, SchemeSource>,
     /// Named formulas: the paper's definitions.
@@ -30,6 +35,8 @@ pub struct Paper {
     pub functions: Vec<FunctionClaim>,
     /// The ranges of a free parameter, in the paper's order.
     pub ranges: Vec<RangeClaim>,
+    /// The theorems, lemmas and corollaries, in the paper's order.
+    pub theorems: Vec<Theorem>,
     /// The claim file.
     pub source: Arc<SourceText>,
 }

@@ -25,6 +25,8 @@ pub(super) enum Command {
     Audit(AuditArguments),
     /// Show one claim, table or equation in full
     Explain(ExplainArguments),
+    /// What papers number, and the claims that cover it
+    Coverage(CoverageArguments),
     /// The exact constants of a scheme: difference mask, T_c, Λ_c, σ
     Constants(ConstantsArguments),
     /// The subdivision depth for a tolerance: as papers compute it, and soundly
@@ -90,7 +92,7 @@ pub(super) struct AuditArguments {
     /// Exit with code 1 when a claim has this verdict (may be repeated)
     #[arg(long, value_name = "VERDICT", value_parser = [
         "confirmed", "rounding", "misprint", "refuted", "not-checkable", "holds", "fails",
-        "exact", "inexact",
+        "exact", "inexact", "open",
     ])]
     pub(super) deny: Vec<String>,
     #[command(flatten)]
@@ -99,10 +101,24 @@ pub(super) struct AuditArguments {
 
 #[derive(Debug, Args)]
 pub(super) struct ExplainArguments {
-    /// The id: `key:table-1`, `key:table-1:2:3` (row, column) or `key:eq-3.8`
+    /// The id: `key:table-1`, `key:table-1:2:3` (row, column), `key:eq-3.8` or `key:theorem-1`
     pub(super) id: String,
     /// Claim files; without any, the embedded papers
     pub(super) files: Vec<PathBuf>,
+    #[command(flatten)]
+    pub(super) output: Output,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct CoverageArguments {
+    /// Claim files; without any, the embedded papers
+    pub(super) files: Vec<PathBuf>,
+    /// Only the paper of this key
+    #[arg(long, value_name = "KEY")]
+    pub(super) paper: Option<String>,
+    /// Exit with code 1 when an item is in this state (may be repeated)
+    #[arg(long, value_name = "STATE", value_parser = ["missing", "unclaimed"])]
+    pub(super) deny: Vec<String>,
     #[command(flatten)]
     pub(super) output: Output,
 }

@@ -3,21 +3,12 @@
 use super::Outcome;
 use super::arguments::{AuditArguments, ExplainArguments, Format};
 use super::output::{Failure, show, write};
-use std::path::PathBuf;
-use subcert::audit::{PaperAudit, audit as judge};
-use subcert::claim::{Paper, embedded_papers, read_paper_file};
+use super::papers::{judge_all, papers, select};
+use subcert::audit::PaperAudit;
 use subcert::report::{audit_json, audit_sheet, explain_sheet};
 
 pub(super) fn audit(arguments: &AuditArguments) -> Outcome {
-    let mut papers = papers(&arguments.files)?;
-    if let Some(key) = &arguments.paper {
-        let known: Vec<String> = papers.iter().map(|paper| paper.key.clone()).collect();
-        papers.retain(|paper| paper.key == *key);
-        if papers.is_empty() {
-            let known = known.join(", ");
-            return Err(Failure::Input(format!("no paper has the key `{key}`; known: {known}")));
-        }
-    }
+    let papers = select(papers(&arguments.files)?, arguments.paper.as_deref())?;
     let audits = judge_all(&papers)?;
     show(
         arguments.output.format,
@@ -72,28 +63,7 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Outcome {
     }
 }
 
-fn papers(files: &[PathBuf]) -> Result<Vec<Paper>, Failure> {
-    if files.is_empty() {
-        return Ok(embedded_papers()?);
-    }
-    let read = |path: &PathBuf| -> Result<Paper, Failure> {
-        Ok(read_paper_file(path).map_err(Failure::Input)??)
-    };
-    let papers = files.iter().map(read).collect::<Result<Vec<Paper>, Failure>>()?;
-    for (i, paper) in papers.iter().enumerate() {
-        if papers[..i].iter().any(|earlier| earlier.key == paper.key) {
-            let message = format!("two of the files have the key `{}`", paper.key);
-            return Err(Failure::Input(message));
-        }
-    }
-    Ok(papers)
-}
-
-fn judge_all(papers: &[Paper]) -> Result<Vec<PaperAudit<'_>>, Failure> {
-    papers.iter().map(|paper| judge(paper).map_err(Failure::from)).collect()
-}
-
+/// How many claims, of tables how many cells, have this verdict.
 fn count(audit: &PaperAudit<'_>, verdict: &str) -> usize {
-    let counts = [audit.cell_counts(), audit.equation_counts(), audit.range_counts()];
-    counts.iter().filter_map(|counts| counts.get(verdict)).sum()
+    audit.claims().iter().filter_map(|claim| claim.verdicts.get(verdict)).sum()
 }

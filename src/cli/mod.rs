@@ -4,9 +4,11 @@ mod arguments;
 mod audit;
 mod certify;
 mod constants;
+mod coverage;
 mod depth;
 mod oracle;
 mod output;
+mod papers;
 mod schemes;
 
 use arguments::{Arguments, Command};
@@ -39,6 +41,7 @@ pub(crate) fn run() -> ExitCode {
     let result = match arguments.command {
         Command::Audit(command) => audit::audit(&command),
         Command::Explain(command) => audit::explain(&command),
+        Command::Coverage(command) => coverage::coverage(&command),
         Command::Constants(command) => constants::constants(&command),
         Command::Depth(command) => depth::depth(&command),
         Command::Certify(command) => certify::certify(&command),

@@ -3,6 +3,7 @@
 use super::function;
 use super::mark;
 use super::sheet::{Grid, Sheet};
+use super::theorem;
 use crate::audit::{
     CellFinding, Direction, EquationFinding, EquationVerdict, PaperAudit, Sound, TableFinding,
     Verdict,
@@ -33,6 +34,10 @@ fn summary(sheet: &mut Sheet, audits: &[PaperAudit<'_>]) {
     if ranges {
         header.push("ranges".to_owned());
     }
+    let theorems = audits.iter().any(|audit| !audit.theorems.is_empty());
+    if theorems {
+        header.push("theorems".to_owned());
+    }
     let rows = audits.iter().map(|audit| {
         let counts = audit.cell_counts();
         let lost =
@@ -53,6 +58,9 @@ fn summary(sheet: &mut Sheet, audits: &[PaperAudit<'_>]) {
         });
         if ranges {
             row.push(function::range_summary(audit));
+        }
+        if theorems {
+            row.push(theorem::summary(audit));
         }
         row
     });
@@ -88,6 +96,7 @@ fn paper(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {
     }
     equations(sheet, &audit.equations, all);
     function::sections(sheet, audit, all);
+    theorem::section(sheet, audit);
 }
 
 fn is_unclear(table: &TableFinding<'_>) -> bool {

@@ -4,6 +4,7 @@ use super::audit::{assumed, outcome, remarks, table_values};
 use super::function;
 use super::mark;
 use super::sheet::Sheet;
+use super::theorem;
 use crate::audit::{
     CellFinding, EquationVerdict, Failure, PaperAudit, Sound, TableFinding, Verdict,
 };
@@ -11,12 +12,13 @@ use crate::claim::{EquationBody, Identity, Left};
 use crate::exact::format::short;
 
 /// The claim, table or equation of this id (`key:table-1`, `key:table-1:2:3`,
-/// `key:eq-3.8`, `key:range-1`) in full; `None` when there is none.
+/// `key:eq-3.8`, `key:range-1`, `key:theorem-1`) in full; `None` when there is none.
 #[must_use]
 pub fn explain_sheet(audits: &[PaperAudit<'_>], id: &str) -> Option<Sheet> {
     let (key, rest) = id.split_once(':')?;
     let audit = audits.iter().find(|audit| audit.paper.key == key)?;
-    if let Some(sheet) = function::explain(audit, id) {
+    let other = function::explain(audit, id).or_else(|| theorem::explain(audit, id));
+    if let Some(sheet) = other {
         return Some(sheet);
     }
     let mut sheet = Sheet::default();

@@ -1,6 +1,7 @@
 //! An audit as JSON.
 
 use super::function::{function_json, range_json};
+use super::theorem::theorem_json;
 use crate::audit::{CellFinding, EquationFinding, EquationVerdict, PaperAudit, Sound, Verdict};
 use crate::exact::{Rational, format::short};
 use serde_json::{Map, Value, json};
@@ -28,10 +29,11 @@ fn paper(audit: &PaperAudit<'_>) -> Value {
     let cells = audit.tables.iter().flat_map(|table| table.cells.iter().flatten());
     let claims = cells.map(cell).chain(audit.equations.iter().map(equation));
     let claims = claims.chain(audit.functions.iter().map(function_json));
-    let claims: Vec<Value> = claims.chain(audit.ranges.iter().map(range_json)).collect();
+    let claims = claims.chain(audit.ranges.iter().map(range_json));
+    let claims: Vec<Value> = claims.chain(audit.theorems.iter().map(theorem_json)).collect();
     let mut summary: BTreeMap<&str, usize> = Verdict::NAMES.iter().map(|name| (*name, 0)).collect();
     let counts = audit.cell_counts().into_iter().chain(audit.equation_counts());
-    for (name, count) in counts.chain(audit.range_counts()) {
+    for (name, count) in counts.chain(audit.range_counts()).chain(audit.theorem_counts()) {
         *summary.entry(name).or_insert(0) += count;
     }
     json!({ "key": audit.paper.key, "claims": claims, "summary": summary })

@@ -1,13 +1,16 @@
 //! Findings as text, Markdown and JSON.
 
 mod audit;
+mod coverage;
 mod explain;
 mod function;
 mod json;
 mod sheet;
 mod text;
+mod theorem;
 
 pub use audit::{audit_sheet, table_values};
+pub use coverage::{coverage_json, coverage_sheet};
 pub use explain::explain_sheet;
 pub use json::{audit_json, exact_json};
 pub use sheet::{Block, Grid, Sheet};

@@ -187,9 +187,17 @@ fn a_changed_coefficient_is_caught() {
         ("corollary-2.1-delta", "2*abs(alpha_2 - 1/3)", "3*abs(alpha_2 - 1/3)"),
         ("corollary-2.1-delta", "abs(2*alpha_2 - 1)", "abs(2*alpha_2 - 999/1000)"),
         ("corollary-2.1-delta", "contraction(1)", "norm(1)"),
+        ("eq-2.3", "contraction(1)", "norm(1)"),
+        ("eq-2.3-four-point", "mask(0, l) - sum", "mask(0, l) + sum"),
+        ("eq-2.6", "offset = 0", "offset = -1"),
+        ("eq-2.6-four-point", "u)) - binomial(0, l)*s/3", "u)) - binomial(0, l)*s/4"),
+        ("eq-3.2", "norm(1)*beta", "beta"),
     ] {
         let start = embedded_text().find(&format!("id = \"{id}\"")).expect("the claim");
-        let at = start + embedded_text()[start..].find(old).expect("the old text");
+        let claim = embedded_text()[start..].split("\n[[").next().expect("a text");
+        let in_claim = claim.find(old).map(|at| start + at);
+        // Otherwise it stands in a definition.
+        let at = in_claim.or_else(|| embedded_text().find(old)).expect("the old text");
         let mut text = embedded_text().to_owned();
         text.replace_range(at..at + old.len(), new);
         let paper = read_paper(&SourceText::new("changed", text)).expect("still a paper");

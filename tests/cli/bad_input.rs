@@ -80,7 +80,17 @@ year = "2026"
 
 #[test]
 fn claim_files() {
-    let cases: [(&str, &str, &[&str]); 14] = [
+    let cases: [(&str, &str, &[&str]); 16] = [
+        (
+            "theorem",
+            "[[theorem]]\nid = 't'\nlocus = 'l'\nsays = 'x'\nrests = ['nothing']\n",
+            &["`nothing` is no other claim", ":12:10"],
+        ),
+        (
+            "contents",
+            "[[unclaimed]]\nlocus = '(1)'\nreason = 'x'\n",
+            &["(1) is not among the numbered items", ":9:9", "numbered = "],
+        ),
         ("not-toml", "[paper", &["unclosed table", ":8:7"]),
         ("unknown-key", "colour = 1\n", &["unknown field `colour`"]),
         (

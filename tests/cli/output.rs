@@ -34,6 +34,20 @@ fn audit_of_a_claim_file() {
 }
 
 #[test]
+fn coverage_of_a_claim_file() {
+    subcert(["coverage", "examples/my-paper.toml", "--deny", "missing"])
+        .assert()
+        .success()
+        .stdout_eq(file!["snapshots/coverage.txt"]);
+    let output = subcert(["coverage", "--format", "json", "--deny", "unclaimed"]).assert().code(1);
+    let output = output.get_output();
+    let json: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert_eq!(json["papers"][0]["items"][0]["item"], "(1)");
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert!(message.contains("numbered items are unclaimed"), "{message}");
+}
+
+#[test]
 fn explain_a_cell_and_an_equation() {
     subcert(["explain", "mustafa2020-nary:table-2:4:7"])
         .assert()

@@ -1,57 +1,35 @@
 //! Reading the claims about a free parameter.
 
-use super::fields::NumberField;
-use super::file::Reader;
-use super::function::{FunctionClaim, Limit, RangeClaim};
+use super::fields::{NumberField, claim_table};
+use super::{Head, Reader};
+use crate::claim::{FunctionClaim, Limit, RangeClaim};
 use crate::diagnostic::Diagnostic;
 use crate::scheme::{formula, identifier};
-use serde::Deserialize;
 use toml::Spanned;
 
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct FunctionTable {
-    pub(super) id: Spanned<String>,
-    locus: String,
-    #[serde(default)]
-    title: String,
+claim_table!(FunctionTable {
     variable: Spanned<String>,
-    scheme: Option<Spanned<String>>,
     left: Spanned<String>,
     right: Spanned<String>,
-    note: Option<String>,
-}
+});
 
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct RangeTable {
-    pub(super) id: Spanned<String>,
-    locus: String,
-    #[serde(default)]
-    title: String,
+claim_table!(RangeTable {
     variable: Spanned<String>,
-    scheme: Option<Spanned<String>>,
     value: Spanned<String>,
     below: Option<Spanned<String>>,
     at_most: Option<Spanned<String>>,
     from: Option<Spanned<NumberField>>,
     to: Option<Spanned<NumberField>>,
     closed: Option<bool>,
-    note: Option<String>,
-}
+});
 
 impl Reader<'_> {
     pub(super) fn function(&self, table: &FunctionTable) -> Result<FunctionClaim, Diagnostic> {
-        Ok(FunctionClaim {
-            id: table.id.get_ref().clone(),
-            locus: table.locus.clone(),
-            title: table.title.clone(),
-            variable: identifier(self.source, &table.variable)?,
-            scheme: table.scheme.as_ref().map(|text| self.located(text)).transpose()?,
-            left: formula(self.source, &table.left)?,
-            right: formula(self.source, &table.right)?,
-            note: table.note.clone(),
-        })
+        let Head { id, locus, title, scheme, note } = self.head(table.common())?;
+        let variable = identifier(self.source, &table.variable)?;
+        let left = formula(self.source, &table.left)?;
+        let right = formula(self.source, &table.right)?;
+        Ok(FunctionClaim { id, locus, title, variable, scheme, left, right, note })
     }
 
     pub(super) fn range(&self, table: &RangeTable) -> Result<RangeClaim, Diagnostic> {
@@ -85,18 +63,9 @@ impl Reader<'_> {
             }
             _ => {}
         }
-        Ok(RangeClaim {
-            id: table.id.get_ref().clone(),
-            locus: table.locus.clone(),
-            title: table.title.clone(),
-            variable: identifier(self.source, &table.variable)?,
-            scheme: table.scheme.as_ref().map(|text| self.located(text)).transpose()?,
-            value: formula(self.source, &table.value)?,
-            limit,
-            from,
-            to,
-            closed: table.closed,
-            note: table.note.clone(),
-        })
+        let Head { id, locus, title, scheme, note } = self.head(table.common())?;
+        let variable = identifier(self.source, &table.variable)?;
+        let (value, closed) = (formula(self.source, &table.value)?, table.closed);
+        Ok(RangeClaim { id, locus, title, variable, scheme, value, limit, from, to, closed, note })
     }
 }

@@ -1,0 +1,66 @@
+//! The claims of a paper, whatever their kind, with their verdicts.
+
+use super::PaperAudit;
+use std::collections::BTreeMap;
+
+/// A claim and its verdict; of a table, the verdicts of its cells.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ClaimVerdict<'a> {
+    /// Its id within the paper.
+    pub id: &'a str,
+    /// Where it stands.
+    pub locus: &'a str,
+    /// How many times it has which verdict: once, or once for each cell.
+    pub verdicts: BTreeMap<&'static str, usize>,
+}
+
+/// The verdicts that say that a claim does not hold as printed.
+const FAILING: [&str; 3] = ["refuted", "fails", "inexact"];
+
+impl ClaimVerdict<'_> {
+    /// Whether it does not hold: of a table, whether one of its cells does not.
+    #[must_use]
+    pub fn fails(&self) -> bool {
+        FAILING.iter().any(|verdict| self.verdicts.contains_key(verdict))
+    }
+}
+
+impl<'a> PaperAudit<'a> {
+    /// Every claim of the paper with its verdict.
+    #[must_use]
+    pub fn claims(&self) -> Vec<ClaimVerdict<'a>> {
+        let tables = self.tables.iter().map(|finding| ClaimVerdict {
+            id: &finding.table.id,
+            locus: &finding.table.locus,
+            verdicts: count(finding.cells.iter().flatten().map(|cell| cell.verdict.name())),
+        });
+        let one = |id: &'a str, locus: &'a str, verdict| {
+            let verdicts = BTreeMap::from([(verdict, 1)]);
+            ClaimVerdict { id, locus, verdicts }
+        };
+        let equations = self.equations.iter().map(|finding| {
+            one(&finding.equation.id, &finding.equation.locus, finding.verdict.name())
+        });
+        let functions = self
+            .functions
+            .iter()
+            .map(|finding| one(&finding.claim.id, &finding.claim.locus, finding.verdict.name()));
+        let ranges = self
+            .ranges
+            .iter()
+            .map(|finding| one(&finding.claim.id, &finding.claim.locus, finding.verdict.name()));
+        let theorems = self.theorems.iter().map(|finding| {
+            one(&finding.theorem.id, &finding.theorem.locus, finding.verdict.name())
+        });
+        tables.chain(equations).chain(functions).chain(ranges).chain(theorems).collect()
+    }
+}
+
+/// How many times each name occurs.
+pub(super) fn count(names: impl Iterator<Item = &'static str>) -> BTreeMap<&'static str, usize> {
+    let mut counts = BTreeMap::new();
+    for name in names {
+        *counts.entry(name).or_insert(0) += 1;
+    }
+    counts
+}

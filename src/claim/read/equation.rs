@@ -1,0 +1,137 @@
+//! Reading equations.
+
+use super::axis::AxisTable;
+use super::fields::claim_table;
+use super::{Head, Reader};
+use crate::claim::{Equation, EquationBody, Hypothesis, Identity, Index, Left, LocatedReference};
+use crate::diagnostic::Diagnostic;
+use crate::formula::{LocatedFormula, Node};
+use crate::scheme::{formula, identifier};
+use serde::Deserialize;
+use serde::de::Visitor;
+use std::fmt;
+use toml::Spanned;
+
+claim_table!(EquationTable {
+    #[serde(default)]
+    symbols: Vec<Spanned<String>>,
+    #[serde(default)]
+    hypotheses: Vec<Spanned<String>>,
+    #[serde(default)]
+    indices: Vec<AxisTable>,
+    left: Option<Spanned<LeftField>>,
+    right: Option<Spanned<String>>,
+    absent: Option<String>,
+});
+
+/// One formula for all combinations of the indices, or one for each.
+#[derive(Debug)]
+enum LeftField {
+    One(String),
+    Each(Vec<Spanned<String>>),
+}
+
+impl<'de> Deserialize<'de> for LeftField {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<LeftField, D::Error> {
+        struct Either;
+        impl<'de> Visitor<'de> for Either {
+            type Value = LeftField;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a formula in quotes, or a list of them")
+            }
+            fn visit_str<E>(self, text: &str) -> Result<LeftField, E> {
+                Ok(LeftField::One(text.to_owned()))
+            }
+            fn visit_seq<S: serde::de::SeqAccess<'de>>(
+                self,
+                formulas: S,
+            ) -> Result<LeftField, S::Error> {
+                let formulas = serde::de::value::SeqAccessDeserializer::new(formulas);
+                Vec::deserialize(formulas).map(LeftField::Each)
+            }
+        }
+        deserializer.deserialize_any(Either)
+    }
+}
+
+impl Reader<'_> {
+    pub(super) fn equation(&self, table: &EquationTable) -> Result<Equation, Diagnostic> {
+        let Head { id, locus, title, scheme, note } = self.head(table.common())?;
+        let body = match (&table.left, &table.right, &table.absent) {
+            (Some(left), Some(right), None) => {
+                EquationBody::Identity(Box::new(self.identity(table, scheme, left, right)?))
+            }
+            (None, None, Some(absent)) => EquationBody::NotCheckable(absent.clone()),
+            _ => {
+                return Err(self
+                    .error(table.id.span(), "an equation needs `left` and `right`, or `absent`")
+                    .with_help(
+                        "left = ['3/4', '1/4'] lists the left sides, right = 'mask(0, r)' is one \
+                         formula in the indices; absent = \"…\" says what the paper lacks",
+                    ));
+            }
+        };
+        Ok(Equation { id, locus, title, body, note })
+    }
+
+    fn identity(
+        &self,
+        table: &EquationTable,
+        scheme: Option<LocatedReference>,
+        left: &Spanned<LeftField>,
+        right: &Spanned<String>,
+    ) -> Result<Identity, Diagnostic> {
+        let indices = table.indices.iter().map(|axis| self.index(axis));
+        let indices = indices.collect::<Result<Vec<Index>, Diagnostic>>()?;
+        let symbols = table.symbols.iter().map(|symbol| identifier(self.source, symbol));
+        let hypotheses = table.hypotheses.iter().map(|text| self.hypothesis(text));
+        Ok(Identity {
+            scheme,
+            symbols: symbols.collect::<Result<_, _>>()?,
+            hypotheses: hypotheses.collect::<Result<_, _>>()?,
+            left: self.left(left, &indices)?,
+            indices,
+            right: formula(self.source, right)?,
+        })
+    }
+
+    fn left(&self, left: &Spanned<LeftField>, indices: &[Index]) -> Result<Left, Diagnostic> {
+        let formulas = match left.get_ref() {
+            LeftField::One(text) => {
+                return LocatedFormula::read(self.source, left.span(), text).map(Left::One);
+            }
+            LeftField::Each(formulas) => formulas,
+        };
+        let mut count = 1_usize;
+        for index in indices {
+            let Index::Listed(axis) = index else {
+                return Err(self
+                    .error(left.span(), "a list of left sides needs indices with `values`")
+                    .with_help("write one formula for all combinations"));
+            };
+            count = count.saturating_mul(axis.entries.len());
+        }
+        if formulas.len() != count {
+            let found = formulas.len();
+            let message = format!("{found} left sides, and {count} combinations of the indices");
+            return Err(self
+                .error(left.span(), message)
+                .with_help("give one left side for each combination, the first index slowest"));
+        }
+        let formulas = formulas.iter().map(|text| formula(self.source, text));
+        formulas.collect::<Result<_, _>>().map(Left::Each)
+    }
+
+    fn hypothesis(&self, text: &Spanned<String>) -> Result<Hypothesis, Diagnostic> {
+        let help = "write a member of a family and its value: 'a[0, m] = 1 - a[0, 0]'";
+        let refuse = || self.error(text.span(), "this is no hypothesis").with_help(help);
+        let (member, value) = text.get_ref().split_once('=').ok_or_else(refuse)?;
+        let read = |part: &str| LocatedFormula::read(self.source, text.span(), part.trim());
+        let (member, value) = (read(member)?, read(value)?);
+        if matches!(member.expr.node, Node::Indexed { .. }) {
+            Ok(Hypothesis { member, value })
+        } else {
+            Err(refuse())
+        }
+    }
+}

@@ -1,0 +1,86 @@
+//! What the tables of a claim file have in common, as TOML gives it.
+
+use serde::Deserialize;
+use serde::de::{MapAccess, Visitor};
+use std::collections::BTreeMap;
+use std::fmt;
+use toml::Spanned;
+
+pub(super) type Formulas = BTreeMap<Spanned<String>, Spanned<String>>;
+
+/// The fields of every claim.
+#[derive(Clone, Copy)]
+pub(super) struct CommonFields<'a> {
+    pub(super) id: &'a Spanned<String>,
+    pub(super) locus: &'a Spanned<String>,
+    pub(super) title: &'a str,
+    pub(super) scheme: Option<&'a Spanned<String>>,
+    pub(super) note: Option<&'a str>,
+}
+
+/// Declares the TOML table of a kind of claim: the fields of every claim, then its
+/// own. Serde's `flatten` would lose the places in the file.
+macro_rules! claim_table {
+    ($name:ident { $($(#[$attribute:meta])* $field:ident: $type:ty,)* }) => {
+        #[derive(Debug, serde::Deserialize)]
+        #[serde(deny_unknown_fields)]
+        pub(super) struct $name {
+            id: toml::Spanned<String>,
+            locus: toml::Spanned<String>,
+            #[serde(default)]
+            title: String,
+            scheme: Option<toml::Spanned<String>>,
+            note: Option<String>,
+            $($(#[$attribute])* $field: $type,)*
+        }
+
+        impl $name {
+            pub(super) fn common(&self) -> super::fields::CommonFields<'_> {
+                super::fields::CommonFields {
+                    id: &self.id,
+                    locus: &self.locus,
+                    title: &self.title,
+                    scheme: self.scheme.as_ref(),
+                    note: self.note.as_deref(),
+                }
+            }
+        }
+    };
+}
+pub(super) use claim_table;
+
+/// `"0.742"`, or `{ printed = "h1.69e-4", read = "1.69e-4", note = "…" }`.
+#[derive(Debug)]
+pub(super) struct NumberField {
+    pub(super) printed: String,
+    pub(super) read: Option<String>,
+    pub(super) note: Option<String>,
+}
+
+impl<'de> Deserialize<'de> for NumberField {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<NumberField, D::Error> {
+        #[derive(Deserialize)]
+        #[serde(deny_unknown_fields)]
+        struct Corrected {
+            printed: String,
+            read: String,
+            note: String,
+        }
+        struct Either;
+        impl<'de> Visitor<'de> for Either {
+            type Value = NumberField;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a number in quotes, or { printed = …, read = …, note = … }")
+            }
+            fn visit_str<E>(self, text: &str) -> Result<NumberField, E> {
+                Ok(NumberField { printed: text.to_owned(), read: None, note: None })
+            }
+            fn visit_map<M: MapAccess<'de>>(self, map: M) -> Result<NumberField, M::Error> {
+                let fields = serde::de::value::MapAccessDeserializer::new(map);
+                let Corrected { printed, read, note } = Corrected::deserialize(fields)?;
+                Ok(NumberField { printed, read: Some(read), note: Some(note) })
+            }
+        }
+        deserializer.deserialize_any(Either)
+    }
+}

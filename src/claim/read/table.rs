@@ -1,0 +1,139 @@
+//! Reading tables.
+
+use super::axis::AxisTable;
+use super::fields::{Formulas, NumberField, claim_table};
+use super::{Head, Reader};
+use crate::claim::{Cell, Promise, Table};
+use crate::diagnostic::Diagnostic;
+use crate::scheme::{definitions, formula};
+use serde::Deserialize;
+use serde::de::Visitor;
+use std::fmt;
+use toml::Spanned;
+
+claim_table!(TableTable {
+    value: Spanned<String>,
+    promise: Option<Spanned<PromiseTable>>,
+    rows: Option<AxisTable>,
+    columns: AxisTable,
+    cells: Spanned<CellsField>,
+    #[serde(default)]
+    given: Formulas,
+    #[serde(default)]
+    unstated: Formulas,
+});
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct PromiseTable {
+    tolerance: Option<Spanned<String>>,
+    level: Option<Spanned<String>>,
+    spread: Spanned<String>,
+    offset: Option<Spanned<String>>,
+}
+
+/// Rows of cells, or `"lost"` when the source has none of them.
+#[derive(Debug)]
+enum CellsField {
+    Lost,
+    Rows(Vec<Spanned<Vec<Spanned<NumberField>>>>),
+}
+
+impl<'de> Deserialize<'de> for CellsField {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<CellsField, D::Error> {
+        struct Either;
+        impl<'de> Visitor<'de> for Either {
+            type Value = CellsField;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("rows of cells such as [['0.68', '0.31'], …], or \"lost\"")
+            }
+            fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<CellsField, E> {
+                if text == "lost" {
+                    return Ok(CellsField::Lost);
+                }
+                Err(E::invalid_value(serde::de::Unexpected::Str(text), &self))
+            }
+            fn visit_seq<S: serde::de::SeqAccess<'de>>(
+                self,
+                rows: S,
+            ) -> Result<CellsField, S::Error> {
+                let rows = serde::de::value::SeqAccessDeserializer::new(rows);
+                Vec::deserialize(rows).map(CellsField::Rows)
+            }
+        }
+        deserializer.deserialize_any(Either)
+    }
+}
+
+impl Reader<'_> {
+    pub(super) fn table(&self, table: &TableTable) -> Result<Table, Diagnostic> {
+        let rows = table.rows.as_ref().map(|rows| self.axis(rows)).transpose()?;
+        let columns = self.axis(&table.columns)?;
+        let shape = (rows.as_ref().map_or(1, |rows| rows.entries.len()), columns.entries.len());
+        let Head { id, locus, title, scheme, note } = self.head(table.common())?;
+        Ok(Table {
+            id,
+            locus,
+            title,
+            scheme,
+            value: formula(self.source, &table.value)?,
+            promise: table.promise.as_ref().map(|promise| self.promise(promise)).transpose()?,
+            cells: self.cells(table, shape)?,
+            rows,
+            columns,
+            given: definitions(self.source, &table.given)?,
+            unstated: definitions(self.source, &table.unstated)?,
+            note,
+        })
+    }
+
+    fn promise(&self, table: &Spanned<PromiseTable>) -> Result<Promise, Diagnostic> {
+        let PromiseTable { tolerance, level, spread, offset } = table.get_ref();
+        let spread = formula(self.source, spread)?;
+        let offset = self.optional(offset.as_ref())?;
+        match (tolerance, level) {
+            (Some(tolerance), None) => {
+                Ok(Promise::Depth { tolerance: formula(self.source, tolerance)?, spread, offset })
+            }
+            (None, Some(level)) => {
+                Ok(Promise::Bound { level: formula(self.source, level)?, spread, offset })
+            }
+            _ => Err(self
+                .error(table.span(), "a promise needs either `tolerance` or `level`")
+                .with_help(
+                    "{ tolerance = 'epsilon', spread = 'tau' } for a table of depths, \
+                     { level = 'k', spread = 'tau' } for a table of error bounds",
+                )),
+        }
+    }
+
+    fn cells(
+        &self,
+        table: &TableTable,
+        shape: (usize, usize),
+    ) -> Result<Vec<Vec<Cell>>, Diagnostic> {
+        let (row_count, column_count) = shape;
+        let CellsField::Rows(rows) = table.cells.get_ref() else {
+            return Ok(vec![vec![Cell::Lost; column_count]; row_count]);
+        };
+        if rows.len() != row_count {
+            let found = rows.len();
+            let message = format!("{found} rows of cells, and {row_count} row headers");
+            return Err(self.error(table.cells.span(), message).with_help(
+                "give one row of cells for each header in `rows`, or one row without `rows`",
+            ));
+        }
+        let cell = |field: &Spanned<NumberField>| self.printed(field).map(Cell::Printed);
+        let row = |row: &Spanned<Vec<Spanned<NumberField>>>| {
+            if row.get_ref().len() != column_count {
+                let found = row.get_ref().len();
+                let message = format!("{found} cells, and {column_count} column headers");
+                return Err(self
+                    .error(row.span(), message)
+                    .with_help("give one cell for each header in `columns`"));
+            }
+            row.get_ref().iter().map(cell).collect()
+        };
+        rows.iter().map(row).collect()
+    }
+}
