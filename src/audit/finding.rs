@@ -14,6 +14,9 @@ pub enum Verdict {
     Rounding(Direction),
     /// One local slip away from the exact value.
     Misprint(Slip),
+    /// Not the printed definition, but what another reading of it gives: how that
+    /// differs.
+    OtherReading(String),
     /// None of these.
     Refuted,
     /// Something that it needs is absent.
@@ -22,8 +25,8 @@ pub enum Verdict {
 
 impl Verdict {
     /// The names of the verdicts of numbers, best first.
-    pub const NAMES: [&'static str; 5] =
-        ["confirmed", "rounding", "misprint", "refuted", "not-checkable"];
+    pub const NAMES: [&'static str; 6] =
+        ["confirmed", "rounding", "misprint", "other-reading", "refuted", "not-checkable"];
 
     /// The verdict's name.
     #[must_use]
@@ -32,6 +35,7 @@ impl Verdict {
             Verdict::Confirmed => "confirmed",
             Verdict::Rounding(_) => "rounding",
             Verdict::Misprint(_) => "misprint",
+            Verdict::OtherReading(_) => "other-reading",
             Verdict::Refuted => "refuted",
             Verdict::NotCheckable(_) => "not-checkable",
         }
@@ -169,6 +173,8 @@ pub struct CellFinding {
     pub verdict: Verdict,
     /// The value of the printed definition, if it has one.
     pub exact: Option<RealCyclotomic>,
+    /// The value by the reading that the verdict speaks of.
+    pub as_read: Option<RealCyclotomic>,
     /// Why it has none.
     pub undefined: Option<String>,
     /// The values at which `exact` and `sound` were computed though the paper

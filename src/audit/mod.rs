@@ -13,6 +13,7 @@ mod parametric;
 mod promise;
 mod quantity;
 mod range;
+mod reading;
 mod series;
 mod shape;
 mod table;
@@ -25,6 +26,9 @@ pub use finding::{Assumed, CellFinding, Direction, Missing, Slip, Sound, Verdict
 pub use function::{Example, FunctionFinding, FunctionVerdict};
 pub use quantity::QUANTITIES;
 pub use range::{EndFinding, EndRelation, RangeFinding, RangeVerdict};
+pub use reading::{
+    Choice, Difference, Effect, Explanation, FAMILY, MAX_DIFFERENCES, Search, Solved, Way,
+};
 pub use table::TableFinding;
 pub use theorem::{FailingPremise, TheoremFinding, TheoremVerdict};
 

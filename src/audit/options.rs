@@ -1,17 +1,32 @@
 //! The options of a function call in a claim.
 
+use super::reading::Settings;
 use crate::bound::{Order, Recursion, Rounded, Suprema, Terms};
 use crate::formula::{Call, CallError, OptionWord};
+
+/// What a power of a constant of c levels counts.
+#[derive(Clone, Copy)]
+pub(super) enum Exponent {
+    Level,
+    Block,
+}
 
 /// The options of a call, each to be used once.
 pub(super) struct Options<'a> {
     function: &'a str,
     left: Vec<&'a OptionWord>,
+    /// The reading, which may change what is printed.
+    settings: Option<&'a Settings>,
 }
 
 impl<'a> Options<'a> {
     pub(super) fn new<V>(call: &Call<'a, V>) -> Options<'a> {
-        Options { function: call.function, left: call.options.iter().collect() }
+        Options { function: call.function, left: call.options.iter().collect(), settings: None }
+    }
+
+    /// The options as a reading has them.
+    pub(super) fn read_as(self, settings: &'a Settings) -> Options<'a> {
+        Options { settings: Some(settings), ..self }
     }
 
     pub(super) fn take(&mut self, name: &str) -> Option<String> {
@@ -20,12 +35,22 @@ impl<'a> Options<'a> {
     }
 
     fn choose<T: Copy>(&mut self, name: &str, choices: &[(&str, T)]) -> Result<T, CallError> {
-        let Some(word) = self.take(name) else { return Ok(choices[0].1) };
+        let printed = self.take(name).unwrap_or_else(|| choices[0].0.to_owned());
+        let word = self.word(name, &printed);
         let found = choices.iter().find(|(choice, _)| *choice == word);
         found.map(|(_, value)| *value).ok_or_else(|| {
             let known: Vec<&str> = choices.iter().map(|(choice, _)| *choice).collect();
             CallError::Misuse(format!("`{name}` is one of {}, not `{word}`", known.join(", ")))
         })
+    }
+
+    /// The word of an option, which the claim gives as `printed`.
+    fn word<'w>(&self, name: &str, printed: &'w str) -> &'w str {
+        self.settings.map_or(printed, |settings| settings.option(self.function, name, printed))
+    }
+
+    pub(super) fn exponent(&mut self) -> Result<Exponent, CallError> {
+        self.choose("exponent", &[("level", Exponent::Level), ("block", Exponent::Block)])
     }
 
     pub(super) fn order(&mut self) -> Result<Order, CallError> {
@@ -52,9 +77,10 @@ impl<'a> Options<'a> {
     }
 
     pub(super) fn offset(&mut self, own: i64) -> Result<i64, CallError> {
-        match self.take("offset").as_deref() {
-            None | Some("own") => Ok(own),
-            Some(word) => word.parse().ok().filter(|o: &i64| o.abs() <= 10_000).ok_or_else(|| {
+        let printed = self.take("offset").unwrap_or_else(|| "own".to_owned());
+        match self.word("offset", &printed) {
+            "own" => Ok(own),
+            word => word.parse().ok().filter(|o: &i64| o.abs() <= 10_000).ok_or_else(|| {
                 CallError::Misuse(format!("`offset` is `own` or an integer, not `{word}`"))
             }),
         }

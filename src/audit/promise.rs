@@ -2,8 +2,8 @@
 
 use super::finding::{CellFinding, Sound};
 use super::quantity::Quantities;
+use super::reading::{DEPTH_ROUNDING, Settings};
 use super::table::{At, Judge, Outcome};
-use crate::bound::Rounded;
 use crate::claim::{Cell, Promise};
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Rational, RealCyclotomic};
@@ -51,7 +51,8 @@ impl Judge<'_> {
             let needed = match promise {
                 Promise::Bound { .. } => Outcome::Value(exact.clone()),
                 Promise::Depth { .. } => {
-                    self.evaluate(&self.table.value, at.rounding(Rounded::Up))?
+                    let settings = Settings::new(vec![(DEPTH_ROUNDING.name, "up")]);
+                    self.evaluate(&self.table.value, At { settings: &settings, ..at })?
                 }
             };
             if let Outcome::Value(needed) = needed {

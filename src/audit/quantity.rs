@@ -1,11 +1,12 @@
 //! The functions that claims can use: constants of the scheme they are about.
 
 use super::library::{Library, Resolved, Unresolved};
-use super::options::Options;
+use super::options::{Exponent, Options};
+use super::reading::Settings;
 use super::series;
 use super::shape::shape;
 use crate::bound::{
-    ClassCap, Constants, DepthError, Operator, Rounded, Terms, displacement, log_level_algebraic,
+    ClassCap, Constants, DepthError, Operator, Terms, displacement, log_level_algebraic,
     surface_displacement,
 };
 use crate::exact::{Rational, Real, RealCyclotomic};
@@ -20,7 +21,11 @@ pub const QUANTITIES: [(&str, &str); 13] = [
     ("tensor(c, order = …, suprema = independent|joint)", "T_c·Λ_c of the tensor product"),
     ("displacement(terms = each|total, offset = own|0|-1|…)", "σ"),
     ("surface_displacement(x1, x2, x3, terms = each|total)", "ν for the spreads x1, x2, x3"),
-    ("levels(ratio, x, rounded = up|nearest|down)", "the logarithm of x to the base `ratio`"),
+    (
+        "levels(ratio, x, c, rounded = up|nearest|down, exponent = level|block)",
+        "the logarithm of x to the base `ratio`; with c, which may be left out, and \
+         `exponent = block` c times that",
+    ),
     ("mask(alpha, j)", "a coefficient of the mask; 0 beyond its ends"),
     ("difference(beta, j)", "a coefficient of the difference mask"),
     (
@@ -32,8 +37,10 @@ pub const QUANTITIES: [(&str, &str); 13] = [
         "the same for arity n and the sequence that the definition NAME gives in the index q",
     ),
     (
-        "convolution_norm(c, n, length, last, sequence = NAME, index = q, recursion = …)",
-        "the largest Σ_l |E^c_{l,f}| over the n^c values of f up to `last`",
+        "convolution_norm(c, n, length, last, sequence = NAME, with = NAME, suprema = …, index = q, \
+         recursion = …)",
+        "the largest Σ_l |E^c_{l,f}| over the n^c values of f up to `last`; with a second sequence, \
+         the product of both, with independent or joint suprema",
     ),
     ("arity()", "n"),
     ("width()", "N"),
@@ -55,8 +62,8 @@ pub(super) fn check_name(function: &str) -> Result<(), CallError> {
 pub(super) struct Quantities<'a> {
     pub(super) library: &'a Library<'a>,
     pub(super) scheme: Option<Resolved>,
-    /// When set, `levels` rounds so, whatever the formula says.
-    pub(super) rounded: Option<Rounded>,
+    /// How the formula is read.
+    pub(super) settings: &'a Settings,
     /// Whether a value was given up because it is beyond the caps of the program,
     /// not because it does not exist.
     pub(super) beyond_caps: Cell<bool>,
@@ -69,9 +76,16 @@ impl Functions<RealCyclotomic> for Quantities<'_> {
         context: &dyn Context<RealCyclotomic>,
     ) -> Result<RealCyclotomic, CallError> {
         check_name(call.function)?;
-        let mut options = Options::new(call);
+        let mut options = Options::new(call).read_as(self.settings);
         let value = match (call.function, call.arguments) {
             ("levels", [ratio, x]) => self.levels(ratio, x, &mut options)?,
+            ("levels", [ratio, x, c]) => {
+                let levels = self.levels(ratio, x, &mut options)?;
+                match options.exponent()? {
+                    Exponent::Level => levels,
+                    Exponent::Block => &levels * c,
+                }
+            }
             _ => match series::call(call, context, &mut options, &self.library.norms) {
                 Some(value) => value?,
                 None => self.of_scheme(call, &mut options)?,
@@ -130,7 +144,7 @@ impl Quantities<'_> {
         options: &mut Options<'_>,
     ) -> Result<RealCyclotomic, CallError> {
         let rounded = options.rounded()?;
-        let level = log_level_algebraic(ratio, x, self.rounded.unwrap_or(rounded));
+        let level = log_level_algebraic(ratio, x, rounded);
         level.map(RealCyclotomic::from).map_err(|error| {
             if error == DepthError::TooDeep {
                 self.beyond_caps.set(true);

@@ -2,7 +2,7 @@
 
 use super::options::Options;
 use super::shape::index;
-use crate::bound::{Recursion, convolution_coefficient, convolution_window};
+use crate::bound::{Recursion, Suprema, convolution_coefficient, convolution_window};
 use crate::exact::{Rational, common_conductor};
 use crate::formula::{Call, CallError, Context, FormulaErrorKind, Lookup, Value};
 use std::cell::RefCell;
@@ -22,11 +22,18 @@ const MAX_PRODUCTS: usize = 1_000_000;
 /// The index of a sequence when the call does not name it.
 const INDEX: &str = "q";
 
-/// Norms of sequences by what they depend on, each computed once.
-pub(super) type Norms<V> = RefCell<Vec<(Key<V>, V)>>;
+/// The absolute sums of windows by what they depend on, each computed once.
+pub(super) type Norms<V> = RefCell<Vec<(Window<V>, Vec<V>)>>;
 
-/// A sequence, and the arity, number of convolutions, last index and recursion.
-type Key<V> = (Vec<V>, usize, u32, usize, Recursion);
+/// A sequence, and what [`convolution_window`] makes of it.
+#[derive(PartialEq)]
+pub(super) struct Window<V> {
+    terms: Vec<V>,
+    arity: usize,
+    c: u32,
+    last: usize,
+    recursion: Recursion,
+}
 
 /// The value of a function of a sequence; `None` when `call` is another function.
 pub(super) fn call<V: Value + PartialEq>(
@@ -56,7 +63,8 @@ fn coefficient<V: Value>(
     let n = within("the arity", n, 2..=16)?;
     let (l, f) = (index("the index l", l)?, index("the index f", f)?);
     let recursion = options.recursion()?;
-    let terms = sequence(call, context, options, length)?;
+    let names = Names::of(options)?;
+    let terms = names.sequence(&names.first, call, context, length)?;
     Ok(convolution_coefficient(&terms, n, narrow(c), l, f, recursion))
 }
 
@@ -70,73 +78,108 @@ fn norm<V: Value + PartialEq>(
     let c = within("the number of convolutions", c, 1..=MAX_CONVOLUTIONS)?;
     let n = within("the arity", n, 2..=16)?;
     let last = within("the last index", last, 0..=1_000_000)?;
-    let recursion = options.recursion()?;
-    let terms = sequence(call, context, options, length)?;
-    // By the printed recursion both factors grow.
-    let factor = match recursion {
-        Recursion::Derived => terms.len(),
-        Recursion::Printed => last + 1,
+    let (recursion, suprema) = (options.recursion()?, options.suprema()?);
+    let names = Names::of(options)?;
+    let sums = |name: &str| {
+        let terms = names.sequence(name, call, context, length)?;
+        let window = Window { terms, arity: n, c: narrow(c), last, recursion };
+        window.absolute_sums(known)
     };
-    if (last + 1).saturating_mul(factor) > MAX_PRODUCTS {
-        let message = format!(
-            "the last index times the length of the sequences is at most {MAX_PRODUCTS} here"
-        );
-        return Err(CallError::Misuse(message));
+    let first = sums(&names.first)?;
+    let Some(second) = &names.second else { return largest(first) };
+    let second = sums(second)?;
+    match suprema {
+        Suprema::Independent => Ok(largest(first)?.times(&largest(second)?)),
+        Suprema::Joint => largest(first.iter().zip(&second).map(|(a, b)| a.times(b)).collect()),
     }
-    let key = (terms, n, narrow(c), last, recursion);
-    if let Some((_, value)) = known.borrow().iter().find(|(other, _)| *other == key) {
-        return Ok(value.clone());
-    }
-    let value = largest_sum(&convolution_window(&key.0, n, narrow(c), last, recursion))?;
-    known.borrow_mut().push((key, value.clone()));
-    Ok(value)
 }
 
-/// The largest sum of absolute values of a row.
-fn largest_sum<V: Value>(rows: &[Vec<V>]) -> Result<V, CallError> {
-    let symbolic = || {
-        let what = "an absolute value has no value while a parameter is symbolic";
-        CallError::Inner(FormulaErrorKind::Unsupported(what))
-    };
-    rows.iter().try_fold(V::zero(), |best, row| {
-        let sum = row.iter().try_fold(V::zero(), |sum, term| {
-            Ok::<V, CallError>(sum.plus(&term.absolute().ok_or_else(symbolic)?))
-        })?;
-        best.larger(&sum).ok_or_else(symbolic)
-    })
+/// The greatest of numbers that are not negative.
+fn largest<V: Value>(values: Vec<V>) -> Result<V, CallError> {
+    values.iter().try_fold(V::zero(), |best, value| best.larger(value).ok_or_else(symbolic))
 }
 
-/// The sequence that the option `sequence` names, at the indices 0, …, length − 1.
-fn sequence<V: Value>(
-    call: &Call<'_, V>,
-    context: &dyn Context<V>,
-    options: &mut Options<'_>,
-    length: &V,
-) -> Result<Vec<V>, CallError> {
-    let length = within("the length of a sequence", length, 1..=MAX_LENGTH)?;
-    let name = options.take("sequence").ok_or_else(|| {
-        let message = "name the definition that gives the sequence: `sequence = g`";
-        CallError::Misuse(message.to_owned())
-    })?;
-    let at = options.take("index").unwrap_or_else(|| INDEX.to_owned());
-    let mut terms: Vec<V> = Vec::with_capacity(length);
-    let mut conductor = 1;
-    for q in 0..length {
-        let mut indices = vec![(at.clone(), V::from_rational(&Rational::from(q)))];
-        indices.extend_from_slice(call.indices);
-        let term = match context.name(&name, &indices)? {
-            Lookup::Found(term) => term,
-            Lookup::Unstated => return Err(CallError::Inner(FormulaErrorKind::Unstated(name))),
-            Lookup::Unknown => {
-                let known = context.names();
-                return Err(CallError::Inner(FormulaErrorKind::UnknownName { name, known }));
-            }
+fn symbolic() -> CallError {
+    let what = "an absolute value has no value while a parameter is symbolic";
+    CallError::Inner(FormulaErrorKind::Unsupported(what))
+}
+
+impl<V: Value + PartialEq> Window<V> {
+    /// Σ_l |E^c_{l,f}| for each f of the window.
+    fn absolute_sums(self, known: &Norms<V>) -> Result<Vec<V>, CallError> {
+        if let Some((_, sums)) = known.borrow().iter().find(|(window, _)| *window == self) {
+            return Ok(sums.clone());
+        }
+        // By the printed recursion both factors grow.
+        let factor = match self.recursion {
+            Recursion::Derived => self.terms.len(),
+            Recursion::Printed => self.last + 1,
         };
-        conductor = common_conductor(conductor, term.conductor())
-            .map_err(|error| CallError::Inner(error.into()))?;
-        terms.push(term);
+        if (self.last + 1).saturating_mul(factor) > MAX_PRODUCTS {
+            let message = format!(
+                "the last index times the length of the sequences is at most {MAX_PRODUCTS} here"
+            );
+            return Err(CallError::Misuse(message));
+        }
+        let Window { terms, arity, c, last, recursion } = &self;
+        let rows = convolution_window(terms, *arity, *c, *last, *recursion);
+        let sum = |row: &Vec<V>| {
+            row.iter().try_fold(V::zero(), |sum, term| {
+                Ok(sum.plus(&term.absolute().ok_or_else(symbolic)?))
+            })
+        };
+        let sums = rows.iter().map(sum).collect::<Result<Vec<V>, CallError>>()?;
+        known.borrow_mut().push((self, sums.clone()));
+        Ok(sums)
     }
-    Ok(terms)
+}
+
+/// The definitions that give sequences, and their index.
+struct Names {
+    first: String,
+    second: Option<String>,
+    index: String,
+}
+
+impl Names {
+    fn of(options: &mut Options<'_>) -> Result<Names, CallError> {
+        let first = options.take("sequence").ok_or_else(|| {
+            let message = "name the definition that gives the sequence: `sequence = g`";
+            CallError::Misuse(message.to_owned())
+        })?;
+        let index = options.take("index").unwrap_or_else(|| INDEX.to_owned());
+        Ok(Names { first, second: options.take("with"), index })
+    }
+
+    /// The sequence of this name, at the indices 0, …, length − 1.
+    fn sequence<V: Value>(
+        &self,
+        name: &str,
+        call: &Call<'_, V>,
+        context: &dyn Context<V>,
+        length: &V,
+    ) -> Result<Vec<V>, CallError> {
+        let length = within("the length of a sequence", length, 1..=MAX_LENGTH)?;
+        let mut terms: Vec<V> = Vec::with_capacity(length);
+        let mut conductor = 1;
+        for q in 0..length {
+            let mut indices = vec![(self.index.clone(), V::from_rational(&Rational::from(q)))];
+            indices.extend_from_slice(call.indices);
+            let name = name.to_owned();
+            let term = match context.name(&name, &indices)? {
+                Lookup::Found(term) => term,
+                Lookup::Unstated => return Err(CallError::Inner(FormulaErrorKind::Unstated(name))),
+                Lookup::Unknown => {
+                    let known = context.names();
+                    return Err(CallError::Inner(FormulaErrorKind::UnknownName { name, known }));
+                }
+            };
+            conductor = common_conductor(conductor, term.conductor())
+                .map_err(|error| CallError::Inner(error.into()))?;
+            terms.push(term);
+        }
+        Ok(terms)
+    }
 }
 
 /// An integer argument that has to be in `range`.

@@ -4,11 +4,11 @@ use super::compare;
 use super::finding::{Assumed, CellFinding, Direction, Missing, Verdict};
 use super::library::{Library, Unresolved, values};
 use super::quantity::Quantities;
-use crate::bound::Rounded;
+use super::reading::{self, HEADER, DEPTH_ROUNDING, Explanation, Search, Settings};
 use crate::claim::{Axis, AxisEntry, Cell, LocatedReference, Paper, Printed, Promise, Table};
 use crate::diagnostic::Diagnostic;
-use crate::exact::{Rational, RealCyclotomic};
-use crate::formula::{FormulaError, FormulaErrorKind, LocatedFormula, Scope, evaluate};
+use crate::exact::{Rational, RealCyclotomic, parse_decimal};
+use crate::formula::{FormulaError, FormulaErrorKind, LocatedFormula, Node, Scope, evaluate};
 use crate::scheme::SchemeError;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -19,6 +19,9 @@ pub struct TableFinding<'a> {
     pub table: &'a Table,
     /// Its cells, row by row.
     pub cells: Vec<Vec<CellFinding>>,
+    /// The search for the reading that it was computed by, unless every cell is as
+    /// printed.
+    pub search: Option<Search>,
 }
 
 /// Judges every cell of a table.
@@ -34,7 +37,11 @@ pub(super) fn judge<'a>(
         cells.push(columns.map(|column| judge.cell(row, column)).collect::<Result<Vec<_>, _>>()?);
     }
     judge.compare_with_neighbours(&mut cells);
-    Ok(TableFinding { table, cells })
+    let search = reading::search(&judge, &cells);
+    if let Some(reading) = search.as_ref().and_then(|search| search.best.first()) {
+        judge.read_as(reading, &mut cells);
+    }
+    Ok(TableFinding { table, cells, search })
 }
 
 /// A value of the claim file's formula, or what stands in its way.
@@ -51,23 +58,19 @@ pub(super) struct Judge<'a> {
     pub(super) library: &'a Library<'a>,
     pub(super) given: BTreeMap<String, Rational>,
     pub(super) assumed: BTreeMap<String, Rational>,
+    /// As printed.
+    settings: Settings,
 }
 
 /// One cell's place, and how it is looked at.
 #[derive(Clone, Copy)]
 pub(super) struct At<'n> {
-    row: usize,
-    column: usize,
+    pub(super) row: usize,
+    pub(super) column: usize,
     /// The unstated parameters that get their assumed values.
-    assume: &'n BTreeSet<String>,
-    rounded: Option<Rounded>,
-}
-
-impl At<'_> {
-    /// The same with every depth of the claim's formula rounded so.
-    pub(super) fn rounding(self, rounded: Rounded) -> Self {
-        At { rounded: Some(rounded), ..self }
-    }
+    pub(super) assume: &'n BTreeSet<String>,
+    /// How the formula is read.
+    pub(super) settings: &'n Settings,
 }
 
 impl<'a> Judge<'a> {
@@ -80,15 +83,17 @@ impl<'a> Judge<'a> {
         given.extend(values(&table.given)?);
         let assumed = values(&table.unstated)?;
         given.retain(|name, _| !assumed.contains_key(name));
-        Ok(Judge { paper, table, library, given, assumed })
+        Ok(Judge { paper, table, library, given, assumed, settings: Settings::default() })
     }
 
-    fn scope<'s>(&'s self, at: At<'_>, functions: &'s Quantities<'s>) -> Scope<'s, RealCyclotomic> {
-        let mut scope = Scope::new(&self.paper.definitions, functions);
+    fn scope<'s>(&'s self, at: At<'s>, functions: &'s Quantities<'s>) -> Scope<'s, RealCyclotomic> {
+        let definitions = at.settings.definitions.as_ref().unwrap_or(&self.paper.definitions);
+        let mut scope = Scope::new(definitions, functions);
         for (name, value) in &self.given {
             scope = scope.with(name, value.clone().into());
         }
         for (name, value) in &self.assumed {
+            let value = at.settings.parameters.get(name).unwrap_or(value);
             scope = if at.assume.contains(name) {
                 scope.with(name, value.clone().into())
             } else {
@@ -96,7 +101,7 @@ impl<'a> Judge<'a> {
             };
         }
         for (axis, entry) in self.headers(at.row, at.column) {
-            scope = scope.with(&axis.name, entry.value.clone().into());
+            scope = scope.with(&axis.name, self.header(axis, entry, at.settings).into());
         }
         scope
     }
@@ -111,15 +116,53 @@ impl<'a> Judge<'a> {
         rows.into_iter().chain([(columns, &columns.entries[column])])
     }
 
+    /// The value of a header: a tolerance may stand for either end of its rounding
+    /// interval.
+    fn header(&self, axis: &Axis, entry: &AxisEntry, settings: &Settings) -> Rational {
+        let value = entry.value.clone();
+        let Some(word) = settings.word(&HEADER) else { return value };
+        let Some(decimal) = self.tolerance(axis).then(|| parse_decimal(&entry.printed).ok()).flatten()
+        else {
+            return value;
+        };
+        let (low, high) = decimal.interval();
+        if word == "less" { low } else { high }
+    }
+
+    /// Whether the axis gives the tolerances of a table of depths.
+    fn tolerance(&self, axis: &Axis) -> bool {
+        let Some(Promise::Depth { tolerance, .. }) = &self.table.promise else { return false };
+        matches!(&tolerance.expr.node, Node::Name(name) if *name == axis.name)
+    }
+
+    /// Whether an axis gives tolerances.
+    pub(super) fn has_tolerance_headers(&self) -> bool {
+        self.table.rows.iter().chain([&self.table.columns]).any(|axis| self.tolerance(axis))
+    }
+
+    /// The definitions that the table's formula needs, directly or not.
+    pub(super) fn definitions_used(&self) -> BTreeSet<String> {
+        let mut used = BTreeSet::new();
+        let mut waiting = self.table.value.expr.words();
+        while let Some(name) = waiting.pop() {
+            if let Some(definition) = self.paper.definitions.get(&name)
+                && used.insert(name)
+            {
+                waiting.extend(definition.expr.words());
+            }
+        }
+        used
+    }
+
     /// The quantities of this cell's scheme.
-    pub(super) fn quantities(
-        &self,
-        at: At<'_>,
-    ) -> Result<Result<Quantities<'a>, Outcome>, Diagnostic> {
+    pub(super) fn quantities<'s>(
+        &'s self,
+        at: At<'s>,
+    ) -> Result<Result<Quantities<'s>, Outcome>, Diagnostic> {
         let mut quantities = Quantities {
             library: self.library,
             scheme: None,
-            rounded: at.rounded,
+            settings: at.settings,
             beyond_caps: std::cell::Cell::new(false),
         };
         let Some(located) = &self.table.scheme else { return Ok(Ok(quantities)) };
@@ -182,6 +225,7 @@ impl<'a> Judge<'a> {
             verdict: Verdict::NotCheckable(Missing::Cell),
             exact: None,
             undefined: None,
+            as_read: None,
             assumed: Assumed::new(),
             verdict_if_assumed: None,
             sound: None,
@@ -192,7 +236,7 @@ impl<'a> Judge<'a> {
         // are known.
         let mut needed = BTreeSet::new();
         let outcome = loop {
-            let at = At { row, column, assume: &needed, rounded: None };
+            let at = At { row, column, assume: &needed, settings: &self.settings };
             match self.evaluate(&self.table.value, at)? {
                 Outcome::Unstated(name) if needed.insert(name.clone()) => {}
                 outcome => break outcome,
@@ -218,7 +262,7 @@ impl<'a> Judge<'a> {
             let names = needed.iter().cloned().collect();
             finding.verdict = Verdict::NotCheckable(Missing::Parameters(names));
         }
-        let at = At { row, column, assume: &needed, rounded: None };
+        let at = At { row, column, assume: &needed, settings: &self.settings };
         if let Cell::Printed(printed) = cell {
             let verdict = match beyond_caps {
                 Some(verdict) => verdict,
@@ -256,14 +300,52 @@ impl<'a> Judge<'a> {
             return Ok(verdict);
         }
         let otherwise =
-            [(Rounded::Down, Direction::DepthDown), (Rounded::Nearest, Direction::DepthNearest)];
+            [("down", Direction::DepthDown), ("nearest", Direction::DepthNearest)];
         for (rounded, direction) in otherwise {
-            let value = self.evaluate(&self.table.value, at.rounding(rounded))?;
+            let settings = Settings::new(vec![(DEPTH_ROUNDING.name, rounded)]);
+            let at = At { settings: &settings, ..at };
+            let value = self.evaluate(&self.table.value, at)?;
             if matches!(value, Outcome::Value(value) if value == printed.decimal.value().into()) {
                 return Ok(Verdict::Rounding(direction));
             }
         }
         Ok(Verdict::Refuted)
+    }
+
+    /// What a reading makes of the cells that are not as printed: explained, or a
+    /// slip away from its value.
+    fn read_as(&self, reading: &Explanation, cells: &mut [Vec<CellFinding>]) {
+        let text: Vec<String> =
+            reading.differences.iter().map(|difference| difference.says.clone()).collect();
+        let text = text.join("; ");
+        for (row, findings) in cells.iter_mut().enumerate() {
+            for (column, finding) in findings.iter_mut().enumerate() {
+                let Cell::Printed(printed) = &self.table.cells[row][column] else { continue };
+                let Some(value) = &reading.values[row][column] else { continue };
+                let verdict = match &mut finding.verdict_if_assumed {
+                    Some(verdict) => verdict,
+                    None => &mut finding.verdict,
+                };
+                if !matches!(verdict, Verdict::Refuted | Verdict::Rounding(_) | Verdict::Misprint(_))
+                {
+                    continue;
+                }
+                if reading.explained[row][column] {
+                    *verdict = Verdict::OtherReading(text.clone());
+                    finding.as_read = Some(value.clone());
+                } else if *verdict == Verdict::Refuted && !self.is_depth() {
+                    let slip = compare::judge(&printed.decimal, value, &[]);
+                    if matches!(slip, Verdict::Misprint(_)) {
+                        *verdict = slip;
+                        finding.as_read = Some(value.clone());
+                    }
+                }
+            }
+        }
+    }
+
+    fn is_depth(&self) -> bool {
+        matches!(self.table.promise, Some(Promise::Depth { .. }))
     }
 
     /// Numbers that are no depths may have been copied from a neighbouring cell.

@@ -25,6 +25,8 @@ pub struct Paper {
     pub schemes: BTreeMap<String, SchemeSource>,
     /// Named formulas: the paper's definitions.
     pub definitions: BTreeMap<String, LocatedFormula>,
+    /// Other formulas for some definitions, which a table may have been computed by.
+    pub alternatives: Vec<Alternative>,
     /// Values that the paper states for parameters.
     pub given: BTreeMap<String, LocatedFormula>,
     /// The tables, in the paper's order.
@@ -39,6 +41,17 @@ pub struct Paper {
     pub theorems: Vec<Theorem>,
     /// The claim file.
     pub source: Arc<SourceText>,
+}
+
+/// Another formula for a definition.
+#[derive(Clone, Debug)]
+pub struct Alternative {
+    /// The definition's name.
+    pub of: String,
+    /// How it differs from what is printed, in a few words.
+    pub label: String,
+    /// The formula.
+    pub value: LocatedFormula,
 }
 
 /// Who wrote what, where and when.

@@ -14,6 +14,38 @@ pub struct Expr {
     pub span: Span,
 }
 
+impl Expr {
+    /// Every name and every word of an option that occurs, in no order: what the
+    /// formula may refer to.
+    #[must_use]
+    pub fn words(&self) -> Vec<String> {
+        let mut words = Vec::new();
+        let mut waiting = vec![self];
+        while let Some(expr) = waiting.pop() {
+            match &expr.node {
+                Node::Number(_) => {}
+                Node::Name(name) => words.push(name.clone()),
+                Node::Indexed { name, indices } => {
+                    words.push(name.clone());
+                    waiting.extend(indices);
+                }
+                Node::Negate(operand) => waiting.push(operand),
+                Node::Chain(first, rest) => {
+                    waiting.push(first);
+                    waiting.extend(rest.iter().map(|(_, operand)| operand));
+                }
+                Node::Power(base, exponent) => waiting.extend([&**base, exponent]),
+                Node::Call { arguments, options, .. } => {
+                    waiting.extend(arguments);
+                    words.extend(options.iter().map(|option| option.word.clone()));
+                }
+                Node::Fold { from, to, body, .. } => waiting.extend([&**from, to, body]),
+            }
+        }
+        words
+    }
+}
+
 /// A node of the tree. The tree is as deep as the text is nested: operators of
 /// one precedence stand side by side, however many there are.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -4,7 +4,7 @@ use super::function;
 use super::mark;
 use super::sheet::{Grid, Sheet};
 use super::theorem;
-use crate::audit::{
+use crate::audit::{Explanation, Search, 
     CellFinding, Direction, EquationFinding, EquationVerdict, PaperAudit, Sound, TableFinding,
     Verdict,
 };
@@ -203,6 +203,7 @@ pub(super) fn remarks(finding: &TableFinding<'_>) -> Vec<String> {
         Verdict::Rounding(direction) => Some(format!("{} ({direction})", cell.printed.as_deref()?)),
         _ => None,
     }));
+    lines.extend(finding.search.as_ref().map(reading));
     let axes = finding.table.rows.iter().chain([&finding.table.columns]);
     lines.extend(axes.flat_map(|axis| &axis.entries).filter_map(|entry| {
         let (printed, value, note) = (&entry.printed, short(&entry.value, 12), &entry.note);
@@ -356,4 +357,29 @@ pub(super) fn outcome(finding: &EquationFinding<'_>) -> String {
             lines.join("\n")
         }
     }
+}
+
+/// What a search for readings has found, in a sentence.
+fn reading(search: &Search) -> String {
+    let Search { tried, cells, as_printed, .. } = search;
+    let Some(first) = search.best.first() else {
+        return format!("None of {tried} readings explains more than the {as_printed} of {cells} cells that are as printed.");
+    };
+    let text = |explanation: &Explanation| {
+        let differences = explanation.differences.iter().map(|difference| difference.says.clone());
+        let solved = explanation.solved.iter().map(|solved| {
+            let (low, high) = (short(&solved.between.0, 6), short(&solved.between.1, 6));
+            format!("{} = {}, between {low} and {high}", solved.name, solved.simplest)
+        });
+        differences.chain(solved).collect::<Vec<String>>().join("; ")
+    };
+    let more = search.best[1..].iter().map(|other| format!(" Or: {}.", text(other)));
+    let count = first.count();
+    let chance = short(&search.chance, 1);
+    format!(
+        "{} Read otherwise, {count} of {cells} cells are explained, {as_printed} as printed: {}.{} {tried} readings tried, chance {chance}.",
+        mark("other-reading"),
+        text(first),
+        more.collect::<String>()
+    )
 }

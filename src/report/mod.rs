@@ -22,6 +22,7 @@ pub fn mark(verdict: &str) -> &'static str {
         "confirmed" | "holds" | "exact" => "✓",
         "rounding" => "≈",
         "misprint" => "±",
+        "other-reading" => "⇄",
         "refuted" | "fails" | "inexact" => "✗",
         _ => "?",
     }

@@ -8,7 +8,7 @@ mod function;
 mod table;
 mod theorem;
 
-use super::paper::{Bibliography, Paper, SchemeSource};
+use super::paper::{Alternative, Bibliography, Paper, SchemeSource};
 use super::table::{LocatedReference, Printed};
 use crate::diagnostic::{Diagnostic, SourceText, read_text};
 use crate::exact::{NumberError, parse_decimal};
@@ -38,6 +38,8 @@ struct PaperFile {
     #[serde(default)]
     define: Formulas,
     #[serde(default)]
+    alternative: Vec<AlternativeTable>,
+    #[serde(default)]
     given: Formulas,
     #[serde(default)]
     scheme: Vec<SchemeTable>,
@@ -66,6 +68,14 @@ struct BibliographyTable {
     note: Option<String>,
     #[serde(default)]
     numbered: Vec<Spanned<String>>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct AlternativeTable {
+    of: Spanned<String>,
+    label: String,
+    value: Spanned<String>,
 }
 
 impl BibliographyTable {
@@ -109,6 +119,7 @@ pub fn read_paper(source: &Arc<SourceText>) -> Result<Paper, Diagnostic> {
         contents: reader.contents(&file.paper.numbered, file.claims(), &file.unclaimed)?,
         schemes: reader.schemes(&file.scheme)?,
         definitions: definitions(source, &file.define)?,
+        alternatives: all(&file.alternative, |other| reader.alternative(other, &file.define))?,
         given: definitions(source, &file.given)?,
         tables: all(&file.table, |table| reader.table(table))?,
         equations: all(&file.equation, |equation| reader.equation(equation))?,
@@ -151,6 +162,20 @@ struct Head {
 }
 
 impl Reader<'_> {
+    fn alternative(
+        &self,
+        table: &AlternativeTable,
+        define: &Formulas,
+    ) -> Result<Alternative, Diagnostic> {
+        let name = table.of.get_ref();
+        if !define.keys().any(|known| known.get_ref() == name) {
+            let message = format!("there is no definition `{name}` that this could be an alternative of");
+            return Err(self.error(table.of.span(), message));
+        }
+        let value = formula(self.source, &table.value)?;
+        Ok(Alternative { of: name.clone(), label: table.label.clone(), value })
+    }
+
     fn error(&self, span: Range<usize>, message: impl Into<String>) -> Diagnostic {
         Diagnostic::new(self.source, span, message)
     }

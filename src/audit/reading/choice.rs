@@ -1,0 +1,40 @@
+//! Choices: the respects in which a reading may differ from the printed text.
+
+/// One respect in which a printed definition can be understood in several ways.
+#[derive(Debug)]
+pub struct Choice {
+    /// Its name in reports.
+    pub name: &'static str,
+    /// What it changes.
+    pub effect: Effect,
+    /// The ways, in no order: which one is printed, the claim's formula says.
+    pub ways: &'static [Way],
+    /// Where such readings have been met.
+    pub source: &'static str,
+}
+
+/// What a choice changes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Effect {
+    /// An option of some functions of the claim language.
+    Option {
+        /// The option.
+        option: &'static str,
+        /// The functions.
+        functions: &'static [&'static str],
+    },
+    /// How an exact value became the printed decimal; what is printed counts as
+    /// `nearest`.
+    Decimal,
+    /// The tolerance behind a printed header; what is printed counts as `exact`.
+    Header,
+}
+
+/// One way of a choice.
+#[derive(Debug)]
+pub struct Way {
+    /// The word for it in the claim language.
+    pub word: &'static str,
+    /// What it means, in reports.
+    pub says: &'static str,
+}

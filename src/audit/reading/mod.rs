@@ -1,0 +1,24 @@
+//! Readings: what a table was computed by, when not by the printed definition.
+//!
+//! A reading is a point of a declared family: the product of the [choices](FAMILY)
+//! that a table's formula depends on, and of the alternatives that the claim file
+//! gives for definitions, with at most [`MAX_DIFFERENCES`] of them other than
+//! printed. It explains a cell when its exact value becomes the printed number; it
+//! is reported when it explains more cells than the printed definition, and so many
+//! that luck is unlikely.
+
+mod chance;
+mod choice;
+mod choices;
+mod consistent;
+mod scale;
+mod search;
+mod settings;
+
+pub use choice::{Choice, Effect, Way};
+pub use choices::FAMILY;
+pub use scale::Solved;
+pub use search::{Difference, Explanation, MAX_DIFFERENCES, Search};
+pub(super) use choices::{DEPTH_ROUNDING, HEADER};
+pub(super) use search::search;
+pub(super) use settings::Settings;

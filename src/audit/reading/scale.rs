@@ -1,0 +1,80 @@
+//! Solving for the scale of the data.
+
+use super::consistent::DecimalRounding;
+use crate::claim::Printed;
+use crate::exact::{Enclosed, Integer, Rational, RealCyclotomic};
+
+/// A parameter that the paper does not state, as the printed numbers determine it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solved {
+    /// Its name.
+    pub name: String,
+    /// The values with which every explained cell is consistent lie between these,
+    /// up to 2^−60 of them.
+    pub between: (Rational, Rational),
+    /// The simplest number among them.
+    pub simplest: Rational,
+}
+
+/// The precision of the ends: enclosures of 128 binary digits.
+const PRECISION: u32 = 1;
+
+/// The values of s for which most cells are consistent with s times their exact
+/// values: the ends of the interval, where it is a proper one.
+pub(super) fn solve(
+    cells: &[(&Printed, &RealCyclotomic)],
+    rounding: DecimalRounding,
+) -> Option<(Rational, Rational)> {
+    let intervals: Vec<(Rational, Rational)> =
+        cells.iter().filter_map(|(printed, value)| interval(printed, value, rounding)).collect();
+    let covering = |s: &Rational| {
+        intervals.iter().filter(|(low, high)| low <= s && s <= high).cloned().collect::<Vec<_>>()
+    };
+    // The greatest number of intervals meets at the lower end of one of them.
+    let best = intervals.iter().map(|(low, _)| covering(low)).max_by_key(Vec::len)?;
+    let low = best.iter().map(|(low, _)| low.clone()).max()?;
+    let high = best.iter().map(|(_, high)| high.clone()).min()?;
+    (low < high).then_some((low, high))
+}
+
+/// The s > 0 for which s·value rounds to what is printed.
+fn interval(
+    printed: &Printed,
+    value: &RealCyclotomic,
+    rounding: DecimalRounding,
+) -> Option<(Rational, Rational)> {
+    let (shown, unit) = (printed.decimal.value().abs(), printed.decimal.unit());
+    let half = &unit / Rational::from(2);
+    let (low, high) = match rounding {
+        DecimalRounding::Nearest => (&shown - &half, &shown + &half),
+        DecimalRounding::Cut => (shown.clone(), &shown + &unit),
+        DecimalRounding::Away => (&shown - &unit, shown.clone()),
+    };
+    let enclosure = value.abs().enclosure(PRECISION);
+    if enclosure.lower().sign() <= 0 || low.sign() <= 0 {
+        return None;
+    }
+    Some((low / enclosure.upper(), high / enclosure.lower()))
+}
+
+/// The fraction of least denominator, and of these the least numerator, strictly
+/// between two positive numbers.
+pub(super) fn simplest_between(low: &Rational, high: &Rational) -> Rational {
+    let whole = low.floor();
+    let next = Rational::from(&whole + Integer::one());
+    if next < *high {
+        return next;
+    }
+    // low = whole + 1/x and high = whole + 1/y with y < x: the simplest is whole
+    // plus the reciprocal of the simplest between y and x.
+    let whole = Rational::from(whole);
+    let (below, above) = (low - &whole, high - &whole);
+    let y = above.recip();
+    let inner = if below.is_zero() {
+        // Anything greater than y will do.
+        Rational::from(y.floor() + Integer::one())
+    } else {
+        simplest_between(&y, &below.recip())
+    };
+    whole + inner.recip()
+}

@@ -1,0 +1,55 @@
+//! A point of the family: what the functions of a claim are told.
+
+use super::choice::{Choice, Effect};
+use super::choices::FAMILY;
+use crate::exact::Rational;
+use crate::formula::LocatedFormula;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
+/// How a claim's formula is read. The default reads it as printed.
+#[derive(Debug, Default)]
+pub(in crate::audit) struct Settings {
+    words: Vec<(&'static str, &'static str)>,
+    /// The paper's definitions with some replaced, when any are.
+    pub(in crate::audit) definitions: Option<BTreeMap<String, LocatedFormula>>,
+    /// Values for parameters instead of the assumed ones.
+    pub(in crate::audit) parameters: BTreeMap<String, Rational>,
+    /// What each choice that the formula depends on is as printed.
+    consulted: RefCell<BTreeMap<&'static str, String>>,
+}
+
+impl Settings {
+    /// The reading that differs in these choices, given by name and word.
+    pub(in crate::audit) fn new(words: Vec<(&'static str, &'static str)>) -> Settings {
+        Settings { words, ..Settings::default() }
+    }
+
+    /// The word for an option of a function, which the claim gives as `printed`.
+    pub(in crate::audit) fn option<'w>(
+        &self,
+        function: &str,
+        option: &str,
+        printed: &'w str,
+    ) -> &'w str {
+        let chosen = FAMILY.iter().find(|choice| match choice.effect {
+            Effect::Option { option: name, functions } => {
+                name == option && functions.contains(&function)
+            }
+            Effect::Decimal | Effect::Header => false,
+        });
+        let Some(choice) = chosen else { return printed };
+        self.consulted.borrow_mut().entry(choice.name).or_insert_with(|| printed.to_owned());
+        self.word(choice).unwrap_or(printed)
+    }
+
+    /// The word of a choice, when it is not as printed.
+    pub(in crate::audit) fn word(&self, choice: &Choice) -> Option<&'static str> {
+        self.words.iter().find(|(name, _)| *name == choice.name).map(|(_, word)| *word)
+    }
+
+    /// The choices that options were asked for, with their words as printed.
+    pub(super) fn consulted(&self) -> BTreeMap<&'static str, String> {
+        self.consulted.borrow().clone()
+    }
+}
