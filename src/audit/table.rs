@@ -71,6 +71,8 @@ pub(super) struct At<'n> {
     pub(super) assume: &'n BTreeSet<String>,
     /// How the formula is read.
     pub(super) settings: &'n Settings,
+    /// Values of definitions that are known already.
+    pub(super) known: Option<&'n BTreeMap<String, RealCyclotomic>>,
 }
 
 impl<'a> Judge<'a> {
@@ -99,6 +101,9 @@ impl<'a> Judge<'a> {
             } else {
                 scope.with_unstated(name)
             };
+        }
+        for (name, value) in at.known.into_iter().flatten() {
+            scope = scope.with(name, value.clone());
         }
         for (axis, entry) in self.headers(at.row, at.column) {
             scope = scope.with(&axis.name, self.header(axis, entry, at.settings).into());
@@ -236,7 +241,7 @@ impl<'a> Judge<'a> {
         // are known.
         let mut needed = BTreeSet::new();
         let outcome = loop {
-            let at = At { row, column, assume: &needed, settings: &self.settings };
+            let at = At { row, column, assume: &needed, settings: &self.settings, known: None };
             match self.evaluate(&self.table.value, at)? {
                 Outcome::Unstated(name) if needed.insert(name.clone()) => {}
                 outcome => break outcome,
@@ -262,7 +267,7 @@ impl<'a> Judge<'a> {
             let names = needed.iter().cloned().collect();
             finding.verdict = Verdict::NotCheckable(Missing::Parameters(names));
         }
-        let at = At { row, column, assume: &needed, settings: &self.settings };
+        let at = At { row, column, assume: &needed, settings: &self.settings, known: None };
         if let Cell::Printed(printed) = cell {
             let verdict = match beyond_caps {
                 Some(verdict) => verdict,

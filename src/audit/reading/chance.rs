@@ -3,42 +3,53 @@
 use crate::claim::Printed;
 use crate::exact::{Integer, Rational};
 
-/// The chance beyond which a reading is not reported: one in a thousand.
-const MAX_CHANCE: i64 = 1_000;
+/// A reading is reported when luck would find one as good in at most one table of
+/// so many.
+const MOST_LUCK: i64 = 1_000;
 
-/// Of a hundred readings of unrelated values, the one that explains most explains
-/// some cells by luck: an upper bound on how many tables of random digits would be
-/// explained so well.
-///
-/// `cells` are the printed numbers, each with the number of values it could have
-/// been taken for: a decimal of d significant digits one of 9·10^(d−1), a depth
-/// one of as many as the table shows different ones. A number of `readings` was
-/// tried, and one explains `explained` cells, of which `free` are used up by
-/// parameters that were solved for. Then the expected number of readings that do as
-/// well is at most readings · C(n, m) / Π of the m smallest of those numbers.
-pub(super) fn chance(cells: &[Integer], explained: usize, free: usize, readings: usize) -> Rational {
-    let counted = explained.saturating_sub(free);
-    let mut possibilities = cells.to_vec();
-    possibilities.sort();
-    let subsets = (0..counted).fold(Integer::one(), |binomial, i| {
-        (binomial * Integer::from(cells.len() - i)).div_floor(&Integer::from(i + 1))
-    });
-    let product = possibilities[..counted].iter().fold(Integer::one(), |p, count| p * count);
-    Rational::new(Integer::from(readings) * subsets, product)
+/// The number of depths that a wrong reading of a depth may well give: it is often
+/// a level or two off.
+const LIKELY_DEPTHS: i64 = 4;
+
+/// An upper bound on how many readings of unrelated values would explain as many
+/// cells: readings · e_m(p_1, …, p_n), where p_i is how likely an unrelated value
+/// becomes the i-th printed number, m the number of cells that are explained beyond
+/// the `free` ones that solving for parameters takes up, and e_m the elementary
+/// symmetric polynomial, which bounds how likely m of n independent events happen.
+pub(super) fn chance(
+    likelihoods: &[Rational],
+    explained: usize,
+    free: usize,
+    readings: usize,
+) -> Rational {
+    let m = explained.saturating_sub(free);
+    // e_0, …, e_m of the likelihoods so far.
+    let mut symmetric = vec![Rational::zero(); m + 1];
+    symmetric[0] = Rational::one();
+    for p in likelihoods {
+        for k in (1..=m).rev() {
+            let more = &symmetric[k - 1] * p;
+            symmetric[k] += &more;
+        }
+    }
+    &symmetric[m] * Rational::from(readings)
 }
 
 /// Whether that is unlikely enough to be reported.
 pub(super) fn is_small(chance: &Rational) -> bool {
-    *chance <= Rational::new(1, MAX_CHANCE)
+    *chance <= Rational::new(1, MOST_LUCK)
 }
 
-/// The number of values that a printed number could have been taken for.
-pub(super) fn possibilities(printed: &Printed, depths: Option<usize>) -> Integer {
-    match depths {
-        Some(different) => Integer::from(different.max(2)),
-        None => {
-            let digits = u32::try_from(printed.decimal.significant_digits().max(1)).unwrap_or(1);
-            Integer::from(9) * Integer::power_of_ten(digits - 1)
-        }
-    }
+/// How likely an unrelated value becomes this decimal: with d significant digits,
+/// 1 in 9·10^(d−1); the zeros at its end do not count.
+pub(super) fn of_decimal(printed: &Printed) -> Rational {
+    let digits = printed.decimal.mantissa().abs().to_string();
+    let digits = digits.trim_end_matches('0').len().max(1);
+    let digits = u32::try_from(digits).unwrap_or(u32::MAX).min(10_000);
+    Rational::new(Integer::one(), Integer::from(9) * Integer::power_of_ten(digits - 1))
+}
+
+/// How likely a wrong reading gives a depth.
+pub(super) fn of_depth() -> Rational {
+    Rational::new(1, LIKELY_DEPTHS)
 }

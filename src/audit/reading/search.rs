@@ -1,6 +1,6 @@
 //! The search for the reading that explains most cells of a table.
 
-use super::chance::{chance, is_small, possibilities};
+use super::chance::{chance, is_small, of_decimal, of_depth};
 use super::choice::{Choice, Effect};
 use super::choices::{DECIMAL_ROUNDING, FAMILY};
 use super::consistent::DecimalRounding;
@@ -9,8 +9,9 @@ use super::settings::Settings;
 use crate::audit::finding::CellFinding;
 use crate::audit::table::{At, Judge, Outcome};
 use crate::claim::{Cell, Printed, Promise};
-use crate::exact::{Integer, Rational, RealCyclotomic};
-use std::collections::BTreeSet;
+use crate::exact::{Rational, RealCyclotomic};
+use crate::formula::{FreeNames, LocatedFormula};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The most differences from the printed text that a reading may have.
 pub const MAX_DIFFERENCES: usize = 4;
@@ -84,11 +85,9 @@ pub(in crate::audit) fn search(judge: &Judge<'_>, findings: &[Vec<CellFinding>])
         return None;
     }
     let readings = space.readings();
-    let depths = space.is_depth().then(|| {
-        cells.iter().map(|printed| printed.decimal.value()).collect::<BTreeSet<_>>().len()
-    });
-    let possible: Vec<Integer> =
-        cells.iter().map(|printed| possibilities(printed, depths)).collect();
+    let likelihood =
+        |printed: &&Printed| if space.is_depth() { of_depth() } else { of_decimal(printed) };
+    let likelihoods: Vec<Rational> = cells.iter().map(likelihood).collect();
     let (mut tried, mut best) = (0, Vec::<Explanation>::new());
     for reading in &readings {
         for explanation in space.explain(reading) {
@@ -103,7 +102,7 @@ pub(in crate::audit) fn search(judge: &Judge<'_>, findings: &[Vec<CellFinding>])
     }
     let explained = best.first().map_or(0, Explanation::count);
     let free = best.first().map_or(0, |first| first.solved.len());
-    let chance = chance(&possible, explained, free, tried);
+    let chance = chance(&likelihoods, explained, free, tried);
     if explained <= as_printed.count() || !is_small(&chance) {
         best.clear();
     }
@@ -136,6 +135,8 @@ struct Space<'s> {
     /// values are proportional to.
     assume: BTreeSet<String>,
     scale: Option<String>,
+    /// The definitions that do not depend on the column.
+    row_definitions: Vec<String>,
     /// For each choice, the ways other than the printed one.
     changes: Vec<Vec<Change>>,
 }
@@ -150,7 +151,9 @@ impl<'s> Space<'s> {
         let assume: BTreeSet<String> =
             all.flat_map(|finding| finding.assumed.iter().map(|(name, _)| name.clone())).collect();
         let settings = Settings::default();
-        let mut space = Space { judge, printed, assume, scale: None, changes: Vec::new() };
+        let (scale, row_definitions, changes) = Default::default();
+        let mut space = Space { judge, printed, assume, scale, row_definitions, changes };
+        space.row_definitions = space.find_row_definitions();
         space.values(&settings);
         let consulted = settings.consulted();
         for choice in FAMILY {
@@ -242,18 +245,60 @@ impl<'s> Space<'s> {
     /// The exact values of the printed cells; where the formula has none under the
     /// reading, there is none.
     fn values(&self, settings: &Settings) -> Vec<Vec<Option<RealCyclotomic>>> {
-        let value = |row: usize, column: usize| {
+        let value = |row: usize, column: usize, known: &BTreeMap<String, RealCyclotomic>| {
             self.printed[row][column]?;
-            let at = At { row, column, assume: &self.assume, settings };
-            match self.judge.evaluate(&self.judge.table.value, at) {
-                Ok(Outcome::Value(value)) => Some(value),
-                _ => None,
-            }
+            let at = At { row, column, assume: &self.assume, settings, known: Some(known) };
+            self.value(&self.judge.table.value, at)
         };
-        let columns = |row: usize| (0..self.printed[row].len()).map(move |column| (row, column));
-        (0..self.printed.len())
-            .map(|row| columns(row).map(|(row, column)| value(row, column)).collect())
-            .collect()
+        let rows = 0..self.printed.len();
+        rows.map(|row| {
+            let known = self.of_row(row, settings);
+            (0..self.printed[row].len()).map(|column| value(row, column, &known)).collect()
+        })
+        .collect()
+    }
+
+    fn value(&self, formula: &LocatedFormula, at: At<'_>) -> Option<RealCyclotomic> {
+        match self.judge.evaluate(formula, at) {
+            Ok(Outcome::Value(value)) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// The values of the definitions that do not depend on the column.
+    fn of_row(&self, row: usize, settings: &Settings) -> BTreeMap<String, RealCyclotomic> {
+        let definitions = settings.definitions.as_ref().unwrap_or(&self.judge.paper.definitions);
+        let mut known = BTreeMap::new();
+        for name in &self.row_definitions {
+            let at = At { row, column: 0, assume: &self.assume, settings, known: Some(&known) };
+            if let Some(value) = self.value(&definitions[name], at) {
+                known.insert(name.clone(), value);
+            }
+        }
+        known
+    }
+
+    /// The definitions that the formula uses and that depend on the row's parameter,
+    /// stated and assumed ones alone, whichever alternative stands for a definition.
+    fn find_row_definitions(&self) -> Vec<String> {
+        let Judge { paper, table, given, assumed, .. } = self.judge;
+        let mut definitions = paper.definitions.clone();
+        let mut varying = BTreeSet::new();
+        for readings in 0..=paper.alternatives.len() {
+            if let Some(other) = readings.checked_sub(1).map(|i| &paper.alternatives[i]) {
+                definitions.insert(other.of.clone(), other.value.clone());
+            }
+            let mut free = FreeNames::new(&definitions);
+            let fixed = |name: &String| {
+                table.rows.as_ref().is_some_and(|axis| axis.name == *name)
+                    || given.contains_key(name)
+                    || assumed.contains_key(name)
+            };
+            let depends = |name: &&String| !free.of_name(name).iter().all(fixed);
+            varying.extend(definitions.keys().filter(depends).cloned().collect::<Vec<_>>());
+        }
+        let used = self.judge.definitions_used();
+        used.into_iter().filter(|name| !varying.contains(name)).collect()
     }
 
     /// The only assumed parameter, if every value is proportional to it.
