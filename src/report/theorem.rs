@@ -28,7 +28,13 @@ pub(super) fn summary(audit: &PaperAudit<'_>) -> String {
 
 /// `open · rests on (24), (25), which fail`.
 fn outcome(finding: &TheoremFinding<'_>) -> String {
-    let loci: Vec<&str> = finding.failing.iter().map(|premise| premise.locus).collect();
+    let mut loci: Vec<&str> = Vec::new();
+    for premise in &finding.failing {
+        // Several claims may stand in one place.
+        if !loci.contains(&premise.locus) {
+            loci.push(premise.locus);
+        }
+    }
     let failing = match loci.len() {
         0 => String::new(),
         1 => format!(" · rests on {}, which fails", loci[0]),
