@@ -67,8 +67,8 @@ pub(super) fn explain(audit: &PaperAudit<'_>, id: &str) -> Option<Sheet> {
     if !theorem.rests.is_empty() {
         facts.push(("rests on".to_owned(), theorem.rests.join(", ")));
     }
-    let verdict = finding.verdict.name();
-    facts.push((format!("{} {verdict}", mark(verdict)), outcome(finding)));
+    let verdict = format!("{} {}", mark(finding.verdict.name()), outcome(finding));
+    facts.push(("verdict".to_owned(), verdict));
     facts.extend(theorem.note.clone().map(|note| ("note".to_owned(), note)));
     sheet.facts(facts);
     Some(sheet)
