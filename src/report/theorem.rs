@@ -1,5 +1,6 @@
 //! Findings about theorems.
 
+use super::explain::definitions;
 use super::mark;
 use super::sheet::Sheet;
 use crate::audit::{PaperAudit, TheoremFinding};
@@ -64,6 +65,9 @@ pub(super) fn explain(audit: &PaperAudit<'_>, id: &str) -> Option<Sheet> {
     let mut facts = Vec::new();
     facts.extend(theorem.scheme.as_ref().map(|s| ("scheme".to_owned(), s.reference.to_string())));
     facts.push(("states".to_owned(), statement(&theorem.statement)));
+    if let Statement::Bound { by, .. } | Statement::Depth(by) = &theorem.statement {
+        facts.extend(definitions(audit, by));
+    }
     if !theorem.rests.is_empty() {
         facts.push(("rests on".to_owned(), theorem.rests.join(", ")));
     }
