@@ -1,6 +1,7 @@
 //! The tree of a formula.
 
 use crate::exact::Rational;
+use std::collections::BTreeSet;
 
 /// Bytes of the formula's text.
 pub type Span = std::ops::Range<usize>;
@@ -12,6 +13,41 @@ pub struct Expr {
     pub node: Node,
     /// Where it stands in the formula's text.
     pub span: Span,
+}
+
+impl Expr {
+    /// The names of parameters, indices and definitions in it; not those of families
+    /// and functions.
+    ///
+    /// ```
+    /// let formula = subcert::formula::parse("sum(h = 1..m, a[0, h]*abs(w))")?;
+    /// assert_eq!(formula.names().into_iter().collect::<Vec<_>>(), ["h", "m", "w"]);
+    /// # Ok::<(), subcert::formula::FormulaError>(())
+    /// ```
+    #[must_use]
+    pub fn names(&self) -> BTreeSet<&str> {
+        let mut names = BTreeSet::new();
+        let mut waiting = vec![self];
+        while let Some(expr) = waiting.pop() {
+            match &expr.node {
+                Node::Number(_) => {}
+                Node::Name(name) => {
+                    names.insert(name.as_str());
+                }
+                Node::Indexed { indices: parts, .. } | Node::Call { arguments: parts, .. } => {
+                    waiting.extend(parts);
+                }
+                Node::Negate(operand) => waiting.push(operand),
+                Node::Chain(first, rest) => {
+                    waiting.push(first);
+                    waiting.extend(rest.iter().map(|(_, operand)| operand));
+                }
+                Node::Power(base, exponent) => waiting.extend([&**base, &**exponent]),
+                Node::Fold { from, to, body, .. } => waiting.extend([&**from, &**to, &**body]),
+            }
+        }
+        names
+    }
 }
 
 /// A node of the tree. The tree is as deep as the text is nested: operators of
