@@ -4,7 +4,7 @@
 
 use proptest::prelude::*;
 use subcert::audit::{CoverageState, audit};
-use subcert::claim::{Label, Paper, read_paper};
+use subcert::claim::{Label, Paper, embedded, read_paper};
 use subcert::diagnostic::{Diagnostic, SourceText};
 
 fn texts(labels: Result<Vec<Label>, String>) -> Vec<String> {
@@ -156,5 +156,18 @@ fn contents_that_do_not_fit_are_errors() {
         let error = read(&text).err().unwrap_or_else(|| panic!("{text}: no error"));
         assert!(error.to_string().contains(message), "no `{message}` in: {error}");
         assert_eq!(&error.source.text[error.span.clone()], place, "{error}");
+    }
+}
+
+/// Nothing of these papers is neither claimed nor excused.
+#[test]
+fn nothing_of_four_papers_is_missing() {
+    for embedded in embedded().iter().filter(|paper| paper.key != "khan2022-doo-sabin") {
+        let source = SourceText::new(embedded.key, embedded.text);
+        let paper = read_paper(&source).unwrap_or_else(|error| panic!("{error}"));
+        assert!(!paper.contents.is_empty());
+        for item in paper.contents {
+            assert!(!item.claims.is_empty() || item.reason.is_some(), "{}", item.label);
+        }
     }
 }

@@ -14,6 +14,7 @@ mod promise;
 mod quantity;
 mod range;
 mod reading;
+mod row;
 mod series;
 mod shape;
 mod table;

@@ -4,6 +4,7 @@ use super::compare;
 use super::finding::{Assumed, CellFinding, Direction, Missing, Verdict};
 use super::library::{Library, Unresolved, values};
 use super::quantity::Quantities;
+use super::row::{Known, RowDefinitions};
 use super::reading::{self, HEADER, DEPTH_ROUNDING, Explanation, Search, Settings};
 use crate::claim::{Axis, AxisEntry, Cell, LocatedReference, Paper, Printed, Promise, Table};
 use crate::diagnostic::Diagnostic;
@@ -60,6 +61,7 @@ pub(super) struct Judge<'a> {
     pub(super) assumed: BTreeMap<String, Rational>,
     /// As printed.
     settings: Settings,
+    pub(super) rows: RowDefinitions,
 }
 
 /// One cell's place, and how it is looked at.
@@ -71,8 +73,6 @@ pub(super) struct At<'n> {
     pub(super) assume: &'n BTreeSet<String>,
     /// How the formula is read.
     pub(super) settings: &'n Settings,
-    /// Values of definitions that are known already.
-    pub(super) known: Option<&'n BTreeMap<String, RealCyclotomic>>,
 }
 
 impl<'a> Judge<'a> {
@@ -85,10 +85,22 @@ impl<'a> Judge<'a> {
         given.extend(values(&table.given)?);
         let assumed = values(&table.unstated)?;
         given.retain(|name, _| !assumed.contains_key(name));
-        Ok(Judge { paper, table, library, given, assumed, settings: Settings::default() })
+        let (settings, rows) = (Settings::default(), RowDefinitions::default());
+        let mut judge = Judge { paper, table, library, given, assumed, settings, rows };
+        let mut rows = RowDefinitions::find(&judge);
+        let assume = judge.assumed.keys().cloned().collect();
+        let (row, column, settings) = (0, 0, &Settings::default());
+        rows.find_choices(&judge, At { row, column, assume: &assume, settings });
+        judge.rows = rows;
+        Ok(judge)
     }
 
-    fn scope<'s>(&'s self, at: At<'s>, functions: &'s Quantities<'s>) -> Scope<'s, RealCyclotomic> {
+    fn scope<'s>(
+        &'s self,
+        at: At<'s>,
+        functions: &'s Quantities<'s>,
+        known: &Known,
+    ) -> Scope<'s, RealCyclotomic> {
         let definitions = at.settings.definitions.as_ref().unwrap_or(&self.paper.definitions);
         let mut scope = Scope::new(definitions, functions);
         for (name, value) in &self.given {
@@ -102,7 +114,7 @@ impl<'a> Judge<'a> {
                 scope.with_unstated(name)
             };
         }
-        for (name, value) in at.known.into_iter().flatten() {
+        for (name, value) in known {
             scope = scope.with(name, value.clone());
         }
         for (axis, entry) in self.headers(at.row, at.column) {
@@ -145,20 +157,6 @@ impl<'a> Judge<'a> {
         self.table.rows.iter().chain([&self.table.columns]).any(|axis| self.tolerance(axis))
     }
 
-    /// The definitions that the table's formula needs, directly or not.
-    pub(super) fn definitions_used(&self) -> BTreeSet<String> {
-        let mut used = BTreeSet::new();
-        let mut waiting = self.table.value.expr.words();
-        while let Some(name) = waiting.pop() {
-            if let Some(definition) = self.paper.definitions.get(&name)
-                && used.insert(name)
-            {
-                waiting.extend(definition.expr.words());
-            }
-        }
-        used
-    }
-
     /// The quantities of this cell's scheme.
     pub(super) fn quantities<'s>(
         &'s self,
@@ -172,7 +170,7 @@ impl<'a> Judge<'a> {
         };
         let Some(located) = &self.table.scheme else { return Ok(Ok(quantities)) };
         let LocatedReference { reference, source, span } = located;
-        match self.library.resolve(reference, &self.scope(at, &quantities)) {
+        match self.library.resolve(reference, &self.scope(at, &quantities, &Known::new())) {
             Ok(scheme) => {
                 quantities.scheme = Some(scheme);
                 Ok(Ok(quantities))
@@ -196,16 +194,27 @@ impl<'a> Judge<'a> {
         }
     }
 
+    /// The value of a formula at a cell.
     pub(super) fn evaluate(
         &self,
         formula: &LocatedFormula,
         at: At<'_>,
     ) -> Result<Outcome, Diagnostic> {
+        self.evaluate_knowing(formula, at, &self.rows.of(self, at))
+    }
+
+    /// The same with the values of some definitions known.
+    pub(super) fn evaluate_knowing(
+        &self,
+        formula: &LocatedFormula,
+        at: At<'_>,
+        known: &Known,
+    ) -> Result<Outcome, Diagnostic> {
         let quantities = match self.quantities(at)? {
             Ok(quantities) => quantities,
             Err(outcome) => return Ok(outcome),
         };
-        match evaluate(&formula.expr, &self.scope(at, &quantities)) {
+        match evaluate(&formula.expr, &self.scope(at, &quantities, known)) {
             Ok(value) => Ok(Outcome::Value(value)),
             Err(error) => match Self::sort(error).map_err(|error| formula.diagnostic(&error))? {
                 Outcome::Undefined(why) if quantities.beyond_caps.get() => {
@@ -241,7 +250,7 @@ impl<'a> Judge<'a> {
         // are known.
         let mut needed = BTreeSet::new();
         let outcome = loop {
-            let at = At { row, column, assume: &needed, settings: &self.settings, known: None };
+            let at = At { row, column, assume: &needed, settings: &self.settings };
             match self.evaluate(&self.table.value, at)? {
                 Outcome::Unstated(name) if needed.insert(name.clone()) => {}
                 outcome => break outcome,
@@ -267,7 +276,7 @@ impl<'a> Judge<'a> {
             let names = needed.iter().cloned().collect();
             finding.verdict = Verdict::NotCheckable(Missing::Parameters(names));
         }
-        let at = At { row, column, assume: &needed, settings: &self.settings, known: None };
+        let at = At { row, column, assume: &needed, settings: &self.settings };
         if let Cell::Printed(printed) = cell {
             let verdict = match beyond_caps {
                 Some(verdict) => verdict,

@@ -43,6 +43,25 @@ pub struct Paper {
     pub source: Arc<SourceText>,
 }
 
+impl Paper {
+    /// The definitions that a formula uses, at once or through other definitions.
+    #[must_use]
+    pub fn definitions_in(&self, formula: &LocatedFormula) -> BTreeMap<&str, &LocatedFormula> {
+        let mut used = BTreeMap::new();
+        let mut waiting = vec![formula];
+        while let Some(formula) = waiting.pop() {
+            for name in formula.expr.names() {
+                if let Some((name, definition)) = self.definitions.get_key_value(name)
+                    && used.insert(name.as_str(), definition).is_none()
+                {
+                    waiting.push(definition);
+                }
+            }
+        }
+        used
+    }
+}
+
 /// Another formula for a definition.
 #[derive(Clone, Debug)]
 pub struct Alternative {

@@ -15,10 +15,10 @@ pub(super) fn audit(arguments: &AuditArguments) -> Outcome {
         || {
             let mut sheet = audit_sheet(&audits, arguments.all);
             sheet.text(
-                "✓ confirmed  ≈ rounded otherwise  ± misprint  ✗ refuted  ? not checkable. \
-                 Under a cell: the exact value of the printed definition, and the sound value \
-                 where the printed one is not shown to keep its promise. `--all` shows every \
-                 table, `subcert explain ID` one claim.",
+                "✓ confirmed  ≈ rounded otherwise  ± misprint  ✗ refuted  ? not checkable, or \
+                 open. Under a cell: the exact value of the printed definition, and the sound \
+                 value where the printed one is not shown to keep its promise. `--all` shows \
+                 every table, `subcert explain ID` one claim.",
             );
             sheet
         },
@@ -40,8 +40,8 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Outcome {
     let Some(sheet) = explain_sheet(&audits, id) else {
         let keys: Vec<&str> = papers.iter().map(|paper| paper.key.as_str()).collect();
         return Err(Failure::Input(format!(
-            "no claim has the id `{id}`; an id is `KEY:table-1`, `KEY:table-1:ROW:COLUMN` or \
-             `KEY:EQUATION`, with KEY one of {}",
+            "no claim has the id `{id}`; an id is `KEY:table-1`, `KEY:table-1:ROW:COLUMN`, \
+             `KEY:EQUATION` or `KEY:THEOREM`, with KEY one of {}",
             keys.join(", ")
         )));
     };

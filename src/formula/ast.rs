@@ -1,6 +1,7 @@
 //! The tree of a formula.
 
 use crate::exact::Rational;
+use std::collections::BTreeSet;
 
 /// Bytes of the formula's text.
 pub type Span = std::ops::Range<usize>;
@@ -15,34 +16,39 @@ pub struct Expr {
 }
 
 impl Expr {
-    /// Every name and every word of an option that occurs, in no order: what the
-    /// formula may refer to.
+    /// The names of parameters, indices and definitions in it, also of those that the
+    /// options of functions name; not those of families and functions.
+    ///
+    /// ```
+    /// let formula = subcert::formula::parse("sum(h = 1..m, a[0, h]*abs(w))")?;
+    /// assert_eq!(formula.names().into_iter().collect::<Vec<_>>(), ["h", "m", "w"]);
+    /// # Ok::<(), subcert::formula::FormulaError>(())
+    /// ```
     #[must_use]
-    pub fn words(&self) -> Vec<String> {
-        let mut words = Vec::new();
+    pub fn names(&self) -> BTreeSet<&str> {
+        let mut names = BTreeSet::new();
         let mut waiting = vec![self];
         while let Some(expr) = waiting.pop() {
             match &expr.node {
                 Node::Number(_) => {}
-                Node::Name(name) => words.push(name.clone()),
-                Node::Indexed { name, indices } => {
-                    words.push(name.clone());
-                    waiting.extend(indices);
+                Node::Name(name) => {
+                    names.insert(name.as_str());
+                }
+                Node::Indexed { indices, .. } => waiting.extend(indices),
+                Node::Call { arguments, options, .. } => {
+                    waiting.extend(arguments);
+                    names.extend(options.iter().filter_map(OptionWord::definition));
                 }
                 Node::Negate(operand) => waiting.push(operand),
                 Node::Chain(first, rest) => {
                     waiting.push(first);
                     waiting.extend(rest.iter().map(|(_, operand)| operand));
                 }
-                Node::Power(base, exponent) => waiting.extend([&**base, exponent]),
-                Node::Call { arguments, options, .. } => {
-                    waiting.extend(arguments);
-                    words.extend(options.iter().map(|option| option.word.clone()));
-                }
-                Node::Fold { from, to, body, .. } => waiting.extend([&**from, to, body]),
+                Node::Power(base, exponent) => waiting.extend([&**base, &**exponent]),
+                Node::Fold { from, to, body, .. } => waiting.extend([&**from, &**to, &**body]),
             }
         }
-        words
+        names
     }
 }
 
@@ -140,4 +146,12 @@ pub struct OptionWord {
     pub word: String,
     /// Where it stands.
     pub span: Span,
+}
+
+impl OptionWord {
+    /// The definition that this names, if it is an option that names one.
+    #[must_use]
+    pub fn definition(&self) -> Option<&str> {
+        ["sequence", "with"].contains(&self.name.as_str()).then_some(&self.word)
+    }
 }

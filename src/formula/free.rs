@@ -1,13 +1,12 @@
 //! The names that a formula depends on.
 
-use super::ast::{Expr, Node};
+use super::angle::PI;
+use super::ast::{Expr, Node, OptionWord};
 use super::located::LocatedFormula;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The options of functions whose words name definitions.
-const NAMING_OPTIONS: [&str; 2] = ["sequence", "with"];
-
-/// The option that names the index of such a definition, and its default.
+/// The option that names the index of a definition that an option names, and its
+/// default.
 const INDEX_OPTION: (&str, &str) = ("index", "q");
 
 /// What formulas over some definitions depend on.
@@ -42,6 +41,7 @@ impl<'a> FreeNames<'a> {
     pub fn of(&mut self, expr: &Expr) -> BTreeSet<String> {
         match &expr.node {
             Node::Number(_) => BTreeSet::new(),
+            Node::Name(name) if name == PI => BTreeSet::new(),
             Node::Name(name) => self.of_name(name),
             Node::Indexed { name, indices } => {
                 let mut free = self.of_all(indices);
@@ -65,8 +65,8 @@ impl<'a> FreeNames<'a> {
                 let mut free = self.of_all(arguments);
                 let index = options.iter().find(|option| option.name == INDEX_OPTION.0);
                 let index = index.map_or(INDEX_OPTION.1, |option| &option.word);
-                for option in options.iter().filter(|o| NAMING_OPTIONS.contains(&o.name.as_str())) {
-                    free.extend(self.of_name(&option.word).into_iter().filter(|n| n != index));
+                for name in options.iter().filter_map(OptionWord::definition) {
+                    free.extend(self.of_name(name).into_iter().filter(|free| free != index));
                 }
                 free
             }

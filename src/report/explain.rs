@@ -10,6 +10,7 @@ use crate::audit::{
 };
 use crate::claim::{EquationBody, Identity, Left};
 use crate::exact::format::short;
+use crate::formula::LocatedFormula;
 
 /// The claim, table or equation of this id (`key:table-1`, `key:table-1:2:3`,
 /// `key:eq-3.8`, `key:range-1`, `key:theorem-1`) in full; `None` when there is none.
@@ -86,10 +87,17 @@ fn definition(sheet: &mut Sheet, audit: &PaperAudit<'_>, finding: &TableFinding<
         facts.push(("scheme".to_owned(), scheme.reference.to_string()));
     }
     facts.push(("said to equal".to_owned(), finding.table.value.text.clone()));
-    let definitions = audit.paper.definitions.iter();
-    facts
-        .extend(definitions.map(|(name, formula)| (format!("where {name}"), formula.text.clone())));
+    facts.extend(definitions(audit, &finding.table.value));
     sheet.facts(facts);
+}
+
+/// The definitions that a formula uses.
+pub(super) fn definitions(
+    audit: &PaperAudit<'_>,
+    formula: &LocatedFormula,
+) -> impl Iterator<Item = (String, String)> {
+    let used = audit.paper.definitions_in(formula).into_iter();
+    used.map(|(name, formula)| (format!("where {name}"), formula.text.clone()))
 }
 
 fn facts(cell: &CellFinding) -> Vec<(String, String)> {

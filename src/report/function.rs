@@ -1,5 +1,6 @@
 //! Findings about a free parameter.
 
+use super::explain::definitions;
 use super::mark;
 use super::sheet::Sheet;
 use crate::audit::{
@@ -66,6 +67,7 @@ pub(super) fn explain(audit: &PaperAudit<'_>, id: &str) -> Option<Sheet> {
         facts.extend(claim.scheme.as_ref().map(|s| ("scheme".to_owned(), s.reference.to_string())));
         facts.push(("left".to_owned(), claim.left.text.clone()));
         facts.push(("right".to_owned(), claim.right.text.clone()));
+        facts.extend(definitions(audit, &claim.left));
         facts.push((verdict(finding.verdict.name()), function_outcome(finding).join("\n")));
         facts.extend(claim.note.clone().map(|note| ("note".to_owned(), note)));
         sheet.facts(facts);
@@ -148,8 +150,11 @@ fn printed(finding: &RangeFinding<'_>) -> String {
 }
 
 /// A closed form in the JSON form of an equation.
-pub(super) fn function_json(finding: &FunctionFinding<'_>) -> Value {
+pub(super) fn function_json(audit: &PaperAudit<'_>, finding: &FunctionFinding<'_>) -> Value {
     let variable = &finding.claim.variable;
+    let left = &finding.claim.left.text;
+    // Where the printed form is one of the definitions, that is what is printed.
+    let printed = audit.paper.definitions.get(left).map_or(left, |definition| &definition.text);
     let (failures, larger, smaller) = match &finding.verdict {
         FunctionVerdict::Fails { larger, smaller, example } => {
             let failure = json!({
@@ -166,7 +171,7 @@ pub(super) fn function_json(finding: &FunctionFinding<'_>) -> Value {
         "id": finding.id,
         "locus": finding.claim.locus,
         "kind": "equation",
-        "printed": finding.claim.left.text,
+        "printed": printed,
         "exact": null,
         "decimal": null,
         "verdict": finding.verdict.name(),

@@ -28,7 +28,8 @@ pub fn exact_json(value: &Rational) -> Value {
 fn paper(audit: &PaperAudit<'_>) -> Value {
     let cells = audit.tables.iter().flat_map(|table| table.cells.iter().flatten());
     let claims = cells.map(cell).chain(audit.equations.iter().map(equation));
-    let claims = claims.chain(audit.functions.iter().map(function_json));
+    let functions = audit.functions.iter().map(|finding| function_json(audit, finding));
+    let claims = claims.chain(functions);
     let claims = claims.chain(audit.ranges.iter().map(range_json));
     let claims: Vec<Value> = claims.chain(audit.theorems.iter().map(theorem_json)).collect();
     let mut summary: BTreeMap<&str, usize> = Verdict::NAMES.iter().map(|name| (*name, 0)).collect();

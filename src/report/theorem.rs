@@ -1,5 +1,6 @@
 //! Findings about theorems.
 
+use super::explain::definitions;
 use super::mark;
 use super::sheet::Sheet;
 use crate::audit::{PaperAudit, TheoremFinding};
@@ -28,7 +29,13 @@ pub(super) fn summary(audit: &PaperAudit<'_>) -> String {
 
 /// `open · rests on (24), (25), which fail`.
 fn outcome(finding: &TheoremFinding<'_>) -> String {
-    let loci: Vec<&str> = finding.failing.iter().map(|premise| premise.locus).collect();
+    let mut loci: Vec<&str> = Vec::new();
+    for premise in &finding.failing {
+        // Several claims may stand in one place.
+        if !loci.contains(&premise.locus) {
+            loci.push(premise.locus);
+        }
+    }
     let failing = match loci.len() {
         0 => String::new(),
         1 => format!(" · rests on {}, which fails", loci[0]),
@@ -58,11 +65,14 @@ pub(super) fn explain(audit: &PaperAudit<'_>, id: &str) -> Option<Sheet> {
     let mut facts = Vec::new();
     facts.extend(theorem.scheme.as_ref().map(|s| ("scheme".to_owned(), s.reference.to_string())));
     facts.push(("states".to_owned(), statement(&theorem.statement)));
+    if let Statement::Bound { by, .. } | Statement::Depth(by) = &theorem.statement {
+        facts.extend(definitions(audit, by));
+    }
     if !theorem.rests.is_empty() {
         facts.push(("rests on".to_owned(), theorem.rests.join(", ")));
     }
-    let verdict = finding.verdict.name();
-    facts.push((format!("{} {verdict}", mark(verdict)), outcome(finding)));
+    let verdict = format!("{} {}", mark(finding.verdict.name()), outcome(finding));
+    facts.push(("verdict".to_owned(), verdict));
     facts.extend(theorem.note.clone().map(|note| ("note".to_owned(), note)));
     sheet.facts(facts);
     Some(sheet)

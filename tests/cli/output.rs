@@ -48,7 +48,7 @@ fn coverage_of_a_claim_file() {
 }
 
 #[test]
-fn explain_a_cell_and_an_equation() {
+fn explain_a_cell_an_equation_and_a_theorem() {
     subcert(["explain", "mustafa2020-nary:table-2:4:7"])
         .assert()
         .success()
@@ -57,6 +57,10 @@ fn explain_a_cell_and_an_equation() {
         .assert()
         .success()
         .stdout_eq(file!["snapshots/explain-equation.txt"]);
+    subcert(["explain", "mustafa2007-bajaj:theorem-2"])
+        .assert()
+        .success()
+        .stdout_eq(file!["snapshots/explain-theorem.txt"]);
 }
 
 #[test]

@@ -1,5 +1,7 @@
 //! Whether a printed decimal can stand for an exact value.
 
+use super::choices::DECIMAL_ROUNDING;
+use super::search::Difference;
 use crate::exact::{Decimal, RealCyclotomic};
 
 /// How a decimal was rounded, as [`DECIMAL_ROUNDING`](super::choices::DECIMAL_ROUNDING)
@@ -17,6 +19,13 @@ impl DecimalRounding {
         (Some("cut"), DecimalRounding::Cut),
         (Some("away"), DecimalRounding::Away),
     ];
+
+    /// How a reading with this rounding differs from one that rounds to the nearest.
+    pub(super) fn difference(self) -> Option<Difference> {
+        let (word, _) = DecimalRounding::ALL.into_iter().find(|(_, way)| *way == self)?;
+        let way = DECIMAL_ROUNDING.ways.iter().find(|way| Some(way.word) == word)?;
+        Some(Difference { choice: DECIMAL_ROUNDING.name.to_owned(), says: way.says.to_owned() })
+    }
 
     /// Whether `exact` becomes `printed`.
     pub(super) fn gives(self, printed: &Decimal, exact: &RealCyclotomic) -> bool {

@@ -14,6 +14,7 @@ mod consistent;
 mod scale;
 mod search;
 mod settings;
+mod space;
 
 pub use choice::{Choice, Effect, Way};
 pub use choices::FAMILY;
@@ -21,4 +22,4 @@ pub use scale::Solved;
 pub use search::{Difference, Explanation, MAX_DIFFERENCES, Search};
 pub(super) use choices::{DEPTH_ROUNDING, HEADER};
 pub(super) use search::search;
-pub(super) use settings::Settings;
+pub(super) use settings::{Restricted, Settings};

@@ -2,6 +2,7 @@
 
 use super::choice::{Choice, Effect};
 use super::choices::FAMILY;
+use crate::claim::Alternative;
 use crate::exact::Rational;
 use crate::formula::LocatedFormula;
 use std::cell::RefCell;
@@ -13,10 +14,20 @@ pub(in crate::audit) struct Settings {
     words: Vec<(&'static str, &'static str)>,
     /// The paper's definitions with some replaced, when any are.
     pub(in crate::audit) definitions: Option<BTreeMap<String, LocatedFormula>>,
+    /// The places of the alternatives that stand for them.
+    replaced: Vec<usize>,
     /// Values for parameters instead of the assumed ones.
     pub(in crate::audit) parameters: BTreeMap<String, Rational>,
     /// What each choice that the formula depends on is as printed.
     consulted: RefCell<BTreeMap<&'static str, String>>,
+}
+
+/// The part of a reading that some values depend on.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(in crate::audit) struct Restricted {
+    words: Vec<(&'static str, &'static str)>,
+    replaced: Vec<usize>,
+    parameters: BTreeMap<String, Rational>,
 }
 
 impl Settings {
@@ -48,8 +59,27 @@ impl Settings {
         self.words.iter().find(|(name, _)| *name == choice.name).map(|(_, word)| *word)
     }
 
+    /// What of this is other than printed in some choices, and in definitions.
+    pub(in crate::audit) fn restricted(&self, choices: &BTreeMap<&'static str, String>) -> Restricted {
+        let words = self.words.iter().filter(|(name, _)| choices.contains_key(name));
+        let replaced = self.replaced.clone();
+        Restricted { words: words.copied().collect(), replaced, parameters: self.parameters.clone() }
+    }
+
+    /// Replaces a definition by the alternative of this place in the claim file.
+    pub(super) fn replace(
+        &mut self,
+        printed: &BTreeMap<String, LocatedFormula>,
+        place: usize,
+        alternative: &Alternative,
+    ) {
+        let definitions = self.definitions.get_or_insert_with(|| printed.clone());
+        definitions.insert(alternative.of.clone(), alternative.value.clone());
+        self.replaced.push(place);
+    }
+
     /// The choices that options were asked for, with their words as printed.
-    pub(super) fn consulted(&self) -> BTreeMap<&'static str, String> {
+    pub(in crate::audit) fn consulted(&self) -> BTreeMap<&'static str, String> {
         self.consulted.borrow().clone()
     }
 }

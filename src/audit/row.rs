@@ -1,0 +1,84 @@
+//! The definitions that have one value in a row of a table, computed once for it.
+
+use super::reading::Restricted;
+use super::table::{At, Judge, Outcome};
+use crate::exact::RealCyclotomic;
+use crate::formula::FreeNames;
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
+
+/// Values of definitions.
+pub(super) type Known = BTreeMap<String, RealCyclotomic>;
+
+/// What the values of a row depend on: the row, the reading as far as it matters,
+/// and the parameters that are assumed.
+type Key = (usize, Restricted, BTreeSet<String>);
+
+/// The definitions that do not depend on the column, with their values.
+#[derive(Default)]
+pub(super) struct RowDefinitions {
+    names: Vec<String>,
+    /// The choices of readings that the values depend on, with their words as printed.
+    pub(super) choices: BTreeMap<&'static str, String>,
+    known: RefCell<BTreeMap<Key, Rc<Known>>>,
+}
+
+impl RowDefinitions {
+    /// Those that the formula of the table uses and that depend on the row's
+    /// parameter, stated and assumed ones alone, whichever alternative stands for a
+    /// definition.
+    pub(super) fn find(judge: &Judge<'_>) -> RowDefinitions {
+        let Judge { paper, table, given, assumed, .. } = judge;
+        let fixed = |name: &String| {
+            table.rows.as_ref().is_some_and(|axis| axis.name == *name)
+                || given.contains_key(name)
+                || assumed.contains_key(name)
+        };
+        let mut varying = BTreeSet::new();
+        let mut definitions = paper.definitions.clone();
+        let others = paper.alternatives.iter().map(Some);
+        for alternative in std::iter::once(None).chain(others) {
+            if let Some(other) = alternative {
+                definitions.insert(other.of.clone(), other.value.clone());
+            }
+            let mut free = FreeNames::new(&definitions);
+            let varies = |name: &&String| !free.of_name(name).iter().all(fixed);
+            varying.extend(definitions.keys().filter(varies).cloned().collect::<Vec<_>>());
+        }
+        let used = paper.definitions_in(&table.value).into_keys().map(str::to_owned);
+        let names = used.filter(|name| !varying.contains(name)).collect();
+        RowDefinitions { names, ..RowDefinitions::default() }
+    }
+
+    /// The values in the row of a cell.
+    pub(super) fn of(&self, judge: &Judge<'_>, at: At<'_>) -> Rc<Known> {
+        let key = (at.row, at.settings.restricted(&self.choices), at.assume.clone());
+        if let Some(known) = self.known.borrow().get(&key) {
+            return Rc::clone(known);
+        }
+        let known = Rc::new(self.compute(judge, at));
+        self.known.borrow_mut().insert(key, Rc::clone(&known));
+        known
+    }
+
+    /// Notes which choices the values depend on, by computing those of the first row.
+    pub(super) fn find_choices(&mut self, judge: &Judge<'_>, at: At<'_>) {
+        self.compute(judge, at);
+        self.choices = at.settings.consulted();
+    }
+
+    /// A definition without a value here is left to whoever needs it.
+    fn compute(&self, judge: &Judge<'_>, at: At<'_>) -> Known {
+        let definitions = at.settings.definitions.as_ref().unwrap_or(&judge.paper.definitions);
+        let at = At { column: 0, ..at };
+        let mut known = Known::new();
+        for name in &self.names {
+            if let Ok(Outcome::Value(value)) = judge.evaluate_knowing(&definitions[name], at, &known)
+            {
+                known.insert(name.clone(), value);
+            }
+        }
+        known
+    }
+}
