@@ -104,6 +104,7 @@ impl<'a> Judge<'a> {
         let definitions = at.settings.definitions.as_ref().unwrap_or(&self.paper.definitions);
         let mut scope = Scope::new(definitions, functions);
         for (name, value) in &self.given {
+            let value = at.settings.parameters.get(name).unwrap_or(value);
             scope = scope.with(name, value.clone().into());
         }
         for (name, value) in &self.assumed {

@@ -57,6 +57,15 @@ fn interval(
     Some((low / enclosure.upper(), high / enclosure.lower()))
 }
 
+/// The greatest numerator and denominator of a scale that someone would choose.
+const MAX_SIMPLE: i64 = 100;
+
+/// Whether someone would choose this as the scale of data.
+pub(super) fn is_simple(scale: &Rational) -> bool {
+    let most = Integer::from(MAX_SIMPLE);
+    scale.numerator() <= most && scale.denominator() <= most
+}
+
 /// The fraction of least denominator, and of these the least numerator, strictly
 /// between two positive numbers.
 pub(super) fn simplest_between(low: &Rational, high: &Rational) -> Rational {

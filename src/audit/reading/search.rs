@@ -82,11 +82,15 @@ pub(in crate::audit) fn search(judge: &Judge<'_>, findings: &[Vec<CellFinding>])
     let (mut tried, mut best) = (0, Vec::<Explanation>::new());
     for reading in &readings {
         let roundings = space.roundings(reading);
-        tried += roundings.len();
         let least = best.first().map_or(0, |first| space.least(first, reading));
-        let Some(values) = space.values(&space.settings(reading), least) else { continue };
-        for rounding in roundings {
-            let explanation = space.explain(reading, rounding, values.clone());
+        let Some(values) = space.values(&space.settings(reading), least) else {
+            tried += roundings.len();
+            continue;
+        };
+        let explanations =
+            roundings.into_iter().flat_map(|rounding| space.explain(reading, rounding, &values));
+        for explanation in explanations {
+            tried += 1;
             match best.first().map(|first| first.rank().cmp(&explanation.rank())) {
                 Some(Ordering::Greater) => {}
                 Some(Ordering::Equal) => best.push(explanation),

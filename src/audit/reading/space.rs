@@ -3,13 +3,13 @@
 use super::choice::{Choice, Effect};
 use super::choices::{DECIMAL_ROUNDING, FAMILY};
 use super::consistent::DecimalRounding;
-use super::scale::{Solved, simplest_between, solve};
+use super::scale::{Solved, is_simple, simplest_between, solve};
 use super::search::{Difference, Explanation, MAX_DIFFERENCES};
 use super::settings::Settings;
 use crate::audit::finding::CellFinding;
 use crate::audit::table::{At, Judge, Outcome};
 use crate::claim::{Printed, Promise};
-use crate::exact::RealCyclotomic;
+use crate::exact::{Rational, RealCyclotomic};
 use std::collections::BTreeSet;
 
 /// The most readings of one table.
@@ -30,14 +30,22 @@ pub(super) enum Change {
     Definition(usize),
 }
 
+/// A parameter that the values of a table are proportional to.
+struct Scale {
+    name: String,
+    /// Its stated or assumed value.
+    base: Rational,
+    stated: bool,
+}
+
 /// The readings of one table.
 pub(super) struct Space<'s> {
     judge: &'s Judge<'s>,
     printed: &'s PrintedCells<'s>,
-    /// The parameters that have to be assumed, and the one among them that the
-    /// values are proportional to.
+    /// The parameters that have to be assumed.
     assume: BTreeSet<String>,
-    scale: Option<String>,
+    /// The parameter that the values are proportional to.
+    scale: Option<Scale>,
     /// For each choice, the ways other than the printed one.
     changes: Vec<Vec<Change>>,
 }
@@ -181,20 +189,36 @@ impl<'s> Space<'s> {
         }
     }
 
-    /// The only assumed parameter, if every value is proportional to it.
-    fn find_scale(&self) -> Option<String> {
-        let name = self.assume.first().filter(|_| self.assume.len() == 1)?;
-        let assumed = self.judge.assumed.get(name)?;
+    /// The parameter that every value is proportional to: the only assumed one, or,
+    /// where nothing is assumed, a stated one.
+    fn find_scale(&self) -> Option<Scale> {
+        let Judge { given, assumed, .. } = self.judge;
+        let (stated, from) = if self.assume.is_empty() { (true, given) } else { (false, assumed) };
+        if self.is_depth() || self.assume.len() > 1 {
+            return None;
+        }
+        let candidates = from.iter().filter(|(name, _)| stated || self.assume.contains(*name));
+        let mut scales = candidates.map(|(name, base)| Scale {
+            name: name.clone(),
+            base: base.clone(),
+            stated,
+        });
+        scales.find(|scale| self.is_scale(scale))
+    }
+
+    fn is_scale(&self, scale: &Scale) -> bool {
+        if scale.base.is_zero() {
+            return false;
+        }
         let mut double = Settings::default();
-        double.parameters.insert(name.clone(), assumed + assumed);
+        double.parameters.insert(scale.name.clone(), &scale.base + &scale.base);
         let (once, twice) = (self.all_values(&Settings::default()), self.all_values(&double));
         let pairs = once.iter().flatten().zip(twice.iter().flatten());
-        let proportional = pairs.into_iter().all(|(once, twice)| match (once, twice) {
+        pairs.into_iter().all(|(once, twice)| match (once, twice) {
             (Some(once), Some(twice)) => &(once + once) == twice,
             (None, None) => true,
             _ => false,
-        });
-        proportional.then(|| name.clone())
+        })
     }
 
     /// How many cells the printed definition explains.
@@ -219,21 +243,41 @@ impl<'s> Space<'s> {
         all.take(if one { 1 } else { DecimalRounding::ALL.len() }).collect()
     }
 
-    /// What a reading explains, with the scale solved for where there is one.
+    /// What a reading explains: with the scale solved for, where there is one, and,
+    /// where it is stated, also as it is stated.
     pub(super) fn explain(
         &self,
         reading: &[Change],
         rounding: DecimalRounding,
+        values: &Values,
+    ) -> Vec<Explanation> {
+        let Some(scale) = &self.scale else {
+            return vec![self.explanation(reading, rounding, values.clone(), None)];
+        };
+        let solved = self.solve(scale, values, rounding);
+        let solved = solved.filter(|solved| !scale.stated || solved.simplest != scale.base);
+        let as_it_is = (scale.stated || solved.is_none()).then_some(None);
+        let variants = as_it_is.into_iter().chain(solved.map(Some));
+        variants.map(|solved| self.explanation(reading, rounding, values.clone(), solved)).collect()
+    }
+
+    fn explanation(
+        &self,
+        reading: &[Change],
+        rounding: DecimalRounding,
         mut values: Values,
+        solved: Option<Solved>,
     ) -> Explanation {
-        let solved = self.scale.as_ref().and_then(|name| self.solve(name, &values, rounding));
-        if let Some(solved) = &solved
-            && let Some(assumed) = self.judge.assumed.get(&solved.name)
-        {
-            let factor = RealCyclotomic::from(&solved.simplest / assumed);
+        let mut otherwise = None;
+        if let (Some(solved), Some(scale)) = (&solved, &self.scale) {
+            let factor = RealCyclotomic::from(&solved.simplest / &scale.base);
             for value in values.iter_mut().flatten().flatten() {
                 *value = &*value * &factor;
             }
+            otherwise = scale.stated.then(|| Difference {
+                choice: scale.name.clone(),
+                says: format!("{} = {}, where {} is stated", scale.name, solved.simplest, scale.base),
+            });
         }
         let explained = self.printed.iter().zip(&values).map(|(printed, values)| {
             let pairs = printed.iter().zip(values);
@@ -245,7 +289,7 @@ impl<'s> Space<'s> {
         });
         let explained = explained.collect();
         let changes = reading.iter().map(|change| self.difference(change));
-        let differences = changes.chain(rounding.difference()).collect();
+        let differences = changes.chain(rounding.difference()).chain(otherwise).collect();
         Explanation { differences, solved: solved.into_iter().collect(), values, explained }
     }
 
@@ -262,7 +306,7 @@ impl<'s> Space<'s> {
 
     fn solve(
         &self,
-        name: &str,
+        scale: &Scale,
         values: &Values,
         rounding: DecimalRounding,
     ) -> Option<Solved> {
@@ -270,9 +314,12 @@ impl<'s> Space<'s> {
         let cells: Vec<(&Printed, &RealCyclotomic)> =
             cells.filter_map(|(printed, value)| Some(((*printed)?, value.as_ref()?))).collect();
         let (low, high) = solve(&cells, rounding)?;
-        let assumed = self.judge.assumed.get(name)?;
-        let between = (low * assumed, high * assumed);
+        if scale.base.sign() < 0 {
+            return None;
+        }
+        let between = (low * &scale.base, high * &scale.base);
         let simplest = simplest_between(&between.0, &between.1);
-        Some(Solved { name: name.to_owned(), between, simplest })
+        let chosen = is_simple(&simplest);
+        chosen.then(|| Solved { name: scale.name.clone(), between, simplest })
     }
 }
