@@ -7,6 +7,7 @@ mod constants;
 mod depth;
 mod oracle;
 mod output;
+mod ring_constants;
 mod schemes;
 
 use arguments::{Arguments, Command};

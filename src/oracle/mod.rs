@@ -8,8 +8,9 @@
 //! | item | what it is |
 //! |---|---|
 //! | [`reference_values`], [`OracleRequest`], [`OracleValues`] | all values of a scheme, as plain data |
+//! | [`ring_reference_values`], [`RingRequest`] | the same of a ring |
 //! | [`to_json`], [`to_csv`], [`write_json`], [`write_csv`] | the same as a file |
-//! | [`refine_polygon`], [`refine_grid`], [`Control`] | exact refinement |
+//! | [`refine_polygon`], [`refine_grid`], [`refine_ring`], [`Control`] | exact refinement |
 //! | [`check_within_ulps`], [`check_slice_within_ulps`], [`check_within`] | an f64 against an exact value |
 //! | [`assert_within_ulps!`](crate::assert_within_ulps), [`assert_slice_within_ulps!`](crate::assert_slice_within_ulps), [`assert_within!`](crate::assert_within) | the same as assertions |
 
@@ -18,6 +19,7 @@ mod control;
 mod macros;
 mod mismatch;
 mod refine;
+mod ring;
 mod values;
 mod write;
 
@@ -27,5 +29,8 @@ pub use mismatch::{Deviation, Mismatch, Tolerance};
 pub use refine::{
     Boundary, MAX_REFINED_LEVEL, MAX_VALUES, OracleError, refine_grid, refine_polygon,
 };
-pub use values::{Group, Header, MaskShape, OracleRequest, OracleValues, Value, reference_values};
+pub use ring::{RingRequest, refine_ring, ring_reference_values};
+pub use values::{
+    Group, Header, MaskShape, OracleRequest, OracleValues, RingShape, Value, reference_values,
+};
 pub use write::{to_csv, to_json, write_csv, write_json};
