@@ -5,8 +5,8 @@ use crate::formula::Value;
 use crate::scheme::{Representatives, Ring};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The most work of the powers of a ring: r·v²·(c−1)·s, when r rows of v numbers are
-/// multiplied c − 1 times by a matrix in which the product of a weight with itself has up
+/// The most work of the powers of a ring: r·p·(c−1)·s, when r rows are multiplied c − 1
+/// times by a matrix of p weights other than 0, and the product of one with itself has up
 /// to s bits, as [`product_size`](Value::product_size) counts them.
 pub const MAX_RING_WORK: u64 = 1 << 32;
 
@@ -21,7 +21,7 @@ pub struct RingWork {
     pub points: usize,
     /// c.
     pub levels: u32,
-    /// r·v²·(c−1)·s.
+    /// r·p·(c−1)·s.
     pub work: u64,
 }
 
@@ -32,13 +32,14 @@ impl RingWork {
     /// # Errors
     /// When they are more work than [`MAX_RING_WORK`].
     pub fn check<S: Value>(ring: &Ring<S>, rows: usize, levels: u32) -> Result<(), RingWork> {
-        let points = ring.point_count();
         let bits = ring.weights().iter().flatten().map(|weight| weight.product_size(weight)).max();
-        let products = (rows * points * points) as u64;
-        let work = products
+        let work = ((rows * ring.product_count()) as u64)
             .saturating_mul(u64::from(levels.saturating_sub(1)))
             .saturating_mul(bits.unwrap_or(1));
-        if work > MAX_RING_WORK { Err(RingWork { points, levels, work }) } else { Ok(()) }
+        if work <= MAX_RING_WORK {
+            return Ok(());
+        }
+        Err(RingWork { points: ring.point_count(), levels, work })
     }
 }
 

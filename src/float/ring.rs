@@ -149,8 +149,7 @@ fn greatest<'a, S: Real>(functionals: &[Vec<S>], heights: impl Iterator<Item = &
 
 /// The greatest c up to `max_block` whose products stay within [`MAX_TRACKED_STEPS`].
 fn tracked_block(ring: &Ring, chosen: &Representatives, max_block: u32) -> u32 {
-    let points = ring.point_count() as u64;
     let rows = (chosen.points.len() + 2 * chosen.edges.len()) as u64;
-    let steps = rows.saturating_mul(points * points);
+    let steps = rows.saturating_mul(ring.product_count() as u64);
     (1..=max_block).take_while(|&c| steps * u64::from(c) <= MAX_TRACKED_STEPS).last().unwrap_or(0)
 }

@@ -191,8 +191,9 @@ pub fn reference_values(
     Ok(OracleValues { header: header(scheme, request), groups })
 }
 
-pub(super) const COLUMNS: &str = "exact: p/q or a sum of cosines; decimal: 17 significant digits, nearest, half to even; f64: nearest, \
-     half to even, as the shortest decimal that reads back; hex: the same f64";
+pub(super) const COLUMNS: &str = "exact: p/q or a sum of cosines; decimal: 17 significant digits, \
+                                  nearest, half to even; f64: nearest, half to even, as the \
+                                  shortest decimal that reads back; hex: the same f64";
 const MASK: &str = "a[alpha][j]: x'[n*i+alpha] = sum over j of a[alpha][j]*x[i+offset+j]";
 const DIFFERENCE: &str = "b[beta][j]: the same for the differences x[i+1] - x[i]";
 pub(super) const CONTRACTION: &str =

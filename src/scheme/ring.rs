@@ -30,6 +30,8 @@ pub struct Orbit {
 pub struct Ring<S = RealCyclotomic> {
     orbits: Vec<Orbit>,
     weights: Vec<Vec<S>>,
+    /// For each new point a, the b with m_{a,b} ≠ 0: most rings have few.
+    supports: Vec<Vec<usize>>,
     edges: Vec<(usize, usize)>,
 }
 
@@ -116,7 +118,10 @@ impl<S: Scalar + PartialEq + Display> Ring<S> {
         if weights.len() != points || weights.iter().any(|row| row.len() != points) {
             return Err(RingError::Shape { points });
         }
-        let ring = Ring { orbits, weights, edges: without_repetition(edges) };
+        let zero = S::zero();
+        let support = |row: &Vec<S>| (0..points).filter(|&b| row[b] != zero).collect();
+        let supports = weights.iter().map(support).collect();
+        let ring = Ring { orbits, weights, supports, edges: without_repetition(edges) };
         let one = S::from_rational(&Rational::one());
         for (point, weights) in ring.weights.iter().enumerate() {
             let sum = S::total(weights);
@@ -149,6 +154,12 @@ impl<S> Ring<S> {
         &self.weights
     }
 
+    /// The number of weights other than 0: the products of a refinement.
+    #[must_use]
+    pub fn product_count(&self) -> usize {
+        self.supports.iter().map(Vec::len).sum()
+    }
+
     /// The edges, as pairs of points, each once.
     #[must_use]
     pub fn edges(&self) -> &[(usize, usize)] {
@@ -164,12 +175,13 @@ impl<S> Ring<S> {
         point_name(&self.orbits, point)
     }
 
-    /// The weights in another arithmetic, which may round: their sums are not
-    /// checked again.
+    /// The weights in another arithmetic, which may round, and takes 0 to 0: their sums
+    /// are not checked again.
     #[must_use]
     pub fn map<T>(&self, mut map: impl FnMut(&S) -> T) -> Ring<T> {
         let weights = self.weights.iter().map(|row| row.iter().map(&mut map).collect()).collect();
-        Ring { orbits: self.orbits.clone(), weights, edges: self.edges.clone() }
+        let Ring { orbits, supports, edges, .. } = self;
+        Ring { orbits: orbits.clone(), weights, supports: supports.clone(), edges: edges.clone() }
     }
 
     fn check_edges(&self) -> Result<(), RingError> {
@@ -212,10 +224,10 @@ impl<S: Scalar> Ring<S> {
     #[must_use]
     pub fn refine(&self, points: &[S]) -> Vec<S> {
         assert_eq!(points.len(), self.point_count(), "a ring has as many control points as rows");
-        let combine = |row: &Vec<S>| {
-            row.iter().zip(points).fold(S::zero(), |sum, (m, x)| sum.plus(&m.times(x)))
+        let combine = |(row, support): (&Vec<S>, &Vec<usize>)| {
+            support.iter().fold(S::zero(), |sum, &b| sum.plus(&row[b].times(&points[b])))
         };
-        self.weights.iter().map(combine).collect()
+        self.weights.iter().zip(&self.supports).map(combine).collect()
     }
 
     /// wᵀM, with (wᵀM)_b = Σ_a w_a m_{a,b}: the functional w of the new points, as one
@@ -226,11 +238,13 @@ impl<S: Scalar> Ring<S> {
     #[must_use]
     pub fn pull_back(&self, functional: &[S]) -> Vec<S> {
         assert_eq!(functional.len(), self.point_count(), "a coefficient for each point");
-        let column = |b: usize| {
-            let terms = functional.iter().zip(&self.weights);
-            terms.fold(S::zero(), |sum, (w, row)| sum.plus(&w.times(&row[b])))
-        };
-        (0..self.point_count()).map(column).collect()
+        let mut sums = vec![S::zero(); self.point_count()];
+        for (w, (row, support)) in functional.iter().zip(self.weights.iter().zip(&self.supports)) {
+            for &b in support {
+                sums[b] = sums[b].plus(&w.times(&row[b]));
+            }
+        }
+        sums
     }
 }
 

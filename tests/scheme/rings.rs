@@ -1,6 +1,6 @@
 //! Rings: the catalogue's, those in files, and what is none.
 
-use super::common::{r, ring};
+use super::common::{int, r, ring};
 use subcert::diagnostic::{Diagnostic, SourceText};
 use subcert::exact::{Rational, RealCyclotomic, Scalar as _};
 use subcert::scheme::{
@@ -249,19 +249,27 @@ fn what_is_no_ring() {
     assert_eq!(ring.edges(), [(0, 1)]);
 }
 
-// wᵀ(Mx) = (wᵀM)x.
+// (Mx)_a = Σ_b m_{a,b} x_b, and wᵀ(Mx) = (wᵀM)x.
 #[test]
-fn functionals_are_pulled_back() {
-    let face = ring("doo-sabin:n=5");
-    let numbers = |shift: i64| -> Vec<RealCyclotomic> {
-        (0..5).map(|j| RealCyclotomic::cosine(&r(j * j + shift, 5)).unwrap()).collect()
-    };
-    let (w, x) = (numbers(1), numbers(2));
+fn refinement_as_defined() {
     let dot = |left: &[RealCyclotomic], right: &[RealCyclotomic]| {
         let terms: Vec<_> = left.iter().zip(right).map(|(a, b)| a * b).collect();
         RealCyclotomic::total(&terms)
     };
-    assert_eq!(dot(&w, &face.refine(&x)), dot(&face.pull_back(&w), &x));
+    for scheme in ["doo-sabin:n=5", "catmull-clark:N=5", "bajaj:N=10"] {
+        let ring = ring(scheme);
+        let count = int(ring.point_count());
+        let numbers = |shift: i64| -> Vec<RealCyclotomic> {
+            (0..count).map(|j| RealCyclotomic::cosine(&r(j * j + shift, 5)).unwrap()).collect()
+        };
+        let (w, x) = (numbers(1), numbers(2));
+        let refined = ring.refine(&x);
+        let naive: Vec<RealCyclotomic> = ring.weights().iter().map(|row| dot(row, &x)).collect();
+        assert_eq!(refined, naive, "{scheme}");
+        assert_eq!(dot(&w, &refined), dot(&ring.pull_back(&w), &x), "{scheme}");
+    }
+    let sparse = ring("catmull-clark:N=5");
+    assert_eq!(sparse.product_count(), 11 + 5 * 6 + 5 * 4);
 }
 
 // Counts 2 and 6 turn by 1 and by 3; a weight that differs, or an edge, stops the turn.
