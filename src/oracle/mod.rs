@@ -16,6 +16,7 @@
 
 mod check;
 mod control;
+mod header;
 mod macros;
 mod mismatch;
 mod refine;
@@ -25,12 +26,11 @@ mod write;
 
 pub use check::{check_slice_within_ulps, check_within, check_within_ulps};
 pub use control::{Control, SplitMix64};
+pub use header::{Header, MaskShape, RingShape};
 pub use mismatch::{Deviation, Mismatch, Tolerance};
 pub use refine::{
     Boundary, MAX_REFINED_LEVEL, MAX_VALUES, OracleError, refine_grid, refine_polygon,
 };
 pub use ring::{RingRequest, refine_ring, ring_reference_values};
-pub use values::{
-    Group, Header, MaskShape, OracleRequest, OracleValues, RingShape, Value, reference_values,
-};
+pub use values::{Group, OracleRequest, OracleValues, Value, reference_values};
 pub use write::{to_csv, to_json, write_csv, write_json};

@@ -1,11 +1,9 @@
 //! Reference values of a ring.
 
 use super::control::Control;
+use super::header::{COLUMNS, Header, RingShape, program};
 use super::refine::{MAX_REFINED_LEVEL, OracleError};
-use super::values::{
-    COLUMNS, CONTRACTION, CONTROL, Group, Header, NORM, OracleValues, REFINED, RingShape, group,
-    program,
-};
+use super::values::{CONTRACTION, CONTROL, Group, NORM, OracleValues, REFINED, group};
 use crate::bound::{RingConstants, RingWork};
 use crate::exact::RealCyclotomic;
 use crate::scheme::Ring;
@@ -33,10 +31,13 @@ const SIGMA: &str = "sigma: the largest distance of a new point x'[a] from the o
 /// When there is not one control point for each point of the ring, the level is too
 /// high, or it is too much work.
 ///
+/// # Panics
+/// When points and weights have no [`common_conductor`](crate::exact::common_conductor).
+///
 /// ```
+/// use subcert::assert_within_ulps;
 /// use subcert::exact::RealCyclotomic;
 /// use subcert::oracle::refine_ring;
-/// use subcert::assert_within_ulps;
 /// use subcert::scheme::parse_ring;
 ///
 /// let ring = parse_ring("doo-sabin:n=5")?;

@@ -1,6 +1,7 @@
 //! All reference values of a scheme, as plain data.
 
 use super::control::Control;
+use super::header::{COLUMNS, Header, MaskShape, program};
 use super::refine::{Boundary, OracleError, refine_grid, refine_polygon};
 use crate::bound::{Constants, Operator, Order, Terms, displacement, surface_factor};
 use crate::exact::{Enclosed, Integer, Rational, format};
@@ -34,56 +35,6 @@ pub struct OracleValues {
     pub header: Header,
     /// The values, one group for each quantity.
     pub groups: Vec<Group>,
-}
-
-/// What was computed, and by what. Numbers that may be long are texts.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Header {
-    /// `subcert` and its version.
-    pub program: String,
-    /// The scheme, as it was asked for.
-    pub scheme: String,
-    /// The shape of each mask: one for a curve, two for a tensor product.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub masks: Vec<MaskShape>,
-    /// The shape of a ring.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub ring: Option<RingShape>,
-    /// The greatest c of T_c and Λ_c.
-    pub max_block: u32,
-    /// How often the control polygon was refined.
-    pub level: u32,
-    /// `closed` or `open`; a ring has no boundary.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub boundary: Option<&'static str>,
-    /// The seed of [`Control::seeded_polygon`]; `None` when the control was given.
-    pub seed: Option<String>,
-    /// For each direction, the index that the scheme gives to the first refined
-    /// value. Closed: 0. Open: s_{k+1} = n(s_k − o) from s_0 = 0.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub first_index: Vec<String>,
-    /// How the columns were rounded.
-    pub columns: &'static str,
-}
-
-/// n, N and o of a mask.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-pub struct MaskShape {
-    /// n.
-    pub arity: usize,
-    /// N.
-    pub width: usize,
-    /// o.
-    pub offset: i64,
-}
-
-/// The points and edges of a ring.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct RingShape {
-    /// The name of every point, in the order of their numbers.
-    pub points: Vec<String>,
-    /// The edges, as pairs of numbers of points.
-    pub edges: Vec<(usize, usize)>,
 }
 
 /// The values of one quantity.
@@ -191,9 +142,6 @@ pub fn reference_values(
     Ok(OracleValues { header: header(scheme, request), groups })
 }
 
-pub(super) const COLUMNS: &str = "exact: p/q or a sum of cosines; decimal: 17 significant digits, \
-                                  nearest, half to even; f64: nearest, half to even, as the \
-                                  shortest decimal that reads back; hex: the same f64";
 const MASK: &str = "a[alpha][j]: x'[n*i+alpha] = sum over j of a[alpha][j]*x[i+offset+j]";
 const DIFFERENCE: &str = "b[beta][j]: the same for the differences x[i+1] - x[i]";
 pub(super) const CONTRACTION: &str =
@@ -275,11 +223,6 @@ fn refine(scheme: &Scheme, request: &OracleRequest) -> Result<(Vec<Rational>, us
             refine_grid(rules, control.values(), control.columns(), *level, *boundary)
         }
     }
-}
-
-/// What writes the values.
-pub(super) fn program() -> String {
-    format!("subcert {}", env!("CARGO_PKG_VERSION"))
 }
 
 fn header(scheme: &Scheme, request: &OracleRequest) -> Header {

@@ -1,6 +1,7 @@
 //! Reference values as JSON and CSV.
 
-use super::values::{Header, OracleValues};
+use super::header::Header;
+use super::values::OracleValues;
 use std::io::{self, Write};
 
 /// The values as indented JSON: an object of `header` and `groups`, its keys in the
