@@ -68,9 +68,6 @@ impl SchemeDefinition {
         &self,
         values: &BTreeMap<String, V>,
     ) -> Result<Mask<V>, SchemeError> {
-        if self.is_ring() {
-            return Err(SchemeError::Ring { scheme: self.name.clone() });
-        }
         let parameters = self.complete(values)?;
         let offset = match &self.offset {
             Some(formula) => {
@@ -94,7 +91,9 @@ impl SchemeDefinition {
                     .map(|alpha| (0..width).map(|r| coefficient(alpha, r)).collect())
                     .collect::<Result<Vec<Vec<V>>, SchemeError>>()?
             }
-            Coefficients::Ring(_) => unreachable!("rings were refused above"),
+            Coefficients::Ring(_) => {
+                return Err(SchemeError::Ring { scheme: self.name.clone() });
+            }
         };
         self.check_common_field(rows.iter().flatten())?;
         Mask::new(rows, offset).map_err(|error| SchemeError::File(Box::new(self.refusal(&error))))
