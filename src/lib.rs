@@ -29,6 +29,8 @@
 //! | t_{nu+β} = b_{β,N−1−u} or b_{β,u} | [`Order`](bound::Order) |
 //! | σ, γ | [`displacement`](bound::displacement) |
 //! | η, ν | [`surface_coefficients`](bound::surface_coefficients) |
+//! | ω_{i,j}; (1) of the rules around a vertex | weights of a [`Ring`](scheme::Ring) |
+//! | T_c of a ring | [`RingConstants`](bound::RingConstants), by [`transport`](bound::transport()) |
 //! | β, τ, ϑ | spread: the largest difference of neighbouring control points |
 //! | k ≥ log_T(…) | [`log_level`](bound::log_level), [`least_level`](bound::least_level) |
 //!
@@ -40,8 +42,8 @@
 //! |---|---|
 //! | [`exact`] | numbers, no geometry |
 //! | [`formula`] | the expression language of masks and claims |
-//! | [`scheme`] | masks, difference masks, tensor products, the catalogue |
-//! | [`bound`] | contraction constants, displacement, error bounds, depth |
+//! | [`scheme`] | masks, difference masks, tensor products, rings, the catalogue |
+//! | [`bound`] | contraction constants, also of rings, displacement, error bounds, depth |
 //! | [`float`] | the same in f64, certified against the exact path |
 //! | [`oracle`] | reference values and checks for other programs' tests |
 //! | [`claim`] | what a paper asserts |

@@ -118,7 +118,7 @@ fn bounds_of_the_papers_have_values() {
             let table = format!(
                 "[[table]]\nid = 'values'\nlocus = 'none'\nscheme = '{}'\nvalue = '{}'\n\
                  given = {{ beta = '1', beta_1 = '1', beta_2 = '1', beta_3 = '1', c = '1', \
-                 epsilon = '1/100', alpha_2 = '1/4', mu = '-1/3' }}\n\
+                 epsilon = '1/100', alpha_2 = '1/4', mu = '-1/3', n = '3' }}\n\
                  columns = {{ name = 'k', values = ['1', '2', '3'] }}\ncells = 'lost'\n",
                 scheme.as_deref().unwrap_or(example),
                 by.text

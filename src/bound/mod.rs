@@ -7,8 +7,11 @@ mod convolution;
 mod delta;
 mod depth;
 mod displacement;
+mod ring;
+mod ring_power;
 mod sound;
 mod surface;
+mod transport;
 mod walk;
 
 pub use algebraic_depth::log_level_algebraic;
@@ -20,5 +23,9 @@ pub use convolution::{Recursion, convolution_coefficient, convolution_window, se
 pub use delta::DeltaCondition;
 pub use depth::{DepthError, MAX_DEPTH, Rounded, least_level, log_level};
 pub use displacement::{Terms, best_offset, displacement};
+pub use ring::{RingConstants, RingLevel};
+pub use ring_power::{MAX_RING_WORK, RingWork};
+pub(crate) use ring_power::{displaced_rows, power_rows};
 pub use sound::{SoundBound, SoundDepth};
 pub use surface::{surface_coefficients, surface_displacement, surface_factor};
+pub use transport::{Transport, transport};

@@ -4,9 +4,11 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
 const AFTER_HELP: &str = "\
-SCHEME is a catalogue name with parameters (`six-point:w=3/256`, `newton:j=1,n=3`),
-the path of a TOML file (`mine.toml:w=1/16`), or two of these with ` x ` between them
-for their tensor product. `subcert schemes` lists the catalogue.
+SCHEME is a catalogue name with parameters (`six-point:w=3/256`, `newton:j=1,n=3`,
+`doo-sabin:n=5`), the path of a TOML file (`mine.toml:w=1/16`), or two of these with
+` x ` between them for their tensor product. `subcert schemes` lists the catalogue;
+`depth` needs a mask, the other commands also take the rings around an extraordinary
+vertex or face.
 
 Exit codes: 0 done (findings are no failures), 1 a stated expectation failed,
 2 bad usage or input, 3 an internal fault.";
@@ -166,8 +168,10 @@ pub(super) struct CertifyArguments {
     /// A tolerance ε for the depths (may be repeated)
     #[arg(long, value_name = "E", allow_hyphen_values = true)]
     pub(super) tolerance: Vec<String>,
-    #[command(flatten)]
-    pub(super) spread: Spread,
+    /// The spread β of the depths: the largest difference of neighbouring control points
+    /// [default: 1]
+    #[arg(long, value_name = "B", allow_hyphen_values = true)]
+    pub(super) spread: Option<String>,
     #[command(flatten)]
     pub(super) output: Output,
 }
@@ -199,18 +203,19 @@ pub(super) struct OracleArguments {
     #[command(flatten)]
     pub(super) block: Block,
     /// A file of exact numbers, separated by commas or white space; for a surface,
-    /// one line for each row
+    /// one line for each row; for a ring, one for each of its points
     #[arg(long, value_name = "FILE", conflicts_with_all = ["seed", "points"])]
     pub(super) polygon: Option<std::path::PathBuf>,
     /// The seed of a control polygon of small integers
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub(super) seed: u64,
-    /// How many points that polygon has; a surface, in each direction
-    #[arg(long, value_name = "M", default_value_t = 8)]
-    pub(super) points: usize,
-    /// What happens at the ends
-    #[arg(long, value_enum, default_value_t = BoundaryArgument::Closed)]
-    pub(super) boundary: BoundaryArgument,
+    /// How many points that polygon has; a surface, in each direction; not of a ring
+    /// [default: 8]
+    #[arg(long, value_name = "M")]
+    pub(super) points: Option<usize>,
+    /// What happens at the ends; not of a ring [default: closed]
+    #[arg(long, value_enum)]
+    pub(super) boundary: Option<BoundaryArgument>,
     /// Output format
     #[arg(long, value_enum, default_value_t = OracleFormat::Json)]
     pub(super) format: OracleFormat,

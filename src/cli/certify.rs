@@ -4,19 +4,23 @@ use super::Outcome;
 use super::arguments::CertifyArguments;
 use super::output::{Failure, positive, show};
 use serde_json::{Value, json};
-use subcert::exact::{Rational, format::short};
+use std::fmt::Display;
+use subcert::exact::{Enclosed, Real, format::short};
 use subcert::float::{
-    Certification, CertifyError, CertifyOptions, DepthDecision, Quantity, certify as compare,
-    exact, shortest,
+    Certification, CertifyError, CertifyOptions, DepthDecision, Quantity, RingCertification,
+    certify as compare, certify_ring, exact, shortest,
 };
 use subcert::report::{Grid, Sheet};
-use subcert::scheme::parse_scheme;
+use subcert::scheme::{AnyScheme, Ring, parse_any_scheme};
 
 pub(super) fn certify(arguments: &CertifyArguments) -> Outcome {
-    let scheme = parse_scheme(&arguments.scheme)?;
+    let scheme = match parse_any_scheme(&arguments.scheme)? {
+        AnyScheme::Uniform(scheme) => scheme,
+        AnyScheme::Ring(ring) => return ring_certificate(&ring, arguments),
+    };
     let mut options = CertifyOptions {
         max_block: arguments.block.levels,
-        spread: positive("--spread", &arguments.spread.spread)?,
+        spread: positive("--spread", arguments.spread.as_deref().unwrap_or("1"))?,
         ..CertifyOptions::default()
     };
     if !arguments.tolerance.is_empty() {
@@ -32,19 +36,41 @@ pub(super) fn certify(arguments: &CertifyArguments) -> Outcome {
     )
 }
 
-fn sheet(name: &str, result: &Certification) -> Sheet {
+/// A ring has constants, and no depths.
+fn ring_certificate(ring: &Ring, arguments: &CertifyArguments) -> Outcome {
+    if arguments.spread.is_some() || !arguments.tolerance.is_empty() {
+        let message = "--tolerance and --spread ask for depths, which a ring does not have";
+        return Err(Failure::Input(message.to_owned()));
+    }
+    let result = certify_ring(ring, arguments.block.levels)
+        .map_err(|error| Failure::Input(error.to_string()))?;
+    let name = &arguments.scheme;
+    show(arguments.output.format, || head(name, &result.quantities), || ring_json(name, &result))
+}
+
+/// A number type that reports print.
+trait Shown: Real + Enclosed + PartialOrd + Display {}
+
+impl<V: Real + Enclosed + PartialOrd + Display> Shown for V {}
+
+fn head<V: Shown>(name: &str, quantities: &[Quantity<V>]) -> Sheet {
     let mut sheet = Sheet::default();
     sheet.heading(1, format!("{name} in f64"));
     let header = ["quantity", "f64", "exact", "error", "ulps", "proven bound", "error/bound"];
-    let rows = result.quantities.iter().map(quantity_row).collect();
+    let rows = quantities.iter().map(quantity_row).collect();
     sheet.grid(Grid { header: header.map(str::to_owned).to_vec(), rows, left_columns: 1 });
-    let outside = result.quantities.iter().filter(|q| q.encloses() == Some(false)).count();
-    let bounded = result.quantities.iter().filter(|q| q.bound.is_some()).count();
+    let outside = quantities.iter().filter(|q| q.encloses() == Some(false)).count();
+    let bounded = quantities.iter().filter(|q| q.bound.is_some()).count();
     sheet.text(format!(
         "{} {} of {bounded} errors lie within the bound proven in advance.",
         if outside == 0 { "✓" } else { "✗" },
         bounded - outside
     ));
+    sheet
+}
+
+fn sheet(name: &str, result: &Certification) -> Sheet {
+    let mut sheet = head(name, &result.quantities);
     let header = ["c", "tolerance", "by logarithms", "f64 depth", "exact depth", "", "margin"];
     let rows = result.depths.iter().map(depth_row).collect();
     sheet.heading(2, "Depths σβC^k/(1 − C) ≤ ε, one power of C = T_c for each k");
@@ -56,18 +82,18 @@ fn sheet(name: &str, result: &Certification) -> Sheet {
     sheet
 }
 
-fn quantity_row(quantity: &Quantity) -> Vec<String> {
-    let digits = |value: &Option<Rational>| {
-        value.as_ref().map_or_else(|| "·".to_owned(), |value| short(value, 3))
-    };
+fn quantity_row<V: Shown>(quantity: &Quantity<V>) -> Vec<String> {
+    fn digits(value: Option<&impl Enclosed>) -> String {
+        value.map_or_else(|| "·".to_owned(), |value| short(value, 3))
+    }
     vec![
         quantity.name.clone(),
         shortest(quantity.value),
         short(&quantity.exact, 17),
-        digits(&quantity.error),
-        digits(&quantity.ulps),
-        digits(&quantity.bound.and_then(exact)),
-        digits(&quantity.tightness.and_then(exact)),
+        digits(quantity.error.as_ref()),
+        digits(quantity.ulps.as_ref()),
+        digits(quantity.bound.and_then(exact).as_ref()),
+        digits(quantity.tightness.and_then(exact).as_ref()),
     ]
 }
 
@@ -96,21 +122,33 @@ fn depth_row(depth: &DepthDecision) -> Vec<String> {
     ]
 }
 
-fn json_of(name: &str, result: &Certification) -> Value {
-    let text = |value: &Option<Rational>| value.as_ref().map(Rational::to_string);
-    let quantities = result.quantities.iter().map(|quantity| {
+fn quantities_json<V: Shown>(quantities: &[Quantity<V>]) -> Vec<Value> {
+    let json = |quantity: &Quantity<V>| {
         json!({
             "name": quantity.name,
             "f64": shortest(quantity.value),
             "exact": quantity.exact.to_string(),
             "decimal": short(&quantity.exact, 17),
-            "error": text(&quantity.error),
+            "error": quantity.error.as_ref().map(V::to_string),
             "ulps": quantity.ulps.as_ref().map(|ulps| short(ulps, 6)),
             "bound": quantity.bound.map(shortest),
             "encloses": quantity.encloses(),
             "tightness": quantity.tightness.and_then(exact).map(|tightness| short(&tightness, 6)),
         })
-    });
+    };
+    quantities.iter().map(json).collect()
+}
+
+fn ring_json(name: &str, result: &RingCertification) -> Value {
+    json!({
+        "schema": 1,
+        "scheme": name,
+        "quantities": quantities_json(&result.quantities),
+        "bounded_up_to_block": result.tracked_block,
+    })
+}
+
+fn json_of(name: &str, result: &Certification) -> Value {
     let depths = result.depths.iter().map(|depth| {
         json!({
             "block": depth.block,
@@ -129,7 +167,7 @@ fn json_of(name: &str, result: &Certification) -> Value {
     json!({
         "schema": 1,
         "scheme": name,
-        "quantities": quantities.collect::<Vec<Value>>(),
+        "quantities": quantities_json(&result.quantities),
         "depths": depths.collect::<Vec<Value>>(),
         "bounded_up_to_block": result.tracked_block,
     })

@@ -2,7 +2,8 @@
 
 use super::Outcome;
 use super::arguments::ConstantsArguments;
-use super::output::{Failure, show};
+use super::output::{Failure, show, with_decimal};
+use super::ring_constants::ring_constants;
 use serde_json::{Value, json};
 use subcert::bound::{
     ClassCap, Constants, DeltaCondition, Operator, Order, Terms, best_offset, displacement,
@@ -10,10 +11,13 @@ use subcert::bound::{
 };
 use subcert::exact::{Rational, format::short};
 use subcert::report::{Grid, Sheet, exact_json};
-use subcert::scheme::{Mask, Rules, Scheme, parse_scheme};
+use subcert::scheme::{AnyScheme, Mask, Rules, Scheme, parse_any_scheme};
 
 pub(super) fn constants(arguments: &ConstantsArguments) -> Outcome {
-    let scheme = parse_scheme(&arguments.scheme)?;
+    let scheme = match parse_any_scheme(&arguments.scheme)? {
+        AnyScheme::Uniform(scheme) => scheme,
+        AnyScheme::Ring(ring) => return ring_constants(&ring, arguments),
+    };
     let levels = arguments.block.levels;
     let report = Report::of(&scheme, levels).map_err(|e| Failure::Input(e.to_string()))?;
     let name = &arguments.scheme;
@@ -134,16 +138,6 @@ impl Report {
             "directions": self.directions.iter().map(Direction::json).collect::<Vec<Value>>(),
             "surface": surface,
         })
-    }
-}
-
-fn with_decimal(value: &Rational) -> String {
-    let decimal = short(value, 12);
-    let exact = value.to_string();
-    match (decimal == exact, exact.len() > 40) {
-        (true, _) => exact,
-        (false, false) => format!("{exact} = {decimal}"),
-        (false, true) => format!("{decimal}  (exact in --format json)"),
     }
 }
 

@@ -9,6 +9,7 @@ mod depth;
 mod oracle;
 mod output;
 mod papers;
+mod ring_constants;
 mod schemes;
 
 use arguments::{Arguments, Command};

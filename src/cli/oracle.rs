@@ -6,29 +6,64 @@ use super::output::{Failure, write};
 use std::path::Path;
 use subcert::diagnostic::{Diagnostic, SourceText, read_text};
 use subcert::exact::{Rational, parse_rational};
-use subcert::oracle::{Boundary, Control, OracleRequest, reference_values, to_csv, to_json};
-use subcert::scheme::{Scheme, parse_scheme};
+use subcert::oracle::{
+    Boundary, Control, OracleError, OracleRequest, OracleValues, RingRequest, reference_values,
+    ring_reference_values, to_csv, to_json,
+};
+use subcert::scheme::{AnyScheme, Ring, Scheme, parse_any_scheme};
 
 /// The largest control polygon file that is read, in bytes.
 const MAX_POLYGON_BYTES: u64 = 16 << 20;
 
+/// How many points a seeded polygon has, when nobody says.
+const SEEDED_POINTS: usize = 8;
+
 pub(super) fn oracle(arguments: &OracleArguments) -> Outcome {
-    let scheme = parse_scheme(&arguments.scheme)?;
-    let request = OracleRequest {
-        scheme: arguments.scheme.clone(),
-        max_block: arguments.block.levels,
-        control: control(arguments, &scheme)?,
-        level: arguments.level,
-        boundary: match arguments.boundary {
-            BoundaryArgument::Closed => Boundary::Closed,
-            BoundaryArgument::Open => Boundary::Open,
-        },
+    let values = match parse_any_scheme(&arguments.scheme)? {
+        AnyScheme::Uniform(scheme) => uniform(&scheme, arguments)?,
+        AnyScheme::Ring(ring) => of_ring(&ring, arguments)?,
     };
-    let values = reference_values(&scheme, &request).map_err(|e| Failure::Input(e.to_string()))?;
     write(&match arguments.format {
         OracleFormat::Json => to_json(&values),
         OracleFormat::Csv => to_csv(&values),
     })
+}
+
+fn refused(error: &OracleError) -> Failure {
+    Failure::Input(error.to_string())
+}
+
+fn uniform(scheme: &Scheme, arguments: &OracleArguments) -> Result<OracleValues, Failure> {
+    let request = OracleRequest {
+        scheme: arguments.scheme.clone(),
+        max_block: arguments.block.levels,
+        control: control(arguments, scheme)?,
+        level: arguments.level,
+        boundary: match arguments.boundary.unwrap_or(BoundaryArgument::Closed) {
+            BoundaryArgument::Closed => Boundary::Closed,
+            BoundaryArgument::Open => Boundary::Open,
+        },
+    };
+    reference_values(scheme, &request).map_err(|error| refused(&error))
+}
+
+fn of_ring(ring: &Ring, arguments: &OracleArguments) -> Result<OracleValues, Failure> {
+    let points = ring.point_count();
+    if arguments.points.is_some() || arguments.boundary.is_some() {
+        return Err(Failure::Input(format!(
+            "--points and --boundary are for polygons; this ring has {points} points, and no ends"
+        )));
+    }
+    let request = RingRequest {
+        scheme: arguments.scheme.clone(),
+        max_block: arguments.block.levels,
+        control: match &arguments.polygon {
+            Some(path) => read_control(path, false)?,
+            None => Control::seeded_polygon(arguments.seed, points),
+        },
+        level: arguments.level,
+    };
+    ring_reference_values(ring, &request).map_err(|error| refused(&error))
 }
 
 /// The control polygon or grid: from a file, or seeded.
@@ -37,7 +72,7 @@ fn control(arguments: &OracleArguments, scheme: &Scheme) -> Result<Control, Fail
     if let Some(path) = &arguments.polygon {
         return read_control(path, surface);
     }
-    let (seed, points) = (arguments.seed, arguments.points);
+    let (seed, points) = (arguments.seed, arguments.points.unwrap_or(SEEDED_POINTS));
     Ok(if surface {
         Control::seeded_grid(seed, points, points)
     } else {

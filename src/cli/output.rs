@@ -1,10 +1,11 @@
 //! Results to the standard output, messages to the standard error.
 
 use super::arguments::Format;
+use std::fmt::Display;
 use std::io::{ErrorKind, IsTerminal as _, Write as _};
 use std::process::ExitCode;
 use subcert::diagnostic::Diagnostic;
-use subcert::exact::{Rational, parse_rational};
+use subcert::exact::{Enclosed, Rational, format::short, parse_rational};
 use subcert::report::Sheet;
 
 /// The exit code when a reader such as `head` has gone away: success.
@@ -72,6 +73,17 @@ pub(super) fn show(
         Format::Text => write(&sheet().to_text()),
         Format::Markdown => write(&sheet().to_markdown()),
         Format::Json => write(&format!("{:#}\n", json())),
+    }
+}
+
+/// An exact value with its decimal, where that is another; a long one as its decimal.
+pub(super) fn with_decimal(value: &(impl Enclosed + Display)) -> String {
+    let decimal = short(value, 12);
+    let exact = value.to_string();
+    match (decimal == exact, exact.len() > 40) {
+        (true, _) => exact,
+        (false, false) => format!("{exact} = {decimal}"),
+        (false, true) => format!("{decimal}  (exact in --format json)"),
     }
 }
 

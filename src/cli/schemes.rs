@@ -26,7 +26,10 @@ fn sheet() -> Sheet {
     };
     let mut sheet = Sheet::default();
     sheet.facts(catalogue().iter().map(fact).collect());
-    sheet.text("Write parameters as `six-point:w=3/256` or `newton:j=1,n=3`.");
+    sheet.text(
+        "Write parameters as `six-point:w=3/256` or `newton:j=1,n=3`. Schemes around a vertex or on \
+         a face are rings: `constants`, `certify` and `oracle` take them.",
+    );
     sheet
 }
 
@@ -39,6 +42,7 @@ fn json(entry: &SchemeDefinition) -> Value {
         "name": entry.name,
         "title": entry.title,
         "source": entry.citation,
+        "kind": if entry.is_ring() { "ring" } else { "mask" },
         "parameters": parameters.collect::<Vec<Value>>(),
     })
 }

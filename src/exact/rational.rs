@@ -147,6 +147,13 @@ impl From<Integer> for Rational {
     }
 }
 
+/// A copy: what takes a number takes a reference to one.
+impl From<&Rational> for Rational {
+    fn from(value: &Rational) -> Rational {
+        value.clone()
+    }
+}
+
 macro_rules! from_machine {
     ($($type:ty),*) => {$(
         impl From<$type> for Rational {

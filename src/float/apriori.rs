@@ -2,7 +2,8 @@
 
 use super::convert::{exact, nearest};
 use super::upward::{add_up, div_up, mul_up, sub_down};
-use crate::exact::{Rational, Real, Scalar};
+use crate::exact::{Enclosed, Rational, Real, Scalar};
+use crate::formula::Value;
 
 /// u = 2^−53, the unit roundoff.
 const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
@@ -11,7 +12,8 @@ const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
 const LEAST: f64 = f64::from_bits(1);
 
 /// An exact value x with an e such that |x̃ − x| ≤ e for the f64 x̃ which the same
-/// operations, in the same order, compute from the same rationals.
+/// operations, in the same order, compute from the same numbers, each converted to
+/// the nearest f64 first. Exact values are rational, or of another type of real numbers.
 ///
 /// A generic algorithm over [`Real`] that runs on f64 and on this type performs the
 /// same operations on both (provided that it does not branch on values, as those of
@@ -45,22 +47,22 @@ const LEAST: f64 = f64::from_bits(1);
 /// use subcert::exact::{Rational, Scalar};
 /// use subcert::float::Tracked;
 ///
-/// let tenth = Tracked::from_rational(&Rational::new(1, 10));
+/// let tenth: Tracked = Tracked::from_rational(&Rational::new(1, 10));
 /// let sum = Tracked::total(&vec![tenth; 10]);
 /// assert_eq!(*sum.value(), Rational::one());
 /// // The f64 sum is 0.9999999999999999, off by 1.1e-16.
 /// assert!(sum.error() > 1.1e-16 && sum.error() < 2e-15);
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Tracked {
-    value: Rational,
+pub struct Tracked<V = Rational> {
+    value: V,
     error: f64,
 }
 
-impl Tracked {
+impl<V> Tracked<V> {
     /// x, the exact value.
     #[must_use]
-    pub fn value(&self) -> &Rational {
+    pub fn value(&self) -> &V {
         &self.value
     }
 
@@ -69,10 +71,18 @@ impl Tracked {
     pub fn error(&self) -> f64 {
         self.error
     }
+}
+
+impl<V: Real + Value + Enclosed> Tracked<V> {
+    /// `value`, converted to the nearest f64.
+    #[must_use]
+    pub fn nearest(value: V) -> Tracked<V> {
+        Tracked::rounded(value, 0.0)
+    }
 
     /// The result of an operation whose exact result is `value` and, on the f64
     /// operands, is off by at most `before`: see Rounding above.
-    fn rounded(value: Rational, before: f64) -> Tracked {
+    fn rounded(value: V, before: f64) -> Tracked<V> {
         if before == 0.0 && is_float(&value) {
             return Tracked { value, error: 0.0 };
         }
@@ -84,49 +94,51 @@ impl Tracked {
 
     /// Whether the f64 is surely 0.
     fn is_exactly_zero(&self) -> bool {
-        self.error == 0.0 && self.value.is_zero()
+        self.error == 0.0 && self.value.vanishes() == Some(true)
     }
 
-    fn negated(&self) -> Tracked {
-        Tracked { value: -&self.value, error: self.error }
+    fn negated(&self) -> Tracked<V> {
+        Tracked { value: V::zero().minus(&self.value), error: self.error }
     }
 
     /// self·other when self is 0 or ±1 and carries no error.
-    fn trivial_product(&self, other: &Tracked) -> Option<Tracked> {
+    fn trivial_product(&self, other: &Tracked<V>) -> Option<Tracked<V>> {
         if self.error != 0.0 {
-            None
-        } else if self.value.is_zero() {
+            return None;
+        }
+        let factor = self.value.as_rational()?;
+        if factor.is_zero() {
             // 0·x̃ = 0 for every finite x̃; without a bound it may be 0·∞.
             let error = if other.error.is_finite() { 0.0 } else { f64::INFINITY };
-            Some(Tracked { value: Rational::zero(), error })
-        } else if self.value == Rational::one() {
+            Some(Tracked { value: V::zero(), error })
+        } else if factor == Rational::one() {
             Some(other.clone())
         } else {
-            (-&self.value == Rational::one()).then(|| other.negated())
+            (-factor == Rational::one()).then(|| other.negated())
         }
     }
 }
 
-impl Scalar for Tracked {
-    fn from_rational(value: &Rational) -> Tracked {
-        Tracked::rounded(value.clone(), 0.0)
+impl<V: Real + Value + Enclosed> Scalar for Tracked<V> {
+    fn from_rational(value: &Rational) -> Tracked<V> {
+        Tracked::nearest(V::from_rational(value))
     }
 
-    fn plus(&self, other: &Tracked) -> Tracked {
+    fn plus(&self, other: &Tracked<V>) -> Tracked<V> {
         if self.is_exactly_zero() {
             other.clone()
         } else if other.is_exactly_zero() {
             self.clone()
         } else {
-            Tracked::rounded(&self.value + &other.value, add_up(self.error, other.error))
+            Tracked::rounded(self.value.plus(&other.value), add_up(self.error, other.error))
         }
     }
 
-    fn minus(&self, other: &Tracked) -> Tracked {
+    fn minus(&self, other: &Tracked<V>) -> Tracked<V> {
         self.plus(&other.negated())
     }
 
-    fn times(&self, other: &Tracked) -> Tracked {
+    fn times(&self, other: &Tracked<V>) -> Tracked<V> {
         if let Some(product) = self.trivial_product(other).or_else(|| other.trivial_product(self)) {
             return product;
         }
@@ -135,24 +147,24 @@ impl Scalar for Tracked {
             mul_up(above(&other.value), self.error),
         );
         let before = add_up(linear, mul_up(self.error, other.error));
-        Tracked::rounded(&self.value * &other.value, before)
+        Tracked::rounded(self.value.times(&other.value), before)
     }
 }
 
-impl Real for Tracked {
-    fn magnitude(&self) -> Tracked {
-        Tracked { value: self.value.abs(), error: self.error }
+impl<V: Real + Value + Enclosed> Real for Tracked<V> {
+    fn magnitude(&self) -> Tracked<V> {
+        Tracked { value: self.value.magnitude(), error: self.error }
     }
 
-    fn greater(&self, other: &Tracked) -> Tracked {
+    fn greater(&self, other: &Tracked<V>) -> Tracked<V> {
         let value = self.value.greater(&other.value);
         Tracked { value, error: self.error.max(other.error) }
     }
 
     /// # Panics
     /// When the exact value of `other` is 0.
-    fn over(&self, other: &Tracked) -> Tracked {
-        let value = &self.value / &other.value;
+    fn over(&self, other: &Tracked<V>) -> Tracked<V> {
+        let value = self.value.over(&other.value);
         let divisor = sub_down(below(&other.value), other.error);
         if divisor == 0.0 || self.error.is_infinite() {
             return Tracked { value, error: f64::INFINITY };
@@ -163,14 +175,15 @@ impl Real for Tracked {
 }
 
 /// Whether `value` is itself an f64.
-fn is_float(value: &Rational) -> bool {
-    match small(value) {
+fn is_float(value: &impl Value) -> bool {
+    let Some(value) = value.as_rational() else { return false };
+    match small(&value) {
         // Below 2^127, with a power of two of at most 2^126 below it: an f64 if the
         // odd part of p has at most 53 bits.
         Some((p, q)) => {
             q.is_power_of_two() && (p == 0 || p >> p.trailing_zeros() < 1 << f64::MANTISSA_DIGITS)
         }
-        None => exact(nearest(value)).as_ref() == Some(value),
+        None => exact(nearest(&value)).as_ref() == Some(&value),
     }
 }
 
@@ -180,7 +193,7 @@ fn is_float(value: &Rational) -> bool {
 /// three roundings by relative errors of at most u, so that p/q ≤ r(1+u)/(1−u)²
 /// ≤ r(1+4u) and p/q ≥ r(1−u)/(1+u)² ≥ r(1−4u). Nothing underflows. Otherwise |x|
 /// lies between the neighbours of the f64 nearest to it.
-fn above(value: &Rational) -> f64 {
+fn above(value: &(impl Value + Enclosed)) -> f64 {
     match quotient(value) {
         Some(r) => mul_up(r, 1.0 + 4.0 * UNIT_ROUNDOFF),
         None => nearest(value).abs().next_up(),
@@ -188,7 +201,7 @@ fn above(value: &Rational) -> f64 {
 }
 
 /// An f64 that is not above |x|: see [`above`].
-fn below(value: &Rational) -> f64 {
+fn below(value: &(impl Value + Enclosed)) -> f64 {
     match quotient(value) {
         Some(r) => (r * (1.0 - 4.0 * UNIT_ROUNDOFF)).next_down().max(0.0),
         None => nearest(value).abs().next_down().max(0.0),
@@ -196,8 +209,8 @@ fn below(value: &Rational) -> f64 {
 }
 
 #[expect(clippy::cast_precision_loss, reason = "the proof counts these roundings")]
-fn quotient(value: &Rational) -> Option<f64> {
-    small(value).map(|(p, q)| p as f64 / q as f64)
+fn quotient(value: &impl Value) -> Option<f64> {
+    small(&value.as_rational()?).map(|(p, q)| p as f64 / q as f64)
 }
 
 /// (p, q) of |value| = p/q when both are below 2^127.

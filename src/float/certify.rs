@@ -1,9 +1,9 @@
 //! Every constant of a scheme in f64, with its true error and a proven bound on it.
 
 use super::apriori::Tracked;
-use super::convert::{exact, nearest, ulps_between};
 use super::depth::{Bound, DepthDecision};
 use super::pipeline::Outcome;
+use super::quantity::Quantity;
 use crate::bound::ClassCap;
 use crate::exact::Rational;
 use crate::scheme::{Mask, Scheme};
@@ -59,55 +59,6 @@ pub enum CertifyError {
     /// A level beyond [`MAX_CERTIFIED_LEVEL`].
     #[error("level {0} is too high for an error bound; at most {MAX_CERTIFIED_LEVEL} is")]
     Level(u32),
-}
-
-/// One number computed in f64, and what is known of it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Quantity {
-    /// What it is: `b[β][j]`, `T_c`, `Lambda_c`, `T_c*Lambda_c`, `sigma`,
-    /// `sigma(o=0)`, `surface factor`, `error(c=…, k=…)`; for a tensor product those
-    /// of one direction begin with `first ` or `second `.
-    pub name: String,
-    /// The f64 result; it may be NaN or infinite.
-    pub value: f64,
-    /// The exact value, computed on the exact path.
-    pub exact: Rational,
-    /// |value − exact|; `None` when the value is not finite.
-    pub error: Option<Rational>,
-    /// The error in units in the last place of the nearest f64.
-    pub ulps: Option<Rational>,
-    /// The bound on the error, proven in advance: see [`Tracked`]. Infinite when
-    /// nothing can be promised; `None` beyond [`MAX_TRACKED_STEPS`].
-    pub bound: Option<f64>,
-    /// error/bound, from 0 to 1: how much of the bound the true error takes up.
-    /// `None` where there is no bound, or it is 0 or infinite.
-    pub tightness: Option<f64>,
-}
-
-impl Quantity {
-    fn new(name: String, value: f64, target: Rational, bound: Option<f64>) -> Quantity {
-        let error = exact(value).map(|found| (found - &target).abs());
-        let ulps = ulps_between(value, &target);
-        let tightness = match (&error, bound) {
-            (Some(error), Some(bound)) if bound > 0.0 && bound.is_finite() => {
-                Some(nearest(error) / bound)
-            }
-            _ => None,
-        };
-        Quantity { name, value, exact: target, error, ulps, bound, tightness }
-    }
-
-    /// Whether the true error is within the bound, decided exactly; `None` without a
-    /// bound. It always is: `Some(false)` would refute the proof of [`Tracked`].
-    #[must_use]
-    pub fn encloses(&self) -> Option<bool> {
-        let bound = self.bound?;
-        Some(match (exact(bound), &self.error) {
-            (None, _) => true,
-            (Some(bound), Some(error)) => *error <= bound,
-            (Some(_), None) => false,
-        })
-    }
 }
 
 /// The f64 computation of a scheme, held against the exact one.

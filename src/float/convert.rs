@@ -1,6 +1,6 @@
 //! Exact numbers to f64 and back.
 
-use crate::exact::{Enclosed, Integer, Rational};
+use crate::exact::{Enclosed, Integer, Rational, Real};
 use std::cmp::Ordering;
 
 /// 2^`LEAST_EXPONENT` is the least positive f64.
@@ -181,9 +181,10 @@ pub fn ulp(value: f64) -> Option<Rational> {
 /// assert_eq!(ulps_between(f64::INFINITY, &Rational::one()), None);
 /// ```
 #[must_use]
-pub fn ulps_between(value: f64, target: &Rational) -> Option<Rational> {
+pub fn ulps_between<V: Real + Enclosed>(value: f64, target: &V) -> Option<V> {
     let near = nearest(target).clamp(f64::MIN, f64::MAX);
-    Some((exact(value)? - target).abs() / ulp(near)?)
+    let distance = V::from_rational(&exact(value)?).minus(target).magnitude();
+    Some(distance.over(&V::from_rational(&ulp(near)?)))
 }
 
 /// The shortest decimal that reads back as `value`: `0.1`, `1e-7`, `inf`, `NaN`.

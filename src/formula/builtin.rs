@@ -6,8 +6,8 @@ use super::value::Value;
 use crate::exact::{Integer, Rational, common_conductor};
 
 /// The names of the functions.
-pub(super) const NAMES: [&str; 8] =
-    ["abs", "min", "max", "floor", "ceil", "binomial", "sum", COSINE];
+pub(super) const NAMES: [&str; 10] =
+    ["abs", "min", "max", "floor", "ceil", "mod", "kronecker", "binomial", "sum", COSINE];
 
 /// The function whose argument is an angle; the evaluator calls it.
 pub(super) const COSINE: &str = "cos";
@@ -45,6 +45,8 @@ pub(super) fn call<V: Value>(
         ("ceil", [x]) => {
             floor(&V::zero().minus(x)).map(|floor| V::from_rational(&Rational::from(-floor)))
         }
+        ("mod", [x, modulus]) => modulo(x, modulus),
+        ("kronecker", [left, right]) => kronecker(left, right),
         ("binomial", [top, bottom]) => binomial(top, bottom),
         (name, given) => Err(wrong_count(name, given.len())),
     })
@@ -59,7 +61,7 @@ pub(super) fn no_option(name: &str, option: &OptionWord) -> FormulaErrorKind {
 pub(super) fn wrong_count(name: &str, given: usize) -> FormulaErrorKind {
     let takes = match name {
         "min" | "max" => "one argument or more",
-        "binomial" => "two arguments",
+        "binomial" | "kronecker" | "mod" => "two arguments",
         _ => "one argument",
     };
     FormulaErrorKind::Call(format!("`{name}` takes {takes}, and was given {given} arguments"))
@@ -69,6 +71,20 @@ const SYMBOLIC: &str = "this has no value while a parameter is symbolic";
 
 fn floor<V: Value>(value: &V) -> Result<Integer, FormulaErrorKind> {
     value.floor().ok_or(FormulaErrorKind::Unsupported(SYMBOLIC))
+}
+
+/// x − m⌊x/m⌋.
+fn modulo<V: Value>(x: &V, modulus: &V) -> Result<V, FormulaErrorKind> {
+    let quotient = floor(&apply(Operator::Divide, x, modulus)?)?;
+    let multiple = multiply(modulus, &V::from_rational(&Rational::from(quotient)))?;
+    apply(Operator::Subtract, x, &multiple)
+}
+
+/// 1 where left = right, 0 elsewhere.
+fn kronecker<V: Value>(left: &V, right: &V) -> Result<V, FormulaErrorKind> {
+    let difference = apply(Operator::Subtract, left, right)?;
+    let equal = difference.vanishes().ok_or(FormulaErrorKind::Unsupported(SYMBOLIC))?;
+    Ok(V::from_rational(&Rational::from(i64::from(equal))))
 }
 
 /// Makes sure that two values have a field in common.

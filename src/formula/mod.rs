@@ -7,6 +7,8 @@
 //! a + b   a - b   a*b   a/b     exact arithmetic; -x^2 is -(x^2)
 //! x^k                           k an integer, also negative
 //! abs(x)  min(x, …)  max(x, …)  floor(x)  ceil(x)
+//! mod(x, m)                     x - m*floor(x/m)
+//! kronecker(a, b)               1 where a = b, 0 elsewhere
 //! binomial(t, k)                t(t-1)…(t-k+1)/k!, t rational, k = 0, 1, …
 //! sum(h = 1..m, body)           0 when m < 1
 //! max(h = 1..m, body)  min(…)   over a range, which must not be empty

@@ -31,6 +31,11 @@ pub trait Value: Scalar + std::fmt::Display {
         self.as_rational().map(|value| value.floor())
     }
 
+    /// Whether this is 0; `None` while that depends on a symbol.
+    fn vanishes(&self) -> Option<bool> {
+        self.as_rational().map(|value| value.is_zero())
+    }
+
     /// cos(2π·`turn`), which most types have only where it is rational.
     ///
     /// # Errors
@@ -144,6 +149,10 @@ impl Value for RealCyclotomic {
     }
     fn floor(&self) -> Option<Integer> {
         Some(self.floor())
+    }
+    fn vanishes(&self) -> Option<bool> {
+        // A rational number is kept as one.
+        Some(self.as_rational().is_some_and(Rational::is_zero))
     }
     fn cosine(turn: &Rational) -> Result<Self, CosineError> {
         RealCyclotomic::cosine(turn)

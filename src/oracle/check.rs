@@ -1,13 +1,14 @@
 //! Checks of f64 values against exact ones.
 
 use super::mismatch::{Deviation, Mismatch, Tolerance};
-use crate::exact::Rational;
+use crate::exact::{Rational, RealCyclotomic};
 use crate::float::{exact as exact_of, ulps_between};
 use std::cmp::Ordering;
 
 /// Whether `value` is at most `ulps` units in the last place from `exact`: of
 /// [`ulps_between`], decided exactly. 0.5 asks for a correctly rounded value, 0 for
-/// an exact one. NaN and the infinities are never within.
+/// an exact one. NaN and the infinities are never within. The exact value is a
+/// [`Rational`] or a [`RealCyclotomic`].
 ///
 /// # Errors
 /// When it is farther.
@@ -24,11 +25,16 @@ use std::cmp::Ordering;
 /// let error = check_within_ulps(0.1 + 0.2, &exact, 0.5).unwrap_err();
 /// assert!(error.to_string().contains("0x1.3333333333334p-2"));
 /// ```
-pub fn check_within_ulps(value: f64, exact: &Rational, ulps: f64) -> Result<(), Mismatch> {
-    if ulps_are_within(value, exact, ulps) {
+pub fn check_within_ulps<E: Clone + Into<RealCyclotomic>>(
+    value: f64,
+    exact: &E,
+    ulps: f64,
+) -> Result<(), Mismatch> {
+    let exact = exact.clone().into();
+    if ulps_are_within(value, &exact, ulps) {
         return Ok(());
     }
-    let deviation = Box::new(Deviation { index: None, value, exact: exact.clone() });
+    let deviation = Box::new(Deviation { index: None, value, exact });
     Err(Mismatch::Value { tolerance: Tolerance::Ulps(ulps), deviation })
 }
 
@@ -40,24 +46,22 @@ pub fn check_within_ulps(value: f64, exact: &Rational, ulps: f64) -> Result<(), 
 ///
 /// # Panics
 /// When `ulps` is negative or NaN.
-pub fn check_slice_within_ulps(
+pub fn check_slice_within_ulps<E: Clone + Into<RealCyclotomic>>(
     values: &[f64],
-    exact: &[Rational],
+    exact: &[E],
     ulps: f64,
 ) -> Result<(), Mismatch> {
     check_ulps(ulps);
     if values.len() != exact.len() {
         return Err(Mismatch::Length { values: values.len(), exact: exact.len() });
     }
-    let pairs = values.iter().zip(exact).enumerate();
-    let wrong: Vec<Deviation> = pairs
-        .filter(|(_, (value, exact))| !ulps_are_within(**value, exact, ulps))
-        .map(|(at, (value, exact))| Deviation {
-            index: Some(at),
-            value: *value,
-            exact: exact.clone(),
-        })
-        .collect();
+    let pairs = values.iter().zip(exact).enumerate().map(|(at, (value, exact))| Deviation {
+        index: Some(at),
+        value: *value,
+        exact: exact.clone().into(),
+    });
+    let wrong: Vec<Deviation> =
+        pairs.filter(|pair| !ulps_are_within(pair.value, &pair.exact, ulps)).collect();
     let Some(first) = wrong.first().cloned() else { return Ok(()) };
     let worse = |left: Deviation, right: &Deviation| match (left.ulps(), right.ulps()) {
         (Some(_), None) => right.clone(),
@@ -82,12 +86,19 @@ pub fn check_slice_within_ulps(
 ///
 /// # Panics
 /// When `tolerance` is negative.
-pub fn check_within(value: f64, exact: &Rational, tolerance: &Rational) -> Result<(), Mismatch> {
+pub fn check_within<E: Clone + Into<RealCyclotomic>>(
+    value: f64,
+    exact: &E,
+    tolerance: &Rational,
+) -> Result<(), Mismatch> {
     assert!(tolerance.sign() >= 0, "a tolerance must not be negative, and is {tolerance}");
-    if exact_of(value).is_some_and(|found| (found - exact).abs() <= *tolerance) {
+    let exact: RealCyclotomic = exact.clone().into();
+    let distance = |found| (&RealCyclotomic::from(found) - &exact).abs();
+    let allowed = RealCyclotomic::from(tolerance.clone());
+    if exact_of(value).is_some_and(|found| distance(found) <= allowed) {
         return Ok(());
     }
-    let deviation = Box::new(Deviation { index: None, value, exact: exact.clone() });
+    let deviation = Box::new(Deviation { index: None, value, exact });
     Err(Mismatch::Value { tolerance: Tolerance::Absolute(tolerance.clone()), deviation })
 }
 
@@ -95,12 +106,12 @@ fn check_ulps(ulps: f64) {
     assert!(ulps >= 0.0, "a tolerance in ulps must be 0 or more, and is {ulps}");
 }
 
-fn ulps_are_within(value: f64, exact: &Rational, ulps: f64) -> bool {
+fn ulps_are_within(value: f64, exact: &RealCyclotomic, ulps: f64) -> bool {
     check_ulps(ulps);
     match (ulps_between(value, exact), exact_of(ulps)) {
         (None, _) => false,
         // An infinite tolerance still asks for a number.
         (Some(_), None) => true,
-        (Some(distance), Some(allowed)) => distance <= allowed,
+        (Some(distance), Some(allowed)) => distance <= RealCyclotomic::from(allowed),
     }
 }

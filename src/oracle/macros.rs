@@ -2,7 +2,7 @@
 
 /// Asserts that an f64 is at most so many units in the last place from an exact
 /// value: [`check_within_ulps`](crate::oracle::check_within_ulps). The exact value
-/// is a `Rational` or a reference to one; a message may follow.
+/// is a `Rational` or a `RealCyclotomic`, or a reference to one; a message may follow.
 ///
 /// ```
 /// use subcert::assert_within_ulps;

@@ -1,8 +1,8 @@
 //! An f64 that is not what it should be, and how to say so.
 
-use crate::exact::{Rational, format};
+use crate::exact::{Rational, RealCyclotomic, format};
 use crate::float::{hexadecimal, nearest, shortest, ulps_between};
-use std::fmt;
+use std::fmt::{self, Display};
 
 /// The longest p/q that a message shows in full.
 const MAX_SHOWN: usize = 100;
@@ -33,7 +33,7 @@ pub struct Deviation {
     /// The f64 that was found.
     pub value: f64,
     /// The value that it stands for.
-    pub exact: Rational,
+    pub exact: RealCyclotomic,
 }
 
 impl Deviation {
@@ -45,16 +45,20 @@ impl Deviation {
 
     /// The distance in units in the last place; `None` when the f64 is not finite.
     #[must_use]
-    pub fn ulps(&self) -> Option<Rational> {
+    pub fn ulps(&self) -> Option<RealCyclotomic> {
         ulps_between(self.value, &self.exact)
     }
 }
 
-/// p/q, or its length if that is beyond reason.
-fn shown(value: &Rational) -> String {
+/// p/q or a sum of cosines, or its length if that is beyond reason.
+fn shown(value: &impl Display) -> String {
     let text = value.to_string();
     let digits = |text: &str| text.bytes().filter(u8::is_ascii_digit).count();
-    if text.len() <= MAX_SHOWN { text } else { format!("p/q of {} digits", digits(&text)) }
+    match text.contains("cos") {
+        _ if text.len() <= MAX_SHOWN => text,
+        true => format!("a sum of cosines of {} digits", digits(&text)),
+        false => format!("p/q of {} digits", digits(&text)),
+    }
 }
 
 impl fmt::Display for Deviation {

@@ -1,6 +1,6 @@
 //! Exact refinement of polygons and grids over several levels.
 
-use crate::bound::ClassCap;
+use crate::bound::{ClassCap, RingWork};
 use crate::exact::{CommonDenominator, Integer, Rational, Scalar};
 use crate::scheme::Rules;
 
@@ -27,6 +27,19 @@ pub enum OracleError {
     /// Too many residue classes.
     #[error(transparent)]
     Classes(#[from] ClassCap),
+    /// Too large powers of a ring.
+    #[error(transparent)]
+    Ring(#[from] RingWork),
+    /// A control ring of another number of points than the ring has.
+    #[error("{found} control points for a ring of {expected}: {names}")]
+    RingPoints {
+        /// How many were given.
+        found: usize,
+        /// v.
+        expected: usize,
+        /// What the points are.
+        names: String,
+    },
     /// A control polygon without points.
     #[error("there are no control points")]
     Empty,

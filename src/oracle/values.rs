@@ -1,12 +1,14 @@
 //! All reference values of a scheme, as plain data.
 
 use super::control::Control;
+use super::header::{COLUMNS, Header, MaskShape, program};
 use super::refine::{Boundary, OracleError, refine_grid, refine_polygon};
 use crate::bound::{Constants, Operator, Order, Terms, displacement, surface_factor};
-use crate::exact::{Integer, Rational, format};
+use crate::exact::{Enclosed, Integer, Rational, format};
 use crate::float::{hexadecimal, nearest, shortest};
 use crate::scheme::{Mask, Rules, Scheme};
 use serde::Serialize;
+use std::fmt::Display;
 
 /// The significant digits of the decimals: enough to tell any two f64 apart.
 const DECIMAL_DIGITS: u32 = 17;
@@ -35,47 +37,13 @@ pub struct OracleValues {
     pub groups: Vec<Group>,
 }
 
-/// What was computed, and by what. Numbers that may be long are texts.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Header {
-    /// `subcert` and its version.
-    pub program: String,
-    /// The scheme, as it was asked for.
-    pub scheme: String,
-    /// The shape of each mask: one for a curve, two for a tensor product.
-    pub masks: Vec<MaskShape>,
-    /// The greatest c of T_c and Λ_c.
-    pub max_block: u32,
-    /// How often the control polygon was refined.
-    pub level: u32,
-    /// `closed` or `open`.
-    pub boundary: &'static str,
-    /// The seed of [`Control::seeded_polygon`]; `None` when the control was given.
-    pub seed: Option<String>,
-    /// For each direction, the index that the scheme gives to the first refined
-    /// value. Closed: 0. Open: s_{k+1} = n(s_k − o) from s_0 = 0.
-    pub first_index: Vec<String>,
-    /// How the columns were rounded.
-    pub columns: &'static str,
-}
-
-/// n, N and o of a mask.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-pub struct MaskShape {
-    /// n.
-    pub arity: usize,
-    /// N.
-    pub width: usize,
-    /// o.
-    pub offset: i64,
-}
-
 /// The values of one quantity.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Group {
     /// `mask`, `difference-mask`, `contraction-constant`, `scheme-norm`,
     /// `displacement`, `control`, `refined`; for a tensor product the first five
-    /// begin with `first-` or `second-`, and `surface-factor` is added.
+    /// begin with `first-` or `second-`, and `surface-factor` is added. A ring has
+    /// `weights` in place of the two masks.
     pub quantity: String,
     /// Its formula, and what its indices are.
     pub about: &'static str,
@@ -90,7 +58,7 @@ pub struct Group {
 pub struct Value {
     /// Its indices, as the formula of the group counts them.
     pub index: Vec<usize>,
-    /// p/q in lowest terms, or an integer.
+    /// p/q in lowest terms, an integer, or a sum of cosines as a formula.
     pub exact: String,
     /// 17 significant digits, correctly rounded, half to even.
     pub decimal: String,
@@ -101,7 +69,7 @@ pub struct Value {
 }
 
 impl Value {
-    fn new(index: Vec<usize>, value: &Rational) -> Value {
+    fn new(index: Vec<usize>, value: &(impl Enclosed + Display)) -> Value {
         let near = nearest(value);
         Value {
             index,
@@ -176,13 +144,15 @@ pub fn reference_values(
 
 const MASK: &str = "a[alpha][j]: x'[n*i+alpha] = sum over j of a[alpha][j]*x[i+offset+j]";
 const DIFFERENCE: &str = "b[beta][j]: the same for the differences x[i+1] - x[i]";
-const CONTRACTION: &str = "T_c, c = 1, 2, ...: the largest factor of the differences in c levels";
-const NORM: &str = "Lambda_c, c = 1, 2, ...: the largest factor of the values in c levels";
+pub(super) const CONTRACTION: &str =
+    "T_c, c = 1, 2, ...: the largest factor of the differences in c levels";
+pub(super) const NORM: &str =
+    "Lambda_c, c = 1, 2, ...: the largest factor of the values in c levels";
 const SIGMA: &str = "sigma: the largest distance of two polygons of consecutive levels, piecewise \
                      linear in i/n^k, per unit of the largest difference";
 const SURFACE_FACTOR: &str = "the same for the tensor product";
-const CONTROL: &str = "x[i], or x[i][j] of a grid: the control points of level 0";
-const REFINED: &str = "the points of the level in the header, counted from 0 here";
+pub(super) const CONTROL: &str = "x[i], or x[i][j] of a grid: the control points of level 0";
+pub(super) const REFINED: &str = "the points of the level in the header, counted from 0 here";
 
 fn constants(
     prefix: &str,
@@ -217,12 +187,12 @@ fn constants(
 }
 
 /// A group whose indices start at `first`.
-fn group(
+pub(super) fn group(
     quantity: &str,
     about: &'static str,
     shape: &[usize],
     first: usize,
-    values: &[Rational],
+    values: &[impl Enclosed + Display],
 ) -> Group {
     let index = |mut position: usize| {
         let mut index: Vec<usize> = Vec::with_capacity(shape.len());
@@ -269,18 +239,18 @@ fn header(scheme: &Scheme, request: &OracleRequest) -> Header {
         }),
     };
     Header {
-        program: format!("subcert {}", env!("CARGO_PKG_VERSION")),
+        program: program(),
         scheme: request.scheme.clone(),
         masks: masks.iter().map(shape).collect(),
         max_block: request.max_block,
         level: request.level,
-        boundary: match request.boundary {
+        ring: None,
+        boundary: Some(match request.boundary {
             Boundary::Closed => "closed",
             Boundary::Open => "open",
-        },
+        }),
         seed: request.control.seed().map(|seed| seed.to_string()),
         first_index: masks.iter().map(first_index).map(|index| index.to_string()).collect(),
-        columns: "exact: p/q; decimal: 17 significant digits, nearest, half to even; f64: nearest, \
-                  half to even, as the shortest decimal that reads back; hex: the same f64",
+        columns: COLUMNS,
     }
 }

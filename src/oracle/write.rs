@@ -1,6 +1,7 @@
 //! Reference values as JSON and CSV.
 
-use super::values::{Header, OracleValues};
+use super::header::Header;
+use super::values::OracleValues;
 use std::io::{self, Write};
 
 /// The values as indented JSON: an object of `header` and `groups`, its keys in the
@@ -78,21 +79,27 @@ pub fn write_csv(values: &OracleValues, mut out: impl Write) -> io::Result<()> {
 }
 
 fn header_lines(header: &Header) -> Vec<(&'static str, String)> {
-    let shapes = header
+    let masks = header
         .masks
         .iter()
         .map(|mask| format!("arity {}, width {}, offset {}", mask.arity, mask.width, mask.offset));
-    vec![
+    let rings = header.ring.iter().map(|ring| {
+        let edges = ring.edges.iter().map(|(a, b)| format!("{a}-{b}")).collect::<Vec<String>>();
+        format!("points {}, edges {}", ring.points.join(" "), edges.join(" "))
+    });
+    let mut lines = vec![
         ("program", header.program.clone()),
         ("scheme", header.scheme.clone()),
-        ("shape", shapes.collect::<Vec<String>>().join("; ")),
+        ("shape", masks.chain(rings).collect::<Vec<String>>().join("; ")),
         ("max_block", header.max_block.to_string()),
         ("level", header.level.to_string()),
-        ("boundary", header.boundary.to_owned()),
+        ("boundary", header.boundary.unwrap_or_default().to_owned()),
         ("seed", header.seed.clone().unwrap_or_else(|| "none, the control was given".to_owned())),
         ("first_index", header.first_index.join(":")),
         ("columns", header.columns.to_owned()),
-    ]
+    ];
+    lines.retain(|(_, text)| !text.is_empty());
+    lines
 }
 
 /// The text without line breaks and other control characters, which would end the

@@ -3,9 +3,10 @@
 use super::function::{function_json, range_json};
 use super::theorem::theorem_json;
 use crate::audit::{CellFinding, EquationFinding, EquationVerdict, PaperAudit, Sound, Verdict};
-use crate::exact::{Rational, format::short};
+use crate::exact::{Enclosed, format::short};
 use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
+use std::fmt::Display;
 
 /// How many significant digits a decimal beside an exact value has.
 const DECIMAL_DIGITS: u32 = 17;
@@ -21,7 +22,7 @@ pub fn audit_json(audits: &[PaperAudit<'_>]) -> Value {
 
 /// An exact value with its decimal.
 #[must_use]
-pub fn exact_json(value: &Rational) -> Value {
+pub fn exact_json(value: &(impl Enclosed + Display)) -> Value {
     json!({ "exact": value.to_string(), "decimal": short(value, DECIMAL_DIGITS) })
 }
 

@@ -14,9 +14,12 @@ macro_rules! files {
     };
 }
 
-const FILES: [(&str, &str); 10] = files![
+const FILES: [(&str, &str); 13] = files![
     "b-spline",
+    "bajaj",
+    "catmull-clark",
     "chaikin",
+    "doo-sabin",
     "four-point",
     "newton",
     "quaternary-four-point",

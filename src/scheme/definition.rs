@@ -2,6 +2,7 @@
 
 use super::mask::{Mask, MaskError};
 use super::reference::SchemeError;
+use super::ring_definition::RingFormulas;
 use super::rules::{MAX_ARITY, MAX_WIDTH, RulesError};
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::{Rational, common_conductor};
@@ -19,7 +20,8 @@ pub struct ParameterSpec {
     pub about: String,
 }
 
-/// A scheme as written in a file: its mask as formulas over its parameters.
+/// A scheme as written in a file: its mask, or its ring, as formulas over its
+/// parameters.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SchemeDefinition {
     /// Its name: what one writes for SCHEME.
@@ -35,13 +37,15 @@ pub struct SchemeDefinition {
     pub(super) coefficients: Coefficients,
 }
 
-/// The two ways to write a mask.
+/// The two ways to write a mask, and a ring.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Coefficients {
     /// One formula for each coefficient.
     Listed(Vec<Vec<LocatedFormula>>),
     /// One formula for all, in α (`alpha`) and j (`r`).
     Rule(Box<RuleFormulas>),
+    /// Formulas for the weights between orbits of points: not a mask.
+    Ring(Box<RingFormulas>),
 }
 
 /// The formulas of [`Coefficients::Rule`].
@@ -58,15 +62,17 @@ impl SchemeDefinition {
     /// [`RealCyclotomic`](crate::exact::RealCyclotomic) values it may have cosines.
     ///
     /// # Errors
-    /// When a parameter is missing or unknown, a formula has no value, the
-    /// coefficients have no [`common_conductor`], or they are not a mask.
+    /// When this is a ring, a parameter is missing or unknown, a formula has no value,
+    /// the coefficients have no [`common_conductor`], or they are not a mask.
     pub fn mask<V: Value + PartialEq>(
         &self,
         values: &BTreeMap<String, V>,
     ) -> Result<Mask<V>, SchemeError> {
         let parameters = self.complete(values)?;
         let offset = match &self.offset {
-            Some(formula) => self.integer(formula, &parameters, "the offset", -10_000..10_001)?,
+            Some(formula) => {
+                self.integer(formula, &parameters, &[], "the offset", -10_000..10_001)?
+            }
             None => 0,
         };
         let rows = match &self.coefficients {
@@ -75,28 +81,38 @@ impl SchemeDefinition {
                 .map(|row| row.iter().map(|entry| self.value(entry, &parameters, &[])).collect())
                 .collect::<Result<Vec<Vec<V>>, SchemeError>>()?,
             Coefficients::Rule(rule) => {
-                let arity =
-                    self.integer(&rule.arity, &parameters, "the arity", 2..cap(MAX_ARITY))?;
-                let width =
-                    self.integer(&rule.width, &parameters, "the width", 1..cap(MAX_WIDTH))?;
+                let size =
+                    |formula, what, range| self.integer(formula, &parameters, &[], what, range);
+                let arity = size(&rule.arity, "the arity", 2..cap(MAX_ARITY))?;
+                let width = size(&rule.width, "the width", 1..cap(MAX_WIDTH))?;
                 let coefficient =
                     |alpha, r| self.value(&rule.entry, &parameters, &[("alpha", alpha), ("r", r)]);
                 (0..arity)
                     .map(|alpha| (0..width).map(|r| coefficient(alpha, r)).collect())
                     .collect::<Result<Vec<Vec<V>>, SchemeError>>()?
             }
+            Coefficients::Ring(_) => {
+                return Err(SchemeError::Ring { scheme: self.name.clone() });
+            }
         };
-        rows.iter().flatten().map(Value::conductor).try_fold(1, common_conductor).map_err(
-            |error| {
-                let (source, span) = self.whole();
-                SchemeError::File(Box::new(Diagnostic::new(source, span, error.to_string())))
-            },
-        )?;
+        self.check_common_field(rows.iter().flatten())?;
         Mask::new(rows, offset).map_err(|error| SchemeError::File(Box::new(self.refusal(&error))))
     }
 
+    /// Makes sure that some field holds all these coefficients.
+    pub(super) fn check_common_field<'a, V: Value + 'a>(
+        &self,
+        coefficients: impl Iterator<Item = &'a V>,
+    ) -> Result<(), SchemeError> {
+        let mut conductors = coefficients.map(Value::conductor);
+        conductors.try_fold(1, common_conductor).map(|_| ()).map_err(|error| {
+            let (source, span) = self.whole();
+            SchemeError::File(Box::new(Diagnostic::new(source, span, error.to_string())))
+        })
+    }
+
     /// The given values, completed by defaults.
-    fn complete<V: Value>(
+    pub(super) fn complete<V: Value>(
         &self,
         values: &BTreeMap<String, V>,
     ) -> Result<BTreeMap<String, V>, SchemeError> {
@@ -124,7 +140,7 @@ impl SchemeDefinition {
         Ok(complete)
     }
 
-    fn value<V: Value>(
+    pub(super) fn value<V: Value>(
         &self,
         formula: &LocatedFormula,
         parameters: &BTreeMap<String, V>,
@@ -141,14 +157,15 @@ impl SchemeDefinition {
             .map_err(|error| SchemeError::File(Box::new(formula.diagnostic(&error))))
     }
 
-    fn integer<V: Value>(
+    pub(super) fn integer<V: Value>(
         &self,
         formula: &LocatedFormula,
         parameters: &BTreeMap<String, V>,
+        indices: &[(&str, i64)],
         what: &str,
         range: Range<i64>,
     ) -> Result<i64, SchemeError> {
-        let value = self.value(formula, parameters, &[])?;
+        let value = self.value(formula, parameters, indices)?;
         let integer = value.as_rational().filter(Rational::is_integer);
         let integer = integer.and_then(|value| value.numerator().to_i64());
         integer.filter(|value| range.contains(value)).ok_or_else(|| {
@@ -177,6 +194,7 @@ impl SchemeDefinition {
         match &self.coefficients {
             Coefficients::Rule(rule) => (&rule.entry.source, rule.entry.span.clone()),
             Coefficients::Listed(rows) => (&rows[0][0].source, extent(rows)),
+            Coefficients::Ring(ring) => ring.whole(),
         }
     }
 }

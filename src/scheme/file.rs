@@ -1,6 +1,8 @@
 //! Reading schemes from TOML.
 
 use super::definition::{Coefficients, ParameterSpec, RuleFormulas, SchemeDefinition};
+use super::ring_definition::{NEW_INDEX, OLD_INDEX, RingFormulas};
+use super::ring_file::{EdgeTable, OrbitTable, WeightTable, ring};
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::formula::{LocatedFormula, PI, is_identifier};
 use serde::Deserialize;
@@ -30,6 +32,9 @@ pub(crate) struct SchemeTable {
     width: Option<Spanned<String>>,
     entry: Option<Spanned<String>>,
     mask: Option<MaskTable>,
+    orbits: Option<OrbitTable>,
+    weights: Option<WeightTable>,
+    edges: Option<EdgeTable>,
     /// Another scheme that `name` stands for; in claim files only.
     r#use: Option<Spanned<String>>,
 }
@@ -126,6 +131,7 @@ impl SchemeTable {
             || self.width.is_some()
             || self.entry.is_some()
             || self.mask.is_some()
+            || self.is_ring()
             || !self.parameters.is_empty()
             || !self.definitions.is_empty();
         self.r#use.as_ref().filter(|_| !own)
@@ -150,6 +156,10 @@ impl SchemeTable {
         })
     }
 
+    fn is_ring(&self) -> bool {
+        self.orbits.is_some() || self.weights.is_some() || self.edges.is_some()
+    }
+
     fn coefficients(&self, source: &Arc<SourceText>) -> Result<Coefficients, Diagnostic> {
         if let Some(other) = &self.r#use {
             return Err(Diagnostic::new(
@@ -158,6 +168,9 @@ impl SchemeTable {
                 "`use` stands alone, in claim files",
             )
             .with_help("write `name` and `use` only, or the scheme's own mask"));
+        }
+        if self.is_ring() {
+            return self.ring(source).map(|formulas| Coefficients::Ring(Box::new(formulas)));
         }
         match (&self.mask, &self.arity, &self.width, &self.entry) {
             (Some(mask), None, None, None) => listed(source, mask).map(Coefficients::Listed),
@@ -175,9 +188,40 @@ impl SchemeTable {
             )
             .with_help(
                 "mask = [['3/4', '1/4'], ['1/4', '3/4']] lists the rules; `entry` is one formula \
-                 for all coefficients, in alpha = 0..arity-1 and r = 0..width-1",
+                 for all coefficients, in alpha = 0..arity-1 and r = 0..width-1; a ring has \
+                 `orbits`, `weights` and `edges` instead",
             )),
         }
+    }
+}
+
+impl SchemeTable {
+    fn ring(&self, source: &Arc<SourceText>) -> Result<RingFormulas, Diagnostic> {
+        let at_name = |message: &str| Diagnostic::new(source, self.name.span(), message);
+        let of_mask = [&self.offset, &self.arity, &self.width, &self.entry];
+        if self.mask.is_some() || of_mask.iter().any(|field| field.is_some()) {
+            let message = "a scheme has either a mask or a ring, not both";
+            return Err(at_name(message).with_help(
+                "`mask`, `arity`, `width`, `entry` and `offset` make a mask; `orbits`, `weights` \
+                 and `edges` a ring",
+            ));
+        }
+        let (Some(orbits), Some(weights), Some(edges)) = (&self.orbits, &self.weights, &self.edges)
+        else {
+            return Err(at_name("a ring needs `orbits`, `weights` and `edges`").with_help(
+                "orbits = { vertex = '1', edge = 'N' }; [weights.edge] with vertex = '3/4' and \
+                 edge = 'kronecker(i, j)/4'; edges = [['vertex', 'edge[i]']]",
+            ));
+        };
+        for name in self.parameters.keys().chain(self.definitions.keys()) {
+            if [NEW_INDEX, OLD_INDEX].contains(&name.get_ref().as_str()) {
+                let message = format!("`{}` is an index of the points of a ring", name.get_ref());
+                return Err(
+                    Diagnostic::new(source, name.span(), message).with_help("take another name")
+                );
+            }
+        }
+        ring(source, orbits, weights, edges)
     }
 }
 

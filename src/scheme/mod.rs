@@ -1,14 +1,21 @@
-//! Subdivision schemes: masks, difference masks, tensor products, the catalogue.
+//! Subdivision schemes: masks, difference masks, tensor products, rings, the catalogue.
 //!
 //! A scheme of arity n refines x'_{ni+α} = Σ_j a_{α,j} x_{i+o+j}, with
-//! α = 0, …, n−1, j = 0, …, N−1, an index offset o, and Σ_j a_{α,j} = 1.
+//! α = 0, …, n−1, j = 0, …, N−1, an index offset o, and Σ_j a_{α,j} = 1. Around an
+//! extraordinary vertex or face the rules depend on the valence: there a [`Ring`] of v
+//! points is refined by a v×v matrix.
 
 mod catalogue;
 mod definition;
 mod file;
 mod interpolation;
 mod mask;
+mod parse;
 mod reference;
+mod ring;
+mod ring_definition;
+mod ring_file;
+mod ring_symmetry;
 mod rules;
 
 pub use catalogue::{Entry, catalogue, find};
@@ -17,8 +24,11 @@ pub use file::read_scheme;
 pub(crate) use file::{SchemeTable, definitions, formula, from_toml, identifier};
 pub use interpolation::lagrange_mask;
 pub use mask::{Mask, MaskError};
-pub(crate) use reference::find_in_catalogue;
-pub use reference::{Instance, Reference, ReferenceError, SchemeError, parse_scheme};
+pub(crate) use parse::find_in_catalogue;
+pub use parse::{AnyScheme, parse_any_scheme, parse_ring, parse_scheme};
+pub use reference::{Instance, Reference, ReferenceError, SchemeError};
+pub use ring::{MAX_RING_POINTS, Orbit, Ring, RingError};
+pub use ring_symmetry::Representatives;
 pub use rules::{MAX_ARITY, MAX_WIDTH, Rules, RulesError};
 
 use crate::exact::Rational;
@@ -54,6 +64,17 @@ impl<S> Scheme<S> {
         match self {
             Scheme::Curve(mask) => vec![mask],
             Scheme::Tensor(first, second) => vec![first, second],
+        }
+    }
+}
+
+/// The mask of a scheme for curves.
+impl TryFrom<Scheme> for Mask {
+    type Error = Scheme;
+    fn try_from(scheme: Scheme) -> Result<Mask, Scheme> {
+        match scheme {
+            Scheme::Curve(mask) => Ok(mask),
+            tensor @ Scheme::Tensor(..) => Err(tensor),
         }
     }
 }

@@ -1,24 +1,13 @@
-//! SCHEME: a catalogue name or a file, with parameters.
+//! SCHEME as text: a catalogue name or a file, with parameters.
 
-use super::Scheme;
-use super::catalogue;
-use super::definition::SchemeDefinition;
-use super::file::read_scheme;
-use super::mask::Mask;
-use crate::diagnostic::{Diagnostic, SourceText};
+use crate::diagnostic::Diagnostic;
 use crate::exact::Rational;
-use crate::formula::{
-    Context, Expr, FormulaError, Parameters, Value, evaluate, is_identifier, parse,
-};
+use crate::formula::{Context, Expr, FormulaError, Value, evaluate, is_identifier, parse};
 use std::collections::BTreeMap;
 use std::fmt;
-use std::path::Path;
 
 /// The longest SCHEME that is read, in bytes.
 const MAX_REFERENCE_LENGTH: usize = 4_096;
-
-/// The largest scheme file that is read, in bytes.
-const MAX_FILE_BYTES: u64 = 1 << 20;
 
 /// Why a text is not a scheme reference.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -87,6 +76,21 @@ pub enum SchemeError {
         parameter: String,
         /// Its value.
         value: String,
+    },
+    /// A ring, where a mask is needed.
+    #[error(
+        "`{scheme}` is a ring of points around an extraordinary vertex or face, and this needs a \
+         mask; `subcert constants`, `certify` and `oracle` take a ring"
+    )]
+    Ring {
+        /// The scheme.
+        scheme: String,
+    },
+    /// A mask, where a ring is needed.
+    #[error("`{scheme}` is no ring of points; `doo-sabin:n=5` and `catmull-clark:N=5` are")]
+    NotRing {
+        /// The scheme.
+        scheme: String,
     },
     /// A file that cannot be read.
     #[error("cannot read `{path}`: {reason}")]
@@ -243,65 +247,4 @@ fn split_top_level(text: &str) -> Vec<&str> {
         pieces.push(&text[start..]);
     }
     pieces
-}
-
-/// The exact scheme that SCHEME names: a catalogue entry such as
-/// `six-point:w=3/256`, a file such as `my.toml:w=1/16`, or two with ` x `
-/// between them.
-///
-/// # Errors
-/// When there is no such scheme, a parameter is missing, or the file is not one.
-///
-/// ```
-/// use subcert::scheme::parse_scheme;
-///
-/// let scheme = parse_scheme("newton:j=1,n=3")?;
-/// assert_eq!(scheme.masks()[0].arity(), 3);
-/// assert!(parse_scheme("six-point").unwrap_err().to_string().contains("`w`"));
-/// # Ok::<(), subcert::scheme::SchemeError>(())
-/// ```
-pub fn parse_scheme(text: &str) -> Result<Scheme<Rational>, SchemeError> {
-    let reference = Reference::parse(text)?;
-    let mut files = BTreeMap::new();
-    for name in reference.names().filter(|name| is_file(name)) {
-        files.insert(name.to_owned(), read_file(name)?);
-    }
-    let instances = reference.instances(&Parameters::<Rational>::default()).map_err(|error| {
-        SchemeError::Reference(ReferenceError::Formula { text: text.to_owned(), error })
-    })?;
-    let mask = |instance: Instance| match files.get(&instance.name) {
-        Some(definition) => definition.mask(&instance.parameters),
-        None => find_in_catalogue(&instance.name)?.mask(&instance.parameters),
-    };
-    let masks = instances.into_iter().map(mask).collect::<Result<Vec<Mask>, SchemeError>>()?;
-    Ok(Scheme::of(masks))
-}
-
-/// The catalogue entry of this name.
-pub(crate) fn find_in_catalogue(name: &str) -> Result<&'static SchemeDefinition, SchemeError> {
-    catalogue::find(name).ok_or_else(|| SchemeError::Unknown {
-        name: name.to_owned(),
-        known: catalogue::catalogue().iter().map(|entry| entry.name.clone()).collect(),
-    })
-}
-
-fn is_file(name: &str) -> bool {
-    Path::new(name).extension().is_some_and(|extension| extension == "toml")
-}
-
-fn read_file(path: &str) -> Result<SchemeDefinition, SchemeError> {
-    let unreadable = |reason: String| SchemeError::Unreadable { path: path.to_owned(), reason };
-    let text = crate::diagnostic::read_text(Path::new(path), MAX_FILE_BYTES).map_err(unreadable)?;
-    read_scheme(&SourceText::new(path, text)).map_err(|error| SchemeError::File(Box::new(error)))
-}
-
-/// The mask of a scheme for curves.
-impl TryFrom<Scheme> for Mask {
-    type Error = Scheme;
-    fn try_from(scheme: Scheme) -> Result<Mask, Scheme> {
-        match scheme {
-            Scheme::Curve(mask) => Ok(mask),
-            tensor @ Scheme::Tensor(..) => Err(tensor),
-        }
-    }
 }

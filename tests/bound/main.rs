@@ -8,5 +8,7 @@ mod convolution;
 mod depth;
 mod displacement;
 mod norm;
+mod ring;
 mod sound;
 mod surface;
+mod transport;

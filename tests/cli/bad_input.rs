@@ -69,6 +69,27 @@ fn numbers_and_flags() {
     assert_parts(&refused(["frobnicate"]), &["frobnicate"]);
 }
 
+#[test]
+fn rings() {
+    let cases: [(&[&str], &[&str]); 12] = [
+        (&["depth", "doo-sabin:n=5", "--tolerance", "1"], &["is a ring", "`subcert constants`"]),
+        (&["constants", "chaikin x doo-sabin:n=5"], &["`doo-sabin` is a ring", "needs a mask"]),
+        (&["constants", "doo-sabin"], &["needs its parameter `n`"]),
+        (&["constants", "doo-sabin:n=5/2"], &["points of `face` is 5/2", "from 1 to 600"]),
+        (&["constants", "doo-sabin:n=1"], &["joins the point face to itself", "greater valence"]),
+        (&["constants", "doo-sabin:n=601"], &["from 1 to 600"]),
+        (&["constants", "catmull-clark:N=300"], &["a ring of 601 points"]),
+        (&["constants", "bajaj:N=cos(pi/5)"], &["points of `edge`", "must be an integer"]),
+        (&["certify", "bajaj:N=3", "--tolerance", "1"], &["depths", "a ring does not have"]),
+        (&["oracle", "bajaj:N=3", "--points", "7"], &["this ring has 7 points"]),
+        (&["oracle", "bajaj:N=3", "--level", "65"], &["level 65 is too high"]),
+        (&["oracle", "doo-sabin:n=5", "--polygon", "rustfmt.toml"], &["rustfmt.toml:1:1"]),
+    ];
+    for (arguments, parts) in cases {
+        assert_parts(&refused(arguments.iter().copied()), parts);
+    }
+}
+
 const PAPER: &str = r#"
 key = "k"
 [paper]

@@ -100,6 +100,34 @@ fn oracle_as_csv() {
 }
 
 #[test]
+fn rings() {
+    subcert(["constants", "doo-sabin:n=5"])
+        .assert()
+        .success()
+        .stdout_eq(file!["snapshots/ring-constants.txt"]);
+    subcert(["constants", "catmull-clark:N=7", "-c", "2", "--format", "markdown"])
+        .assert()
+        .success()
+        .stdout_eq(file!["snapshots/ring-constants.md"]);
+    subcert(["constants", "examples/loop.toml:N=5", "-c", "2", "--format", "json"])
+        .assert()
+        .success()
+        .stdout_eq(file!["snapshots/ring-constants.json": Text]);
+    subcert(["certify", "examples/loop.toml:N=5", "-c", "2"])
+        .assert()
+        .success()
+        .stdout_eq(file!["snapshots/ring-certify.txt"]);
+    subcert(["certify", "doo-sabin:n=3", "-c", "1", "--format", "json"])
+        .assert()
+        .success()
+        .stdout_eq(file!["snapshots/ring-certify.json": Text]);
+    subcert(["oracle", "doo-sabin:n=5", "--level", "2", "-c", "1", "--format", "csv"])
+        .assert()
+        .success()
+        .stdout_eq(file!["snapshots/ring-oracle.csv": Text]);
+}
+
+#[test]
 fn schemes_of_the_catalogue() {
     subcert(["schemes"]).assert().success().stdout_eq(file!["snapshots/schemes.txt"]);
 }

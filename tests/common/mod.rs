@@ -4,7 +4,7 @@
 
 use proptest::prelude::*;
 use subcert::exact::Rational;
-use subcert::scheme::{Mask, Rules, Scheme, parse_scheme};
+use subcert::scheme::{Mask, Orbit, Ring, Rules, Scheme, parse_ring, parse_scheme};
 
 pub fn r(p: i64, q: i64) -> Rational {
     Rational::new(p, q)
@@ -79,4 +79,38 @@ pub fn differences(points: &[Rational]) -> Vec<Rational> {
 
 pub fn largest(values: &[Rational]) -> Rational {
     values.iter().map(Rational::abs).max().unwrap_or_else(Rational::zero)
+}
+
+/// The ring of a scheme.
+pub fn ring(scheme: &str) -> Ring {
+    parse_ring(scheme).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// A connected mesh of 2 to `most` points: each is joined to an earlier one, and some
+/// edges are added.
+pub fn mesh(most: usize) -> impl Strategy<Value = (usize, Vec<(usize, usize)>)> {
+    let index = any::<prop::sample::Index>;
+    (2..=most).prop_flat_map(move |count| {
+        let tree = prop::collection::vec(index(), count - 1);
+        let more = prop::collection::vec((0..count, 0..count), 0..4);
+        (tree, more).prop_map(move |(tree, more)| {
+            let tree = tree.iter().zip(1..).map(|(earlier, point)| (earlier.index(point), point));
+            (count, tree.chain(more.into_iter().filter(|(a, b)| a != b)).collect())
+        })
+    })
+}
+
+/// Any ring of up to `most` points: one weight of each row makes its sum 1.
+pub fn any_ring(most: usize) -> impl Strategy<Value = Ring<Rational>> {
+    mesh(most).prop_flat_map(|(count, edges)| {
+        let rows = prop::collection::vec(prop::collection::vec(rational(), count), count);
+        rows.prop_map(move |mut rows| {
+            for (a, row) in rows.iter_mut().enumerate() {
+                let rest: Rational = row.iter().sum();
+                row[a] += &(Rational::one() - rest);
+            }
+            let orbits = vec![Orbit { name: "p".to_owned(), count }];
+            Ring::new(orbits, rows, edges.clone()).expect("an affine ring")
+        })
+    })
 }

@@ -74,7 +74,7 @@ proptest! {
     /// The exact value that is carried along is the one of the exact path.
     #[test]
     fn the_carried_value_is_exact(mask in mask()) {
-        let tracked = mask.map(Tracked::from_rational);
+        let tracked = mask.map(<Tracked>::from_rational);
         let norm = power_norm_generic(&tracked.difference(), 2, Order::Adjoint).unwrap();
         let exact_norm = power_norm(&mask.difference(), 2, Order::Adjoint).unwrap().value;
         prop_assert_eq!(norm.value(), &exact_norm);

@@ -3,6 +3,9 @@
 
 mod apriori;
 mod certify;
+#[path = "../common/mod.rs"]
+mod common;
 mod convert;
 mod hexadecimal;
+mod ring;
 mod strategy;

@@ -118,7 +118,7 @@ fn a_negative_tolerance_is_misuse() {
 #[test]
 #[should_panic(expected = "a tolerance in ulps must be 0 or more, and is NaN")]
 fn a_tolerance_that_is_not_a_number_is_misuse() {
-    let _ = check_slice_within_ulps(&[], &[], f64::NAN);
+    let _ = check_slice_within_ulps::<Rational>(&[], &[], f64::NAN);
 }
 
 #[test]

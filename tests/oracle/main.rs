@@ -2,4 +2,5 @@
 
 mod check;
 mod refine;
+mod ring;
 mod values;

@@ -110,7 +110,7 @@ fn the_first_index_of_an_open_polygon() {
     let at_first = parse_rational(&exact(&values, "refined")[0]).unwrap();
     assert_eq!(at_first, first / Rational::from(4));
     assert_eq!(values.header.first_index, ["6"]);
-    assert_eq!(values.header.boundary, "open");
+    assert_eq!(values.header.boundary, Some("open"));
 }
 
 #[test]

@@ -30,6 +30,9 @@ fn every_entry_is_an_affine_mask_with_a_citation() {
             entry.citation
         );
         assert!(entry.parameters.values().all(|spec| !spec.about.is_empty()), "{name}");
+        if entry.is_ring() {
+            continue;
+        }
         let mask = entry.mask(&parameters(entry.parameters.keys().cloned())).unwrap();
         for row in mask.rules().rows() {
             assert_eq!(row.iter().sum::<Rational>(), Rational::one(), "{name}");
@@ -43,7 +46,7 @@ fn every_entry_is_an_affine_mask_with_a_citation() {
 fn symbolic_masks_agree_with_numbers() {
     let mut symbolic_entries = 0;
     for entry in catalogue() {
-        if ["newton", "b-spline"].contains(&entry.name.as_str()) {
+        if entry.is_ring() || ["newton", "b-spline"].contains(&entry.name.as_str()) {
             continue;
         }
         let values = parameters(entry.parameters.keys().cloned());

@@ -7,3 +7,4 @@ mod difference;
 mod files;
 mod mask;
 mod reference;
+mod rings;

@@ -53,6 +53,13 @@ impl<T: Into<Rational>> From<T> for RealCyclotomic {
     }
 }
 
+/// A copy: what takes a number takes a reference to one.
+impl From<&RealCyclotomic> for RealCyclotomic {
+    fn from(value: &RealCyclotomic) -> RealCyclotomic {
+        value.clone()
+    }
+}
+
 impl RealCyclotomic {
     /// cos(2π·`turn`), for any rational number of turns.
     ///

@@ -1,0 +1,113 @@
+//! The constants of a ring: T_c, Λ_c and σ.
+
+use super::ring_power::{PowerRows, RingWork, displaced_rows, power_rows, rows_of};
+use super::transport::{Transport, transport};
+use crate::exact::{Real, RealCyclotomic};
+use crate::formula::Value;
+use crate::scheme::Ring;
+
+/// T_c and Λ_c of a ring.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RingLevel<S = RealCyclotomic> {
+    /// ‖e_aᵀM^c − e_bᵀM^c‖_* for the edges (a, b).
+    pub differences: Vec<((usize, usize), Transport<S>)>,
+    /// Λ_c = max_a Σ_b |(M^c)_{a,b}|.
+    pub norm: S,
+}
+
+/// The constants of a ring x'_a = Σ_b m_{a,b} x_b with β = max |x_a − x_b| over the edges
+/// (a, b) of its mesh:
+///
+/// - T_c = max over the edges of ‖e_aᵀM^c − e_bᵀM^c‖_*, the least number such that c
+///   refinements take β to at most T_c β;
+/// - Λ_c = max_a Σ_b |(M^c)_{a,b}|, the same for max |x_a|;
+/// - σ = max_a ‖e_aᵀ(M − I)‖_*, the least number such that every new point x'_a is within
+///   σβ of the old point x_a of the same name.
+///
+/// ‖·‖_* is the norm of [`transport()`], dual to β, so that all of these are attained: no
+/// smaller numbers do. Edges and points are one of each class under the
+/// [rotation](Ring::rotation) of the ring, where it has one.
+///
+/// ```
+/// use subcert::bound::RingConstants;
+/// use subcert::exact::Rational;
+/// use subcert::scheme::parse_ring;
+///
+/// // A square face is biquadratic: x'_0 − x'_1 = 3/8 (x_0 − x_1) + 1/8 (x_3 − x_2).
+/// let constants = RingConstants::new(&parse_ring("doo-sabin:n=4")?, 2)?;
+/// assert_eq!(constants.contraction(1).unwrap().1.value, Rational::new(1, 2).into());
+/// assert_eq!(constants.contraction(2).unwrap().1.value, Rational::new(1, 4).into());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct RingConstants<S = RealCyclotomic> {
+    /// ‖e_aᵀ(M − I)‖_* for the points a.
+    pub displacements: Vec<(usize, Transport<S>)>,
+    /// T_c and Λ_c, from c = 1.
+    pub levels: Vec<RingLevel<S>>,
+}
+
+impl<S: Real + Ord + Value> RingConstants<S> {
+    /// The constants for c = 1, …, `levels`.
+    ///
+    /// # Errors
+    /// When the powers of M are more work than
+    /// [`MAX_RING_WORK`](super::MAX_RING_WORK).
+    ///
+    /// # Panics
+    /// Never: the weights of a ring sum to 1, so that their differences sum to 0, and
+    /// its mesh is connected.
+    pub fn new(ring: &Ring<S>, levels: u32) -> Result<RingConstants<S>, RingWork> {
+        let chosen = ring.representatives();
+        RingWork::check(ring, rows_of(&chosen).len(), levels)?;
+        let norm = |w: Vec<S>| {
+            transport(&w, ring.edges()).expect("differences of affine combinations sum to 0")
+        };
+        let points = chosen.points.iter().copied();
+        let displacements = points.zip(displaced_rows(ring, &chosen).into_iter().map(norm));
+        let level = |rows: PowerRows<S>| {
+            let edges = chosen.edges.iter().copied();
+            let differences = edges.zip(rows.differences(&chosen).into_iter().map(norm));
+            RingLevel { differences: differences.collect(), norm: rows.norm(&chosen) }
+        };
+        Ok(RingConstants {
+            displacements: displacements.collect(),
+            levels: power_rows(ring, &chosen, levels).map(level).collect(),
+        })
+    }
+}
+
+impl<S: Ord> RingLevel<S> {
+    /// T_c, with an edge and a control ring that attain it.
+    ///
+    /// # Panics
+    /// Never: a ring has edges.
+    #[must_use]
+    pub fn contraction(&self) -> &((usize, usize), Transport<S>) {
+        greatest(&self.differences).expect("a ring has edges")
+    }
+}
+
+impl<S: Ord> RingConstants<S> {
+    /// T_c, with an edge and a control ring that attain it; `None` when c was not asked
+    /// for.
+    #[must_use]
+    pub fn contraction(&self, c: u32) -> Option<&((usize, usize), Transport<S>)> {
+        let at = (c as usize).checked_sub(1)?;
+        self.levels.get(at).map(RingLevel::contraction)
+    }
+
+    /// σ, with a point and a control ring that attain it.
+    ///
+    /// # Panics
+    /// Never: a ring has points.
+    #[must_use]
+    pub fn displacement(&self) -> &(usize, Transport<S>) {
+        greatest(&self.displacements).expect("a ring has points")
+    }
+}
+
+/// The first of those with the greatest value.
+fn greatest<T, S: Ord>(all: &[(T, Transport<S>)]) -> Option<&(T, Transport<S>)> {
+    all.iter().rev().max_by(|left, right| left.1.value.cmp(&right.1.value))
+}

@@ -1,0 +1,99 @@
+//! Rows of the powers of a ring's matrix, in any arithmetic.
+
+use crate::exact::{Rational, Real, Scalar};
+use crate::formula::Value;
+use crate::scheme::{Representatives, Ring};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The most work of the powers of a ring: r·p·(c−1)·s, when r rows are multiplied c − 1
+/// times by a matrix of p weights other than 0, and the product of one with itself has up
+/// to s bits, as [`product_size`](Value::product_size) counts them.
+pub const MAX_RING_WORK: u64 = 1 << 32;
+
+/// The powers of a ring are beyond [`MAX_RING_WORK`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "{levels} levels of this ring of {points} points are too much work, {work} where at most \
+     {MAX_RING_WORK} is done: take a smaller number of levels or a smaller valence"
+)]
+pub struct RingWork {
+    /// v.
+    pub points: usize,
+    /// c.
+    pub levels: u32,
+    /// r·p·(c−1)·s.
+    pub work: u64,
+}
+
+impl RingWork {
+    /// Whether the products of `rows` rows with the matrix of `ring`, for c up to
+    /// `levels`, are few enough.
+    ///
+    /// # Errors
+    /// When they are more work than [`MAX_RING_WORK`].
+    pub fn check<S: Value>(ring: &Ring<S>, rows: usize, levels: u32) -> Result<(), RingWork> {
+        let bits = ring.weights().iter().flatten().map(|weight| weight.product_size(weight)).max();
+        let work = ((rows * ring.product_count()) as u64)
+            .saturating_mul(u64::from(levels.saturating_sub(1)))
+            .saturating_mul(bits.unwrap_or(1));
+        if work <= MAX_RING_WORK {
+            return Ok(());
+        }
+        Err(RingWork { points: ring.point_count(), levels, work })
+    }
+}
+
+/// The rows e_aᵀM^c of the chosen points and of the ends of the chosen edges.
+#[derive(Clone, Debug)]
+pub(crate) struct PowerRows<S> {
+    rows: BTreeMap<usize, Vec<S>>,
+}
+
+/// The points whose rows are needed.
+pub(super) fn rows_of(chosen: &Representatives) -> BTreeSet<usize> {
+    let ends = chosen.edges.iter().flat_map(|&(a, b)| [a, b]);
+    ends.chain(chosen.points.iter().copied()).collect()
+}
+
+/// [`PowerRows`] for c = 1, …, `levels`, each from the one before.
+pub(crate) fn power_rows<S: Scalar>(
+    ring: &Ring<S>,
+    chosen: &Representatives,
+    levels: u32,
+) -> impl Iterator<Item = PowerRows<S>> {
+    let first = rows_of(chosen).into_iter().map(|a| (a, ring.weights()[a].clone()));
+    let first = PowerRows { rows: first.collect() };
+    let next = |rows: &PowerRows<S>| {
+        let rows = rows.rows.iter().map(|(a, row)| (*a, ring.pull_back(row)));
+        Some(PowerRows { rows: rows.collect() })
+    };
+    std::iter::successors(Some(first), next).take(levels as usize)
+}
+
+impl<S: Scalar> PowerRows<S> {
+    /// e_aᵀM^c − e_bᵀM^c of each chosen edge (a, b).
+    pub(crate) fn differences(&self, chosen: &Representatives) -> Vec<Vec<S>> {
+        let difference = |(a, b): &(usize, usize)| {
+            self.rows[a].iter().zip(&self.rows[b]).map(|(x, y)| x.minus(y)).collect()
+        };
+        chosen.edges.iter().map(difference).collect()
+    }
+}
+
+impl<S: Real> PowerRows<S> {
+    /// Λ_c, the greatest Σ_b |(M^c)_{a,b}| of the chosen points.
+    pub(crate) fn norm(&self, chosen: &Representatives) -> S {
+        S::maximum(chosen.points.iter().map(|a| S::sum_of_magnitudes(&self.rows[a])))
+    }
+}
+
+/// e_aᵀ(M − I) of each chosen point.
+pub(crate) fn displaced_rows<S: Scalar>(ring: &Ring<S>, chosen: &Representatives) -> Vec<Vec<S>> {
+    let one = S::from_rational(&Rational::one());
+    let displaced = |&a: &usize| {
+        let mut row = ring.weights()[a].clone();
+        row[a] = row[a].minus(&one);
+        row
+    };
+    chosen.points.iter().map(displaced).collect()
+}

@@ -1,0 +1,134 @@
+//! `subcert constants` of a ring.
+
+use super::Outcome;
+use super::arguments::ConstantsArguments;
+use super::output::{Failure, show, with_decimal};
+use serde_json::{Value, json};
+use subcert::bound::{RingConstants, Transport};
+use subcert::exact::{RealCyclotomic, format::short};
+use subcert::report::{Grid, Sheet, exact_json};
+use subcert::scheme::Ring;
+
+/// The most weights of a row that the text shows.
+const SHOWN_WEIGHTS: usize = 12;
+
+/// The longest exact weight that the text shows.
+const SHOWN_LENGTH: usize = 24;
+
+/// The largest ring whose extremal control ring the text shows.
+const SHOWN_POINTS: usize = 30;
+
+pub(super) fn ring_constants(ring: &Ring, arguments: &ConstantsArguments) -> Outcome {
+    let constants = RingConstants::new(ring, arguments.block.levels)
+        .map_err(|error| Failure::Input(error.to_string()))?;
+    let report = Report { ring, constants };
+    let name = &arguments.scheme;
+    show(arguments.output.format, || report.sheet(name), || report.json(name))
+}
+
+struct Report<'a> {
+    ring: &'a Ring,
+    constants: RingConstants,
+}
+
+type Contraction = ((usize, usize), Transport<RealCyclotomic>);
+
+impl Report<'_> {
+    /// T_c and where it is attained, and Λ_c, from c = 1.
+    fn levels(&self) -> impl Iterator<Item = (u32, &Contraction, &RealCyclotomic)> {
+        (1..).zip(&self.constants.levels).map(|(c, level)| (c, level.contraction(), &level.norm))
+    }
+
+    fn edge(&self, (a, b): (usize, usize)) -> String {
+        format!("{} – {}", self.ring.name(a), self.ring.name(b))
+    }
+
+    fn sheet(&self, name: &str) -> Sheet {
+        let mut sheet = Sheet::default();
+        sheet.heading(1, name);
+        sheet.facts(self.facts());
+        let header = ["c", "T_c", "Λ_c", "T_c attained on"].map(str::to_owned).to_vec();
+        let rows = self.levels().map(|(c, (edge, found), norm)| {
+            vec![c.to_string(), short(&found.value, 10), short(norm, 10), self.edge(*edge)]
+        });
+        sheet.grid(Grid { header, rows: rows.collect(), left_columns: 0 });
+        sheet.text(
+            "T_c bounds the differences along the edges of the ring after c levels, and no smaller \
+             number does. σ bounds how far a new point is from the old point of the same name. \
+             The control rings of integers that attain them are in --format json.",
+        );
+        sheet
+    }
+
+    fn facts(&self) -> Vec<(String, String)> {
+        let orbits =
+            self.ring.orbits().iter().map(|orbit| format!("{} {}", orbit.count, orbit.name));
+        let mut facts = vec![
+            ("points".to_owned(), orbits.collect::<Vec<String>>().join(", ")),
+            ("edges".to_owned(), self.ring.edges().len().to_string()),
+        ];
+        let rows = self.ring.representatives().points.into_iter();
+        facts.extend(rows.map(|point| {
+            (format!("weights of {}", self.ring.name(point)), row_text(&self.ring.weights()[point]))
+        }));
+        if let Some((edge, found)) = self.constants.contraction(1) {
+            let holds = if self.contracts() { "< 1: one level contracts" } else { "not < 1" };
+            facts.push(("δ = T_1".to_owned(), format!("{}, {holds}", with_decimal(&found.value))));
+            if self.ring.point_count() <= SHOWN_POINTS {
+                let heights = found.heights.iter().map(i64::to_string).collect::<Vec<String>>();
+                let text = format!("{}, by the ring {}", self.edge(*edge), heights.join(" "));
+                facts.push(("T_1 attained on".to_owned(), text));
+            }
+        }
+        facts.push(("σ".to_owned(), with_decimal(&self.constants.displacement().1.value)));
+        facts
+    }
+
+    fn contracts(&self) -> bool {
+        let one = RealCyclotomic::from(1);
+        self.constants.contraction(1).is_some_and(|(_, found)| found.value < one)
+    }
+
+    fn json(&self, name: &str) -> Value {
+        let orbit =
+            |orbit: &subcert::scheme::Orbit| json!({ "name": orbit.name, "count": orbit.count });
+        let levels = self.levels().map(|(c, (edge, found), norm)| {
+            json!({
+                "c": c,
+                "contraction": exact_json(&found.value),
+                "edge": edge,
+                "heights": found.heights,
+                "norm": exact_json(norm),
+            })
+        });
+        let (point, moved) = self.constants.displacement();
+        let mut displacement = exact_json(&moved.value);
+        displacement["point"] = json!(point);
+        displacement["heights"] = json!(moved.heights);
+        let mut delta = self.constants.contraction(1).map(|(_, found)| exact_json(&found.value));
+        if let Some(delta) = &mut delta {
+            delta["holds"] = json!(self.contracts());
+        }
+        let texts = |row: &Vec<RealCyclotomic>| row.iter().map(ToString::to_string).collect();
+        let weights: Vec<Vec<String>> = self.ring.weights().iter().map(texts).collect();
+        json!({
+            "schema": 1,
+            "scheme": name,
+            "orbits": self.ring.orbits().iter().map(orbit).collect::<Vec<Value>>(),
+            "edges": self.ring.edges(),
+            "weights": weights,
+            "delta": delta,
+            "displacement": displacement,
+            "levels": levels.collect::<Vec<Value>>(),
+        })
+    }
+}
+
+fn row_text(row: &[RealCyclotomic]) -> String {
+    let weight = |weight: &RealCyclotomic| {
+        let exact = weight.to_string();
+        if exact.len() > SHOWN_LENGTH { short(weight, 10) } else { exact }
+    };
+    let shown = row.iter().take(SHOWN_WEIGHTS).map(weight).collect::<Vec<String>>().join("  ");
+    if row.len() > SHOWN_WEIGHTS { format!("{shown}  … (all in --format json)") } else { shown }
+}

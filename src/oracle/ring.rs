@@ -1,0 +1,130 @@
+//! Reference values of a ring.
+
+use super::control::Control;
+use super::header::{COLUMNS, Header, RingShape, program};
+use super::refine::{MAX_REFINED_LEVEL, OracleError};
+use super::values::{CONTRACTION, CONTROL, Group, NORM, OracleValues, REFINED, group};
+use crate::bound::{RingConstants, RingWork};
+use crate::exact::RealCyclotomic;
+use crate::scheme::Ring;
+
+/// What [`ring_reference_values`] computes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RingRequest {
+    /// What the ring is called in the header, such as `doo-sabin:n=5`.
+    pub scheme: String,
+    /// The greatest c of T_c and Λ_c.
+    pub max_block: u32,
+    /// One number for each point: [`Control::polygon`] or [`Control::seeded_polygon`].
+    pub control: Control,
+    /// How often it is refined.
+    pub level: u32,
+}
+
+const WEIGHTS: &str = "m[a][b]: x'[a] = sum over b of m[a][b]*x[b]";
+const SIGMA: &str = "sigma: the largest distance of a new point x'[a] from the old point x[a], per \
+                     unit of the largest difference along an edge";
+
+/// M^k x, the control points refined k times: as many as there were.
+///
+/// # Errors
+/// When there is not one control point for each point of the ring, the level is too
+/// high, or it is too much work.
+///
+/// # Panics
+/// When points and weights have no [`common_conductor`](crate::exact::common_conductor).
+///
+/// ```
+/// use subcert::assert_within_ulps;
+/// use subcert::exact::RealCyclotomic;
+/// use subcert::oracle::refine_ring;
+/// use subcert::scheme::parse_ring;
+///
+/// let ring = parse_ring("doo-sabin:n=5")?;
+/// let face = [1, 0, 0, 0, 0].map(RealCyclotomic::from);
+/// let refined = refine_ring(&ring, &face, 1)?;
+/// assert_eq!(refined[1].to_string(), "3/20 + 1/10*cos(2*pi/5)");
+/// assert_within_ulps!(0.15 + 0.1 * (0.4 * std::f64::consts::PI).cos(), &refined[1], 2.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn refine_ring(
+    ring: &Ring,
+    points: &[RealCyclotomic],
+    level: u32,
+) -> Result<Vec<RealCyclotomic>, OracleError> {
+    if level > MAX_REFINED_LEVEL {
+        return Err(OracleError::Level(level));
+    }
+    if points.len() != ring.point_count() {
+        let counts = ring.orbits().iter().map(|orbit| format!("{} {}", orbit.count, orbit.name));
+        return Err(OracleError::RingPoints {
+            found: points.len(),
+            expected: ring.point_count(),
+            names: counts.collect::<Vec<String>>().join(", "),
+        });
+    }
+    // As many products as the powers of one row take.
+    RingWork::check(ring, 1, level.saturating_add(1))?;
+    Ok((0..level).fold(points.to_vec(), |points, _| ring.refine(&points)))
+}
+
+/// The reference values of a ring: its weights, T_c and Λ_c, σ, the control points and
+/// their refinement.
+///
+/// # Errors
+/// As of [`refine_ring`], and when the powers of the ring are too much work.
+///
+/// ```
+/// use subcert::oracle::{Control, RingRequest, ring_reference_values};
+/// use subcert::scheme::parse_ring;
+///
+/// let request = RingRequest {
+///     scheme: "catmull-clark:N=3".to_owned(),
+///     max_block: 2,
+///     control: Control::seeded_polygon(1, 7),
+///     level: 3,
+/// };
+/// let values = ring_reference_values(&parse_ring(&request.scheme)?, &request)?;
+/// assert_eq!(values.group("weights").unwrap().values[0].exact, "5/12");
+/// assert_eq!(values.group("refined").unwrap().values.len(), 7);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn ring_reference_values(
+    ring: &Ring,
+    request: &RingRequest,
+) -> Result<OracleValues, OracleError> {
+    let control = request.control.values();
+    let points: Vec<RealCyclotomic> = control.iter().map(RealCyclotomic::from).collect();
+    let refined = refine_ring(ring, &points, request.level)?;
+    let constants = RingConstants::new(ring, request.max_block)?;
+    let count = ring.point_count();
+    let levels = constants.levels.iter();
+    let contraction: Vec<_> = levels.clone().map(|l| l.contraction().1.value.clone()).collect();
+    let norm: Vec<_> = levels.map(|level| level.norm.clone()).collect();
+    let sigma = constants.displacement().1.value.clone();
+    let groups: Vec<Group> = vec![
+        group("weights", WEIGHTS, &[count, count], 0, &ring.weights().concat()),
+        group("contraction-constant", CONTRACTION, &[contraction.len()], 1, &contraction),
+        group("scheme-norm", NORM, &[norm.len()], 1, &norm),
+        group("displacement", SIGMA, &[], 0, &[sigma]),
+        group("control", CONTROL, &[count], 0, control),
+        group("refined", REFINED, &[count], 0, &refined),
+    ];
+    Ok(OracleValues { header: header(ring, request), groups })
+}
+
+fn header(ring: &Ring, request: &RingRequest) -> Header {
+    let points = (0..ring.point_count()).map(|point| ring.name(point)).collect();
+    Header {
+        program: program(),
+        scheme: request.scheme.clone(),
+        masks: Vec::new(),
+        ring: Some(RingShape { points, edges: ring.edges().to_vec() }),
+        max_block: request.max_block,
+        level: request.level,
+        boundary: None,
+        seed: request.control.seed().map(|seed| seed.to_string()),
+        first_index: Vec::new(),
+        columns: COLUMNS,
+    }
+}

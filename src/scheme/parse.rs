@@ -1,0 +1,146 @@
+//! From SCHEME to a scheme or a ring.
+
+use super::Scheme;
+use super::catalogue;
+use super::definition::SchemeDefinition;
+use super::file::read_scheme;
+use super::mask::Mask;
+use super::reference::{Instance, Reference, ReferenceError, SchemeError};
+use super::ring::Ring;
+use crate::diagnostic::SourceText;
+use crate::exact::{Rational, RealCyclotomic};
+use crate::formula::{Parameters, Value};
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// The largest scheme file that is read, in bytes.
+const MAX_FILE_BYTES: u64 = 1 << 20;
+
+/// What a SCHEME can be.
+#[derive(Clone, Debug, PartialEq)]
+pub enum AnyScheme {
+    /// A scheme with the same rules everywhere: one mask, or two for a tensor product.
+    Uniform(Scheme<Rational>),
+    /// Rules around one extraordinary vertex or face.
+    Ring(Ring<RealCyclotomic>),
+}
+
+/// The exact scheme that SCHEME names: a catalogue entry such as
+/// `six-point:w=3/256`, a file such as `my.toml:w=1/16`, or two with ` x `
+/// between them.
+///
+/// # Errors
+/// When there is no such scheme, it is a ring, a parameter is missing, or the file is
+/// not one.
+///
+/// ```
+/// use subcert::scheme::parse_scheme;
+///
+/// let scheme = parse_scheme("newton:j=1,n=3")?;
+/// assert_eq!(scheme.masks()[0].arity(), 3);
+/// assert!(parse_scheme("six-point").unwrap_err().to_string().contains("`w`"));
+/// # Ok::<(), subcert::scheme::SchemeError>(())
+/// ```
+pub fn parse_scheme(text: &str) -> Result<Scheme<Rational>, SchemeError> {
+    Named::read(text)?.scheme()
+}
+
+/// The exact ring that SCHEME names: a catalogue entry such as `doo-sabin:n=5`, or a
+/// file.
+///
+/// # Errors
+/// When there is no such scheme, it is no ring, a parameter is missing, or the file is
+/// not one.
+///
+/// ```
+/// use subcert::scheme::parse_ring;
+///
+/// let ring = parse_ring("catmull-clark:N=5")?;
+/// assert_eq!(ring.point_count(), 11);
+/// assert_eq!(ring.weights()[0][0].to_string(), "13/20");
+/// # Ok::<(), subcert::scheme::SchemeError>(())
+/// ```
+pub fn parse_ring(text: &str) -> Result<Ring<RealCyclotomic>, SchemeError> {
+    Named::read(text)?.ring()
+}
+
+/// The scheme or the ring that SCHEME names.
+///
+/// # Errors
+/// As of [`parse_scheme`] and [`parse_ring`].
+///
+/// ```
+/// use subcert::scheme::{AnyScheme, parse_any_scheme};
+///
+/// assert!(matches!(parse_any_scheme("chaikin")?, AnyScheme::Uniform(_)));
+/// assert!(matches!(parse_any_scheme("doo-sabin:n=5")?, AnyScheme::Ring(_)));
+/// # Ok::<(), subcert::scheme::SchemeError>(())
+/// ```
+pub fn parse_any_scheme(text: &str) -> Result<AnyScheme, SchemeError> {
+    let named = Named::read(text)?;
+    let names: Vec<&str> = named.reference.names().collect();
+    match names[..] {
+        [name] if named.definition(name)?.is_ring() => named.ring().map(AnyScheme::Ring),
+        _ => named.scheme().map(AnyScheme::Uniform),
+    }
+}
+
+/// The catalogue entry of this name.
+pub(crate) fn find_in_catalogue(name: &str) -> Result<&'static SchemeDefinition, SchemeError> {
+    catalogue::find(name).ok_or_else(|| SchemeError::Unknown {
+        name: name.to_owned(),
+        known: catalogue::catalogue().iter().map(|entry| entry.name.clone()).collect(),
+    })
+}
+
+/// A reference, with the files that it names.
+struct Named<'a> {
+    text: &'a str,
+    reference: Reference,
+    files: BTreeMap<String, SchemeDefinition>,
+}
+
+impl Named<'_> {
+    fn read(text: &str) -> Result<Named<'_>, SchemeError> {
+        let reference = Reference::parse(text)?;
+        let mut files = BTreeMap::new();
+        for name in reference.names().filter(|name| is_file(name)) {
+            files.insert(name.to_owned(), read_file(name)?);
+        }
+        Ok(Named { text, reference, files })
+    }
+
+    fn definition(&self, name: &str) -> Result<&SchemeDefinition, SchemeError> {
+        self.files.get(name).map_or_else(|| find_in_catalogue(name), Ok)
+    }
+
+    fn instances<V: Value>(&self) -> Result<Vec<Instance<V>>, SchemeError> {
+        self.reference.instances(&Parameters::<V>::default()).map_err(|error| {
+            let text = self.text.to_owned();
+            SchemeError::Reference(ReferenceError::Formula { text, error })
+        })
+    }
+
+    fn scheme(&self) -> Result<Scheme<Rational>, SchemeError> {
+        let instances = self.instances()?.into_iter();
+        let mask = |instance: Instance| self.definition(&instance.name)?.mask(&instance.parameters);
+        Ok(Scheme::of(instances.map(mask).collect::<Result<Vec<Mask>, SchemeError>>()?))
+    }
+
+    fn ring(&self) -> Result<Ring<RealCyclotomic>, SchemeError> {
+        match &self.instances()?[..] {
+            [instance] => self.definition(&instance.name)?.ring(&instance.parameters),
+            _ => Err(SchemeError::NotRing { scheme: self.text.trim().to_owned() }),
+        }
+    }
+}
+
+fn is_file(name: &str) -> bool {
+    Path::new(name).extension().is_some_and(|extension| extension == "toml")
+}
+
+fn read_file(path: &str) -> Result<SchemeDefinition, SchemeError> {
+    let unreadable = |reason: String| SchemeError::Unreadable { path: path.to_owned(), reason };
+    let text = crate::diagnostic::read_text(Path::new(path), MAX_FILE_BYTES).map_err(unreadable)?;
+    read_scheme(&SourceText::new(path, text)).map_err(|error| SchemeError::File(Box::new(error)))
+}

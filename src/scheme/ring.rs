@@ -1,0 +1,266 @@
+//! Rings: valence-dependent rules around an extraordinary vertex or face.
+
+use crate::exact::{Rational, RealCyclotomic, Scalar};
+use std::collections::BTreeSet;
+use std::fmt::Display;
+
+/// The most points of a ring.
+pub const MAX_RING_POINTS: usize = 600;
+
+/// The points of one kind, such as the N edge points around a vertex.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Orbit {
+    /// What they are called.
+    pub name: String,
+    /// How many there are.
+    pub count: usize,
+}
+
+/// The v points around an extraordinary vertex or face, and the v points of the same
+/// topology that one refinement puts in their place:
+///
+/// x'_a = Σ_b m_{a,b} x_b, Σ_b m_{a,b} = 1, a, b = 0, …, v−1.
+///
+/// The points are numbered orbit by orbit. The edges of their mesh, which is
+/// connected, say which differences x_a − x_b the constants of
+/// [`RingConstants`](crate::bound::RingConstants) are about.
+///
+/// Source of the setting: Doo and Sabin 1978; Catmull and Clark 1978.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ring<S = RealCyclotomic> {
+    orbits: Vec<Orbit>,
+    weights: Vec<Vec<S>>,
+    /// For each new point a, the b with m_{a,b} ≠ 0: most rings have few.
+    supports: Vec<Vec<usize>>,
+    edges: Vec<(usize, usize)>,
+}
+
+/// Why a table of numbers is not a ring.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum RingError {
+    /// Fewer than 2 or more than [`MAX_RING_POINTS`] points.
+    #[error("a ring of {0} points; there must be from 2 to {MAX_RING_POINTS}")]
+    Points(usize),
+    /// The weights are not a square of as many rows as there are points.
+    #[error("the weights of a ring of {points} points must be {points} rows of {points}")]
+    Shape {
+        /// v.
+        points: usize,
+    },
+    /// A new point that is not an affine combination.
+    #[error(
+        "the weights of the new point {point} sum to {sum}, not to 1: their excess is {excess}; \
+         the weights of every new point must sum to 1"
+    )]
+    NotAffine {
+        /// Its name.
+        point: String,
+        /// The sum.
+        sum: String,
+        /// The sum less 1.
+        excess: String,
+    },
+    /// An edge with an end that is not a point.
+    #[error("an edge ends at point {point}; the points are numbered from 0 to {last}")]
+    NoPoint {
+        /// The end.
+        point: usize,
+        /// v − 1.
+        last: usize,
+    },
+    /// An edge from a point to itself.
+    #[error("an edge joins the point {0} to itself; take a greater valence, or leave it out")]
+    Loop(String),
+    /// A mesh in several pieces.
+    #[error(
+        "no edges lead from {first} to {point}; the mesh of a ring must be connected: add the \
+         edges between its pieces"
+    )]
+    Disconnected {
+        /// The first point.
+        first: String,
+        /// One that no edges lead to.
+        point: String,
+    },
+}
+
+impl<S: Scalar + PartialEq + Display> Ring<S> {
+    /// The ring of these orbits, with one row of weights for each new point and these
+    /// edges. Of several edges between two points the first is kept.
+    ///
+    /// # Errors
+    /// When there are too few or too many points, the weights are not v rows of v
+    /// that each sum to 1, or the edges are not those of a connected mesh.
+    ///
+    /// ```
+    /// use subcert::exact::Rational;
+    /// use subcert::scheme::{Orbit, Ring};
+    ///
+    /// // Each new corner of a triangle is 1/2 old corner, 1/4 of each of the others.
+    /// let (half, quarter) = (Rational::new(1, 2), Rational::new(1, 4));
+    /// let row = |a: usize| (0..3).map(|b| if a == b { &half } else { &quarter }.clone()).collect();
+    /// let corner = Orbit { name: "corner".to_owned(), count: 3 };
+    /// let ring = Ring::new(vec![corner], (0..3).map(row).collect(), vec![(0, 1), (1, 2), (2, 0)])?;
+    /// assert_eq!(ring.refine(&[4, 0, 0].map(Rational::from)), [2, 1, 1].map(Rational::from));
+    /// assert_eq!(ring.name(2), "corner[2]");
+    /// # Ok::<(), subcert::scheme::RingError>(())
+    /// ```
+    pub fn new(
+        orbits: Vec<Orbit>,
+        weights: Vec<Vec<S>>,
+        edges: Vec<(usize, usize)>,
+    ) -> Result<Ring<S>, RingError> {
+        let points = orbits.iter().fold(0_usize, |sum, orbit| sum.saturating_add(orbit.count));
+        if !(2..=MAX_RING_POINTS).contains(&points) {
+            return Err(RingError::Points(points));
+        }
+        if weights.len() != points || weights.iter().any(|row| row.len() != points) {
+            return Err(RingError::Shape { points });
+        }
+        let zero = S::zero();
+        let support = |row: &Vec<S>| (0..points).filter(|&b| row[b] != zero).collect();
+        let supports = weights.iter().map(support).collect();
+        let ring = Ring { orbits, weights, supports, edges: without_repetition(edges) };
+        let one = S::from_rational(&Rational::one());
+        for (point, weights) in ring.weights.iter().enumerate() {
+            let sum = S::total(weights);
+            if sum != one {
+                let (point, excess) = (ring.name(point), sum.minus(&one).to_string());
+                return Err(RingError::NotAffine { point, sum: sum.to_string(), excess });
+            }
+        }
+        ring.check_edges()?;
+        Ok(ring)
+    }
+}
+
+impl<S> Ring<S> {
+    /// The kinds of points, in the order in which the points are numbered.
+    #[must_use]
+    pub fn orbits(&self) -> &[Orbit] {
+        &self.orbits
+    }
+
+    /// v.
+    #[must_use]
+    pub fn point_count(&self) -> usize {
+        self.weights.len()
+    }
+
+    /// m, one row for each new point.
+    #[must_use]
+    pub fn weights(&self) -> &[Vec<S>] {
+        &self.weights
+    }
+
+    /// The number of weights other than 0: the products of a refinement.
+    #[must_use]
+    pub fn product_count(&self) -> usize {
+        self.supports.iter().map(Vec::len).sum()
+    }
+
+    /// The edges, as pairs of points, each once.
+    #[must_use]
+    pub fn edges(&self) -> &[(usize, usize)] {
+        &self.edges
+    }
+
+    /// A point by its orbit: `edge[3]`, or `vertex` when it is the only one there.
+    ///
+    /// # Panics
+    /// When there is no such point.
+    #[must_use]
+    pub fn name(&self, point: usize) -> String {
+        point_name(&self.orbits, point)
+    }
+
+    /// The weights in another arithmetic, which may round, and takes 0 to 0: their sums
+    /// are not checked again.
+    #[must_use]
+    pub fn map<T>(&self, mut map: impl FnMut(&S) -> T) -> Ring<T> {
+        let weights = self.weights.iter().map(|row| row.iter().map(&mut map).collect()).collect();
+        let Ring { orbits, supports, edges, .. } = self;
+        Ring { orbits: orbits.clone(), weights, supports: supports.clone(), edges: edges.clone() }
+    }
+
+    fn check_edges(&self) -> Result<(), RingError> {
+        let count = self.point_count();
+        let mut neighbours = vec![Vec::new(); count];
+        for &(a, b) in &self.edges {
+            if a.max(b) >= count {
+                return Err(RingError::NoPoint { point: a.max(b), last: count - 1 });
+            }
+            if a == b {
+                return Err(RingError::Loop(self.name(a)));
+            }
+            neighbours[a].push(b);
+            neighbours[b].push(a);
+        }
+        let mut reached = vec![false; count];
+        reached[0] = true;
+        let mut waiting = vec![0];
+        while let Some(point) = waiting.pop() {
+            for &next in &neighbours[point] {
+                if !std::mem::replace(&mut reached[next], true) {
+                    waiting.push(next);
+                }
+            }
+        }
+        match reached.iter().position(|reached| !reached) {
+            Some(point) => {
+                Err(RingError::Disconnected { first: self.name(0), point: self.name(point) })
+            }
+            None => Ok(()),
+        }
+    }
+}
+
+impl<S: Scalar> Ring<S> {
+    /// M x: the new points x'_a = Σ_b m_{a,b} x_b.
+    ///
+    /// # Panics
+    /// When there are not v points.
+    #[must_use]
+    pub fn refine(&self, points: &[S]) -> Vec<S> {
+        assert_eq!(points.len(), self.point_count(), "a ring has as many control points as rows");
+        let combine = |(row, support): (&Vec<S>, &Vec<usize>)| {
+            support.iter().fold(S::zero(), |sum, &b| sum.plus(&row[b].times(&points[b])))
+        };
+        self.weights.iter().zip(&self.supports).map(combine).collect()
+    }
+
+    /// wᵀM, with (wᵀM)_b = Σ_a w_a m_{a,b}: the functional w of the new points, as one
+    /// of the old points.
+    ///
+    /// # Panics
+    /// When w does not have v coefficients.
+    #[must_use]
+    pub fn pull_back(&self, functional: &[S]) -> Vec<S> {
+        assert_eq!(functional.len(), self.point_count(), "a coefficient for each point");
+        let mut sums = vec![S::zero(); self.point_count()];
+        for (w, (row, support)) in functional.iter().zip(self.weights.iter().zip(&self.supports)) {
+            for &b in support {
+                sums[b] = sums[b].plus(&w.times(&row[b]));
+            }
+        }
+        sums
+    }
+}
+
+/// [`Ring::name`] of a point of these orbits.
+pub(super) fn point_name(orbits: &[Orbit], point: usize) -> String {
+    let mut index = point;
+    for Orbit { name, count } in orbits {
+        if index < *count {
+            return if *count == 1 { name.clone() } else { format!("{name}[{index}]") };
+        }
+        index -= count;
+    }
+    panic!("no orbit has the point {point}")
+}
+
+fn without_repetition(edges: Vec<(usize, usize)>) -> Vec<(usize, usize)> {
+    let mut seen = BTreeSet::new();
+    edges.into_iter().filter(|&(a, b)| seen.insert((a.min(b), a.max(b)))).collect()
+}

@@ -1,0 +1,221 @@
+//! Rings as written: formulas over parameters and indices, and what they give.
+
+use super::definition::{Coefficients, SchemeDefinition};
+use super::reference::SchemeError;
+use super::ring::{MAX_RING_POINTS, Orbit, Ring, RingError, point_name};
+use crate::diagnostic::{Diagnostic, SourceText};
+use crate::formula::{LocatedFormula, Value};
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::sync::Arc;
+
+/// The index of a new point within its orbit, and of the place along an edge.
+pub(super) const NEW_INDEX: &str = "i";
+
+/// The index of an old point within its orbit.
+pub(super) const OLD_INDEX: &str = "j";
+
+/// The formulas of a ring.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct RingFormulas {
+    /// The orbits, and how many points each has.
+    pub(super) orbits: Vec<(String, LocatedFormula)>,
+    /// For each orbit of new points, for each of old ones, the weight in i and j; 0 where
+    /// there is none.
+    pub(super) weights: Vec<Vec<Option<LocatedFormula>>>,
+    /// The families of edges.
+    pub(super) edges: Vec<EdgeFormulas>,
+}
+
+/// A family of edges, in i.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct EdgeFormulas {
+    pub(super) ends: [End; 2],
+    pub(super) source: Arc<SourceText>,
+    pub(super) span: Range<usize>,
+}
+
+/// An end of an edge: `vertex`, `edge[i + 1]`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct End {
+    pub(super) orbit: usize,
+    /// What stands between the brackets, counted mod the number of points of the orbit.
+    pub(super) index: Option<LocatedFormula>,
+}
+
+type Parameters<V> = BTreeMap<String, V>;
+
+impl SchemeDefinition {
+    /// Whether this is a ring, and has no mask.
+    #[must_use]
+    pub fn is_ring(&self) -> bool {
+        matches!(self.coefficients, Coefficients::Ring(_))
+    }
+
+    /// The ring at these parameter values, over any [`Value`]; weights with cosines need
+    /// [`RealCyclotomic`](crate::exact::RealCyclotomic) ones.
+    ///
+    /// # Errors
+    /// When this is a mask, a parameter is missing or unknown, a formula has no value,
+    /// the weights have no [`common_conductor`](crate::exact::common_conductor), or they
+    /// are not a ring.
+    pub fn ring<V: Value + PartialEq>(
+        &self,
+        values: &BTreeMap<String, V>,
+    ) -> Result<Ring<V>, SchemeError> {
+        let Coefficients::Ring(formulas) = &self.coefficients else {
+            return Err(SchemeError::NotRing { scheme: self.name.clone() });
+        };
+        let parameters = self.complete(values)?;
+        let orbits = self.orbits(formulas, &parameters)?;
+        let weights = self.weights(formulas, &orbits, &parameters)?;
+        self.check_common_field(weights.iter().flatten())?;
+        let edges = self.edges(formulas, &orbits, &parameters)?;
+        Ring::new(orbits, weights, edges).map_err(|error| formulas.refusal(&error))
+    }
+
+    fn orbits<V: Value>(
+        &self,
+        formulas: &RingFormulas,
+        parameters: &Parameters<V>,
+    ) -> Result<Vec<Orbit>, SchemeError> {
+        let range = 1..i64::try_from(MAX_RING_POINTS).expect("a small cap") + 1;
+        let mut points = 0;
+        let mut orbits = Vec::with_capacity(formulas.orbits.len());
+        for (name, formula) in &formulas.orbits {
+            let what = format!("the number of points of `{name}`");
+            let count = self.integer(formula, parameters, &[], &what, range.clone())?;
+            let count = usize::try_from(count).expect("in the range");
+            points += count;
+            if points > MAX_RING_POINTS {
+                return Err(at_formula(formula, &RingError::Points(points)));
+            }
+            orbits.push(Orbit { name: name.clone(), count });
+        }
+        Ok(orbits)
+    }
+
+    fn weights<V: Value>(
+        &self,
+        formulas: &RingFormulas,
+        orbits: &[Orbit],
+        parameters: &Parameters<V>,
+    ) -> Result<Vec<Vec<V>>, SchemeError> {
+        let mut rows = Vec::new();
+        for (new, formulas) in orbits.iter().zip(&formulas.weights) {
+            for i in indices(new) {
+                let mut row = Vec::new();
+                for (old, formula) in orbits.iter().zip(formulas) {
+                    for j in indices(old) {
+                        let at = [(NEW_INDEX, i), (OLD_INDEX, j)];
+                        let weight = formula.as_ref().map(|f| self.value(f, parameters, &at));
+                        row.push(weight.transpose()?.unwrap_or_else(V::zero));
+                    }
+                }
+                rows.push(row);
+            }
+        }
+        Ok(rows)
+    }
+
+    /// The edges of every family, i running over the indices of its larger orbit.
+    fn edges<V: Value>(
+        &self,
+        formulas: &RingFormulas,
+        orbits: &[Orbit],
+        parameters: &Parameters<V>,
+    ) -> Result<Vec<(usize, usize)>, SchemeError> {
+        let first = |orbit: usize| orbits[..orbit].iter().map(|orbit| orbit.count).sum::<usize>();
+        let point = |end: &End, i: i64| -> Result<usize, SchemeError> {
+            let index = match &end.index {
+                Some(formula) => {
+                    let range = -1_000_000..1_000_001;
+                    let at = [(NEW_INDEX, i)];
+                    self.integer(formula, parameters, &at, "the index of a point", range)?
+                }
+                None => 0,
+            };
+            let count = i64::try_from(orbits[end.orbit].count).expect("a small cap");
+            Ok(first(end.orbit) + usize::try_from(index.rem_euclid(count)).expect("0 ≤ it"))
+        };
+        let mut edges = Vec::new();
+        for family in &formulas.edges {
+            family.check_brackets(orbits)?;
+            let larger = family.ends.each_ref().map(|end| &orbits[end.orbit]);
+            let larger = larger.into_iter().max_by_key(|orbit| orbit.count).expect("two ends");
+            for i in indices(larger) {
+                let [a, b] = &family.ends;
+                let (a, b) = (point(a, i)?, point(b, i)?);
+                if a == b {
+                    let error = RingError::Loop(point_name(orbits, a));
+                    return Err(family.refusal(&error.to_string(), None));
+                }
+                edges.push((a, b));
+            }
+        }
+        Ok(edges)
+    }
+}
+
+impl EdgeFormulas {
+    /// Makes sure that `edge` of N > 1 points has an index.
+    fn check_brackets(&self, orbits: &[Orbit]) -> Result<(), SchemeError> {
+        let bare = |end: &&End| end.index.is_none() && orbits[end.orbit].count > 1;
+        let Some(end) = self.ends.iter().find(bare) else { return Ok(()) };
+        let Orbit { name, count } = &orbits[end.orbit];
+        let message = format!("`{name}` has {count} points, and this does not say which");
+        Err(self.refusal(&message, Some(format!("write {name}[i], for i = 0, …, {}", count - 1))))
+    }
+
+    fn refusal(&self, message: &str, help: Option<String>) -> SchemeError {
+        let diagnostic = Diagnostic::new(&self.source, self.span.clone(), message);
+        SchemeError::File(Box::new(Diagnostic { help, ..diagnostic }))
+    }
+}
+
+impl RingFormulas {
+    /// The place of all the weights.
+    pub(super) fn whole(&self) -> (&Arc<SourceText>, Range<usize>) {
+        extent(self.weights.iter().flatten().flatten())
+    }
+
+    /// Why these formulas do not give a ring, at their place in the file.
+    fn refusal(&self, error: &RingError) -> SchemeError {
+        let (source, span) = match error {
+            RingError::NotAffine { point, .. } => {
+                let orbit = point.split('[').next().unwrap_or_default();
+                let rows = self.orbits.iter().zip(&self.weights);
+                let rows = rows.filter(|((name, _), _)| name == orbit).map(|(_, row)| row);
+                extent(rows.flatten().flatten())
+            }
+            RingError::Disconnected { .. } => {
+                let (first, last) = (&self.edges[0], &self.edges[self.edges.len() - 1]);
+                (&first.source, first.span.start..last.span.end)
+            }
+            _ => self.whole(),
+        };
+        SchemeError::File(Box::new(Diagnostic::new(source, span, error.to_string())))
+    }
+}
+
+/// From the first to the last of these formulas. The reader has made sure that each
+/// orbit of new points has one.
+fn extent<'a>(
+    formulas: impl Iterator<Item = &'a LocatedFormula> + Clone,
+) -> (&'a Arc<SourceText>, Range<usize>) {
+    let spans = formulas.clone().map(|formula| &formula.span);
+    let start = spans.clone().map(|span| span.start).min();
+    let end = spans.map(|span| span.end).max();
+    let mut formulas = formulas;
+    let first = formulas.next().expect("the reader refuses orbits without weights");
+    (&first.source, start.unwrap_or(0)..end.unwrap_or(0))
+}
+
+fn indices(orbit: &Orbit) -> Range<i64> {
+    0..i64::try_from(orbit.count).expect("a small cap")
+}
+
+fn at_formula(formula: &LocatedFormula, error: &RingError) -> SchemeError {
+    let span = formula.span.clone();
+    SchemeError::File(Box::new(Diagnostic::new(&formula.source, span, error.to_string())))
+}

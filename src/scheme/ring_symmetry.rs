@@ -1,0 +1,79 @@
+//! The rotation of a ring, and what it leaves to compute.
+
+use super::ring::Ring;
+use std::collections::BTreeSet;
+
+/// Points and edges of a ring, one of each class of those that a rotation takes into
+/// each other.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Representatives {
+    /// The points, in increasing order.
+    pub points: Vec<usize>,
+    /// The edges, in the order of the ring, each with its lower end first.
+    pub edges: Vec<(usize, usize)>,
+}
+
+impl<S: PartialEq> Ring<S> {
+    /// The rotation ρ that takes point i of each orbit to i + m/g mod m, where m is the
+    /// count of the orbit and g the greatest common divisor of the counts above 1; if
+    /// it is a symmetry: m_{ρa,ρb} = m_{a,b}, and edges go to edges. As the image of each
+    /// point; `None` when it is no symmetry, or the identity.
+    #[must_use]
+    pub fn rotation(&self) -> Option<Vec<usize>> {
+        let counts = self.orbits().iter().map(|orbit| orbit.count);
+        let order = counts.clone().filter(|&count| count > 1).fold(0, num_integer::gcd);
+        if order < 2 {
+            return None;
+        }
+        let mut image = Vec::with_capacity(self.point_count());
+        for count in counts {
+            let first = image.len();
+            let step = if count > 1 { count / order } else { 0 };
+            image.extend((0..count).map(|i| first + (i + step) % count));
+        }
+        let turned = |row: &[S], other: &[S]| {
+            row.iter().zip(&image).all(|(weight, &image)| *weight == other[image])
+        };
+        let weights = self.weights();
+        let same_weights = weights.iter().zip(&image).all(|(row, &a)| turned(row, &weights[a]));
+        let edges: BTreeSet<_> = self.edges().iter().map(|&(a, b)| unordered(a, b)).collect();
+        let same_edges = edges.iter().all(|&(a, b)| edges.contains(&unordered(image[a], image[b])));
+        (same_weights && same_edges).then_some(image)
+    }
+
+    /// One point and one edge of each class under the [rotation](Self::rotation), or all
+    /// of them when there is none. What is greatest over all points or edges, and does
+    /// not change under symmetries, is greatest over these.
+    #[must_use]
+    pub fn representatives(&self) -> Representatives {
+        let image = self.rotation().unwrap_or_else(|| (0..self.point_count()).collect());
+        let turn = |&a: &usize| image[a];
+        let turn_edge = |&(a, b): &(usize, usize)| unordered(image[a], image[b]);
+        let edges = self.edges().iter().map(|&(a, b)| unordered(a, b));
+        Representatives {
+            points: first_of_each_class(0..self.point_count(), turn),
+            edges: first_of_each_class(edges, turn_edge),
+        }
+    }
+}
+
+/// The items that are no image, under repeated turns, of an earlier one.
+fn first_of_each_class<T: Ord + Clone>(
+    items: impl Iterator<Item = T>,
+    turn: impl Fn(&T) -> T,
+) -> Vec<T> {
+    let mut seen = BTreeSet::new();
+    let is_first = |item: &T| {
+        let first = seen.insert(item.clone());
+        let mut image = turn(item);
+        while seen.insert(image.clone()) {
+            image = turn(&image);
+        }
+        first
+    };
+    items.filter(is_first).collect()
+}
+
+fn unordered(a: usize, b: usize) -> (usize, usize) {
+    (a.min(b), a.max(b))
+}

@@ -1,0 +1,100 @@
+//! ‖w‖_* against all integer heights, and against its closed form on a cycle.
+
+use super::common::{mesh, r, rational};
+use proptest::prelude::*;
+use subcert::bound::{Transport, transport};
+use subcert::exact::{Rational, Real, RealCyclotomic, Scalar};
+
+/// The greatest Σ w_a P_a over integer heights with P_0 = 0 and differences of at most 1,
+/// chosen point by point. Every point has an edge to an earlier one.
+fn brute(w: &[Rational], edges: &[(usize, usize)], heights: &mut Vec<i64>) -> Rational {
+    let point = heights.len();
+    if point == w.len() {
+        return w.iter().zip(heights.iter()).map(|(w, &p)| w * Rational::from(p)).sum();
+    }
+    let ends = edges.iter().flat_map(|&(a, b)| [(a, b), (b, a)]);
+    let before: Vec<i64> =
+        ends.filter(|&(a, b)| b == point && a < point).map(|(a, _)| heights[a]).collect();
+    let (low, high) = (before.iter().max().unwrap() - 1, before.iter().min().unwrap() + 1);
+    let mut best: Option<Rational> = None;
+    for height in low..=high {
+        heights.push(height);
+        let value = brute(w, edges, heights);
+        heights.pop();
+        best = Some(best.map_or(value.clone(), |best| best.max(value)));
+    }
+    best.unwrap_or_else(|| Rational::from(-1_000_000))
+}
+
+/// Flow and heights each prove a bound on the norm; together, its value.
+fn check<S: Real + Ord + std::fmt::Debug>(w: &[S], edges: &[(usize, usize)], found: &Transport<S>) {
+    let Transport { value, flow, heights } = found;
+    let mut divergence = vec![S::zero(); w.len()];
+    for (&(a, b), f) in edges.iter().zip(flow) {
+        divergence[a] = divergence[a].plus(f);
+        divergence[b] = divergence[b].minus(f);
+        assert!((heights[a] - heights[b]).abs() <= 1, "{heights:?}");
+    }
+    assert_eq!(divergence, w);
+    assert_eq!(S::sum_of_magnitudes(flow), *value);
+    let term = |(w, &p): (&S, &i64)| w.times(&S::from_rational(&Rational::from(p)));
+    let terms: Vec<S> = w.iter().zip(heights).map(term).collect();
+    assert_eq!(S::total(&terms), *value);
+    assert_eq!(heights.iter().min(), Some(&0));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+    #[test]
+    fn no_integer_heights_are_worth_more(
+        (edges, w) in mesh(7).prop_flat_map(|(count, edges)| {
+            (Just(edges), prop::collection::vec(rational(), count))
+        })
+    ) {
+        let mut w = w;
+        let rest: Rational = w.iter().sum();
+        w[0] = &w[0] - rest;
+        let found = transport(&w, &edges).unwrap();
+        check(&w, &edges, &found);
+        prop_assert_eq!(found.value, brute(&w, &edges, &mut vec![0]));
+    }
+
+    // Flow λ more around the cycle: Σ|w_0 + … + w_i − λ|, least at a median.
+    #[test]
+    fn on_a_cycle_by_a_median(mut w in prop::collection::vec(rational(), 3..14)) {
+        let rest: Rational = w.iter().sum();
+        w[0] = &w[0] - rest;
+        let count = w.len();
+        let edges: Vec<_> = (0..count).map(|i| (i, (i + 1) % count)).collect();
+        let mut sum = Rational::zero();
+        let mut sums: Vec<Rational> = w.iter().map(|w| { sum += w; sum.clone() }).collect();
+        sums.sort();
+        let median = sums[count / 2].clone();
+        let least: Rational = sums.iter().map(|sum| (sum - &median).abs()).sum();
+        let found = transport(&w, &edges).unwrap();
+        check(&w, &edges, &found);
+        prop_assert_eq!(found.value, least);
+    }
+}
+
+#[test]
+fn irrational_amounts() {
+    let n = 11_i64;
+    let w: Vec<RealCyclotomic> =
+        (0..n).map(|j| RealCyclotomic::cosine(&r(j * j + 1, n)).unwrap()).collect();
+    let mean = &RealCyclotomic::total(&w) * &r(1, n).into();
+    let w: Vec<RealCyclotomic> = w.iter().map(|w| w - &mean).collect();
+    let edges: Vec<(usize, usize)> =
+        (0..11).flat_map(|i| [(i, (i + 1) % 11), (i, (i + 4) % 11)]).collect();
+    check(&w, &edges, &transport(&w, &edges).unwrap());
+}
+
+#[test]
+fn without_a_balance_there_is_no_norm() {
+    let w = [1, 1, -1, -1].map(Rational::from);
+    assert!(transport(&w, &[(0, 1), (2, 3)]).is_none());
+    assert!(transport(&w[..3], &[(0, 1), (1, 2)]).is_none());
+    let apart = transport(&w, &[(0, 2), (3, 1)]).unwrap();
+    check(&w, &[(0, 2), (3, 1)], &apart);
+    assert_eq!(apart.value, Rational::from(2));
+}

@@ -1,0 +1,294 @@
+//! Rings: the catalogue's, those in files, and what is none.
+
+use super::common::{int, r, ring};
+use subcert::diagnostic::{Diagnostic, SourceText};
+use subcert::exact::{Rational, RealCyclotomic, Scalar as _};
+use subcert::scheme::{
+    AnyScheme, Orbit, Ring, RingError, SchemeError, find, parse_any_scheme, parse_ring,
+    parse_scheme, read_scheme,
+};
+
+const TRIANGLE: &str = "\
+name = 'corner'
+parameters.w = { default = '1/2' }
+orbits = { tip = '1', corner = 'n' }
+edges = [
+    ['tip', 'corner[i]'],
+    ['corner[i]', 'corner[i + 1]'],
+]
+
+[weights.corner]
+corner = '(1 - w)*kronecker(i, j) + w/n'
+
+[weights.tip]
+tip = '1 - w'
+corner = 'w/n'
+
+[let]
+n = '4'
+";
+
+#[test]
+fn a_file_is_a_ring_with_parameters() {
+    let source = SourceText::new("corner.toml", TRIANGLE);
+    let definition = read_scheme(&source).unwrap();
+    assert!(definition.is_ring());
+    let ring: Ring<Rational> = definition.ring(&[].into()).unwrap();
+    let names: Vec<String> = (0..5).map(|point| ring.name(point)).collect();
+    assert_eq!(names, ["tip", "corner[0]", "corner[1]", "corner[2]", "corner[3]"]);
+    assert_eq!(ring.weights()[0], [r(1, 2), r(1, 8), r(1, 8), r(1, 8), r(1, 8)]);
+    assert_eq!(ring.weights()[2], [r(0, 1), r(1, 8), r(5, 8), r(1, 8), r(1, 8)]);
+    let edges = [(0, 1), (0, 2), (0, 3), (0, 4), (1, 2), (2, 3), (3, 4), (4, 1)];
+    assert_eq!(ring.edges(), edges);
+    assert_eq!(ring.rotation(), Some(vec![0, 2, 3, 4, 1]));
+}
+
+#[test]
+fn rings_of_the_catalogue() {
+    for (name, parameter, valences) in
+        [("doo-sabin", "n", 2..=12), ("catmull-clark", "N", 2..=12), ("bajaj", "N", 2..=12)]
+    {
+        for valence in valences.chain([24]) {
+            let ring = ring(&format!("{name}:{parameter}={valence}"));
+            for row in ring.weights() {
+                assert_eq!(RealCyclotomic::total(row), RealCyclotomic::from(1), "{name} {valence}");
+                assert!(row.iter().all(|weight| weight.sign() >= 0), "{name} {valence}");
+            }
+            assert!(ring.rotation().is_some(), "{name} {valence}");
+        }
+    }
+}
+
+#[test]
+fn masks_and_rings_are_told_apart() {
+    assert!(matches!(parse_any_scheme("doo-sabin:n=3"), Ok(AnyScheme::Ring(_))));
+    assert!(matches!(parse_any_scheme("chaikin x chaikin"), Ok(AnyScheme::Uniform(_))));
+    let error = parse_ring("chaikin").unwrap_err().to_string();
+    assert!(error.contains("`chaikin` is no ring"), "{error}");
+    for scheme in ["doo-sabin:n=5", "chaikin x doo-sabin:n=5", "bajaj:N=5"] {
+        let error = parse_scheme(scheme).unwrap_err();
+        assert!(matches!(&error, SchemeError::Ring { .. }), "{error}");
+        assert!(
+            error.to_string().contains("`constants`") || error.to_string().contains("constants")
+        );
+    }
+    assert!(matches!(parse_ring("bajaj:N=5 x bajaj:N=5"), Err(SchemeError::NotRing { .. })));
+    let error = parse_ring("bajaj").unwrap_err().to_string();
+    assert_eq!(error, "`bajaj` needs its parameter `N`: write `bajaj:N=…`");
+    // Cosines need numbers that have them.
+    let rational = find("doo-sabin").unwrap().ring(&[("n".to_owned(), r(5, 1))].into());
+    assert!(rational.unwrap_err().to_string().contains("cos(2*pi/5) is not rational"));
+}
+
+/// The error of a text, wherever it shows.
+fn refusal(text: &str) -> Diagnostic {
+    let source = SourceText::new("my.toml", text);
+    match read_scheme(&source).map(|definition| definition.ring::<RealCyclotomic>(&[].into())) {
+        Err(diagnostic) => diagnostic,
+        Ok(Err(SchemeError::File(diagnostic))) => *diagnostic,
+        Ok(other) => panic!("{text}: {other:?}"),
+    }
+}
+
+#[test]
+#[expect(clippy::too_many_lines, reason = "one table")]
+fn errors_say_where_what_and_what_would_be_right() {
+    // What is replaced in the file, by what; the place, what is said, the remedy.
+    for (old, new, place, message, help) in [
+        (
+            "tip = '1 - w'",
+            "tip = '1'",
+            "'1'\ncorner = 'w/n'",
+            "new point tip sum to 3/2, not to 1: their excess is 1/2",
+            "",
+        ),
+        (
+            "w/n'\n\n[weights.tip]",
+            "j/n'\n\n[weights.tip]",
+            "'(1 - w)*kronecker(i, j) + j/n'",
+            "new point corner[0] sum to 2",
+            "",
+        ),
+        (
+            "[weights.tip]",
+            "[weights.top]",
+            "top",
+            "no orbit is called `top`",
+            "the orbits are tip, corner",
+        ),
+        ("\ncorner = 'w/n'", "\nside = 'w/n'", "side", "no orbit is called `side`", "tip, corner"),
+        (
+            "['tip', 'corner[i]']",
+            "['tip', 'side[i]']",
+            "'side[i]'",
+            "no orbit is called `side`",
+            "tip, corner",
+        ),
+        (
+            "['tip', 'corner[i]']",
+            "['tip', 'corner']",
+            "['tip', 'corner']",
+            "`corner` has 4 points, and this does not say which",
+            "write corner[i]",
+        ),
+        (
+            "['tip', 'corner[i]']",
+            "['tip']",
+            "['tip']",
+            "an edge has two ends, and this has 1",
+            "edges = [[",
+        ),
+        ("['tip', 'corner[i]']", "['tip', '2*i']", "'2*i'", "an orbit and an index", "edges = [["),
+        (
+            "['tip', 'corner[i]']",
+            "['tip', 'corner[i/2]']",
+            "'corner[i/2]'",
+            "the index of a point is 1/2; it must be an integer",
+            "",
+        ),
+        (
+            "corner[i + 1]",
+            "corner[i + 4]",
+            "['corner[i]', 'corner[i + 4]']",
+            "joins the point corner[0] to itself",
+            "",
+        ),
+        (
+            "    ['tip', 'corner[i]'],\n",
+            "",
+            "['corner[i]', 'corner[i + 1]']",
+            "no edges lead from tip to corner[0]",
+            "",
+        ),
+        (
+            "corner = 'n'",
+            "corner = 'n/3'",
+            "'n/3'",
+            "the number of points of `corner` is 4/3; it must be an integer from 1 to 600",
+            "",
+        ),
+        ("corner = 'n'", "corner = '10^9'", "'10^9'", "from 1 to 600", ""),
+        (
+            "tip = '1', corner = 'n'",
+            "tip = '300', corner = '301'",
+            "'301'",
+            "a ring of 601 points; there must be from 2 to 600",
+            "",
+        ),
+        (
+            "orbits = { tip = '1', corner = 'n' }",
+            "orbits = {}",
+            "{}",
+            "at least one orbit",
+            "orbits = {",
+        ),
+        (
+            "orbits = { tip = '1', corner = 'n' }\n",
+            "",
+            "'corner'",
+            "a ring needs `orbits`, `weights` and `edges`",
+            "orbits = {",
+        ),
+        (
+            "[weights.tip]\ntip = '1 - w'\ncorner = 'w/n'\n",
+            "",
+            "corner",
+            "there are no weights of the new points `tip`",
+            "[weights.tip]",
+        ),
+        (
+            "parameters.w",
+            "offset = '0'\nparameters.w",
+            "'corner'",
+            "either a mask or a ring",
+            "`mask`, `arity`",
+        ),
+        (
+            "parameters.w",
+            "parameters.i = { default = '1' }\nparameters.w",
+            "i",
+            "`i` is an index",
+            "another name",
+        ),
+        ("n = '4'", "n = 'm'", "w/n", "unknown name", ""),
+        ("n = '4'", "n = '0'", "'n'", "the number of points of `corner` is 0", ""),
+        ("'1 - w'", "1", "1", "invalid type: integer", "write numbers in quotes"),
+        ("'1 - w'", "'1 - cos(2*pi/99991)'", "cos(2*pi/99991)", "n = 99991", ""),
+    ] {
+        let text = TRIANGLE.replacen(old, new, 1);
+        assert_ne!(text, TRIANGLE, "{old}");
+        let error = refusal(&text);
+        assert!(error.message.contains(message), "{error}");
+        if place != "w/n" {
+            assert_eq!(text.get(error.span.clone()), Some(place), "{error}");
+        }
+        assert!(error.help.clone().unwrap_or_default().contains(help), "{error}");
+    }
+}
+
+#[test]
+fn what_is_no_ring() {
+    let orbits = |count| vec![Orbit { name: "p".to_owned(), count }];
+    let identity = |count: usize| -> Vec<Vec<Rational>> {
+        (0..count)
+            .map(|a| (0..count).map(|b| Rational::from(i64::from(a == b))).collect())
+            .collect()
+    };
+    let ring =
+        |count, rows, edges: &[(usize, usize)]| Ring::new(orbits(count), rows, edges.to_vec());
+    assert_eq!(ring(1, identity(1), &[]).unwrap_err(), RingError::Points(1));
+    assert_eq!(ring(601, Vec::new(), &[]).unwrap_err(), RingError::Points(601));
+    assert_eq!(ring(3, identity(2), &[]).unwrap_err(), RingError::Shape { points: 3 });
+    let no_point = RingError::NoPoint { point: 2, last: 1 };
+    assert_eq!(ring(2, identity(2), &[(0, 2)]).unwrap_err(), no_point);
+    assert_eq!(ring(2, identity(2), &[(1, 1)]).unwrap_err(), RingError::Loop("p[1]".to_owned()));
+    let (first, point) = ("p[0]".to_owned(), "p[2]".to_owned());
+    let apart = ring(3, identity(3), &[(0, 1)]).unwrap_err();
+    assert_eq!(apart, RingError::Disconnected { first, point });
+    let ring = ring(2, identity(2), &[(0, 1), (1, 0), (0, 1)]).unwrap();
+    assert_eq!(ring.edges(), [(0, 1)]);
+}
+
+// (Mx)_a = Σ_b m_{a,b} x_b, and wᵀ(Mx) = (wᵀM)x.
+#[test]
+fn refinement_as_defined() {
+    let dot = |left: &[RealCyclotomic], right: &[RealCyclotomic]| {
+        let terms: Vec<_> = left.iter().zip(right).map(|(a, b)| a * b).collect();
+        RealCyclotomic::total(&terms)
+    };
+    for scheme in ["doo-sabin:n=5", "catmull-clark:N=5", "bajaj:N=10"] {
+        let ring = ring(scheme);
+        let count = int(ring.point_count());
+        let numbers = |shift: i64| -> Vec<RealCyclotomic> {
+            (0..count).map(|j| RealCyclotomic::cosine(&r(j * j + shift, 5)).unwrap()).collect()
+        };
+        let (w, x) = (numbers(1), numbers(2));
+        let refined = ring.refine(&x);
+        let naive: Vec<RealCyclotomic> = ring.weights().iter().map(|row| dot(row, &x)).collect();
+        assert_eq!(refined, naive, "{scheme}");
+        assert_eq!(dot(&w, &refined), dot(&ring.pull_back(&w), &x), "{scheme}");
+    }
+    let sparse = ring("catmull-clark:N=5");
+    assert_eq!(sparse.product_count(), 11 + 5 * 6 + 5 * 4);
+}
+
+// Counts 2 and 6 turn by 1 and by 3; a weight that differs, or an edge, stops the turn.
+#[test]
+fn rotations() {
+    let orbits =
+        vec![Orbit { name: "a".to_owned(), count: 2 }, Orbit { name: "b".to_owned(), count: 6 }];
+    let mean = vec![vec![r(1, 8); 8]; 8];
+    let mut edges: Vec<(usize, usize)> = (0..6).map(|i| (2 + i, 2 + (i + 1) % 6)).collect();
+    edges.extend([(0, 2), (1, 5)]);
+    let ring = Ring::new(orbits.clone(), mean.clone(), edges.clone()).unwrap();
+    assert_eq!(ring.rotation(), Some(vec![1, 0, 5, 6, 7, 2, 3, 4]));
+    let chosen = ring.representatives();
+    assert_eq!(chosen.points, [0, 2, 3, 4]);
+    assert_eq!(chosen.edges, [(2, 3), (3, 4), (4, 5), (0, 2)]);
+    let mut uneven = mean.clone();
+    uneven[0] = (0..8).map(|b| Rational::from(i64::from(b == 0))).collect();
+    assert_eq!(Ring::new(orbits.clone(), uneven, edges.clone()).unwrap().rotation(), None);
+    edges.pop();
+    edges.push((1, 4));
+    assert_eq!(Ring::new(orbits, mean, edges).unwrap().rotation(), None);
+}
