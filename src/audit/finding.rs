@@ -14,9 +14,9 @@ pub enum Verdict {
     Rounding(Direction),
     /// One local slip away from the exact value.
     Misprint(Slip),
-    /// Not the printed definition, but what another reading of it gives: how that
-    /// differs.
-    OtherReading(String),
+    /// Not the printed definition, but what another reading of it gives, which
+    /// [`CellFinding::as_read`] names.
+    OtherReading,
     /// None of these.
     Refuted,
     /// Something that it needs is absent.
@@ -35,7 +35,7 @@ impl Verdict {
             Verdict::Confirmed => "confirmed",
             Verdict::Rounding(_) => "rounding",
             Verdict::Misprint(_) => "misprint",
-            Verdict::OtherReading(_) => "other-reading",
+            Verdict::OtherReading => "other-reading",
             Verdict::Refuted => "refuted",
             Verdict::NotCheckable(_) => "not-checkable",
         }
@@ -158,6 +158,15 @@ pub enum Sound {
     None(String),
 }
 
+/// A cell as another reading than the printed one has it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AsRead {
+    /// How the reading differs from the printed text.
+    pub differs: String,
+    /// The value that it gives.
+    pub value: RealCyclotomic,
+}
+
 /// What the audit says of a table cell.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CellFinding {
@@ -173,8 +182,8 @@ pub struct CellFinding {
     pub verdict: Verdict,
     /// The value of the printed definition, if it has one.
     pub exact: Option<RealCyclotomic>,
-    /// The value by the reading that the verdict speaks of.
-    pub as_read: Option<RealCyclotomic>,
+    /// The reading that explains the cell, or that it is a slip away from.
+    pub as_read: Option<AsRead>,
     /// Why it has none.
     pub undefined: Option<String>,
     /// The values at which `exact` and `sound` were computed though the paper

@@ -23,7 +23,7 @@ mod theorem;
 pub use claims::ClaimVerdict;
 pub use coverage::{Coverage, CoverageState};
 pub use equation::{EquationFinding, EquationVerdict, Failure};
-pub use finding::{Assumed, CellFinding, Direction, Missing, Slip, Sound, Verdict};
+pub use finding::{AsRead, Assumed, CellFinding, Direction, Missing, Slip, Sound, Verdict};
 pub use function::{Example, FunctionFinding, FunctionVerdict};
 pub use quantity::QUANTITIES;
 pub use range::{EndFinding, EndRelation, RangeFinding, RangeVerdict};

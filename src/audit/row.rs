@@ -74,7 +74,8 @@ impl RowDefinitions {
         let at = At { column: 0, ..at };
         let mut known = Known::new();
         for name in &self.names {
-            if let Ok(Outcome::Value(value)) = judge.evaluate_knowing(&definitions[name], at, &known)
+            if let Ok(Outcome::Value(value)) =
+                judge.evaluate_knowing(&definitions[name], at, &known)
             {
                 known.insert(name.clone(), value);
             }

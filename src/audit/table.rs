@@ -1,11 +1,11 @@
 //! Judging a table.
 
 use super::compare;
-use super::finding::{Assumed, CellFinding, Direction, Missing, Verdict};
+use super::finding::{AsRead, Assumed, CellFinding, Direction, Missing, Verdict};
 use super::library::{Library, Unresolved, values};
 use super::quantity::Quantities;
+use super::reading::{self, DEPTH_ROUNDING, Explanation, HEADER, Search, Settings};
 use super::row::{Known, RowDefinitions};
-use super::reading::{self, HEADER, DEPTH_ROUNDING, Explanation, Search, Settings};
 use crate::claim::{Axis, AxisEntry, Cell, LocatedReference, Paper, Printed, Promise, Table};
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Rational, RealCyclotomic, parse_decimal};
@@ -139,7 +139,8 @@ impl<'a> Judge<'a> {
     fn header(&self, axis: &Axis, entry: &AxisEntry, settings: &Settings) -> Rational {
         let value = entry.value.clone();
         let Some(word) = settings.word(&HEADER) else { return value };
-        let Some(decimal) = self.tolerance(axis).then(|| parse_decimal(&entry.printed).ok()).flatten()
+        let Some(decimal) =
+            self.tolerance(axis).then(|| parse_decimal(&entry.printed).ok()).flatten()
         else {
             return value;
         };
@@ -314,8 +315,7 @@ impl<'a> Judge<'a> {
         {
             return Ok(verdict);
         }
-        let otherwise =
-            [("down", Direction::DepthDown), ("nearest", Direction::DepthNearest)];
+        let otherwise = [("down", Direction::DepthDown), ("nearest", Direction::DepthNearest)];
         for (rounded, direction) in otherwise {
             let settings = Settings::new(vec![(DEPTH_ROUNDING.name, rounded)]);
             let at = At { settings: &settings, ..at };
@@ -330,30 +330,26 @@ impl<'a> Judge<'a> {
     /// What a reading makes of the cells that are not as printed: explained, or a
     /// slip away from its value.
     fn read_as(&self, reading: &Explanation, cells: &mut [Vec<CellFinding>]) {
-        let text: Vec<String> =
-            reading.differences.iter().map(|difference| difference.says.clone()).collect();
-        let text = text.join("; ");
+        let differs = reading.differs();
         for (row, findings) in cells.iter_mut().enumerate() {
             for (column, finding) in findings.iter_mut().enumerate() {
                 let Cell::Printed(printed) = &self.table.cells[row][column] else { continue };
-                let Some(value) = &reading.values[row][column] else { continue };
-                let verdict = match &mut finding.verdict_if_assumed {
-                    Some(verdict) => verdict,
-                    None => &mut finding.verdict,
-                };
-                if !matches!(verdict, Verdict::Refuted | Verdict::Rounding(_) | Verdict::Misprint(_))
-                {
-                    continue;
-                }
-                if reading.explained[row][column] {
-                    *verdict = Verdict::OtherReading(text.clone());
-                    finding.as_read = Some(value.clone());
-                } else if *verdict == Verdict::Refuted && !self.is_depth() {
-                    let slip = compare::judge(&printed.decimal, value, &[]);
-                    if matches!(slip, Verdict::Misprint(_)) {
-                        *verdict = slip;
-                        finding.as_read = Some(value.clone());
+                let Some(value) = reading.values[row][column].clone() else { continue };
+                let verdict = finding.verdict_if_assumed.as_mut().unwrap_or(&mut finding.verdict);
+                let read = match verdict {
+                    Verdict::Refuted | Verdict::Rounding(_) | Verdict::Misprint(_)
+                        if reading.explained[row][column] =>
+                    {
+                        Verdict::OtherReading
                     }
+                    Verdict::Refuted if !self.is_depth() => {
+                        compare::judge(&printed.decimal, &value, &[])
+                    }
+                    _ => continue,
+                };
+                if matches!(read, Verdict::OtherReading | Verdict::Misprint(_)) {
+                    *verdict = read;
+                    finding.as_read = Some(AsRead { differs: differs.clone(), value });
                 }
             }
         }

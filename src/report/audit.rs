@@ -1,13 +1,12 @@
 //! The report of an audit: what is wrong first.
 
+use super::equation::equations;
 use super::function;
 use super::mark;
+use super::reading;
 use super::sheet::{Grid, Sheet};
 use super::theorem;
-use crate::audit::{Explanation, Search, 
-    CellFinding, Direction, EquationFinding, EquationVerdict, PaperAudit, Sound, TableFinding,
-    Verdict,
-};
+use crate::audit::{CellFinding, Direction, PaperAudit, Sound, TableFinding, Verdict};
 use crate::claim::Promise;
 use crate::exact::{Rational, format::short};
 
@@ -203,7 +202,7 @@ pub(super) fn remarks(finding: &TableFinding<'_>) -> Vec<String> {
         Verdict::Rounding(direction) => Some(format!("{} ({direction})", cell.printed.as_deref()?)),
         _ => None,
     }));
-    lines.extend(finding.search.as_ref().map(reading));
+    lines.extend(finding.search.as_ref().map(reading::remark));
     let axes = finding.table.rows.iter().chain([&finding.table.columns]);
     lines.extend(axes.flat_map(|axis| &axis.entries).filter_map(|entry| {
         let (printed, value, note) = (&entry.printed, short(&entry.value, 12), &entry.note);
@@ -272,13 +271,13 @@ fn promise(finding: &TableFinding<'_>) -> Option<String> {
     let count = |kept: &dyn Fn(&CellFinding) -> Option<bool>| {
         let known: Vec<bool> = cells(finding).filter_map(kept).collect();
         let kept = known.iter().filter(|kept| **kept).count();
-        format!("{kept} of {}", known.len())
+        (!known.is_empty()).then(|| format!("{kept} of {}", known.len()))
     };
-    Some(format!(
-        "Promise: {} printed {what} keep it by the printed formula, {} by the sound bound.",
-        count(&|cell| cell.kept_by_formula),
-        count(&|cell| cell.kept_by_sound)
-    ))
+    let by_formula = count(&|cell| cell.kept_by_formula)?;
+    let by_sound = count(&|cell| cell.kept_by_sound);
+    let by_sound = by_sound.map(|count| format!(", {count} by the sound bound"));
+    let by_sound = by_sound.unwrap_or_default();
+    Some(format!("Promise: {by_formula} printed {what} keep it by the printed formula{by_sound}."))
 }
 
 fn unclear_grid(tables: &[&TableFinding<'_>]) -> Grid {
@@ -313,73 +312,4 @@ fn unclear_grid(tables: &[&TableFinding<'_>]) -> Grid {
     });
     let header = ["table", "cells", "missing", "shown at", "printed against exact", "soundly kept"];
     Grid { header: header.map(str::to_owned).to_vec(), rows: rows.collect(), left_columns: 5 }
-}
-
-fn equations(sheet: &mut Sheet, findings: &[EquationFinding<'_>], all: bool) {
-    let shown = |finding: &&EquationFinding<'_>| {
-        all || !matches!(finding.verdict, EquationVerdict::Holds { .. })
-    };
-    let shown: Vec<&EquationFinding<'_>> = findings.iter().filter(shown).collect();
-    if shown.is_empty() {
-        return;
-    }
-    sheet.heading(2, "Equations");
-    let fact = |finding: &EquationFinding<'_>| {
-        let mark = mark(finding.verdict.name());
-        let lines = [finding.equation.title.clone(), outcome(finding)].join("\n");
-        (format!("{mark} {}", finding.equation.locus), lines)
-    };
-    sheet.facts(shown.into_iter().map(fact).collect());
-}
-
-/// How many cases a failing equation shows.
-const MAX_FAILURES: usize = 2;
-
-/// What was found of an equation, in one line or several.
-#[must_use]
-pub(super) fn outcome(finding: &EquationFinding<'_>) -> String {
-    match &finding.verdict {
-        EquationVerdict::Holds { cases: 1 } => "holds".to_owned(),
-        EquationVerdict::Holds { cases } => format!("holds in all {cases} cases"),
-        EquationVerdict::NotCheckable(absent) => format!("not checkable without {absent}"),
-        EquationVerdict::Fails { cases, failures, mends } => {
-            let mut lines = vec![match cases {
-                1 => "fails".to_owned(),
-                _ => format!("fails in {} of {cases} cases", failures.len()),
-            }];
-            for failure in failures.iter().take(MAX_FAILURES) {
-                let at =
-                    if failure.at.is_empty() { String::new() } else { format!("{}: ", failure.at) };
-                lines.push(format!("{at}left − right = {}", failure.difference()));
-            }
-            lines.extend(mends.iter().map(|mend| format!("It holds with one side as {mend}")));
-            lines.extend(finding.equation.note.clone());
-            lines.join("\n")
-        }
-    }
-}
-
-/// What a search for readings has found, in a sentence.
-fn reading(search: &Search) -> String {
-    let Search { tried, cells, as_printed, .. } = search;
-    let Some(first) = search.best.first() else {
-        return format!("None of {tried} readings explains more than the {as_printed} of {cells} cells that are as printed.");
-    };
-    let text = |explanation: &Explanation| {
-        let differences = explanation.differences.iter().map(|difference| difference.says.clone());
-        let solved = explanation.solved.iter().map(|solved| {
-            let (low, high) = (short(&solved.between.0, 6), short(&solved.between.1, 6));
-            format!("{} = {}, between {low} and {high}", solved.name, solved.simplest)
-        });
-        differences.chain(solved).collect::<Vec<String>>().join("; ")
-    };
-    let more = search.best[1..].iter().map(|other| format!(" Or: {}.", text(other)));
-    let count = first.count();
-    let chance = short(&search.chance, 1);
-    format!(
-        "{} Read otherwise, {count} of {cells} cells are explained, {as_printed} as printed: {}.{} {tried} readings tried, chance {chance}.",
-        mark("other-reading"),
-        text(first),
-        more.collect::<String>()
-    )
 }

@@ -1,8 +1,10 @@
 //! One claim in full.
 
-use super::audit::{assumed, outcome, remarks, table_values};
+use super::audit::{assumed, remarks, table_values};
+use super::equation::outcome;
 use super::function;
 use super::mark;
+use super::reading;
 use super::sheet::Sheet;
 use super::theorem;
 use crate::audit::{
@@ -50,6 +52,9 @@ pub fn explain_sheet(audits: &[PaperAudit<'_>], id: &str) -> Option<Sheet> {
         sheet.grid(table_values(finding));
         for line in remarks(finding).into_iter().chain(finding.table.note.clone()) {
             sheet.text(line);
+        }
+        if let Some(search) = &finding.search {
+            sheet.facts(reading::facts(search));
         }
         return Some(sheet);
     }
@@ -113,6 +118,10 @@ fn facts(cell: &CellFinding) -> Vec<(String, String)> {
     }
     if let Some(why) = &cell.undefined {
         fact("exact", format!("none: {why}"));
+    }
+    if let Some(read) = &cell.as_read {
+        fact("read otherwise", read.differs.clone());
+        fact("exact, as read", format!("{} = {}", read.value, short(&read.value, 17)));
     }
     if !cell.assumed.is_empty() {
         fact("computed at", format!("{}, which the paper does not state", assumed(cell)));

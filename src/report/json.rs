@@ -59,7 +59,11 @@ fn cell(cell: &CellFinding) -> Value {
         "exact": cell.exact.as_ref().map(ToString::to_string),
         "decimal": cell.exact.as_ref().map(|exact| short(exact, DECIMAL_DIGITS)),
         "verdict": cell.verdict.name(),
-        "reading": null,
+        "reading": cell.as_read.as_ref().map(|read| json!({
+            "differs": read.differs,
+            "exact": read.value.to_string(),
+            "decimal": short(&read.value, DECIMAL_DIGITS),
+        })),
         "sound": cell.sound.as_ref().map(|sound| sound_json(sound, cell)),
         "note": if notes.is_empty() { None } else { Some(notes.join("; ")) },
         "assumed": if assumed.is_empty() { Value::Null } else { Value::Object(assumed) },

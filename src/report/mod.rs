@@ -2,9 +2,11 @@
 
 mod audit;
 mod coverage;
+mod equation;
 mod explain;
 mod function;
 mod json;
+mod reading;
 mod sheet;
 mod text;
 mod theorem;

@@ -18,8 +18,8 @@ mod space;
 
 pub use choice::{Choice, Effect, Way};
 pub use choices::FAMILY;
-pub use scale::Solved;
-pub use search::{Difference, Explanation, MAX_DIFFERENCES, Search};
 pub(super) use choices::{DEPTH_ROUNDING, HEADER};
+pub use scale::Solved;
 pub(super) use search::search;
+pub use search::{Difference, Explanation, MAX_DIFFERENCES, Search};
 pub(super) use settings::{Restricted, Settings};

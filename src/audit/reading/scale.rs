@@ -66,9 +66,23 @@ pub(super) fn is_simple(scale: &Rational) -> bool {
     scale.numerator() <= most && scale.denominator() <= most
 }
 
-/// The fraction of least denominator, and of these the least numerator, strictly
-/// between two positive numbers.
-pub(super) fn simplest_between(low: &Rational, high: &Rational) -> Rational {
+/// The fraction of least denominator, and of these the least numerator, in an
+/// interval that holds those of its ends that the rounding lets it.
+pub(super) fn simplest(low: &Rational, high: &Rational, rounding: DecimalRounding) -> Rational {
+    let (with_low, with_high) = match rounding {
+        DecimalRounding::Nearest => (true, true),
+        DecimalRounding::Cut => (true, false),
+        DecimalRounding::Away => (false, true),
+    };
+    let ends = [(with_low, low), (with_high, high)].into_iter();
+    let ends = ends.filter(|(with, _)| *with).map(|(_, end)| end.clone());
+    let size = |value: &Rational| (value.denominator(), value.numerator());
+    let inside = simplest_between(low, high);
+    ends.fold(inside, |best, end| if size(&end) < size(&best) { end } else { best })
+}
+
+/// The same strictly between two positive numbers.
+fn simplest_between(low: &Rational, high: &Rational) -> Rational {
     let whole = low.floor();
     let next = Rational::from(&whole + Integer::one());
     if next < *high {

@@ -41,6 +41,17 @@ impl Explanation {
         self.explained.iter().flatten().filter(|explained| **explained).count()
     }
 
+    /// How it differs from the printed text, in words.
+    #[must_use]
+    pub fn differs(&self) -> String {
+        let differences = self.differences.iter().map(|difference| difference.says.clone());
+        let solved = self.solved.iter().filter(|solved| {
+            self.differences.iter().all(|difference| difference.choice != solved.name)
+        });
+        let solved = solved.map(|solved| format!("{} = {}", solved.name, solved.simplest));
+        differences.chain(solved).collect::<Vec<String>>().join("; ")
+    }
+
     /// The better, the more cells it explains, and of those the fewer differences.
     fn rank(&self) -> (usize, Reverse<usize>) {
         (self.count(), Reverse(self.differences.len()))
@@ -105,14 +116,7 @@ pub(in crate::audit) fn search(judge: &Judge<'_>, findings: &[Vec<CellFinding>])
         best.clear();
     }
     let choices = space.names();
-    Some(Search {
-        tried,
-        choices,
-        cells: cells.len(),
-        as_printed,
-        best,
-        chance,
-    })
+    Some(Search { tried, choices, cells: cells.len(), as_printed, best, chance })
 }
 
 fn printed<'a>(judge: &Judge<'a>) -> PrintedCells<'a> {

@@ -60,10 +60,17 @@ impl Settings {
     }
 
     /// What of this is other than printed in some choices, and in definitions.
-    pub(in crate::audit) fn restricted(&self, choices: &BTreeMap<&'static str, String>) -> Restricted {
+    pub(in crate::audit) fn restricted(
+        &self,
+        choices: &BTreeMap<&'static str, String>,
+    ) -> Restricted {
         let words = self.words.iter().filter(|(name, _)| choices.contains_key(name));
         let replaced = self.replaced.clone();
-        Restricted { words: words.copied().collect(), replaced, parameters: self.parameters.clone() }
+        Restricted {
+            words: words.copied().collect(),
+            replaced,
+            parameters: self.parameters.clone(),
+        }
     }
 
     /// Replaces a definition by the alternative of this place in the claim file.

@@ -3,7 +3,7 @@
 use super::choice::{Choice, Effect};
 use super::choices::{DECIMAL_ROUNDING, FAMILY};
 use super::consistent::DecimalRounding;
-use super::scale::{Solved, is_simple, simplest_between, solve};
+use super::scale::{Solved, is_simple, simplest, solve};
 use super::search::{Difference, Explanation, MAX_DIFFERENCES};
 use super::settings::Settings;
 use crate::audit::finding::CellFinding;
@@ -74,10 +74,9 @@ impl<'s> Space<'s> {
                         .map(|way| Change::Word(choice, way.word, way.says))
                         .collect(),
                 },
-                Effect::Header if judge.has_tolerance_headers() => ways
-                    .skip(1)
-                    .map(|way| Change::Word(choice, way.word, way.says))
-                    .collect(),
+                Effect::Header if judge.has_tolerance_headers() => {
+                    ways.skip(1).map(|way| Change::Word(choice, way.word, way.says)).collect()
+                }
                 // The roundings of decimals are compared on the same values.
                 Effect::Header | Effect::Decimal => continue,
             };
@@ -198,11 +197,8 @@ impl<'s> Space<'s> {
             return None;
         }
         let candidates = from.iter().filter(|(name, _)| stated || self.assume.contains(*name));
-        let mut scales = candidates.map(|(name, base)| Scale {
-            name: name.clone(),
-            base: base.clone(),
-            stated,
-        });
+        let mut scales =
+            candidates.map(|(name, base)| Scale { name: name.clone(), base: base.clone(), stated });
         scales.find(|scale| self.is_scale(scale))
     }
 
@@ -276,7 +272,10 @@ impl<'s> Space<'s> {
             }
             otherwise = scale.stated.then(|| Difference {
                 choice: scale.name.clone(),
-                says: format!("{} = {}, where {} is stated", scale.name, solved.simplest, scale.base),
+                says: format!(
+                    "{} = {}, where {} is stated",
+                    scale.name, solved.simplest, scale.base
+                ),
             });
         }
         let explained = self.printed.iter().zip(&values).map(|(printed, values)| {
@@ -304,12 +303,7 @@ impl<'s> Space<'s> {
         Difference { choice: choice.to_owned(), says: says.to_owned() }
     }
 
-    fn solve(
-        &self,
-        scale: &Scale,
-        values: &Values,
-        rounding: DecimalRounding,
-    ) -> Option<Solved> {
+    fn solve(&self, scale: &Scale, values: &Values, rounding: DecimalRounding) -> Option<Solved> {
         let cells = self.printed.iter().flatten().zip(values.iter().flatten());
         let cells: Vec<(&Printed, &RealCyclotomic)> =
             cells.filter_map(|(printed, value)| Some(((*printed)?, value.as_ref()?))).collect();
@@ -318,7 +312,7 @@ impl<'s> Space<'s> {
             return None;
         }
         let between = (low * &scale.base, high * &scale.base);
-        let simplest = simplest_between(&between.0, &between.1);
+        let simplest = simplest(&between.0, &between.1, rounding);
         let chosen = is_simple(&simplest);
         chosen.then(|| Solved { name: scale.name.clone(), between, simplest })
     }

@@ -169,7 +169,8 @@ impl Reader<'_> {
     ) -> Result<Alternative, Diagnostic> {
         let name = table.of.get_ref();
         if !define.keys().any(|known| known.get_ref() == name) {
-            let message = format!("there is no definition `{name}` that this could be an alternative of");
+            let message =
+                format!("there is no definition `{name}` that this could be an alternative of");
             return Err(self.error(table.of.span(), message));
         }
         let value = formula(self.source, &table.value)?;

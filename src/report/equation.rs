@@ -1,0 +1,50 @@
+//! The report of equations.
+
+use super::mark;
+use super::sheet::Sheet;
+use crate::audit::{EquationFinding, EquationVerdict};
+
+/// The equations that fail or cannot be checked; with `all`, every one.
+pub(super) fn equations(sheet: &mut Sheet, findings: &[EquationFinding<'_>], all: bool) {
+    let shown = |finding: &&EquationFinding<'_>| {
+        all || !matches!(finding.verdict, EquationVerdict::Holds { .. })
+    };
+    let shown: Vec<&EquationFinding<'_>> = findings.iter().filter(shown).collect();
+    if shown.is_empty() {
+        return;
+    }
+    sheet.heading(2, "Equations");
+    let fact = |finding: &EquationFinding<'_>| {
+        let mark = mark(finding.verdict.name());
+        let lines = [finding.equation.title.clone(), outcome(finding)].join("\n");
+        (format!("{mark} {}", finding.equation.locus), lines)
+    };
+    sheet.facts(shown.into_iter().map(fact).collect());
+}
+
+/// How many cases a failing equation shows.
+const MAX_FAILURES: usize = 2;
+
+/// What was found of an equation, in one line or several.
+#[must_use]
+pub(super) fn outcome(finding: &EquationFinding<'_>) -> String {
+    match &finding.verdict {
+        EquationVerdict::Holds { cases: 1 } => "holds".to_owned(),
+        EquationVerdict::Holds { cases } => format!("holds in all {cases} cases"),
+        EquationVerdict::NotCheckable(absent) => format!("not checkable without {absent}"),
+        EquationVerdict::Fails { cases, failures, mends } => {
+            let mut lines = vec![match cases {
+                1 => "fails".to_owned(),
+                _ => format!("fails in {} of {cases} cases", failures.len()),
+            }];
+            for failure in failures.iter().take(MAX_FAILURES) {
+                let at =
+                    if failure.at.is_empty() { String::new() } else { format!("{}: ", failure.at) };
+                lines.push(format!("{at}left − right = {}", failure.difference()));
+            }
+            lines.extend(mends.iter().map(|mend| format!("It holds with one side as {mend}")));
+            lines.extend(finding.equation.note.clone());
+            lines.join("\n")
+        }
+    }
+}

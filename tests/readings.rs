@@ -1,0 +1,197 @@
+//! The search for readings: on tables that were computed under a known one.
+
+#![allow(missing_docs)]
+
+mod common;
+
+use common::r;
+use proptest::prelude::*;
+use subcert::audit::{FAMILY, PaperAudit, Search, Slip, Verdict, audit};
+use subcert::bound::{Constants, Suprema};
+use subcert::bound::{Operator, Order, Terms, displacement};
+use subcert::claim::{Paper, embedded_papers, read_paper};
+use subcert::diagnostic::SourceText;
+use subcert::exact::{Integer, Rational};
+use subcert::scheme::Mask;
+
+/// A paper with a scheme `s` of this mask and one table with a row of cells.
+fn paper(mask: &Mask, value: &str, rest: &str, columns: &str, cells: &[String]) -> Paper {
+    let quoted = |values: Vec<String>| {
+        values.iter().map(|value| format!("'{value}'")).collect::<Vec<_>>().join(", ")
+    };
+    let rows = mask.rules().rows().iter();
+    let rows = rows.map(|row| quoted(row.iter().map(ToString::to_string).collect()));
+    let rows: Vec<String> = rows.map(|row| format!("[{row}]")).collect();
+    let text = format!(
+        "key = 'k'\n[paper]\nauthors = ['A']\ntitle = 't'\nvenue = 'v'\nyear = '1'\n\
+         [[scheme]]\nname = 's'\nmask = [{}]\n\
+         [[table]]\nid = 't'\nlocus = 'T'\nscheme = 's'\nvalue = '{value}'\n{rest}\n\
+         columns = {{ name = 'c', values = [{columns}] }}\ncells = [[{}]]\n",
+        rows.join(", "),
+        quoted(cells.to_vec()),
+    );
+    read_paper(&SourceText::new("k.toml", text)).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn judged(paper: &Paper) -> PaperAudit<'_> {
+    audit(paper).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// `value` cut to this many decimals.
+fn cut(value: &Rational, places: u32) -> String {
+    let scaled = (value * Rational::from(Integer::power_of_ten(places))).floor();
+    let digits = format!("{:0>width$}", scaled.to_string(), width = places as usize + 1);
+    let (whole, fraction) = digits.split_at(digits.len() - places as usize);
+    format!("{whole}.{fraction}")
+}
+
+fn says(search: &Search) -> Vec<Vec<String>> {
+    let says = |differences: &[subcert::audit::Difference]| {
+        differences.iter().map(|difference| difference.says.clone()).collect()
+    };
+    search.best.iter().map(|explanation| says(&explanation.differences)).collect()
+}
+
+/// Masks of two rules and three or four columns.
+fn mask() -> impl Strategy<Value = Mask> {
+    let row = |width: usize| prop::collection::vec(-9_i64..10, width - 1);
+    (3_usize..5).prop_flat_map(move |width| (row(width), row(width))).prop_map(|rows| {
+        let affine = |row: Vec<i64>| {
+            let mut row: Vec<Rational> = row.into_iter().map(|p| r(p, 16)).collect();
+            let rest = row.iter().fold(Rational::one(), |rest, a| rest - a);
+            row.push(rest);
+            row
+        };
+        Mask::new(vec![affine(rows.0), affine(rows.1)], 0).unwrap()
+    })
+}
+
+const PLACES: u32 = 6;
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(30))]
+
+    /// The other order, Σ|ã|, decimals cut and a hidden scale are all recovered.
+    #[test]
+    fn a_hidden_reading_is_found(mask in mask(), p in 1_i64..10, q in 1_i64..10) {
+        let constants = Constants::new(mask.clone());
+        let t = |c, order| constants.norm(Operator::Difference, c, order).unwrap();
+        let (sound, printed) = (
+            displacement(&mask, Terms::Each),
+            displacement(&mask, Terms::Total),
+        );
+        let scale = r(p, q);
+        let value = |c| &sound * t(c, Order::Adjoint) * &scale;
+        let cells: Vec<String> = (1..=5).map(|c| cut(&value(c), PLACES)).collect();
+        let paper = paper(
+            &mask,
+            "displacement(terms = total, offset = 0)*contraction(c, order = forward)*beta",
+            "unstated = { beta = '1' }",
+            "'1', '2', '3', '4', '5'",
+            &cells,
+        );
+        let audit = judged(&paper);
+        let table = &audit.tables[0];
+        // With a scale that is solved for, another factor in front is none.
+        let same_order = (1..=5).all(|c| t(c, Order::Adjoint) == t(c, Order::Forward));
+        prop_assume!(!sound.is_zero() && !printed.is_zero() && !same_order);
+        let search = table.search.as_ref().expect("a search");
+        prop_assume!(cells.iter().all(|cell| cell.trim_matches(['0', '.']).len() > 4));
+        let best = search.best.first().expect("a reading");
+        prop_assert_eq!(best.count(), 5, "{:?}", says(search));
+        prop_assert!(says(search).iter().any(|differences| {
+            differences.iter().any(|says| says == "masks read backwards")
+        }), "{:?}", says(search));
+        for solved in search.best.iter().flat_map(|best| &best.solved) {
+            let (low, high) = &solved.between;
+            prop_assert!(*low <= solved.simplest && solved.simplest <= *high);
+        }
+        for cell in table.cells.iter().flatten() {
+            let verdict = cell.verdict_if_assumed.as_ref().unwrap();
+            prop_assert!(matches!(verdict, Verdict::OtherReading | Verdict::Confirmed));
+        }
+    }
+
+    /// One digit altered: the reading is found, and the digit is the slip.
+    #[test]
+    fn a_slip_under_a_hidden_reading_is_found(mask in mask(), at in 0_usize..6, up in 1_u8..5) {
+        let constants = Constants::new(mask.clone());
+        let value = |c| constants.tensor(c, Order::Adjoint, Suprema::Joint).unwrap();
+        let claimed = |c| constants.tensor(c, Order::Adjoint, Suprema::Independent).unwrap();
+        let different = (1..=6).filter(|&c| value(c) != claimed(c)).count();
+        prop_assume!(different >= 3 && (1..=6).all(|c| value(c) > r(1, 10)));
+        let mut cells: Vec<String> = (1..=6).map(|c| cut(&value(c), PLACES)).collect();
+        // The third digit after the point.
+        let point = cells[at].find('.').unwrap();
+        let digit = cells[at].as_bytes()[point + 3] - b'0';
+        let other = (digit + up) % 10;
+        let level = u32::try_from(at + 1).unwrap();
+        prop_assume!(!cells[at].ends_with('0'));
+        prop_assume!(value(level) != claimed(level));
+        cells[at].replace_range(point + 3..point + 4, &other.to_string());
+        let paper = paper(&mask, "tensor(c)", "", "'1', '2', '3', '4', '5', '6'", &cells);
+        let audit = judged(&paper);
+        let search = audit.tables[0].search.as_ref().expect("a search");
+        prop_assert!(says(search).iter().any(|differences| differences
+            .contains(&"one supremum over a common index".to_owned())), "{:?}", says(search));
+        prop_assert_eq!(search.best[0].count(), 5);
+        let verdict = &audit.tables[0].cells[0][at].verdict;
+        prop_assert!(matches!(verdict, Verdict::Misprint(Slip::Digit { .. })), "{:?}", verdict);
+    }
+
+    /// Random digits are explained by nothing.
+    #[test]
+    fn random_digits_are_not_explained(
+        mask in mask(), digits in prop::collection::vec(100_i64..1000, 5),
+    ) {
+        let cells: Vec<String> = digits.iter().map(|digits| format!("0.{digits}")).collect();
+        let value = "displacement(terms = total, offset = 0)*tensor(c, order = forward)*beta";
+        let columns = "'1', '2', '3', '4', '5'";
+        let paper = paper(&mask, value, "unstated = { beta = '1/10' }", columns, &cells);
+        let search = judged(&paper).tables[0].search.clone().expect("a search");
+        prop_assert!(search.tried > 20 && search.best.is_empty(), "{:?}", says(&search));
+    }
+}
+
+/// The tables of the founding papers that a reading explains whole.
+#[test]
+fn tables_of_the_papers() {
+    let papers = embedded_papers().expect("the embedded papers");
+    let explained = |id: &str| {
+        let (key, table) = id.split_once(':').unwrap();
+        let paper = papers.iter().find(|paper| paper.key == key).unwrap();
+        let audit = judged(paper);
+        let finding = audit.tables.iter().find(|finding| finding.table.id == table).unwrap();
+        let search = finding.search.clone().expect("a search");
+        (search.best[0].count(), search.cells, says(&search).remove(0))
+    };
+    let whole = |count: usize, differences: &[&str]| {
+        (count, count, differences.iter().map(|&says| says.to_owned()).collect::<Vec<String>>())
+    };
+    let nearest = "depths rounded to the nearest";
+    assert_eq!(
+        explained("khan2019-newton:table-1"),
+        whole(18, &["Σ|b| in the contraction constant", "decimals cut"])
+    );
+    assert_eq!(explained("mustafa2020-nary:table-6"), whole(28, &[nearest]));
+    assert_eq!(explained("mustafa2020-nary:table-15"), whole(4, &["masks read forwards"]));
+    assert_eq!(
+        explained("mustafa2020-nary:table-16"),
+        whole(28, &["masks read forwards", nearest])
+    );
+}
+
+/// Names, words and sentences of the family tell its choices apart.
+#[test]
+fn the_family_is_told_apart() {
+    let mut names: Vec<&str> = FAMILY.iter().map(|choice| choice.name).collect();
+    let mut says: Vec<&str> =
+        FAMILY.iter().flat_map(|choice| choice.ways.iter().map(|way| way.says)).collect();
+    for list in [&mut names, &mut says] {
+        let count = list.len();
+        list.sort_unstable();
+        list.dedup();
+        assert_eq!(list.len(), count);
+    }
+    assert!(FAMILY.iter().all(|choice| choice.ways.len() > 1 && !choice.source.is_empty()));
+}
