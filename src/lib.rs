@@ -42,6 +42,7 @@
 //! | [`formula`] | the expression language of masks and claims |
 //! | [`scheme`] | masks, difference masks, tensor products, the catalogue |
 //! | [`bound`] | contraction constants, displacement, error bounds, depth |
+//! | [`limit`] | limits at n-adic parameters, distances of polygons from them |
 //! | [`float`] | the same in f64, certified against the exact path |
 //! | [`oracle`] | reference values and checks for other programs' tests |
 //! | [`claim`] | what a paper asserts |
@@ -57,6 +58,7 @@ pub mod diagnostic;
 pub mod exact;
 pub mod float;
 pub mod formula;
+pub mod limit;
 pub mod oracle;
 #[cfg(feature = "cli")]
 pub mod report;
