@@ -1,6 +1,6 @@
 //! Why there is no limit, or no distance.
 
-use crate::exact::{Enclosure, format};
+use crate::exact::{Enclosure, Rational, format};
 
 /// The widest window of control points or differences that is worked on.
 pub const MAX_WINDOW: usize = 128;
@@ -9,10 +9,10 @@ pub const MAX_WINDOW: usize = 128;
 pub const MAX_OFFSET: u64 = 10_000;
 
 /// The highest level k at which a polygon is compared with its limit.
-pub const MAX_LEVEL: u32 = 256;
+pub const MAX_LEVEL: u32 = 128;
 
 /// The most n-adic digits of a parameter.
-pub const MAX_PARAMETER_DIGITS: u32 = 1024;
+pub const MAX_PARAMETER_DIGITS: u32 = 256;
 
 /// Why there is no limit, or no distance.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -82,12 +82,23 @@ pub enum LimitError {
         /// What is known.
         reached: Box<Enclosure>,
     },
-    /// A control polygon with no piece of the limit.
-    #[error("{count} control points do not determine a piece of the limit; {needed} do")]
+    /// A control polygon that determines no piece of the limit.
+    #[error("fewer than {needed} control points do not determine any piece of the limit")]
     TooFew {
-        /// How many there are.
-        count: usize,
-        /// How many are needed.
+        /// How many points are needed.
         needed: usize,
     },
+    /// No level up to [`MAX_LEVEL`] is shown to be deep enough.
+    #[error(
+        "no level up to {MAX_LEVEL} is shown to meet the tolerance: ask for a greater tolerance"
+    )]
+    TooDeep,
+}
+
+/// Refuses a value that is not positive.
+pub(super) fn positive(what: &'static str, value: &Rational) -> Result<(), LimitError> {
+    if value.sign() > 0 {
+        return Ok(());
+    }
+    Err(LimitError::NotPositive { what, value: format::short(value, 6) })
 }

@@ -81,7 +81,7 @@ impl Limit {
         &self.contraction
     }
 
-    /// P^∞(t) as a functional of the control points, for t = i/n^m, m ≤ 1024.
+    /// P^∞(t) as a functional of the control points, for t = i/n^m, m ≤ 256.
     ///
     /// # Errors
     /// When t is not such a parameter, or |t| is 2^60 or more.
@@ -93,7 +93,7 @@ impl Limit {
     /// P^k(t) as a functional of the control points.
     ///
     /// # Errors
-    /// As of [`Limit::at`], and when the level k is above 256.
+    /// As of [`Limit::at`], and when the level k is above 128.
     pub fn polygon_at(&self, level: u32, t: &Rational) -> Result<Functional, LimitError> {
         let (parameter, rest) = self.split(level, t)?;
         Ok(parameter.pull_back(linear(&rest), self.mask.rules()))

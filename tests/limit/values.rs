@@ -7,16 +7,39 @@ use subcert::exact::{Integer, Rational};
 use subcert::limit::{Functional, Limit};
 use subcert::scheme::Mask;
 
-fn limit(mask: &Mask) -> Limit {
+pub fn limit(mask: &Mask) -> Limit {
     Limit::new(mask).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// A scheme that contracts in one level, and its limit.
-fn convergent(arity: usize, width: usize) -> impl Strategy<Value = Limit> {
-    gentle(arity, width).prop_filter_map("T_1 ≥ 1", |mask| {
+/// A scheme that contracts in one level, and its limit: of two such schemes one with a
+/// derivative.
+pub fn convergent(arity: usize, width: usize) -> impl Strategy<Value = Limit> {
+    let masks = prop_oneof![
+        gentle(arity, width),
+        gentle(arity, width - 1).prop_map(|derived| integral(&derived)),
+    ];
+    masks.prop_filter_map("T_1 ≥ 1", |mask| {
         let constants = SoundBound::curve(&Constants::new(mask.clone()), 1).expect("one level");
         (constants.constants()[1] < Rational::one()).then(|| limit(&mask))
     })
+}
+
+/// The scheme whose difference mask b is that of `derived` over n: a_{0,j} = Σ_β b_{β,j},
+/// and a_{β+1,j} = a_{β,j} − b_{β,j} + b_{β,j−1}.
+fn integral(derived: &Mask) -> Mask {
+    let n = r(int(derived.arity()), 1);
+    let rows = derived.rules().rows();
+    let b = |beta: usize, j: Option<usize>| {
+        j.and_then(|j| rows[beta].get(j)).map_or(Rational::zero(), |entry| entry / &n)
+    };
+    let width = derived.width() + 1;
+    let first = |j| (0..rows.len()).map(|beta| b(beta, Some(j))).sum::<Rational>();
+    let mut mask = vec![(0..width).map(first).collect::<Vec<Rational>>()];
+    for beta in 0..rows.len() - 1 {
+        let next = |j: usize| &mask[beta][j] - b(beta, Some(j)) + b(beta, j.checked_sub(1));
+        mask.push((0..width).map(next).collect());
+    }
+    Mask::new(mask, derived.offset()).expect("its rules sum to 1")
 }
 
 /// The value of P^k(t) by refinement, and the spread of the level-k polygon.
@@ -34,7 +57,7 @@ fn on(functional: &Functional, values: &[Rational]) -> Rational {
 }
 
 /// i/n^m, from −2 to 3, for n from 2 on.
-fn parameter(arity: usize) -> impl Strategy<Value = Rational> {
+pub fn parameter(arity: usize) -> impl Strategy<Value = Rational> {
     (0_u32..4).prop_flat_map(move |m| {
         let denominator = int(arity).pow(m);
         (-2 * denominator..3 * denominator).prop_map(move |i| r(i, denominator))
