@@ -39,6 +39,12 @@ fn known(distances: &Distances, level: u32, width: &Rational) -> Enclosure {
     }
 }
 
+/// The greatest norm of P^∞ − P^k at i/count, i = 0, …, count.
+fn greatest_norm(limit: &Limit, k: u32, count: i64) -> Rational {
+    let norm = |i| limit.error(k, &r(i, count)).unwrap().norm();
+    (0..=count).map(norm).max().unwrap()
+}
+
 /// |P^∞ − P^k| at every point of level m, from the polygon of that level alone.
 fn sampled(limit: &Limit, points: &[Rational], k: u32, m: u32) -> Rational {
     let n = limit.mask().arity();
@@ -81,16 +87,17 @@ proptest! {
         prop_assert_eq!(&value, own.enclosure.lower());
     }
 
-    // The norm of every error functional is a lower bound, of narrow enclosures too.
+    // The norm of every error functional is a lower bound, of narrow enclosures too, and
+    // no level meets a tolerance that is a little less.
     #[test]
-    fn constants_bound_every_functional(limit in convergent(4, 4), k in 0_u32..4) {
+    fn no_functional_is_greater(limit in convergent(4, 4), k in 0_u32..4) {
         let distances = distances(&limit).with_cells(2_000);
-        let upper = known(&distances, k, &r(1, 1_000_000)).upper().clone();
         let n = int(limit.mask().arity());
         let count = n.pow((200_u64).ilog(n.cast_unsigned()).max(k));
-        for i in 0..=count {
-            let norm = limit.error(k, &r(i, count)).unwrap().norm();
-            prop_assert!(norm <= upper, "at {i}/{count}: {norm} > {upper}");
+        let seen = greatest_norm(&limit, k, count);
+        prop_assert!(seen <= *known(&distances, k, &r(1, 1_000_000)).upper());
+        if let Ok(depth) = distances.depth(&Rational::one(), &(&seen * r(999, 1000))) {
+            prop_assert!(greatest_norm(&limit, depth.upper, count.max(n.pow(depth.upper))) < seen);
         }
     }
 
@@ -159,6 +166,25 @@ fn chaikin_by_hand() {
     }
 }
 
+// Δ_i = i, and Δ^k_{2^k i} = i/2^k: at the right end, t = 7, the distance is 7/2^{k+1}, and
+// less elsewhere. A little less is not enough.
+#[test]
+fn chaikin_of_a_parabola() {
+    let distances = of("chaikin");
+    let points: Vec<Rational> = (0..9).map(|i| r(i * (i - 1) / 2, 1)).collect();
+    let polygon = ControlPolygon::open(&points);
+    for k in 0..9 {
+        let greatest = r(7, 2) * r(1, 2).pow(k);
+        let found = distances.of_polygon(&polygon, k.cast_unsigned(), &r(1, 10_000_000)).unwrap();
+        assert!(found.enclosure.contains(&greatest), "level {k}");
+        let depth = distances.depth_of_polygon(&polygon, &(greatest * r(999, 1000))).unwrap();
+        assert_eq!(
+            depth,
+            TwoSidedDepth { lower: k.cast_unsigned() + 1, upper: k.cast_unsigned() + 1 }
+        );
+    }
+}
+
 // At its points the cubic B-spline is (x_{−1} + 4x_0 + x_1)/6, off by a sixth of the
 // second difference, which the scheme averages and divides by 4 at each level. That is
 // the greatest distance: 1/3 where Δ_{−1} = −1, Δ_0 = 1.
@@ -204,13 +230,14 @@ fn named_schemes_against_all_parameters() {
     ] {
         let limit = limit(&mask);
         let width = r(1, 1_000_000);
-        let constant = constant(&distances(&limit), k, &width).unwrap().enclosure;
+        let distances = distances(&limit);
+        let constant = constant(&distances, k, &width).unwrap().enclosure;
         let n = int(mask.arity());
-        let count = n.pow(k + m);
-        let seen = (0..=count).map(|i| limit.error(k, &r(i, count)).unwrap().norm());
-        let seen = seen.max().unwrap();
+        let seen = greatest_norm(&limit, k, n.pow(k + m));
         assert!(seen <= *constant.upper());
         assert!(constant.lower() - &seen <= r(1, 300), "{mask:?}: {seen}, {constant:?}");
+        let depth = distances.depth(&Rational::one(), &(seen * r(99_999, 100_000))).unwrap();
+        assert!(depth.lower > k, "{mask:?}: {depth:?}");
     }
 }
 
