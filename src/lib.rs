@@ -30,6 +30,7 @@
 //! | σ, γ | [`displacement`](bound::displacement) |
 //! | η, ν | [`surface_coefficients`](bound::surface_coefficients) |
 //! | β, τ, ϑ | spread: the largest difference of neighbouring control points |
+//! | sup ‖P^∞ − P^k‖ for spread 1 | distance constant, [`Distances`](limit::Distances) |
 //! | k ≥ log_T(…) | [`log_level`](bound::log_level), [`least_level`](bound::least_level) |
 //!
 //! # Modules

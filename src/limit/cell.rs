@@ -52,6 +52,7 @@ fn magnitude(row: &[Integer]) -> Integer {
 
 /// How a cell splits into n, over integers: Δ^{M+1} = DΔ^M, and P^∞ at the new points is
 /// on the line through its values at the ends, or off it by a functional of Δ^M.
+#[derive(Clone, Debug)]
 pub(super) struct Splitting {
     /// n.
     pub(super) arity: usize,
@@ -72,6 +73,8 @@ pub(super) struct Splitting {
 }
 
 impl Splitting {
+    /// From the distances of P^∞ from its chord between 0 and 1 at α/n, α = 1, …, n − 1, as
+    /// functionals of Δ.
     pub(super) fn new(limit: &Limit, middles: &[Functional]) -> Result<Splitting, LimitError> {
         let difference = limit.difference();
         let at_zero = limit.error(0, &Rational::zero())?;
@@ -176,8 +179,8 @@ impl Splitting {
     }
 }
 
-/// The least window that holds Δ_0, what these functionals need, and with Δ^{M+1} at
-/// i + l, l in the window, for each part of a cell, also the Δ^M it comes from.
+/// The least window that holds Δ_0 and what these functionals need, and with Δ^{M+1} at
+/// i + l, for each part i of a cell, also the Δ^M that it comes from.
 fn window<'a>(
     difference: &Rules,
     functionals: impl Iterator<Item = &'a Functional>,

@@ -36,7 +36,7 @@ impl Distances {
     /// let scheme = parse_scheme("six-point:w=3/256")?;
     /// let distances = Distances::new(&Limit::new(scheme.masks()[0])?)?;
     /// let depth = distances.depth(&Rational::new(1, 10), &Rational::new(1, 1000))?;
-    /// assert_eq!((depth.lower, depth.upper), (5, 5));
+    /// assert_eq!((depth.lower, depth.upper), (4, 4));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn depth(

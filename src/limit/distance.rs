@@ -11,8 +11,7 @@ use crate::exact::{Enclosure, Integer, Rational};
 /// The most cells that one question about a distance looks at.
 pub const MAX_CELLS: u32 = 1 << 18;
 
-/// A distance ‖P^∞ − P^k‖_∞, and a parameter at which it is at least the lower end of
-/// its enclosure.
+/// A distance ‖P^∞ − P^k‖_∞, and where P^∞ and P^k are so far apart, or nearly.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Distance {
     /// What encloses it.
@@ -29,8 +28,8 @@ pub struct Distance {
 ///
 /// It is the supremum over t of the norm of the functional P^∞(t) − P^k(t) of Δ. The
 /// intervals between neighbouring points of a level are split, to deeper and deeper
-/// levels; its exact values at their ends bound it from below, and with a bound of
-/// what P^∞ does between from above. Only intervals that may hold the supremum are
+/// levels. The exact values at their ends bound it from below, and with a bound of what
+/// P^∞ does between them from above. Only intervals that may hold the supremum are
 /// split.
 ///
 /// Source: `proofs/THEOREMS.md`, 5–9.
@@ -47,6 +46,7 @@ pub struct Distance {
 /// assert_eq!(constant.enclosure, Enclosure::exact(Rational::new(1, 48)));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[derive(Clone, Debug)]
 pub struct Distances {
     limit: Limit,
     remainders: Remainders,
@@ -60,6 +60,9 @@ impl Distances {
     /// # Errors
     /// When the window of differences that determines P^∞ − P^0 between two points is
     /// wider than [`MAX_WINDOW`](super::MAX_WINDOW).
+    ///
+    /// # Panics
+    /// Never: the coefficients of all values of the limit sum to 1.
     pub fn new(limit: &Limit) -> Result<Distances, LimitError> {
         let arity = limit.mask().arity();
         let zero = limit.at(&Rational::zero())?;
@@ -92,7 +95,7 @@ impl Distances {
     ///
     /// # Errors
     /// When k is above 128, the width is not positive, or it is not reached within the
-    /// cap on cells.
+    /// cap on cells, 96 levels below k.
     pub fn constant(&self, level: u32, width: &Rational) -> Result<Distance, LimitError> {
         self.enclose(&self.any_polygon(), level, width)
     }

@@ -73,7 +73,7 @@ pub enum LimitError {
     },
     /// The asked width was not reached within the cap on cells.
     #[error(
-        "{cells} cells leave the distance between {} and {}: ask for a greater width",
+        "at most {cells} cells leave the distance between {} and {}: ask for a greater width",
         format::short(.reached.lower(), 9), format::short(.reached.upper(), 9)
     )]
     TooFine {

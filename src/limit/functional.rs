@@ -33,6 +33,7 @@ impl Functional {
     }
 
     /// The pairs (i, c_i) with c_i ≠ 0, in the order of i.
+    #[must_use]
     pub fn terms(&self) -> impl DoubleEndedIterator<Item = (i64, &Rational)> {
         self.coefficients.iter().map(|(i, c)| (*i, c))
     }

@@ -13,6 +13,7 @@ use crate::scheme::Mask;
 /// differences ∇Δ.
 ///
 /// Source: `proofs/THEOREMS.md`, 2, 6 and 7.
+#[derive(Clone, Debug)]
 pub(super) struct Remainders {
     /// Of |P^∞ − P^j|, by max|Δ|.
     polygon: SoundBound,
@@ -26,6 +27,7 @@ pub(super) struct Remainders {
 
 /// |P^∞ − P^j| ≤ n^−j |τ||Δ_0| + (n^−j ρ + ς_j) max|∇Δ| for a scheme that takes lines to
 /// lines, each τ Δ_0 away from where it was.
+#[derive(Clone, Debug)]
 struct SmoothBound {
     arity: Rational,
     /// |τ|.

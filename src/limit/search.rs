@@ -32,8 +32,9 @@ impl Goal {
     }
 }
 
-/// A search for the supremum of |P^∞ − P^k| over the cells from some roots on, depth first and the most
-/// promising part of a cell first. A cell whose bound settles the goal is dropped.
+/// A search for the supremum of |P^∞ − P^k| over some cells and their parts, depth first
+/// and the part with the greatest bound first. A cell whose bound settles the goal is
+/// dropped.
 ///
 /// Source: `proofs/THEOREMS.md`, 8.
 pub(super) struct Search<'a> {
@@ -66,7 +67,7 @@ impl<'a> Search<'a> {
 
     /// A bound of the supremum without splitting any cell.
     pub(super) fn bound(&self, best: &mut Best) -> Rational {
-        let bounded = self.bounded(self.from_roots(), None, best).pop();
+        let bounded = self.bounded(self.start(), None, best).pop();
         bounded.map_or_else(Rational::zero, |(bound, _)| bound)
     }
 
@@ -74,7 +75,7 @@ impl<'a> Search<'a> {
     /// is within the goal unless a cap was met.
     pub(super) fn run(&mut self, goal: &Goal, best: &mut Best) -> Rational {
         let mut upper = best.value.clone();
-        let mut stack = self.bounded(self.from_roots(), None, best);
+        let mut stack = self.bounded(self.start(), None, best);
         while let Some((bound, cell)) = stack.pop() {
             let deep = cell.level >= self.level + MAX_DEEPER;
             if deep || self.cells == 0 || goal.settles(&bound, &best.value) {
@@ -88,7 +89,8 @@ impl<'a> Search<'a> {
         upper
     }
 
-    fn from_roots(&self) -> impl Iterator<Item = Cell> {
+    /// The roots, as cells of a search.
+    fn start(&self) -> impl Iterator<Item = Cell> {
         self.roots.iter().map(|root| self.splitting.with_ends(root.clone(), self.level))
     }
 

@@ -21,7 +21,8 @@ fn product(matrix: &[Vec<Rational>], x: &[Rational]) -> Vec<Rational> {
 }
 
 fn augmented(matrix: &[Vec<Rational>], y: &[Rational]) -> Vec<Vec<Rational>> {
-    let row = |(row, y): (&Vec<Rational>, &Rational)| [row.as_slice(), &[y.clone()]].concat();
+    let row =
+        |(row, y): (&Vec<Rational>, &Rational)| [row.as_slice(), std::slice::from_ref(y)].concat();
     matrix.iter().zip(y).map(row).collect()
 }
 

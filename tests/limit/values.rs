@@ -153,7 +153,7 @@ fn b_spline(degree: u32, x: &Rational) -> Rational {
     let factorial = (1..=degree).fold(Integer::one(), |product, i| product * Integer::from(i));
     let term = |j: u32| {
         let base = x - Rational::from(j);
-        let sign = if j % 2 == 0 { 1 } else { -1 };
+        let sign = if j.is_multiple_of(2) { 1 } else { -1 };
         let power = if base.sign() < 0 { Rational::zero() } else { base.pow(degree.cast_signed()) };
         power * Rational::from(Integer::binomial(degree + 1, j)) * r(sign, 1)
     };
