@@ -32,6 +32,7 @@
 //! | ω_{i,j}; (1) of the rules around a vertex | weights of a [`Ring`](scheme::Ring) |
 //! | T_c of a ring | [`RingConstants`](bound::RingConstants), by [`transport`](bound::transport()) |
 //! | β, τ, ϑ | spread: the largest difference of neighbouring control points |
+//! | sup ‖P^∞ − P^k‖ for spread 1 | distance constant, [`Distances`](limit::Distances) |
 //! | k ≥ log_T(…) | [`log_level`](bound::log_level), [`least_level`](bound::least_level) |
 //!
 //! # Modules
@@ -44,6 +45,7 @@
 //! | [`formula`] | the expression language of masks and claims |
 //! | [`scheme`] | masks, difference masks, tensor products, rings, the catalogue |
 //! | [`bound`] | contraction constants, also of rings, displacement, error bounds, depth |
+//! | [`limit`] | limits at n-adic parameters, distances of polygons from them |
 //! | [`float`] | the same in f64, certified against the exact path |
 //! | [`oracle`] | reference values and checks for other programs' tests |
 //! | [`claim`] | what a paper asserts |
@@ -59,6 +61,7 @@ pub mod diagnostic;
 pub mod exact;
 pub mod float;
 pub mod formula;
+pub mod limit;
 pub mod oracle;
 #[cfg(feature = "cli")]
 pub mod report;

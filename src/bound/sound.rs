@@ -64,6 +64,11 @@ impl SoundBound {
         Ok(SoundBound { factor: surface_factor(first.mask(), second.mask()), exact })
     }
 
+    /// The same bound for any factor σ and submultiplicative C_0 = 1, C_1, …, C_c.
+    pub(crate) fn of(factor: Rational, constants: Vec<Rational>) -> SoundBound {
+        SoundBound { factor, exact: constants }
+    }
+
     /// σ: the displacement of one refinement per unit of the largest difference.
     #[must_use]
     pub fn factor(&self) -> &Rational {

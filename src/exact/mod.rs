@@ -14,6 +14,7 @@
 //! | [`PiecewiseLinear`], [`Parametric`] | functions of a free parameter |
 //! | [`Interval`], [`IntervalSet`] | where such a function is below a bound |
 //! | [`Scalar`], [`Real`] | what the algorithms ask of a number type |
+//! | [`solve`] | systems of linear equations |
 //! | [`CommonDenominator`] | rationals as integers over one denominator, for hot loops |
 
 mod algebraic;
@@ -25,6 +26,7 @@ mod enclosure;
 pub mod format;
 mod integer;
 mod interval;
+mod linear;
 mod ops;
 mod parametric;
 mod piecewise;
@@ -44,6 +46,7 @@ pub use decimal::{Decimal, Rounding};
 pub use enclosure::{Enclosed, Enclosure};
 pub use integer::Integer;
 pub use interval::{Interval, IntervalSet};
+pub use linear::solve;
 pub use parametric::Parametric;
 pub use piecewise::PiecewiseLinear;
 pub use polynomial::Polynomial;

@@ -1,6 +1,6 @@
 //! The sound bound, against what subdivision does.
 
-use super::common::{affine, differences, int, largest, mask, polygon, r, refine};
+use super::common::{affine, differences, gentle, int, largest, mask, polygon, r, refine};
 use super::norm::row;
 use super::surface::{Grid, bilinear, distance, grid, spread};
 use proptest::prelude::*;
@@ -67,16 +67,6 @@ fn holds(bound: &SoundBound, steps: &[Rational], spread: &Rational) -> bool {
     let Some(levels) = bound.levels(u32::try_from(steps.len()).unwrap()) else { return true };
     levels.iter().enumerate().all(|(k, bound)| {
         steps.get(k..).unwrap_or_default().iter().sum::<Rational>() <= bound * spread
-    })
-}
-
-/// Masks near convex ones, so that many of them contract.
-fn gentle(arity: usize, width: usize) -> impl Strategy<Value = Mask> {
-    affine(arity, width).prop_map(|mask| {
-        let even = r(1, int(mask.width()));
-        let mix = |x: &Rational| x * r(1, 40) + &even * r(39, 40);
-        let rows = mask.rules().rows().iter().map(|row| row.iter().map(mix).collect()).collect();
-        Mask::new(rows, mask.offset()).unwrap()
     })
 }
 

@@ -54,6 +54,16 @@ pub fn affine(arity: usize, width: usize) -> impl Strategy<Value = Mask> {
     })
 }
 
+/// Masks near convex ones, so that many of them contract.
+pub fn gentle(arity: usize, width: usize) -> impl Strategy<Value = Mask> {
+    affine(arity, width).prop_map(|mask| {
+        let even = r(1, int(mask.width()));
+        let mix = |x: &Rational| x * r(1, 40) + &even * r(39, 40);
+        let rows = mask.rules().rows().iter().map(|row| row.iter().map(mix).collect()).collect();
+        Mask::new(rows, mask.offset()).unwrap()
+    })
+}
+
 pub fn polygon(count: std::ops::Range<usize>) -> impl Strategy<Value = Vec<Rational>> {
     prop::collection::vec(rational(), count)
 }

@@ -10,6 +10,7 @@ mod decimal;
 mod doo_sabin;
 mod enclosure;
 mod format;
+mod linear;
 mod piecewise;
 mod polynomial;
 mod reading;

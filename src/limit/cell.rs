@@ -1,0 +1,224 @@
+//! The intervals between neighbouring points of a level, and how each splits.
+
+use super::error::{LimitError, MAX_WINDOW};
+use super::functional::{Functional, rule_at};
+use super::value::Limit;
+use crate::exact::{Integer, Rational};
+use crate::scheme::Rules;
+
+/// A row of a matrix, without its zeros: column and entry.
+type Sparse = Vec<(usize, Integer)>;
+
+/// The parameters from i/n^M to (i+1)/n^M, with what P^∞ and P^k depend on there.
+///
+/// All is a linear function of the data at the root, level 0: either of the
+/// differences Δ^0 of its window, one column each, or of one column that holds their
+/// values. A functional of the differences is thus a row, and |·| of it the sum of
+/// its absolute entries.
+#[derive(Clone, Debug)]
+pub(super) struct Cell {
+    /// M.
+    pub(super) level: u32,
+    /// i.
+    pub(super) index: Integer,
+    /// The differences Δ^M of the window, times `scale`.
+    rows: Vec<Vec<Integer>>,
+    scale: Integer,
+    /// P^∞ − P^k at both ends, times `scale` and the scale of the [`Splitting`]; from
+    /// level k on.
+    ends: Option<[Vec<Integer>; 2]>,
+}
+
+impl Cell {
+    /// The interval from `index` to `index` + 1, with the differences of its window.
+    pub(super) fn root(index: Integer, rows: Vec<Vec<Integer>>, scale: Integer) -> Cell {
+        Cell { level: 0, index, rows, scale, ends: None }
+    }
+}
+
+/// What the bounds on a cell take: the sizes of Δ = Δ^M and ∇Δ in its window.
+pub(super) struct Sizes {
+    /// max|Δ|.
+    pub(super) spread: Rational,
+    /// |Δ_i|, of the cell from i to i + 1.
+    pub(super) own: Rational,
+    /// max|∇Δ|, where (∇Δ)_i = Δ_{i+1} − Δ_i.
+    pub(super) turn: Rational,
+}
+
+fn magnitude(row: &[Integer]) -> Integer {
+    row.iter().map(Integer::abs).sum()
+}
+
+/// How a cell splits into n, over integers: Δ^{M+1} = DΔ^M, and P^∞ at the new points is
+/// on the line through its values at the ends, or off it by a functional of Δ^M.
+#[derive(Clone, Debug)]
+pub(super) struct Splitting {
+    /// n.
+    pub(super) arity: usize,
+    /// The window of differences: those of i + first, …, i + first + size − 1 determine
+    /// P^∞ − P^k on cell i, and those of the windows of its parts.
+    pub(super) first: i64,
+    pub(super) size: usize,
+    /// q, a multiple of n: what a level multiplies the scale of a cell by.
+    base: Integer,
+    /// For each part α the rows of qD.
+    differences: Vec<Vec<Sparse>>,
+    /// s: what the ends have in their scale beyond that of the cell.
+    scale: Integer,
+    /// sq times the distance of P^∞ from its chord at α/n, for α = 1, …, n − 1.
+    middles: Vec<Sparse>,
+    /// s times P^∞ − P^0 at 0 and at 1.
+    ends: [Sparse; 2],
+}
+
+impl Splitting {
+    /// From the distances of P^∞ from its chord between 0 and 1 at α/n, α = 1, …, n − 1, as
+    /// functionals of Δ.
+    pub(super) fn new(limit: &Limit, middles: &[Functional]) -> Result<Splitting, LimitError> {
+        let difference = limit.difference();
+        let at_zero = limit.error(0, &Rational::zero())?;
+        let ends = [at_zero.shifted(0), at_zero.shifted(1)];
+        let (first, last) = window(difference, middles.iter().chain(&ends))?;
+        let size = usize::try_from(last - first + 1).expect("the window holds 0");
+        let denominator = |functionals: &[Functional]| {
+            let values = functionals.iter().flat_map(|f| f.terms().map(|(_, c)| c.denominator()));
+            values.fold(Integer::one(), |lcm, value| lcm.lcm(&value))
+        };
+        let arity = difference.arity();
+        let entries = difference.rows().iter().flatten();
+        let base = entries.fold(Integer::from(arity), |lcm, entry| lcm.lcm(&entry.denominator()));
+        let scale = denominator(middles).lcm(&denominator(&ends));
+        let sparse = |terms: &mut dyn Iterator<Item = (i64, &Rational)>, scale: &Integer| {
+            let entry = |(i, c): (i64, &Rational)| {
+                let column = usize::try_from(i - first).expect("the window is closed");
+                (column, (c * Rational::from(scale.clone())).numerator())
+            };
+            terms.filter(|(_, c)| !c.is_zero()).map(entry).collect::<Sparse>()
+        };
+        let part = |alpha: usize| {
+            let alpha = i64::try_from(alpha).expect("the arity is capped");
+            let row = |l: i64| sparse(&mut rule_at(difference, alpha + l), &base);
+            (first..=last).map(row).collect()
+        };
+        let middle_scale = &scale * &base;
+        Ok(Splitting {
+            arity,
+            first,
+            size,
+            differences: (0..arity).map(part).collect(),
+            middles: middles.iter().map(|f| sparse(&mut f.terms(), &middle_scale)).collect(),
+            ends: ends.each_ref().map(|end| sparse(&mut end.terms(), &scale)),
+            base,
+            scale,
+        })
+    }
+
+    /// The cell with P^∞ − P^k at its ends, when it is one of level k.
+    pub(super) fn with_ends(&self, mut cell: Cell, level: u32) -> Cell {
+        if cell.level == level {
+            cell.ends = Some(self.ends.each_ref().map(|end| combine(end, &cell.rows)));
+        }
+        cell
+    }
+
+    /// |P^∞ − P^k| at both ends, from level k on.
+    pub(super) fn distances(&self, cell: &Cell) -> Option<[Rational; 2]> {
+        let scale = &cell.scale * &self.scale;
+        let ends = cell.ends.as_ref()?;
+        Some(ends.each_ref().map(|end| Rational::new(magnitude(end), scale.clone())))
+    }
+
+    /// The sizes of the differences of the window.
+    pub(super) fn sizes(&self, cell: &Cell) -> Sizes {
+        let fraction = |size: Integer| Rational::new(size, cell.scale.clone());
+        let own = usize::try_from(-self.first).expect("the window holds Δ_0");
+        let step = |pair: &[Vec<Integer>]| -> Vec<Integer> {
+            pair[1].iter().zip(&pair[0]).map(|(next, this)| next - this).collect()
+        };
+        let turns = cell.rows.windows(2).map(|pair| magnitude(&step(pair)));
+        let spread = cell.rows.iter().map(|row| magnitude(row)).max();
+        Sizes {
+            spread: fraction(spread.expect("the window holds Δ_0")),
+            own: fraction(magnitude(&cell.rows[own])),
+            turn: fraction(turns.max().unwrap_or_else(Integer::zero)),
+        }
+    }
+
+    /// The n parts of a cell, for the distance from P^k.
+    pub(super) fn split(&self, cell: &Cell, level: u32) -> Vec<Cell> {
+        let nodes = cell.ends.as_ref().map(|ends| self.nodes(cell, ends));
+        let part = |alpha: usize| {
+            let rows = self.differences[alpha].iter().map(|row| combine(row, &cell.rows));
+            let part = Cell {
+                level: cell.level + 1,
+                index: &cell.index * Integer::from(self.arity) + Integer::from(alpha),
+                rows: rows.collect(),
+                scale: &cell.scale * &self.base,
+                ends: nodes.as_ref().map(|nodes| [nodes[alpha].clone(), nodes[alpha + 1].clone()]),
+            };
+            self.with_ends(part, level)
+        };
+        (0..self.arity).map(part).collect()
+    }
+
+    /// P^∞ − P^k at α/n of a cell, α = 0, …, n.
+    fn nodes(&self, cell: &Cell, [left, right]: &[Vec<Integer>; 2]) -> Vec<Vec<Integer>> {
+        let nth = self.base.div_floor(&Integer::from(self.arity));
+        let node = |alpha: usize| {
+            let (near, far) =
+                (&nth * Integer::from(self.arity - alpha), &nth * Integer::from(alpha));
+            let mut node: Vec<Integer> =
+                left.iter().zip(right).map(|(x, y)| x * &near + y * &far).collect();
+            if (1..self.arity).contains(&alpha) {
+                add_combination(&mut node, &self.middles[alpha - 1], &cell.rows);
+            }
+            node
+        };
+        (0..=self.arity).map(node).collect()
+    }
+}
+
+/// The least window that holds Δ_0 and what these functionals need, and with Δ^{M+1} at
+/// i + l, for each part i of a cell, also the Δ^M that it comes from.
+fn window<'a>(
+    difference: &Rules,
+    functionals: impl Iterator<Item = &'a Functional>,
+) -> Result<(i64, i64), LimitError> {
+    let ends = functionals.filter_map(Functional::support);
+    let (mut first, mut last) =
+        ends.fold((0, 0), |(first, last), (from, to)| (first.min(from), last.max(to)));
+    let parts = i64::try_from(difference.arity()).expect("the arity is capped");
+    loop {
+        let size = usize::try_from(last - first + 1).unwrap_or(usize::MAX);
+        if size > MAX_WINDOW {
+            return Err(LimitError::Window(size));
+        }
+        let (mut from, mut to) = (first, last);
+        for i in first..last + parts {
+            let used = rule_at(difference, i).filter(|(_, c)| !c.is_zero());
+            for (column, _) in used {
+                (from, to) = (from.min(column), to.max(column));
+            }
+        }
+        if (from, to) == (first, last) {
+            return Ok((first, last));
+        }
+        (first, last) = (from, to);
+    }
+}
+
+/// Σ c·row.
+fn combine(sparse: &Sparse, rows: &[Vec<Integer>]) -> Vec<Integer> {
+    let mut sum = vec![Integer::zero(); rows[0].len()];
+    add_combination(&mut sum, sparse, rows);
+    sum
+}
+
+fn add_combination(sum: &mut [Integer], sparse: &Sparse, rows: &[Vec<Integer>]) {
+    for (at, coefficient) in sparse {
+        for (total, entry) in sum.iter_mut().zip(&rows[*at]) {
+            *total += &(coefficient * entry);
+        }
+    }
+}

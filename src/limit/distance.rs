@@ -1,0 +1,196 @@
+//! The distance of a polygon from its limit, from above and below.
+
+use super::cell::{Cell, Splitting};
+use super::error::{LimitError, MAX_LEVEL, positive};
+use super::polygon::ControlPolygon;
+use super::remainder::Remainders;
+use super::search::{Best, Goal, Search};
+use super::value::Limit;
+use crate::exact::{Enclosure, Integer, Rational};
+
+/// The most cells that one question about a distance looks at.
+pub const MAX_CELLS: u32 = 1 << 18;
+
+/// A distance ‖P^∞ − P^k‖_∞, and where P^∞ and P^k are so far apart, or nearly.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Distance {
+    /// What encloses it.
+    pub enclosure: Enclosure,
+    /// A t at which |P^∞(t) − P^k(t)| is the lower end: for the distance constant, at
+    /// the extremal polygon of [`Limit::error`] there.
+    pub parameter: Rational,
+}
+
+/// The true distances of polygons from their limits.
+///
+/// The distance constant is C_k = sup ‖P^∞ − P^k‖_∞ over the control polygons with
+/// max|Δ| ≤ 1: the least number for which ‖P^∞ − P^k‖_∞ ≤ C_k max|Δ| always.
+///
+/// It is the supremum over t of the norm of the functional P^∞(t) − P^k(t) of Δ. The
+/// intervals between neighbouring points of a level are split, to deeper and deeper
+/// levels. The exact values at their ends bound it from below, and with a bound of what
+/// P^∞ does between them from above. Only intervals that may hold the supremum are
+/// split.
+///
+/// Source: `proofs/THEOREMS.md`, 5–9.
+///
+/// ```
+/// use subcert::exact::{Enclosure, Rational};
+/// use subcert::limit::{Distances, Limit};
+/// use subcert::scheme::parse_scheme;
+///
+/// let scheme = parse_scheme("b-spline:degree=3")?;
+/// let distances = Distances::new(&Limit::new(scheme.masks()[0])?)?;
+/// // The cubic B-spline curve is within (1/3)·4^−k of its polygons, and no nearer.
+/// let constant = distances.constant(2, &Rational::new(1, 1000))?;
+/// assert_eq!(constant.enclosure, Enclosure::exact(Rational::new(1, 48)));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Distances {
+    limit: Limit,
+    remainders: Remainders,
+    splitting: Splitting,
+    cells: u32,
+}
+
+impl Distances {
+    /// The distances from this limit, found with at most [`MAX_CELLS`] cells each.
+    ///
+    /// # Errors
+    /// When the window of differences that determines P^∞ − P^0 between two points is
+    /// wider than [`MAX_WINDOW`](super::MAX_WINDOW).
+    ///
+    /// # Panics
+    /// Never: the coefficients of all values of the limit sum to 1.
+    pub fn new(limit: &Limit) -> Result<Distances, LimitError> {
+        let arity = limit.mask().arity();
+        let zero = limit.at(&Rational::zero())?;
+        let one = zero.shifted(1);
+        // P^∞(α/n) − ((1 − α/n) P^∞(0) + (α/n) P^∞(1)).
+        let middle = |alpha: usize| {
+            let t = Rational::new(alpha, arity);
+            let off = limit.at(&t)?.plus(&(&t - Rational::one()), &zero).plus(&-t, &one);
+            Ok(off.on_differences().expect("both are affine combinations"))
+        };
+        let middles = (1..arity).map(middle).collect::<Result<Vec<_>, LimitError>>()?;
+        let splitting = Splitting::new(limit, &middles)?;
+        let remainders = Remainders::new(limit, &middles)?;
+        Ok(Distances { limit: limit.clone(), remainders, splitting, cells: MAX_CELLS })
+    }
+
+    /// The same with another cap on the number of cells.
+    #[must_use]
+    pub fn with_cells(self, cells: u32) -> Distances {
+        Distances { cells, ..self }
+    }
+
+    /// The limit.
+    #[must_use]
+    pub fn limit(&self) -> &Limit {
+        &self.limit
+    }
+
+    /// C_k in an interval of at most this width.
+    ///
+    /// # Errors
+    /// When k is above 128, the width is not positive, or it is not reached within the
+    /// cap on cells, 96 levels below k.
+    pub fn constant(&self, level: u32, width: &Rational) -> Result<Distance, LimitError> {
+        self.enclose(&self.any_polygon(), level, width)
+    }
+
+    /// ‖P^∞ − P^k‖_∞ of this control polygon in an interval of at most this width.
+    ///
+    /// # Errors
+    /// As of [`Distances::constant`], and when the polygon is too short.
+    ///
+    /// ```
+    /// use subcert::exact::{Enclosure, Rational};
+    /// use subcert::limit::{ControlPolygon, Distances, Limit};
+    /// use subcert::scheme::parse_scheme;
+    ///
+    /// let scheme = parse_scheme("chaikin")?;
+    /// let distances = Distances::new(&Limit::new(scheme.masks()[0])?)?;
+    /// let square = ControlPolygon::closed(&[0, 4, 4, 0].map(Rational::from));
+    /// let distance = distances.of_polygon(&square, 1, &Rational::new(1, 1000))?;
+    /// assert_eq!(distance.enclosure, Enclosure::exact(Rational::one()));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn of_polygon(
+        &self,
+        polygon: &ControlPolygon,
+        level: u32,
+        width: &Rational,
+    ) -> Result<Distance, LimitError> {
+        self.enclose(&self.this_polygon(polygon)?, level, width)
+    }
+
+    fn enclose(
+        &self,
+        among: &Polygons,
+        level: u32,
+        width: &Rational,
+    ) -> Result<Distance, LimitError> {
+        positive("the width", width)?;
+        let (mut search, mut best) = self.search(among, level)?;
+        let mut upper = search.bound(&mut best);
+        // A first, coarse search finds a good value, which spares the next one cells.
+        let mut step = &upper - &best.value;
+        while &upper - &best.value > *width && step > *width && search.goes_on() {
+            step = (step / Rational::from(4)).max(width.clone());
+            upper = search.run(&Goal::Width(step.clone()), &mut best).min(upper);
+        }
+        let enclosure = Enclosure::new(best.value.clone(), upper);
+        if enclosure.width() > *width {
+            return Err(LimitError::TooFine { cells: self.cells, reached: Box::new(enclosure) });
+        }
+        Ok(Distance { enclosure, parameter: best.parameter })
+    }
+
+    /// The search for the distance at level k, and a first value of it.
+    pub(super) fn search<'a>(
+        &'a self,
+        among: &'a Polygons,
+        level: u32,
+    ) -> Result<(Search<'a>, Best), LimitError> {
+        if level > MAX_LEVEL {
+            return Err(LimitError::Level(level));
+        }
+        let parameter = Rational::from(among.roots[0].index.clone());
+        let error = self.limit.error(level, &parameter)?;
+        let value = match among.only {
+            Some(polygon) => error.apply(|i| polygon.difference(i)).abs(),
+            None => error.norm(),
+        };
+        let search =
+            Search::new(&self.splitting, &self.remainders, &among.roots, level, self.cells);
+        Ok((search, Best { value, parameter }))
+    }
+
+    /// All polygons: a single cell stands for all cells, and its differences are the
+    /// unit vectors.
+    pub(super) fn any_polygon(&self) -> Polygons<'static> {
+        let size = self.splitting.size;
+        let unit = |at: usize| (0..size).map(|i| Integer::from(u32::from(i == at))).collect();
+        let rows = (0..size).map(unit).collect();
+        Polygons { roots: vec![Cell::root(Integer::zero(), rows, Integer::one())], only: None }
+    }
+
+    /// This polygon only.
+    pub(super) fn this_polygon<'a>(
+        &self,
+        polygon: &'a ControlPolygon,
+    ) -> Result<Polygons<'a>, LimitError> {
+        let roots = polygon.cells(self.splitting.first, self.splitting.size)?;
+        Ok(Polygons { roots, only: Some(polygon) })
+    }
+}
+
+/// The control polygons among which the greatest distance is looked for.
+pub(super) struct Polygons<'a> {
+    /// The cells of level 0.
+    roots: Vec<Cell>,
+    /// The polygon, if it is a single one.
+    pub(super) only: Option<&'a ControlPolygon>,
+}

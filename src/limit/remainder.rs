@@ -1,0 +1,176 @@
+//! What bounds the limit where it has not been computed.
+
+use super::cell::Sizes;
+use super::convergence::contraction_constants;
+use super::error::LimitError;
+use super::functional::Functional;
+use super::value::Limit;
+use crate::bound::SoundBound;
+use crate::exact::Rational;
+use crate::scheme::Mask;
+
+/// Bounds on a cell, per unit of the differences Δ of its window and of their own
+/// differences ∇Δ.
+///
+/// Source: `proofs/THEOREMS.md`, 2, 6 and 7.
+#[derive(Clone, Debug)]
+pub(super) struct Remainders {
+    /// Of |P^∞ − P^j|, by max|Δ|.
+    polygon: SoundBound,
+    /// Of |P^∞ − P^j|, by |Δ_0| and max|∇Δ|.
+    smooth_polygon: Option<SmoothBound>,
+    /// Of the distance of P^∞ from its chord, by max|Δ|.
+    chord: Rational,
+    /// λ: that distance is at most λ min(u, 1−u) max|∇Δ| at u.
+    smooth_chord: Option<Rational>,
+}
+
+/// |P^∞ − P^j| ≤ n^−j |τ||Δ_0| + (n^−j ρ + ς_j) max|∇Δ| for a scheme that takes lines to
+/// lines, each τ Δ_0 away from where it was.
+#[derive(Clone, Debug)]
+struct SmoothBound {
+    arity: Rational,
+    /// |τ|.
+    shift: Rational,
+    /// ρ.
+    turn: Rational,
+    /// ς_j.
+    rest: SoundBound,
+}
+
+/// A bound of |P^∞ − P^j|: what stands before max|Δ|, or before |Δ_0| and max|∇Δ|.
+pub(super) struct LevelBound {
+    spread: Rational,
+    smooth: Option<[Rational; 2]>,
+}
+
+impl LevelBound {
+    /// The bound over a cell.
+    pub(super) fn over(&self, sizes: &Sizes) -> Rational {
+        let bound = &self.spread * &sizes.spread;
+        match &self.smooth {
+            Some([own, turn]) => bound.min(own * &sizes.own + turn * &sizes.turn),
+            None => bound,
+        }
+    }
+}
+
+impl Remainders {
+    /// `middles` are the distances of P^∞ from its chord between 0 and 1 at α/n,
+    /// α = 1, …, n − 1, as functionals of Δ.
+    pub(super) fn new(limit: &Limit, middles: &[Functional]) -> Result<Remainders, LimitError> {
+        let displaced = displacements(limit)?;
+        let constants = limit.contraction();
+        let chord = series(greatest(norms(middles)), constants).expect("some T_c is below 1");
+        let polygon = SoundBound::of(greatest(norms(&displaced)), constants.to_vec());
+        let mut remainders =
+            Remainders { polygon, smooth_polygon: None, chord, smooth_chord: None };
+        if let Some(scaled) = second_contraction_constants(limit) {
+            remainders.smooth_polygon = SmoothBound::new(limit, &displaced, &scaled);
+            let arity = limit.mask().arity();
+            let slopes = (1..).zip(middles).map(|(alpha, middle)| {
+                second_norm(middle) * Rational::new(arity, alpha.min(arity - alpha))
+            });
+            remainders.smooth_chord = series(greatest(slopes), &scaled);
+        }
+        Ok(remainders)
+    }
+
+    /// A bound over a cell of which the values at both ends are at most these.
+    pub(super) fn between(&self, [left, right]: &[Rational; 2], sizes: &Sizes) -> Rational {
+        let ends = left.max(right);
+        let bound = ends + &self.chord * &sizes.spread;
+        match &self.smooth_chord {
+            Some(slope) => {
+                let middle = (left + right + slope * &sizes.turn) / Rational::from(2);
+                bound.min(middle.max(ends.clone()))
+            }
+            None => bound,
+        }
+    }
+
+    /// The bounds of |P^∞ − P^j| for j = 0, …, k.
+    pub(super) fn levels(&self, level: u32) -> Vec<LevelBound> {
+        let spreads = self.polygon.levels(level).expect("some T_c is below 1");
+        let smooth = self.smooth_polygon.as_ref().and_then(|smooth| smooth.levels(level));
+        let bound = |(j, spread): (usize, Rational)| LevelBound {
+            spread,
+            smooth: smooth.as_ref().map(|smooth| smooth[j].clone()),
+        };
+        spreads.into_iter().enumerate().map(bound).collect()
+    }
+}
+
+impl SmoothBound {
+    /// From the displacements and from ‖(nD_2)^c‖; `None` when these leave it infinite.
+    fn new(limit: &Limit, displaced: &[Functional], scaled: &[Rational]) -> Option<SmoothBound> {
+        let arity = Rational::from(limit.mask().arity());
+        let at_zero = |c: Rational| Functional::new(0, [c]);
+        // ε, the same for every displacement.
+        let step = displaced[0].apply(|_| Rational::one());
+        let straight = at_zero(step.clone());
+        let last = displaced[0].shifted(1);
+        let rests = displaced.iter().chain([&last]).map(|f| f.plus(&Rational::from(-1), &straight));
+        let factor = greatest(rests.map(|rest| second_norm(&rest)));
+        let plain = (0..).zip(scaled).map(|(c, norm)| norm / arity.pow(c)).collect();
+        let rows = (0..).zip(limit.difference().rows()).map(|(alpha, _)| {
+            let row = Functional::new(alpha, [Rational::one()]).after(limit.difference());
+            second_norm(&row.plus(&-arity.recip(), &at_zero(Rational::one())))
+        });
+        let shift = (&step * &arity / (&arity - Rational::one())).abs();
+        let turn = if shift.is_zero() {
+            Rational::zero()
+        } else {
+            series(&shift * &arity * greatest(rows), scaled)?
+        };
+        Some(SmoothBound { arity, shift, turn, rest: SoundBound::of(factor, plain) })
+    }
+
+    fn levels(&self, level: u32) -> Option<Vec<[Rational; 2]>> {
+        let rests = (0..).zip(self.rest.levels(level)?);
+        let bound = |(j, rest): (i32, Rational)| {
+            let scale = self.arity.pow(-j);
+            [&self.shift * &scale, &self.turn * &scale + rest]
+        };
+        Some(rests.map(bound).collect())
+    }
+}
+
+/// x'_α − P^0(α/n), α = 0, …, n − 1, as functionals of Δ.
+fn displacements(limit: &Limit) -> Result<Vec<Functional>, LimitError> {
+    let arity = limit.mask().arity();
+    let at = |alpha: usize| {
+        let t = Rational::new(alpha, arity);
+        let moved = limit.polygon_at(1, &t)?.plus(&Rational::from(-1), &limit.polygon_at(0, &t)?);
+        Ok(moved.on_differences().expect("both are affine combinations"))
+    };
+    (0..arity).map(at).collect()
+}
+
+/// ‖(nD_2)^c‖ for c = 0, 1, …, where D_2 takes ∇Δ to the next level. It exists when
+/// the rows of nD sum to 1; nD_2 is then the difference operator of the scheme nD.
+fn second_contraction_constants(limit: &Limit) -> Option<Vec<Rational>> {
+    let arity = Rational::from(limit.mask().arity());
+    let derived = limit.difference().map(|entry| entry * &arity);
+    let derived = Mask::new(derived.rows().to_vec(), derived.offset()).ok()?;
+    Some(contraction_constants(&derived.difference()))
+}
+
+/// The least of factor·(C_0 + … + C_{c−1})/(1 − C_c) over c: at least factor·Σ_j C_j.
+/// `None` when no C_c is below 1.
+fn series(factor: Rational, constants: &[Rational]) -> Option<Rational> {
+    SoundBound::of(factor, constants.to_vec()).levels(0)?.pop()
+}
+
+fn norms(functionals: &[Functional]) -> impl Iterator<Item = Rational> {
+    functionals.iter().map(Functional::norm)
+}
+
+/// The norm of a functional of Δ as one of ∇Δ.
+fn second_norm(functional: &Functional) -> Rational {
+    functional.on_differences().expect("it is 0 where Δ is constant").norm()
+}
+
+fn greatest(norms: impl Iterator<Item = Rational>) -> Rational {
+    norms.max().unwrap_or_else(Rational::zero)
+}

@@ -1,0 +1,147 @@
+//! Values of the limit at n-adic parameters.
+
+use super::convergence::{contraction_constants, limit_at_zero};
+use super::error::{LimitError, MAX_LEVEL, MAX_OFFSET};
+use super::functional::Functional;
+use super::parameter::Parameter;
+use crate::exact::{Rational, format};
+use crate::scheme::{Mask, Rules};
+
+/// The limit P^∞ of a convergent scheme at the parameters i/n^m, exactly.
+///
+/// With P^k the piecewise linear interpolant of the points x^k_i of level k at the
+/// parameters i/n^k, P^∞ = lim P^k. Its values are linear functionals of the control
+/// points x^0: at 0 the left eigenvector for 1 of the scheme on its invariant window,
+/// and elsewhere that of the refined points.
+///
+/// Hypotheses: an affine mask for which some T_c < 1, which is decided here.
+///
+/// Source: `proofs/THEOREMS.md`, 2–4.
+///
+/// ```
+/// use subcert::exact::Rational;
+/// use subcert::limit::{Functional, Limit};
+/// use subcert::scheme::parse_scheme;
+///
+/// let scheme = parse_scheme("b-spline:degree=3")?;
+/// let limit = Limit::new(scheme.masks()[0])?;
+/// let weights = [1, 4, 1].map(|p| Rational::new(p, 6));
+/// assert_eq!(limit.at(&Rational::zero())?, Functional::new(-1, weights));
+/// let half = [1, 23, 23, 1].map(|p| Rational::new(p, 48));
+/// assert_eq!(limit.at(&Rational::new(1, 2))?, Functional::new(-1, half));
+/// assert!(limit.at(&Rational::new(1, 3)).is_err());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Limit {
+    mask: Mask,
+    difference: Rules,
+    contraction: Vec<Rational>,
+    at_zero: Functional,
+}
+
+impl Limit {
+    /// The limit of the scheme of this mask.
+    ///
+    /// T_c is computed for n^c ≤ 2^10, and up to n^c ≤ 2^16 while none is below 1.
+    ///
+    /// # Errors
+    /// When 1 is a multiple eigenvalue, so that there is no continuous limit; when no
+    /// computed T_c is below 1; when the invariant window or the offset is too large.
+    pub fn new(mask: &Mask) -> Result<Limit, LimitError> {
+        if mask.offset().unsigned_abs() > MAX_OFFSET {
+            return Err(LimitError::Offset(mask.offset()));
+        }
+        let at_zero = limit_at_zero(mask)?;
+        let difference = mask.difference();
+        let contraction = contraction_constants(&difference);
+        let least = contraction.iter().skip(1).min().unwrap_or(&contraction[0]);
+        if *least >= Rational::one() {
+            let blocks = u32::try_from(contraction.len() - 1).unwrap_or(u32::MAX);
+            return Err(LimitError::NotShown { blocks, least: format::short(least, 6) });
+        }
+        Ok(Limit { mask: mask.clone(), difference, contraction, at_zero })
+    }
+
+    /// The mask.
+    #[must_use]
+    pub fn mask(&self) -> &Mask {
+        &self.mask
+    }
+
+    /// Its difference mask.
+    #[must_use]
+    pub fn difference(&self) -> &Rules {
+        &self.difference
+    }
+
+    /// T_0 = 1, T_1, …: those computed, of which one at least is below 1.
+    #[must_use]
+    pub fn contraction(&self) -> &[Rational] {
+        &self.contraction
+    }
+
+    /// P^∞(t) as a functional of the control points, for t = i/n^m, m ≤ 256.
+    ///
+    /// # Errors
+    /// When t is not such a parameter, or |t| is 2^60 or more.
+    pub fn at(&self, t: &Rational) -> Result<Functional, LimitError> {
+        let parameter = Parameter::new(t, self.mask.arity())?;
+        Ok(parameter.pull_back(self.at_zero.clone(), self.mask.rules()))
+    }
+
+    /// P^k(t) as a functional of the control points.
+    ///
+    /// # Errors
+    /// As of [`Limit::at`], and when the level k is above 128.
+    pub fn polygon_at(&self, level: u32, t: &Rational) -> Result<Functional, LimitError> {
+        let (parameter, rest) = self.split(level, t)?;
+        Ok(parameter.pull_back(linear(&rest), self.mask.rules()))
+    }
+
+    /// P^∞(t) − P^k(t) as a functional of the differences Δ_i = x_{i+1} − x_i of the
+    /// control points: that of level 0, at the place of t between two points of level
+    /// k, applied to Δ^k = D^k Δ. Its norm is attained by its
+    /// [extremal polygon](Functional::extremal_polygon), and is a lower bound on
+    /// every bound of ‖P^∞ − P^k‖_∞/max|Δ|.
+    ///
+    /// Source: `proofs/THEOREMS.md`, 5.
+    ///
+    /// # Errors
+    /// As of [`Limit::polygon_at`].
+    ///
+    /// # Panics
+    /// Never: the coefficients of both values sum to 1.
+    ///
+    /// ```
+    /// use subcert::exact::Rational;
+    /// use subcert::limit::Limit;
+    /// use subcert::scheme::parse_scheme;
+    ///
+    /// let scheme = parse_scheme("b-spline:degree=3")?;
+    /// let limit = Limit::new(scheme.masks()[0])?;
+    /// let error = limit.error(0, &Rational::zero())?;
+    /// assert_eq!(error.norm(), Rational::new(1, 3));
+    /// assert_eq!(error.extremal_polygon().points, [0, -1, 0]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn error(&self, level: u32, t: &Rational) -> Result<Functional, LimitError> {
+        let (parameter, rest) = self.split(level, t)?;
+        let error = self.at(&rest)?.plus(&Rational::from(-1), &linear(&rest));
+        let error = error.on_differences().expect("both values are affine combinations");
+        Ok(parameter.pull_back(error, &self.difference))
+    }
+
+    fn split(&self, level: u32, t: &Rational) -> Result<(Parameter, Rational), LimitError> {
+        if level > MAX_LEVEL {
+            return Err(LimitError::Level(level));
+        }
+        let arity = self.mask.arity();
+        Ok(Parameter::new(t, arity)?.split(level, arity))
+    }
+}
+
+/// (1 − s) y_0 + s y_1.
+fn linear(s: &Rational) -> Functional {
+    Functional::new(0, [Rational::one() - s, s.clone()])
+}

@@ -1,0 +1,8 @@
+//! Limits and distances: against deep refinement, against closed forms, and
+//! against what polygons do.
+
+#[path = "../common/mod.rs"]
+mod common;
+mod distances;
+mod refused;
+mod values;
