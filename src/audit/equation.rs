@@ -1,9 +1,9 @@
 //! Judging an equation.
 
+use super::judge::scheme_error;
 use super::library::{Library, Unresolved};
 use super::mend;
 use super::shape::{Coefficients, Shape, Shapes};
-use super::table::scheme_error;
 use crate::claim::{Equation, EquationBody, Hypothesis, Identity, Index, LocatedReference, Paper};
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Polynomial, Rational, Scalar};

@@ -6,6 +6,7 @@ mod coverage;
 mod equation;
 mod finding;
 mod function;
+mod judge;
 mod library;
 mod mend;
 mod options;

@@ -1,9 +1,9 @@
 //! What holds, whatever the verdict: the sound value of a bound or a depth.
 
 use super::finding::{CellFinding, Sound};
+use super::judge::{At, Judge, Outcome};
 use super::quantity::Quantities;
 use super::reading::{DEPTH_ROUNDING, Settings};
-use super::table::{At, Judge, Outcome};
 use crate::claim::{Cell, Promise};
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Rational, RealCyclotomic};

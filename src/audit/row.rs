@@ -1,7 +1,7 @@
 //! The definitions that have one value in a row of a table, computed once for it.
 
+use super::judge::{At, Judge, Outcome};
 use super::reading::Restricted;
-use super::table::{At, Judge, Outcome};
 use crate::exact::RealCyclotomic;
 use crate::formula::FreeNames;
 use std::cell::RefCell;

@@ -86,16 +86,19 @@ fn norm<V: Value + PartialEq>(
         window.absolute_sums(known)
     };
     let first = sums(&names.first)?;
-    let Some(second) = &names.second else { return largest(first) };
+    let Some(second) = &names.second else { return largest(&first) };
     let second = sums(second)?;
     match suprema {
-        Suprema::Independent => Ok(largest(first)?.times(&largest(second)?)),
-        Suprema::Joint => largest(first.iter().zip(&second).map(|(a, b)| a.times(b)).collect()),
+        Suprema::Independent => Ok(largest(&first)?.times(&largest(&second)?)),
+        Suprema::Joint => {
+            let products: Vec<V> = first.iter().zip(&second).map(|(a, b)| a.times(b)).collect();
+            largest(&products)
+        }
     }
 }
 
 /// The greatest of numbers that are not negative.
-fn largest<V: Value>(values: Vec<V>) -> Result<V, CallError> {
+fn largest<V: Value>(values: &[V]) -> Result<V, CallError> {
     values.iter().try_fold(V::zero(), |best, value| best.larger(value).ok_or_else(symbolic))
 }
 

@@ -11,6 +11,7 @@ mod chance;
 mod choice;
 mod choices;
 mod consistent;
+mod explain;
 mod scale;
 mod search;
 mod settings;

@@ -16,6 +16,14 @@ pub struct Solved {
     pub simplest: Rational,
 }
 
+/// A parameter that the values of a table are proportional to.
+pub(super) struct Scale {
+    pub(super) name: String,
+    /// Its stated or assumed value.
+    pub(super) base: Rational,
+    pub(super) stated: bool,
+}
+
 /// The precision of the ends: enclosures of 128 binary digits.
 const PRECISION: u32 = 1;
 

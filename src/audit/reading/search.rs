@@ -2,9 +2,9 @@
 
 use super::chance::{chance, is_small, of_decimal, of_depth};
 use super::scale::Solved;
-use super::space::{PrintedCells, Space};
+use super::space::{Change, PrintedCells, Space};
 use crate::audit::finding::CellFinding;
-use crate::audit::table::Judge;
+use crate::audit::judge::Judge;
 use crate::claim::{Cell, Printed};
 use crate::exact::{Rational, RealCyclotomic};
 use std::cmp::{Ordering, Reverse};
@@ -93,7 +93,7 @@ pub(in crate::audit) fn search(judge: &Judge<'_>, findings: &[Vec<CellFinding>])
     let (mut tried, mut best) = (0, Vec::<Explanation>::new());
     for reading in &readings {
         let roundings = space.roundings(reading);
-        let least = best.first().map_or(0, |first| space.least(first, reading));
+        let least = best.first().map_or(0, |first| least(first, reading));
         let Some(values) = space.values(&space.settings(reading), least) else {
             tried += roundings.len();
             continue;
@@ -117,6 +117,11 @@ pub(in crate::audit) fn search(judge: &Judge<'_>, findings: &[Vec<CellFinding>])
     }
     let choices = space.names();
     Some(Search { tried, choices, cells: cells.len(), as_printed, best, chance })
+}
+
+/// How many cells a reading has to explain at least to be as good as another.
+fn least(best: &Explanation, reading: &[Change]) -> usize {
+    best.count() + usize::from(reading.len() > best.differences.len())
 }
 
 fn printed<'a>(judge: &Judge<'a>) -> PrintedCells<'a> {
