@@ -241,6 +241,7 @@ fn comparison(finding: &TableFinding<'_>) -> Option<String> {
             "rounded otherwise",
             count(&|v| matches!(v, Verdict::Rounding(d) if *d != Direction::DepthDown)),
         ),
+        ("by another reading", count(&|verdict| *verdict == Verdict::OtherReading)),
         ("one slip away", count(&|verdict| matches!(verdict, Verdict::Misprint(_)))),
         ("different", count(&|verdict| *verdict == Verdict::Refuted)),
         ("not computed", count(&|verdict| matches!(verdict, Verdict::NotCheckable(_)))),
