@@ -157,12 +157,17 @@ const MAX_CONVOLUTIONS: u32 = 4;
 /// The same by the printed recursion, whose terms are far more.
 const MAX_PRINTED_CONVOLUTIONS: u32 = 3;
 
+/// The greatest absolute value of an index.
+const MAX_INDEX: i64 = 1_000_000;
+
+/// The value of an index, an integer.
 pub(super) fn index<V: Value>(what: &'static str, value: &V) -> Result<i64, CallError> {
-    let integer = value.as_rational().filter(Rational::is_integer);
-    let integer = integer.and_then(|value| value.numerator().to_i64());
-    integer.filter(|value| value.abs() <= 1_000_000).ok_or_else(|| {
+    let integer = value.as_rational().filter(Rational::is_integer).ok_or_else(|| {
         CallError::Inner(FormulaErrorKind::NotAnInteger { what, value: value.to_string() })
-    })
+    })?;
+    let index = integer.numerator().to_i64().filter(|index| index.abs() <= MAX_INDEX);
+    let cap = MAX_INDEX.unsigned_abs();
+    index.ok_or(CallError::Inner(FormulaErrorKind::TooLarge { what, cap }))
 }
 
 fn coefficient<V: Value>(rules: &Rules<V>, rule: &V, column: &V) -> Result<V, CallError> {

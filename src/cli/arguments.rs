@@ -1,7 +1,9 @@
 //! The arguments.
 
+use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
+use subcert::audit::Verdict;
 
 const AFTER_HELP: &str = "\
 SCHEME is a catalogue name with parameters (`six-point:w=3/256`, `newton:j=1,n=3`,
@@ -92,13 +94,16 @@ pub(super) struct AuditArguments {
     #[arg(long)]
     pub(super) all: bool,
     /// Exit with code 1 when a claim has this verdict (may be repeated)
-    #[arg(long, value_name = "VERDICT", value_parser = [
-        "confirmed", "rounding", "misprint", "refuted", "not-checkable", "holds", "fails",
-        "exact", "inexact", "open",
-    ])]
+    #[arg(long, value_name = "VERDICT", value_parser = verdicts())]
     pub(super) deny: Vec<String>,
     #[command(flatten)]
     pub(super) output: Output,
+}
+
+/// The verdicts of numbers, then those of equations, ranges and theorems.
+fn verdicts() -> PossibleValuesParser {
+    let others = ["holds", "fails", "exact", "inexact", "open"];
+    PossibleValuesParser::new(Verdict::NAMES.into_iter().chain(others))
 }
 
 #[derive(Debug, Args)]

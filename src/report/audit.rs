@@ -112,7 +112,9 @@ fn cells<'t>(table: &'t TableFinding<'_>) -> impl Iterator<Item = &'t CellFindin
 
 fn one_table(sheet: &mut Sheet, audit: &PaperAudit<'_>, finding: &TableFinding<'_>) {
     let table = finding.table;
-    sheet.heading(2, format!("{} · {}", table.locus, table.title));
+    let parts = [table.locus.as_str(), table.title.as_str()];
+    let parts: Vec<&str> = parts.into_iter().filter(|part| !part.is_empty()).collect();
+    sheet.heading(2, parts.join(" · "));
     let mut facts = Vec::new();
     if let Some(scheme) = &table.scheme {
         facts.push(("scheme".to_owned(), scheme.reference.to_string()));

@@ -190,7 +190,7 @@ fn a_changed_coefficient_is_caught() {
         ("eq-2.3", "contraction(1)", "norm(1)"),
         ("eq-2.3-four-point", "mask(0, l) - sum", "mask(0, l) + sum"),
         ("eq-2.6", "offset = 0", "offset = -1"),
-        ("eq-2.6-four-point", "u)) - binomial(0, l)*s/3", "u)) - binomial(0, l)*s/4"),
+        ("eq-2.6-four-point", "u)) - kronecker(l, 0)*s/3", "u)) - kronecker(l, 0)*s/4"),
         ("eq-3.2", "norm(1)*beta", "beta"),
     ] {
         let start = embedded_text().find(&format!("id = \"{id}\"")).expect("the claim");
