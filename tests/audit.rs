@@ -362,6 +362,23 @@ fn a_name_for_a_scheme_sees_the_parameters_where_it_is_used() {
 }
 
 /// A value that the program cannot reach says nothing about the printed number.
+/// A definition that says nothing of the column may depend on it by the scheme.
+#[test]
+fn a_definition_follows_the_scheme_of_its_column() {
+    let paper = paper(
+        "[define]\nT = 'contraction(1)'\n[[table]]\nid = 't'\nlocus = 'T'\n\
+         scheme = 'corner-cutting:w=w'\nvalue = 'T'\n\
+         columns = { name = 'w', values = ['1/4', '1/8', '3/8'] }\n\
+         cells = [['0.5', '0.75', '0.75']]\n[[scheme]]\nname = 'corner-cutting'\n\
+         parameters.w = {}\nmask = [['1 - w', 'w'], ['w', '1 - w']]\n",
+    );
+    let audit = judged(&paper);
+    // |1 − 2w| and 2w.
+    let values = audit.tables[0].cells[0].iter().map(|cell| cell.exact.clone());
+    let expected = [exact(1, 2), exact(3, 4), exact(3, 4)].map(Some);
+    assert_eq!(values.collect::<Vec<_>>(), expected);
+}
+
 /// What is wrong in a definition is underlined there, and the claim that needs it is named.
 #[test]
 fn an_error_in_a_definition_is_shown_there() {

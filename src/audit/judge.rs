@@ -121,7 +121,7 @@ impl<'a> Judge<'a> {
     }
 
     /// Whether the axis gives the tolerances of a table of depths.
-    fn tolerance(&self, axis: &Axis) -> bool {
+    pub(super) fn tolerance(&self, axis: &Axis) -> bool {
         let Some(Promise::Depth { tolerance, .. }) = &self.table.promise else { return false };
         matches!(&tolerance.expr.node, Node::Name(name) if *name == axis.name)
     }
@@ -174,7 +174,12 @@ impl<'a> Judge<'a> {
         formula: &LocatedFormula,
         at: At<'_>,
     ) -> Result<Outcome, Diagnostic> {
-        self.evaluate_knowing(formula, at, &self.rows.of(self, at))
+        let scheme = match self.quantities(at)? {
+            Ok(quantities) => quantities.scheme.map(|scheme| scheme.instances),
+            Err(outcome) => return Ok(outcome),
+        };
+        let known = self.rows.of(self, at, scheme.unwrap_or_default());
+        self.evaluate_knowing(formula, at, &known)
     }
 
     /// The same with the values of some definitions known.

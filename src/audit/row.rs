@@ -1,19 +1,23 @@
 //! The definitions that have one value in a row of a table, computed once for it.
 
 use super::judge::{At, Judge, Outcome};
-use super::reading::Restricted;
+use super::reading::{HEADER, Restricted};
 use crate::exact::RealCyclotomic;
 use crate::formula::FreeNames;
+use crate::scheme::Instance;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
+/// The way of headers that the text prints.
+const AS_PRINTED: &str = "exact";
+
 /// Values of definitions.
 pub(super) type Known = BTreeMap<String, RealCyclotomic>;
 
-/// What the values of a row depend on: the row, the reading as far as it matters,
+/// What the values depend on: the row, the scheme, the reading as far as it matters,
 /// and the parameters that are assumed.
-type Key = (usize, Restricted, BTreeSet<String>);
+type Key = (usize, Vec<Instance>, Restricted, BTreeSet<String>);
 
 /// The definitions that do not depend on the column, with their values.
 #[derive(Default)]
@@ -51,9 +55,9 @@ impl RowDefinitions {
         RowDefinitions { names, ..RowDefinitions::default() }
     }
 
-    /// The values in the row of a cell.
-    pub(super) fn of(&self, judge: &Judge<'_>, at: At<'_>) -> Rc<Known> {
-        let key = (at.row, at.settings.restricted(&self.choices), at.assume.clone());
+    /// The values in the row of a cell, for the scheme there.
+    pub(super) fn of(&self, judge: &Judge<'_>, at: At<'_>, scheme: Vec<Instance>) -> Rc<Known> {
+        let key = (at.row, scheme, at.settings.restricted(&self.choices), at.assume.clone());
         if let Some(known) = self.known.borrow().get(&key) {
             return Rc::clone(known);
         }
@@ -66,12 +70,14 @@ impl RowDefinitions {
     pub(super) fn find_choices(&mut self, judge: &Judge<'_>, at: At<'_>) {
         self.compute(judge, at);
         self.choices = at.settings.consulted();
+        if judge.table.rows.as_ref().is_some_and(|axis| judge.tolerance(axis)) {
+            self.choices.insert(HEADER.name, AS_PRINTED.to_owned());
+        }
     }
 
     /// A definition without a value here is left to whoever needs it.
     fn compute(&self, judge: &Judge<'_>, at: At<'_>) -> Known {
         let definitions = at.settings.definitions.as_ref().unwrap_or(&judge.paper.definitions);
-        let at = At { column: 0, ..at };
         let mut known = Known::new();
         for name in &self.names {
             if let Ok(Outcome::Value(value)) =
