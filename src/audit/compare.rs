@@ -35,7 +35,8 @@ pub(super) fn judge(
     }
 }
 
-fn matches(printed: &Decimal, exact: &RealCyclotomic) -> bool {
+/// Whether `exact` becomes `printed` by some rounding.
+pub(super) fn matches(printed: &Decimal, exact: &RealCyclotomic) -> bool {
     printed.rounding_of(exact) != Rounding::Neither
 }
 

@@ -174,26 +174,25 @@ impl<'a> Judge<'a> {
         formula: &LocatedFormula,
         at: At<'_>,
     ) -> Result<Outcome, Diagnostic> {
-        let scheme = match self.quantities(at)? {
-            Ok(quantities) => quantities.scheme.map(|scheme| scheme.instances),
-            Err(outcome) => return Ok(outcome),
-        };
-        let known = self.rows.of(self, at, scheme.unwrap_or_default());
-        self.evaluate_knowing(formula, at, &known)
-    }
-
-    /// The same with the values of some definitions known.
-    pub(super) fn evaluate_knowing(
-        &self,
-        formula: &LocatedFormula,
-        at: At<'_>,
-        known: &Known,
-    ) -> Result<Outcome, Diagnostic> {
         let quantities = match self.quantities(at)? {
             Ok(quantities) => quantities,
             Err(outcome) => return Ok(outcome),
         };
-        match evaluate(&formula.expr, &self.scope(at, &quantities, known)) {
+        let known = self.rows.of(self, at, &quantities);
+        self.evaluate_with(formula, at, &quantities, &known)
+    }
+
+    /// The same with these quantities, and with the values of some definitions known.
+    pub(super) fn evaluate_with(
+        &self,
+        formula: &LocatedFormula,
+        at: At<'_>,
+        quantities: &Quantities<'_>,
+        known: &Known,
+    ) -> Result<Outcome, Diagnostic> {
+        // What another formula was given up for says nothing of this one.
+        quantities.beyond_caps.set(false);
+        match evaluate(&formula.expr, &self.scope(at, quantities, known)) {
             Ok(value) => Ok(Outcome::Value(value)),
             Err(error) => match Self::sort(error).map_err(|error| formula.diagnostic(&error))? {
                 Outcome::Undefined(why) if quantities.beyond_caps.get() => {

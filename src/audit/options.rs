@@ -88,11 +88,7 @@ impl<'a> Options<'a> {
 
     /// `value`, once every option has been used.
     pub(super) fn finished<V>(&self, value: V) -> Result<V, CallError> {
-        self.finish().map(|()| value)
-    }
-
-    pub(super) fn finish(&self) -> Result<(), CallError> {
-        self.left.first().map_or(Ok(()), |option| {
+        self.left.first().map_or(Ok(value), |option| {
             let (name, function) = (&option.name, self.function);
             Err(CallError::Misuse(format!("`{function}` takes no option `{name}`")))
         })

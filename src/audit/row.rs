@@ -1,6 +1,7 @@
 //! The definitions that have one value in a row of a table, computed once for it.
 
 use super::judge::{At, Judge, Outcome};
+use super::quantity::Quantities;
 use super::reading::{HEADER, Restricted};
 use crate::exact::RealCyclotomic;
 use crate::formula::FreeNames;
@@ -55,20 +56,29 @@ impl RowDefinitions {
         RowDefinitions { names, ..RowDefinitions::default() }
     }
 
-    /// The values in the row of a cell, for the scheme there.
-    pub(super) fn of(&self, judge: &Judge<'_>, at: At<'_>, scheme: Vec<Instance>) -> Rc<Known> {
+    /// The values in the row of a cell, for the scheme that the quantities there are of.
+    pub(super) fn of(
+        &self,
+        judge: &Judge<'_>,
+        at: At<'_>,
+        quantities: &Quantities<'_>,
+    ) -> Rc<Known> {
+        let scheme = quantities.scheme.as_ref().map(|scheme| scheme.instances.clone());
+        let scheme = scheme.unwrap_or_default();
         let key = (at.row, scheme, at.settings.restricted(&self.choices), at.assume.clone());
         if let Some(known) = self.known.borrow().get(&key) {
             return Rc::clone(known);
         }
-        let known = Rc::new(self.compute(judge, at));
+        let known = Rc::new(self.compute(judge, at, quantities));
         self.known.borrow_mut().insert(key, Rc::clone(&known));
         known
     }
 
     /// Notes which choices the values depend on, by computing those of the first row.
     pub(super) fn find_choices(&mut self, judge: &Judge<'_>, at: At<'_>) {
-        self.compute(judge, at);
+        if let Ok(Ok(quantities)) = &judge.quantities(at) {
+            self.compute(judge, at, quantities);
+        }
         self.choices = at.settings.consulted();
         if judge.table.rows.as_ref().is_some_and(|axis| judge.tolerance(axis)) {
             self.choices.insert(HEADER.name, AS_PRINTED.to_owned());
@@ -76,12 +86,12 @@ impl RowDefinitions {
     }
 
     /// A definition without a value here is left to whoever needs it.
-    fn compute(&self, judge: &Judge<'_>, at: At<'_>) -> Known {
+    fn compute(&self, judge: &Judge<'_>, at: At<'_>, quantities: &Quantities<'_>) -> Known {
         let definitions = at.settings.definitions.as_ref().unwrap_or(&judge.paper.definitions);
         let mut known = Known::new();
         for name in &self.names {
             if let Ok(Outcome::Value(value)) =
-                judge.evaluate_knowing(&definitions[name], at, &known)
+                judge.evaluate_with(&definitions[name], at, quantities, &known)
             {
                 known.insert(name.clone(), value);
             }

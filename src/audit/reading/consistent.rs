@@ -2,7 +2,7 @@
 
 use super::choices::DECIMAL_ROUNDING;
 use super::search::Difference;
-use crate::exact::{Decimal, RealCyclotomic};
+use crate::exact::{Decimal, RealCyclotomic, Rounding};
 
 /// How a decimal was rounded, as [`DECIMAL_ROUNDING`](super::choices::DECIMAL_ROUNDING)
 /// names the ways.
@@ -29,18 +29,15 @@ impl DecimalRounding {
 
     /// Whether `exact` becomes `printed`.
     pub(super) fn gives(self, printed: &Decimal, exact: &RealCyclotomic) -> bool {
-        let number = |value| RealCyclotomic::from(value);
-        let unit = number(printed.unit());
-        let value = number(printed.value());
-        if value.sign() * exact.sign() < 0 {
-            return false;
-        }
-        // How much was lost towards zero.
-        let lost = &exact.abs() - &value.abs();
-        match self {
-            DecimalRounding::Nearest => &lost.abs() + &lost.abs() <= unit,
-            DecimalRounding::Cut => lost.sign() >= 0 && lost < unit,
-            DecimalRounding::Away => lost.sign() <= 0 && -&lost < unit,
-        }
+        let rounding = printed.rounding_of(exact);
+        let shown = || RealCyclotomic::from(printed.value()).abs();
+        rounding != Rounding::Neither
+            && match self {
+                DecimalRounding::Nearest => {
+                    matches!(rounding, Rounding::Exact | Rounding::Nearest)
+                }
+                DecimalRounding::Cut => shown() <= exact.abs(),
+                DecimalRounding::Away => shown() >= exact.abs(),
+            }
     }
 }

@@ -5,6 +5,7 @@ use super::scale::{Scale, Solved, is_simple, simplest, solve};
 use super::search::{Difference, Explanation, MAX_DIFFERENCES};
 use super::settings::Settings;
 use super::space::{Change, Space, Values};
+use crate::audit::compare;
 use crate::audit::judge::{At, Judge, Outcome};
 use crate::claim::Printed;
 use crate::exact::RealCyclotomic;
@@ -24,10 +25,7 @@ impl Space<'_> {
                     row_values.push(None);
                     continue;
                 };
-                let gives = |value: &RealCyclotomic| {
-                    let mut all = DecimalRounding::ALL.iter();
-                    all.any(|(_, way)| way.gives(&printed.decimal, value))
-                };
+                let gives = |value: &RealCyclotomic| compare::matches(&printed.decimal, value);
                 // With a scale to be solved for, nothing is known yet.
                 if self.scale.is_none() && !value.as_ref().is_some_and(gives) {
                     possible -= 1;
@@ -69,9 +67,9 @@ impl Space<'_> {
         }
         let mut double = Settings::default();
         double.parameters.insert(scale.name.clone(), &scale.base + &scale.base);
-        let (once, twice) = (self.all_values(&Settings::default()), self.all_values(&double));
-        let pairs = once.iter().flatten().zip(twice.iter().flatten());
-        pairs.into_iter().all(|(once, twice)| match (once, twice) {
+        let twice = self.all_values(&double);
+        let mut pairs = self.as_printed.iter().flatten().zip(twice.iter().flatten());
+        pairs.all(|(once, twice)| match (once, twice) {
             (Some(once), Some(twice)) => &(once + once) == twice,
             (None, None) => true,
             _ => false,
@@ -79,9 +77,8 @@ impl Space<'_> {
     }
 
     /// How many cells the printed definition explains.
-    pub(super) fn as_printed(&self) -> usize {
-        let values = self.all_values(&Settings::default());
-        let explained = self.explained(&values, DecimalRounding::Nearest);
+    pub(super) fn explained_as_printed(&self) -> usize {
+        let explained = self.explained(&self.as_printed, DecimalRounding::Nearest);
         explained.iter().flatten().filter(|explained| **explained).count()
     }
 

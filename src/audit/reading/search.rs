@@ -82,7 +82,7 @@ pub(in crate::audit) fn search(judge: &Judge<'_>, findings: &[Vec<CellFinding>])
     let printed = printed(judge);
     let cells: Vec<&Printed> = printed.iter().flatten().flatten().copied().collect();
     let space = Space::new(judge, findings, &printed)?;
-    let as_printed = space.as_printed();
+    let as_printed = space.explained_as_printed();
     if as_printed == cells.len() {
         return None;
     }

@@ -35,6 +35,8 @@ pub(super) struct Space<'s> {
     pub(super) printed: &'s PrintedCells<'s>,
     /// The parameters that have to be assumed.
     pub(super) assume: BTreeSet<String>,
+    /// The values by the printed definition.
+    pub(super) as_printed: Values,
     /// The parameter that the values are proportional to.
     pub(super) scale: Option<Scale>,
     /// For each choice, the ways other than the printed one.
@@ -51,8 +53,9 @@ impl<'s> Space<'s> {
         let assume: BTreeSet<String> =
             all.flat_map(|finding| finding.assumed.iter().map(|(name, _)| name.clone())).collect();
         let settings = Settings::default();
-        let mut space = Space { judge, printed, assume, scale: None, changes: Vec::new() };
-        space.all_values(&settings);
+        let (as_printed, scale, changes) = (Values::new(), None, Vec::new());
+        let mut space = Space { judge, printed, assume, as_printed, scale, changes };
+        space.as_printed = space.all_values(&settings);
         let mut consulted = settings.consulted();
         consulted.extend(judge.rows.choices.clone());
         for choice in FAMILY {
