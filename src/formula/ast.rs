@@ -30,25 +30,33 @@ impl Expr {
         let mut waiting = vec![self];
         while let Some(expr) = waiting.pop() {
             match &expr.node {
-                Node::Number(_) => {}
                 Node::Name(name) => {
                     names.insert(name.as_str());
                 }
-                Node::Indexed { indices, .. } => waiting.extend(indices),
-                Node::Call { arguments, options, .. } => {
-                    waiting.extend(arguments);
+                Node::Call { options, .. } => {
                     names.extend(options.iter().filter_map(OptionWord::definition));
                 }
-                Node::Negate(operand) => waiting.push(operand),
-                Node::Chain(first, rest) => {
-                    waiting.push(first);
-                    waiting.extend(rest.iter().map(|(_, operand)| operand));
-                }
-                Node::Power(base, exponent) => waiting.extend([&**base, &**exponent]),
-                Node::Fold { from, to, body, .. } => waiting.extend([&**from, &**to, &**body]),
+                _ => {}
             }
+            waiting.extend(expr.parts());
         }
         names
+    }
+
+    /// The expressions that this one is made of.
+    pub(super) fn parts(&self) -> Vec<&Expr> {
+        match &self.node {
+            Node::Number(_) | Node::Name(_) => Vec::new(),
+            Node::Indexed { indices: parts, .. } | Node::Call { arguments: parts, .. } => {
+                parts.iter().collect()
+            }
+            Node::Negate(operand) => vec![operand],
+            Node::Chain(first, rest) => {
+                std::iter::once(&**first).chain(rest.iter().map(|(_, operand)| operand)).collect()
+            }
+            Node::Power(base, exponent) => vec![base, exponent],
+            Node::Fold { from, to, body, .. } => vec![from, to, body],
+        }
     }
 }
 

@@ -39,51 +39,31 @@ impl<'a> FreeNames<'a> {
     /// # Ok::<(), subcert::formula::FormulaError>(())
     /// ```
     pub fn of(&mut self, expr: &Expr) -> BTreeSet<String> {
+        let mut free = BTreeSet::new();
         match &expr.node {
-            Node::Number(_) => BTreeSet::new(),
-            Node::Name(name) if name == PI => BTreeSet::new(),
-            Node::Name(name) => self.of_name(name),
-            Node::Indexed { name, indices } => {
-                let mut free = self.of_all(indices);
+            Node::Name(name) if name != PI => free.extend(self.of_name(name)),
+            Node::Indexed { name, .. } => {
                 free.insert(name.clone());
-                free
             }
-            Node::Negate(operand) => self.of(operand),
-            Node::Chain(first, rest) => {
-                let mut free = self.of(first);
-                for (_, operand) in rest {
-                    free.extend(self.of(operand));
-                }
-                free
-            }
-            Node::Power(base, exponent) => {
-                let mut free = self.of(base);
-                free.extend(self.of(exponent));
-                free
-            }
-            Node::Call { arguments, options, .. } => {
-                let mut free = self.of_all(arguments);
+            Node::Call { options, .. } => {
                 let index = options.iter().find(|option| option.name == INDEX_OPTION.0);
                 let index = index.map_or(INDEX_OPTION.1, |option| &option.word);
                 for name in options.iter().filter_map(OptionWord::definition) {
                     free.extend(self.of_name(name).into_iter().filter(|free| free != index));
                 }
-                free
             }
             Node::Fold { index, from, to, body, .. } => {
-                let mut free = self.of(body);
+                // The ends of the range do not see its index.
+                free.extend(self.of(body));
                 free.remove(index);
                 free.extend(self.of(from));
                 free.extend(self.of(to));
-                free
+                return free;
             }
+            _ => {}
         }
-    }
-
-    fn of_all(&mut self, list: &[Expr]) -> BTreeSet<String> {
-        let mut free = BTreeSet::new();
-        for expr in list {
-            free.extend(self.of(expr));
+        for part in expr.parts() {
+            free.extend(self.of(part));
         }
         free
     }
