@@ -9,7 +9,7 @@ In README.md, a block
     ```
 
 holds what that command writes; `head=N` before the command keeps N lines. The files
-of FILES hold what their command writes, and nothing else.
+of FILES, and proofs/errata, hold what their command writes, and nothing else.
 """
 
 import re
@@ -22,7 +22,10 @@ BLOCK = re.compile(
     r"(<!-- run(?: head=(?P<head>\d+))?: subcert (?P<command>[^\n]*?) -->\n```\w*\n)(?P<text>.*?)(```\n)",
     re.DOTALL,
 )
-FILES = {"proofs/COVERAGE.md": "coverage --format markdown"}
+FILES = {"proofs/COVERAGE.md": "coverage --format markdown"} | {
+    f"proofs/certificates/{claims.stem}.cert": f"prove {claims.stem} -o -"
+    for claims in sorted((ROOT / "proofs" / "claims").glob("*.toml"))
+}
 
 
 def output(command: str, head: str | None = None) -> str:
@@ -44,8 +47,12 @@ def with_blocks(text: str) -> str:
 def main() -> int:
     generated = {"README.md": with_blocks((ROOT / "README.md").read_text())}
     generated |= {name: output(command) for name, command in FILES.items()}
+    for claims in sorted((ROOT / "proofs" / "claims").glob("*.toml")):
+        key = claims.stem
+        generated[f"proofs/errata/{key}.md"] = output(f"errata --paper {key}")
     if "--check" not in sys.argv[1:]:
         for name, text in generated.items():
+            (ROOT / name).parent.mkdir(exist_ok=True)
             (ROOT / name).write_text(text)
         return 0
     stale = [

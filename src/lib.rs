@@ -33,6 +33,7 @@
 //! | T_c of a ring | [`RingConstants`](bound::RingConstants), by [`transport`](bound::transport()) |
 //! | β, τ, ϑ | spread: the largest difference of neighbouring control points |
 //! | sup ‖P^∞ − P^k‖ for spread 1 | distance constant, [`Distances`](limit::Distances) |
+//! | the same of a surface, of a ring | [`SurfaceDistances`](limit::SurfaceDistances), [`RingDistances`](limit::RingDistances) |
 //! | k ≥ log_T(…) | [`log_level`](bound::log_level), [`least_level`](bound::least_level) |
 //!
 //! # Modules
@@ -50,12 +51,14 @@
 //! | [`oracle`] | reference values and checks for other programs' tests |
 //! | [`claim`] | what a paper asserts |
 //! | [`audit`] | from claims to verdicts |
+//! | [`certificate`] | verdicts as certificates, for a checker that trusts nothing of this |
 //! | `report` | findings as text, Markdown and JSON (feature `cli`) |
 //!
 //! [`diagnostic`] serves them all: errors that point at a place in a file.
 
 pub mod audit;
 pub mod bound;
+pub mod certificate;
 pub mod claim;
 pub mod diagnostic;
 pub mod exact;

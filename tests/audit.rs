@@ -4,7 +4,8 @@
 #![allow(missing_docs)]
 
 use subcert::audit::{
-    CellFinding, Direction, EquationVerdict, Missing, PaperAudit, Slip, Sound, Verdict, audit,
+    CellFinding, ControlData, Direction, EquationVerdict, Kept, Missing, PaperAudit, Slip, Sound,
+    Verdict, audit,
 };
 use subcert::claim::{Paper, embedded, embedded_papers, read_paper};
 use subcert::diagnostic::SourceText;
@@ -395,11 +396,11 @@ fn an_error_in_a_definition_is_shown_there() {
 fn a_value_beyond_the_caps_is_not_checkable() {
     let text = "[[table]]\nid = 't'\nlocus = 'T'\nscheme = 'chaikin'\n\
                 value = 'contraction(c)'\n\
-                columns = { name = 'c', values = ['1', '30'] }\n\
+                columns = { name = 'c', values = ['1', '300'] }\n\
                 cells = [['0.5', '9.3e-10']]\n\
                 [[table]]\nid = 'u'\nlocus = 'U'\nscheme = 'chaikin'\n\
                 value = 'tau*contraction(c)'\nunstated = { tau = '1/10' }\n\
-                columns = { name = 'c', values = ['30'] }\ncells = [['9.3e-11']]\n";
+                columns = { name = 'c', values = ['300'] }\ncells = [['9.3e-11']]\n";
     let paper = paper(text);
     let audit = judged(&paper);
     let [known, beyond] = &audit.tables[0].cells[0][..] else { panic!("two cells") };
@@ -407,7 +408,7 @@ fn a_value_beyond_the_caps_is_not_checkable() {
     let Verdict::NotCheckable(Missing::Capacity(why)) = &beyond.verdict else {
         panic!("{:?}", beyond.verdict)
     };
-    assert!(why.contains("2^30 residue classes"), "{why}");
+    assert!(why.contains("2^300 row sums"), "{why}");
     let unstated = &audit.tables[1].cells[0][0];
     let missing = Missing::Parameters(vec!["tau".to_owned()]);
     assert_eq!(unstated.verdict, Verdict::NotCheckable(missing));
@@ -435,6 +436,50 @@ fn a_depth_that_is_defined_rounded_down_keeps_no_promise() {
     // The value needs no spread, so none is assumed for the sound depth either.
     assert_eq!(short.sound, Some(Sound::None("the paper does not state beta".to_owned())));
     assert_eq!(short.kept_by_sound, None);
+}
+
+/// Chaikin's polygons are up to 2^−k/2 from their limit, its nets and the points of a
+/// square face 2^−k.
+#[test]
+fn promises_are_kept_or_broken_by_control_data() {
+    let table = |id: &str, scheme: &str, promise: &str, cells: &str| {
+        format!(
+            "[[table]]\nid = '{id}'\nlocus = 'T'\n{scheme}\nvalue = '1'\n\
+             promise = {{ {promise}, spread = '3' }}\n\
+             columns = {{ name = 'x', values = ['1', '1', '1'] }}\ncells = [[{cells}]]\n"
+        )
+    };
+    let text = [
+        table("depths", "scheme = 'chaikin'", "tolerance = '3/8'", "'2', '1', '1.5'"),
+        table("bounds", "scheme = 'chaikin'", "level = '3'", "'0.1875', '0.1874', '1'"),
+        table("nets", "scheme = 'chaikin x chaikin'", "tolerance = '3/8'", "'3', '2', '200'"),
+        table("rings", "", "tolerance = '3/8', ring = 'doo-sabin:n=4'", "'3', '2', '200'"),
+    ]
+    .concat();
+    let paper = paper(&text);
+    let audit = judged(&paper);
+    let cells = |table: usize| &audit.tables[table].cells[0];
+    for table in 0..4 {
+        assert_eq!(cells(table)[0].kept, Some(Kept::Yes), "{}", cells(table)[0].id);
+        let Some(Kept::No(broken)) = &cells(table)[1].kept else {
+            panic!("{}: {:?}", cells(table)[1].id, cells(table)[1].kept)
+        };
+        let distance = [exact(3, 4), exact(3, 16), exact(3, 4), exact(3, 4)];
+        assert_eq!(broken.distance, distance[table]);
+        assert_eq!(broken.spread, Rational::from(3));
+        match &broken.data {
+            ControlData::Polygon(polygon, _) => assert_eq!(polygon.points, [0, 1]),
+            ControlData::Net(net, ..) => {
+                let ascends = |(i, row): (i64, &Vec<i64>)| (i..).zip(row).all(|(sum, x)| sum == *x);
+                assert!((0..).zip(net).all(ascends), "{net:?}");
+            }
+            ControlData::Ring(ring, _) => assert_eq!(*ring, [2, 1, 0, 1]),
+        }
+    }
+    assert!(matches!(&cells(0)[2].kept, Some(Kept::Open(why)) if why.contains("level")));
+    assert_eq!(cells(1)[2].kept, Some(Kept::Yes));
+    let counts = audit.promise_counts();
+    assert_eq!((counts.kept, counts.broken, counts.open, counts.all()), (7, 4, 1, 12));
 }
 
 /// The identity fails in the last of many cases: the search for a mend looks there

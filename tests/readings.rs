@@ -6,9 +6,9 @@ mod common;
 
 use common::r;
 use proptest::prelude::*;
-use subcert::audit::{FAMILY, PaperAudit, Search, Slip, Verdict, audit};
+use subcert::audit::{FAMILY, PaperAudit, Search, Slip, Solved, Verdict, audit};
 use subcert::bound::{Constants, Suprema};
-use subcert::bound::{Operator, Order, Terms, displacement};
+use subcert::bound::{Operator, Order, Rounded, Terms, displacement, log_level};
 use subcert::claim::{Paper, embedded_papers, read_paper};
 use subcert::diagnostic::SourceText;
 use subcert::exact::{Integer, Rational};
@@ -67,6 +67,60 @@ fn mask() -> impl Strategy<Value = Mask> {
 }
 
 const PLACES: u32 = 6;
+
+/// A mask of two rules that depends on w: the coefficients a + b·w, where the a of a
+/// rule sum to 1 and the b to 0.
+#[derive(Clone, Debug)]
+struct Family {
+    constant: Mask,
+    slope: Vec<Vec<Rational>>,
+}
+
+impl Family {
+    fn at(&self, w: &Rational) -> Mask {
+        let rows = self.constant.rules().rows().iter().zip(&self.slope);
+        let row = |(a, b): (&Vec<Rational>, &Vec<Rational>)| {
+            a.iter().zip(b).map(|(a, b)| a + b * w).collect()
+        };
+        Mask::new(rows.map(row).collect(), 0).unwrap()
+    }
+
+    /// A paper with this scheme and one table.
+    fn paper(&self, value: &str, rest: &str, columns: &str, cells: &[String]) -> Paper {
+        let entry = |(a, b): (&Rational, &Rational)| format!("'{a} + ({b})*w'");
+        let rows = self.constant.rules().rows().iter().zip(&self.slope).map(|(a, b)| {
+            let row: Vec<String> = a.iter().zip(b).map(entry).collect();
+            format!("[{}]", row.join(", "))
+        });
+        let rows: Vec<String> = rows.collect();
+        let cells: Vec<String> = cells.iter().map(|cell| format!("'{cell}'")).collect();
+        let text = format!(
+            "key = 'k'\n[paper]\nauthors = ['A']\ntitle = 't'\nvenue = 'v'\nyear = '1'\n\
+             [[scheme]]\nname = 's'\nparameters.w = {{ about = '' }}\nmask = [{}]\n\
+             [[table]]\nid = 't'\nlocus = 'T'\nscheme = 's:w=w'\nvalue = '{value}'\n{rest}\n\
+             columns = {{ name = 'c', values = [{columns}] }}\ncells = [[{}]]\n",
+            rows.join(", "),
+            cells.join(", "),
+        );
+        read_paper(&SourceText::new("k.toml", text)).unwrap_or_else(|error| panic!("{error}"))
+    }
+}
+
+fn family() -> impl Strategy<Value = Family> {
+    let slopes = prop::collection::vec(prop::collection::vec(-3_i64..4, 2), 2);
+    let constants = prop::collection::vec(prop::collection::vec(-3_i64..9, 2), 2);
+    (constants, slopes).prop_map(|(constants, slopes)| {
+        let complete = |row: &Vec<i64>, sum: i64| {
+            let row = row.iter().map(|p| r(*p, 8));
+            let mut row: Vec<Rational> = row.collect();
+            row.push(r(sum, 1) - row.iter().sum::<Rational>());
+            row
+        };
+        let constant = constants.iter().map(|row| complete(row, 1)).collect();
+        let slope = slopes.iter().map(|row| complete(row, 0)).collect();
+        Family { constant: Mask::new(constant, 0).unwrap(), slope }
+    })
+}
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(30))]
@@ -139,6 +193,98 @@ proptest! {
         prop_assert!(matches!(verdict, Verdict::Misprint(Slip::Digit { .. })), "{:?}", verdict);
     }
 
+    /// A hidden parameter of the scheme, under a hidden reading: an interval that holds it
+    /// is found, and a digit altered is the slip.
+    #[test]
+    fn a_hidden_parameter_is_found(
+        family in family(), p in -40_i64..41, q in 1_i64..25, at in prop::option::of(0_usize..5),
+        up in 1_u8..5,
+    ) {
+        let w = r(p, q * 4);
+        let constants = Constants::new(family.at(&w));
+        let value = |c| constants.tensor(c, Order::Adjoint, Suprema::Joint).unwrap();
+        prop_assume!((1..=5).all(|c| value(c) > r(1, 10)));
+        let mut cells: Vec<String> = (1..=5).map(|c| cut(&value(c), PLACES)).collect();
+        let claimed = Constants::new(family.at(&r(1, 7)));
+        // Where the first cells do not depend on w, or it has its assumed value, or a
+        // cell has few digits, there is nothing to find.
+        let differs = |c| claimed.tensor(c, Order::Adjoint, Suprema::Joint).unwrap() != value(c);
+        prop_assume!((1..=5).filter(|&c| differs(c)).count() > 3);
+        prop_assume!(cells.iter().all(|cell| !cell.ends_with('0')));
+        if let Some(at) = at {
+            let point = cells[at].find('.').unwrap();
+            let digit = cells[at].as_bytes()[point + 4] - b'0';
+            cells[at].replace_range(point + 4..point + 5, &((digit + up) % 10).to_string());
+        }
+        let columns = "'1', '2', '3', '4', '5'";
+        let paper = family.paper("tensor(c)", "unstated = { w = '1/7' }", columns, &cells);
+        let audit = judged(&paper);
+        let search = audit.tables[0].search.as_ref().expect("a search");
+        let best = search.best.first().expect("a reading");
+        prop_assert!(best.count() >= 4 + usize::from(at.is_none()), "{:?}", says(search));
+        let solved: Vec<_> = search.best.iter().flat_map(|best| &best.solved).collect();
+        // Other values may do as well; this one is among those that do, or simpler
+        // ones are shown.
+        let holds = |solved: &&&Solved| solved.between.0 <= w && w <= solved.between.1;
+        let simpler = best.solved.first().is_some_and(|solved| {
+            solved.simplest.denominator() <= w.denominator()
+        });
+        prop_assert!(solved.iter().any(|solved| holds(&solved)) || simpler, "{:?}", solved);
+        // One of several readings that do as well may have another value in this cell.
+        let only = search.best.len() == 1;
+        let exactly = only && best.solved.first().is_some_and(|solved| solved.simplest == w);
+        if let (Some(at), 4, true) = (at, best.count(), exactly) {
+            let finding = &audit.tables[0].cells[0][at];
+            let verdict = finding.verdict_if_assumed.as_ref().unwrap();
+            let slip = matches!(verdict, Verdict::Misprint(Slip::Digit { .. }));
+            prop_assert!(slip || best.explained[0][at], "{:?}", verdict);
+        }
+    }
+
+    /// Depths computed with a hidden spread: the interval found holds it. Under another
+    /// rounding another spread would give the same, so that this is the printed one.
+    #[test]
+    fn a_hidden_spread_is_found(mask in mask(), p in 1_i64..10, q in 1_i64..10) {
+        let constants = Constants::new(mask.clone());
+        let spread = r(p, q);
+        let sigma = displacement(&mask, Terms::Each);
+        let t = constants.norm(Operator::Difference, 2, Order::Adjoint).unwrap();
+        prop_assume!(t < Rational::one() && !sigma.is_zero());
+        let columns: Vec<String> = (1..=20).map(|i| format!("'1e-{i}'")).collect();
+        let depth = |i: i32| {
+            let epsilon = Rational::power_of_ten(-i);
+            let x = epsilon * (Rational::one() - &t) / (&sigma * &spread);
+            log_level(&t, &x, Rounded::Up).unwrap().to_string()
+        };
+        let cells: Vec<String> = (1..=20).map(depth).collect();
+        let paper = paper(
+            &mask,
+            "levels(contraction(2), c*(1 - contraction(2))/(displacement()*tau), rounded = up)",
+            "unstated = { tau = '1/1000' }\npromise = { tolerance = \"c\", spread = \"tau\" }",
+            &columns.join(", "),
+            &cells,
+        );
+        let audit = judged(&paper);
+        let search = audit.tables[0].search.as_ref().expect("a search");
+        let best = search.best.first().expect("a reading");
+        prop_assert_eq!(best.count(), 20, "{:?}", says(search));
+        let solved = search.best.iter().flat_map(|best| &best.solved);
+        let inside = solved.filter(|solved| solved.between.0 <= spread && spread <= solved.between.1);
+        prop_assert!(inside.count() > 0, "{:?}", search.best[0].solved);
+    }
+
+    /// Random digits are explained by nothing, whatever the parameter.
+    #[test]
+    fn random_digits_have_no_parameter(
+        family in family(), digits in prop::collection::vec(100_000_i64..1_000_000, 5),
+    ) {
+        let cells: Vec<String> = digits.iter().map(|digits| format!("0.{digits}")).collect();
+        let columns = "'1', '2', '3', '4', '5'";
+        let paper = family.paper("tensor(c)", "unstated = { w = '1/7' }", columns, &cells);
+        let search = judged(&paper).tables[0].search.clone().expect("a search");
+        prop_assert!(search.best.is_empty(), "{:?}", says(&search));
+    }
+
     /// Random digits are explained by nothing.
     #[test]
     fn random_digits_are_not_explained(
@@ -173,6 +319,16 @@ fn tables_of_the_papers() {
         explained("khan2019-newton:table-1"),
         whole(18, &["Σ|b| in the contraction constant", "decimals cut"])
     );
+    let joint = "one supremum over a common index";
+    assert_eq!(explained("mustafa2020-nary:table-3"), whole(4, &[joint]));
+    let solved = |table: &str| {
+        let paper = papers.iter().find(|paper| paper.key == "mustafa2020-nary").unwrap();
+        let audit = judged(paper);
+        let finding = audit.tables.iter().find(|finding| finding.table.id == table).unwrap();
+        finding.search.clone().unwrap().best[0].solved[0].simplest.clone()
+    };
+    assert_eq!(solved("table-3"), r(3, 400));
+    assert_eq!(solved("table-11"), r(6, 5));
     assert_eq!(explained("mustafa2020-nary:table-6"), whole(28, &[nearest]));
     assert_eq!(explained("mustafa2020-nary:table-15"), whole(4, &["masks read forwards"]));
     assert_eq!(

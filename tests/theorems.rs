@@ -128,11 +128,13 @@ fn bounds_of_the_papers_have_values() {
                 .unwrap_or_else(|error| panic!("{error}"));
             paper.tables.retain(|table| table.id == "values");
             paper.equations.clear();
+            paper.theorems.clear();
             let audit = audit(&paper).unwrap_or_else(|error| panic!("{error}"));
             let cells = &audit.tables[0].cells[0];
             let values: Vec<_> = cells.iter().filter_map(|cell| cell.exact.clone()).collect();
             assert_eq!(values.len(), 3, "{}: {:?}", theorem.id, cells[0].undefined);
-            assert!(values[2] <= values[0] && values[2].sign() > 0, "{}: {values:?}", theorem.id);
+            // The sums of Theorem 3 of Khan et al. 2022 are empty or 0 for n = 3.
+            assert!(values[2] <= values[0] && values[2].sign() >= 0, "{}: {values:?}", theorem.id);
         }
     }
 }

@@ -17,7 +17,16 @@ pub struct ClaimVerdict<'a> {
 /// The verdicts that say that a claim does not hold as printed.
 const FAILING: [&str; 3] = ["refuted", "fails", "inexact"];
 
+/// Those that say that it does.
+const HOLDING: [&str; 4] = ["confirmed", "holds", "exact", "proved"];
+
 impl ClaimVerdict<'_> {
+    /// Whether it is shown to hold: of a table, whether all of its cells are.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        self.verdicts.keys().all(|verdict| HOLDING.contains(verdict))
+    }
+
     /// Whether it does not hold: of a table, whether one of its cells does not.
     #[must_use]
     pub fn fails(&self) -> bool {

@@ -15,6 +15,17 @@ const DIGITS_FOR_EXPONENT: usize = 4;
 const DIGITS_FOR_SIGN: usize = 4;
 const DIGITS_FOR_NEIGHBOUR: usize = 4;
 
+/// The digits that two exchanged numbers need together, each of them one at least:
+/// with four neighbours, luck finds such a pair once in 20 000 times.
+const DIGITS_FOR_EXCHANGED: usize = 5;
+
+/// The exact values of the cells of a table, by row.
+pub(super) type Values = Vec<Vec<Option<RealCyclotomic>>>;
+
+/// The digits that a number needs to be explained by another reading in all places but
+/// the last.
+const DIGITS_FOR_ROUNDING: usize = 3;
+
 /// How far the decimal point may be off.
 const MAX_EXPONENT_SLIP: i32 = 3;
 
@@ -35,6 +46,43 @@ pub(super) fn judge(
     }
 }
 
+/// The values beside, above and below a cell, with their direction: rows down, columns
+/// to the right.
+pub(super) fn around(
+    values: &Values,
+    row: usize,
+    column: usize,
+) -> Vec<((i32, i32), &RealCyclotomic)> {
+    let steps = [(0, 1), (0, -1), (1, 0), (-1, 0)].into_iter();
+    let value = |step| {
+        let (row, column) = moved(row, column, step)?;
+        Some((step, values.get(row)?.get(column)?.as_ref()?))
+    };
+    steps.filter_map(value).collect()
+}
+
+/// The place that is so many rows down and columns to the right.
+pub(super) fn moved(row: usize, column: usize, step: (i32, i32)) -> Option<(usize, usize)> {
+    let row = row.checked_add_signed(step.0 as isize)?;
+    Some((row, column.checked_add_signed(step.1 as isize)?))
+}
+
+/// Whether two cells, with what is printed and the exact value of each, are exchanged.
+pub(super) fn exchanged(
+    first: &Decimal,
+    first_exact: &RealCyclotomic,
+    second: &Decimal,
+    second_exact: &RealCyclotomic,
+) -> bool {
+    let (digits, other) = (telling_digits(first), telling_digits(second));
+    digits.min(other) > 0
+        && digits + other >= DIGITS_FOR_EXCHANGED
+        && !matches(first, first_exact)
+        && !matches(second, second_exact)
+        && matches(first, second_exact)
+        && matches(second, first_exact)
+}
+
 /// Whether `exact` becomes `printed` by some rounding.
 pub(super) fn matches(printed: &Decimal, exact: &RealCyclotomic) -> bool {
     printed.rounding_of(exact) != Rounding::Neither
@@ -43,6 +91,11 @@ pub(super) fn matches(printed: &Decimal, exact: &RealCyclotomic) -> bool {
 /// The significant digits without the zeros at the end.
 fn telling_digits(printed: &Decimal) -> usize {
     printed.mantissa().abs().to_string().trim_matches('0').len()
+}
+
+/// Whether a number that agrees up to its last place agrees by more than luck.
+pub(super) fn says_enough(printed: &Decimal) -> bool {
+    telling_digits(printed) >= DIGITS_FOR_ROUNDING
 }
 
 fn find_slip(

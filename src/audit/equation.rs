@@ -64,6 +64,8 @@ impl EquationVerdict {
 pub struct Failure {
     /// The indices in words; empty when there are none.
     pub at: String,
+    /// The values of the indices.
+    pub indices: Vec<Rational>,
     /// The left side.
     pub left: Polynomial,
     /// The right side.
@@ -105,7 +107,8 @@ fn compare(
         let left = comparison.value(left, &left.expr, case)?;
         let right = comparison.value(&identity.right, &identity.right.expr, case)?;
         if left != right {
-            failures.push(Failure { at: case.text.clone(), left, right });
+            let indices = case.values.iter().map(|(_, value)| value.clone()).collect();
+            failures.push(Failure { at: case.text.clone(), indices, left, right });
             failing.push(i);
         }
     }

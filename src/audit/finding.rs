@@ -1,5 +1,6 @@
 //! What the audit says of a table cell.
 
+use super::kept::Kept;
 use crate::exact::{Rational, RealCyclotomic};
 use std::fmt;
 
@@ -88,6 +89,9 @@ pub enum Slip {
     /// The number is that of a neighbouring cell: how many rows down and columns
     /// to the right.
     Neighbour(i32, i32),
+    /// The number is exchanged with that of a neighbouring cell: how many rows down
+    /// and columns to the right.
+    Exchanged(i32, i32),
 }
 
 impl fmt::Display for Slip {
@@ -109,6 +113,12 @@ impl fmt::Display for Slip {
                 (_, ..=-1) => "this is the value of the column before",
                 (1.., _) => "this is the value of the next row",
                 _ => "this is the value of the row before",
+            }),
+            Slip::Exchanged(rows, columns) => f.write_str(match (rows, columns) {
+                (_, 1..) => "exchanged with the next column",
+                (_, ..=-1) => "exchanged with the column before",
+                (1.., _) => "exchanged with the next row",
+                _ => "exchanged with the row before",
             }),
         }
     }
@@ -152,6 +162,9 @@ pub enum Sound {
         /// The block length c of that bound.
         block: u32,
     },
+    /// Of a ring: the least level, exactly, that meets the tolerance, and so do all later
+    /// ones.
+    Least(u32),
     /// An upper bound of the distance.
     Bound(Rational),
     /// No sound value, and why.
@@ -197,4 +210,28 @@ pub struct CellFinding {
     pub kept_by_formula: Option<bool>,
     /// Whether the sound bound shows that it keeps its promise.
     pub kept_by_sound: Option<bool>,
+    /// Whether it keeps it for all control data.
+    pub kept: Option<Kept>,
+    /// Of a curve, where it does not at the paper's offset: the scheme's own, and whether
+    /// it does there.
+    pub kept_at_own_offset: Option<(i64, Kept)>,
+}
+
+impl CellFinding {
+    /// Whether the printed number keeps its promise, by the exact distances or by the
+    /// sound bound; `None` where there is none, or neither shows it.
+    #[must_use]
+    pub fn keeps_promise(&self) -> Option<bool> {
+        match &self.kept {
+            Some(Kept::Yes) => Some(true),
+            Some(Kept::No(_)) => Some(false),
+            Some(Kept::Open(_)) | None => self.kept_by_sound.filter(|kept| *kept),
+        }
+    }
+
+    /// Whether it makes a promise of which it is not known that it keeps it.
+    #[must_use]
+    pub fn may_break_promise(&self) -> bool {
+        self.printed.is_some() && self.sound.is_some() && self.keeps_promise().is_none()
+    }
 }

@@ -4,7 +4,7 @@ use super::library::Library;
 use super::parametric::FreeParameter;
 use crate::claim::{FunctionClaim, Paper};
 use crate::diagnostic::Diagnostic;
-use crate::exact::{IntervalSet, PiecewiseLinear, Rational};
+use crate::exact::{Interval, IntervalSet, PiecewisePolynomial, Rational};
 
 /// What the audit says of a closed form in a free parameter.
 #[derive(Clone, Debug)]
@@ -56,7 +56,7 @@ pub struct Example {
     pub right: Rational,
 }
 
-/// Judges a closed form: both sides as piecewise linear functions, in normal form.
+/// Judges a closed form: both sides as piecewise polynomial functions, in normal form.
 pub(super) fn judge<'a>(
     paper: &Paper,
     claim: &'a FunctionClaim,
@@ -76,20 +76,17 @@ pub(super) fn judge<'a>(
     Ok(FunctionFinding { id: format!("{}:{}", paper.key, claim.id), claim, verdict })
 }
 
-/// Where two different functions differ: of 0, the breaks of their difference, and
-/// a point beyond these on each side, the one with the largest difference; of
-/// equally good ones, the first.
-fn example(left: &PiecewiseLinear, right: &PiecewiseLinear) -> Example {
+/// Where two different functions differ: of 0 and the breaks of their difference,
+/// the one with the largest difference; of equally good ones, the first. Where they
+/// are equal at all of these, a point between or beyond them.
+fn example(left: &PiecewisePolynomial, right: &PiecewisePolynomial) -> Example {
     let difference = left.minus(right);
-    let breaks = difference.breakpoints();
     let mut points = vec![Rational::zero()];
-    points.extend(breaks.iter().cloned());
+    points.extend(difference.breakpoints().iter().map(|place| place.bounds().0));
     let size = |x: &Rational| difference.at(x).abs();
     if points.iter().all(|x| size(x).is_zero()) {
-        // Then it is linear and 0 between the breaks, and not beyond both of them.
-        let zero = Rational::zero();
-        points.push(breaks.last().unwrap_or(&zero) + Rational::one());
-        points.push(breaks.first().unwrap_or(&zero) - Rational::one());
+        let differs = left.differs(right);
+        points.extend(differs.intervals().iter().rev().filter_map(Interval::rational));
     }
     let better = |best: Rational, x: Rational| if size(&x) > size(&best) { x } else { best };
     let at = points.into_iter().reduce(better).expect("0 is one of them");

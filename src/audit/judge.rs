@@ -1,15 +1,18 @@
 //! The formulas of a table, evaluated cell by cell.
 
+use super::kept::Remembered;
 use super::library::{Library, Unresolved, values};
-use super::quantity::Quantities;
-use super::reading::{HEADER, Settings};
+use super::quantity::{LevelCall, Quantities};
+use super::reading::{HEADER, Settings, Sibling};
 use super::row::{Known, RowDefinitions};
+use crate::bound::log_level_algebraic;
 use crate::claim::{Axis, AxisEntry, LocatedReference, Paper, Promise, Table};
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Rational, RealCyclotomic, parse_decimal};
 use crate::formula::{FormulaError, FormulaErrorKind, LocatedFormula, Node, Scope, evaluate};
 use crate::scheme::SchemeError;
 use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
 
 /// A value of the claim file's formula, or what stands in its way.
 pub(super) enum Outcome {
@@ -29,6 +32,8 @@ pub(super) struct Judge<'a> {
     /// As printed.
     pub(super) settings: Settings,
     pub(super) rows: RowDefinitions,
+    /// What other tables say of unstated parameters.
+    pub(super) siblings: Vec<Sibling>,
 }
 
 /// One cell's place, and how it is looked at.
@@ -53,7 +58,8 @@ impl<'a> Judge<'a> {
         let assumed = values(&table.unstated)?;
         given.retain(|name, _| !assumed.contains_key(name));
         let (settings, rows) = (Settings::default(), RowDefinitions::default());
-        let mut judge = Judge { paper, table, library, given, assumed, settings, rows };
+        let siblings = Vec::new();
+        let mut judge = Judge { paper, table, library, given, assumed, settings, rows, siblings };
         let mut rows = RowDefinitions::find(&judge);
         let assume = judge.assumed.keys().cloned().collect();
         let (row, column, settings) = (0, 0, &Settings::default());
@@ -103,7 +109,7 @@ impl<'a> Judge<'a> {
 
     /// The value of a header: a tolerance may stand for either end of its rounding
     /// interval.
-    fn header(&self, axis: &Axis, entry: &AxisEntry, settings: &Settings) -> Rational {
+    pub(super) fn header(&self, axis: &Axis, entry: &AxisEntry, settings: &Settings) -> Rational {
         let value = entry.value.clone();
         let Some(word) = settings.word(&HEADER) else { return value };
         let Some(decimal) =
@@ -141,18 +147,44 @@ impl<'a> Judge<'a> {
             scheme: None,
             settings: at.settings,
             beyond_caps: std::cell::Cell::new(false),
+            last_levels: std::cell::RefCell::new(None),
         };
         let Some(located) = &self.table.scheme else { return Ok(Ok(quantities)) };
-        let LocatedReference { reference, source, span } = located;
-        match self.library.resolve(reference, &self.scope(at, &quantities, &Known::new())) {
+        let scope = self.scope(at, &quantities, &Known::new());
+        match self.library.resolve(&located.reference, &scope) {
             Ok(scheme) => {
                 quantities.scheme = Some(scheme);
                 Ok(Ok(quantities))
             }
-            Err(Unresolved::Formula(error)) => Self::sort(error).map(Err).map_err(|error| {
-                Diagnostic::new(source, span.clone(), format!("in its parameters: {error}"))
+            Err(error) => Self::unresolved(located, error).map(Err),
+        }
+    }
+
+    /// The distances of this ring at a cell.
+    pub(super) fn ring(
+        &self,
+        located: &LocatedReference,
+        at: At<'_>,
+    ) -> Result<Result<Rc<Remembered>, Outcome>, Diagnostic> {
+        let quantities = match self.quantities(at)? {
+            Ok(quantities) => quantities,
+            Err(outcome) => return Ok(Err(outcome)),
+        };
+        let scope = self.scope(at, &quantities, &Known::new());
+        match self.library.ring_distances(&located.reference, &scope) {
+            Ok(distances) => Ok(Ok(distances)),
+            Err(error) => Self::unresolved(located, error).map(Err),
+        }
+    }
+
+    /// Why a reference gives no scheme: a finding, or an error of the claim file.
+    fn unresolved(located: &LocatedReference, error: Unresolved) -> Result<Outcome, Diagnostic> {
+        match error {
+            Unresolved::Formula(error) => Self::sort(error).map_err(|error| {
+                let message = format!("in its parameters: {error}");
+                Diagnostic::new(&located.source, located.span.clone(), message)
             }),
-            Err(Unresolved::Scheme(error)) => Err(scheme_error(located, &error)),
+            Unresolved::Scheme(error) => Err(scheme_error(located, &error)),
         }
     }
 
@@ -180,6 +212,20 @@ impl<'a> Judge<'a> {
         };
         let known = self.rows.of(self, at, &quantities);
         self.evaluate_with(formula, at, &quantities, &known)
+    }
+
+    /// The number of levels that a cell's value is, before it is rounded; `None` where
+    /// it is another number.
+    pub(super) fn level_call(&self, at: At<'_>) -> Option<LevelCall> {
+        let quantities = self.quantities(at).ok()?.ok()?;
+        let known = self.rows.of(self, at, &quantities);
+        quantities.last_levels.take();
+        let value = self.evaluate_with(&self.table.value, at, &quantities, &known);
+        let (Ok(Outcome::Value(value)), Some(call)) = (value, quantities.last_levels.take()) else {
+            return None;
+        };
+        let level = log_level_algebraic(&call.ratio, &call.x, call.rounded).ok()?;
+        (value == RealCyclotomic::from(level)).then_some(call)
     }
 
     /// The same with these quantities, and with the values of some definitions known.

@@ -1,12 +1,15 @@
 //! The schemes that a paper's claims are about, each with its constants once.
 
+use super::kept::Remembered;
 use super::series::Norms;
 use crate::bound::{ClassCap, Constants, SoundBound};
 use crate::claim::{Paper, SchemeSource};
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Rational, RealCyclotomic};
 use crate::formula::{Context, FormulaError, LocatedFormula, Parameters, Value, evaluate};
-use crate::scheme::{Instance, Mask, Reference, SchemeDefinition, SchemeError, find_in_catalogue};
+use crate::scheme::{
+    Instance, Mask, Reference, Ring, SchemeDefinition, SchemeError, find_in_catalogue,
+};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -37,6 +40,8 @@ pub(super) struct Library<'a> {
     paper: &'a Paper,
     constants: RefCell<BTreeMap<Instance, Rc<Constants>>>,
     sound: RefCell<BTreeMap<SoundKey, Rc<SoundBound>>>,
+    distances: RefCell<BTreeMap<SoundKey, Rc<Remembered>>>,
+    rings: RefCell<BTreeMap<Instance, Rc<Remembered>>>,
     pub(super) norms: Norms<RealCyclotomic>,
 }
 
@@ -49,8 +54,8 @@ pub(super) struct Resolved {
 
 impl<'a> Library<'a> {
     pub(super) fn new(paper: &'a Paper) -> Library<'a> {
-        let (constants, sound, norms) = Default::default();
-        Library { paper, constants, sound, norms }
+        let (constants, sound, distances, rings, norms) = Default::default();
+        Library { paper, constants, sound, distances, rings, norms }
     }
 
     /// The scheme that `reference` means in `context`.
@@ -65,6 +70,14 @@ impl<'a> Library<'a> {
         let constants = instances.iter().map(|instance| self.constants(instance));
         let constants = constants.collect::<Result<_, _>>().map_err(Unresolved::Scheme)?;
         Ok(Resolved { instances, constants })
+    }
+
+    /// The ring of this scheme, one name with parameters.
+    pub(super) fn ring(&self, scheme: &[Instance<RealCyclotomic>]) -> Result<Ring, SchemeError> {
+        match scheme {
+            [instance] => self.define(&instance.name)?.ring(&instance.parameters),
+            _ => Err(SchemeError::NotRing { scheme: "a tensor product".to_owned() }),
+        }
     }
 
     /// The masks of these schemes, over any numbers.
@@ -171,6 +184,49 @@ impl<'a> Library<'a> {
         let bound = Rc::new(bound);
         self.sound.borrow_mut().insert(key, Rc::clone(&bound));
         Ok(bound)
+    }
+
+    /// The distances from the limits of a scheme, at its own offset or at another.
+    pub(super) fn distances(&self, scheme: &Resolved, offset: Option<i64>) -> Rc<Remembered> {
+        let key = (scheme.instances.clone(), offset);
+        let mut all = self.distances.borrow_mut();
+        let remembered = all.entry(key).or_insert_with(|| {
+            let shifted = |constants: &Rc<Constants>| {
+                let mask = constants.mask();
+                mask.with_offset(offset.unwrap_or(mask.offset()))
+            };
+            let masks: Vec<Mask> = scheme.constants.iter().map(shifted).collect();
+            Rc::new(match &masks[..] {
+                [curve] => Remembered::curve(curve),
+                [first, second, ..] => Remembered::surface(first, second),
+                [] => unreachable!("a scheme has one mask or two"),
+            })
+        });
+        Rc::clone(remembered)
+    }
+
+    /// The distances from the limit of the ring that `reference` means in `context`.
+    pub(super) fn ring_distances(
+        &self,
+        reference: &Reference,
+        context: &dyn Context<RealCyclotomic>,
+    ) -> Result<Rc<Remembered>, Unresolved> {
+        let mut instances = self.instances(reference, context)?;
+        let (Some(instance), true) = (instances.pop(), instances.is_empty()) else {
+            let scheme = reference.to_string();
+            return Err(Unresolved::Scheme(SchemeError::NotRing { scheme }));
+        };
+        let ring = |instance: Instance<RealCyclotomic>| {
+            let key = rational(instance.clone())?;
+            if let Some(known) = self.rings.borrow().get(&key) {
+                return Ok(Rc::clone(known));
+            }
+            let ring = self.define(&instance.name)?.ring(&instance.parameters)?;
+            let distances = Rc::new(Remembered::ring(&ring));
+            self.rings.borrow_mut().insert(key, Rc::clone(&distances));
+            Ok(distances)
+        };
+        ring(instance).map_err(Unresolved::Scheme)
     }
 }
 

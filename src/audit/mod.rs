@@ -2,11 +2,15 @@
 
 mod claims;
 mod compare;
+mod consistency;
 mod coverage;
 mod equation;
+mod errata;
+mod evidence;
 mod finding;
 mod function;
 mod judge;
+mod kept;
 mod library;
 mod mend;
 mod options;
@@ -18,21 +22,32 @@ mod reading;
 mod row;
 mod series;
 mod shape;
+mod summary;
 mod table;
 mod theorem;
 
 pub use claims::ClaimVerdict;
+pub use consistency::{Contradiction, Side, TablePart};
 pub use coverage::{Coverage, CoverageState};
 pub use equation::{EquationFinding, EquationVerdict, Failure};
+pub use errata::{CellErratum, Consequences, Errata, Erratum, Subject, Unchecked};
+pub use evidence::{Evidence, SoundCell, evidence};
 pub use finding::{AsRead, Assumed, CellFinding, Direction, Missing, Slip, Sound, Verdict};
 pub use function::{Example, FunctionFinding, FunctionVerdict};
+pub use kept::{Broken, ControlData, Kept};
+pub use promise::PromiseCounts;
 pub use quantity::QUANTITIES;
 pub use range::{EndFinding, EndRelation, RangeFinding, RangeVerdict};
 pub use reading::{
-    Choice, Difference, Effect, Explanation, FAMILY, MAX_DIFFERENCES, Search, Solved, Way,
+    Choice, Difference, Effect, Explanation, FAMILY, Line, LineReading, MAX_DIFFERENCES, Need,
+    Search, Solved, Way,
 };
+pub use summary::{CellGroup, CellOutcome, CellSummary, Standing};
 pub use table::TableFinding;
-pub use theorem::{FailingPremise, TheoremFinding, TheoremVerdict};
+pub use theorem::{
+    Attained, CaseFinding, Control, Correction, FailingPremise, Outcome, Place, Refutation, Repair,
+    Supremum, TheoremFinding, TheoremVerdict, Violation,
+};
 
 use crate::claim::Paper;
 use crate::diagnostic::Diagnostic;
@@ -55,6 +70,8 @@ pub struct PaperAudit<'a> {
     pub ranges: Vec<RangeFinding<'a>>,
     /// Its theorems.
     pub theorems: Vec<TheoremFinding<'a>>,
+    /// Where its tables need different readings or values of a parameter.
+    pub contradictions: Vec<Contradiction>,
 }
 
 /// Judges every claim of a paper.
@@ -73,21 +90,42 @@ pub struct PaperAudit<'a> {
 /// # Ok::<(), subcert::diagnostic::Diagnostic>(())
 /// ```
 pub fn audit(paper: &Paper) -> Result<PaperAudit<'_>, Diagnostic> {
+    audit_with(paper, &mut || {})
+}
+
+/// The same; `after_table` is called when a table is judged.
+///
+/// # Errors
+/// As [`audit`].
+pub fn audit_with<'a>(
+    paper: &'a Paper,
+    after_table: &mut dyn FnMut(),
+) -> Result<PaperAudit<'a>, Diagnostic> {
     let library = Library::new(paper);
-    let tables = paper.tables.iter().map(|claim| table::judge(paper, claim, &library));
     let equations = paper.equations.iter().map(|claim| equation::judge(paper, claim, &library));
     let functions = paper.functions.iter().map(|claim| function::judge(paper, claim, &library));
     let ranges = paper.ranges.iter().map(|claim| range::judge(paper, claim, &library));
     let mut audit = PaperAudit {
         paper,
-        tables: tables.collect::<Result<_, _>>()?,
+        tables: table::judge_all(paper, &library, after_table)?,
         equations: equations.collect::<Result<_, _>>()?,
         functions: functions.collect::<Result<_, _>>()?,
         ranges: ranges.collect::<Result<_, _>>()?,
         theorems: Vec::new(),
+        contradictions: Vec::new(),
     };
-    audit.theorems = theorem::judge(&audit);
+    audit.contradictions = consistency::judge(paper, &audit.tables, &library)?;
+    audit.theorems = theorem::judge(&audit, &library)?;
     Ok(audit)
+}
+
+/// Every reading of a table that the search compares, with what it explains, the best
+/// first; empty where nothing is printed.
+///
+/// # Errors
+/// As [`audit`].
+pub fn readings(paper: &Paper, finding: &TableFinding<'_>) -> Result<Vec<Explanation>, Diagnostic> {
+    table::readings(paper, finding, &Library::new(paper))
 }
 
 impl PaperAudit<'_> {
@@ -96,6 +134,13 @@ impl PaperAudit<'_> {
     pub fn cell_counts(&self) -> BTreeMap<&'static str, usize> {
         let cells = self.tables.iter().flat_map(|table| table.cells.iter().flatten());
         count(cells.map(|cell| cell.verdict.name()))
+    }
+
+    /// How many printed bounds and depths keep their promise for every control polygon,
+    /// do not, and are open.
+    #[must_use]
+    pub fn promise_counts(&self) -> PromiseCounts {
+        self.tables.iter().fold(PromiseCounts::default(), |sum, table| sum + table.promise_counts())
     }
 
     /// How many equations have each verdict, those between functions of a free

@@ -1,13 +1,19 @@
-//! What holds, whatever the verdict: the sound value of a bound or a depth.
+//! What holds, whatever the verdict: the sound value of a bound or a depth, and whether the
+//! printed one is true for every control polygon.
 
 use super::finding::{CellFinding, Sound};
 use super::judge::{At, Judge, Outcome};
+use super::kept::{Kept, Remembered};
+use super::library::Resolved;
 use super::quantity::Quantities;
 use super::reading::{DEPTH_ROUNDING, Settings};
+use super::table::TableFinding;
 use crate::claim::{Cell, Promise};
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Rational, RealCyclotomic};
 use crate::formula::LocatedFormula;
+use std::ops::Add;
+use std::rc::Rc;
 
 /// The highest level at which a bound is computed.
 const MAX_BOUND_LEVEL: u32 = 1_000;
@@ -31,6 +37,87 @@ impl From<Outcome> for NoSound {
             Outcome::Unstated(name) => format!("the paper does not state {name}"),
             Outcome::Undefined(why) | Outcome::BeyondCaps(why) => why,
         })
+    }
+}
+
+/// A promise with its values.
+struct Promised {
+    scheme: Compared,
+    spread: Rational,
+    of: Of,
+}
+
+impl Promised {
+    /// The same at the own offset of a scheme for curves, where that is another.
+    fn at_own_offset(&self) -> Option<(i64, Promised)> {
+        let Compared::Masks(scheme, Some(offset)) = &self.scheme else { return None };
+        let [curve] = &scheme.constants[..] else { return None };
+        let own = curve.mask().offset();
+        let scheme = Compared::Masks(scheme.clone(), None);
+        let (spread, of) = (self.spread.clone(), self.of.clone());
+        (own != *offset).then_some((own, Promised { scheme, spread, of }))
+    }
+}
+
+/// What is compared with its limit.
+enum Compared {
+    /// At the offset, or at its own.
+    Masks(Resolved, Option<i64>),
+    Ring(Rc<Remembered>),
+}
+
+/// What a printed number is promised of.
+#[derive(Clone)]
+enum Of {
+    /// It is a depth for this tolerance.
+    Tolerance(Rational),
+    /// It is a bound of the distance at this level.
+    Level(i64),
+}
+
+/// How many printed bounds and depths keep their promise for every control polygon.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct PromiseCounts {
+    /// They do.
+    pub kept: usize,
+    /// They do not.
+    pub broken: usize,
+    /// Not decided.
+    pub open: usize,
+}
+
+impl PromiseCounts {
+    /// All of them.
+    #[must_use]
+    pub fn all(&self) -> usize {
+        self.kept + self.broken + self.open
+    }
+}
+
+impl Add for PromiseCounts {
+    type Output = PromiseCounts;
+    fn add(self, other: PromiseCounts) -> PromiseCounts {
+        PromiseCounts {
+            kept: self.kept + other.kept,
+            broken: self.broken + other.broken,
+            open: self.open + other.open,
+        }
+    }
+}
+
+impl TableFinding<'_> {
+    /// How many of its printed bounds and depths keep their promise.
+    #[must_use]
+    pub fn promise_counts(&self) -> PromiseCounts {
+        let mut counts = PromiseCounts::default();
+        for kept in self.cells.iter().flatten().filter_map(|cell| cell.kept.as_ref()) {
+            *match kept {
+                Kept::Yes => &mut counts.kept,
+                Kept::No(_) => &mut counts.broken,
+                Kept::Open(_) => &mut counts.open,
+            } += 1;
+        }
+        counts
     }
 }
 
@@ -59,50 +146,107 @@ impl Judge<'_> {
                 finding.kept_by_formula = Some(RealCyclotomic::from(printed.clone()) >= needed);
             }
         }
-        let sound = match self.sound(promise, at) {
-            Ok(sound) => sound,
-            Err(NoSound::Because(why)) => Sound::None(why),
+        let promised = match self.promised(promise, at) {
+            Ok(promised) => promised,
+            Err(NoSound::Because(why)) => {
+                finding.kept = printed.map(|_| Kept::Open(why.clone()));
+                finding.sound = Some(Sound::None(why));
+                return Ok(());
+            }
             Err(NoSound::Wrong(diagnostic)) => return Err(diagnostic),
         };
+        let sound = self.sound(&promised).unwrap_or_else(Sound::None);
         if let Some(printed) = printed {
             finding.kept_by_sound = match &sound {
-                Sound::Depth { level, .. } => Some(printed >= Rational::from(*level)),
+                Sound::Depth { level, .. } | Sound::Least(level) => {
+                    Some(printed >= Rational::from(*level))
+                }
                 Sound::Bound(bound) => Some(printed >= *bound),
                 Sound::None(_) => None,
             };
+            if finding.kept_by_sound == Some(true) {
+                finding.kept = Some(Kept::Yes);
+            } else {
+                let kept = self.kept(&promised, &printed);
+                if kept != Kept::Yes
+                    && let Some((own, promised)) = promised.at_own_offset()
+                {
+                    finding.kept_at_own_offset = Some((own, self.kept(&promised, &printed)));
+                }
+                finding.kept = Some(kept);
+            }
         }
         finding.sound = Some(sound);
         Ok(())
     }
 
-    fn sound(&self, promise: &Promise, at: At<'_>) -> Result<Sound, NoSound> {
-        let because = |why: String| NoSound::Because(why);
-        let Quantities { scheme, .. } = self.quantities(at)??;
-        let scheme = scheme.ok_or_else(|| because("no scheme is given".to_owned()))?;
-        let (Promise::Depth { spread, offset, .. } | Promise::Bound { spread, offset, .. }) =
-            promise;
-        let offset = offset.as_ref().map(|formula| self.integer(formula, at)).transpose()?;
-        let bound = self.library.sound_bound(&scheme, offset);
-        let bound = bound.map_err(|error| because(error.to_string()))?;
+    fn promised(&self, promise: &Promise, at: At<'_>) -> Result<Promised, NoSound> {
+        let (Promise::Depth { spread, offset, ring, .. }
+        | Promise::Bound { spread, offset, ring, .. }) = promise;
+        let scheme = if let Some(ring) = ring {
+            Compared::Ring(self.ring(ring, at)??)
+        } else {
+            let Quantities { scheme, .. } = self.quantities(at)??;
+            let no_scheme = || NoSound::Because("no scheme is given".to_owned());
+            let offset = offset.as_ref().map(|formula| self.integer(formula, at)).transpose()?;
+            Compared::Masks(scheme.ok_or_else(no_scheme)?, offset)
+        };
         let spread = self.number(spread, at)?;
-        match promise {
-            Promise::Depth { tolerance, .. } => {
-                let tolerance = self.number(tolerance, at)?;
-                let depth = bound.depth(&spread, &tolerance);
-                let depth = depth.map_err(|error| because(error.to_string()))?;
+        let of = match promise {
+            Promise::Depth { tolerance, .. } => Of::Tolerance(self.number(tolerance, at)?),
+            Promise::Bound { level, .. } => Of::Level(self.integer(level, at)?),
+        };
+        Ok(Promised { scheme, spread, of })
+    }
+
+    fn sound(&self, promised: &Promised) -> Result<Sound, String> {
+        let Promised { scheme, spread, of } = promised;
+        let (scheme, offset) = match (scheme, of) {
+            (Compared::Masks(scheme, offset), _) => (scheme, offset),
+            (Compared::Ring(ring), Of::Tolerance(tolerance)) => {
+                return ring.settled(spread, tolerance).map(Sound::Least);
+            }
+            (Compared::Ring(_), Of::Level(_)) => {
+                return Err("of a ring the distances themselves are computed".to_owned());
+            }
+        };
+        let bound = self.library.sound_bound(scheme, *offset).map_err(|error| error.to_string())?;
+        match of {
+            Of::Tolerance(tolerance) => {
+                let depth = bound.depth(spread, tolerance).map_err(|error| error.to_string())?;
                 Ok(Sound::Depth { level: depth.level, block: depth.block })
             }
-            Promise::Bound { level, .. } => {
-                let level = self.integer(level, at)?;
-                let last = u32::try_from(level).ok().filter(|level| *level <= MAX_BOUND_LEVEL);
+            Of::Level(level) => {
+                let last = u32::try_from(*level).ok().filter(|level| *level <= MAX_BOUND_LEVEL);
                 let last = last.ok_or_else(|| {
-                    because(format!("a level is from 0 to {MAX_BOUND_LEVEL}, and this is {level}"))
+                    format!("a level is from 0 to {MAX_BOUND_LEVEL}, and this is {level}")
                 })?;
                 let last = bound.levels(last).and_then(|mut bounds| bounds.pop());
-                let none = || because("no constant of the scheme is below 1".to_owned());
-                Ok(Sound::Bound(last.ok_or_else(none)? * &spread))
+                let none = || "no constant of the scheme is below 1".to_owned();
+                Ok(Sound::Bound(last.ok_or_else(none)? * spread))
             }
         }
+    }
+
+    /// Whether the printed number keeps its promise for every control polygon.
+    fn kept(&self, promised: &Promised, printed: &Rational) -> Kept {
+        let Promised { scheme, spread, of } = promised;
+        let level = match of {
+            Of::Tolerance(_) => printed.numerator().to_i64().filter(|_| printed.is_integer()),
+            Of::Level(level) => Some(*level),
+        };
+        let Some(level) = level.and_then(|level| u32::try_from(level).ok()) else {
+            return Kept::Open("what is said to be a level is none".to_owned());
+        };
+        let most = match of {
+            Of::Tolerance(tolerance) => tolerance,
+            Of::Level(_) => printed,
+        };
+        let distances = match scheme {
+            Compared::Masks(scheme, offset) => self.library.distances(scheme, *offset),
+            Compared::Ring(ring) => Rc::clone(ring),
+        };
+        distances.kept(level, spread, most)
     }
 
     /// The value of a formula of a promise.

@@ -6,13 +6,13 @@ use super::reading::Settings;
 use super::series;
 use super::shape::shape;
 use crate::bound::{
-    ClassCap, Constants, DepthError, Operator, Terms, displacement, log_level_algebraic,
+    ClassCap, Constants, DepthError, Operator, Rounded, Terms, displacement, log_level_algebraic,
     surface_displacement,
 };
 use crate::exact::{Rational, Real, RealCyclotomic};
 use crate::formula::{Call, CallError, Context, Functions, Parameters, Value};
 use crate::scheme::{Mask, Reference, Rules};
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 
 /// The functions, with what they are; for help texts.
 pub const QUANTITIES: [(&str, &str); 13] = [
@@ -67,6 +67,15 @@ pub(super) struct Quantities<'a> {
     /// Whether a value was given up because it is beyond the caps of the program,
     /// not because it does not exist.
     pub(super) beyond_caps: Cell<bool>,
+    /// The last call of `levels`.
+    pub(super) last_levels: RefCell<Option<LevelCall>>,
+}
+
+/// A number of levels: the logarithm of `x` to the base `ratio`, rounded.
+pub(super) struct LevelCall {
+    pub(super) ratio: RealCyclotomic,
+    pub(super) x: RealCyclotomic,
+    pub(super) rounded: Rounded,
 }
 
 impl Functions<RealCyclotomic> for Quantities<'_> {
@@ -144,6 +153,8 @@ impl Quantities<'_> {
         options: &mut Options<'_>,
     ) -> Result<RealCyclotomic, CallError> {
         let rounded = options.rounded()?;
+        let call = LevelCall { ratio: ratio.clone(), x: x.clone(), rounded };
+        self.last_levels.replace(Some(call));
         let level = log_level_algebraic(ratio, x, rounded);
         level.map(RealCyclotomic::from).map_err(|error| {
             if error == DepthError::TooDeep {
@@ -192,10 +203,6 @@ pub(super) fn unresolved(name: &str, error: Unresolved) -> CallError {
         Unresolved::Formula(error) => CallError::Inner(error.kind),
         Unresolved::Scheme(error) => CallError::Misuse(format!("scheme `{name}`: {error}")),
     }
-}
-
-pub(super) fn undefined(error: ClassCap) -> CallError {
-    CallError::Undefined(error.to_string())
 }
 
 /// max_β |Σ_j b_{β,j}|.

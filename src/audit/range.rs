@@ -5,7 +5,9 @@ use super::library::Library;
 use super::parametric::FreeParameter;
 use crate::claim::{Limit, Paper, Printed, RangeClaim};
 use crate::diagnostic::Diagnostic;
-use crate::exact::{Interval, IntervalSet, PiecewiseLinear, Rational, Rounding};
+use crate::exact::{
+    Enclosed, Interval, IntervalSet, PiecewisePolynomial, Rational, RealAlgebraic, Rounding,
+};
 use crate::formula::{Parameters, evaluate};
 use std::fmt;
 use std::ops::Bound;
@@ -23,6 +25,10 @@ pub struct RangeFinding<'a> {
     pub limit: Rational,
     /// The exact set where the value keeps the limit.
     pub exact: IntervalSet,
+    /// Where the value is below the limit.
+    pub below: IntervalSet,
+    /// Where the value is above the limit.
+    pub above: IntervalSet,
     /// The ends that are printed, the lower one first.
     pub ends: Vec<EndFinding>,
     /// Whether the value keeps the limit in the whole printed range. A range for
@@ -60,7 +66,7 @@ pub struct EndFinding {
     /// The end as printed.
     pub printed: String,
     /// The nearest end of this side of the exact set; `None` when it has none.
-    pub exact: Option<Rational>,
+    pub exact: Option<RealAlgebraic>,
     /// How the printed end came from the exact one.
     pub relation: EndRelation,
     /// Whether the printed number is in the exact set.
@@ -113,8 +119,10 @@ pub(super) fn judge<'a>(
     let formula = claim.limit.formula();
     let limit = evaluate(&formula.expr, &Parameters::<Rational>::default())
         .map_err(|error| formula.diagnostic(&error))?;
+    let below = function.below(&limit);
+    let above = function.exceeds(&PiecewisePolynomial::constant(limit.clone()));
     let exact = match &claim.limit {
-        Limit::Below(_) => function.below(&limit),
+        Limit::Below(_) => below.clone(),
         Limit::AtMost(_) => function.at_most(&limit),
     };
     let comparison = Comparison { claim, function: &function, exact: &exact };
@@ -124,7 +132,7 @@ pub(super) fn judge<'a>(
     let kept = exact.covers(&comparison.printed(&ends));
     let ends = ends.into_iter().flatten().collect();
     let id = format!("{}:{}", paper.key, claim.id);
-    Ok(RangeFinding { id, claim, verdict, limit, exact, ends, kept })
+    Ok(RangeFinding { id, claim, verdict, limit, exact, below, above, ends, kept })
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -134,7 +142,7 @@ enum Side {
 }
 
 impl Side {
-    fn of(self, interval: &Interval) -> &Bound<Rational> {
+    fn of(self, interval: &Interval) -> &Bound<RealAlgebraic> {
         match self {
             Side::Low => &interval.low,
             Side::High => &interval.high,
@@ -144,7 +152,7 @@ impl Side {
 
 struct Comparison<'a> {
     claim: &'a RangeClaim,
-    function: &'a PiecewiseLinear,
+    function: &'a PiecewisePolynomial,
     exact: &'a IntervalSet,
 }
 
@@ -159,10 +167,10 @@ impl Comparison<'_> {
                 Bound::Included(place) => Some((place, true)),
                 Bound::Excluded(place) => Some((place, false)),
             })
-            .min_by_key(|(place, _)| (&at - *place).abs());
+            .min_by_key(|(place, _)| (&at - place.enclosure(1).lower()).abs());
         let inside = self.exact.contains(&at);
         let relation = nearest.map_or(EndRelation::Apart, |(exact, belongs)| {
-            match decimal.rounding_of(exact) {
+            match decimal.rounding_of_algebraic(exact) {
                 Rounding::Exact if self.claim.closed.is_none_or(|closed| closed == belongs) => {
                     EndRelation::Equal
                 }
@@ -176,7 +184,7 @@ impl Comparison<'_> {
                         Side::High => &at + decimal.unit(),
                     };
                     // An open printed range would have to begin at the exact end.
-                    let last = inside && outwards == *exact && !belongs;
+                    let last = inside && exact.as_rational() == Some(&outwards) && !belongs;
                     if last && self.claim.closed != Some(false) {
                         EndRelation::LastInside
                     } else {
@@ -224,7 +232,7 @@ impl Comparison<'_> {
             let (Some(printed), Some(end)) = (printed, end) else { return Bound::Unbounded };
             let belongs =
                 self.claim.closed.unwrap_or(end.inside || end.relation != EndRelation::Equal);
-            let place = printed.decimal.value();
+            let place = printed.decimal.value().into();
             if belongs { Bound::Included(place) } else { Bound::Excluded(place) }
         };
         Interval { low: place(&self.claim.from, low), high: place(&self.claim.to, high) }

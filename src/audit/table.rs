@@ -1,13 +1,13 @@
 //! Judging a table.
 
-use super::compare;
-use super::finding::{AsRead, Assumed, CellFinding, Direction, Missing, Verdict};
+use super::compare::{self, Values};
+use super::finding::{AsRead, Assumed, CellFinding, Direction, Missing, Slip, Verdict};
 use super::judge::{At, Judge, Outcome};
 use super::library::Library;
-use super::reading::{self, DEPTH_ROUNDING, Explanation, Search, Settings};
+use super::reading::{self, DEPTH_ROUNDING, Explanation, Need, Search, Settings, Sibling};
 use crate::claim::{Cell, Paper, Printed, Table};
 use crate::diagnostic::Diagnostic;
-use crate::exact::RealCyclotomic;
+use crate::exact::{Decimal, RealCyclotomic};
 use std::collections::BTreeSet;
 
 /// What the audit says of a table.
@@ -20,29 +20,81 @@ pub struct TableFinding<'a> {
     /// The search for the reading that it was computed by, unless every cell is as
     /// printed.
     pub search: Option<Search>,
+    /// How many cells each way of each choice explains.
+    pub needs: Vec<Need>,
+    /// What other tables gave away of its parameters.
+    pub(super) siblings: Vec<Sibling>,
+}
+
+/// Judges every table of a paper; those that no reading explains, once more with what
+/// the others say of their parameters.
+pub(super) fn judge_all<'a>(
+    paper: &'a Paper,
+    library: &Library<'_>,
+    after_table: &mut dyn FnMut(),
+) -> Result<Vec<TableFinding<'a>>, Diagnostic> {
+    let first = paper.tables.iter().map(|table| {
+        let finding = judge(paper, table, library, Vec::new());
+        after_table();
+        finding
+    });
+    let mut findings = first.collect::<Result<Vec<TableFinding<'a>>, Diagnostic>>()?;
+    for place in 0..findings.len() {
+        let siblings = reading::siblings(&findings[place], &findings);
+        if !siblings.is_empty() {
+            findings[place] = judge(paper, findings[place].table, library, siblings)?;
+        }
+    }
+    Ok(findings)
 }
 
 /// Judges every cell of a table.
-pub(super) fn judge<'a>(
+fn judge<'a>(
     paper: &'a Paper,
     table: &'a Table,
     library: &Library<'_>,
+    siblings: Vec<Sibling>,
 ) -> Result<TableFinding<'a>, Diagnostic> {
-    let judge = Judge::new(paper, table, library)?;
-    let mut cells = Vec::with_capacity(table.cells.len());
-    for row in 0..table.cells.len() {
-        let columns = 0..table.cells[row].len();
-        cells.push(columns.map(|column| judge.cell(row, column)).collect::<Result<Vec<_>, _>>()?);
-    }
+    let mut judge = Judge::new(paper, table, library)?;
+    judge.siblings = siblings;
+    let mut cells = judge.cells()?;
     judge.compare_with_neighbours(&mut cells);
-    let search = reading::search(&judge, &cells);
-    if let Some(reading) = search.as_ref().and_then(|search| search.best.first()) {
-        judge.read_as(reading, &mut cells);
+    let (search, needs) = reading::search(&judge, &cells).unwrap_or_default();
+    if let Some(search) = &search {
+        let whole = search.best.first().map(|best| (best, (0, 0)));
+        let lines = search.lines.iter().map(|line| (&line.best, line.shift));
+        for (reading, shift) in whole.into_iter().chain(lines) {
+            judge.read_as(reading, shift, &mut cells);
+        }
     }
-    Ok(TableFinding { table, cells, search })
+    let siblings = judge.siblings;
+    Ok(TableFinding { table, cells, search, needs, siblings })
+}
+
+/// Every reading of a table with what it explains, the best first.
+pub(super) fn readings(
+    paper: &Paper,
+    finding: &TableFinding<'_>,
+    library: &Library<'_>,
+) -> Result<Vec<Explanation>, Diagnostic> {
+    let mut judge = Judge::new(paper, finding.table, library)?;
+    judge.siblings.clone_from(&finding.siblings);
+    Ok(reading::readings(&judge, &judge.cells()?))
+}
+
+/// Every cell as printed.
+pub(super) fn cells(judge: &Judge<'_>) -> Result<Vec<Vec<CellFinding>>, Diagnostic> {
+    judge.cells()
 }
 
 impl Judge<'_> {
+    fn cells(&self) -> Result<Vec<Vec<CellFinding>>, Diagnostic> {
+        let row = |(row, cells): (usize, &Vec<Cell>)| {
+            (0..cells.len()).map(|column| self.cell(row, column)).collect()
+        };
+        self.table.cells.iter().enumerate().map(row).collect()
+    }
+
     fn cell(&self, row: usize, column: usize) -> Result<CellFinding, Diagnostic> {
         let cell = &self.table.cells[row][column];
         let (printed, note) = match cell {
@@ -63,6 +115,8 @@ impl Judge<'_> {
             sound: None,
             kept_by_formula: None,
             kept_by_sound: None,
+            kept: None,
+            kept_at_own_offset: None,
         };
         // Parameters are assumed one by one, so that those that the value needs
         // are known.
@@ -142,54 +196,81 @@ impl Judge<'_> {
     }
 
     /// What a reading makes of the cells that are not as printed: explained, or a
-    /// slip away from its value.
-    fn read_as(&self, reading: &Explanation, cells: &mut [Vec<CellFinding>]) {
+    /// slip away from its value. With a shift, the values are those of a neighbour.
+    fn read_as(&self, reading: &Explanation, shift: (i32, i32), cells: &mut [Vec<CellFinding>]) {
         let differs = reading.differs();
         for (row, findings) in cells.iter_mut().enumerate() {
             for (column, finding) in findings.iter_mut().enumerate() {
                 let Cell::Printed(printed) = &self.table.cells[row][column] else { continue };
                 let Some(value) = reading.values[row][column].clone() else { continue };
                 let verdict = finding.verdict_if_assumed.as_mut().unwrap_or(&mut finding.verdict);
+                let explained = reading.explained[row][column];
                 let read = match verdict {
+                    Verdict::Refuted if explained && shift != (0, 0) => {
+                        Verdict::Misprint(Slip::Neighbour(shift.0, shift.1))
+                    }
                     Verdict::Refuted | Verdict::Rounding(_) | Verdict::Misprint(_)
-                        if reading.explained[row][column] =>
+                        if explained && shift == (0, 0) =>
                     {
                         Verdict::OtherReading
                     }
-                    Verdict::Refuted if !self.is_depth() => {
-                        compare::judge(&printed.decimal, &value, &[])
+                    Verdict::Refuted if !self.is_depth() && shift == (0, 0) => {
+                        self.slip(&printed.decimal, &reading.values, row, column)
                     }
                     _ => continue,
                 };
-                if matches!(read, Verdict::OtherReading | Verdict::Misprint(_)) {
-                    *verdict = read;
-                    finding.as_read = Some(AsRead { differs: differs.clone(), value });
+                let mut differs = differs.clone();
+                *verdict = match read {
+                    Verdict::OtherReading | Verdict::Misprint(_) => read,
+                    Verdict::Rounding(direction) if compare::says_enough(&printed.decimal) => {
+                        differs = format!("{differs}; {direction}");
+                        Verdict::OtherReading
+                    }
+                    _ => continue,
+                };
+                finding.as_read = Some(AsRead { differs, value });
+            }
+        }
+    }
+
+    /// The verdict on a cell for these values of the table, its neighbours regarded.
+    fn slip(&self, printed: &Decimal, values: &Values, row: usize, column: usize) -> Verdict {
+        let Some(value) = &values[row][column] else { return Verdict::Refuted };
+        match self.exchanged(values, row, column) {
+            Some(slip) => Verdict::Misprint(slip),
+            None => compare::judge(printed, value, &compare::around(values, row, column)),
+        }
+    }
+
+    /// Numbers that are no depths may have been copied from a neighbouring cell, or
+    /// exchanged with one.
+    fn compare_with_neighbours(&self, cells: &mut [Vec<CellFinding>]) {
+        if self.is_depth() {
+            return;
+        }
+        let exact: Values =
+            cells.iter().map(|row| row.iter().map(|cell| cell.exact.clone()).collect()).collect();
+        for (row, findings) in cells.iter_mut().enumerate() {
+            for (column, finding) in findings.iter_mut().enumerate() {
+                let Cell::Printed(printed) = &self.table.cells[row][column] else { continue };
+                let verdict = finding.verdict_if_assumed.as_mut().unwrap_or(&mut finding.verdict);
+                if *verdict == Verdict::Refuted {
+                    *verdict = self.slip(&printed.decimal, &exact, row, column);
                 }
             }
         }
     }
 
-    /// Numbers that are no depths may have been copied from a neighbouring cell.
-    fn compare_with_neighbours(&self, cells: &mut [Vec<CellFinding>]) {
-        if self.is_depth() {
-            return;
-        }
-        let exact: Vec<Vec<Option<RealCyclotomic>>> =
-            cells.iter().map(|row| row.iter().map(|cell| cell.exact.clone()).collect()).collect();
-        for (row, findings) in cells.iter_mut().enumerate() {
-            for (column, finding) in findings.iter_mut().enumerate() {
-                let Cell::Printed(printed) = &self.table.cells[row][column] else { continue };
-                let (Verdict::Refuted, Some(value)) = (&finding.verdict, &finding.exact) else {
-                    continue;
-                };
-                let around = [(0, 1), (0, -1), (1, 0), (-1, 0)].into_iter().filter_map(|step| {
-                    let row = row.checked_add_signed(step.0 as isize)?;
-                    let column = column.checked_add_signed(step.1 as isize)?;
-                    Some((step, exact.get(row)?.get(column)?.as_ref()?))
-                });
-                let around: Vec<((i32, i32), &RealCyclotomic)> = around.collect();
-                finding.verdict = compare::judge(&printed.decimal, value, &around);
-            }
-        }
+    /// The neighbour that this cell is exchanged with: each prints the other's value.
+    fn exchanged(&self, values: &Values, row: usize, column: usize) -> Option<Slip> {
+        let printed = |row: usize, column: usize| {
+            Some(&self.table.cells.get(row)?.get(column)?.printed()?.decimal)
+        };
+        let (here, own) = (printed(row, column)?, values.get(row)?.get(column)?.as_ref()?);
+        compare::around(values, row, column).into_iter().find_map(|((rows, columns), other)| {
+            let (row, column) = compare::moved(row, column, (rows, columns))?;
+            compare::exchanged(here, own, printed(row, column)?, other)
+                .then_some(Slip::Exchanged(rows, columns))
+        })
     }
 }

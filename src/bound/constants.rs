@@ -1,6 +1,7 @@
 //! The constants of one scheme, each computed once.
 
-use super::contraction::{ClassCap, Order, joint_norm, power_norm};
+use super::branch::PowerSearch;
+use super::contraction::{ClassCap, Order, joint_norm};
 use crate::exact::Rational;
 use crate::scheme::{Mask, Rules};
 use std::cell::RefCell;
@@ -47,6 +48,7 @@ pub struct Constants {
     mask: Mask,
     difference: Rules,
     known: RefCell<BTreeMap<Key, Rational>>,
+    searches: RefCell<BTreeMap<(Operator, Order), PowerSearch>>,
 }
 
 impl Constants {
@@ -54,7 +56,7 @@ impl Constants {
     #[must_use]
     pub fn new(mask: Mask) -> Constants {
         let difference = mask.difference();
-        Constants { mask, difference, known: RefCell::default() }
+        Constants { mask, difference, known: RefCell::default(), searches: RefCell::default() }
     }
 
     /// The mask.
@@ -78,7 +80,11 @@ impl Constants {
             Operator::Difference => &self.difference,
             Operator::Scheme => self.mask.rules(),
         };
-        self.once((Some(operator), c, order), || Ok(power_norm(rules, c, order)?.value))
+        self.once((Some(operator), c, order), || {
+            let mut searches = self.searches.borrow_mut();
+            let search = searches.entry((operator, order));
+            Ok(search.or_insert_with(|| PowerSearch::new(rules, order)).norm(c)?.value)
+        })
     }
 
     /// The constant of the tensor product of the scheme with itself, along one

@@ -1,10 +1,11 @@
 //! ‖Dᶜ‖_∞: the norm of a power of a subdivision operator.
 
-use super::walk::{Kernel, walk};
+use super::branch::{MAX_LEVELS, PowerSearch, joint};
+use super::walk::{Magnitude, walk};
 use crate::exact::{CommonDenominator, Integer, Rational, Real, Scalar};
 use crate::scheme::Rules;
 
-/// The most residue classes that are walked: n^c ≤ 2^24.
+/// The most residue classes that are visited one by one: n^c ≤ 2^24.
 pub const MAX_CLASSES: u64 = 1 << 24;
 
 /// The order in which a difference mask is read as a sequence.
@@ -24,15 +25,16 @@ pub enum Order {
 pub struct PowerNorm {
     /// max over r of Σ_s |(Rᶜ)_{r,s}|.
     pub value: Rational,
-    /// A row r in 0, …, n^c − 1 that attains it (the first in the order walked).
-    pub class: u64,
+    /// The least row r of 0, …, n^c − 1 that attains it.
+    pub class: Integer,
 }
 
 /// n^c is beyond [`MAX_CLASSES`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
-    "{arity}^{levels} residue classes are too many to walk; at most {MAX_CLASSES} are: \
-     take a smaller number of levels"
+    "the largest of {arity}^{levels} row sums is out of reach: every row is visited up to \
+     {MAX_CLASSES}, and branch and bound goes up to {MAX_LEVELS} levels and to a cap on its \
+     work; take a smaller number of levels"
 )]
 pub struct ClassCap {
     /// n.
@@ -62,12 +64,13 @@ impl ClassCap {
 /// itself the scheme norm Λ_c. In the forward order the same of the rules read
 /// backwards, which is what the sequence t_{nu+β} = b_{β,u} gives. c = 0 gives 1.
 ///
-/// The classes are walked depth first from the fine level to the coarse one, so
-/// that O(c·N) numbers are kept; the numbers are integers over one common
-/// denominator, of 128 bits where a proven bound on them allows it.
+/// A few classes are visited one by one, as by [`walked_norm`]; of many, branch and
+/// bound visits some hundreds or thousands, as [`PowerSearch`] does. Either way the value
+/// is exact.
 ///
 /// # Errors
-/// When there are more than 2^24 residue classes.
+/// When c is above 256, or when neither branch and bound ends within its cap on work nor
+/// the classes are at most 2^24.
 ///
 /// ```
 /// use subcert::bound::{Order, power_norm};
@@ -81,8 +84,30 @@ impl ClassCap {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn power_norm(rules: &Rules, levels: u32, order: Order) -> Result<PowerNorm, ClassCap> {
-    let [norm] = integer_norms([rules], levels, order)?;
-    Ok(norm)
+    PowerSearch::new(rules, order).norm(levels)
+}
+
+/// The value and the row of [`power_norm`] by visiting every residue class.
+///
+/// The classes are walked depth first from the fine level to the coarse one, so
+/// that O(c·N) numbers are kept; the numbers are integers over one common
+/// denominator, of 128 bits where a proven bound on them allows it.
+///
+/// # Errors
+/// When there are more than 2^24 residue classes.
+pub fn walked_norm(rules: &Rules, levels: u32, order: Order) -> Result<PowerNorm, ClassCap> {
+    ClassCap::check(rules.arity(), levels)?;
+    let common = CommonDenominator::of(oriented(rules, order).rows());
+    let (offset, rows) = (rules.offset(), [common.numerators]);
+    let (value, class) = match narrow(&rows[0], levels) {
+        Some(narrow) => {
+            let (value, class) = greatest(&[narrow], offset, levels);
+            (Integer::from(value), class)
+        }
+        None => greatest(&rows, offset, levels),
+    };
+    let value = Rational::new(value, common.denominator.pow(levels));
+    Ok(PowerNorm { value, class: Integer::from(class) })
 }
 
 /// max_r Σ_s |(Rᶜ)_{r,s}| · Σ_s |(Sᶜ)_{r,s}|: the two norms with one supremum over
@@ -92,7 +117,7 @@ pub fn power_norm(rules: &Rules, levels: u32, order: Order) -> Result<PowerNorm,
 /// The rules are taken at offset 0, and must agree in arity and width.
 ///
 /// # Errors
-/// When there are more than 2^24 residue classes.
+/// As [`power_norm`].
 ///
 /// # Panics
 /// When arity or width differ.
@@ -102,21 +127,42 @@ pub fn joint_norm(
     levels: u32,
     order: Order,
 ) -> Result<PowerNorm, ClassCap> {
-    assert_eq!(first.arity(), second.arity(), "joint suprema need equal arities");
-    assert_eq!(first.width(), second.width(), "joint suprema need equal widths");
-    ClassCap::check(first.arity(), levels)?;
+    same_shape(first, second);
     let pair = [oriented(first, order).with_offset(0), oriented(second, order).with_offset(0)];
-    let common = pair.each_ref().map(|rules| CommonDenominator::of(rules.rows()));
-    let mut best = (Integer::from(-1), 0);
+    joint([&pair[0], &pair[1]], levels)
+}
+
+/// The value and the row of [`joint_norm`] by visiting every residue class.
+///
+/// # Errors
+/// When there are more than 2^24 residue classes.
+///
+/// # Panics
+/// When arity or width differ.
+pub fn walked_joint_norm(
+    first: &Rules,
+    second: &Rules,
+    levels: u32,
+    order: Order,
+) -> Result<PowerNorm, ClassCap> {
+    same_shape(first, second);
+    ClassCap::check(first.arity(), levels)?;
+    let common = [first, second].map(|rules| CommonDenominator::of(oriented(rules, order).rows()));
     let rows = common.each_ref().map(|common| common.numerators.clone());
+    let mut best = (Integer::from(-1), 0);
     walk(&rows, 0, levels, &mut |norms: &[Integer; 2], class| {
         let product = &norms[0] * &norms[1];
-        if product > best.0 {
+        if product > best.0 || product == best.0 && class < best.1 {
             best = (product, class);
         }
     });
     let scale = (&common[0].denominator * &common[1].denominator).pow(levels);
-    Ok(PowerNorm { value: Rational::new(best.0, scale), class: best.1 })
+    Ok(PowerNorm { value: Rational::new(best.0, scale), class: Integer::from(best.1) })
+}
+
+fn same_shape(first: &Rules, second: &Rules) {
+    assert_eq!(first.arity(), second.arity(), "joint suprema need equal arities");
+    assert_eq!(first.width(), second.width(), "joint suprema need equal widths");
 }
 
 /// The value of [`power_norm`] over any [`Real`] numbers: the same walk, operation
@@ -139,67 +185,32 @@ pub fn power_norm_generic<S: Real>(
     Ok(best)
 }
 
-fn oriented<S: Scalar>(rules: &Rules<S>, order: Order) -> Rules<S> {
+pub(super) fn oriented<S: Scalar>(rules: &Rules<S>, order: Order) -> Rules<S> {
     match order {
         Order::Adjoint => rules.clone(),
         Order::Forward => rules.reversed(),
     }
 }
 
-/// The norms of several operators of one shape, over integers.
-fn integer_norms<const K: usize>(
-    rules: [&Rules; K],
-    levels: u32,
-    order: Order,
-) -> Result<[PowerNorm; K], ClassCap> {
-    ClassCap::check(rules[0].arity(), levels)?;
-    let offset = rules[0].offset();
-    let common = rules.map(|rules| CommonDenominator::of(oriented(rules, order).rows()));
-    let rows = common.each_ref().map(|common| common.numerators.clone());
-    let best = match narrow(&rows, levels) {
-        Some(narrow) => greatest(&narrow, offset, levels).map(|(v, c)| (Integer::from(v), c)),
-        None => greatest(&rows, offset, levels),
-    };
-    let mut scales = common.iter().map(|common| common.denominator.pow(levels));
-    Ok(best.map(|(value, class)| PowerNorm {
-        value: Rational::new(value, scales.next().expect("one scale for each operator")),
-        class,
-    }))
-}
-
 /// The rows as 128-bit integers, if every number of the walk then fits: all are
 /// at most M^c in absolute value, where M is the largest absolute row sum.
-fn narrow<const K: usize>(
-    rows: &[Vec<Vec<Integer>>; K],
-    levels: u32,
-) -> Option<[Vec<Vec<i128>>; K]> {
-    let mut narrow = Vec::with_capacity(K);
-    for operator in rows {
-        let row_sum = |row: &Vec<Integer>| row.iter().map(Integer::abs).sum::<Integer>();
-        let largest = operator.iter().map(row_sum).max()?;
-        if largest.bits() * u64::from(levels) > 126 && largest.pow(levels).bits() > 126 {
-            return None;
-        }
-        let to_narrow = |row: &Vec<Integer>| row.iter().map(Integer::to_i128).collect();
-        narrow.push(operator.iter().map(to_narrow).collect::<Option<Vec<Vec<i128>>>>()?);
+fn narrow(rows: &[Vec<Integer>], levels: u32) -> Option<Vec<Vec<i128>>> {
+    let row_sum = |row: &Vec<Integer>| row.iter().map(Integer::abs).sum::<Integer>();
+    let largest = rows.iter().map(row_sum).max()?;
+    if largest.bits() * u64::from(levels) > 126 && largest.pow(levels).bits() > 126 {
+        return None;
     }
-    narrow.try_into().ok()
+    let to_narrow = |row: &Vec<Integer>| row.iter().map(Integer::to_i128).collect();
+    rows.iter().map(to_narrow).collect()
 }
 
-fn greatest<T: Kernel + Ord, const K: usize>(
-    rows: &[Vec<Vec<T>>; K],
-    offset: i64,
-    levels: u32,
-) -> [(T, u64); K] {
-    let mut best: Option<[(T, u64); K]> = None;
-    walk(rows, offset, levels, &mut |norms: &[T; K], class| match &mut best {
-        None => best = Some(norms.clone().map(|norm| (norm, class))),
-        Some(best) => {
-            for (best, norm) in best.iter_mut().zip(norms) {
-                if *norm > best.0 {
-                    *best = (norm.clone(), class);
-                }
-            }
+/// The greatest row sum, and the least class that has it.
+fn greatest<T: Magnitude + Ord>(rows: &[Vec<Vec<T>>; 1], offset: i64, levels: u32) -> (T, u64) {
+    let mut best: Option<(T, u64)> = None;
+    walk(rows, offset, levels, &mut |[norm]: &[T; 1], class| {
+        let better = |(value, least): &(T, u64)| norm > value || norm == value && class < *least;
+        if best.as_ref().is_none_or(better) {
+            best = Some((norm.clone(), class));
         }
     });
     best.expect("there is at least one residue class")

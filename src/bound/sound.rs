@@ -94,6 +94,16 @@ impl SoundBound {
         (0..=last).map(|_| next()).collect()
     }
 
+    /// The bound on ‖P^∞ − P^k‖_∞/β for the level k, and the block length c that gives
+    /// it; `None` when no computed C_c is below 1.
+    #[must_use]
+    pub fn level(&self, k: u32) -> Option<(Rational, u32)> {
+        let mut tail = Tail::new(&self.exact);
+        self.least(&tail)?;
+        (0..k).for_each(|_| tail.advance());
+        self.least(&tail)
+    }
+
     /// The least level k whose bound times `spread` meets `tolerance`.
     ///
     /// # Errors

@@ -1,4 +1,4 @@
-//! ‖w‖_*: the norm of a functional on rings whose differences along edges are at most 1.
+//! ‖w‖_*: the norm of a functional on rings whose differences along edges are bounded.
 
 use crate::exact::Real;
 use std::cmp::Ordering;
@@ -7,8 +7,9 @@ use std::collections::VecDeque;
 /// ‖w‖_*, and what proves it.
 ///
 /// The flow has the divergence w and the cost Σ|f|, the heights have differences of at
-/// most 1 along edges and the value Σ_a w_a P_a. By weak duality no flow costs less than
-/// any heights are worth; here the two are equal.
+/// most 1 along edges and the value Σ_a w_a P_a; or the cost Σ c_e|f_e| and differences of
+/// at most c_e. By weak duality no flow costs less than any heights are worth; here the two
+/// are equal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Transport<S> {
     /// ‖w‖_*.
@@ -47,7 +48,34 @@ pub struct Transport<S> {
 /// ```
 #[must_use]
 pub fn transport<S: Real + Ord>(w: &[S], edges: &[(usize, usize)]) -> Option<Transport<S>> {
-    let mut network = Network::new(w, edges);
+    transport_at_costs(w, edges, &vec![1; edges.len()])
+}
+
+/// max { Σ_a w_a P_a : |P_a − P_b| ≤ c_e for every edge e = (a, b) }, for costs c_e ≥ 0 of
+/// the edges; [`transport()`] for costs 1. The least Σ c_e|f_e| of the flows that carry w_a
+/// out of every point a, and attained by integer heights, as the costs are integers.
+///
+/// # Panics
+/// When an edge ends at no point, or there is not a cost for each edge.
+///
+/// ```
+/// use subcert::bound::transport_at_costs;
+/// use subcert::exact::Rational;
+///
+/// // Across a square, on the way whose edges cost less.
+/// let square = [(0, 1), (1, 2), (2, 3), (3, 0)];
+/// let w = [1, 0, -1, 0].map(Rational::from);
+/// let found = transport_at_costs(&w, &square, &[5, 5, 2, 3]).unwrap();
+/// assert_eq!(found.value, Rational::from(5));
+/// assert_eq!(found.heights[0] - found.heights[2], 5);
+/// ```
+#[must_use]
+pub fn transport_at_costs<S: Real + Ord>(
+    w: &[S],
+    edges: &[(usize, usize)],
+    costs: &[u32],
+) -> Option<Transport<S>> {
+    let mut network = Network::new(w, edges, costs);
     while network.unbalanced() {
         let sources = (0..w.len()).filter(|&a| network.excess_sign[a] == Ordering::Greater);
         let paths = network.shortest_paths(sources);
@@ -56,11 +84,13 @@ pub fn transport<S: Real + Ord>(w: &[S], edges: &[(usize, usize)]) -> Option<Tra
         let (_, sink) = nearest?;
         network.send(&paths.to(sink), sink);
     }
-    // From everywhere at once: d_b ≤ d_a + 1 along every edge, and d_b = d_a + 1 where
+    // From everywhere at once: d_b ≤ d_a + c along every edge, and d_b = d_a + c where
     // flow runs from a to b, since the residual network has no negative cycle.
     let distances = network.shortest_paths(0..w.len()).length;
     let heights = distances.into_iter().map(|d| d.map_or(0, |(cost, _)| -cost)).collect();
-    Some(Transport { value: S::sum_of_magnitudes(&network.flow), flow: network.flow, heights })
+    let cost = |(f, cost): (&S, &u32)| f.magnitude().times(&S::from_rational(&(*cost).into()));
+    let costs: Vec<S> = network.flow.iter().zip(costs).map(cost).collect();
+    Some(Transport { value: S::total(&costs), flow: network.flow, heights })
 }
 
 /// A step along an edge.
@@ -70,6 +100,8 @@ struct Step {
     edge: usize,
     /// Whether it goes along the edge, 1, or against it, −1.
     direction: i8,
+    /// c_e.
+    cost: i64,
 }
 
 /// A flow, and what is left to send: excess_a = w_a − div(f)_a.
@@ -89,11 +121,13 @@ struct Paths {
 }
 
 impl<S: Real + Ord> Network<S> {
-    fn new(w: &[S], edges: &[(usize, usize)]) -> Network<S> {
+    fn new(w: &[S], edges: &[(usize, usize)], costs: &[u32]) -> Network<S> {
+        assert_eq!(edges.len(), costs.len(), "a cost for each edge");
         let mut steps = vec![Vec::new(); w.len()];
-        for (edge, &(a, b)) in edges.iter().enumerate() {
-            steps[a].push(Step { to: b, edge, direction: 1 });
-            steps[b].push(Step { to: a, edge, direction: -1 });
+        for (edge, (&(a, b), &cost)) in edges.iter().zip(costs).enumerate() {
+            let cost = i64::from(cost);
+            steps[a].push(Step { to: b, edge, direction: 1, cost });
+            steps[b].push(Step { to: a, edge, direction: -1, cost });
         }
         let zero = S::zero();
         Network {
@@ -128,7 +162,8 @@ impl<S: Real + Ord> Network<S> {
             queued[point] = false;
             let Some((cost, steps)) = paths.length[point] else { continue };
             for &step in &self.steps[point] {
-                let length = (if self.cancels(step) { cost - 1 } else { cost + 1 }, steps + 1);
+                let more = if self.cancels(step) { -step.cost } else { step.cost };
+                let length = (cost + more, steps + 1);
                 if paths.length[step.to].is_none_or(|known| length < known) {
                     paths.length[step.to] = Some(length);
                     paths.last[step.to] = Some((point, step));

@@ -1,6 +1,6 @@
 //! The walk over the residue classes of a power of an operator.
 
-use crate::exact::{Integer, Rational, Real};
+use crate::exact::{Integer, IntegerPolynomial, Rational, Real};
 
 /// What the walk asks of a number.
 pub(super) trait Kernel: Clone {
@@ -13,6 +13,10 @@ pub(super) trait Kernel: Clone {
     }
     /// self += x·y.
     fn accumulate(&mut self, x: &Self, y: &Self);
+}
+
+/// A number with an absolute value.
+pub(super) trait Magnitude: Kernel {
     /// self += |x|.
     fn accumulate_magnitude(&mut self, x: &Self);
 }
@@ -30,6 +34,9 @@ impl Kernel for i128 {
     fn accumulate(&mut self, x: &i128, y: &i128) {
         *self += x * y;
     }
+}
+
+impl Magnitude for i128 {
     fn accumulate_magnitude(&mut self, x: &i128) {
         *self += x.abs();
     }
@@ -48,6 +55,9 @@ impl Kernel for Integer {
     fn accumulate(&mut self, x: &Integer, y: &Integer) {
         *self += &(x * y);
     }
+}
+
+impl Magnitude for Integer {
     fn accumulate_magnitude(&mut self, x: &Integer) {
         if x.sign() < 0 {
             *self -= x;
@@ -67,8 +77,28 @@ impl<S: Real> Kernel for S {
     fn accumulate(&mut self, x: &S, y: &S) {
         *self = self.plus(&x.times(y));
     }
+}
+
+impl<S: Real> Magnitude for S {
     fn accumulate_magnitude(&mut self, x: &S) {
         *self = self.plus(&x.magnitude());
+    }
+}
+
+impl Kernel for IntegerPolynomial {
+    fn nothing() -> IntegerPolynomial {
+        IntegerPolynomial::default()
+    }
+    fn unit() -> IntegerPolynomial {
+        IntegerPolynomial::from([1])
+    }
+    fn is_certainly_zero(&self) -> bool {
+        self.is_zero()
+    }
+    fn accumulate(&mut self, x: &IntegerPolynomial, y: &IntegerPolynomial) {
+        if !x.is_zero() {
+            *self = &*self + &(x * y);
+        }
     }
 }
 
@@ -128,11 +158,29 @@ impl<T: Kernel> Transitions<T> {
 
 /// Calls `visit` with the absolute row sums of the c-th powers of K operators of
 /// one shape, for every residue class mod n^c.
-pub(super) fn walk<T: Kernel, const K: usize>(
+pub(super) fn walk<T: Magnitude, const K: usize>(
     rows: &[Vec<Vec<T>>; K],
     offset: i64,
     levels: u32,
     visit: &mut impl FnMut(&[T; K], u64),
+) {
+    walk_rows(rows, offset, levels, &mut |rows: &[Vec<T>; K], class| {
+        let norms = rows.each_ref().map(|row| {
+            row.iter().fold(T::nothing(), |mut sum, entry| {
+                sum.accumulate_magnitude(entry);
+                sum
+            })
+        });
+        visit(&norms, class);
+    });
+}
+
+/// Calls `visit` with the rows themselves, zeros at their ends included.
+pub(super) fn walk_rows<T: Kernel, const K: usize>(
+    rows: &[Vec<Vec<T>>; K],
+    offset: i64,
+    levels: u32,
+    visit: &mut impl FnMut(&[Vec<T>; K], u64),
 ) {
     let arity = rows[0].len();
     let transitions = rows.each_ref().map(|rows| Transitions::new(rows));
@@ -155,13 +203,7 @@ pub(super) fn walk<T: Kernel, const K: usize>(
             }
             depth += 1;
         }
-        let norms = stack[levels].each_ref().map(|row| {
-            row.iter().fold(T::nothing(), |mut sum, entry| {
-                sum.accumulate_magnitude(entry);
-                sum
-            })
-        });
-        visit(&norms, class_of(&digits, arity, offset));
+        visit(&stack[levels], class_of(&digits, arity, offset));
         loop {
             if depth == 0 {
                 return;

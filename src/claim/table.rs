@@ -70,6 +70,8 @@ pub enum Promise {
         spread: LocatedFormula,
         /// The index offset at which the paper compares polygon and limit.
         offset: Option<LocatedFormula>,
+        /// The ring whose points are compared with their limit, where it is one.
+        ring: Option<LocatedReference>,
     },
     /// The cell is an upper bound of the distance at a level.
     Bound {
@@ -79,6 +81,8 @@ pub enum Promise {
         spread: LocatedFormula,
         /// The index offset at which the paper compares polygon and limit.
         offset: Option<LocatedFormula>,
+        /// The ring whose points are compared with their limit, where it is one.
+        ring: Option<LocatedReference>,
     },
 }
 
@@ -111,6 +115,17 @@ pub enum Cell {
     Lost,
     /// It is printed.
     Printed(Printed),
+}
+
+impl Cell {
+    /// The number, when it is printed.
+    #[must_use]
+    pub fn printed(&self) -> Option<&Printed> {
+        match self {
+            Cell::Printed(printed) => Some(printed),
+            Cell::Lost => None,
+        }
+    }
 }
 
 /// A number as printed.

@@ -1,6 +1,7 @@
 //! Theorems, lemmas and corollaries.
 
 use super::table::LocatedReference;
+use crate::exact::Rational;
 use crate::formula::LocatedFormula;
 
 /// A theorem: what it states, and what that rests on.
@@ -16,10 +17,58 @@ pub struct Theorem {
     pub scheme: Option<LocatedReference>,
     /// What it states.
     pub statement: Statement,
+    /// What it is tried on.
+    pub tried: Trial,
+    /// A proof by hand that this program trusts.
+    pub by_hand: Option<ByHand>,
     /// The ids of the claims of this paper that its statement or its proof uses.
     pub rests: Vec<String>,
     /// What a reader should know.
     pub note: Option<String>,
+}
+
+/// A proof by hand, or a refutation.
+#[derive(Clone, Debug)]
+pub struct ByHand {
+    /// Where it stands: `THEOREMS 42`.
+    pub text: String,
+    /// Whether it refutes the theorem.
+    pub refutes: bool,
+    /// The ids of the claims of this paper that it uses. It is a proof while these hold.
+    pub uses: Vec<String>,
+}
+
+/// A formula that a reader would put in place of a definition to save a theorem.
+#[derive(Clone, Debug)]
+pub struct Rewriting {
+    /// The definition's name.
+    pub of: String,
+    /// What holds instead, in a few words.
+    pub says: String,
+    /// The formula.
+    pub value: LocatedFormula,
+}
+
+/// What a theorem is tried on: schemes of its kind at values of its parameters.
+#[derive(Clone, Debug, Default)]
+pub struct Trial {
+    /// The schemes, where the theorem itself does not name one.
+    pub schemes: Vec<LocatedReference>,
+    /// Values of the names that it leaves open; all combinations are tried.
+    pub values: Vec<(String, Vec<Rational>)>,
+    /// The index offset at which it compares polygon and limit; the schemes' own
+    /// offsets without it.
+    pub offset: Option<i64>,
+    /// Of rings, what makes of the points of one level those that the next one is
+    /// compared with; without it, points are compared by their names.
+    pub interpolant: Option<LocatedReference>,
+    /// The number of levels that the constant in its bound belongs to, where the bound
+    /// takes a power of it for each level.
+    pub block: Option<LocatedFormula>,
+    /// What a reader would change in its definitions where it is false.
+    pub rewritings: Vec<Rewriting>,
+    /// The hypothesis that this value is below that one.
+    pub supposes: Option<(LocatedFormula, LocatedFormula)>,
 }
 
 /// What a theorem states. P^k is the control polygon, or net, after k levels.
@@ -46,7 +95,7 @@ pub enum Statement {
 }
 
 /// What a theorem bounds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Quantity {
     /// ‖P^∞ − P^k‖.
     Distance,

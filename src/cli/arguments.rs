@@ -9,7 +9,7 @@ const AFTER_HELP: &str = "\
 SCHEME is a catalogue name with parameters (`six-point:w=3/256`, `newton:j=1,n=3`,
 `doo-sabin:n=5`), the path of a TOML file (`mine.toml:w=1/16`), or two of these with
 ` x ` between them for their tensor product. `subcert schemes` lists the catalogue;
-`depth` needs a mask, the other commands also take the rings around an extraordinary
+`range` needs a mask, the other commands also take the rings around an extraordinary
 vertex or face.
 
 Exit codes: 0 done (findings are no failures), 1 a stated expectation failed,
@@ -29,14 +29,20 @@ pub(super) enum Command {
     Audit(AuditArguments),
     /// Show one claim, table or equation in full
     Explain(ExplainArguments),
+    /// What is wrong in papers, as one could send it to a journal
+    Errata(ErrataArguments),
     /// What papers number, and the claims that cover it
     Coverage(CoverageArguments),
     /// The exact constants of a scheme: difference mask, T_c, Λ_c, σ
     Constants(ConstantsArguments),
-    /// The subdivision depth for a tolerance: as papers compute it, and soundly
+    /// The subdivision depth for a tolerance: exactly, soundly, and as papers compute it
     Depth(DepthArguments),
+    /// Where in a parameter of the mask T_c < 1
+    Range(RangeArguments),
     /// The f64 path of a scheme against the exact one
     Certify(CertifyArguments),
+    /// Write certificates of the verdicts, for subcert-check
+    Prove(ProveArguments),
     /// Reference values for other programs' tests
     Oracle(OracleArguments),
     /// List the schemes of the catalogue
@@ -75,6 +81,15 @@ pub(super) struct Block {
     pub(super) levels: u32,
 }
 
+/// How many levels at a time, where branch and bound finds the constants.
+#[derive(Debug, Args)]
+pub(super) struct DeepBlock {
+    /// The greatest number of levels c
+    #[arg(short = 'c', long = "levels", value_name = "MAX", default_value_t = 4,
+          value_parser = clap::value_parser!(u32).range(1..=256))]
+    pub(super) levels: u32,
+}
+
 /// How far neighbouring control points are apart.
 #[derive(Debug, Args)]
 pub(super) struct Spread {
@@ -93,6 +108,9 @@ pub(super) struct AuditArguments {
     /// Show every table and equation, also those where nothing is wrong
     #[arg(long)]
     pub(super) all: bool,
+    /// Say of each claim whether its certificate is valid
+    #[arg(long)]
+    pub(super) certified: bool,
     /// Exit with code 1 when a claim has this verdict (may be repeated)
     #[arg(long, value_name = "VERDICT", value_parser = verdicts())]
     pub(super) deny: Vec<String>,
@@ -112,8 +130,26 @@ pub(super) struct ExplainArguments {
     pub(super) id: String,
     /// Claim files; without any, the embedded papers
     pub(super) files: Vec<PathBuf>,
+    /// Show every reading that was tried
+    #[arg(long)]
+    pub(super) all: bool,
     #[command(flatten)]
     pub(super) output: Output,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct ErrataArguments {
+    /// Claim files; without any, the embedded papers
+    pub(super) files: Vec<PathBuf>,
+    /// Only the paper of this key
+    #[arg(long, value_name = "KEY")]
+    pub(super) paper: Option<String>,
+    /// Write one file for each paper into this folder, named by its key
+    #[arg(short = 'o', long, value_name = "DIR")]
+    pub(super) output_folder: Option<PathBuf>,
+    /// Output format
+    #[arg(long, value_enum, default_value_t = Format::Markdown)]
+    pub(super) format: Format,
 }
 
 #[derive(Debug, Args)]
@@ -131,12 +167,22 @@ pub(super) struct CoverageArguments {
 }
 
 #[derive(Debug, Args)]
+pub(super) struct ProveArguments {
+    /// Keys of embedded papers, and claim files; without any, every embedded paper
+    #[arg(value_name = "KEY|FILE")]
+    pub(super) what: Vec<String>,
+    /// The folder for the certificates KEY.cert; `-` for one paper to the standard output
+    #[arg(short = 'o', long = "output", value_name = "DIR")]
+    pub(super) output: PathBuf,
+}
+
+#[derive(Debug, Args)]
 pub(super) struct ConstantsArguments {
     /// The scheme
     #[arg(value_name = "SCHEME")]
     pub(super) scheme: String,
     #[command(flatten)]
-    pub(super) block: Block,
+    pub(super) block: DeepBlock,
     #[command(flatten)]
     pub(super) output: Output,
 }
@@ -151,8 +197,36 @@ pub(super) struct DepthArguments {
     pub(super) tolerance: String,
     #[command(flatten)]
     pub(super) spread: Spread,
+    /// A control polygon, for the depth that it needs: a file with one point on a line, its
+    /// coordinates separated by commas or white space, or a JSON array of numbers or of
+    /// points. β is its largest difference
+    #[arg(long, value_name = "FILE", conflicts_with = "spread")]
+    pub(super) polygon: Option<PathBuf>,
+    /// What happens at its ends [default: closed]
+    #[arg(long, value_enum, requires = "polygon")]
+    pub(super) boundary: Option<BoundaryArgument>,
+    /// How narrow the intervals around exact distances are [default: ε/1000]
+    #[arg(long, value_name = "W", allow_hyphen_values = true)]
+    pub(super) width: Option<String>,
     #[command(flatten)]
     pub(super) block: Block,
+    #[command(flatten)]
+    pub(super) output: Output,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct RangeArguments {
+    /// The scheme, without a value for the parameter
+    #[arg(value_name = "SCHEME")]
+    pub(super) scheme: String,
+    /// The parameter, in which the mask is polynomial
+    #[arg(long, value_name = "NAME")]
+    pub(super) param: String,
+    #[command(flatten)]
+    pub(super) block: Block,
+    /// Show T_c itself, a piecewise polynomial function of the parameter
+    #[arg(long)]
+    pub(super) function: bool,
     #[command(flatten)]
     pub(super) output: Output,
 }

@@ -1,15 +1,18 @@
 //! `subcert audit` and `subcert explain`.
 
 use super::Outcome;
-use super::arguments::{AuditArguments, ExplainArguments, Format};
-use super::output::{Failure, show, write};
+use super::arguments::{AuditArguments, ExplainArguments};
+use super::certified::Certified;
+use super::output::{Failure, show};
 use super::papers::{judge_all, papers, select};
-use subcert::audit::PaperAudit;
-use subcert::report::{audit_json, audit_sheet, explain_sheet};
+use subcert::audit::{PaperAudit, readings};
+use subcert::claim::Paper;
+use subcert::report::{audit_json, audit_sheet, explain_sheet, readings_json, table_of};
 
 pub(super) fn audit(arguments: &AuditArguments) -> Outcome {
     let papers = select(papers(&arguments.files)?, arguments.paper.as_deref())?;
-    let audits = judge_all(&papers)?;
+    let audits = judge_all(&papers, arguments.output.format)?;
+    let certified = if arguments.certified { Some(Certified::of(&audits)?) } else { None };
     show(
         arguments.output.format,
         || {
@@ -20,9 +23,18 @@ pub(super) fn audit(arguments: &AuditArguments) -> Outcome {
                  value where the printed one is not shown to keep its promise. `--all` shows \
                  every table, `subcert explain ID` one claim.",
             );
+            if let Some(certified) = &certified {
+                certified.section(&mut sheet);
+            }
             sheet
         },
-        || audit_json(&audits),
+        || {
+            let mut json = audit_json(&audits);
+            if let Some(certified) = &certified {
+                certified.mark(&mut json);
+            }
+            json
+        },
     )?;
     for verdict in &arguments.deny {
         let count = audits.iter().map(|audit| count(audit, verdict)).sum::<usize>();
@@ -34,33 +46,37 @@ pub(super) fn audit(arguments: &AuditArguments) -> Outcome {
 }
 
 pub(super) fn explain(arguments: &ExplainArguments) -> Outcome {
-    let papers = papers(&arguments.files)?;
-    let audits = judge_all(&papers)?;
     let id = &arguments.id;
-    let Some(sheet) = explain_sheet(&audits, id) else {
-        let keys: Vec<&str> = papers.iter().map(|paper| paper.key.as_str()).collect();
+    let papers = papers(&arguments.files)?;
+    let keys: Vec<String> = papers.iter().map(|paper| paper.key.clone()).collect();
+    let key = id.split(':').next().unwrap_or_default();
+    let chosen: Vec<Paper> = papers.into_iter().filter(|paper| paper.key == key).collect();
+    let audits = judge_all(&chosen, arguments.output.format)?;
+    let table = table_of(&audits, id);
+    let tried = match (audits.first(), table) {
+        (Some(audit), Some((finding, _))) => readings(audit.paper, finding)?,
+        _ => Vec::new(),
+    };
+    let Some(sheet) = explain_sheet(&audits, id, &tried, arguments.all) else {
         return Err(Failure::Input(format!(
             "no claim has the id `{id}`; an id is `KEY:table-1`, `KEY:table-1:ROW:COLUMN`, \
              `KEY:EQUATION` or `KEY:THEOREM`, with KEY one of {}",
             keys.join(", ")
         )));
     };
-    match arguments.output.format {
-        Format::Text => write(&sheet.to_text()),
-        Format::Markdown => write(&sheet.to_markdown()),
-        Format::Json => {
-            let mut json = audit_json(&audits);
-            let claims = json["papers"].as_array_mut().into_iter().flatten();
-            let chosen: Vec<serde_json::Value> = claims
-                .flat_map(|paper| paper["claims"].as_array().cloned().unwrap_or_default())
-                .filter(|claim| {
-                    let claim = claim["id"].as_str().unwrap_or_default();
-                    claim == id || claim.strip_prefix(id).is_some_and(|rest| rest.starts_with(':'))
-                })
-                .collect();
-            write(&format!("{:#}\n", serde_json::Value::from(chosen)))
-        }
-    }
+    let json = || {
+        let json = audit_json(&audits);
+        let claims = json["papers"].as_array().into_iter().flatten();
+        let claims = claims.flat_map(|paper| paper["claims"].as_array().into_iter().flatten());
+        let named = |claim: &&serde_json::Value| {
+            let claim = claim["id"].as_str().unwrap_or_default();
+            claim == id || claim.strip_prefix(id).is_some_and(|rest| rest.starts_with(':'))
+        };
+        let claims: Vec<&serde_json::Value> = claims.filter(named).collect();
+        let readings = table.map(|(finding, at)| readings_json(finding, &tried, at));
+        serde_json::json!({ "id": id, "claims": claims, "readings": readings })
+    };
+    show(arguments.output.format, || sheet, json)
 }
 
 /// How many claims, of tables how many cells, have this verdict.

@@ -6,7 +6,7 @@ use super::output::{Failure, show, with_decimal};
 use super::ring_constants::ring_constants;
 use serde_json::{Value, json};
 use subcert::bound::{
-    ClassCap, Constants, DeltaCondition, Operator, Order, Terms, best_offset, displacement,
+    ClassCap, Constants, DeltaCondition, Order, PowerSearch, Terms, best_offset, displacement,
     surface_factor,
 };
 use subcert::exact::{Rational, format::short};
@@ -41,28 +41,32 @@ struct Direction {
     delta: DeltaCondition,
     mask: Mask,
     difference: Rules,
-    /// For each c = 1, 2, …: T_c and Λ_c in adjoint and in forward order.
-    rows: Vec<[Rational; 4]>,
+    /// T_c and Λ_c for c = 1, 2, …, as far as they are in reach, in adjoint order, then both
+    /// in forward order.
+    columns: [Vec<Rational>; 4],
     sigma: Vec<(String, Rational)>,
 }
 
 impl Report {
     fn of(scheme: &Scheme, levels: u32) -> Result<Report, ClassCap> {
-        for mask in scheme.masks() {
-            ClassCap::check(mask.arity(), levels)?;
-        }
         let constants: Vec<Constants> =
             scheme.masks().into_iter().cloned().map(Constants::new).collect();
         let directions = constants
             .iter()
             .map(|one| Direction::of(one, levels))
-            .collect::<Result<Vec<_>, _>>()?;
+            .collect::<Result<Vec<Direction>, ClassCap>>()?;
         let surface = match &constants[..] {
             [first, second] => {
                 let factor = surface_factor(first.mask(), second.mask());
-                let row = |c| Ok(first.tensor_with(second, c)?.max(second.tensor_with(first, c)?));
                 let delta = DeltaCondition::surface(first, second)?;
-                let constants = (1..=levels).map(row).collect::<Result<Vec<_>, _>>()?;
+                let product = |i: usize, j: usize| {
+                    let columns: [&[Rational]; 2] =
+                        [&directions[i].columns[0], &directions[j].columns[1]];
+                    columns[0].iter().zip(columns[1]).map(|(t, norm)| t * norm).collect()
+                };
+                let products: [Vec<Rational>; 2] = [product(0, 1), product(1, 0)];
+                let [left, right] = products;
+                let constants = left.into_iter().zip(right).map(|(x, y)| x.max(y)).collect();
                 Some(Surface { factor, delta, constants })
             }
             _ => None,
@@ -73,14 +77,6 @@ impl Report {
 
 impl Direction {
     fn of(constants: &Constants, levels: u32) -> Result<Direction, ClassCap> {
-        let row = |c| {
-            Ok([
-                constants.norm(Operator::Difference, c, Order::Adjoint)?,
-                constants.norm(Operator::Scheme, c, Order::Adjoint)?,
-                constants.norm(Operator::Difference, c, Order::Forward)?,
-                constants.norm(Operator::Scheme, c, Order::Forward)?,
-            ])
-        };
         let mask = constants.mask().clone();
         let (best, least) = best_offset(&mask);
         let own = mask.offset();
@@ -92,10 +88,35 @@ impl Direction {
             ("|Σ| in place of σ at offset 0".to_owned(), displacement(&unshifted, Terms::Total)),
         ];
         let difference = constants.difference().clone();
-        let rows = (1..=levels).map(row).collect::<Result<Vec<_>, _>>()?;
+        let columns = columns(&mask, &difference, levels);
         let delta = DeltaCondition::curve(constants)?;
-        Ok(Direction { delta, mask, difference, rows, sigma })
+        Ok(Direction { delta, mask, difference, columns, sigma })
     }
+
+    /// For each c the values of all columns; `None` beyond reach.
+    fn rows(&self) -> impl Iterator<Item = (usize, [Option<&Rational>; 4])> {
+        let longest = self.columns.iter().map(Vec::len).max().unwrap_or(0);
+        (0..longest).map(|i| (i + 1, self.columns.each_ref().map(|column| column.get(i))))
+    }
+}
+
+/// The norms of the powers of both operators in both orders, each up to the first that is out
+/// of reach. Each column runs on its own.
+fn columns(mask: &Mask, difference: &Rules, levels: u32) -> [Vec<Rational>; 4] {
+    let column = |rules: &Rules, order| {
+        let mut search = PowerSearch::new(rules, order);
+        (1..=levels).map_while(|c| Some(search.norm(c).ok()?.value)).collect::<Vec<Rational>>()
+    };
+    std::thread::scope(|scope| {
+        let orders = [Order::Adjoint, Order::Forward];
+        let threads = orders.map(|order| {
+            [difference, mask.rules()].map(|rules| scope.spawn(move || column(rules, order)))
+        });
+        let [adjoint, forward] =
+            threads.map(|pair| pair.map(|thread| thread.join().expect("a column")));
+        let ([a, b], [c, d]) = (adjoint, forward);
+        [a, b, c, d]
+    })
 }
 
 impl Report {
@@ -167,24 +188,30 @@ impl Direction {
         facts.extend(self.sigma.iter().map(|(name, value)| (name.clone(), with_decimal(value))));
         sheet.facts(facts);
         let header = ["c", "T_c", "Λ_c", "T_c forward", "Λ_c forward"].map(str::to_owned).to_vec();
-        let rows = (1..).zip(&self.rows).map(|(c, row): (u32, _)| {
-            std::iter::once(c.to_string()).chain(row.iter().map(|x| short(x, 10))).collect()
+        let rows = self.rows().map(|(c, row)| {
+            let cell = |value: Option<&Rational>| value.map_or("–".to_owned(), |x| short(x, 10));
+            std::iter::once(c.to_string()).chain(row.map(cell)).collect()
         });
         sheet.grid(Grid { header, rows: rows.collect(), left_columns: 0 });
         sheet.text(
             "T_c bounds the differences after c levels; the forward columns are what papers that \
              read the masks forwards compute, and bound nothing.",
         );
+        if self.rows().any(|(_, row)| row.contains(&None)) {
+            sheet.text("–: neither branch and bound nor a visit of all rows settles it.");
+        }
     }
 
     fn json(&self) -> Value {
-        let rows = (1..).zip(&self.rows).map(|(c, row): (u32, _)| {
+        let rows = self.rows().map(|(c, row)| {
+            let [contraction, norm, contraction_forward, norm_forward] =
+                row.map(|value| value.map(exact_json));
             json!({
                 "c": c,
-                "contraction": exact_json(&row[0]),
-                "norm": exact_json(&row[1]),
-                "contraction_forward": exact_json(&row[2]),
-                "norm_forward": exact_json(&row[3]),
+                "contraction": contraction,
+                "norm": norm,
+                "contraction_forward": contraction_forward,
+                "norm_forward": norm_forward,
             })
         });
         let sigma = self.sigma.iter().map(|(name, value)| {

@@ -9,7 +9,7 @@ use subcert::report::{coverage_json, coverage_sheet};
 
 pub(super) fn coverage(arguments: &CoverageArguments) -> Outcome {
     let papers = select(papers(&arguments.files)?, arguments.paper.as_deref())?;
-    let audits = judge_all(&papers)?;
+    let audits = judge_all(&papers, arguments.output.format)?;
     show(arguments.output.format, || coverage_sheet(&audits), || coverage_json(&audits))?;
     for state in &arguments.deny {
         let items = audits.iter().flat_map(PaperAudit::coverage);

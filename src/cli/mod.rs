@@ -2,13 +2,19 @@
 
 mod arguments;
 mod audit;
+mod certified;
 mod certify;
 mod constants;
 mod coverage;
 mod depth;
+mod errata;
 mod oracle;
 mod output;
 mod papers;
+mod polygon;
+mod progress;
+mod prove;
+mod range;
 mod ring_constants;
 mod schemes;
 
@@ -42,10 +48,13 @@ pub(crate) fn run() -> ExitCode {
     let result = match arguments.command {
         Command::Audit(command) => audit::audit(&command),
         Command::Explain(command) => audit::explain(&command),
+        Command::Errata(command) => errata::errata(&command),
         Command::Coverage(command) => coverage::coverage(&command),
         Command::Constants(command) => constants::constants(&command),
         Command::Depth(command) => depth::depth(&command),
+        Command::Range(command) => range::range(&command),
         Command::Certify(command) => certify::certify(&command),
+        Command::Prove(command) => prove::prove(&command),
         Command::Oracle(command) => oracle::oracle(&command),
         Command::Schemes(command) => schemes::schemes(&command),
         Command::Completions { shell } => schemes::completions(shell),

@@ -1,8 +1,14 @@
 //! The papers that a command is about.
 
+use super::arguments::Format;
 use super::output::Failure;
-use std::path::PathBuf;
-use subcert::audit::{PaperAudit, audit};
+use super::progress::Progress;
+use std::num::NonZero;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread::{self, available_parallelism};
+use std::{iter, ptr};
+use subcert::audit::{PaperAudit, audit_with};
 use subcert::claim::{Paper, embedded_papers, read_paper_file};
 
 /// The papers of claim files; without any, the embedded ones.
@@ -13,7 +19,34 @@ pub(super) fn papers(files: &[PathBuf]) -> Result<Vec<Paper>, Failure> {
     let read = |path: &PathBuf| -> Result<Paper, Failure> {
         Ok(read_paper_file(path).map_err(Failure::Input)??)
     };
-    let papers = files.iter().map(read).collect::<Result<Vec<Paper>, Failure>>()?;
+    distinct(files.iter().map(read).collect::<Result<Vec<Paper>, Failure>>()?)
+}
+
+/// The embedded papers of these keys, and those of claim files; without any, the
+/// embedded ones.
+pub(super) fn papers_or_keys(what: &[String]) -> Result<Vec<Paper>, Failure> {
+    let embedded = embedded_papers()?;
+    if what.is_empty() {
+        return Ok(embedded);
+    }
+    let paper = |word: &String| -> Result<Paper, Failure> {
+        if let Some(paper) = embedded.iter().find(|paper| paper.key == *word) {
+            return Ok(paper.clone());
+        }
+        let path = Path::new(word);
+        if !path.exists() {
+            let keys: Vec<&str> = embedded.iter().map(|paper| paper.key.as_str()).collect();
+            let keys = keys.join(", ");
+            let message = format!("`{word}` is no claim file, and none of the keys {keys}");
+            return Err(Failure::Input(message));
+        }
+        Ok(read_paper_file(path).map_err(Failure::Input)??)
+    };
+    distinct(what.iter().map(paper).collect::<Result<Vec<Paper>, Failure>>()?)
+}
+
+/// Papers with keys of their own.
+fn distinct(papers: Vec<Paper>) -> Result<Vec<Paper>, Failure> {
     for (i, paper) in papers.iter().enumerate() {
         if papers[..i].iter().any(|earlier| earlier.key == paper.key) {
             let message = format!("two of the files have the key `{}`", paper.key);
@@ -35,7 +68,21 @@ pub(super) fn select(papers: Vec<Paper>, key: Option<&str>) -> Result<Vec<Paper>
     Ok(papers)
 }
 
-/// Judges every claim of the papers.
-pub(super) fn judge_all(papers: &[Paper]) -> Result<Vec<PaperAudit<'_>>, Failure> {
-    papers.iter().map(|paper| audit(paper).map_err(Failure::from)).collect()
+/// Judges every claim of the papers, on all cores. For people, a bar shows how far that is.
+pub(super) fn judge_all(papers: &[Paper], format: Format) -> Result<Vec<PaperAudit<'_>>, Failure> {
+    let tables = papers.iter().map(|paper| paper.tables.len()).sum();
+    let progress = Progress::new(tables, format != Format::Json);
+    let next = AtomicUsize::new(0);
+    let judge = || {
+        let mine = iter::from_fn(|| papers.get(next.fetch_add(1, Ordering::Relaxed)));
+        mine.map(|paper| (paper, audit_with(paper, &mut || progress.step()))).collect::<Vec<_>>()
+    };
+    let threads = available_parallelism().map_or(1, NonZero::get).min(papers.len());
+    let mut judged = thread::scope(|scope| {
+        let threads: Vec<_> = (0..threads).map(|_| scope.spawn(judge)).collect();
+        let judged = threads.into_iter().map(|thread| thread.join().expect("no audit panics"));
+        judged.flatten().collect::<Vec<_>>()
+    });
+    judged.sort_by_key(|(judged, _)| papers.iter().position(|paper| ptr::eq(paper, *judged)));
+    judged.into_iter().map(|(_, audit)| audit.map_err(Failure::from)).collect()
 }

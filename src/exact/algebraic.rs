@@ -43,6 +43,10 @@ struct Root {
     sign: i8,
 }
 
+/// How often the intervals of two roots are halved before their polynomials are
+/// compared.
+const GCD_AFTER: u32 = 8;
+
 impl From<Rational> for RealAlgebraic {
     fn from(value: Rational) -> RealAlgebraic {
         RealAlgebraic(Form::Rational(value))
@@ -98,6 +102,96 @@ impl RealAlgebraic {
                 IntegerPolynomial::from([-value.numerator(), value.denominator()])
             }
             Form::Irrational(root) => (*root.polynomial).clone(),
+        }
+    }
+
+    /// The minimal polynomial over Q: primitive and irreducible. `None` where finding it
+    /// takes too long, as of [`IntegerPolynomial::irreducible_factors`].
+    ///
+    /// ```
+    /// use subcert::exact::{IntegerPolynomial, RealAlgebraic};
+    ///
+    /// // (x² − 2)(x² − 3)
+    /// let roots = RealAlgebraic::roots_of(&IntegerPolynomial::from([6, 0, -5, 0, 1]));
+    /// assert_eq!(roots[0].minimal_polynomial(), Some(IntegerPolynomial::from([-3, 0, 1])));
+    /// ```
+    #[must_use]
+    pub fn minimal_polynomial(&self) -> Option<IntegerPolynomial> {
+        let Form::Irrational(root) = &self.0 else { return Some(self.polynomial()) };
+        let factors = root.polynomial.irreducible_factors();
+        // The one root in the interval is simple, so that just one factor changes sign.
+        let changes = |f: &IntegerPolynomial| f.sign_at(&root.lower) != f.sign_at(&root.upper);
+        factors?.into_iter().find(changes)
+    }
+
+    /// Rationals a ≤ this ≤ b, equal only when this is rational.
+    #[must_use]
+    pub fn bounds(&self) -> (Rational, Rational) {
+        match &self.0 {
+            Form::Rational(value) => (value.clone(), value.clone()),
+            Form::Irrational(root) => (root.lower.clone(), root.upper.clone()),
+        }
+    }
+
+    /// A rational number between this and the greater number `other`.
+    ///
+    /// # Panics
+    /// When this is not less than `other`.
+    #[must_use]
+    pub fn rational_below(&self, other: &RealAlgebraic) -> Rational {
+        let (mut a, mut b) = (self.clone(), other.clone());
+        loop {
+            let (low, high) = (a.bounds().1, b.bounds().0);
+            // Where the intervals of two irrational numbers touch, the end will do.
+            let touching = low == high && (a.is_irrational() && b.is_irrational());
+            if low < high || touching {
+                return (low + high) / Rational::from(2);
+            }
+            assert!(a.is_irrational() || b.is_irrational(), "{self} is not less than {other}");
+            a.halve();
+            b.halve();
+        }
+    }
+
+    /// A rational number before the first of these numbers, which rise, one between
+    /// each two neighbours, and one after the last.
+    ///
+    /// # Panics
+    /// When they do not rise.
+    #[must_use]
+    pub fn rationals_between(points: &[RealAlgebraic]) -> Vec<Rational> {
+        let (Some(first), Some(last)) = (points.first(), points.last()) else {
+            return vec![Rational::zero()];
+        };
+        let (one, between) = (Rational::one(), points.windows(2));
+        let between = between.map(|pair| pair[0].rational_below(&pair[1]));
+        let outer = [first.bounds().0 - &one, last.bounds().1 + one];
+        let [before, after] = outer;
+        std::iter::once(before).chain(between).chain([after]).collect()
+    }
+
+    /// Whether this is irrational.
+    fn is_irrational(&self) -> bool {
+        matches!(self.0, Form::Irrational(_))
+    }
+
+    /// Halves the interval of an irrational number.
+    fn halve(&mut self) {
+        if let Form::Irrational(root) = &mut self.0 {
+            // The middle is never the root, which is not rational.
+            root.halve();
+        }
+    }
+
+    /// The number of binary digits of the polynomial and the interval.
+    #[must_use]
+    pub fn bits(&self) -> u64 {
+        match &self.0 {
+            Form::Rational(value) => value.bits(),
+            Form::Irrational(root) => {
+                let polynomial = root.polynomial.coefficients().iter().map(Integer::bits);
+                polynomial.sum::<u64>() + root.lower.bits() + root.upper.bits()
+            }
         }
     }
 
@@ -200,20 +294,23 @@ impl Ord for RealAlgebraic {
             (_, Form::Rational(value)) => self.cmp_rational(value),
             (Form::Rational(value), _) => other.cmp_rational(value).reverse(),
             (Form::Irrational(a), Form::Irrational(b)) => {
-                if a.equals(b) {
-                    return Ordering::Equal;
-                }
                 let (mut a, mut b) = (a.clone(), b.clone());
-                loop {
+                for halvings in 0_u32.. {
                     if a.upper <= b.lower {
                         return Ordering::Less;
                     }
                     if b.upper <= a.lower {
                         return Ordering::Greater;
                     }
+                    // Most pairs are apart soon; the gcd is for those that are not.
+                    let same = halvings == 0 && a.polynomial == b.polynomial;
+                    if (same || halvings == GCD_AFTER) && a.equals(&b) {
+                        return Ordering::Equal;
+                    }
                     a.halve();
                     b.halve();
                 }
+                unreachable!("two different numbers are apart after finitely many halvings")
             }
         }
     }

@@ -1,6 +1,6 @@
 //! A decimal as printed, and how it relates to an exact value.
 
-use super::{Integer, Rational, Real};
+use super::{Enclosed, Integer, Rational, Real, RealAlgebraic};
 
 /// A printed decimal: `mantissa` · 10^`exponent`, where `exponent` is the place
 /// of its last printed digit. `0.0310` and `0.031` are equal in value, but not
@@ -98,5 +98,20 @@ impl Decimal {
             return Rounding::Neither;
         }
         if value.magnitude() < exact.magnitude() { Rounding::Truncated } else { Rounding::Up }
+    }
+
+    /// The same for a real algebraic number.
+    #[must_use]
+    pub fn rounding_of_algebraic(&self, exact: &RealAlgebraic) -> Rounding {
+        if let Some(exact) = exact.as_rational() {
+            return self.rounding_of(exact);
+        }
+        // What it is depends on where the number is among these, none of which it is.
+        let half = self.unit() / Rational::from(2);
+        let marks: Vec<Rational> =
+            (-3..=3).map(|i| self.value() + &half * Rational::from(i)).collect();
+        let place = exact.step(|x| marks.partition_point(|mark| mark < x));
+        let next = marks.get(place).unwrap_or(&marks[marks.len() - 1]);
+        self.rounding_of(&(next - half / Rational::from(2)))
     }
 }

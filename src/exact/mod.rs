@@ -11,7 +11,7 @@
 //! | [`RealAlgebraic`] | a root of a polynomial in an interval |
 //! | [`IntegerPolynomial`], [`SturmSequence`] | polynomials in one variable, and their real roots |
 //! | [`Enclosure`], [`Enclosed`] | intervals around a real number, as narrow as needed |
-//! | [`PiecewiseLinear`], [`Parametric`] | functions of a free parameter |
+//! | [`RationalPolynomial`], [`PiecewisePolynomial`], [`Parametric`] | functions of a free parameter |
 //! | [`Interval`], [`IntervalSet`] | where such a function is below a bound |
 //! | [`Scalar`], [`Real`] | what the algorithms ask of a number type |
 //! | [`solve`] | systems of linear equations |
@@ -23,6 +23,7 @@ mod common;
 mod cyclotomic;
 mod decimal;
 mod enclosure;
+mod factor;
 pub mod format;
 mod integer;
 mod interval;
@@ -32,6 +33,7 @@ mod parametric;
 mod piecewise;
 mod polynomial;
 mod rational;
+mod rational_polynomial;
 mod read;
 mod scalar;
 mod sturm;
@@ -48,9 +50,10 @@ pub use integer::Integer;
 pub use interval::{Interval, IntervalSet};
 pub use linear::solve;
 pub use parametric::Parametric;
-pub use piecewise::PiecewiseLinear;
+pub use piecewise::PiecewisePolynomial;
 pub use polynomial::Polynomial;
 pub use rational::Rational;
+pub use rational_polynomial::RationalPolynomial;
 pub use read::{MAX_DIGITS, MAX_EXPONENT, NumberError, parse_decimal, parse_rational};
 pub use scalar::{Real, Scalar};
 pub use sturm::SturmSequence;

@@ -1,20 +1,25 @@
 //! Numbers that depend on a free parameter.
 
 use super::scalar::{Real, Scalar};
-use super::{PiecewiseLinear, Rational};
+use super::{PiecewisePolynomial, Rational};
 use std::fmt;
 
-/// A number that depends on one free parameter: a piecewise linear function of it,
-/// or one that has left this class.
+/// The most pieces, and the greatest degree, that a function of a parameter may have.
+const MAX_PIECES: usize = 4_096;
+const MAX_DEGREE: usize = 64;
+
+/// A number that depends on one free parameter: a piecewise polynomial function of
+/// it, or one that has left this class.
 ///
-/// The operations of a [`Scalar`] cannot fail, but not every product of two
-/// functions of this class is in it. What is not becomes [`Parametric::Outside`],
+/// The operations of a [`Scalar`] cannot fail, but not every quotient of two
+/// functions of this class is in it, and functions of more than 4096 pieces, or of
+/// a degree above 64, are left out. What is not becomes [`Parametric::Outside`],
 /// and so does everything computed from that, so that whoever wants the result
 /// sees it at the end and not a wrong function.
 ///
 /// ```
 /// use subcert::bound::{Order, Terms, displacement, power_norm_generic};
-/// use subcert::exact::{Parametric, Rational, Scalar};
+/// use subcert::exact::{Parametric, Rational, Real};
 /// use subcert::scheme::find;
 ///
 /// // T_1 and σ of the 4-point scheme with tension w, as functions of w.
@@ -26,15 +31,15 @@ use std::fmt;
 /// assert_eq!(function.at(&Rational::new(1, 16)), Rational::new(5, 8));
 /// assert_eq!(function.below(&Rational::one()).describe("w"), "-1/4 < w < 1/4");
 /// assert_eq!(sigma.function().map(|f| f.piece_count()), Some(2));
-/// assert_eq!(Parametric::variable().times(&Parametric::variable()).function(), None);
+/// assert_eq!(Parametric::variable().over(&Parametric::variable()).function(), None);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
 pub enum Parametric {
-    /// A piecewise linear function of the parameter.
-    Function(PiecewiseLinear),
-    /// Not known to be one: computed with a product or a quotient of two numbers
-    /// that both depend on the parameter.
+    /// A piecewise polynomial function of the parameter.
+    Function(PiecewisePolynomial),
+    /// Not known to be one: computed with a quotient by a number that depends on the
+    /// parameter, or beyond the caps.
     Outside,
 }
 
@@ -42,12 +47,12 @@ impl Parametric {
     /// The parameter itself.
     #[must_use]
     pub fn variable() -> Parametric {
-        Parametric::Function(PiecewiseLinear::variable())
+        Parametric::Function(PiecewisePolynomial::variable())
     }
 
-    /// The function, if it is piecewise linear.
+    /// The function, if it is piecewise polynomial.
     #[must_use]
-    pub fn function(&self) -> Option<&PiecewiseLinear> {
+    pub fn function(&self) -> Option<&PiecewisePolynomial> {
         match self {
             Parametric::Function(function) => Some(function),
             Parametric::Outside => None,
@@ -57,10 +62,11 @@ impl Parametric {
     fn with(
         &self,
         other: &Parametric,
-        apply: impl FnOnce(&PiecewiseLinear, &PiecewiseLinear) -> Option<PiecewiseLinear>,
+        apply: impl FnOnce(&PiecewisePolynomial, &PiecewisePolynomial) -> Option<PiecewisePolynomial>,
     ) -> Parametric {
         let both = self.function().zip(other.function());
         both.and_then(|(left, right)| apply(left, right))
+            .filter(|function| function.piece_count() <= MAX_PIECES)
             .map_or(Parametric::Outside, Parametric::Function)
     }
 
@@ -83,14 +89,14 @@ impl fmt::Display for Parametric {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Parametric::Function(function) => function.fmt(f),
-            Parametric::Outside => f.pad("a function that is not piecewise linear"),
+            Parametric::Outside => f.pad("a function that is not piecewise polynomial"),
         }
     }
 }
 
 impl Scalar for Parametric {
     fn from_rational(value: &Rational) -> Parametric {
-        Parametric::Function(PiecewiseLinear::constant(value.clone()))
+        Parametric::Function(PiecewisePolynomial::constant(value.clone()))
     }
     fn plus(&self, other: &Parametric) -> Parametric {
         self.with(other, |left, right| Some(left.plus(right)))
@@ -99,7 +105,9 @@ impl Scalar for Parametric {
         self.with(other, |left, right| Some(left.minus(right)))
     }
     fn times(&self, other: &Parametric) -> Parametric {
-        self.with(other, PiecewiseLinear::times)
+        self.with(other, |left, right| {
+            (left.degree() + right.degree() <= MAX_DEGREE).then(|| left.times(right))
+        })
     }
 }
 

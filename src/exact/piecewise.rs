@@ -1,216 +1,279 @@
-//! Continuous piecewise linear functions of one real variable.
+//! Continuous piecewise polynomial functions of one real variable.
 
-use super::{IntervalSet, Polynomial, Rational};
+use super::{IntervalSet, Rational, RationalPolynomial, RealAlgebraic, SturmSequence};
 use std::fmt;
 
-/// A continuous piecewise linear function of one real variable over Q, in normal
-/// form: two are equal exactly when they agree everywhere.
+/// A continuous piecewise polynomial function of one real variable over Q, in
+/// normal form: two are equal exactly when they agree everywhere.
 ///
-/// Sums, rational multiples, |·|, max and min stay in this class; a product does
-/// only in the cases that [`PiecewiseLinear::times`] names.
+/// Sums, products, |·|, max and min stay in this class. The pieces join at real
+/// algebraic numbers.
 ///
 /// ```
-/// use subcert::exact::{PiecewiseLinear, Rational};
+/// use subcert::exact::{PiecewisePolynomial, Rational};
 ///
 /// // δ(a) = 2|a − 1/3| + |2a − 1|, and where it is below 1.
-/// let a = PiecewiseLinear::variable();
-/// let constant = |p, q| PiecewiseLinear::constant(Rational::new(p, q));
+/// let a = PiecewisePolynomial::variable();
+/// let constant = |p, q| PiecewisePolynomial::constant(Rational::new(p, q));
 /// let first = a.minus(&constant(1, 3)).magnitude();
 /// let second = a.plus(&a).minus(&constant(1, 1)).magnitude();
 /// let delta = first.plus(&first).plus(&second);
 /// assert_eq!(delta.at(&Rational::new(1, 4)), Rational::new(2, 3));
 /// assert_eq!(delta.below(&Rational::one()).describe("a"), "1/6 < a < 2/3");
+///
+/// let square = delta.times(&delta);
+/// assert_eq!(square.below(&Rational::one()), delta.below(&Rational::one()));
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct PiecewiseLinear {
-    /// Where the slope changes, in rising order.
-    breaks: Vec<Rational>,
-    /// The line on each side of each break, neighbours different, equal at the
-    /// break between them.
-    lines: Vec<Line>,
+pub struct PiecewisePolynomial {
+    /// Where one polynomial ends and another begins, in rising order.
+    breaks: Vec<RealAlgebraic>,
+    /// The polynomial on each side of each break, neighbours different, equal at
+    /// the break between them.
+    pieces: Vec<RationalPolynomial>,
 }
 
-#[derive(Clone, Debug, PartialEq, Eq)]
-struct Line {
-    slope: Rational,
-    intercept: Rational,
-}
-
-impl Line {
-    fn at(&self, x: &Rational) -> Rational {
-        &self.slope * x + &self.intercept
+impl From<RationalPolynomial> for PiecewisePolynomial {
+    fn from(polynomial: RationalPolynomial) -> PiecewisePolynomial {
+        PiecewisePolynomial { breaks: Vec::new(), pieces: vec![polynomial] }
     }
 }
 
-impl PiecewiseLinear {
+impl PiecewisePolynomial {
     /// The constant function `value`.
     #[must_use]
-    pub fn constant(value: Rational) -> PiecewiseLinear {
-        let line = Line { slope: Rational::zero(), intercept: value };
-        PiecewiseLinear { breaks: Vec::new(), lines: vec![line] }
+    pub fn constant(value: Rational) -> PiecewisePolynomial {
+        RationalPolynomial::constant(value).into()
     }
 
     /// The function x ↦ x.
     #[must_use]
-    pub fn variable() -> PiecewiseLinear {
-        let line = Line { slope: Rational::one(), intercept: Rational::zero() };
-        PiecewiseLinear { breaks: Vec::new(), lines: vec![line] }
+    pub fn variable() -> PiecewisePolynomial {
+        RationalPolynomial::variable().into()
     }
 
-    /// The function that is `line(x)` near x, for x off the points `breaks`. The
-    /// lines have to agree at these points.
-    fn assemble(breaks: Vec<Rational>, line: impl Fn(&Rational) -> Line) -> PiecewiseLinear {
-        let mut samples = samples(&breaks).into_iter();
+    /// Σ_j |p_j|.
+    #[must_use]
+    pub fn sum_of_magnitudes(polynomials: &[RationalPolynomial]) -> PiecewisePolynomial {
+        let not_constant = polynomials.iter().filter(|p| p.degree().unwrap_or(0) > 0);
+        let roots = not_constant.flat_map(|p| RealAlgebraic::roots_of(p.numerator()));
+        PiecewisePolynomial::assemble(sorted(roots.collect()), |x| signed_sum(polynomials, x))
+    }
+
+    /// A function that is Σ_j |p_j| from `low` to `high`; beyond these its outer pieces
+    /// go on. It has no other breaks.
+    ///
+    /// ```
+    /// use subcert::exact::{PiecewisePolynomial, Rational, RationalPolynomial};
+    ///
+    /// let x = [RationalPolynomial::variable()];
+    /// let one = Rational::one();
+    /// let sum = PiecewisePolynomial::sum_of_magnitudes_on(&x, &-&one, &-&one);
+    /// assert_eq!(sum.at(&one), -one);
+    /// ```
+    #[must_use]
+    pub fn sum_of_magnitudes_on(
+        polynomials: &[RationalPolynomial],
+        low: &Rational,
+        high: &Rational,
+    ) -> PiecewisePolynomial {
+        let near = polynomials
+            .iter()
+            .map(RationalPolynomial::numerator)
+            .filter(|p| p.degree().unwrap_or(0) > 0 && p.may_vanish_between(low, high));
+        let roots = near.flat_map(|p| {
+            SturmSequence::new(p).roots_between(Some(low.clone()), Some(high.clone()))
+        });
+        let ends = [low, high].map(|end| RealAlgebraic::from(end.clone()));
+        let inside = |root: &RealAlgebraic| !ends.contains(root);
+        let breaks = sorted(roots.filter(inside).collect());
+        let points: Vec<&RealAlgebraic> =
+            [&ends[0]].into_iter().chain(&breaks).chain([&ends[1]]).collect();
+        let sample = |pair: &[&RealAlgebraic]| {
+            if pair[0] < pair[1] { pair[0].rational_below(pair[1]) } else { low.clone() }
+        };
+        let samples = points.windows(2).map(sample).collect();
+        PiecewisePolynomial::assemble_at(breaks, samples, |x| signed_sum(polynomials, x))
+    }
+
+    /// The function that is `piece(x)` near x, for x off the points `breaks`. The
+    /// pieces have to agree at these points.
+    fn assemble(
+        breaks: Vec<RealAlgebraic>,
+        piece: impl Fn(&Rational) -> RationalPolynomial,
+    ) -> PiecewisePolynomial {
+        let samples = RealAlgebraic::rationals_between(&breaks);
+        PiecewisePolynomial::assemble_at(breaks, samples, piece)
+    }
+
+    /// The same with a number inside each cell given.
+    fn assemble_at(
+        breaks: Vec<RealAlgebraic>,
+        samples: Vec<Rational>,
+        piece: impl Fn(&Rational) -> RationalPolynomial,
+    ) -> PiecewisePolynomial {
+        let mut samples = samples.into_iter();
         let first = samples.next().expect("there is a cell more than there are points");
-        let mut function = PiecewiseLinear { breaks: Vec::new(), lines: vec![line(&first)] };
+        let mut function = PiecewisePolynomial::from(piece(&first));
         for (point, sample) in breaks.into_iter().zip(samples) {
-            let next = line(&sample);
-            if function.lines.last() != Some(&next) {
+            let next = piece(&sample);
+            if function.pieces.last() != Some(&next) {
                 function.breaks.push(point);
-                function.lines.push(next);
+                function.pieces.push(next);
             }
         }
         function
     }
 
-    /// The line near x; at a break, the one on its right.
-    fn line(&self, x: &Rational) -> &Line {
-        &self.lines[self.breaks.partition_point(|point| point <= x)]
+    /// The polynomial near x; at a break, the one on its right.
+    fn piece(&self, x: &Rational) -> &RationalPolynomial {
+        &self.pieces[self.breaks.partition_point(|point| point.cmp_rational(x).is_le())]
     }
 
     /// The breaks of both.
-    fn common_breaks(&self, other: &PiecewiseLinear) -> Vec<Rational> {
+    fn common_breaks(&self, other: &PiecewisePolynomial) -> Vec<RealAlgebraic> {
         sorted(self.breaks.iter().chain(&other.breaks).cloned().collect())
     }
 
-    /// The points where the slope changes, in rising order.
+    /// The points where one polynomial ends and another begins, in rising order.
     #[must_use]
-    pub fn breakpoints(&self) -> &[Rational] {
+    pub fn breakpoints(&self) -> &[RealAlgebraic] {
         &self.breaks
+    }
+
+    /// The polynomials, from left to right; one more than there are breaks.
+    #[must_use]
+    pub fn pieces(&self) -> &[RationalPolynomial] {
+        &self.pieces
     }
 
     /// The value at x.
     #[must_use]
     pub fn at(&self, x: &Rational) -> Rational {
-        self.line(x).at(x)
+        self.piece(x).value_at(x)
     }
 
     /// The value of a constant function; `None` for any other.
     #[must_use]
     pub fn as_constant(&self) -> Option<Rational> {
-        match &self.lines[..] {
-            [line] if line.slope.is_zero() => Some(line.intercept.clone()),
+        match &self.pieces[..] {
+            [piece] => piece.as_constant(),
             _ => None,
         }
     }
 
-    /// The number of linear pieces.
+    /// The number of pieces.
     #[must_use]
     pub fn piece_count(&self) -> usize {
-        self.lines.len()
+        self.pieces.len()
+    }
+
+    /// The greatest degree of a piece.
+    #[must_use]
+    pub fn degree(&self) -> usize {
+        self.pieces.iter().filter_map(RationalPolynomial::degree).max().unwrap_or(0)
     }
 
     /// The number of binary digits of all breaks and coefficients together.
     #[must_use]
     pub fn bits(&self) -> u64 {
-        let lines = self.lines.iter().flat_map(|line| [&line.slope, &line.intercept]);
-        lines.chain(&self.breaks).map(Rational::bits).sum()
+        let breaks = self.breaks.iter().map(RealAlgebraic::bits).sum::<u64>();
+        breaks + self.pieces.iter().map(RationalPolynomial::bits).sum::<u64>()
     }
 
     /// self + other.
     #[must_use]
-    pub fn plus(&self, other: &PiecewiseLinear) -> PiecewiseLinear {
-        PiecewiseLinear::assemble(self.common_breaks(other), |x| {
-            let (left, right) = (self.line(x), other.line(x));
-            Line {
-                slope: &left.slope + &right.slope,
-                intercept: &left.intercept + &right.intercept,
-            }
+    pub fn plus(&self, other: &PiecewisePolynomial) -> PiecewisePolynomial {
+        PiecewisePolynomial::assemble(self.common_breaks(other), |x| {
+            self.piece(x).plus(other.piece(x))
         })
     }
 
     /// self − other.
     #[must_use]
-    pub fn minus(&self, other: &PiecewiseLinear) -> PiecewiseLinear {
-        self.plus(&other.scaled(&-Rational::one()))
+    pub fn minus(&self, other: &PiecewisePolynomial) -> PiecewisePolynomial {
+        PiecewisePolynomial::assemble(self.common_breaks(other), |x| {
+            self.piece(x).minus(other.piece(x))
+        })
+    }
+
+    /// self · other.
+    #[must_use]
+    pub fn times(&self, other: &PiecewisePolynomial) -> PiecewisePolynomial {
+        PiecewisePolynomial::assemble(self.common_breaks(other), |x| {
+            self.piece(x).times(other.piece(x))
+        })
     }
 
     /// factor · self.
     #[must_use]
-    pub fn scaled(&self, factor: &Rational) -> PiecewiseLinear {
-        PiecewiseLinear::assemble(self.breaks.clone(), |x| {
-            let line = self.line(x);
-            Line { slope: &line.slope * factor, intercept: &line.intercept * factor }
-        })
-    }
-
-    /// self · other, when that is piecewise linear: when between any two
-    /// neighbouring breaks of the two, one of them is constant. `None` otherwise.
-    #[must_use]
-    pub fn times(&self, other: &PiecewiseLinear) -> Option<PiecewiseLinear> {
-        let breaks = self.common_breaks(other);
-        let flat = |x: &Rational| self.line(x).slope.is_zero() || other.line(x).slope.is_zero();
-        if !samples(&breaks).iter().all(flat) {
-            return None;
-        }
-        Some(PiecewiseLinear::assemble(breaks, |x| {
-            let (left, right) = (self.line(x), other.line(x));
-            Line {
-                slope: &left.slope * &right.intercept + &left.intercept * &right.slope,
-                intercept: &left.intercept * &right.intercept,
-            }
-        }))
+    pub fn scaled(&self, factor: &Rational) -> PiecewisePolynomial {
+        self.times(&PiecewisePolynomial::constant(factor.clone()))
     }
 
     /// |self|.
     #[must_use]
-    pub fn magnitude(&self) -> PiecewiseLinear {
-        self.greater(&self.scaled(&-Rational::one()))
+    pub fn magnitude(&self) -> PiecewisePolynomial {
+        let points = self.breaks.iter().cloned().chain(self.zeros());
+        PiecewisePolynomial::assemble(sorted(points.collect()), |x| {
+            let piece = self.piece(x);
+            if piece.sign_at(x) < 0 { piece.negated() } else { piece.clone() }
+        })
     }
 
     /// The greater of the two at every point.
     #[must_use]
-    pub fn greater(&self, other: &PiecewiseLinear) -> PiecewiseLinear {
+    pub fn greater(&self, other: &PiecewisePolynomial) -> PiecewisePolynomial {
         let difference = self.minus(other);
         let mut points = self.common_breaks(other);
         points.extend(difference.zeros());
-        PiecewiseLinear::assemble(sorted(points), |x| {
-            let larger = if difference.at(x).sign() < 0 { other } else { self };
-            larger.line(x).clone()
+        PiecewisePolynomial::assemble(sorted(points), |x| {
+            let larger = if difference.piece(x).sign_at(x) < 0 { other } else { self };
+            larger.piece(x).clone()
         })
     }
 
     /// The lesser of the two at every point.
     #[must_use]
-    pub fn lesser(&self, other: &PiecewiseLinear) -> PiecewiseLinear {
+    pub fn lesser(&self, other: &PiecewisePolynomial) -> PiecewisePolynomial {
         self.plus(other).minus(&self.greater(other))
     }
 
     /// The zeros of the pieces that are not constant.
-    fn zeros(&self) -> Vec<Rational> {
-        let zero = |(piece, line): (usize, &Line)| {
-            if line.slope.is_zero() {
-                return None;
+    fn zeros(&self) -> Vec<RealAlgebraic> {
+        let mut zeros = Vec::new();
+        for (place, piece) in self.pieces.iter().enumerate() {
+            if piece.degree().unwrap_or(0) == 0 {
+                continue;
             }
-            let zero = -&line.intercept / &line.slope;
-            let right_of_low = piece == 0 || self.breaks[piece - 1] <= zero;
-            let left_of_high = self.breaks.get(piece).is_none_or(|high| zero <= *high);
-            (right_of_low && left_of_high).then_some(zero)
-        };
-        self.lines.iter().enumerate().filter_map(zero).collect()
+            let low = place.checked_sub(1).map(|below| &self.breaks[below]);
+            let high = self.breaks.get(place);
+            let sturm = SturmSequence::new(piece.numerator());
+            let roots = sturm
+                .roots_between(low.map(|low| low.bounds().0), high.map(|high| high.bounds().1));
+            zeros.extend(roots.into_iter().filter(|root| {
+                low.is_none_or(|low| low <= root) && high.is_none_or(|high| root <= high)
+            }));
+        }
+        zeros
     }
 
     /// The set of the x where the sign of the value, −1, 0 or 1, is one that `keep`
     /// wants.
     fn with_sign(&self, keep: impl Fn(i8) -> bool) -> IntervalSet {
-        let mut points = self.breaks.clone();
-        points.extend(self.zeros());
-        let points = sorted(points);
-        // Between two of these points the sign does not change.
+        let zeros = sorted(self.zeros());
+        let points = sorted(self.breaks.iter().chain(&zeros).cloned().collect());
+        // Between two of these points the sign does not change; and at one of them
+        // that is no zero it is that of both sides.
+        let samples = RealAlgebraic::rationals_between(&points);
+        let signs: Vec<i8> = samples.iter().map(|x| self.piece(x).sign_at(x)).collect();
         let mut cells = Vec::with_capacity(2 * points.len() + 1);
-        for (i, sample) in samples(&points).iter().enumerate() {
-            cells.push(keep(self.at(sample).sign()));
-            cells.extend(points.get(i).map(|point| keep(self.at(point).sign())));
+        for (i, sign) in signs.iter().enumerate() {
+            cells.push(keep(*sign));
+            cells.extend(points.get(i).map(|point| {
+                let zero = signs[i] != signs[i + 1] || zeros.binary_search(point).is_ok();
+                keep(if zero { 0 } else { *sign })
+            }));
         }
         IntervalSet::of_cells(&points, &cells)
     }
@@ -218,25 +281,25 @@ impl PiecewiseLinear {
     /// The set of the x with f(x) < bound; open, since f is continuous.
     #[must_use]
     pub fn below(&self, bound: &Rational) -> IntervalSet {
-        self.minus(&PiecewiseLinear::constant(bound.clone())).with_sign(|sign| sign < 0)
+        self.minus(&PiecewisePolynomial::constant(bound.clone())).with_sign(|sign| sign < 0)
     }
 
     /// The set of the x with f(x) ≤ bound.
     #[must_use]
     pub fn at_most(&self, bound: &Rational) -> IntervalSet {
-        self.minus(&PiecewiseLinear::constant(bound.clone())).with_sign(|sign| sign <= 0)
+        self.minus(&PiecewisePolynomial::constant(bound.clone())).with_sign(|sign| sign <= 0)
     }
 
     /// The set of the x with f(x) > g(x), where g is `other`.
     #[must_use]
-    pub fn exceeds(&self, other: &PiecewiseLinear) -> IntervalSet {
+    pub fn exceeds(&self, other: &PiecewisePolynomial) -> IntervalSet {
         self.minus(other).with_sign(|sign| sign > 0)
     }
 
     /// The set of the x with f(x) ≠ g(x), where g is `other`; empty exactly when the
     /// two are equal.
     #[must_use]
-    pub fn differs(&self, other: &PiecewiseLinear) -> IntervalSet {
+    pub fn differs(&self, other: &PiecewisePolynomial) -> IntervalSet {
         self.minus(other).with_sign(|sign| sign != 0)
     }
 
@@ -244,43 +307,40 @@ impl PiecewiseLinear {
     /// `-a for a <= 0, a for a >= 0`.
     #[must_use]
     pub fn describe(&self, variable: &str) -> String {
-        let x = Polynomial::variable(variable);
-        let piece = |(piece, line): (usize, &Line)| {
-            let slope = Polynomial::constant(line.slope.clone());
-            let line = &(&slope * &x) + &Polynomial::constant(line.intercept.clone());
-            let low = piece.checked_sub(1).map(|below| &self.breaks[below]);
-            match (low, self.breaks.get(piece)) {
-                (None, None) => line.to_string(),
-                (None, Some(high)) => format!("{line} for {variable} <= {high}"),
-                (Some(low), None) => format!("{line} for {variable} >= {low}"),
-                (Some(low), Some(high)) => format!("{line} for {low} <= {variable} <= {high}"),
+        let piece = |(place, piece): (usize, &RationalPolynomial)| {
+            let piece = piece.describe(variable);
+            let low = place.checked_sub(1).map(|below| &self.breaks[below]);
+            match (low, self.breaks.get(place)) {
+                (None, None) => piece,
+                (None, Some(high)) => format!("{piece} for {variable} <= {high}"),
+                (Some(low), None) => format!("{piece} for {variable} >= {low}"),
+                (Some(low), Some(high)) => format!("{piece} for {low} <= {variable} <= {high}"),
             }
         };
-        self.lines.iter().enumerate().map(piece).collect::<Vec<String>>().join(", ")
+        self.pieces.iter().enumerate().map(piece).collect::<Vec<String>>().join(", ")
     }
 }
 
-/// [`PiecewiseLinear::describe`] with the variable `x`.
-impl fmt::Display for PiecewiseLinear {
+/// [`PiecewisePolynomial::describe`] with the variable `x`.
+impl fmt::Display for PiecewisePolynomial {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(&self.describe("x"))
     }
 }
 
-fn sorted(mut points: Vec<Rational>) -> Vec<Rational> {
+/// Σ_j ±p_j with the signs of the p_j at x.
+fn signed_sum(polynomials: &[RationalPolynomial], x: &Rational) -> RationalPolynomial {
+    let zero = RationalPolynomial::constant(Rational::zero());
+    polynomials.iter().fold(
+        zero,
+        |sum, p| {
+            if p.sign_at(x) < 0 { sum.minus(p) } else { sum.plus(p) }
+        },
+    )
+}
+
+fn sorted(mut points: Vec<RealAlgebraic>) -> Vec<RealAlgebraic> {
     points.sort();
     points.dedup();
     points
-}
-
-/// A number before the first of the points, one between each two neighbours, and
-/// one after the last.
-fn samples(points: &[Rational]) -> Vec<Rational> {
-    let (Some(first), Some(last)) = (points.first(), points.last()) else {
-        return vec![Rational::zero()];
-    };
-    let between = points.windows(2).map(|pair| (&pair[0] + &pair[1]) / Rational::from(2));
-    let outer = [first - Rational::one(), last + Rational::one()];
-    let [before, after] = outer;
-    std::iter::once(before).chain(between).chain([after]).collect()
 }

@@ -1,6 +1,6 @@
 //! Polynomials over the real cyclotomic numbers in named variables.
 
-use super::{Rational, RealCyclotomic, Scalar};
+use super::{Rational, RationalPolynomial, RealCyclotomic, Scalar};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::{Add, Mul, Sub};
@@ -65,6 +65,33 @@ impl Polynomial {
     #[must_use]
     pub fn is_zero(&self) -> bool {
         self.terms.is_empty()
+    }
+
+    /// This as a polynomial in `variable` over the rationals; `None` when another
+    /// variable or an irrational coefficient remains.
+    ///
+    /// ```
+    /// use subcert::exact::Polynomial;
+    ///
+    /// let (v, w) = (Polynomial::variable("v"), Polynomial::variable("w"));
+    /// assert_eq!((&w * &w).in_variable("w").and_then(|p| p.degree()), Some(2));
+    /// assert_eq!((&v * &w).in_variable("w"), None);
+    /// ```
+    #[must_use]
+    pub fn in_variable(&self, variable: &str) -> Option<RationalPolynomial> {
+        let mut coefficients = Vec::new();
+        for (monomial, coefficient) in &self.terms {
+            let exponent = monomial.get(variable).copied().unwrap_or(0);
+            if monomial.len() > usize::from(exponent > 0) {
+                return None;
+            }
+            let place = usize::try_from(exponent).ok()?;
+            if coefficients.len() <= place {
+                coefficients.resize(place + 1, Rational::zero());
+            }
+            coefficients[place] = coefficient.as_rational()?.clone();
+        }
+        Some(RationalPolynomial::new(&coefficients))
     }
 
     /// The number of terms.

@@ -81,6 +81,20 @@ impl SturmSequence {
     /// Never.
     #[must_use]
     pub fn roots(&self) -> Vec<RealAlgebraic> {
+        self.roots_between(None, None)
+    }
+
+    /// The real roots from `low` to `high`, both included, in increasing order;
+    /// `None` for no bound.
+    ///
+    /// # Panics
+    /// Never.
+    #[must_use]
+    pub fn roots_between(
+        &self,
+        low: Option<Rational>,
+        high: Option<Rational>,
+    ) -> Vec<RealAlgebraic> {
         let polynomial = Arc::new(self.sequence[0].clone());
         // Cauchy: every root is below 1 + max |c_i/c_d| in absolute value.
         let largest = polynomial.coefficients().iter().map(Integer::abs).max();
@@ -89,8 +103,11 @@ impl SturmSequence {
         let bits = u32::try_from(ratio.ceil().bits()).expect("a number that fits in memory");
         let bound = Rational::from(Integer::one().shifted_left(bits + 1));
         let mut roots = Vec::new();
+        roots.extend(
+            low.clone().filter(|low| polynomial.sign_at(low) == 0).map(RealAlgebraic::from),
+        );
         // Bisection; the stack holds the left half on top.
-        let mut stack = vec![(-&bound, bound)];
+        let mut stack = vec![(low.unwrap_or_else(|| -&bound), high.unwrap_or(bound))];
         while let Some((lower, upper)) = stack.pop() {
             match self.count_roots(&lower, &upper) {
                 0 => {}

@@ -1,8 +1,7 @@
 //! What a formula can be computed over.
 
 use crate::exact::{
-    CosineError, Integer, Parametric, PiecewiseLinear, Polynomial, Rational, Real, RealCyclotomic,
-    Scalar,
+    CosineError, Integer, Parametric, Polynomial, Rational, Real, RealCyclotomic, Scalar,
 };
 
 /// Values of formulas. Operations that a type does not have give `None`.
@@ -162,14 +161,15 @@ impl Value for RealCyclotomic {
     }
 }
 
-/// Products and quotients that are not piecewise linear are
+/// Quotients that are not piecewise polynomial are
 /// [`Parametric::Outside`], which the caller of an evaluation has to look for.
 impl Value for Parametric {
     fn as_rational(&self) -> Option<Rational> {
         self.function()?.as_constant()
     }
     fn size(&self) -> u64 {
-        self.function().map_or(0, PiecewiseLinear::bits)
+        // Isolating the roots of a piece costs about the square of its degree.
+        self.function().map_or(0, |f| f.bits().saturating_mul(f.degree().pow(2).max(1) as u64))
     }
     fn product_size(&self, other: &Self) -> u64 {
         let pieces = |value: &Parametric| value.function().map_or(1, |f| f.piece_count() as u64);

@@ -63,6 +63,14 @@ pub enum LimitError {
     /// A level beyond [`MAX_LEVEL`].
     #[error("level {0} is too high; at most {MAX_LEVEL} is")]
     Level(u32),
+    /// Too many residue classes for a step or a difference.
+    #[error("after {level} levels of arity {arity} there are too many points to compare")]
+    Classes {
+        /// n.
+        arity: usize,
+        /// k.
+        level: u32,
+    },
     /// A width, a tolerance or a spread that must be positive.
     #[error("{what} must be positive, and is {value}")]
     NotPositive {

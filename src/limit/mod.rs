@@ -1,9 +1,11 @@
-//! Limits of curve schemes, exactly, and how far polygons are from them.
+//! Limits of curve schemes, tensor products and rings, exactly, and how far polygons,
+//! nets and rings are from them.
 //!
 //! The statements that this rests on, with their hypotheses and proofs, are in
 //! `proofs/THEOREMS.md`; comments cite them by number.
 
 mod cell;
+mod comparison;
 mod convergence;
 mod depth;
 mod distance;
@@ -12,12 +14,23 @@ mod functional;
 mod parameter;
 mod polygon;
 mod remainder;
+mod ring;
+mod ring_distance;
 mod search;
+mod step;
+mod surface;
+mod surface_axis;
+mod surface_search;
 mod value;
 
+pub use comparison::{Comparison, Witness};
 pub use depth::TwoSidedDepth;
 pub use distance::{Distance, Distances, MAX_CELLS};
 pub use error::{LimitError, MAX_LEVEL, MAX_OFFSET, MAX_PARAMETER_DIGITS, MAX_WINDOW};
 pub use functional::{ExtremalPolygon, Functional};
 pub use polygon::ControlPolygon;
+pub use ring::{RingLimit, RingLimitError};
+pub use ring_distance::{RingDepth, RingDistances, RingWitness};
+pub use step::{Attained, greatest_difference, greatest_step};
+pub use surface::{MAX_NET_POINTS, Spreads, SurfaceDistances, SurfaceError, SurfaceWitness};
 pub use value::Limit;

@@ -1,13 +1,14 @@
 //! The report of an audit: what is wrong first.
 
+use super::consistency;
 use super::equation::equations;
 use super::function;
 use super::mark;
+use super::promise;
 use super::reading;
 use super::sheet::{Grid, Sheet};
 use super::theorem;
-use crate::audit::{CellFinding, Direction, PaperAudit, Sound, TableFinding, Verdict};
-use crate::claim::Promise;
+use crate::audit::{CellFinding, Direction, PaperAudit, TableFinding, Verdict};
 use crate::exact::{Rational, format::short};
 
 /// How many single cells or cases a list names.
@@ -28,6 +29,10 @@ pub fn audit_sheet(audits: &[PaperAudit<'_>], all: bool) -> Sheet {
 fn summary(sheet: &mut Sheet, audits: &[PaperAudit<'_>]) {
     let mut header = vec!["paper".to_owned(), "cells".to_owned()];
     header.extend(Verdict::NAMES.iter().map(|name| format!("{} {name}", mark(name))));
+    let promises = audits.iter().any(|audit| audit.promise_counts().all() > 0);
+    if promises {
+        header.push("promises".to_owned());
+    }
     header.push("equations".to_owned());
     let ranges = audits.iter().any(|audit| !audit.ranges.is_empty());
     if ranges {
@@ -48,6 +53,9 @@ fn summary(sheet: &mut Sheet, audits: &[PaperAudit<'_>]) {
             None => "·".to_owned(),
             Some(count) => count.to_string(),
         }));
+        if promises {
+            row.push(promise::summary(audit));
+        }
         let equations = audit.equation_counts();
         let count = |name: &str| equations.get(name).copied().unwrap_or(0);
         row.push(match (audit.equations.len() + audit.functions.len(), count("fails")) {
@@ -96,6 +104,8 @@ fn paper(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {
     equations(sheet, &audit.equations, all);
     function::sections(sheet, audit, all);
     theorem::section(sheet, audit);
+    consistency::section(sheet, audit);
+    super::summary::section(sheet, audit);
 }
 
 fn is_unclear(table: &TableFinding<'_>) -> bool {
@@ -131,7 +141,7 @@ fn one_table(sheet: &mut Sheet, audit: &PaperAudit<'_>, finding: &TableFinding<'
 }
 
 /// A formula, with the paper's definition beside it when it is just its name.
-fn spelled_out(audit: &PaperAudit<'_>, formula: &str) -> String {
+pub(super) fn spelled_out(audit: &PaperAudit<'_>, formula: &str) -> String {
     match audit.paper.definitions.get(formula) {
         Some(definition) => format!("{formula} = {}", definition.text),
         None => formula.to_owned(),
@@ -140,7 +150,7 @@ fn spelled_out(audit: &PaperAudit<'_>, formula: &str) -> String {
 
 /// A table in its own shape: each cell as printed with its mark; below it, the
 /// exact value of the definition unless the cell is confirmed, and the sound
-/// value where there is a promise that is not shown to be kept.
+/// value where there is a promise that is broken or open.
 #[must_use]
 pub fn table_values(finding: &TableFinding<'_>) -> Grid {
     let table = finding.table;
@@ -168,13 +178,7 @@ fn cell_text(cell: &CellFinding) -> String {
             (None, None) => {}
         }
     }
-    if cell.kept_by_sound == Some(false) {
-        match &cell.sound {
-            Some(Sound::Depth { level, .. }) => lines.push(format!("sound {level}")),
-            Some(Sound::Bound(bound)) => lines.push(format!("sound {}", short(bound, 4))),
-            _ => {}
-        }
-    }
+    lines.extend(promise::line(cell));
     lines.join("\n")
 }
 
@@ -204,7 +208,10 @@ pub(super) fn remarks(finding: &TableFinding<'_>) -> Vec<String> {
         Verdict::Rounding(direction) => Some(format!("{} ({direction})", cell.printed.as_deref()?)),
         _ => None,
     }));
-    lines.extend(finding.search.as_ref().map(reading::remark));
+    if let Some(search) = &finding.search {
+        lines.push(reading::remark(search));
+        lines.extend(reading::line_remarks(finding.table, search));
+    }
     let axes = finding.table.rows.iter().chain([&finding.table.columns]);
     lines.extend(axes.flat_map(|axis| &axis.entries).filter_map(|entry| {
         let (printed, value, note) = (&entry.printed, short(&entry.value, 12), &entry.note);
@@ -219,7 +226,7 @@ pub(super) fn remarks(finding: &TableFinding<'_>) -> Vec<String> {
         lines.push(format!("No value at {}: {why}.", cell.locus));
     }
     lines.extend(assumption(finding));
-    lines.extend(promise(finding));
+    lines.extend(promise::remarks(finding));
     lines
 }
 
@@ -266,23 +273,6 @@ pub(super) fn assumed(cell: &CellFinding) -> String {
     cell.assumed.iter().map(value).collect::<Vec<String>>().join(", ")
 }
 
-fn promise(finding: &TableFinding<'_>) -> Option<String> {
-    let what = match finding.table.promise.as_ref()? {
-        Promise::Depth { .. } => "depths",
-        Promise::Bound { .. } => "bounds",
-    };
-    let count = |kept: &dyn Fn(&CellFinding) -> Option<bool>| {
-        let known: Vec<bool> = cells(finding).filter_map(kept).collect();
-        let kept = known.iter().filter(|kept| **kept).count();
-        (!known.is_empty()).then(|| format!("{kept} of {}", known.len()))
-    };
-    let by_formula = count(&|cell| cell.kept_by_formula)?;
-    let by_sound = count(&|cell| cell.kept_by_sound);
-    let by_sound = by_sound.map(|count| format!(", {count} by the sound bound"));
-    let by_sound = by_sound.unwrap_or_default();
-    Some(format!("Promise: {by_formula} printed {what} keep it by the printed formula{by_sound}."))
-}
-
 fn unclear_grid(tables: &[&TableFinding<'_>]) -> Grid {
     let rows = tables.iter().map(|finding| {
         let count = cells(finding).count();
@@ -304,15 +294,14 @@ fn unclear_grid(tables: &[&TableFinding<'_>]) -> Grid {
             let value = |cell: &CellFinding| cell.exact.as_ref().map(|exact| short(exact, 6));
             cells(finding).filter_map(value).collect::<Vec<String>>().join("  ")
         });
-        let kept = cells(finding).filter_map(|cell| cell.kept_by_sound).collect::<Vec<bool>>();
-        let kept = match kept.len() {
-            0 => "·".to_owned(),
-            all => format!("{} of {all}", kept.iter().filter(|kept| **kept).count()),
+        let kept = match finding.promise_counts() {
+            counts if counts.all() == 0 => "·".to_owned(),
+            counts => promise::count(counts),
         };
         let at = if shown.is_empty() { "·".to_owned() } else { shown };
         let missing = missing.join("; ");
         vec![finding.table.locus.clone(), count.to_string(), missing, at, comparison, kept]
     });
-    let header = ["table", "cells", "missing", "shown at", "printed against exact", "soundly kept"];
+    let header = ["table", "cells", "missing", "shown at", "printed against exact", "promise"];
     Grid { header: header.map(str::to_owned).to_vec(), rows: rows.collect(), left_columns: 5 }
 }

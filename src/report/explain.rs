@@ -4,20 +4,29 @@ use super::audit::{assumed, remarks, table_values};
 use super::equation::outcome;
 use super::function;
 use super::mark;
+use super::promise;
 use super::reading;
 use super::sheet::Sheet;
 use super::theorem;
+use super::tried;
 use crate::audit::{
-    CellFinding, EquationVerdict, Failure, PaperAudit, Sound, TableFinding, Verdict,
+    CellFinding, EquationVerdict, Explanation, Failure, PaperAudit, Sound, TableFinding, Verdict,
 };
-use crate::claim::{EquationBody, Identity, Left};
+use crate::claim::{EquationBody, Identity, Left, Table};
 use crate::exact::format::short;
 use crate::formula::LocatedFormula;
 
 /// The claim, table or equation of this id (`key:table-1`, `key:table-1:2:3`,
 /// `key:eq-3.8`, `key:range-1`, `key:theorem-1`) in full; `None` when there is none.
+/// `readings` are those of the table, from [`crate::audit::readings`]; with `all`, every
+/// one is shown.
 #[must_use]
-pub fn explain_sheet(audits: &[PaperAudit<'_>], id: &str) -> Option<Sheet> {
+pub fn explain_sheet(
+    audits: &[PaperAudit<'_>],
+    id: &str,
+    readings: &[Explanation],
+    all: bool,
+) -> Option<Sheet> {
     let (key, rest) = id.split_once(':')?;
     let audit = audits.iter().find(|audit| audit.paper.key == key)?;
     let other = function::explain(audit, id).or_else(|| theorem::explain(audit, id));
@@ -54,8 +63,9 @@ pub fn explain_sheet(audits: &[PaperAudit<'_>], id: &str) -> Option<Sheet> {
             sheet.text(line);
         }
         if let Some(search) = &finding.search {
-            sheet.facts(reading::facts(search));
+            sheet.facts(reading::facts(finding.table, search));
         }
+        tried::section(&mut sheet, finding, readings, None, all);
         return Some(sheet);
     }
     let cell = finding.cells.iter().flatten().find(|cell| cell.id == id)?;
@@ -63,11 +73,38 @@ pub fn explain_sheet(audits: &[PaperAudit<'_>], id: &str) -> Option<Sheet> {
     sheet.text(finding.table.title.clone());
     definition(&mut sheet, audit, finding);
     sheet.facts(facts(cell));
+    let at = cell_place(finding.table, id);
+    if at.is_some() {
+        tried::section(&mut sheet, finding, readings, at, all);
+    }
     Some(sheet)
 }
 
+/// The table that an id names, or of which it names a cell, and the place of the cell,
+/// counted from 0.
+#[must_use]
+pub fn table_of<'e, 'a>(
+    audits: &'e [PaperAudit<'a>],
+    id: &str,
+) -> Option<(&'e TableFinding<'a>, Option<(usize, usize)>)> {
+    let (key, rest) = id.split_once(':')?;
+    let audit = audits.iter().find(|audit| audit.paper.key == key)?;
+    let table_id = rest.split(':').next()?;
+    let finding = audit.tables.iter().find(|finding| finding.table.id == table_id)?;
+    Some((finding, cell_place(finding.table, id)))
+}
+
+/// The place of the cell of this id.
+fn cell_place(table: &Table, id: &str) -> Option<(usize, usize)> {
+    let mut parts = id.split(':').skip(2);
+    let mut place = || parts.next()?.parse::<usize>().ok()?.checked_sub(1);
+    let at = (place()?, place()?);
+    table.cells.get(at.0)?.get(at.1)?.printed()?;
+    Some(at)
+}
+
 /// An identity as it stands in the claim file.
-fn sides(identity: &Identity) -> Vec<(String, String)> {
+pub(super) fn sides(identity: &Identity) -> Vec<(String, String)> {
     let mut facts = Vec::new();
     if let Some(scheme) = &identity.scheme {
         facts.push(("scheme".to_owned(), scheme.reference.to_string()));
@@ -134,6 +171,7 @@ fn facts(cell: &CellFinding) -> Vec<(String, String)> {
         Some(Sound::Depth { level, block }) => {
             fact("sound depth", format!("{level}, by blocks of {block} levels"));
         }
+        Some(Sound::Least(level)) => fact("least level, exactly", level.to_string()),
         Some(Sound::Bound(bound)) => fact("sound bound", short(bound, 17)),
         Some(Sound::None(why)) => fact("sound value", format!("none: {why}")),
         None => {}
@@ -146,6 +184,7 @@ fn facts(cell: &CellFinding) -> Vec<(String, String)> {
         let text = if by_sound { "kept" } else { "not shown to be kept" };
         fact("promise, by the sound bound", text.to_owned());
     }
+    facts.extend(promise::facts(cell));
     facts
 }
 

@@ -7,7 +7,7 @@ use crate::audit::{
     EndFinding, EndRelation, FunctionFinding, FunctionVerdict, PaperAudit, RangeFinding,
     RangeVerdict,
 };
-use crate::exact::{Rational, format::short};
+use crate::exact::format::short;
 use serde_json::{Value, json};
 
 /// The sections on closed forms and on ranges; without `all`, on those where
@@ -92,7 +92,7 @@ fn verdict(name: &str) -> String {
     format!("{} {name}", mark(name))
 }
 
-fn function_outcome(finding: &FunctionFinding<'_>) -> Vec<String> {
+pub(super) fn function_outcome(finding: &FunctionFinding<'_>) -> Vec<String> {
     let variable = &finding.claim.variable;
     let FunctionVerdict::Fails { larger, smaller, example } = &finding.verdict else {
         return vec![format!("holds for every {variable}")];
@@ -108,7 +108,7 @@ fn function_outcome(finding: &FunctionFinding<'_>) -> Vec<String> {
     lines
 }
 
-fn range_outcome(finding: &RangeFinding<'_>) -> Vec<String> {
+pub(super) fn range_outcome(finding: &RangeFinding<'_>) -> Vec<String> {
     let exact = finding.exact.describe(&finding.claim.variable);
     if finding.verdict == RangeVerdict::Exact {
         return vec![format!("exactly {exact}")];
@@ -141,7 +141,7 @@ fn end_text(finding: &RangeFinding<'_>, end: &EndFinding) -> String {
 }
 
 /// The range as printed.
-fn printed(finding: &RangeFinding<'_>) -> String {
+pub(super) fn printed(finding: &RangeFinding<'_>) -> String {
     let claim = finding.claim;
     let relation = if claim.closed == Some(false) { "<" } else { "<=" };
     let from = claim.from.as_ref().map(|from| format!("{} {relation} ", from.text));
@@ -189,7 +189,7 @@ pub(super) fn range_json(finding: &RangeFinding<'_>) -> Value {
     let end = |end: &EndFinding| {
         json!({
             "printed": end.printed,
-            "exact": end.exact.as_ref().map(Rational::to_string),
+            "exact": end.exact.as_ref().map(ToString::to_string),
             "relation": end.relation.to_string(),
             "inside": end.inside,
             "value": end.value.to_string(),

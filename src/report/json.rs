@@ -1,8 +1,14 @@
 //! An audit as JSON.
 
+use super::consistency::contradictions_json;
 use super::function::{function_json, range_json};
+use super::promise;
+use super::reading::search_json;
+use super::summary::summary_json;
 use super::theorem::theorem_json;
-use crate::audit::{CellFinding, EquationFinding, EquationVerdict, PaperAudit, Sound, Verdict};
+use crate::audit::{
+    CellFinding, EquationFinding, EquationVerdict, PaperAudit, Sound, TableFinding, Verdict,
+};
 use crate::exact::{Enclosed, format::short};
 use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
@@ -28,7 +34,7 @@ pub fn exact_json(value: &(impl Enclosed + Display)) -> Value {
 
 fn paper(audit: &PaperAudit<'_>) -> Value {
     let cells = audit.tables.iter().flat_map(|table| table.cells.iter().flatten());
-    let claims = cells.map(cell).chain(audit.equations.iter().map(equation));
+    let claims = cells.map(cell).chain(audit.equations.iter().map(equation_json));
     let functions = audit.functions.iter().map(|finding| function_json(audit, finding));
     let claims = claims.chain(functions);
     let claims = claims.chain(audit.ranges.iter().map(range_json));
@@ -38,7 +44,25 @@ fn paper(audit: &PaperAudit<'_>) -> Value {
     for (name, count) in counts.chain(audit.range_counts()).chain(audit.theorem_counts()) {
         *summary.entry(name).or_insert(0) += count;
     }
-    json!({ "key": audit.paper.key, "claims": claims, "summary": summary })
+    json!({
+        "key": audit.paper.key,
+        "claims": claims,
+        "summary": summary,
+        "contradictions": contradictions_json(audit),
+        "tables": audit.tables.iter().map(table).collect::<Vec<Value>>(),
+        "cells": summary_json(&audit.cell_summary()),
+        "promises": promise::counts_json(audit),
+    })
+}
+
+/// A table, with what the search for its reading covered and found.
+fn table(finding: &TableFinding<'_>) -> Value {
+    json!({
+        "id": finding.table.id,
+        "locus": finding.table.locus,
+        "value": finding.table.value.text,
+        "search": finding.search.as_ref().map(|search| search_json(finding.table, search)),
+    })
 }
 
 fn cell(cell: &CellFinding) -> Value {
@@ -74,15 +98,17 @@ fn cell(cell: &CellFinding) -> Value {
 fn sound_json(sound: &Sound, cell: &CellFinding) -> Value {
     let mut object = match sound {
         Sound::Depth { level, block } => json!({ "depth": level, "block": block }),
+        Sound::Least(level) => json!({ "depth": level, "least": true }),
         Sound::Bound(bound) => exact_json(bound),
         Sound::None(why) => json!({ "none": why }),
     };
     object["kept_by_formula"] = json!(cell.kept_by_formula);
     object["kept_by_sound_bound"] = json!(cell.kept_by_sound);
+    promise::add_json(cell, &mut object);
     object
 }
 
-fn equation(finding: &EquationFinding<'_>) -> Value {
+pub(super) fn equation_json(finding: &EquationFinding<'_>) -> Value {
     let (failures, mends, absent) = match &finding.verdict {
         EquationVerdict::Fails { failures, mends, .. } => {
             let failure = |failure: &crate::audit::Failure| {

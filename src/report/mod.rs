@@ -1,27 +1,35 @@
 //! Findings as text, Markdown and JSON.
 
 mod audit;
+mod consistency;
 mod coverage;
 mod equation;
+mod errata;
 mod explain;
 mod function;
 mod json;
+mod promise;
 mod reading;
 mod sheet;
+mod summary;
 mod text;
 mod theorem;
+mod tried;
+mod witness;
 
 pub use audit::{audit_sheet, table_values};
 pub use coverage::{coverage_json, coverage_sheet};
-pub use explain::explain_sheet;
+pub use errata::{errata_json, errata_sheet};
+pub use explain::{explain_sheet, table_of};
 pub use json::{audit_json, exact_json};
 pub use sheet::{Block, Grid, Sheet};
+pub use tried::readings_json;
 
 /// The mark of a verdict in a table.
 #[must_use]
 pub fn mark(verdict: &str) -> &'static str {
     match verdict {
-        "confirmed" | "holds" | "exact" => "✓",
+        "confirmed" | "holds" | "exact" | "proved" => "✓",
         "rounding" => "≈",
         "misprint" => "±",
         "other-reading" => "⇄",

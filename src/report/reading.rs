@@ -1,36 +1,146 @@
 //! The report of what a search for readings has found.
 
 use super::mark;
-use crate::audit::{Explanation, Search};
+use crate::audit::{CellFinding, Explanation, Line, LineReading, MAX_DIFFERENCES, Search, Slip};
+use crate::claim::{Axis, Table};
 use crate::exact::format::short;
+use serde_json::{Value, json};
 
 /// How many equally good readings are named.
 const MAX_LISTED: usize = 3;
 
 /// The outcome in a sentence or two, below a table.
 pub(super) fn remark(search: &Search) -> String {
-    let Search { tried, cells, as_printed, chance, .. } = search;
+    let Search { tried, cells, as_printed, .. } = search;
     let Some(first) = search.best.first() else {
         return format!(
             "Readings: none of {tried} explains more than the {as_printed} of {cells} cells that \
-             are as printed."
+             are as printed. {}",
+            differ_in(search),
         );
     };
     let others = search.best[1..].iter().take(MAX_LISTED - 1);
     let others = others.map(|other| format!(" Or: {}.", other.differs()));
+    let mark = mark("other-reading");
+    let mut text = format!("{mark} Read otherwise: {}.", first.differs());
+    text.extend(others);
+    text.push_str(" That explains ");
+    text.push_str(&strength(search));
+    if first.count() < *cells {
+        text.push(' ');
+        text.push_str(&differ_in(search));
+    }
+    text
+}
+
+/// The readings of single rows and columns, a sentence each.
+pub(super) fn line_remarks(table: &Table, search: &Search) -> Vec<String> {
+    let remark = |line: &LineReading| {
+        format!(
+            "{} {}: {}. That explains {}",
+            mark(if line.shift == (0, 0) { "other-reading" } else { "misprint" }),
+            capital(&place(table, line.line)),
+            line_differs(line),
+            line_strength(line)
+        )
+    };
+    search.lines.iter().map(remark).collect()
+}
+
+/// How a line is read: its reading, and where its values stand.
+pub(super) fn line_differs(line: &LineReading) -> String {
+    let differs = match line.best.differs() {
+        nothing if nothing.is_empty() => "as printed".to_owned(),
+        differs => differs,
+    };
+    match line.shift {
+        (0, 0) => differs,
+        (rows, columns) => format!("{differs}; {} throughout", Slip::Neighbour(rows, columns)),
+    }
+}
+
+/// `row j = 1` of a table.
+pub(super) fn place(table: &Table, line: Line) -> String {
+    let name = |axis: &Axis, place: usize| {
+        let printed = axis.entries.get(place).map_or("", |entry| entry.printed.as_str());
+        format!("{} = {printed}", axis.label)
+    };
+    match line {
+        Line::Row(place) => match &table.rows {
+            Some(rows) => format!("row {}", name(rows, place)),
+            None => format!("row {}", place + 1),
+        },
+        Line::Column(place) => format!("column {}", name(&table.columns, place)),
+    }
+}
+
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map(char::to_uppercase).into_iter().flatten().chain(letters).collect()
+}
+
+/// What the search covered, so that what it did not find means something.
+pub(super) fn covered(search: &Search) -> String {
+    let best = match search.best.first() {
+        None => String::new(),
+        Some(best) => format!(
+            " The best ({}) explains {} of {} cells.",
+            best.differs(),
+            best.count(),
+            search.cells
+        ),
+    };
+    format!("{} readings were tried. {}{best}", search.tried, differ_in(search))
+}
+
+/// How good the reading of some cells is: the one that names it, of the table, or else
+/// of one of its rows or columns.
+pub(super) fn evidence<'c>(
+    table: &Table,
+    search: &Search,
+    cells: &(impl Iterator<Item = &'c CellFinding> + Clone),
+) -> String {
+    let read = |differs: &str| {
+        cells.clone().any(|cell| cell.as_read.as_ref().is_some_and(|read| read.differs == differs))
+    };
+    let whole = search.best.first().filter(|best| read(&best.differs()));
+    let whole = whole.map(|_| format!("That explains {}", strength(search)));
+    let lines = search.lines.iter().filter(|line| read(&line.best.differs()));
+    let lines =
+        lines.map(|line| format!("{}: {}", capital(&place(table, line.line)), line_strength(line)));
+    whole.into_iter().chain(lines).collect::<Vec<String>>().join("\n")
+}
+
+fn strength(search: &Search) -> String {
+    let Search { tried, cells, as_printed, chance, .. } = search;
     format!(
-        "{} Read otherwise: {}.{} That explains {} of {cells} cells, {as_printed} as printed; of \
-         {tried} readings, luck would find {} that do.",
-        mark("other-reading"),
-        first.differs(),
-        others.collect::<String>(),
-        first.count(),
+        "{} of {cells} cells, {as_printed} as printed; of {tried} readings, luck would find {} \
+         that do.",
+        search.best.first().map_or(0, Explanation::count),
         short(chance, 1),
     )
 }
 
+fn line_strength(line: &LineReading) -> String {
+    let LineReading { cells, tried, chance, best, .. } = line;
+    let explained = best.count();
+    let of = if explained == *cells {
+        format!("all {cells} cells")
+    } else {
+        format!("{explained} of {cells} cells")
+    };
+    format!(
+        "{of} left there; of {tried} readings over all rows and columns, luck would find {} that do.",
+        short(chance, 1)
+    )
+}
+
+fn differ_in(search: &Search) -> String {
+    format!("They differ in up to {MAX_DIFFERENCES} of: {}.", search.choices.join(", "))
+}
+
 /// What was searched and found, as facts.
-pub(super) fn facts(search: &Search) -> Vec<(String, String)> {
+pub(super) fn facts(table: &Table, search: &Search) -> Vec<(String, String)> {
     let mut facts = vec![
         ("readings differ in".to_owned(), search.choices.join(", ")),
         ("readings tried".to_owned(), search.tried.to_string()),
@@ -43,6 +153,10 @@ pub(super) fn facts(search: &Search) -> Vec<(String, String)> {
         facts
             .push(("as good by luck".to_owned(), format!("{} readings", short(&search.chance, 2))));
     }
+    for line in &search.lines {
+        let lines = [line_differs(line), line_strength(line)].join("\n");
+        facts.push((place(table, line.line), lines));
+    }
     facts
 }
 
@@ -54,4 +168,45 @@ fn best(explanation: &Explanation, cells: usize) -> String {
     let explained = explanation.count();
     let differs = explanation.differs();
     format!("{differs}\nexplains {explained} of {cells}{}", solved.collect::<String>())
+}
+
+/// What the search covered and found.
+pub(super) fn search_json(table: &Table, search: &Search) -> Value {
+    let line = |line: &LineReading| {
+        json!({
+            "place": place(table, line.line),
+            "cells": line.cells,
+            "shift": { "rows": line.shift.0, "columns": line.shift.1 },
+            "tried": line.tried,
+            "best": explanation_json(&line.best),
+            "chance": line.chance.to_string(),
+        })
+    };
+    json!({
+        "tried": search.tried,
+        "choices": search.choices,
+        "max_differences": MAX_DIFFERENCES,
+        "cells": search.cells,
+        "as_printed": search.as_printed,
+        "best": search.best.iter().map(explanation_json).collect::<Vec<Value>>(),
+        "chance": search.chance.to_string(),
+        "lines": search.lines.iter().map(line).collect::<Vec<Value>>(),
+    })
+}
+
+/// A reading and how many cells it explains.
+pub(super) fn explanation_json(explanation: &Explanation) -> Value {
+    let solved = explanation.solved.iter().map(|solved| {
+        json!({
+            "name": solved.name,
+            "from": solved.between.0.to_string(),
+            "to": solved.between.1.to_string(),
+            "simplest": solved.simplest.to_string(),
+        })
+    });
+    json!({
+        "differs": explanation.differs(),
+        "explains": explanation.count(),
+        "solved": solved.collect::<Vec<Value>>(),
+    })
 }

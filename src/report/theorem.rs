@@ -3,9 +3,17 @@
 use super::explain::definitions;
 use super::mark;
 use super::sheet::Sheet;
-use crate::audit::{PaperAudit, TheoremFinding};
+use super::witness;
+use crate::audit::{
+    CaseFinding, Correction, Outcome, PaperAudit, Refutation, TheoremFinding, TheoremVerdict,
+    Violation,
+};
 use crate::claim::Statement;
+use crate::exact::{RealCyclotomic, format::short};
 use serde_json::{Value, json};
+
+/// The most digits of a decimal.
+const DIGITS: u32 = 12;
 
 /// The section on theorems. An open theorem is nothing right, so all are shown.
 pub(super) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>) {
@@ -27,8 +35,73 @@ pub(super) fn summary(audit: &PaperAudit<'_>) -> String {
     if parts.is_empty() { "·".to_owned() } else { parts.join(", ") }
 }
 
-/// `open · rests on (24), (25), which fail`.
-fn outcome(finding: &TheoremFinding<'_>) -> String {
+/// The verdict, why, what would save a false theorem, and what of its proof fails.
+pub(super) fn outcome(finding: &TheoremFinding<'_>) -> String {
+    let name = finding.verdict.name();
+    let mut lines = vec![match (&finding.refutation, &finding.proof) {
+        (Some(refutation), _) => format!("{name} · {}", exceeded(refutation)),
+        (None, Some(proof)) => format!("{name} · {proof}"),
+        (None, None) => format!("{name}{}", tried(finding)),
+    }];
+    lines.extend(repairs(finding));
+    lines.extend(premises(finding));
+    let separator = if lines.len() > 1 && finding.refutation.is_some() { "\n" } else { " · " };
+    lines.join(separator)
+}
+
+/// `six-point:w=3/256, c = 2 · k = 1: 2.34 > 1.41`.
+fn exceeded(refutation: &Refutation) -> String {
+    let Violation { level, attained, bound, .. } = &refutation.violation;
+    let (value, bound) = apart(&attained.value, bound);
+    format!("{} · k = {level}: {value} > {bound}", refutation.case)
+}
+
+/// Two different numbers with as many digits as it takes to tell them apart.
+fn apart(left: &RealCyclotomic, right: &RealCyclotomic) -> (String, String) {
+    let digits = |digits| (short(left, digits), short(right, digits));
+    (4..DIGITS).map(digits).find(|(left, right)| left != right).unwrap_or_else(|| digits(DIGITS))
+}
+
+/// What an open theorem was tried on.
+fn tried(finding: &TheoremFinding<'_>) -> String {
+    let count = |what: fn(&Outcome) -> bool| {
+        finding.cases.iter().filter(|case| what(&case.outcome)).count()
+    };
+    let proved = count(|outcome| matches!(outcome, Outcome::Proved));
+    let holds = count(|outcome| matches!(outcome, Outcome::UpTo(_)));
+    let within = count(|outcome| !matches!(outcome, Outcome::Outside(_)));
+    let mut parts = Vec::new();
+    if proved > 0 {
+        parts.push(format!("true in {proved} of {within} cases tried"));
+    }
+    if holds > 0 {
+        parts.push(format!("no counterexample in {holds}"));
+    }
+    parts.iter().fold(String::new(), |text, part| format!("{text} · {part}"))
+}
+
+/// What would save a false theorem.
+fn repairs(finding: &TheoremFinding<'_>) -> Option<String> {
+    finding.refutation.as_ref()?;
+    let sets: Vec<String> = finding
+        .repairs
+        .iter()
+        .map(|repair| {
+            let says: Vec<&str> =
+                repair.corrections.iter().map(|i| finding.corrections[*i].says.as_str()).collect();
+            let how = if repair.proved { " (then true in all cases tried)" } else { "" };
+            format!("{}{how}", says.join(", and "))
+        })
+        .collect();
+    if sets.is_empty() {
+        return (!finding.corrections.is_empty())
+            .then(|| "false under every reading tried".to_owned());
+    }
+    Some(format!("not refuted with {}", sets.join("; or with ")))
+}
+
+/// The claims that it rests on, and that fail.
+fn premises(finding: &TheoremFinding<'_>) -> Option<String> {
     let mut loci: Vec<&str> = Vec::new();
     for premise in &finding.failing {
         // Several claims may stand in one place.
@@ -36,16 +109,18 @@ fn outcome(finding: &TheoremFinding<'_>) -> String {
             loci.push(premise.locus);
         }
     }
-    let failing = match loci.len() {
-        0 => String::new(),
-        1 => format!(" · rests on {}, which fails", loci[0]),
-        _ => format!(" · rests on {}, which fail", loci.join("; ")),
-    };
-    format!("{}{failing}", finding.verdict.name())
+    // A theorem may be true, though the paper's own proof of it is not one.
+    let proved = finding.verdict == TheoremVerdict::Proved;
+    let rests = if proved { "the paper's own proof rests on" } else { "rests on" };
+    match loci.len() {
+        0 => None,
+        1 => Some(format!("{rests} {}, which fails", loci[0])),
+        _ => Some(format!("{rests} {}, which fail", loci.join("; "))),
+    }
 }
 
 /// What is stated, in the formula language.
-fn statement(statement: &Statement) -> String {
+pub(super) fn statement(statement: &Statement) -> String {
     match statement {
         Statement::Bound { quantity, by, from } => {
             format!("{} ≤ {} for k ≥ {from}", quantity.notation(), by.text)
@@ -73,9 +148,35 @@ pub(super) fn explain(audit: &PaperAudit<'_>, id: &str) -> Option<Sheet> {
     }
     let verdict = format!("{} {}", mark(finding.verdict.name()), outcome(finding));
     facts.push(("verdict".to_owned(), verdict));
+    facts.extend(finding.refutation.as_ref().map(witness::facts).unwrap_or_default());
+    facts.extend(corrections(finding));
+    facts.extend(finding.cases.iter().map(|case| (case.label.clone(), in_case(&case.outcome))));
     facts.extend(theorem.note.clone().map(|note| ("note".to_owned(), note)));
     sheet.facts(facts);
     Some(sheet)
+}
+
+/// Each correction, and whether it is enough by itself.
+fn corrections(finding: &TheoremFinding<'_>) -> Vec<(String, String)> {
+    let alone = |i: usize| finding.repairs.iter().any(|repair| repair.corrections == [i]);
+    let says = |(i, correction): (usize, &Correction)| {
+        let still = if alone(i) { "no longer refuted" } else { "still false" };
+        ("corrected".to_owned(), format!("{}: {still}", correction.says))
+    };
+    finding.corrections.iter().enumerate().map(says).collect()
+}
+
+fn in_case(outcome: &Outcome) -> String {
+    match outcome {
+        Outcome::Refuted(violation) => {
+            let (value, bound) = apart(&violation.attained.value, &violation.bound);
+            format!("✗ k = {}: {value} > {bound}", violation.level)
+        }
+        Outcome::Proved => "✓ true at every level".to_owned(),
+        Outcome::UpTo(level) => format!("? no counterexample up to level {level}"),
+        Outcome::Unknown(why) => format!("? {why}"),
+        Outcome::Outside(why) => format!("not in question: {why}"),
+    }
 }
 
 pub(super) fn theorem_json(finding: &TheoremFinding<'_>) -> Value {
@@ -97,6 +198,14 @@ pub(super) fn theorem_json(finding: &TheoremFinding<'_>) -> Value {
         "printed": printed,
         "exact": null,
         "decimal": null,
+        "proof": finding.proof,
+        "witness": finding.refutation.as_ref().map(witness::json),
+        "cases": finding.cases.iter().map(case_json).collect::<Vec<Value>>(),
+        "repairs": finding.repairs.iter().map(|repair| json!({
+            "corrections": repair.corrections.iter().map(|i| &finding.corrections[*i].says)
+                .collect::<Vec<&String>>(),
+            "proved": repair.proved,
+        })).collect::<Vec<Value>>(),
         "verdict": finding.verdict.name(),
         "reading": null,
         "sound": null,
@@ -106,4 +215,15 @@ pub(super) fn theorem_json(finding: &TheoremFinding<'_>) -> Value {
         "rests": theorem.rests,
         "failing": failing,
     })
+}
+
+fn case_json(case: &CaseFinding) -> Value {
+    let (outcome, level, why) = match &case.outcome {
+        Outcome::Refuted(violation) => ("refuted", Some(violation.level), None),
+        Outcome::Proved => ("proved", None, None),
+        Outcome::UpTo(level) => ("holds", Some(*level), None),
+        Outcome::Unknown(why) => ("unknown", None, Some(why)),
+        Outcome::Outside(why) => ("outside", None, Some(why)),
+    };
+    json!({ "case": case.label, "outcome": outcome, "level": level, "why": why })
 }

@@ -25,7 +25,7 @@ pub(crate) use file::{SchemeTable, definitions, formula, from_toml, identifier};
 pub use interpolation::lagrange_mask;
 pub use mask::{Mask, MaskError};
 pub(crate) use parse::find_in_catalogue;
-pub use parse::{AnyScheme, parse_any_scheme, parse_ring, parse_scheme};
+pub use parse::{AnyScheme, parse_any_scheme, parse_parametric, parse_ring, parse_scheme};
 pub use reference::{Instance, Reference, ReferenceError, SchemeError};
 pub use ring::{MAX_RING_POINTS, Orbit, Ring, RingError};
 pub use ring_symmetry::Representatives;

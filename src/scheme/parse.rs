@@ -8,8 +8,8 @@ use super::mask::Mask;
 use super::reference::{Instance, Reference, ReferenceError, SchemeError};
 use super::ring::Ring;
 use crate::diagnostic::SourceText;
-use crate::exact::{Rational, RealCyclotomic};
-use crate::formula::{Parameters, Value};
+use crate::exact::{Polynomial, Rational, RealCyclotomic};
+use crate::formula::{Parameters, Value, is_identifier};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -85,6 +85,49 @@ pub fn parse_any_scheme(text: &str) -> Result<AnyScheme, SchemeError> {
     }
 }
 
+/// The mask that SCHEME names, with one parameter left open: its coefficients are
+/// polynomials in it. The values given for other parameters may depend on it.
+///
+/// # Errors
+/// As of [`parse_scheme`], and when this is a tensor product, or its mask does not
+/// depend on the parameter.
+///
+/// ```
+/// use subcert::scheme::parse_parametric;
+///
+/// let mask = parse_parametric("four-point", "w")?;
+/// assert_eq!(mask.rules().rows()[1][0].to_string(), "-w");
+/// assert!(parse_parametric("four-point:w=1/16", "w").is_err());
+/// # Ok::<(), subcert::scheme::SchemeError>(())
+/// ```
+pub fn parse_parametric(text: &str, parameter: &str) -> Result<Mask<Polynomial>, SchemeError> {
+    let independent = |scheme: &str, known: Vec<String>| SchemeError::Independent {
+        scheme: scheme.to_owned(),
+        parameter: parameter.to_owned(),
+        known,
+    };
+    if !is_identifier(parameter) {
+        return Err(independent(text.trim(), Vec::new()));
+    }
+    let named = Named::read(text)?;
+    let variable = Polynomial::variable(parameter);
+    let mut instances = named.instances_in(&Parameters::from([(parameter, variable.clone())]))?;
+    let (Some(mut instance), true) = (instances.pop(), instances.is_empty()) else {
+        return Err(SchemeError::TensorProduct { scheme: text.trim().to_owned() });
+    };
+    let definition = named.definition(&instance.name)?;
+    let stated = instance.parameters.contains_key(parameter);
+    if !stated && definition.parameters.contains_key(parameter) {
+        instance.parameters.insert(parameter.to_owned(), variable);
+    }
+    let mask = definition.mask(&instance.parameters)?;
+    let depends = |entry: &Polynomial| entry.as_constant().is_none();
+    if mask.rules().rows().iter().flatten().any(depends) {
+        return Ok(mask);
+    }
+    Err(independent(text.trim(), definition.parameters.keys().cloned().collect()))
+}
+
 /// The catalogue entry of this name.
 pub(crate) fn find_in_catalogue(name: &str) -> Result<&'static SchemeDefinition, SchemeError> {
     catalogue::find(name).ok_or_else(|| SchemeError::Unknown {
@@ -115,7 +158,14 @@ impl Named<'_> {
     }
 
     fn instances<V: Value>(&self) -> Result<Vec<Instance<V>>, SchemeError> {
-        self.reference.instances(&Parameters::<V>::default()).map_err(|error| {
+        self.instances_in(&Parameters::default())
+    }
+
+    fn instances_in<V: Value>(
+        &self,
+        parameters: &Parameters<V>,
+    ) -> Result<Vec<Instance<V>>, SchemeError> {
+        self.reference.instances(parameters).map_err(|error| {
             let text = self.text.to_owned();
             SchemeError::Reference(ReferenceError::Formula { text, error })
         })

@@ -80,7 +80,7 @@ pub enum SchemeError {
     /// A ring, where a mask is needed.
     #[error(
         "`{scheme}` is a ring of points around an extraordinary vertex or face, and this needs a \
-         mask; `subcert constants`, `certify` and `oracle` take a ring"
+         mask; by itself, `subcert constants`, `depth`, `certify` and `oracle` take it"
     )]
     Ring {
         /// The scheme.
@@ -89,6 +89,25 @@ pub enum SchemeError {
     /// A mask, where a ring is needed.
     #[error("`{scheme}` is no ring of points; `doo-sabin:n=5` and `catmull-clark:N=5` are")]
     NotRing {
+        /// The scheme.
+        scheme: String,
+    },
+    /// A mask without the parameter that is left open.
+    #[error(
+        "the mask of `{scheme}` does not depend on `{parameter}`: name a parameter of the scheme \
+         that it gives no value{}", parameters(.known)
+    )]
+    Independent {
+        /// The scheme.
+        scheme: String,
+        /// The parameter.
+        parameter: String,
+        /// Those it has.
+        known: Vec<String>,
+    },
+    /// A tensor product, where one mask is needed.
+    #[error("`{scheme}` is a tensor product, and this needs the mask of one of its factors")]
+    TensorProduct {
         /// The scheme.
         scheme: String,
     },

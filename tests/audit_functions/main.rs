@@ -266,6 +266,10 @@ fn a_printed_end_against_an_exact_one() {
     for (condition, ends, expected) in cases {
         assert_eq!(verdict(condition, ends), expected, "{condition}, {ends}");
     }
+    let square = "value = 'x^2'\nbelow = '2'"; // |x| < 1.41421…
+    let away_cut = ("rounding", vec![Nearest, cut], false);
+    assert_eq!(verdict(square, "from = '-1.42'\nto = '1.4142'").1, [away, Nearest]);
+    assert_eq!(verdict(square, "from = '-1.4142136'\nto = '1.4142135'"), away_cut);
     let thirds = "value = 'abs(3*x - 1)'\nat_most = '4'"; // -1 <= x <= 5/3
     assert_eq!(
         verdict(thirds, "from = '-1'\nto = '1.7'\nclosed = true"),
@@ -292,5 +296,12 @@ fn what_the_functions_can_be_asked() {
     assert!(holds(scheme, "norm(1)", "norm(1, scheme = chaikin) - 1 + norm(1, order = forward)"));
     assert!(holds(scheme, "min(mu, -mu)", "-abs(mu)"));
     assert!(holds(scheme, "max(mu, 0)*min(mu, 0)", "0"));
+    assert!(holds(scheme, "mu*mu", "abs(mu)^2"));
+    assert!(!holds(scheme, "mu^3 - mu", "0"));
+    assert!(holds(scheme, "tensor(2)", "contraction(2)*norm(2)"));
+    // By hand; the third form is that of Dyn, Gregory and Levin 1987.
+    let two = "max(1/4 - 2*mu, -1/4 - mu + 4*mu^2, 1/4 + mu + 4*mu^2)";
+    assert!(holds("four-point:w=mu", "contraction(2)", two));
+    assert!(holds("four-point:w=abs(mu)", "contraction(1)", "1/2 + 2*abs(mu)"));
     assert!(holds(scheme, "displacement(offset = 0, scheme = quinary-three-point)", "21/25"));
 }

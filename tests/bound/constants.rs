@@ -70,6 +70,6 @@ fn what_is_kept_is_not_confused() {
             }
         }
     }
-    assert!(shared.norm(Operator::Scheme, 25, Order::Adjoint).is_err());
+    assert!(shared.norm(Operator::Scheme, 257, Order::Adjoint).is_err());
     assert_eq!(shared.difference(), &mask.difference());
 }

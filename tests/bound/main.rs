@@ -1,6 +1,7 @@
 //! Bounds: constants against explicit sequences and matrix powers, and what they
 //! promise against exactly subdivided data.
 
+mod branch;
 #[path = "../common/mod.rs"]
 mod common;
 mod constants;
@@ -8,6 +9,7 @@ mod convolution;
 mod depth;
 mod displacement;
 mod norm;
+mod parameter_range;
 mod ring;
 mod sound;
 mod surface;

@@ -3,8 +3,11 @@
 use super::common::{int, largest, mask, r, rows, rules};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
-use subcert::bound::{ClassCap, Order, PowerNorm, joint_norm, power_norm, power_norm_generic};
-use subcert::exact::Rational;
+use subcert::bound::{
+    ClassCap, Order, PowerNorm, joint_norm, power_norm, power_norm_generic, walked_joint_norm,
+    walked_norm,
+};
+use subcert::exact::{Integer, Rational};
 use subcert::scheme::Rules;
 
 const ORDERS: [Order; 2] = [Order::Adjoint, Order::Forward];
@@ -43,9 +46,9 @@ fn class_sums(rules: &Rules, levels: u32, order: Order) -> Vec<Rational> {
 }
 
 /// Row r of the power Rᶜ, from the definition of R: index and entry.
-pub fn row(rules: &Rules, levels: u32, class: u64) -> BTreeMap<i64, Rational> {
+pub fn row(rules: &Rules, levels: u32, class: impl Into<Integer>) -> BTreeMap<i64, Rational> {
     let n = int(rules.arity());
-    let mut row = BTreeMap::from([(i64::try_from(class).unwrap(), Rational::one())]);
+    let mut row = BTreeMap::from([(class.into().to_i64().unwrap(), Rational::one())]);
     for _ in 0..levels {
         let mut coarse = BTreeMap::new();
         for (index, entry) in row {
@@ -57,6 +60,10 @@ pub fn row(rules: &Rules, levels: u32, class: u64) -> BTreeMap<i64, Rational> {
         row = coarse;
     }
     row
+}
+
+fn index(class: &Integer) -> usize {
+    usize::try_from(class.to_i64().unwrap()).unwrap()
 }
 
 fn row_sum(row: &BTreeMap<i64, Rational>) -> Rational {
@@ -92,10 +99,10 @@ proptest! {
         let classes = (rules.arity() as u64).pow(c);
         let sums: Vec<Rational> = (0..classes).map(|class| row_sum(&row(&rules, c, class))).collect();
         prop_assert_eq!(&norm.value, &largest(&sums));
-        prop_assert_eq!(sums.get(usize::try_from(norm.class).unwrap()), Some(&norm.value));
+        prop_assert_eq!(sums.get(index(&norm.class)), Some(&norm.value));
         // In the forward order the row is one of the rules read backwards.
         let forward = power_norm(&rules, c, Order::Forward).unwrap();
-        prop_assert_eq!(row_sum(&row(&rules.reversed(), c, forward.class)), forward.value);
+        prop_assert_eq!(row_sum(&row(&rules.reversed(), c, forward.class.clone())), forward.value);
     }
 
     // A closed polygon of ±1 with the signs of that row is refined to the norm,
@@ -105,7 +112,7 @@ proptest! {
         (rules, c) in rules_and_levels(), signs in prop::collection::vec(any::<bool>(), 1..9),
     ) {
         let PowerNorm { value, class } = power_norm(&rules, c, Order::Adjoint).unwrap();
-        let row = row(&rules, c, class);
+        let row = row(&rules, c, class.clone());
         let (first, last) = (*row.keys().next().unwrap(), *row.keys().last().unwrap());
         let count = last - first + 1;
         let sign = |i: i64| {
@@ -116,7 +123,7 @@ proptest! {
         };
         let refine = |points: Vec<Rational>| (0..c).fold(points, |points, _| rules.refine_closed(&points));
         let refined = refine((0..count).map(sign).collect());
-        prop_assert_eq!(&refined[usize::try_from(class).unwrap() % refined.len()], &value);
+        prop_assert_eq!(&refined[index(&class) % refined.len()], &value);
         let other = signs.iter().map(|&sign| r(if sign { 1 } else { -1 }, 1)).collect();
         prop_assert!(largest(&refine(other)) <= value);
     }
@@ -178,7 +185,7 @@ proptest! {
             // Its row, at offset 0, and read backwards in the forward order.
             let at = |rules: &Rules| {
                 let read = if order == Order::Forward { rules.reversed() } else { rules.clone() };
-                row_sum(&row(&read.with_offset(0), c, joint.class))
+                row_sum(&row(&read.with_offset(0), c, joint.class.clone()))
             };
             prop_assert_eq!(at(&first) * at(&second), joint.value);
         }
@@ -210,7 +217,7 @@ fn numbers_beyond_128_bits() {
 fn rules_that_are_0() {
     let (zero, chaikin) = (Rules::new(vec![vec![r(0, 1); 2]; 2], 0).unwrap(), mask("chaikin"));
     for order in ORDERS {
-        let nothing = Ok(PowerNorm { value: r(0, 1), class: 0 });
+        let nothing = Ok(PowerNorm { value: r(0, 1), class: Integer::zero() });
         assert_eq!(power_norm(&zero, 3, order), nothing);
         assert_eq!(joint_norm(&zero, chaikin.rules(), 3, order), nothing);
         assert_eq!(power_norm(&zero, 0, order).unwrap().value, r(1, 1));
@@ -218,20 +225,15 @@ fn rules_that_are_0() {
 }
 
 #[test]
-fn the_cap_on_classes() {
+fn the_caps() {
     let rules = mask("chaikin").difference();
-    assert_eq!(power_norm(&rules, 25, Order::Adjoint), Err(ClassCap { arity: 2, levels: 25 }));
-    assert_eq!(
-        power_norm_generic(&rules, 200, Order::Forward),
-        Err(ClassCap { arity: 2, levels: 200 })
-    );
-    let wide = mask("newton:j=1,n=64").difference();
-    let error = joint_norm(&wide, &wide, 5, Order::Adjoint).unwrap_err();
-    assert_eq!(error, ClassCap { arity: 64, levels: 5 });
-    assert!(
-        error
-            .to_string()
-            .starts_with("64^5 residue classes are too many to walk; at most 16777216")
-    );
-    assert!(power_norm(&rules, 12, Order::Adjoint).is_ok());
+    let cap = ClassCap { arity: 2, levels: 257 };
+    assert_eq!(power_norm(&rules, 257, Order::Adjoint), Err(cap));
+    assert_eq!(joint_norm(&rules, &rules, 257, Order::Forward), Err(cap));
+    assert!(cap.to_string().contains("2^257 row sums is out of reach"));
+    let cap = ClassCap { arity: 2, levels: 25 };
+    assert_eq!(walked_norm(&rules, 25, Order::Adjoint), Err(cap));
+    assert_eq!(walked_joint_norm(&rules, &rules, 25, Order::Adjoint), Err(cap));
+    assert_eq!(power_norm_generic(&rules, 25, Order::Forward), Err(cap));
+    assert_eq!(power_norm(&rules, 256, Order::Adjoint).unwrap().value, r(1, 2).pow(256));
 }

@@ -120,7 +120,7 @@ proptest! {
 /// their own norms.
 fn attained(first: &Rules, second: &Rules, c: u32) -> Rational {
     let norms = [first, second].map(|rules| power_norm(rules, c, Order::Adjoint).unwrap());
-    let rows = [row(first, c, norms[0].class), row(second, c, norms[1].class)];
+    let rows = [row(first, c, norms[0].class.clone()), row(second, c, norms[1].class.clone())];
     let [rows, columns] = rows.map(|row| {
         let (low, high) = (*row.keys().next().unwrap(), *row.keys().last().unwrap());
         let count = high - low + 1;

@@ -1,25 +1,34 @@
-//! ‖w‖_* against all integer heights, and against its closed form on a cycle.
+//! ‖w‖_* against all integer heights, also at costs of edges, and against its closed form
+//! on a cycle.
 
 use super::common::{mesh, r, rational};
 use proptest::prelude::*;
-use subcert::bound::{Transport, transport};
+use subcert::bound::{Transport, transport, transport_at_costs};
 use subcert::exact::{Rational, Real, RealCyclotomic, Scalar};
 
-/// The greatest Σ w_a P_a over integer heights with P_0 = 0 and differences of at most 1,
-/// chosen point by point. Every point has an edge to an earlier one.
-fn brute(w: &[Rational], edges: &[(usize, usize)], heights: &mut Vec<i64>) -> Rational {
+/// The greatest Σ w_a P_a over integer heights with P_0 = 0 and differences of at most the
+/// costs of the edges, chosen point by point. Every point has an edge to an earlier one.
+fn brute(
+    w: &[Rational],
+    edges: &[(usize, usize)],
+    costs: &[u32],
+    heights: &mut Vec<i64>,
+) -> Rational {
     let point = heights.len();
     if point == w.len() {
         return w.iter().zip(heights.iter()).map(|(w, &p)| w * Rational::from(p)).sum();
     }
-    let ends = edges.iter().flat_map(|&(a, b)| [(a, b), (b, a)]);
-    let before: Vec<i64> =
-        ends.filter(|&(a, b)| b == point && a < point).map(|(a, _)| heights[a]).collect();
-    let (low, high) = (before.iter().max().unwrap() - 1, before.iter().min().unwrap() + 1);
+    let ends = edges.iter().zip(costs).flat_map(|(&(a, b), &cost)| [(a, b, cost), (b, a, cost)]);
+    let before: Vec<(i64, i64)> = ends
+        .filter(|&(a, b, _)| b == point && a < point)
+        .map(|(a, _, cost)| (heights[a] - i64::from(cost), heights[a] + i64::from(cost)))
+        .collect();
+    let low = before.iter().map(|range| range.0).max().unwrap();
+    let high = before.iter().map(|range| range.1).min().unwrap();
     let mut best: Option<Rational> = None;
     for height in low..=high {
         heights.push(height);
-        let value = brute(w, edges, heights);
+        let value = brute(w, edges, costs, heights);
         heights.pop();
         best = Some(best.map_or(value.clone(), |best| best.max(value)));
     }
@@ -28,15 +37,26 @@ fn brute(w: &[Rational], edges: &[(usize, usize)], heights: &mut Vec<i64>) -> Ra
 
 /// Flow and heights each prove a bound on the norm; together, its value.
 fn check<S: Real + Ord + std::fmt::Debug>(w: &[S], edges: &[(usize, usize)], found: &Transport<S>) {
+    check_at_costs(w, edges, &vec![1; edges.len()], found);
+}
+
+fn check_at_costs<S: Real + Ord + std::fmt::Debug>(
+    w: &[S],
+    edges: &[(usize, usize)],
+    costs: &[u32],
+    found: &Transport<S>,
+) {
     let Transport { value, flow, heights } = found;
     let mut divergence = vec![S::zero(); w.len()];
-    for (&(a, b), f) in edges.iter().zip(flow) {
+    let mut total = S::zero();
+    for ((&(a, b), f), &cost) in edges.iter().zip(flow).zip(costs) {
         divergence[a] = divergence[a].plus(f);
         divergence[b] = divergence[b].minus(f);
-        assert!((heights[a] - heights[b]).abs() <= 1, "{heights:?}");
+        total = total.plus(&f.magnitude().times(&S::from_rational(&Rational::from(cost))));
+        assert!((heights[a] - heights[b]).abs() <= i64::from(cost), "{heights:?}");
     }
     assert_eq!(divergence, w);
-    assert_eq!(S::sum_of_magnitudes(flow), *value);
+    assert_eq!(total, *value);
     let term = |(w, &p): (&S, &i64)| w.times(&S::from_rational(&Rational::from(p)));
     let terms: Vec<S> = w.iter().zip(heights).map(term).collect();
     assert_eq!(S::total(&terms), *value);
@@ -56,7 +76,24 @@ proptest! {
         w[0] = &w[0] - rest;
         let found = transport(&w, &edges).unwrap();
         check(&w, &edges, &found);
-        prop_assert_eq!(found.value, brute(&w, &edges, &mut vec![0]));
+        let costs = vec![1; edges.len()];
+        prop_assert_eq!(found.value, brute(&w, &edges, &costs, &mut vec![0]));
+    }
+
+    // Costs from 0 on: what is joined for nothing is of one height.
+    #[test]
+    fn no_integer_heights_are_worth_more_at_costs(
+        (edges, w, costs) in mesh(6).prop_flat_map(|(count, edges)| {
+            let costs = prop::collection::vec(0_u32..4, edges.len());
+            (Just(edges), prop::collection::vec(rational(), count), costs)
+        })
+    ) {
+        let mut w = w;
+        let rest: Rational = w.iter().sum();
+        w[0] = &w[0] - rest;
+        let found = transport_at_costs(&w, &edges, &costs).unwrap();
+        check_at_costs(&w, &edges, &costs, &found);
+        prop_assert_eq!(found.value, brute(&w, &edges, &costs, &mut vec![0]));
     }
 
     // Flow λ more around the cycle: Σ|w_0 + … + w_i − λ|, least at a median.

@@ -58,11 +58,8 @@ fn numbers_and_flags() {
     assert_parts(&depth("1e"), &["--tolerance", "digit"]);
     assert_parts(&depth("1e99999"), &["--tolerance", "10000"]);
     assert_parts(&depth("abc"), &["--tolerance", "unexpected `a`"]);
-    assert_parts(&refused(["constants", "chaikin", "-c", "0"]), &["1..=24"]);
-    assert_parts(
-        &refused(["constants", "quinary-three-point", "-c", "24"]),
-        &["residue classes", "smaller number of levels"],
-    );
+    assert_parts(&refused(["constants", "chaikin", "-c", "0"]), &["1..=256"]);
+    assert_parts(&refused(["constants", "chaikin", "-c", "257"]), &["1..=256"]);
     assert_parts(&refused(["audit", "--paper", "nobody"]), &["nobody", "khan2019-newton"]);
     assert_parts(&refused(["audit", "nowhere.toml"]), &["cannot read `nowhere.toml`"]);
     assert_parts(&refused(["explain", "khan2019-newton:table-9"]), &["no claim", "KEY:table-1"]);
@@ -72,7 +69,10 @@ fn numbers_and_flags() {
 #[test]
 fn rings() {
     let cases: [(&[&str], &[&str]); 12] = [
-        (&["depth", "doo-sabin:n=5", "--tolerance", "1"], &["is a ring", "`subcert constants`"]),
+        (
+            &["depth", "doo-sabin:n=5", "--tolerance", "1", "--polygon", "rustfmt.toml"],
+            &["--polygon and --width are for curves"],
+        ),
         (&["constants", "chaikin x doo-sabin:n=5"], &["`doo-sabin` is a ring", "needs a mask"]),
         (&["constants", "doo-sabin"], &["needs its parameter `n`"]),
         (&["constants", "doo-sabin:n=5/2"], &["points of `face` is 5/2", "from 1 to 600"]),
@@ -87,6 +87,106 @@ fn rings() {
     ];
     for (arguments, parts) in cases {
         assert_parts(&refused(arguments.iter().copied()), parts);
+    }
+}
+
+#[test]
+fn ranges() {
+    let cases: [(&str, &str, &[&str]); 11] = [
+        ("six-point", "v", &["needs its parameter `w`"]),
+        ("six-point:w=3/256", "w", &["does not depend on `w`", "no value", "it has: w"]),
+        ("chaikin", "w", &["does not depend on `w`", "it has none"]),
+        ("six-point", "", &["does not depend on ``"]),
+        ("six-point x chaikin", "w", &["tensor product", "one of its factors"]),
+        ("doo-sabin", "n", &["is a ring", "needs a mask"]),
+        ("newton:j=1", "n", &["the arity is n", "integer"]),
+        ("newton:n=3", "w", &["needs its parameter `j`"]),
+        ("six-point:w=1/w", "w", &["w"]),
+        ("six-point:w=cos(2*pi/7)*v", "v", &["no polynomial in `v` with rational coefficients"]),
+        ("six-point:w=v^60", "v", &["degree 240", "smaller number of levels"]),
+    ];
+    for (scheme, parameter, parts) in cases {
+        assert_parts(&refused(["range", scheme, "--param", parameter]), parts);
+    }
+    assert_parts(&refused(["range", "six-point"]), &["--param"]);
+    let deep = refused(["range", "six-point", "--param", "w", "-c", "10"]);
+    assert_parts(&deep, &["2^10 residue classes", "524288", "smaller number"]);
+}
+
+/// Asks for the depth of the control polygon in a file with this text.
+fn refused_polygon(name: &str, text: &str) -> String {
+    let path = std::env::temp_dir().join(format!("subcert-{}-{name}", std::process::id()));
+    std::fs::write(&path, text).expect("a temporary file");
+    let file = path.to_str().expect("a UTF-8 path");
+    let message = refused(["depth", "b-spline:degree=3", "--tolerance", "1/9", "--polygon", file]);
+    std::fs::remove_file(&path).expect("the file is still there");
+    message
+}
+
+#[test]
+fn control_polygons() {
+    let digits = "1".repeat(2_000);
+    let (long, many) = (format!("0\n{digits}\n"), "0\n1\n".repeat(5_001));
+    let cases: [(&str, &str, &[&str]); 16] = [
+        ("header.csv", "x, y\n0, 0\n", &["header.csv:1:1", "unexpected `x`", "`#` before"]),
+        ("cell.csv", "0, 0\n1, 1/0\n", &["cell.csv:2:4", "denominator 0"]),
+        ("ragged.csv", "0, 0\n1\n", &["ragged.csv:2:1", "1 coordinates here, and 2"]),
+        ("space.csv", "0\u{3000}0\n1\u{3000}x\n", &["space.csv:2:3", "unexpected `x`"]),
+        (
+            "one.csv",
+            "0, 4, 4, 0\n",
+            &["from 2 to 10000 points; there are 1", "one point on a line"],
+        ),
+        ("none.csv", "# nothing\n", &["there are 0"]),
+        ("same.csv", "3\n3\n3\n", &["all points are the same"]),
+        ("many.csv", &many, &["there are 10002"]),
+        ("long.csv", &long, &["long.csv:2:1", "4096 binary digits", "round"]),
+        ("word.json", "[1, 2, true]", &["word.json:1:8", "this is no number"]),
+        ("object.json", "[1, {\"x\": 2}]", &["object.json:1:5", "this is no number"]),
+        ("text.json", "[1, \"two\"]", &["text.json:1:5", "unexpected `t`"]),
+        ("syntax.json", "[1,\n 2,, 3]", &["syntax.json:2:4", "expected value"]),
+        (
+            "unfinished.json",
+            "[[1, 2], [3, é",
+            &["unfinished.json:1:1", "[[0, \"1/3\"], [0.25, 1]]"],
+        ),
+        ("ragged.json", "[[1, 2],\n [3]]", &["ragged.json:2:3", "1 coordinates here"]),
+        ("empty.json", "[[], []]", &["from 1 to 16"]),
+    ];
+    for (name, text, parts) in cases {
+        assert_parts(&refused_polygon(name, text), parts);
+    }
+    let with = |more: &[&'static str]| {
+        let depth = ["depth", "chaikin", "--tolerance", "1"];
+        refused(depth.into_iter().chain(more.iter().copied()))
+    };
+    assert_parts(&with(&["--polygon", "nowhere.csv"]), &["cannot read `nowhere.csv`"]);
+    assert_parts(&with(&["--boundary", "open"]), &["--polygon <FILE>"]);
+    let both = ["--polygon", "examples/polygon.csv", "--spread", "2"];
+    assert_parts(&with(&both), &["cannot be used with '--spread <B>'"]);
+    assert_parts(&with(&["--width", "0"]), &["--width must be positive"]);
+    let surface = ["depth", "chaikin x chaikin", "--tolerance", "1"];
+    let surface = surface.into_iter().chain(["--polygon", "examples/polygon.csv"]);
+    assert_parts(&refused(surface), &["--polygon is for curves"]);
+    let six = ["depth", "six-point:w=3/256", "--tolerance", "1", "--boundary", "open"];
+    let six = six.into_iter().chain(["--polygon", "examples/polygon.csv"]);
+    assert_parts(&refused(six), &["--polygon: fewer than", "control points"]);
+}
+
+/// Whatever a polygon file holds, the program ends with a message, not a panic.
+#[test]
+fn nonsense_polygons() {
+    let deep = "[".repeat(100_000);
+    for (name, text) in [
+        ("deep.json", deep.as_str()),
+        ("zeros.json", "[\u{0}, \u{0}]"),
+        ("open.json", "[\"1"),
+        ("late.json", "[1, 2]]"),
+        ("comma.csv", ",,,\n,\n"),
+        ("exponent.csv", "1e9999\n1e-9999\n"),
+    ] {
+        let message = refused_polygon(name, text);
+        assert!(!message.contains("panicked"), "{message}");
     }
 }
 
@@ -215,5 +315,22 @@ fn nonsense_files() {
     for (name, text) in cases {
         let message = refused_paper(name, &text);
         assert!(!message.contains("panicked"), "{message}");
+    }
+}
+
+#[test]
+fn certificates_that_cannot_be_written() {
+    let cases: [(&[&str], &[&str]); 5] = [
+        (&["prove"], &["--output <DIR>"]),
+        (&["prove", "-o", "-"], &["one certificate at a time", "name one paper"]),
+        (&["prove", "khan", "-o", "-"], &["`khan` is no claim file", "khan2019-newton"]),
+        (
+            &["prove", "khan2019-newton", "khan2019-newton", "-o", "-"],
+            &["the key `khan2019-newton`"],
+        ),
+        (&["prove", "khan2019-newton", "-o", "Cargo.toml"], &["cannot write `Cargo.toml/khan"]),
+    ];
+    for (arguments, parts) in cases {
+        assert_parts(&refused(arguments.iter().copied()), parts);
     }
 }

@@ -34,6 +34,17 @@ fn audit_of_a_claim_file() {
 }
 
 #[test]
+fn errata_of_a_claim_file() {
+    let file = "examples/my-paper.toml";
+    subcert(["errata", file]).assert().success().stdout_eq(file!["snapshots/errata.md"]);
+    let folder = concat!(env!("CARGO_TARGET_TMPDIR"), "/errata");
+    subcert(["errata", file, "--format", "json", "-o", folder]).assert().success().stdout_eq("");
+    let saved = std::fs::read_dir(folder).expect("the folder").count();
+    assert_eq!(saved, 1);
+    subcert(["errata", file, "-o", "Cargo.toml"]).assert().code(2);
+}
+
+#[test]
 fn coverage_of_a_claim_file() {
     subcert(["coverage", "examples/my-paper.toml", "--deny", "missing"])
         .assert()
@@ -53,6 +64,10 @@ fn explain_a_cell_an_equation_and_a_theorem() {
         .assert()
         .success()
         .stdout_eq(file!["snapshots/explain-cell.txt"]);
+    subcert(["explain", "khan2022-doo-sabin:table-3:1:1"])
+        .assert()
+        .success()
+        .stdout_eq(file!["snapshots/explain-ring-cell.txt"]);
     subcert(["explain", "khan2019-newton:eq-3.8-derivation"])
         .assert()
         .success()
@@ -81,6 +96,59 @@ fn depth_of_a_scheme() {
         .assert()
         .success()
         .stdout_eq(file!["snapshots/depth.txt"]);
+}
+
+#[test]
+fn range_of_a_parameter() {
+    subcert(["range", "six-point", "--param", "w", "-c", "5"])
+        .assert()
+        .success()
+        .stdout_eq(file!["snapshots/range.txt"]);
+    subcert(["range", "ternary-three-point", "--param", "a", "-c", "2", "--function"])
+        .args(["--format", "markdown"])
+        .assert()
+        .success()
+        .stdout_eq(file!["snapshots/range-function.md"]);
+    subcert(["range", "four-point", "--param", "w", "-c", "2", "--function", "--format", "json"])
+        .assert()
+        .success()
+        .stdout_eq(file!["snapshots/range.json": Text]);
+}
+
+#[test]
+fn depth_of_a_control_polygon() {
+    let polygon =
+        ["depth", "four-point", "--tolerance", "1/100", "--polygon", "examples/polygon.csv"];
+    subcert(polygon).assert().success().stdout_eq(file!["snapshots/depth-polygon.txt"]);
+    let open = ["depth", "four-point:w=1/10", "--tolerance", "0.005", "--boundary", "open"];
+    let file = ["--polygon", "examples/polygon.json", "--width", "1e-9", "--format", "json"];
+    subcert(open.into_iter().chain(file))
+        .assert()
+        .success()
+        .stdout_eq(file!["snapshots/depth-polygon.json": Text]);
+}
+
+/// Where the distance is not known exactly, or there is none, the other answers remain.
+#[test]
+fn depth_without_an_exact_answer() {
+    subcert(["depth", "four-point:w=1", "--tolerance", "1/100", "-c", "2"])
+        .assert()
+        .success()
+        .stdout_eq(file!["snapshots/depth-no-limit.txt"]);
+    let surface = ["depth", "chaikin x chaikin", "--tolerance", "1/100", "--format", "markdown"];
+    subcert(surface).assert().success().stdout_eq(file!["snapshots/depth-surface.md"]);
+}
+
+#[test]
+fn depth_of_a_ring() {
+    subcert(["depth", "doo-sabin:n=5", "--tolerance", "1/1000"])
+        .assert()
+        .success()
+        .stdout_eq(file!["snapshots/ring-depth.txt"]);
+    subcert(["depth", "examples/loop.toml:N=5", "--tolerance", "1/100", "--format", "json"])
+        .assert()
+        .success()
+        .stdout_eq(file!["snapshots/ring-depth.json": Text]);
 }
 
 #[test]
@@ -176,5 +244,39 @@ fn a_closed_pipe_is_success() {
         let output = child.wait_with_output().expect("the program ends");
         assert!(output.status.success(), "{arguments:?}: {:?}", output.status);
         assert!(output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
+    }
+}
+
+#[test]
+fn certificates_of_a_claim_file() {
+    subcert(["audit", "examples/my-paper.toml", "--certified"])
+        .assert()
+        .success()
+        .stdout_eq(file!["snapshots/certified.txt"]);
+    let folder = std::env::temp_dir().join(format!("subcert-{}-prove", std::process::id()));
+    let path = folder.to_str().expect("a UTF-8 path");
+    for _ in 0..2 {
+        // The second time, there is something to be replaced.
+        subcert(["prove", "examples/my-paper.toml", "-o", path]).assert().success();
+    }
+    let files: Vec<_> = std::fs::read_dir(&folder).expect("a folder").collect();
+    assert_eq!(files.len(), 1, "{files:?}");
+    let written = std::fs::read_to_string(folder.join("doe2026-corner.cert")).expect("a file");
+    std::fs::remove_dir_all(&folder).expect("the folder is still there");
+    let shown = subcert(["prove", "examples/my-paper.toml", "-o", "-"]).assert().success();
+    assert_eq!(String::from_utf8_lossy(&shown.get_output().stdout), written);
+}
+
+#[test]
+fn certified_claims_as_json() {
+    let output = subcert(["audit", "examples/my-paper.toml", "--certified", "--format", "json"]);
+    let output = output.assert().success();
+    let json: serde_json::Value =
+        serde_json::from_slice(&output.get_output().stdout).expect("JSON");
+    let claims = json["papers"][0]["claims"].as_array().expect("claims");
+    for claim in claims {
+        let expected = claim["kind"] != "theorem";
+        assert_eq!(claim["certified"], expected, "{claim}");
+        assert_eq!(claim["certificate"] == "valid", expected, "{claim}");
     }
 }

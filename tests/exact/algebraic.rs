@@ -28,6 +28,58 @@ fn root_of(square: i64) -> RealAlgebraic {
 }
 
 proptest! {
+    // Against known factors: irreducible are x² − p, by Eisenstein, linear ones, and
+    // x⁴ + 1 and x⁴ − 10x² + 1, which split modulo every prime.
+    #[test]
+    fn factors_of_products(choice in prop::collection::vec(0_usize..12, 0..6)) {
+        let known: Vec<IntegerPolynomial> = [
+            vec![-2, 0, 1], vec![-3, 0, 1], vec![-6, 0, 1], vec![1, 1], vec![-5, 2], vec![7, 3],
+            vec![1, 0, 0, 0, 1], vec![1, 0, -10, 0, 1], vec![1, 1, 1], vec![-2, 0, 0, 0, 0, 9],
+            vec![1, 1, 1, 1, 1], vec![0, 1],
+        ].into_iter().map(|c: Vec<i64>| {
+            IntegerPolynomial::new(c.into_iter().map(Integer::from).collect())
+        }).collect();
+        let product = choice.iter().fold(IntegerPolynomial::from([-6]), |f, &i| &f * &known[i]);
+        let found = product.irreducible_factors().expect("few combinations");
+        let mut distinct = choice.clone();
+        distinct.sort_unstable();
+        distinct.dedup();
+        prop_assert_eq!(found.len(), distinct.len(), "{:?}", found);
+        for i in distinct {
+            prop_assert!(found.contains(&known[i]), "{} of {}", known[i], product);
+        }
+    }
+
+    #[test]
+    fn factors_multiply_to_the_square_free_part(p in polynomial(5), q in polynomial(5)) {
+        let product = &p * &q;
+        prop_assume!(!product.is_zero());
+        let one = IntegerPolynomial::from([1]);
+        let factors = product.irreducible_factors().expect("few combinations");
+        let multiplied = factors.iter().fold(one, |f, g| &f * g);
+        prop_assert_eq!(&multiplied, &product.square_free());
+        // Those of the product are those of p and of q.
+        for factor in [&p, &q].into_iter().flat_map(|f| f.irreducible_factors().unwrap()) {
+            prop_assert!(factors.contains(&factor), "{}", factor);
+        }
+    }
+
+    #[test]
+    fn rules_of_descartes_and_sturm(p in polynomial(6), a in rationals(2), width in 1_i64..9) {
+        prop_assume!(!p.is_zero());
+        for lower in a {
+            let upper = &lower + r(width, 3);
+            let sturm = SturmSequence::new(&p);
+            let inside = sturm.count_roots(&lower, &upper) - usize::from(p.sign_at(&upper) == 0);
+            prop_assert!(inside == 0 || p.may_vanish_between(&lower, &upper));
+            let all = RealAlgebraic::roots_of(&p).into_iter().filter(|root| {
+                root.cmp_rational(&lower).is_ge() && root.cmp_rational(&upper).is_le()
+            });
+            let found = sturm.roots_between(Some(lower.clone()), Some(upper.clone()));
+            prop_assert_eq!(found, all.collect::<Vec<_>>());
+        }
+    }
+
     // Products of known linear factors, with a factor without real roots: the roots
     // are known without Sturm.
     #[test]

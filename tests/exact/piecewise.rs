@@ -1,9 +1,12 @@
-//! Piecewise linear functions against their values at points.
+//! Piecewise polynomial functions against their values at points.
 
 use proptest::prelude::*;
 use std::ops::Bound;
 use subcert::bound::{Order, Terms, displacement, power_norm, power_norm_generic};
-use subcert::exact::{Interval, IntervalSet, Parametric, PiecewiseLinear, Rational, Real, Scalar};
+use subcert::exact::{
+    Interval, IntervalSet, Parametric, PiecewisePolynomial, Rational, RationalPolynomial, Real,
+    RealAlgebraic, Scalar,
+};
 use subcert::scheme::find;
 
 fn q(p: i64, q: i64) -> Rational {
@@ -22,6 +25,7 @@ enum Tree {
     Plus(Box<Tree>, Box<Tree>),
     Minus(Box<Tree>, Box<Tree>),
     Scaled(Rational, Box<Tree>),
+    Times(Box<Tree>, Box<Tree>),
     Magnitude(Box<Tree>),
     Greater(Box<Tree>, Box<Tree>),
     Lesser(Box<Tree>, Box<Tree>),
@@ -29,12 +33,13 @@ enum Tree {
 
 fn tree() -> impl Strategy<Value = Tree> {
     let leaf = prop_oneof![rational().prop_map(Tree::Constant), Just(Tree::Variable)];
-    leaf.prop_recursive(5, 24, 2, |inner| {
+    leaf.prop_recursive(4, 12, 2, |inner| {
         let pair = (inner.clone(), inner.clone()).prop_map(|(l, r)| (Box::new(l), Box::new(r)));
         prop_oneof![
             pair.clone().prop_map(|(l, r)| Tree::Plus(l, r)),
             pair.clone().prop_map(|(l, r)| Tree::Minus(l, r)),
             (rational(), inner.clone()).prop_map(|(c, t)| Tree::Scaled(c, Box::new(t))),
+            pair.clone().prop_map(|(l, r)| Tree::Times(l, r)),
             inner.prop_map(|t| Tree::Magnitude(Box::new(t))),
             pair.clone().prop_map(|(l, r)| Tree::Greater(l, r)),
             pair.prop_map(|(l, r)| Tree::Lesser(l, r)),
@@ -42,13 +47,14 @@ fn tree() -> impl Strategy<Value = Tree> {
     })
 }
 
-fn function(tree: &Tree) -> PiecewiseLinear {
+fn function(tree: &Tree) -> PiecewisePolynomial {
     match tree {
-        Tree::Constant(value) => PiecewiseLinear::constant(value.clone()),
-        Tree::Variable => PiecewiseLinear::variable(),
+        Tree::Constant(value) => PiecewisePolynomial::constant(value.clone()),
+        Tree::Variable => PiecewisePolynomial::variable(),
         Tree::Plus(l, r) => function(l).plus(&function(r)),
         Tree::Minus(l, r) => function(l).minus(&function(r)),
         Tree::Scaled(factor, t) => function(t).scaled(factor),
+        Tree::Times(l, r) => function(l).times(&function(r)),
         Tree::Magnitude(t) => function(t).magnitude(),
         Tree::Greater(l, r) => function(l).greater(&function(r)),
         Tree::Lesser(l, r) => function(l).lesser(&function(r)),
@@ -62,6 +68,7 @@ fn value(tree: &Tree, x: &Rational) -> Rational {
         Tree::Plus(l, r) => value(l, x) + value(r, x),
         Tree::Minus(l, r) => value(l, x) - value(r, x),
         Tree::Scaled(factor, t) => factor * value(t, x),
+        Tree::Times(l, r) => value(l, x) * value(r, x),
         Tree::Magnitude(t) => value(t, x).abs(),
         Tree::Greater(l, r) => value(l, x).max(value(r, x)),
         Tree::Lesser(l, r) => value(l, x).min(value(r, x)),
@@ -70,9 +77,9 @@ fn value(tree: &Tree, x: &Rational) -> Rational {
 
 /// The breaks of the functions, points between and beyond them, and the points
 /// given.
-fn points(functions: &[&PiecewiseLinear], more: &[Rational]) -> Vec<Rational> {
+fn points(functions: &[&PiecewisePolynomial], more: &[Rational]) -> Vec<Rational> {
     let mut points: Vec<Rational> = more.to_vec();
-    points.extend(functions.iter().flat_map(|f| f.breakpoints().iter().cloned()));
+    points.extend(functions.iter().flat_map(|f| f.breakpoints()).flat_map(beside));
     let tiny = q(1, 1_000_003);
     let near: Vec<Rational> =
         points.iter().flat_map(|point| [point - &tiny, point + &tiny]).collect();
@@ -85,16 +92,17 @@ fn points(functions: &[&PiecewiseLinear], more: &[Rational]) -> Vec<Rational> {
     points
 }
 
-/// The ends of the intervals, all of them finite, and points next to them.
-fn ends(set: &IntervalSet) -> Vec<Rational> {
-    let ends = set.intervals().iter().flat_map(|interval| [&interval.low, &interval.high]);
-    let place = |end: &Bound<Rational>| match end {
-        Bound::Unbounded => None,
-        Bound::Included(place) | Bound::Excluded(place) => Some(place.clone()),
-    };
+/// Rational points around a number, as near as its first enclosure, and itself where
+/// it is rational.
+fn beside(place: &RealAlgebraic) -> Vec<Rational> {
+    let (low, high) = place.bounds();
     let tiny = q(1, 1_000_003);
-    let places = ends.filter_map(place);
-    places.flat_map(|place| [&place - &tiny, place.clone(), place + &tiny]).collect()
+    vec![&low - &tiny, low, high.clone(), high + tiny]
+}
+
+/// Points at and beside the ends of the intervals.
+fn ends(set: &IntervalSet) -> Vec<Rational> {
+    set.ends().flat_map(|(place, _)| beside(place)).collect()
 }
 
 proptest! {
@@ -108,25 +116,24 @@ proptest! {
         }
     }
 
-    /// The breaks are where the slope changes, and nowhere else.
+    /// The breaks are where one polynomial becomes another, and they agree there.
     #[test]
     fn the_form_is_normal(tree in tree()) {
         let function = function(&tree);
         let breaks = function.breakpoints();
         prop_assert!(breaks.windows(2).all(|pair| pair[0] < pair[1]));
-        for (i, point) in breaks.iter().enumerate() {
-            let step = breaks.windows(2).map(|pair| &pair[1] - &pair[0]).min();
-            let step = step.unwrap_or_else(Rational::one) / Rational::from(2);
-            let [before, here, after] =
-                [point - &step, point.clone(), point + &step].map(|x| function.at(&x));
-            prop_assert_ne!(&here - &before, &after - &here, "break {}", i);
+        prop_assert_eq!(function.pieces().len(), breaks.len() + 1);
+        for (pair, place) in function.pieces().windows(2).zip(breaks) {
+            prop_assert_ne!(&pair[0], &pair[1]);
+            let difference = pair[0].minus(&pair[1]);
+            prop_assert!(RealAlgebraic::roots_of(difference.numerator()).contains(place));
         }
     }
 
     #[test]
     fn laws_hold_as_equality_of_functions(a in tree(), b in tree(), c in tree(), k in rational()) {
         let (f, g, h) = (function(&a), function(&b), function(&c));
-        let zero = PiecewiseLinear::constant(Rational::zero());
+        let zero = PiecewisePolynomial::constant(Rational::zero());
         prop_assert_eq!(f.plus(&g), g.plus(&f));
         prop_assert_eq!(f.plus(&g).plus(&h), f.plus(&g.plus(&h)));
         prop_assert_eq!(f.minus(&g).plus(&g), f.clone());
@@ -168,41 +175,55 @@ proptest! {
         }
     }
 
+    /// Unions and intersections against membership.
     #[test]
-    fn products_where_they_exist(a in tree(), b in tree(), at in prop::collection::vec(rational(), 8)) {
-        let (f, g) = (function(&a), function(&b));
-        if let Some(product) = f.times(&g) {
-            for x in points(&[&f, &g, &product], &at) {
-                prop_assert_eq!(product.at(&x), f.at(&x) * g.at(&x));
-            }
-        } else {
-            // Then the second difference of the product is not 0 somewhere between
-            // two breaks: both factors have a slope there.
-            let mut breaks = points(&[&f, &g], &[Rational::zero()]);
-            breaks.sort();
-            breaks.dedup();
-            let curved = breaks.windows(2).any(|pair| {
-                let middle = (&pair[0] + &pair[1]) / Rational::from(2);
-                let product = |x: &Rational| f.at(x) * g.at(x);
-                product(&pair[0]) + product(&pair[1]) != Rational::from(2) * product(&middle)
-            });
-            prop_assert!(curved, "{} times {}", f, g);
+    fn sets_are_combined(a in tree(), b in tree(), at in prop::collection::vec(rational(), 8)) {
+        let zero = Rational::zero();
+        let (one, other) = (function(&a).at_most(&zero), function(&b).below(&zero));
+        let (union, both) = (one.union(&other), one.intersection(&other));
+        for x in at.into_iter().chain(ends(&one)).chain(ends(&other)) {
+            let (left, right) = (one.contains(&x), other.contains(&x));
+            prop_assert_eq!(union.contains(&x), left || right, "{} u {} at {}", one, other, x);
+            prop_assert_eq!(both.contains(&x), left && right, "{} n {} at {}", one, other, x);
         }
+        prop_assert_eq!(one.union(&other), other.union(&one));
+        prop_assert_eq!(one.intersection(&union), one.clone());
+        prop_assert_eq!(one.union(&both), one.clone());
+        if let Some((low, high)) = other.hull() {
+            prop_assert!(!other.contains(&low) && !other.contains(&high));
+        }
+        for interval in both.intervals() {
+            let inside = interval.rational();
+            prop_assert!(inside.is_none_or(|x| both.contains(&x)));
+        }
+    }
+
+    /// Σ|p_j| in one pass and term by term.
+    #[test]
+    fn sums_of_magnitudes(polynomials in prop::collection::vec(
+        prop::collection::vec(rational(), 0..4), 0..5,
+    )) {
+        let polynomials: Vec<RationalPolynomial> =
+            polynomials.iter().map(|c| RationalPolynomial::new(c)).collect();
+        let naive = polynomials.iter().fold(constant(0, 1), |sum, p| {
+            sum.plus(&PiecewisePolynomial::from(p.clone()).magnitude())
+        });
+        prop_assert_eq!(PiecewisePolynomial::sum_of_magnitudes(&polynomials), naive);
     }
 }
 
-fn x() -> PiecewiseLinear {
-    PiecewiseLinear::variable()
+fn x() -> PiecewisePolynomial {
+    PiecewisePolynomial::variable()
 }
 
-fn constant(p: i64, q: i64) -> PiecewiseLinear {
-    PiecewiseLinear::constant(Rational::new(p, q))
+fn constant(p: i64, q: i64) -> PiecewisePolynomial {
+    PiecewisePolynomial::constant(Rational::new(p, q))
 }
 
 #[test]
 fn hand_made_facts() {
     let tent = constant(1, 1).minus(&x().magnitude()).greater(&constant(0, 1));
-    assert_eq!(tent.breakpoints(), [q(-1, 1), q(0, 1), q(1, 1)]);
+    assert_eq!(tent.breakpoints(), [-1, 0, 1].map(|x| RealAlgebraic::from(q(x, 1))));
     assert_eq!(
         tent.describe("w"),
         "0 for w <= -1, 1 + w for -1 <= w <= 0, 1 - w for 0 <= w <= 1, 0 for w >= 1"
@@ -218,9 +239,18 @@ fn hand_made_facts() {
     // |x| + x and its mirror image: nowhere have both a slope.
     let right = x().magnitude().plus(&x());
     let left = x().magnitude().minus(&x());
-    assert_eq!(right.times(&left), Some(constant(0, 1)));
-    assert_eq!(right.times(&right), None);
-    assert_eq!(x().times(&constant(-2, 3)), Some(x().scaled(&q(-2, 3))));
+    assert_eq!(right.times(&left), constant(0, 1));
+    assert_eq!(x().times(&constant(-2, 3)), x().scaled(&q(-2, 3)));
+    // |x² − 2| has its breaks at ±√2, and is at most 1 from 1 to √3.
+    let square = x().times(&x()).minus(&constant(2, 1)).magnitude();
+    assert_eq!(square.piece_count(), 3);
+    let one = q(1, 1);
+    let set = square.at_most(&one);
+    assert!(set.contains(&one) && set.contains(&q(-173_205_080, 100_000_000)));
+    assert!(!set.contains(&q(173_205_081, 100_000_000)));
+    // x² touches 0: that is no interval of its own.
+    assert_eq!(x().times(&x()).exceeds(&constant(0, 1)).describe("w"), "w < 0 or w > 0");
+    assert_eq!(x().times(&x()).at_most(&q(0, 1)).describe("w"), "w = 0");
     // max(|x|, 1) − |x| − … breaks that cancel are gone.
     assert_eq!(x().magnitude().minus(&x().magnitude()).piece_count(), 1);
     assert_eq!(x().greater(&x().scaled(&q(-1, 1))), x().magnitude());
@@ -231,8 +261,8 @@ fn hand_made_facts() {
 #[test]
 fn intervals_cover_intervals() {
     let interval = |low, high| Interval { low, high };
-    let (in_0, ex_0) = (Bound::Included(q(0, 1)), Bound::Excluded(q(0, 1)));
-    let (in_1, ex_1) = (Bound::Included(q(1, 1)), Bound::Excluded(q(1, 1)));
+    let (in_0, ex_0) = (Bound::Included(q(0, 1).into()), Bound::Excluded(q(0, 1).into()));
+    let (in_1, ex_1) = (Bound::Included(q(1, 1).into()), Bound::Excluded(q(1, 1).into()));
     let closed = interval(in_0.clone(), in_1.clone());
     let open = interval(ex_0.clone(), ex_1.clone());
     let half = interval(ex_0, Bound::Unbounded);
@@ -245,20 +275,21 @@ fn intervals_cover_intervals() {
 fn what_is_outside_the_class_stays_outside() {
     let x = Parametric::variable();
     let one = Parametric::from_rational(&Rational::one());
-    let square = x.times(&x);
+    let quotient = one.over(&x);
+    let high = (0..7).fold(x.clone(), |power, _| power.times(&power));
     for poisoned in [
-        square.clone(),
-        square.minus(&square),
-        one.plus(&square).times(&Parametric::zero()),
-        one.over(&x),
-        square.magnitude(),
-        square.greater(&one),
-        one.lesser(&square),
-        Parametric::total(&[one.clone(), square.clone()]),
+        quotient.clone(),
+        quotient.minus(&quotient),
+        one.plus(&quotient).times(&Parametric::zero()),
+        high,
+        quotient.magnitude(),
+        quotient.greater(&one),
+        one.lesser(&quotient),
+        Parametric::total(&[one.clone(), quotient.clone()]),
     ] {
         assert!(poisoned.function().is_none(), "{poisoned}");
         assert_ne!(poisoned, poisoned.clone());
-        assert_eq!(poisoned.to_string(), "a function that is not piecewise linear");
+        assert_eq!(poisoned.to_string(), "a function that is not piecewise polynomial");
     }
     assert_eq!(x.over(&one.plus(&one)).plus(&x.over(&one.plus(&one))), x);
 }

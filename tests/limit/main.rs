@@ -4,5 +4,8 @@
 #[path = "../common/mod.rs"]
 mod common;
 mod distances;
+mod polygons;
 mod refused;
+mod rings;
+mod surfaces;
 mod values;

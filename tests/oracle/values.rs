@@ -164,7 +164,7 @@ fn what_is_refused() {
     assert!(matches!(refused, OracleError::Shape { found: "grid", .. }));
     let refused = answer(&request("chaikin x chaikin", polygon.clone())).unwrap_err();
     assert!(matches!(refused, OracleError::Shape { found: "polygon", .. }));
-    let many = OracleRequest { max_block: 30, ..request("chaikin", polygon.clone()) };
+    let many = OracleRequest { max_block: 300, ..request("chaikin", polygon.clone()) };
     assert!(matches!(answer(&many), Err(OracleError::Classes(_))));
     let none = OracleRequest { max_block: 0, level: 0, ..request("chaikin", polygon) };
     let values = answer(&none).unwrap();

@@ -12,15 +12,18 @@ const MOST_LUCK: i64 = 1_000;
 const LIKELY_DEPTHS: i64 = 4;
 
 /// An upper bound on how many readings of unrelated values would explain as many
-/// cells: readings · e_m(p_1, …, p_n), where p_i is how likely an unrelated value
+/// cells: candidates · e_m(p_1, …, p_n), where the candidates are the readings, and for
+/// a parameter of the scheme that is solved for the tables that differ in print, of
+/// those that it gives where one cell is as printed; p_i is how likely an unrelated value
 /// becomes the i-th printed number, m the number of cells that are explained beyond
 /// the `free` ones that solving for parameters takes up, and e_m the elementary
-/// symmetric polynomial, which bounds how likely m of n independent events happen.
+/// symmetric polynomial, which bounds how likely m of n independent events happen
+/// (`proofs/THEOREMS.md`, 51).
 pub(super) fn chance(
     likelihoods: &[Rational],
     explained: usize,
     free: usize,
-    readings: usize,
+    candidates: Integer,
 ) -> Rational {
     let m = explained.saturating_sub(free);
     // e_0, …, e_m of the likelihoods so far.
@@ -32,7 +35,7 @@ pub(super) fn chance(
             symmetric[k] += &more;
         }
     }
-    &symmetric[m] * Rational::from(readings)
+    &symmetric[m] * Rational::from(candidates)
 }
 
 /// Whether that is unlikely enough to be reported.

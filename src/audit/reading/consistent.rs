@@ -24,7 +24,11 @@ impl DecimalRounding {
     pub(super) fn difference(self) -> Option<Difference> {
         let (word, _) = DecimalRounding::ALL.into_iter().find(|(_, way)| *way == self)?;
         let way = DECIMAL_ROUNDING.ways.iter().find(|way| Some(way.word) == word)?;
-        Some(Difference { choice: DECIMAL_ROUNDING.name.to_owned(), says: way.says.to_owned() })
+        Some(Difference {
+            choice: DECIMAL_ROUNDING.name.to_owned(),
+            says: way.says.to_owned(),
+            value: None,
+        })
     }
 
     /// Whether `exact` becomes `printed`.

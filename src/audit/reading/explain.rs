@@ -5,42 +5,25 @@ use super::scale::{Scale, Solved, is_simple, simplest, solve};
 use super::search::{Difference, Explanation, MAX_DIFFERENCES};
 use super::settings::Settings;
 use super::space::{Change, Space, Values};
-use crate::audit::compare;
 use crate::audit::judge::{At, Judge, Outcome};
 use crate::claim::Printed;
 use crate::exact::RealCyclotomic;
 
 impl Space<'_> {
     /// The exact values of the printed cells, where the formula has one under the
-    /// reading; `None` when it is clear that fewer than `least` cells are explained.
-    pub(super) fn values(&self, settings: &Settings, least: usize) -> Option<Values> {
-        let mut possible = self.printed.iter().flatten().flatten().count();
-        let mut values = Vec::with_capacity(self.printed.len());
-        for (row, printed) in self.printed.iter().enumerate() {
-            let mut row_values = Vec::with_capacity(printed.len());
-            for (column, printed) in printed.iter().enumerate() {
+    /// reading.
+    pub(super) fn values(&self, settings: &Settings) -> Values {
+        let rows = self.printed.iter().enumerate().map(|(row, printed)| {
+            let value = |(column, printed): (usize, Option<&Printed>)| {
                 let at = At { row, column, assume: &self.assume, settings };
-                let value = printed.and_then(|_| self.value(at));
-                let Some(printed) = printed else {
-                    row_values.push(None);
-                    continue;
-                };
-                let gives = |value: &RealCyclotomic| compare::matches(&printed.decimal, value);
-                // With a scale to be solved for, nothing is known yet.
-                if self.scale.is_none() && !value.as_ref().is_some_and(gives) {
-                    possible -= 1;
-                }
-                if possible < least {
-                    return None;
-                }
-                row_values.push(value);
-            }
-            values.push(row_values);
-        }
-        Some(values)
+                printed.and_then(|_| self.value(at))
+            };
+            printed.iter().copied().enumerate().map(value).collect()
+        });
+        rows.collect()
     }
 
-    fn value(&self, at: At<'_>) -> Option<RealCyclotomic> {
+    pub(super) fn value(&self, at: At<'_>) -> Option<RealCyclotomic> {
         match self.judge.evaluate(&self.judge.table.value, at) {
             Ok(Outcome::Value(value)) => Some(value),
             _ => None,
@@ -67,7 +50,7 @@ impl Space<'_> {
         }
         let mut double = Settings::default();
         double.parameters.insert(scale.name.clone(), &scale.base + &scale.base);
-        let twice = self.all_values(&double);
+        let twice = self.values(&double);
         let mut pairs = self.as_printed.iter().flatten().zip(twice.iter().flatten());
         pairs.all(|(once, twice)| match (once, twice) {
             (Some(once), Some(twice)) => &(once + once) == twice,
@@ -76,14 +59,13 @@ impl Space<'_> {
         })
     }
 
-    /// How many cells the printed definition explains.
-    pub(super) fn explained_as_printed(&self) -> usize {
-        let explained = self.explained(&self.as_printed, DecimalRounding::Nearest);
-        explained.iter().flatten().filter(|explained| **explained).count()
+    /// Which cells the printed definition explains.
+    pub(super) fn explained_as_printed(&self) -> Vec<Vec<bool>> {
+        self.explained(&self.as_printed, DecimalRounding::Nearest)
     }
 
     /// Which cells these values become.
-    fn explained(&self, values: &Values, rounding: DecimalRounding) -> Vec<Vec<bool>> {
+    pub(super) fn explained(&self, values: &Values, rounding: DecimalRounding) -> Vec<Vec<bool>> {
         let rows = self.printed.iter().zip(values);
         let gives = |(printed, value): (Option<&Printed>, &Option<RealCyclotomic>)| {
             let cell = printed.zip(value.as_ref());
@@ -91,10 +73,6 @@ impl Space<'_> {
         };
         rows.map(|(printed, values)| printed.iter().copied().zip(values).map(gives).collect())
             .collect()
-    }
-
-    pub(super) fn all_values(&self, settings: &Settings) -> Values {
-        self.values(settings, 0).unwrap_or_default()
     }
 
     /// The roundings of decimals that go with a reading.
@@ -141,6 +119,7 @@ impl Space<'_> {
                     "{} = {}, where {} is stated",
                     scale.name, solved.simplest, scale.base
                 ),
+                value: Some(solved.simplest.clone()),
             });
         }
         let explained = self.explained(&values, rounding);
@@ -149,28 +128,38 @@ impl Space<'_> {
         Explanation { differences, solved: solved.into_iter().collect(), values, explained }
     }
 
-    fn difference(&self, change: &Change) -> Difference {
-        let (choice, says) = match change {
-            Change::Word(choice, _, says) => (choice.name, *says),
+    /// How a reading differs from the printed text, its rounding of decimals apart.
+    pub(super) fn differences(&self, reading: &[Change]) -> Vec<Difference> {
+        reading.iter().map(|change| self.difference(change)).collect()
+    }
+
+    pub(super) fn difference(&self, change: &Change) -> Difference {
+        let (choice, says, value) = match change {
+            Change::Word(choice, _, says) => (choice.name, (*says).to_owned(), None),
             Change::Definition(i) => {
                 let other = &self.judge.paper.alternatives[*i];
-                (other.of.as_str(), other.label.as_str())
+                (other.of.as_str(), other.label.clone(), None)
+            }
+            Change::Sibling(i) => {
+                let sibling = &self.judge.siblings[*i];
+                (sibling.name.as_str(), sibling.to_string(), Some(sibling.value.clone()))
             }
         };
-        Difference { choice: choice.to_owned(), says: says.to_owned() }
+        Difference { choice: choice.to_owned(), says, value }
     }
 
     fn solve(&self, scale: &Scale, values: &Values, rounding: DecimalRounding) -> Option<Solved> {
         let cells = self.printed.iter().flatten().zip(values.iter().flatten());
         let cells: Vec<(&Printed, &RealCyclotomic)> =
             cells.filter_map(|(printed, value)| Some(((*printed)?, value.as_ref()?))).collect();
-        let (low, high) = solve(&cells, rounding)?;
         if scale.base.sign() < 0 {
             return None;
         }
-        let between = (low * &scale.base, high * &scale.base);
-        let simplest = simplest(&between.0, &between.1, rounding);
-        let chosen = is_simple(&simplest);
-        chosen.then(|| Solved { name: scale.name.clone(), between, simplest })
+        // A cell that is a slip may move the interval off the number that was chosen.
+        solve(&cells, rounding).find_map(|(low, high)| {
+            let between = (low * &scale.base, high * &scale.base);
+            let simplest = simplest(&between.0, &between.1, rounding);
+            is_simple(&simplest).then(|| Solved { name: scale.name.clone(), between, simplest })
+        })
     }
 }

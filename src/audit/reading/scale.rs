@@ -3,6 +3,7 @@
 use super::consistent::DecimalRounding;
 use crate::claim::Printed;
 use crate::exact::{Enclosed, Integer, Rational, RealCyclotomic};
+use std::cmp::Reverse;
 
 /// A parameter that the paper does not state, as the printed numbers determine it.
 #[derive(Clone, Debug, PartialEq)]
@@ -12,7 +13,8 @@ pub struct Solved {
     /// The values with which every explained cell is consistent lie between these,
     /// up to 2^−60 of them.
     pub between: (Rational, Rational),
-    /// The simplest number among them.
+    /// The simplest number among them; of a spread, the assumed one where it is among
+    /// them.
     pub simplest: Rational,
 }
 
@@ -24,25 +26,32 @@ pub(super) struct Scale {
     pub(super) stated: bool,
 }
 
+/// The most intervals that are looked at for a number that someone would choose.
+const MAX_INTERVALS: usize = 12;
+
 /// The precision of the ends: enclosures of 128 binary digits.
 const PRECISION: u32 = 1;
 
-/// The values of s for which most cells are consistent with s times their exact
-/// values: the ends of the interval, where it is a proper one.
+/// The values of s for which some cells are consistent with s times their exact values:
+/// the ends of each proper interval, those of most cells first.
 pub(super) fn solve(
     cells: &[(&Printed, &RealCyclotomic)],
     rounding: DecimalRounding,
-) -> Option<(Rational, Rational)> {
+) -> impl Iterator<Item = (Rational, Rational)> {
     let intervals: Vec<(Rational, Rational)> =
         cells.iter().filter_map(|(printed, value)| interval(printed, value, rounding)).collect();
-    let covering = |s: &Rational| {
-        intervals.iter().filter(|(low, high)| low <= s && s <= high).cloned().collect::<Vec<_>>()
-    };
+    let covers = |(low, high): &(Rational, Rational), s: &Rational| low <= s && s <= high;
+    let count = |s: &Rational| intervals.iter().filter(|interval| covers(interval, s)).count();
     // The greatest number of intervals meets at the lower end of one of them.
-    let best = intervals.iter().map(|(low, _)| covering(low)).max_by_key(Vec::len)?;
-    let low = best.iter().map(|(low, _)| low.clone()).max()?;
-    let high = best.iter().map(|(_, high)| high.clone()).min()?;
-    (low < high).then_some((low, high))
+    let mut lows: Vec<(usize, Rational)> =
+        intervals.iter().map(|(low, _)| (count(low), low.clone())).collect();
+    lows.sort_by_key(|(count, _)| Reverse(*count));
+    lows.into_iter().take(MAX_INTERVALS).filter_map(move |(_, s)| {
+        let meeting = || intervals.iter().filter(|interval| covers(interval, &s));
+        let low = meeting().map(|(low, _)| low.clone()).max()?;
+        let high = meeting().map(|(_, high)| high.clone()).min()?;
+        (low < high).then_some((low, high))
+    })
 }
 
 /// The s > 0 for which s·value rounds to what is printed.
@@ -89,8 +98,8 @@ pub(super) fn simplest(low: &Rational, high: &Rational, rounding: DecimalRoundin
     ends.fold(inside, |best, end| if size(&end) < size(&best) { end } else { best })
 }
 
-/// The same strictly between two positive numbers.
-fn simplest_between(low: &Rational, high: &Rational) -> Rational {
+/// The same strictly between two numbers that are not negative.
+pub(super) fn simplest_between(low: &Rational, high: &Rational) -> Rational {
     let whole = low.floor();
     let next = Rational::from(&whole + Integer::one());
     if next < *high {

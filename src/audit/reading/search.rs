@@ -1,12 +1,16 @@
 //! The search for the reading that explains most cells of a table.
 
 use super::chance::{chance, is_small, of_decimal, of_depth};
+use super::line::{self, LineReading};
+use super::needs::Need;
 use super::scale::Solved;
-use super::space::{Change, PrintedCells, Space};
+use super::solve;
+use super::space::{PrintedCells, Space};
+use super::tried;
 use crate::audit::finding::CellFinding;
 use crate::audit::judge::Judge;
 use crate::claim::{Cell, Printed};
-use crate::exact::{Rational, RealCyclotomic};
+use crate::exact::{Integer, Rational, RealCyclotomic};
 use std::cmp::{Ordering, Reverse};
 
 /// The most differences from the printed text that a reading may have.
@@ -19,6 +23,8 @@ pub struct Difference {
     pub choice: String,
     /// What holds instead of the printed text.
     pub says: String,
+    /// The value, where the choice is that of a parameter.
+    pub value: Option<Rational>,
 }
 
 /// A reading that explains cells of a table.
@@ -53,7 +59,7 @@ impl Explanation {
     }
 
     /// The better, the more cells it explains, and of those the fewer differences.
-    fn rank(&self) -> (usize, Reverse<usize>) {
+    pub(super) fn rank(&self) -> (usize, Reverse<usize>) {
         (self.count(), Reverse(self.differences.len()))
     }
 }
@@ -74,57 +80,94 @@ pub struct Search {
     pub best: Vec<Explanation>,
     /// How many readings would do as well on unrelated numbers, at most.
     pub chance: Rational,
+    /// The readings of rows and columns for the cells that `best` leaves.
+    pub lines: Vec<LineReading>,
 }
 
 /// Searches the family for the readings of a table whose cells as printed are
-/// `findings`; `None` when every cell is as printed, or nothing is printed.
-pub(in crate::audit) fn search(judge: &Judge<'_>, findings: &[Vec<CellFinding>]) -> Option<Search> {
+/// `findings`: what was found, unless every cell is as printed, and what the cells
+/// need; `None` when nothing is printed.
+pub(in crate::audit) fn search(
+    judge: &Judge<'_>,
+    findings: &[Vec<CellFinding>],
+) -> Option<(Option<Search>, Vec<Need>)> {
     let printed = printed(judge);
     let cells: Vec<&Printed> = printed.iter().flatten().flatten().copied().collect();
     let space = Space::new(judge, findings, &printed)?;
     let as_printed = space.explained_as_printed();
-    if as_printed == cells.len() {
-        return None;
+    let count = as_printed.iter().flatten().filter(|explained| **explained).count();
+    let all = space.evaluated();
+    let explanations: Vec<Explanation> =
+        space.explanations(&all, |one| one.values.clone()).collect();
+    let needs = space.needs(&explanations);
+    if count == cells.len() {
+        return Some((None, needs));
     }
-    let readings = space.readings();
+    let mut best = tried::best(&explanations);
     let likelihood =
-        |printed: &&Printed| if space.is_depth() { of_depth() } else { of_decimal(printed) };
-    let likelihoods: Vec<Rational> = cells.iter().map(likelihood).collect();
-    let (mut tried, mut best) = (0, Vec::<Explanation>::new());
-    for reading in &readings {
-        let roundings = space.roundings(reading);
-        let least = best.first().map_or(0, |first| least(first, reading));
-        let Some(values) = space.values(&space.settings(reading), least) else {
-            tried += roundings.len();
-            continue;
-        };
-        let explanations =
-            roundings.into_iter().flat_map(|rounding| space.explain(reading, rounding, &values));
-        for explanation in explanations {
-            tried += 1;
-            match best.first().map(|first| first.rank().cmp(&explanation.rank())) {
-                Some(Ordering::Greater) => {}
-                Some(Ordering::Equal) => best.push(explanation),
-                _ => best = vec![explanation],
-            }
-        }
+        |printed: &Printed| if space.is_depth() { of_depth() } else { of_decimal(printed) };
+    let likelihoods: Vec<Rational> = cells.iter().map(|printed| likelihood(printed)).collect();
+    let solved = solve::solve(&space, &all, &best);
+    let tried = explanations.len() + solved.tried;
+    for explanation in solved.explanations {
+        solve::drop_unsolved(&mut best, &explanation);
+        keep_best(&mut best, explanation);
     }
     let explained = best.first().map_or(0, Explanation::count);
     let free = best.first().map_or(0, |first| first.solved.len());
-    let chance = chance(&likelihoods, explained, free, tried);
-    if explained <= as_printed || !is_small(&chance) {
+    let candidates = solved.candidates + Integer::from(tried);
+    let chance = chance(&likelihoods, explained, free, candidates);
+    if explained <= count || !is_small(&chance) {
         best.clear();
     }
-    let choices = space.names();
-    Some(Search { tried, choices, cells: cells.len(), as_printed, best, chance })
+    let of_row = |row: &Vec<Option<&Printed>>| row.iter().map(|c| c.map(likelihood)).collect();
+    let likelihoods: Vec<Vec<Option<Rational>>> = printed.iter().map(of_row).collect();
+    let mut left: Vec<Vec<bool>> =
+        printed.iter().map(|row| row.iter().map(Option::is_some).collect()).collect();
+    for explained in best.first().map(|best| &best.explained).into_iter().chain([&as_printed]) {
+        for (left, explained) in left.iter_mut().flatten().zip(explained.iter().flatten()) {
+            *left &= !explained;
+        }
+    }
+    let lines = line::search(&space, &all, &likelihoods, left);
+    let mut choices = space.names();
+    choices.extend(solve::names(&space));
+    let (cells, as_printed) = (cells.len(), count);
+    Some((Some(Search { tried, choices, cells, as_printed, best, chance, lines }), needs))
 }
 
-/// How many cells a reading has to explain at least to be as good as another.
-fn least(best: &Explanation, reading: &[Change]) -> usize {
-    best.count() + usize::from(reading.len() > best.differences.len())
+/// Adds an explanation to those that explain most, or puts it in their place.
+fn keep_best(best: &mut Vec<Explanation>, explanation: Explanation) {
+    match best.first().map(|first| first.rank().cmp(&explanation.rank())) {
+        Some(Ordering::Greater) => {}
+        Some(Ordering::Equal) => best.push(explanation),
+        _ => *best = vec![explanation],
+    }
 }
 
-fn printed<'a>(judge: &Judge<'a>) -> PrintedCells<'a> {
+/// The stated parameter that every value of the table is proportional to.
+pub(in crate::audit) fn scale(judge: &Judge<'_>, findings: &[Vec<CellFinding>]) -> Option<String> {
+    let printed = printed(judge);
+    let scale = Space::new(judge, findings, &printed)?.scale.filter(|scale| scale.stated);
+    scale.map(|scale| scale.name)
+}
+
+/// Every reading of the table with what it explains, the best first.
+pub(in crate::audit) fn readings(
+    judge: &Judge<'_>,
+    findings: &[Vec<CellFinding>],
+) -> Vec<Explanation> {
+    let printed = printed(judge);
+    let Some(space) = Space::new(judge, findings, &printed) else { return Vec::new() };
+    let all = space.evaluated();
+    let mut explanations: Vec<Explanation> =
+        space.explanations(&all, |one| one.values.clone()).collect();
+    explanations.extend(solve::solve(&space, &all, &tried::best(&explanations)).explanations);
+    explanations.sort_by_key(|explanation| Reverse(explanation.rank()));
+    explanations
+}
+
+pub(super) fn printed<'a>(judge: &Judge<'a>) -> PrintedCells<'a> {
     let cell = |cell: &'a Cell| match cell {
         Cell::Printed(printed) => Some(printed),
         Cell::Lost => None,

@@ -9,7 +9,7 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 /// How a claim's formula is read. The default reads it as printed.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(in crate::audit) struct Settings {
     words: Vec<(&'static str, &'static str)>,
     /// The paper's definitions with some replaced, when any are.
@@ -71,6 +71,13 @@ impl Settings {
             replaced,
             parameters: self.parameters.clone(),
         }
+    }
+
+    /// The same with a value for a parameter.
+    pub(super) fn with_parameter(&self, name: &str, value: &Rational) -> Settings {
+        let mut settings = self.clone();
+        settings.parameters.insert(name.to_owned(), value.clone());
+        settings
     }
 
     /// Replaces a definition by the alternative of this place in the claim file.

@@ -5,10 +5,11 @@ use super::choices::{DECIMAL_ROUNDING, FAMILY};
 use super::scale::Scale;
 use super::search::MAX_DIFFERENCES;
 use super::settings::Settings;
+use super::sibling::Sibling;
+pub(super) use crate::audit::compare::Values;
 use crate::audit::finding::CellFinding;
 use crate::audit::judge::Judge;
 use crate::claim::Printed;
-use crate::exact::RealCyclotomic;
 use std::collections::BTreeSet;
 
 /// The most readings of one table.
@@ -17,9 +18,6 @@ const MAX_READINGS: usize = 4_096;
 /// The cells of a table; `None` where one is lost.
 pub(super) type PrintedCells<'a> = Vec<Vec<Option<&'a Printed>>>;
 
-/// The exact values of the cells.
-pub(super) type Values = Vec<Vec<Option<RealCyclotomic>>>;
-
 /// A way of a choice other than the printed one.
 #[derive(Clone)]
 pub(super) enum Change {
@@ -27,6 +25,8 @@ pub(super) enum Change {
     Word(&'static Choice, &'static str, &'static str),
     /// One of the claim file's alternatives, by its place.
     Definition(usize),
+    /// A parameter as another table has it, by its place.
+    Sibling(usize),
 }
 
 /// The readings of one table.
@@ -40,7 +40,7 @@ pub(super) struct Space<'s> {
     /// The parameter that the values are proportional to.
     pub(super) scale: Option<Scale>,
     /// For each choice, the ways other than the printed one.
-    changes: Vec<Vec<Change>>,
+    pub(super) changes: Vec<Vec<Change>>,
 }
 
 impl<'s> Space<'s> {
@@ -55,7 +55,7 @@ impl<'s> Space<'s> {
         let settings = Settings::default();
         let (as_printed, scale, changes) = (Values::new(), None, Vec::new());
         let mut space = Space { judge, printed, assume, as_printed, scale, changes };
-        space.as_printed = space.all_values(&settings);
+        space.as_printed = space.values(&settings);
         let mut consulted = settings.consulted();
         consulted.extend(judge.rows.choices.clone());
         for choice in FAMILY {
@@ -83,6 +83,14 @@ impl<'s> Space<'s> {
             let ways = (0..alternatives.len()).filter(|&i| alternatives[i].of == *name);
             space.changes.push(ways.map(Change::Definition).collect());
         }
+        let siblings = (0..judge.siblings.len()).filter(|&i| {
+            let Sibling { name, value, .. } = &judge.siblings[i];
+            space.assume.contains(name) && judge.assumed.get(name) != Some(value)
+        });
+        let siblings: Vec<Change> = siblings.map(Change::Sibling).collect();
+        if !siblings.is_empty() {
+            space.changes.push(siblings);
+        }
         space.scale = space.find_scale();
         printed.iter().flatten().any(Option::is_some).then_some(space)
     }
@@ -96,6 +104,7 @@ impl<'s> Space<'s> {
         let name = |ways: &Vec<Change>| match ways.first()? {
             Change::Word(choice, ..) => Some(choice.name.to_owned()),
             Change::Definition(i) => Some(self.judge.paper.alternatives[*i].of.clone()),
+            Change::Sibling(i) => Some(self.judge.siblings[*i].name.clone()),
         };
         let mut names: Vec<String> = self.changes.iter().filter_map(name).collect();
         if !self.is_depth() {
@@ -126,13 +135,17 @@ impl<'s> Space<'s> {
     pub(super) fn settings(&self, reading: &[Change]) -> Settings {
         let words = reading.iter().filter_map(|change| match change {
             Change::Word(choice, word, _) => Some((choice.name, *word)),
-            Change::Definition(_) => None,
+            Change::Definition(_) | Change::Sibling(_) => None,
         });
         let mut settings = Settings::new(words.collect());
         let Judge { paper, .. } = self.judge;
         for change in reading {
             if let Change::Definition(i) = change {
                 settings.replace(&paper.definitions, *i, &paper.alternatives[*i]);
+            }
+            if let Change::Sibling(i) = change {
+                let Sibling { name, value, .. } = &self.judge.siblings[*i];
+                settings.parameters.insert(name.clone(), value.clone());
             }
         }
         settings

@@ -21,7 +21,7 @@ pub(super) struct CommonFields<'a> {
 /// Declares the TOML table of a kind of claim: the fields of every claim, then its
 /// own. Serde's `flatten` would lose the places in the file.
 macro_rules! claim_table {
-    ($name:ident { $($(#[$attribute:meta])* $field:ident: $type:ty,)* }) => {
+    ($name:ident { $($(#[$attribute:meta])* $visible:vis $field:ident: $type:ty,)* }) => {
         #[derive(Debug, serde::Deserialize)]
         #[serde(deny_unknown_fields)]
         pub(super) struct $name {
@@ -31,7 +31,7 @@ macro_rules! claim_table {
             title: String,
             scheme: Option<toml::Spanned<String>>,
             note: Option<String>,
-            $($(#[$attribute])* $field: $type,)*
+            $($(#[$attribute])* $visible $field: $type,)*
         }
 
         impl $name {

@@ -7,6 +7,7 @@ mod fields;
 mod function;
 mod table;
 mod theorem;
+mod trial;
 
 use super::paper::{Alternative, Bibliography, Paper, SchemeSource};
 use super::table::{LocatedReference, Printed};

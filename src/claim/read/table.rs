@@ -30,6 +30,7 @@ struct PromiseTable {
     level: Option<Spanned<String>>,
     spread: Spanned<String>,
     offset: Option<Spanned<String>>,
+    ring: Option<Spanned<String>>,
 }
 
 /// Rows of cells, or `"lost"` when the source has none of them.
@@ -88,15 +89,18 @@ impl Reader<'_> {
     }
 
     fn promise(&self, table: &Spanned<PromiseTable>) -> Result<Promise, Diagnostic> {
-        let PromiseTable { tolerance, level, spread, offset } = table.get_ref();
+        let PromiseTable { tolerance, level, spread, offset, ring } = table.get_ref();
         let spread = formula(self.source, spread)?;
         let offset = self.optional(offset.as_ref())?;
+        let ring = ring.as_ref().map(|text| self.located(text)).transpose()?;
         match (tolerance, level) {
             (Some(tolerance), None) => {
-                Ok(Promise::Depth { tolerance: formula(self.source, tolerance)?, spread, offset })
+                let tolerance = formula(self.source, tolerance)?;
+                Ok(Promise::Depth { tolerance, spread, offset, ring })
             }
             (None, Some(level)) => {
-                Ok(Promise::Bound { level: formula(self.source, level)?, spread, offset })
+                let level = formula(self.source, level)?;
+                Ok(Promise::Bound { level, spread, offset, ring })
             }
             _ => Err(self
                 .error(table.span(), "a promise needs either `tolerance` or `level`")

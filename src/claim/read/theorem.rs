@@ -1,11 +1,12 @@
 //! Reading theorems.
 
 use super::fields::claim_table;
+use super::trial::{RewritingTable, SupposesTable};
 use super::{Head, Reader};
-use crate::claim::{Quantity, Statement, Theorem};
+use crate::claim::{ByHand, Quantity, Statement, Theorem};
 use crate::diagnostic::Diagnostic;
 use crate::scheme::formula;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use toml::Spanned;
 
 claim_table!(TheoremTable {
@@ -13,6 +14,20 @@ claim_table!(TheoremTable {
     by: Option<Spanned<String>>,
     from: Option<Spanned<String>>,
     says: Option<String>,
+    #[serde(default)]
+    pub(super) schemes: Vec<Spanned<String>>,
+    #[serde(default)]
+    pub(super) values: BTreeMap<Spanned<String>, Vec<Spanned<String>>>,
+    pub(super) offset: Option<Spanned<String>>,
+    pub(super) interpolant: Option<Spanned<String>>,
+    pub(super) block: Option<Spanned<String>>,
+    pub(super) supposes: Option<SupposesTable>,
+    #[serde(default)]
+    pub(super) corrections: Vec<RewritingTable>,
+    proved_by: Option<Spanned<String>>,
+    refuted_by: Option<Spanned<String>>,
+    #[serde(default)]
+    proof_uses: Vec<Spanned<String>>,
     #[serde(default)]
     rests: Vec<Spanned<String>>,
 });
@@ -29,17 +44,51 @@ impl Reader<'_> {
     ) -> Result<Theorem, Diagnostic> {
         let Head { id, locus, title, scheme, note } = self.head(table.common())?;
         let statement = self.statement(table)?;
-        for premise in &table.rests {
-            let known = premise.get_ref().as_str();
-            if known == id || !ids.contains(known) {
-                let message = format!("`{known}` is no other claim of this file");
-                return Err(self
-                    .error(premise.span(), message)
-                    .with_help("`rests` lists ids of this file, such as 'eq-18'"));
-            }
-        }
+        self.known(&id, &table.rests, "rests", ids)?;
+        self.known(&id, &table.proof_uses, "proof_uses", ids)?;
         let rests = table.rests.iter().map(|premise| premise.get_ref().clone()).collect();
-        Ok(Theorem { id, locus, title, scheme, statement, rests, note })
+        let (tried, by_hand) = (self.trial(table)?, self.by_hand(table)?);
+        Ok(Theorem { id, locus, title, scheme, statement, tried, by_hand, rests, note })
+    }
+
+    /// Makes sure that these are ids of other claims.
+    fn known(
+        &self,
+        id: &str,
+        named: &[Spanned<String>],
+        field: &str,
+        ids: &BTreeSet<&str>,
+    ) -> Result<(), Diagnostic> {
+        let unknown = |name: &&Spanned<String>| {
+            let name = name.get_ref().as_str();
+            name == id || !ids.contains(name)
+        };
+        let Some(name) = named.iter().find(unknown) else { return Ok(()) };
+        let message = format!("`{}` is no other claim of this file", name.get_ref());
+        let help = format!("`{field}` lists ids of this file, such as 'eq-18'");
+        Err(self.error(name.span(), message).with_help(help))
+    }
+
+    fn by_hand(&self, table: &TheoremTable) -> Result<Option<ByHand>, Diagnostic> {
+        let uses = table.proof_uses.iter().map(|name| name.get_ref().clone()).collect();
+        let (text, refutes) = match (&table.proved_by, &table.refuted_by) {
+            (None, None) => match table.proof_uses.first() {
+                None => return Ok(None),
+                Some(first) => {
+                    let message = "these belong to a proof, and there is none";
+                    return Err(self
+                        .error(first.span(), message)
+                        .with_help("say where it stands: proved_by = 'THEOREMS 42'"));
+                }
+            },
+            (Some(text), None) => (text.get_ref().clone(), false),
+            (None, Some(text)) => (text.get_ref().clone(), true),
+            (Some(_), Some(second)) => {
+                let message = "a theorem is proved or refuted, not both";
+                return Err(self.error(second.span(), message));
+            }
+        };
+        Ok(Some(ByHand { text, refutes, uses }))
     }
 
     fn statement(&self, table: &TheoremTable) -> Result<Statement, Diagnostic> {

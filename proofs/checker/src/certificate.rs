@@ -1,0 +1,117 @@
+//! Certificates: lines, and blocks of lines.
+
+use crate::reject::{Checked, Reason, Rejection};
+
+/// The first line of a certificate.
+const VERSION: &str = "subcert-certificate 1";
+
+/// The most bytes of a certificate.
+pub const MAX_BYTES: usize = 64 << 20;
+
+/// The most bytes of a line.
+pub const MAX_LINE: usize = 1 << 16;
+
+/// A line, without the blanks around it.
+#[derive(Clone, Copy, Debug)]
+pub struct Line<'a> {
+    /// Its number, counted from 1.
+    pub number: usize,
+    /// Its text.
+    pub text: &'a str,
+}
+
+impl<'a> Line<'a> {
+    /// A rejection at this line.
+    pub fn reject(&self, reason: Reason) -> Rejection {
+        Rejection { line: self.number, reason }
+    }
+
+    /// The first word, and what follows it.
+    pub fn word(&self) -> (&'a str, &'a str) {
+        let (word, rest) = self.text.split_once(' ').unwrap_or((self.text, ""));
+        (word, rest.trim_start())
+    }
+
+    /// What follows a word that has to stand first.
+    pub fn after(&self, word: &'static str) -> Checked<&'a str> {
+        let (found, rest) = self.word();
+        if found == word { Ok(rest) } else { Err(self.reject(Reason::Malformed(word))) }
+    }
+}
+
+/// A claim's line, and the lines indented under it.
+#[derive(Debug)]
+pub struct Block<'a> {
+    /// `table table-1`, …
+    pub head: Line<'a>,
+    lines: Vec<Line<'a>>,
+    at: usize,
+}
+
+impl<'a> Block<'a> {
+    /// The next line, if there is one.
+    pub fn peek(&self) -> Option<Line<'a>> {
+        self.lines.get(self.at).copied()
+    }
+
+    /// Takes the next line if it begins with this word.
+    pub fn optional(&mut self, word: &str) -> Option<(Line<'a>, &'a str)> {
+        let line = self.peek().filter(|line| line.word().0 == word)?;
+        self.at += 1;
+        Some((line, line.word().1))
+    }
+
+    /// Takes the next line, which has to begin with this word.
+    pub fn take(&mut self, word: &'static str) -> Checked<(Line<'a>, &'a str)> {
+        let line = self.peek().unwrap_or(self.head);
+        self.optional(word).ok_or(line.reject(Reason::Malformed(word)))
+    }
+
+    /// Makes sure that every line has been taken.
+    pub fn finished(&self) -> Checked<()> {
+        let left = self.peek().map(|line| line.reject(Reason::Malformed("the end of the block")));
+        left.map_or(Ok(()), Err)
+    }
+}
+
+/// The blocks of a certificate about the paper of this key.
+pub fn blocks<'a>(text: &'a str, key: &str) -> Checked<Vec<Block<'a>>> {
+    let mut blocks: Vec<Block<'a>> = Vec::new();
+    let (mut number, mut heads, mut ended) = (0, 0, false);
+    if text.len() > MAX_BYTES {
+        return Err(Rejection { line: 1, reason: Reason::LongLine });
+    }
+    for raw in text.lines() {
+        number += 1;
+        let line = Line { number, text: raw.trim() };
+        if raw.len() > MAX_LINE {
+            return Err(line.reject(Reason::LongLine));
+        }
+        if heads == 0 && line.text != VERSION {
+            return Err(line.reject(Reason::Version));
+        }
+        if line.text.is_empty() || line.text.starts_with('#') {
+            continue;
+        }
+        let indented = raw.starts_with(' ');
+        match (heads, line.word()) {
+            _ if ended => return Err(line.reject(Reason::AfterFooter)),
+            (0, _) => heads = 1,
+            (1, ("paper", found)) if found == key => heads = 2,
+            (1, _) => return Err(line.reject(Reason::Paper)),
+            (_, ("end", count)) if !indented => {
+                if count != blocks.len().to_string() {
+                    return Err(line.reject(Reason::Count));
+                }
+                ended = true;
+            }
+            _ if !indented => blocks.push(Block { head: line, lines: Vec::new(), at: 0 }),
+            _ => match blocks.last_mut() {
+                Some(block) => block.lines.push(line),
+                None => return Err(line.reject(Reason::Malformed("a claim"))),
+            },
+        }
+    }
+    let cut_off = Rejection { line: number + 1, reason: Reason::Truncated };
+    if ended { Ok(blocks) } else { Err(cut_off) }
+}

@@ -1,0 +1,106 @@
+//! The checker of subcert's certificates: small, slow, and independent of the program that
+//! writes them.
+//!
+//! It reads a claim file and certificates about it, recomputes by definition whatever they
+//! state, and says of each claim whether the certificate proves its verdict. FORMAT.md in the
+//! folder above specifies what certificates say and when they are valid.
+
+mod certificate;
+mod convolution;
+mod decimal;
+mod evaluate;
+mod formula;
+mod functions;
+mod linear;
+mod memo;
+mod number;
+mod paper;
+mod polygon;
+mod reading;
+mod reject;
+mod rounding;
+mod rules;
+mod scheme;
+mod sturm;
+mod table;
+mod toml;
+mod value;
+
+use paper::Paper;
+pub use reject::{Reason, Rejection};
+use scheme::{Library, catalogue};
+use std::collections::BTreeMap;
+use toml::Toml;
+
+pub use value::Stop;
+
+/// What is known of a claim.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// Its certificate is right.
+    Valid,
+    /// The certificate of this place among those given is not: where, and why.
+    Invalid(usize, Rejection),
+    /// It has no certificate, or one that is beyond a cap of this program.
+    Incomplete(Option<Rejection>),
+}
+
+/// The claims of a file, and what the certificates prove of them.
+#[derive(Debug)]
+pub struct Report {
+    /// The key of the paper.
+    pub key: String,
+    /// Kind, id and outcome of every claim, in the order of the file.
+    pub claims: Vec<(&'static str, String, Outcome)>,
+    /// What is wrong with certificates as a whole: which one, where, and why.
+    pub broken: Vec<(usize, Rejection)>,
+}
+
+/// Whether a text is a formula of a claim file.
+#[must_use]
+pub fn is_formula(text: &str) -> bool {
+    formula::parse(text, formula::MAX_LENGTH).is_ok()
+}
+
+/// Checks certificates against the claim file that they are about.
+///
+/// # Errors
+/// What is wrong with the claim file.
+pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
+    let (file, known) = (Toml::read(claims)?, catalogue()?);
+    let library = Library::new(file.list("scheme"), &known);
+    let paper = Paper::new(&file, &library).map_err(|stop| format!("{stop:?}"))?;
+    let key = file.text("key").ok_or("`key` is missing")?.to_owned();
+    let mut outcomes: BTreeMap<(&str, &str), Outcome> = BTreeMap::new();
+    let mut broken = Vec::new();
+    for (place, text) in certificates.iter().enumerate() {
+        let blocks = match certificate::blocks(text, &key) {
+            Ok(blocks) => blocks,
+            Err(rejection) => {
+                broken.push((place, rejection));
+                continue;
+            }
+        };
+        for mut block in blocks {
+            let (kind, id) = block.head.word();
+            let claim = file.list(kind).iter().find(|claim| claim.text("id") == Some(id));
+            let Some(claim) = claim.filter(|_| paper::KINDS.contains(&kind)) else {
+                broken.push((place, block.head.reject(Reason::NoSuchClaim)));
+                continue;
+            };
+            let outcome = match rules::check(&paper, kind, claim, &mut block) {
+                Ok(()) => Outcome::Valid,
+                Err(rejection) if rejection.given_up() => Outcome::Incomplete(Some(rejection)),
+                Err(rejection) => Outcome::Invalid(place, rejection),
+            };
+            if outcomes.insert((kind, id), outcome).is_some() {
+                let twice = block.head.reject(Reason::Twice);
+                outcomes.insert((kind, id), Outcome::Invalid(place, twice));
+            }
+        }
+    }
+    let claims = paper.claims().into_iter().map(|(kind, id)| {
+        (kind, id.to_owned(), outcomes.remove(&(kind, id)).unwrap_or(Outcome::Incomplete(None)))
+    });
+    Ok(Report { key, claims: claims.collect(), broken })
+}

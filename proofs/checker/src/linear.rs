@@ -1,0 +1,24 @@
+//! Linear equations.
+
+use crate::decimal::Q;
+use num_traits::Zero;
+
+/// The only solution of equations, each with its right side last; `None` if there is none
+/// or more than one.
+pub fn solve(mut rows: Vec<Vec<Q>>) -> Option<Vec<Q>> {
+    let d = rows.len();
+    for j in 0..d {
+        let pivot = (j..d).find(|&i| !rows[i][j].is_zero())?;
+        rows.swap(j, pivot);
+        let leading = rows[j][j].clone();
+        rows[j].iter_mut().for_each(|value| *value /= &leading);
+        let pivot = rows[j].clone();
+        for (_, row) in rows.iter_mut().enumerate().filter(|(i, _)| *i != j) {
+            let factor = row[j].clone();
+            for (value, p) in row.iter_mut().zip(&pivot) {
+                *value -= &factor * p;
+            }
+        }
+    }
+    Some(rows.into_iter().map(|mut row| row.swap_remove(d)).collect())
+}

@@ -1,0 +1,71 @@
+//! `subcert-check CLAIMS CERT…`: one line for each claim, and a last one with the counts.
+
+use std::io::Write;
+use std::process::ExitCode;
+use subcert_check::{Outcome, check};
+
+const USAGE: &str = "usage: subcert-check [--only KIND-OR-ID]… CLAIMS CERTIFICATE…
+
+Checks certificates against the claim file that they are about. Asked for are all of its
+claims, or with --only those of a kind (table, equation, function, range, theorem) or id.
+Exit code: 0 if all that is asked for is valid, 1 if not, 2 if a file cannot be read.";
+
+fn main() -> ExitCode {
+    let mut arguments: Vec<String> = std::env::args().skip(1).collect();
+    let mut only = Vec::new();
+    while let Some(at) = arguments.iter().position(|argument| argument == "--only") {
+        only.extend(arguments.drain(at..arguments.len().min(at + 2)).skip(1));
+    }
+    let files = arguments;
+    let read = |path: &String| {
+        std::fs::read_to_string(path).map_err(|error| format!("cannot read `{path}`: {error}"))
+    };
+    let run = || -> Result<bool, String> {
+        let [claims, certificates @ ..] = &files[..] else { return Err(USAGE.to_owned()) };
+        if files.iter().any(|file| file.starts_with('-')) {
+            return Err(USAGE.to_owned());
+        }
+        let claim_text = read(claims)?;
+        let texts = certificates.iter().map(read).collect::<Result<Vec<String>, String>>()?;
+        let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
+        let report = check(&claim_text, &texts).map_err(|error| format!("`{claims}`: {error}"))?;
+        let (mut lines, mut counts) = (Vec::new(), [0; 3]);
+        for (place, rejection) in &report.broken {
+            let path = &certificates[*place];
+            lines.push(format!("invalid     {path}:{}: {}", rejection.line, rejection.reason));
+            counts[1] += 1;
+        }
+        for (kind, id, outcome) in &report.claims {
+            if !only.is_empty() && !only.iter().any(|name| name == kind || name == id) {
+                continue;
+            }
+            let name = format!("{}:{id}", report.key);
+            let (place, line) = match outcome {
+                Outcome::Valid => (0, format!("valid       {name}")),
+                Outcome::Invalid(at, rejection) => {
+                    let (path, line) = (&certificates[*at], rejection.line);
+                    (1, format!("invalid     {name}: {path}:{line}: {}", rejection.reason))
+                }
+                Outcome::Incomplete(Some(rejection)) => {
+                    (2, format!("incomplete  {name}: {}", rejection.reason))
+                }
+                Outcome::Incomplete(None) => (2, format!("incomplete  {name}: no certificate")),
+            };
+            lines.push(line);
+            counts[place] += 1;
+        }
+        let [valid, invalid, incomplete] = counts;
+        lines.push(format!("{valid} valid, {invalid} invalid, {incomplete} incomplete"));
+        // A closed pipe is no failure of the check.
+        let _ = writeln!(std::io::stdout(), "{}", lines.join("\n"));
+        Ok(valid > 0 && invalid + incomplete == 0)
+    };
+    match run() {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::from(1),
+        Err(message) => {
+            let _ = writeln!(std::io::stderr(), "{message}");
+            ExitCode::from(2)
+        }
+    }
+}

@@ -1,0 +1,120 @@
+//! A claim file, and the scopes in which its formulas have values.
+
+use crate::certificate::{Line, MAX_LINE};
+use crate::decimal::{Q, read_rational};
+use crate::evaluate::Scope;
+use crate::formula::{Expr, is_name, parse};
+use crate::reading::Reading;
+use crate::reject::{Checked, Reason};
+use crate::scheme::{Library, formula, formulas};
+use crate::toml::Toml;
+use crate::value::{Stop, Value};
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+/// Named formulas.
+pub type Definitions = BTreeMap<String, Rc<Expr>>;
+
+/// A claim file with the schemes that it may use.
+pub struct Paper<'a> {
+    /// The file.
+    pub file: &'a Toml,
+    /// `[define]`.
+    pub definitions: Definitions,
+    /// `[given]`.
+    pub given: BTreeMap<String, Value>,
+    /// The schemes.
+    pub library: &'a Library<'a>,
+    /// The reading of everything that is not a cell.
+    pub as_printed: Reading,
+}
+
+/// The kinds of claims.
+pub const KINDS: [&str; 5] = ["table", "equation", "function", "range", "theorem"];
+
+impl<'a> Paper<'a> {
+    /// Reads what the claims of a file have in common.
+    pub fn new(file: &'a Toml, library: &'a Library<'a>) -> Result<Paper<'a>, Stop> {
+        let definitions = formulas(file.entries("define"))?;
+        let (given, as_printed) = Default::default();
+        let mut paper = Paper { file, definitions, given, library, as_printed };
+        paper.given = paper.constants(file.entries("given"))?;
+        Ok(paper)
+    }
+
+    /// The ids of all claims, with their kinds.
+    pub fn claims(&self) -> Vec<(&'static str, &'a str)> {
+        let of = |kind: &'static str| {
+            self.file.list(kind).iter().map(move |claim| (kind, claim.text("id").unwrap_or("")))
+        };
+        KINDS.into_iter().flat_map(of).collect()
+    }
+
+    /// The values of named formulas without parameters.
+    pub fn constants(&self, entries: &[(String, Toml)]) -> Result<BTreeMap<String, Value>, Stop> {
+        let nothing = self.nothing();
+        let value = |(name, expr): (String, Rc<Expr>)| Ok((name, nothing.value(&expr)?));
+        formulas(entries)?.into_iter().map(value).collect()
+    }
+
+    /// A scope with the definitions of the paper.
+    pub fn scope(&'a self) -> Scope<'a> {
+        Scope::new(&self.definitions, self.library, &self.as_printed)
+    }
+
+    /// A closed formula of a certificate.
+    pub fn closed(&self, line: Line<'_>, text: &str) -> Checked<Value> {
+        value(line, text, &self.nothing())
+    }
+
+    /// A scope without names.
+    pub fn nothing(&'a self) -> Scope<'a> {
+        Scope::new(&self.library.nothing, self.library, &self.as_printed)
+    }
+}
+
+/// A formula of a certificate.
+pub fn value(line: Line<'_>, text: &str, scope: &Scope<'_>) -> Checked<Value> {
+    let expr = parse(text, MAX_LINE).map_err(|why| line.reject(Reason::NoValue(why)))?;
+    scope.value(&expr).map_err(|stop| line.reject(Reason::Stopped(stop)))
+}
+
+/// The formula of a key of a claim.
+pub fn formula_of(claim: &Toml, key: &str) -> Result<Expr, Stop> {
+    formula(claim.text(key).ok_or_else(|| Stop::Wrong(format!("`{key}` is missing")))?)
+}
+
+/// Makes sure that a line restates a text of the claim file, up to blanks.
+pub fn restates(line: Line<'_>, what: &'static str, said: &str, text: Option<&str>) -> Checked<()> {
+    let same = text.is_some_and(|text| text.split_whitespace().eq(said.split_whitespace()));
+    if same { Ok(()) } else { Err(line.reject(Reason::Restated(what))) }
+}
+
+/// A number of the claim file as printed and as read: `'0.5'`, or a table that says both.
+pub fn printed(field: &Toml) -> Option<(&str, &str)> {
+    let text = field.as_text().or_else(|| field.text("printed"))?;
+    Some((text, field.text("read").unwrap_or(text)))
+}
+
+/// The headers of a table, or an index with listed values.
+pub struct Axis<'a> {
+    /// The name of the parameter.
+    pub name: &'a str,
+    /// The headers: as read, and their values.
+    pub entries: Vec<(&'a str, Q)>,
+}
+
+impl<'a> Axis<'a> {
+    /// Reads an axis.
+    pub fn read(table: &'a Toml) -> Result<Axis<'a>, Stop> {
+        let wrong = || Stop::Wrong("`name` and `values` of headers are missing".into());
+        let name = table.text("name").filter(|name| is_name(name)).ok_or_else(wrong)?;
+        let entry = |field: &'a Toml| {
+            let (_, read) = printed(field)?;
+            Some((read, read_rational(read)?))
+        };
+        let entries: Option<Vec<(&str, Q)>> = table.list("values").iter().map(entry).collect();
+        let entries = entries.filter(|entries| !entries.is_empty()).ok_or_else(wrong)?;
+        Ok(Axis { name, entries })
+    }
+}

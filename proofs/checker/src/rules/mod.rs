@@ -1,0 +1,72 @@
+//! One file for each rule of FORMAT.md.
+
+mod attained;
+mod cell;
+mod equation;
+mod family;
+mod function;
+mod pieces;
+mod range;
+mod reading;
+mod sound;
+mod table;
+mod theorem;
+
+use crate::certificate::{Block, Line};
+use crate::paper::Paper;
+use crate::reject::{Checked, Reason};
+use crate::table::Table;
+use crate::toml::Toml;
+
+/// The fields of all claims, and those of the claims of each kind.
+const FIELDS: [(&str, &str); 6] = [
+    ("", "id locus title scheme note"),
+    ("table", "value promise rows columns cells given unstated"),
+    ("equation", "symbols hypotheses indices left right absent"),
+    ("function", "variable left right"),
+    ("range", "variable value below at_most from to closed"),
+    ("theorem", "bounds by from says rests"),
+];
+
+/// Checks a block that is about a claim.
+pub fn check<'a>(
+    paper: &'a Paper<'a>,
+    kind: &str,
+    claim: &'a Toml,
+    block: &mut Block<'_>,
+) -> Checked<()> {
+    paper.library.restart();
+    // What the claim file says beyond this could change what the claim means.
+    let fields = FIELDS.iter().filter(|(of, _)| ["", kind].contains(of));
+    let known: Vec<&str> = fields.flat_map(|(_, fields)| fields.split(' ')).collect();
+    if let Toml::Table(entries) = claim
+        && let Some((field, _)) = entries.iter().find(|(field, _)| !known.contains(&field.as_str()))
+    {
+        return Err(block.head.reject(Reason::Field(field.clone())));
+    }
+    match kind {
+        "table" => table::check(paper, claim, block)?,
+        "equation" => equation::check(paper, claim, block)?,
+        "function" => function::check(paper, claim, block)?,
+        "range" => range::check(paper, claim, block)?,
+        "theorem" => theorem::check(paper, claim, block)?,
+        _ => return Err(block.head.reject(Reason::NoSuchClaim)),
+    }
+    block.finished()
+}
+
+/// The place of a cell that a line begins with, and what follows.
+fn place<'l>(
+    table: &Table<'_>,
+    line: Line<'_>,
+    said: &'l str,
+) -> Checked<((usize, usize), &'l str)> {
+    let mut words = said.splitn(3, ' ');
+    let mut next = |count: usize| {
+        let place: usize = words.next()?.parse().ok()?;
+        place.checked_sub(1).filter(|place| *place < count)
+    };
+    let (rows, columns) = table.size();
+    let place = next(rows).and_then(|row| Some((row, next(columns)?)));
+    Ok((place.ok_or(line.reject(Reason::Cell))?, words.next().unwrap_or_default()))
+}

@@ -1,0 +1,180 @@
+//! A table of a claim file, and the values of its cells.
+
+use crate::decimal::Decimal;
+use crate::evaluate::Scope;
+use crate::formula::Expr;
+use crate::memo::Memo;
+use crate::paper::{Axis, Definitions, Paper, formula_of, printed};
+use crate::reading::Reading;
+use crate::rounding::interval;
+use crate::scheme::Scheme;
+use crate::toml::Toml;
+use crate::value::{Stop, Value};
+use num_traits::Signed;
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
+
+/// A table.
+pub struct Table<'a> {
+    /// The paper.
+    pub paper: &'a Paper<'a>,
+    /// Its table of the claim file.
+    pub claim: &'a Toml,
+    /// What each cell is said to equal.
+    pub value: Expr,
+    /// The headers of the rows, if there are any, and of the columns.
+    pub axes: [Option<Axis<'a>>; 2],
+    /// The parameters that are stated.
+    pub given: BTreeMap<String, Value>,
+    /// Those that are not, with the values that may be assumed.
+    pub unstated: BTreeMap<String, Value>,
+    /// The name of the tolerance, if the cells are depths.
+    pub tolerance: Option<&'a str>,
+    /// As printed.
+    pub as_printed: Read,
+    known: RefCell<BTreeMap<(usize, usize), Needed>>,
+    /// Upper bounds of the constants of all levels, by scheme and the levels computed.
+    pub bounds: RefCell<Bounds>,
+}
+
+/// Values by schemes and a number of levels.
+type Bounds = BTreeMap<(Vec<usize>, i64), Vec<Value>>;
+
+/// The parameters that a cell needs, and its value.
+type Needed = (BTreeSet<String>, Result<Value, Stop>);
+
+/// A way to read a table.
+#[derive(Default)]
+pub struct Read {
+    /// The choices.
+    pub reading: Reading,
+    /// The definitions, when some are replaced.
+    pub definitions: Option<Definitions>,
+    /// Parameters with other values.
+    pub parameters: BTreeMap<String, Value>,
+    /// What is known of the definitions.
+    pub memo: Memo,
+}
+
+impl Read {
+    /// How decimals are rounded.
+    pub fn decimals(&self) -> &str {
+        self.reading.words.get("decimals").map_or("nearest", String::as_str)
+    }
+}
+
+impl<'a> Table<'a> {
+    /// Reads a table.
+    pub fn new(paper: &'a Paper<'a>, claim: &'a Toml) -> Result<Table<'a>, Stop> {
+        let columns = claim.get("columns").ok_or(Stop::Wrong("`columns` is missing".into()))?;
+        let rows = claim.get("rows").map(Axis::read).transpose()?;
+        let unstated = paper.constants(claim.entries("unstated"))?;
+        let mut given = paper.given.clone();
+        given.extend(paper.constants(claim.entries("given"))?);
+        given.retain(|name, _| !unstated.contains_key(name));
+        let promise = claim.get("promise");
+        let table = Table {
+            paper,
+            claim,
+            value: formula_of(claim, "value")?,
+            axes: [rows, Some(Axis::read(columns)?)],
+            given,
+            unstated,
+            tolerance: promise.and_then(|promise| promise.text("tolerance")).map(str::trim),
+            as_printed: Read::default(),
+            known: RefCell::default(),
+            bounds: RefCell::default(),
+        };
+        let (rows, columns) = table.size();
+        let cells = claim.list("cells");
+        let even = cells.len() == rows
+            && cells.iter().all(|row| matches!(row, Toml::List(row) if row.len() == columns));
+        if even || claim.text("cells") == Some("lost") {
+            Ok(table)
+        } else {
+            Err(Stop::Wrong("the cells are not as many as the headers".into()))
+        }
+    }
+
+    /// The number of rows and columns.
+    pub fn size(&self) -> (usize, usize) {
+        let count = |axis: &Option<Axis>| axis.as_ref().map_or(1, |axis| axis.entries.len());
+        (count(&self.axes[0]), count(&self.axes[1]))
+    }
+
+    /// A cell as printed, and as a decimal; `None` when it is lost or no decimal.
+    pub fn printed(&self, row: usize, column: usize) -> Option<(&'a str, Decimal)> {
+        let Toml::List(cells) = self.claim.list("cells").get(row)? else { return None };
+        let (text, read) = printed(cells.get(column)?)?;
+        Some((text, Decimal::read(read)?))
+    }
+
+    /// The scope of a cell, where these parameters are assumed, and the factors of its scheme.
+    pub fn scope<'s>(
+        &'s self,
+        (row, column): (usize, usize),
+        read: &'s Read,
+        assumed: &BTreeSet<String>,
+    ) -> Result<(Scope<'s>, Vec<Rc<Scheme>>), Stop> {
+        let definitions = read.definitions.as_ref().unwrap_or(&self.paper.definitions);
+        let mut scope = Scope::new(definitions, self.paper.library, &read.reading);
+        let stated = self.given.iter();
+        let assumable = self.unstated.iter().filter(|(name, _)| assumed.contains(*name));
+        for (name, value) in stated.chain(assumable) {
+            let value = read.parameters.get(name).unwrap_or(value);
+            scope.values.insert(name.clone(), value.clone());
+        }
+        let missing = self.unstated.keys().filter(|name| !assumed.contains(*name));
+        scope.unstated = missing.cloned().collect();
+        let places = [row, column];
+        for (axis, place) in self.axes.iter().zip(places) {
+            let Some(axis) = axis else { continue };
+            let (text, value) = &axis.entries[place];
+            let value = match (read.reading.words.get("tolerance"), Decimal::read(text)) {
+                (Some(word), Some(decimal)) if self.tolerance == Some(axis.name) => {
+                    // Half a unit of the last place to either side.
+                    let (low, high) = interval(&decimal, "nearest");
+                    let (low, high) = if value.is_negative() { (-high, -low) } else { (low, high) };
+                    if word == "less" { low } else { high }
+                }
+                _ => value.clone(),
+            };
+            scope.values.insert(axis.name.to_owned(), value.into());
+        }
+        let mut schemes = Vec::new();
+        if let Some(reference) = self.claim.text("scheme") {
+            schemes = self.paper.library.resolve(reference, &scope)?;
+        }
+        scope.scheme = schemes.first().cloned();
+        scope.memo = Some(&read.memo);
+        Ok((scope, schemes))
+    }
+
+    /// The exact value of a cell, where these parameters are assumed.
+    pub fn value(
+        &self,
+        at: (usize, usize),
+        read: &Read,
+        assumed: &BTreeSet<String>,
+    ) -> Result<Value, Stop> {
+        self.scope(at, read, assumed)?.0.value(&self.value)
+    }
+
+    /// The parameters that have to be assumed for a cell, found one by one, and its value as
+    /// printed.
+    pub fn needed(&self, at: (usize, usize)) -> Needed {
+        if let Some(known) = self.known.borrow().get(&at) {
+            return known.clone();
+        }
+        let mut assumed = BTreeSet::new();
+        let value = loop {
+            match self.value(at, &self.as_printed, &assumed) {
+                Err(Stop::Unstated(name)) if assumed.insert(name.clone()) => {}
+                value => break value,
+            }
+        };
+        self.known.borrow_mut().insert(at, (assumed.clone(), value.clone()));
+        (assumed, value)
+    }
+}

@@ -1,0 +1,272 @@
+//! Altered certificates: none is accepted that says something else.
+
+mod altered;
+
+use altered::{Block, Paper, accepted, alterations, blocks, certificate, papers};
+use proptest::prelude::*;
+use subcert_check::{Outcome, check};
+
+/// Whether an alteration leaves the meaning as it is, or says something else that is true,
+/// and how. Everything that is accepted although it is altered has to be one of these.
+fn harmless(original: &Block, altered: &Block) -> Option<&'static str> {
+    if same_but(original, altered, |line| line.starts_with("read ") || line.starts_with("member "))
+    {
+        return Some("readings, or members of the family, in another order");
+    }
+    let words = |block: &Block| block.lines.iter().map(|line| unordered(line)).collect::<Vec<_>>();
+    if words(original) == words(altered) {
+        return Some("names in another order, or twice, where their order says nothing");
+    }
+    let is_sound = |line: &str| line.starts_with("sound ");
+    if without(original, is_sound) == without(altered, is_sound) {
+        let known = sound(original);
+        let depths = known.iter().all(|(_, value)| value.parse::<u32>().is_ok());
+        let holds = |(place, value): &(String, String)| {
+            let known = known.iter().find(|(other, _)| other == place);
+            known.is_some_and(|(_, known)| {
+                let larger = || value.parse::<u32>().ok() >= known.parse::<u32>().ok();
+                known == value || depths && value.parse::<u32>().is_ok() && larger()
+            })
+        };
+        if sound(altered).iter().all(holds) {
+            return Some("fewer sound bounds, repeated ones, a larger depth, or another block");
+        }
+    }
+    let is_family = |line: &str| line.starts_with("family ");
+    let best = |block: &Block| {
+        let line = block.lines.iter().find_map(|line| line.trim().strip_prefix("family "));
+        line.and_then(|best| best.parse::<usize>().ok())
+    };
+    let read = original.lines.iter().any(|line| line.trim().starts_with("read "));
+    if without(original, is_family) == without(altered, is_family)
+        && !read
+        && best(altered) > best(original)
+    {
+        return Some("a larger number that no member exceeds, which luck would reach too");
+    }
+    None
+}
+
+/// Whether two blocks differ in the order of some lines alone.
+fn same_but(original: &Block, altered: &Block, some: fn(&str) -> bool) -> bool {
+    let sorted = |block: &Block| {
+        let mut lines = block.lines.clone();
+        lines.sort();
+        lines
+    };
+    sorted(original) == sorted(altered) && without(original, some) == without(altered, some)
+}
+
+/// The lines that are not of some kind.
+fn without(block: &Block, some: fn(&str) -> bool) -> Vec<&String> {
+    block.lines.iter().filter(|line| !some(line.trim())).collect()
+}
+
+/// A line with its assumed parameters, or the differences of a member, in one order.
+fn unordered(line: &str) -> String {
+    let sorted = |names: &str| {
+        let mut names: Vec<&str> = names.split_whitespace().collect();
+        names.sort_unstable();
+        names.dedup();
+        names.join(" ")
+    };
+    if let Some((line, names)) = line.split_once(" assuming ") {
+        return format!("{line} assuming {}", sorted(names));
+    }
+    match line.trim().strip_prefix("member ").and_then(|said| said.split_once(':')) {
+        Some((names, counts)) => format!("member {}:{counts}", sorted(names)),
+        None => line.to_owned(),
+    }
+}
+
+/// The sound bounds: of which cell, and the value.
+fn sound(block: &Block) -> Vec<(String, String)> {
+    let bound = |line: &String| match line.split_whitespace().collect::<Vec<&str>>()[..] {
+        ["sound", row, column, _, _, value] => Some((format!("{row} {column}"), value.to_owned())),
+        _ => None,
+    };
+    block.lines.iter().filter_map(bound).collect()
+}
+
+/// What an altered block says otherwise, if it is accepted and does not mean the same.
+fn wrongly_accepted(paper: &Paper, original: &Block, altered: &Block) -> Option<String> {
+    if !accepted(paper, altered) || harmless(original, altered).is_some() {
+        return None;
+    }
+    let same = |(one, other): &(&String, &String)| one == other;
+    let place = original.lines.iter().zip(&altered.lines).take_while(same).count();
+    let line = |block: &Block| block.lines.get(place).cloned().unwrap_or_default();
+    Some(format!("{}:{}\n{}\n{}", paper.key, original.id(), line(original), line(altered)))
+}
+
+/// One claim for each kind and form, all of whose alterations are tried.
+const CLAIMS: [(&str, &str); 11] = [
+    ("mustafa2020-nary", "table-1"),
+    ("mustafa2020-nary", "table-5"),
+    ("mustafa2020-nary", "table-15"),
+    ("khan2019-newton", "eq-3.8"),
+    ("mustafa2007-ternary", "eq-3.8"),
+    ("khan2019-newton", "remark-3.1-ko-6"),
+    ("mustafa2007-ternary", "corollary-2.1-gamma"),
+    ("mustafa2007-ternary", "corollary-2.1-delta"),
+    ("mustafa2007-ternary", "remark-2.2-alpha"),
+    ("mustafa2007-ternary", "remark-2.2-mu-printed"),
+    ("mustafa2007-ternary", "theorem-2.1"),
+];
+
+/// Tables with depths, sound bounds, solved parameters, readings of rows and columns, and
+/// refuted cells, of whose alterations some are tried.
+const LARGE: [(&str, &str); 6] = [
+    ("khan2019-newton", "table-1"),
+    ("khan2019-newton", "table-3"),
+    ("khan2022-doo-sabin", "table-1"),
+    ("khan2022-doo-sabin", "table-2-1"),
+    ("khan2022-doo-sabin", "table-2-3"),
+    ("mustafa2020-nary", "table-12"),
+];
+
+/// How many.
+const SOME: usize = 60;
+
+/// Tries alterations of a claim, `most` at most.
+fn try_alterations(key: &str, id: &str, most: usize) {
+    let papers = papers();
+    let paper = papers.iter().find(|paper| paper.key == key).expect("a key");
+    let all = blocks(paper.certificate);
+    let block = all.iter().find(|block| block.id() == id).expect("an id");
+    assert_eq!(accepted(paper, block), !block.lines[0].starts_with("theorem"), "{id}");
+    let altered = alterations(block);
+    let step = altered.len().div_ceil(most);
+    let tried = altered.iter().step_by(step);
+    let wrong: Vec<String> =
+        tried.filter_map(|altered| wrongly_accepted(paper, block, altered)).collect();
+    assert!(wrong.is_empty(), "{} of {}\n{}", wrong.len(), altered.len(), wrong.join("\n"));
+}
+
+#[test]
+fn every_alteration_of_one_certificate_for_each_kind() {
+    for (key, id) in CLAIMS {
+        try_alterations(key, id, usize::MAX);
+    }
+}
+
+#[test]
+fn some_alterations_of_large_tables() {
+    for (key, id) in LARGE {
+        try_alterations(key, id, SOME);
+    }
+}
+
+#[test]
+fn the_certificate_of_another_claim() {
+    for paper in papers() {
+        let all = blocks(paper.certificate);
+        for pair in all.windows(2) {
+            let mut altered = pair[0].clone();
+            altered.lines[0].clone_from(&pair[1].lines[0]);
+            if altered.lines[1..] != pair[1].lines[1..] {
+                assert!(!accepted(&paper, &altered), "{}", altered.text());
+            }
+        }
+    }
+}
+
+#[test]
+fn the_claim_file_of_another_paper() {
+    let papers = papers();
+    for paper in &papers {
+        for other in papers.iter().filter(|other| other.key != paper.key) {
+            let own = check(paper.claims, &[other.certificate]).expect("a claim file");
+            assert!(!own.broken.is_empty());
+            let renamed = other.certificate.replacen(other.key, paper.key, 1);
+            let renamed = check(paper.claims, &[&renamed]).expect("a claim file");
+            for (_, id, outcome) in own.claims.iter().chain(&renamed.claims) {
+                assert_ne!(*outcome, Outcome::Valid, "{id} of {} for {}", other.key, paper.key);
+            }
+        }
+    }
+}
+
+/// What may be written otherwise.
+#[test]
+fn what_means_the_same_is_accepted() {
+    let papers = papers();
+    let paper = papers.iter().find(|paper| paper.key == "khan2019-newton").expect("a key");
+    let all = blocks(paper.certificate);
+    let block = all.iter().find(|block| block.id() == "table-1").expect("an id");
+    let plain = certificate(paper, block);
+    let changes = [
+        ("a blank line", plain.replace("\ntable ", "\n\ntable ")),
+        ("a comment", plain.replace("\n  value ", "\n# so far\n  value ")),
+        ("other blanks", plain.replace("  cell ", "    cell ").replace('\n', " \r\n")),
+        ("a value written otherwise", plain.replace(" 1/400 ", " 2^-4*(1/5)^2 ")),
+        ("readings in another order", {
+            let mut block = block.clone();
+            let is = |line: &String| line.trim().starts_with("read ");
+            let first = block.lines.iter().position(is).expect("a reading");
+            block.lines.swap(first, first + 1);
+            assert_eq!(
+                harmless(&all[0], &block),
+                Some("readings, or members of the family, in another order")
+            );
+            certificate(paper, &block)
+        }),
+    ];
+    for (what, text) in changes {
+        assert_ne!(text, plain, "{what}");
+        let report = check(paper.claims, &[&text]).expect("a claim file");
+        assert!(report.broken.is_empty(), "{what}: {:?}", report.broken);
+        let valid =
+            |(_, id, outcome): &(_, String, Outcome)| id == "table-1" && *outcome == Outcome::Valid;
+        assert!(report.claims.iter().any(valid), "{what}: {:?}", report.claims[0]);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(200) })]
+
+    /// Any alteration of any claim of any paper.
+    #[test]
+    fn altered_claims_are_refused(
+        paper in 0_usize..5,
+        block in any::<prop::sample::Index>(),
+        alteration in any::<prop::sample::Index>(),
+    ) {
+        let paper = &papers()[paper];
+        let blocks = blocks(paper.certificate);
+        let block = block.get(&blocks);
+        let wrong = wrongly_accepted(paper, block, alteration.get(&alterations(block)));
+        prop_assert_eq!(wrong, None);
+    }
+
+    /// A claim in place of any other.
+    #[test]
+    fn exchanged_claims_are_refused(
+        paper in 0_usize..5,
+        first in any::<prop::sample::Index>(),
+        second in any::<prop::sample::Index>(),
+    ) {
+        let paper = &papers()[paper];
+        let blocks = blocks(paper.certificate);
+        let (first, second) = (first.get(&blocks), second.get(&blocks));
+        let mut altered = first.clone();
+        altered.lines[0].clone_from(&second.lines[0]);
+        if altered != *second {
+            prop_assert!(!accepted(paper, &altered), "{}", altered.text());
+        }
+    }
+
+    /// A certificate that is cut off anywhere proves nothing.
+    #[test]
+    fn shortened_certificates_are_refused(
+        paper in 0_usize..5,
+        place in any::<prop::sample::Index>(),
+    ) {
+        let paper = &papers()[paper];
+        let lines: Vec<&str> = paper.certificate.lines().collect();
+        let text = lines[..place.index(lines.len())].join("\n");
+        let report = check(paper.claims, &[&text]).expect("a claim file");
+        prop_assert!(!report.broken.is_empty());
+        prop_assert!(report.claims.iter().all(|(_, _, outcome)| *outcome != Outcome::Valid));
+    }
+}

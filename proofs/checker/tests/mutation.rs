@@ -1,0 +1,152 @@
+//! Changed certificates: what is changed in a certificate is refused, or says the same.
+
+use subcert_check::{Outcome, check};
+
+const CLAIMS: &str = include_str!("rules/claims.toml");
+
+const CERTIFICATES: [&str; 5] = [
+    include_str!("rules/accepted/table-constants.cert"),
+    include_str!("rules/accepted/table-slips.cert"),
+    include_str!("rules/accepted/equation-identity.cert"),
+    include_str!("rules/accepted/function-unequal.cert"),
+    include_str!("rules/accepted/range-below.cert"),
+];
+
+/// The certificates, but for the lines that state more than the verdicts: without one of
+/// them, or with another one, a certificate may well be right.
+fn certificates() -> Vec<String> {
+    let needed = |line: &&str| {
+        !["attained", "sound", "#!"].contains(&line.split_whitespace().next().unwrap_or("#!"))
+    };
+    let text = |text: &&str| {
+        text.lines().filter(needed).collect::<Vec<_>>().join(
+            "
+",
+        )
+    };
+    CERTIFICATES.iter().map(text).collect()
+}
+
+fn all_valid(text: &str) -> bool {
+    let report = check(CLAIMS, &[text]).expect("a claim file");
+    let proper = |outcome: &Outcome| matches!(outcome, Outcome::Valid | Outcome::Incomplete(None));
+    report.broken.is_empty() && report.claims.iter().all(|(_, _, outcome)| proper(outcome))
+}
+
+/// Numbers without their zeros behind the point, and single blanks: what may differ.
+fn meaning(text: &str) -> Vec<String> {
+    let word = |word: &str| {
+        let plain = word.contains('.') && !word.contains('"');
+        let word = if plain { word.trim_end_matches('0').trim_end_matches('.') } else { word };
+        word.to_owned()
+    };
+    text.split_whitespace().map(word).collect()
+}
+
+#[test]
+fn a_missing_or_repeated_line_is_noticed() {
+    for text in certificates() {
+        assert!(all_valid(&text));
+        let lines: Vec<&str> = text.lines().collect();
+        for at in 0..lines.len() {
+            let less = [&lines[..at], &lines[at + 1..]].concat().join("\n");
+            assert!(!all_valid(&less), "without line {}:\n{text}", at + 1);
+            let more = [&lines[..=at], &lines[at..]].concat().join("\n");
+            assert!(!all_valid(&more), "with line {} twice:\n{text}", at + 1);
+        }
+    }
+}
+
+#[test]
+fn a_changed_character_is_noticed() {
+    for text in certificates() {
+        let characters: Vec<char> = text.trim_end().chars().collect();
+        for at in 0..characters.len() {
+            // A digit for a digit, a sign for a sign, a letter for a letter.
+            let other = match characters[at] {
+                '0'..='8' => char::from(characters[at] as u8 + 1),
+                '9' => '0',
+                '-' => '+',
+                '+' => '-',
+                c if c.is_ascii_lowercase() => {
+                    if c == 'z' {
+                        'a'
+                    } else {
+                        'z'
+                    }
+                }
+                _ => continue,
+            };
+            let mut changed = characters.clone();
+            changed[at] = other;
+            let changed: String = changed.into_iter().collect();
+            // Without a reading, `family` is a bound, and a larger one may do.
+            let bound = !text.contains("  read ")
+                && changed
+                    .lines()
+                    .zip(text.lines())
+                    .any(|(line, was)| line != was && was.contains("family "));
+            assert!(bound || !all_valid(&changed), "character {at} of:\n{text}\nis\n{changed}");
+        }
+    }
+}
+
+/// Bytes that no one would write: the checker gives an answer, and not a wrong one.
+#[test]
+fn noise_is_refused_without_a_panic() {
+    let mut state = 0x9e37_79b9_7f4a_7c15_u64;
+    let mut next = |below: usize| {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        usize::try_from(state % below as u64).unwrap_or(0)
+    };
+    let pieces = [
+        "(",
+        ")",
+        "[",
+        "]",
+        "\"",
+        "'",
+        "^",
+        "*",
+        "/",
+        "-",
+        "..",
+        "=",
+        ",",
+        "sum(",
+        "9",
+        "1e9",
+        "\n",
+        "\n  ",
+        "cell",
+        "undefined",
+        "−",
+        "cos(2*pi/7)",
+        "{",
+        "}",
+        "#",
+        " x ",
+        "max(",
+    ];
+    for round in 0..150 {
+        for text in &certificates() {
+            let mut characters: Vec<char> = text.chars().collect();
+            for _ in 0..=round % 4 {
+                let at = next(characters.len());
+                let length = next(4).min(characters.len() - at);
+                characters.splice(at..at + length, pieces[next(pieces.len())].chars());
+            }
+            let changed: String = characters.into_iter().collect();
+            let same = meaning(&changed) == meaning(text) || changed.contains('#');
+            assert!(!all_valid(&changed) || same, "{changed}");
+        }
+        // The claim file too.
+        let mut characters: Vec<char> = CLAIMS.chars().collect();
+        let at = next(characters.len());
+        let length = next(4).min(characters.len() - at);
+        characters.splice(at..at + length, pieces[next(pieces.len())].chars());
+        let _ = check(&characters.into_iter().collect::<String>(), &CERTIFICATES);
+    }
+}

@@ -1,0 +1,85 @@
+//! Certificates that keep every side condition, and such that violate exactly one.
+//!
+//! A file of `rejected` or `malformed` says in a comment, `#! LINE REASON`, where and why it
+//! is refused.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+use subcert_check::{Outcome, Rejection, Report, check};
+
+const CLAIMS: &str = include_str!("rules/claims.toml");
+
+/// The names and texts of the certificates of a folder.
+fn certificates(folder: &str) -> Vec<(String, String)> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/rules").join(folder);
+    let files = std::fs::read_dir(&folder).expect("a folder");
+    let mut certificates: Vec<(String, String)> = files
+        .map(|file| {
+            let path = file.expect("a file").path();
+            let text = std::fs::read_to_string(&path).expect("a text");
+            (path.file_stem().expect("a name").to_string_lossy().into_owned(), text)
+        })
+        .collect();
+    certificates.sort();
+    certificates
+}
+
+/// What is refused in a report, and whether it is only left open.
+fn refused(report: &Report) -> Vec<(&Rejection, bool)> {
+    let claims = report.claims.iter().filter_map(|(_, _, outcome)| match outcome {
+        Outcome::Invalid(_, rejection) => Some((rejection, false)),
+        Outcome::Incomplete(rejection) => Some((rejection.as_ref()?, true)),
+        Outcome::Valid => None,
+    });
+    report.broken.iter().map(|(_, rejection)| (rejection, false)).chain(claims).collect()
+}
+
+/// The name of a reason, without what it says.
+fn name(rejection: &Rejection) -> String {
+    let name = format!("{:?}", rejection.reason);
+    name.split(|c: char| !c.is_alphanumeric()).next().unwrap_or_default().to_owned()
+}
+
+#[test]
+fn what_keeps_every_side_condition_is_accepted() {
+    let mut count = 0;
+    for (file, text) in certificates("accepted") {
+        let report = check(CLAIMS, &[&text]).expect("a claim file");
+        assert!(refused(&report).is_empty(), "{file}: {:?}", refused(&report));
+        let valid = report.claims.iter().filter(|(_, _, outcome)| *outcome == Outcome::Valid);
+        assert_eq!(valid.count(), 1, "{file}");
+        count += 1;
+    }
+    assert!(count >= 17);
+}
+
+#[test]
+fn what_violates_one_is_rejected_for_that() {
+    let (mut reasons, mut wrong) = (BTreeSet::new(), Vec::new());
+    for folder in ["rejected", "malformed"] {
+        for (file, text) in certificates(folder) {
+            let (_, expected) = text.rsplit_once("#! ").expect("an expectation");
+            let report = check(CLAIMS, &[&text]).expect("a claim file");
+            let [(rejection, open)] = refused(&report)[..] else {
+                wrong.push(format!("{folder}/{file}: {:?}", refused(&report)));
+                continue;
+            };
+            let found = format!("{} {}", rejection.line, name(rejection));
+            if found != expected.trim()
+                || open != ["endless", "theorem-open", "unknown-field"].contains(&&*file)
+            {
+                wrong.push(format!("{folder}/{file}: {found}, {}", rejection.reason));
+            }
+            reasons.insert(name(rejection));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    // Every reason that there is has a certificate that is refused for it.
+    let source = include_str!("../src/reject.rs");
+    let (_, declared) = source.split_once("pub enum Reason {").expect("the reasons");
+    let (declared, _) = declared.split_once("\n}").expect("their end");
+    for line in declared.lines().map(str::trim).filter(|line| !line.starts_with("//")) {
+        let reason = line.split(|c: char| !c.is_alphanumeric()).next().unwrap_or_default();
+        assert!(reason.is_empty() || reasons.contains(reason), "{reason} is never met");
+    }
+}

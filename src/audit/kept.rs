@@ -1,0 +1,259 @@
+//! Whether a distance is ever greater than a paper promises, exactly.
+
+use crate::exact::{Rational, RealCyclotomic};
+use crate::limit::{
+    Comparison, Distances, ExtremalPolygon, Limit, RingDistances, RingLimit, Spreads,
+    SurfaceDistances,
+};
+use crate::scheme::{Mask, Ring};
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
+/// The most cells that one comparison looks at.
+const MAX_CELLS: u32 = 1 << 13;
+
+/// Whether a printed number keeps its promise for all control data.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Kept {
+    /// It does.
+    Yes,
+    /// It does not for these.
+    No(Box<Broken>),
+    /// Not decided, and why.
+    Open(String),
+}
+
+/// Control data for which a printed number does not keep its promise.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Broken {
+    /// The data, and the place where they are too far from their limit.
+    pub data: ControlData,
+    /// β, of the data times β.
+    pub spread: Rational,
+    /// k.
+    pub level: u32,
+    /// The distance of the data times β from their limit at that place and level.
+    pub distance: RealCyclotomic,
+    /// What it was promised to be at most.
+    pub most: Rational,
+}
+
+/// Control data of spread 1, and a place.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ControlData {
+    /// A piece of a control polygon, and t.
+    Polygon(ExtremalPolygon, Rational),
+    /// A piece of a control net, row by row, the indices of its first point, and s and t.
+    Net(Vec<Vec<i64>>, [i64; 2], [Rational; 2]),
+    /// A control ring, and the name of one of its points.
+    Ring(Vec<i64>, String),
+}
+
+/// The distances of one scheme from its limits, with what was found of them.
+pub(super) struct Remembered {
+    distances: Result<Of, String>,
+    /// For each level what is known of its distance constant.
+    levels: RefCell<BTreeMap<u32, Known>>,
+}
+
+/// Of what they are distances.
+enum Of {
+    Curve(Box<Distances>),
+    Surface(Box<(SurfaceDistances, [Limit; 2])>),
+    Ring(RingDistances),
+}
+
+/// Data of spread 1 with their distance.
+#[derive(Clone)]
+struct Found {
+    data: ControlData,
+    distance: RealCyclotomic,
+}
+
+/// What is known of a distance constant.
+#[derive(Default)]
+struct Known {
+    at_most: Option<Rational>,
+    /// The greatest distance found.
+    found: Option<Found>,
+    /// The thresholds that were not decided.
+    open: Vec<Rational>,
+}
+
+impl Remembered {
+    /// The distances of this scheme for curves, at its offset.
+    pub(super) fn curve(mask: &Mask) -> Remembered {
+        let distances = Limit::new(mask).and_then(|limit| Distances::new(&limit));
+        let distances =
+            distances.map(|distances| Of::Curve(Box::new(distances.with_cells(MAX_CELLS))));
+        Remembered::new(distances.map_err(|error| error.to_string()))
+    }
+
+    /// The distances of the tensor product of these schemes, at their offsets.
+    pub(super) fn surface(first: &Mask, second: &Mask) -> Remembered {
+        let limits = Limit::new(first).and_then(|first| Ok((first, Limit::new(second)?)));
+        let distances = limits.map_err(|error| error.to_string()).and_then(|(first, second)| {
+            let distances = SurfaceDistances::new(&first, &second);
+            let distances = distances.map_err(|error| error.to_string())?;
+            Ok(Of::Surface(Box::new((distances, [first, second]))))
+        });
+        Remembered::new(distances)
+    }
+
+    /// The distances of the points of this ring.
+    pub(super) fn ring(ring: &Ring) -> Remembered {
+        let limit = RingLimit::new(ring).map(|limit| Of::Ring(RingDistances::new(limit)));
+        Remembered::new(limit.map_err(|error| error.to_string()))
+    }
+
+    fn new(distances: Result<Of, String>) -> Remembered {
+        Remembered { distances, levels: RefCell::default() }
+    }
+
+    /// Whether all control data of spread `spread` are within `most` of their limit at a
+    /// level.
+    pub(super) fn kept(&self, level: u32, spread: &Rational, most: &Rational) -> Kept {
+        let distances = match &self.distances {
+            Ok(distances) => distances,
+            Err(why) => return Kept::Open(why.clone()),
+        };
+        if spread.sign() <= 0 {
+            return Kept::Open(format!("the spread {spread} is not positive"));
+        }
+        let threshold = most / spread;
+        let mut levels = self.levels.borrow_mut();
+        let broken = |found: &Found| {
+            let Found { data, distance } = found.clone();
+            let distance = &distance * &RealCyclotomic::from(spread.clone());
+            let (spread, most) = (spread.clone(), most.clone());
+            Kept::No(Box::new(Broken { data, spread, level, distance, most }))
+        };
+        let known = levels.entry(level).or_default();
+        if known.at_most.as_ref().is_some_and(|bound| *bound <= threshold) {
+            return Kept::Yes;
+        }
+        let exceeds = |found: &&Found| found.distance > threshold.clone().into();
+        if let Some(found) = known.found.as_ref().filter(exceeds) {
+            return broken(found);
+        }
+        let undecided = || Kept::Open("the caps of the search do not decide it".to_owned());
+        if known.open.contains(&threshold) {
+            return undecided();
+        }
+        match distances.compare(level, &threshold) {
+            Ok(Comparison::Within) => {
+                known.at_most = Some(threshold);
+                Kept::Yes
+            }
+            Ok(Comparison::Exceeds(found)) => broken(known.found.insert(found)),
+            Ok(Comparison::Undecided(_)) => {
+                known.open.push(threshold);
+                undecided()
+            }
+            Err(why) => Kept::Open(why),
+        }
+    }
+}
+
+impl Remembered {
+    /// Of a ring, the least level from which on all meet a tolerance.
+    pub(super) fn settled(&self, spread: &Rational, tolerance: &Rational) -> Result<u32, String> {
+        match self.distances.as_ref().map_err(Clone::clone)? {
+            Of::Ring(distances) => {
+                let depth = distances.depth(spread, tolerance);
+                depth.map(|depth| depth.settled).map_err(|error| error.to_string())
+            }
+            Of::Curve(_) | Of::Surface(_) => Err("this is no ring".to_owned()),
+        }
+    }
+}
+
+impl Of {
+    /// Compares the distance constant of a level with a threshold.
+    fn compare(&self, level: u32, threshold: &Rational) -> Result<Comparison<Found>, String> {
+        match self {
+            Of::Curve(distances) => curve(distances, level, threshold),
+            Of::Surface(surface) => {
+                let (distances, limits) = &**surface;
+                if let Some(found) = far_net(limits, level, threshold) {
+                    return Ok(Comparison::Exceeds(found));
+                }
+                let compared = distances.compare(level, threshold, &Spreads::one());
+                Ok(match compared.map_err(|error| error.to_string())? {
+                    Comparison::Within => Comparison::Within,
+                    Comparison::Undecided(enclosure) => Comparison::Undecided(enclosure),
+                    Comparison::Exceeds(witness) => Comparison::Exceeds(Found {
+                        data: ControlData::Net(witness.net, witness.first, witness.parameters),
+                        distance: witness.distance.into(),
+                    }),
+                })
+            }
+            Of::Ring(distances) => {
+                let compared = distances.compare(level, &threshold.clone().into());
+                let name = |point| distances.limit().ring().name(point);
+                Ok(match compared.map_err(|error| error.to_string())? {
+                    Comparison::Within => Comparison::Within,
+                    Comparison::Undecided(enclosure) => Comparison::Undecided(enclosure),
+                    Comparison::Exceeds(witness) => Comparison::Exceeds(Found {
+                        data: ControlData::Ring(witness.ring, name(witness.point)),
+                        distance: witness.distance,
+                    }),
+                })
+            }
+        }
+    }
+}
+
+fn curve(
+    distances: &Distances,
+    level: u32,
+    threshold: &Rational,
+) -> Result<Comparison<Found>, String> {
+    let compared = distances.compare(level, threshold).map_err(|error| error.to_string())?;
+    Ok(match compared {
+        Comparison::Within => Comparison::Within,
+        Comparison::Exceeds(witness) => Comparison::Exceeds(Found {
+            data: ControlData::Polygon(witness.polygon, witness.parameter),
+            distance: witness.distance.into(),
+        }),
+        Comparison::Undecided(enclosure) => match far(distances.limit(), level) {
+            Some((norm, polygon, place)) if norm > *threshold => Comparison::Exceeds(Found {
+                data: ControlData::Polygon(polygon, place),
+                distance: norm.into(),
+            }),
+            _ => Comparison::Undecided(enclosure),
+        },
+    })
+}
+
+/// A polygon that is far from its limit at a level, with its distance and the place. Places
+/// are looked for that are alike those at the levels before: a step from a level to the next
+/// puts a digit before those of the parameter, or none.
+fn far(limit: &Limit, level: u32) -> Option<(Rational, ExtremalPolygon, Rational)> {
+    let arity = limit.mask().arity();
+    let mut best = (Rational::zero(), Rational::zero());
+    for k in 0..=level {
+        let place = &best.1;
+        let digit = |digit: usize| (place + Rational::from(digit)) / Rational::from(arity);
+        let places = (0..arity).map(digit).chain([place.clone()]);
+        best = places.filter_map(|t| Some((limit.error(k, &t).ok()?.norm(), t))).max()?;
+    }
+    let (norm, place) = best;
+    Some((norm, limit.error(level, &place).ok()?.extremal_polygon(), place))
+}
+
+/// The sum of such polygons along both directions, when its distance, which is the sum of
+/// theirs, is above the threshold.
+fn far_net(limits: &[Limit; 2], level: u32, threshold: &Rational) -> Option<Found> {
+    let [(x, rows, s), (y, columns, t)] = [far(&limits[0], level)?, far(&limits[1], level)?];
+    let distance = x + y;
+    let row = |x: &i64| columns.points.iter().map(|y| x + y).collect();
+    (distance > *threshold).then(|| Found {
+        data: ControlData::Net(
+            rows.points.iter().map(row).collect(),
+            [rows.first, columns.first],
+            [s, t],
+        ),
+        distance: distance.into(),
+    })
+}

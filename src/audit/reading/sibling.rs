@@ -1,0 +1,64 @@
+//! Parameters that one table of a paper gives away, for the others.
+
+use super::search::Search;
+use crate::audit::table::TableFinding;
+use crate::claim::Table;
+use crate::exact::Rational;
+use std::fmt;
+
+/// A parameter of a scheme as another table of the paper was computed with it.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::audit) struct Sibling {
+    /// The parameter.
+    pub(in crate::audit) name: String,
+    /// Its value.
+    pub(in crate::audit) value: Rational,
+    /// Where the other table stands.
+    pub(in crate::audit) locus: String,
+}
+
+impl fmt::Display for Sibling {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} = {}, as in {}", self.name, self.value, self.locus)
+    }
+}
+
+/// The parameters that other tables of the same scheme were solved for, where this
+/// table leaves them open too and no reading explains it whole.
+pub(in crate::audit) fn siblings(
+    finding: &TableFinding<'_>,
+    all: &[TableFinding<'_>],
+) -> Vec<Sibling> {
+    let whole =
+        |search: &Search| search.best.first().is_some_and(|best| best.count() == search.cells);
+    let Some(search) = &finding.search else { return Vec::new() };
+    if whole(search) {
+        return Vec::new();
+    }
+    let mut found = Vec::new();
+    for other in all.iter().filter(|other| same_scheme(finding.table, other.table)) {
+        let best = other.search.iter().filter(|search| whole(search)).flat_map(|s| &s.best);
+        for solved in best.flat_map(|best| &best.solved) {
+            let sibling = Sibling {
+                name: solved.name.clone(),
+                value: solved.simplest.clone(),
+                locus: other.table.locus.clone(),
+            };
+            let open = finding.table.unstated.contains_key(&solved.name);
+            if open && other.table.id != finding.table.id && !found.contains(&sibling) {
+                found.push(sibling);
+            }
+        }
+    }
+    found
+}
+
+fn same_scheme(one: &Table, other: &Table) -> bool {
+    match (&one.scheme, &other.scheme) {
+        (Some(one), Some(other)) => {
+            let names: Vec<&str> = one.reference.names().collect();
+            other.reference.names().all(|name| names.contains(&name))
+        }
+        _ => false,
+    }
+}

@@ -1,0 +1,57 @@
+//! Solving for parameters that the paper does not state.
+
+use super::parameter::{self, RANGE};
+use super::search::Explanation;
+use super::space::{Change, Space};
+use super::spread;
+use super::tried::Evaluated;
+use crate::exact::Integer;
+
+/// What solving for parameters has found.
+pub(super) struct Found {
+    pub(super) explanations: Vec<Explanation>,
+    /// How many readings were tried.
+    pub(super) tried: usize,
+    /// How many tables the parameters give that differ in their printed form, where
+    /// one cell is as printed, over all readings.
+    pub(super) candidates: Integer,
+}
+
+/// The readings with a parameter of the scheme, or the spread of the data, solved for
+/// that explain as many cells as the best without; with a parameter of the scheme, more
+/// than half of them.
+pub(super) fn solve(space: &Space<'_>, all: &[Evaluated], best: &[Explanation]) -> Found {
+    let readings: Vec<Vec<Change>> = all.iter().map(|one| one.reading.clone()).collect();
+    let least = best.first().map_or(0, Explanation::count).max(1);
+    let cells = space.printed.iter().flatten().flatten().count();
+    // One cell gives the parameter; half of them say something.
+    let mut found = parameter::search(space, &readings, least.max(cells / 2 + 1));
+    if let Some(name) = spread::unknown(space) {
+        // Where a reading explains every cell, only its spread is left to be found.
+        let worth = |reading: &&Vec<Change>| {
+            let differences = space.differences(reading);
+            least < cells || best.iter().any(|best| best.differences == differences)
+        };
+        let worth: Vec<&Vec<Change>> = readings.iter().filter(worth).collect();
+        found.explanations.extend(spread::search(space, name, &worth, least));
+        found.tried += worth.len();
+        found.candidates += &(spread::candidates(space) * Integer::from(readings.len()));
+    }
+    found
+}
+
+/// Drops what another reading says too, with a parameter solved for: that says more.
+pub(super) fn drop_unsolved(best: &mut Vec<Explanation>, solved: &Explanation) {
+    best.retain(|best| {
+        !best.solved.is_empty()
+            || best.count() != solved.count()
+            || best.differences != solved.differences
+    });
+}
+
+/// What is solved for, in words.
+pub(super) fn names(space: &Space<'_>) -> impl Iterator<Item = String> {
+    let spread = spread::unknown(space).map(str::to_owned);
+    let range = |name: &String| format!("{name} from -{RANGE} to {RANGE}");
+    spread.into_iter().chain(parameter::unknowns(space).map(range))
+}

@@ -1,0 +1,85 @@
+//! Every reading of a table, with its values and what it explains.
+
+use super::consistent::DecimalRounding;
+use super::search::{Difference, Explanation, printed};
+use super::space::{Change, Space, Values};
+use crate::audit::finding::CellFinding;
+use crate::audit::judge::Judge;
+use crate::exact::Rational;
+
+/// The most values of cells under all readings together; of a larger table, fewer
+/// readings are compared, those with fewer differences first.
+const MAX_VALUES: usize = 100_000;
+
+/// A reading with the exact values of the printed cells under it.
+pub(super) struct Evaluated {
+    pub(super) reading: Vec<Change>,
+    pub(super) values: Values,
+}
+
+impl Space<'_> {
+    /// Every reading with its values.
+    pub(super) fn evaluated(&self) -> Vec<Evaluated> {
+        let evaluate = |reading: Vec<Change>| {
+            let values = self.values(&self.settings(&reading));
+            Evaluated { reading, values }
+        };
+        let cells = self.printed.iter().map(Vec::len).sum::<usize>().max(1);
+        let most = (MAX_VALUES / cells).max(1);
+        self.readings().into_iter().take(most).map(evaluate).collect()
+    }
+
+    /// What each reading explains, by each rounding of the decimals, when these are
+    /// its values.
+    pub(super) fn explanations<'v>(
+        &'v self,
+        all: &'v [Evaluated],
+        values: impl Fn(&Evaluated) -> Values + 'v,
+    ) -> impl Iterator<Item = Explanation> + 'v {
+        all.iter().flat_map(move |one| {
+            let values = values(one);
+            let roundings = self.roundings(&one.reading);
+            let explain = |rounding| self.explain(&one.reading, rounding, &values);
+            roundings.into_iter().flat_map(explain).collect::<Vec<Explanation>>()
+        })
+    }
+}
+
+/// How many of the cells that a reading explains it still explains when a parameter has
+/// this value; without a reading, the printed text is meant.
+pub(in crate::audit) fn remaining(
+    judge: &Judge<'_>,
+    findings: &[Vec<CellFinding>],
+    by: Option<&Explanation>,
+    name: &str,
+    value: &Rational,
+) -> usize {
+    let printed = printed(judge);
+    let Some(space) = Space::new(judge, findings, &printed) else { return 0 };
+    let differences = by.map_or(&[][..], |by| &by.differences);
+    let named = |difference: &Difference| differences.contains(difference);
+    let changes = |reading: &Vec<Change>| {
+        let own = reading.iter().map(|change| space.difference(change));
+        own.filter(named).count() == reading.len()
+    };
+    // The longest reading whose changes are all among the differences.
+    let Some(reading) = space.readings().into_iter().rev().find(changes) else { return 0 };
+    let roundings = DecimalRounding::ALL.into_iter().map(|(_, rounding)| rounding);
+    let mut roundings =
+        roundings.filter(|rounding| rounding.difference().is_some_and(|d| named(&d)));
+    let rounding = roundings.next().unwrap_or(DecimalRounding::Nearest);
+    let mut settings = space.settings(&reading);
+    settings.parameters.insert(name.to_owned(), value.clone());
+    let now = space.explained(&space.values(&settings), rounding);
+    let before = |row: usize, column: usize| by.is_none_or(|by| by.explained[row][column]);
+    let cells = now.iter().enumerate().flat_map(|(row, cells)| {
+        cells.iter().enumerate().filter(move |(column, now)| **now && before(row, *column))
+    });
+    cells.count()
+}
+
+/// Those that explain most, and of these those with the fewest differences.
+pub(super) fn best(explanations: &[Explanation]) -> Vec<Explanation> {
+    let most = explanations.iter().map(Explanation::rank).max();
+    explanations.iter().filter(|one| Some(one.rank()) == most).cloned().collect()
+}

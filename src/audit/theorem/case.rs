@@ -1,0 +1,290 @@
+//! A scheme and values that a theorem is tried on, and its formulas there.
+
+use super::curve::Curve;
+use super::ring::AroundPoint;
+use super::setting::Setting;
+use super::surface::Surface;
+use crate::audit::judge::scheme_error;
+use crate::audit::library::{Library, Resolved, Unresolved, values};
+use crate::audit::quantity::Quantities;
+use crate::audit::reading::Settings;
+use crate::claim::{LocatedReference, Paper, Theorem, Trial};
+use crate::diagnostic::Diagnostic;
+use crate::exact::{Rational, RealCyclotomic, common_conductor};
+use crate::formula::{FormulaErrorKind, LocatedFormula, Scope, evaluate};
+use crate::scheme::{Instance, Mask, SchemeError};
+use std::cell::{Cell, RefCell};
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+/// The names that stand for the spread of the control data, which is 1.
+const SPREADS: [&str; 4] = ["beta", "beta_1", "beta_2", "beta_3"];
+
+/// Settings by what determines them.
+type Kept<K, S> = RefCell<BTreeMap<K, Rc<S>>>;
+
+/// The settings of schemes at offsets, each of them once, with what is known there.
+#[derive(Default)]
+pub(super) struct Stage {
+    curves: Kept<(Vec<Instance>, i64), Curve>,
+    surfaces: Kept<(Vec<Instance>, Option<i64>), Surface>,
+    rings: Kept<RingKey, AroundPoint>,
+}
+
+/// A ring, and whether it is compared with an interpolant.
+type RingKey = (Vec<Instance<RealCyclotomic>>, bool);
+
+impl Stage {
+    fn curve(&self, scheme: &Resolved, mask: &Mask) -> Rc<dyn Setting> {
+        let key = (scheme.instances.clone(), mask.offset());
+        let mut curves = self.curves.borrow_mut();
+        let new = || Rc::new(Curve::new(mask.clone()));
+        let curve: Rc<Curve> = Rc::clone(curves.entry(key).or_insert_with(new));
+        curve
+    }
+
+    fn surface(&self, scheme: &Resolved, offset: Option<i64>, masks: [Mask; 2]) -> Rc<dyn Setting> {
+        let key = (scheme.instances.clone(), offset);
+        let mut surfaces = self.surfaces.borrow_mut();
+        let new = || Rc::new(Surface::new(masks));
+        let surface: Rc<Surface> = Rc::clone(surfaces.entry(key).or_insert_with(new));
+        surface
+    }
+}
+
+/// One scheme and one value of each name that a theorem leaves open.
+pub(super) struct Case<'a> {
+    pub(super) label: String,
+    paper: &'a Paper,
+    library: &'a Library<'a>,
+    values: BTreeMap<String, Rational>,
+    resolved: Option<Resolved>,
+    /// `None` where the program has no exact limits of this kind of scheme.
+    pub(super) setting: Option<Rc<dyn Setting>>,
+}
+
+/// A value, or why there is none.
+pub(super) type Evaluated = Result<RealCyclotomic, String>;
+
+impl<'a> Case<'a> {
+    /// All cases of a theorem; none when it names no scheme to be tried on.
+    pub(super) fn all(
+        paper: &'a Paper,
+        theorem: &'a Theorem,
+        library: &'a Library<'a>,
+        stage: &Stage,
+    ) -> Result<Vec<Case<'a>>, Diagnostic> {
+        let tried = &theorem.tried;
+        let schemes: Vec<&LocatedReference> = match &theorem.scheme {
+            Some(scheme) => vec![scheme],
+            None => tried.schemes.iter().collect(),
+        };
+        let mut combinations = vec![Vec::new()];
+        for (name, values) in &tried.values {
+            let longer = combinations.iter().flat_map(|shorter| {
+                values.iter().map(move |value| [shorter.clone(), vec![(name, value)]].concat())
+            });
+            combinations = longer.collect();
+        }
+        let given = values(&paper.given)?;
+        let mut cases = Vec::new();
+        for scheme in schemes {
+            for values in &combinations {
+                let mut known = given.clone();
+                known
+                    .extend(values.iter().map(|(name, value)| ((*name).clone(), (*value).clone())));
+                let mut case = Case {
+                    label: String::new(),
+                    paper,
+                    library,
+                    values: known,
+                    resolved: None,
+                    setting: None,
+                };
+                // A theorem about a scheme with parameters of which none has a value
+                // is not tried.
+                if let Some(name) = case.resolve(scheme, tried, stage)? {
+                    // What the scheme is given shows in its parameters.
+                    let text = scheme.reference.to_string();
+                    let words: Vec<&str> =
+                        text.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
+                    let free = values.iter().filter(|(name, _)| !words.contains(&name.as_str()));
+                    let shown = free.map(|(name, value)| format!("{name} = {value}"));
+                    case.label = std::iter::once(name).chain(shown).collect::<Vec<_>>().join(", ");
+                    cases.push(case);
+                }
+            }
+        }
+        Ok(cases)
+    }
+
+    /// Finds the scheme, and gives its name; `None` when its parameters have no values.
+    fn resolve(
+        &mut self,
+        located: &LocatedReference,
+        tried: &Trial,
+        stage: &Stage,
+    ) -> Result<Option<String>, Diagnostic> {
+        let Trial { offset, values, interpolant, .. } = tried;
+        let (valued, interpolant) = (!values.is_empty(), interpolant.as_ref());
+        let settings = Settings::default();
+        let functions = self.functions(&settings);
+        let scope = self.scope(&functions, &[]);
+        match self.library.resolve(&located.reference, &scope) {
+            Ok(resolved) => {
+                let masks = resolved.constants.iter().map(|axis| axis.mask());
+                let at = |mask: &Mask| mask.with_offset(offset.unwrap_or(mask.offset()));
+                self.setting = match &masks.map(at).collect::<Vec<Mask>>()[..] {
+                    [curve] => Some(stage.curve(&resolved, curve)),
+                    [first, second] => {
+                        Some(stage.surface(&resolved, *offset, [first.clone(), second.clone()]))
+                    }
+                    _ => None,
+                };
+                let name = joined(&resolved.instances);
+                self.resolved = Some(resolved);
+                Ok(Some(name))
+            }
+            Err(Unresolved::Formula(error)) if !valued => {
+                if matches!(error.kind, FormulaErrorKind::UnknownName { .. }) {
+                    return Ok(None);
+                }
+                Err(in_parameters(located, &error))
+            }
+            Err(Unresolved::Formula(error)) => Err(in_parameters(located, &error)),
+            Err(Unresolved::Scheme(SchemeError::Ring { .. })) => {
+                let ring = |located: &LocatedReference| -> Result<_, Diagnostic> {
+                    let failed = |error| match error {
+                        Unresolved::Formula(error) => in_parameters(located, &error),
+                        Unresolved::Scheme(error) => scheme_error(located, &error),
+                    };
+                    let instances = self.library.instances(&located.reference, &scope);
+                    let instances = instances.map_err(failed)?;
+                    let ring = self.library.ring(&instances).map_err(Unresolved::Scheme);
+                    Ok((instances, ring.map_err(failed)?))
+                };
+                let (instances, own) = ring(located)?;
+                let interpolant = interpolant.map(|located| {
+                    let (_, interpolant) = ring(located)?;
+                    if interpolant.point_count() == own.point_count() {
+                        return Ok(interpolant);
+                    }
+                    let message = "an interpolant has as many points as the ring";
+                    Err(Diagnostic::new(&located.source, located.span.clone(), message))
+                });
+                let name = joined(&instances);
+                let key = (instances, interpolant.is_some());
+                let interpolant = interpolant.transpose()?;
+                let mut rings = stage.rings.borrow_mut();
+                let found =
+                    rings.entry(key).or_insert_with(|| Rc::new(AroundPoint::new(own, interpolant)));
+                let found = Rc::clone(found);
+                drop(rings);
+                self.setting = Some(found);
+                Ok(Some(name))
+            }
+            Err(Unresolved::Scheme(error)) => Err(scheme_error(located, &error)),
+        }
+    }
+
+    fn functions<'s>(&'s self, settings: &'s Settings) -> Quantities<'s> {
+        let (library, scheme) = (self.library, self.resolved.clone());
+        Quantities {
+            library,
+            scheme,
+            settings,
+            beyond_caps: Cell::new(false),
+            last_levels: RefCell::default(),
+        }
+    }
+
+    fn scope<'s>(
+        &'s self,
+        functions: &'s Quantities<'s>,
+        names: &[(&str, Rational)],
+    ) -> Scope<'s, RealCyclotomic> {
+        let definitions = functions.settings.definitions.as_ref();
+        let mut scope = Scope::new(definitions.unwrap_or(&self.paper.definitions), functions);
+        for (name, value) in &self.values {
+            scope = scope.with(name, value.clone().into());
+        }
+        for name in SPREADS {
+            scope = scope.with(name, Rational::one().into());
+        }
+        for (name, value) in names {
+            scope = scope.with(name, value.clone().into());
+        }
+        scope
+    }
+
+    /// The value of a formula where these names have these values, and the spread is 1.
+    pub(super) fn evaluate(
+        &self,
+        formula: &LocatedFormula,
+        names: &[(&str, Rational)],
+        settings: &Settings,
+    ) -> Result<Evaluated, Diagnostic> {
+        self.evaluate_part(formula, &formula.expr, names, settings)
+    }
+
+    /// The same of a part of it, or of another formula in its place.
+    pub(super) fn evaluate_part(
+        &self,
+        formula: &LocatedFormula,
+        part: &crate::formula::Expr,
+        names: &[(&str, Rational)],
+        settings: &Settings,
+    ) -> Result<Evaluated, Diagnostic> {
+        let functions = self.functions(settings);
+        match evaluate(part, &self.scope(&functions, names)) {
+            Ok(value) => Ok(Ok(value)),
+            Err(error) => match error.kind {
+                FormulaErrorKind::Undefined(why) => Ok(Err(why)),
+                FormulaErrorKind::DivisionByZero => Ok(Err("it divides by zero".to_owned())),
+                _ => Err(formula.diagnostic(&error)),
+            },
+        }
+    }
+
+    /// Whether a bound is proportional to the spread.
+    pub(super) fn is_linear(&self, by: &LocatedFormula, k: u32) -> Result<bool, Diagnostic> {
+        let settings = Settings::default();
+        let mut names: Vec<(&str, Rational)> =
+            SPREADS.iter().map(|name| (*name, Rational::from(2))).collect();
+        names.push(("k", Rational::from(k)));
+        let once = self.evaluate(by, &[("k", Rational::from(k))], &settings)?;
+        let twice = self.evaluate(by, &names, &settings)?;
+        Ok(match (once, twice) {
+            (Ok(once), Ok(twice)) => &once + &once == twice,
+            _ => true,
+        })
+    }
+
+    /// The definitions in force.
+    pub(super) fn definitions<'s>(
+        &'s self,
+        settings: &'s Settings,
+    ) -> &'s BTreeMap<String, LocatedFormula> {
+        settings.definitions.as_ref().unwrap_or(&self.paper.definitions)
+    }
+
+    /// Whether a name has a value here, whatever its definition is.
+    pub(super) fn has_value(&self, name: &str) -> bool {
+        self.values.contains_key(name) || SPREADS.contains(&name)
+    }
+}
+
+/// `six-point:w=3/256 x chaikin`.
+fn joined<V: std::fmt::Display>(instances: &[Instance<V>]) -> String {
+    instances.iter().map(ToString::to_string).collect::<Vec<String>>().join(" x ")
+}
+
+fn in_parameters(located: &LocatedReference, error: &crate::formula::FormulaError) -> Diagnostic {
+    let message = format!("in its parameters: {error}");
+    Diagnostic::new(&located.source, located.span.clone(), message)
+}
+
+/// Whether some field holds both.
+pub(super) fn comparable(left: &RealCyclotomic, right: &RealCyclotomic) -> bool {
+    common_conductor(left.conductor(), right.conductor()).is_ok()
+}

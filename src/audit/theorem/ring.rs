@@ -1,0 +1,148 @@
+//! Rings as a setting.
+
+use super::case::comparable;
+use super::setting::Setting;
+use super::witness::{Attained, Control, Place, Supremum};
+use crate::bound::RingConstants;
+use crate::claim::Quantity;
+use crate::exact::{Enclosed, Rational, RealCyclotomic};
+use crate::limit::{Comparison, RingDistances, RingLimit, RingWitness};
+use crate::scheme::Ring;
+use std::cell::{OnceCell, RefCell};
+use std::collections::BTreeMap;
+
+/// The points around an extraordinary vertex or on a face. Those of two levels are
+/// compared by their names, or with what an interpolant makes of the earlier ones; then
+/// the distance from the limit is known only at points that the interpolant keeps.
+pub(super) struct AroundPoint {
+    ring: Ring,
+    interpolant: Option<Ring>,
+    distances: OnceCell<Result<RingDistances, String>>,
+    known: RefCell<BTreeMap<(&'static str, u32), Attained>>,
+}
+
+impl AroundPoint {
+    pub(super) fn new(ring: Ring, interpolant: Option<Ring>) -> AroundPoint {
+        let (distances, known) = Default::default();
+        AroundPoint { ring, interpolant, distances, known }
+    }
+
+    fn distances(&self) -> Result<&RingDistances, String> {
+        let distances = self.distances.get_or_init(|| {
+            let limit = RingLimit::new(&self.ring).map_err(|error| error.to_string())?;
+            Ok(RingDistances::new(limit))
+        });
+        distances.as_ref().map_err(Clone::clone)
+    }
+
+    fn points(&self, heights: &[i64]) -> Control {
+        Control::Points((0..).zip(heights).map(|(a, x)| (self.ring.name(a), *x)).collect())
+    }
+
+    fn at_point(&self, witness: RingWitness) -> Attained {
+        Attained {
+            control: self.points(&witness.ring),
+            place: Place::Named(self.ring.name(witness.point)),
+            value: witness.distance,
+        }
+    }
+
+    fn difference(&self, level: u32) -> Result<Attained, String> {
+        let power =
+            RingConstants::new(&self.ring, level.max(1)).map_err(|error| error.to_string())?;
+        let ((a, b), transport) = if level == 0 {
+            let zeroth = self.ring.edges()[0];
+            let mut heights = vec![0; self.ring.point_count()];
+            heights[zeroth.0] = 1;
+            return Ok(Attained {
+                control: self.points(&heights),
+                place: Place::Named(self.edge(zeroth.0, zeroth.1)),
+                value: Rational::one().into(),
+            });
+        } else {
+            power.contraction(level).ok_or("no constant of this level")?
+        };
+        Ok(Attained {
+            control: self.points(&transport.heights),
+            place: Place::Named(self.edge(*a, *b)),
+            value: transport.value.clone(),
+        })
+    }
+
+    /// The first point that an interpolant keeps.
+    fn kept(&self) -> Option<Result<usize, String>> {
+        let interpolant = self.interpolant.as_ref()?;
+        let one = RealCyclotomic::from(Rational::one());
+        let kept = interpolant.weights().iter().enumerate().position(|(a, row)| row[a] == one);
+        Some(kept.ok_or_else(|| "the interpolant keeps no point".to_owned()))
+    }
+
+    fn edge(&self, a: usize, b: usize) -> String {
+        format!("{} – {}", self.ring.name(a), self.ring.name(b))
+    }
+
+    fn greatest(&self, quantity: Quantity, level: u32) -> Result<Attained, String> {
+        let key = (quantity.name(), level);
+        if let Some(known) = self.known.borrow().get(&key) {
+            return Ok(known.clone());
+        }
+        let far = |found: Result<RingWitness, _>| found.map(|witness| self.at_point(witness));
+        let found = match quantity {
+            Quantity::Difference => self.difference(level),
+            Quantity::Distance => match self.kept() {
+                None => far(self.distances()?.constant(level)).map_err(text),
+                Some(point) => far(self.distances()?.at_point(point?, level)).map_err(text),
+            },
+            Quantity::Step => match &self.interpolant {
+                None => far(self.distances()?.step(level)).map_err(text),
+                Some(earlier) => far(self.distances()?.step_from(earlier, level)).map_err(text),
+            },
+        }?;
+        self.known.borrow_mut().insert(key, found.clone());
+        Ok(found)
+    }
+}
+
+fn text(error: impl std::fmt::Display) -> String {
+    error.to_string()
+}
+
+impl Setting for AroundPoint {
+    fn compare(
+        &self,
+        quantity: Quantity,
+        level: u32,
+        bound: &RealCyclotomic,
+    ) -> Result<Comparison<Attained>, String> {
+        let found = self.greatest(quantity, level)?;
+        if !comparable(&found.value, bound) {
+            return Err(format!("no field holds the bound {bound} and the distances"));
+        }
+        Ok(if found.value > *bound {
+            Comparison::Exceeds(found)
+        } else if quantity == Quantity::Distance && self.interpolant.is_some() {
+            Comparison::Undecided(Box::new(found.value.enclosure(0)))
+        } else {
+            Comparison::Within
+        })
+    }
+
+    fn supremum(&self, quantity: Quantity, level: u32, _: u32) -> Result<Supremum, String> {
+        let value = self.greatest(quantity, level)?.value;
+        let exact = quantity != Quantity::Distance || self.interpolant.is_none();
+        Ok(Supremum { upper: exact.then(|| value.clone()), lower: value })
+    }
+
+    fn factor(&self, c: u32) -> Result<RealCyclotomic, String> {
+        self.greatest(Quantity::Difference, c).map(|found| found.value)
+    }
+
+    fn sound(&self, _: u32) -> Option<RealCyclotomic> {
+        // The suprema are exact, and no bound is better.
+        None
+    }
+
+    fn centred(&self) -> Option<&dyn Setting> {
+        None
+    }
+}

@@ -1,0 +1,38 @@
+//! Where a theorem is tried: a scheme with the exact suprema of what theorems bound.
+
+use super::witness::{Attained, Supremum};
+use crate::claim::Quantity;
+use crate::exact::RealCyclotomic;
+use crate::limit::Comparison;
+
+/// The suprema of a scheme, over all control data of spread 1, at level k.
+///
+/// Errors are texts that say why the program gives no answer.
+pub(super) trait Setting {
+    /// Compares a supremum with a bound; what exceeds it is a value that is attained.
+    fn compare(
+        &self,
+        quantity: Quantity,
+        level: u32,
+        bound: &RealCyclotomic,
+    ) -> Result<Comparison<Attained>, String>;
+
+    /// A supremum, enclosed up to one of so many parts of it.
+    fn supremum(&self, quantity: Quantity, level: u32, parts: u32) -> Result<Supremum, String>;
+
+    /// An f such that no supremum of level k + c is more than f times that of level k,
+    /// for every k: T_c.
+    fn factor(&self, c: u32) -> Result<RealCyclotomic, String>;
+
+    /// The sound block bound of the distance.
+    fn sound(&self, level: u32) -> Option<RealCyclotomic>;
+
+    /// How many levels are compared.
+    fn levels(&self) -> u32 {
+        6
+    }
+
+    /// The same scheme, compared with its limit at the offset that serves it best; `None`
+    /// where it is already so, or there are no offsets.
+    fn centred(&self) -> Option<&dyn Setting>;
+}

@@ -1,0 +1,136 @@
+//! ‖E^m‖ for every m, as far as a search needs it.
+
+use super::estimate::{PLACES, Place};
+use super::leaf::SearchTree;
+use super::reach::{Moments, place, rounded_up};
+use super::scaled::Scaled;
+use super::search::{Greatest, Problem, Reach};
+use super::uniform;
+use crate::exact::Rational;
+use crate::scheme::Rules;
+use std::cell::Cell;
+use std::collections::BTreeMap;
+
+/// So many ‖E^m‖ are computed before a bound of all of them is tried.
+const FIRST: u32 = 8;
+
+/// What is known of the powers of one operator.
+#[derive(Clone, Debug)]
+pub(super) struct Growth {
+    operator: Scaled,
+    /// q^m·‖E^m‖ and its class, for some m.
+    known: BTreeMap<u32, Greatest>,
+    /// A bound of all ‖E^m‖, and whether it has been sought.
+    uniform: Option<Rational>,
+    sought: bool,
+    reach: Vec<Reach>,
+    /// Of E^m, m the length of `reach`.
+    moments: Moments,
+}
+
+impl Growth {
+    /// Of operators of one shape and offset.
+    pub(super) fn of<const K: usize>(rules: [&Rules; K]) -> [Growth; K] {
+        Scaled::of(rules).map(|operator| Growth {
+            operator,
+            known: BTreeMap::new(),
+            uniform: None,
+            sought: false,
+            reach: Vec::new(),
+            moments: Moments::start(),
+        })
+    }
+
+    pub(super) fn operator(&self) -> &Scaled {
+        &self.operator
+    }
+
+    pub(super) fn reach(&self) -> &[Reach] {
+        &self.reach
+    }
+
+    /// The greatest row of the c-th power, or `None` if the work does not suffice.
+    pub(super) fn greatest(&mut self, levels: u32, work: &Cell<u64>) -> Option<Greatest> {
+        if let Some(known) = self.known.get(&levels) {
+            return Some(known.clone());
+        }
+        self.prepare(levels, work)?;
+        self.search(levels, work)
+    }
+
+    /// The same, after `prepare`.
+    fn search(&mut self, levels: u32, work: &Cell<u64>) -> Option<Greatest> {
+        let found = self.problem(levels, work).greatest()?;
+        self.known.insert(levels, found.clone());
+        Some(found)
+    }
+
+    pub(super) fn problem<'a>(&'a self, levels: u32, work: &'a Cell<u64>) -> Problem<'a, 1> {
+        Problem { operators: [&self.operator], reach: [&self.reach], levels, work }
+    }
+
+    /// A tree that shows the greatest row of the c-th power.
+    pub(super) fn tree(&mut self, levels: u32, work: &Cell<u64>) -> Option<SearchTree> {
+        let greatest = self.greatest(levels, work)?;
+        let leaves = self.problem(levels, work).leaves(&greatest)?;
+        let scale = |m: u32| self.operator.denominator.pow(m);
+        let total = |(m, reach): (u32, &Reach)| {
+            Rational::new(reach.total.clone(), scale(m).shifted_left(PLACES))
+        };
+        Some(SearchTree {
+            // Of R with all its columns.
+            offset: self.operator.offset - i64::try_from(self.operator.skipped).ok()?,
+            factor: self.operator.factor.clone(),
+            norm: Rational::new(greatest.value, scale(levels)),
+            totals: (0..levels).zip(&self.reach).map(total).collect(),
+            uniform: self.uniform.clone(),
+            leaves,
+        })
+    }
+
+    /// Bounds of ‖E^m‖ for all m < c: exact ones for m up to [`FIRST`], and for all m where there
+    /// is no bound of all.
+    pub(super) fn prepare(&mut self, levels: u32, work: &Cell<u64>) -> Option<()> {
+        for m in 0..levels {
+            let known = self.known.contains_key(&m);
+            if !known && (m <= FIRST || self.uniform().is_none()) {
+                self.search(m, work)?;
+            }
+            if self.reach.len() == m as usize {
+                self.extend(m);
+            }
+        }
+        Some(())
+    }
+
+    /// `reach` for the next m.
+    fn extend(&mut self, m: u32) {
+        let scale = self.operator.denominator.pow(m).shifted_left(PLACES);
+        let total = match (self.known.get(&m), &self.uniform) {
+            (Some(known), _) => known.value.shifted_left(PLACES),
+            (None, Some(tau)) => (tau * Rational::from(scale.clone())).ceil(),
+            (None, None) => unreachable!("the norm is known, or there is a bound of all"),
+        };
+        let place: Option<Place> = self.operator.shift.as_ref().and_then(|shift| {
+            // Errors of the ends are below the last place of a row of the last level.
+            let places = u32::try_from(scale.bits()).expect("a few bits for each level");
+            let tau = rounded_up(&Rational::new(total.clone(), scale));
+            let place = place(&self.operator, &self.moments.ends(), places, &tau);
+            self.moments.advance(self.operator.arity, shift, &tau);
+            place
+        });
+        self.reach.push(Reach { total, place });
+    }
+
+    fn uniform(&mut self) -> Option<&Rational> {
+        if !self.sought {
+            self.sought = true;
+            let norms = self.known.iter().map(|(&m, known)| {
+                Rational::new(known.value.clone(), self.operator.denominator.pow(m))
+            });
+            let largest = norms.max().expect("the norm for m = 0 is known");
+            self.uniform = uniform::bound(&self.operator, &largest);
+        }
+        self.uniform.as_ref()
+    }
+}

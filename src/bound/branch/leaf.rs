@@ -1,0 +1,44 @@
+//! The tree of a search, as data that another program can follow.
+
+use crate::exact::{Integer, Rational};
+
+/// Why the rows below a node are not greater than the greatest row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Closed {
+    /// It is a row of R^c itself.
+    Row,
+    /// By the line through two of its rows: `proofs/THEOREMS.md`, 62.
+    Line,
+    /// By ‖E^m‖ times the largest of its rows: `proofs/THEOREMS.md`, 60.
+    Largest,
+}
+
+/// A node that is not split: the rows index·n^m, …, (index + 1)·n^m − 1 of E^c are below it,
+/// m = c − level.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Leaf {
+    /// Its level.
+    pub level: u32,
+    /// From 0 to n^level − 1.
+    pub index: Integer,
+    /// What bounds its rows.
+    pub closed: Closed,
+}
+
+/// Leaves that cover all rows of E^c = R^c/s^c, and what their bounds rest on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SearchTree {
+    /// The index offset o that the leaves are counted at.
+    pub offset: i64,
+    /// s.
+    pub factor: Rational,
+    /// ‖E^c‖.
+    pub norm: Rational,
+    /// Upper bounds of ‖E^m‖ for m = 0, …, c − 1.
+    pub totals: Vec<Rational>,
+    /// A bound of all ‖E^m‖ by `proofs/THEOREMS.md`, 63, if one was used; totals that differ from
+    /// it are norms.
+    pub uniform: Option<Rational>,
+    /// In the order of their indices.
+    pub leaves: Vec<Leaf>,
+}

@@ -1,0 +1,109 @@
+//! The operator of a search, scaled so that its rows sum to 1 where that is possible.
+
+use crate::exact::{CommonDenominator, Integer, Rational};
+use crate::scheme::Rules;
+
+/// R = sE, with the rows of E as integers over one common denominator q, at the offset
+/// whose window is least and nearest to 0.
+///
+/// The rows of E about an index q, at the positions p of the window, determine those about
+/// nq, …, nq + n − 1 a level finer.
+#[derive(Clone, Debug)]
+pub(super) struct Scaled {
+    pub(super) arity: usize,
+    pub(super) offset: i64,
+    /// The columns of R before the first that is not 0.
+    pub(super) skipped: usize,
+    /// The window of positions: first, …, first + size − 1; it holds 0.
+    pub(super) first: i64,
+    pub(super) size: usize,
+    /// s: the sum of every row of R, if that is one number other than 0, or else 1.
+    pub(super) factor: Rational,
+    /// q.
+    pub(super) denominator: Integer,
+    /// qE.
+    pub(super) rows: Vec<Vec<Integer>>,
+    /// Where the rows of E sum to 1: the middle and half of the width of the least interval
+    /// that holds f_β = Σ_j (o + j) E_{β,j} − β/n.
+    pub(super) shift: Option<[Rational; 2]>,
+    /// How far the offset of R is to the right of this one.
+    pub(super) moved: Integer,
+}
+
+impl Scaled {
+    /// Operators of one shape and offset, in one window.
+    pub(super) fn of<const K: usize>(rules: [&Rules; K]) -> [Scaled; K] {
+        let (arity, width) = (rules[0].arity(), rules[0].width());
+        let used =
+            |j: usize| rules.iter().any(|rules| rules.rows().iter().any(|row| !row[j].is_zero()));
+        let start = (0..width).find(|&j| used(j)).unwrap_or(0);
+        let end = (start..width).rev().find(|&j| used(j)).unwrap_or(start);
+        let (offset, first, size) = centred(arity, end - start + 1);
+        rules.map(|rules| {
+            let rows: Vec<Vec<Rational>> =
+                rules.rows().iter().map(|row| row[start..=end].to_vec()).collect();
+            let moved =
+                Integer::from(rules.offset()) + Integer::from(start) - Integer::from(offset);
+            Scaled { skipped: start, ..Scaled::at(rows, [offset, first], size, moved) }
+        })
+    }
+
+    fn at(
+        mut rows: Vec<Vec<Rational>>,
+        [offset, first]: [i64; 2],
+        size: usize,
+        moved: Integer,
+    ) -> Scaled {
+        let arity = rows.len();
+        let sum: Rational = rows[0].iter().sum();
+        let affine = !sum.is_zero() && rows.iter().all(|row| row.iter().sum::<Rational>() == sum);
+        let factor = if affine { sum } else { Rational::one() };
+        for entry in rows.iter_mut().flatten() {
+            *entry = &*entry / &factor;
+        }
+        let shift = affine.then(|| {
+            let at = |(beta, row): (usize, &Vec<Rational>)| {
+                let moment: Rational =
+                    (offset..).zip(row).map(|(p, x)| x * Rational::from(p)).sum();
+                moment - Rational::new(beta, arity)
+            };
+            let shifts: Vec<Rational> = rows.iter().enumerate().map(at).collect();
+            let least = shifts.iter().min().expect("at least two rules");
+            let greatest = shifts.iter().max().expect("at least two rules");
+            let half = Rational::new(1, 2);
+            [(least + greatest) * &half, (greatest - least) * half]
+        });
+        let common = CommonDenominator::of(&rows);
+        let (denominator, rows) = (common.denominator, common.numerators);
+        Scaled { arity, offset, skipped: 0, first, size, factor, denominator, rows, shift, moved }
+    }
+
+    /// The largest absolute row sum of qE, and at least 1.
+    pub(super) fn largest(&self) -> Integer {
+        let sums = self.rows.iter().map(|row| row.iter().map(Integer::abs).sum::<Integer>());
+        sums.max().map_or_else(Integer::one, |largest| largest.max(Integer::one()))
+    }
+}
+
+/// The offset with the least window, and among these the one nearest to 0: offset, first
+/// position, size.
+fn centred(arity: usize, width: usize) -> (i64, i64, usize) {
+    let small = |n: usize| i64::try_from(n).expect("arity and width are capped");
+    let (arity, width) = (small(arity), small(width));
+    let window = |offset: i64| {
+        let (mut first, mut last) = (0_i64, 0_i64);
+        loop {
+            let from = first.min(first.div_euclid(arity) + offset);
+            let to = last.max((arity - 1 + last).div_euclid(arity) + offset + width - 1);
+            if (from, to) == (first, last) {
+                return (first, last);
+            }
+            (first, last) = (from, to);
+        }
+    };
+    let windows = (-width..=0).map(|offset| (offset, window(offset)));
+    let key =
+        |&(offset, (first, last)): &(i64, (i64, i64))| (last - first, (first + last).abs(), offset);
+    let (offset, (first, last)) = windows.min_by_key(key).expect("at least one offset");
+    (offset, first, usize::try_from(last - first + 1).expect("the window holds 0"))
+}

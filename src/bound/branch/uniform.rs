@@ -1,0 +1,86 @@
+//! One bound of the norms of all powers.
+
+use super::estimate::{Estimator, PLACES, margin};
+use super::number::Number;
+use super::reach::{Moments, place, rounded_up};
+use super::scaled::Scaled;
+use super::tree::Tree;
+use super::wide::Wide;
+use crate::exact::{Integer, Rational};
+
+/// The levels below which no node is split, and the most nodes.
+const LEVELS: u32 = 16;
+const NODES: u32 = 4096;
+
+/// What is tried, above the largest norm known: 1 + 2^−i of it.
+const EXCESS: [u32; 6] = [8, 6, 4, 2, 1, 0];
+
+/// Some τ with ‖E^m‖ ≤ τ for every m, if the rows of E sum to 1 and one is found. It is a
+/// little above `largest`, the largest norm known.
+///
+/// Source: `proofs/THEOREMS.md`, 63.
+pub(super) fn bound(operator: &Scaled, largest: &Rational) -> Option<Rational> {
+    let largest_row = operator.largest();
+    let bits = largest_row.to_i64().map(|_| largest_row.pow(LEVELS).bits() + margin(operator.size));
+    match bits {
+        Some(0..=126) => seek::<i128>(operator, largest),
+        Some(127..=510) => seek::<Wide<8>>(operator, largest),
+        _ => seek::<Integer>(operator, largest),
+    }
+}
+
+fn seek<T: Number>(operator: &Scaled, largest: &Rational) -> Option<Rational> {
+    let shift = operator.shift.as_ref()?;
+    let tree = Tree::<T>::new(operator)?;
+    let tried = EXCESS.iter().map(|&excess| {
+        let factor = Rational::one() + Rational::from(2).pow(-excess.cast_signed());
+        rounded_up(&(largest * factor))
+    });
+    tried.into_iter().find(|tau| {
+        let hull = Moments::hull(operator.arity, shift, tau);
+        place(operator, &hull, PLACES, tau).is_some_and(|place| {
+            // 2^PLACES·τ is an integer.
+            let limit = (tau * Rational::from(Integer::one().shifted_left(PLACES))).numerator();
+            let limits = (0..=LEVELS).map(|level| &limit * operator.denominator.pow(level));
+            let limits: Vec<Integer> = limits.collect();
+            let mut estimator = Estimator::new(tree.size);
+            let closes = |rows: &[T], level: u32| {
+                let bound = estimator.bound(&tree, rows, &place);
+                bound.scaled(&place, &Integer::one()) <= limits[level as usize]
+            };
+            let fits = |rows: &[T], level: u32| {
+                tree.norm(rows).to_integer().shifted_left(PLACES) <= limits[level as usize]
+            };
+            holds(&tree, operator.arity, fits, closes)
+        })
+    })
+}
+
+/// Whether every node satisfies `fits` down to one that `closes`.
+fn holds<T: Number>(
+    tree: &Tree<T>,
+    arity: usize,
+    fits: impl Fn(&[T], u32) -> bool,
+    mut closes: impl FnMut(&[T], u32) -> bool,
+) -> bool {
+    let mut stack = vec![(tree.root(), 0)];
+    let mut nodes = 0;
+    while let Some((rows, level)) = stack.pop() {
+        nodes += 1;
+        if !fits(&rows, level) || nodes > NODES {
+            return false;
+        }
+        if level > 0 && closes(&rows, level) {
+            continue;
+        }
+        if level == LEVELS {
+            return false;
+        }
+        for digit in 0..arity {
+            let mut part = tree.root();
+            tree.part(digit, &rows, &mut part);
+            stack.push((part, level + 1));
+        }
+    }
+    true
+}

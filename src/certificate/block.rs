@@ -1,0 +1,68 @@
+//! Blocks: the lines about one claim.
+
+/// The most bytes of a line.
+const MAX_LINE: usize = 65_536;
+
+/// What is said of a claim.
+pub(super) struct Block {
+    kind: &'static str,
+    id: String,
+    lines: Vec<String>,
+    /// Why the claim cannot be certified.
+    fault: Option<String>,
+}
+
+impl Block {
+    pub(super) fn new(kind: &'static str, id: &str) -> Block {
+        Block { kind, id: id.to_owned(), lines: Vec::new(), fault: None }
+    }
+
+    /// A line of the block.
+    pub(super) fn line(&mut self, text: impl Into<String>) {
+        self.lines.push(text.into());
+    }
+
+    /// A line that repeats a text of the claim file, whose line ends count as blanks.
+    pub(super) fn restate(&mut self, what: &str, text: &str) {
+        self.line(format!("{what} {}", words(text)));
+    }
+
+    /// Gives the claim up; the first reason stands.
+    pub(super) fn give_up(&mut self, why: impl Into<String>) {
+        self.fault.get_or_insert_with(|| why.into());
+    }
+
+    /// The line that `line` gives, or the reason that there is none.
+    pub(super) fn try_line(&mut self, line: Result<String, String>) {
+        match line {
+            Ok(line) => self.line(line),
+            Err(why) => self.give_up(why),
+        }
+    }
+
+    /// The block as text; or the claim's id, and why there is none.
+    pub(super) fn text(self) -> Result<String, (String, String)> {
+        let Block { kind, id, lines, fault } = self;
+        let mut text = format!("{kind} {id}\n");
+        for line in &lines {
+            if line.contains(['\n', '\r']) {
+                return Err((id, "a printed text has several lines".to_owned()));
+            }
+            if line.len() + 2 > MAX_LINE {
+                return Err((id, format!("a line would have more than {MAX_LINE} bytes")));
+            }
+            text.extend(["  ", line, "\n"]);
+        }
+        fault.map_or(Ok(text), |why| Err((id, why)))
+    }
+}
+
+/// The words of a text, with one blank between them.
+pub(super) fn words(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<&str>>().join(" ")
+}
+
+/// A value as a formula without blanks.
+pub(super) fn closed(value: &impl std::fmt::Display) -> String {
+    value.to_string().split_whitespace().collect()
+}

@@ -1,0 +1,45 @@
+//! Equations: whether the sides are equal, and their difference where they are not.
+
+use super::block::{Block, closed};
+use crate::audit::{EquationFinding, EquationVerdict, Failure};
+use crate::claim::{EquationBody, Identity, Left};
+
+pub(super) fn block(finding: &EquationFinding<'_>) -> Block {
+    let mut block = Block::new("equation", &finding.equation.id);
+    match &finding.equation.body {
+        EquationBody::NotCheckable(absent) => block.restate("absent", absent),
+        EquationBody::Identity(identity) => restate(&mut block, identity),
+    }
+    match &finding.verdict {
+        EquationVerdict::Holds { cases } => block.line(format!("holds {cases}")),
+        EquationVerdict::Fails { cases, failures, .. } => {
+            block.line(format!("fails {cases}"));
+            for failure in failures {
+                block.line(case(failure));
+            }
+        }
+        EquationVerdict::NotCheckable(_) => {}
+    }
+    block
+}
+
+fn restate(block: &mut Block, identity: &Identity) {
+    match &identity.left {
+        Left::One(formula) => block.restate("left", &formula.text),
+        Left::Each(formulas) => {
+            for formula in formulas {
+                block.restate("left", &formula.text);
+            }
+        }
+    }
+    block.restate("right", &identity.right.text);
+}
+
+/// `case 3 1/2 = p[0]-p[1]`.
+fn case(failure: &Failure) -> String {
+    let mut line = "case".to_owned();
+    for value in &failure.indices {
+        line.extend([" ", &value.to_string()]);
+    }
+    format!("{line} = {}", closed(&failure.difference()))
+}

@@ -1,0 +1,88 @@
+//! Certificates of verdicts, in the format of `proofs/FORMAT.md`.
+//!
+//! Nothing here is trusted: a certificate says what the audit has found, and
+//! `proofs/checker`, which shares no code with this crate, accepts it or does not.
+
+mod block;
+mod equation;
+mod family;
+mod parametric;
+mod reading;
+mod table;
+
+use crate::audit::PaperAudit;
+use block::{Block, words};
+
+/// The version of the format.
+const VERSION: &str = "subcert-certificate 1";
+
+/// The certificate of a paper's claims.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Certificate {
+    /// The paper's key.
+    pub key: String,
+    /// The certificate.
+    pub text: String,
+    /// The number of claims that it is about.
+    pub blocks: usize,
+    /// The claims that it is not about.
+    pub omitted: Vec<Omission>,
+}
+
+/// A claim that the format has no words for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Omission {
+    /// `key:claim`.
+    pub id: String,
+    /// Why.
+    pub why: String,
+}
+
+/// The certificate of the verdicts of a paper.
+///
+/// A theorem is `open` in it whatever its verdict is, and so asserts nothing.
+///
+/// ```
+/// use subcert::audit::audit;
+/// use subcert::certificate::certificate;
+/// use subcert::claim::embedded_papers;
+///
+/// let papers = embedded_papers()?;
+/// let text = certificate(&audit(&papers[2])?).text;
+/// assert!(text.starts_with("subcert-certificate 1\npaper khan2019-newton\n"));
+/// assert!(text.contains("\n  cell 1 1 \"0.002500\" 1/400 confirmed\n"));
+/// # Ok::<(), subcert::diagnostic::Diagnostic>(())
+/// ```
+#[must_use]
+pub fn certificate(audit: &PaperAudit<'_>) -> Certificate {
+    let paper = audit.paper;
+    let key = &paper.key;
+    let tables = audit.tables.iter().map(|finding| table::block(paper, finding));
+    let equations = audit.equations.iter().map(equation::block);
+    let functions = audit.functions.iter().map(parametric::function);
+    let ranges = audit.ranges.iter().map(parametric::range);
+    let theorems = audit.theorems.iter().map(|finding| {
+        let mut block = Block::new("theorem", &finding.theorem.id);
+        block.line("open");
+        block
+    });
+    let blocks = tables.chain(equations).chain(functions).chain(ranges).chain(theorems);
+    let mut text = format!("{VERSION}\npaper {key}\n");
+    text.extend(["# ", &words(&paper.bibliography.short()), "\n"]);
+    let (mut count, mut omitted) = (0, Vec::new());
+    for block in blocks {
+        match block.text() {
+            Ok(block) => {
+                text.push_str(&block);
+                count += 1;
+            }
+            Err((id, why)) => {
+                let why = words(&why);
+                text.extend(["# nothing of ", &id, ": ", &why, "\n"]);
+                omitted.push(Omission { id: format!("{key}:{id}"), why });
+            }
+        }
+    }
+    text.extend(["end ", &count.to_string(), "\n"]);
+    Certificate { key: key.clone(), text, blocks: count, omitted }
+}

@@ -1,0 +1,110 @@
+//! Closed forms in a free parameter, and ranges of one: signs on pieces of the line.
+
+use super::block::{Block, words};
+use crate::audit::{
+    Direction, EndFinding, EndRelation, FunctionFinding, FunctionVerdict, RangeFinding,
+};
+use crate::claim::{Limit, LocatedReference};
+use crate::exact::{IntervalSet, RealAlgebraic};
+use std::fmt::Display;
+use std::ops::Bound;
+
+pub(super) fn function(finding: &FunctionFinding<'_>) -> Block {
+    let claim = finding.claim;
+    let mut block = Block::new("function", &claim.id);
+    head(&mut block, &claim.variable, claim.scheme.as_ref());
+    block.restate("left", &claim.left.text);
+    block.restate("right", &claim.right.text);
+    match &finding.verdict {
+        FunctionVerdict::Holds => {
+            pieces(&mut block, &IntervalSet::default(), &IntervalSet::default());
+            block.line("holds");
+        }
+        FunctionVerdict::Fails { larger, smaller, example } => {
+            pieces(&mut block, smaller, larger);
+            block.line(format!("fails {} {} {}", example.at, example.left, example.right));
+        }
+    }
+    block
+}
+
+pub(super) fn range(finding: &RangeFinding<'_>) -> Block {
+    let claim = finding.claim;
+    let mut block = Block::new("range", &claim.id);
+    head(&mut block, &claim.variable, claim.scheme.as_ref());
+    block.restate("value", &claim.value.text);
+    let relation = match claim.limit {
+        Limit::Below(_) => "below",
+        Limit::AtMost(_) => "at-most",
+    };
+    block.restate(relation, &claim.limit.formula().text);
+    pieces(&mut block, &finding.below, &finding.above);
+    let sides = [("from", &claim.from), ("to", &claim.to)];
+    let printed = sides.into_iter().filter(|(_, printed)| printed.is_some());
+    for ((side, _), end) in printed.zip(&finding.ends) {
+        let exact = end.exact.as_ref().map_or(Ok("none".to_owned()), rational);
+        block.try_line(exact.map(|exact| {
+            format!("end {side} \"{}\" {exact} {}", end.printed, self::relation(end))
+        }));
+    }
+    block.line(finding.verdict.name());
+    block
+}
+
+fn head(block: &mut Block, variable: &str, scheme: Option<&LocatedReference>) {
+    block.line(format!("variable {variable}"));
+    if let Some(scheme) = scheme {
+        block.restate("scheme", &scheme.reference.to_string());
+    }
+}
+
+/// The lines `breaks` and `signs` of a function that is below 0 on one set and above
+/// 0 on another. It is 0 on neither.
+fn pieces(block: &mut Block, below: &IntervalSet, above: &IntervalSet) {
+    let intervals = below.intervals().iter().chain(above.intervals());
+    let ends = intervals.flat_map(|interval| [&interval.low, &interval.high]);
+    let mut breaks: Vec<RealAlgebraic> = ends
+        .filter_map(|end| match end {
+            Bound::Included(place) | Bound::Excluded(place) => Some(place.clone()),
+            Bound::Unbounded => None,
+        })
+        .collect();
+    breaks.sort();
+    breaks.dedup();
+    let sign = |x| match (below.contains(x), above.contains(x)) {
+        (true, _) => "-",
+        (_, true) => "+",
+        _ => "0",
+    };
+    let (mut places, mut signs) = (Vec::new(), Vec::new());
+    for (i, between) in RealAlgebraic::rationals_between(&breaks).iter().enumerate() {
+        signs.push(sign(between));
+        if let Some(place) = breaks.get(i) {
+            match rational(place) {
+                Ok(text) => places.push(text),
+                Err(why) => return block.give_up(why),
+            }
+            signs.extend(place.as_rational().map(sign));
+        }
+    }
+    block.line(words(&format!("breaks {}", places.join(" "))));
+    block.line(format!("signs {}", signs.join(" ")));
+}
+
+/// The format has rational places only.
+fn rational(place: &RealAlgebraic) -> Result<String, String> {
+    let rational = place.as_rational().map(ToString::to_string);
+    rational.ok_or_else(|| format!("the place {place} is not rational"))
+}
+
+fn relation(end: &EndFinding) -> impl Display {
+    match end.relation {
+        EndRelation::Equal => "equal",
+        EndRelation::Belonging => "belonging",
+        EndRelation::Nearest => "nearest",
+        EndRelation::Rounded(Direction::Cut | Direction::DepthDown) => "cut",
+        EndRelation::Rounded(Direction::Away | Direction::DepthNearest) => "away",
+        EndRelation::LastInside => "last-inside",
+        EndRelation::Apart => "apart",
+    }
+}

@@ -1,0 +1,97 @@
+//! Reading what a theorem is tried on.
+
+use super::Reader;
+use super::theorem::TheoremTable;
+use crate::claim::{Rewriting, Trial};
+use crate::diagnostic::Diagnostic;
+use crate::exact::{Rational, parse_rational};
+use crate::scheme::{formula, identifier};
+use serde::Deserialize;
+use toml::Spanned;
+
+/// The most combinations of a scheme and values that a theorem is tried on.
+pub(super) const MAX_TRIALS: usize = 256;
+
+/// The greatest offset, in absolute value.
+const MAX_OFFSET: i64 = 10_000;
+
+/// `supposes = { value = 'T', below = '1' }`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct SupposesTable {
+    value: Spanned<String>,
+    below: Spanned<String>,
+}
+
+/// `corrections = [{ of = "GH", says = "…", value = '…' }]`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct RewritingTable {
+    of: Spanned<String>,
+    says: String,
+    value: Spanned<String>,
+}
+
+impl Reader<'_> {
+    pub(super) fn trial(&self, table: &TheoremTable) -> Result<Trial, Diagnostic> {
+        if let (Some(_), Some(second)) = (&table.common().scheme, table.schemes.first()) {
+            return Err(self
+                .error(second.span(), "this theorem is about the scheme that `scheme` names")
+                .with_help("`schemes` is for a theorem about every scheme; take one of the two"));
+        }
+        let schemes: Vec<_> =
+            table.schemes.iter().map(|text| self.located(text)).collect::<Result<_, _>>()?;
+        let mut values = Vec::new();
+        let mut trials = schemes.len().max(1);
+        for (name, texts) in &table.values {
+            let value = |text: &Spanned<String>| {
+                parse_rational(text.get_ref())
+                    .map_err(|error| self.error(text.span(), error.to_string()))
+            };
+            let of_name: Vec<Rational> = texts.iter().map(value).collect::<Result<_, _>>()?;
+            trials = trials.saturating_mul(of_name.len());
+            if of_name.is_empty() || trials > MAX_TRIALS {
+                let message =
+                    format!("a theorem is tried on 1 to {MAX_TRIALS} combinations of values");
+                return Err(self.error(name.span(), message));
+            }
+            values.push((identifier(self.source, name)?, of_name));
+        }
+        let rewriting = |table: &RewritingTable| {
+            Ok(Rewriting {
+                of: identifier(self.source, &table.of)?,
+                says: table.says.clone(),
+                value: formula(self.source, &table.value)?,
+            })
+        };
+        let supposes = match &table.supposes {
+            None => None,
+            Some(SupposesTable { value, below }) => {
+                Some((formula(self.source, value)?, formula(self.source, below)?))
+            }
+        };
+        Ok(Trial {
+            schemes,
+            values,
+            offset: table.offset.as_ref().map(|text| self.offset(text)).transpose()?,
+            interpolant: table.interpolant.as_ref().map(|text| self.located(text)).transpose()?,
+            block: self.optional(table.block.as_ref())?,
+            rewritings: table
+                .corrections
+                .iter()
+                .map(rewriting)
+                .collect::<Result<_, Diagnostic>>()?,
+            supposes,
+        })
+    }
+
+    fn offset(&self, text: &Spanned<String>) -> Result<i64, Diagnostic> {
+        let offset = text.get_ref().parse().ok().filter(|offset: &i64| offset.abs() <= MAX_OFFSET);
+        offset.ok_or_else(|| {
+            self.error(text.span(), format!("`{}` is no offset", text.get_ref())).with_help(
+                "the index offset o of x_{ni+α} = Σ a x_{i+o+j} is an integer, 0 where a paper \
+                 writes its masks from index i",
+            )
+        })
+    }
+}

@@ -1,0 +1,168 @@
+//! The true depth for every control polygon of a spread.
+
+use super::interval::{interval_json, interval_text};
+use serde_json::{Value, json};
+use subcert::exact::{Enclosure, Rational, format::short};
+use subcert::limit::{Comparison, Distance, Distances, LimitError, TwoSidedDepth, Witness};
+use subcert::report::exact_json;
+use subcert::scheme::Mask;
+
+/// The longest polygon or ring that is shown in a text.
+const MAX_SHOWN_POINTS: usize = 32;
+
+/// What a tolerance ε asks of the control polygons with max|Δ| ≤ β.
+pub(super) struct Asked<'a> {
+    pub(super) tolerance: &'a Rational,
+    pub(super) spread: &'a Rational,
+    /// How narrow the intervals of distances are to be.
+    pub(super) width: &'a Rational,
+}
+
+/// The true depth, its level's distance constant, and what shows that less is too little.
+pub(super) struct Exact {
+    /// For each direction.
+    pub(super) offsets: Vec<i64>,
+    pub(super) depth: TwoSidedDepth,
+    /// C_k·β at the upper side k of the depth.
+    pub(super) distance: Known,
+    /// Control data that are too far from their limit at the level below the depth.
+    pub(super) too_far: Option<TooFar>,
+}
+
+/// Control data that are too far from their limit at a level.
+pub(super) struct TooFar {
+    pub(super) level: u32,
+    pub(super) text: String,
+    pub(super) json: Value,
+}
+
+/// A distance in an interval.
+pub(super) struct Known {
+    pub(super) enclosure: Enclosure,
+    /// Whether it is as narrow as was asked for.
+    pub(super) narrow: bool,
+    /// A t at which the lower end is the value.
+    pub(super) parameter: Option<Rational>,
+}
+
+impl Known {
+    /// What is known of a distance, also when the caps leave it wide.
+    pub(super) fn of(distance: Result<Distance, LimitError>) -> Result<Known, LimitError> {
+        match distance {
+            Ok(Distance { enclosure, parameter }) => {
+                Ok(Known { enclosure, narrow: true, parameter: Some(parameter) })
+            }
+            Err(LimitError::TooFine { reached, .. }) => {
+                Ok(Known { enclosure: *reached, narrow: false, parameter: None })
+            }
+            Err(error) => Err(error),
+        }
+    }
+
+    pub(super) fn text(&self) -> String {
+        let wide = if self.narrow { "" } else { ", as narrow as the cap on cells allows" };
+        format!("{}{wide}", interval_text(&self.enclosure))
+    }
+}
+
+impl Exact {
+    pub(super) fn of(
+        mask: &Mask,
+        distances: &Distances,
+        asked: &Asked<'_>,
+    ) -> Result<Exact, LimitError> {
+        let depth = distances.depth(asked.spread, asked.tolerance)?;
+        let width = asked.width / asked.spread;
+        let mut distance = Known::of(distances.constant(depth.upper, &width))?;
+        let scaled = |end: &Rational| end * asked.spread;
+        let enclosure = &distance.enclosure;
+        distance.enclosure = Enclosure::new(scaled(enclosure.lower()), scaled(enclosure.upper()));
+        let threshold = asked.tolerance / asked.spread;
+        let too_far = match depth.lower.checked_sub(1) {
+            None => None,
+            Some(level) => match distances.compare(level, &threshold)? {
+                Comparison::Exceeds(witness) => Some(too_far(&witness, asked.spread)),
+                Comparison::Within | Comparison::Undecided(_) => None,
+            },
+        };
+        Ok(Exact { offsets: vec![mask.offset()], depth, distance, too_far })
+    }
+
+    pub(super) fn facts(&self) -> Vec<(String, String)> {
+        let (whom, own) = match self.offsets[..] {
+            [_] => ("every control polygon", "the scheme's own"),
+            _ => ("every control net", "the schemes' own"),
+        };
+        let offsets = self.offsets.iter().map(i64::to_string).collect::<Vec<String>>();
+        let mut facts = vec![
+            ("depth, exactly".to_owned(), depth_text(self.depth, whom)),
+            ("compared at offset".to_owned(), format!("{}, {own}", offsets.join(" and "))),
+            (format!("distance C_{}·β", self.depth.upper), self.distance.text()),
+        ];
+        if let Some(TooFar { level, text, .. }) = &self.too_far {
+            facts.push((format!("too far at level {level}"), text.clone()));
+        }
+        facts
+    }
+
+    pub(super) fn json(&self) -> Value {
+        let mut object = depth_json(self.depth);
+        object["offsets"] = json!(self.offsets);
+        object["distance"] = distance_json(&self.distance, self.depth.upper);
+        object["witness"] = json!(self.too_far.as_ref().map(|too_far| &too_far.json));
+        object
+    }
+}
+
+pub(super) fn depth_text(depth: TwoSidedDepth, whom: &str) -> String {
+    let TwoSidedDepth { lower, upper } = depth;
+    if lower == upper {
+        return format!("{upper} levels, for {whom}{}", too_few(lower));
+    }
+    let below = too_few(lower);
+    format!("from {lower} to {upper} levels, for {whom}{below}; the cap on cells leaves it open")
+}
+
+fn too_few(lower: u32) -> String {
+    if lower == 0 { String::new() } else { format!("; {} are too few", lower - 1) }
+}
+
+pub(super) fn depth_json(depth: TwoSidedDepth) -> Value {
+    let TwoSidedDepth { lower, upper } = depth;
+    json!({ "lower": lower, "upper": upper, "minimal": lower == upper })
+}
+
+pub(super) fn distance_json(distance: &Known, level: u32) -> Value {
+    let mut object = interval_json(&distance.enclosure);
+    object["level"] = json!(level);
+    object["within_width"] = json!(distance.narrow);
+    object["parameter"] = json!(distance.parameter.as_ref().map(Rational::to_string));
+    object
+}
+
+fn too_far(witness: &Witness, spread: &Rational) -> TooFar {
+    let Witness { polygon, parameter, level, distance } = witness;
+    let distance = distance * spread;
+    let text = format!(
+        "β times {}, from index {}: {} from its limit at t = {parameter}",
+        points_text(&polygon.points),
+        polygon.first,
+        short(&distance, 9)
+    );
+    let json = json!({
+        "level": level,
+        "first": polygon.first,
+        "points": polygon.points,
+        "times": spread.to_string(),
+        "parameter": parameter.to_string(),
+        "distance": exact_json(&distance),
+    });
+    TooFar { level: *level, text, json }
+}
+
+/// Points; of many, the first ones.
+pub(super) fn points_text(points: &[i64]) -> String {
+    let shown = points.iter().take(MAX_SHOWN_POINTS).map(i64::to_string);
+    let more = if points.len() > MAX_SHOWN_POINTS { " … (all in --format json)" } else { "" };
+    format!("{}{more}", shown.collect::<Vec<_>>().join(" "))
+}

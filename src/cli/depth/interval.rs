@@ -1,0 +1,32 @@
+//! Intervals in a report.
+
+use crate::cli::output::with_decimal;
+use serde_json::{Value, json};
+use subcert::exact::{Enclosure, Integer, Rational, format::short};
+use subcert::report::exact_json;
+
+/// As many digits as an end of an interval can have here.
+const DIGITS: u32 = 400;
+
+/// Both ends as decimals, the lower one rounded down and the upper one up, to a tenth of
+/// the width or less; of a single number its exact value.
+pub(super) fn interval_text(interval: &Enclosure) -> String {
+    let width = interval.width();
+    if width.is_zero() {
+        return with_decimal(interval.lower());
+    }
+    let mut places = 0;
+    while Rational::power_of_ten(1 - places) > width {
+        places += 1;
+    }
+    let scale = Rational::power_of_ten(places);
+    let floor = |value: &Rational| value.numerator().div_floor(&value.denominator());
+    let down: Integer = floor(&(interval.lower() * &scale));
+    let up: Integer = -floor(&-(interval.upper() * &scale));
+    let decimal = |value: Integer| short(&(Rational::from(value) / &scale), DIGITS);
+    format!("{} to {}", decimal(down), decimal(up))
+}
+
+pub(super) fn interval_json(interval: &Enclosure) -> Value {
+    json!({ "lower": exact_json(interval.lower()), "upper": exact_json(interval.upper()) })
+}

@@ -1,0 +1,172 @@
+//! `subcert depth`.
+
+mod bound;
+mod exact;
+mod interval;
+mod polygon;
+mod ring;
+mod surface;
+
+use super::Outcome;
+use super::arguments::{BoundaryArgument, DepthArguments};
+use super::output::{Failure, positive, show};
+use super::polygon::read_polygon;
+use bound::Bounds;
+use exact::{Asked, Exact};
+use polygon::{OfPolygon, Points};
+use ring::ring_depth;
+use serde_json::{Value, json};
+use subcert::bound::Constants;
+use subcert::exact::{Rational, format::short};
+use subcert::limit::{Distances, Limit, LimitError};
+use subcert::report::Sheet;
+use subcert::scheme::{AnyScheme, Mask, Scheme, parse_any_scheme};
+
+pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
+    let scheme = match parse_any_scheme(&arguments.scheme)? {
+        AnyScheme::Uniform(scheme) => scheme,
+        AnyScheme::Ring(ring) => return ring_depth(&ring, arguments),
+    };
+    let report = Report::of(&scheme, arguments)?;
+    show(arguments.output.format, || report.sheet(arguments), || report.json(arguments))
+}
+
+/// The answers to a question about a depth.
+struct Report {
+    tolerance: Rational,
+    spread: Rational,
+    bounds: Bounds,
+    /// Where no limit is shown to exist, the reason.
+    exact: Result<Exact, String>,
+    polygon: Option<(Points, Result<OfPolygon, LimitError>)>,
+}
+
+impl Report {
+    fn of(scheme: &Scheme, arguments: &DepthArguments) -> Result<Report, Failure> {
+        let tolerance = positive("--tolerance", &arguments.tolerance)?;
+        let points = points(scheme, arguments)?;
+        let spread = match &points {
+            Some(points) => points.spread(),
+            None => positive("--spread", &arguments.spread.spread)?,
+        };
+        let width = match &arguments.width {
+            Some(width) => positive("--width", width)?,
+            None => &tolerance / Rational::from(1000),
+        };
+        let constants: Vec<Constants> =
+            scheme.masks().into_iter().cloned().map(Constants::new).collect();
+        let bounds = Bounds::of(&constants, arguments.block.levels, &tolerance, &spread)
+            .map_err(|error| Failure::Input(error.to_string()))?;
+        let asked = Asked { tolerance: &tolerance, spread: &spread, width: &width };
+        let mut polygon = None;
+        let exact = match scheme {
+            Scheme::Curve(mask) => {
+                let distances = distances(mask, points.as_ref());
+                let of = |distances: &Distances| Exact::of(mask, distances, &asked);
+                let exact = distances.as_ref().map_err(Clone::clone).and_then(of);
+                if let Some(points) = points {
+                    let of = |distances| OfPolygon::of(distances, &points, &tolerance, &width);
+                    let own = distances.as_ref().map_err(Clone::clone).and_then(of);
+                    if let Err(error @ LimitError::TooFew { .. }) = own {
+                        return Err(Failure::Input(format!("--polygon: {error}")));
+                    }
+                    polygon = Some((points, own));
+                }
+                exact.map_err(|error| error.to_string())
+            }
+            Scheme::Tensor(first, second) => {
+                Exact::of_surface([first, second], &asked).map_err(|error| error.to_string())
+            }
+        };
+        Ok(Report { tolerance, spread, bounds, exact, polygon })
+    }
+
+    fn sheet(&self, arguments: &DepthArguments) -> Sheet {
+        let mut sheet = Sheet::default();
+        let (name, tolerance) = (&arguments.scheme, &arguments.tolerance);
+        let spread = match &self.polygon {
+            Some(_) => short(&self.spread, 9),
+            None => arguments.spread.spread.clone(),
+        };
+        sheet.heading(1, format!("{name}, ε = {tolerance}, β = {spread}"));
+        if let Some((points, own)) = &self.polygon {
+            let mut facts = vec![("control polygon".to_owned(), points.text())];
+            match own {
+                Ok(own) => facts.extend(own.facts(points)),
+                Err(error) => {
+                    facts.push(("depth of the polygon".to_owned(), format!("none: {error}")));
+                }
+            }
+            sheet.facts(facts);
+        }
+        let mut facts = match &self.exact {
+            Ok(exact) => exact.facts(),
+            Err(why) => vec![("depth, exactly".to_owned(), format!("none: {why}"))],
+        };
+        facts.extend(self.bounds.facts());
+        sheet.facts(facts);
+        sheet.grid(self.bounds.grid());
+        if self.polygon.as_ref().is_some_and(|(points, _)| points.coordinates.len() > 1) {
+            sheet.text(
+                "β, the distance and the depth of a polygon of points are the greatest of their \
+                 coordinates.",
+            );
+        }
+        sheet.text(
+            "The exact depth is the least level that meets the tolerance for every control \
+             polygon or net of this spread; the sound bound promises it too, the later the cruder it is. \
+             Both compare at the scheme's own offset. The printed formula, σβT^k/(1 − T) with one \
+             power of the constant for each level, |Σ| in place of σ and offset 0, does not \
+             promise it.",
+        );
+        sheet
+    }
+
+    fn json(&self, arguments: &DepthArguments) -> Value {
+        let none = |why: &dyn std::fmt::Display| json!({ "none": why.to_string() });
+        let polygon = self.polygon.as_ref().map(|(points, own)| match own {
+            Ok(own) => own.json(points),
+            Err(error) => none(error),
+        });
+        json!({
+            "schema": 1,
+            "scheme": arguments.scheme,
+            "tolerance": self.tolerance.to_string(),
+            "spread": self.spread.to_string(),
+            "polygon": polygon,
+            "depth": match &self.exact {
+                Ok(exact) => exact.json(),
+                Err(why) => none(why),
+            },
+            "sound": self.bounds.sound_json(),
+            "printed_formula": self.bounds.printed_json(),
+        })
+    }
+}
+
+/// The most cells that one question about a distance looks at, and as many more for each
+/// point of a polygon.
+const MAX_CELLS: u32 = 1 << 16;
+const CELLS_OF_A_POINT: usize = 16;
+
+fn distances(mask: &Mask, points: Option<&Points>) -> Result<Distances, LimitError> {
+    let more = points.map_or(0, |points| points.count * CELLS_OF_A_POINT);
+    let cells = MAX_CELLS + u32::try_from(more).unwrap_or(MAX_CELLS);
+    Ok(Distances::new(&Limit::new(mask)?)?.with_cells(cells))
+}
+
+/// The control polygon that was given.
+fn points(scheme: &Scheme, arguments: &DepthArguments) -> Result<Option<Points>, Failure> {
+    let Some(path) = &arguments.polygon else { return Ok(None) };
+    if let Scheme::Tensor(..) = scheme {
+        let message = "--polygon is for curves; a surface has a control net";
+        return Err(Failure::Input(message.to_owned()));
+    }
+    let closed = arguments.boundary != Some(BoundaryArgument::Open);
+    let points = Points::new(&read_polygon(path)?, closed);
+    if points.spread().is_zero() {
+        let message = "--polygon: all points are the same, and so is the limit at every level";
+        return Err(Failure::Input(message.to_owned()));
+    }
+    Ok(Some(points))
+}

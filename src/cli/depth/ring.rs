@@ -1,0 +1,124 @@
+//! `subcert depth` of a ring.
+
+use super::exact::points_text;
+use crate::cli::Outcome;
+use crate::cli::arguments::DepthArguments;
+use crate::cli::output::{Failure, positive, show, with_decimal};
+use serde_json::{Value, json};
+use subcert::exact::{Rational, RealCyclotomic, format::short};
+use subcert::limit::{RingDepth, RingDistances, RingLimit, RingLimitError, RingWitness};
+use subcert::report::{Sheet, exact_json};
+use subcert::scheme::Ring;
+
+pub(super) fn ring_depth(ring: &Ring, arguments: &DepthArguments) -> Outcome {
+    if arguments.polygon.is_some() || arguments.width.is_some() {
+        return Err(Failure::Input(
+            "--polygon and --width are for curves; distances of rings are exact".to_owned(),
+        ));
+    }
+    let tolerance = positive("--tolerance", &arguments.tolerance)?;
+    let spread = positive("--spread", &arguments.spread.spread)?;
+    let depth = Depth::of(ring, &tolerance, &spread);
+    let report = Report { ring, tolerance, spread, depth };
+    show(arguments.output.format, || report.sheet(arguments), || report.json(arguments))
+}
+
+struct Report<'a> {
+    ring: &'a Ring,
+    tolerance: Rational,
+    spread: Rational,
+    depth: Result<Depth, RingLimitError>,
+}
+
+struct Depth {
+    levels: RingDepth,
+    /// The distances at the depth and at the level below it, of spread 1.
+    at: RingWitness,
+    below: Option<RingWitness>,
+}
+
+impl Depth {
+    fn of(ring: &Ring, tolerance: &Rational, spread: &Rational) -> Result<Depth, RingLimitError> {
+        let distances = RingDistances::new(RingLimit::new(ring)?);
+        let depth = distances.depth(spread, tolerance)?;
+        let at = distances.constant(depth.level)?;
+        let below =
+            depth.level.checked_sub(1).map(|level| distances.constant(level)).transpose()?;
+        Ok(Depth { levels: depth, at, below })
+    }
+}
+
+impl Report<'_> {
+    fn distance(&self, witness: &RingWitness) -> RealCyclotomic {
+        &witness.distance * &RealCyclotomic::from(self.spread.clone())
+    }
+
+    fn sheet(&self, arguments: &DepthArguments) -> Sheet {
+        let mut sheet = Sheet::default();
+        let (name, spread) = (&arguments.scheme, &arguments.spread.spread);
+        sheet.heading(1, format!("{name}, ε = {}, β = {spread}", arguments.tolerance));
+        let Depth { levels: depth, at, below } = match &self.depth {
+            Ok(depth) => depth,
+            Err(error) => {
+                sheet.facts(vec![("depth, exactly".to_owned(), format!("none: {error}"))]);
+                return sheet;
+            }
+        };
+        let few = match depth.level {
+            0 => String::new(),
+            level => format!("; {} are too few", level - 1),
+        };
+        let mut facts = vec![("depth, exactly".to_owned(), format!("{} levels{few}", depth.level))];
+        if depth.settled > depth.level {
+            facts.push(("for good from".to_owned(), format!("level {}", depth.settled)));
+        }
+        let distance = with_decimal(&self.distance(at));
+        facts.push((format!("distance C_{}·β", at.level), distance));
+        if let Some(below) = below {
+            let text = format!(
+                "β times {}: {} is {} from the limit",
+                points_text(&below.ring),
+                self.ring.name(below.point),
+                short(&self.distance(below), 9)
+            );
+            facts.push((format!("too far at level {}", below.level), text));
+        }
+        sheet.facts(facts);
+        sheet.text(
+            "The depth is the least level at which, for every control ring of this spread, all \
+             points are within the tolerance of the one that they tend to. Around a vertex that \
+             is not the distance from the limit surface, but at the vertex.",
+        );
+        sheet
+    }
+
+    fn json(&self, arguments: &DepthArguments) -> Value {
+        let witness = |witness: &RingWitness| {
+            json!({
+                "level": witness.level,
+                "ring": witness.ring,
+                "times": self.spread.to_string(),
+                "point": self.ring.name(witness.point),
+                "distance": exact_json(&self.distance(witness)),
+            })
+        };
+        let depth = match &self.depth {
+            Ok(Depth { levels: depth, at, below }) => json!({
+                "lower": depth.level,
+                "upper": depth.level,
+                "minimal": true,
+                "settled": depth.settled,
+                "distance": witness(at),
+                "witness": below.as_ref().map(witness),
+            }),
+            Err(error) => json!({ "none": error.to_string() }),
+        };
+        json!({
+            "schema": 1,
+            "scheme": arguments.scheme,
+            "tolerance": self.tolerance.to_string(),
+            "spread": self.spread.to_string(),
+            "depth": depth,
+        })
+    }
+}

@@ -1,0 +1,53 @@
+//! The true depth of tensor product surfaces, for every control net of a spread.
+
+use super::exact::{Asked, Exact, Known, TooFar, points_text};
+use serde_json::json;
+use subcert::exact::format::short;
+use subcert::limit::{Comparison, Limit, Spreads, SurfaceDistances, SurfaceError, SurfaceWitness};
+use subcert::report::exact_json;
+use subcert::scheme::Mask;
+
+/// The most rows of a net that are shown in a text.
+const MAX_SHOWN_ROWS: usize = 6;
+
+impl Exact {
+    /// β is the largest difference along either direction.
+    pub(super) fn of_surface(masks: [&Mask; 2], asked: &Asked<'_>) -> Result<Exact, SurfaceError> {
+        let spreads = Spreads::new(asked.spread, asked.spread)?;
+        let [first, second] = masks;
+        let distances = SurfaceDistances::new(&Limit::new(first)?, &Limit::new(second)?)?;
+        let depth = distances.depth(&spreads, asked.tolerance)?;
+        let (enclosure, _) = distances.constant(depth.upper, asked.width, &spreads)?;
+        let narrow = enclosure.width() <= *asked.width;
+        let too_far = match depth.lower.checked_sub(1) {
+            None => None,
+            Some(level) => match distances.compare(level, asked.tolerance, &spreads)? {
+                Comparison::Exceeds(witness) => Some(too_far(&witness)),
+                Comparison::Within | Comparison::Undecided(_) => None,
+            },
+        };
+        let distance = Known { enclosure, narrow, parameter: None };
+        let offsets = masks.map(Mask::offset).to_vec();
+        Ok(Exact { offsets, depth, distance, too_far })
+    }
+}
+
+fn too_far(witness: &SurfaceWitness) -> TooFar {
+    let SurfaceWitness { first: [i, j], net, unit, level, parameters: [s, t], distance } = witness;
+    let rows = net.iter().take(MAX_SHOWN_ROWS).map(|row| points_text(row));
+    let more = if net.len() > MAX_SHOWN_ROWS { " / … (all in --format json)" } else { "" };
+    let text = format!(
+        "β times {}{more}, from index ({i}, {j}): {} from its limit at ({s}, {t})",
+        rows.collect::<Vec<String>>().join(" / "),
+        short(distance, 9)
+    );
+    let json = json!({
+        "level": level,
+        "first": [i, j],
+        "net": net,
+        "times": unit.to_string(),
+        "parameters": [s.to_string(), t.to_string()],
+        "distance": exact_json(distance),
+    });
+    TooFar { level: *level, text, json }
+}

@@ -1,0 +1,165 @@
+//! Control polygons in files.
+
+use super::output::Failure;
+use serde_json::value::RawValue;
+use std::ops::Range;
+use std::path::Path;
+use std::sync::Arc;
+use subcert::diagnostic::{Diagnostic, SourceText, read_text};
+use subcert::exact::{Integer, Rational, parse_rational};
+
+/// The largest file that is read, in bytes.
+const MAX_BYTES: u64 = 1 << 20;
+
+/// The most points, and the most coordinates of each.
+const MAX_POINTS: usize = 10_000;
+const MAX_COORDINATES: usize = 16;
+
+/// The most binary digits of a numerator, and of the common denominator of a coordinate.
+const MAX_BITS: u64 = 4_096;
+
+/// A coordinate with its place in the file.
+type Placed = (Rational, Range<usize>);
+
+/// The control polygon in a file, coordinate by coordinate: all x, then all y, and so on.
+///
+/// A file that begins with `[` is a JSON array of numbers or of arrays of them, each a
+/// JSON number, which is read from its text, or a string such as "1/3". Any other has one
+/// point on a line, its coordinates separated by commas or white space; `#` begins a
+/// comment.
+pub(super) fn read_polygon(path: &Path) -> Result<Vec<Vec<Rational>>, Failure> {
+    let name = path.display().to_string();
+    let text = read_text(path, MAX_BYTES)
+        .map_err(|reason| Failure::Input(format!("cannot read `{name}`: {reason}")))?;
+    let source = SourceText::new(name, text);
+    let json = source.text.trim_start().starts_with('[');
+    let points = if json { json_points(&source) } else { lines(&source) }?;
+    Ok(coordinates(&source, points)?)
+}
+
+fn lines(source: &Arc<SourceText>) -> Result<Vec<Vec<Placed>>, Diagnostic> {
+    let mut points = Vec::new();
+    let mut start = 0;
+    for line in source.text.split_inclusive('\n') {
+        let numbers = line.split('#').next().unwrap_or_default();
+        let mut point = Vec::new();
+        let mut at = start;
+        for piece in numbers.split(|c: char| c == ',' || c.is_whitespace()) {
+            if !piece.is_empty() {
+                point.push(number(source, piece, at..at + piece.len())?);
+            }
+            // Every separator that `split` takes away is one character.
+            at += piece.len();
+            at += source.text[at..].chars().next().map_or(0, char::len_utf8);
+        }
+        if !point.is_empty() {
+            points.push(point);
+        }
+        start += line.len();
+    }
+    Ok(points)
+}
+
+fn number(source: &Arc<SourceText>, text: &str, span: Range<usize>) -> Result<Placed, Diagnostic> {
+    match parse_rational(text) {
+        Ok(value) => Ok((value, span)),
+        Err(error) => Err(Diagnostic::new(source, span, error.to_string()).with_help(
+            "write one point on a line, such as `1/3, 0.25`, and `#` before what is no number",
+        )),
+    }
+}
+
+fn json_points(source: &Arc<SourceText>) -> Result<Vec<Vec<Placed>>, Diagnostic> {
+    let whole = 0..source.text.len();
+    let point = |raw: &RawValue| {
+        let span = place(source, raw);
+        if raw.get().starts_with('[') {
+            let numbers = elements(source, span)?;
+            numbers.into_iter().map(|raw| json_number(source, raw)).collect()
+        } else {
+            Ok(vec![json_number(source, raw)?])
+        }
+    };
+    elements(source, whole)?.into_iter().map(point).collect()
+}
+
+/// The elements of the JSON array at `span`, with their text.
+fn elements(source: &Arc<SourceText>, span: Range<usize>) -> Result<Vec<&RawValue>, Diagnostic> {
+    let text = &source.text[span.clone()];
+    serde_json::from_str(text).map_err(|error| {
+        // Line and column of the character before which reading stopped, from 1.
+        let line = text.split_inclusive('\n').take(error.line().saturating_sub(1));
+        let before = line.map(str::len).sum::<usize>() + error.column().saturating_sub(1);
+        let at = (0..=before).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0);
+        let length = text[at..].chars().next().map_or(0, char::len_utf8);
+        let place = span.start + at..span.start + at + length;
+        let message = error.to_string();
+        let message = message.split(" at line ").next().unwrap_or_default().to_owned();
+        Diagnostic::new(source, place, message).with_help(JSON_HELP)
+    })
+}
+
+const JSON_HELP: &str = "write an array of numbers, or of points: [[0, \"1/3\"], [0.25, 1]]";
+
+/// Where in the source an element stands: a part of its text.
+fn place(source: &Arc<SourceText>, raw: &RawValue) -> Range<usize> {
+    let start = raw.get().as_ptr().addr().saturating_sub(source.text.as_ptr().addr());
+    start..start + raw.get().len()
+}
+
+fn json_number(source: &Arc<SourceText>, raw: &RawValue) -> Result<Placed, Diagnostic> {
+    let (text, span) = (raw.get(), place(source, raw));
+    let wrong =
+        |message: String| Diagnostic::new(source, span.clone(), message).with_help(JSON_HELP);
+    let parsed = match text.chars().next() {
+        Some('"') => {
+            let text: String = serde_json::from_str(text).map_err(|e| wrong(e.to_string()))?;
+            parse_rational(&text)
+        }
+        Some('-' | '0'..='9') => parse_rational(text),
+        _ => return Err(wrong("this is no number, nor a string that holds one".to_owned())),
+    };
+    let value = parsed.map_err(|error| wrong(error.to_string()))?;
+    Ok((value, span))
+}
+
+/// The points, turned into one sequence for each coordinate.
+fn coordinates(
+    source: &Arc<SourceText>,
+    points: Vec<Vec<Placed>>,
+) -> Result<Vec<Vec<Rational>>, Diagnostic> {
+    let whole = 0..source.text.len();
+    let count = points.first().map_or(0, Vec::len);
+    if points.len() < 2 || points.len() > MAX_POINTS {
+        let found = points.len();
+        let message = format!("a polygon has from 2 to {MAX_POINTS} points; there are {found}");
+        return Err(Diagnostic::new(source, whole, message)
+            .with_help("write one point on a line, or a JSON array of them"));
+    }
+    let mut coordinates = vec![Vec::with_capacity(points.len()); count];
+    let mut common = vec![Integer::one(); count];
+    for point in points {
+        let span = point.first().map_or(whole.start, |first| first.1.start)
+            ..point.last().map_or(whole.end, |last| last.1.end);
+        if point.len() != count || !(1..=MAX_COORDINATES).contains(&count) {
+            let message = format!(
+                "{} coordinates here, and {count} of the first point; all have the same number of \
+                 them, from 1 to {MAX_COORDINATES}",
+                point.len()
+            );
+            return Err(Diagnostic::new(source, span, message));
+        }
+        for (j, (value, span)) in point.into_iter().enumerate() {
+            common[j] = common[j].lcm(&value.denominator());
+            if common[j].bits().max(value.numerator().bits()) > MAX_BITS {
+                let message = format!(
+                    "with this number a numerator or the common denominator has more than \
+                     {MAX_BITS} binary digits"
+                );
+                return Err(Diagnostic::new(source, span, message).with_help("round the numbers"));
+            }
+            coordinates[j].push(value);
+        }
+    }
+    Ok(coordinates)
+}

@@ -1,0 +1,105 @@
+//! Whether the limit is ever further from its polygon than claimed.
+
+use super::distance::{Distances, Polygons};
+use super::error::LimitError;
+use super::functional::ExtremalPolygon;
+use super::polygon::ControlPolygon;
+use super::search::Goal;
+use crate::exact::{Enclosure, Rational};
+
+/// How a distance compares with a threshold.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Comparison<W> {
+    /// It is at most the threshold, for all that were asked for.
+    Within,
+    /// It is greater, as this shows.
+    Exceeds(W),
+    /// The caps on cells and levels leave it in this interval, around the threshold.
+    Undecided(Box<Enclosure>),
+}
+
+/// A control polygon of spread 1 and a place where it is far from its limit.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Witness {
+    /// The polygon: integers, neighbours of which differ by 1.
+    pub polygon: ExtremalPolygon,
+    /// k.
+    pub level: u32,
+    /// t.
+    pub parameter: Rational,
+    /// |P^∞(t) − P^k(t)|.
+    pub distance: Rational,
+}
+
+impl Distances {
+    /// Compares C_k, the supremum of ‖P^∞ − P^k‖_∞ over all control polygons with
+    /// max|Δ| ≤ 1, with a threshold.
+    ///
+    /// # Errors
+    /// When k is above 128.
+    ///
+    /// ```
+    /// use subcert::exact::Rational;
+    /// use subcert::limit::{Comparison, Distances, Limit};
+    /// use subcert::scheme::parse_scheme;
+    ///
+    /// let scheme = parse_scheme("b-spline:degree=3")?;
+    /// let distances = Distances::new(&Limit::new(scheme.masks()[0])?)?;
+    /// let (third, quarter) = (Rational::new(1, 3), Rational::new(1, 4));
+    /// assert_eq!(distances.compare(0, &third)?, Comparison::Within);
+    /// let Comparison::Exceeds(witness) = distances.compare(0, &quarter)? else {
+    ///     return Err("0, -1, 0 is 1/3 from its limit".into());
+    /// };
+    /// assert_eq!(witness.polygon.points, [0, -1, 0]);
+    /// assert_eq!(witness.distance, third);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn compare(
+        &self,
+        level: u32,
+        threshold: &Rational,
+    ) -> Result<Comparison<Witness>, LimitError> {
+        Ok(match self.compare_among(&self.any_polygon(), level, threshold)? {
+            Comparison::Within => Comparison::Within,
+            Comparison::Undecided(enclosure) => Comparison::Undecided(enclosure),
+            Comparison::Exceeds((parameter, distance)) => {
+                let polygon = self.limit().error(level, &parameter)?.extremal_polygon();
+                Comparison::Exceeds(Witness { polygon, level, parameter, distance })
+            }
+        })
+    }
+
+    /// The same for ‖P^∞ − P^k‖_∞ of one control polygon: what exceeds the threshold is
+    /// |P^∞(t) − P^k(t)| at a t.
+    ///
+    /// # Errors
+    /// As of [`Distances::compare`], and when the polygon is too short.
+    pub fn compare_polygon(
+        &self,
+        polygon: &ControlPolygon,
+        level: u32,
+        threshold: &Rational,
+    ) -> Result<Comparison<(Rational, Rational)>, LimitError> {
+        self.compare_among(&self.this_polygon(polygon)?, level, threshold)
+    }
+
+    pub(super) fn compare_among(
+        &self,
+        among: &Polygons,
+        level: u32,
+        threshold: &Rational,
+    ) -> Result<Comparison<(Rational, Rational)>, LimitError> {
+        let (mut search, mut best) = self.search(among, level)?;
+        if best.value > *threshold {
+            return Ok(Comparison::Exceeds((best.parameter, best.value)));
+        }
+        let bound = search.run(&Goal::Threshold(threshold.clone()), &mut best);
+        Ok(if best.value > *threshold {
+            Comparison::Exceeds((best.parameter, best.value))
+        } else if bound <= *threshold {
+            Comparison::Within
+        } else {
+            Comparison::Undecided(Box::new(Enclosure::new(best.value, bound)))
+        })
+    }
+}

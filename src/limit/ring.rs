@@ -1,0 +1,268 @@
+//! The limit of a ring: the point that all its points tend to.
+
+use super::error::MAX_LEVEL;
+use crate::bound::{MAX_RING_WORK, RingWork, Transport, transport};
+use crate::exact::{Rational, Real, RealCyclotomic, format};
+use crate::formula::Value;
+use crate::scheme::Ring;
+use std::iter::successors;
+
+/// The highest c up to which a T_c below 1 is looked for.
+const MAX_BLOCK: u32 = 32;
+
+/// Why a ring has no limit, or no depth.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum RingLimitError {
+    /// 1 is not a simple eigenvalue of the matrix of the ring.
+    #[error("the ring has no limit: 1 is a multiple eigenvalue of its matrix")]
+    NoLimit,
+    /// No computed T_c is below 1.
+    #[error(
+        "the points of the ring are not shown to have one limit: the least contraction constant \
+         T_c for c from 1 to {blocks} is {least}, and one below 1 is needed"
+    )]
+    NotShown {
+        /// The greatest c tried.
+        blocks: u32,
+        /// The least T_c.
+        least: String,
+    },
+    /// A system of equations beyond [`MAX_RING_WORK`].
+    #[error(
+        "the limit of the ring takes the solution of {unknowns} equations, which is too much \
+         work: at most {MAX_RING_WORK} is done"
+    )]
+    Unknowns {
+        /// How many equations.
+        unknowns: usize,
+    },
+    /// Powers beyond [`MAX_RING_WORK`].
+    #[error(transparent)]
+    Work(#[from] RingWork),
+    /// A level beyond [`MAX_LEVEL`].
+    #[error("level {0} is too high; at most {MAX_LEVEL} is")]
+    Level(u32),
+    /// A tolerance or a spread that must be positive.
+    #[error("{what} must be positive, and is {value}")]
+    NotPositive {
+        /// What must be positive.
+        what: &'static str,
+        /// What it is.
+        value: String,
+    },
+    /// No level up to [`MAX_LEVEL`] is deep enough.
+    #[error("no level up to {MAX_LEVEL} meets the tolerance: ask for a greater tolerance")]
+    TooDeep,
+}
+
+/// The limit of a [`Ring`] x' = Mx, exactly: where T_c < 1 for some c, all its points
+/// tend to one, Σ_b w_b x_b, with the only w for which wᵀM = wᵀ and Σ_b w_b = 1.
+///
+/// Source: `proofs/THEOREMS.md`, 20.
+///
+/// ```
+/// use subcert::exact::Rational;
+/// use subcert::limit::RingLimit;
+/// use subcert::scheme::parse_ring;
+///
+/// // A vertex of valence 4 is regular: (16, 4, 1)/36.
+/// let limit = RingLimit::new(&parse_ring("catmull-clark:N=4")?)?;
+/// let weights = [16, 4, 4, 4, 4, 1, 1, 1, 1].map(|p| Rational::new(p, 36).into());
+/// assert_eq!(limit.weights(), weights);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct RingLimit<S = RealCyclotomic> {
+    ring: Ring<S>,
+    weights: Vec<S>,
+    contraction: Vec<S>,
+}
+
+impl<S: Real + Ord + Value> RingLimit<S> {
+    /// The limit of this ring.
+    ///
+    /// The equations are solved for one point of each class under the
+    /// [rotation](Ring::rotation) of the ring. T_c is computed until one is below 1, for
+    /// c up to 32.
+    ///
+    /// # Errors
+    /// When 1 is a multiple eigenvalue of M, so that there is no limit; when no computed
+    /// T_c is below 1; when the powers of M or the equations are more work than
+    /// [`MAX_RING_WORK`].
+    pub fn new(ring: &Ring<S>) -> Result<RingLimit<S>, RingLimitError> {
+        let weights = left_eigenvector(ring)?;
+        let contraction = contraction_constants(ring)?;
+        Ok(RingLimit { ring: ring.clone(), weights, contraction })
+    }
+
+    /// The ring.
+    #[must_use]
+    pub fn ring(&self) -> &Ring<S> {
+        &self.ring
+    }
+
+    /// w, the left eigenvector for 1 with Σ_b w_b = 1.
+    #[must_use]
+    pub fn weights(&self) -> &[S] {
+        &self.weights
+    }
+
+    /// T_0 = 1, T_1, …, T_c, of which the last is the first below 1.
+    #[must_use]
+    pub fn contraction(&self) -> &[S] {
+        &self.contraction
+    }
+
+    /// Σ_b w_b x_b.
+    ///
+    /// # Panics
+    /// When there are not v points.
+    #[must_use]
+    pub fn of(&self, points: &[S]) -> S {
+        assert_eq!(points.len(), self.weights.len(), "a control point for each weight");
+        let terms: Vec<S> = self.weights.iter().zip(points).map(|(w, x)| w.times(x)).collect();
+        S::total(&terms)
+    }
+}
+
+/// A functional of rings of which the coefficients sum to 0, and what it belongs to: a
+/// point, an edge.
+pub(super) type Labelled<S, L> = (L, Vec<S>);
+
+/// The functionals fᵀ, fᵀM, fᵀM², ….
+pub(super) fn pulled_back<S: Real, L: Copy>(
+    ring: &Ring<S>,
+    functionals: Vec<Labelled<S, L>>,
+) -> impl Iterator<Item = Vec<Labelled<S, L>>> {
+    let next = |now: &Vec<Labelled<S, L>>| {
+        Some(now.iter().map(|(label, f)| (*label, ring.pull_back(f))).collect())
+    };
+    successors(Some(functionals), next)
+}
+
+/// The first of the functionals of the greatest norm ‖·‖_*.
+pub(super) fn greatest<S: Real + Ord, L: Copy>(
+    ring: &Ring<S>,
+    functionals: &[Labelled<S, L>],
+) -> (L, Transport<S>) {
+    let norm = |(label, f): &Labelled<S, L>| {
+        (*label, transport(f, ring.edges()).expect("the mesh of a ring is connected"))
+    };
+    let norms = functionals.iter().map(norm);
+    let greater = |best: (L, Transport<S>), next: (L, Transport<S>)| {
+        if next.1.value > best.1.value { next } else { best }
+    };
+    norms.reduce(greater).expect("a ring has points and edges")
+}
+
+/// e_a − e_b for the edges (a, b), up to the rotation.
+pub(super) fn edge_differences<S: Real + PartialEq>(
+    ring: &Ring<S>,
+) -> Vec<Labelled<S, (usize, usize)>> {
+    let one = S::from_rational(&Rational::one());
+    let edge = |(a, b): (usize, usize)| {
+        let mut f = vec![S::zero(); ring.point_count()];
+        (f[a], f[b]) = (one.clone(), S::zero().minus(&one));
+        ((a, b), f)
+    };
+    ring.representatives().edges.into_iter().map(edge).collect()
+}
+
+fn contraction_constants<S: Real + Ord + Value>(ring: &Ring<S>) -> Result<Vec<S>, RingLimitError> {
+    let one = S::from_rational(&Rational::one());
+    let edges = edge_differences(ring);
+    let mut constants = vec![one.clone()];
+    let count = edges.len();
+    let mut powers = pulled_back(ring, edges).skip(1);
+    for c in 1..=MAX_BLOCK {
+        // The row of c − 1 levels times M.
+        RingWork::check(ring, count, c + 1)?;
+        let differences = powers.next().expect("there is no last power");
+        constants.push(greatest(ring, &differences).1.value);
+        if constants[c as usize] < one {
+            return Ok(constants);
+        }
+    }
+    let least = constants.into_iter().skip(1).min().unwrap_or(one);
+    let least = least.as_rational().map_or_else(|| "above 1".to_owned(), |q| format::short(&q, 6));
+    Err(RingLimitError::NotShown { blocks: MAX_BLOCK, least })
+}
+
+/// The w with wᵀM = wᵀ and Σ w_b = 1, if there is only one; it does not change under the
+/// rotation, so that one unknown for each class is enough. One of the equations follows
+/// from the others, since the rows of M sum to 1, and Σ w_b = 1 takes its place.
+fn left_eigenvector<S: Real + Ord + Value>(ring: &Ring<S>) -> Result<Vec<S>, RingLimitError> {
+    let representatives = ring.representatives().points;
+    let classes = classes(ring, &representatives);
+    let unknowns = representatives.len();
+    let weights = ring.weights();
+    let entries = weights.iter().flatten();
+    let field = entries.clone().map(|m| u64::from(m.conductor()).pow(2)).max().unwrap_or(1);
+    let size = entries.map(|m| m.product_size(m)).max().unwrap_or(1).max(field);
+    let work = (unknowns as u64).saturating_pow(4).saturating_mul(size);
+    if work > MAX_RING_WORK {
+        return Err(RingLimitError::Unknowns { unknowns });
+    }
+    let one = S::from_rational(&Rational::one());
+    let mut rows = vec![vec![S::zero(); unknowns + 1]; unknowns];
+    for &class in &classes {
+        rows[0][class] = rows[0][class].plus(&one);
+    }
+    rows[0][unknowns] = one.clone();
+    for (d, &b) in representatives.iter().enumerate().skip(1) {
+        for (a, &class) in classes.iter().enumerate() {
+            rows[d][class] = rows[d][class].plus(&weights[a][b]);
+        }
+        rows[d][d] = rows[d][d].minus(&one);
+    }
+    let solution = eliminate(rows).ok_or(RingLimitError::NoLimit)?;
+    Ok(classes.into_iter().map(|class| solution[class].clone()).collect())
+}
+
+/// For each point the index of its representative.
+fn classes<S: PartialEq>(ring: &Ring<S>, representatives: &[usize]) -> Vec<usize> {
+    let image = ring.rotation().unwrap_or_else(|| (0..ring.point_count()).collect());
+    let mut classes = vec![0; ring.point_count()];
+    for (class, &first) in representatives.iter().enumerate() {
+        classes[first] = class;
+        let mut point = image[first];
+        while point != first {
+            classes[point] = class;
+            point = image[point];
+        }
+    }
+    classes
+}
+
+/// The only solution of a square system, each row with its right side at the end.
+fn eliminate<S: Real + PartialEq>(mut rows: Vec<Vec<S>>) -> Option<Vec<S>> {
+    let count = rows.len();
+    for step in 0..count {
+        let pivot = (step..count).find(|&row| rows[row][step] != S::zero())?;
+        rows.swap(step, pivot);
+        let top: Vec<S> = rows[step].iter().map(|entry| entry.over(&rows[step][step])).collect();
+        for (at, row) in rows.iter_mut().enumerate() {
+            if at != step && row[step] != S::zero() {
+                let factor = row[step].clone();
+                for (entry, above) in row.iter_mut().zip(&top) {
+                    *entry = entry.minus(&factor.times(above));
+                }
+            }
+        }
+        rows[step] = top;
+    }
+    rows.iter().map(|row| row.last().cloned()).collect()
+}
+
+/// Refuses a level beyond [`MAX_LEVEL`], and powers that are too much work.
+pub(super) fn check_level<S: Value + Real>(
+    ring: &Ring<S>,
+    rows: usize,
+    level: u32,
+) -> Result<(), RingLimitError> {
+    if level > MAX_LEVEL {
+        return Err(RingLimitError::Level(level));
+    }
+    Ok(RingWork::check(ring, rows, level + 1)?)
+}

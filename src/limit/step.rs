@@ -1,0 +1,188 @@
+//! The greatest step, and the greatest difference, after k levels.
+
+use super::error::LimitError;
+use super::functional::{ExtremalPolygon, Functional, rule_at};
+use crate::exact::{CommonDenominator, Integer, Rational};
+use crate::scheme::{Mask, Rules};
+
+/// The most residue classes over which a step or a difference is compared.
+const MAX_CLASSES: u64 = 1 << 14;
+
+/// A supremum over all control polygons with max|Δ| ≤ 1, and one of integers that
+/// attains it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Attained {
+    /// The supremum.
+    pub value: Rational,
+    /// The index of the point, or of the difference, where it is attained.
+    pub index: i64,
+    /// The polygon: integers, neighbours of which differ by 1.
+    pub polygon: ExtremalPolygon,
+}
+
+/// sup ‖P^{k+1} − P^k‖_∞ = max_α ‖E_α D^k‖ over the control polygons with max|Δ| ≤ 1.
+/// It is attained at the point x^{k+1}_i with the `index` i.
+///
+/// Source: `proofs/THEOREMS.md`, 2 and 44.
+///
+/// # Errors
+/// When there are more than 2^14 points i mod n^{k+1}.
+///
+/// # Panics
+/// Never: the rules of a mask sum to 1.
+///
+/// ```
+/// use subcert::exact::Rational;
+/// use subcert::limit::greatest_step;
+/// use subcert::scheme::parse_scheme;
+///
+/// // x^1_0 − x^0_0 = (Δ_0 − Δ_{−1})/8 of the cubic B-spline, and a quarter of it later.
+/// let scheme = parse_scheme("b-spline:degree=3")?;
+/// let step = greatest_step(scheme.masks()[0], 0)?;
+/// assert_eq!((step.value, step.index), (Rational::new(1, 4), 0));
+/// assert_eq!(step.polygon.points, [0, -1, 0]);
+/// assert_eq!(greatest_step(scheme.masks()[0], 2)?.value, Rational::new(1, 64));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn greatest_step(mask: &Mask, level: u32) -> Result<Attained, LimitError> {
+    let arity = i64::try_from(mask.arity()).expect("the arity is capped");
+    let step = |alpha: i64| {
+        let point: Functional =
+            rule_at(mask.rules(), alpha).map(|(i, weight)| (i, weight.clone())).collect();
+        let part = Rational::new(alpha, arity);
+        let before = Functional::new(0, [Rational::one() - &part, part]);
+        let off = point.plus(&Rational::from(-1), &before);
+        (alpha, off.on_differences().expect("both are affine combinations"))
+    };
+    greatest(&(0..arity).map(step).collect::<Vec<_>>(), arity, &mask.difference(), level)
+}
+
+/// sup max|Δ^k| = T_k over the control polygons with max|Δ| ≤ 1. It is attained at the
+/// difference Δ^k_i with the `index` i.
+///
+/// # Errors
+/// When there are more than 2^14 differences i mod n^k.
+///
+/// ```
+/// use subcert::exact::Rational;
+/// use subcert::limit::greatest_difference;
+/// use subcert::scheme::parse_scheme;
+///
+/// let scheme = parse_scheme("quinary-three-point")?;
+/// let difference = greatest_difference(scheme.masks()[0], 2)?;
+/// assert_eq!(difference.value, Rational::new(169, 625));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn greatest_difference(mask: &Mask, level: u32) -> Result<Attained, LimitError> {
+    greatest(&[(0, Functional::new(0, [Rational::one()]))], 1, &mask.difference(), level)
+}
+
+/// The greatest ‖f ∘ D^k‖ over the labelled functionals f of Δ^k, and over their
+/// shifts: a label a at the shift i has the index per·i + a.
+fn greatest(
+    fine: &[(i64, Functional)],
+    per: i64,
+    difference: &Rules,
+    level: u32,
+) -> Result<Attained, LimitError> {
+    let arity = difference.arity();
+    let classes =
+        (arity as u64).checked_pow(level).and_then(|all| all.checked_mul(fine.len() as u64));
+    if classes.is_none_or(|all| all > MAX_CLASSES) {
+        return Err(LimitError::Classes { arity, level });
+    }
+    let walk = Walk {
+        common: CommonDenominator::of(difference.rows()),
+        offset: difference.offset(),
+        arity: i64::try_from(arity).expect("the arity is capped"),
+        level,
+    };
+    let mut best: Option<Attained> = None;
+    for (label, functional) in fine {
+        let (row, denominator) = Row::of(functional);
+        let scale = denominator * walk.common.denominator.pow(level);
+        let mut top: Option<(Integer, i64, Row)> = None;
+        walk.visit(&row, 0, 0, 1, &mut |row, shift| {
+            let norm: Integer = row.coefficients.iter().map(Integer::abs).sum();
+            if top.as_ref().is_none_or(|(most, ..)| norm > *most) {
+                top = Some((norm, shift, row.clone()));
+            }
+        });
+        let Some((norm, shift, row)) = top else { continue };
+        let value = Rational::new(norm, scale);
+        if best.as_ref().is_none_or(|best| value > best.value) {
+            let polygon = row.functional().extremal_polygon();
+            best = Some(Attained { value, index: per * shift + label, polygon });
+        }
+    }
+    Ok(best.expect("there is at least one functional and one class"))
+}
+
+/// A functional with integer coefficients, of consecutive indices.
+#[derive(Clone)]
+struct Row {
+    first: i64,
+    coefficients: Vec<Integer>,
+}
+
+impl Row {
+    /// The functional over its common denominator.
+    fn of(functional: &Functional) -> (Row, Integer) {
+        let (first, last) = functional.support().unwrap_or((0, 0));
+        let dense: Vec<Rational> = (first..=last).map(|i| functional.coefficient(i)).collect();
+        let CommonDenominator { mut numerators, denominator } = CommonDenominator::of(&[dense]);
+        let coefficients = numerators.pop().unwrap_or_default();
+        (Row { first, coefficients }, denominator)
+    }
+
+    fn functional(&self) -> Functional {
+        Functional::new(self.first, self.coefficients.iter().cloned().map(Rational::from))
+    }
+}
+
+/// All shifts 0, …, n^k − 1 of a functional of level k, as functionals of level 0.
+struct Walk {
+    common: CommonDenominator,
+    offset: i64,
+    arity: i64,
+    level: u32,
+}
+
+impl Walk {
+    /// The last digit of a shift is the first one met: that of the finest level.
+    fn visit(
+        &self,
+        row: &Row,
+        depth: u32,
+        shift: i64,
+        place: i64,
+        found: &mut impl FnMut(&Row, i64),
+    ) {
+        if depth == self.level {
+            found(row, shift);
+            return;
+        }
+        for digit in 0..self.arity {
+            let coarser = self.pull_back(row, digit);
+            self.visit(&coarser, depth + 1, shift + digit * place, place * self.arity, found);
+        }
+    }
+
+    fn pull_back(&self, row: &Row, shift: i64) -> Row {
+        let width = self.common.numerators[0].len();
+        let first = (row.first + shift).div_euclid(self.arity);
+        let last = row.coefficients.len().saturating_sub(1);
+        let last =
+            (row.first + shift + i64::try_from(last).unwrap_or(i64::MAX)).div_euclid(self.arity);
+        let span = usize::try_from(last - first).expect("a row is not empty") + width;
+        let mut coefficients = vec![Integer::zero(); span];
+        for (i, coefficient) in (row.first + shift..).zip(&row.coefficients) {
+            let start = usize::try_from(i.div_euclid(self.arity) - first).expect("first is least");
+            let rule = usize::try_from(i.rem_euclid(self.arity)).expect("a residue");
+            for (to, entry) in coefficients[start..].iter_mut().zip(&self.common.numerators[rule]) {
+                *to += &(coefficient * entry);
+            }
+        }
+        Row { first: first + self.offset, coefficients }
+    }
+}

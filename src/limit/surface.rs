@@ -1,0 +1,236 @@
+//! Tensor product surfaces: how far a net is from its limit at one parameter.
+
+use super::error::LimitError;
+use super::functional::Functional;
+use super::surface_axis::Axis;
+use super::value::Limit;
+use crate::bound::transport_at_costs;
+use crate::exact::{Integer, Rational, format};
+
+/// The most points of a net that the exact norm at a parameter is computed on.
+pub const MAX_NET_POINTS: usize = 400;
+
+/// Why there is no distance of a surface.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SurfaceError {
+    /// What one of the curve schemes is refused for.
+    #[error(transparent)]
+    Limit(#[from] LimitError),
+    /// Spreads that are not positive, or too different.
+    #[error(
+        "the spreads {first} and {second} must be positive, and p and q below 2^32 in their ratio \
+         p : q"
+    )]
+    Spreads {
+        /// Along the first index.
+        first: String,
+        /// Along the second one.
+        second: String,
+    },
+    /// A net beyond [`MAX_NET_POINTS`].
+    #[error(
+        "the limit there depends on {0} control points; at most {MAX_NET_POINTS} are worked on"
+    )]
+    Net(usize),
+}
+
+/// β_1 and β_2: the largest differences of a control net, |x_{i+1,j} − x_{i,j}| and
+/// |x_{i,j+1} − x_{i,j}|.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Spreads {
+    /// β_1/unit and β_2/unit, without a common factor.
+    pub(super) costs: [u32; 2],
+    pub(super) unit: Rational,
+}
+
+impl Spreads {
+    /// These.
+    ///
+    /// # Errors
+    /// When one is not positive, or their ratio p : q has a p or q of 2^32 or more.
+    pub fn new(first: &Rational, second: &Rational) -> Result<Spreads, SurfaceError> {
+        let refused = || SurfaceError::Spreads {
+            first: format::short(first, 6),
+            second: format::short(second, 6),
+        };
+        if first.sign() <= 0 || second.sign() <= 0 {
+            return Err(refused());
+        }
+        let ratio = first / second;
+        let cost = |value: Integer| {
+            value.to_i64().and_then(|value| u32::try_from(value).ok()).ok_or_else(refused)
+        };
+        let costs = [cost(ratio.numerator())?, cost(ratio.denominator())?];
+        Ok(Spreads { costs, unit: second / Rational::from(costs[1]) })
+    }
+
+    /// β_1 = β_2 = 1.
+    #[must_use]
+    pub fn one() -> Spreads {
+        Spreads { costs: [1, 1], unit: Rational::one() }
+    }
+
+    /// β_1 for axis 0, β_2 for axis 1.
+    #[must_use]
+    pub fn along(&self, axis: usize) -> Rational {
+        Rational::from(self.costs[axis]) * &self.unit
+    }
+}
+
+/// A piece of a control net of integers times a unit, and a place where it is far from its
+/// limit. Every other point of the net is where the nearest one of the piece is, which keeps
+/// the spreads.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SurfaceWitness {
+    /// The indices i, j of the first point.
+    pub first: [i64; 2],
+    /// The rows i of the piece.
+    pub net: Vec<Vec<i64>>,
+    /// What to multiply them by.
+    pub unit: Rational,
+    /// k.
+    pub level: u32,
+    /// s and t.
+    pub parameters: [Rational; 2],
+    /// |P^∞(s, t) − P^k(s, t)|.
+    pub distance: Rational,
+}
+
+/// The true distances of control nets from the limit surface of a tensor product.
+///
+/// x^{k+1}_{ni+α,mj+β} = Σ_r Σ_s a_{α,r} b_{β,s} x^k_{i+o+r,j+p+s}. P^k is the piecewise
+/// bilinear interpolant of the points of level k at (i/n^k, j/m^k), and C_k = sup
+/// ‖P^∞ − P^k‖_∞ over the nets of spreads at most β_1, β_2.
+///
+/// P^∞(s, t) is the product of the two curve functionals, and so is P^k(s, t): their
+/// difference is a functional of the net, and its greatest value is a problem of
+/// transport on a grid, whose edges cost β_1 and β_2. C_k is at least β_1 C¹_k + β_2 C²_k,
+/// with the constants of the curves, and equal to that where no mask coefficient is negative.
+///
+/// Source: `proofs/THEOREMS.md`, 30–34.
+///
+/// ```
+/// use subcert::exact::Rational;
+/// use subcert::limit::{Comparison, Limit, Spreads, SurfaceDistances};
+/// use subcert::scheme::parse_scheme;
+///
+/// let cubic = Limit::new(parse_scheme("b-spline:degree=3")?.masks()[0])?;
+/// let distances = SurfaceDistances::new(&cubic, &cubic)?;
+/// // 1/3 along each index.
+/// let ones = Spreads::one();
+/// assert_eq!(distances.compare(0, &Rational::new(2, 3), &ones)?, Comparison::Within);
+/// let Comparison::Exceeds(witness) = distances.compare(0, &Rational::new(3, 5), &ones)? else {
+///     return Err("a peak is 2/3 from its limit".into());
+/// };
+/// assert_eq!(witness.net, [[0, -1, 0], [-1, -2, -1], [0, -1, 0]]);
+/// assert_eq!(witness.distance, Rational::new(2, 3));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct SurfaceDistances {
+    pub(super) axes: [Axis; 2],
+}
+
+impl SurfaceDistances {
+    /// The distances from the tensor product of these limits.
+    ///
+    /// # Errors
+    /// As of [`Distances::new`](super::Distances::new).
+    pub fn new(first: &Limit, second: &Limit) -> Result<SurfaceDistances, SurfaceError> {
+        Ok(SurfaceDistances { axes: [Axis::new(first)?, Axis::new(second)?] })
+    }
+
+    /// The greatest |P^∞(s, t) − P^k(s, t)| of all nets of these spreads, exactly, and a net
+    /// that attains it.
+    ///
+    /// # Errors
+    /// As of [`Limit::error`] in s or t, and when the functional has more than
+    /// [`MAX_NET_POINTS`] points.
+    ///
+    /// # Panics
+    /// Never: both are affine combinations, and the grid is connected.
+    pub fn at(
+        &self,
+        level: u32,
+        parameters: &[Rational; 2],
+        spreads: &Spreads,
+    ) -> Result<SurfaceWitness, SurfaceError> {
+        let mut pairs = Vec::with_capacity(2);
+        for (axis, t) in self.axes.iter().zip(parameters) {
+            let limit = axis.limit();
+            pairs.push([limit.at(t)?, limit.polygon_at(level, t)?]);
+        }
+        let ranges = [span(&pairs[0]), span(&pairs[1])];
+        let [rows, columns] = ranges.map(|(from, to)| usize::try_from(to - from + 1).unwrap_or(0));
+        let points = rows.saturating_mul(columns);
+        if points > MAX_NET_POINTS {
+            return Err(SurfaceError::Net(points));
+        }
+        let [(top, bottom), (left, right)] = ranges;
+        let coefficient = |(i, j): (i64, i64)| {
+            let product = |of: usize| pairs[0][of].coefficient(i) * pairs[1][of].coefficient(j);
+            product(0) - product(1)
+        };
+        let indices = (top..=bottom).flat_map(|i| (left..=right).map(move |j| (i, j)));
+        let w: Vec<Rational> = indices.map(coefficient).collect();
+        let (edges, costs) = grid(rows, columns, spreads.costs);
+        let found = transport_at_costs(&w, &edges, &costs).expect("a balance on a grid");
+        Ok(SurfaceWitness {
+            first: [top, left],
+            net: found.heights.chunks(columns).map(<[i64]>::to_vec).collect(),
+            unit: spreads.unit.clone(),
+            level,
+            parameters: parameters.clone(),
+            distance: found.value * &spreads.unit,
+        })
+    }
+
+    /// The sum of two polygons, extremal at s and t: its distance there is the sum of
+    /// theirs.
+    pub(super) fn separable(
+        &self,
+        level: u32,
+        parameters: [Rational; 2],
+        spreads: &Spreads,
+    ) -> Result<SurfaceWitness, SurfaceError> {
+        let mut polygons = Vec::with_capacity(2);
+        let mut distance = Rational::zero();
+        for (axis, t) in parameters.iter().enumerate() {
+            let error = self.axes[axis].limit().error(level, t)?;
+            distance += &(error.norm() * spreads.along(axis));
+            let polygon = error.extremal_polygon();
+            let cost = i64::from(spreads.costs[axis]);
+            let points: Vec<i64> = polygon.points.iter().map(|point| point * cost).collect();
+            polygons.push((polygon.first, points));
+        }
+        let row = |x: &i64| polygons[1].1.iter().map(|y| x + y).collect();
+        Ok(SurfaceWitness {
+            first: [polygons[0].0, polygons[1].0],
+            net: polygons[0].1.iter().map(row).collect(),
+            unit: spreads.unit.clone(),
+            level,
+            parameters,
+            distance,
+        })
+    }
+}
+
+/// The least interval with the indices of both functionals.
+fn span(pair: &[Functional; 2]) -> (i64, i64) {
+    let supports = pair.iter().filter_map(Functional::support);
+    let both = supports.reduce(|(from, to), (least, most)| (from.min(least), to.max(most)));
+    both.expect("the coefficients sum to 1")
+}
+
+/// The edges of a grid, row by row, each with the cost of its direction.
+fn grid(rows: usize, columns: usize, costs: [u32; 2]) -> (Vec<(usize, usize)>, Vec<u32>) {
+    let points = (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j)));
+    let from = |(i, j): (usize, usize)| {
+        let at = i * columns + j;
+        let down = (i + 1 < rows).then_some(((at, at + columns), costs[0]));
+        let along = (j + 1 < columns).then_some(((at, at + 1), costs[1]));
+        down.into_iter().chain(along)
+    };
+    points.flat_map(from).unzip()
+}

@@ -1,0 +1,175 @@
+//! What the distance of a surface takes from each of its two curve schemes.
+
+use super::distance::Distances;
+use super::error::LimitError;
+use super::search::Goal;
+use super::value::Limit;
+use crate::bound::{Order, power_norm};
+use crate::exact::Rational;
+
+/// The cells that one question about a curve looks at.
+const CELLS: u32 = 1 << 14;
+
+/// The most intervals that [0, 1] is cut into.
+const INTERVALS: u32 = 1 << 10;
+
+/// How many levels below k the intervals are looked at.
+const DEEPER: u32 = 6;
+
+/// The most points of a level for which the norm of P^m is computed.
+const POINTS: u32 = 1 << 12;
+
+/// To what width C_m is found where it bounds what P^m leaves.
+const REST: u32 = 10_000;
+
+/// Bounds over intervals are rounded up to multiples of 1/4096, those of errors of
+/// C_k/4096: short numbers, and few different ones.
+const STEPS: u32 = 1 << 12;
+
+/// Norms of functionals at a parameter, or bounds of them over an interval.
+#[derive(Clone, Debug)]
+pub(super) struct Norms {
+    /// Of P^∞ − P^k, as one of the differences.
+    pub(super) error: Rational,
+    /// Of P^∞, as one of the points: Σ|coefficients|.
+    pub(super) limit: Rational,
+    /// Of P^k, as one of the points.
+    pub(super) polygon: Rational,
+}
+
+/// A bound of C_k of a curve scheme, and where it is nearly attained.
+#[derive(Clone, Debug)]
+pub(super) struct Constant {
+    pub(super) level: u32,
+    pub(super) upper: Rational,
+    pub(super) parameter: Rational,
+}
+
+/// One direction of a tensor product.
+#[derive(Clone, Debug)]
+pub(super) struct Axis {
+    distances: Distances,
+    /// Whether no coefficient of the mask is negative, so that all norms are 1.
+    averages: bool,
+    /// A bound of the norm of P^∞(t), as a functional of the points, for all t.
+    norm: Rational,
+}
+
+/// The norms at the points of a level M.
+pub(super) struct Samples {
+    /// t and the norms there, or nearly: P^M stands for P^∞.
+    pub(super) at: Vec<(Rational, Norms)>,
+    /// A bound of C_M.
+    rest: Rational,
+}
+
+impl Axis {
+    pub(super) fn new(limit: &Limit) -> Result<Axis, LimitError> {
+        let distances = Distances::new(limit)?.with_cells(CELLS);
+        let rules = limit.mask().rules();
+        let averages = rules.rows().iter().flatten().all(|entry| entry.sign() >= 0);
+        let arity = u32::try_from(rules.arity()).expect("the arity is capped");
+        let mut axis = Axis { distances, averages, norm: Rational::one() };
+        if !averages {
+            // |P^∞| ≤ |P^m| + |P^∞ − P^m|, and |Δ| ≤ 2 where the points are at most 1.
+            let level = POINTS.ilog(arity);
+            let off = axis.constant(level, &Rational::new(1, REST))?.upper;
+            let points = power_norm(rules, level, Order::Adjoint);
+            axis.norm = points.expect("2^12 classes can be walked").value + &off + &off;
+        }
+        Ok(axis)
+    }
+
+    pub(super) fn limit(&self) -> &Limit {
+        self.distances.limit()
+    }
+
+    /// C_k to this width, or as narrow as the cap on cells allows.
+    pub(super) fn constant(&self, level: u32, width: &Rational) -> Result<Constant, LimitError> {
+        let any = self.distances.any_polygon();
+        let (mut search, mut best) = self.distances.search(&any, level)?;
+        let mut upper = search.bound(&mut best);
+        let mut step = &upper - &best.value;
+        while &upper - &best.value > *width && step > *width && search.goes_on() {
+            step = (step / Rational::from(4)).max(width.clone());
+            upper = search.run(&Goal::Width(step.clone()), &mut best).min(upper);
+        }
+        Ok(Constant { level, upper, parameter: best.parameter })
+    }
+
+    /// Bounds of the norms for all t.
+    pub(super) fn bounds(&self, constant: &Constant) -> Norms {
+        let polygon = &self.norm + Rational::from(2) * &constant.upper;
+        let polygon = if self.averages { Rational::one() } else { polygon };
+        Norms { error: constant.upper.clone(), limit: self.norm.clone(), polygon }
+    }
+
+    /// The norms at i/n^M, i = 0, …, n^M; none when no such M ≥ k is looked at, or for a
+    /// scheme that averages, as they would tell nothing new.
+    pub(super) fn samples(&self, constant: &Constant) -> Result<Samples, LimitError> {
+        let limit = self.limit();
+        let arity = u32::try_from(limit.mask().arity()).expect("the arity is capped");
+        let depth = INTERVALS.ilog(arity).min(constant.level + DEEPER);
+        if self.averages || constant.level > depth {
+            return Ok(Samples { at: Vec::new(), rest: Rational::zero() });
+        }
+        let width = &constant.upper / Rational::from(STEPS);
+        let rest = self.constant(depth, &width.max(Rational::new(1, 1 << 30)))?.upper;
+        let minus = Rational::from(-1);
+        let sample = |i: u32| {
+            let t = Rational::new(i, arity.pow(depth));
+            let fine = limit.polygon_at(depth, &t)?;
+            let polygon = limit.polygon_at(constant.level, &t)?;
+            let error = fine.plus(&minus, &polygon).on_differences();
+            let error = error.expect("both are affine combinations").norm();
+            Ok((t, Norms { error, limit: fine.norm(), polygon: polygon.norm() }))
+        };
+        let at = (0..=arity.pow(depth)).map(sample).collect::<Result<_, LimitError>>()?;
+        Ok(Samples { at, rest })
+    }
+
+    /// Bounds of the norms over intervals that cover [0, 1], without those that are under
+    /// those over another interval. Between samples P^M and P^k are linear, and the norms
+    /// convex; P^∞ is within C_M of P^M.
+    pub(super) fn intervals(&self, constant: &Constant, samples: &Samples) -> Vec<Norms> {
+        let all = self.bounds(constant);
+        if samples.at.is_empty() {
+            return vec![all];
+        }
+        let power = |bits: i32| Rational::from(2).pow(-bits);
+        let bits = (0..64).find(|bits| power(*bits) <= all.error).unwrap_or(64);
+        let step = Rational::new(1, STEPS);
+        let small = power(bits) * &step;
+        let over = |ends: &[(Rational, Norms)]| {
+            let greater =
+                |part: fn(&Norms) -> &Rational| part(&ends[0].1).max(part(&ends[1].1)).clone();
+            let error = greater(|end| &end.error) + &samples.rest;
+            let limit = greater(|end| &end.limit) + &samples.rest + &samples.rest;
+            Norms {
+                error: rounded_up(error.min(all.error.clone()), &small),
+                limit: rounded_up(limit.min(all.limit.clone()), &step),
+                polygon: rounded_up(greater(|end| &end.polygon), &step),
+            }
+        };
+        maximal(samples.at.windows(2).map(over))
+    }
+}
+
+fn rounded_up(value: Rational, unit: &Rational) -> Rational {
+    Rational::from((value / unit).ceil()) * unit
+}
+
+/// Those that are under no other one in all three.
+fn maximal(all: impl Iterator<Item = Norms>) -> Vec<Norms> {
+    let under = |one: &Norms, other: &Norms| {
+        one.error <= other.error && one.limit <= other.limit && one.polygon <= other.polygon
+    };
+    let mut kept: Vec<Norms> = Vec::new();
+    for norms in all {
+        if !kept.iter().any(|other| under(&norms, other)) {
+            kept.retain(|other| !under(other, &norms));
+            kept.push(norms);
+        }
+    }
+    kept
+}

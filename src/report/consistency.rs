@@ -1,0 +1,59 @@
+//! Where the tables of a paper need different readings.
+
+use super::reading::place;
+use super::sheet::Sheet;
+use crate::audit::{Contradiction, PaperAudit, Side, TablePart};
+use serde_json::{Value, json};
+
+/// The section on contradictions between tables, when there are any.
+pub(super) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>) {
+    if audit.contradictions.is_empty() {
+        return;
+    }
+    sheet.heading(2, "Contradictions between tables");
+    sheet.text(
+        "What explains one table explains fewer cells of another, by more than one. In brackets: \
+         the cells explained, and those explained with what another line says.",
+    );
+    let fact = |contradiction: &Contradiction| {
+        let sides = contradiction.sides.iter().map(|side| line(audit, side));
+        (contradiction.about.clone(), sides.collect::<Vec<String>>().join("\n"))
+    };
+    sheet.facts(audit.contradictions.iter().map(fact).collect());
+}
+
+fn line(audit: &PaperAudit<'_>, side: &Side) -> String {
+    let one = |place: &TablePart| {
+        format!("{} ({}, {})", locus(audit, place), place.explained, place.otherwise)
+    };
+    let places: Vec<String> = side.places.iter().map(one).collect();
+    format!("{}: {}", side.says, places.join("; "))
+}
+
+fn locus(audit: &PaperAudit<'_>, at: &TablePart) -> String {
+    let Some(table) = at.table_of(audit.paper) else { return at.table.clone() };
+    match at.line {
+        None => table.locus.clone(),
+        Some(line) => format!("{}, {}", table.locus, place(table, line)),
+    }
+}
+
+pub(super) fn contradictions_json(audit: &PaperAudit<'_>) -> Value {
+    let place = |place: &TablePart| {
+        json!({
+            "table": place.table,
+            "locus": locus(audit, place),
+            "explained": place.explained,
+            "otherwise": place.otherwise,
+        })
+    };
+    let side = |side: &Side| {
+        let places: Vec<Value> = side.places.iter().map(place).collect();
+        json!({ "says": side.says, "places": places })
+    };
+    let one = |contradiction: &Contradiction| {
+        let sides: Vec<Value> = contradiction.sides.iter().map(side).collect();
+        json!({ "about": contradiction.about, "sides": sides })
+    };
+    audit.contradictions.iter().map(one).collect()
+}

@@ -1,0 +1,181 @@
+//! Wrong cells, and those that could not be checked.
+
+use crate::audit::{CellErratum, CellFinding, Errata, Sound, Standing, TableFinding, Verdict};
+use crate::claim::{Printed, Table};
+use crate::exact::{
+    RealCyclotomic,
+    format::{fixed, scientific, short},
+};
+use crate::report::audit::{assumed, spelled_out};
+use crate::report::sheet::{Grid, Sheet};
+use crate::report::summary::words;
+use crate::report::{mark, reading};
+use std::collections::BTreeSet;
+
+/// What is wrong with the cells, and how it came about.
+pub(super) fn facts(cells: &CellErratum<'_, '_>) -> Vec<(String, String)> {
+    let table = cells.finding.table;
+    let mut facts = vec![("said to equal".to_owned(), table.value.text.clone())];
+    if !table.title.is_empty() {
+        facts.insert(0, ("shows".to_owned(), table.title.clone()));
+    }
+    facts.push(("cells".to_owned(), cells.cells.len().to_string()));
+    facts.push(("how it came about".to_owned(), origin(cells)));
+    facts.extend(table.note.clone().map(|note| ("note".to_owned(), note)));
+    facts
+}
+
+/// How the cells came about: a rounding, a reading, a slip, or not explained.
+pub(super) fn origin(cells: &CellErratum<'_, '_>) -> String {
+    let cause = cells.outcome.cause.clone().unwrap_or_default();
+    let search = cells.finding.search.as_ref();
+    match cells.outcome.standing {
+        Standing::Confirmed | Standing::NotCheckable => {
+            let rounded_down = |cell: &CellFinding| cell.kept_by_formula == Some(false);
+            if cells.findings().all(rounded_down) {
+                "the definition's value, rounded down: less than the bound itself".to_owned()
+            } else {
+                "as defined, but the definition's value is not enough".to_owned()
+            }
+        }
+        Standing::Explained if cells.findings().any(|cell| cell.as_read.is_some()) => {
+            let table = cells.finding.table;
+            let evidence = |search| reading::evidence(table, search, &cells.findings());
+            format!("read otherwise: {cause}\n{}", search.map(evidence).unwrap_or_default())
+        }
+        Standing::Explained => cause,
+        Standing::Misprinted => {
+            let slip = |cell: &CellFinding| match &cell.verdict {
+                Verdict::Misprint(slip) => Some(format!("{} ({slip})", cell.printed.as_deref()?)),
+                _ => None,
+            };
+            let slips: Vec<String> = cells.findings().filter_map(slip).collect();
+            format!("slips, {cause}: {}", slips.join("; "))
+        }
+        Standing::Refuted => {
+            let undefined = if cause.is_empty() { cause } else { format!(" no value: {cause}.") };
+            let covered = search.map(reading::covered).unwrap_or_default();
+            format!("not explained.{undefined} {covered}")
+        }
+    }
+}
+
+/// The cells in the shape of their table: printed and correct.
+pub(super) fn grid(cells: &CellErratum<'_, '_>) -> Grid {
+    let confirmed = cells.outcome.standing == Standing::Confirmed;
+    shaped(cells.finding, &cells.cells, |cell, printed| {
+        let correct = if confirmed { sound(cell) } else { correct(cell.exact.as_ref(), printed) };
+        format!("{} → {correct}", printed.text)
+    })
+}
+
+fn sound(cell: &CellFinding) -> String {
+    match &cell.sound {
+        Some(Sound::Depth { level, .. } | Sound::Least(level)) => level.to_string(),
+        Some(Sound::Bound(bound)) => short(bound, 6),
+        Some(Sound::None(_)) | None => "no sound value".to_owned(),
+    }
+}
+
+/// An exact value in the form of the printed number: to its last place, or, where
+/// that shows nothing, with as many digits.
+pub(super) fn correct(exact: Option<&RealCyclotomic>, printed: &Printed) -> String {
+    let Some(exact) = exact else { return "no value".to_owned() };
+    let digits = u32::try_from(printed.decimal.significant_digits()).unwrap_or(1).clamp(1, 40);
+    let places = u32::try_from(-printed.decimal.exponent()).unwrap_or(0);
+    if printed.text.contains(['e', 'E']) {
+        return scientific(exact, digits);
+    }
+    let text = fixed(exact, places.min(60));
+    let shows = text.contains(|c: char| c.is_ascii_digit() && c != '0');
+    if shows || exact.sign() == 0 { text } else { short(exact, digits) }
+}
+
+/// Some cells of a table in its shape; a dot where there is another one.
+fn shaped(
+    finding: &TableFinding<'_>,
+    cells: &[(usize, usize)],
+    text: impl Fn(&CellFinding, &Printed) -> String,
+) -> Grid {
+    let table = finding.table;
+    let rows: BTreeSet<usize> = cells.iter().map(|&(row, _)| row).collect();
+    let columns: BTreeSet<usize> = cells.iter().map(|&(_, column)| column).collect();
+    let header = columns.iter().map(|&column| table.columns.entries[column].printed.clone());
+    let header = std::iter::once(corner(table)).chain(header).collect();
+    let cell = |row: usize, column: usize| {
+        let printed = table.cells[row][column].printed();
+        match printed.filter(|_| cells.contains(&(row, column))) {
+            Some(printed) => text(&finding.cells[row][column], printed),
+            None => "·".to_owned(),
+        }
+    };
+    let line = |&row: &usize| {
+        let label = table.rows.as_ref().map(|rows| rows.entries[row].printed.clone());
+        let cells = columns.iter().map(|&column| cell(row, column));
+        std::iter::once(label.unwrap_or_default()).chain(cells).collect()
+    };
+    Grid { header, rows: rows.iter().map(line).collect(), left_columns: 1 }
+}
+
+fn corner(table: &Table) -> String {
+    match &table.rows {
+        Some(rows) => format!("{} \\ {}", rows.label, table.columns.label),
+        None => table.columns.label.clone(),
+    }
+}
+
+/// The cells that could not be checked, why, and what they are at the values put in.
+pub(super) fn unchecked(sheet: &mut Sheet, errata: &Errata<'_, '_>) {
+    if errata.unchecked.is_empty() {
+        return;
+    }
+    sheet.heading(2, "What could not be checked, and why");
+    sheet.text(
+        "Where the paper does not state a parameter, a value was put in to have something to show; \
+         agreement there proves nothing, and disagreement refutes nothing.",
+    );
+    for group in &errata.unchecked {
+        let table = group.finding.table;
+        let cause = group.cause.as_deref().unwrap_or("");
+        sheet.heading(3, format!("{} · {} {cause}", table.locus, mark("not-checkable")));
+        let value = spelled_out(errata.audit, &table.value.text);
+        let mut facts = vec![
+            ("said to equal".to_owned(), value),
+            ("cells".to_owned(), group.cells.len().to_string()),
+        ];
+        if let Some(cell) = group.findings().find(|cell| !cell.assumed.is_empty()) {
+            facts.push(("shown at".to_owned(), assumed(cell)));
+        }
+        let outcomes = group.if_assumed().groups.into_iter().filter_map(|group| {
+            Some(format!("{} {}", group.count, words(group.if_assumed.as_ref()?)))
+        });
+        let outcomes: Vec<String> = outcomes.collect();
+        if !outcomes.is_empty() {
+            facts.push(("there".to_owned(), outcomes.join("\n")));
+        }
+        let count =
+            |is: &dyn Fn(&CellFinding) -> bool| group.findings().filter(|cell| is(cell)).count();
+        let broken = count(&|cell| cell.keeps_promise() == Some(false));
+        let open = count(&CellFinding::may_break_promise);
+        if broken + open > 0 {
+            let text = format!("{broken} break it for some control data, {open} are open");
+            facts.push(("promise".to_owned(), text));
+        }
+        if let Some(search) = &group.finding.search {
+            let lines = reading::line_remarks(table, search);
+            let lines = std::iter::once(reading::remark(search)).chain(lines);
+            facts.push(("readings".to_owned(), lines.collect::<Vec<String>>().join("\n")));
+        }
+        sheet.facts(facts);
+        let differs = |at: &&(usize, usize)| {
+            let cell = &group.finding.cells[at.0][at.1];
+            cell.verdict_if_assumed.as_ref().is_some_and(|verdict| *verdict != Verdict::Confirmed)
+        };
+        let differing: Vec<(usize, usize)> = group.cells.iter().filter(differs).copied().collect();
+        if !differing.is_empty() {
+            sheet.grid(shaped(group.finding, &differing, |cell, printed| {
+                format!("{} | {}", printed.text, correct(cell.exact.as_ref(), printed))
+            }));
+        }
+    }
+}

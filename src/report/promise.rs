@@ -1,0 +1,204 @@
+//! Whether printed bounds and depths keep their promise.
+
+use super::json::exact_json;
+use crate::audit::{
+    Broken, CellFinding, ControlData, Kept, PaperAudit, PromiseCounts, Sound, TableFinding,
+};
+use crate::claim::Promise;
+use crate::exact::format::short;
+use serde_json::{Value, json};
+
+/// The longest polygon that is shown in a table's remarks.
+const MAX_SHOWN_POINTS: usize = 24;
+
+/// The cells of a paper, in the summary.
+pub(super) fn summary(audit: &PaperAudit<'_>) -> String {
+    match audit.promise_counts() {
+        counts if counts.all() == 0 => "·".to_owned(),
+        counts => count(counts),
+    }
+}
+
+/// `12 of 28 kept, 10 ✗, 6 open`.
+pub(super) fn count(counts: PromiseCounts) -> String {
+    let kept = format!("{} of {} kept", counts.kept, counts.all());
+    let broken = (counts.broken > 0).then(|| format!("{} ✗", counts.broken));
+    let open = (counts.open > 0).then(|| format!("{} open", counts.open));
+    [Some(kept), broken, open].into_iter().flatten().collect::<Vec<String>>().join(", ")
+}
+
+/// Below a cell of a table, unless it keeps its promise: that it does not, or that this
+/// is open, and what is sound.
+pub(super) fn line(cell: &CellFinding) -> Option<String> {
+    let word = match cell.kept.as_ref()? {
+        Kept::Yes => return None,
+        Kept::No(_) => "broken",
+        Kept::Open(_) => "open",
+    };
+    Some(match &cell.sound {
+        Some(Sound::Depth { level, .. }) => format!("{word}, sound {level}"),
+        Some(Sound::Least(level)) => format!("{word}, least {level}"),
+        Some(Sound::Bound(bound)) => format!("{word}, sound {}", short(bound, 4)),
+        _ => word.to_owned(),
+    })
+}
+
+/// How many cells of a table keep their promise, by what, and one that does not.
+pub(super) fn remarks(finding: &TableFinding<'_>) -> Vec<String> {
+    let Some(promise) = &finding.table.promise else { return Vec::new() };
+    let what = match promise {
+        Promise::Depth { .. } => "depths",
+        Promise::Bound { .. } => "bounds",
+    };
+    let cells = || finding.cells.iter().flatten();
+    let share = |kept: &dyn Fn(&CellFinding) -> Option<bool>| {
+        let known: Vec<bool> = cells().filter_map(kept).collect();
+        let kept = known.iter().filter(|kept| **kept).count();
+        (!known.is_empty()).then(|| format!("{kept} of {}", known.len()))
+    };
+    let Some(by_formula) = share(&|cell| cell.kept_by_formula) else { return Vec::new() };
+    let by_sound = share(&|cell| cell.kept_by_sound);
+    let by_sound = by_sound.map(|count| format!(", {count} by the sound bound"));
+    let by_formula = format!(
+        "Promise: {by_formula} printed {what} keep it by the printed formula{}.",
+        by_sound.unwrap_or_default()
+    );
+    let PromiseCounts { kept, broken, open } = finding.promise_counts();
+    let parts = [(kept, "keep it"), (broken, "do not"), (open, "are open")];
+    let parts = parts.iter().filter(|(count, _)| *count > 0);
+    let parts: Vec<String> = parts.map(|(count, what)| format!("{count} {what}")).collect();
+    let exactly = format!("Exactly, {}.", parts.join(", "));
+    let broken = cells().find_map(|cell| match &cell.kept {
+        Some(Kept::No(broken)) => Some((cell, broken)),
+        _ => None,
+    });
+    let own = cells().filter_map(|cell| cell.kept_at_own_offset.as_ref());
+    let elsewhere = own.clone().next().map(|(offset, _)| {
+        let (all, kept) = (own.clone().count(), own.filter(|(_, kept)| *kept == Kept::Yes).count());
+        format!("At the scheme's own offset {offset}, {kept} of the other {all} would.")
+    });
+    let text = [Some(by_formula), Some(exactly), elsewhere];
+    let text = text.into_iter().flatten().collect::<Vec<String>>().join(" ");
+    let open = cells().find_map(|cell| match &cell.kept {
+        Some(Kept::Open(why)) => Some(format!("Open at {}: {why}.", cell.locus)),
+        _ => None,
+    });
+    let example =
+        broken.map(|(cell, broken)| format!("Broken at {}: {}.", cell.locus, sentence(broken)));
+    [Some(text), example, open].into_iter().flatten().collect()
+}
+
+/// The data, their distance and the promise.
+fn sentence(broken: &Broken) -> String {
+    format!(
+        "{} is {} from its limit at level {}, {}, and {} is promised",
+        data(broken, MAX_SHOWN_POINTS),
+        short(&broken.distance, 6),
+        broken.level,
+        place(&broken.data),
+        short(&broken.most, 6)
+    )
+}
+
+/// The control polygon or ring, times β.
+fn data(broken: &Broken, most: usize) -> String {
+    let shown = |points: &[i64]| {
+        let shown = points.iter().take(most).map(i64::to_string).collect::<Vec<String>>();
+        format!("{}{}", shown.join(" "), if points.len() > most { " …" } else { "" })
+    };
+    let (what, points, after) = match &broken.data {
+        ControlData::Polygon(polygon, _) => {
+            ("polygon", shown(&polygon.points), format!(" from index {}", polygon.first))
+        }
+        ControlData::Net(net, [i, j], _) => {
+            let rows = net.iter().take(most).map(|row| shown(row)).collect::<Vec<String>>();
+            let more = if net.len() > most { " / …" } else { "" };
+            ("net", format!("{}{more}", rows.join(" / ")), format!(" from index ({i}, {j})"))
+        }
+        ControlData::Ring(points, _) => ("ring", shown(points), String::new()),
+    };
+    format!("the control {what} {}·({points}){after}", broken.spread)
+}
+
+fn place(data: &ControlData) -> String {
+    match data {
+        ControlData::Polygon(_, parameter) => format!("t = {parameter}"),
+        ControlData::Net(_, _, [s, t]) => format!("(s, t) = ({s}, {t})"),
+        ControlData::Ring(_, point) => point.clone(),
+    }
+}
+
+/// The facts of one cell.
+pub(super) fn facts(cell: &CellFinding) -> Vec<(String, String)> {
+    let mut facts = Vec::new();
+    let mut fact = |name: &str, value: String| facts.push((name.to_owned(), value));
+    match &cell.kept {
+        None => {}
+        Some(Kept::Yes) => fact("promise, exactly", "kept".to_owned()),
+        Some(Kept::Open(why)) => fact("promise, exactly", format!("open: {why}")),
+        Some(Kept::No(broken)) => {
+            let Broken { level, distance, most, .. } = &**broken;
+            fact("promise, exactly", "not kept".to_owned());
+            fact("broken by", data(broken, usize::MAX));
+            fact("at", format!("level {level}, {}", place(&broken.data)));
+            fact("its distance there", format!("{distance} = {}", short(distance, 17)));
+            fact("which is more than", format!("{most} = {}", short(most, 17)));
+        }
+    }
+    if let Some((offset, kept)) = &cell.kept_at_own_offset {
+        let kept = match kept {
+            Kept::Yes => "kept",
+            Kept::No(_) => "not kept",
+            Kept::Open(_) => "open",
+        };
+        fact("at the scheme's own offset", format!("{offset}: {kept}"));
+    }
+    facts
+}
+
+/// `true`, `false` with the polygon, or `null` with the reason.
+pub(super) fn add_json(cell: &CellFinding, object: &mut Value) {
+    let Some(kept) = &cell.kept else { return };
+    match kept {
+        Kept::Yes => object["kept"] = json!(true),
+        Kept::Open(why) => {
+            object["kept"] = Value::Null;
+            object["open"] = json!(why);
+        }
+        Kept::No(broken) => {
+            object["kept"] = json!(false);
+            let mut data = match &broken.data {
+                ControlData::Polygon(polygon, parameter) => json!({
+                    "first": polygon.first,
+                    "points": polygon.points,
+                    "parameter": parameter.to_string(),
+                }),
+                ControlData::Net(net, first, parameters) => json!({
+                    "first": first,
+                    "net": net,
+                    "parameters": parameters.each_ref().map(ToString::to_string),
+                }),
+                ControlData::Ring(ring, point) => json!({ "ring": ring, "point": point }),
+            };
+            data["times"] = json!(broken.spread.to_string());
+            data["level"] = json!(broken.level);
+            data["distance"] = exact_json(&broken.distance);
+            data["promised"] = exact_json(&broken.most);
+            object["broken_by"] = data;
+        }
+    }
+    if let Some((offset, kept)) = &cell.kept_at_own_offset {
+        let kept = match kept {
+            Kept::Yes => Some(true),
+            Kept::No(_) => Some(false),
+            Kept::Open(_) => None,
+        };
+        object["own_offset"] = json!({ "offset": offset, "kept": kept });
+    }
+}
+
+/// The counts of a paper.
+pub(super) fn counts_json(audit: &PaperAudit<'_>) -> Value {
+    let PromiseCounts { kept, broken, open } = audit.promise_counts();
+    json!({ "kept": kept, "broken": broken, "open": open })
+}

@@ -1,0 +1,86 @@
+//! What the cells of a paper's tables amount to, at the end of its report.
+
+use super::mark;
+use super::sheet::Sheet;
+use crate::audit::{CellOutcome, CellSummary, PaperAudit, Standing};
+use serde_json::{Value, json};
+
+const STANDINGS: [Standing; 5] = [
+    Standing::Confirmed,
+    Standing::Explained,
+    Standing::Misprinted,
+    Standing::Refuted,
+    Standing::NotCheckable,
+];
+
+/// The section that counts the cells, when there are any.
+pub(super) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>) {
+    let summary = audit.cell_summary();
+    if summary.groups.is_empty() {
+        return;
+    }
+    sheet.heading(2, "Summary");
+    let mut facts = vec![("cells".to_owned(), summary.cells().to_string())];
+    for standing in STANDINGS {
+        if summary.count(standing) > 0 {
+            let name = format!("{} {}", standing_mark(standing), standing.name());
+            facts.push((name, lines(&summary, standing).join("\n")));
+        }
+    }
+    sheet.facts(facts);
+}
+
+pub(super) fn standing_mark(standing: Standing) -> &'static str {
+    mark(match standing {
+        Standing::Confirmed => "confirmed",
+        Standing::Explained => "other-reading",
+        Standing::Misprinted => "misprint",
+        Standing::Refuted => "refuted",
+        Standing::NotCheckable => "not-checkable",
+    })
+}
+
+/// The number of cells, and then each cause with its own.
+fn lines(summary: &CellSummary, standing: Standing) -> Vec<String> {
+    let groups = || summary.groups.iter().filter(|group| group.outcome.standing == standing);
+    let mut causes: Vec<&Option<String>> = groups().map(|group| &group.outcome.cause).collect();
+    causes.sort_unstable();
+    causes.dedup();
+    let count = |cause: &&Option<String>| -> usize {
+        groups().filter(|group| group.outcome.cause == **cause).map(|group| group.count).sum()
+    };
+    causes.sort_by_key(|cause| std::cmp::Reverse(count(cause)));
+    let mut lines = vec![summary.count(standing).to_string()];
+    for cause in causes {
+        if let Some(cause) = cause {
+            lines.push(format!("{}: {cause}", count(&&Some(cause.clone()))));
+        }
+        let shown = groups().filter(|group| group.outcome.cause == *cause);
+        lines.extend(shown.filter_map(|group| {
+            let outcome = words(group.if_assumed.as_ref()?);
+            Some(format!("– as shown, {} {outcome}", group.count))
+        }));
+    }
+    lines
+}
+
+/// An outcome in a few words.
+pub(super) fn words(outcome: &CellOutcome) -> String {
+    match &outcome.cause {
+        Some(cause) => format!("{} ({cause})", outcome.standing.name()),
+        None => outcome.standing.name().to_owned(),
+    }
+}
+
+pub(super) fn summary_json(summary: &CellSummary) -> Value {
+    let outcome = |outcome: &CellOutcome| json!({ "standing": outcome.standing.name(), "cause": outcome.cause });
+    let groups = summary.groups.iter().map(|group| {
+        json!({
+            "count": group.count,
+            "standing": group.outcome.standing.name(),
+            "cause": group.outcome.cause,
+            "if_assumed": group.if_assumed.as_ref().map(outcome),
+        })
+    });
+    json!({ "count": summary.cells(), "groups": groups.collect::<Vec<Value>>() })
+}

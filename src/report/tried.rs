@@ -1,0 +1,95 @@
+//! The readings of a table that were tried, the best first.
+
+use super::mark;
+use super::reading::explanation_json;
+use super::sheet::{Grid, Sheet};
+use crate::audit::{Explanation, TableFinding};
+use crate::exact::format::short;
+use serde_json::{Value, json};
+
+/// How many readings are shown without `--all`.
+const MAX_SHOWN: usize = 10;
+
+/// The place of a cell: row and column, counted from 0.
+pub(super) type Place = (usize, usize);
+
+/// The readings in order: of a cell, those that explain it first, and before all others
+/// that of its row or column.
+fn in_order<'r>(
+    finding: &'r TableFinding<'_>,
+    readings: &'r [Explanation],
+    at: Option<Place>,
+) -> Vec<&'r Explanation> {
+    let mut readings: Vec<&Explanation> = readings.iter().collect();
+    if let Some((row, column)) = at {
+        let lines = finding.search.iter().flat_map(|search| &search.lines);
+        let own = lines.map(|line| &line.best).filter(|best| best.explained[row][column]);
+        readings.splice(0..0, own);
+        readings.sort_by_key(|reading| !reading.explained[row][column]);
+    }
+    readings
+}
+
+/// Each reading with how many cells it explains; of a cell, with its value there.
+pub(super) fn section(
+    sheet: &mut Sheet,
+    finding: &TableFinding<'_>,
+    readings: &[Explanation],
+    at: Option<Place>,
+    all: bool,
+) {
+    if readings.is_empty() {
+        return;
+    }
+    sheet.heading(2, "Readings tried");
+    let readings = in_order(finding, readings, at);
+    let shown = if all { readings.len() } else { MAX_SHOWN };
+    let row = |reading: &&Explanation| {
+        let differs = match reading.differs() {
+            nothing if nothing.is_empty() => "as printed".to_owned(),
+            differs => differs,
+        };
+        let mut row = vec![differs];
+        if let Some((row_place, column)) = at {
+            let name = if reading.explained[row_place][column] { "confirmed" } else { "refuted" };
+            let value = reading.values[row_place][column].as_ref();
+            let value = value.map_or_else(|| "no value".to_owned(), |value| short(value, 12));
+            row.push(format!("{value} {}", mark(name)));
+        }
+        row.push(reading.count().to_string());
+        row
+    };
+    let header = match at {
+        None => vec!["reading", "cells explained"],
+        Some(_) => vec!["reading", "value here", "cells explained"],
+    };
+    sheet.grid(Grid {
+        header: header.into_iter().map(str::to_owned).collect(),
+        rows: readings.iter().take(shown).map(row).collect(),
+        left_columns: 1,
+    });
+    let more = readings.len().saturating_sub(shown);
+    if more > 0 {
+        sheet.text(format!("And {more} more, none of them better: `--all` shows them."));
+    }
+}
+
+/// Every reading as JSON, in the same order.
+#[must_use]
+pub fn readings_json(
+    finding: &TableFinding<'_>,
+    readings: &[Explanation],
+    at: Option<(usize, usize)>,
+) -> Value {
+    let one = |reading: &Explanation| {
+        let mut object = explanation_json(reading);
+        if let Some((row, column)) = at {
+            let value = reading.values[row][column].as_ref();
+            object["exact"] = json!(value.map(ToString::to_string));
+            object["decimal"] = json!(value.map(|value| short(value, 17)));
+            object["explains_this"] = json!(reading.explained[row][column]);
+        }
+        object
+    };
+    in_order(finding, readings, at).into_iter().map(one).collect()
+}

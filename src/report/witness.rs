@@ -1,0 +1,114 @@
+//! The data that refute a theorem.
+
+use super::json::exact_json;
+use crate::audit::{Control, Place, Refutation, Violation};
+use crate::claim::Quantity;
+use crate::exact::{RealCyclotomic, format::short};
+use crate::limit::ExtremalPolygon;
+use serde_json::{Map, Value, json};
+
+/// How many digits a decimal has.
+const DIGITS: u32 = 12;
+
+/// What it takes to check the refutation by hand.
+pub(super) fn facts(refutation: &Refutation) -> Vec<(String, String)> {
+    let Refutation { case, violation, supremum, sound } = refutation;
+    let mut facts = Vec::new();
+    let mut fact = |name: &str, value: String| facts.push((name.to_owned(), value));
+    fact("refuted for", case.clone());
+    fact("control data", control(&violation.attained.control));
+    fact(&value_name(violation), exact(&violation.attained.value));
+    fact("claimed at most", exact(&violation.bound));
+    if let Some(supremum) = supremum {
+        let lower = &supremum.lower;
+        let known = match &supremum.upper {
+            Some(upper) if lower == upper => exact(lower),
+            Some(upper) => format!("between {} and {}", short(lower, DIGITS), short(upper, DIGITS)),
+            None => format!("at least {}", exact(lower)),
+        };
+        fact("best true bound at this level", known);
+    }
+    if let Some(sound) = sound {
+        fact("sound block bound", short(sound, DIGITS));
+    }
+    facts
+}
+
+/// `x_-2, …, x_1 = 0, 1, 2, 1`.
+fn control(control: &Control) -> String {
+    match control {
+        Control::Polygon(ExtremalPolygon { first, points }) => {
+            let list: Vec<String> = points.iter().map(ToString::to_string).collect();
+            let last = first + i64::try_from(points.len()).unwrap_or(1) - 1;
+            format!("x_{first}, …, x_{last} = {}", list.join(", "))
+        }
+        Control::Net { first: [i, j], rows } => {
+            let row = |row: &Vec<i64>| {
+                row.iter().map(ToString::to_string).collect::<Vec<String>>().join(", ")
+            };
+            let rows: Vec<String> = rows.iter().map(row).collect();
+            format!("from x_{i},{j} on, row by row: {}", rows.join(" | "))
+        }
+        Control::Points(points) => {
+            let list: Vec<String> =
+                points.iter().map(|(name, height)| format!("{name} = {height}")).collect();
+            list.join(", ")
+        }
+    }
+}
+
+/// The quantity at its place: `|P^∞(t) − P^2(t)| at t = 3/8`.
+fn value_name(violation: &Violation) -> String {
+    let k = violation.level;
+    match (&violation.attained.place, violation.quantity) {
+        (Place::Parameter(t), _) => format!("|P^∞(t) − P^{k}(t)| at t = {t}"),
+        (Place::Parameters([s, t]), _) => {
+            format!("|P^∞(s, t) − P^{k}(s, t)| at s = {s}, t = {t}")
+        }
+        (Place::Point(i), _) => format!("step to the point {i} of level {}", k + 1),
+        (Place::Difference(i), _) => format!("|Δ^{k}_i| at i = {i}"),
+        (Place::Named(name), Quantity::Distance) => format!("distance of {name} at level {k}"),
+        (Place::Named(name), Quantity::Step) => format!("step of {name} after level {k}"),
+        (Place::Named(name), Quantity::Difference) => format!("difference {name} at level {k}"),
+    }
+}
+
+fn exact(value: &RealCyclotomic) -> String {
+    let (text, decimal) = (value.to_string(), short(value, DIGITS));
+    if text == decimal { text } else { format!("{text} = {decimal}") }
+}
+
+pub(super) fn json(refutation: &Refutation) -> Value {
+    let Refutation { case, violation, supremum, sound } = refutation;
+    let control = match &violation.attained.control {
+        Control::Polygon(ExtremalPolygon { first, points }) => {
+            json!({ "first": first, "points": points })
+        }
+        Control::Net { first, rows } => json!({ "first": first, "rows": rows }),
+        Control::Points(points) => {
+            let points = points.iter().map(|(name, height)| (name.clone(), json!(height)));
+            json!({ "points": points.collect::<Map<String, Value>>() })
+        }
+    };
+    let place = match &violation.attained.place {
+        Place::Parameter(t) => json!({ "parameter": t.to_string() }),
+        Place::Parameters(both) => {
+            json!({ "parameters": both.each_ref().map(ToString::to_string) })
+        }
+        Place::Point(i) => json!({ "point": i }),
+        Place::Difference(i) => json!({ "difference": i }),
+        Place::Named(name) => json!({ "name": name }),
+    };
+    json!({
+        "case": case,
+        "control": control,
+        "level": violation.level,
+        "place": place,
+        "value": exact_json(&violation.attained.value),
+        "bound": exact_json(&violation.bound),
+        "supremum": supremum.as_ref().map(|supremum| {
+            json!({ "lower": exact_json(&supremum.lower), "upper": supremum.upper.as_ref().map(exact_json) })
+        }),
+        "sound": sound.as_ref().map(exact_json),
+    })
+}

@@ -1,0 +1,166 @@
+//! Certificates of the embedded papers, and of wrong audits, before the checker.
+
+#![allow(missing_docs)]
+
+use std::path::Path;
+use subcert::audit::{EquationVerdict, FunctionVerdict, PaperAudit, RangeVerdict, Verdict, audit};
+use subcert::certificate::certificate;
+use subcert::claim::{Paper, embedded, embedded_papers, read_paper};
+use subcert::diagnostic::SourceText;
+use subcert_check::{Outcome, Report, check};
+
+/// What the checker says of an audit.
+fn checked(audit: &PaperAudit<'_>) -> Report {
+    let written = certificate(audit);
+    let report = check(&audit.paper.source.text, &[&written.text]).expect("a claim file");
+    assert!(report.broken.is_empty(), "{:?}", report.broken);
+    report
+}
+
+/// Whether the checker accepts what an audit says of a claim.
+fn valid(audit: &PaperAudit<'_>, id: &str) -> bool {
+    let report = checked(audit);
+    let claim = report.claims.iter().find(|(_, claim, _)| claim == id);
+    claim.is_some_and(|(_, _, outcome)| *outcome == Outcome::Valid)
+}
+
+fn paper(text: &str) -> Paper {
+    read_paper(&SourceText::new("test", text)).expect("a claim file")
+}
+
+#[test]
+fn the_committed_certificates_are_valid_and_as_written() {
+    let papers = embedded_papers().expect("embedded papers");
+    assert_eq!(papers.len(), embedded().len());
+    for paper in &papers {
+        let audit = audit(paper).expect("an audit");
+        let written = certificate(&audit);
+        assert_eq!(written.omitted, []);
+        let path = format!("proofs/certificates/{}.cert", paper.key);
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
+        let committed = std::fs::read_to_string(path).expect("a certificate");
+        assert!(committed == written.text, "{}: `subcert prove` writes another", paper.key);
+        for (kind, id, outcome) in checked(&audit).claims {
+            // Theorems are open so far.
+            let expected = outcome == Outcome::Valid || kind == "theorem";
+            assert!(expected, "{}:{id}: {outcome:?}", paper.key);
+        }
+    }
+}
+
+/// A table, an equation, a closed form and a range, each with something wrong in it.
+const WRONG: &str = r#"
+key = "wrong"
+[paper]
+authors = []
+title = ""
+venue = ""
+year = ""
+[[scheme]]
+name = "corner"
+parameters.w = { about = "tension" }
+mask = [['1 - w', 'w'], ['w', '1 - w']]
+[[table]]
+id = "t"
+locus = ""
+title = ""
+scheme = "corner:w=w"
+value = 'contraction(1)'
+unstated = { w = '1/7' }
+columns = { name = "w", values = ['1/5', '1/4', '1/3', '1/7'] }
+cells = [['0.60', '0.51', '0.66', '0.6429']]
+[[equation]]
+id = "e"
+locus = ""
+title = ""
+symbols = ["w"]
+indices = [{ name = "i", values = ['1', '1/2'] }]
+left = 'w*i'
+right = 'w^2*i + (1 - i)*(w - w^2)/2'
+[[function]]
+id = "f"
+locus = ""
+title = ""
+variable = "w"
+scheme = "corner:w=w"
+left = 'max(1 - 2*w, w)'
+right = 'contraction(1)'
+[[function]]
+id = "g"
+locus = ""
+title = ""
+variable = "w"
+left = 'abs(w)*abs(w)'
+right = 'w^2'
+[[range]]
+id = "r"
+locus = ""
+title = ""
+variable = "w"
+scheme = "corner:w=w"
+value = 'contraction(1)'
+below = '1'
+from = '0'
+to = '0.3'
+[[range]]
+id = "irrational"
+locus = ""
+title = ""
+variable = "w"
+value = 'w^2'
+at_most = '2'
+from = '-1.414'
+to = '1.415'
+"#;
+
+#[test]
+fn wrong_verdicts_are_rejected() {
+    let paper = paper(WRONG);
+    let right = || audit(&paper).expect("an audit");
+    for id in ["t", "e", "f", "g", "r"] {
+        assert!(valid(&right(), id), "{id}: {}", certificate(&right()).text);
+    }
+    let cells = right().tables[0].cells[0].len();
+    for cell in 0..cells {
+        for verdict in [Verdict::Confirmed, Verdict::Refuted, Verdict::OtherReading] {
+            let mut audit = right();
+            let finding = &mut audit.tables[0].cells[0][cell];
+            if finding.verdict != verdict {
+                finding.verdict = verdict;
+                assert!(!valid(&audit, "t"), "cell {cell}");
+            }
+        }
+    }
+    let mut audit = right();
+    audit.equations[0].verdict = EquationVerdict::Holds { cases: 2 };
+    assert!(!valid(&audit, "e"));
+    let mut audit = right();
+    if let EquationVerdict::Fails { failures, .. } = &mut audit.equations[0].verdict {
+        failures.pop();
+    }
+    assert!(!valid(&audit, "e"));
+    let mut audit = right();
+    let failing = audit.functions[0].verdict.clone();
+    audit.functions[0].verdict = FunctionVerdict::Holds;
+    audit.functions[1].verdict = failing;
+    assert!(!valid(&audit, "f") && !valid(&audit, "g"));
+    for verdict in [RangeVerdict::Exact, RangeVerdict::Rounding] {
+        let mut audit = right();
+        audit.ranges[0].verdict = verdict;
+        assert!(!valid(&audit, "r"));
+    }
+}
+
+/// A place that is not rational has no words in the format: the claim is left out.
+#[test]
+fn what_has_no_words_is_said() {
+    let paper = paper(WRONG);
+    let audit = audit(&paper).expect("an audit");
+    let written = certificate(&audit);
+    let [omission] = &written.omitted[..] else { panic!("{:?}", written.omitted) };
+    assert_eq!(omission.id, "wrong:irrational");
+    assert!(omission.why.contains("is not rational"), "{}", omission.why);
+    assert!(written.text.contains("# nothing of irrational: the place"));
+    let claims = checked(&audit).claims;
+    assert_eq!(claims.last().map(|(_, _, outcome)| outcome), Some(&Outcome::Incomplete(None)));
+}

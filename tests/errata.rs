@@ -1,0 +1,158 @@
+//! What the audit of a paper yields as a whole.
+
+#![allow(missing_docs)]
+
+use subcert::audit::{CellSummary, Erratum, PaperAudit, Standing, Subject, Verdict, audit};
+use subcert::claim::{Cell, Paper, embedded_papers, read_paper};
+use subcert::diagnostic::SourceText;
+
+fn paper(tables: &str) -> Paper {
+    let head = "key = 'k'\n[paper]\nauthors = ['A']\ntitle = 't'\nvenue = 'v'\nyear = '1'\n";
+    let source = SourceText::new("k.toml", format!("{head}{tables}"));
+    read_paper(&source).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn judged(paper: &Paper) -> PaperAudit<'_> {
+    audit(paper).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The causes of a standing, with their numbers of cells.
+fn causes(summary: &CellSummary, standing: Standing) -> Vec<(&str, usize)> {
+    let groups = summary.groups.iter().filter(|group| group.outcome.standing == standing);
+    groups.map(|group| (group.outcome.cause.as_deref().unwrap_or(""), group.count)).collect()
+}
+
+/// Every cell of every table is in one group, and in the right one.
+#[test]
+fn the_summary_adds_up() {
+    let papers = embedded_papers().expect("the embedded papers");
+    let (mut all, mut lost) = (0, 0);
+    for paper in &papers {
+        let audit = judged(paper);
+        let summary = audit.cell_summary();
+        let cells = audit.tables.iter().flat_map(|table| table.cells.iter().flatten());
+        let printed = paper.tables.iter().flat_map(|table| table.cells.iter().flatten());
+        let cells_of = |table: &subcert::claim::Table| table.cell_count();
+        assert_eq!(summary.cells(), paper.tables.iter().map(cells_of).sum::<usize>());
+        let counts = audit.cell_counts();
+        let count =
+            |names: &[&str]| names.iter().filter_map(|name| counts.get(name)).sum::<usize>();
+        assert_eq!(summary.count(Standing::Confirmed), count(&["confirmed"]));
+        assert_eq!(summary.count(Standing::Explained), count(&["rounding", "other-reading"]));
+        assert_eq!(summary.count(Standing::Misprinted), count(&["misprint"]));
+        assert_eq!(summary.count(Standing::Refuted), count(&["refuted"]));
+        assert_eq!(summary.count(Standing::NotCheckable), count(&["not-checkable"]));
+        for group in summary.groups.iter().filter(|g| g.outcome.standing == Standing::Explained) {
+            let why = group.outcome.cause.as_deref();
+            let read = |cell: &&subcert::audit::CellFinding| {
+                cell.verdict_if_assumed.is_none()
+                    && cell.as_read.as_ref().map(|read| read.differs.as_str()) == why
+            };
+            assert_eq!(group.count, cells.clone().filter(read).count(), "{why:?}");
+        }
+        let gone = printed.filter(|cell| matches!(cell, Cell::Lost)).count();
+        let groups = causes(&summary, Standing::NotCheckable).into_iter();
+        let of_lost = groups.filter(|(cause, _)| *cause == "the cell is lost");
+        assert_eq!(of_lost.map(|(_, count)| count).sum::<usize>(), gone);
+        all += summary.cells();
+        lost += gone;
+    }
+    assert_eq!((all, lost), (494 + 12, 12));
+}
+
+/// One table with a cell of every kind: x = 1/3 and 0.12345 at hand.
+#[test]
+fn every_standing_is_counted() {
+    let paper = paper(
+        "[[table]]\nid = 'a'\nlocus = 'A'\nvalue = 'x/3'\n\
+         columns = { name = 'x', values = ['1', '2', '0.37035', '4', '5'] }\n\
+         cells = [['0.333333', '0.6666', '0.12845', '7.7', '8.8']]\n\
+         [[table]]\nid = 'b'\nlocus = 'B'\nvalue = 'x*y'\nunstated = { y = '1/2' }\n\
+         columns = { name = 'x', values = ['1', '2', '3'] }\n\
+         cells = [['0.5', '1.00', '7.7']]\n\
+         [[table]]\nid = 'c'\nlocus = 'C'\nvalue = 'x*y'\nunstated = { y = '1/2' }\n\
+         columns = { name = 'x', values = ['1', '2'] }\ncells = 'lost'\n",
+    );
+    let summary = judged(&paper).cell_summary();
+    assert_eq!(summary.cells(), 10);
+    assert_eq!(summary.count(Standing::Confirmed), 1);
+    assert_eq!(causes(&summary, Standing::Explained), [("decimals cut", 1)]);
+    assert_eq!(causes(&summary, Standing::Misprinted), [("as printed", 1)]);
+    assert_eq!(summary.count(Standing::Refuted), 2);
+    let unstated = "the paper does not state y";
+    assert_eq!(
+        causes(&summary, Standing::NotCheckable),
+        [("the cell is lost", 2), (unstated, 2), (unstated, 1)]
+    );
+}
+
+/// What rests on a failing equation is found through theorems; cells with one cause
+/// are one erratum, with the depths that change and the promises that break.
+#[test]
+fn errata_and_what_they_change() {
+    let paper = paper(
+        "[[table]]\nid = 'a'\nlocus = 'A'\nscheme = 'chaikin'\n\
+         value = 'levels(1/2, epsilon/beta, rounded = up)'\ngiven = { beta = '1' }\n\
+         promise = { tolerance = 'epsilon', spread = 'beta' }\n\
+         columns = { name = 'epsilon', values = ['1/9', '1/20', '1/40', '1/70'] }\n\
+         cells = [['3', '9', '6', '2']]\n\
+         [[equation]]\nid = 'e'\nlocus = 'E'\nleft = ['1', '2']\nright = 'i'\n\
+         indices = [{ name = 'i', values = ['1', '3'] }]\n\
+         [[theorem]]\nid = 't'\nlocus = 'T'\nsays = 'x'\nrests = ['e']\n\
+         [[theorem]]\nid = 'u'\nlocus = 'U'\nsays = 'y'\nrests = ['t']\n\
+         [[theorem]]\nid = 'v'\nlocus = 'V'\nsays = 'z'\nrests = ['a']\n",
+    );
+    let audit = judged(&paper);
+    let errata = audit.errata();
+    let places: Vec<&str> = errata.errata.iter().map(Erratum::id).collect();
+    assert_eq!(places, ["a", "a", "e"]);
+    let theorems = |i: usize| -> Vec<&str> {
+        let erratum: &Erratum<'_, '_> = &errata.errata[i];
+        erratum.consequences.theorems.iter().map(|t| t.theorem.id.as_str()).collect()
+    };
+    assert_eq!(theorems(2), ["t", "u"]);
+    assert_eq!(theorems(1), ["v"]);
+    // Exactly 4, 5, 6 and 7 levels; the first is one short by rounding down.
+    let [Subject::Cells(down), Subject::Cells(refuted)] =
+        [&errata.errata[0].subject, &errata.errata[1].subject]
+    else {
+        panic!("cells first")
+    };
+    assert_eq!((down.outcome.standing, &down.cells[..]), (Standing::Explained, &[(0, 0)][..]));
+    assert_eq!(
+        (refuted.outcome.standing, &refuted.cells[..]),
+        (Standing::Refuted, &[(0, 1), (0, 3)][..])
+    );
+    let changes = &errata.errata[1].consequences;
+    assert_eq!((changes.smaller, changes.larger), (1, 1));
+    assert_eq!(changes.broken_by_formula, 1);
+    assert!(errata.unchecked.is_empty());
+}
+
+/// Every cell that is not as printed is in exactly one erratum or among the unchecked,
+/// and so is every failing claim.
+#[test]
+fn nothing_wrong_is_left_out() {
+    for paper in &embedded_papers().expect("the embedded papers") {
+        let audit = judged(paper);
+        let errata = audit.errata();
+        let mut listed: Vec<&str> = Vec::new();
+        for erratum in &errata.errata {
+            if let Subject::Cells(cells) = &erratum.subject
+                && cells.outcome.standing != Standing::Confirmed
+            {
+                listed.extend(cells.findings().map(|cell| cell.id.as_str()));
+            }
+        }
+        listed.extend(errata.unchecked.iter().flat_map(|u| u.findings().map(|c| c.id.as_str())));
+        listed.sort_unstable();
+        let cells = audit.tables.iter().flat_map(|table| table.cells.iter().flatten());
+        let wrong = cells.filter(|cell| cell.verdict != Verdict::Confirmed);
+        let mut wrong: Vec<&str> = wrong.map(|cell| cell.id.as_str()).collect();
+        wrong.sort_unstable();
+        assert_eq!(listed, wrong, "{}", paper.key);
+        for claim in audit.claims().iter().filter(|claim| claim.fails()) {
+            assert!(errata.errata.iter().any(|erratum| erratum.id() == claim.id), "{}", claim.id);
+        }
+    }
+}
