@@ -48,6 +48,11 @@ impl Integer {
         valid.then(|| backend::parse_digits(digits).map(Integer)).flatten()
     }
 
+    /// Σ 2^{64i}·words[i].
+    pub(crate) fn from_words(words: &[u64]) -> Integer {
+        Integer(backend::from_words(words))
+    }
+
     /// ⌊self / divisor⌋.
     ///
     /// # Panics

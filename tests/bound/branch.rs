@@ -125,6 +125,33 @@ fn the_four_point_scheme_in_closed_form() {
     }
 }
 
+// 5^c·T_c of the quinary three-point scheme is 6·(7/5)^c − 5: it grows, so that every T_m is needed.
+#[test]
+fn growing_norms_in_closed_form() {
+    let mut search = PowerSearch::new(&mask("quinary-three-point").difference(), Order::Adjoint);
+    for c in [1, 5, 40, 41, 17, 64] {
+        let found = search.search(c).unwrap();
+        let scaled = r(6, 1) * r(7, 5).pow(c.cast_signed()) - r(5, 1);
+        assert_eq!(found.norm.value, scaled * r(1, 5).pow(c.cast_signed()), "c = {c}");
+    }
+}
+
+// Long searches, which find greater rows again and again.
+#[test]
+fn a_quarter_of_a_million_rows() {
+    for (scheme, c) in
+        [("four-point", 18), ("quaternary-four-point:mu=0", 9), ("six-point:w=3/256", 17)]
+    {
+        let mask = mask(scheme);
+        for rules in [&mask.difference(), mask.rules()] {
+            for order in ORDERS {
+                let found = PowerSearch::new(rules, order).search(c).expect("the work suffices");
+                assert_eq!(found.norm, walked_norm(rules, c, order).unwrap(), "{scheme}");
+            }
+        }
+    }
+}
+
 // All rows of a B-spline scheme have the same sum: the least is named.
 #[test]
 fn ties_go_to_the_least_row() {

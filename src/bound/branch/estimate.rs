@@ -13,41 +13,56 @@ const LARGEST_FACTOR: i64 = 1 << 40;
 /// What is known of Σ_p λ_p R_p, the rows m levels below a node with the rows R_p, beyond
 /// Σ_p λ_p = 1: an interval of Σ_p λ_p p, and a bound of Σ_p |λ_p|.
 #[derive(Clone, Debug)]
-pub(super) struct Place {
+pub(super) struct Place<N> {
     /// The position a from which the line through the rows a and a + 1 starts, counted from
     /// the first of the window.
-    pub(super) base: usize,
-    /// Bounds of Σ_p λ_p p − a, below and above.
-    pub(super) ends: [Rounded; 2],
-    /// 2^PLACES times the bound of Σ_p |λ_p|; also as a machine number, if it is small.
-    pub(super) total: Integer,
-    pub(super) factor: Option<i64>,
+    base: usize,
+    /// 2^PLACES times bounds of Σ_p λ_p p − a, below and above.
+    coarse: [i64; 2],
+    /// `unit` times the same, nearer.
+    fine: [N; 2],
+    /// `unit` times the bound of Σ_p |λ_p|; 2^PLACES times it, if that is small.
+    total: N,
+    factor: Option<i64>,
+    /// 2^PLACES·q^m.
+    unit: N,
 }
 
-/// A number rounded to PLACES and to more binary digits behind the point.
-#[derive(Clone, Debug)]
-pub(super) struct Rounded {
-    pub(super) coarse: i64,
-    pub(super) fine: Integer,
-    pub(super) places: u32,
-}
-
-impl Place {
-    /// `None` if a machine number is too large.
-    pub(super) fn new(base: usize, ends: [Rounded; 2], total: Integer) -> Option<Place> {
+impl Place<Integer> {
+    /// `None` if a bound of the moments is too large.
+    pub(super) fn new(
+        base: usize,
+        coarse: [i64; 2],
+        fine: [Integer; 2],
+        total: Integer,
+        unit: Integer,
+    ) -> Option<Place<Integer>> {
         let fits = |factor: &i64| factor.abs() < LARGEST_FACTOR;
-        let factor = total.to_i64().filter(fits);
-        ends.iter().all(|end| fits(&end.coarse)).then_some(Place { base, ends, total, factor })
+        let factor = -(-total.shifted_left(PLACES)).div_floor(&unit);
+        let factor = factor.to_i64().filter(fits);
+        coarse.iter().all(fits).then_some(Place { base, coarse, fine, total, factor, unit })
+    }
+
+    /// The same in other integers.
+    pub(super) fn fixed<T: Number>(&self) -> Place<T> {
+        Place {
+            base: self.base,
+            coarse: self.coarse,
+            fine: self.fine.each_ref().map(T::from_integer),
+            total: T::from_integer(&self.total),
+            factor: self.factor,
+            unit: T::from_integer(&self.unit),
+        }
     }
 }
 
-/// The binary digits that an estimate may need beyond those of the entries.
+/// The binary digits that an estimate may need beyond those of X·`total`, X the largest entry.
 ///
-/// With X the largest entry and L the size of the window, all numbers are sums of at most
-/// L(2L + 2) terms of at most 2^40·X, and two such sums.
+/// With L the size of the window, `total` ≥ `unit` ≥ 2^24. All numbers are sums of at most
+/// L(2L + 2) terms of at most 2^17·X·`total`, and two such sums.
 pub(super) fn margin(size: usize) -> u64 {
     let length = u64::from((2 * size + 2).ilog2()) + 1;
-    u64::from(LARGEST_FACTOR.ilog2()) + 2 * length + 4
+    u64::from(LARGEST_FACTOR.ilog2() - PLACES) + 2 * length + 4
 }
 
 /// The space that estimates are computed in.
@@ -65,29 +80,29 @@ impl<T: Number> Estimator<T> {
         Estimator { deviations, spreads, signed: zeros(size), rest: zeros(size) }
     }
 
-    /// An upper bound of all Σ_k |Σ_p λ_p R_{p,k}|.
+    /// `unit` times an upper bound of all Σ_k |Σ_p λ_p R_{p,k}|.
     ///
     /// Source: `proofs/THEOREMS.md`, 62.
-    pub(super) fn bound(&mut self, tree: &Tree<T>, rows: &[T], place: &Place) -> Bound {
+    pub(super) fn bound(&mut self, tree: &Tree<T>, rows: &[T], place: &Place<T>) -> T {
         let size = tree.size;
         self.deviate(rows, size, place.base);
         for sums in [&mut self.signed, &mut self.rest] {
             sums.fill(T::zero());
         }
-        // The sum of the columns whose sign is the same at both ends, and the others.
+        // The sum of the columns whose sign is the same at both ends, and of the others there.
         let mut line = [T::zero(), T::zero()];
-        let mut others = Vec::new();
+        let mut ends = [T::zero(), T::zero()];
         for column in 0..size {
             let [first, second] = [0, 1].map(|next| &rows[(place.base + next) * size + column]);
-            let at = |end: &Rounded| {
-                let mut value = T::times(first, (1 << PLACES) - end.coarse);
-                value.add_times(second, end.coarse);
+            let values = place.coarse.map(|end| {
+                let mut value = T::times(first, (1 << PLACES) - end);
+                value.add_times(second, end);
                 value
-            };
-            let values = place.ends.each_ref().map(at);
+            });
             let sign = sign(&values);
             if sign == 0 {
-                others.push([first.to_integer(), second.to_integer()]);
+                let at_ends = place.at_ends(first, second);
+                ends.iter_mut().zip(&at_ends).for_each(|(sum, value)| sum.add_magnitude(value));
             } else {
                 line[0].add_times(first, sign);
                 line[1].add_times(second, sign);
@@ -95,6 +110,8 @@ impl<T: Number> Estimator<T> {
             let certain = sign != 0 && self.within(column, &values, place.factor);
             self.gather(column, size, if certain { sign } else { 0 });
         }
+        let at_ends = place.at_ends(&line[0], &line[1]);
+        ends.iter_mut().zip(&at_ends).for_each(|(sum, value)| sum.add_times(value, 1));
         let mut deviation = T::zero();
         for (signed, rest) in self.signed.iter().zip(&mut self.rest) {
             rest.add_magnitude(signed);
@@ -102,7 +119,8 @@ impl<T: Number> Estimator<T> {
                 deviation.clone_from(rest);
             }
         }
-        Bound { line: line.map(|x| x.to_integer()), others, deviation: deviation.to_integer() }
+        let [low, high] = ends;
+        low.max(high).plus(&deviation.product(&place.total))
     }
 
     /// Whether the largest deviation of a column, times the bound of Σ_p |λ_p|, is at most
@@ -151,39 +169,20 @@ impl<T: Number> Estimator<T> {
     }
 }
 
+impl<T: Number> Place<T> {
+    /// `unit` times the line through two numbers, at both ends.
+    fn at_ends(&self, first: &T, second: &T) -> [T; 2] {
+        let (start, step) = (first.product(&self.unit), second.clone().minus(first));
+        self.fine.each_ref().map(|end| step.product(end).plus(&start))
+    }
+}
+
 /// The sign of all numbers between the two; 0 if there are several.
 fn sign<T: Number>(values: &[T; 2]) -> i64 {
     match values.each_ref().map(Number::is_negative) {
         [true, true] => -1,
         [false, false] => 1,
         _ => 0,
-    }
-}
-
-/// An upper bound, in parts.
-pub(super) struct Bound {
-    /// The sum of the columns of one sign, at a and at a + 1.
-    line: [Integer; 2],
-    /// Each of the other columns.
-    others: Vec<[Integer; 2]>,
-    /// What Σ_p |λ_p| is multiplied by.
-    deviation: Integer,
-}
-
-impl Bound {
-    /// 2^PLACES·scale times the bound, rounded up.
-    pub(super) fn scaled(&self, place: &Place, scale: &Integer) -> Integer {
-        let ends = place.ends.each_ref().map(|end| {
-            let at = |[first, second]: &[Integer; 2]| {
-                first.shifted_left(end.places) + &end.fine * (second - first)
-            };
-            let others = self.others.iter().map(|column| at(column).abs());
-            let sum = at(&self.line) + others.sum::<Integer>();
-            // Rounded up.
-            -(-(sum * scale)).shifted_right(end.places - PLACES)
-        });
-        let end = ends.into_iter().max().expect("two ends");
-        end + &self.deviation * &place.total * scale
     }
 }
 

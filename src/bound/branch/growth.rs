@@ -1,18 +1,21 @@
 //! ‖E^m‖ for every m, as far as a search needs it.
 
-use super::estimate::{PLACES, Place};
+use super::estimate::PLACES;
 use super::leaf::SearchTree;
 use super::reach::{Moments, place, rounded_up};
 use super::scaled::Scaled;
 use super::search::{Greatest, Problem, Reach};
 use super::uniform;
-use crate::exact::Rational;
+use crate::exact::{Integer, Rational};
 use crate::scheme::Rules;
 use std::cell::Cell;
 use std::collections::BTreeMap;
 
 /// So many ‖E^m‖ are computed before a bound of all of them is tried.
 const FIRST: u32 = 8;
+
+/// From this m on two of them are computed at once.
+const PAIRED: u32 = 16;
 
 /// What is known of the powers of one operator.
 #[derive(Clone, Debug)]
@@ -94,7 +97,11 @@ impl Growth {
         for m in 0..levels {
             let known = self.known.contains_key(&m);
             if !known && (m <= FIRST || self.uniform().is_none()) {
-                self.search(m, work)?;
+                if m < PAIRED || m + 1 == levels {
+                    self.search(m, work)?;
+                } else {
+                    self.search_two(m, work)?;
+                }
             }
             if self.reach.len() == m as usize {
                 self.extend(m);
@@ -103,23 +110,54 @@ impl Growth {
         Some(())
     }
 
+    /// The greatest rows of the powers m and m + 1, side by side: where the second search needs
+    /// ‖E^m‖, at its first level, it takes a product of two norms.
+    fn search_two(&mut self, m: u32, work: &Cell<u64>) -> Option<()> {
+        let (reach, moments) = (self.reach.len(), self.moments.clone());
+        self.extend(m);
+        let share = work.get() / 2;
+        let search = |levels| {
+            let work = Cell::new(share);
+            let found = self.problem(levels, &work).greatest();
+            (found, work.get())
+        };
+        let [first, second] = std::thread::scope(|scope| {
+            let second = scope.spawn(|| search(m + 1));
+            [search(m), second.join().expect("a search does not panic")]
+        });
+        self.reach.truncate(reach);
+        self.moments = moments;
+        work.set(first.1 + second.1);
+        self.known.insert(m, first.0?);
+        self.known.insert(m + 1, second.0?);
+        Some(())
+    }
+
     /// `reach` for the next m.
     fn extend(&mut self, m: u32) {
-        let scale = self.operator.denominator.pow(m).shifted_left(PLACES);
+        let power = self.operator.denominator.pow(m);
+        let scale = power.shifted_left(PLACES);
         let total = match (self.known.get(&m), &self.uniform) {
             (Some(known), _) => known.value.shifted_left(PLACES),
             (None, Some(tau)) => (tau * Rational::from(scale.clone())).ceil(),
-            (None, None) => unreachable!("the norm is known, or there is a bound of all"),
+            (None, None) => self.product(m),
         };
-        let place: Option<Place> = self.operator.shift.as_ref().and_then(|shift| {
-            // Errors of the ends are below the last place of a row of the last level.
-            let places = u32::try_from(scale.bits()).expect("a few bits for each level");
-            let tau = rounded_up(&Rational::new(total.clone(), scale));
-            let place = place(&self.operator, &self.moments.ends(), places, &tau);
-            self.moments.advance(self.operator.arity, shift, &tau);
+        let place = self.operator.shift.as_ref().and_then(|shift| {
+            let tau = Rational::new(total.clone(), scale);
+            let place = place(&self.operator, &self.moments.ends(), &power, &tau);
+            self.moments.advance(self.operator.arity, shift, &rounded_up(&tau));
             place
         });
         self.reach.push(Reach { total, place });
+    }
+
+    /// The least product of bounds of ‖E^a‖ and ‖E^{m−a}‖, m ≥ 2.
+    fn product(&self, m: u32) -> Integer {
+        let lower = &self.reach[1..m as usize];
+        let products = lower.iter().zip(lower.iter().rev()).map(|(x, y)| &x.total * &y.total);
+        let least = products.min().expect("a bound of ‖E^1‖ is known");
+        // Rounded up.
+        -(-least).shifted_right(PLACES)
     }
 
     fn uniform(&mut self) -> Option<&Rational> {

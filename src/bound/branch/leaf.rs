@@ -1,5 +1,8 @@
 //! The tree of a search, as data that another program can follow.
 
+use super::descent::Search;
+use super::estimate::PLACES;
+use super::number::Number;
 use crate::exact::{Integer, Rational};
 
 /// Why the rows below a node are not greater than the greatest row.
@@ -41,4 +44,38 @@ pub struct SearchTree {
     pub uniform: Option<Rational>,
     /// In the order of their indices.
     pub leaves: Vec<Leaf>,
+}
+
+impl<T: Number> Search<'_, T, 1> {
+    /// A cover of all rows that shows the greatest one: each leaf is a row, or bounded by its
+    /// own rows.
+    pub(super) fn leaves(mut self, greatest: &Integer) -> Option<Vec<Leaf>> {
+        let arity = self.problem.operators[0].arity;
+        let limit = T::times(&T::from_integer(greatest), 1 << PLACES);
+        let mut leaves = Vec::new();
+        let mut stack = vec![(0, Integer::zero(), self.trees[0].root())];
+        while let Some((level, index, rows)) = stack.pop() {
+            let left = (self.problem.levels - level) as usize;
+            let closed = if left == 0 {
+                Some(Closed::Row)
+            } else if level == 0 {
+                None
+            } else if self.line(0, &rows, left).is_some_and(|bound| bound <= limit) {
+                Some(Closed::Line)
+            } else {
+                (self.largest(0, &rows, left) <= limit).then_some(Closed::Largest)
+            };
+            if let Some(closed) = closed {
+                leaves.push(Leaf { level, index, closed });
+                continue;
+            }
+            for digit in (0..arity).rev() {
+                self.spend()?;
+                let mut part = self.trees[0].root();
+                self.trees[0].part(digit, &rows, &mut part);
+                stack.push((level + 1, &index * Integer::from(arity) + Integer::from(digit), part));
+            }
+        }
+        Some(leaves)
+    }
 }

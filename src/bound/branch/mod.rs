@@ -7,6 +7,7 @@
 //!
 //! Source: `proofs/THEOREMS.md`, 60 to 64.
 
+mod descent;
 mod estimate;
 mod growth;
 mod leaf;

@@ -23,6 +23,12 @@ pub(super) trait Number: Clone + Ord {
     /// self += x·factor, for |factor| < 2^63.
     fn add_times(&mut self, x: &Self, factor: i64);
 
+    /// self·x.
+    fn product(&self, x: &Self) -> Self;
+
+    /// An integer that is known to fit.
+    fn from_integer(value: &Integer) -> Self;
+
     fn is_negative(&self) -> bool;
 
     fn negate(&mut self);
@@ -40,6 +46,18 @@ pub(super) trait Number: Clone + Ord {
     /// self += |x|.
     fn add_magnitude(&mut self, x: &Self) {
         self.add_times(x, if x.is_negative() { -1 } else { 1 });
+    }
+
+    /// self + x.
+    fn plus(mut self, x: &Self) -> Self {
+        self.add_times(x, 1);
+        self
+    }
+
+    /// self − x.
+    fn minus(mut self, x: &Self) -> Self {
+        self.add_times(x, -1);
+        self
     }
 
     /// x·factor.
@@ -71,6 +89,14 @@ impl Number for i128 {
 
     fn add_times(&mut self, x: &i128, factor: i64) {
         *self += x * i128::from(factor);
+    }
+
+    fn product(&self, x: &i128) -> i128 {
+        self * x
+    }
+
+    fn from_integer(value: &Integer) -> i128 {
+        value.to_i128().expect("the width was chosen for it")
     }
 
     fn is_negative(&self) -> bool {
@@ -113,6 +139,14 @@ impl Number for Integer {
             -1 => *self -= x,
             _ => self.add_product(x, &Integer::from(factor)),
         }
+    }
+
+    fn product(&self, x: &Integer) -> Integer {
+        self * x
+    }
+
+    fn from_integer(value: &Integer) -> Integer {
+        value.clone()
     }
 
     fn is_negative(&self) -> bool {

@@ -1,6 +1,6 @@
 //! What is known of the rows m levels below a node.
 
-use super::estimate::{PLACES, Place, Rounded};
+use super::estimate::{PLACES, Place};
 use super::scaled::Scaled;
 use crate::exact::{Integer, Rational};
 
@@ -58,38 +58,35 @@ impl Moments {
 
 /// The least number with PLACES binary digits behind the point that is not below this.
 pub(super) fn rounded_up(x: &Rational) -> Rational {
-    Rational::new(scaled(x, PLACES).ceil(), Integer::one().shifted_left(PLACES))
+    let unit = Integer::one().shifted_left(PLACES);
+    Rational::new(scaled(x, &unit).ceil(), unit)
 }
 
-fn scaled(x: &Rational, places: u32) -> Rational {
-    x * Rational::from(Integer::one().shifted_left(places))
+fn scaled(x: &Rational, unit: &Integer) -> Rational {
+    x * Rational::from(unit.clone())
 }
 
-/// The line and the bounds for moments in this interval, in so many binary digits, and
+/// The line and the bounds for moments in this interval, in multiples of 1/2^PLACES·q^m, and
 /// ‖E^m‖ ≤ τ; `None` if the window has no two rows, or the interval is too far away.
 pub(super) fn place(
     operator: &Scaled,
     [low, high]: &[Rational; 2],
-    places: u32,
+    power: &Integer,
     tau: &Rational,
-) -> Option<Place> {
+) -> Option<Place<Integer>> {
     let last = operator.first + i64::try_from(operator.size).ok()? - 2;
     if last < operator.first {
         return None;
     }
     let middle = ((low + high) / Rational::from(2)).floor().to_i64()?;
     let base = middle.clamp(operator.first, last);
-    let from_base = |end: &Rational, places| scaled(&(end - Rational::from(base)), places);
-    let low = Rounded {
-        coarse: from_base(low, PLACES).floor().to_i64()?,
-        fine: from_base(low, places).floor(),
-        places,
-    };
-    let high = Rounded {
-        coarse: from_base(high, PLACES).ceil().to_i64()?,
-        fine: from_base(high, places).ceil(),
-        places,
-    };
-    let base = usize::try_from(base - operator.first).ok()?;
-    Place::new(base, [low, high], scaled(tau, PLACES).ceil())
+    let [low, high] = [low, high].map(|end| end - Rational::from(base));
+    let (coarse, unit) = (Integer::one().shifted_left(PLACES), power.shifted_left(PLACES));
+    Place::new(
+        usize::try_from(base - operator.first).ok()?,
+        [scaled(&low, &coarse).floor().to_i64()?, scaled(&high, &coarse).ceil().to_i64()?],
+        [scaled(&low, &unit).floor(), scaled(&high, &unit).ceil()],
+        scaled(tau, &unit).ceil(),
+        unit,
+    )
 }

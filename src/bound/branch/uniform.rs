@@ -21,7 +21,10 @@ const EXCESS: [u32; 6] = [8, 6, 4, 2, 1, 0];
 /// Source: `proofs/THEOREMS.md`, 63.
 pub(super) fn bound(operator: &Scaled, largest: &Rational) -> Option<Rational> {
     let largest_row = operator.largest();
-    let bits = largest_row.to_i64().map(|_| largest_row.pow(LEVELS).bits() + margin(operator.size));
+    // What is tried is at most twice `largest`.
+    let total = largest.ceil().bits() + 1 + u64::from(PLACES);
+    let entry = largest_row.pow(LEVELS).bits();
+    let bits = largest_row.to_i64().map(|_| entry + total + margin(operator.size));
     match bits {
         Some(0..=126) => seek::<i128>(operator, largest),
         Some(127..=510) => seek::<Wide<8>>(operator, largest),
@@ -38,18 +41,18 @@ fn seek<T: Number>(operator: &Scaled, largest: &Rational) -> Option<Rational> {
     });
     tried.into_iter().find(|tau| {
         let hull = Moments::hull(operator.arity, shift, tau);
-        place(operator, &hull, PLACES, tau).is_some_and(|place| {
+        place(operator, &hull, &Integer::one(), tau).is_some_and(|place| {
+            let place = place.fixed();
             // 2^PLACES·τ is an integer.
             let limit = (tau * Rational::from(Integer::one().shifted_left(PLACES))).numerator();
             let limits = (0..=LEVELS).map(|level| &limit * operator.denominator.pow(level));
-            let limits: Vec<Integer> = limits.collect();
+            let limits: Vec<T> = limits.map(|limit| T::from_integer(&limit)).collect();
             let mut estimator = Estimator::new(tree.size);
             let closes = |rows: &[T], level: u32| {
-                let bound = estimator.bound(&tree, rows, &place);
-                bound.scaled(&place, &Integer::one()) <= limits[level as usize]
+                estimator.bound(&tree, rows, &place) <= limits[level as usize]
             };
             let fits = |rows: &[T], level: u32| {
-                tree.norm(rows).to_integer().shifted_left(PLACES) <= limits[level as usize]
+                T::times(&tree.norm(rows), 1 << PLACES) <= limits[level as usize]
             };
             holds(&tree, operator.arity, fits, closes)
         })

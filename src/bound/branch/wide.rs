@@ -8,6 +8,14 @@ use std::cmp::Ordering;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Wide<const K: usize>([u64; K]);
 
+impl<const K: usize> Wide<K> {
+    /// Without the upper words that are 0.
+    fn used(&self) -> &[u64] {
+        let length = self.0.iter().rposition(|&word| word != 0).map_or(0, |last| last + 1);
+        &self.0[..length]
+    }
+}
+
 /// The lower and the upper word.
 #[expect(clippy::cast_possible_truncation, reason = "a word is cut out")]
 fn split(value: u128) -> (u64, u64) {
@@ -54,6 +62,40 @@ impl<const K: usize> Number for Wide<K> {
         }
     }
 
+    fn product(&self, x: &Self) -> Self {
+        let (a, b) = (self.magnitude(), x.magnitude());
+        let mut sum = Self::zero();
+        for (shift, &word) in a.used().iter().enumerate() {
+            let mut carry = 0;
+            let words = b.used().iter().chain(std::iter::repeat(&0));
+            for (sum, other) in sum.0[shift..].iter_mut().zip(words).take(b.used().len() + 1) {
+                let next = u128::from(word) * u128::from(*other);
+                (*sum, carry) = split(next + u128::from(*sum) + u128::from(carry));
+            }
+        }
+        if self.is_negative() != x.is_negative() {
+            sum.negate();
+        }
+        sum
+    }
+
+    fn from_integer(value: &Integer) -> Self {
+        let mut rest = value.abs();
+        let mut words = [0; K];
+        let base = Integer::one().shifted_left(64);
+        for word in &mut words {
+            let (high, low) = rest.div_rem_floor(&base);
+            *word = low.to_i128().and_then(|low| u64::try_from(low).ok()).expect("below 2^64");
+            rest = high;
+        }
+        assert!(rest.is_zero(), "the width was chosen for it");
+        let mut wide = Wide(words);
+        if value.sign() < 0 {
+            wide.negate();
+        }
+        wide
+    }
+
     fn is_negative(&self) -> bool {
         self.0[K - 1] >> 63 == 1
     }
@@ -66,13 +108,7 @@ impl<const K: usize> Number for Wide<K> {
     }
 
     fn to_integer(&self) -> Integer {
-        let magnitude = self.magnitude().0.iter().rev().fold(Integer::zero(), |sum, word| {
-            if sum.is_zero() {
-                Integer::from(*word)
-            } else {
-                sum.shifted_left(64) + Integer::from(*word)
-            }
-        });
+        let magnitude = Integer::from_words(&self.magnitude().0);
         if self.is_negative() { -magnitude } else { magnitude }
     }
 }

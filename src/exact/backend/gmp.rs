@@ -12,6 +12,11 @@ pub(in crate::exact) fn parse_digits(digits: &str) -> Option<Int> {
     Int::parse(digits).ok().map(Int::from)
 }
 
+/// Σ 2^{64i}·words[i].
+pub(in crate::exact) fn from_words(words: &[u64]) -> Int {
+    Int::from_digits(words, rug::integer::Order::Lsf)
+}
+
 pub(in crate::exact) fn div_floor(a: &Int, b: &Int) -> Int {
     Int::from(a.div_floor(b))
 }

@@ -12,6 +12,13 @@ pub(in crate::exact) fn parse_digits(digits: &str) -> Option<Int> {
     Int::parse_bytes(digits.as_bytes(), 10)
 }
 
+/// Σ 2^{64i}·words[i].
+#[expect(clippy::cast_possible_truncation, reason = "a word is cut in two")]
+pub(in crate::exact) fn from_words(words: &[u64]) -> Int {
+    let halves = words.iter().flat_map(|&word| [word as u32, (word >> 32) as u32]).collect();
+    Int::from(num_bigint::BigUint::new(halves))
+}
+
 pub(in crate::exact) fn div_floor(a: &Int, b: &Int) -> Int {
     a.div_floor(b)
 }
