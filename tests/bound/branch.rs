@@ -143,12 +143,32 @@ fn a_quarter_of_a_million_rows() {
         [("four-point", 18), ("quaternary-four-point:mu=0", 9), ("six-point:w=3/256", 17)]
     {
         let mask = mask(scheme);
-        for rules in [&mask.difference(), mask.rules()] {
+        let difference = mask.difference();
+        let joint = joint_norm(&difference, mask.rules(), c - 2, Order::Adjoint).unwrap();
+        let [first, second] = [&difference, mask.rules()].map(|rules| rules.with_offset(0));
+        let walked = walked_joint_norm(&first, &second, c - 2, Order::Adjoint).unwrap();
+        assert_eq!(joint, walked, "{scheme}");
+        for rules in [&difference, mask.rules()] {
             for order in ORDERS {
                 let found = PowerSearch::new(rules, order).search(c).expect("the work suffices");
                 assert_eq!(found.norm, walked_norm(rules, c, order).unwrap(), "{scheme}");
             }
         }
+    }
+}
+
+// Their product has its maximum where one norm grows and the other falls.
+#[test]
+fn joint_suprema_of_64_levels() {
+    for scheme in ["four-point", "ternary-four-point:mu=1/11"] {
+        let mask = mask(scheme);
+        let difference = mask.difference();
+        let joint = joint_norm(&difference, mask.rules(), 64, Order::Adjoint).unwrap();
+        let norm = |rules: &Rules| power_norm(rules, 64, Order::Adjoint).unwrap().value;
+        assert!(joint.value <= norm(&difference) * norm(mask.rules()));
+        let row =
+            |rules: &Rules| size(&power_row(&rules.with_offset(0), &r(1, 1), 64, &joint.class));
+        assert_eq!(joint.value, row(&difference) * row(mask.rules()));
     }
 }
 

@@ -1,6 +1,6 @@
 //! Branch and bound over the rows of a power.
 
-use super::estimate::{Estimator, PLACES, Place};
+use super::estimate::{Estimator, Line, Place};
 use super::number::Number;
 use super::search::{Greatest, Problem};
 use super::tree::Tree;
@@ -13,7 +13,7 @@ const BEAM: usize = 16;
 
 /// A node whose bound does not close it.
 struct Node<T, const K: usize> {
-    /// 2^{PLACES·K}·q^c times the bound, q the product of the denominators.
+    /// The product of fraction·q^c of the operators, times the bound.
     bound: T,
     /// The same by its own rows alone: of several with one bound, what is likely to be greater.
     promise: T,
@@ -40,7 +40,9 @@ pub(super) struct Search<'a, T: Number, const K: usize> {
     classes: Vec<T>,
     /// The class of index 0 of level c.
     start: T,
-    /// The value and its class, and 2^{PLACES·K} times the value.
+    /// What bounds are multiples of one part of, for rows of the last level.
+    pub(super) fraction: T,
+    /// The value and its class, and `fraction` times the value.
     best: Option<(T, T)>,
     threshold: T,
     /// How often a greater row was found.
@@ -76,6 +78,9 @@ impl<'a, T: Number, const K: usize> Search<'a, T, K> {
             trees,
             classes: classes.iter().map(T::from_integer).collect(),
             start: T::from_integer(&start),
+            fraction: problem.operators.iter().fold(T::one(), |product, operator| {
+                product.product(&T::from_integer(&operator.fraction))
+            }),
             best: None,
             threshold: T::times(&T::one(), -1),
             improvements: 0,
@@ -197,10 +202,7 @@ impl<'a, T: Number, const K: usize> Search<'a, T, K> {
             value.cmp(best).then_with(|| least.cmp(&node.class)).is_gt()
         });
         if better {
-            self.threshold = value.clone();
-            for _ in 0..K {
-                self.threshold = T::times(&self.threshold, 1 << PLACES);
-            }
+            self.threshold = value.product(&self.fraction);
             self.improvements += 1;
             self.best = Some((value, node.class.clone()));
         }
@@ -215,20 +217,36 @@ impl<'a, T: Number, const K: usize> Search<'a, T, K> {
         if self.closes(&node.bound, &node.class) {
             return;
         }
-        let mut promises = bounds.clone();
-        for k in 0..K {
-            if let Some(line) = self.line(k, &node.rows[k], left) {
-                promises[k].clone_from(&line);
-                if line < bounds[k] {
-                    bounds[k] = line;
-                }
-            }
-        }
+        let promise = self.promise(node, left, &mut bounds);
         node.bound = product(&bounds);
-        node.promise = product(&promises);
+        if let Some(promise) = &promise {
+            node.bound = node.bound.clone().min(promise.clone());
+        }
+        node.promise = promise.unwrap_or_else(|| node.bound.clone());
         if let Some(above) = above.filter(|above| **above < node.bound) {
             node.bound.clone_from(above);
         }
+    }
+
+    /// The bound of the rows below a node by the lines through two of its rows, which also
+    /// improve the bounds of each operator; `None` if one has no line.
+    fn promise(&mut self, node: &Node<T, K>, left: usize, bounds: &mut [T; K]) -> Option<T> {
+        let mut promise: Option<(T, Line<T>)> = None;
+        for (k, bound) in bounds.iter_mut().enumerate() {
+            let place = self.below[k][left].place.as_ref()?;
+            let (tree, rows) = (&self.trees[k], &node.rows[k]);
+            let mut line = self.estimators[k].line(tree, rows, place);
+            let greatest = line.greatest();
+            if greatest < *bound {
+                bound.clone_from(&greatest);
+            }
+            if K > 1 {
+                line = Estimator::strayed(line, tree, rows, place);
+            }
+            let bound = promise.map_or(greatest, |(_, before)| before.product(&line));
+            promise = Some((bound, line));
+        }
+        promise.map(|(bound, _)| bound)
     }
 
     /// The bound by the line through two rows of a node, m levels left.

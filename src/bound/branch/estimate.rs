@@ -24,8 +24,33 @@ pub(super) struct Place<N> {
     /// `unit` times the bound of Σ_p |λ_p|; 2^PLACES times it, if that is small.
     total: N,
     factor: Option<i64>,
-    /// 2^PLACES·q^m.
+    /// `unit` times what the moment of row t of E^m, 0 ≤ t < n^m, may be away from the point that
+    /// divides the interval as t divides 0, …, n^m − 1.
+    stray: N,
+    /// fraction·q^m.
     unit: N,
+}
+
+/// `unit` times an upper bound of each row below a node: of row t of them, the value at t of the
+/// line from the first number, at 0, to the second, at n^m − 1.
+pub(super) struct Line<T>([T; 2]);
+
+impl<T: Number> Line<T> {
+    /// The bound of all of them.
+    pub(super) fn greatest(&self) -> T {
+        let [low, high] = &self.0;
+        low.max(high).clone()
+    }
+
+    /// A bound of the products of the values of two lines.
+    ///
+    /// Source: `proofs/THEOREMS.md`, 65.
+    pub(super) fn product(&self, other: &Line<T>) -> T {
+        let ([a, b], [c, d]) = (&self.0, &other.0);
+        let ends = a.product(c).max(b.product(d));
+        let bend = b.clone().minus(a).product(&c.clone().minus(d));
+        if bend.is_negative() { ends } else { ends.plus(&bend.quarter()) }
+    }
 }
 
 impl Place<Integer> {
@@ -34,13 +59,14 @@ impl Place<Integer> {
         base: usize,
         coarse: [i64; 2],
         fine: [Integer; 2],
+        stray: Integer,
         total: Integer,
         unit: Integer,
     ) -> Option<Place<Integer>> {
         let fits = |factor: &i64| factor.abs() < LARGEST_FACTOR;
         let factor = -(-total.shifted_left(PLACES)).div_floor(&unit);
         let factor = factor.to_i64().filter(fits);
-        coarse.iter().all(fits).then_some(Place { base, coarse, fine, total, factor, unit })
+        coarse.iter().all(fits).then_some(Place { base, coarse, fine, total, factor, stray, unit })
     }
 
     /// The same in other integers.
@@ -51,6 +77,7 @@ impl Place<Integer> {
             fine: self.fine.each_ref().map(T::from_integer),
             total: T::from_integer(&self.total),
             factor: self.factor,
+            stray: T::from_integer(&self.stray),
             unit: T::from_integer(&self.unit),
         }
     }
@@ -84,6 +111,11 @@ impl<T: Number> Estimator<T> {
     ///
     /// Source: `proofs/THEOREMS.md`, 62.
     pub(super) fn bound(&mut self, tree: &Tree<T>, rows: &[T], place: &Place<T>) -> T {
+        self.line(tree, rows, place).greatest()
+    }
+
+    /// The same as a line, if no moment strays.
+    pub(super) fn line(&mut self, tree: &Tree<T>, rows: &[T], place: &Place<T>) -> Line<T> {
         let size = tree.size;
         self.deviate(rows, size, place.base);
         for sums in [&mut self.signed, &mut self.rest] {
@@ -119,8 +151,19 @@ impl<T: Number> Estimator<T> {
                 deviation.clone_from(rest);
             }
         }
-        let [low, high] = ends;
-        low.max(high).plus(&deviation.product(&place.total))
+        let deviation = deviation.product(&place.total);
+        Line(ends.map(|end| end.plus(&deviation)))
+    }
+
+    /// The line with what moments may stray.
+    pub(super) fn strayed(line: Line<T>, tree: &Tree<T>, rows: &[T], place: &Place<T>) -> Line<T> {
+        let (first, second) = rows[place.base * tree.size..].split_at(tree.size);
+        let step = first.iter().zip(second).fold(T::zero(), |mut sum, (x, y)| {
+            sum.add_magnitude(&y.clone().minus(x));
+            sum
+        });
+        let stray = step.product(&place.stray);
+        Line(line.0.map(|end| end.plus(&stray)))
     }
 
     /// Whether the largest deviation of a column, times the bound of Σ_p |λ_p|, is at most

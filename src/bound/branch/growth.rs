@@ -1,6 +1,5 @@
 //! ‖E^m‖ for every m, as far as a search needs it.
 
-use super::estimate::PLACES;
 use super::leaf::SearchTree;
 use super::reach::{Moments, place, rounded_up};
 use super::scaled::Scaled;
@@ -78,7 +77,7 @@ impl Growth {
         let leaves = self.problem(levels, work).leaves(&greatest)?;
         let scale = |m: u32| self.operator.denominator.pow(m);
         let total = |(m, reach): (u32, &Reach)| {
-            Rational::new(reach.total.clone(), scale(m).shifted_left(PLACES))
+            Rational::new(reach.total.clone(), scale(m) * &self.operator.fraction)
         };
         Some(SearchTree {
             // Of R with all its columns.
@@ -136,15 +135,16 @@ impl Growth {
     /// `reach` for the next m.
     fn extend(&mut self, m: u32) {
         let power = self.operator.denominator.pow(m);
-        let scale = power.shifted_left(PLACES);
+        let scale = &power * &self.operator.fraction;
         let total = match (self.known.get(&m), &self.uniform) {
-            (Some(known), _) => known.value.shifted_left(PLACES),
+            (Some(known), _) => &known.value * &self.operator.fraction,
             (None, Some(tau)) => (tau * Rational::from(scale.clone())).ceil(),
             (None, None) => self.product(m),
         };
         let place = self.operator.shift.as_ref().and_then(|shift| {
             let tau = Rational::new(total.clone(), scale);
-            let place = place(&self.operator, &self.moments.ends(), &power, &tau);
+            let (ends, radius) = self.moments.ends();
+            let place = place(&self.operator, (&ends, radius), &power, &tau);
             self.moments.advance(self.operator.arity, shift, &rounded_up(&tau));
             place
         });
@@ -157,7 +157,7 @@ impl Growth {
         let products = lower.iter().zip(lower.iter().rev()).map(|(x, y)| &x.total * &y.total);
         let least = products.min().expect("a bound of ‖E^1‖ is known");
         // Rounded up.
-        -(-least).shifted_right(PLACES)
+        -(-least).div_floor(&self.operator.fraction)
     }
 
     fn uniform(&mut self) -> Option<&Rational> {

@@ -1,7 +1,6 @@
 //! The tree of a search, as data that another program can follow.
 
 use super::descent::Search;
-use super::estimate::PLACES;
 use super::number::Number;
 use crate::exact::{Integer, Rational};
 
@@ -51,7 +50,7 @@ impl<T: Number> Search<'_, T, 1> {
     /// own rows.
     pub(super) fn leaves(mut self, greatest: &Integer) -> Option<Vec<Leaf>> {
         let arity = self.problem.operators[0].arity;
-        let limit = T::times(&T::from_integer(greatest), 1 << PLACES);
+        let limit = T::from_integer(greatest).product(&self.fraction);
         let mut leaves = Vec::new();
         let mut stack = vec![(0, Integer::zero(), self.trees[0].root())];
         while let Some((level, index, rows)) = stack.pop() {

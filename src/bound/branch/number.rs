@@ -26,6 +26,9 @@ pub(super) trait Number: Clone + Ord {
     /// self·x.
     fn product(&self, x: &Self) -> Self;
 
+    /// ⌈self/4⌉, for self ≥ 0.
+    fn quarter(&self) -> Self;
+
     /// An integer that is known to fit.
     fn from_integer(value: &Integer) -> Self;
 
@@ -95,6 +98,10 @@ impl Number for i128 {
         self * x
     }
 
+    fn quarter(&self) -> i128 {
+        (self + 3) >> 2
+    }
+
     fn from_integer(value: &Integer) -> i128 {
         value.to_i128().expect("the width was chosen for it")
     }
@@ -143,6 +150,10 @@ impl Number for Integer {
 
     fn product(&self, x: &Integer) -> Integer {
         self * x
+    }
+
+    fn quarter(&self) -> Integer {
+        (self + &Integer::from(3)).shifted_right(2)
     }
 
     fn from_integer(value: &Integer) -> Integer {

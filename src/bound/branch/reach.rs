@@ -35,10 +35,10 @@ impl Moments {
         self.part = &self.part * nth;
     }
 
-    /// The interval.
-    pub(super) fn ends(&self) -> [Rational; 2] {
+    /// The interval, and the radius.
+    pub(super) fn ends(&self) -> ([Rational; 2], &Rational) {
         let length = Rational::one() - &self.part;
-        [&self.middle - &self.radius, &self.middle + length + &self.radius]
+        ([&self.middle - &self.radius, &self.middle + length + &self.radius], &self.radius)
     }
 
     /// An interval that holds those of all m ≥ 1, if every ‖E^m‖ ≤ τ.
@@ -66,11 +66,11 @@ fn scaled(x: &Rational, unit: &Integer) -> Rational {
     x * Rational::from(unit.clone())
 }
 
-/// The line and the bounds for moments in this interval, in multiples of 1/2^PLACES·q^m, and
-/// ‖E^m‖ ≤ τ; `None` if the window has no two rows, or the interval is too far away.
+/// The line and the bounds for moments in this interval of this radius, q^m, and ‖E^m‖ ≤ τ;
+/// `None` if the window has no two rows, or the interval is too far away.
 pub(super) fn place(
     operator: &Scaled,
-    [low, high]: &[Rational; 2],
+    ([low, high], radius): (&[Rational; 2], &Rational),
     power: &Integer,
     tau: &Rational,
 ) -> Option<Place<Integer>> {
@@ -81,11 +81,16 @@ pub(super) fn place(
     let middle = ((low + high) / Rational::from(2)).floor().to_i64()?;
     let base = middle.clamp(operator.first, last);
     let [low, high] = [low, high].map(|end| end - Rational::from(base));
-    let (coarse, unit) = (Integer::one().shifted_left(PLACES), power.shifted_left(PLACES));
+    let (coarse, unit) = (Integer::one().shifted_left(PLACES), power * &operator.fraction);
+    let exact = [scaled(&low, &unit), scaled(&high, &unit)];
+    let fine = [exact[0].floor(), exact[1].ceil()];
+    let [below, above] = &exact;
+    let rounded = below - Rational::from(fine[0].clone()) + Rational::from(fine[1].clone()) - above;
     Place::new(
         usize::try_from(base - operator.first).ok()?,
         [scaled(&low, &coarse).floor().to_i64()?, scaled(&high, &coarse).ceil().to_i64()?],
-        [scaled(&low, &unit).floor(), scaled(&high, &unit).ceil()],
+        fine,
+        (scaled(&(radius * Rational::from(2)), &unit) + rounded).ceil(),
         scaled(tau, &unit).ceil(),
         unit,
     )

@@ -1,5 +1,6 @@
 //! The operator of a search, scaled so that its rows sum to 1 where that is possible.
 
+use super::estimate::PLACES;
 use crate::exact::{CommonDenominator, Integer, Rational};
 use crate::scheme::Rules;
 
@@ -19,8 +20,11 @@ pub(super) struct Scaled {
     pub(super) size: usize,
     /// s: the sum of every row of R, if that is one number other than 0, or else 1.
     pub(super) factor: Rational,
-    /// q.
+    /// q; a multiple of n where the rows of E sum to 1.
     pub(super) denominator: Integer,
+    /// Bounds m levels below a node are multiples of 1/(fraction·q^m): 2^[`PLACES`], and such that
+    /// the middles of the intervals of the moments are multiples.
+    pub(super) fraction: Integer,
     /// qE.
     pub(super) rows: Vec<Vec<Integer>>,
     /// Where the rows of E sum to 1: the middle and half of the width of the least interval
@@ -74,8 +78,31 @@ impl Scaled {
             [(least + greatest) * &half, (greatest - least) * half]
         });
         let common = CommonDenominator::of(&rows);
-        let (denominator, rows) = (common.denominator, common.numerators);
-        Scaled { arity, offset, skipped: 0, first, size, factor, denominator, rows, shift, moved }
+        let (mut denominator, mut rows) = (common.denominator, common.numerators);
+        let mut fraction = Integer::one().shifted_left(PLACES);
+        if affine {
+            let all = denominator.lcm(&Integer::from(arity));
+            let more = all.div_floor(&denominator);
+            for entry in rows.iter_mut().flatten() {
+                *entry = &*entry * &more;
+            }
+            fraction = fraction.shifted_left(1) * &all;
+            denominator = all;
+        }
+        let skipped = 0;
+        Scaled {
+            arity,
+            offset,
+            skipped,
+            first,
+            size,
+            factor,
+            denominator,
+            fraction,
+            rows,
+            shift,
+            moved,
+        }
     }
 
     /// The largest absolute row sum of qE, and at least 1.

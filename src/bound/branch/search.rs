@@ -1,7 +1,7 @@
 //! The problem of a search, and the width of its integers.
 
 use super::descent::Search;
-use super::estimate::{PLACES, Place, margin};
+use super::estimate::{Place, margin};
 use super::leaf::Leaf;
 use super::number::Number;
 use super::scaled::Scaled;
@@ -12,7 +12,7 @@ use std::cell::Cell;
 /// What bounds the rows that are m levels below a node, for one m.
 #[derive(Clone, Debug)]
 pub(super) struct Reach {
-    /// 2^PLACES·q^m times an upper bound of ‖E^m‖.
+    /// fraction·q^m times an upper bound of ‖E^m‖.
     pub(super) total: Integer,
     /// Where the rows of E sum to 1.
     pub(super) place: Option<Place<Integer>>,
@@ -72,10 +72,9 @@ impl<const K: usize> Problem<'_, K> {
             let reach = &reach[..self.levels as usize];
             // The entries of level l are at most M·q^{l−1}·‖E^{l−1}‖, M the largest absolute row
             // sum of qE; c − l levels are left.
-            let bits = reach
-                .iter()
-                .zip(reach.iter().rev())
-                .map(|(upper, lower)| (&upper.total * &lower.total).bits() - u64::from(PLACES));
+            let bits = reach.iter().zip(reach.iter().rev()).map(|(upper, lower)| {
+                (&upper.total * &lower.total).bits() - operator.fraction.bits() + 1
+            });
             bits.max().unwrap_or(0) + operator.largest().bits() + margin(operator.size)
         });
         values.sum::<u64>().max(classes)

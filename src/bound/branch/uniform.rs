@@ -1,6 +1,6 @@
 //! One bound of the norms of all powers.
 
-use super::estimate::{Estimator, PLACES, margin};
+use super::estimate::{Estimator, margin};
 use super::number::Number;
 use super::reach::{Moments, place, rounded_up};
 use super::scaled::Scaled;
@@ -22,7 +22,7 @@ const EXCESS: [u32; 6] = [8, 6, 4, 2, 1, 0];
 pub(super) fn bound(operator: &Scaled, largest: &Rational) -> Option<Rational> {
     let largest_row = operator.largest();
     // What is tried is at most twice `largest`.
-    let total = largest.ceil().bits() + 1 + u64::from(PLACES);
+    let total = largest.ceil().bits() + 1 + operator.fraction.bits();
     let entry = largest_row.pow(LEVELS).bits();
     let bits = largest_row.to_i64().map(|_| entry + total + margin(operator.size));
     match bits {
@@ -41,10 +41,11 @@ fn seek<T: Number>(operator: &Scaled, largest: &Rational) -> Option<Rational> {
     });
     tried.into_iter().find(|tau| {
         let hull = Moments::hull(operator.arity, shift, tau);
-        place(operator, &hull, &Integer::one(), tau).is_some_and(|place| {
+        place(operator, (&hull, &Rational::zero()), &Integer::one(), tau).is_some_and(|place| {
             let place = place.fixed();
             // 2^PLACES·τ is an integer.
-            let limit = (tau * Rational::from(Integer::one().shifted_left(PLACES))).numerator();
+            let limit = (tau * Rational::from(operator.fraction.clone())).numerator();
+            let fraction = T::from_integer(&operator.fraction);
             let limits = (0..=LEVELS).map(|level| &limit * operator.denominator.pow(level));
             let limits: Vec<T> = limits.map(|limit| T::from_integer(&limit)).collect();
             let mut estimator = Estimator::new(tree.size);
@@ -52,7 +53,7 @@ fn seek<T: Number>(operator: &Scaled, largest: &Rational) -> Option<Rational> {
                 estimator.bound(&tree, rows, &place) <= limits[level as usize]
             };
             let fits = |rows: &[T], level: u32| {
-                T::times(&tree.norm(rows), 1 << PLACES) <= limits[level as usize]
+                tree.norm(rows).product(&fraction) <= limits[level as usize]
             };
             holds(&tree, operator.arity, fits, closes)
         })

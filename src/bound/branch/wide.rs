@@ -79,6 +79,15 @@ impl<const K: usize> Number for Wide<K> {
         sum
     }
 
+    fn quarter(&self) -> Self {
+        let mut sum = self.plus(&Self::times(&Self::one(), 3));
+        let mut upper = 0;
+        for word in sum.0.iter_mut().rev() {
+            (*word, upper) = (*word >> 2 | upper << 62, *word);
+        }
+        sum
+    }
+
     fn from_integer(value: &Integer) -> Self {
         let mut rest = value.abs();
         let mut words = [0; K];
