@@ -5,10 +5,10 @@ use crate::decimal::{Q, read_rational};
 use crate::evaluate::Scope;
 use crate::formula::{Expr, is_name, parse};
 use crate::reading::Reading;
-use crate::reject::{Checked, Reason};
+use crate::reject::{Checked, Reason, Stop};
 use crate::scheme::{Library, formula, formulas};
 use crate::toml::Toml;
-use crate::value::{Stop, Value};
+use crate::value::Value;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -26,7 +26,7 @@ pub struct Paper<'a> {
     /// The schemes.
     pub library: &'a Library<'a>,
     /// The reading of everything that is not a cell.
-    pub as_printed: Reading,
+    as_printed: Reading,
 }
 
 /// The kinds of claims.
@@ -35,10 +35,10 @@ pub const KINDS: [&str; 5] = ["table", "equation", "function", "range", "theorem
 impl<'a> Paper<'a> {
     /// Reads what the claims of a file have in common.
     pub fn new(file: &'a Toml, library: &'a Library<'a>) -> Result<Paper<'a>, Stop> {
-        let definitions = formulas(file.entries("define"))?;
+        let definitions = formulas(file, "define")?;
         let (given, as_printed) = Default::default();
         let mut paper = Paper { file, definitions, given, library, as_printed };
-        paper.given = paper.constants(file.entries("given"))?;
+        paper.given = paper.constants(file, "given")?;
         Ok(paper)
     }
 
@@ -50,11 +50,10 @@ impl<'a> Paper<'a> {
         KINDS.into_iter().flat_map(of).collect()
     }
 
-    /// The values of named formulas without parameters.
-    pub fn constants(&self, entries: &[(String, Toml)]) -> Result<BTreeMap<String, Value>, Stop> {
-        let nothing = self.nothing();
-        let value = |(name, expr): (String, Rc<Expr>)| Ok((name, nothing.value(&expr)?));
-        formulas(entries)?.into_iter().map(value).collect()
+    /// The values of the formulas without parameters under a key.
+    pub fn constants(&self, table: &Toml, key: &str) -> Result<BTreeMap<String, Value>, Stop> {
+        let value = |(name, expr): (String, Rc<Expr>)| Ok((name, self.nothing().value(&expr)?));
+        formulas(table, key)?.into_iter().map(value).collect()
     }
 
     /// A scope with the definitions of the paper.
@@ -62,21 +61,25 @@ impl<'a> Paper<'a> {
         Scope::new(&self.definitions, self.library, &self.as_printed)
     }
 
-    /// A closed formula of a certificate.
-    pub fn closed(&self, line: Line<'_>, text: &str) -> Checked<Value> {
-        value(line, text, &self.nothing())
+    /// A scope without names.
+    pub fn nothing(&self) -> Scope<'_> {
+        Scope::new(&self.library.nothing, self.library, &self.as_printed)
     }
 
-    /// A scope without names.
-    pub fn nothing(&'a self) -> Scope<'a> {
-        Scope::new(&self.library.nothing, self.library, &self.as_printed)
+    /// A closed formula of a certificate.
+    pub fn number(&self, text: &str) -> Checked<Value> {
+        value(text, &self.nothing())
+    }
+
+    /// The same at a line.
+    pub fn closed(&self, line: Line<'_>, text: &str) -> Checked<Value> {
+        self.number(text).map_err(|rejection| rejection.at(line.number))
     }
 }
 
 /// A formula of a certificate.
-pub fn value(line: Line<'_>, text: &str, scope: &Scope<'_>) -> Checked<Value> {
-    let expr = parse(text, MAX_LINE).map_err(|why| line.reject(Reason::NoValue(why)))?;
-    scope.value(&expr).map_err(|stop| line.reject(Reason::Stopped(stop)))
+pub fn value(text: &str, scope: &Scope<'_>) -> Checked<Value> {
+    Ok(scope.value(&parse(text, MAX_LINE).map_err(Reason::NoValue)?)?)
 }
 
 /// The formula of a key of a claim.
@@ -107,14 +110,16 @@ pub struct Axis<'a> {
 impl<'a> Axis<'a> {
     /// Reads an axis.
     pub fn read(table: &'a Toml) -> Result<Axis<'a>, Stop> {
-        let wrong = || Stop::Wrong("`name` and `values` of headers are missing".into());
-        let name = table.text("name").filter(|name| is_name(name)).ok_or_else(wrong)?;
         let entry = |field: &'a Toml| {
             let (_, read) = printed(field)?;
             Some((read, read_rational(read)?))
         };
         let entries: Option<Vec<(&str, Q)>> = table.list("values").iter().map(entry).collect();
-        let entries = entries.filter(|entries| !entries.is_empty()).ok_or_else(wrong)?;
-        Ok(Axis { name, entries })
+        match (table.text("name"), entries) {
+            (Some(name), Some(entries)) if is_name(name) && !entries.is_empty() => {
+                Ok(Axis { name, entries })
+            }
+            _ => Err(Stop::Wrong("`name` and `values` of headers are missing".into())),
+        }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::decimal::Q;
 use crate::linear::solve;
-use crate::value::Stop;
+use crate::reject::Stop;
 use num_bigint::BigInt;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 

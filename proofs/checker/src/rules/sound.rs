@@ -1,14 +1,14 @@
 //! Rule `sound`: what a table promises, at a level or for a tolerance, as it is kept.
 
 use super::place;
-use crate::certificate::Line;
 use crate::convolution::classes;
+use crate::displacement::{displaced, gather};
 use crate::evaluate::Scope;
-use crate::functions::{displaced, gather, greatest};
-use crate::reject::{Checked, Reason};
-use crate::scheme::{Scheme, formula};
+use crate::functions::greatest;
+use crate::reject::{Checked, Reason, Stop, require};
+use crate::scheme::{Scheme, formula, total};
 use crate::table::Table;
-use crate::value::{Stop, Value};
+use crate::value::Value;
 use std::rc::Rc;
 
 /// The most levels of a bound.
@@ -18,51 +18,35 @@ const MAX_LEVEL: i64 = 10_000;
 const MAX_BLOCK: i64 = 12;
 
 /// Checks `ROW COLUMN M c VALUE`.
-pub fn check(table: &Table<'_>, line: Line<'_>, said: &str) -> Checked<()> {
-    let stopped = |stop| line.reject(Reason::Stopped(stop));
-    let (at, said) = place(table, line, said)?;
+pub fn check(table: &Table<'_>, said: &str) -> Checked<()> {
+    let (at, said) = place(table, said)?;
     let [most, block, said] = said.split_whitespace().collect::<Vec<&str>>()[..] else {
-        return Err(line.reject(Reason::Malformed("ROW COLUMN M c VALUE")));
+        return Err(Reason::Malformed("ROW COLUMN M c VALUE").into());
     };
-    let integer = |text: &str| paper_integer(table, line, text);
-    let (most, block, said) = (integer(most)?, integer(block)?, table.paper.closed(line, said)?);
-    if block < 1 || block > most || most > MAX_BLOCK {
-        return Err(line.reject(Reason::Malformed("1 ≤ c ≤ M ≤ 12")));
-    }
-    let promise = table.claim.get("promise").ok_or(line.reject(Reason::NoPromise))?;
-    let (assumed, _) = table.needed(at);
+    let most = table.paper.number(most)?.integer(MAX_LEVEL)?;
+    let block = table.paper.number(block)?.integer(MAX_LEVEL)?;
+    let said = table.paper.number(said)?;
+    let proper = 1 <= block && block <= most && most <= MAX_BLOCK;
+    require(proper, Reason::Malformed("1 ≤ c ≤ M ≤ 12"))?;
+    let promise = table.claim.get("promise").ok_or(Reason::NoPromise)?;
     // The promise may need parameters that the value does not.
-    let assumed = assumed.into_iter().chain(table.unstated.keys().cloned()).collect();
-    let (scope, schemes) = table.scope(at, &table.as_printed, &assumed).map_err(stopped)?;
-    if schemes.is_empty() {
-        return Err(line.reject(Reason::NoPromise));
-    }
+    let assumed = table.unstated.keys().cloned().collect();
+    let (scope, schemes) = table.scope(at, &table.as_printed, &assumed)?;
+    require(!schemes.is_empty(), Reason::NoPromise)?;
     let of = |key: &str| promise.text(key).map(|text| scope.value(&formula(text)?)).transpose();
-    let spread = of("spread").map_err(stopped)?.ok_or(line.reject(Reason::NoPromise))?;
-    let offset = of("offset").and_then(|offset| offset.map(|o| o.integer(10_000)).transpose());
-    let offset = offset.map_err(stopped)?;
+    let spread = of("spread")?.ok_or(Reason::NoPromise)?;
+    let offset = of("offset")?.map(|offset| offset.integer(10_000)).transpose()?;
+    let (level, tolerance) = match of("level")? {
+        Some(level) => (level.integer(MAX_LEVEL)?, None),
+        None => (said.integer(MAX_LEVEL)?, of("tolerance")?),
+    };
+    require(level >= 0, Reason::Malformed("a level"))?;
     let sound = Sound { table, scope: &scope, schemes: &schemes, offset };
-    let (level, tolerance) = match of("level").map_err(stopped)? {
-        Some(level) => (level.integer(MAX_LEVEL).map_err(stopped)?, None),
-        None => (said.integer(MAX_LEVEL).map_err(stopped)?, of("tolerance").map_err(stopped)?),
-    };
-    if level < 0 {
-        return Err(line.reject(Reason::Malformed("a level")));
+    let bound = sound.bound(level, most, block)?.ok_or(Reason::NoContraction)?.times(&spread)?;
+    match tolerance {
+        None => require(bound.equals(&said)?, Reason::Value),
+        Some(tolerance) => require(bound.compare(&tolerance)?.is_le(), Reason::TooLarge),
     }
-    let bound = sound.bound(level, most, block).map_err(stopped)?;
-    let bound = bound.ok_or(line.reject(Reason::NoContraction))?;
-    let bound = bound.times(&spread).map_err(stopped)?;
-    let Some(tolerance) = tolerance else {
-        let same = bound.plus(-1, &said).map_err(stopped)?.is_zero();
-        return if same { Ok(()) } else { Err(line.reject(Reason::Value)) };
-    };
-    let above = bound.plus(-1, &tolerance).and_then(|above| above.sign(None)).map_err(stopped)?;
-    if above > 0 { Err(line.reject(Reason::TooLarge)) } else { Ok(()) }
-}
-
-fn paper_integer(table: &Table<'_>, line: Line<'_>, text: &str) -> Checked<i64> {
-    let value = table.paper.closed(line, text)?.integer(MAX_LEVEL);
-    value.map_err(|stop| line.reject(Reason::Stopped(stop)))
 }
 
 struct Sound<'s> {
@@ -83,26 +67,20 @@ impl Sound<'_> {
             let constants = (0..=most).map(|c| self.constant(&Value::int(c)));
             upper.extend(constants.collect::<Result<Vec<Value>, Stop>>()?);
         }
-        let rest = Value::int(1).plus(-1, &upper[place(block)])?;
+        let rest = Value::int(1).minus(&upper[place(block)])?;
         if rest.sign(None)? <= 0 {
             return Ok(None);
         }
         while upper.len() < place(level + block) {
-            let mut least: Option<Value> = None;
-            for j in 1..=place(most) {
+            let mut least = upper[1].times(&upper[upper.len() - 1])?;
+            for j in 2..=place(most) {
                 let next = upper[j].times(&upper[upper.len() - j])?;
                 self.scope.library.spend(next.cost(&next))?;
-                least = Some(match least {
-                    Some(least) if next.plus(-1, &least)?.sign(None)? >= 0 => least,
-                    _ => next,
-                });
+                least = if next.compare(&least)?.is_lt() { next } else { least };
             }
-            upper.extend(least);
+            upper.push(least);
         }
-        let mut sum = Value::int(0);
-        for next in &upper[place(level)..place(level + block)] {
-            sum = sum.plus(1, next)?;
-        }
+        let sum = total(&upper[place(level)..place(level + block)])?;
         self.factor()?.times(&sum)?.over(&rest).map(Some)
     }
 
