@@ -163,7 +163,9 @@ impl Number {
         }
         if !bottom.is_one() {
             let common = top.iter().fold(bottom.clone(), |common, c| common.gcd(c));
-            top.iter_mut().for_each(|coefficient| *coefficient /= &common);
+            for coefficient in &mut top {
+                *coefficient /= &common;
+            }
             bottom /= common;
         }
         Number { n, top, bottom }

@@ -35,8 +35,11 @@ pub struct Table<'a> {
     pub as_printed: Read,
     known: RefCell<BTreeMap<Place, Needed>>,
     /// Upper bounds of the constants of all levels, by scheme and the levels computed.
-    pub bounds: RefCell<BTreeMap<(Vec<usize>, i64), Vec<Value>>>,
+    pub bounds: RefCell<Bounds>,
 }
+
+/// Values by schemes and a number of levels.
+type Bounds = BTreeMap<(Vec<usize>, i64), Vec<Value>>;
 
 /// The row and the column of a cell, counted from 0.
 pub type Place = (usize, usize);
@@ -178,6 +181,11 @@ impl<'a> Table<'a> {
         (assumed, value)
     }
 
+    /// Whether a reading is this table's text as printed.
+    pub fn is_as_printed(&self, read: &Read) -> bool {
+        std::ptr::eq(read, &raw const self.as_printed)
+    }
+
     /// The value of a cell under a reading, with the parameters assumed that it needs as
     /// printed; `None` if it has none.
     pub fn read(&self, at: Place, read: &Read) -> Result<Option<Value>, Stop> {
@@ -185,7 +193,7 @@ impl<'a> Table<'a> {
             return Ok(known.clone());
         }
         let (assumed, as_printed) = self.needed(at);
-        let value = if std::ptr::eq(read, &self.as_printed) {
+        let value = if self.is_as_printed(read) {
             as_printed
         } else {
             let scope = self.scope(at, read, &assumed);

@@ -40,7 +40,7 @@ pub fn check(table: &Table<'_>, reads: &Reads, place: Place, said: &str) -> Chec
         return Ok(false);
     };
     let cell = Cell { table, place, decimal, plain: needed.is_empty() };
-    cell.judge(reads, exact, verdict)
+    cell.judge(reads, exact.as_ref(), verdict)
 }
 
 /// Makes sure that a value of the certificate is this one.
@@ -61,12 +61,12 @@ struct Cell<'c> {
 }
 
 impl Cell<'_> {
-    fn judge(&self, reads: &Reads, exact: Option<Value>, verdict: &[&str]) -> Checked<bool> {
+    fn judge(&self, reads: &Reads, exact: Option<&Value>, verdict: &[&str]) -> Checked<bool> {
         let as_printed = &self.table.as_printed;
-        let found = self.rounding(exact.as_ref())?;
+        let found = self.rounding(exact)?;
         match verdict {
             ["confirmed"] => require(found == "nearest", Reason::NotNearest)?,
-            ["rounding", way @ ("cut" | "away")] => self.rounded(exact.as_ref(), way)?,
+            ["rounding", way @ ("cut" | "away")] => self.rounded(exact, way)?,
             ["rounding", way @ ("down" | "nearest")] => {
                 require(self.is_depth(), Reason::Depth)?;
                 require(found != "nearest", Reason::Nearest)?;
@@ -74,7 +74,7 @@ impl Cell<'_> {
             }
             ["misprint", slip @ ..] => {
                 require(found != "nearest", Reason::Nearest)?;
-                self.slip(&slip.join(" "), exact.as_ref(), Some(as_printed))?;
+                self.slip(&slip.join(" "), exact, Some(as_printed))?;
             }
             ["other-reading", value, rest @ ..] => {
                 require(found != "nearest", Reason::Nearest)?;
@@ -107,7 +107,7 @@ impl Cell<'_> {
                 // Under assumptions there is no refutation, only a difference.
                 require(self.plain == (*word == "refuted"), Reason::Assumed)?;
                 require(found == "neither", Reason::Nearest)?;
-                self.no_slip(exact.as_ref(), Some(as_printed))?;
+                self.no_slip(exact, Some(as_printed))?;
                 for way in ["down", "nearest"].iter().filter(|_| self.is_depth()) {
                     require(!self.is_depth_rounded(way)?, Reason::Slip)?;
                 }
@@ -173,10 +173,10 @@ impl Cell<'_> {
         }
         let mut slips = slips(&self.decimal, value)?;
         let steps = [(0, 1), (0, -1), (1, 0), (-1, 0)].into_iter();
-        for (step, read) in steps.flat_map(|step| around.map(|read| (step, read))) {
+        for (step, read) in steps.filter_map(|step| around.map(|read| (step, read))) {
             let Some(place) = self.table.moved(self.place, step) else { continue };
             // Another reading is about printed cells.
-            if !std::ptr::eq(read, &self.table.as_printed) && self.table.printed(place).is_none() {
+            if !self.table.is_as_printed(read) && self.table.printed(place).is_none() {
                 continue;
             }
             let Some(other) = self.table.read(place, read)? else { continue };

@@ -132,10 +132,13 @@ impl Family<'_> {
     }
 }
 
+/// A value, and whether a member has it.
+type Met = (Option<Value>, bool);
+
 /// The values that members give in the refuted cells.
 struct Listed {
-    /// Of each cell: the values, and whether a member has had it.
-    cells: Vec<(Place, Vec<(Option<Value>, bool)>)>,
+    /// Of each cell: the values.
+    cells: Vec<(Place, Vec<Met>)>,
 }
 
 impl Listed {
@@ -145,7 +148,7 @@ impl Listed {
         for place in refuted {
             let said = block.after("values")?;
             let said = said.strip_prefix(&format!("{} {} ", place.0 + 1, place.1 + 1));
-            let mut values: Vec<(Option<Value>, bool)> = Vec::new();
+            let mut values: Vec<Met> = Vec::new();
             for value in said.ok_or(Reason::Cell)?.split_whitespace() {
                 let value = Some(value).filter(|value| *value != "undefined");
                 let value = value.map(|value| table.paper.number(value)).transpose()?;
