@@ -23,7 +23,7 @@ pub(super) fn equation(finding: &EquationFinding<'_>) -> Described {
     let (EquationVerdict::Fails { cases, failures, mends }, EquationBody::Identity(identity)) =
         (&finding.verdict, &finding.equation.body)
     else {
-        return (title, Vec::new(), stated(origin.collect()));
+        return (title, Vec::new(), stated(&origin.collect::<Vec<String>>()));
     };
     let mut facts = explain::sides(identity);
     let numbers = matches!(identity.left, Left::Each(_));
@@ -42,7 +42,7 @@ pub(super) fn equation(finding: &EquationFinding<'_>) -> Described {
     }
     facts.push(fact("fails", lines.join("\n")));
     let mends = mends.iter().map(|mend| format!("one symbol: it holds with one side as {mend}"));
-    (title, facts, stated(mends.chain(origin).collect()))
+    (title, facts, stated(&mends.chain(origin).collect::<Vec<String>>()))
 }
 
 pub(super) fn function(finding: &FunctionFinding<'_>) -> Described {
@@ -52,7 +52,7 @@ pub(super) fn function(finding: &FunctionFinding<'_>) -> Described {
         fact("right", claim.right.text.clone()),
         fact("fails", function::function_outcome(finding).join("\n")),
     ];
-    (Some(claim.title.clone()), facts, stated(claim.note.iter().cloned().collect()))
+    (Some(claim.title.clone()), facts, stated(claim.note.as_slice()))
 }
 
 pub(super) fn range(finding: &RangeFinding<'_>) -> Described {
@@ -62,7 +62,7 @@ pub(super) fn range(finding: &RangeFinding<'_>) -> Described {
         fact("correct", finding.exact.describe(&claim.variable)),
         fact("in detail", function::range_outcome(finding).join("\n")),
     ];
-    (Some(claim.title.clone()), facts, stated(claim.note.iter().cloned().collect()))
+    (Some(claim.title.clone()), facts, stated(claim.note.as_slice()))
 }
 
 pub(super) fn theorem(finding: &TheoremFinding<'_>) -> Described {
@@ -71,10 +71,10 @@ pub(super) fn theorem(finding: &TheoremFinding<'_>) -> Described {
         fact("states", theorems::statement(&theorem.statement)),
         fact("verdict", theorems::outcome(finding)),
     ];
-    (Some(theorem.title.clone()), facts, stated(theorem.note.iter().cloned().collect()))
+    (Some(theorem.title.clone()), facts, stated(theorem.note.as_slice()))
 }
 
 /// The reasons, line by line.
-fn stated(reasons: Vec<String>) -> String {
+fn stated(reasons: &[String]) -> String {
     if reasons.is_empty() { "not explained".to_owned() } else { reasons.join("\n") }
 }
