@@ -20,9 +20,7 @@ pub(super) fn block(finding: &TheoremFinding<'_>) -> Block {
             block.line(finding.verdict.name());
         }
         _ if finding.verdict == TheoremVerdict::Open => block.line("open"),
-        _ => {
-            block.give_up("the format has no words for a proof by suprema of finitely many levels")
-        }
+        _ => block.give_up("the format has no words for a proof by finitely many levels"),
     }
     block
 }

@@ -6,7 +6,8 @@ use crate::scheme::{Library, Scheme};
 use crate::value::{Stop, Value};
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use num_traits::{One, Signed, ToPrimitive, Zero as _};
+use std::cell::OnceCell;
 use std::collections::BTreeMap;
 
 /// The largest window of a limit.
@@ -44,7 +45,7 @@ impl Functional {
         let mut weights = BTreeMap::new();
         for (functional, factor) in [(self, &other.over), (other, &-&self.over)] {
             for (i, weight) in &functional.weights {
-                *weights.entry(*i).or_insert_with(BigInt::zero) += weight * factor;
+                *weights.entry(*i).or_default() += weight * factor;
             }
         }
         Functional { weights, over: &self.over * &other.over }
@@ -53,7 +54,7 @@ impl Functional {
     /// Its greatest value where |x_{i+1} − x_i| ≤ 1, for weights of the sum 0: it is
     /// Σ_i F_i (x_{i+1} − x_i) with F_i = Σ_{h>i} f_h = −Σ_{h≤i} f_h.
     pub fn norm_on_differences(&self) -> Q {
-        let (mut total, mut sum, mut last) = (BigInt::zero(), BigInt::zero(), None);
+        let (mut total, mut sum, mut last) = (BigInt::default(), BigInt::default(), None);
         for (i, weight) in &self.weights {
             total += sum.abs() * (i - last.unwrap_or(*i));
             sum += weight;
@@ -70,7 +71,11 @@ pub struct Rules<'a> {
     over: BigInt,
     offset: i64,
     library: &'a Library<'a>,
+    zero: OnceCell<Zero>,
 }
+
+/// The limit at 0 as weights w of x_l, x_{l+1}, …: l and w; or none.
+type Zero = Result<Option<(i64, Vec<Q>)>, Stop>;
 
 impl<'a> Rules<'a> {
     /// The rules of a scheme, at this offset; `None` if they are not rational.
@@ -80,7 +85,7 @@ impl<'a> Rules<'a> {
         let over = mask.iter().flatten().fold(BigInt::one(), |over, a| over.lcm(a.denom()));
         let top = |a: Q| a.numer() * (&over / a.denom());
         let rows = mask.into_iter().map(|row| row.into_iter().map(top).collect()).collect();
-        Some(Rules { rows, over, offset, library })
+        Some(Rules { rows, over, offset, library, zero: OnceCell::new() })
     }
 
     /// n.
@@ -95,7 +100,7 @@ impl<'a> Rules<'a> {
             let rule = &self.rows[usize::try_from(at.rem_euclid(self.arity())).unwrap_or(0)];
             self.library.spend(rule.len() as u64 * (1 + weight.bits() / 1024))?;
             for (i, a) in (at.div_euclid(self.arity()) + self.offset..).zip(rule) {
-                *weights.entry(i).or_insert_with(BigInt::zero) += weight * a;
+                *weights.entry(i).or_default() += weight * a;
             }
         }
         Ok(Functional { weights, over: &f.over * &self.over })
@@ -130,16 +135,16 @@ impl<'a> Rules<'a> {
             }
         }
         let shift = index(&at)?;
-        let Some((first, weights)) = self.limit_at_zero()? else { return Ok(None) };
+        let zero = self.zero.get_or_init(|| self.limit_at_zero()).as_ref();
+        let Some((first, weights)) = zero.map_err(Clone::clone)? else { return Ok(None) };
         let over = weights.iter().fold(BigInt::one(), |over, w| over.lcm(w.denom()));
         let top = |w: &Q| w.numer() * (&over / w.denom());
         let weights = (first + shift..).zip(weights.iter().map(top)).collect();
         self.of_level(levels, Functional { weights, over }).map(Some)
     }
 
-    /// The limit at 0 as weights w of x_l, x_{l+1}, …: l and w; `None` if the equations wA = w,
-    /// Σw = 1 do not have exactly one solution.
-    fn limit_at_zero(&self) -> Result<Option<(i64, Vec<Q>)>, Stop> {
+    /// There is no limit if the equations wA = w, Σw = 1 do not have exactly one solution.
+    fn limit_at_zero(&self) -> Zero {
         let (arity, width) = (self.arity(), size(&self.rows[0]));
         // i − ⌊i/n⌋ does not fall, and is o from l on, and o + N − 1 up to h.
         let reach = |i: i64| i - i.div_euclid(arity);
@@ -152,6 +157,7 @@ impl<'a> Rules<'a> {
         }
         let place = |i: i64| usize::try_from(i - l).unwrap_or(0);
         let count = place(h) + 1;
+        self.library.spend(count.pow(3) as u64)?;
         let mut equations = vec![vec![Q::zero(); count + 1]; count];
         for i in l..=h {
             let row = &self.rows[usize::try_from(i.rem_euclid(arity)).unwrap_or(0)];

@@ -16,7 +16,8 @@ const MAX_BLOCK: usize = 32;
 const MAX_INDEX: i64 = 1_000_000;
 
 /// v points, and the v points of the next level.
-pub struct Ring {
+pub struct Ring<'a> {
+    library: &'a Library<'a>,
     /// `vertex`, `edge[0]`, `edge[1]`, …
     pub names: Vec<String>,
     /// m_{a,b}: x'_a = Σ_b m_{a,b} x_b.
@@ -29,20 +30,21 @@ fn wrong(what: &str) -> Stop {
     Stop::Wrong(format!("a ring: {what}"))
 }
 
-impl Ring {
+impl<'a> Ring<'a> {
     /// The ring that a reference such as `doo-sabin:n=5` names.
-    pub fn new<'a>(
+    pub fn new(
         library: &'a Library<'a>,
         reference: &str,
         scope: &Scope<'_>,
-    ) -> Result<Ring, Stop> {
+    ) -> Result<Ring<'a>, Stop> {
         let (name, table, parameters) = library.entry(reference, scope)?;
         let definitions = formulas(table.entries("let"))?;
         let mut inner = Scope::new(&definitions, library, &library.as_printed);
         inner.values = library.complete(name, table, parameters)?;
         let orbits = Orbits::read(table, &inner)?;
         let edges = orbits.edges(table, &inner)?;
-        let ring = Ring { names: orbits.names(), weights: orbits.weights(table, &inner)?, edges };
+        let (names, weights) = (orbits.names(), orbits.weights(table, &inner)?);
+        let ring = Ring { library, names, weights, edges };
         for row in &ring.weights {
             if !total(row)?.plus(-1, &Value::int(1))?.is_zero() {
                 return Err(wrong("the weights of a point do not sum to 1"));
@@ -56,20 +58,25 @@ impl Ring {
 
     /// Mx.
     pub fn refined(&self, points: &[Value]) -> Result<Vec<Value>, Stop> {
-        let point = |row: &Vec<Value>| {
-            let terms = row.iter().zip(points).map(|(weight, x)| weight.times(x));
-            total(&terms.collect::<Result<Vec<Value>, Stop>>()?)
-        };
-        self.weights.iter().map(point).collect()
+        self.weights.iter().map(|row| self.combined(row.iter().zip(points))).collect()
     }
 
     /// fM, the functional of the points that f is of those of the next level.
     pub fn before(&self, f: &[Value]) -> Result<Vec<Value>, Stop> {
-        let column = |b: usize| {
-            let terms = self.weights.iter().zip(f).map(|(row, f)| row[b].times(f));
-            total(&terms.collect::<Result<Vec<Value>, Stop>>()?)
-        };
+        let column = |b: usize| self.combined(self.weights.iter().map(|row| &row[b]).zip(f));
         (0..f.len()).map(column).collect()
+    }
+
+    /// The sum of products.
+    fn combined<'v>(
+        &self,
+        pairs: impl Iterator<Item = (&'v Value, &'v Value)>,
+    ) -> Result<Value, Stop> {
+        let term = |(weight, x): (&Value, &Value)| {
+            self.library.spend(weight.cost(x))?;
+            weight.times(x)
+        };
+        total(&pairs.map(term).collect::<Result<Vec<Value>, Stop>>()?)
     }
 
     /// Whether an edge joins these points.
@@ -113,7 +120,7 @@ impl Ring {
 
     /// Whether the largest difference along an edge is smaller c levels later than at first, for
     /// some c. Then all points of every ring tend to one number (THEOREMS.md, 20).
-    pub fn contracts(&self, library: &Library<'_>) -> Result<bool, Stop> {
+    pub fn contracts(&self) -> Result<bool, Stop> {
         let tree = self.tree();
         // f with the sum 0 is a sum of differences along the edges of the tree, each times
         // what f has beyond that edge.
@@ -134,7 +141,6 @@ impl Ring {
             self.edges.iter().map(difference).collect::<Result<Vec<_>, Stop>>()?;
         for _ in 0..MAX_BLOCK {
             for f in &mut differences {
-                library.spend((self.names.len() * self.names.len()) as u64)?;
                 *f = self.before(f)?;
             }
             let bounds = differences.iter().map(bound).collect::<Result<Vec<i8>, Stop>>()?;

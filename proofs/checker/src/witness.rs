@@ -23,7 +23,7 @@ pub enum Setting<'a> {
     /// One mask, or one for each index of a net.
     Masks(Vec<Rules<'a>>),
     /// A ring, and what makes of the points of one level those that the next is compared with.
-    Ring(Ring, Option<Ring>),
+    Ring(Ring<'a>, Option<Ring<'a>>),
 }
 
 impl<'a> Setting<'a> {
@@ -221,7 +221,7 @@ impl<'l> Witness<'l> {
             // Of a net, the last number says along which index.
             let (axis, at) = match (rules.len(), &numbers[..]) {
                 (1, at) => (0, at),
-                (_, [at @ .., axis]) => (if axis.is_one() { 0 } else { 1 }, at),
+                (_, [at @ .., axis]) => (usize::from(!axis.is_one()), at),
                 (_, []) => (0, &[][..]),
             };
             let proper = at.len() == rules.len() && numbers.iter().all(Q::is_integer);
@@ -263,7 +263,7 @@ impl<'l> Witness<'l> {
     fn of_ring(
         &self,
         (points, weights): (&[BigInt], &[Value]),
-        (ring, earlier): (&Ring, Option<&Ring>),
+        (ring, earlier): (&Ring<'_>, Option<&Ring<'_>>),
         quantity: &str,
         level: u32,
     ) -> Checked<Value> {
@@ -286,7 +286,7 @@ impl<'l> Witness<'l> {
             }
             ("distance", &[a]) => {
                 // Around a vertex only what the interpolant keeps has its limit there.
-                let keeps = |earlier: &Ring| earlier.keeps(a);
+                let keeps = |earlier: &Ring<'_>| earlier.keeps(a);
                 if !earlier.map_or(Ok(true), keeps).map_err(stopped)? {
                     return Err(self.line.reject(Reason::NoLimit));
                 }

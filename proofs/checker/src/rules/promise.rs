@@ -98,20 +98,16 @@ fn setting<'a>(
     if let Some(known) = known.get(&key) {
         return Ok(Rc::clone(known));
     }
-    let (setting, contracts) = match ring {
-        Some(ring) => {
-            let ring = Ring::new(library, ring, scope).map_err(stopped)?;
-            let contracts = ring.contracts(library);
-            (Setting::Ring(ring, None), contracts)
-        }
-        None => {
-            let masks = Setting::masks(library, schemes, *offset);
-            let masks = masks.filter(|_| !schemes.is_empty());
-            let each = schemes.iter().map(|scheme| converges(scope, scheme));
-            let each = each.collect::<Result<Vec<bool>, Stop>>();
-            let rational = || line.reject(Reason::Malformed("rational masks"));
-            (masks.ok_or_else(rational)?, each.map(|each| !each.contains(&false)))
-        }
+    let (setting, contracts) = if let Some(ring) = ring {
+        let ring = Ring::new(library, ring, scope).map_err(stopped)?;
+        let contracts = ring.contracts();
+        (Setting::Ring(ring, None), contracts)
+    } else {
+        let masks = Setting::masks(library, schemes, *offset).filter(|_| !schemes.is_empty());
+        let each = schemes.iter().map(|scheme| converges(scope, scheme));
+        let each = each.collect::<Result<Vec<bool>, Stop>>();
+        let rational = || line.reject(Reason::Malformed("rational masks"));
+        (masks.ok_or_else(rational)?, each.map(|each| !each.contains(&false)))
     };
     if !contracts.map_err(stopped)? {
         return Err(line.reject(Reason::NoLimit));

@@ -126,9 +126,9 @@ impl<'a> Instance<'a> {
     }
 
     /// Makes sure that all control data have limits.
-    fn converges(&self, paper: &Paper<'_>, line: Line<'_>) -> Checked<()> {
+    fn converges(&self, line: Line<'_>) -> Checked<()> {
         let converges = match &self.setting {
-            Setting::Ring(ring, _) => ring.contracts(paper.library),
+            Setting::Ring(ring, _) => ring.contracts(),
             Setting::Masks(_) => {
                 let each = self.schemes.iter().map(|scheme| converges(&self.scope, scheme));
                 each.collect::<Result<Vec<bool>, Stop>>().map(|each| !each.contains(&false))
@@ -171,7 +171,7 @@ fn refuted<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> 
     let spreads = witness.spreads(&instance.setting)?;
     let quantity = if tolerance.is_some() { "distance" } else { bounds };
     if quantity == "distance" {
-        instance.converges(paper, witness.line)?;
+        instance.converges(witness.line)?;
     }
     let left = witness.value(&instance.setting, quantity, level)?;
     let values = &mut instance.scope.values;
