@@ -50,17 +50,17 @@ impl<'a> Block<'a> {
         self.lines.get(self.taken).copied()
     }
 
-    /// Takes the next line if it begins with this word.
-    pub fn optional(&mut self, word: &str) -> Option<(Line<'a>, &'a str)> {
+    /// The first word of the next line; nothing if there is none.
+    pub fn next_word(&self) -> &'a str {
+        self.peek().map_or("", |line| line.word().0)
+    }
+
+    /// Takes the next line if it begins with this word, and gives the rest of it.
+    pub fn maybe(&mut self, word: &str) -> Option<&'a str> {
         let line = self.peek().filter(|line| line.word().0 == word)?;
         self.taken += 1;
         self.at = line.number;
-        Some((line, line.word().1))
-    }
-
-    /// The same, without the line.
-    pub fn maybe(&mut self, word: &str) -> Option<&'a str> {
-        self.optional(word).map(|(_, said)| said)
+        Some(line.word().1)
     }
 
     /// Goes on to the next line without taking it; back to the head if there is none.
@@ -68,15 +68,10 @@ impl<'a> Block<'a> {
         self.at = self.peek().unwrap_or(self.head).number;
     }
 
-    /// Takes the next line, which has to begin with this word.
-    pub fn take(&mut self, word: &'static str) -> Checked<(Line<'a>, &'a str)> {
-        self.look();
-        self.optional(word).ok_or(Reason::Malformed(word).into())
-    }
-
-    /// The same, without the line.
+    /// Takes the next line, which has to begin with this word, and gives the rest of it.
     pub fn after(&mut self, word: &'static str) -> Checked<&'a str> {
-        self.take(word).map(|(_, said)| said)
+        self.look();
+        self.maybe(word).ok_or(Reason::Malformed(word).into())
     }
 
     /// Takes the next line, and gives its first word and the rest.
@@ -91,6 +86,17 @@ impl<'a> Block<'a> {
     pub fn restates(&mut self, word: &'static str, text: Option<&str>) -> Checked<()> {
         let said = self.after(word)?.split_whitespace();
         require(text.is_some_and(|text| text.split_whitespace().eq(said)), Reason::Restated(word))
+    }
+
+    /// Takes the next line, which has to be this word alone.
+    pub fn word(&mut self, word: &'static str) -> Checked<()> {
+        let rest = self.after(word)?;
+        require(rest.is_empty(), Reason::Malformed(word))
+    }
+
+    /// The last line.
+    pub fn last(&self) -> Line<'a> {
+        self.lines.last().copied().unwrap_or(self.head)
     }
 
     /// Makes sure that every line has been taken.

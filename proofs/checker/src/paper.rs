@@ -1,6 +1,6 @@
 //! A claim file, and the scopes in which its formulas have values.
 
-use crate::certificate::{Line, MAX_LINE};
+use crate::certificate::MAX_LINE;
 use crate::decimal::{Q, read_rational};
 use crate::evaluate::Scope;
 use crate::formula::{Expr, is_name, parse};
@@ -35,10 +35,10 @@ pub const KINDS: [&str; 5] = ["table", "equation", "function", "range", "theorem
 impl<'a> Paper<'a> {
     /// Reads what the claims of a file have in common.
     pub fn new(file: &'a Toml, library: &'a Library<'a>) -> Result<Paper<'a>, Stop> {
-        let definitions = formulas(file, "define")?;
+        let definitions = formulas(file.entries("define"))?;
         let (given, as_printed) = Default::default();
         let mut paper = Paper { file, definitions, given, library, as_printed };
-        paper.given = paper.constants(file, "given")?;
+        paper.given = paper.constants(file.entries("given"))?;
         Ok(paper)
     }
 
@@ -50,10 +50,10 @@ impl<'a> Paper<'a> {
         KINDS.into_iter().flat_map(of).collect()
     }
 
-    /// The values of the formulas without parameters under a key.
-    pub fn constants(&self, table: &Toml, key: &str) -> Result<BTreeMap<String, Value>, Stop> {
+    /// The values of named formulas without parameters.
+    pub fn constants(&self, entries: &[(String, Toml)]) -> Result<BTreeMap<String, Value>, Stop> {
         let value = |(name, expr): (String, Rc<Expr>)| Ok((name, self.nothing().value(&expr)?));
-        formulas(table, key)?.into_iter().map(value).collect()
+        formulas(entries)?.into_iter().map(value).collect()
     }
 
     /// A scope with the definitions of the paper.
@@ -70,11 +70,6 @@ impl<'a> Paper<'a> {
     pub fn number(&self, text: &str) -> Checked<Value> {
         value(text, &self.nothing())
     }
-
-    /// The same at a line.
-    pub fn closed(&self, line: Line<'_>, text: &str) -> Checked<Value> {
-        self.number(text).map_err(|rejection| rejection.at(line.number))
-    }
 }
 
 /// A formula of a certificate.
@@ -85,12 +80,6 @@ pub fn value(text: &str, scope: &Scope<'_>) -> Checked<Value> {
 /// The formula of a key of a claim.
 pub fn formula_of(claim: &Toml, key: &str) -> Result<Expr, Stop> {
     formula(claim.text(key).ok_or_else(|| Stop::Wrong(format!("`{key}` is missing")))?)
-}
-
-/// Makes sure that a line restates a text of the claim file, up to blanks.
-pub fn restates(line: Line<'_>, what: &'static str, said: &str, text: Option<&str>) -> Checked<()> {
-    let same = text.is_some_and(|text| text.split_whitespace().eq(said.split_whitespace()));
-    if same { Ok(()) } else { Err(line.reject(Reason::Restated(what))) }
 }
 
 /// A number of the claim file as printed and as read: `'0.5'`, or a table that says both.

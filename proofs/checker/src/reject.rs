@@ -92,7 +92,14 @@ reasons! {
     NoContraction "the constant of the block is not below 1"
     TooLarge "the bound is above the tolerance"
     Open "the theorem is open"
-    Taken "this name has a value already, or is a definition"
+    NoStatement "THEOREMS.md has no such statement"
+    Premise(id: String) "the proof uses a claim that is not shown to hold"
+    NotListed "the claim lists another parameter here, or other values of it"
+    Supposed "what the theorem supposes does not hold"
+    Taken "two witnesses have this name"
+    NoWitness "no witness has this name"
+    Promises "each printed cell has a line about its promise, row by row"
+    Weights "these are not the weights of the limit"
     Level "the theorem is not stated for this level, or it is beyond the cap"
     NoLimit "the scheme is not shown to converge"
     Negative "the bound is negative: it presupposes something that does not hold"
@@ -112,7 +119,10 @@ impl Rejection {
     /// Whether the claim was left open, not shown to be wrong.
     #[must_use]
     pub fn given_up(&self) -> bool {
-        matches!(self.reason, Reason::Open | Reason::Field(_) | Reason::Stopped(Stop::Capped(_)))
+        matches!(
+            self.reason,
+            Reason::Open | Reason::Premise(_) | Reason::Field(_) | Reason::Stopped(Stop::Capped(_))
+        )
     }
 
     /// At this line, if it has none of its own.

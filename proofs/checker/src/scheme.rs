@@ -22,9 +22,12 @@ const MAX_WIDTH: usize = 256;
 const MAX_ALIASES: usize = 8;
 
 /// The schemes that every claim file may name: data, not code.
-const CATALOGUE: [&str; 10] = [
+const CATALOGUE: [&str; 13] = [
     include_str!("../../../src/scheme/catalogue/b-spline.toml"),
+    include_str!("../../../src/scheme/catalogue/bajaj.toml"),
+    include_str!("../../../src/scheme/catalogue/catmull-clark.toml"),
     include_str!("../../../src/scheme/catalogue/chaikin.toml"),
+    include_str!("../../../src/scheme/catalogue/doo-sabin.toml"),
     include_str!("../../../src/scheme/catalogue/four-point.toml"),
     include_str!("../../../src/scheme/catalogue/newton.toml"),
     include_str!("../../../src/scheme/catalogue/quaternary-four-point.toml"),
@@ -55,7 +58,8 @@ pub struct Library<'a> {
     steps: Cell<u64>,
     /// No named formulas.
     pub nothing: Definitions,
-    as_printed: Reading,
+    /// The reading of formulas of schemes.
+    pub as_printed: Reading,
 }
 
 /// The files of the catalogue, read.
@@ -72,13 +76,13 @@ pub fn formula(text: &str) -> Result<Expr, Stop> {
     parse(text, MAX_LENGTH).map_err(Stop::Wrong)
 }
 
-/// The formulas that stand under a key of a table, by name.
-pub fn formulas(table: &Toml, key: &str) -> Result<Definitions, Stop> {
-    let read = |(name, text): (&String, &Toml)| match text.as_text() {
+/// Named formulas of a file.
+pub fn formulas(entries: &[(String, Toml)]) -> Result<Definitions, Stop> {
+    let read = |(name, text): &(String, Toml)| match text.as_text() {
         Some(text) if is_name(name) && name != "pi" => Ok((name.clone(), Rc::new(formula(text)?))),
         _ => wrong(name, "no named formula"),
     };
-    table.under(key).map(read).collect()
+    entries.iter().map(read).collect()
 }
 
 impl<'a> Library<'a> {
@@ -121,21 +125,7 @@ impl<'a> Library<'a> {
             return wrong(reference, "more than two factors, or names for names for names");
         }
         for factor in factors {
-            let (name, arguments) = factor.trim().split_once(':').unwrap_or((factor.trim(), ""));
-            let mut parameters = BTreeMap::new();
-            for argument in arguments_of(arguments) {
-                let Some((parameter, value)) = argument.split_once('=') else {
-                    return wrong(reference, "a parameter is name=value");
-                };
-                let value = scope.value(&formula(value.trim())?)?;
-                if parameters.insert(parameter.trim().to_owned(), value).is_some() {
-                    return wrong(reference, "a parameter is given twice");
-                }
-            }
-            let mut tables = self.file.iter().chain(self.catalogue);
-            let Some(table) = tables.find(|table| table.text("name") == Some(name)) else {
-                return wrong(reference, "there is no such scheme");
-            };
+            let (name, table, parameters) = self.entry(factor, scope)?;
             match table.text("use") {
                 Some(_) if !parameters.is_empty() => {
                     return wrong(reference, "it has no parameters");
@@ -147,18 +137,53 @@ impl<'a> Library<'a> {
         Ok(schemes)
     }
 
-    fn scheme(
+    fn named(&self, name: &str) -> Option<&'a Toml> {
+        let mut tables = self.file.iter().chain(self.catalogue);
+        tables.find(|table| table.text("name") == Some(name))
+    }
+
+    /// Whether a reference names a ring.
+    pub fn is_ring(&self, reference: &str) -> bool {
+        let (name, _) = reference.split_once(':').unwrap_or((reference, ""));
+        self.named(name.trim()).is_some_and(|table| table.get("orbits").is_some())
+    }
+
+    /// The table of the scheme that a reference names, with its parameters.
+    pub fn entry<'r>(
+        &'a self,
+        reference: &'r str,
+        scope: &Scope<'_>,
+    ) -> Result<(&'r str, &'a Toml, BTreeMap<String, Value>), Stop> {
+        let (name, arguments) = reference.trim().split_once(':').unwrap_or((reference.trim(), ""));
+        let mut parameters = BTreeMap::new();
+        for argument in arguments_of(arguments) {
+            let Some((parameter, value)) = argument.split_once('=') else {
+                return wrong(reference, "a parameter is name=value");
+            };
+            let value = scope.value(&formula(value.trim())?)?;
+            if parameters.insert(parameter.trim().to_owned(), value).is_some() {
+                return wrong(reference, "a parameter is given twice");
+            }
+        }
+        match self.named(name) {
+            Some(table) => Ok((name, table, parameters)),
+            None => wrong(reference, "there is no such scheme"),
+        }
+    }
+
+    /// The parameters of a scheme, those without a value at their defaults.
+    pub fn complete(
         &'a self,
         name: &str,
         table: &Toml,
         mut parameters: BTreeMap<String, Value>,
-    ) -> Result<Rc<Scheme>, Stop> {
-        if parameters.keys().any(|given| table.under("parameters").all(|(known, _)| known != given))
-        {
+    ) -> Result<BTreeMap<String, Value>, Stop> {
+        let known = table.entries("parameters");
+        if parameters.keys().any(|given| known.iter().all(|(known, _)| known != given)) {
             return wrong(name, "it has no such parameter");
         }
         let nothing = Scope::new(&self.nothing, self, &self.as_printed);
-        for (parameter, about) in table.under("parameters") {
+        for (parameter, about) in known {
             if !parameters.contains_key(parameter) {
                 let Some(default) = about.text("default") else {
                     return wrong(name, "a parameter is missing");
@@ -166,11 +191,21 @@ impl<'a> Library<'a> {
                 parameters.insert(parameter.clone(), nothing.value(&formula(default)?)?);
             }
         }
+        Ok(parameters)
+    }
+
+    fn scheme(
+        &'a self,
+        name: &str,
+        table: &Toml,
+        parameters: BTreeMap<String, Value>,
+    ) -> Result<Rc<Scheme>, Stop> {
+        let parameters = self.complete(name, table, parameters)?;
         let key = format!("{name} {parameters:?}");
         if let Some(known) = self.masks.borrow().get(&key) {
             return Ok(Rc::clone(known));
         }
-        let definitions = formulas(table, "let")?;
+        let definitions = formulas(table.entries("let"))?;
         let mut scope = Scope::new(&definitions, self, &self.as_printed);
         scope.values = parameters;
         let integer = |key: &str, most: usize| match table.text(key) {

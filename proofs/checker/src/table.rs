@@ -72,9 +72,9 @@ impl<'a> Table<'a> {
     pub fn new(paper: &'a Paper<'a>, claim: &'a Toml) -> Result<Table<'a>, Stop> {
         let columns = claim.get("columns").ok_or(Stop::Wrong("`columns` is missing".into()))?;
         let rows = claim.get("rows").map(Axis::read).transpose()?;
-        let unstated = paper.constants(claim, "unstated")?;
+        let unstated = paper.constants(claim.entries("unstated"))?;
         let mut given = paper.given.clone();
-        given.extend(paper.constants(claim, "given")?);
+        given.extend(paper.constants(claim.entries("given"))?);
         given.retain(|name, _| !unstated.contains_key(name));
         let promise = claim.get("promise");
         let table = Table {

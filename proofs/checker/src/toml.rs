@@ -1,7 +1,7 @@
 //! The part of TOML that claim files use: strings, booleans, lists and tables.
 
 use crate::cursor::{Cursor, Parsed};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 /// The most bytes of a claim file.
 pub const MAX_BYTES: usize = 4 << 20;
@@ -22,7 +22,8 @@ pub enum Toml {
     Table(Table),
 }
 
-type Table = BTreeMap<String, Toml>;
+/// Keys with their values, in the order of the file.
+type Table = Vec<(String, Toml)>;
 
 impl Toml {
     /// Reads a file.
@@ -36,7 +37,7 @@ impl Toml {
 
     /// The value of a key of a table.
     pub fn get(&self, key: &str) -> Option<&Toml> {
-        if let Toml::Table(table) = self { table.get(key) } else { None }
+        self.as_table().iter().find(|(name, _)| name == key).map(|(_, value)| value)
     }
 
     /// The string of a key.
@@ -59,14 +60,14 @@ impl Toml {
         self.get(key).map_or(&[], Toml::as_list)
     }
 
-    /// The entries of a table; none when it is no table.
-    pub fn entries(&self) -> impl Iterator<Item = (&String, &Toml)> {
-        if let Toml::Table(table) = self { Some(table) } else { None }.into_iter().flatten()
+    /// This as a table; empty when it is none.
+    pub fn as_table(&self) -> &[(String, Toml)] {
+        if let Toml::Table(table) = self { table } else { &[] }
     }
 
-    /// The entries of the table of a key.
-    pub fn under(&self, key: &str) -> impl Iterator<Item = (&String, &Toml)> {
-        self.get(key).into_iter().flat_map(Toml::entries)
+    /// The entries of the table of a key; none when there is no such table.
+    pub fn entries(&self, key: &str) -> &[(String, Toml)] {
+        self.get(key).map_or(&[], Toml::as_table)
     }
 }
 
@@ -95,8 +96,8 @@ fn file(c: &mut Cursor) -> Parsed<Table> {
             section = path(c)?;
             c.expect("]]")?;
             let (last, parents) = section.split_last().ok_or("a name")?;
-            let list = descend(&mut file, parents)?.entry(last.clone());
-            let Toml::List(list) = list.or_insert(Toml::List(Vec::new())) else { return Err(USED) };
+            let list = slot(descend(&mut file, parents)?, last, Toml::List(Vec::new()));
+            let Toml::List(list) = list else { return Err(USED) };
             list.push(Toml::Table(Table::new()));
             seen.retain(|known| !known.starts_with(&section));
         } else if c.eat("[") {
@@ -116,10 +117,19 @@ fn file(c: &mut Cursor) -> Parsed<Table> {
     }
 }
 
+/// The value of a key; `empty` when there is none.
+fn slot<'t>(table: &'t mut Table, key: &str, empty: Toml) -> &'t mut Toml {
+    let at = table.iter().position(|(name, _)| name == key).unwrap_or_else(|| {
+        table.push((key.to_owned(), empty));
+        table.len() - 1
+    });
+    &mut table[at].1
+}
+
 /// The table at a path; of a list, its last one. Made when it is not there.
 fn descend<'t>(table: &'t mut Table, path: &[String]) -> Parsed<&'t mut Table> {
     path.iter().try_fold(table, |table, name| {
-        let mut inner = table.entry(name.clone()).or_insert(Toml::Table(Table::new()));
+        let mut inner = slot(table, name, Toml::Table(Table::new()));
         if let Toml::List(list) = inner {
             inner = list.last_mut().ok_or("a table")?;
         }
@@ -134,8 +144,12 @@ fn entry(c: &mut Cursor, table: &mut Table, depth: usize) -> Parsed<()> {
     space(c, false);
     let value = value(c, depth)?;
     let (last, parents) = path.split_last().ok_or("a name")?;
-    let known = descend(table, parents)?.insert(last.clone(), value);
-    if known.is_none() { Ok(()) } else { Err(USED) }
+    let table = descend(table, parents)?;
+    if table.iter().any(|(name, _)| name == last) {
+        return Err(USED);
+    }
+    table.push((last.clone(), value));
+    Ok(())
 }
 
 /// `a`, `a.b`, with blanks around.

@@ -18,7 +18,7 @@ type Case<'a> = Vec<(&'a str, Q)>;
 
 /// Checks an equation.
 pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<()> {
-    if block.peek().is_some_and(|line| line.word().0 == "absent") {
+    if block.next_word() == "absent" {
         return block.restates("absent", claim.text("absent"));
     }
     let each = claim.list("left");

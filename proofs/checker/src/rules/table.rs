@@ -1,7 +1,7 @@
 //! Rule `table`: what the claim says, how it is read, and every cell.
 
 use super::reading::Reads;
-use super::{attained, cell, family, sound};
+use super::{attained, cell, family, promise, sound};
 use crate::certificate::Block;
 use crate::paper::Paper;
 use crate::reject::{Checked, Reason, require};
@@ -31,5 +31,6 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     while let Some(said) = block.maybe("sound") {
         sound::check(&table, said)?;
     }
+    promise::check(&table, block)?;
     family::check(&table, &reads, &refuted, block)
 }
