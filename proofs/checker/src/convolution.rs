@@ -122,7 +122,7 @@ fn spread(
     for (i, a) in left.iter().enumerate() {
         let from = i.saturating_mul(step).min(product.len());
         for (sum, b) in product[from..].iter_mut().zip(right) {
-            library.spend(a.cost(b))?;
+            library.spend(a.cost(b).max(1))?;
             sum.add(1, &a.times(b)?)?;
         }
     }

@@ -44,9 +44,7 @@ pub fn parse(text: &str, longest: usize) -> Result<Expr, String> {
     if text.chars().count() > longest {
         return Err(format!("a formula of more than {longest} characters"));
     }
-    // What is written otherwise means the same.
-    let text = text.replace('\u{2212}', "-").replace('·', "*");
-    let mut parser = Parser { text: Cursor::new(&text), depth: 0 };
+    let mut parser = Parser { text: Cursor::new(text), depth: 0 };
     parser.space();
     let parsed = parser.sum().and_then(|expr| match parser.text.peek() {
         None => Ok(expr),
@@ -124,12 +122,12 @@ impl Parser {
 
     fn chain(
         &mut self,
-        operators: [&str; 2],
+        operators: [(&str, char); 3],
         operand: impl Fn(&mut Self) -> Parsed<Expr>,
     ) -> Parsed<Expr> {
         let (mut found, mut operands) = (Vec::new(), vec![operand(self)?]);
-        while let Some(operator) = operators.iter().find(|operator| self.eat(operator)) {
-            found.extend(operator.chars());
+        while let Some((_, operator)) = operators.iter().find(|(token, _)| self.eat(token)) {
+            found.push(*operator);
             operands.push(operand(self)?);
         }
         Ok(match operands.pop() {
@@ -142,12 +140,14 @@ impl Parser {
     }
 
     fn sum(&mut self) -> Parsed<Expr> {
-        self.chain(["+", "-"], |parser| parser.chain(["*", "/"], Self::factor))
+        self.chain([("+", '+'), ("-", '-'), ("\u{2212}", '-')], |parser| {
+            parser.chain([("*", '*'), ("/", '/'), ("·", '*')], Self::factor)
+        })
     }
 
     /// `-x^2` is `-(x^2)`, and `x^-2` is `x^(-2)`.
     fn factor(&mut self) -> Parsed<Expr> {
-        if self.eat("-") {
+        if self.eat("-") || self.eat("\u{2212}") {
             return Ok(Expr::Of(Head::Minus, vec![self.nested(Self::factor)?]));
         }
         let base = self.primary()?;

@@ -275,8 +275,7 @@ impl<'l> Witness<'l> {
             }
             ("distance", &[a]) => {
                 // Around a vertex only what the interpolant keeps has its limit there.
-                let kept = earlier.map_or(Ok(true), |earlier| earlier.keeps(a))?;
-                require(kept, Reason::NoLimit)?;
+                require(earlier.is_none_or(|earlier| earlier.keeps(a)), Reason::NoLimit)?;
                 require(ring.is_limit(weights)?, Reason::Weights)?;
                 let mut terms = weights.iter().zip(&control);
                 let less = |off: Value, (weight, x): (&Value, &Value)| off.minus(&weight.times(x)?);

@@ -180,7 +180,7 @@ impl Cell<'_> {
                 continue;
             }
             let Some(other) = self.table.read(place, read)? else { continue };
-            if other == *value || self.rounding(Some(&other))? == "neither" {
+            if other.equals(value)? || self.rounding(Some(&other))? == "neither" {
                 continue;
             }
             slips.push(format!("neighbour {} {}", step.0, step.1));

@@ -152,7 +152,9 @@ impl Listed {
             for value in said.ok_or(Reason::Cell)?.split_whitespace() {
                 let value = Some(value).filter(|value| *value != "undefined");
                 let value = value.map(|value| table.paper.number(value)).transpose()?;
-                require(values.iter().all(|(known, _)| *known != value), Reason::Member)?;
+                for (known, _) in &values {
+                    require(!same(known.as_ref(), value.as_ref())?, Reason::Member)?;
+                }
                 values.push((value, false));
             }
             cells.push((*place, values));
@@ -169,7 +171,8 @@ impl Listed {
             let value = cells.iter().zip(values).find(|((at, _), _)| at == place);
             let known = number.checked_sub(1).and_then(|i| listed.get_mut(i));
             let (known, met) = known.ok_or(Reason::Value)?;
-            require(value.is_some_and(|(_, value)| value == known), Reason::Value)?;
+            let value = value.and_then(|(_, value)| value.as_ref());
+            require(same(known.as_ref(), value)?, Reason::Value)?;
             *met = true;
         }
         require(numbers.next().is_none(), Reason::Malformed("the end of the line"))
@@ -178,6 +181,11 @@ impl Listed {
     fn all_met(&self) -> bool {
         self.cells.iter().flat_map(|(_, values)| values).all(|(_, met)| *met)
     }
+}
+
+/// Whether two values are equal, or both undefined.
+fn same(one: Option<&Value>, other: Option<&Value>) -> Result<bool, Stop> {
+    one.zip(other).map_or(Ok(one.is_none() && other.is_none()), |(one, other)| one.equals(other))
 }
 
 /// Every member: its differences from the printed text, `NAME=WAY` or `NAME#NUMBER`.
