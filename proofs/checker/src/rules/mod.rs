@@ -6,16 +6,17 @@ mod equation;
 mod family;
 mod function;
 mod pieces;
+mod promise;
 mod range;
 mod reading;
 mod sound;
 mod table;
 mod theorem;
 
-use crate::certificate::{Block, Line};
+use crate::certificate::Block;
 use crate::paper::Paper;
 use crate::reject::{Checked, Reason};
-use crate::table::Table;
+use crate::table::{Place, Table};
 use crate::toml::Toml;
 
 /// The fields of all claims, and those of the claims of each kind.
@@ -25,8 +26,27 @@ const FIELDS: [(&str, &str); 6] = [
     ("equation", "symbols hypotheses indices left right absent"),
     ("function", "variable left right"),
     ("range", "variable value below at_most from to closed"),
-    ("theorem", "bounds by from says rests"),
+    (
+        "theorem",
+        "bounds by from says rests schemes values offset interpolant supposes block corrections \
+         proved_by refuted_by proof_uses",
+    ),
 ];
+
+/// What a valid certificate proves of a claim.
+pub enum Verdict<'a> {
+    /// An identity, a closed form or a range holds.
+    Holds,
+    /// Something else that needs no other claim.
+    Other,
+    /// A theorem is proved or refuted by a statement of THEOREMS.md, if these claims hold.
+    Cited {
+        /// The statement.
+        statement: String,
+        /// The ids of the claims.
+        uses: Vec<&'a str>,
+    },
+}
 
 /// Checks a block that is about a claim.
 pub fn check<'a>(
@@ -34,33 +54,31 @@ pub fn check<'a>(
     kind: &str,
     claim: &'a Toml,
     block: &mut Block<'_>,
-) -> Checked<()> {
+) -> Checked<Verdict<'a>> {
     paper.library.restart();
     // What the claim file says beyond this could change what the claim means.
     let fields = FIELDS.iter().filter(|(of, _)| ["", kind].contains(of));
     let known: Vec<&str> = fields.flat_map(|(_, fields)| fields.split(' ')).collect();
-    if let Toml::Table(entries) = claim
-        && let Some((field, _)) = entries.iter().find(|(field, _)| !known.contains(&field.as_str()))
-    {
-        return Err(block.head.reject(Reason::Field(field.clone())));
+    let mut fields = claim.as_table().iter().map(|(field, _)| field);
+    if let Some(field) = fields.find(|field| !known.contains(&field.as_str())) {
+        return Err(Reason::Field(field.clone()).into());
     }
+    let mut verdict = Verdict::Other;
     match kind {
         "table" => table::check(paper, claim, block)?,
         "equation" => equation::check(paper, claim, block)?,
         "function" => function::check(paper, claim, block)?,
         "range" => range::check(paper, claim, block)?,
-        "theorem" => theorem::check(paper, claim, block)?,
-        _ => return Err(block.head.reject(Reason::NoSuchClaim)),
+        "theorem" => verdict = theorem::check(paper, claim, block)?,
+        _ => return Err(Reason::NoSuchClaim.into()),
     }
-    block.finished()
+    block.finished()?;
+    let holds = ["holds", "exact"].contains(&block.last().word().0);
+    Ok(if holds { Verdict::Holds } else { verdict })
 }
 
 /// The place of a cell that a line begins with, and what follows.
-fn place<'l>(
-    table: &Table<'_>,
-    line: Line<'_>,
-    said: &'l str,
-) -> Checked<((usize, usize), &'l str)> {
+fn place<'l>(table: &Table<'_>, said: &'l str) -> Checked<(Place, &'l str)> {
     let mut words = said.splitn(3, ' ');
     let mut next = |count: usize| {
         let place: usize = words.next()?.parse().ok()?;
@@ -68,5 +86,5 @@ fn place<'l>(
     };
     let (rows, columns) = table.size();
     let place = next(rows).and_then(|row| Some((row, next(columns)?)));
-    Ok((place.ok_or(line.reject(Reason::Cell))?, words.next().unwrap_or_default()))
+    Ok((place.ok_or(Reason::Cell)?, words.next().unwrap_or_default()))
 }

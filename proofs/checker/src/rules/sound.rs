@@ -1,14 +1,14 @@
 //! Rule `sound`: what a table promises, at a level or for a tolerance, as it is kept.
 
 use super::place;
-use crate::certificate::Line;
 use crate::convolution::classes;
+use crate::displacement::{displaced, gather};
 use crate::evaluate::Scope;
-use crate::functions::{displaced, gather, greatest};
-use crate::reject::{Checked, Reason};
-use crate::scheme::{Scheme, formula};
-use crate::table::Table;
-use crate::value::{Stop, Value};
+use crate::functions::greatest;
+use crate::reject::{Checked, Reason, Stop, require};
+use crate::scheme::{Scheme, formula, total};
+use crate::table::{Place, Table};
+use crate::value::Value;
 use std::rc::Rc;
 
 /// The most levels of a bound.
@@ -18,63 +18,69 @@ const MAX_LEVEL: i64 = 10_000;
 const MAX_BLOCK: i64 = 12;
 
 /// Checks `ROW COLUMN M c VALUE`.
-pub fn check(table: &Table<'_>, line: Line<'_>, said: &str) -> Checked<()> {
-    let stopped = |stop| line.reject(Reason::Stopped(stop));
-    let (at, said) = place(table, line, said)?;
-    let [most, block, said] = said.split_whitespace().collect::<Vec<&str>>()[..] else {
-        return Err(line.reject(Reason::Malformed("ROW COLUMN M c VALUE")));
-    };
-    let integer = |text: &str| paper_integer(table, line, text);
-    let (most, block, said) = (integer(most)?, integer(block)?, table.paper.closed(line, said)?);
-    if block < 1 || block > most || most > MAX_BLOCK {
-        return Err(line.reject(Reason::Malformed("1 ≤ c ≤ M ≤ 12")));
+pub fn check<'a>(table: &'a Table<'a>, said: &str) -> Checked<()> {
+    let (at, said) = place(table, said)?;
+    let said = said.rsplit_once(' ').ok_or(Reason::Malformed("ROW COLUMN M c VALUE"))?;
+    let (constants, said) = (said.0, table.paper.number(said.1)?);
+    let promised = Promised::new(table, at)?;
+    let level = promised.level.map_or_else(|| said.integer(MAX_LEVEL), Ok)?;
+    let bound = promised.bound(level, constants)?;
+    match promised.tolerance {
+        None => require(bound.equals(&said)?, Reason::Value),
+        Some(tolerance) => require(bound.compare(&tolerance)?.is_le(), Reason::TooLarge),
     }
-    let promise = table.claim.get("promise").ok_or(line.reject(Reason::NoPromise))?;
-    let (assumed, _) = table.needed(at);
-    // The promise may need parameters that the value does not.
-    let assumed = assumed.into_iter().chain(table.unstated.keys().cloned()).collect();
-    let (scope, schemes) = table.scope(at, &table.as_printed, &assumed).map_err(stopped)?;
-    if schemes.is_empty() {
-        return Err(line.reject(Reason::NoPromise));
-    }
-    let of = |key: &str| promise.text(key).map(|text| scope.value(&formula(text)?)).transpose();
-    let spread = of("spread").map_err(stopped)?.ok_or(line.reject(Reason::NoPromise))?;
-    let offset = of("offset").and_then(|offset| offset.map(|o| o.integer(10_000)).transpose());
-    let offset = offset.map_err(stopped)?;
-    let sound = Sound { table, scope: &scope, schemes: &schemes, offset };
-    let (level, tolerance) = match of("level").map_err(stopped)? {
-        Some(level) => (level.integer(MAX_LEVEL).map_err(stopped)?, None),
-        None => (said.integer(MAX_LEVEL).map_err(stopped)?, of("tolerance").map_err(stopped)?),
-    };
-    if level < 0 {
-        return Err(line.reject(Reason::Malformed("a level")));
-    }
-    let bound = sound.bound(level, most, block).map_err(stopped)?;
-    let bound = bound.ok_or(line.reject(Reason::NoContraction))?;
-    let bound = bound.times(&spread).map_err(stopped)?;
-    let Some(tolerance) = tolerance else {
-        let same = bound.plus(-1, &said).map_err(stopped)?.is_zero();
-        return if same { Ok(()) } else { Err(line.reject(Reason::Value)) };
-    };
-    let above = bound.plus(-1, &tolerance).and_then(|above| above.sign(None)).map_err(stopped)?;
-    if above > 0 { Err(line.reject(Reason::TooLarge)) } else { Ok(()) }
 }
 
-fn paper_integer(table: &Table<'_>, line: Line<'_>, text: &str) -> Checked<i64> {
-    let value = table.paper.closed(line, text)?.integer(MAX_LEVEL);
-    value.map_err(|stop| line.reject(Reason::Stopped(stop)))
+/// What a table promises at a cell.
+pub struct Promised<'t> {
+    /// The table.
+    pub table: &'t Table<'t>,
+    /// The scope of the cell, with all assumptions.
+    pub scope: Scope<'t>,
+    /// The factors of its scheme; none of a ring.
+    pub schemes: Vec<Rc<Scheme>>,
+    /// The offset at which it is compared with its limit, if not its own.
+    pub offset: Option<i64>,
+    /// β.
+    pub spread: Value,
+    /// The level, if the printed number is a bound.
+    pub level: Option<i64>,
+    /// The tolerance, if it is a depth.
+    pub tolerance: Option<Value>,
 }
 
-struct Sound<'s> {
-    table: &'s Table<'s>,
-    scope: &'s Scope<'s>,
-    schemes: &'s [Rc<Scheme>],
-    offset: Option<i64>,
-}
+impl<'t> Promised<'t> {
+    /// The promise at a cell.
+    pub fn new(table: &'t Table<'t>, at: Place) -> Checked<Promised<'t>> {
+        let promise = table.claim.get("promise").ok_or(Reason::NoPromise)?;
+        // The promise may need parameters that the value does not.
+        let assumed = table.unstated.keys().cloned().collect();
+        let (scope, schemes) = table.scope(at, &table.as_printed, &assumed)?;
+        let of = |key: &str| promise.text(key).map(|text| scope.value(&formula(text)?)).transpose();
+        let integer = |key| of(key)?.map(|value| value.integer(MAX_LEVEL)).transpose();
+        let (spread, offset, level) = (of("spread")?, integer("offset")?, integer("level")?);
+        let spread = spread.ok_or(Reason::NoPromise)?;
+        let tolerance = of("tolerance")?.filter(|_| level.is_none());
+        Ok(Promised { table, scope, schemes, offset, spread, level, tolerance })
+    }
 
-impl Sound<'_> {
+    /// The bound at a level that the constants `M c` give.
+    pub fn bound(&self, level: i64, constants: &str) -> Checked<Value> {
+        let number = |text: &str| Ok(self.table.paper.number(text)?.integer(MAX_LEVEL)?);
+        let numbers = constants.split_whitespace().map(number).collect::<Checked<Vec<i64>>>()?;
+        let [most, block] = numbers[..] else {
+            return Err(Reason::Malformed("ROW COLUMN M c VALUE").into());
+        };
+        let proper = 1 <= block && block <= most && most <= MAX_BLOCK;
+        require(proper, Reason::Malformed("1 ≤ c ≤ M ≤ 12"))?;
+        require(level >= 0, Reason::Malformed("a level"))?;
+        require(!self.schemes.is_empty(), Reason::NoPromise)?;
+        let bound = self.of_block(level, most, block)?.ok_or(Reason::NoContraction)?;
+        Ok(bound.times(&self.spread)?)
+    }
+
     /// The bound at a level for β = 1; `None` if the block does not contract.
-    fn bound(&self, level: i64, most: i64, block: i64) -> Result<Option<Value>, Stop> {
+    fn of_block(&self, level: i64, most: i64, block: i64) -> Result<Option<Value>, Stop> {
         let place = |value: i64| usize::try_from(value).unwrap_or(0);
         let key = self.schemes.iter().map(|scheme| Rc::as_ptr(scheme) as usize).collect();
         let mut known = self.table.bounds.borrow_mut();
@@ -83,34 +89,29 @@ impl Sound<'_> {
             let constants = (0..=most).map(|c| self.constant(&Value::int(c)));
             upper.extend(constants.collect::<Result<Vec<Value>, Stop>>()?);
         }
-        let rest = Value::int(1).plus(-1, &upper[place(block)])?;
+        let rest = Value::int(1).minus(&upper[place(block)])?;
         if rest.sign(None)? <= 0 {
             return Ok(None);
         }
         while upper.len() < place(level + block) {
-            let mut least: Option<Value> = None;
-            for j in 1..=place(most) {
+            let mut least = upper[1].times(&upper[upper.len() - 1])?;
+            for j in 2..=place(most) {
                 let next = upper[j].times(&upper[upper.len() - j])?;
                 self.scope.library.spend(next.cost(&next))?;
-                least = Some(match least {
-                    Some(least) if next.plus(-1, &least)?.sign(None)? >= 0 => least,
-                    _ => next,
-                });
+                least = if next.compare(&least)?.is_lt() { next } else { least };
             }
-            upper.extend(least);
+            upper.push(least);
         }
-        let mut sum = Value::int(0);
-        for next in &upper[place(level)..place(level + block)] {
-            sum = sum.plus(1, next)?;
-        }
+        let sum = total(&upper[place(level)..place(level + block)])?;
         self.factor()?.times(&sum)?.over(&rest).map(Some)
     }
 
     /// T_c, or the larger of the T_cΛ_c of one factor and the other.
     fn constant(&self, c: &Value) -> Result<Value, Stop> {
-        let of =
-            |scheme: &Scheme, of| greatest(self.scope, &classes(self.scope, scheme, of, false, c)?);
-        match self.schemes {
+        let of = |scheme: &Scheme, of| {
+            greatest(&self.scope, &classes(&self.scope, scheme, of, false, c)?)
+        };
+        match &self.schemes[..] {
             [first, second, ..] => {
                 let one = of(first, "b")?.times(&of(second, "a")?)?;
                 one.max(&of(second, "b")?.times(&of(first, "a")?)?, None)
@@ -123,19 +124,19 @@ impl Sound<'_> {
     fn factor(&self) -> Result<Value, Stop> {
         let moved = |scheme: &Scheme| {
             let offset = self.offset.unwrap_or(scheme.offset);
-            let moved = |alpha| gather(self.scope, &displaced(scheme, alpha, offset)?, 0);
+            let moved = |alpha| gather(&self.scope, &displaced(scheme, alpha, offset)?, 0);
             (0..scheme.arity()).map(moved).collect::<Result<Vec<Value>, Stop>>()
         };
-        let [first, second, ..] = self.schemes else {
-            return greatest(self.scope, &moved(&self.schemes[0])?);
+        let [first, second, ..] = &self.schemes[..] else {
+            return greatest(&self.scope, &moved(&self.schemes[0])?);
         };
         let mut sums = Vec::new();
         for (row, beta) in second.mask.iter().zip(moved(second)?) {
-            let norm = gather(self.scope, row, 0)?;
+            let norm = gather(&self.scope, row, 0)?;
             for alpha in &moved(first)? {
                 sums.push(alpha.times(&norm)?.plus(1, &beta)?);
             }
         }
-        greatest(self.scope, &sums)
+        greatest(&self.scope, &sums)
     }
 }
