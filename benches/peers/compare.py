@@ -44,6 +44,19 @@ def largest_class(coefficients, classes):
     return max(sums)
 
 
+def two_digits(x):
+    """Rounded to two significant digits, without an exponent."""
+    return f"{round(x, 1 - math.floor(math.log10(x))):.10f}".rstrip("0").rstrip(".")
+
+
+def duration(seconds):
+    """In a unit that fits."""
+    for unit, size in (("s", 1), ("ms", 1e-3), ("µs", 1e-6)):
+        if seconds >= size:
+            return f"{two_digits(seconds / size)} {unit}"
+    return f"{two_digits(seconds / 1e-9)} ns"
+
+
 class PlainPython:
     """Integers of Python, every row of the power."""
 
@@ -253,10 +266,10 @@ def main():
                 wrong += 1
             if time.perf_counter() - begin > TOO_LONG:
                 stopped.add((peer.name, kind))
-            cells.append(f"{seconds / own:.3g}")
+            cells.append(two_digits(seconds / own))
         if "walk_seconds" in record:
-            cells[0] += f" ({record['walk_seconds'] / own:.3g} by our walk of every row)"
-        print("| " + " | ".join([kind, record["argument"], f"{own:.3g} s", *cells]) + " |")
+            cells[0] += f" (our walk of every row: {two_digits(record['walk_seconds'] / own)})"
+        print("| " + " | ".join([kind, record["argument"], duration(own), *cells]) + " |")
     if wrong:
         sys.exit(f"{wrong} values differ")
     print(f"\nAll values agree. Times of the peers as multiples of ours; empty: not offered, or"

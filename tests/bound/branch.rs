@@ -4,8 +4,8 @@ use super::common::{affine, mask, r, rules};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 use subcert::bound::{
-    Closed, Order, PowerSearch, joint_norm, power_norm, power_norm_generic, walked_joint_norm,
-    walked_norm,
+    Closed, Order, PowerSearch, UniformBound, joint_norm, power_norm, power_norm_generic,
+    walked_joint_norm, walked_norm,
 };
 use subcert::exact::{Integer, Rational};
 use subcert::scheme::{Rules, lagrange_mask};
@@ -252,8 +252,9 @@ fn line_bound(rows: &[Row], first: i64, [u, v]: &[Rational; 2], tau: &Rational) 
     (0..rows.len() - 1).map(bound).min().unwrap()
 }
 
-/// The leaves cover all rows, and their bounds are at most the norm, by definitions alone.
-fn follow(rules: &Rules, levels: u32) {
+/// The leaves cover all rows, and their bounds are at most the norm, by definitions alone; whether
+/// a bound of all powers was used, and followed.
+fn follow(rules: &Rules, levels: u32) -> bool {
     let tree = PowerSearch::new(rules, Order::Adjoint).tree(levels).unwrap();
     let at = rules.with_offset(tree.offset);
     let n = Integer::from(rules.arity());
@@ -275,6 +276,9 @@ fn follow(rules: &Rules, levels: u32) {
         let p = p.to_i64().unwrap();
         (low.min(p), high.max(p))
     });
+    if let Some(uniform) = &tree.uniform {
+        follow_uniform(&at, &tree.factor, window, uniform);
+    }
     let mut next = Integer::zero();
     for leaf in &tree.leaves {
         let m = levels - leaf.level;
@@ -299,12 +303,51 @@ fn follow(rules: &Rules, levels: u32) {
         assert!(bound <= tree.norm, "{leaf:?} of {rules:?}");
     }
     assert_eq!(next, n.pow(levels));
+    tree.uniform.is_some()
+}
+
+/// The tree of Theorem 63 covers all rows, and shows the bound, by definitions alone.
+fn follow_uniform(at: &Rules, factor: &Rational, window: (i64, i64), uniform: &UniformBound) {
+    let n = Integer::from(at.arity());
+    let tau = &uniform.bound;
+    let nth = r(1, n.to_i64().unwrap());
+    let shifts: Vec<Rational> = (0..n.to_i64().unwrap())
+        .map(|beta| {
+            let row = power_row(at, factor, 1, &Integer::from(beta));
+            assert_eq!(row.values().sum::<Rational>(), r(1, 1));
+            let moment: Rational = row.iter().map(|(p, x)| Rational::from(p.clone()) * x).sum();
+            moment - Rational::from(beta) * &nth
+        })
+        .collect();
+    let (least, most) = (shifts.iter().min().unwrap(), shifts.iter().max().unwrap());
+    let (phi, rho) = ((least + most) * r(1, 2), (most - least) * r(1, 2));
+    let whole = (r(1, 1) - &nth).recip();
+    let (limit, radius) = (&phi * &whole, rho * tau * &whole);
+    let ends =
+        [phi.clone().min(limit.clone()) - &radius, (phi - &nth).max(limit) + r(1, 1) + &radius];
+    let mut next = Rational::zero();
+    for (level, index) in &uniform.leaves {
+        assert!(*level > 0);
+        // The part of all rows that are below it.
+        let part = n.pow(*level);
+        assert_eq!(Rational::new(index.clone(), part.clone()), next);
+        next += &Rational::new(1, part);
+        let mut above = index.clone();
+        for m in (0..=*level).rev() {
+            assert!(size(&power_row(at, factor, m, &above)) <= *tau);
+            above = above.div_floor(&n);
+        }
+        let row = |p: i64| power_row(at, factor, *level, &(index + Integer::from(p)));
+        let rows: Vec<Row> = (window.0..=window.1).map(row).collect();
+        assert!(line_bound(&rows, window.0, &ends, tau) <= *tau, "level {level}, {index}");
+    }
+    assert_eq!(next, r(1, 1));
 }
 
 #[test]
 fn trees_can_be_followed() {
     for (scheme, levels) in [
-        ("four-point", 7),
+        ("four-point", 10),
         ("six-point:w=3/256", 7),
         ("chaikin", 6),
         ("ternary-four-point:mu=1/11", 5),
@@ -312,7 +355,8 @@ fn trees_can_be_followed() {
         ("newton:j=1,n=3", 4),
     ] {
         let mask = mask(scheme);
-        follow(&mask.difference(), levels);
+        let uniform = follow(&mask.difference(), levels);
+        assert_eq!(uniform, levels == 10, "{scheme}");
         follow(mask.rules(), levels.min(5));
     }
 }

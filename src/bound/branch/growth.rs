@@ -4,7 +4,7 @@ use super::leaf::SearchTree;
 use super::reach::{Moments, place, rounded_up};
 use super::scaled::Scaled;
 use super::search::{Greatest, Problem, Reach};
-use super::uniform;
+use super::uniform::{self, UniformBound};
 use crate::exact::{Integer, Rational};
 use crate::scheme::Rules;
 use std::cell::Cell;
@@ -23,7 +23,7 @@ pub(super) struct Growth {
     /// q^m·‖E^m‖ and its class, for some m.
     known: BTreeMap<u32, Greatest>,
     /// A bound of all ‖E^m‖, and whether it has been sought.
-    uniform: Option<Rational>,
+    uniform: Option<UniformBound>,
     sought: bool,
     reach: Vec<Reach>,
     /// Of E^m, m the length of `reach`.
@@ -138,7 +138,7 @@ impl Growth {
         let scale = &power * &self.operator.fraction;
         let total = match (self.known.get(&m), &self.uniform) {
             (Some(known), _) => &known.value * &self.operator.fraction,
-            (None, Some(tau)) => (tau * Rational::from(scale.clone())).ceil(),
+            (None, Some(all)) => (&all.bound * Rational::from(scale.clone())).ceil(),
             (None, None) => self.product(m),
         };
         let place = self.operator.shift.as_ref().and_then(|shift| {
@@ -160,7 +160,7 @@ impl Growth {
         -(-least).div_floor(&self.operator.fraction)
     }
 
-    fn uniform(&mut self) -> Option<&Rational> {
+    fn uniform(&mut self) -> Option<&UniformBound> {
         if !self.sought {
             self.sought = true;
             let norms = self.known.iter().map(|(&m, known)| {

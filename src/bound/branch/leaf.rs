@@ -2,6 +2,7 @@
 
 use super::descent::Search;
 use super::number::Number;
+use super::uniform::UniformBound;
 use crate::exact::{Integer, Rational};
 
 /// Why the rows below a node are not greater than the greatest row.
@@ -38,9 +39,8 @@ pub struct SearchTree {
     pub norm: Rational,
     /// Upper bounds of ‖E^m‖ for m = 0, …, c − 1.
     pub totals: Vec<Rational>,
-    /// A bound of all ‖E^m‖ by `proofs/THEOREMS.md`, 63, if one was used; totals that differ from
-    /// it are norms.
-    pub uniform: Option<Rational>,
+    /// A bound of all ‖E^m‖, if one was used; totals that differ from it are norms.
+    pub uniform: Option<UniformBound>,
     /// In the order of their indices.
     pub leaves: Vec<Leaf>,
 }

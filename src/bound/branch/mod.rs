@@ -27,6 +27,7 @@ pub use leaf::{Closed, Leaf, SearchTree};
 use scaled::Scaled;
 use search::{Greatest, Problem};
 use std::cell::Cell;
+pub use uniform::UniformBound;
 
 /// The greatest number of levels of a search.
 pub const MAX_LEVELS: u32 = 256;

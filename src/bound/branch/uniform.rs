@@ -15,11 +15,18 @@ const NODES: u32 = 4096;
 /// What is tried, above the largest norm known: 1 + 2^−i of it.
 const EXCESS: [u32; 6] = [8, 6, 4, 2, 1, 0];
 
-/// Some τ with ‖E^m‖ ≤ τ for every m, if the rows of E sum to 1 and one is found. It is a
-/// little above `largest`, the largest norm known.
-///
-/// Source: `proofs/THEOREMS.md`, 63.
-pub(super) fn bound(operator: &Scaled, largest: &Rational) -> Option<Rational> {
+/// ‖E^m‖ ≤ τ for every m, and the tree that shows it: `proofs/THEOREMS.md`, 63.
+#[derive(Clone, Debug, PartialEq)]
+pub struct UniformBound {
+    /// τ.
+    pub bound: Rational,
+    /// The levels and the indices of the leaves of the tree, in the order of their indices.
+    pub leaves: Vec<(u32, Integer)>,
+}
+
+/// A bound of all norms, if the rows of E sum to 1 and one is found. It is a little above
+/// `largest`, the largest norm known.
+pub(super) fn bound(operator: &Scaled, largest: &Rational) -> Option<UniformBound> {
     let largest_row = operator.largest();
     // What is tried is at most twice `largest`.
     let total = largest.ceil().bits() + 1 + operator.fraction.bits();
@@ -32,59 +39,58 @@ pub(super) fn bound(operator: &Scaled, largest: &Rational) -> Option<Rational> {
     }
 }
 
-fn seek<T: Number>(operator: &Scaled, largest: &Rational) -> Option<Rational> {
+fn seek<T: Number>(operator: &Scaled, largest: &Rational) -> Option<UniformBound> {
     let shift = operator.shift.as_ref()?;
     let tree = Tree::<T>::new(operator)?;
     let tried = EXCESS.iter().map(|&excess| {
         let factor = Rational::one() + Rational::from(2).pow(-excess.cast_signed());
         rounded_up(&(largest * factor))
     });
-    tried.into_iter().find(|tau| {
-        let hull = Moments::hull(operator.arity, shift, tau);
-        place(operator, (&hull, &Rational::zero()), &Integer::one(), tau).is_some_and(|place| {
-            let place = place.fixed();
-            // 2^PLACES·τ is an integer.
-            let limit = (tau * Rational::from(operator.fraction.clone())).numerator();
-            let fraction = T::from_integer(&operator.fraction);
-            let limits = (0..=LEVELS).map(|level| &limit * operator.denominator.pow(level));
-            let limits: Vec<T> = limits.map(|limit| T::from_integer(&limit)).collect();
-            let mut estimator = Estimator::new(tree.size);
-            let closes = |rows: &[T], level: u32| {
-                estimator.bound(&tree, rows, &place) <= limits[level as usize]
-            };
-            let fits = |rows: &[T], level: u32| {
-                tree.norm(rows).product(&fraction) <= limits[level as usize]
-            };
-            holds(&tree, operator.arity, fits, closes)
-        })
+    tried.into_iter().find_map(|bound| {
+        let hull = Moments::hull(operator.arity, shift, &bound);
+        let place = place(operator, (&hull, &Rational::zero()), &Integer::one(), &bound)?.fixed();
+        // 2^PLACES·τ is an integer.
+        let limit = (&bound * Rational::from(operator.fraction.clone())).numerator();
+        let fraction = T::from_integer(&operator.fraction);
+        let limits = (0..=LEVELS).map(|level| &limit * operator.denominator.pow(level));
+        let limits: Vec<T> = limits.map(|limit| T::from_integer(&limit)).collect();
+        let mut estimator = Estimator::new(tree.size);
+        let closes =
+            |rows: &[T], level: u32| estimator.bound(&tree, rows, &place) <= limits[level as usize];
+        let fits =
+            |rows: &[T], level: u32| tree.norm(rows).product(&fraction) <= limits[level as usize];
+        let leaves = leaves(&tree, operator.arity, fits, closes)?;
+        Some(UniformBound { bound, leaves })
     })
 }
 
-/// Whether every node satisfies `fits` down to one that `closes`.
-fn holds<T: Number>(
+/// The leaves of a tree in which every node satisfies `fits`, down to those that `closes`.
+fn leaves<T: Number>(
     tree: &Tree<T>,
     arity: usize,
     fits: impl Fn(&[T], u32) -> bool,
     mut closes: impl FnMut(&[T], u32) -> bool,
-) -> bool {
-    let mut stack = vec![(tree.root(), 0)];
+) -> Option<Vec<(u32, Integer)>> {
+    let mut leaves = Vec::new();
+    let mut stack = vec![(0, Integer::zero(), tree.root())];
     let mut nodes = 0;
-    while let Some((rows, level)) = stack.pop() {
+    while let Some((level, index, rows)) = stack.pop() {
         nodes += 1;
         if !fits(&rows, level) || nodes > NODES {
-            return false;
+            return None;
         }
         if level > 0 && closes(&rows, level) {
+            leaves.push((level, index));
             continue;
         }
         if level == LEVELS {
-            return false;
+            return None;
         }
-        for digit in 0..arity {
+        for digit in (0..arity).rev() {
             let mut part = tree.root();
             tree.part(digit, &rows, &mut part);
-            stack.push((part, level + 1));
+            stack.push((level + 1, &index * Integer::from(arity) + Integer::from(digit), part));
         }
     }
-    true
+    Some(leaves)
 }
