@@ -5,7 +5,6 @@ use super::library::{Library, Unresolved, values};
 use super::quantity::{LevelCall, Quantities};
 use super::reading::{HEADER, Settings, Sibling};
 use super::row::{Known, RowDefinitions};
-use crate::bound::log_level_algebraic;
 use crate::claim::{Axis, AxisEntry, LocatedReference, Paper, Promise, Table};
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Rational, RealCyclotomic, parse_decimal};
@@ -224,8 +223,7 @@ impl<'a> Judge<'a> {
         let (Ok(Outcome::Value(value)), Some(call)) = (value, quantities.last_levels.take()) else {
             return None;
         };
-        let level = log_level_algebraic(&call.ratio, &call.x, call.rounded).ok()?;
-        (value == RealCyclotomic::from(level)).then_some(call)
+        (value == RealCyclotomic::from(call.level?)).then_some(call)
     }
 
     /// The same with these quantities, and with the values of some definitions known.
