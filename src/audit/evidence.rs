@@ -101,7 +101,7 @@ fn levels(bound: &SoundBound) -> usize {
 }
 
 /// The value of a formula at a cell, where it is a rational number.
-fn number(
+pub(super) fn number(
     judge: &Judge<'_>,
     formula: &LocatedFormula,
     at: At<'_>,
@@ -112,7 +112,7 @@ fn number(
     })
 }
 
-fn integer(
+pub(super) fn integer(
     judge: &Judge<'_>,
     formula: &LocatedFormula,
     at: At<'_>,

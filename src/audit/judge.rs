@@ -5,7 +5,7 @@ use super::library::{Library, Unresolved, values};
 use super::quantity::{LevelCall, Quantities};
 use super::reading::{HEADER, Settings, Sibling};
 use super::row::{Known, RowDefinitions};
-use crate::claim::{Axis, AxisEntry, LocatedReference, Paper, Promise, Table};
+use crate::claim::{Axis, AxisEntry, Cell, LocatedReference, Paper, Promise, Table};
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Rational, RealCyclotomic, parse_decimal};
 use crate::formula::{FormulaError, FormulaErrorKind, LocatedFormula, Node, Scope, evaluate};
@@ -134,6 +134,14 @@ impl<'a> Judge<'a> {
     /// Whether an axis gives tolerances.
     pub(super) fn has_tolerance_headers(&self) -> bool {
         self.table.rows.iter().chain([&self.table.columns]).any(|axis| self.tolerance(axis))
+    }
+
+    /// The value of what is printed in a cell.
+    pub(super) fn printed(&self, at: At<'_>) -> Option<Rational> {
+        match &self.table.cells[at.row][at.column] {
+            Cell::Lost => None,
+            Cell::Printed(printed) => Some(printed.decimal.value()),
+        }
     }
 
     /// The quantities of this cell's scheme.

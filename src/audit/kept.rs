@@ -156,6 +156,14 @@ impl Remembered {
 }
 
 impl Remembered {
+    /// Of a ring, the weights of its limit.
+    pub(super) fn limit_weights(&self) -> Option<&[RealCyclotomic]> {
+        match &self.distances {
+            Ok(Of::Ring(distances)) => Some(distances.limit().weights()),
+            _ => None,
+        }
+    }
+
     /// Of a ring, the least level from which on all meet a tolerance.
     pub(super) fn settled(&self, spread: &Rational, tolerance: &Rational) -> Result<u32, String> {
         match self.distances.as_ref().map_err(Clone::clone)? {

@@ -17,6 +17,7 @@ mod mend;
 mod options;
 mod parametric;
 mod promise;
+mod promised;
 mod quantity;
 mod range;
 mod reading;
@@ -37,6 +38,7 @@ pub use finding::{AsRead, Assumed, CellFinding, Direction, Missing, Slip, Sound,
 pub use function::{Example, FunctionFinding, FunctionVerdict};
 pub use kept::{Broken, ControlData, Kept};
 pub use promise::PromiseCounts;
+pub use promised::{PromiseEvidence, promise_evidence};
 pub use quantity::QUANTITIES;
 pub use range::{EndFinding, EndRelation, RangeFinding, RangeVerdict};
 pub use reading::{

@@ -7,11 +7,14 @@ mod block;
 mod equation;
 mod family;
 mod parametric;
+mod promise;
 mod reading;
 mod table;
+mod theorem;
+mod witness;
 
 use crate::audit::PaperAudit;
-use block::{Block, words};
+use block::words;
 
 /// The version of the format.
 const VERSION: &str = "subcert-certificate 1";
@@ -40,8 +43,6 @@ pub struct Omission {
 
 /// The certificate of the verdicts of a paper.
 ///
-/// A theorem is `open` in it whatever its verdict is, and so asserts nothing.
-///
 /// ```
 /// use subcert::audit::audit;
 /// use subcert::certificate::certificate;
@@ -61,11 +62,7 @@ pub fn certificate(audit: &PaperAudit<'_>) -> Certificate {
     let equations = audit.equations.iter().map(equation::block);
     let functions = audit.functions.iter().map(parametric::function);
     let ranges = audit.ranges.iter().map(parametric::range);
-    let theorems = audit.theorems.iter().map(|finding| {
-        let mut block = Block::new("theorem", &finding.theorem.id);
-        block.line("open");
-        block
-    });
+    let theorems = audit.theorems.iter().map(theorem::block);
     let blocks = tables.chain(equations).chain(functions).chain(ranges).chain(theorems);
     let mut text = format!("{VERSION}\npaper {key}\n");
     text.extend(["# ", &words(&paper.bibliography.short()), "\n"]);

@@ -1,10 +1,11 @@
 //! Tables: the value of every cell, and the verdict on what is printed.
 
 use super::block::{Block, closed};
-use super::family;
 use super::reading::Readings;
+use super::{family, promise};
 use crate::audit::{
-    CellFinding, Direction, Missing, Slip, SoundCell, TableFinding, Verdict, evidence, readings,
+    CellFinding, Direction, Missing, Slip, SoundCell, TableFinding, Verdict, evidence,
+    promise_evidence, readings,
 };
 use crate::claim::Paper;
 
@@ -26,6 +27,10 @@ pub(super) fn block(paper: &Paper, finding: &TableFinding<'_>) -> Block {
     match evidence(paper, table) {
         Ok(evidence) => {
             evidence.sound.iter().for_each(|cell| block.line(sound(cell)));
+            match promise_evidence(paper, finding) {
+                Ok(evidence) => promise::lines(&mut block, &evidence),
+                Err(error) => block.give_up(error.message),
+            }
             if cells(finding).any(|cell| cell.verdict == Verdict::Refuted) {
                 refuted(&mut block, paper, finding, evidence.scale.as_deref());
             }

@@ -23,6 +23,8 @@ struct Paper {
 #[derive(Clone, PartialEq, Eq)]
 enum State {
     Certified,
+    /// On the word of this statement.
+    Cited(String),
     Rejected(String),
     Incomplete(String),
 }
@@ -41,7 +43,7 @@ impl Certified {
             "A claim is certified when subcert-check, which shares no code with this program, has \
              found its certificate valid.",
         );
-        let header = ["paper", "claims", "certified", "rejected", "incomplete"];
+        let header = ["paper", "claims", "certified", "cited", "rejected", "incomplete"];
         let rows = self.papers.iter().map(|paper| {
             let count = |is: &dyn Fn(&State) -> bool| {
                 paper.claims.iter().filter(|(_, state)| is(state)).count().to_string()
@@ -50,6 +52,7 @@ impl Certified {
                 paper.key.clone(),
                 paper.claims.len().to_string(),
                 count(&|state| *state == State::Certified),
+                count(&|state| matches!(state, State::Cited(_))),
                 count(&|state| matches!(state, State::Rejected(_))),
                 count(&|state| matches!(state, State::Incomplete(_))),
             ]
@@ -61,6 +64,7 @@ impl Certified {
             for (id, state) in &paper.claims {
                 let why = match state {
                     State::Certified => continue,
+                    State::Cited(statement) => format!("on the word of {statement}"),
                     State::Rejected(why) => format!("rejected, {why}"),
                     State::Incomplete(why) => format!("incomplete, {why}"),
                 };
@@ -88,6 +92,7 @@ impl Certified {
                 claim["certified"] = json!(state == Some(&State::Certified));
                 claim["certificate"] = json!(match state {
                     Some(State::Certified) => "valid".to_owned(),
+                    Some(State::Cited(statement)) => format!("cited: {statement}"),
                     Some(State::Rejected(why)) => format!("invalid: {why}"),
                     Some(State::Incomplete(why)) => format!("incomplete: {why}"),
                     None => "incomplete: no certificate".to_owned(),
@@ -113,6 +118,7 @@ impl Paper {
             let state = match (&broken, outcome) {
                 (Some(why), _) => State::Rejected(format!("the certificate is broken: {why}")),
                 (None, Outcome::Valid) => State::Certified,
+                (None, Outcome::Cited(statement)) => State::Cited(statement),
                 (None, Outcome::Invalid(_, rejection)) => {
                     State::Rejected(rejection.reason.to_string())
                 }

@@ -35,6 +35,6 @@ pub use functional::{ExtremalPolygon, Functional};
 pub use polygon::ControlPolygon;
 pub use ring::{RingLimit, RingLimitError};
 pub use ring_distance::{RingDepth, RingDistances, RingWitness};
-pub use step::{Attained, greatest_difference, greatest_step};
+pub use step::{Attained, greatest_change, greatest_difference, greatest_step};
 pub use surface::{MAX_NET_POINTS, Spreads, SurfaceDistances, SurfaceError, SurfaceWitness};
 pub use value::Limit;

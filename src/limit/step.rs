@@ -78,6 +78,44 @@ pub fn greatest_difference(mask: &Mask, level: u32) -> Result<Attained, LimitErr
     greatest(&[(0, Functional::new(0, [Rational::one()]))], 1, &mask.difference(), level)
 }
 
+/// sup ‖P^l − P^k‖_∞, k ≤ l, over the control polygons with max|Δ| ≤ 1.
+///
+/// It is attained at a point of level l, as P^l and P^k are linear between these.
+///
+/// # Errors
+/// When l < k, or there are more than 2^14 points i mod n^l.
+///
+/// # Panics
+/// Never: the rules of a mask sum to 1.
+///
+/// ```
+/// use subcert::limit::{greatest_change, greatest_step};
+/// use subcert::scheme::parse_scheme;
+///
+/// let scheme = parse_scheme("b-spline:degree=3")?;
+/// let step = greatest_step(scheme.masks()[0], 2)?.value;
+/// assert_eq!(greatest_change(scheme.masks()[0], 2, 3)?, step);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn greatest_change(mask: &Mask, k: u32, l: u32) -> Result<Rational, LimitError> {
+    let arity = mask.arity();
+    let too_many = || LimitError::Classes { arity, level: l };
+    let levels = l.checked_sub(k).ok_or_else(too_many)?;
+    let points = (arity as u64).checked_pow(l).filter(|points| *points <= MAX_CLASSES);
+    points.ok_or_else(too_many)?;
+    let points = i64::try_from(arity).expect("the arity is capped").pow(levels);
+    let change = |i: i64| {
+        let point = Functional::new(i, [Rational::one()]);
+        let new = (0..levels).fold(point, |point, _| point.after(mask.rules()));
+        let part = Rational::new(i, points);
+        let old = Functional::new(0, [Rational::one() - &part, part]);
+        let off = new.plus(&Rational::from(-1), &old);
+        (i, off.on_differences().expect("both are affine combinations"))
+    };
+    let changes: Vec<(i64, Functional)> = (0..points).map(change).collect();
+    Ok(greatest(&changes, points, &mask.difference(), k)?.value)
+}
+
 /// The greatest ‖f ∘ D^k‖ over the labelled functionals f of Δ^k, and over their
 /// shifts: a label a at the shift i has the index per·i + a.
 fn greatest(

@@ -4,6 +4,7 @@ use super::consistency;
 use super::equation::equations;
 use super::function;
 use super::mark;
+use super::overview::overview;
 use super::promise;
 use super::reading;
 use super::sheet::{Grid, Sheet};
@@ -19,60 +20,11 @@ const MAX_LISTED: usize = 4;
 #[must_use]
 pub fn audit_sheet(audits: &[PaperAudit<'_>], all: bool) -> Sheet {
     let mut sheet = Sheet::default();
-    summary(&mut sheet, audits);
+    overview(&mut sheet, audits);
     for audit in audits {
         paper(&mut sheet, audit, all);
     }
     sheet
-}
-
-fn summary(sheet: &mut Sheet, audits: &[PaperAudit<'_>]) {
-    let mut header = vec!["paper".to_owned(), "cells".to_owned()];
-    header.extend(Verdict::NAMES.iter().map(|name| format!("{} {name}", mark(name))));
-    let promises = audits.iter().any(|audit| audit.promise_counts().all() > 0);
-    if promises {
-        header.push("promises".to_owned());
-    }
-    header.push("equations".to_owned());
-    let ranges = audits.iter().any(|audit| !audit.ranges.is_empty());
-    if ranges {
-        header.push("ranges".to_owned());
-    }
-    let theorems = audits.iter().any(|audit| !audit.theorems.is_empty());
-    if theorems {
-        header.push("theorems".to_owned());
-    }
-    let rows = audits.iter().map(|audit| {
-        let counts = audit.cell_counts();
-        let lost =
-            audit.tables.iter().flat_map(cells).filter(|cell| cell.printed.is_none()).count();
-        let printed = counts.values().sum::<usize>() - lost;
-        let lost = if lost > 0 { format!(" + {lost} lost") } else { String::new() };
-        let mut row = vec![audit.paper.key.clone(), format!("{printed}{lost}")];
-        row.extend(Verdict::NAMES.iter().map(|name| match counts.get(name) {
-            None => "·".to_owned(),
-            Some(count) => count.to_string(),
-        }));
-        if promises {
-            row.push(promise::summary(audit));
-        }
-        let equations = audit.equation_counts();
-        let count = |name: &str| equations.get(name).copied().unwrap_or(0);
-        row.push(match (audit.equations.len() + audit.functions.len(), count("fails")) {
-            (0, _) => "·".to_owned(),
-            (all, 0) => format!("{} of {all} hold", count("holds")),
-            (all, fails) => format!("{} of {all} hold, {fails} ✗", count("holds")),
-        });
-        if ranges {
-            row.push(function::range_summary(audit));
-        }
-        if theorems {
-            row.push(theorem::summary(audit));
-        }
-        row
-    });
-    let rows = rows.collect();
-    sheet.grid(Grid { header, rows, left_columns: 1 });
 }
 
 fn paper(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {

@@ -29,16 +29,6 @@ pub(super) fn sections(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {
     section(sheet, "Parameter ranges", facts.collect());
 }
 
-/// How many ranges have which verdict, for the summary.
-pub(super) fn range_summary(audit: &PaperAudit<'_>) -> String {
-    let counts = audit.range_counts();
-    let parts = ["exact", "rounding", "inexact"]
-        .iter()
-        .filter_map(|name| counts.get(name).map(|count| format!("{count} {}", mark(name))));
-    let parts: Vec<String> = parts.collect();
-    if parts.is_empty() { "·".to_owned() } else { parts.join(", ") }
-}
-
 fn section(sheet: &mut Sheet, heading: &str, facts: Vec<(String, String)>) {
     if !facts.is_empty() {
         sheet.heading(2, heading);

@@ -8,6 +8,7 @@ mod errata;
 mod explain;
 mod function;
 mod json;
+mod overview;
 mod promise;
 mod reading;
 mod sheet;
@@ -29,11 +30,11 @@ pub use tried::readings_json;
 #[must_use]
 pub fn mark(verdict: &str) -> &'static str {
     match verdict {
-        "confirmed" | "holds" | "exact" | "proved" => "✓",
+        "confirmed" | "holds" | "exact" | "proved" | "kept" => "✓",
         "rounding" => "≈",
         "misprint" => "±",
         "other-reading" => "⇄",
-        "refuted" | "fails" | "inexact" => "✗",
+        "refuted" | "fails" | "inexact" | "broken" => "✗",
         _ => "?",
     }
 }

@@ -11,14 +11,6 @@ use serde_json::{Value, json};
 /// The longest polygon that is shown in a table's remarks.
 const MAX_SHOWN_POINTS: usize = 24;
 
-/// The cells of a paper, in the summary.
-pub(super) fn summary(audit: &PaperAudit<'_>) -> String {
-    match audit.promise_counts() {
-        counts if counts.all() == 0 => "·".to_owned(),
-        counts => count(counts),
-    }
-}
-
 /// `12 of 28 kept, 10 ✗, 6 open`.
 pub(super) fn count(counts: PromiseCounts) -> String {
     let kept = format!("{} of {} kept", counts.kept, counts.all());

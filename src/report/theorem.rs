@@ -28,13 +28,6 @@ pub(super) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>) {
     sheet.facts(audit.theorems.iter().map(fact).collect());
 }
 
-/// How many theorems have which verdict, for the summary.
-pub(super) fn summary(audit: &PaperAudit<'_>) -> String {
-    let counts = audit.theorem_counts();
-    let parts: Vec<String> = counts.iter().map(|(name, count)| format!("{count} {name}")).collect();
-    if parts.is_empty() { "·".to_owned() } else { parts.join(", ") }
-}
-
 /// The verdict, why, what would save a false theorem, and what of its proof fails.
 pub(super) fn outcome(finding: &TheoremFinding<'_>) -> String {
     let name = finding.verdict.name();

@@ -12,7 +12,7 @@ const DIGITS: u32 = 12;
 
 /// What it takes to check the refutation by hand.
 pub(super) fn facts(refutation: &Refutation) -> Vec<(String, String)> {
-    let Refutation { case, violation, supremum, sound } = refutation;
+    let Refutation { case, violation, supremum, sound, .. } = refutation;
     let mut facts = Vec::new();
     let mut fact = |name: &str, value: String| facts.push((name.to_owned(), value));
     fact("refuted for", case.clone());
@@ -67,9 +67,23 @@ fn value_name(violation: &Violation) -> String {
         }
         (Place::Point(i), _) => format!("step to the point {i} of level {}", k + 1),
         (Place::Difference(i), _) => format!("|Δ^{k}_i| at i = {i}"),
-        (Place::Named(name), Quantity::Distance) => format!("distance of {name} at level {k}"),
-        (Place::Named(name), Quantity::Step) => format!("step of {name} after level {k}"),
-        (Place::Named(name), Quantity::Difference) => format!("difference {name} at level {k}"),
+        (place, Quantity::Distance) => format!("distance of {} at level {k}", name(place)),
+        (place, Quantity::Step) => format!("step of {} after level {k}", name(place)),
+        (place, Quantity::Difference) => format!("difference {} at level {k}", name(place)),
+    }
+}
+
+/// A place in a few words.
+fn name(place: &Place) -> String {
+    match place {
+        Place::Parameter(t) => t.to_string(),
+        Place::Parameters([s, t]) => format!("({s}, {t})"),
+        Place::Point(i) | Place::Difference(i) => i.to_string(),
+        Place::Points([i, j]) => format!("({i}, {j})"),
+        Place::Along([i, j], 0) => format!("({i}, {j}), first index"),
+        Place::Along([i, j], _) => format!("({i}, {j}), second index"),
+        Place::Named(name) => name.clone(),
+        Place::Edge([a, b]) => format!("{a} – {b}"),
     }
 }
 
@@ -79,7 +93,7 @@ fn exact(value: &RealCyclotomic) -> String {
 }
 
 pub(super) fn json(refutation: &Refutation) -> Value {
-    let Refutation { case, violation, supremum, sound } = refutation;
+    let Refutation { case, violation, supremum, sound, .. } = refutation;
     let control = match &violation.attained.control {
         Control::Polygon(ExtremalPolygon { first, points }) => {
             json!({ "first": first, "points": points })
@@ -97,7 +111,7 @@ pub(super) fn json(refutation: &Refutation) -> Value {
         }
         Place::Point(i) => json!({ "point": i }),
         Place::Difference(i) => json!({ "difference": i }),
-        Place::Named(name) => json!({ "name": name }),
+        place => json!({ "name": name(place) }),
     };
     json!({
         "case": case,

@@ -67,6 +67,17 @@ impl<'a> Block<'a> {
         self.optional(word).ok_or(line.reject(Reason::Malformed(word)))
     }
 
+    /// Takes the next line, which has to be this word alone.
+    pub fn word(&mut self, word: &'static str) -> Checked<()> {
+        let (line, rest) = self.take(word)?;
+        if rest.is_empty() { Ok(()) } else { Err(line.reject(Reason::Malformed(word))) }
+    }
+
+    /// The last line.
+    pub fn last(&self) -> Line<'a> {
+        self.lines.last().copied().unwrap_or(self.head)
+    }
+
     /// Makes sure that every line has been taken.
     pub fn finished(&self) -> Checked<()> {
         let left = self.peek().map(|line| line.reject(Reason::Malformed("the end of the block")));

@@ -10,14 +10,15 @@ mod convolution;
 mod decimal;
 mod evaluate;
 mod formula;
+mod functional;
 mod functions;
 mod linear;
 mod memo;
 mod number;
 mod paper;
-mod polygon;
 mod reading;
 mod reject;
+mod ring;
 mod rounding;
 mod rules;
 mod scheme;
@@ -25,11 +26,13 @@ mod sturm;
 mod table;
 mod toml;
 mod value;
+mod witness;
 
 use paper::Paper;
 pub use reject::{Reason, Rejection};
+use rules::Verdict;
 use scheme::{Library, catalogue};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use toml::Toml;
 
 pub use value::Stop;
@@ -39,6 +42,9 @@ pub use value::Stop;
 pub enum Outcome {
     /// Its certificate is right.
     Valid,
+    /// It is right, on the word of this statement of THEOREMS.md: that the statement proves
+    /// what the claim says in words is not checked.
+    Cited(String),
     /// The certificate of this place among those given is not: where, and why.
     Invalid(usize, Rejection),
     /// It has no certificate, or one that is beyond a cap of this program.
@@ -72,7 +78,7 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
     let paper = Paper::new(&file, &library).map_err(|stop| format!("{stop:?}"))?;
     let key = file.text("key").ok_or("`key` is missing")?.to_owned();
     let mut outcomes: BTreeMap<(&str, &str), Outcome> = BTreeMap::new();
-    let mut broken = Vec::new();
+    let (mut holding, mut cited, mut broken) = (BTreeSet::new(), Vec::new(), Vec::new());
     for (place, text) in certificates.iter().enumerate() {
         let blocks = match certificate::blocks(text, &key) {
             Ok(blocks) => blocks,
@@ -89,7 +95,15 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
                 continue;
             };
             let outcome = match rules::check(&paper, kind, claim, &mut block) {
-                Ok(()) => Outcome::Valid,
+                Ok(Verdict::Other) => Outcome::Valid,
+                Ok(Verdict::Holds) => {
+                    holding.insert(id);
+                    Outcome::Valid
+                }
+                Ok(Verdict::Cited { statement, uses }) => {
+                    cited.push((id, block.head, uses));
+                    Outcome::Cited(statement)
+                }
                 Err(rejection) if rejection.given_up() => Outcome::Incomplete(Some(rejection)),
                 Err(rejection) => Outcome::Invalid(place, rejection),
             };
@@ -97,6 +111,12 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
                 let twice = block.head.reject(Reason::Twice);
                 outcomes.insert((kind, id), Outcome::Invalid(place, twice));
             }
+        }
+    }
+    for (id, head, uses) in cited {
+        if let Some(other) = uses.into_iter().find(|other| !holding.contains(other)) {
+            let rejection = head.reject(Reason::Premise(other.to_owned()));
+            outcomes.insert(("theorem", id), Outcome::Incomplete(Some(rejection)));
         }
     }
     let claims = paper.claims().into_iter().map(|(kind, id)| {

@@ -2,13 +2,14 @@
 
 use std::io::Write;
 use std::process::ExitCode;
-use subcert_check::{Outcome, check};
+use subcert_check::{Outcome, Reason, check};
 
-const USAGE: &str = "usage: subcert-check [--only KIND-OR-ID]… CLAIMS CERTIFICATE…
+const USAGE: &str = "usage: subcert-check [--only KIND-OR-ID]… [--except-open] CLAIMS CERTIFICATE…
 
 Checks certificates against the claim file that they are about. Asked for are all of its
-claims, or with --only those of a kind (table, equation, function, range, theorem) or id.
-Exit code: 0 if all that is asked for is valid, 1 if not, 2 if a file cannot be read.";
+claims, or with --only those of a kind (table, equation, function, range, theorem) or id; with
+--except-open not the theorems that a certificate calls open, which are listed all the same.
+Exit code: 0 if all that is asked for is valid or cited, 1 if not, 2 if a file cannot be read.";
 
 fn main() -> ExitCode {
     let mut arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -16,6 +17,8 @@ fn main() -> ExitCode {
     while let Some(at) = arguments.iter().position(|argument| argument == "--only") {
         only.extend(arguments.drain(at..arguments.len().min(at + 2)).skip(1));
     }
+    let except_open = arguments.contains(&"--except-open".to_owned());
+    arguments.retain(|argument| argument != "--except-open");
     let files = arguments;
     let read = |path: &String| {
         std::fs::read_to_string(path).map_err(|error| format!("cannot read `{path}`: {error}"))
@@ -29,11 +32,11 @@ fn main() -> ExitCode {
         let texts = certificates.iter().map(read).collect::<Result<Vec<String>, String>>()?;
         let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
         let report = check(&claim_text, &texts).map_err(|error| format!("`{claims}`: {error}"))?;
-        let (mut lines, mut counts) = (Vec::new(), [0; 3]);
+        let (mut lines, mut counts, mut open) = (Vec::new(), [0; 4], 0);
         for (place, rejection) in &report.broken {
             let path = &certificates[*place];
             lines.push(format!("invalid     {path}:{}: {}", rejection.line, rejection.reason));
-            counts[1] += 1;
+            counts[2] += 1;
         }
         for (kind, id, outcome) in &report.claims {
             if !only.is_empty() && !only.iter().any(|name| name == kind || name == id) {
@@ -42,23 +45,28 @@ fn main() -> ExitCode {
             let name = format!("{}:{id}", report.key);
             let (place, line) = match outcome {
                 Outcome::Valid => (0, format!("valid       {name}")),
+                Outcome::Cited(statement) => (1, format!("cited       {name}: {statement}")),
                 Outcome::Invalid(at, rejection) => {
                     let (path, line) = (&certificates[*at], rejection.line);
-                    (1, format!("invalid     {name}: {path}:{line}: {}", rejection.reason))
+                    (2, format!("invalid     {name}: {path}:{line}: {}", rejection.reason))
                 }
                 Outcome::Incomplete(Some(rejection)) => {
-                    (2, format!("incomplete  {name}: {}", rejection.reason))
+                    open += usize::from(rejection.reason == Reason::Open);
+                    (3, format!("incomplete  {name}: {}", rejection.reason))
                 }
-                Outcome::Incomplete(None) => (2, format!("incomplete  {name}: no certificate")),
+                Outcome::Incomplete(None) => (3, format!("incomplete  {name}: no certificate")),
             };
             lines.push(line);
             counts[place] += 1;
         }
-        let [valid, invalid, incomplete] = counts;
-        lines.push(format!("{valid} valid, {invalid} invalid, {incomplete} incomplete"));
+        let [valid, cited, invalid, incomplete] = counts;
+        lines.push(format!(
+            "{valid} valid, {cited} cited, {invalid} invalid, {incomplete} incomplete"
+        ));
         // A closed pipe is no failure of the check.
         let _ = writeln!(std::io::stdout(), "{}", lines.join("\n"));
-        Ok(valid > 0 && invalid + incomplete == 0)
+        let left = if except_open { incomplete - open } else { incomplete };
+        Ok(valid + cited > 0 && invalid + left == 0)
     };
     match run() {
         Ok(true) => ExitCode::SUCCESS,

@@ -116,8 +116,22 @@ pub enum Reason {
     TooLarge,
     /// The theorem is open.
     Open,
-    /// The name has a value already, or is a definition.
+    /// The statement that is cited does not exist.
+    NoStatement,
+    /// A claim that a cited proof uses is not shown to hold.
+    Premise(String),
+    /// A parameter has no value, or one that the claim does not list.
+    NotListed,
+    /// What the theorem supposes does not hold.
+    Supposed,
+    /// Two witnesses have one name.
     Taken,
+    /// No witness has this name.
+    NoWitness,
+    /// A cell has no line about its promise, or the lines are not in order.
+    Promises,
+    /// The weights are not those of the limit of a ring.
+    Weights,
     /// The theorem is not stated for this level, or it is beyond the cap.
     Level,
     /// The scheme is not shown to converge.
@@ -192,7 +206,14 @@ impl fmt::Display for Reason {
             Reason::NoContraction => "the constant of the block is not below 1",
             Reason::TooLarge => "the bound is above the tolerance",
             Reason::Open => "the theorem is open",
-            Reason::Taken => "this name has a value already, or is a definition",
+            Reason::NoStatement => "THEOREMS.md has no such statement",
+            Reason::Premise(id) => return write!(f, "the proof uses `{id}`, not shown to hold"),
+            Reason::NotListed => "the claim lists another parameter here, or other values of it",
+            Reason::Supposed => "what the theorem supposes does not hold",
+            Reason::Taken => "two witnesses have this name",
+            Reason::NoWitness => "no witness has this name",
+            Reason::Promises => "each printed cell has a line about its promise, row by row",
+            Reason::Weights => "these are not the weights of the limit",
             Reason::Level => "the theorem is not stated for this level, or it is beyond the cap",
             Reason::NoLimit => "the scheme is not shown to converge",
             Reason::Negative => "the bound is negative, and presupposes what does not hold",
@@ -215,7 +236,10 @@ impl Rejection {
     /// Whether the claim was left open, not shown to be wrong.
     #[must_use]
     pub fn given_up(&self) -> bool {
-        matches!(self.reason, Reason::Open | Reason::Field(_) | Reason::Stopped(Stop::Capped(_)))
+        matches!(
+            self.reason,
+            Reason::Open | Reason::Premise(_) | Reason::Field(_) | Reason::Stopped(Stop::Capped(_))
+        )
     }
 }
 

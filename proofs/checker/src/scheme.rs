@@ -19,9 +19,12 @@ const MAX_WIDTH: i64 = 256;
 const MAX_ALIASES: usize = 8;
 
 /// The schemes that every claim file may name: data, not code.
-const CATALOGUE: [&str; 10] = [
+const CATALOGUE: [&str; 13] = [
     include_str!("../../../src/scheme/catalogue/b-spline.toml"),
+    include_str!("../../../src/scheme/catalogue/bajaj.toml"),
+    include_str!("../../../src/scheme/catalogue/catmull-clark.toml"),
     include_str!("../../../src/scheme/catalogue/chaikin.toml"),
+    include_str!("../../../src/scheme/catalogue/doo-sabin.toml"),
     include_str!("../../../src/scheme/catalogue/four-point.toml"),
     include_str!("../../../src/scheme/catalogue/newton.toml"),
     include_str!("../../../src/scheme/catalogue/quaternary-four-point.toml"),
@@ -53,7 +56,8 @@ pub struct Library<'a> {
     steps: Cell<u64>,
     /// No named formulas.
     pub nothing: BTreeMap<String, Rc<Expr>>,
-    as_printed: Reading,
+    /// The reading of formulas of schemes.
+    pub as_printed: Reading,
 }
 
 /// The files of the catalogue, read.
@@ -117,19 +121,7 @@ impl<'a> Library<'a> {
             return Err(wrong("more than two factors, or names for names for names"));
         }
         for factor in factors {
-            let (name, arguments) = factor.trim().split_once(':').unwrap_or((factor.trim(), ""));
-            let mut parameters = BTreeMap::new();
-            for argument in arguments_of(arguments) {
-                let (parameter, value) =
-                    argument.split_once('=').ok_or_else(|| wrong("a parameter is name=value"))?;
-                let value = scope.value(&formula(value.trim())?)?;
-                if parameters.insert(parameter.trim().to_owned(), value).is_some() {
-                    return Err(wrong("a parameter is given twice"));
-                }
-            }
-            let named = |table: &&Toml| table.text("name") == Some(name);
-            let table = self.file.iter().chain(self.catalogue).find(named);
-            let table = table.ok_or_else(|| wrong("there is no such scheme"))?;
+            let (name, table, parameters) = self.entry(factor, scope)?;
             match table.text("use") {
                 Some(_) if !parameters.is_empty() => return Err(wrong("it has no parameters")),
                 Some(other) => schemes.extend(self.follow(other, scope, depth + 1)?),
@@ -139,12 +131,43 @@ impl<'a> Library<'a> {
         Ok(schemes)
     }
 
-    fn scheme(
+    /// Whether a reference names a ring.
+    pub fn is_ring(&self, reference: &str) -> bool {
+        let name = reference.split(':').next().map(str::trim);
+        let mut tables = self.file.iter().chain(self.catalogue);
+        let table = tables.find(|table| table.text("name") == name);
+        table.is_some_and(|table| table.get("orbits").is_some())
+    }
+
+    /// The table of the scheme that a reference names, with its parameters.
+    pub fn entry<'r>(
+        &'a self,
+        reference: &'r str,
+        scope: &Scope<'_>,
+    ) -> Result<(&'r str, &'a Toml, BTreeMap<String, Value>), Stop> {
+        let wrong = |what: &str| Stop::Wrong(format!("`{reference}`: {what}"));
+        let (name, arguments) = reference.trim().split_once(':').unwrap_or((reference.trim(), ""));
+        let mut parameters = BTreeMap::new();
+        for argument in arguments_of(arguments) {
+            let (parameter, value) =
+                argument.split_once('=').ok_or_else(|| wrong("a parameter is name=value"))?;
+            let value = scope.value(&formula(value.trim())?)?;
+            if parameters.insert(parameter.trim().to_owned(), value).is_some() {
+                return Err(wrong("a parameter is given twice"));
+            }
+        }
+        let named = |table: &&Toml| table.text("name") == Some(name);
+        let table = self.file.iter().chain(self.catalogue).find(named);
+        Ok((name, table.ok_or_else(|| wrong("there is no such scheme"))?, parameters))
+    }
+
+    /// The parameters of a scheme, those without a value at their defaults.
+    pub fn complete(
         &'a self,
         name: &str,
         table: &Toml,
         mut parameters: BTreeMap<String, Value>,
-    ) -> Result<Rc<Scheme>, Stop> {
+    ) -> Result<BTreeMap<String, Value>, Stop> {
         let wrong = |what: &str| Stop::Wrong(format!("scheme `{name}`: {what}"));
         let known: Vec<&String> = table.entries("parameters").iter().map(|(key, _)| key).collect();
         if parameters.keys().any(|parameter| !known.contains(&parameter)) {
@@ -155,9 +178,21 @@ impl<'a> Library<'a> {
                 let default =
                     about.text("default").ok_or_else(|| wrong("a parameter is missing"))?;
                 let scope = Scope::new(&self.nothing, self, &self.as_printed);
-                parameters.insert(parameter.clone(), scope.value(&formula(default)?)?);
+                let value = scope.value(&formula(default)?)?;
+                parameters.insert(parameter.clone(), value);
             }
         }
+        Ok(parameters)
+    }
+
+    fn scheme(
+        &'a self,
+        name: &str,
+        table: &Toml,
+        parameters: BTreeMap<String, Value>,
+    ) -> Result<Rc<Scheme>, Stop> {
+        let wrong = |what: &str| Stop::Wrong(format!("scheme `{name}`: {what}"));
+        let parameters = self.complete(name, table, parameters)?;
         let key = format!("{name} {parameters:?}");
         if let Some(known) = self.masks.borrow().get(&key) {
             return Ok(Rc::clone(known));

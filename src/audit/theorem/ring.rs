@@ -56,7 +56,7 @@ impl AroundPoint {
             heights[zeroth.0] = 1;
             return Ok(Attained {
                 control: self.points(&heights),
-                place: Place::Named(self.edge(zeroth.0, zeroth.1)),
+                place: self.edge(zeroth.0, zeroth.1),
                 value: Rational::one().into(),
             });
         } else {
@@ -64,7 +64,7 @@ impl AroundPoint {
         };
         Ok(Attained {
             control: self.points(&transport.heights),
-            place: Place::Named(self.edge(*a, *b)),
+            place: self.edge(*a, *b),
             value: transport.value.clone(),
         })
     }
@@ -77,8 +77,8 @@ impl AroundPoint {
         Some(kept.ok_or_else(|| "the interpolant keeps no point".to_owned()))
     }
 
-    fn edge(&self, a: usize, b: usize) -> String {
-        format!("{} – {}", self.ring.name(a), self.ring.name(b))
+    fn edge(&self, a: usize, b: usize) -> Place {
+        Place::Edge([a, b].map(|point| self.ring.name(point)))
     }
 
     fn greatest(&self, quantity: Quantity, level: u32) -> Result<Attained, String> {
@@ -144,5 +144,9 @@ impl Setting for AroundPoint {
 
     fn centred(&self) -> Option<&dyn Setting> {
         None
+    }
+
+    fn limit(&self) -> Option<&[RealCyclotomic]> {
+        self.distances().ok().map(|distances| distances.limit().weights())
     }
 }

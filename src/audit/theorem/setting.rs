@@ -35,4 +35,9 @@ pub(super) trait Setting {
     /// The same scheme, compared with its limit at the offset that serves it best; `None`
     /// where it is already so, or there are no offsets.
     fn centred(&self) -> Option<&dyn Setting>;
+
+    /// Of a ring, the weights of its limit.
+    fn limit(&self) -> Option<&[RealCyclotomic]> {
+        None
+    }
 }

@@ -75,29 +75,28 @@ impl Surface {
         };
         let pair = [of(0)?, of(1)?];
         let polygons = pair.each_ref().map(|found| &found.polygon);
-        let indices = format!("({}, {})", pair[0].index, pair[1].index);
         if quantity == Quantity::Step {
             let row = |x: &i64| polygons[1].points.iter().map(|y| x + y).collect();
             let rows = polygons[0].points.iter().map(row).collect();
             let first = polygons.map(|polygon| polygon.first);
             let value = RealCyclotomic::from(&pair[0].value + &pair[1].value);
-            let place = Place::Named(indices);
+            let place = Place::Points(pair.each_ref().map(|found| found.index));
             return Ok(Attained { control: Control::Net { first, rows }, place, value });
         }
         let axis = usize::from(pair[1].value > pair[0].value);
         let points = &polygons[axis].points;
         let (first, rows, place) = if axis == 0 {
             let rows = points.iter().map(|x| vec![*x]).collect();
-            ([polygons[0].first, 0], rows, format!("({}, 0), first index", pair[0].index))
+            ([polygons[0].first, 0], rows, [pair[0].index, 0])
         } else {
-            (
-                [0, polygons[1].first],
-                vec![points.clone()],
-                format!("(0, {}), second index", pair[1].index),
-            )
+            ([0, polygons[1].first], vec![points.clone()], [0, pair[1].index])
         };
         let value = pair[axis].value.clone().into();
-        Ok(Attained { control: Control::Net { first, rows }, place: Place::Named(place), value })
+        Ok(Attained {
+            control: Control::Net { first, rows },
+            place: Place::Along(place, axis),
+            value,
+        })
     }
 
     fn distance(&self, level: u32, bound: &Rational) -> Result<Comparison<Attained>, String> {

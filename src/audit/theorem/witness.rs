@@ -56,8 +56,15 @@ pub enum Place {
     Point(i64),
     /// |x^k_{i+1} − x^k_i| at this i.
     Difference(i64),
-    /// At a point, or at an edge between two, of this name.
+    /// The step to the point of a net of these indices, at level k + 1.
+    Points([i64; 2]),
+    /// The difference of a net at the point of these indices of level k, along the first
+    /// or the second index (0 or 1).
+    Along([i64; 2], usize),
+    /// At a point of this name.
     Named(String),
+    /// At the edge between the points of these names.
+    Edge([String; 2]),
 }
 
 /// Bounds of a supremum; the lower one is attained.

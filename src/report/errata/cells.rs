@@ -12,7 +12,7 @@ use crate::report::summary::words;
 use crate::report::{mark, reading};
 use std::collections::BTreeSet;
 
-/// What is wrong with the cells, and how it came about.
+/// What the cells show.
 pub(super) fn facts(cells: &CellErratum<'_, '_>) -> Vec<(String, String)> {
     let table = cells.finding.table;
     let mut facts = vec![("said to equal".to_owned(), table.value.text.clone())];
@@ -20,8 +20,6 @@ pub(super) fn facts(cells: &CellErratum<'_, '_>) -> Vec<(String, String)> {
         facts.insert(0, ("shows".to_owned(), table.title.clone()));
     }
     facts.push(("cells".to_owned(), cells.cells.len().to_string()));
-    facts.push(("how it came about".to_owned(), origin(cells)));
-    facts.extend(table.note.clone().map(|note| ("note".to_owned(), note)));
     facts
 }
 
@@ -164,7 +162,7 @@ pub(super) fn unchecked(sheet: &mut Sheet, errata: &Errata<'_, '_>) {
         if let Some(search) = &group.finding.search {
             let lines = reading::line_remarks(table, search);
             let lines = std::iter::once(reading::remark(search)).chain(lines);
-            facts.push(("readings".to_owned(), lines.collect::<Vec<String>>().join("\n")));
+            facts.push(("what was tried".to_owned(), lines.collect::<Vec<String>>().join("\n")));
         }
         sheet.facts(facts);
         let differs = |at: &&(usize, usize)| {

@@ -10,17 +10,22 @@ use crate::report::{explain, function};
 /// How many cases of a failing equation are listed.
 const MAX_CASES: usize = 6;
 
+/// What a claim says, what is wrong with it, and how that came about.
+type Described = (Option<String>, Vec<(String, String)>, String);
+
 fn fact(name: &str, value: impl Into<String>) -> (String, String) {
     (name.to_owned(), value.into())
 }
 
-pub(super) fn equation(finding: &EquationFinding<'_>) -> Vec<(String, String)> {
-    let mut facts = vec![fact("says", finding.equation.title.clone())];
-    let EquationVerdict::Fails { cases, failures, mends } = &finding.verdict else {
-        return facts;
+pub(super) fn equation(finding: &EquationFinding<'_>) -> Described {
+    let title = Some(finding.equation.title.clone());
+    let origin = finding.equation.note.iter().cloned();
+    let (EquationVerdict::Fails { cases, failures, mends }, EquationBody::Identity(identity)) =
+        (&finding.verdict, &finding.equation.body)
+    else {
+        return (title, Vec::new(), stated(&origin.collect::<Vec<String>>()));
     };
-    let EquationBody::Identity(identity) = &finding.equation.body else { return facts };
-    facts.extend(explain::sides(identity));
+    let mut facts = explain::sides(identity);
     let numbers = matches!(identity.left, Left::Each(_));
     let mut lines = vec![format!("in {} of {cases} cases", failures.len())];
     for failure in failures.iter().take(MAX_CASES) {
@@ -37,44 +42,39 @@ pub(super) fn equation(finding: &EquationFinding<'_>) -> Vec<(String, String)> {
     }
     facts.push(fact("fails", lines.join("\n")));
     let mends = mends.iter().map(|mend| format!("one symbol: it holds with one side as {mend}"));
-    let origin: Vec<String> = mends.chain(finding.equation.note.clone()).collect();
-    let origin = if origin.is_empty() { "not explained".to_owned() } else { origin.join("\n") };
-    facts.push(fact("how it came about", origin));
-    facts
+    (title, facts, stated(&mends.chain(origin).collect::<Vec<String>>()))
 }
 
-pub(super) fn function(finding: &FunctionFinding<'_>) -> Vec<(String, String)> {
+pub(super) fn function(finding: &FunctionFinding<'_>) -> Described {
     let claim = finding.claim;
-    let mut facts = vec![
-        fact("says", claim.title.clone()),
+    let facts = vec![
         fact("left", claim.left.text.clone()),
         fact("right", claim.right.text.clone()),
         fact("fails", function::function_outcome(finding).join("\n")),
     ];
-    facts.push(fact("how it came about", note(claim.note.as_ref())));
-    facts
+    (Some(claim.title.clone()), facts, stated(claim.note.as_slice()))
 }
 
-pub(super) fn range(finding: &RangeFinding<'_>) -> Vec<(String, String)> {
+pub(super) fn range(finding: &RangeFinding<'_>) -> Described {
     let claim = finding.claim;
-    vec![
-        fact("says", claim.title.clone()),
+    let facts = vec![
         fact("printed", function::printed(finding)),
         fact("correct", finding.exact.describe(&claim.variable)),
         fact("in detail", function::range_outcome(finding).join("\n")),
-        fact("how it came about", note(claim.note.as_ref())),
-    ]
+    ];
+    (Some(claim.title.clone()), facts, stated(claim.note.as_slice()))
 }
 
-pub(super) fn theorem(finding: &TheoremFinding<'_>) -> Vec<(String, String)> {
-    vec![
-        fact("says", finding.theorem.title.clone()),
-        fact("states", theorems::statement(&finding.theorem.statement)),
+pub(super) fn theorem(finding: &TheoremFinding<'_>) -> Described {
+    let theorem = finding.theorem;
+    let facts = vec![
+        fact("states", theorems::statement(&theorem.statement)),
         fact("verdict", theorems::outcome(finding)),
-        fact("how it came about", note(finding.theorem.note.as_ref())),
-    ]
+    ];
+    (Some(theorem.title.clone()), facts, stated(theorem.note.as_slice()))
 }
 
-fn note(note: Option<&String>) -> String {
-    note.cloned().unwrap_or_else(|| "not explained".to_owned())
+/// The reasons, line by line.
+fn stated(reasons: &[String]) -> String {
+    if reasons.is_empty() { "not explained".to_owned() } else { reasons.join("\n") }
 }

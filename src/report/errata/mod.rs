@@ -4,7 +4,7 @@ mod cells;
 mod claims;
 mod json;
 
-use super::sheet::{Grid, Sheet};
+use super::sheet::{Block, Grid, Sheet};
 use super::{consistency, mark, summary, theorem};
 use crate::audit::{Consequences, Errata, Erratum, PaperAudit, Standing, Subject};
 use crate::claim::Promise;
@@ -39,8 +39,10 @@ fn paper(sheet: &mut Sheet, errata: &Errata<'_, '_>) {
              where the definition is wrong itself, it has an entry of its own.",
         );
     }
-    for (i, erratum) in errata.errata.iter().enumerate() {
-        one(sheet, i + 1, erratum);
+    let entries: Vec<Entry> =
+        errata.errata.iter().zip(1..).map(|(erratum, number)| Entry::of(number, erratum)).collect();
+    for alike in entries.chunk_by(Entry::is_like) {
+        group(sheet, alike);
     }
     if !audit.theorems.is_empty() {
         sheet.heading(2, "Theorems, and what they rest on that fails");
@@ -56,27 +58,70 @@ fn paper(sheet: &mut Sheet, errata: &Errata<'_, '_>) {
     summary::section(sheet, audit);
 }
 
-fn one(sheet: &mut Sheet, number: usize, erratum: &Erratum<'_, '_>) {
-    let subject = &erratum.subject;
-    let name = subject.verdict();
-    let name = match subject {
-        Subject::Cells(cells) if cells.outcome.standing == Standing::Confirmed => {
-            "✗ a promise that is not kept, or not shown to be".to_owned()
+/// An erratum, as it is written down.
+struct Entry {
+    number: usize,
+    /// Where, and the verdict.
+    heading: String,
+    /// Of a claim, what it says.
+    title: Option<String>,
+    facts: Vec<(String, String)>,
+    /// How it came about, and what it changes: the same of claims that fail for one reason.
+    causes: Vec<(String, String)>,
+    grid: Option<Grid>,
+}
+
+impl Entry {
+    fn of(number: usize, erratum: &Erratum<'_, '_>) -> Entry {
+        let subject = &erratum.subject;
+        let name = subject.verdict();
+        let name = match subject {
+            Subject::Cells(cells) if cells.outcome.standing == Standing::Confirmed => {
+                "✗ a promise that is not kept, or not shown to be".to_owned()
+            }
+            _ => format!("{} {name}", mark(name)),
+        };
+        let (title, facts, origin) = match subject {
+            Subject::Cells(cells) => (None, cells::facts(cells), cells::origin(cells)),
+            Subject::Equation(finding) => claims::equation(finding),
+            Subject::Function(finding) => claims::function(finding),
+            Subject::Range(finding) => claims::range(finding),
+            Subject::Theorem(finding) => claims::theorem(finding),
+        };
+        let mut causes = vec![("how it came about".to_owned(), origin)];
+        let mut grid = None;
+        if let Subject::Cells(cells) = subject {
+            causes.extend(cells.finding.table.note.clone().map(|note| ("note".to_owned(), note)));
+            grid = Some(cells::grid(cells));
         }
-        _ => format!("{} {name}", mark(name)),
+        causes.push(("what it changes".to_owned(), changes(subject, &erratum.consequences)));
+        let heading = format!("{} · {name}", subject.locus());
+        Entry { number, heading, title, facts, causes, grid }
+    }
+
+    /// Claims that fail at one place for one reason.
+    fn is_like(&self, other: &Entry) -> bool {
+        self.title.is_some() && self.heading == other.heading && self.causes == other.causes
+    }
+}
+
+/// Errata that are alike: what they have in common once.
+fn group(sheet: &mut Sheet, alike: &[Entry]) {
+    let [first, .., last] = alike else {
+        for Entry { number, heading, title, facts, causes, grid } in alike {
+            sheet.heading(2, format!("{number}. {heading}"));
+            let says = title.clone().map(|title| ("says".to_owned(), title));
+            sheet.facts(says.into_iter().chain(facts.clone()).chain(causes.clone()).collect());
+            sheet.blocks.extend(grid.clone().map(Block::Grid));
+        }
+        return;
     };
-    sheet.heading(2, format!("{number}. {} · {name}", subject.locus()));
-    let mut facts = match subject {
-        Subject::Cells(cells) => cells::facts(cells),
-        Subject::Equation(finding) => claims::equation(finding),
-        Subject::Function(finding) => claims::function(finding),
-        Subject::Range(finding) => claims::range(finding),
-        Subject::Theorem(finding) => claims::theorem(finding),
-    };
-    facts.push(("what it changes".to_owned(), changes(subject, &erratum.consequences)));
-    sheet.facts(facts);
-    if let Subject::Cells(cells) = subject {
-        sheet.grid(cells::grid(cells));
+    sheet.heading(2, format!("{} to {}. {}", first.number, last.number, first.heading));
+    sheet.facts(first.causes.clone());
+    for entry in alike {
+        let title = entry.title.as_deref().unwrap_or_default();
+        sheet.heading(3, format!("{}. {title}", entry.number));
+        sheet.facts(entry.facts.clone());
     }
 }
 

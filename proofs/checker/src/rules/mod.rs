@@ -6,6 +6,7 @@ mod equation;
 mod family;
 mod function;
 mod pieces;
+mod promise;
 mod range;
 mod reading;
 mod sound;
@@ -25,8 +26,27 @@ const FIELDS: [(&str, &str); 6] = [
     ("equation", "symbols hypotheses indices left right absent"),
     ("function", "variable left right"),
     ("range", "variable value below at_most from to closed"),
-    ("theorem", "bounds by from says rests"),
+    (
+        "theorem",
+        "bounds by from says rests schemes values offset interpolant supposes block corrections \
+         proved_by refuted_by proof_uses",
+    ),
 ];
+
+/// What a valid certificate proves of a claim.
+pub enum Verdict<'a> {
+    /// An identity, a closed form or a range holds.
+    Holds,
+    /// Something else that needs no other claim.
+    Other,
+    /// A theorem is proved or refuted by a statement of THEOREMS.md, if these claims hold.
+    Cited {
+        /// The statement.
+        statement: String,
+        /// The ids of the claims.
+        uses: Vec<&'a str>,
+    },
+}
 
 /// Checks a block that is about a claim.
 pub fn check<'a>(
@@ -34,7 +54,7 @@ pub fn check<'a>(
     kind: &str,
     claim: &'a Toml,
     block: &mut Block<'_>,
-) -> Checked<()> {
+) -> Checked<Verdict<'a>> {
     paper.library.restart();
     // What the claim file says beyond this could change what the claim means.
     let fields = FIELDS.iter().filter(|(of, _)| ["", kind].contains(of));
@@ -44,15 +64,18 @@ pub fn check<'a>(
     {
         return Err(block.head.reject(Reason::Field(field.clone())));
     }
+    let mut verdict = Verdict::Other;
     match kind {
         "table" => table::check(paper, claim, block)?,
         "equation" => equation::check(paper, claim, block)?,
         "function" => function::check(paper, claim, block)?,
         "range" => range::check(paper, claim, block)?,
-        "theorem" => theorem::check(paper, claim, block)?,
+        "theorem" => verdict = theorem::check(paper, claim, block)?,
         _ => return Err(block.head.reject(Reason::NoSuchClaim)),
     }
-    block.finished()
+    block.finished()?;
+    let holds = ["holds", "exact"].contains(&block.last().word().0);
+    Ok(if holds { Verdict::Holds } else { verdict })
 }
 
 /// The place of a cell that a line begins with, and what follows.

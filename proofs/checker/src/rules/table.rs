@@ -1,7 +1,7 @@
 //! Rule `table`: what the claim says, how it is read, and every cell.
 
 use super::reading::Reads;
-use super::{attained, cell, family, sound};
+use super::{attained, cell, family, promise, sound};
 use crate::certificate::Block;
 use crate::paper::{Paper, restates};
 use crate::reject::{Checked, Reason};
@@ -35,5 +35,6 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     while let Some((line, said)) = block.optional("sound") {
         sound::check(&table, line, said)?;
     }
+    promise::check(&table, block)?;
     if refuted { family::check(&table, reads.table.as_ref(), block) } else { Ok(()) }
 }

@@ -71,14 +71,15 @@ pub fn certificate(paper: &Paper, block: &Block) -> String {
     format!("subcert-certificate 1\npaper {}\n{}\nend 1\n", paper.key, block.text())
 }
 
-/// Whether a certificate with this block proves a claim.
+/// Whether a certificate with this block proves a claim, or cites its proof.
 pub fn accepted(paper: &Paper, block: &Block) -> bool {
     let report = check(paper.claims, &[&certificate(paper, block)]).expect("a claim file");
-    report.claims.iter().any(|(_, _, outcome)| *outcome == Outcome::Valid)
+    let accepts = |outcome: &Outcome| matches!(outcome, Outcome::Valid | Outcome::Cited(_));
+    report.claims.iter().any(|(_, _, outcome)| accepts(outcome))
 }
 
 /// Words of the format that may stand in each other's place.
-const WORDS: [&[&str]; 14] = [
+const WORDS: [&[&str]; 20] = [
     &["confirmed", "refuted", "differs", "undefined", "lost"],
     &["confirmed", "rounding cut", "rounding away", "rounding down", "rounding nearest"],
     &[
@@ -99,6 +100,12 @@ const WORDS: [&[&str]; 14] = [
     &["derived", "printed"],
     &["exact", "less", "more"],
     &["below", "at-most"],
+    &["proved", "refuted", "open"],
+    &["proved-by", "refuted-by", "says"],
+    &["difference", "step", "distance", "depth"],
+    &["kept", "broken", "undecided"],
+    &["polygon", "net", "row", "ring", "weights"],
+    &["level", "tolerance", "at", "let"],
 ];
 
 /// Every alteration of a block: lines dropped, repeated and exchanged; of every field

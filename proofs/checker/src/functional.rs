@@ -1,0 +1,190 @@
+//! Points of refined control data and of their limits, as functionals of the data.
+
+use crate::decimal::{Q, int};
+use crate::linear::solve;
+use crate::scheme::{Library, Scheme};
+use crate::value::{Stop, Value};
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::{One, Signed, ToPrimitive, Zero as _};
+use std::cell::OnceCell;
+use std::collections::BTreeMap;
+
+/// The largest window of a limit.
+const MAX_WINDOW: i64 = 200;
+
+/// The greatest index.
+const MAX_INDEX: i64 = 1 << 40;
+
+/// The highest level.
+pub const MAX_LEVEL: u32 = 1_000;
+
+/// Σ_i f_i x_i, with integers f_i over one denominator.
+#[derive(Clone, Debug)]
+pub struct Functional {
+    weights: BTreeMap<i64, BigInt>,
+    over: BigInt,
+}
+
+impl Functional {
+    /// P(u), where P is piecewise linear and P(i) = x_i.
+    fn at(u: &Q) -> Result<Functional, Stop> {
+        let (i, part) = (index(&u.floor())?, u - u.floor());
+        let weights = [(i, part.denom() - part.numer()), (i + 1, part.numer().clone())];
+        let weights = weights.into_iter().filter(|(_, weight)| !weight.is_zero());
+        Ok(Functional { weights: weights.collect(), over: part.denom().clone() })
+    }
+
+    /// x_0.
+    pub fn unit() -> Functional {
+        Functional { weights: BTreeMap::from([(0, BigInt::one())]), over: BigInt::one() }
+    }
+
+    /// The same less another one.
+    pub fn minus(&self, other: &Functional) -> Functional {
+        let mut weights = BTreeMap::new();
+        for (functional, factor) in [(self, &other.over), (other, &-&self.over)] {
+            for (i, weight) in &functional.weights {
+                *weights.entry(*i).or_default() += weight * factor;
+            }
+        }
+        Functional { weights, over: &self.over * &other.over }
+    }
+
+    /// Its greatest value where |x_{i+1} − x_i| ≤ 1, for weights of the sum 0: it is
+    /// Σ_i F_i (x_{i+1} − x_i) with F_i = Σ_{h>i} f_h = −Σ_{h≤i} f_h.
+    pub fn norm_on_differences(&self) -> Q {
+        let (mut total, mut sum, mut last) = (BigInt::default(), BigInt::default(), None);
+        for (i, weight) in &self.weights {
+            total += sum.abs() * (i - last.unwrap_or(*i));
+            sum += weight;
+            last = Some(*i);
+        }
+        Q::new(total, self.over.clone())
+    }
+}
+
+/// A mask of rational numbers at an offset.
+pub struct Rules<'a> {
+    /// a_{α,j}, integers over one denominator.
+    rows: Vec<Vec<BigInt>>,
+    over: BigInt,
+    offset: i64,
+    library: &'a Library<'a>,
+    zero: OnceCell<Zero>,
+}
+
+/// The limit at 0 as weights w of x_l, x_{l+1}, …: l and w; or none.
+type Zero = Result<Option<(i64, Vec<Q>)>, Stop>;
+
+impl<'a> Rules<'a> {
+    /// The rules of a scheme, at this offset; `None` if they are not rational.
+    pub fn new(library: &'a Library<'a>, scheme: &Scheme, offset: i64) -> Option<Rules<'a>> {
+        let row = |row: &Vec<Value>| row.iter().map(Value::rational).collect();
+        let mask = scheme.mask.iter().map(row).collect::<Option<Vec<Vec<Q>>>>()?;
+        let over = mask.iter().flatten().fold(BigInt::one(), |over, a| over.lcm(a.denom()));
+        let top = |a: Q| a.numer() * (&over / a.denom());
+        let rows = mask.into_iter().map(|row| row.into_iter().map(top).collect()).collect();
+        Some(Rules { rows, over, offset, library, zero: OnceCell::new() })
+    }
+
+    /// n.
+    pub fn arity(&self) -> i64 {
+        size(&self.rows)
+    }
+
+    /// The functional of data x that f is of the refined x', x'_{ni+α} = Σ_j a_{α,j} x_{i+o+j}.
+    fn before(&self, f: &Functional) -> Result<Functional, Stop> {
+        let mut weights = BTreeMap::new();
+        for (at, weight) in &f.weights {
+            let rule = &self.rows[usize::try_from(at.rem_euclid(self.arity())).unwrap_or(0)];
+            self.library.spend(rule.len() as u64 * (1 + weight.bits() / 1024))?;
+            for (i, a) in (at.div_euclid(self.arity()) + self.offset..).zip(rule) {
+                *weights.entry(i).or_default() += weight * a;
+            }
+        }
+        Ok(Functional { weights, over: &f.over * &self.over })
+    }
+
+    /// The functional of the control data that f is of level k.
+    fn of_level(&self, k: u32, f: Functional) -> Result<Functional, Stop> {
+        if k > MAX_LEVEL {
+            return Err(Stop::Capped("the levels of a refinement"));
+        }
+        (0..k).try_fold(f, |f, _| self.before(&f))
+    }
+
+    /// P(u), where P is piecewise linear and P(i) = x^k_i.
+    pub fn at(&self, k: u32, u: &Q) -> Result<Functional, Stop> {
+        self.of_level(k, Functional::at(u)?)
+    }
+
+    /// P^k(t), where P^k is piecewise linear and P^k(i/n^k) = x^k_i.
+    pub fn polygon(&self, k: u32, t: &Q) -> Result<Functional, Stop> {
+        self.at(k, &(t * int(self.arity()).pow(k.min(MAX_LEVEL).cast_signed())))
+    }
+
+    /// P^∞(t) of a scheme that converges; `None` if tn^m is an integer for no m, or there is no
+    /// limit (THEOREMS.md, 3 and 4).
+    pub fn limit(&self, t: &Q) -> Result<Option<Functional>, Stop> {
+        let (mut at, mut levels) = (t.clone(), 0);
+        while !at.is_integer() {
+            (at, levels) = (at * int(self.arity()), levels + 1);
+            if levels > MAX_LEVEL {
+                return Ok(None);
+            }
+        }
+        let shift = index(&at)?;
+        let zero = self.zero.get_or_init(|| self.limit_at_zero()).as_ref();
+        let Some((first, weights)) = zero.map_err(Clone::clone)? else { return Ok(None) };
+        let over = weights.iter().fold(BigInt::one(), |over, w| over.lcm(w.denom()));
+        let top = |w: &Q| w.numer() * (&over / w.denom());
+        let weights = (first + shift..).zip(weights.iter().map(top)).collect();
+        self.of_level(levels, Functional { weights, over }).map(Some)
+    }
+
+    /// There is no limit if the equations wA = w, Σw = 1 do not have exactly one solution.
+    fn limit_at_zero(&self) -> Zero {
+        let (arity, width) = (self.arity(), size(&self.rows[0]));
+        // i − ⌊i/n⌋ does not fall, and is o from l on, and o + N − 1 up to h.
+        let reach = |i: i64| i - i.div_euclid(arity);
+        let bound = 2 * (self.offset.abs() + width) + 2;
+        let l = (-bound..=bound).find(|&i| reach(i) == self.offset);
+        let h = (-bound..=bound).rev().find(|&i| reach(i) == self.offset + width - 1);
+        let (Some(l), Some(h)) = (l, h) else { return Ok(None) };
+        if h - l >= MAX_WINDOW {
+            return Err(Stop::Capped("the window of a limit"));
+        }
+        let place = |i: i64| usize::try_from(i - l).unwrap_or(0);
+        let count = place(h) + 1;
+        self.library.spend(count.pow(3) as u64)?;
+        let mut equations = vec![vec![Q::zero(); count + 1]; count];
+        for i in l..=h {
+            let row = &self.rows[usize::try_from(i.rem_euclid(arity)).unwrap_or(0)];
+            for (column, a) in (i.div_euclid(arity) + self.offset..).zip(row) {
+                equations[place(column)][place(i)] += Q::new(a.clone(), self.over.clone());
+            }
+            equations[place(i)][place(i)] -= Q::one();
+        }
+        // The rows of A sum to 1, so that the first equation follows from the others.
+        equations[0] = vec![Q::one(); count + 1];
+        Ok(solve(equations).map(|weights| (l, weights)))
+    }
+}
+
+/// An integer as an index.
+fn index(value: &Q) -> Result<i64, Stop> {
+    let index = value.to_integer().to_i64().filter(|index| index.abs() <= MAX_INDEX);
+    index.ok_or(Stop::Capped("the parameters of control data"))
+}
+
+fn size<T>(list: &[T]) -> i64 {
+    i64::try_from(list.len()).unwrap_or(i64::MAX)
+}
+
+/// Σ_{i,j} f_i g_j x(i, j).
+pub fn product(f: &Functional, g: &Functional, x: impl Fn(i64, i64) -> BigInt) -> Q {
+    let row = |i| g.weights.iter().map(|(j, weight)| weight * x(i, *j)).sum::<BigInt>();
+    let sum = f.weights.iter().map(|(i, weight)| weight * row(*i)).sum();
+    Q::new(sum, &f.over * &g.over)
+}

@@ -1,0 +1,140 @@
+//! What certificates say of promises: why a printed number keeps its promise, or does not.
+
+use super::evidence::{integer, number};
+use super::finding::CellFinding;
+use super::judge::{At, Judge};
+use super::kept::{Broken, Kept};
+use super::library::{Library, Resolved};
+use super::reading::Settings;
+use super::table::TableFinding;
+use crate::bound::{Constants, Operator, Order};
+use crate::claim::{Paper, Promise};
+use crate::diagnostic::Diagnostic;
+use crate::exact::{Rational, RealCyclotomic};
+use crate::limit::greatest_change;
+use std::collections::BTreeSet;
+
+/// The most levels by which a bound is taken later than at the level that is promised.
+const MAX_LATER: u32 = 8;
+
+/// What shows whether a printed number keeps its promise.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PromiseEvidence<'f> {
+    /// It does: the sound bound at a level, and how far that level is from the one that
+    /// is promised, are together small enough.
+    Kept {
+        /// The level of the sound bound.
+        later: u32,
+        /// The greatest m whose constant T_m is computed.
+        levels: usize,
+        /// The block length c.
+        block: u32,
+    },
+    /// It does not for these data; of a ring, with the weights of its limit.
+    Broken(&'f Broken, Vec<RealCyclotomic>),
+    /// Neither is shown.
+    Undecided,
+}
+
+/// The evidence for the promises of a table: `None` for cells of which there is none.
+///
+/// # Errors
+/// When a formula of the claim file is wrong.
+pub fn promise_evidence<'f>(
+    paper: &Paper,
+    finding: &'f TableFinding<'_>,
+) -> Result<Vec<Vec<Option<PromiseEvidence<'f>>>>, Diagnostic> {
+    let library = Library::new(paper);
+    let judge = Judge::new(paper, finding.table, &library)?;
+    let assume: BTreeSet<String> = judge.assumed.keys().cloned().collect();
+    let mut rows = Vec::new();
+    for (row, cells) in finding.cells.iter().enumerate() {
+        let mut evidence = Vec::new();
+        for (column, cell) in cells.iter().enumerate() {
+            let at = At { row, column, assume: &assume, settings: &Settings::default() };
+            let promise = finding.table.promise.as_ref().filter(|_| cell.printed.is_some());
+            let of = promise.map(|promise| of_cell(&judge, promise, cell, at));
+            evidence.push(of.transpose()?);
+        }
+        rows.push(evidence);
+    }
+    Ok(rows)
+}
+
+fn of_cell<'f>(
+    judge: &Judge<'_>,
+    promise: &Promise,
+    cell: &'f CellFinding,
+    at: At<'_>,
+) -> Result<PromiseEvidence<'f>, Diagnostic> {
+    match &cell.kept {
+        Some(Kept::Yes) => Ok(kept(judge, promise, at)?.unwrap_or(PromiseEvidence::Undecided)),
+        Some(Kept::No(broken)) => {
+            let (Promise::Depth { ring, .. } | Promise::Bound { ring, .. }) = promise;
+            let ring = ring.as_ref().map(|ring| judge.ring(ring, at)).transpose()?;
+            let weights = ring.and_then(|ring| Some(ring.ok()?.limit_weights()?.to_vec()));
+            Ok(PromiseEvidence::Broken(broken, weights.unwrap_or_default()))
+        }
+        Some(Kept::Open(_)) | None => Ok(PromiseEvidence::Undecided),
+    }
+}
+
+/// The first level whose sound bound shows that a promise is kept.
+fn kept<'f>(
+    judge: &Judge<'_>,
+    promise: &Promise,
+    at: At<'_>,
+) -> Result<Option<PromiseEvidence<'f>>, Diagnostic> {
+    let Ok(quantities) = judge.quantities(at)? else { return Ok(None) };
+    let Some(scheme) = quantities.scheme else { return Ok(None) };
+    let (Promise::Depth { spread, offset, .. } | Promise::Bound { spread, offset, .. }) = promise;
+    let offset = offset.as_ref().map(|offset| integer(judge, offset, at)).transpose()?.flatten();
+    let Some(spread) = number(judge, spread, at)? else { return Ok(None) };
+    let Some(printed) = judge.printed(at) else { return Ok(None) };
+    let (level, most) = match promise {
+        Promise::Depth { tolerance, .. } => {
+            (printed.numerator().to_i64(), number(judge, tolerance, at)?)
+        }
+        Promise::Bound { level, .. } => (integer(judge, level, at)?, Some(printed)),
+    };
+    let level = level.and_then(|level| u32::try_from(level).ok());
+    let (Some(level), Some(most)) = (level, most) else { return Ok(None) };
+    let Ok(bound) = judge.library.sound_bound(&scheme, offset) else { return Ok(None) };
+    for later in level..=level.saturating_add(MAX_LATER) {
+        let (Some((value, block)), Some(change)) =
+            (bound.level(later), change(&scheme, offset, level, later))
+        else {
+            break;
+        };
+        if (value + change) * &spread <= most {
+            let levels = bound.constants().len() - 1;
+            return Ok(Some(PromiseEvidence::Kept { later, levels, block }));
+        }
+    }
+    Ok(None)
+}
+
+/// A bound of ‖P^l − P^k‖ for the spread 1; of a net, of both spreads 1.
+///
+/// Source: `proofs/THEOREMS.md`, 32, with level l in place of the limit.
+fn change(scheme: &Resolved, offset: Option<i64>, k: u32, l: u32) -> Option<Rational> {
+    if k == l {
+        return Some(Rational::zero());
+    }
+    let of = |constants: &Constants| {
+        let mask = constants.mask();
+        greatest_change(&mask.with_offset(offset.unwrap_or(mask.offset())), k, l).ok()
+    };
+    let norm =
+        |constants: &Constants, level| constants.norm(Operator::Scheme, level, Order::Adjoint).ok();
+    match &scheme.constants[..] {
+        [curve] => of(curve),
+        [first, second] => {
+            let (c, d) = (of(first)?, of(second)?);
+            let one = &c * &norm(second, l)? + &d * &norm(first, k)?;
+            let other = &d * &norm(first, l)? + &c * &norm(second, k)?;
+            Some(one.min(other))
+        }
+        _ => None,
+    }
+}

@@ -1,0 +1,54 @@
+//! Promises: control data that break them, each named once, and bounds that keep them.
+
+use super::block::{Block, closed};
+use super::witness::{list, net, polygon, ring};
+use crate::audit::{Broken, ControlData, PromiseEvidence};
+use crate::exact::RealCyclotomic;
+
+/// The lines about the promises of a table, row by row.
+pub(super) fn lines(block: &mut Block, evidence: &[Vec<Option<PromiseEvidence<'_>>>]) {
+    let mut witnesses: Vec<&ControlData> = Vec::new();
+    for evidence in evidence.iter().flatten().flatten() {
+        if let PromiseEvidence::Broken(Broken { data, .. }, weights) = evidence
+            && !witnesses.contains(&data)
+        {
+            witnesses.push(data);
+            block.line(format!("witness {}", witnesses.len()));
+            witness(block, data, weights);
+        }
+    }
+    for (row, evidence) in evidence.iter().enumerate() {
+        for (column, evidence) in evidence.iter().enumerate() {
+            let place = format!("{} {}", row + 1, column + 1);
+            match evidence {
+                None => {}
+                Some(PromiseEvidence::Undecided) => block.line(format!("undecided {place}")),
+                Some(PromiseEvidence::Kept { later, levels, block: length }) => {
+                    block.line(format!("kept {place} {later} {levels} {length}"));
+                }
+                Some(PromiseEvidence::Broken(Broken { data, distance, most, .. }, _)) => {
+                    let name =
+                        witnesses.iter().position(|known| *known == data).map_or(0, |i| i + 1);
+                    block.line(format!("broken {place} {name} {} {most}", closed(distance)));
+                }
+            }
+        }
+    }
+}
+
+fn witness(block: &mut Block, data: &ControlData, weights: &[RealCyclotomic]) {
+    match data {
+        ControlData::Polygon(points, t) => {
+            polygon(block, points);
+            block.line(format!("at {t}"));
+        }
+        ControlData::Net(rows, first, parameters) => {
+            net(block, *first, rows, false);
+            block.line(format!("at {}", list(parameters)));
+        }
+        ControlData::Ring(points, name) => {
+            ring(block, points, weights);
+            block.line(format!("at {name}"));
+        }
+    }
+}

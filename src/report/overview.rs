@@ -1,0 +1,86 @@
+//! The head of an audit's report: what each paper's claims come to.
+
+use super::mark;
+use super::sheet::{Grid, Sheet};
+use crate::audit::{PaperAudit, Verdict};
+use std::collections::BTreeMap;
+
+/// What stands where there is nothing to count.
+const NONE: &str = "·";
+
+/// How many findings have each verdict.
+type Counts = BTreeMap<&'static str, usize>;
+
+/// A kind of claim other than cells: its heading, and its counts in a paper.
+type Kind = (&'static str, fn(&PaperAudit<'_>) -> Counts);
+
+const KINDS: [Kind; 4] = [
+    ("promises\n✓ kept ✗ broken ? open", promises),
+    ("equations\n✓ hold ✗ fail", |audit| audit.equation_counts()),
+    ("ranges\n✓ exact ≈ ✗", |audit| audit.range_counts()),
+    ("theorems\n✓ proved ✗ refuted ? open", |audit| audit.theorem_counts()),
+];
+
+/// The cells of the papers' tables by verdict, and then their other claims; of these
+/// the kinds that there are.
+pub(super) fn overview(sheet: &mut Sheet, audits: &[PaperAudit<'_>]) {
+    if audits.iter().any(|audit| !audit.tables.is_empty()) {
+        sheet.grid(cells(audits));
+    }
+    let stated = |kind: &&Kind| audits.iter().any(|audit| !kind.1(audit).is_empty());
+    let kinds: Vec<&Kind> = KINDS.iter().filter(stated).collect();
+    if !kinds.is_empty() {
+        sheet.grid(others(audits, &kinds));
+    }
+}
+
+fn cells(audits: &[PaperAudit<'_>]) -> Grid {
+    let header = ["paper", "cells\n(+ lost)"].map(str::to_owned).into_iter();
+    let verdicts =
+        Verdict::NAMES.iter().map(|name| format!("{} {}", mark(name), name.replace('-', "-\n")));
+    let rows = audits.iter().map(|audit| {
+        let counts = audit.cell_counts();
+        let cells = audit.tables.iter().flat_map(|table| table.cells.iter().flatten());
+        let lost = cells.filter(|cell| cell.printed.is_none()).count();
+        let printed = counts.values().sum::<usize>() - lost;
+        let all = match (printed, lost) {
+            (0, 0) => NONE.to_owned(),
+            (printed, 0) => printed.to_string(),
+            (printed, lost) => format!("{printed} + {lost}"),
+        };
+        let count = |name| counts.get(name).map_or(NONE.to_owned(), usize::to_string);
+        let verdicts = Verdict::NAMES.iter().map(count);
+        [audit.paper.key.clone(), all].into_iter().chain(verdicts).collect()
+    });
+    Grid { header: header.chain(verdicts).collect(), rows: rows.collect(), left_columns: 1 }
+}
+
+fn others(audits: &[PaperAudit<'_>], kinds: &[&Kind]) -> Grid {
+    let header = kinds.iter().map(|(heading, _)| (*heading).to_owned());
+    let rows = audits.iter().map(|audit| {
+        let tallies = kinds.iter().map(|(_, counts)| tally(&counts(audit)));
+        std::iter::once(audit.paper.key.clone()).chain(tallies).collect()
+    });
+    Grid {
+        header: std::iter::once("paper".to_owned()).chain(header).collect(),
+        rows: rows.collect(),
+        left_columns: 1,
+    }
+}
+
+fn promises(audit: &PaperAudit<'_>) -> Counts {
+    let counts = audit.promise_counts();
+    let named = [("kept", counts.kept), ("broken", counts.broken), ("open", counts.open)];
+    named.into_iter().filter(|(_, count)| *count > 0).collect()
+}
+
+/// `55 ✓, 164 ✗, 1 ?`.
+fn tally(counts: &Counts) -> String {
+    let parts = ["✓", "≈", "✗", "?"].map(|sign| {
+        let count: usize =
+            counts.iter().filter(|(name, _)| mark(name) == sign).map(|(_, count)| count).sum();
+        (count > 0).then(|| format!("{count} {sign}"))
+    });
+    let parts: Vec<String> = parts.into_iter().flatten().collect();
+    if parts.is_empty() { NONE.to_owned() } else { parts.join(", ") }
+}
