@@ -35,6 +35,9 @@ pub(super) enum Unresolved {
 /// A scheme, and the offset at which it is looked at if not its own.
 type SoundKey = (Vec<Instance>, Option<i64>);
 
+/// The base of a logarithm, its argument, and its rounding.
+type LogLevel = (Rational, Rational, Rounded);
+
 /// The schemes of a paper.
 pub(super) struct Library<'a> {
     paper: &'a Paper,
@@ -43,7 +46,7 @@ pub(super) struct Library<'a> {
     distances: RefCell<BTreeMap<SoundKey, Rc<Remembered>>>,
     rings: RefCell<BTreeMap<Instance, Rc<Remembered>>>,
     pub(super) norms: Norms<RealCyclotomic>,
-    log_levels: RefCell<BTreeMap<(Rational, Rational, Rounded), Result<u32, DepthError>>>,
+    log_levels: RefCell<BTreeMap<LogLevel, Result<u32, DepthError>>>,
 }
 
 /// A scheme with the constants of its masks, one per direction.

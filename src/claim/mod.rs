@@ -18,7 +18,6 @@ pub use contents::{Item, Label, MAX_LABELS};
 pub use embedded::{EmbeddedPaper, embedded, embedded_papers};
 pub use equation::{Equation, EquationBody, Hypothesis, Identity, Index, Left};
 pub use function::{FunctionClaim, Limit, RangeClaim};
-pub(crate) use paper::definitions_in;
 pub use paper::{Alternative, Bibliography, Paper, SchemeSource};
 pub use read::{MAX_CLAIM_FILE_BYTES, read_paper, read_paper_file};
 pub use table::{Axis, AxisEntry, Cell, LocatedReference, Printed, Promise, Table};

@@ -47,28 +47,19 @@ impl Paper {
     /// The definitions that a formula uses, at once or through other definitions.
     #[must_use]
     pub fn definitions_in(&self, formula: &LocatedFormula) -> BTreeMap<&str, &LocatedFormula> {
-        definitions_in(&self.definitions, formula)
-    }
-}
-
-/// Those of some definitions that a formula uses, at once or through others.
-#[must_use]
-pub(crate) fn definitions_in<'a>(
-    definitions: &'a BTreeMap<String, LocatedFormula>,
-    formula: &LocatedFormula,
-) -> BTreeMap<&'a str, &'a LocatedFormula> {
-    let mut used = BTreeMap::new();
-    let mut waiting = vec![formula];
-    while let Some(formula) = waiting.pop() {
-        for name in formula.expr.names() {
-            if let Some((name, definition)) = definitions.get_key_value(name)
-                && used.insert(name.as_str(), definition).is_none()
-            {
-                waiting.push(definition);
+        let mut used = BTreeMap::new();
+        let mut waiting = vec![formula];
+        while let Some(formula) = waiting.pop() {
+            for name in formula.expr.names() {
+                if let Some((name, definition)) = self.definitions.get_key_value(name)
+                    && used.insert(name.as_str(), definition).is_none()
+                {
+                    waiting.push(definition);
+                }
             }
         }
+        used
     }
-    used
 }
 
 /// Another formula for a definition.

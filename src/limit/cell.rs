@@ -48,8 +48,16 @@ pub(super) struct Sizes<'c> {
     pub(super) scale: &'c Integer,
 }
 
-fn magnitude(row: &[Integer]) -> Integer {
-    row.iter().map(Integer::abs).sum()
+/// Σ |x|, without a copy of each.
+pub(super) fn magnitude(row: &[Integer]) -> Integer {
+    row.iter().fold(Integer::zero(), |mut sum, x| {
+        if x.sign() < 0 {
+            sum -= x;
+        } else {
+            sum += x;
+        }
+        sum
+    })
 }
 
 /// How a cell splits into n, over integers: Δ^{M+1} = DΔ^M, and P^∞ at the new points is
@@ -141,7 +149,17 @@ impl Splitting {
     pub(super) fn sizes<'c>(&self, cell: &'c Cell) -> Sizes<'c> {
         let own = usize::try_from(-self.first).expect("the window holds Δ_0");
         let turn = |pair: &[Vec<Integer>]| -> Integer {
-            pair[1].iter().zip(&pair[0]).map(|(next, this)| (next - this).abs()).sum()
+            let steps = pair[1].iter().zip(&pair[0]);
+            steps.fold(Integer::zero(), |mut sum, (next, this)| {
+                if next < this {
+                    sum += this;
+                    sum -= next;
+                } else {
+                    sum += next;
+                    sum -= this;
+                }
+                sum
+            })
         };
         let spread = cell.rows.iter().map(|row| magnitude(row)).max();
         Sizes {

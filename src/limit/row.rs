@@ -1,5 +1,6 @@
 //! Functionals with integer coefficients, and what refinement makes of them.
 
+use super::cell::magnitude;
 use super::functional::Functional;
 use crate::exact::{CommonDenominator, Integer, Rational};
 use crate::scheme::Rules;
@@ -29,7 +30,7 @@ impl Row {
 
     /// The sum of the absolute coefficients.
     pub(super) fn norm(&self) -> Integer {
-        self.coefficients.iter().map(Integer::abs).sum()
+        magnitude(&self.coefficients)
     }
 }
 

@@ -45,7 +45,9 @@ pub(super) fn solve(
         intervals.iter().map(|(low, _)| low).collect(),
         intervals.iter().map(|(_, high)| high).collect(),
     ];
-    ends.iter_mut().for_each(|ends| ends.sort_unstable());
+    for ends in &mut ends {
+        ends.sort_unstable();
+    }
     // Those that begin up to s less those that end before it.
     let count = |s: &Rational| {
         ends[0].partition_point(|low| *low <= s) - ends[1].partition_point(|high| *high < s)

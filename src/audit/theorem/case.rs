@@ -12,7 +12,7 @@ use crate::diagnostic::Diagnostic;
 use crate::exact::{Rational, RealCyclotomic};
 use crate::formula::FormulaErrorKind;
 use crate::scheme::{Instance, Mask, SchemeError};
-use std::cell::RefCell;
+use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -59,6 +59,8 @@ pub(super) struct Case<'a> {
     pub(super) library: &'a Library<'a>,
     pub(super) values: BTreeMap<String, Rational>,
     pub(super) resolved: Option<Resolved>,
+    /// Whether the bound is proportional to the spread, once that is asked for.
+    pub(super) linear: OnceCell<bool>,
     /// `None` where the program has no exact limits of this kind of scheme.
     pub(super) setting: Option<Rc<dyn Setting>>,
 }
@@ -96,6 +98,7 @@ impl<'a> Case<'a> {
                     library,
                     values: given.clone(),
                     resolved: None,
+                    linear: OnceCell::new(),
                     setting: None,
                 };
                 case.values.extend(case.chosen.iter().cloned());

@@ -3,12 +3,11 @@
 use super::case::Case;
 use crate::audit::quantity::Quantities;
 use crate::audit::reading::Settings;
-use crate::claim::definitions_in;
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Rational, RealCyclotomic, common_conductor};
 use crate::formula::{FormulaErrorKind, FreeNames, LocatedFormula, Scope, evaluate};
 use std::cell::{Cell, RefCell};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The names that stand for the spread of the control data, which is 1.
 const SPREADS: [&str; 4] = ["beta", "beta_1", "beta_2", "beta_3"];
@@ -86,33 +85,44 @@ impl Case<'_> {
     /// The reading with the values of those definitions in a formula that depend on neither
     /// the level nor the tolerance nor the spread: they are computed once for all of these.
     pub(super) fn prepared(&self, formula: &LocatedFormula, mut settings: Settings) -> Settings {
-        let definitions = self.definitions(&settings).clone();
-        let mut free = FreeNames::new(&definitions);
-        let mut fixed = |name: &str| {
-            let same = |name: &String| self.values.contains_key(name) && !varies(name);
-            !self.has_value(name) && free.of_name(name).iter().all(same)
-        };
-        let used = definitions_in(&definitions, formula);
-        for (name, definition) in used.into_iter().filter(|(name, _)| fixed(name)) {
-            if let Ok(Ok(value)) = self.evaluate(definition, &[], &settings) {
-                settings.known.insert(name.to_owned(), value);
+        let definitions = self.definitions(&settings);
+        let mut free = FreeNames::new(definitions);
+        let same = |name: &String| self.values.contains_key(name) && !varies(name);
+        let (mut met, mut waiting) = (BTreeSet::new(), vec![formula]);
+        let mut known = BTreeMap::new();
+        while let Some(formula) = waiting.pop() {
+            for name in formula.expr.names() {
+                let Some((name, definition)) = definitions.get_key_value(name) else { continue };
+                if self.has_value(name) || !met.insert(name) {
+                    continue;
+                }
+                if !free.of_name(name).iter().all(same) {
+                    waiting.push(definition);
+                } else if let Ok(Ok(value)) = self.evaluate(definition, &[], &settings) {
+                    known.insert(name.clone(), value);
+                }
             }
         }
+        settings.known = known;
         settings
     }
 
-    /// Whether a bound is proportional to the spread.
+    /// Whether the bound of the theorem is proportional to the spread.
     pub(super) fn is_linear(&self, by: &LocatedFormula, k: u32) -> Result<bool, Diagnostic> {
+        if let Some(linear) = self.linear.get() {
+            return Ok(*linear);
+        }
         let settings = self.prepared(by, Settings::default());
         let mut names: Vec<(&str, Rational)> =
             SPREADS.iter().map(|name| (*name, Rational::from(2))).collect();
         names.push((LEVEL, Rational::from(k)));
         let once = self.evaluate(by, &[(LEVEL, Rational::from(k))], &settings)?;
         let twice = self.evaluate(by, &names, &settings)?;
-        Ok(match (once, twice) {
+        let linear = match (once, twice) {
             (Ok(once), Ok(twice)) => &once + &once == twice,
             _ => true,
-        })
+        };
+        Ok(*self.linear.get_or_init(|| linear))
     }
 
     /// The definitions in force.

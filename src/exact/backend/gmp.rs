@@ -28,6 +28,10 @@ pub(in crate::exact) fn pow(a: &Int, exponent: u32) -> Int {
     Int::from(a.pow(exponent))
 }
 
+pub(in crate::exact) fn neg(a: &Int) -> Int {
+    (-a).complete()
+}
+
 pub(in crate::exact) fn sign(a: &Int) -> i8 {
     a.cmp0() as i8
 }

@@ -2,6 +2,7 @@
 
 use super::Form::{Large, Word};
 use super::{Int, Integer};
+use crate::exact::backend;
 use crate::exact::ops::{binary_operator, ring_basics};
 use std::cmp::Ordering;
 use std::ops::Neg;
@@ -46,7 +47,7 @@ impl Neg for &Integer {
             Word(value) => value
                 .checked_neg()
                 .map_or_else(|| Integer(Large(-Int::from(*value))), |value| Integer(Word(value))),
-            Large(value) => Integer::normal(Int::from(-value)),
+            Large(value) => Integer::normal(backend::neg(value)),
         }
     }
 }

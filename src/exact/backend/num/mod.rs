@@ -31,6 +31,10 @@ pub(in crate::exact) fn pow(a: &Int, exponent: u32) -> Int {
     a.pow(exponent)
 }
 
+pub(in crate::exact) fn neg(a: &Int) -> Int {
+    -a
+}
+
 pub(in crate::exact) fn sign(a: &Int) -> i8 {
     match a.sign() {
         Sign::Minus => -1,
