@@ -203,7 +203,7 @@ impl<V: Value> Evaluator<'_, V> {
         let mut value = self.value(first, indices)?;
         for (operator, operand) in rest {
             let right = self.value(operand, indices)?;
-            let result = builtin::apply(*operator, &value, &right);
+            let result = builtin::apply(*operator, value, &right);
             value = self.spend(result.or_else(|kind| fail(kind, &operand.span))?, &operand.span)?;
         }
         Ok(value)
@@ -252,7 +252,7 @@ impl<V: Value> Evaluator<'_, V> {
                 None => term,
                 Some(total) => {
                     let next = match fold {
-                        Fold::Sum => builtin::apply(Operator::Add, &total, &term),
+                        Fold::Sum => builtin::apply(Operator::Add, total, &term),
                         Fold::Max => builtin::greater(&total, &term),
                         Fold::Min => builtin::lesser(&total, &term),
                     };
