@@ -23,7 +23,7 @@ pub enum Setting<'a> {
     /// One mask, or one for each index of a net; and whether each is shown to converge.
     Masks(Vec<Rules<'a>>, bool),
     /// A ring, and what makes of the points of one level those that the next is compared with.
-    Ring(Ring<'a>, Option<Ring<'a>>),
+    Ring(Box<Ring<'a>>, Option<Box<Ring<'a>>>),
 }
 
 impl<'a> Setting<'a> {
@@ -178,7 +178,7 @@ impl<'l> Witness<'l> {
     pub fn value(&self, setting: &Setting<'_>, quantity: &str, level: u32) -> Checked<Value> {
         let off = match (&self.control, setting) {
             (Control::Ring(points, weights), Setting::Ring(ring, earlier)) => {
-                self.of_ring((points, weights), (ring, earlier.as_ref()), quantity, level)?
+                self.of_ring((points, weights), (ring, earlier.as_deref()), quantity, level)?
             }
             (_, Setting::Masks(rules, converge)) => {
                 require(quantity != "distance" || *converge, Reason::NoLimit)?;

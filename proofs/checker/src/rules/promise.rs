@@ -84,7 +84,7 @@ fn setting<'a>(
         return Ok(Rc::clone(known));
     }
     let setting = Rc::new(match ring {
-        Some(ring) => Setting::Ring(Ring::new(library, ring, scope)?, None),
+        Some(ring) => Setting::Ring(Box::new(Ring::new(library, ring, scope)?), None),
         None => Setting::masks(scope, schemes, *offset)?,
     });
     known.insert(key, Rc::clone(&setting));

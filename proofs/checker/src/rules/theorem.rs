@@ -87,7 +87,7 @@ impl<'a> Instance<'a> {
                 (ring(reference)?, claim.text("interpolant").map(ring).transpose()?);
             let alike = earlier.as_ref().is_none_or(|earlier| earlier.names == own.names);
             require(alike, Reason::Malformed("an interpolant of the same points"))?;
-            Setting::Ring(own, earlier)
+            Setting::Ring(Box::new(own), earlier.map(Box::new))
         } else {
             let schemes = paper.library.resolve(reference, &scope)?;
             let offset =
