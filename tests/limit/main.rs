@@ -4,6 +4,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 mod distances;
+mod far;
 mod polygons;
 mod refused;
 mod rings;
