@@ -196,6 +196,9 @@ fn refuted_theorems_have_valid_certificates() {
     }
 }
 
+/// A change, and what it is.
+type Change<'c> = (&'static str, &'c dyn Fn(&mut Violation));
+
 #[test]
 fn wrong_refutations_are_rejected() {
     let paper = paper();
@@ -213,7 +216,7 @@ fn wrong_refutations_are_rejected() {
             rejected(&altered, id, "the refutation of another theorem");
         }
         let Some(kept) = &finding.refutation else { continue };
-        let changes: [(&str, &dyn Fn(&mut Violation)); 4] = [
+        let changes: [Change<'_>; 4] = [
             ("a larger value", &|wrong| wrong.attained.value = &wrong.attained.value + &one),
             ("a larger bound", &|wrong| wrong.bound = &wrong.bound + &one),
             ("another level", &|wrong| wrong.level += 1),

@@ -6,10 +6,12 @@
 use proptest::prelude::*;
 use subcert::audit::{Contradiction, Line, PaperAudit, Search, Slip, Verdict, audit};
 use subcert::bound::{Constants, Operator, Order};
+use subcert::certificate::certificate;
 use subcert::claim::{Paper, read_paper};
 use subcert::diagnostic::SourceText;
 use subcert::exact::{Rational, format::fixed};
 use subcert::scheme::{Scheme, parse_scheme};
+use subcert_check::{Outcome, check};
 
 /// A paper of tables with rows n and columns c, each with an id, a formula, more keys
 /// and cells.
@@ -38,8 +40,16 @@ fn paper(tables: &[(&str, &str, &str, &[Vec<String>])]) -> Paper {
     read_paper(&SourceText::new("k.toml", text)).unwrap_or_else(|error| panic!("{error}"))
 }
 
+/// The audit, which its certificate proves.
 fn judged(paper: &Paper) -> PaperAudit<'_> {
-    audit(paper).unwrap_or_else(|error| panic!("{error}"))
+    let audit = audit(paper).unwrap_or_else(|error| panic!("{error}"));
+    let written = certificate(&audit);
+    assert_eq!(written.omitted, []);
+    let report = check(&paper.source.text, &[&written.text]).expect("a claim file");
+    for (_, id, outcome) in report.claims {
+        assert_eq!(outcome, Outcome::Valid, "{id}: {}", written.text);
+    }
+    audit
 }
 
 /// T_c of the quinary 3-point scheme, whose two orders differ from c = 2 on.

@@ -1,7 +1,7 @@
 //! Convolutions of sequences that claims give by formulas.
 
 use super::options::Options;
-use super::shape::index;
+use super::shape::{index, place};
 use crate::bound::{Recursion, Suprema, convolution_coefficient, convolution_window};
 use crate::exact::{Rational, common_conductor};
 use crate::formula::{Call, CallError, Context, FormulaErrorKind, Lookup, Value};
@@ -61,7 +61,7 @@ fn coefficient<V: Value>(
 ) -> Result<V, CallError> {
     let c = within("the number of convolutions", c, 1..=MAX_COEFFICIENT_CONVOLUTIONS)?;
     let n = within("the arity", n, 2..=16)?;
-    let (l, f) = (index("the index l", l)?, index("the index f", f)?);
+    let (l, f) = (place("the index l", l)?, index("the index f", f)?);
     let recursion = options.recursion()?;
     let names = Names::of(options)?;
     let terms = names.sequence(&names.first, call, context, length)?;

@@ -134,7 +134,7 @@ pub(super) fn shape<V: Value, R: Borrow<Rules<V>>>(
                 let message = format!("from 1 to {most} convolutions here, and not {c}");
                 return Err(CallError::Misuse(message));
             }
-            let (l, f) = (index("the index l", l)?, index("the index f", f)?);
+            let (l, f) = (place("the index l", l)?, index("the index f", f)?);
             let t = sequence(difference().borrow(), order);
             Ok(convolution_coefficient(&t, mask.arity(), c, l, f, recursion))
         }
@@ -159,6 +159,14 @@ const MAX_PRINTED_CONVOLUTIONS: u32 = 3;
 
 /// The greatest absolute value of an index.
 const MAX_INDEX: i64 = 1_000_000;
+
+/// The value of an index that is not negative.
+pub(super) fn place<V: Value>(what: &'static str, value: &V) -> Result<i64, CallError> {
+    match index(what, value)? {
+        negative @ ..0 => Err(CallError::Misuse(format!("{what} is not negative, as {negative}"))),
+        place => Ok(place),
+    }
+}
 
 /// The value of an index, an integer.
 pub(super) fn index<V: Value>(what: &'static str, value: &V) -> Result<i64, CallError> {

@@ -26,6 +26,16 @@ pub struct TableFinding<'a> {
     pub(super) siblings: Vec<Sibling>,
 }
 
+/// What a reading is of.
+#[derive(Clone, Copy)]
+enum Part {
+    /// The whole table.
+    Table,
+    /// A row or column, of which the values stand so many rows down and columns to the
+    /// right. The cells around it are read otherwise.
+    Line((i32, i32)),
+}
+
 /// The places of a paper's tables in groups: tables about a scheme of the same name are
 /// judged together, since one can give away a parameter of the other.
 pub(super) fn related(paper: &Paper) -> Vec<Vec<usize>> {
@@ -91,10 +101,11 @@ fn judge<'a>(
     judge.compare_with_neighbours(&mut cells);
     let (search, needs) = reading::search(&judge, &cells).unwrap_or_default();
     if let Some(search) = &search {
-        let whole = search.best.first().map(|best| (best, (0, 0)));
-        let lines = search.lines.iter().map(|line| (&line.best, line.shift));
-        for (reading, shift) in whole.into_iter().chain(lines) {
-            judge.read_as(reading, shift, &mut cells);
+        if let Some(best) = search.best.first() {
+            judge.read_as(best, Part::Table, &mut cells);
+        }
+        for line in &search.lines {
+            judge.read_as(&line.best, Part::Line(line.shift), &mut cells);
         }
     }
     let siblings = judge.siblings;
@@ -226,9 +237,10 @@ impl Judge<'_> {
     }
 
     /// What a reading makes of the cells that are not as printed: explained, or a
-    /// slip away from its value. With a shift, the values are those of a neighbour.
-    fn read_as(&self, reading: &Explanation, shift: (i32, i32), cells: &mut [Vec<CellFinding>]) {
+    /// slip away from its value.
+    fn read_as(&self, reading: &Explanation, part: Part, cells: &mut [Vec<CellFinding>]) {
         let differs = reading.differs();
+        let shift = if let Part::Line(shift) = part { shift } else { (0, 0) };
         for (row, findings) in cells.iter_mut().enumerate() {
             for (column, finding) in findings.iter_mut().enumerate() {
                 let Cell::Printed(printed) = &self.table.cells[row][column] else { continue };
@@ -244,9 +256,10 @@ impl Judge<'_> {
                     {
                         Verdict::OtherReading
                     }
-                    Verdict::Refuted if !self.is_depth() && shift == (0, 0) => {
-                        self.slip(&printed.decimal, &reading.values, row, column)
-                    }
+                    Verdict::Refuted if !self.is_depth() && shift == (0, 0) => match part {
+                        Part::Table => self.slip(&printed.decimal, &reading.values, row, column),
+                        Part::Line(_) => compare::judge(&printed.decimal, &value, &[]),
+                    },
                     _ => continue,
                 };
                 let mut differs = differs.clone();

@@ -1,7 +1,9 @@
 //! The reading of a table.
 
 use super::block::Block;
-use crate::audit::{AsRead, Difference, Direction, Explanation, FAMILY, Line, TableFinding};
+use crate::audit::{
+    AsRead, Difference, Direction, Explanation, FAMILY, Line, LineReading, Slip, TableFinding,
+};
 use crate::claim::Paper;
 
 /// The name of the rounding of decimals in reports, and in certificates.
@@ -31,7 +33,7 @@ const ROUNDED: [(&str, Option<Direction>); 3] = [
 /// The readings of a table, and of its rows and columns.
 pub(super) struct Readings<'f> {
     table: Option<&'f Explanation>,
-    lines: Vec<(Line, &'f Explanation)>,
+    lines: Vec<&'f LineReading>,
 }
 
 impl<'f> Readings<'f> {
@@ -39,9 +41,12 @@ impl<'f> Readings<'f> {
         let search = finding.search.as_ref();
         let table = search.and_then(|search| search.best.first());
         let lines = search.into_iter().flat_map(|search| &search.lines);
-        // The format has no words for values that stand in the next row or column.
-        let lines = lines.filter(|line| line.shift == (0, 0));
-        Readings { table, lines: lines.map(|line| (line.line, &line.best)).collect() }
+        Readings { table, lines: lines.collect() }
+    }
+
+    /// Whether everything is as printed.
+    pub(super) fn is_empty(&self) -> bool {
+        self.table.is_none() && self.lines.is_empty()
     }
 
     /// The lines `read …`, and those of rows and columns.
@@ -51,30 +56,38 @@ impl<'f> Readings<'f> {
                 block.try_line(line);
             }
         }
-        for (i, (line, reading)) in self.lines.iter().enumerate() {
-            if self.lines[..i].iter().any(|(other, _)| other == line) {
-                block.give_up(format!("{} has two readings", name(*line)));
+        for (i, line) in self.lines.iter().enumerate() {
+            let name = name(line);
+            if self.lines[..i].iter().any(|other| self::name(other) == name) {
+                block.give_up(format!("{name} has two readings"));
             }
-            block.line(name(*line));
-            for line in lines(paper, reading) {
+            block.line(name);
+            for line in lines(paper, &line.best) {
                 block.try_line(line);
             }
         }
     }
 
     /// How a cell comes from the reading that it is read by: rounded otherwise, and by
-    /// the reading of which row or column.
+    /// the reading of which row or column; `slip` is the one that is left.
     pub(super) fn by(
         &self,
         read: &AsRead,
+        slip: Option<&Slip>,
         at: (usize, usize),
     ) -> Result<(&'static str, String), String> {
         let table = self.table.map(|reading| (reading, String::new()));
-        let lines = self.lines.iter().filter(|(line, _)| match line {
-            Line::Row(row) => *row == at.0,
-            Line::Column(column) => *column == at.1,
+        let lines = self.lines.iter().filter(|line| match line.line {
+            Line::Row(row) => row == at.0,
+            Line::Column(column) => column == at.1,
         });
-        let lines = lines.map(|(line, reading)| (*reading, format!(" by {}", name(*line))));
+        // A shift is the slip of all cells that it explains.
+        let lines = lines.filter(|line| match (line.shift, slip) {
+            ((0, 0), slip) => !matches!(slip, Some(Slip::Neighbour(..))),
+            (shift, Some(Slip::Neighbour(rows, columns))) => shift == (*rows, *columns),
+            _ => false,
+        });
+        let lines = lines.map(|line| (&line.best, format!(" by {}", name(line))));
         for (reading, by) in table.into_iter().chain(lines) {
             if reading.values[at.0][at.1].as_ref() != Some(&read.value) {
                 continue;
@@ -90,11 +103,15 @@ impl<'f> Readings<'f> {
     }
 }
 
-/// `row 1` or `column 1`.
-fn name(line: Line) -> String {
-    match line {
+/// `row 1`, or `column 1 from 0 1`.
+fn name(reading: &LineReading) -> String {
+    let line = match reading.line {
         Line::Row(row) => format!("row {}", row + 1),
         Line::Column(column) => format!("column {}", column + 1),
+    };
+    match reading.shift {
+        (0, 0) => line,
+        (rows, columns) => format!("{line} from {rows} {columns}"),
     }
 }
 

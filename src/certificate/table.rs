@@ -31,17 +31,11 @@ pub(super) fn block(paper: &Paper, finding: &TableFinding<'_>) -> Block {
                 Ok(evidence) => promise::lines(&mut block, &evidence),
                 Err(error) => block.give_up(error.message),
             }
-            if cells(finding).any(|cell| cell.verdict == Verdict::Refuted) {
-                refuted(&mut block, paper, finding, evidence.scale.as_deref());
-            }
+            family(&mut block, paper, finding, &readings, evidence.scale.as_deref());
         }
         Err(error) => block.give_up(error.message),
     }
     block
-}
-
-fn cells<'f>(finding: &'f TableFinding<'_>) -> impl Iterator<Item = &'f CellFinding> {
-    finding.cells.iter().flatten()
 }
 
 fn sound(cell: &SoundCell) -> String {
@@ -49,14 +43,30 @@ fn sound(cell: &SoundCell) -> String {
     format!("sound {} {} {levels} {block} {value}", row + 1, column + 1)
 }
 
-/// What makes cells refuted: the whole family.
-fn refuted(block: &mut Block, paper: &Paper, finding: &TableFinding<'_>, scale: Option<&str>) {
-    if cells(finding).any(|cell| cell.printed.is_some() && !cell.assumed.is_empty()) {
+/// What makes cells refuted, and a reading better than luck: the whole family.
+fn family(
+    block: &mut Block,
+    paper: &Paper,
+    finding: &TableFinding<'_>,
+    read: &Readings<'_>,
+    scale: Option<&str>,
+) {
+    let places = finding.cells.iter().enumerate().flat_map(|(row, cells)| {
+        cells.iter().enumerate().map(move |(column, cell)| ((row, column), cell))
+    });
+    let refuted = places.filter(|(_, cell)| cell.verdict == Verdict::Refuted);
+    let refuted: Vec<(usize, usize)> = refuted.map(|(place, _)| place).collect();
+    let mut printed = finding.cells.iter().flatten().filter(|cell| cell.printed.is_some());
+    let plain = printed.all(|cell| cell.assumed.is_empty());
+    if refuted.is_empty() && (!plain || read.is_empty()) {
+        return;
+    }
+    if !plain {
         return block.give_up("some cells are refuted, and others need assumptions");
     }
     let best = finding.search.as_ref().and_then(|search| search.best.first());
     match readings(paper, finding) {
-        Ok(readings) => family::lines(block, paper, &readings, best, scale),
+        Ok(readings) => family::lines(block, paper, &readings, best, scale, &refuted),
         Err(error) => block.give_up(error.message),
     }
 }
@@ -82,19 +92,18 @@ fn verdict(
     readings: &Readings<'_>,
     at: (usize, usize),
 ) -> Result<String, String> {
-    let read = |slip: &str| {
+    let read = |slip: Option<&Slip>| {
         let read = cell.as_read.as_ref().ok_or("a cell is read otherwise, without a value")?;
-        let (rounding, by) = readings.by(read, at)?;
+        let (rounding, by) = readings.by(read, slip, at)?;
+        let slip = slip.map_or(String::new(), |slip| format!(" misprint {}", name(slip)));
         Ok::<String, String>(format!("other-reading {}{rounding}{slip}{by}", closed(&read.value)))
     };
     Ok(match verdict {
         Verdict::Confirmed => "confirmed".to_owned(),
         Verdict::Rounding(direction) => format!("rounding {}", way(*direction)),
-        Verdict::Misprint(slip) if cell.as_read.is_some() => {
-            read(&format!(" misprint {}", name(slip)?))?
-        }
-        Verdict::Misprint(slip) => format!("misprint {}", name(slip)?),
-        Verdict::OtherReading => read("")?,
+        Verdict::Misprint(slip) if cell.as_read.is_some() => read(Some(slip))?,
+        Verdict::Misprint(slip) => format!("misprint {}", name(slip)),
+        Verdict::OtherReading => read(None)?,
         Verdict::Refuted if cell.verdict_if_assumed.is_some() => "differs".to_owned(),
         Verdict::Refuted => "refuted".to_owned(),
         Verdict::NotCheckable(Missing::Capacity(why)) => return Err(why.clone()),
@@ -111,13 +120,13 @@ fn way(direction: Direction) -> &'static str {
     }
 }
 
-fn name(slip: &Slip) -> Result<String, String> {
-    Ok(match slip {
+fn name(slip: &Slip) -> String {
+    match slip {
         Slip::Digit { position, .. } => format!("digit {position}"),
         Slip::Swap(position) => format!("swap {position}"),
         Slip::Exponent(places) => format!("exponent {places}"),
         Slip::Sign => "sign".to_owned(),
         Slip::Neighbour(rows, columns) => format!("neighbour {rows} {columns}"),
-        Slip::Exchanged(..) => return Err("two cells are exchanged".to_owned()),
-    })
+        Slip::Exchanged(rows, columns) => format!("exchanged {rows} {columns}"),
+    }
 }

@@ -1,6 +1,7 @@
 //! Limits and distances: against deep refinement, against closed forms, and
 //! against what polygons do.
 
+mod changes;
 #[path = "../common/mod.rs"]
 mod common;
 mod distances;

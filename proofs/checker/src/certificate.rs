@@ -1,6 +1,6 @@
 //! Certificates: lines, and blocks of lines.
 
-use crate::reject::{Checked, Reason, Rejection};
+use crate::reject::{Checked, Reason, Rejection, require};
 
 /// The first line of a certificate.
 const VERSION: &str = "subcert-certificate 1";
@@ -31,46 +31,67 @@ impl<'a> Line<'a> {
         let (word, rest) = self.text.split_once(' ').unwrap_or((self.text, ""));
         (word, rest.trim_start())
     }
-
-    /// What follows a word that has to stand first.
-    pub fn after(&self, word: &'static str) -> Checked<&'a str> {
-        let (found, rest) = self.word();
-        if found == word { Ok(rest) } else { Err(self.reject(Reason::Malformed(word))) }
-    }
 }
 
-/// A claim's line, and the lines indented under it.
+/// A claim's line, and the lines indented under it, which are taken one by one.
 #[derive(Debug)]
 pub struct Block<'a> {
     /// `table table-1`, …
     pub head: Line<'a>,
     lines: Vec<Line<'a>>,
-    at: usize,
+    taken: usize,
+    /// The number of the line at hand.
+    pub at: usize,
 }
 
 impl<'a> Block<'a> {
     /// The next line, if there is one.
     pub fn peek(&self) -> Option<Line<'a>> {
-        self.lines.get(self.at).copied()
+        self.lines.get(self.taken).copied()
     }
 
-    /// Takes the next line if it begins with this word.
-    pub fn optional(&mut self, word: &str) -> Option<(Line<'a>, &'a str)> {
+    /// The first word of the next line; nothing if there is none.
+    pub fn next_word(&self) -> &'a str {
+        self.peek().map_or("", |line| line.word().0)
+    }
+
+    /// Takes the next line if it begins with this word, and gives the rest of it.
+    pub fn maybe(&mut self, word: &str) -> Option<&'a str> {
         let line = self.peek().filter(|line| line.word().0 == word)?;
-        self.at += 1;
-        Some((line, line.word().1))
+        self.taken += 1;
+        self.at = line.number;
+        Some(line.word().1)
     }
 
-    /// Takes the next line, which has to begin with this word.
-    pub fn take(&mut self, word: &'static str) -> Checked<(Line<'a>, &'a str)> {
-        let line = self.peek().unwrap_or(self.head);
-        self.optional(word).ok_or(line.reject(Reason::Malformed(word)))
+    /// Goes on to the next line without taking it; back to the head if there is none.
+    pub fn look(&mut self) {
+        self.at = self.peek().unwrap_or(self.head).number;
+    }
+
+    /// Takes the next line, which has to begin with this word, and gives the rest of it.
+    pub fn after(&mut self, word: &'static str) -> Checked<&'a str> {
+        self.look();
+        self.maybe(word).ok_or(Reason::Malformed(word).into())
+    }
+
+    /// Takes the next line, and gives its first word and the rest.
+    pub fn any(&mut self) -> Checked<(&'a str, &'a str)> {
+        self.look();
+        let line = self.peek().ok_or(Reason::Malformed("another line"))?;
+        self.taken += 1;
+        Ok(line.word())
+    }
+
+    /// Takes the next line, which has to repeat a text of the claim file, up to blanks.
+    pub fn restates(&mut self, word: &'static str, text: Option<&str>) -> Checked<()> {
+        let said = self.after(word)?.split_whitespace();
+        require(text.is_some_and(|text| text.split_whitespace().eq(said)), Reason::Restated(word))
     }
 
     /// Takes the next line, which has to be this word alone.
     pub fn word(&mut self, word: &'static str) -> Checked<()> {
-        let (line, rest) = self.take(word)?;
-        if rest.is_empty() { Ok(()) } else { Err(line.reject(Reason::Malformed(word))) }
+        let rest = self.after(word)?;
+        require(rest.is_empty(), Reason::Malformed(word))
     }
 
     /// The last line.
@@ -79,9 +100,9 @@ impl<'a> Block<'a> {
     }
 
     /// Makes sure that every line has been taken.
-    pub fn finished(&self) -> Checked<()> {
-        let left = self.peek().map(|line| line.reject(Reason::Malformed("the end of the block")));
-        left.map_or(Ok(()), Err)
+    pub fn finished(&mut self) -> Checked<()> {
+        self.look();
+        require(self.peek().is_none(), Reason::Malformed("the end of the block"))
     }
 }
 
@@ -116,7 +137,9 @@ pub fn blocks<'a>(text: &'a str, key: &str) -> Checked<Vec<Block<'a>>> {
                 }
                 ended = true;
             }
-            _ if !indented => blocks.push(Block { head: line, lines: Vec::new(), at: 0 }),
+            _ if !indented => {
+                blocks.push(Block { head: line, lines: Vec::new(), taken: 0, at: number });
+            }
             _ => match blocks.last_mut() {
                 Some(block) => block.lines.push(line),
                 None => return Err(line.reject(Reason::Malformed("a claim"))),

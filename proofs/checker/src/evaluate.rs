@@ -1,14 +1,12 @@
 //! From formula to value.
 
-use crate::decimal::{Q, int};
-use crate::formula::Expr;
+use crate::formula::{Expr, Head};
 use crate::functions;
-use crate::memo::Memo;
-use crate::number::Number;
+use crate::paper::Definitions;
 use crate::reading::Reading;
+use crate::reject::Stop;
 use crate::scheme::{Library, Scheme};
-use crate::value::{Piece, Stop, Value};
-use num_traits::{One, ToPrimitive};
+use crate::value::{Piece, Value};
 use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
@@ -20,11 +18,8 @@ pub const MAX_STEPS: u64 = 20_000_000;
 /// How deep formulas may be nested, those that are entered by name included.
 const MAX_DEPTH: usize = 200;
 
-/// How deep named formulas may refer to named formulas.
-const MAX_DEFINITIONS: usize = 32;
-
 /// The greatest integer that indices and exponents are read as.
-const MAX_INTEGER: i64 = 1_000_000;
+pub const MAX_INTEGER: i64 = 1_000_000;
 
 /// The indices of the sums around a formula, the innermost last.
 pub type Indices = Vec<(String, Value)>;
@@ -32,7 +27,7 @@ pub type Indices = Vec<(String, Value)>;
 /// What names mean.
 pub struct Scope<'a> {
     /// The formulas that names stand for.
-    pub definitions: &'a BTreeMap<String, Rc<Expr>>,
+    pub definitions: &'a Definitions,
     /// Names with values; they go before definitions.
     pub values: BTreeMap<String, Value>,
     /// Names that exist, without a value.
@@ -45,38 +40,34 @@ pub struct Scope<'a> {
     pub piece: Option<Piece>,
     /// The way in which the options of functions are read.
     pub reading: &'a Reading,
-    /// Values of definitions that are known already; not where members of families have values.
-    pub memo: Option<&'a Memo>,
     /// The schemes, and what is known of them.
     pub library: &'a Library<'a>,
-    /// How many definitions are entered.
-    pub entered: Cell<usize>,
     /// How deep the evaluation is.
-    pub depth: Cell<usize>,
+    depth: Cell<usize>,
     /// Whether this is inside of `cos`, where `pi` has a meaning.
-    pub angle: Cell<bool>,
+    angle: Cell<bool>,
 }
 
 impl<'a> Scope<'a> {
     /// A scope in which nothing has a value.
     pub fn new(
-        definitions: &'a BTreeMap<String, Rc<Expr>>,
+        definitions: &'a Definitions,
         library: &'a Library<'a>,
         reading: &'a Reading,
     ) -> Scope<'a> {
+        let (values, unstated, families) = Default::default();
+        let (scheme, piece, depth, angle) = Default::default();
         Scope {
             definitions,
-            values: BTreeMap::new(),
-            unstated: BTreeSet::new(),
-            families: BTreeSet::new(),
-            scheme: None,
-            piece: None,
+            values,
+            unstated,
+            families,
+            scheme,
+            piece,
             reading,
-            memo: None,
             library,
-            entered: Cell::new(0),
-            depth: Cell::new(0),
-            angle: Cell::new(false),
+            depth,
+            angle,
         }
     }
 
@@ -92,60 +83,47 @@ impl<'a> Scope<'a> {
             return Err(Stop::Capped("the nesting of formulas"));
         }
         self.depth.set(self.depth.get() + 1);
-        let value = self.node(expr, indices);
+        let value = match expr {
+            Expr::Number(value) => Ok(Value::from(value.clone())),
+            Expr::Name(name) => self.name(name, indices),
+            Expr::Of(Head::Over(fold, index), parts) => self.over(fold, index, parts, indices),
+            Expr::Of(head, parts) => self.of(head, parts, indices),
+        };
         self.depth.set(self.depth.get() - 1);
         value
     }
 
-    fn node(&self, expr: &Expr, indices: &mut Indices) -> Result<Value, Stop> {
-        match expr {
-            Expr::Number(value) => Ok(Value::from(value.clone())),
-            Expr::Name(name) => self.name(name, indices),
-            Expr::Member(name, positions) => {
-                let mut key = Vec::new();
-                for position in positions {
-                    let position = self.evaluate(position, indices)?;
-                    key.push(position.integer(MAX_INTEGER)?.to_string());
-                }
-                self.name(&format!("{name}[{}]", key.join(",")), indices)
-            }
-            Expr::Minus(operand) => Value::int(0).plus(-1, &self.evaluate(operand, indices)?),
-            Expr::Chain(first, rest) => {
-                let mut value = self.evaluate(first, indices)?;
-                for (operator, operand) in rest {
-                    let right = self.evaluate(operand, indices)?;
-                    value = match operator {
-                        '+' => value.add(1, &right)?,
-                        '-' => value.add(-1, &right)?,
-                        '*' => {
-                            self.library.spend(value.cost(&right))?;
-                            value.times(&right)?
+    fn of(&self, head: &Head, parts: &[Expr], indices: &mut Indices) -> Result<Value, Stop> {
+        let cosine = matches!(head, Head::Call(name, _) if name == "cos");
+        let outside = self.angle.replace(self.angle.get() || cosine);
+        let values = parts.iter().map(|part| self.evaluate(part, indices));
+        let values = values.collect::<Result<Vec<Value>, Stop>>();
+        self.angle.set(outside);
+        match (head, &values?[..]) {
+            (Head::Member(family), positions) => self.name(&member(family, positions)?, indices),
+            (Head::Minus, [x]) => x.negated(),
+            (Head::Chain(operators), [first, rest @ ..]) => {
+                operators.iter().zip(rest).try_fold(first.clone(), |value, (operator, right)| {
+                    match operator {
+                        '+' => value.plus(1, right),
+                        '-' => value.minus(right),
+                        '/' => value.over(right),
+                        _ => {
+                            self.library.spend(value.cost(right))?;
+                            value.times(right)
                         }
-                        _ => value.over(&right)?,
-                    };
-                }
-                Ok(value)
+                    }
+                })
             }
-            Expr::Power(base, exponent) => {
-                let base = self.evaluate(base, indices)?;
-                let exponent = self.evaluate(exponent, indices)?.integer(MAX_INTEGER)?;
-                let power = base.power(exponent)?;
+            (Head::Power, [base, exponent]) => {
+                let power = base.power(exponent.integer(MAX_INTEGER)?)?;
                 self.library.spend(power.cost(&power))?;
                 Ok(power)
             }
-            Expr::Call(name, arguments, _) if name == "cos" => self.cosine(arguments, indices),
-            Expr::Call(name, arguments, options) => {
-                let mut values = Vec::with_capacity(arguments.len());
-                for argument in arguments {
-                    values.push(self.evaluate(argument, indices)?);
-                }
-                match self.own_function(name, &values) {
-                    Some(value) if options.is_empty() => value,
-                    Some(_) => Err(Stop::Wrong(format!("`{name}` takes no options"))),
-                    None => functions::call(self, name, &values, options, indices),
-                }
+            (Head::Call(name, options), values) => {
+                functions::call(self, name, values, options, indices)
             }
-            Expr::Over(fold, index, parts) => self.over(fold, index, parts, indices),
+            _ => Err(Stop::Wrong("this is no formula".into())),
         }
     }
 
@@ -164,64 +142,22 @@ impl<'a> Scope<'a> {
         if name.split_once('[').is_some_and(|(family, _)| self.families.contains(family)) {
             return Ok(Value::symbol(name));
         }
-        let Some(definition) = self.definitions.get(name) else {
-            return Err(Stop::Wrong(format!("`{name}` is unknown")));
-        };
-        if self.entered.get() == MAX_DEFINITIONS {
-            return Err(Stop::Wrong(format!("`{name}` is defined by itself, or too deep")));
-        }
-        self.entered.set(self.entered.get() + 1);
+        let definition = self.definitions.get(name);
+        let definition = definition.ok_or_else(|| Stop::Wrong(format!("`{name}` is unknown")))?;
         let angle = self.angle.replace(false);
-        let value = match self.memo.filter(|_| indices.is_empty()) {
-            Some(memo) => self.known(memo, name, definition),
-            None => self.evaluate(definition, indices),
-        };
+        let value = self.evaluate(definition, indices);
         self.angle.set(angle);
-        self.entered.set(self.entered.get() - 1);
         value
-    }
-
-    /// The value of a definition outside of sums, evaluated once for each meaning of the
-    /// names in it.
-    fn known(&self, memo: &Memo, name: &str, definition: &Expr) -> Result<Value, Stop> {
-        let free = memo.names(name, definition, self.definitions);
-        let meanings = free.iter().map(|name| self.values.get(name).cloned());
-        let meanings: Vec<Option<Value>> = meanings.collect();
-        let scheme = self.scheme.as_ref().map_or(0, |scheme| Rc::as_ptr(scheme) as usize);
-        if let Some(value) = memo.get(name, scheme, &meanings) {
-            return Ok(value);
-        }
-        let value = self.evaluate(definition, &mut Vec::new())?;
-        memo.keep(name, scheme, meanings, &value);
-        Ok(value)
-    }
-
-    fn cosine(&self, arguments: &[Expr], indices: &mut Indices) -> Result<Value, Stop> {
-        let wrong = || Stop::Wrong("`cos` takes one rational multiple of pi".into());
-        let [argument] = arguments else { return Err(wrong()) };
-        let outer = self.angle.replace(true);
-        let angle = self.evaluate(argument, indices);
-        self.angle.set(outer);
-        let multiple = match angle? {
-            Value::Number(number) if number.is_zero() => int(0),
-            Value::Polynomial(terms) if terms.len() == 1 => {
-                let only = terms.into_iter().next();
-                let only = only.filter(|(monomial, _)| *monomial == [("pi".into(), 1)]);
-                only.and_then(|(_, multiple)| multiple.rational()).ok_or_else(wrong)?
-            }
-            _ => return Err(wrong()),
-        };
-        let cosine = Number::cosine(&(multiple / int(2)));
-        cosine.map(Value::Number).ok_or(Stop::Capped("the field of the cosines"))
     }
 
     fn over(
         &self,
         fold: &str,
         index: &str,
-        [from, to, body]: &[Expr; 3],
+        parts: &[Expr],
         indices: &mut Indices,
     ) -> Result<Value, Stop> {
+        let [from, to, body] = parts else { return Err(Stop::Wrong("a range".into())) };
         let from = self.evaluate(from, indices)?.integer(MAX_INTEGER)?;
         let to = self.evaluate(to, indices)?.integer(MAX_INTEGER)?;
         let mut total = (fold == "sum").then(|| Value::int(0));
@@ -229,66 +165,26 @@ impl<'a> Scope<'a> {
             indices.push((index.to_owned(), Value::int(i)));
             let term = self.evaluate(body, indices);
             indices.pop();
-            let term = term?;
             total = Some(match total {
-                None => term,
-                Some(total) => match fold {
-                    "sum" => total.add(1, &term)?,
-                    "max" => total.max(&term, self.piece.as_ref())?,
-                    _ => self.min(&total, &term)?,
-                },
+                None => term?,
+                Some(total) => self.join(fold, &total, &term?)?,
             });
         }
         total.ok_or_else(|| Stop::Wrong("an extreme of nothing".into()))
     }
 
-    /// min(a, b) = a + b − max(a, b).
-    fn min(&self, a: &Value, b: &Value) -> Result<Value, Stop> {
-        a.plus(1, b)?.plus(-1, &a.max(b, self.piece.as_ref())?)
-    }
-
-    /// The functions of the language itself; `None` for others.
-    fn own_function(&self, name: &str, arguments: &[Value]) -> Option<Result<Value, Stop>> {
-        let piece = self.piece.as_ref();
-        let whole = |value: &Value| Ok(Value::from(Q::from_integer(value.floor()?)));
-        Some(match (name, arguments) {
-            ("abs", [x]) => x.abs(piece),
-            ("max", [first, rest @ ..]) => {
-                rest.iter().try_fold(first.clone(), |best, x| best.max(x, piece))
-            }
-            ("min", [first, rest @ ..]) => {
-                rest.iter().try_fold(first.clone(), |best, x| self.min(&best, x))
-            }
-            ("floor", [x]) => whole(x),
-            ("ceil", [x]) => Value::int(0)
-                .plus(-1, x)
-                .and_then(|x| whole(&x))
-                .and_then(|floor| Value::int(0).plus(-1, &floor)),
-            ("mod", [x, m]) => {
-                let quotient = x.over(m).and_then(|quotient| whole(&quotient));
-                quotient.and_then(|quotient| x.plus(-1, &m.times(&quotient)?))
-            }
-            ("kronecker", [a, b]) => a.plus(-1, b).and_then(|difference| {
-                difference.number().map(|_| Value::int(i64::from(difference.is_zero())))
-            }),
-            ("binomial", [top, bottom]) => self.binomial(top, bottom),
-            ("abs" | "max" | "min" | "floor" | "ceil" | "mod" | "kronecker" | "binomial", _) => {
-                Err(Stop::Wrong(format!("`{name}` does not take {} arguments", arguments.len())))
-            }
-            _ => return None,
-        })
-    }
-
-    /// top(top − 1)…(top − bottom + 1)/bottom!, and 0 for bottom < 0.
-    fn binomial(&self, top: &Value, bottom: &Value) -> Result<Value, Stop> {
-        let bottom = bottom.integer(10_000)?;
-        if bottom < 0 {
-            return Ok(Value::int(0));
+    /// The `sum`, `max` or `min` of two values.
+    pub fn join(&self, fold: &str, a: &Value, b: &Value) -> Result<Value, Stop> {
+        match fold {
+            "sum" => a.plus(1, b),
+            "max" => a.max(b, self.piece.as_ref()),
+            _ => a.negated()?.max(&b.negated()?, self.piece.as_ref())?.negated(),
         }
-        self.library.spend(bottom.to_u64().unwrap_or(0))?;
-        (0..bottom).try_fold(Value::from(Q::one()), |product, i| {
-            let factor = top.plus(-1, &Value::int(i))?;
-            product.times(&factor)?.over(&Value::int(i + 1))
-        })
     }
+}
+
+/// The name of a member of a family.
+pub fn member(family: &str, positions: &[Value]) -> Result<String, Stop> {
+    let positions = positions.iter().map(|i| Ok(i.integer(MAX_INTEGER)?.to_string()));
+    Ok(format!("{family}[{}]", positions.collect::<Result<Vec<_>, Stop>>()?.join(",")))
 }

@@ -1,6 +1,9 @@
 //! Formulas: from text to tree.
 
+use crate::cursor::{Cursor, Parsed};
 use crate::decimal::{Decimal, Q};
+use crate::paper::Definitions;
+use std::collections::BTreeSet;
 
 /// The longest formula of a claim file, in characters.
 pub const MAX_LENGTH: usize = 4_096;
@@ -15,42 +18,64 @@ pub enum Expr {
     Number(Q),
     /// A name.
     Name(String),
+    /// What is done with the values of other formulas.
+    Of(Head, Vec<Expr>),
+}
+
+/// What can be done with values.
+#[derive(Clone, Debug)]
+pub enum Head {
     /// A member of a family: `q[2*i-1]`.
-    Member(String, Vec<Expr>),
+    Member(String),
     /// −x.
-    Minus(Box<Expr>),
-    /// Operators of one precedence, from left to right.
-    Chain(Box<Expr>, Vec<(char, Expr)>),
+    Minus,
+    /// Operators of one precedence, between the values from left to right.
+    Chain(Vec<char>),
     /// base^exponent.
-    Power(Box<Expr>, Box<Expr>),
-    /// A function with its arguments and options.
-    Call(String, Vec<Expr>, Vec<(String, String)>),
-    /// `sum`, `max` or `min` over an index from … to … of a body.
-    Over(String, String, Box<[Expr; 3]>),
+    Power,
+    /// A function, with its options.
+    Call(String, Vec<(String, String)>),
+    /// `sum`, `max` or `min` over an index; the values are its first and last, and the body.
+    Over(String, String),
 }
 
 /// Reads a formula of at most `longest` characters.
 pub fn parse(text: &str, longest: usize) -> Result<Expr, String> {
-    let characters: Vec<char> = text.chars().collect();
-    if characters.len() > longest {
+    if text.chars().count() > longest {
         return Err(format!("a formula of more than {longest} characters"));
     }
-    let mut parser = Parser { text: &characters, at: 0, depth: 0 };
+    let mut parser = Parser { text: Cursor::new(text), depth: 0 };
     parser.space();
-    let parsed = parser.sum().and_then(|expr| match parser.peek() {
+    let parsed = parser.sum().and_then(|expr| match parser.text.peek() {
         None => Ok(expr),
         Some(_) => Err("an operator or the end"),
     });
-    parsed.map_err(|expected| {
-        format!("expected {expected} at character {} of `{text}`", parser.at + 1)
-    })
+    parsed.map_err(|what| format!("{} of `{text}`", parser.text.expected(what)))
 }
 
-type Parsed<T> = Result<T, &'static str>;
+/// All names in a formula and in the definitions that it leads to.
+pub fn names(expr: &Expr, definitions: &Definitions) -> BTreeSet<String> {
+    let (mut names, mut waiting) = (BTreeSet::new(), vec![expr]);
+    while let Some(expr) = waiting.pop() {
+        let found: Vec<&String> = match expr {
+            Expr::Name(name) | Expr::Of(Head::Member(name), _) => vec![name],
+            Expr::Of(Head::Call(_, options), _) => options.iter().map(|(_, word)| word).collect(),
+            Expr::Number(_) | Expr::Of(..) => Vec::new(),
+        };
+        if let Expr::Of(_, parts) = expr {
+            waiting.extend(parts);
+        }
+        for name in found {
+            if names.insert(name.clone()) {
+                waiting.extend(definitions.get(name).map(|definition| &**definition));
+            }
+        }
+    }
+    names
+}
 
-struct Parser<'a> {
-    text: &'a [char],
-    at: usize,
+struct Parser {
+    text: Cursor,
     depth: usize,
 }
 
@@ -64,38 +89,25 @@ fn continues_name(c: char) -> bool {
 
 /// Whether this can be the name of a parameter.
 pub fn is_name(text: &str) -> bool {
-    text.chars().next().is_some_and(starts_name) && text.chars().all(continues_name)
+    text.starts_with(starts_name) && text.chars().all(continues_name)
 }
 
-impl Parser<'_> {
-    fn peek(&self) -> Option<char> {
-        self.text.get(self.at).copied()
-    }
-
+impl Parser {
     fn space(&mut self) {
-        while self.peek().is_some_and(char::is_whitespace) {
-            self.at += 1;
+        self.text.take(char::is_whitespace);
+    }
+
+    /// Takes a token and the blanks behind it.
+    fn eat(&mut self, token: &str) -> bool {
+        let found = self.text.eat(token);
+        if found {
+            self.space();
         }
+        found
     }
 
-    /// Takes one of these characters, and the blanks behind it.
-    fn one_of(&mut self, choice: &[char]) -> Option<char> {
-        let c = self.peek().filter(|c| choice.contains(c))?;
-        self.at += 1;
-        self.space();
-        Some(c)
-    }
-
-    fn expect(&mut self, c: char, expected: &'static str) -> Parsed<()> {
-        self.one_of(&[c]).map(|_| ()).ok_or(expected)
-    }
-
-    fn take(&mut self, fits: impl Fn(char) -> bool) -> String {
-        let start = self.at;
-        while self.peek().is_some_and(&fits) {
-            self.at += 1;
-        }
-        self.text[start..self.at].iter().collect()
+    fn expect(&mut self, token: &str, expected: &'static str) -> Parsed<()> {
+        if self.eat(token) { Ok(()) } else { Err(expected) }
     }
 
     fn nested<T>(&mut self, parse: impl Fn(&mut Self) -> Parsed<T>) -> Parsed<T> {
@@ -110,46 +122,48 @@ impl Parser<'_> {
 
     fn chain(
         &mut self,
-        operators: &[char],
+        operators: [(&str, char); 3],
         operand: impl Fn(&mut Self) -> Parsed<Expr>,
     ) -> Parsed<Expr> {
-        let first = operand(self)?;
-        let mut rest = Vec::new();
-        while let Some(operator) = self.one_of(operators) {
-            let operator = match operator {
-                '\u{2212}' => '-',
-                '·' => '*',
-                other => other,
-            };
-            rest.push((operator, operand(self)?));
+        let (mut found, mut operands) = (Vec::new(), vec![operand(self)?]);
+        while let Some((_, operator)) = operators.iter().find(|(token, _)| self.eat(token)) {
+            found.push(*operator);
+            operands.push(operand(self)?);
         }
-        Ok(if rest.is_empty() { first } else { Expr::Chain(Box::new(first), rest) })
+        Ok(match operands.pop() {
+            Some(only) if found.is_empty() => only,
+            last => {
+                operands.extend(last);
+                Expr::Of(Head::Chain(found), operands)
+            }
+        })
     }
 
     fn sum(&mut self) -> Parsed<Expr> {
-        self.chain(&['+', '-', '\u{2212}'], |parser| parser.chain(&['*', '/', '·'], Self::factor))
+        self.chain([("+", '+'), ("-", '-'), ("\u{2212}", '-')], |parser| {
+            parser.chain([("*", '*'), ("/", '/'), ("·", '*')], Self::factor)
+        })
     }
 
     /// `-x^2` is `-(x^2)`, and `x^-2` is `x^(-2)`.
     fn factor(&mut self) -> Parsed<Expr> {
-        if self.one_of(&['-', '\u{2212}']).is_some() {
-            return Ok(Expr::Minus(Box::new(self.nested(Self::factor)?)));
+        if self.eat("-") || self.eat("\u{2212}") {
+            return Ok(Expr::Of(Head::Minus, vec![self.nested(Self::factor)?]));
         }
         let base = self.primary()?;
-        if self.one_of(&['^']).is_none() {
+        if !self.eat("^") {
             return Ok(base);
         }
-        let exponent = self.nested(Self::factor)?;
-        Ok(Expr::Power(Box::new(base), Box::new(exponent)))
+        Ok(Expr::Of(Head::Power, vec![base, self.nested(Self::factor)?]))
     }
 
     fn primary(&mut self) -> Parsed<Expr> {
-        if self.one_of(&['(']).is_some() {
+        if self.eat("(") {
             let inner = self.nested(Self::sum)?;
-            self.expect(')', "an operator or `)`")?;
+            self.expect(")", "an operator or `)`")?;
             return Ok(inner);
         }
-        match self.peek() {
+        match self.text.peek() {
             Some(c) if c.is_ascii_digit() => self.number(),
             Some(c) if starts_name(c) => self.name_or_call(),
             _ => Err("a number, a name or `(`"),
@@ -157,18 +171,18 @@ impl Parser<'_> {
     }
 
     fn number(&mut self) -> Parsed<Expr> {
-        let mut text = self.take(|c| c.is_ascii_digit());
+        let digits = |c: char| c.is_ascii_digit();
+        let mut text = self.text.take(digits);
         // `1..3` is a range.
-        if self.peek() == Some('.') && self.text.get(self.at + 1) != Some(&'.') {
-            self.at += 1;
-            text = format!("{text}.{}", self.take(|c| c.is_ascii_digit()));
+        if !self.text.is_at("..") && self.text.eat(".") {
+            text = format!("{text}.{}", self.text.take(digits));
         }
-        if matches!(self.peek(), Some('e' | 'E')) {
-            self.at += 1;
-            let sign = self.peek().filter(|c| matches!(c, '+' | '-'));
-            self.at += usize::from(sign.is_some());
-            let sign = if sign == Some('-') { "-" } else { "" };
-            text = format!("{text}e{sign}{}", self.take(|c| c.is_ascii_digit()));
+        if self.text.eat("e") || self.text.eat("E") {
+            let sign = if self.text.eat("-") { "-" } else { "" };
+            if sign.is_empty() {
+                self.text.eat("+");
+            }
+            text = format!("{text}e{sign}{}", self.text.take(digits));
         }
         let decimal = Decimal::read(&text).ok_or("a number")?;
         self.space();
@@ -177,64 +191,60 @@ impl Parser<'_> {
 
     fn list(&mut self) -> Parsed<Vec<Expr>> {
         let mut list = vec![self.sum()?];
-        while self.one_of(&[',']).is_some() {
+        while self.eat(",") {
             list.push(self.sum()?);
         }
         Ok(list)
     }
 
     fn name_or_call(&mut self) -> Parsed<Expr> {
-        let name = self.take(continues_name);
+        let name = self.text.take(continues_name);
         self.space();
-        if self.one_of(&['[']).is_some() {
+        if self.eat("[") {
             let indices = self.nested(Self::list)?;
-            self.expect(']', "`,` or `]`")?;
-            return Ok(Expr::Member(name, indices));
+            self.expect("]", "`,` or `]`")?;
+            return Ok(Expr::Of(Head::Member(name), indices));
         }
-        if self.one_of(&['(']).is_none() {
+        if !self.eat("(") {
             return Ok(Expr::Name(name));
         }
-        let expr = match name.as_str() {
-            "sum" | "max" | "min" if name == "sum" || self.assignment().is_some() => {
-                self.nested(|parser| parser.over(&name))?
-            }
-            _ => self.nested(|parser| parser.call(&name))?,
+        let fold = ["sum", "max", "min"].contains(&name.as_str());
+        let index = if fold { self.assigned() } else { None };
+        let expr = match index {
+            Some(index) => self.nested(|parser| parser.over(&name, &index))?,
+            None if name == "sum" => return Err("an index, as in sum(h = 1..m, …)"),
+            None => self.nested(|parser| parser.call(&name))?,
         };
-        self.expect(')', "`,` or `)`")?;
+        self.expect(")", "`,` or `)`")?;
         Ok(expr)
     }
 
-    /// The name and the place behind `name =`, if that stands here; takes nothing.
-    fn assignment(&mut self) -> Option<(String, usize)> {
-        let start = self.at;
-        let name = self.take(continues_name);
+    /// Takes `name =`, if that stands here.
+    fn assigned(&mut self) -> Option<String> {
+        let start = self.text.at();
+        let name = self.text.take(continues_name);
         self.space();
-        let found = is_name(&name) && self.one_of(&['=']).is_some();
-        let end = std::mem::replace(&mut self.at, start);
-        found.then_some((name, end))
+        let found = is_name(&name) && self.eat("=");
+        if !found {
+            self.text.back(start);
+        }
+        found.then_some(name)
     }
 
-    fn over(&mut self, fold: &str) -> Parsed<Expr> {
-        let (index, end) = self.assignment().ok_or("an index, as in sum(h = 1..m, …)")?;
-        self.at = end;
+    fn over(&mut self, fold: &str, index: &str) -> Parsed<Expr> {
         let from = self.sum()?;
-        if self.text.get(self.at..self.at + 2) != Some(&['.', '.']) {
-            return Err("`..` and the last index");
-        }
-        self.at += 2;
-        self.space();
+        self.expect("..", "`..` and the last index")?;
         let to = self.sum()?;
-        self.expect(',', "`,` and what is summed or compared")?;
+        self.expect(",", "`,` and what is summed or compared")?;
         let body = self.sum()?;
-        Ok(Expr::Over(fold.to_owned(), index, Box::new([from, to, body])))
+        Ok(Expr::Of(Head::Over(fold.to_owned(), index.to_owned()), vec![from, to, body]))
     }
 
     fn call(&mut self, name: &str) -> Parsed<Expr> {
         let (mut arguments, mut options) = (Vec::new(), Vec::new());
-        while self.peek() != Some(')') {
-            if let Some((option, end)) = self.assignment() {
-                self.at = end;
-                let word = self.take(|c| continues_name(c) || c == '-');
+        while self.text.peek() != Some(')') {
+            if let Some(option) = self.assigned() {
+                let word = self.text.take(|c| continues_name(c) || c == '-');
                 if word.is_empty() {
                     return Err("a word such as `forward`");
                 }
@@ -245,13 +255,13 @@ impl Parser<'_> {
             } else {
                 return Err("a choice such as `order = forward`");
             }
-            if self.one_of(&[',']).is_none() {
+            if !self.eat(",") {
                 break;
             }
-            if self.peek() == Some(')') {
+            if self.text.peek() == Some(')') {
                 return Err("an argument");
             }
         }
-        Ok(Expr::Call(name.to_owned(), arguments, options))
+        Ok(Expr::Of(Head::Call(name.to_owned(), options), arguments))
     }
 }

@@ -2,8 +2,9 @@
 
 use crate::decimal::{Q, int};
 use crate::linear::solve;
+use crate::reject::Stop;
 use crate::scheme::{Library, Scheme};
-use crate::value::{Stop, Value};
+use crate::value::Value;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, ToPrimitive, Zero as _};

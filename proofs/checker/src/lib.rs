@@ -7,35 +7,34 @@
 
 mod certificate;
 mod convolution;
+mod cursor;
 mod decimal;
+mod displacement;
 mod evaluate;
 mod formula;
 mod functional;
 mod functions;
 mod linear;
-mod memo;
 mod number;
 mod paper;
+mod polynomial;
 mod reading;
 mod reject;
 mod ring;
 mod rounding;
 mod rules;
 mod scheme;
-mod sturm;
 mod table;
 mod toml;
 mod value;
 mod witness;
 
 use paper::Paper;
-pub use reject::{Reason, Rejection};
+pub use reject::{Reason, Rejection, Stop};
 use rules::Verdict;
 use scheme::{Library, catalogue};
 use std::collections::{BTreeMap, BTreeSet};
 use toml::Toml;
-
-pub use value::Stop;
 
 /// What is known of a claim.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -75,7 +74,7 @@ pub fn is_formula(text: &str) -> bool {
 pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
     let (file, known) = (Toml::read(claims)?, catalogue()?);
     let library = Library::new(file.list("scheme"), &known);
-    let paper = Paper::new(&file, &library).map_err(|stop| format!("{stop:?}"))?;
+    let paper = Paper::new(&file, &library).map_err(|stop| stop.to_string())?;
     let key = file.text("key").ok_or("`key` is missing")?.to_owned();
     let mut outcomes: BTreeMap<(&str, &str), Outcome> = BTreeMap::new();
     let (mut holding, mut cited, mut broken) = (BTreeSet::new(), Vec::new(), Vec::new());
@@ -94,7 +93,8 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
                 broken.push((place, block.head.reject(Reason::NoSuchClaim)));
                 continue;
             };
-            let outcome = match rules::check(&paper, kind, claim, &mut block) {
+            let checked = rules::check(&paper, kind, claim, &mut block);
+            let outcome = match checked.map_err(|rejection| rejection.at(block.at)) {
                 Ok(Verdict::Other) => Outcome::Valid,
                 Ok(Verdict::Holds) => {
                     holding.insert(id);

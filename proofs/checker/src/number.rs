@@ -2,6 +2,8 @@
 
 use crate::decimal::{Q, int};
 use crate::linear::solve;
+use crate::polynomial::{divide, signum};
+use crate::reject::Stop;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, ToPrimitive, Zero};
@@ -10,7 +12,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 /// The greatest n of a field Q(2cos(2π/n)).
-pub const MAX_FIELD: u32 = 1_000;
+const MAX_FIELD: u32 = 1_000;
 
 /// The most binary digits of an enclosure of 2cos(2π/n).
 const MAX_PRECISION: u64 = 1 << 14;
@@ -37,44 +39,28 @@ struct Field {
 
 thread_local! {
     static FIELDS: RefCell<BTreeMap<u32, Rc<Field>>> = const { RefCell::new(BTreeMap::new()) };
-    static CYCLOTOMIC: RefCell<BTreeMap<u32, Rc<Vec<BigInt>>>> =
-        const { RefCell::new(BTreeMap::new()) };
 }
 
 /// The n-th cyclotomic polynomial: z^n − 1 divided by those of the proper divisors of n.
-fn cyclotomic(n: u32) -> Rc<Vec<BigInt>> {
-    if let Some(known) = CYCLOTOMIC.with_borrow(|known| known.get(&n).cloned()) {
-        return known;
-    }
-    let mut rest = vec![BigInt::zero(); n as usize + 1];
-    rest[0] = -BigInt::one();
-    rest[n as usize] = BigInt::one();
-    for d in (1..n).filter(|d| n.is_multiple_of(*d)) {
-        let divisor = cyclotomic(d);
-        let mut quotient = vec![BigInt::zero(); rest.len() - divisor.len() + 1];
-        for i in (0..quotient.len()).rev() {
-            // The divisor is monic.
-            quotient[i].clone_from(&rest[i + divisor.len() - 1]);
-            for (j, coefficient) in divisor.iter().enumerate() {
-                rest[i + j] -= &quotient[i] * coefficient;
-            }
+fn cyclotomic(n: u32) -> Vec<BigInt> {
+    let mut known: Vec<(u32, Vec<BigInt>)> = Vec::new();
+    for m in (1..=n).filter(|m| n.is_multiple_of(*m)) {
+        let mut rest = vec![BigInt::zero(); m as usize + 1];
+        (rest[0], rest[m as usize]) = (-BigInt::one(), BigInt::one());
+        for (_, divisor) in known.iter().filter(|(d, _)| m.is_multiple_of(*d)) {
+            rest = divide(rest, divisor).0;
         }
-        rest = quotient;
+        known.push((m, rest));
     }
-    let rest = Rc::new(rest);
-    CYCLOTOMIC.with_borrow_mut(|known| known.insert(n, Rc::clone(&rest)));
-    rest
+    known.pop().map_or(Vec::new(), |(_, last)| last)
 }
 
 /// C_k, with 2cos(kt) = C_k(2cos t): C_0 = 2, C_1 = x, C_{k+1} = x·C_k − C_{k−1}.
 fn chebyshev(k: usize) -> Vec<BigInt> {
     let (mut last, mut this) = (vec![BigInt::from(2)], vec![BigInt::zero(), BigInt::one()]);
     for _ in 0..k {
-        let mut next = vec![BigInt::zero()];
-        next.extend(this.iter().cloned());
-        for (sum, coefficient) in next.iter_mut().zip(&last) {
-            *sum -= coefficient;
-        }
+        let mut next = [&[BigInt::zero()], &this[..]].concat();
+        next.iter_mut().zip(&last).for_each(|(sum, coefficient)| *sum -= coefficient);
         (last, this) = (this, next);
     }
     last
@@ -96,11 +82,10 @@ fn field(n: u32) -> Rc<Field> {
             *sum += coefficient * &phi[d + k];
         }
     }
-    let enclosure = RefCell::new((BigInt::zero(), 0));
-    let field = Rc::new(Field { n, minimal, enclosure });
-    if !field.is_below(&BigInt::one(), 0) {
-        field.enclosure.replace((BigInt::one(), 0));
-    }
+    let field = Rc::new(Field { n, minimal, enclosure: RefCell::default() });
+    // Between 0 and 1, or 1 and 2; that of n = 3 is −1, and of n = 4 it is 0.
+    let first = BigInt::from(i8::from(!field.is_below(&BigInt::one(), 0)));
+    field.enclosure.replace((first, 0));
     FIELDS.with_borrow_mut(|known| known.insert(n, Rc::clone(&field)));
     field
 }
@@ -138,31 +123,28 @@ impl Field {
         }
         &enclosure.0 >> (enclosure.1 - p)
     }
-
-    /// The remainder of a polynomial in x.
-    fn reduce(&self, mut polynomial: Vec<BigInt>) -> Vec<BigInt> {
-        let degree = self.minimal.len() - 1;
-        while polynomial.len() > degree {
-            let leading = polynomial.pop().unwrap_or_default();
-            let from = polynomial.len() - degree;
-            for (sum, coefficient) in polynomial[from..].iter_mut().zip(&self.minimal) {
-                *sum -= coefficient * &leading;
-            }
-        }
-        polynomial.resize(degree, BigInt::zero());
-        polynomial
-    }
 }
 
-/// The product of two polynomials in x of the field of n, or of two integers for n = 1.
-pub fn multiply(n: u32, left: &[BigInt], right: &[BigInt]) -> Vec<BigInt> {
+/// The remainder of a polynomial in x, for n = 1 of an integer.
+fn reduce(n: u32, polynomial: Vec<BigInt>) -> Vec<BigInt> {
+    if n == 1 {
+        return polynomial;
+    }
+    let minimal = &field(n).minimal;
+    let mut rest = divide(polynomial, minimal).1;
+    rest.resize(minimal.len() - 1, BigInt::zero());
+    rest
+}
+
+/// The product of two polynomials in x.
+fn multiply(n: u32, left: &[BigInt], right: &[BigInt]) -> Vec<BigInt> {
     let mut product = vec![BigInt::zero(); left.len() + right.len() - 1];
     for (i, a) in left.iter().enumerate() {
         for (j, b) in right.iter().enumerate() {
             product[i + j] += a * b;
         }
     }
-    if n == 1 { product } else { field(n).reduce(product) }
+    reduce(n, product)
 }
 
 impl From<Q> for Number {
@@ -174,20 +156,13 @@ impl From<Q> for Number {
 
 impl Number {
     /// A number of the field of n, from integers over a positive denominator.
-    pub fn new(mut n: u32, mut top: Vec<BigInt>, mut bottom: BigInt) -> Number {
+    fn new(mut n: u32, mut top: Vec<BigInt>, mut bottom: BigInt) -> Number {
         if top[1..].iter().all(Zero::is_zero) {
             top.truncate(1);
             n = 1;
         }
-        let common = top.iter().fold(bottom.clone(), |common, coefficient| {
-            // Most numbers are small, and for these machine integers are quicker.
-            match (common.to_u64(), coefficient.abs().to_u64()) {
-                (Some(1), _) => common,
-                (Some(a), Some(b)) => a.gcd(&b).into(),
-                _ => common.gcd(coefficient),
-            }
-        });
-        if !common.is_one() {
+        if !bottom.is_one() {
+            let common = top.iter().fold(bottom.clone(), |common, c| common.gcd(c));
             for coefficient in &mut top {
                 *coefficient /= &common;
             }
@@ -196,67 +171,54 @@ impl Number {
         Number { n, top, bottom }
     }
 
-    /// cos(2π·turn); `None` beyond [`MAX_FIELD`].
-    pub fn cosine(turn: &Q) -> Option<Number> {
-        let n = turn.denom().to_u32().filter(|n| *n <= MAX_FIELD)?;
-        let p = (turn - turn.floor()).numer().to_u32()?;
+    /// cos(2π·turn).
+    pub fn cosine(turn: &Q) -> Result<Number, Stop> {
+        let n = turn.denom().to_u32().filter(|n| *n <= MAX_FIELD);
+        let n = n.ok_or(Stop::Capped("the field of the cosines"))?;
+        let p = (turn - turn.floor()).numer().to_u32().unwrap_or(0);
         if n < 3 {
-            return Some(Number::from(int(if p == 0 { 1 } else { -1 })));
+            return Ok(Number::from(int(if p == 0 { 1 } else { -1 })));
         }
-        let double = field(n).reduce(chebyshev(p.min(n - p) as usize));
-        Some(Number::new(n, double, BigInt::from(2)))
+        let double = reduce(n, chebyshev(p.min(n - p) as usize));
+        Ok(Number::new(n, double, BigInt::from(2)))
     }
 
-    /// A field that holds these numbers too; `None` beyond [`MAX_FIELD`].
-    pub fn common_field(&self, n: u32) -> Option<u32> {
-        let factor = self.n / self.n.gcd(&n);
-        factor.checked_mul(n).filter(|n| *n <= MAX_FIELD)
+    /// The coefficients of both in one field, and its n.
+    fn lifted(&self, other: &Number) -> Result<(u32, Vec<BigInt>, Vec<BigInt>), Stop> {
+        let n = self.n.lcm(&other.n);
+        if n > MAX_FIELD {
+            return Err(Stop::Capped("the field of the cosines"));
+        }
+        Ok((n, self.lift(n), other.lift(n)))
     }
 
-    /// Its coefficients in the field of a multiple of its n, and their denominator.
-    pub fn lift(&self, n: u32) -> (Vec<BigInt>, &BigInt) {
-        if self.n == n {
-            return (self.top.clone(), &self.bottom);
+    /// Its coefficients in the field of a multiple of its n.
+    fn lift(&self, n: u32) -> Vec<BigInt> {
+        if self.n == n || self.n == 1 {
+            return reduce(n, self.top.clone());
         }
-        let field = field(n);
-        if self.n == 1 {
-            return (field.reduce(self.top.clone()), &self.bottom);
-        }
-        let x = field.reduce(chebyshev((n / self.n) as usize));
-        let top = self.top.iter().rev().fold(vec![BigInt::zero()], |sum, coefficient| {
+        let x = reduce(n, chebyshev((n / self.n) as usize));
+        self.top.iter().rev().fold(vec![BigInt::zero()], |sum, coefficient| {
             let mut next = multiply(n, &sum, &x);
             next[0] += coefficient;
             next
-        });
-        (field.reduce(top), &self.bottom)
+        })
     }
 
     /// self + factor·other.
-    pub fn plus(&self, factor: i64, other: &Number) -> Option<Number> {
-        let n = self.common_field(other.n)?;
-        let ((mut top, p), (other, q)) = (self.lift(n), other.lift(n));
-        if p == q {
-            for (a, b) in top.iter_mut().zip(other) {
-                *a += b * factor;
-            }
-            return Some(Number::new(n, top, p.clone()));
+    pub fn plus(&self, factor: i64, other: &Number) -> Result<Number, Stop> {
+        let (n, mut top, more) = self.lifted(other)?;
+        let (p, q) = (&self.bottom, &other.bottom);
+        for (a, b) in top.iter_mut().zip(more) {
+            *a = if p == q { &*a + b * factor } else { &*a * q + b * p * factor };
         }
-        for (a, b) in top.iter_mut().zip(other) {
-            *a = &*a * q + b * p * factor;
-        }
-        Some(Number::new(n, top, p * q))
+        Ok(Number::new(n, top, if p == q { p.clone() } else { p * q }))
     }
 
     /// self · other.
-    pub fn times(&self, other: &Number) -> Option<Number> {
-        let n = self.common_field(other.n)?;
-        let bottom = &self.bottom * &other.bottom;
-        if self.n == 1 || other.n == 1 {
-            let (scalar, other) = if self.n == 1 { (self, other) } else { (other, self) };
-            let top = other.top.iter().map(|coefficient| coefficient * &scalar.top[0]).collect();
-            return Some(Number::new(n, top, bottom));
-        }
-        Some(Number::new(n, multiply(n, &self.lift(n).0, &other.lift(n).0), bottom))
+    pub fn times(&self, other: &Number) -> Result<Number, Stop> {
+        let (n, left, right) = self.lifted(other)?;
+        Ok(Number::new(n, multiply(n, &left, &right), &self.bottom * &other.bottom))
     }
 
     /// 1/self, for self ≠ 0.
@@ -282,11 +244,10 @@ impl Number {
         Some(Number::new(self.n, top, common))
     }
 
-    /// −1, 0 or 1; `None` if [`MAX_PRECISION`] does not tell.
-    pub fn sign(&self) -> Option<i8> {
-        let sign = |value: &BigInt| i8::from(value.is_positive()) - i8::from(value.is_negative());
+    /// −1, 0 or 1.
+    pub fn sign(&self) -> Result<i8, Stop> {
         if self.n == 1 {
-            return Some(sign(&self.top[0]));
+            return Ok(signum(&self.top[0]));
         }
         // It is not 0, so that some enclosure of x shows its sign. As |x| ≤ 2, x^i changes by
         // at most i·2^i/2^p when x does by 1/2^p.
@@ -297,11 +258,11 @@ impl Number {
         while p <= MAX_PRECISION {
             let value = scaled(&self.top, &field(self.n).enclose(p), p);
             if value.abs() > (&slope << (p * (degree - 1))) {
-                return Some(sign(&value));
+                return Ok(signum(&value));
             }
             p *= 2;
         }
-        None
+        Err(Stop::Capped("the precision of a sign"))
     }
 
     /// Whether it is 0.
@@ -314,8 +275,13 @@ impl Number {
         (self.n == 1).then(|| Q::new_raw(self.top[0].clone(), self.bottom.clone()))
     }
 
+    /// The denominator.
+    pub fn bottom(&self) -> &BigInt {
+        &self.bottom
+    }
+
     /// The greatest integer that is not above it.
-    pub fn floor(&self) -> Option<BigInt> {
+    pub fn floor(&self) -> Result<BigInt, Stop> {
         // By halving between −bound and bound.
         let bound: BigInt = self.top.iter().enumerate().map(|(i, c)| c.abs() << i).sum();
         let bound = bound / &self.bottom + 1;
@@ -325,7 +291,7 @@ impl Number {
             let above = self.plus(-1, &Number::from(Q::from_integer(middle.clone())))?.sign()?;
             if above < 0 { high = middle } else { low = middle }
         }
-        Some(low)
+        Ok(low)
     }
 
     /// Its size in binary digits.

@@ -1,14 +1,14 @@
 //! A claim file, and the scopes in which its formulas have values.
 
-use crate::certificate::{Line, MAX_LINE};
+use crate::certificate::MAX_LINE;
 use crate::decimal::{Q, read_rational};
 use crate::evaluate::Scope;
 use crate::formula::{Expr, is_name, parse};
 use crate::reading::Reading;
-use crate::reject::{Checked, Reason};
+use crate::reject::{Checked, Reason, Stop};
 use crate::scheme::{Library, formula, formulas};
 use crate::toml::Toml;
-use crate::value::{Stop, Value};
+use crate::value::Value;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -26,7 +26,7 @@ pub struct Paper<'a> {
     /// The schemes.
     pub library: &'a Library<'a>,
     /// The reading of everything that is not a cell.
-    pub as_printed: Reading,
+    as_printed: Reading,
 }
 
 /// The kinds of claims.
@@ -52,8 +52,7 @@ impl<'a> Paper<'a> {
 
     /// The values of named formulas without parameters.
     pub fn constants(&self, entries: &[(String, Toml)]) -> Result<BTreeMap<String, Value>, Stop> {
-        let nothing = self.nothing();
-        let value = |(name, expr): (String, Rc<Expr>)| Ok((name, nothing.value(&expr)?));
+        let value = |(name, expr): (String, Rc<Expr>)| Ok((name, self.nothing().value(&expr)?));
         formulas(entries)?.into_iter().map(value).collect()
     }
 
@@ -62,32 +61,25 @@ impl<'a> Paper<'a> {
         Scope::new(&self.definitions, self.library, &self.as_printed)
     }
 
-    /// A closed formula of a certificate.
-    pub fn closed(&self, line: Line<'_>, text: &str) -> Checked<Value> {
-        value(line, text, &self.nothing())
+    /// A scope without names.
+    pub fn nothing(&self) -> Scope<'_> {
+        Scope::new(&self.library.nothing, self.library, &self.as_printed)
     }
 
-    /// A scope without names.
-    pub fn nothing(&'a self) -> Scope<'a> {
-        Scope::new(&self.library.nothing, self.library, &self.as_printed)
+    /// A closed formula of a certificate.
+    pub fn number(&self, text: &str) -> Checked<Value> {
+        value(text, &self.nothing())
     }
 }
 
 /// A formula of a certificate.
-pub fn value(line: Line<'_>, text: &str, scope: &Scope<'_>) -> Checked<Value> {
-    let expr = parse(text, MAX_LINE).map_err(|why| line.reject(Reason::NoValue(why)))?;
-    scope.value(&expr).map_err(|stop| line.reject(Reason::Stopped(stop)))
+pub fn value(text: &str, scope: &Scope<'_>) -> Checked<Value> {
+    Ok(scope.value(&parse(text, MAX_LINE).map_err(Reason::NoValue)?)?)
 }
 
 /// The formula of a key of a claim.
 pub fn formula_of(claim: &Toml, key: &str) -> Result<Expr, Stop> {
     formula(claim.text(key).ok_or_else(|| Stop::Wrong(format!("`{key}` is missing")))?)
-}
-
-/// Makes sure that a line restates a text of the claim file, up to blanks.
-pub fn restates(line: Line<'_>, what: &'static str, said: &str, text: Option<&str>) -> Checked<()> {
-    let same = text.is_some_and(|text| text.split_whitespace().eq(said.split_whitespace()));
-    if same { Ok(()) } else { Err(line.reject(Reason::Restated(what))) }
 }
 
 /// A number of the claim file as printed and as read: `'0.5'`, or a table that says both.
@@ -107,14 +99,16 @@ pub struct Axis<'a> {
 impl<'a> Axis<'a> {
     /// Reads an axis.
     pub fn read(table: &'a Toml) -> Result<Axis<'a>, Stop> {
-        let wrong = || Stop::Wrong("`name` and `values` of headers are missing".into());
-        let name = table.text("name").filter(|name| is_name(name)).ok_or_else(wrong)?;
         let entry = |field: &'a Toml| {
             let (_, read) = printed(field)?;
             Some((read, read_rational(read)?))
         };
         let entries: Option<Vec<(&str, Q)>> = table.list("values").iter().map(entry).collect();
-        let entries = entries.filter(|entries| !entries.is_empty()).ok_or_else(wrong)?;
-        Ok(Axis { name, entries })
+        match (table.text("name"), entries) {
+            (Some(name), Some(entries)) if is_name(name) && !entries.is_empty() => {
+                Ok(Axis { name, entries })
+            }
+            _ => Err(Stop::Wrong("`name` and `values` of headers are missing".into())),
+        }
     }
 }

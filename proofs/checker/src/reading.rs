@@ -8,9 +8,9 @@ pub struct Choice {
     /// Its name in certificates.
     pub name: &'static str,
     /// The option that says which way is printed.
-    pub option: &'static str,
+    option: &'static str,
     /// The functions that take this option; of the last two choices, none.
-    pub functions: &'static [&'static str],
+    functions: &'static [&'static str],
     /// The ways, the default first.
     pub ways: &'static [&'static str],
 }
@@ -29,11 +29,6 @@ pub const CHOICES: [Choice; 10] = [
     Choice { name: "decimals", option: "", functions: &[], ways: &["nearest", "cut", "away"] },
     Choice { name: "tolerance", option: "", functions: &[], ways: &["exact", "less", "more"] },
 ];
-
-/// The choice of this name.
-pub fn choice(name: &str) -> Option<&'static Choice> {
-    CHOICES.iter().find(|choice| choice.name == name)
-}
 
 /// How a definition is read: as printed, but for some choices.
 #[derive(Debug, Default)]

@@ -1,10 +1,11 @@
 //! Rings: points around an extraordinary vertex or face, with rules that depend on their number.
 
 use crate::evaluate::Scope;
-use crate::formula::Expr;
+use crate::formula::{Expr, Head};
+use crate::reject::Stop;
 use crate::scheme::{Library, formula, formulas, total};
 use crate::toml::Toml;
-use crate::value::{Stop, Value};
+use crate::value::Value;
 
 /// The most points.
 const MAX_POINTS: i64 = 100;
@@ -46,7 +47,7 @@ impl<'a> Ring<'a> {
         let (names, weights) = (orbits.names(), orbits.weights(table, &inner)?);
         let ring = Ring { library, names, weights, edges };
         for row in &ring.weights {
-            if !total(row)?.plus(-1, &Value::int(1))?.is_zero() {
+            if total(row)? != Value::int(1) {
                 return Err(wrong("the weights of a point do not sum to 1"));
             }
         }
@@ -85,20 +86,18 @@ impl<'a> Ring<'a> {
     }
 
     /// Whether the point a of a level is that of the level before.
-    pub fn keeps(&self, a: usize) -> Result<bool, Stop> {
-        let unit = |b: usize| Value::int(i64::from(a == b));
-        let same = |(b, weight): (usize, &Value)| Ok(weight.plus(-1, &unit(b))?.is_zero());
-        let same = self.weights[a].iter().enumerate().map(same);
-        Ok(same.collect::<Result<Vec<bool>, Stop>>()?.into_iter().all(|same| same))
+    pub fn keeps(&self, a: usize) -> bool {
+        let mut weights = self.weights[a].iter().enumerate();
+        weights.all(|(b, weight)| *weight == Value::int(i64::from(a == b)))
     }
 
     /// Whether wM = w and Σw = 1.
     pub fn is_limit(&self, w: &[Value]) -> Result<bool, Stop> {
-        if w.len() != self.names.len() || !total(w)?.plus(-1, &Value::int(1))?.is_zero() {
+        if w.len() != self.names.len() || total(w)? != Value::int(1) {
             return Ok(false);
         }
-        let same = self.before(w)?.into_iter().zip(w).map(|(new, old)| new.plus(-1, old));
-        Ok(same.collect::<Result<Vec<Value>, Stop>>()?.iter().all(Value::is_zero))
+        let same = self.before(w)?.into_iter().zip(w).map(|(new, old)| new.equals(old));
+        Ok(!same.collect::<Result<Vec<bool>, Stop>>()?.contains(&false))
     }
 
     /// A tree of edges: each point but the first with one before it, from the first point on.
@@ -131,20 +130,19 @@ impl<'a> Ring<'a> {
                 sum = sum.plus(1, &flow.abs(None)?)?;
                 beyond[before] = beyond[before].plus(1, &flow)?;
             }
-            sum.plus(-1, &Value::int(1))?.sign(None)
+            Ok(sum.compare(&Value::int(1))?.is_lt())
         };
-        let unit = |a: usize, at: usize| Value::int(i64::from(a == at));
-        let difference = |&[a, b]: &[usize; 2]| -> Result<Vec<Value>, Stop> {
-            (0..self.names.len()).map(|at| unit(a, at).plus(-1, &unit(b, at))).collect()
+        let unit = |a: usize, at: usize| i64::from(a == at);
+        let difference = |&[a, b]: &[usize; 2]| -> Vec<Value> {
+            (0..self.names.len()).map(|at| Value::int(unit(a, at) - unit(b, at))).collect()
         };
-        let mut differences =
-            self.edges.iter().map(difference).collect::<Result<Vec<_>, Stop>>()?;
+        let mut differences: Vec<Vec<Value>> = self.edges.iter().map(difference).collect();
         for _ in 0..MAX_BLOCK {
             for f in &mut differences {
                 *f = self.before(f)?;
             }
-            let bounds = differences.iter().map(bound).collect::<Result<Vec<i8>, Stop>>()?;
-            if bounds.iter().all(|sign| *sign < 0) {
+            if !differences.iter().map(bound).collect::<Result<Vec<bool>, Stop>>()?.contains(&false)
+            {
                 return Ok(true);
             }
         }
@@ -219,7 +217,9 @@ impl<'t> Orbits<'t> {
         let expr = formula(text)?;
         let (name, index) = match &expr {
             Expr::Name(name) => (name, None),
-            Expr::Member(name, index) if index.len() == 1 => (name, index.first().cloned()),
+            Expr::Of(Head::Member(name), index) if index.len() == 1 => {
+                (name, index.first().cloned())
+            }
             _ => return Err(wrong("an end of an edge is a point")),
         };
         let mut first = 0;

@@ -1,57 +1,40 @@
 //! Printed decimals against exact values.
 
-use crate::decimal::{Decimal, Q, int, power_of_ten};
-use crate::number::Number;
-use crate::value::{Stop, Value};
+use crate::decimal::{Decimal, Q, int};
+use crate::reject::Stop;
+use crate::value::Value;
 use num_bigint::BigInt;
-use num_traits::{One, Signed};
+use num_traits::{One, Pow, Signed};
 
-/// How a decimal came from a value.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Rounding {
-    /// It is a decimal of its length that is nearest to the value.
-    Nearest,
-    /// Not that, but cut towards zero.
-    Cut,
-    /// Not that, but rounded away from zero.
-    Away,
-    /// A unit of its last place off, or more.
-    Neither,
-}
-
-fn sign(value: &Value) -> Result<i8, Stop> {
-    value.sign(None)
-}
-
-/// How `decimal` came from `value`.
-pub fn rounding(decimal: &Decimal, value: &Value) -> Result<Rounding, Stop> {
+/// How `decimal` came from `value`: `nearest`; or not so, but `cut` towards zero or rounded
+/// `away` from it; or `neither`, when it is a unit of its last place off, or more.
+pub fn rounding(decimal: &Decimal, value: &Value) -> Result<&'static str, Stop> {
     let (shown, unit) = (Value::from(decimal.value()), Value::from(decimal.unit()));
-    let off = shown.plus(-1, value)?.abs(None)?;
-    if sign(&off.plus(1, &off)?.plus(-1, &unit)?)? <= 0 {
-        return Ok(Rounding::Nearest);
+    let off = shown.minus(value)?.abs(None)?;
+    if off.plus(1, &off)?.compare(&unit)?.is_le() {
+        return Ok("nearest");
     }
-    if sign(&off.plus(-1, &unit)?)? >= 0 {
-        return Ok(Rounding::Neither);
+    if off.compare(&unit)?.is_ge() {
+        return Ok("neither");
     }
-    let less = sign(&shown.abs(None)?.plus(-1, &value.abs(None)?)?)? < 0;
-    Ok(if less { Rounding::Cut } else { Rounding::Away })
+    let less = shown.abs(None)?.compare(&value.abs(None)?)?.is_lt();
+    Ok(if less { "cut" } else { "away" })
 }
 
 /// Whether `value` becomes `decimal` where decimals are rounded in this way.
 pub fn gives(decimal: &Decimal, value: &Value, decimals: &str) -> Result<bool, Stop> {
-    let found = rounding(decimal, value)?;
     let shown = Value::from(decimal.value()).abs(None)?;
-    let beyond = sign(&shown.plus(-1, &value.abs(None)?)?)?;
-    Ok(found != Rounding::Neither
-        && match decimals {
-            "cut" => beyond <= 0,
-            "away" => beyond >= 0,
-            _ => found == Rounding::Nearest,
-        })
+    let beyond = shown.compare(&value.abs(None)?)?;
+    Ok(match (rounding(decimal, value)?, decimals) {
+        ("neither", _) => false,
+        (_, "cut") => beyond.is_le(),
+        (_, "away") => beyond.is_ge(),
+        (found, _) => found == "nearest",
+    })
 }
 
 /// The digits of a decimal that tell something: without zeros before and behind.
-fn telling(decimal: &Decimal) -> usize {
+pub fn telling(decimal: &Decimal) -> usize {
     decimal.digits.abs().to_string().trim_matches('0').len()
 }
 
@@ -61,25 +44,27 @@ pub fn has_digits(decimal: &Decimal, slip: &str) -> bool {
     let needed = match slip.split(' ').next() {
         Some("digit" | "swap") => 5,
         Some("rounding") => 3,
+        // The condition on both numbers is one of the slip itself.
+        Some("exchanged") => 1,
         _ => 4,
     };
     telling(decimal) >= needed
 }
 
-/// The slips that lead from `value` to `decimal`, when that is `Neither`: `sign`,
+/// The slips that lead from `value` to `decimal`, when that is `neither`: `sign`,
 /// `exponent p`, `digit i`, `swap i`, whatever their number of digits.
 pub fn slips(decimal: &Decimal, value: &Value) -> Result<Vec<String>, Stop> {
     let mut slips = Vec::new();
-    if rounding(decimal, &Value::int(0).plus(-1, value)?)? != Rounding::Neither {
+    if rounding(decimal, &value.negated()?)? != "neither" {
         slips.push("sign".to_owned());
     }
     for places in [-3, -2, -1, 1, 2, 3] {
-        let moved = value.times(&Value::from(power_of_ten(places)))?;
-        if rounding(decimal, &moved)? == Rounding::Nearest {
+        let moved = value.times(&Value::from(int(10).pow(places)))?;
+        if rounding(decimal, &moved)? == "nearest" {
             slips.push(format!("exponent {places}"));
         }
     }
-    if sign(&Value::from(decimal.value()))? != sign(value)? {
+    if Value::from(decimal.value()).sign(None)? != value.sign(None)? {
         return Ok(slips);
     }
     let scaled = value.over(&Value::from(decimal.unit()))?.abs(None)?;
@@ -94,10 +79,8 @@ pub fn slips(decimal: &Decimal, value: &Value) -> Result<Vec<String>, Stop> {
 /// The integer nearest to a number; of two, the even one.
 fn nearest(value: &Value, floor: &BigInt) -> Result<BigInt, Stop> {
     let middle = Q::from_integer(floor.clone()) + Q::new(BigInt::one(), BigInt::from(2));
-    let up = match sign(&value.plus(-1, &Value::Number(Number::from(middle)))?)? {
-        0 => floor.bit(0),
-        sign => sign > 0,
-    };
+    let side = value.compare(&middle.into())?;
+    let up = side.is_gt() || side.is_eq() && floor.bit(0);
     Ok(if up { floor + BigInt::one() } else { floor.clone() })
 }
 

@@ -1,19 +1,22 @@
 //! Schemes: their masks, and the sequences that they give.
 
+use crate::convolution::Product;
 use crate::evaluate::{MAX_STEPS, Scope};
 use crate::formula::{Expr, MAX_LENGTH, is_name, parse};
+use crate::paper::Definitions;
 use crate::reading::Reading;
+use crate::reject::Stop;
 use crate::toml::Toml;
-use crate::value::{Stop, Value};
+use crate::value::Value;
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
 /// The most rules of a scheme.
-const MAX_ARITY: i64 = 64;
+const MAX_ARITY: usize = 64;
 
 /// The most points of a rule.
-const MAX_WIDTH: i64 = 256;
+const MAX_WIDTH: usize = 256;
 
 /// How deep names may stand for names.
 const MAX_ALIASES: usize = 8;
@@ -36,7 +39,6 @@ const CATALOGUE: [&str; 13] = [
 ];
 
 /// A mask with its difference mask.
-#[derive(Debug)]
 pub struct Scheme {
     /// a_{α,j}: a row for each rule α.
     pub mask: Vec<Vec<Value>>,
@@ -44,8 +46,6 @@ pub struct Scheme {
     pub difference: Vec<Vec<Value>>,
     /// o.
     pub offset: i64,
-    /// Convolutions of its sequences that are known already, by what they are of.
-    pub known: RefCell<BTreeMap<String, Rc<Vec<Value>>>>,
 }
 
 /// The schemes of a claim file and of the catalogue.
@@ -53,9 +53,11 @@ pub struct Library<'a> {
     file: &'a [Toml],
     catalogue: &'a [Toml],
     masks: RefCell<BTreeMap<String, Rc<Scheme>>>,
+    /// Products of sequences that are known already, by what they are of.
+    pub products: RefCell<BTreeMap<String, Rc<Product>>>,
     steps: Cell<u64>,
     /// No named formulas.
-    pub nothing: BTreeMap<String, Rc<Expr>>,
+    pub nothing: Definitions,
     /// The reading of formulas of schemes.
     pub as_printed: Reading,
 }
@@ -65,17 +67,20 @@ pub fn catalogue() -> Result<Vec<Toml>, String> {
     CATALOGUE.iter().map(|text| Toml::read(text)).collect()
 }
 
+fn wrong<T>(of: &str, what: &str) -> Result<T, Stop> {
+    Err(Stop::Wrong(format!("`{of}`: {what}")))
+}
+
 /// A formula of a file.
 pub fn formula(text: &str) -> Result<Expr, Stop> {
     parse(text, MAX_LENGTH).map_err(Stop::Wrong)
 }
 
 /// Named formulas of a file.
-pub fn formulas(entries: &[(String, Toml)]) -> Result<BTreeMap<String, Rc<Expr>>, Stop> {
-    let read = |(name, text): &(String, Toml)| {
-        let text = text.as_text().filter(|_| is_name(name) && name != "pi");
-        let text = text.ok_or_else(|| Stop::Wrong(format!("`{name}` is no named formula")))?;
-        Ok((name.clone(), Rc::new(formula(text)?)))
+pub fn formulas(entries: &[(String, Toml)]) -> Result<Definitions, Stop> {
+    let read = |(name, text): &(String, Toml)| match text.as_text() {
+        Some(text) if is_name(name) && name != "pi" => Ok((name.clone(), Rc::new(formula(text)?))),
+        _ => wrong(name, "no named formula"),
     };
     entries.iter().map(read).collect()
 }
@@ -83,8 +88,8 @@ pub fn formulas(entries: &[(String, Toml)]) -> Result<BTreeMap<String, Rc<Expr>>
 impl<'a> Library<'a> {
     /// The library of a claim file's `[[scheme]]` tables.
     pub fn new(file: &'a [Toml], catalogue: &'a [Toml]) -> Library<'a> {
-        let (masks, steps, nothing, as_printed) = Default::default();
-        Library { file, catalogue, masks, steps, nothing, as_printed }
+        let (masks, products, steps, nothing, as_printed) = Default::default();
+        Library { file, catalogue, masks, products, steps, nothing, as_printed }
     }
 
     /// Counts steps of the claim at hand.
@@ -114,16 +119,17 @@ impl<'a> Library<'a> {
         scope: &Scope<'_>,
         depth: usize,
     ) -> Result<Vec<Rc<Scheme>>, Stop> {
-        let wrong = |what: &str| Stop::Wrong(format!("`{reference}`: {what}"));
         let mut schemes = Vec::new();
         let factors: Vec<&str> = reference.split(" x ").collect();
         if factors.len() > 2 || depth > MAX_ALIASES {
-            return Err(wrong("more than two factors, or names for names for names"));
+            return wrong(reference, "more than two factors, or names for names for names");
         }
         for factor in factors {
             let (name, table, parameters) = self.entry(factor, scope)?;
             match table.text("use") {
-                Some(_) if !parameters.is_empty() => return Err(wrong("it has no parameters")),
+                Some(_) if !parameters.is_empty() => {
+                    return wrong(reference, "it has no parameters");
+                }
                 Some(other) => schemes.extend(self.follow(other, scope, depth + 1)?),
                 None => schemes.push(self.scheme(name, table, parameters)?),
             }
@@ -131,12 +137,15 @@ impl<'a> Library<'a> {
         Ok(schemes)
     }
 
+    fn named(&self, name: &str) -> Option<&'a Toml> {
+        let mut tables = self.file.iter().chain(self.catalogue);
+        tables.find(|table| table.text("name") == Some(name))
+    }
+
     /// Whether a reference names a ring.
     pub fn is_ring(&self, reference: &str) -> bool {
-        let name = reference.split(':').next().map(str::trim);
-        let mut tables = self.file.iter().chain(self.catalogue);
-        let table = tables.find(|table| table.text("name") == name);
-        table.is_some_and(|table| table.get("orbits").is_some())
+        let (name, _) = reference.split_once(':').unwrap_or((reference, ""));
+        self.named(name.trim()).is_some_and(|table| table.get("orbits").is_some())
     }
 
     /// The table of the scheme that a reference names, with its parameters.
@@ -145,20 +154,21 @@ impl<'a> Library<'a> {
         reference: &'r str,
         scope: &Scope<'_>,
     ) -> Result<(&'r str, &'a Toml, BTreeMap<String, Value>), Stop> {
-        let wrong = |what: &str| Stop::Wrong(format!("`{reference}`: {what}"));
         let (name, arguments) = reference.trim().split_once(':').unwrap_or((reference.trim(), ""));
         let mut parameters = BTreeMap::new();
         for argument in arguments_of(arguments) {
-            let (parameter, value) =
-                argument.split_once('=').ok_or_else(|| wrong("a parameter is name=value"))?;
+            let Some((parameter, value)) = argument.split_once('=') else {
+                return wrong(reference, "a parameter is name=value");
+            };
             let value = scope.value(&formula(value.trim())?)?;
             if parameters.insert(parameter.trim().to_owned(), value).is_some() {
-                return Err(wrong("a parameter is given twice"));
+                return wrong(reference, "a parameter is given twice");
             }
         }
-        let named = |table: &&Toml| table.text("name") == Some(name);
-        let table = self.file.iter().chain(self.catalogue).find(named);
-        Ok((name, table.ok_or_else(|| wrong("there is no such scheme"))?, parameters))
+        match self.named(name) {
+            Some(table) => Ok((name, table, parameters)),
+            None => wrong(reference, "there is no such scheme"),
+        }
     }
 
     /// The parameters of a scheme, those without a value at their defaults.
@@ -168,18 +178,17 @@ impl<'a> Library<'a> {
         table: &Toml,
         mut parameters: BTreeMap<String, Value>,
     ) -> Result<BTreeMap<String, Value>, Stop> {
-        let wrong = |what: &str| Stop::Wrong(format!("scheme `{name}`: {what}"));
-        let known: Vec<&String> = table.entries("parameters").iter().map(|(key, _)| key).collect();
-        if parameters.keys().any(|parameter| !known.contains(&parameter)) {
-            return Err(wrong("it has no such parameter"));
+        let known = table.entries("parameters");
+        if parameters.keys().any(|given| known.iter().all(|(known, _)| known != given)) {
+            return wrong(name, "it has no such parameter");
         }
-        for (parameter, about) in table.entries("parameters") {
+        let nothing = Scope::new(&self.nothing, self, &self.as_printed);
+        for (parameter, about) in known {
             if !parameters.contains_key(parameter) {
-                let default =
-                    about.text("default").ok_or_else(|| wrong("a parameter is missing"))?;
-                let scope = Scope::new(&self.nothing, self, &self.as_printed);
-                let value = scope.value(&formula(default)?)?;
-                parameters.insert(parameter.clone(), value);
+                let Some(default) = about.text("default") else {
+                    return wrong(name, "a parameter is missing");
+                };
+                parameters.insert(parameter.clone(), nothing.value(&formula(default)?)?);
             }
         }
         Ok(parameters)
@@ -191,7 +200,6 @@ impl<'a> Library<'a> {
         table: &Toml,
         parameters: BTreeMap<String, Value>,
     ) -> Result<Rc<Scheme>, Stop> {
-        let wrong = |what: &str| Stop::Wrong(format!("scheme `{name}`: {what}"));
         let parameters = self.complete(name, table, parameters)?;
         let key = format!("{name} {parameters:?}");
         if let Some(known) = self.masks.borrow().get(&key) {
@@ -200,31 +208,26 @@ impl<'a> Library<'a> {
         let definitions = formulas(table.entries("let"))?;
         let mut scope = Scope::new(&definitions, self, &self.as_printed);
         scope.values = parameters;
-        let integer = |key: &str, limit: i64| {
-            let text = table.text(key).ok_or_else(|| wrong("`mask` or `entry` is missing"))?;
-            scope.value(&formula(text)?)?.integer(limit)
+        let integer = |key: &str, most: usize| match table.text(key) {
+            Some(text) => scope.value(&formula(text)?)?.integer(i64::try_from(most).unwrap_or(0)),
+            None => wrong(name, "`mask` or `entry` is missing"),
         };
         let offset = if table.get("offset").is_some() { integer("offset", 10_000)? } else { 0 };
-        let mut mask: Vec<Vec<Value>> = Vec::new();
-        if let Some(Toml::List(rows)) = table.get("mask") {
-            for row in rows {
-                let Toml::List(row) = row else { return Err(wrong("a rule is a list")) };
-                let entry = |entry: &Toml| scope.value(&formula(entry.as_text().unwrap_or(""))?);
-                mask.push(row.iter().map(entry).collect::<Result<_, _>>()?);
-            }
+        let mask: Result<Vec<Vec<Value>>, Stop> = if table.get("mask").is_some() {
+            let entry = |entry: &Toml| scope.value(&formula(entry.as_text().unwrap_or(""))?);
+            let rows = table.list("mask").iter();
+            rows.map(|row| row.as_list().iter().map(entry).collect()).collect()
         } else {
             let (arity, width) = (integer("arity", MAX_ARITY)?, integer("width", MAX_WIDTH)?);
-            let entry = formula(table.text("entry").ok_or_else(|| wrong("`entry` is missing"))?)?;
-            for alpha in 0..arity {
-                let at = |r| {
-                    let indices = [("alpha", alpha), ("r", r)];
-                    let indices = indices.map(|(name, i)| (name.to_owned(), Value::int(i)));
-                    scope.evaluate(&entry, &mut indices.to_vec())
-                };
-                mask.push((0..width).map(at).collect::<Result<_, _>>()?);
-            }
-        }
-        let scheme = Rc::new(Scheme::new(mask, offset)?);
+            let entry = formula(table.text("entry").unwrap_or(""))?;
+            let at = |alpha, r| {
+                let indices = [("alpha", alpha), ("r", r)];
+                let indices = indices.map(|(name, i)| (name.to_owned(), Value::int(i)));
+                scope.evaluate(&entry, &mut indices.to_vec())
+            };
+            (0..arity).map(|alpha| (0..width).map(|r| at(alpha, r)).collect()).collect()
+        };
+        let scheme = Rc::new(Scheme::new(mask?, offset)?);
         self.masks.borrow_mut().insert(key, Rc::clone(&scheme));
         Ok(scheme)
     }
@@ -234,36 +237,28 @@ impl Scheme {
     fn new(mask: Vec<Vec<Value>>, offset: i64) -> Result<Scheme, Stop> {
         let width = mask.first().map_or(0, Vec::len);
         let even = mask.iter().all(|row| row.len() == width);
-        let fits = |count: usize, cap: i64| i64::try_from(count).is_ok_and(|count| count <= cap);
-        let small = fits(mask.len(), MAX_ARITY) && fits(width, MAX_WIDTH);
-        if mask.len() < 2 || width == 0 || !even || !small {
-            return Err(Stop::Wrong("the rules of a scheme are two or more, equally long".into()));
+        if !(2..=MAX_ARITY).contains(&mask.len()) || !(1..=MAX_WIDTH).contains(&width) || !even {
+            return wrong("mask", "the rules of a scheme are two or more, equally long");
         }
         for row in &mask {
-            let sum = total(row)?;
-            if !sum.plus(-1, &Value::int(1))?.is_zero() {
-                return Err(Stop::Wrong("a rule does not sum to 1".into()));
+            if total(row)? != Value::int(1) {
+                return wrong("mask", "a rule does not sum to 1");
             }
         }
-        let mut difference: Vec<Vec<Value>> = Vec::new();
+        // b_{n−1,j} = a_{0,j} − Σ_{β<n−1} b_{β,j}
+        let (mut difference, mut last) = (Vec::new(), mask[0].clone());
         for pair in mask.windows(2) {
             // b_{β,j} = Σ_{h≤j} (a_{β,h} − a_{β+1,h})
             let (mut sum, mut row) = (Value::int(0), Vec::new());
-            for (this, next) in pair[0].iter().zip(&pair[1]) {
-                sum = sum.plus(1, this)?.plus(-1, next)?;
+            for (j, rest) in last.iter_mut().enumerate() {
+                sum = sum.plus(1, &pair[0][j])?.minus(&pair[1][j])?;
+                *rest = rest.minus(&sum)?;
                 row.push(sum.clone());
             }
             difference.push(row);
         }
-        // b_{n−1,j} = a_{0,j} − Σ_{β<n−1} b_{β,j}
-        let mut last = mask[0].clone();
-        for row in &difference {
-            for (rest, b) in last.iter_mut().zip(row) {
-                *rest = rest.plus(-1, b)?;
-            }
-        }
         difference.push(last);
-        Ok(Scheme { mask, difference, offset, known: RefCell::default() })
+        Ok(Scheme { mask, difference, offset })
     }
 
     /// n.

@@ -3,13 +3,13 @@
 use crate::decimal::Decimal;
 use crate::evaluate::Scope;
 use crate::formula::Expr;
-use crate::memo::Memo;
 use crate::paper::{Axis, Definitions, Paper, formula_of, printed};
 use crate::reading::Reading;
+use crate::reject::Stop;
 use crate::rounding::interval;
 use crate::scheme::Scheme;
 use crate::toml::Toml;
-use crate::value::{Stop, Value};
+use crate::value::Value;
 use num_traits::Signed;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
@@ -33,13 +33,16 @@ pub struct Table<'a> {
     pub tolerance: Option<&'a str>,
     /// As printed.
     pub as_printed: Read,
-    known: RefCell<BTreeMap<(usize, usize), Needed>>,
+    known: RefCell<BTreeMap<Place, Needed>>,
     /// Upper bounds of the constants of all levels, by scheme and the levels computed.
     pub bounds: RefCell<Bounds>,
 }
 
 /// Values by schemes and a number of levels.
 type Bounds = BTreeMap<(Vec<usize>, i64), Vec<Value>>;
+
+/// The row and the column of a cell, counted from 0.
+pub type Place = (usize, usize);
 
 /// The parameters that a cell needs, and its value.
 type Needed = (BTreeSet<String>, Result<Value, Stop>);
@@ -53,8 +56,8 @@ pub struct Read {
     pub definitions: Option<Definitions>,
     /// Parameters with other values.
     pub parameters: BTreeMap<String, Value>,
-    /// What is known of the definitions.
-    pub memo: Memo,
+    /// The values of cells that are known already.
+    known: RefCell<BTreeMap<Place, Option<Value>>>,
 }
 
 impl Read {
@@ -88,8 +91,7 @@ impl<'a> Table<'a> {
         };
         let (rows, columns) = table.size();
         let cells = claim.list("cells");
-        let even = cells.len() == rows
-            && cells.iter().all(|row| matches!(row, Toml::List(row) if row.len() == columns));
+        let even = cells.len() == rows && cells.iter().all(|row| row.as_list().len() == columns);
         if even || claim.text("cells") == Some("lost") {
             Ok(table)
         } else {
@@ -103,32 +105,43 @@ impl<'a> Table<'a> {
         (count(&self.axes[0]), count(&self.axes[1]))
     }
 
+    /// Every cell, row by row.
+    pub fn places(&self) -> impl Iterator<Item = Place> + use<> {
+        let (rows, columns) = self.size();
+        (0..rows).flat_map(move |row| (0..columns).map(move |column| (row, column)))
+    }
+
+    /// The place so many rows down and columns to the right, if there is one.
+    pub fn moved(&self, (row, column): Place, (down, right): (isize, isize)) -> Option<Place> {
+        let (rows, columns) = self.size();
+        let row = row.checked_add_signed(down).filter(|row| *row < rows)?;
+        Some((row, column.checked_add_signed(right).filter(|column| *column < columns)?))
+    }
+
     /// A cell as printed, and as a decimal; `None` when it is lost or no decimal.
-    pub fn printed(&self, row: usize, column: usize) -> Option<(&'a str, Decimal)> {
-        let Toml::List(cells) = self.claim.list("cells").get(row)? else { return None };
-        let (text, read) = printed(cells.get(column)?)?;
+    pub fn printed(&self, (row, column): Place) -> Option<(&'a str, Decimal)> {
+        let (text, read) = printed(self.claim.list("cells").get(row)?.as_list().get(column)?)?;
         Some((text, Decimal::read(read)?))
     }
 
     /// The scope of a cell, where these parameters are assumed, and the factors of its scheme.
     pub fn scope<'s>(
         &'s self,
-        (row, column): (usize, usize),
+        (row, column): Place,
         read: &'s Read,
         assumed: &BTreeSet<String>,
     ) -> Result<(Scope<'s>, Vec<Rc<Scheme>>), Stop> {
         let definitions = read.definitions.as_ref().unwrap_or(&self.paper.definitions);
         let mut scope = Scope::new(definitions, self.paper.library, &read.reading);
         let stated = self.given.iter();
-        let assumable = self.unstated.iter().filter(|(name, _)| assumed.contains(*name));
-        for (name, value) in stated.chain(assumable) {
+        let (assumed, missing): (Vec<_>, Vec<_>) =
+            self.unstated.iter().partition(|(name, _)| assumed.contains(*name));
+        for (name, value) in stated.chain(assumed) {
             let value = read.parameters.get(name).unwrap_or(value);
             scope.values.insert(name.clone(), value.clone());
         }
-        let missing = self.unstated.keys().filter(|name| !assumed.contains(*name));
-        scope.unstated = missing.cloned().collect();
-        let places = [row, column];
-        for (axis, place) in self.axes.iter().zip(places) {
+        scope.unstated = missing.into_iter().map(|(name, _)| name.clone()).collect();
+        for (axis, place) in self.axes.iter().zip([row, column]) {
             let Some(axis) = axis else { continue };
             let (text, value) = &axis.entries[place];
             let value = match (read.reading.words.get("tolerance"), Decimal::read(text)) {
@@ -147,34 +160,50 @@ impl<'a> Table<'a> {
             schemes = self.paper.library.resolve(reference, &scope)?;
         }
         scope.scheme = schemes.first().cloned();
-        scope.memo = Some(&read.memo);
         Ok((scope, schemes))
-    }
-
-    /// The exact value of a cell, where these parameters are assumed.
-    pub fn value(
-        &self,
-        at: (usize, usize),
-        read: &Read,
-        assumed: &BTreeSet<String>,
-    ) -> Result<Value, Stop> {
-        self.scope(at, read, assumed)?.0.value(&self.value)
     }
 
     /// The parameters that have to be assumed for a cell, found one by one, and its value as
     /// printed.
-    pub fn needed(&self, at: (usize, usize)) -> Needed {
+    pub fn needed(&self, at: Place) -> Needed {
         if let Some(known) = self.known.borrow().get(&at) {
             return known.clone();
         }
         let mut assumed = BTreeSet::new();
         let value = loop {
-            match self.value(at, &self.as_printed, &assumed) {
+            let scope = self.scope(at, &self.as_printed, &assumed);
+            match scope.and_then(|(scope, _)| scope.value(&self.value)) {
                 Err(Stop::Unstated(name)) if assumed.insert(name.clone()) => {}
                 value => break value,
             }
         };
         self.known.borrow_mut().insert(at, (assumed.clone(), value.clone()));
         (assumed, value)
+    }
+
+    /// Whether a reading is this table's text as printed.
+    pub fn is_as_printed(&self, read: &Read) -> bool {
+        std::ptr::eq(read, &raw const self.as_printed)
+    }
+
+    /// The value of a cell under a reading, with the parameters assumed that it needs as
+    /// printed; `None` if it has none.
+    pub fn read(&self, at: Place, read: &Read) -> Result<Option<Value>, Stop> {
+        if let Some(known) = read.known.borrow().get(&at) {
+            return Ok(known.clone());
+        }
+        let (assumed, as_printed) = self.needed(at);
+        let value = if self.is_as_printed(read) {
+            as_printed
+        } else {
+            let scope = self.scope(at, read, &assumed);
+            scope.and_then(|(scope, _)| scope.value(&self.value))
+        };
+        let value = match value {
+            Err(Stop::Capped(cap)) => return Err(Stop::Capped(cap)),
+            value => value.ok(),
+        };
+        read.known.borrow_mut().insert(at, value.clone());
+        Ok(value)
     }
 }

@@ -1,5 +1,8 @@
 //! The part of TOML that claim files use: strings, booleans, lists and tables.
 
+use crate::cursor::{Cursor, Parsed};
+use std::collections::BTreeSet;
+
 /// The most bytes of a claim file.
 pub const MAX_BYTES: usize = 4 << 20;
 
@@ -15,15 +18,26 @@ pub enum Toml {
     Flag(bool),
     /// `[…]`, or the tables under `[[…]]`.
     List(Vec<Toml>),
-    /// `{…}`, or what stands under `[…]`, in the order of the file.
-    Table(Vec<(String, Toml)>),
+    /// `{…}`, or what stands under `[…]`.
+    Table(Table),
 }
 
+/// Keys with their values, in the order of the file.
+type Table = Vec<(String, Toml)>;
+
 impl Toml {
+    /// Reads a file.
+    pub fn read(text: &str) -> Result<Toml, String> {
+        if text.len() > MAX_BYTES {
+            return Err(format!("more than {MAX_BYTES} bytes"));
+        }
+        let mut cursor = Cursor::new(text);
+        file(&mut cursor).map(Toml::Table).map_err(|what| cursor.expected(what))
+    }
+
     /// The value of a key of a table.
     pub fn get(&self, key: &str) -> Option<&Toml> {
-        let Toml::Table(entries) = self else { return None };
-        entries.iter().find(|(name, _)| name == key).map(|(_, value)| value)
+        self.as_table().iter().find(|(name, _)| name == key).map(|(_, value)| value)
     }
 
     /// The string of a key.
@@ -36,238 +50,189 @@ impl Toml {
         if let Toml::Text(text) = self { Some(text) } else { None }
     }
 
+    /// This as a list; empty when it is none.
+    pub fn as_list(&self) -> &[Toml] {
+        if let Toml::List(list) = self { list } else { &[] }
+    }
+
     /// The list of a key; empty when there is none.
     pub fn list(&self, key: &str) -> &[Toml] {
-        if let Some(Toml::List(list)) = self.get(key) { list } else { &[] }
+        self.get(key).map_or(&[], Toml::as_list)
+    }
+
+    /// This as a table; empty when it is none.
+    pub fn as_table(&self) -> &[(String, Toml)] {
+        if let Toml::Table(table) = self { table } else { &[] }
     }
 
     /// The entries of the table of a key; none when there is no such table.
     pub fn entries(&self, key: &str) -> &[(String, Toml)] {
-        if let Some(Toml::Table(entries)) = self.get(key) { entries } else { &[] }
-    }
-
-    /// Reads a file.
-    pub fn read(text: &str) -> Result<Toml, String> {
-        if text.len() > MAX_BYTES {
-            return Err(format!("more than {MAX_BYTES} bytes"));
-        }
-        let characters: Vec<char> = text.chars().collect();
-        let mut reader = Reader { text: &characters, at: 0 };
-        reader.file().map_err(|expected| {
-            let line = 1 + characters[..reader.at].iter().filter(|c| **c == '\n').count();
-            format!("line {line}: expected {expected}")
-        })
+        self.get(key).map_or(&[], Toml::as_table)
     }
 }
 
-type Parsed<T> = Result<T, &'static str>;
+const USED: &str = "a name that is not yet used";
 
-struct Reader<'a> {
-    text: &'a [char],
-    at: usize,
+/// Skips blanks; with `lines`, line ends and comments too.
+fn space(c: &mut Cursor, lines: bool) {
+    loop {
+        c.take(|c| matches!(c, ' ' | '\t') || lines && matches!(c, '\n' | '\r'));
+        if !lines || c.take(|c| c == '#').is_empty() {
+            return;
+        }
+        c.take(|c| c != '\n');
+    }
 }
 
-impl Reader<'_> {
-    fn peek(&self) -> Option<char> {
-        self.text.get(self.at).copied()
-    }
-
-    fn eat(&mut self, token: &str) -> bool {
-        let length = token.chars().count();
-        let found = self.text.get(self.at..self.at + length);
-        let found = found.is_some_and(|found| token.chars().eq(found.iter().copied()));
-        self.at += if found { length } else { 0 };
-        found
-    }
-
-    /// Skips blanks; with `lines`, line ends and comments too.
-    fn space(&mut self, lines: bool) {
-        while let Some(c) = self.peek() {
-            if lines && c == '#' {
-                while self.peek().is_some_and(|c| c != '\n') {
-                    self.at += 1;
-                }
-            } else if matches!(c, ' ' | '\t') || lines && matches!(c, '\n' | '\r') {
-                self.at += 1;
-            } else {
-                return;
+fn file(c: &mut Cursor) -> Parsed<Table> {
+    let (mut file, mut section) = (Table::new(), Vec::new());
+    let mut seen: BTreeSet<Vec<String>> = BTreeSet::new();
+    loop {
+        space(c, true);
+        if c.peek().is_none() {
+            return Ok(file);
+        }
+        if c.eat("[[") {
+            section = path(c)?;
+            c.expect("]]")?;
+            let (last, parents) = section.split_last().ok_or("a name")?;
+            let list = slot(descend(&mut file, parents)?, last, Toml::List(Vec::new()));
+            let Toml::List(list) = list else { return Err(USED) };
+            list.push(Toml::Table(Table::new()));
+            seen.retain(|known| !known.starts_with(&section));
+        } else if c.eat("[") {
+            section = path(c)?;
+            c.expect("]")?;
+            if !seen.insert(section.clone()) {
+                return Err(USED);
             }
-        }
-    }
-
-    fn file(&mut self) -> Parsed<Toml> {
-        let mut file = Toml::Table(Vec::new());
-        let mut section: Vec<String> = Vec::new();
-        let mut seen: Vec<Vec<String>> = Vec::new();
-        loop {
-            self.space(true);
-            if self.peek().is_none() {
-                return Ok(file);
-            }
-            if self.eat("[[") {
-                section = self.path()?;
-                if !self.eat("]]") {
-                    return Err("`]]`");
-                }
-                let (last, parents) = section.split_last().ok_or("a name")?;
-                let table = inner(&mut file, parents)?;
-                match table.iter_mut().find(|(name, _)| name == last) {
-                    None => {
-                        table.push((last.clone(), Toml::List(vec![Toml::Table(Vec::new())])));
-                    }
-                    Some((_, Toml::List(list))) => list.push(Toml::Table(Vec::new())),
-                    Some(_) => return Err("a name that is not yet used"),
-                }
-                seen.retain(|known| !known.starts_with(&section));
-            } else if self.eat("[") {
-                section = self.path()?;
-                if !self.eat("]") {
-                    return Err("`]`");
-                }
-                if seen.contains(&section) {
-                    return Err("a name that is not yet used");
-                }
-                seen.push(section.clone());
-                inner(&mut file, &section)?;
-            } else {
-                let table = inner(&mut file, &section)?;
-                self.entry(table, 0)?;
-            }
-            self.space(false);
-            if self.peek().is_some_and(|c| !matches!(c, '\n' | '\r' | '#')) {
-                return Err("the end of the line");
-            }
-        }
-    }
-
-    fn entry(&mut self, table: &mut Vec<(String, Toml)>, depth: usize) -> Parsed<()> {
-        let path = self.path()?;
-        if !self.eat("=") {
-            return Err("`=`");
-        }
-        self.space(false);
-        let value = self.value(depth)?;
-        let (last, parents) = path.split_last().ok_or("a name")?;
-        let table = descend(table, parents)?;
-        if table.iter().any(|(name, _)| name == last) {
-            return Err("a name that is not yet used");
-        }
-        table.push((last.clone(), value));
-        Ok(())
-    }
-
-    /// `a`, `a.b`, with blanks around.
-    fn path(&mut self) -> Parsed<Vec<String>> {
-        let mut path = Vec::new();
-        loop {
-            self.space(false);
-            let start = self.at;
-            while self.peek().is_some_and(|c| c.is_ascii_alphanumeric() || c == '_' || c == '-') {
-                self.at += 1;
-            }
-            if start == self.at {
-                return Err("a name");
-            }
-            path.push(self.text[start..self.at].iter().collect());
-            self.space(false);
-            if path.len() > MAX_NESTING || !self.eat(".") {
-                return Ok(path);
-            }
-        }
-    }
-
-    fn value(&mut self, depth: usize) -> Parsed<Toml> {
-        if depth > MAX_NESTING {
-            return Err("less nesting");
-        }
-        if self.eat("true") {
-            return Ok(Toml::Flag(true));
-        }
-        if self.eat("false") {
-            return Ok(Toml::Flag(false));
-        }
-        for quote in ["'''", "\"\"\"", "'", "\""] {
-            if self.eat(quote) {
-                return self.string(quote).map(Toml::Text);
-            }
-        }
-        let (close, mut list, mut table) = if self.eat("[") {
-            ("]", Vec::new(), None)
-        } else if self.eat("{") {
-            ("}", Vec::new(), Some(Vec::new()))
+            descend(&mut file, &section)?;
         } else {
-            return Err("a string, a list or a table; numbers stand in quotes");
-        };
-        loop {
-            self.space(true);
-            if self.eat(close) {
-                return Ok(table.map_or(Toml::List(list), Toml::Table));
-            }
-            match &mut table {
-                Some(table) => self.entry(table, depth + 1)?,
-                None => list.push(self.value(depth + 1)?),
-            }
-            self.space(true);
-            if !self.eat(",") && self.peek() != close.chars().next() {
-                return Err("`,` or the closing bracket");
-            }
+            entry(c, descend(&mut file, &section)?, 0)?;
         }
-    }
-
-    fn string(&mut self, quote: &str) -> Parsed<String> {
-        let mut text = String::new();
-        let (long, escapes) = (quote.len() == 3, quote.starts_with('"'));
-        if long {
-            self.eat("\n");
-        }
-        loop {
-            if self.eat(quote) {
-                return Ok(text);
-            }
-            let c = self.peek().filter(|c| long || *c != '\n').ok_or("the closing quote")?;
-            self.at += 1;
-            if c != '\\' || !escapes {
-                text.push(c);
-                continue;
-            }
-            let escaped = self.peek().ok_or("the closing quote")?;
-            self.at += 1;
-            match escaped {
-                '"' | '\\' => text.push(escaped),
-                'n' => text.push('\n'),
-                't' => text.push('\t'),
-                '\n' if long => {
-                    while self.peek().is_some_and(char::is_whitespace) {
-                        self.at += 1;
-                    }
-                }
-                _ => return Err("one of the escapes \\\" \\\\ \\n \\t"),
-            }
+        space(c, false);
+        if !matches!(c.peek(), None | Some('\n' | '\r' | '#')) {
+            return Err("the end of the line");
         }
     }
 }
 
-/// The table at a path of the file; of a list, its last one. Made when it is not there.
-fn inner<'t>(file: &'t mut Toml, path: &[String]) -> Parsed<&'t mut Vec<(String, Toml)>> {
-    let Toml::Table(table) = file else { return Err("a table") };
-    descend(table, path)
-}
-
-fn descend<'t>(
-    table: &'t mut Vec<(String, Toml)>,
-    path: &[String],
-) -> Parsed<&'t mut Vec<(String, Toml)>> {
-    let Some((first, rest)) = path.split_first() else { return Ok(table) };
-    let at = table.iter().position(|(name, _)| name == first).unwrap_or_else(|| {
-        table.push((first.clone(), Toml::Table(Vec::new())));
+/// The value of a key; `empty` when there is none.
+fn slot<'t>(table: &'t mut Table, key: &str, empty: Toml) -> &'t mut Toml {
+    let at = table.iter().position(|(name, _)| name == key).unwrap_or_else(|| {
+        table.push((key.to_owned(), empty));
         table.len() - 1
     });
-    match &mut table[at].1 {
-        Toml::Table(table) => descend(table, rest),
-        Toml::List(list) => match list.last_mut() {
-            Some(last) => inner(last, rest),
-            None => Err("a table"),
-        },
-        _ => Err("a table"),
+    &mut table[at].1
+}
+
+/// The table at a path; of a list, its last one. Made when it is not there.
+fn descend<'t>(table: &'t mut Table, path: &[String]) -> Parsed<&'t mut Table> {
+    path.iter().try_fold(table, |table, name| {
+        let mut inner = slot(table, name, Toml::Table(Table::new()));
+        if let Toml::List(list) = inner {
+            inner = list.last_mut().ok_or("a table")?;
+        }
+        if let Toml::Table(table) = inner { Ok(table) } else { Err("a table") }
+    })
+}
+
+/// `a.b = …`
+fn entry(c: &mut Cursor, table: &mut Table, depth: usize) -> Parsed<()> {
+    let path = path(c)?;
+    c.expect("=")?;
+    space(c, false);
+    let value = value(c, depth)?;
+    let (last, parents) = path.split_last().ok_or("a name")?;
+    let table = descend(table, parents)?;
+    if table.iter().any(|(name, _)| name == last) {
+        return Err(USED);
     }
+    table.push((last.clone(), value));
+    Ok(())
+}
+
+/// `a`, `a.b`, with blanks around.
+fn path(c: &mut Cursor) -> Parsed<Vec<String>> {
+    let mut path = Vec::new();
+    loop {
+        space(c, false);
+        let name = c.take(|c| c.is_ascii_alphanumeric() || c == '_' || c == '-');
+        if name.is_empty() {
+            return Err("a name");
+        }
+        path.push(name);
+        space(c, false);
+        if path.len() > MAX_NESTING || !c.eat(".") {
+            return Ok(path);
+        }
+    }
+}
+
+fn value(c: &mut Cursor, depth: usize) -> Parsed<Toml> {
+    if depth > MAX_NESTING {
+        return Err("less nesting");
+    }
+    for quote in ["'''", "\"\"\"", "'", "\""] {
+        if c.eat(quote) {
+            return string(c, quote).map(Toml::Text);
+        }
+    }
+    if c.eat("true") {
+        Ok(Toml::Flag(true))
+    } else if c.eat("false") {
+        Ok(Toml::Flag(false))
+    } else if c.eat("[") {
+        let mut list = Vec::new();
+        items(c, "]", |c| value(c, depth + 1).map(|item| list.push(item)))?;
+        Ok(Toml::List(list))
+    } else if c.eat("{") {
+        let mut table = Table::new();
+        items(c, "}", |c| entry(c, &mut table, depth + 1))?;
+        Ok(Toml::Table(table))
+    } else {
+        Err("a string, a list or a table; numbers stand in quotes")
+    }
+}
+
+/// Items with commas between and maybe behind, up to a bracket.
+fn items(
+    c: &mut Cursor,
+    close: &'static str,
+    mut item: impl FnMut(&mut Cursor) -> Parsed<()>,
+) -> Parsed<()> {
+    let mut comma = true;
+    loop {
+        space(c, true);
+        if c.eat(close) {
+            return Ok(());
+        }
+        if !comma {
+            return Err("`,` or the closing bracket");
+        }
+        item(c)?;
+        space(c, true);
+        comma = c.eat(",");
+    }
+}
+
+fn string(c: &mut Cursor, quote: &str) -> Parsed<String> {
+    let mut text = String::new();
+    let (long, escapes) = (quote.len() == 3, quote.starts_with('"'));
+    if long {
+        c.eat("\n");
+    }
+    while !c.eat(quote) {
+        match c.next().filter(|c| long || *c != '\n').ok_or("the closing quote")? {
+            '\\' if escapes => match c.next().ok_or("the closing quote")? {
+                escaped @ ('"' | '\\') => text.push(escaped),
+                'n' => text.push('\n'),
+                't' => text.push('\t'),
+                '\n' if long => _ = c.take(char::is_whitespace),
+                _ => return Err("one of the escapes \\\" \\\\ \\n \\t"),
+            },
+            other => text.push(other),
+        }
+    }
+    Ok(text)
 }

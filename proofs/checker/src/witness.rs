@@ -1,16 +1,16 @@
 //! Witnesses: control data, and a place where a quantity of theirs is looked at.
 
-use crate::certificate::{Block, Line};
+use crate::certificate::Block;
 use crate::convolution::classes;
 use crate::decimal::{Q, int, read_rational};
 use crate::evaluate::Scope;
 use crate::functional::{Functional, Rules, product};
 use crate::functions::greatest;
 use crate::paper::Paper;
-use crate::reject::{Checked, Reason};
+use crate::reject::{Checked, Reason, Rejection, Stop, require};
 use crate::ring::Ring;
 use crate::scheme::{Library, Scheme};
-use crate::value::{Stop, Value};
+use crate::value::Value;
 use num_bigint::BigInt;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 use std::rc::Rc;
@@ -39,19 +39,19 @@ impl<'a> Setting<'a> {
     }
 }
 
-/// Whether T_c < 1 for some n^c ≤ 4096.
-pub fn converges(scope: &Scope<'_>, scheme: &Scheme) -> Result<bool, Stop> {
-    for c in 1.. {
-        if scheme.arity().saturating_pow(c) > MAX_CLASSES {
-            break;
-        }
-        let sums = classes(scope, scheme, "b", false, &Value::int(c.into()))?;
-        let above = greatest(scope, &sums)?.plus(-1, &Value::int(1))?.sign(None)?;
-        if above < 0 {
-            return Ok(true);
+/// Whether T_c < 1 for some n^c ≤ 4096, for each of these schemes.
+pub fn converge(scope: &Scope<'_>, schemes: &[Rc<Scheme>]) -> Result<bool, Stop> {
+    for scheme in schemes {
+        let blocks = (1..).take_while(|c| scheme.arity().saturating_pow(*c) <= MAX_CLASSES);
+        let constant =
+            |c: u32| greatest(scope, &classes(scope, scheme, "b", false, &Value::int(c.into()))?);
+        let mut contracts = blocks.map(|c| Ok(constant(c)?.compare(&Value::int(1))?.is_lt()));
+        // Up to the first block that contracts, or a cap.
+        if !contracts.find(|found| *found != Ok(false)).unwrap_or(Ok(false))? {
+            return Ok(false);
         }
     }
-    Ok(false)
+    Ok(true)
 }
 
 /// x_i, i = first, first + 1, …; constant beyond both ends.
@@ -93,7 +93,7 @@ enum Control {
 /// Control data with a place.
 pub struct Witness<'l> {
     /// The line of the place.
-    pub line: Line<'l>,
+    pub line: usize,
     control: Control,
     place: Vec<&'l str>,
 }
@@ -110,39 +110,36 @@ fn index(value: &BigInt) -> Option<i64> {
 impl<'l> Witness<'l> {
     /// Reads `polygon …`, `net …` with its rows or `ring …`, and `at …`.
     pub fn read(paper: &Paper<'_>, block: &mut Block<'l>) -> Checked<Witness<'l>> {
-        let control = if let Some((line, said)) = block.optional("ring") {
-            let malformed = || line.reject(Reason::Malformed("ring INTEGER…"));
-            let points = integers(said).ok_or_else(malformed)?;
-            let mut weights = Vec::new();
-            if let Some((line, said)) = block.optional("weights") {
-                for word in said.split_whitespace() {
-                    weights.push(paper.closed(line, word)?);
-                }
+        let control = if let Some(said) = block.maybe("ring") {
+            let points = integers(said).ok_or(Reason::Malformed("ring INTEGER…"))?;
+            let weights = block.maybe("weights").unwrap_or_default().split_whitespace();
+            let weights = weights.map(|word| paper.number(word));
+            Control::Ring(points, weights.collect::<Checked<_>>()?)
+        } else if let Some(said) = block.maybe("net") {
+            let line = block.at;
+            let first = integers(said).and_then(|first| first.iter().map(index).collect());
+            let first = first.and_then(|first: Vec<i64>| first.try_into().ok());
+            let mut rows: Vec<Option<Vec<BigInt>>> = Vec::new();
+            while let Some(said) = block.maybe("row") {
+                rows.push(integers(said));
             }
-            Control::Ring(points, weights)
-        } else if let Some((line, said)) = block.optional("net") {
-            let malformed = || line.reject(Reason::Malformed("net FIRST FIRST, and its rows"));
-            let first: Option<Vec<i64>> =
-                integers(said).and_then(|first| first.iter().map(index).collect());
-            let first: Option<[i64; 2]> = first.and_then(|first| first.try_into().ok());
-            let (first, mut rows) = (first.ok_or_else(malformed)?, Vec::<Vec<BigInt>>::new());
-            while let Some((_, said)) = block.optional("row") {
-                rows.push(integers(said).ok_or_else(malformed)?);
-            }
-            let width = rows.first().map_or(0, Vec::len);
-            if width == 0 || rows.iter().any(|row| row.len() != width) {
-                return Err(malformed());
-            }
-            Control::Net(first, rows)
+            let rows: Option<Vec<Vec<BigInt>>> = rows.into_iter().collect();
+            let proper = |rows: &Vec<Vec<BigInt>>| {
+                rows.first().is_some_and(|first| !first.is_empty())
+                    && rows.iter().all(|row| row.len() == rows[0].len())
+            };
+            let malformed = Reason::Malformed("net FIRST FIRST, and its rows");
+            let net = first.zip(rows.filter(proper)).map(|(first, rows)| Control::Net(first, rows));
+            net.ok_or(Rejection::from(malformed).at(line))?
         } else {
-            let mut polygons = vec![polygon(block.take("polygon")?)?];
-            while let Some(next) = block.optional("polygon") {
+            let mut polygons = vec![polygon(block.after("polygon")?)?];
+            while let Some(next) = block.maybe("polygon") {
                 polygons.push(polygon(next)?);
             }
             Control::Polygons(polygons)
         };
-        let (line, said) = block.take("at")?;
-        Ok(Witness { line, control, place: said.split_whitespace().collect() })
+        let place = block.after("at")?.split_whitespace().collect();
+        Ok(Witness { line: block.at, control, place })
     }
 
     /// The largest differences of neighbouring points: along each index, or along the edges.
@@ -166,9 +163,14 @@ impl<'l> Witness<'l> {
             {
                 vec![spread(ring.edges.iter().map(|&[a, b]| [&points[a], &points[b]]))]
             }
-            _ => return Err(self.line.reject(Reason::Malformed("data of such a scheme"))),
+            _ => return Err(self.reject(Reason::Malformed("data of such a scheme"))),
         };
         Ok(spreads.into_iter().map(Q::from_integer).collect())
+    }
+
+    /// A rejection at the line of the place.
+    fn reject(&self, reason: Reason) -> Rejection {
+        Rejection::from(reason).at(self.line)
     }
 
     /// The value of a quantity at a level, at the place. Of `distance`, the scheme is one that
@@ -176,15 +178,15 @@ impl<'l> Witness<'l> {
     pub fn value(&self, setting: &Setting<'_>, quantity: &str, level: u32) -> Checked<Value> {
         let value = match (&self.control, setting) {
             (Control::Ring(points, weights), Setting::Ring(ring, earlier)) => {
-                self.of_ring((points, weights), (ring, earlier.as_ref()), quantity, level)?
+                self.of_ring((points, weights), (ring, earlier.as_ref()), quantity, level)
             }
-            (_, Setting::Masks(rules)) => {
-                let [f, g] = self.functionals(rules, quantity, level)?;
-                Value::from(self.of(&f) - self.of(&g))
-            }
-            _ => return Err(self.line.reject(Reason::Malformed("data of such a scheme"))),
+            (_, Setting::Masks(rules)) => self
+                .functionals(rules, quantity, level)
+                .map(|[f, g]| Value::from(self.of(&f) - self.of(&g))),
+            _ => Err(Reason::Malformed("data of such a scheme").into()),
         };
-        value.abs(None).map_err(|stop| self.line.reject(Reason::Stopped(stop)))
+        let value = value.and_then(|value| Ok(value.abs(None)?));
+        value.map_err(|rejection| rejection.at(self.line))
     }
 
     /// A product of functionals, one for each index, of the data.
@@ -213,8 +215,6 @@ impl<'l> Witness<'l> {
         quantity: &str,
         level: u32,
     ) -> Checked<[Vec<Functional>; 2]> {
-        let stopped = |stop| self.line.reject(Reason::Stopped(stop));
-        let expected = |what| self.line.reject(Reason::Malformed(what));
         let numbers: Option<Vec<Q>> = self.place.iter().map(|word| read_rational(word)).collect();
         let numbers = numbers.unwrap_or_default();
         if quantity == "difference" {
@@ -226,9 +226,7 @@ impl<'l> Witness<'l> {
             };
             let proper = at.len() == rules.len() && numbers.iter().all(Q::is_integer);
             let along = numbers.get(2).is_none_or(|along| [int(1), int(2)].contains(along));
-            if !proper || !along {
-                return Err(expected("indices, and of a net 1 or 2"));
-            }
+            require(proper && along, Reason::Malformed("indices, and of a net 1 or 2"))?;
             let side = |step: i64| {
                 let point = |(k, (rules, i)): (usize, (&Rules<'_>, &Q))| {
                     let i = if k == axis { i + int(step) } else { i.clone() };
@@ -236,25 +234,19 @@ impl<'l> Witness<'l> {
                 };
                 rules.iter().zip(at).enumerate().map(point).collect::<Result<Vec<_>, Stop>>()
             };
-            return Ok([side(1).map_err(stopped)?, side(0).map_err(stopped)?]);
+            return Ok([side(1)?, side(0)?]);
         }
-        if numbers.len() != rules.len() {
-            return Err(expected("a number for each index"));
-        }
+        require(numbers.len() == rules.len(), Reason::Malformed("a number for each index"))?;
         let [mut new, mut old] = [Vec::new(), Vec::new()];
         for (rules, at) in rules.iter().zip(&numbers) {
-            let (after, before) = if quantity == "step" {
-                if !at.is_integer() {
-                    return Err(expected("an index of a point"));
-                }
-                (rules.at(level + 1, at), rules.at(level, &(at / int(rules.arity()))))
+            if quantity == "step" {
+                require(at.is_integer(), Reason::Malformed("an index of a point"))?;
+                new.push(rules.at(level + 1, at)?);
+                old.push(rules.at(level, &(at / int(rules.arity())))?);
             } else {
-                let limit = rules.limit(at).map_err(stopped)?;
-                let limit = limit.ok_or_else(|| expected("an n-adic number"));
-                (Ok(limit?), rules.polygon(level, at))
-            };
-            new.push(after.map_err(stopped)?);
-            old.push(before.map_err(stopped)?);
+                new.push(rules.limit(at)?.ok_or(Reason::Malformed("an n-adic number"))?);
+                old.push(rules.polygon(level, at)?);
+            }
         }
         Ok([new, old])
     }
@@ -267,46 +259,37 @@ impl<'l> Witness<'l> {
         quantity: &str,
         level: u32,
     ) -> Checked<Value> {
-        let stopped = |stop| self.line.reject(Reason::Stopped(stop));
         let named = |name: &str| ring.names.iter().position(|known| known == name);
         let place: Option<Vec<usize>> = self.place.iter().map(|name| named(name)).collect();
         let place = place.unwrap_or_default();
         let control: Vec<Value> =
             points.iter().map(|x| Value::from(Q::from_integer(x.clone()))).collect();
-        let mut refined = control.clone();
-        for _ in 0..level {
-            refined = ring.refined(&refined).map_err(stopped)?;
-        }
-        let off = match (quantity, &place[..]) {
-            ("difference", &[a, b]) if ring.has_edge(a, b) => refined[a].plus(-1, &refined[b]),
+        let refine = |points: Vec<Value>, _| ring.refined(&points);
+        let refined = (0..level).try_fold(control.clone(), refine)?;
+        match (quantity, &place[..]) {
+            ("difference", &[a, b]) if ring.has_edge(a, b) => Ok(refined[a].minus(&refined[b])?),
             ("step", &[a]) => {
-                let next = ring.refined(&refined).map_err(stopped)?;
-                let old = earlier.map_or(Ok(refined.clone()), |earlier| earlier.refined(&refined));
-                next[a].plus(-1, &old.map_err(stopped)?[a])
+                let next = ring.refined(&refined)?;
+                let old = earlier.map(|earlier| earlier.refined(&refined)).transpose()?;
+                Ok(next[a].minus(&old.unwrap_or(refined)[a])?)
             }
             ("distance", &[a]) => {
                 // Around a vertex only what the interpolant keeps has its limit there.
-                let keeps = |earlier: &Ring<'_>| earlier.keeps(a);
-                if !earlier.map_or(Ok(true), keeps).map_err(stopped)? {
-                    return Err(self.line.reject(Reason::NoLimit));
-                }
-                if !ring.is_limit(weights).map_err(stopped)? {
-                    return Err(self.line.reject(Reason::Weights));
-                }
-                weights.iter().zip(&control).try_fold(refined[a].clone(), |off, (weight, x)| {
-                    off.plus(-1, &weight.times(x)?)
-                })
+                require(earlier.is_none_or(|earlier| earlier.keeps(a)), Reason::NoLimit)?;
+                require(ring.is_limit(weights)?, Reason::Weights)?;
+                let mut terms = weights.iter().zip(&control);
+                let less = |off: Value, (weight, x): (&Value, &Value)| off.minus(&weight.times(x)?);
+                Ok(terms.try_fold(refined[a].clone(), less)?)
             }
-            _ => return Err(self.line.reject(Reason::Malformed("a point, or an edge"))),
-        };
-        off.map_err(stopped)
+            _ => Err(Reason::Malformed("a point, or an edge").into()),
+        }
     }
 }
 
-fn polygon((line, said): (Line<'_>, &str)) -> Checked<Polygon> {
+fn polygon(said: &str) -> Checked<Polygon> {
     let numbers = integers(said).filter(|numbers| numbers.len() > 1);
     let read = numbers.and_then(|numbers| {
         Some(Polygon { first: index(&numbers[0])?, points: numbers[1..].to_vec() })
     });
-    read.ok_or_else(|| line.reject(Reason::Malformed("polygon FIRST INTEGER…")))
+    Ok(read.ok_or(Reason::Malformed("polygon FIRST INTEGER…"))?)
 }

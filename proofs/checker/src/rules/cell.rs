@@ -1,231 +1,204 @@
 //! Rule `cell`: a printed number and its verdict.
 
-use super::reading::Reads;
-use crate::certificate::Line;
+use super::reading::{PartRead, Reads};
 use crate::decimal::Decimal;
-use crate::reject::{Checked, Reason};
-use crate::rounding::{Rounding, gives, has_digits, rounding, slips};
-use crate::table::{Read, Table};
-use crate::value::{Stop, Value};
+use crate::reject::{Checked, Reason, Stop, require};
+use crate::rounding::{gives, has_digits, rounding, slips, telling};
+use crate::table::{Place, Read, Table};
+use crate::value::Value;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Checks a cell: `ROW COLUMN "PRINTED" VALUE VERDICT … [assuming NAMES]`. Gives whether
 /// the verdict is `refuted`.
-pub fn check(
-    table: &Table<'_>,
-    reads: &Reads,
-    place: (usize, usize),
-    line: Line<'_>,
-    said: &str,
-) -> Checked<bool> {
-    let stopped = |stop| line.reject(Reason::Stopped(stop));
-    let wrong = line.reject(Reason::Malformed("cell ROW COLUMN \"PRINTED\" VALUE VERDICT"));
+pub fn check(table: &Table<'_>, reads: &Reads, place: Place, said: &str) -> Checked<bool> {
+    let malformed = Reason::Malformed("cell ROW COLUMN \"PRINTED\" VALUE VERDICT");
     let position = format!("{} {} ", place.0 + 1, place.1 + 1);
-    let said = said.strip_prefix(&position).ok_or(line.reject(Reason::Cell))?;
+    let said = said.strip_prefix(&position).ok_or(Reason::Cell)?;
     let (said, assumed) = said.split_once(" assuming ").unwrap_or((said, ""));
-    let printed = table.printed(place.0, place.1);
-    let (printed, rest) = match (said.strip_prefix("lost "), printed) {
+    let (printed, rest) = match (said.strip_prefix("lost "), table.printed(place)) {
         (Some(rest), None) => (None, rest),
         (None, Some((text, decimal))) => {
-            let said = said.strip_prefix('"').ok_or(wrong.clone())?;
-            let (found, rest) = said.rsplit_once("\" ").ok_or(wrong.clone())?;
-            if found != text {
-                return Err(line.reject(Reason::Printed));
-            }
+            let said = said.strip_prefix('"').and_then(|said| said.rsplit_once("\" "));
+            let (found, rest) = said.ok_or(malformed.clone())?;
+            require(found == text, Reason::Printed)?;
             (Some(decimal), rest)
         }
-        _ => return Err(line.reject(Reason::Lost)),
+        _ => return Err(Reason::Lost.into()),
     };
     let words: Vec<&str> = rest.split_whitespace().collect();
-    let Some((value, verdict)) = words.split_first() else { return Err(wrong) };
-    // The value of the definition as printed.
+    let (value, verdict) = words.split_first().ok_or(malformed.clone())?;
     let (needed, exact) = table.needed(place);
     let assumed: BTreeSet<String> = assumed.split_whitespace().map(str::to_owned).collect();
-    if assumed != needed {
-        return Err(line.reject(Reason::Assumed));
-    }
+    require(assumed == needed, Reason::Assumed)?;
     let exact = match exact {
         Err(Stop::Undefined(_)) => None,
-        value => Some(value.map_err(stopped)?),
+        value => Some(value?),
     };
-    same(table, line, value, exact.as_ref())?;
+    same(table, value, exact.as_ref())?;
     let Some(decimal) = printed else {
-        return if verdict.is_empty() { Ok(false) } else { Err(wrong) };
+        require(verdict.is_empty(), malformed)?;
+        return Ok(false);
     };
-    let cell = Cell { table, place, needed, decimal, exact };
-    cell.judge(reads, line, verdict)
+    let cell = Cell { table, place, decimal, plain: needed.is_empty() };
+    cell.judge(reads, exact.as_ref(), verdict)
 }
 
 /// Makes sure that a value of the certificate is this one.
-fn same(table: &Table<'_>, line: Line<'_>, said: &str, value: Option<&Value>) -> Checked<()> {
+fn same(table: &Table<'_>, said: &str, value: Option<&Value>) -> Checked<()> {
     let equal = match value {
-        _ if said == "undefined" => value.is_none(),
-        None => false,
-        Some(value) => {
-            let said = table.paper.closed(line, said)?;
-            value.plus(-1, &said).map_err(|stop| line.reject(Reason::Stopped(stop)))?.is_zero()
-        }
+        None => said == "undefined",
+        Some(value) => said != "undefined" && table.paper.number(said)?.equals(value)?,
     };
-    if equal { Ok(()) } else { Err(line.reject(Reason::Value)) }
+    require(equal, Reason::Value)
 }
 
 struct Cell<'c> {
     table: &'c Table<'c>,
-    place: (usize, usize),
-    needed: BTreeSet<String>,
+    place: Place,
     decimal: Decimal,
-    exact: Option<Value>,
+    /// Whether it needs no assumptions.
+    plain: bool,
 }
 
 impl Cell<'_> {
-    fn judge(&self, reads: &Reads, line: Line<'_>, verdict: &[&str]) -> Checked<bool> {
-        let stopped = |stop| line.reject(Reason::Stopped(stop));
-        let require = |holds: bool, reason: Reason| {
-            if holds { Ok(()) } else { Err(line.reject(reason)) }
-        };
-        let depth = self.table.tolerance.is_some();
-        let found = match &self.exact {
-            None => Rounding::Neither,
-            Some(exact) => rounding(&self.decimal, exact).map_err(stopped)?,
-        };
+    fn judge(&self, reads: &Reads, exact: Option<&Value>, verdict: &[&str]) -> Checked<bool> {
+        let as_printed = &self.table.as_printed;
+        let found = self.rounding(exact)?;
         match verdict {
-            ["confirmed"] => require(found == Rounding::Nearest, Reason::NotNearest)?,
-            ["rounding", way @ ("cut" | "away")] => {
-                require(!depth, Reason::Depth)?;
-                let way = if *way == "cut" { Rounding::Cut } else { Rounding::Away };
-                require(found == way, Reason::NotRounded)?;
-            }
+            ["confirmed"] => require(found == "nearest", Reason::NotNearest)?,
+            ["rounding", way @ ("cut" | "away")] => self.rounded(exact, way)?,
             ["rounding", way @ ("down" | "nearest")] => {
-                require(depth, Reason::Depth)?;
-                require(found != Rounding::Nearest, Reason::Nearest)?;
-                require(self.rounded(way).map_err(stopped)?, Reason::NotRounded)?;
+                require(self.is_depth(), Reason::Depth)?;
+                require(found != "nearest", Reason::Nearest)?;
+                require(self.is_depth_rounded(way)?, Reason::NotRounded)?;
             }
             ["misprint", slip @ ..] => {
-                require(!depth, Reason::Depth)?;
-                require(found != Rounding::Nearest, Reason::Nearest)?;
-                self.slip(line, &slip.join(" "), self.exact.as_ref(), true)?;
+                require(found != "nearest", Reason::Nearest)?;
+                self.slip(&slip.join(" "), exact, Some(as_printed))?;
             }
             ["other-reading", value, rest @ ..] => {
-                require(found != Rounding::Nearest, Reason::Nearest)?;
-                let (rest, read) = match rest {
-                    [rest @ .., "by", line, number] => {
-                        (rest, reads.by(self.place, &format!("{line} {number}")))
+                require(found != "nearest", Reason::Nearest)?;
+                let by = rest.iter().position(|word| *word == "by");
+                let (rest, by) = rest.split_at(by.unwrap_or(rest.len()));
+                let name = by.get(1..).unwrap_or_default().join(" ");
+                let part = reads.by(self.place, &name).ok_or(Reason::NoReading)?;
+                let known = part.value(self.table, self.place)?.ok_or(Reason::NotExplained)?;
+                same(self.table, value, Some(&known))?;
+                let given = gives(&self.decimal, &known, part.read.decimals())?;
+                match (rest, part.slip()) {
+                    (["misprint", slip @ ..], Some(known)) => {
+                        require(slip.join(" ") == known, Reason::NotThisSlip)?;
+                        require(given, Reason::NotExplained)?;
                     }
-                    _ => (rest, reads.table.as_ref()),
-                };
-                let read = read.ok_or(line.reject(Reason::NoReading))?;
-                let value_read = self.read(read, line)?;
-                same(self.table, line, value, Some(&value_read))?;
-                match rest {
-                    [] => {
-                        let given = gives(&self.decimal, &value_read, read.decimals());
-                        require(given.map_err(stopped)?, Reason::NotExplained)?;
-                    }
-                    ["rounding", way @ ("cut" | "away")] => {
-                        require(!depth, Reason::Depth)?;
-                        require(found == Rounding::Neither, Reason::Nearest)?;
-                        let way = if *way == "cut" { Rounding::Cut } else { Rounding::Away };
-                        let found = rounding(&self.decimal, &value_read).map_err(stopped)?;
-                        require(found == way, Reason::NotRounded)?;
+                    (_, Some(_)) => return Err(Reason::NotThisSlip.into()),
+                    ([], None) => require(given, Reason::NotExplained)?,
+                    (["rounding", way @ ("cut" | "away")], None) => {
+                        require(found == "neither", Reason::Nearest)?;
+                        self.rounded(Some(&known), way)?;
                         require(has_digits(&self.decimal, "rounding"), Reason::FewDigits)?;
                     }
-                    [word, slip @ ..] => {
-                        require(!depth && *word == "misprint", Reason::Depth)?;
-                        self.slip(line, &slip.join(" "), Some(&value_read), false)?;
+                    ([word, slip @ ..], None) => {
+                        require(*word == "misprint", Reason::Depth)?;
+                        self.slip(&slip.join(" "), Some(&known), around(part))?;
                     }
                 }
             }
             [word @ ("refuted" | "differs")] => {
                 // Under assumptions there is no refutation, only a difference.
-                let plain = self.needed.is_empty();
-                require(plain == (*word == "refuted"), Reason::Assumed)?;
-                require(found == Rounding::Neither, Reason::Nearest)?;
-                self.no_slip(line, self.exact.as_ref(), true)?;
-                if depth {
-                    for way in ["down", "nearest"] {
-                        require(!self.rounded(way).map_err(stopped)?, Reason::Slip)?;
+                require(self.plain == (*word == "refuted"), Reason::Assumed)?;
+                require(found == "neither", Reason::Nearest)?;
+                self.no_slip(exact, Some(as_printed))?;
+                for way in ["down", "nearest"].iter().filter(|_| self.is_depth()) {
+                    require(!self.is_depth_rounded(way)?, Reason::Slip)?;
+                }
+                for part in reads.of(self.place) {
+                    let Some(value) = part.value(self.table, self.place)? else { continue };
+                    let given = gives(&self.decimal, &value, part.read.decimals())?;
+                    require(!given, Reason::Explained)?;
+                    if part.slip().is_none() {
+                        let near = self.rounding(Some(&value))? != "neither" && !self.is_depth();
+                        let digits = has_digits(&self.decimal, "rounding");
+                        require(!near || !digits, Reason::Explained)?;
+                        self.no_slip(Some(&value), around(part))?;
                     }
                 }
-                for read in reads.of(self.place) {
-                    let value = self.value(read).map_err(stopped)?;
-                    if let Some(value) = &value {
-                        let given =
-                            gives(&self.decimal, value, read.decimals()).map_err(stopped)?;
-                        let near = rounding(&self.decimal, value).map_err(stopped)?;
-                        let near = near != Rounding::Neither
-                            && !depth
-                            && has_digits(&self.decimal, "rounding");
-                        require(!given && !near, Reason::Explained)?;
-                    }
-                    self.no_slip(line, value.as_ref(), false)?;
-                }
-                return Ok(plain);
+                return Ok(self.plain);
             }
-            _ => return Err(line.reject(Reason::Malformed("a verdict"))),
+            _ => return Err(Reason::Malformed("a verdict").into()),
         }
         Ok(false)
     }
 
-    /// The value under a reading; `None` if it is undefined.
-    fn value(&self, read: &Read) -> Result<Option<Value>, Stop> {
-        match self.table.value(self.place, read, &self.needed) {
-            Err(Stop::Undefined(_)) => Ok(None),
-            value => value.map(Some),
-        }
+    fn is_depth(&self) -> bool {
+        self.table.tolerance.is_some()
     }
 
-    fn read(&self, read: &Read, line: Line<'_>) -> Checked<Value> {
-        let value = self.value(read).map_err(|stop| line.reject(Reason::Stopped(stop)))?;
-        value.ok_or(line.reject(Reason::NotExplained))
+    fn rounding(&self, value: Option<&Value>) -> Result<&'static str, Stop> {
+        value.map_or(Ok("neither"), |value| rounding(&self.decimal, value))
+    }
+
+    /// Makes sure that the printed number is the value, cut or rounded away.
+    fn rounded(&self, value: Option<&Value>, way: &str) -> Checked<()> {
+        require(!self.is_depth(), Reason::Depth)?;
+        require(self.rounding(value)? == way, Reason::NotRounded)
     }
 
     /// Whether the printed number is the depth rounded in another way.
-    fn rounded(&self, way: &str) -> Result<bool, Stop> {
+    fn is_depth_rounded(&self, way: &str) -> Result<bool, Stop> {
         let mut read = Read::default();
         read.reading.words = BTreeMap::from([("rounded".to_owned(), way.to_owned())]);
-        let printed = Value::from(self.decimal.value());
-        let value = self.value(&read)?;
-        Ok(value.is_some_and(|value| printed.plus(-1, &value).is_ok_and(|d| d.is_zero())))
+        let value = self.table.read(self.place, &read)?;
+        value.map_or(Ok(false), |value| value.equals(&self.decimal.value().into()))
     }
 
     /// Makes sure that this slip leads from the value to the printed number.
-    fn slip(&self, line: Line<'_>, slip: &str, value: Option<&Value>, near: bool) -> Checked<()> {
-        let found = self.slips(value, near).map_err(|stop| line.reject(Reason::Stopped(stop)))?;
-        if !found.iter().any(|known| known == slip) {
-            return Err(line.reject(Reason::NotThisSlip));
-        }
-        let enough = has_digits(&self.decimal, slip);
-        if enough { Ok(()) } else { Err(line.reject(Reason::FewDigits)) }
+    fn slip(&self, slip: &str, value: Option<&Value>, around: Option<&Read>) -> Checked<()> {
+        require(!self.is_depth(), Reason::Depth)?;
+        let found = self.slips(value, around)?;
+        require(found.iter().any(|known| known == slip), Reason::NotThisSlip)?;
+        require(has_digits(&self.decimal, slip), Reason::FewDigits)
     }
 
     /// Makes sure that no slip leads from the value to the printed number.
-    fn no_slip(&self, line: Line<'_>, value: Option<&Value>, near: bool) -> Checked<()> {
-        let found = self.slips(value, near).map_err(|stop| line.reject(Reason::Stopped(stop)))?;
-        let slip = found.iter().any(|slip| has_digits(&self.decimal, slip));
-        if slip { Err(line.reject(Reason::Slip)) } else { Ok(()) }
+    fn no_slip(&self, value: Option<&Value>, around: Option<&Read>) -> Checked<()> {
+        let found = self.slips(value, around)?;
+        require(!found.iter().any(|slip| has_digits(&self.decimal, slip)), Reason::Slip)
     }
 
-    /// The slips from the value; with `near`, also from the values of the cells around.
-    fn slips(&self, value: Option<&Value>, near: bool) -> Result<Vec<String>, Stop> {
-        let Some(value) = value.filter(|_| self.table.tolerance.is_none()) else {
-            return Ok(Vec::new());
-        };
-        if rounding(&self.decimal, value)? != Rounding::Neither {
+    /// The slips from the value, and from those of the cells around, which are read so.
+    fn slips(&self, value: Option<&Value>, around: Option<&Read>) -> Result<Vec<String>, Stop> {
+        let Some(value) = value.filter(|_| !self.is_depth()) else { return Ok(Vec::new()) };
+        if self.rounding(Some(value))? != "neither" {
             return Ok(Vec::new());
         }
         let mut slips = slips(&self.decimal, value)?;
-        let (rows, columns) = self.table.size();
-        for (down, right) in [(0, 1), (0, -1), (1, 0), (-1, 0)].into_iter().filter(|_| near) {
-            let row = self.place.0.checked_add_signed(down).filter(|row| *row < rows);
-            let column = self.place.1.checked_add_signed(right).filter(|at| *at < columns);
-            let Some(place) = row.zip(column) else { continue };
-            if let (_, Ok(other)) = self.table.needed(place)
-                && !other.plus(-1, value)?.is_zero()
-                && rounding(&self.decimal, &other)? != Rounding::Neither
+        let steps = [(0, 1), (0, -1), (1, 0), (-1, 0)].into_iter();
+        for (step, read) in steps.filter_map(|step| around.map(|read| (step, read))) {
+            let Some(place) = self.table.moved(self.place, step) else { continue };
+            // Another reading is about printed cells.
+            if !self.table.is_as_printed(read) && self.table.printed(place).is_none() {
+                continue;
+            }
+            let Some(other) = self.table.read(place, read)? else { continue };
+            if other.equals(value)? || self.rounding(Some(&other))? == "neither" {
+                continue;
+            }
+            slips.push(format!("neighbour {} {}", step.0, step.1));
+            // Each of the two prints the other's value.
+            if let Some((_, printed)) = self.table.printed(place)
+                && rounding(&printed, &other)? == "neither"
+                && rounding(&printed, value)? != "neither"
+                && telling(&printed) > 0
+                && telling(&printed) + telling(&self.decimal) >= 5
             {
-                slips.push(format!("neighbour {down} {right}"));
+                slips.push(format!("exchanged {} {}", step.0, step.1));
             }
         }
         Ok(slips)
     }
+}
+
+/// How the cells around one are read: in a row or column of its own they do not count.
+fn around(part: &PartRead) -> Option<&Read> {
+    part.is_whole().then_some(&part.read)
 }

@@ -1,14 +1,14 @@
 //! Rule `equation`: two sides, as polynomials in the symbols, in every case.
 
-use crate::certificate::{Block, Line};
+use crate::certificate::Block;
 use crate::decimal::{Q, int};
-use crate::evaluate::Scope;
-use crate::formula::Expr;
-use crate::paper::{Axis, Paper, formula_of, restates, value};
-use crate::reject::{Checked, Reason};
+use crate::evaluate::{MAX_INTEGER, Scope, member};
+use crate::formula::{Expr, Head};
+use crate::paper::{Axis, Paper, formula_of, value};
+use crate::reject::{Checked, Reason, Stop, require};
 use crate::scheme::formula;
 use crate::toml::Toml;
-use crate::value::{Stop, Value};
+use crate::value::Value;
 
 /// The most cases of an equation.
 const MAX_CASES: usize = 100_000;
@@ -18,134 +18,78 @@ type Case<'a> = Vec<(&'a str, Q)>;
 
 /// Checks an equation.
 pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<()> {
-    if let Some((line, said)) = block.optional("absent") {
-        return restates(line, "absent", said, claim.text("absent"));
+    if block.next_word() == "absent" {
+        return block.restates("absent", claim.text("absent"));
     }
-    let lefts = match claim.get("left") {
-        Some(Toml::List(lefts)) => lefts.iter().map(Toml::as_text).collect(),
-        left => vec![left.and_then(Toml::as_text)],
-    };
+    let each = claim.list("left");
+    let mut lefts: Vec<Option<&str>> = each.iter().map(Toml::as_text).collect();
+    if each.is_empty() {
+        lefts.push(claim.text("left"));
+    }
     for left in &lefts {
-        let (line, said) = block.take("left")?;
-        restates(line, "left", said, *left)?;
+        block.restates("left", *left)?;
     }
-    let (line, said) = block.take("right")?;
-    restates(line, "right", said, claim.text("right"))?;
-    let head = block.head;
-    let equation = Equation::new(paper, claim, &lefts);
-    let equation = equation.map_err(|stop| head.reject(Reason::Stopped(stop)))?;
-    let line = block.peek().unwrap_or(head);
-    let (verdict, count) = line.word();
-    block.take(if verdict == "fails" { "fails" } else { "holds" })?;
-    if count != equation.cases.len().to_string() {
-        return Err(line.reject(Reason::Cases));
+    block.restates("right", claim.text("right"))?;
+    let lefts = lefts.into_iter().map(|left| formula(left.unwrap_or("")));
+    let lefts = lefts.collect::<Result<Vec<Expr>, Stop>>()?;
+    let (right, cases) = (formula_of(claim, "right")?, cases(paper, claim)?);
+    if !each.is_empty() && lefts.len() != cases.len() {
+        return Err(Stop::Wrong("as many left sides as cases are needed".into()).into());
     }
+    let (verdict, count) = block.any()?;
+    require(["holds", "fails"].contains(&verdict), Reason::Malformed("holds or fails"))?;
+    require(count == cases.len().to_string(), Reason::Cases)?;
     let mut listed = 0;
-    for (i, case) in equation.cases.iter().enumerate() {
+    for (case, left) in cases.iter().zip(lefts.iter().cycle()) {
         let name = case.iter().map(|(_, value)| value.to_string()).collect::<Vec<_>>().join(" ");
-        let scope = equation.scope(case).map_err(|stop| line.reject(Reason::Stopped(stop)))?;
-        let difference = equation.difference(i, &scope);
-        let difference = difference.map_err(|stop| line.reject(Reason::Stopped(stop)))?;
-        let Some((line, said)) = block.peek().and_then(|line| listing(line, &name)) else {
-            if difference.is_zero() {
-                continue;
-            }
-            return Err(line.reject(Reason::Differ(name)));
+        let scope = scope(paper, claim, case)?;
+        let difference = scope.value(left)?.minus(&scope.value(&right)?)?;
+        // `case 3 1/2 = p[0] - p[1]`, if the next line is about this case.
+        let line = block.peek().map(|line| line.word()).filter(|(word, _)| *word == "case");
+        let line = line.and_then(|(_, said)| said.split_once('='));
+        let Some((_, said)) = line.filter(|(case, _)| case.trim() == name) else {
+            require(difference.is_zero(), Reason::Differ(name))?;
+            continue;
         };
-        block.take("case")?;
-        let said = value(line, said, &equation.symbols())?;
-        if said.is_zero() {
-            return Err(line.reject(Reason::NoDifference));
-        }
-        let off = difference.plus(-1, &said).map_err(|stop| line.reject(Reason::Stopped(stop)))?;
-        if !off.is_zero() {
-            return Err(line.reject(Reason::Difference));
-        }
+        block.after("case")?;
+        let said = value(said, &symbols(paper, claim))?;
+        require(!said.is_zero(), Reason::NoDifference)?;
+        require(difference.equals(&said)?, Reason::Difference)?;
         listed += 1;
     }
-    if let Some(line) = block.peek().filter(|line| line.word().0 == "case") {
-        return Err(line.reject(Reason::Case));
+    require(block.maybe("case").is_none(), Reason::Case)?;
+    require((listed > 0) == (verdict == "fails"), Reason::Verdict)
+}
+
+/// A scope of the symbols.
+fn symbols<'a>(paper: &'a Paper<'a>, claim: &Toml) -> Scope<'a> {
+    let mut scope = paper.scope();
+    for symbol in claim.list("symbols").iter().filter_map(Toml::as_text) {
+        scope.values.insert(symbol.to_owned(), Value::symbol(symbol));
+        scope.families.insert(symbol.to_owned());
     }
-    if (listed > 0) == (verdict == "fails") { Ok(()) } else { Err(line.reject(Reason::Verdict)) }
+    scope
 }
 
-/// The difference that a line gives, if it is about this case: `case 3 1/2 = p[0] - p[1]`.
-fn listing<'l>(line: Line<'l>, case: &str) -> Option<(Line<'l>, &'l str)> {
-    let said = line.after("case").ok()?;
-    let (name, difference) = said.split_once('=')?;
-    (name.trim() == case).then_some((line, difference))
-}
-
-struct Equation<'a> {
-    paper: &'a Paper<'a>,
-    claim: &'a Toml,
-    lefts: Vec<Expr>,
-    right: Expr,
-    hypotheses: Vec<(String, Vec<Expr>, Expr)>,
-    cases: Vec<Case<'a>>,
-}
-
-impl<'a> Equation<'a> {
-    fn new(
-        paper: &'a Paper<'a>,
-        claim: &'a Toml,
-        lefts: &[Option<&str>],
-    ) -> Result<Equation<'a>, Stop> {
-        let lefts = lefts.iter().map(|left| formula(left.unwrap_or("")));
-        let lefts = lefts.collect::<Result<Vec<Expr>, Stop>>()?;
-        let hypothesis = |text: &Toml| {
-            let wrong = Stop::Wrong("a hypothesis is `q[i] = …`".into());
-            let (member, value) =
-                text.as_text().and_then(|text| text.split_once('=')).ok_or(wrong.clone())?;
-            match formula(member.trim())? {
-                Expr::Member(name, positions) => Ok((name, positions, formula(value.trim())?)),
-                _ => Err(wrong),
-            }
+/// The scope of a case.
+fn scope<'a>(paper: &'a Paper<'a>, claim: &Toml, case: &Case<'_>) -> Result<Scope<'a>, Stop> {
+    let mut scope = symbols(paper, claim);
+    let values = case.iter().map(|(name, value)| ((*name).to_owned(), value.clone().into()));
+    scope.values.extend(values);
+    for text in claim.list("hypotheses").iter().filter_map(Toml::as_text) {
+        let (name, value) = text.split_once('=').unwrap_or((text, ""));
+        let Expr::Of(Head::Member(family), positions) = formula(name.trim())? else {
+            return Err(Stop::Wrong("a hypothesis is `q[i] = …`".into()));
         };
-        let hypotheses = claim.list("hypotheses").iter().map(hypothesis);
-        let hypotheses = hypotheses.collect::<Result<Vec<_>, Stop>>()?;
-        let (right, cases) = (formula_of(claim, "right")?, cases(paper, claim)?);
-        let each = matches!(claim.get("left"), Some(Toml::List(_)));
-        if each && lefts.len() != cases.len() {
-            return Err(Stop::Wrong("as many left sides as cases are needed".into()));
-        }
-        Ok(Equation { paper, claim, lefts, right, hypotheses, cases })
+        let positions = positions.iter().map(|position| scope.value(position));
+        let name = member(&family, &positions.collect::<Result<Vec<Value>, Stop>>()?)?;
+        let value = scope.value(&formula(value.trim())?)?;
+        scope.values.insert(name, value);
     }
-
-    /// A scope of the symbols.
-    fn symbols(&self) -> Scope<'a> {
-        let mut scope = self.paper.scope();
-        for symbol in self.claim.list("symbols").iter().filter_map(Toml::as_text) {
-            scope.values.insert(symbol.to_owned(), Value::symbol(symbol));
-            scope.families.insert(symbol.to_owned());
-        }
-        scope
+    if let Some(reference) = claim.text("scheme") {
+        scope.scheme = paper.library.resolve(reference, &scope)?.first().cloned();
     }
-
-    fn scope(&self, case: &Case<'a>) -> Result<Scope<'a>, Stop> {
-        let mut scope = self.symbols();
-        for (name, value) in case {
-            scope.values.insert((*name).to_owned(), value.clone().into());
-        }
-        for (name, positions, value) in &self.hypotheses {
-            let mut key = Vec::new();
-            for position in positions {
-                key.push(scope.value(position)?.integer(1_000_000)?.to_string());
-            }
-            let value = scope.value(value)?;
-            scope.values.insert(format!("{name}[{}]", key.join(",")), value);
-        }
-        if let Some(reference) = self.claim.text("scheme") {
-            scope.scheme = self.paper.library.resolve(reference, &scope)?.first().cloned();
-        }
-        Ok(scope)
-    }
-
-    /// left − right in the case of this place.
-    fn difference(&self, place: usize, scope: &Scope<'_>) -> Result<Value, Stop> {
-        let left = if self.lefts.len() > 1 { place } else { 0 };
-        scope.value(&self.lefts[left])?.plus(-1, &scope.value(&self.right)?)
-    }
+    Ok(scope)
 }
 
 /// Every combination of the indices, the first one slowest.
@@ -157,15 +101,11 @@ fn cases<'a>(paper: &'a Paper<'a>, claim: &'a Toml) -> Result<Vec<Case<'a>>, Sto
             let bounds = index.text("name").zip(index.text("from")).zip(index.text("to"));
             let (name, values): (&str, Vec<Q>) = if let Some(((name, from), to)) = bounds {
                 let mut scope = paper.nothing();
-                for (name, value) in &case {
-                    scope.values.insert((*name).to_owned(), value.clone().into());
-                }
-                let bound = |text| scope.value(&formula(text)?)?.integer(1_000_000);
-                let (from, to) = (bound(from)?, bound(to)?);
-                if usize::try_from(to - from).is_ok_and(|more| more >= MAX_CASES) {
-                    return Err(Stop::Capped("the number of cases"));
-                }
-                (name, (from..=to).map(int).collect())
+                let values =
+                    case.iter().map(|(name, value)| ((*name).into(), value.clone().into()));
+                scope.values.extend(values);
+                let bound = |text| scope.value(&formula(text)?)?.integer(MAX_INTEGER);
+                (name, (bound(from)?..=bound(to)?).take(MAX_CASES + 1).map(int).collect())
             } else {
                 let axis = Axis::read(index)?;
                 (axis.name, axis.entries.into_iter().map(|(_, value)| value).collect())
@@ -173,11 +113,8 @@ fn cases<'a>(paper: &'a Paper<'a>, claim: &'a Toml) -> Result<Vec<Case<'a>>, Sto
             if longer.len() + values.len() > MAX_CASES {
                 return Err(Stop::Capped("the number of cases"));
             }
-            for value in values {
-                let mut case = case.clone();
-                case.push((name, value));
-                longer.push(case);
-            }
+            let cases = values.into_iter().map(|value| [&case[..], &[(name, value)]].concat());
+            longer.extend(cases);
         }
         cases = longer;
     }

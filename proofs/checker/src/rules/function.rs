@@ -1,46 +1,34 @@
 //! Rule `function`: two sides as functions of a parameter.
 
-use super::pieces::{Free, Place, verdict};
+use super::pieces::{Free, Place};
 use crate::certificate::Block;
 use crate::decimal::read_rational;
-use crate::paper::{Paper, formula_of, restates};
-use crate::reject::{Checked, Reason};
+use crate::paper::{Paper, formula_of};
+use crate::reject::{Checked, Reason, require};
 use crate::toml::Toml;
 
 /// Checks a function.
 pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<()> {
     let free = Free::read(paper, claim, block)?;
-    let mut sides = Vec::new();
-    for side in ["left", "right"] {
-        let (line, said) = block.take(side)?;
-        restates(line, side, said, claim.text(side))?;
-        let formula = formula_of(claim, side);
-        sides.push(formula.map_err(|stop| line.reject(Reason::Stopped(stop)))?);
-    }
+    block.restates("left", claim.text("left"))?;
+    block.restates("right", claim.text("right"))?;
+    let sides = [formula_of(claim, "left")?, formula_of(claim, "right")?];
     let pieces =
-        free.pieces(block, |scope| scope.value(&sides[0])?.plus(-1, &scope.value(&sides[1])?))?;
-    let (line, word, said) = verdict(block)?;
+        free.pieces(block, |scope| scope.value(&sides[0])?.minus(&scope.value(&sides[1])?))?;
+    let (word, said) = block.any()?;
     let equal = pieces.signs.iter().all(|sign| *sign == 0);
-    if (word == "holds") != equal || !["holds", "fails"].contains(&word) {
-        return Err(line.reject(Reason::Verdict));
-    }
-    let words: Vec<&str> = said.split_whitespace().collect();
-    match words[..] {
+    require(word == if equal { "holds" } else { "fails" }, Reason::Verdict)?;
+    match said.split_whitespace().collect::<Vec<&str>>()[..] {
         [] if equal => Ok(()),
         [at, left, right] if !equal => {
-            let at = read_rational(at).ok_or(line.reject(Reason::Malformed("a number")))?;
-            let stopped = |stop| line.reject(Reason::Stopped(stop));
-            let scope = free.scope(&Place::At(&at)).map_err(stopped)?;
-            let said = [paper.closed(line, left)?, paper.closed(line, right)?];
+            let at = read_rational(at).ok_or(Reason::Malformed("a number"))?;
+            let scope = free.scope(&Place::At(&at))?;
+            let said = [paper.number(left)?, paper.number(right)?];
             for (side, said) in sides.iter().zip(&said) {
-                let value = scope.value(side).map_err(stopped)?;
-                if !value.plus(-1, said).map_err(stopped)?.is_zero() {
-                    return Err(line.reject(Reason::Value));
-                }
+                require(scope.value(side)?.equals(said)?, Reason::Value)?;
             }
-            let differ = !said[0].plus(-1, &said[1]).map_err(stopped)?.is_zero();
-            if differ { Ok(()) } else { Err(line.reject(Reason::NoDifference)) }
+            require(!said[0].equals(&said[1])?, Reason::NoDifference)
         }
-        _ => Err(line.reject(Reason::Malformed("holds, or fails NUMBER VALUE VALUE"))),
+        _ => Err(Reason::Malformed("holds, or fails NUMBER VALUE VALUE").into()),
     }
 }

@@ -13,10 +13,10 @@ mod sound;
 mod table;
 mod theorem;
 
-use crate::certificate::{Block, Line};
+use crate::certificate::Block;
 use crate::paper::Paper;
 use crate::reject::{Checked, Reason};
-use crate::table::Table;
+use crate::table::{Place, Table};
 use crate::toml::Toml;
 
 /// The fields of all claims, and those of the claims of each kind.
@@ -59,10 +59,9 @@ pub fn check<'a>(
     // What the claim file says beyond this could change what the claim means.
     let fields = FIELDS.iter().filter(|(of, _)| ["", kind].contains(of));
     let known: Vec<&str> = fields.flat_map(|(_, fields)| fields.split(' ')).collect();
-    if let Toml::Table(entries) = claim
-        && let Some((field, _)) = entries.iter().find(|(field, _)| !known.contains(&field.as_str()))
-    {
-        return Err(block.head.reject(Reason::Field(field.clone())));
+    let mut fields = claim.as_table().iter().map(|(field, _)| field);
+    if let Some(field) = fields.find(|field| !known.contains(&field.as_str())) {
+        return Err(Reason::Field(field.clone()).into());
     }
     let mut verdict = Verdict::Other;
     match kind {
@@ -71,7 +70,7 @@ pub fn check<'a>(
         "function" => function::check(paper, claim, block)?,
         "range" => range::check(paper, claim, block)?,
         "theorem" => verdict = theorem::check(paper, claim, block)?,
-        _ => return Err(block.head.reject(Reason::NoSuchClaim)),
+        _ => return Err(Reason::NoSuchClaim.into()),
     }
     block.finished()?;
     let holds = ["holds", "exact"].contains(&block.last().word().0);
@@ -79,11 +78,7 @@ pub fn check<'a>(
 }
 
 /// The place of a cell that a line begins with, and what follows.
-fn place<'l>(
-    table: &Table<'_>,
-    line: Line<'_>,
-    said: &'l str,
-) -> Checked<((usize, usize), &'l str)> {
+fn place<'l>(table: &Table<'_>, said: &'l str) -> Checked<(Place, &'l str)> {
     let mut words = said.splitn(3, ' ');
     let mut next = |count: usize| {
         let place: usize = words.next()?.parse().ok()?;
@@ -91,5 +86,5 @@ fn place<'l>(
     };
     let (rows, columns) = table.size();
     let place = next(rows).and_then(|row| Some((row, next(columns)?)));
-    Ok((place.ok_or(line.reject(Reason::Cell))?, words.next().unwrap_or_default()))
+    Ok((place.ok_or(Reason::Cell)?, words.next().unwrap_or_default()))
 }

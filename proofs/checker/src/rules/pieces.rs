@@ -1,12 +1,12 @@
 //! What the rules `function` and `range` have in common: signs on pieces of a line.
 
-use crate::certificate::{Block, Line};
+use crate::certificate::Block;
 use crate::decimal::{Q, read_rational};
 use crate::evaluate::Scope;
-use crate::paper::{Paper, restates};
-use crate::reject::{Checked, Reason};
+use crate::paper::Paper;
+use crate::reject::{Checked, Reason, Stop, require};
 use crate::toml::Toml;
-use crate::value::{Piece, Stop, Value};
+use crate::value::{Piece, Value};
 
 /// The most breaks.
 const MAX_BREAKS: usize = 1_000;
@@ -40,11 +40,9 @@ pub struct Free<'a> {
 impl<'a> Free<'a> {
     /// Reads the lines `variable` and `scheme`.
     pub fn read(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<Free<'a>> {
-        let (line, said) = block.take("variable")?;
-        restates(line, "variable", said, claim.text("variable"))?;
+        block.restates("variable", claim.text("variable"))?;
         if claim.text("scheme").is_some() {
-            let (line, said) = block.take("scheme")?;
-            restates(line, "scheme", said, claim.text("scheme"))?;
+            block.restates("scheme", claim.text("scheme"))?;
         }
         Ok(Free { paper, claim, variable: claim.text("variable").unwrap_or_default() })
     }
@@ -74,38 +72,28 @@ impl<'a> Free<'a> {
         block: &mut Block<'_>,
         value: impl Fn(&Scope<'_>) -> Result<Value, Stop>,
     ) -> Checked<Pieces> {
-        let (line, said) = block.take("breaks")?;
-        let breaks: Option<Vec<Q>> = said.split_whitespace().map(read_rational).collect();
-        let breaks = breaks.ok_or(line.reject(Reason::Malformed("numbers")))?;
-        if breaks.len() > MAX_BREAKS || breaks.windows(2).any(|pair| pair[0] >= pair[1]) {
-            return Err(line.reject(Reason::Breaks));
-        }
-        let (line, said) = block.take("signs")?;
-        let stopped = |stop| line.reject(Reason::Stopped(stop));
+        let breaks = block.after("breaks")?.split_whitespace().map(read_rational);
+        let breaks: Vec<Q> = breaks.collect::<Option<_>>().ok_or(Reason::Malformed("numbers"))?;
+        let increase = breaks.windows(2).all(|pair| pair[0] < pair[1]);
+        require(breaks.len() <= MAX_BREAKS && increase, Reason::Breaks)?;
+        let said = block.after("signs")?;
         let mut signs = Vec::new();
         for i in 0..=breaks.len() {
-            let low = i.checked_sub(1).and_then(|i| breaks.get(i));
-            signs.push(self.on_piece(low, breaks.get(i), &value).map_err(stopped)?);
+            let low = i.checked_sub(1).map(|i| &breaks[i]);
+            signs.push(self.on_piece(low, breaks.get(i), &value)?.ok_or(Reason::Signs)?);
             if let Some(at) = breaks.get(i) {
-                signs.push(Some(self.at(at, &value).map_err(stopped)?));
+                signs.push(self.at(at, &value)?);
             }
         }
-        let signs: Option<Vec<i8>> = signs.into_iter().collect();
-        let signs = signs.ok_or(line.reject(Reason::Signs))?;
-        let word = |sign: &i8| match sign {
+        let words = signs.iter().map(|sign| match sign {
             -1 => "-",
             0 => "0",
             _ => "+",
-        };
-        let words = signs.iter().map(word);
-        if !words.eq(said.split_whitespace()) {
-            return Err(line.reject(Reason::Signs));
-        }
+        });
+        require(words.eq(said.split_whitespace()), Reason::Signs)?;
         Ok(Pieces { breaks, signs })
     }
-}
 
-impl Free<'_> {
     fn at(&self, at: &Q, value: impl Fn(&Scope<'_>) -> Result<Value, Stop>) -> Result<i8, Stop> {
         value(&self.scope(&Place::At(at))?)?.sign(None)
     }
@@ -138,12 +126,4 @@ impl Free<'_> {
         }
         Err(Stop::Capped("the number of pieces"))
     }
-}
-
-/// The last line of a block, which says the verdict.
-pub fn verdict<'l>(block: &mut Block<'l>) -> Checked<(Line<'l>, &'l str, &'l str)> {
-    let line = block.peek().ok_or(block.head.reject(Reason::Malformed("a verdict")))?;
-    let (verdict, rest) = line.word();
-    block.optional(verdict);
-    Ok((line, verdict, rest))
 }

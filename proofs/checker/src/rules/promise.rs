@@ -4,16 +4,16 @@
 use super::place;
 use super::sound::Promised;
 use super::theorem::violated;
-use crate::certificate::{Block, Line};
+use crate::certificate::Block;
 use crate::convolution::classes;
 use crate::decimal::Q;
 use crate::functional::{MAX_LEVEL, Rules};
 use crate::functions::greatest;
-use crate::reject::{Checked, Reason};
+use crate::reject::{Checked, Reason, Stop, require};
 use crate::ring::Ring;
 use crate::table::Table;
-use crate::value::{Stop, Value};
-use crate::witness::{Setting, Witness, converges};
+use crate::value::Value;
+use crate::witness::{Setting, Witness, converge};
 use num_traits::Zero;
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -24,56 +24,49 @@ const MAX_POINTS: i64 = 1 << 16;
 /// Checks the lines `witness`, and those of the cells.
 pub fn check<'a>(table: &'a Table<'a>, block: &mut Block<'_>) -> Checked<()> {
     let mut witnesses = BTreeMap::new();
-    while let Some((line, name)) = block.optional("witness") {
-        let witness = Witness::read(table.paper, block)?;
-        if witnesses.insert(name, witness).is_some() {
-            return Err(line.reject(Reason::Taken));
-        }
+    while let Some(name) = block.maybe("witness") {
+        require(!witnesses.contains_key(name), Reason::Taken)?;
+        witnesses.insert(name, Witness::read(table.paper, block)?);
     }
     if table.claim.get("promise").is_none() {
         return Ok(());
     }
     let mut settings = Settings::new();
-    let (rows, columns) = table.size();
-    for at in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))) {
-        let Some((_, printed)) = table.printed(at.0, at.1) else { continue };
-        let (verdict, (line, said)) = ["kept", "broken", "undecided"]
-            .into_iter()
-            .find_map(|verdict| Some((verdict, block.optional(verdict)?)))
-            .ok_or_else(|| block.peek().unwrap_or(block.head).reject(Reason::Promises))?;
-        let (found, said) = place(table, line, said)?;
-        if found != at || verdict == "undecided" && !said.is_empty() {
-            return Err(line.reject(Reason::Promises));
-        }
+    for at in table.places() {
+        let Some((_, printed)) = table.printed(at) else { continue };
+        let verdict = block.next_word();
+        block.look();
+        require(["kept", "broken", "undecided"].contains(&verdict), Reason::Promises)?;
+        let (found, said) = place(table, block.any()?.1)?;
+        let proper = found == at && (verdict != "undecided" || said.is_empty());
+        require(proper, Reason::Promises)?;
         if verdict == "undecided" {
             continue;
         }
-        let promised = Promised::new(table, line, at)?;
+        let promised = Promised::new(table, at)?;
         let printed = Value::from(printed.value());
         let (level, most) = match (&promised.level, &promised.tolerance) {
             (Some(level), _) => (*level, printed),
             (None, Some(tolerance)) => {
                 (printed.integer(MAX_LEVEL.into()).unwrap_or(-1), tolerance.clone())
             }
-            (None, None) => return Err(line.reject(Reason::NoPromise)),
+            (None, None) => return Err(Reason::NoPromise.into()),
         };
         let level = u32::try_from(level).ok().filter(|level| *level <= MAX_LEVEL);
-        let level = level.ok_or_else(|| line.reject(Reason::Malformed("a level")))?;
-        let setting = setting(&promised, line, &mut settings)?;
+        let level = level.ok_or(Reason::Malformed("a level"))?;
+        let setting = setting(&promised, &mut settings)?;
         if verdict == "kept" {
-            kept(&promised, &setting, line, said, (level, &most))?;
+            kept(&promised, &setting, said, level, &most)?;
             continue;
         }
         let (name, sides) = said.split_once(' ').unwrap_or((said, ""));
-        let witness = witnesses.get(name).ok_or_else(|| line.reject(Reason::NoWitness))?;
+        let witness = witnesses.get(name).ok_or(Reason::NoWitness)?;
         let spread = witness.spreads(&setting)?.into_iter().max().unwrap_or_else(Q::zero);
-        if spread.is_zero() {
-            return Err(witness.line.reject(Reason::Malformed("data that are not all equal")));
-        }
+        let flat = require(!spread.is_zero(), Reason::Malformed("data that are not all equal"));
+        flat.map_err(|rejection| rejection.at(witness.line))?;
         let distance = witness.value(&setting, "distance", level)?;
-        let left = distance.times(&promised.spread).and_then(|left| left.over(&spread.into()));
-        let left = left.map_err(|stop| line.reject(Reason::Stopped(stop)))?;
-        violated(table.paper, line, sides, &left, &most)?;
+        let left = distance.times(&promised.spread)?.over(&spread.into())?;
+        violated(table.paper, sides, &left, &most)?;
     }
     Ok(())
 }
@@ -82,36 +75,26 @@ pub fn check<'a>(table: &'a Table<'a>, block: &mut Block<'_>) -> Checked<()> {
 type Settings<'a> = BTreeMap<String, Rc<Setting<'a>>>;
 
 /// What a cell speaks of.
-fn setting<'a>(
-    promised: &Promised<'a>,
-    line: Line<'_>,
-    known: &mut Settings<'a>,
-) -> Checked<Rc<Setting<'a>>> {
-    let stopped = |stop| line.reject(Reason::Stopped(stop));
+fn setting<'a>(promised: &Promised<'a>, known: &mut Settings<'a>) -> Checked<Rc<Setting<'a>>> {
     let Promised { table, scope, schemes, offset, .. } = promised;
     let library = table.paper.library;
     let ring = table.claim.get("promise").and_then(|promise| promise.text("ring"));
     let key = match ring {
-        Some(ring) => format!("{:?}", library.entry(ring, scope).map_err(stopped)?.2),
+        Some(ring) => format!("{:?}", library.entry(ring, scope)?.2),
         None => format!("{:?} {offset:?}", schemes.iter().map(Rc::as_ptr).collect::<Vec<_>>()),
     };
     if let Some(known) = known.get(&key) {
         return Ok(Rc::clone(known));
     }
     let (setting, contracts) = if let Some(ring) = ring {
-        let ring = Ring::new(library, ring, scope).map_err(stopped)?;
-        let contracts = ring.contracts();
+        let ring = Ring::new(library, ring, scope)?;
+        let contracts = ring.contracts()?;
         (Setting::Ring(ring, None), contracts)
     } else {
         let masks = Setting::masks(library, schemes, *offset).filter(|_| !schemes.is_empty());
-        let each = schemes.iter().map(|scheme| converges(scope, scheme));
-        let each = each.collect::<Result<Vec<bool>, Stop>>();
-        let rational = || line.reject(Reason::Malformed("rational masks"));
-        (masks.ok_or_else(rational)?, each.map(|each| !each.contains(&false)))
+        (masks.ok_or(Reason::Malformed("rational masks"))?, converge(scope, schemes)?)
     };
-    if !contracts.map_err(stopped)? {
-        return Err(line.reject(Reason::NoLimit));
-    }
+    require(contracts, Reason::NoLimit)?;
     let setting = Rc::new(setting);
     known.insert(key, Rc::clone(&setting));
     Ok(setting)
@@ -122,26 +105,21 @@ fn setting<'a>(
 fn kept(
     promised: &Promised<'_>,
     setting: &Setting<'_>,
-    line: Line<'_>,
     said: &str,
-    (level, most): (u32, &Value),
+    level: u32,
+    most: &Value,
 ) -> Checked<()> {
-    let stopped = |stop| line.reject(Reason::Stopped(stop));
-    let malformed = || line.reject(Reason::Malformed("ROW COLUMN L M c, L from the level on"));
-    let [later, constants] = said.splitn(2, ' ').collect::<Vec<&str>>()[..] else {
-        return Err(malformed());
+    let malformed = Reason::Malformed("ROW COLUMN L M c, L from the level on");
+    let (later, constants) = said.split_once(' ').ok_or(malformed.clone())?;
+    let later: u32 = later.parse().ok().filter(|l| *l >= level).ok_or(malformed.clone())?;
+    let bound = promised.bound(i64::from(later), constants)?;
+    let change = match setting {
+        _ if later == level => Value::int(0),
+        Setting::Masks(rules) => change(promised, rules, level, later)?,
+        Setting::Ring(..) => return Err(malformed.into()),
     };
-    let later: u32 = later.parse().ok().filter(|l| *l >= level).ok_or_else(malformed)?;
-    let bound = promised.bound(line, i64::from(later), constants)?;
-    let change = if later == level {
-        Value::int(0)
-    } else {
-        let Setting::Masks(rules) = setting else { return Err(malformed()) };
-        change(promised, rules, level, later).map_err(stopped)?
-    };
-    let sum = change.times(&promised.spread).and_then(|change| bound.plus(1, &change));
-    let above = sum.and_then(|sum| sum.plus(-1, most)?.sign(None)).map_err(stopped)?;
-    if above > 0 { Err(line.reject(Reason::TooLarge)) } else { Ok(()) }
+    let sum = bound.plus(1, &change.times(&promised.spread)?)?;
+    require(sum.compare(most)?.is_le(), Reason::TooLarge)
 }
 
 /// A bound of ‖P^l − P^k‖ for the spread 1.
@@ -167,6 +145,5 @@ fn change(promised: &Promised<'_>, rules: &[Rules<'_>], k: u32, l: u32) -> Resul
     let (c, d) = (largest(first)?, largest(second)?);
     let one = c.times(&norm(1, l)?)?.plus(1, &d.times(&norm(0, k)?)?)?;
     let other = d.times(&norm(0, l)?)?.plus(1, &c.times(&norm(1, k)?)?)?;
-    let least = one.plus(1, &other)?.plus(-1, &one.max(&other, None)?)?;
-    Ok(least)
+    Ok(if one.compare(&other)?.is_lt() { one } else { other })
 }

@@ -1,13 +1,12 @@
 //! Rule `range`: where a value keeps a limit, against the printed ends.
 
-use super::pieces::{Free, Pieces, verdict};
+use super::pieces::{Free, Pieces};
 use crate::certificate::Block;
-use crate::decimal::{Decimal, Q, read_rational};
-use crate::paper::{Paper, formula_of, printed, restates};
-use crate::reject::{Checked, Reason};
-use crate::rounding::{Rounding, rounding};
+use crate::decimal::{Decimal, Q, int, read_rational};
+use crate::paper::{Paper, formula_of, printed};
+use crate::reject::{Checked, Reason, Stop, require};
+use crate::rounding::rounding;
 use crate::toml::Toml;
-use crate::value::{Stop, Value};
 use num_traits::Signed;
 
 /// An end of an interval: `None` if it is infinite, and whether it belongs to the set.
@@ -16,55 +15,40 @@ type End = (Option<Q>, bool);
 /// Checks a range.
 pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<()> {
     let free = Free::read(paper, claim, block)?;
-    let head = block.head;
-    let stopped = |stop| head.reject(Reason::Stopped(stop));
-    let (line, said) = block.take("value")?;
-    restates(line, "value", said, claim.text("value"))?;
+    block.restates("value", claim.text("value"))?;
     let below = claim.get("below").is_some();
     let (word, key) = if below { ("below", "below") } else { ("at-most", "at_most") };
-    let (line, said) = block.take(word)?;
-    restates(line, word, said, claim.text(key))?;
-    let value = formula_of(claim, "value").map_err(stopped)?;
-    let limit = formula_of(claim, key).and_then(|limit| paper.nothing().value(&limit));
-    let limit = limit.map_err(stopped)?;
-    let pieces = free.pieces(block, |scope| scope.value(&value)?.plus(-1, &limit))?;
+    block.restates(word, claim.text(key))?;
+    let value = formula_of(claim, "value")?;
+    let limit = paper.nothing().value(&formula_of(claim, key)?)?;
+    let pieces = free.pieces(block, |scope| scope.value(&value)?.minus(&limit))?;
     let set = intervals(&pieces, below);
     let mut relations = Vec::new();
-    for (side, name) in ["from", "to"].into_iter().enumerate() {
+    for (side, name, outwards) in [(0, "from", -1), (1, "to", 1)] {
         let Some(field) = claim.get(name) else {
-            relations.push(match &set[..] {
-                [only] if only[side].0.is_none() => "equal",
-                _ => "apart",
-            });
+            let infinite = matches!(&set[..], [only] if only[side].0.is_none());
+            relations.push(if infinite { "equal" } else { "apart" });
             continue;
         };
-        let (line, said) = block.take("end")?;
+        let said = block.after("end")?;
         let (text, read) = printed(field).unwrap_or_default();
-        let decimal = Decimal::read(read).ok_or(line.reject(Reason::Ends))?;
+        let decimal = Decimal::read(read).ok_or(Reason::Ends)?;
         let said = said.strip_prefix(&format!("{name} \"{text}\" "));
-        let said = said.ok_or(line.reject(Reason::Ends))?;
-        let (exact, relation) = said.split_once(' ').ok_or(line.reject(Reason::Ends))?;
+        let (exact, relation) = said.and_then(|said| said.split_once(' ')).ok_or(Reason::Ends)?;
         let ends = set.iter().map(|interval| &interval[side]);
-        let ends = ends.filter_map(|(end, belongs)| Some((end.clone()?, *belongs)));
-        let at = decimal.value();
-        let nearest = ends.min_by_key(|(end, _)| (end - &at).abs());
+        let ends = ends.filter_map(|(end, belongs)| Some((end.as_ref()?, *belongs)));
+        let nearest = ends.min_by_key(|(end, _)| (*end - decimal.value()).abs());
         let found = match &nearest {
             None => exact == "none",
-            Some((end, _)) => read_rational(exact).as_ref() == Some(end),
+            Some((end, _)) => read_rational(exact).as_ref() == Some(*end),
         };
-        if !found {
-            return Err(line.reject(Reason::ExactEnd));
-        }
+        require(found, Reason::ExactEnd)?;
         let closed = match claim.get("closed") {
             Some(Toml::Flag(closed)) => Some(*closed),
             _ => None,
         };
-        let end = PrintedEnd { decimal, closed, outwards: if side == 0 { -1 } else { 1 } };
-        let expected = end.relation(nearest.as_ref(), &set);
-        let expected = expected.map_err(|stop| line.reject(Reason::Stopped(stop)))?;
-        if relation.trim() != expected {
-            return Err(line.reject(Reason::Relation));
-        }
+        let expected = self::relation(&decimal, closed, outwards, nearest, &set)?;
+        require(relation.trim() == expected, Reason::Relation)?;
         relations.push(expected);
     }
     let expected = match &set[..] {
@@ -72,8 +56,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         [_] if relations.iter().all(|word| !["belonging", "apart"].contains(word)) => "rounding",
         _ => "inexact",
     };
-    let (line, found, rest) = verdict(block)?;
-    if found == expected && rest.is_empty() { Ok(()) } else { Err(line.reject(Reason::Verdict)) }
+    require(block.any()? == (expected, ""), Reason::Verdict)
 }
 
 /// The intervals of the set where the sign is −1, or, unless `below`, 0 too.
@@ -94,34 +77,29 @@ fn intervals(pieces: &Pieces, below: bool) -> Vec<[End; 2]> {
     intervals
 }
 
-struct PrintedEnd {
-    decimal: Decimal,
+/// How a printed end, which belongs to the set or not as it is `closed`, is related to the
+/// exact one; `outwards` is −1 for a lower end, 1 for an upper one.
+fn relation(
+    printed: &Decimal,
     closed: Option<bool>,
-    /// −1 for a lower end, 1 for an upper one.
     outwards: i64,
-}
-
-impl PrintedEnd {
-    fn relation(&self, exact: Option<&(Q, bool)>, set: &[[End; 2]]) -> Result<&'static str, Stop> {
-        let Some((end, belongs)) = exact else { return Ok("apart") };
-        let at = self.decimal.value();
-        if at == *end {
-            let same = self.closed.is_none_or(|closed| closed == *belongs);
-            return Ok(if same { "equal" } else { "belonging" });
-        }
-        Ok(match rounding(&self.decimal, &Value::from(end.clone()))? {
-            Rounding::Nearest => "nearest",
-            Rounding::Cut => "cut",
-            Rounding::Away => "away",
-            Rounding::Neither => {
-                let inside = set.iter().any(|[low, high]| {
-                    low.0.as_ref().is_none_or(|low| *low < at)
-                        && high.0.as_ref().is_none_or(|high| at < *high)
-                });
-                let next = at + self.decimal.unit() * Q::from_integer(self.outwards.into());
-                let last = inside && next == *end && !belongs && self.closed != Some(false);
-                if last { "last-inside" } else { "apart" }
-            }
-        })
+    exact: Option<(&Q, bool)>,
+    set: &[[End; 2]],
+) -> Result<&'static str, Stop> {
+    let Some((end, belongs)) = exact else { return Ok("apart") };
+    let at = printed.value();
+    if at == *end {
+        let same = closed.is_none_or(|closed| closed == belongs);
+        return Ok(if same { "equal" } else { "belonging" });
     }
+    let found = rounding(printed, &end.clone().into())?;
+    if found != "neither" {
+        return Ok(found);
+    }
+    let inside = set.iter().any(|[low, high]| {
+        low.0.as_ref().is_none_or(|low| *low < at) && high.0.as_ref().is_none_or(|high| at < *high)
+    });
+    let next = at + printed.unit() * int(outwards);
+    let last = inside && next == *end && !belongs && closed != Some(false);
+    Ok(if last { "last-inside" } else { "apart" })
 }

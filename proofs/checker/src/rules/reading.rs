@@ -1,11 +1,12 @@
 //! Rule `read`: the reading of a table, a member of the declared family.
 
-use crate::certificate::{Block, Line};
-use crate::reading::choice;
-use crate::reject::{Checked, Reason};
+use crate::certificate::Block;
+use crate::reading::CHOICES;
+use crate::reject::{Checked, Reason, Stop, require};
 use crate::scheme::formula;
-use crate::table::{Read, Table};
+use crate::table::{Place, Read, Table};
 use crate::toml::Toml;
+use crate::value::Value;
 use std::rc::Rc;
 
 /// The most choices and definitions that are other than printed.
@@ -14,106 +15,128 @@ pub const MAX_DIFFERENCES: usize = 4;
 /// The lines `read …` of a table; `None` when there are none.
 fn read(table: &Table<'_>, block: &mut Block<'_>) -> Checked<Option<Read>> {
     let (mut read, mut found, mut differences) = (Read::default(), false, 0);
-    while let Some((line, said)) = block.optional("read") {
+    while let Some(said) = block.maybe("read") {
         found = true;
         match said.split_whitespace().collect::<Vec<&str>>()[..] {
-            ["choice", name, way] => {
-                differences += 1;
-                choose(&mut read, line, name, way)?;
-            }
-            ["definition", name, number] => {
-                differences += 1;
-                define(table, &mut read, line, name, number)?;
-            }
+            ["choice", name, way] => choose(&mut read, name, way)?,
+            ["definition", name, number] => define(table, &mut read, name, number)?,
             ["parameter", name, value] => {
                 let known = table.given.contains_key(name) || table.unstated.contains_key(name);
-                let value = table.paper.closed(line, value)?;
-                if !known || read.parameters.insert(name.to_owned(), value).is_some() {
-                    return Err(line.reject(Reason::NotInFamily(name.to_owned())));
-                }
+                let value = table.paper.number(value)?;
+                let twice = read.parameters.insert(name.to_owned(), value).is_some();
+                require(known && !twice, Reason::NotInFamily(name.to_owned()))?;
+                continue;
             }
-            _ => return Err(line.reject(Reason::Malformed("choice, definition or parameter"))),
+            _ => return Err(Reason::Malformed("choice, definition or parameter").into()),
         }
-        if differences > MAX_DIFFERENCES {
-            return Err(line.reject(Reason::Differences));
-        }
+        differences += 1;
+        require(differences <= MAX_DIFFERENCES, Reason::Differences)?;
     }
     Ok(found.then_some(read))
 }
 
-/// How a table is read, and how some rows and columns are.
-pub struct Reads {
-    /// The whole table, if it is not as printed.
-    pub table: Option<Read>,
-    /// `row N` or `column N`, and the reading.
-    lines: Vec<(String, Read)>,
+/// The reading of a table, or of a row or a column.
+pub struct PartRead {
+    /// `row 2`, `column 1 from 0 1`; nothing for the table.
+    name: String,
+    /// 0 for a row or 1 for a column, and its number, counted from 0.
+    line: Option<(usize, usize)>,
+    /// How many rows down and columns to the right the values stand.
+    shift: (isize, isize),
+    /// The reading.
+    pub read: Read,
 }
+
+impl PartRead {
+    /// Whether it is about this cell.
+    pub fn holds(&self, place: Place) -> bool {
+        self.line.is_none_or(|(axis, number)| [place.0, place.1][axis] == number)
+    }
+
+    /// The value that should be in a cell.
+    pub fn value(&self, table: &Table<'_>, place: Place) -> Result<Option<Value>, Stop> {
+        let moved = table.moved(place, self.shift);
+        moved.map_or(Ok(None), |place| table.read(place, &self.read))
+    }
+
+    /// Whether it is of the whole table.
+    pub fn is_whole(&self) -> bool {
+        self.line.is_none()
+    }
+
+    /// The slip that explains a cell whose value stands elsewhere.
+    pub fn slip(&self) -> Option<String> {
+        let (down, right) = self.shift;
+        (self.shift != (0, 0)).then(|| format!("neighbour {down} {right}"))
+    }
+}
+
+/// How a table is read, if it is not as printed, and how some rows and columns are.
+pub struct Reads(Vec<PartRead>);
 
 impl Reads {
     /// Reads the lines `read …` of a table, and those under `row N` and `column N`.
     pub fn new(table: &Table<'_>, block: &mut Block<'_>) -> Checked<Reads> {
-        let mut reads = Reads { table: read(table, block)?, lines: Vec::new() };
-        while let Some(line) =
-            block.peek().filter(|line| ["row", "column"].contains(&line.word().0))
-        {
-            block.optional(line.word().0);
-            let (rows, columns) = table.size();
-            let most = if line.word().0 == "row" { rows } else { columns };
-            let number = line.word().1.parse().ok().filter(|number| (1..=most).contains(number));
-            let name = number.map(|number: usize| format!("{} {number}", line.word().0));
-            let name = name.ok_or(line.reject(Reason::Malformed("a row or column")))?;
-            let read = read(table, block)?.ok_or(line.reject(Reason::NoReading))?;
-            if self::of(&reads.lines, &name).is_some() {
-                return Err(line.reject(Reason::Malformed("another row or column")));
-            }
-            reads.lines.push((name, read));
+        let whole = |read| PartRead { name: String::new(), line: None, shift: (0, 0), read };
+        let mut reads: Vec<PartRead> = read(table, block)?.map(whole).into_iter().collect();
+        let (rows, columns) = table.size();
+        while let Some((word @ ("row" | "column"), said)) = block.peek().map(|line| line.word()) {
+            block.any()?;
+            let axis = usize::from(word == "column");
+            let (number, shift) = said.split_once(" from ").unwrap_or((said, "0 0"));
+            let number = number.parse().ok().filter(|i| (1..=[rows, columns][axis]).contains(i));
+            let number: usize = number.ok_or(Reason::Malformed("a row or column"))?;
+            let shifts = [(0, 0), (0, 1), (0, -1), (1, 0), (-1, 0)].into_iter();
+            let shift = shifts.into_iter().find(|(down, right)| format!("{down} {right}") == shift);
+            let shift = shift.ok_or(Reason::Malformed("a cell next to it"))?;
+            let name = format!("{word} {said}");
+            let twice = reads.iter().any(|known| known.name == name);
+            require(!twice, Reason::Malformed("another row or column"))?;
+            let read = read(table, block)?;
+            require(read.is_some() || shift != (0, 0), Reason::NoReading)?;
+            let (line, read) = (Some((axis, number - 1)), read.unwrap_or_default());
+            reads.push(PartRead { name, line, shift, read });
         }
-        Ok(reads)
+        Ok(Reads(reads))
     }
 
-    /// The reading of a row or column of a cell.
-    pub fn by(&self, place: (usize, usize), name: &str) -> Option<&Read> {
-        let own = [format!("row {}", place.0 + 1), format!("column {}", place.1 + 1)];
-        of(&self.lines, name).filter(|_| own.iter().any(|own| own == name))
+    /// The reading of the whole table.
+    pub fn whole(&self) -> Option<&Read> {
+        self.0.iter().find(|part| part.is_whole()).map(|part| &part.read)
     }
 
-    /// Every reading that is given for a cell.
-    pub fn of(&self, place: (usize, usize)) -> impl Iterator<Item = &Read> {
-        let lines = self.lines.iter().filter_map(move |(name, _)| self.by(place, name));
-        self.table.iter().chain(lines)
+    /// Every reading, of the table first.
+    pub fn all(&self) -> impl Iterator<Item = &PartRead> {
+        self.0.iter()
     }
-}
 
-fn of<'r>(lines: &'r [(String, Read)], name: &str) -> Option<&'r Read> {
-    lines.iter().find(|(known, _)| known == name).map(|(_, read)| read)
+    /// Every reading that is about a cell.
+    pub fn of(&self, place: Place) -> impl Iterator<Item = &PartRead> {
+        self.all().filter(move |part| part.holds(place))
+    }
+
+    /// That of this name.
+    pub fn by(&self, place: Place, name: &str) -> Option<&PartRead> {
+        self.of(place).find(|part| part.name == name)
+    }
 }
 
 /// Chooses a way.
-pub fn choose(read: &mut Read, line: Line<'_>, name: &str, way: &str) -> Checked<()> {
-    let known = choice(name).is_some_and(|choice| choice.ways.contains(&way));
-    if !known || read.reading.words.insert(name.to_owned(), way.to_owned()).is_some() {
-        return Err(line.reject(Reason::NotInFamily(format!("{name} {way}"))));
-    }
-    Ok(())
+pub fn choose(read: &mut Read, name: &str, way: &str) -> Checked<()> {
+    let known = CHOICES.iter().any(|choice| choice.name == name && choice.ways.contains(&way));
+    let twice = read.reading.words.insert(name.to_owned(), way.to_owned()).is_some();
+    require(known && !twice, Reason::NotInFamily(format!("{name} {way}")))
 }
 
 /// Puts the alternative of this number, counted from 1 among those of the definition, in
 /// place of the definition.
-pub fn define(
-    table: &Table<'_>,
-    read: &mut Read,
-    line: Line<'_>,
-    name: &str,
-    number: &str,
-) -> Checked<()> {
-    let unknown = || line.reject(Reason::NotInFamily(format!("{name} {number}")));
+pub fn define(table: &Table<'_>, read: &mut Read, name: &str, number: &str) -> Checked<()> {
+    let unknown = || Reason::NotInFamily(format!("{name} {number}"));
     let of = |other: &&Toml| other.text("of") == Some(name);
     let mut others = table.paper.file.list("alternative").iter().filter(of);
     let place = number.parse::<usize>().ok().and_then(|number| number.checked_sub(1));
     let other = place.and_then(|place| others.nth(place)).ok_or_else(unknown)?;
-    let value = formula(other.text("value").unwrap_or(""));
-    let value = value.map_err(|stop| line.reject(Reason::Stopped(stop)))?;
+    let value = Rc::new(formula(other.text("value").unwrap_or(""))?);
     let definitions = read.definitions.get_or_insert_with(|| table.paper.definitions.clone());
-    let defined = definitions.insert(name.to_owned(), Rc::new(value)).is_some();
-    if defined { Ok(()) } else { Err(unknown()) }
+    require(definitions.insert(name.to_owned(), value).is_some(), unknown())
 }

@@ -1,14 +1,14 @@
 //! Rule `sound`: what a table promises, at a level or for a tolerance, as it is kept.
 
 use super::place;
-use crate::certificate::Line;
 use crate::convolution::classes;
+use crate::displacement::{displaced, gather};
 use crate::evaluate::Scope;
-use crate::functions::{displaced, gather, greatest};
-use crate::reject::{Checked, Reason};
-use crate::scheme::{Scheme, formula};
-use crate::table::Table;
-use crate::value::{Stop, Value};
+use crate::functions::greatest;
+use crate::reject::{Checked, Reason, Stop, require};
+use crate::scheme::{Scheme, formula, total};
+use crate::table::{Place, Table};
+use crate::value::Value;
 use std::rc::Rc;
 
 /// The most levels of a bound.
@@ -18,25 +18,17 @@ const MAX_LEVEL: i64 = 10_000;
 const MAX_BLOCK: i64 = 12;
 
 /// Checks `ROW COLUMN M c VALUE`.
-pub fn check<'a>(table: &'a Table<'a>, line: Line<'_>, said: &str) -> Checked<()> {
-    let stopped = |stop| line.reject(Reason::Stopped(stop));
-    let (at, said) = place(table, line, said)?;
-    let (constants, said) = said
-        .rsplit_once(' ')
-        .ok_or_else(|| line.reject(Reason::Malformed("ROW COLUMN M c VALUE")))?;
-    let said = table.paper.closed(line, said)?;
-    let promised = Promised::new(table, line, at)?;
-    let level = match promised.level {
-        Some(level) => level,
-        None => said.integer(MAX_LEVEL).map_err(stopped)?,
-    };
-    let bound = promised.bound(line, level, constants)?;
-    let Some(tolerance) = promised.tolerance else {
-        let same = bound.plus(-1, &said).map_err(stopped)?.is_zero();
-        return if same { Ok(()) } else { Err(line.reject(Reason::Value)) };
-    };
-    let above = bound.plus(-1, &tolerance).and_then(|above| above.sign(None)).map_err(stopped)?;
-    if above > 0 { Err(line.reject(Reason::TooLarge)) } else { Ok(()) }
+pub fn check<'a>(table: &'a Table<'a>, said: &str) -> Checked<()> {
+    let (at, said) = place(table, said)?;
+    let said = said.rsplit_once(' ').ok_or(Reason::Malformed("ROW COLUMN M c VALUE"))?;
+    let (constants, said) = (said.0, table.paper.number(said.1)?);
+    let promised = Promised::new(table, at)?;
+    let level = promised.level.map_or_else(|| said.integer(MAX_LEVEL), Ok)?;
+    let bound = promised.bound(level, constants)?;
+    match promised.tolerance {
+        None => require(bound.equals(&said)?, Reason::Value),
+        Some(tolerance) => require(bound.compare(&tolerance)?.is_le(), Reason::TooLarge),
+    }
 }
 
 /// What a table promises at a cell.
@@ -59,45 +51,32 @@ pub struct Promised<'t> {
 
 impl<'t> Promised<'t> {
     /// The promise at a cell.
-    pub fn new(table: &'t Table<'t>, line: Line<'_>, at: (usize, usize)) -> Checked<Promised<'t>> {
-        let stopped = |stop| line.reject(Reason::Stopped(stop));
-        let promise = table.claim.get("promise").ok_or(line.reject(Reason::NoPromise))?;
-        let (assumed, _) = table.needed(at);
+    pub fn new(table: &'t Table<'t>, at: Place) -> Checked<Promised<'t>> {
+        let promise = table.claim.get("promise").ok_or(Reason::NoPromise)?;
         // The promise may need parameters that the value does not.
-        let assumed = assumed.into_iter().chain(table.unstated.keys().cloned()).collect();
-        let (scope, schemes) = table.scope(at, &table.as_printed, &assumed).map_err(stopped)?;
+        let assumed = table.unstated.keys().cloned().collect();
+        let (scope, schemes) = table.scope(at, &table.as_printed, &assumed)?;
         let of = |key: &str| promise.text(key).map(|text| scope.value(&formula(text)?)).transpose();
-        let integer =
-            |key| of(key).and_then(|value| value.map(|v| v.integer(MAX_LEVEL)).transpose());
-        let spread = of("spread").map_err(stopped)?.ok_or(line.reject(Reason::NoPromise))?;
-        let (offset, level) =
-            (integer("offset").map_err(stopped)?, integer("level").map_err(stopped)?);
-        let tolerance = of("tolerance").map_err(stopped)?.filter(|_| level.is_none());
+        let integer = |key| of(key)?.map(|value| value.integer(MAX_LEVEL)).transpose();
+        let (spread, offset, level) = (of("spread")?, integer("offset")?, integer("level")?);
+        let spread = spread.ok_or(Reason::NoPromise)?;
+        let tolerance = of("tolerance")?.filter(|_| level.is_none());
         Ok(Promised { table, scope, schemes, offset, spread, level, tolerance })
     }
 
     /// The bound at a level that the constants `M c` give.
-    pub fn bound(&self, line: Line<'_>, level: i64, constants: &str) -> Checked<Value> {
-        let stopped = |stop| line.reject(Reason::Stopped(stop));
-        let numbers = constants.split_whitespace().map(|text| {
-            let value = self.table.paper.closed(line, text)?.integer(MAX_LEVEL);
-            value.map_err(stopped)
-        });
-        let [most, block] = numbers.collect::<Checked<Vec<i64>>>()?[..] else {
-            return Err(line.reject(Reason::Malformed("ROW COLUMN M c VALUE")));
+    pub fn bound(&self, level: i64, constants: &str) -> Checked<Value> {
+        let number = |text: &str| Ok(self.table.paper.number(text)?.integer(MAX_LEVEL)?);
+        let numbers = constants.split_whitespace().map(number).collect::<Checked<Vec<i64>>>()?;
+        let [most, block] = numbers[..] else {
+            return Err(Reason::Malformed("ROW COLUMN M c VALUE").into());
         };
-        if block < 1 || block > most || most > MAX_BLOCK {
-            return Err(line.reject(Reason::Malformed("1 ≤ c ≤ M ≤ 12")));
-        }
-        if level < 0 {
-            return Err(line.reject(Reason::Malformed("a level")));
-        }
-        if self.schemes.is_empty() {
-            return Err(line.reject(Reason::NoPromise));
-        }
-        let bound = self.of_block(level, most, block).map_err(stopped)?;
-        let bound = bound.ok_or(line.reject(Reason::NoContraction))?;
-        bound.times(&self.spread).map_err(stopped)
+        let proper = 1 <= block && block <= most && most <= MAX_BLOCK;
+        require(proper, Reason::Malformed("1 ≤ c ≤ M ≤ 12"))?;
+        require(level >= 0, Reason::Malformed("a level"))?;
+        require(!self.schemes.is_empty(), Reason::NoPromise)?;
+        let bound = self.of_block(level, most, block)?.ok_or(Reason::NoContraction)?;
+        Ok(bound.times(&self.spread)?)
     }
 
     /// The bound at a level for β = 1; `None` if the block does not contract.
@@ -110,26 +89,20 @@ impl<'t> Promised<'t> {
             let constants = (0..=most).map(|c| self.constant(&Value::int(c)));
             upper.extend(constants.collect::<Result<Vec<Value>, Stop>>()?);
         }
-        let rest = Value::int(1).plus(-1, &upper[place(block)])?;
+        let rest = Value::int(1).minus(&upper[place(block)])?;
         if rest.sign(None)? <= 0 {
             return Ok(None);
         }
         while upper.len() < place(level + block) {
-            let mut least: Option<Value> = None;
-            for j in 1..=place(most) {
+            let mut least = upper[1].times(&upper[upper.len() - 1])?;
+            for j in 2..=place(most) {
                 let next = upper[j].times(&upper[upper.len() - j])?;
                 self.scope.library.spend(next.cost(&next))?;
-                least = Some(match least {
-                    Some(least) if next.plus(-1, &least)?.sign(None)? >= 0 => least,
-                    _ => next,
-                });
+                least = if next.compare(&least)?.is_lt() { next } else { least };
             }
-            upper.extend(least);
+            upper.push(least);
         }
-        let mut sum = Value::int(0);
-        for next in &upper[place(level)..place(level + block)] {
-            sum = sum.plus(1, next)?;
-        }
+        let sum = total(&upper[place(level)..place(level + block)])?;
         self.factor()?.times(&sum)?.over(&rest).map(Some)
     }
 

@@ -3,38 +3,34 @@
 use super::reading::Reads;
 use super::{attained, cell, family, promise, sound};
 use crate::certificate::Block;
-use crate::paper::{Paper, restates};
-use crate::reject::{Checked, Reason};
+use crate::paper::Paper;
+use crate::reject::{Checked, Reason, require};
 use crate::table::Table;
 use crate::toml::Toml;
 
 /// Checks a table.
 pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<()> {
-    let table = Table::new(paper, claim);
-    let table = table.map_err(|stop| block.head.reject(Reason::Stopped(stop)))?;
+    let table = Table::new(paper, claim)?;
     if claim.text("scheme").is_some() {
-        let (line, said) = block.take("scheme")?;
-        restates(line, "scheme", said, claim.text("scheme"))?;
+        block.restates("scheme", claim.text("scheme"))?;
     }
-    let (line, said) = block.take("value")?;
-    restates(line, "value", said, claim.text("value"))?;
+    block.restates("value", claim.text("value"))?;
     let reads = Reads::new(&table, block)?;
-    let (rows, columns) = table.size();
-    let mut places = (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)));
-    let mut refuted = false;
-    while let Some((line, said)) = block.optional("cell") {
-        let place = places.next().ok_or(line.reject(Reason::Cell))?;
-        refuted |= cell::check(&table, &reads, place, line, said)?;
+    let (mut places, mut refuted) = (table.places(), Vec::new());
+    while let Some(said) = block.maybe("cell") {
+        let place = places.next().ok_or(Reason::Cell)?;
+        if cell::check(&table, &reads, place, said)? {
+            refuted.push(place);
+        }
     }
-    if places.next().is_some() {
-        return Err(block.peek().unwrap_or(block.head).reject(Reason::CellsMissing));
+    block.look();
+    require(places.next().is_none(), Reason::CellsMissing)?;
+    while let Some(said) = block.maybe("attained") {
+        attained::check(&table, said)?;
     }
-    while let Some((line, said)) = block.optional("attained") {
-        attained::check(&table, line, said)?;
-    }
-    while let Some((line, said)) = block.optional("sound") {
-        sound::check(&table, line, said)?;
+    while let Some(said) = block.maybe("sound") {
+        sound::check(&table, said)?;
     }
     promise::check(&table, block)?;
-    if refuted { family::check(&table, reads.table.as_ref(), block) } else { Ok(()) }
+    family::check(&table, &reads, &refuted, block)
 }

@@ -1,0 +1,63 @@
+//! Certificates of the embedded papers: what writing them costs, and what checking them does.
+
+use divan::Bencher;
+use std::time::{Duration, Instant};
+use subcert::audit::audit;
+use subcert::certificate::certificate;
+use subcert::claim::{Paper, embedded_papers};
+
+/// The part of the writer's time that the checker may take.
+const SHARE: u32 = 5;
+
+fn main() {
+    let papers = papers();
+    let (written, writer) = timed(|| write(&papers));
+    let (valid, checker) = timed(|| check(&papers, &written));
+    let ratio = writer.as_secs_f64() / checker.as_secs_f64();
+    println!(
+        "{valid} claims: written in {writer:.2?}, checked in {checker:.2?}, 1/{ratio:.1} of it"
+    );
+    assert!(
+        checker * SHARE <= writer,
+        "the checker takes more than 1/{SHARE} of the writer's time"
+    );
+    divan::main();
+}
+
+fn timed<T>(run: impl FnOnce() -> T) -> (T, Duration) {
+    let start = Instant::now();
+    (run(), start.elapsed())
+}
+
+fn papers() -> Vec<Paper> {
+    embedded_papers().expect("the embedded claim files")
+}
+
+/// The certificates of all papers, from their audits.
+fn write(papers: &[Paper]) -> Vec<String> {
+    let text = |paper| certificate(&audit(paper).expect("no wrong formula")).text;
+    papers.iter().map(text).collect()
+}
+
+/// How many claims they prove.
+fn check(papers: &[Paper], certificates: &[String]) -> usize {
+    let valid = |(paper, certificate): (&Paper, &String)| {
+        let report = subcert_check::check(&paper.source.text, &[certificate]);
+        let claims = report.expect("a claim file").claims;
+        claims.iter().filter(|(.., outcome)| *outcome == subcert_check::Outcome::Valid).count()
+    };
+    papers.iter().zip(certificates).map(valid).sum()
+}
+
+#[divan::bench(sample_count = 3)]
+fn writer(bencher: Bencher) {
+    let papers = papers();
+    bencher.bench(|| write(&papers));
+}
+
+#[divan::bench(sample_count = 10)]
+fn checker(bencher: Bencher) {
+    let papers = papers();
+    let written = write(&papers);
+    bencher.bench(|| check(&papers, &written));
+}

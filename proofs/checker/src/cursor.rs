@@ -1,0 +1,72 @@
+//! A place in a text, from which parsers read on.
+
+/// What a parser gives: a value, or what it expected.
+pub type Parsed<T> = Result<T, &'static str>;
+
+/// A text, and how far it is read.
+pub struct Cursor {
+    text: Vec<char>,
+    at: usize,
+}
+
+impl Cursor {
+    /// The beginning of a text.
+    pub fn new(text: &str) -> Cursor {
+        Cursor { text: text.chars().collect(), at: 0 }
+    }
+
+    /// The next character.
+    pub fn peek(&self) -> Option<char> {
+        self.text.get(self.at).copied()
+    }
+
+    /// The next character, taken.
+    pub fn next(&mut self) -> Option<char> {
+        self.at += 1;
+        self.text.get(self.at - 1).copied()
+    }
+
+    /// Whether a token stands here.
+    pub fn is_at(&self, token: &str) -> bool {
+        let rest = self.text[self.at.min(self.text.len())..].iter();
+        rest.copied().take(token.chars().count()).eq(token.chars())
+    }
+
+    /// Takes a token if it stands here.
+    pub fn eat(&mut self, token: &str) -> bool {
+        let found = self.is_at(token);
+        self.at += if found { token.chars().count() } else { 0 };
+        found
+    }
+
+    /// Takes a token that has to stand here.
+    pub fn expect(&mut self, token: &'static str) -> Parsed<()> {
+        if self.eat(token) { Ok(()) } else { Err(token) }
+    }
+
+    /// Takes the characters that fit.
+    pub fn take(&mut self, fits: impl Fn(char) -> bool) -> String {
+        let start = self.at.min(self.text.len());
+        let taken: String = self.text[start..].iter().take_while(|c| fits(**c)).collect();
+        self.at += taken.chars().count();
+        taken
+    }
+
+    /// The place, to come back to.
+    pub fn at(&self) -> usize {
+        self.at
+    }
+
+    /// Comes back to a place.
+    pub fn back(&mut self, at: usize) {
+        self.at = at;
+    }
+
+    /// What was expected, and in which line and column.
+    pub fn expected(&self, what: &str) -> String {
+        let before = &self.text[..self.at.min(self.text.len())];
+        let line = 1 + before.iter().filter(|c| **c == '\n').count();
+        let column = 1 + before.iter().rev().take_while(|c| **c != '\n').count();
+        format!("expected {what} in line {line}, column {column}")
+    }
+}

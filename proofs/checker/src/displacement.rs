@@ -1,0 +1,70 @@
+//! How far a refined polygon moves away from the last one.
+
+use crate::decimal::Q;
+use crate::evaluate::Scope;
+use crate::reject::Stop;
+use crate::scheme::{Scheme, total};
+use crate::value::Value;
+
+/// Σ|·| with terms 0, |Σ·| with terms 1.
+pub fn gather(scope: &Scope<'_>, values: &[Value], terms: usize) -> Result<Value, Stop> {
+    let piece = scope.piece.as_ref();
+    if terms == 1 {
+        return total(values)?.abs(piece);
+    }
+    values.iter().try_fold(Value::int(0), |sum, value| sum.plus(1, &value.abs(piece)?))
+}
+
+/// ã_{α,m} of x'_{ni+α} − ((1−α/n)x_i + (α/n)x_{i+1}) = Σ_m ã_{α,m} Δ_{i+m}, in the order
+/// of m, from m = min(0, o) on.
+pub fn displaced(scheme: &Scheme, alpha: usize, offset: i64) -> Result<Vec<Value>, Stop> {
+    let row = &scheme.mask[alpha];
+    let width = i64::try_from(row.len()).unwrap_or(0);
+    let coefficient = |m: i64| {
+        // x_{i+s} − x_i is the sum of the Δ_{i+m}, 0 ≤ m < s, or minus that of those with
+        // s ≤ m < 0: Δ_{i+m} has the weights of the s > m, or minus those of the s ≤ m.
+        let cut = usize::try_from((m + 1 - offset).clamp(0, width)).unwrap_or(0);
+        match m {
+            ..0 => total(&row[..cut])?.negated(),
+            0 => total(&row[cut..])?.minus(&fraction(alpha, scheme.arity())),
+            _ => total(&row[cut..]),
+        }
+    };
+    (offset.min(0)..=(offset + width - 2).max(0)).map(coefficient).collect()
+}
+
+fn fraction(top: usize, bottom: usize) -> Value {
+    Q::new(top.into(), bottom.into()).into()
+}
+
+/// x1·η¹ + x2·η² + x3·η³, as FORMAT.md has it, for all α and β.
+pub fn surface(
+    scope: &Scope<'_>,
+    scheme: &Scheme,
+    spreads: [&Value; 3],
+    terms: usize,
+) -> Result<Vec<Value>, Stop> {
+    let (n, piece) = (scheme.arity(), scope.piece.as_ref());
+    // A_α = Σ_{h≥1} a_{α,h}, and s_α the sum of the ã_{α,m} with m ≥ 1.
+    let tail = |rule: usize| total(&scheme.mask[rule][1..]);
+    let moved = |rule: usize| gather(scope, &displaced(scheme, rule, 0)?[1..], terms);
+    // |x − top/bottom| + factor·s
+    let eta = |x: &Value, top: usize, bottom: usize, factor: &Value, s: &Value| {
+        x.minus(&fraction(top, bottom))?.abs(piece)?.plus(1, &factor.times(s)?)
+    };
+    let mut sums = Vec::new();
+    for alpha in 0..n {
+        for beta in 0..n {
+            let (a, b, s) = (tail(alpha)?, tail(beta)?, moved(alpha)?);
+            let (first, norm) = (&scheme.mask[beta][0], gather(scope, &scheme.mask[alpha], terms)?);
+            let eta = [
+                eta(&first.times(&a)?, alpha * (n - beta), n * n, &first.abs(piece)?, &s)?,
+                eta(&b, beta, n, &norm, &moved(beta)?)?,
+                eta(&a.times(&b)?, alpha * beta, n * n, &b.abs(piece)?, &s)?,
+            ];
+            let terms = eta.iter().zip(spreads).map(|(eta, spread)| eta.times(spread));
+            sums.push(total(&terms.collect::<Result<Vec<Value>, Stop>>()?)?);
+        }
+    }
+    Ok(sums)
+}
