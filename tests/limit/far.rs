@@ -25,7 +25,7 @@ fn pulled_back(limit: &Limit, t: &Rational) -> Functional {
     let floor = |x: &Rational| x.floor().to_i64().unwrap();
     let (whole, mut rest, mut digits) = (floor(t), t - Rational::from(t.floor()), Vec::new());
     while !rest.is_zero() {
-        rest = rest * &arity;
+        rest *= &arity;
         digits.push(floor(&rest));
         rest -= &Rational::from(rest.floor());
     }
