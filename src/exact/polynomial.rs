@@ -2,6 +2,7 @@
 
 use super::monomial::Monomial;
 use super::{Rational, RationalPolynomial, RealCyclotomic};
+use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::fmt;
@@ -28,21 +29,23 @@ use std::ops::{Add, AddAssign, Mul, Sub};
 pub struct Polynomial {
     /// Apart from the others: in many formulas most values are constants.
     constant: RealCyclotomic,
-    /// No coefficient is 0, and no monomial 1.
-    terms: BTreeMap<Monomial, RealCyclotomic>,
+    /// In the order of the monomials. No coefficient is 0, and no monomial 1.
+    terms: Vec<Term>,
 }
+
+type Term = (Monomial, RealCyclotomic);
 
 impl Polynomial {
     /// The constant `value`.
     #[must_use]
     pub fn constant(value: impl Into<RealCyclotomic>) -> Polynomial {
-        Polynomial { constant: value.into(), terms: BTreeMap::new() }
+        Polynomial { constant: value.into(), terms: Vec::new() }
     }
 
     /// The variable `name`.
     #[must_use]
     pub fn variable(name: &str) -> Polynomial {
-        let terms = BTreeMap::from([(Monomial::variable(name), RealCyclotomic::from(1))]);
+        let terms = vec![(Monomial::variable(name), RealCyclotomic::from(1))];
         Polynomial { constant: RealCyclotomic::from(0), terms }
     }
 
@@ -91,26 +94,34 @@ impl Polynomial {
     /// The greatest sum of exponents in a term; 0 for a constant.
     #[must_use]
     pub fn degree(&self) -> u64 {
-        self.terms.keys().map(Monomial::degree).max().unwrap_or(0)
+        self.terms.iter().map(|(monomial, _)| monomial.degree()).max().unwrap_or(0)
     }
 
     /// The coefficients, none of them 0.
     pub fn coefficients(&self) -> impl Iterator<Item = &RealCyclotomic> {
         let constant = Some(&self.constant).filter(|constant| !is_zero(constant));
-        constant.into_iter().chain(self.terms.values())
+        constant.into_iter().chain(self.terms.iter().map(|(_, coefficient)| coefficient))
     }
 
-    fn add_term(&mut self, monomial: Monomial, coefficient: &RealCyclotomic) {
-        match self.terms.entry(monomial) {
-            Entry::Vacant(place) => {
-                place.insert(coefficient.clone());
-            }
-            Entry::Occupied(mut place) => {
-                let sum = place.get() + coefficient;
-                if is_zero(&sum) {
-                    place.remove();
-                } else {
-                    place.insert(sum);
+    /// Adds terms in the order of their monomials.
+    fn add_terms(&mut self, others: impl ExactSizeIterator<Item = Term>) {
+        let own = std::mem::take(&mut self.terms);
+        self.terms.reserve(own.len() + others.len());
+        let (mut own, mut others) = (own.into_iter().peekable(), others.peekable());
+        loop {
+            let order = match (own.peek(), others.peek()) {
+                (Some((own, _)), Some((other, _))) => own.cmp(other),
+                (Some(_), None) => Ordering::Less,
+                (None, Some(_)) => Ordering::Greater,
+                (None, None) => return,
+            };
+            match order {
+                Ordering::Less => self.terms.extend(own.next()),
+                Ordering::Greater => self.terms.extend(others.next()),
+                Ordering::Equal => {
+                    let both = own.next().zip(others.next());
+                    let sum = both.map(|((monomial, a), (_, b))| (monomial, &a + &b));
+                    self.terms.extend(sum.filter(|(_, coefficient)| !is_zero(coefficient)));
                 }
             }
         }
@@ -131,8 +142,8 @@ fn is_zero(value: &RealCyclotomic) -> bool {
 impl AddAssign<&Polynomial> for Polynomial {
     fn add_assign(&mut self, other: &Polynomial) {
         self.constant = &self.constant + &other.constant;
-        for (monomial, coefficient) in &other.terms {
-            self.add_term(monomial.clone(), coefficient);
+        if !other.terms.is_empty() {
+            self.add_terms(other.terms.iter().cloned());
         }
     }
 }
@@ -151,9 +162,8 @@ impl Sub for &Polynomial {
     fn sub(self, other: &Polynomial) -> Polynomial {
         let mut difference = self.clone();
         difference.constant = &self.constant - &other.constant;
-        for (monomial, coefficient) in &other.terms {
-            difference.add_term(monomial.clone(), &-coefficient);
-        }
+        let negative = |(monomial, coefficient): &Term| (monomial.clone(), -coefficient);
+        difference.add_terms(other.terms.iter().map(negative));
         difference
     }
 }
@@ -165,16 +175,22 @@ impl Mul for &Polynomial {
         let mut product = Polynomial::constant(&self.constant * &other.constant);
         for (constant, terms) in [(&self.constant, &other.terms), (&other.constant, &self.terms)] {
             if !is_zero(constant) {
-                for (monomial, coefficient) in terms {
-                    product.add_term(monomial.clone(), &(constant * coefficient));
-                }
+                let times = |(monomial, a): &Term| (monomial.clone(), constant * a);
+                product.add_terms(terms.iter().map(times));
             }
         }
-        for (left, a) in &self.terms {
-            for (right, b) in &other.terms {
-                product.add_term(left.times(right), &(a * b));
+        let pairs = self.terms.iter().flat_map(|(left, a)| {
+            other.terms.iter().map(move |(right, b)| (left.times(right), a * b))
+        });
+        let mut sums: BTreeMap<Monomial, RealCyclotomic> = BTreeMap::new();
+        for (monomial, coefficient) in pairs {
+            match sums.entry(monomial) {
+                Entry::Vacant(place) => drop(place.insert(coefficient)),
+                Entry::Occupied(mut place) => *place.get_mut() = place.get() + &coefficient,
             }
         }
+        sums.retain(|_, coefficient| !is_zero(coefficient));
+        product.add_terms(sums.into_iter());
         product
     }
 }
@@ -187,7 +203,9 @@ impl fmt::Display for Polynomial {
         let mut text = String::new();
         let constant = (Monomial::one(), self.constant.clone());
         let constant = Some((&constant.0, &constant.1)).filter(|(_, value)| !is_zero(value));
-        for (monomial, coefficient) in constant.into_iter().chain(&self.terms) {
+        for (monomial, coefficient) in
+            constant.into_iter().chain(self.terms.iter().map(|(m, c)| (m, c)))
+        {
             let (negative, term) = term(monomial, coefficient);
             text.push_str(match (text.is_empty(), negative) {
                 (true, true) => "-",

@@ -242,12 +242,24 @@ impl<V: Value> Evaluator<'_, V> {
         body: &Expr,
         indices: &mut Vec<(String, V)>,
     ) -> Result<Option<V>, FormulaError> {
+        indices.insert(0, (index.to_owned(), V::zero()));
+        let total = self.folded(fold, range, body, indices);
+        indices.remove(0);
+        total
+    }
+
+    /// The same where the first index is that of the range.
+    fn folded(
+        &self,
+        fold: Fold,
+        range: std::ops::RangeInclusive<i64>,
+        body: &Expr,
+        indices: &mut Vec<(String, V)>,
+    ) -> Result<Option<V>, FormulaError> {
         let mut total = (fold == Fold::Sum).then(V::zero);
         for i in range {
-            indices.insert(0, (index.to_owned(), V::from_rational(&Rational::from(i))));
-            let term = self.value(body, indices);
-            indices.remove(0);
-            let term = term?;
+            indices[0].1 = V::from_rational(&Rational::from(i));
+            let term = self.value(body, indices)?;
             total = Some(match total {
                 None => term,
                 Some(total) => {

@@ -1,6 +1,6 @@
 //! Polygons that are far from their limit at a high level, from those at the levels before.
 
-use super::error::LimitError;
+use super::error::{LimitError, MAX_LEVEL};
 use super::functional::ExtremalPolygon;
 use super::row::{Refinement, Row};
 use super::value::Limit;
@@ -57,6 +57,9 @@ impl Limit {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn far_polygon(&self, level: u32) -> Result<FarPolygon, LimitError> {
+        if level > MAX_LEVEL {
+            return Err(LimitError::Level(level));
+        }
         let refinement = Refinement::of(self.difference());
         let arity = self.mask().arity();
         let at = |level: u32, parameter: Rational| -> Result<Place, LimitError> {
