@@ -113,7 +113,7 @@ impl Value {
     fn add_term(&mut self, on: Monomial, factor: i64, term: &Number) -> Result<(), Stop> {
         match self.terms.entry(on) {
             Entry::Vacant(place) => {
-                place.insert(Number::from(Q::zero()).plus(factor, term)?);
+                place.insert(term.times_integer(factor));
             }
             Entry::Occupied(mut known) => {
                 let sum = known.get().plus(factor, term)?;
@@ -232,13 +232,20 @@ impl Value {
 
     /// The greater of the two.
     pub fn max(&self, other: &Value, piece: Option<&Piece>) -> Result<Value, Stop> {
-        let less = self.minus(other)?.sign(piece)? < 0;
+        let less = self.compare_on(other, piece)?.is_lt();
         Ok(if less { other.clone() } else { self.clone() })
     }
 
     /// How two numbers compare.
     pub fn compare(&self, other: &Value) -> Result<Ordering, Stop> {
-        Ok(self.minus(other)?.sign(None)?.cmp(&0))
+        self.compare_on(other, None)
+    }
+
+    fn compare_on(&self, other: &Value, piece: Option<&Piece>) -> Result<Ordering, Stop> {
+        match (self.rational(), other.rational()) {
+            (Some(one), Some(other)) => Ok(one.cmp(&other)),
+            _ => Ok(self.minus(other)?.sign(piece)?.cmp(&0)),
+        }
     }
 
     /// Whether the two are equal, as polynomials.
