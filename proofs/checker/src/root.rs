@@ -163,7 +163,7 @@ pub fn sign_between(
     p: &[Q],
     low: Option<&Root>,
     high: Option<&Root>,
-) -> Result<Result<i8, Root>, Stop> {
+) -> Result<Result<i8, Box<Root>>, Stop> {
     if p.iter().all(Zero::is_zero) {
         return Ok(Ok(0));
     }
@@ -183,7 +183,7 @@ pub fn sign_between(
 }
 
 /// The same between rational numbers.
-fn sign_or_root(p: &[Q], mut low: Q, mut high: Q) -> Result<i8, Root> {
+fn sign_or_root(p: &[Q], mut low: Q, mut high: Q) -> Result<i8, Box<Root>> {
     // Roots at the ends are divided out: x − low is positive between, and x − high negative.
     let (mut p, mut turned) = (trimmed(p.to_vec()), 1);
     for (end, factor) in [(&low, 1), (&high, -1)] {
@@ -195,13 +195,13 @@ fn sign_or_root(p: &[Q], mut low: Q, mut high: Q) -> Result<i8, Root> {
     loop {
         match roots_between(&p, &low, &high) {
             0 => return Ok(turned * signum(&at(&p, &low))),
-            1 if p.len() == 2 => return Err((-&p[0] / &p[1]).into()),
-            1 => return Err(Root { polynomial: p, low, high }),
+            1 if p.len() == 2 => return Err(Box::new((-&p[0] / &p[1]).into())),
+            1 => return Err(Box::new(Root { polynomial: p, low, high })),
             _ => {}
         }
         let middle = (&low + &high) / int(2);
         if at(&p, &middle).is_zero() {
-            return Err(middle.into());
+            return Err(Box::new(middle.into()));
         }
         (low, high) =
             if roots_between(&p, &low, &middle) > 0 { (low, middle) } else { (middle, high) };

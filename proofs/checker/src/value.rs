@@ -198,7 +198,7 @@ impl Value {
             (Some(low), Some(high)) if low == high => low.sign_of(&polynomial),
             (low, high) => {
                 let sign = sign_between(&polynomial, low.as_ref(), high.as_ref())?;
-                sign.map_err(|root| Stop::Split(root.into()))
+                sign.map_err(Stop::Split)
             }
         }
     }
