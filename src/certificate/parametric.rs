@@ -69,7 +69,7 @@ fn pieces(block: &mut Block, below: &IntervalSet, above: &IntervalSet) {
         .collect();
     breaks.sort();
     breaks.dedup();
-    let sign = |x| match (contains(below, x), contains(above, x)) {
+    let sign = |x: &RealAlgebraic| match (contains(below, x), contains(above, x)) {
         (true, _) => "-",
         (_, true) => "+",
         _ => "0",
