@@ -134,21 +134,18 @@ fn check_face(finding: &TheoremFinding<'_>, refutation: &Refutation) {
     for _ in 0..violation.level {
         points = ring.refine(&points);
     }
-    let Place::Named(place) = &violation.attained.place else { panic!("{}", finding.id) };
     let at = |name: &str| (0..points.len()).find(|a| ring.name(*a) == name).unwrap();
-    let value = match violation.quantity {
-        Quantity::Difference => {
-            let (a, b) = place.split_once(" – ").unwrap();
-            &points[at(a)] - &points[at(b)]
-        }
-        Quantity::Step if finding.theorem.tried.interpolant.is_none() => {
+    let value = match (violation.quantity, &violation.attained.place) {
+        (Quantity::Difference, Place::Edge([a, b])) => &points[at(a)] - &points[at(b)],
+        _ if finding.theorem.tried.interpolant.is_some() => return,
+        (Quantity::Step, Place::Named(place)) => {
             &ring.refine(&points)[at(place)] - &points[at(place)]
         }
-        Quantity::Distance if finding.theorem.tried.interpolant.is_none() => {
+        (Quantity::Distance, Place::Named(place)) => {
             let sum = points.iter().fold(RealCyclotomic::from(0), |sum, point| &sum + point);
             &points[at(place)] - &(&sum / &RealCyclotomic::from(points.len()))
         }
-        _ => return,
+        (_, place) => panic!("{}: {place:?}", finding.id),
     };
     let value = if value < RealCyclotomic::from(0) { -&value } else { value };
     assert_eq!(value, violation.attained.value, "{}", finding.id);

@@ -5,7 +5,6 @@ use super::library::{Library, Unresolved, values};
 use super::quantity::{LevelCall, Quantities};
 use super::reading::{HEADER, Settings, Sibling};
 use super::row::{Known, RowDefinitions};
-use crate::bound::log_level_algebraic;
 use crate::claim::{Axis, AxisEntry, Cell, LocatedReference, Paper, Promise, Table};
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Rational, RealCyclotomic, parse_decimal};
@@ -225,15 +224,24 @@ impl<'a> Judge<'a> {
     /// The number of levels that a cell's value is, before it is rounded; `None` where
     /// it is another number.
     pub(super) fn level_call(&self, at: At<'_>) -> Option<LevelCall> {
+        self.value_and_levels(at)?.1
+    }
+
+    /// A cell's value, and the number of levels that it is, where it is one.
+    pub(super) fn value_and_levels(
+        &self,
+        at: At<'_>,
+    ) -> Option<(RealCyclotomic, Option<LevelCall>)> {
         let quantities = self.quantities(at).ok()?.ok()?;
         let known = self.rows.of(self, at, &quantities);
         quantities.last_levels.take();
         let value = self.evaluate_with(&self.table.value, at, &quantities, &known);
-        let (Ok(Outcome::Value(value)), Some(call)) = (value, quantities.last_levels.take()) else {
-            return None;
-        };
-        let level = log_level_algebraic(&call.ratio, &call.x, call.rounded).ok()?;
-        (value == RealCyclotomic::from(level)).then_some(call)
+        let Ok(Outcome::Value(value)) = value else { return None };
+        let call = quantities.last_levels.take();
+        let is_value =
+            |call: &LevelCall| call.level.is_some_and(|level| value == RealCyclotomic::from(level));
+        let call = call.filter(is_value);
+        Some((value, call))
     }
 
     /// The same with these quantities, and with the values of some definitions known.

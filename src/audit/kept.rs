@@ -224,43 +224,29 @@ fn curve(
             data: ControlData::Polygon(witness.polygon, witness.parameter),
             distance: witness.distance.into(),
         }),
-        Comparison::Undecided(enclosure) => match far(distances.limit(), level) {
-            Some((norm, polygon, place)) if norm > *threshold => Comparison::Exceeds(Found {
-                data: ControlData::Polygon(polygon, place),
-                distance: norm.into(),
+        Comparison::Undecided(enclosure) => match distances.limit().far_polygon(level) {
+            Ok(far) if far.distance > *threshold => Comparison::Exceeds(Found {
+                data: ControlData::Polygon(far.polygon, far.parameter),
+                distance: far.distance.into(),
             }),
             _ => Comparison::Undecided(enclosure),
         },
     })
 }
 
-/// A polygon that is far from its limit at a level, with its distance and the place. Places
-/// are looked for that are alike those at the levels before: a step from a level to the next
-/// puts a digit before those of the parameter, or none.
-fn far(limit: &Limit, level: u32) -> Option<(Rational, ExtremalPolygon, Rational)> {
-    let arity = limit.mask().arity();
-    let mut best = (Rational::zero(), Rational::zero());
-    for k in 0..=level {
-        let place = &best.1;
-        let digit = |digit: usize| (place + Rational::from(digit)) / Rational::from(arity);
-        let places = (0..arity).map(digit).chain([place.clone()]);
-        best = places.filter_map(|t| Some((limit.error(k, &t).ok()?.norm(), t))).max()?;
-    }
-    let (norm, place) = best;
-    Some((norm, limit.error(level, &place).ok()?.extremal_polygon(), place))
-}
-
-/// The sum of such polygons along both directions, when its distance, which is the sum of
+/// The sum of polygons that are far from their limits along both directions, when its distance, which is the sum of
 /// theirs, is above the threshold.
 fn far_net(limits: &[Limit; 2], level: u32, threshold: &Rational) -> Option<Found> {
-    let [(x, rows, s), (y, columns, t)] = [far(&limits[0], level)?, far(&limits[1], level)?];
-    let distance = x + y;
+    let [x, y] = [&limits[0], &limits[1]].map(|limit| limit.far_polygon(level).ok());
+    let (x, y) = (x?, y?);
+    let distance = x.distance + y.distance;
+    let (rows, columns) = (x.polygon, y.polygon);
     let row = |x: &i64| columns.points.iter().map(|y| x + y).collect();
     (distance > *threshold).then(|| Found {
         data: ControlData::Net(
             rows.points.iter().map(row).collect(),
             [rows.first, columns.first],
-            [s, t],
+            [x.parameter, y.parameter],
         ),
         distance: distance.into(),
     })

@@ -2,7 +2,7 @@
 
 use super::kept::Remembered;
 use super::series::Norms;
-use crate::bound::{ClassCap, Constants, SoundBound};
+use crate::bound::{ClassCap, Constants, DepthError, Rounded, SoundBound, log_level_algebraic};
 use crate::claim::{Paper, SchemeSource};
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Rational, RealCyclotomic};
@@ -35,6 +35,9 @@ pub(super) enum Unresolved {
 /// A scheme, and the offset at which it is looked at if not its own.
 type SoundKey = (Vec<Instance>, Option<i64>);
 
+/// The base of a logarithm, its argument, and its rounding.
+type LogLevel = (Rational, Rational, Rounded);
+
 /// The schemes of a paper.
 pub(super) struct Library<'a> {
     paper: &'a Paper,
@@ -43,6 +46,7 @@ pub(super) struct Library<'a> {
     distances: RefCell<BTreeMap<SoundKey, Rc<Remembered>>>,
     rings: RefCell<BTreeMap<Instance, Rc<Remembered>>>,
     pub(super) norms: Norms<RealCyclotomic>,
+    log_levels: RefCell<BTreeMap<LogLevel, Result<u32, DepthError>>>,
 }
 
 /// A scheme with the constants of its masks, one per direction.
@@ -54,8 +58,9 @@ pub(super) struct Resolved {
 
 impl<'a> Library<'a> {
     pub(super) fn new(paper: &'a Paper) -> Library<'a> {
-        let (constants, sound, distances, rings, norms) = Default::default();
-        Library { paper, constants, sound, distances, rings, norms }
+        let (constants, sound, distances, rings) = Default::default();
+        let (norms, log_levels) = Default::default();
+        Library { paper, constants, sound, distances, rings, norms, log_levels }
     }
 
     /// The scheme that `reference` means in `context`.
@@ -152,6 +157,19 @@ impl<'a> Library<'a> {
         let constants = Rc::new(Constants::new(mask));
         self.constants.borrow_mut().insert(instance.clone(), Rc::clone(&constants));
         Ok(constants)
+    }
+
+    /// [`log_level_algebraic`], of rational numbers once for all cells and readings.
+    pub(super) fn log_level(
+        &self,
+        ratio: &RealCyclotomic,
+        x: &RealCyclotomic,
+        rounded: Rounded,
+    ) -> Result<u32, DepthError> {
+        let compute = || log_level_algebraic(ratio, x, rounded);
+        let (Some(p), Some(q)) = (ratio.as_rational(), x.as_rational()) else { return compute() };
+        let key = (p.clone(), q.clone(), rounded);
+        self.log_levels.borrow_mut().entry(key).or_insert_with(compute).clone()
     }
 
     /// The sound bound of a scheme at its own offset or at another.

@@ -9,6 +9,7 @@ mod errata;
 mod evidence;
 mod finding;
 mod function;
+mod jobs;
 mod judge;
 mod kept;
 mod library;
@@ -91,34 +92,24 @@ pub struct PaperAudit<'a> {
 /// assert_eq!(khan.tables[0].cells[0][0].verdict, Verdict::Confirmed);
 /// # Ok::<(), subcert::diagnostic::Diagnostic>(())
 /// ```
+///
+/// # Panics
+/// Never.
 pub fn audit(paper: &Paper) -> Result<PaperAudit<'_>, Diagnostic> {
-    audit_with(paper, &mut || {})
+    let mut audits = audit_all(std::slice::from_ref(paper), &|| {})?;
+    Ok(audits.pop().expect("an audit for the paper"))
 }
 
-/// The same; `after_table` is called when a table is judged.
+/// Judges every claim of these papers, each by itself, on all cores; `after_table` is
+/// called when a table is judged.
 ///
 /// # Errors
-/// As [`audit`].
-pub fn audit_with<'a>(
-    paper: &'a Paper,
-    after_table: &mut dyn FnMut(),
-) -> Result<PaperAudit<'a>, Diagnostic> {
-    let library = Library::new(paper);
-    let equations = paper.equations.iter().map(|claim| equation::judge(paper, claim, &library));
-    let functions = paper.functions.iter().map(|claim| function::judge(paper, claim, &library));
-    let ranges = paper.ranges.iter().map(|claim| range::judge(paper, claim, &library));
-    let mut audit = PaperAudit {
-        paper,
-        tables: table::judge_all(paper, &library, after_table)?,
-        equations: equations.collect::<Result<_, _>>()?,
-        functions: functions.collect::<Result<_, _>>()?,
-        ranges: ranges.collect::<Result<_, _>>()?,
-        theorems: Vec::new(),
-        contradictions: Vec::new(),
-    };
-    audit.contradictions = consistency::judge(paper, &audit.tables, &library)?;
-    audit.theorems = theorem::judge(&audit, &library)?;
-    Ok(audit)
+/// As [`audit`]: the first error of the first paper that has one.
+pub fn audit_all<'a>(
+    papers: &'a [Paper],
+    after_table: &(dyn Fn() + Sync),
+) -> Result<Vec<PaperAudit<'a>>, Diagnostic> {
+    jobs::judge(papers, after_table)
 }
 
 /// Every reading of a table that the search compares, with what it explains, the best

@@ -6,8 +6,7 @@ use super::reading::Settings;
 use super::series;
 use super::shape::shape;
 use crate::bound::{
-    ClassCap, Constants, DepthError, Operator, Rounded, Terms, displacement, log_level_algebraic,
-    surface_displacement,
+    ClassCap, Constants, DepthError, Operator, Rounded, Terms, displacement, surface_displacement,
 };
 use crate::exact::{Rational, Real, RealCyclotomic};
 use crate::formula::{Call, CallError, Context, Functions, Parameters, Value};
@@ -76,6 +75,8 @@ pub(super) struct LevelCall {
     pub(super) ratio: RealCyclotomic,
     pub(super) x: RealCyclotomic,
     pub(super) rounded: Rounded,
+    /// How many; `None` where there is no such number.
+    pub(super) level: Option<u32>,
 }
 
 impl Functions<RealCyclotomic> for Quantities<'_> {
@@ -153,9 +154,10 @@ impl Quantities<'_> {
         options: &mut Options<'_>,
     ) -> Result<RealCyclotomic, CallError> {
         let rounded = options.rounded()?;
-        let call = LevelCall { ratio: ratio.clone(), x: x.clone(), rounded };
+        let level = self.library.log_level(ratio, x, rounded);
+        let (ratio, x) = (ratio.clone(), x.clone());
+        let call = LevelCall { ratio, x, rounded, level: level.clone().ok() };
         self.last_levels.replace(Some(call));
-        let level = log_level_algebraic(ratio, x, rounded);
         level.map(RealCyclotomic::from).map_err(|error| {
             if error == DepthError::TooDeep {
                 self.beyond_caps.set(true);

@@ -63,6 +63,9 @@ impl RowDefinitions {
         at: At<'_>,
         quantities: &Quantities<'_>,
     ) -> Rc<Known> {
+        if self.names.is_empty() {
+            return Rc::default();
+        }
         let scheme = quantities.scheme.as_ref().map(|scheme| scheme.instances.clone());
         let scheme = scheme.unwrap_or_default();
         let key = (at.row, scheme, at.settings.restricted(&self.choices), at.assume.clone());

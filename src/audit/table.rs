@@ -5,7 +5,7 @@ use super::finding::{AsRead, Assumed, CellFinding, Direction, Missing, Slip, Ver
 use super::judge::{At, Judge, Outcome};
 use super::library::Library;
 use super::reading::{self, DEPTH_ROUNDING, Explanation, Need, Search, Settings, Sibling};
-use crate::claim::{Cell, Paper, Printed, Table};
+use crate::claim::{Cell, Paper, Printed, Promise, Table};
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Decimal, RealCyclotomic};
 use std::collections::BTreeSet;
@@ -36,26 +36,56 @@ enum Part {
     Line((i32, i32)),
 }
 
-/// Judges every table of a paper; those that no reading explains, once more with what
-/// the others say of their parameters.
+/// The places of a paper's tables in groups: tables about a scheme of the same name are
+/// judged together, since one can give away a parameter of the other.
+pub(super) fn related(paper: &Paper) -> Vec<Vec<usize>> {
+    let mut groups: Vec<(Vec<usize>, BTreeSet<&str>)> = Vec::new();
+    for (place, table) in paper.tables.iter().enumerate() {
+        let ring = table.promise.as_ref().and_then(Promise::ring);
+        let references = table.scheme.iter().chain(ring);
+        let names: BTreeSet<&str> = references.flat_map(|one| one.reference.names()).collect();
+        let (same, others) = groups
+            .into_iter()
+            .partition(|(_, others): &(_, BTreeSet<&str>)| !others.is_disjoint(&names));
+        groups = others;
+        groups.push(same.into_iter().fold((vec![place], names), |mut group, (places, names)| {
+            group.0.extend(places);
+            group.1.extend(names);
+            group
+        }));
+    }
+    let sorted = |(mut places, _): (Vec<usize>, _)| {
+        places.sort_unstable();
+        places
+    };
+    groups.into_iter().map(sorted).collect()
+}
+
+/// Judges related tables, with their places; those that no reading explains, once more
+/// with what the others say of their parameters.
+///
+/// # Errors
+/// The first, with the place of its table.
 pub(super) fn judge_all<'a>(
     paper: &'a Paper,
+    places: &[usize],
     library: &Library<'_>,
-    after_table: &mut dyn FnMut(),
-) -> Result<Vec<TableFinding<'a>>, Diagnostic> {
-    let first = paper.tables.iter().map(|table| {
-        let finding = judge(paper, table, library, Vec::new());
+    after_table: &dyn Fn(),
+) -> Result<Vec<(usize, TableFinding<'a>)>, (usize, Diagnostic)> {
+    let first = places.iter().map(|&place| {
+        let finding = judge(paper, &paper.tables[place], library, Vec::new());
         after_table();
-        finding
+        finding.map_err(|error| (place, error))
     });
-    let mut findings = first.collect::<Result<Vec<TableFinding<'a>>, Diagnostic>>()?;
-    for place in 0..findings.len() {
-        let siblings = reading::siblings(&findings[place], &findings);
+    let mut findings = first.collect::<Result<Vec<TableFinding<'a>>, _>>()?;
+    for (i, &place) in places.iter().enumerate() {
+        let siblings = reading::siblings(&findings[i], &findings);
         if !siblings.is_empty() {
-            findings[place] = judge(paper, findings[place].table, library, siblings)?;
+            let again = judge(paper, findings[i].table, library, siblings);
+            findings[i] = again.map_err(|error| (place, error))?;
         }
     }
-    Ok(findings)
+    Ok(places.iter().copied().zip(findings).collect())
 }
 
 /// Judges every cell of a table.

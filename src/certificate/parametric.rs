@@ -42,10 +42,8 @@ pub(super) fn range(finding: &RangeFinding<'_>) -> Block {
     let sides = [("from", &claim.from), ("to", &claim.to)];
     let printed = sides.into_iter().filter(|(_, printed)| printed.is_some());
     for ((side, _), end) in printed.zip(&finding.ends) {
-        let exact = end.exact.as_ref().map_or(Ok("none".to_owned()), rational);
-        block.try_line(exact.map(|exact| {
-            format!("end {side} \"{}\" {exact} {}", end.printed, self::relation(end))
-        }));
+        let exact = end.exact.as_ref().map_or("none".to_owned(), place);
+        block.line(format!("end {side} \"{}\" {exact} {}", end.printed, self::relation(end)));
     }
     block.line(finding.verdict.name());
     block
@@ -71,30 +69,47 @@ fn pieces(block: &mut Block, below: &IntervalSet, above: &IntervalSet) {
         .collect();
     breaks.sort();
     breaks.dedup();
-    let sign = |x| match (below.contains(x), above.contains(x)) {
+    let sign = |x: &RealAlgebraic| match (contains(below, x), contains(above, x)) {
         (true, _) => "-",
         (_, true) => "+",
         _ => "0",
     };
-    let (mut places, mut signs) = (Vec::new(), Vec::new());
-    for (i, between) in RealAlgebraic::rationals_between(&breaks).iter().enumerate() {
-        signs.push(sign(between));
-        if let Some(place) = breaks.get(i) {
-            match rational(place) {
-                Ok(text) => places.push(text),
-                Err(why) => return block.give_up(why),
-            }
-            signs.extend(place.as_rational().map(sign));
-        }
+    let mut signs = Vec::new();
+    for (i, between) in RealAlgebraic::rationals_between(&breaks).into_iter().enumerate() {
+        signs.push(sign(&between.into()));
+        signs.extend(breaks.get(i).map(sign));
     }
+    let places: Vec<String> = breaks.iter().map(place).collect();
     block.line(words(&format!("breaks {}", places.join(" "))));
     block.line(format!("signs {}", signs.join(" ")));
 }
 
-/// The format has rational places only.
-fn rational(place: &RealAlgebraic) -> Result<String, String> {
-    let rational = place.as_rational().map(ToString::to_string);
-    rational.ok_or_else(|| format!("the place {place} is not rational"))
+fn contains(set: &IntervalSet, place: &RealAlgebraic) -> bool {
+    set.intervals().iter().any(|interval| {
+        let above = match &interval.low {
+            Bound::Unbounded => true,
+            Bound::Included(low) => low <= place,
+            Bound::Excluded(low) => low < place,
+        };
+        above
+            && match &interval.high {
+                Bound::Unbounded => true,
+                Bound::Included(high) => place <= high,
+                Bound::Excluded(high) => place < high,
+            }
+    })
+}
+
+/// `3/2`, or `root:-2,0,1:1:2`: a polynomial, and an interval with this root alone.
+fn place(place: &RealAlgebraic) -> String {
+    if let Some(rational) = place.as_rational() {
+        return rational.to_string();
+    }
+    let polynomial = place.minimal_polynomial().unwrap_or_else(|| place.polynomial());
+    let coefficients: Vec<String> =
+        polynomial.coefficients().iter().map(ToString::to_string).collect();
+    let (low, high) = place.bounds();
+    format!("root:{}:{low}:{high}", coefficients.join(","))
 }
 
 fn relation(end: &EndFinding) -> impl Display {

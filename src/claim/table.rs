@@ -86,6 +86,16 @@ pub enum Promise {
     },
 }
 
+impl Promise {
+    /// The ring whose points are compared with their limit, where it is one.
+    #[must_use]
+    pub fn ring(&self) -> Option<&LocatedReference> {
+        match self {
+            Promise::Depth { ring, .. } | Promise::Bound { ring, .. } => ring.as_ref(),
+        }
+    }
+}
+
 /// The headers of the rows or of the columns: the values of one parameter.
 #[derive(Clone, Debug)]
 pub struct Axis {

@@ -3,12 +3,8 @@
 use super::arguments::Format;
 use super::output::Failure;
 use super::progress::Progress;
-use std::num::NonZero;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread::{self, available_parallelism};
-use std::{iter, ptr};
-use subcert::audit::{PaperAudit, audit_with};
+use subcert::audit::{PaperAudit, audit_all};
 use subcert::claim::{Paper, embedded_papers, read_paper_file};
 
 /// The papers of claim files; without any, the embedded ones.
@@ -72,17 +68,5 @@ pub(super) fn select(papers: Vec<Paper>, key: Option<&str>) -> Result<Vec<Paper>
 pub(super) fn judge_all(papers: &[Paper], format: Format) -> Result<Vec<PaperAudit<'_>>, Failure> {
     let tables = papers.iter().map(|paper| paper.tables.len()).sum();
     let progress = Progress::new(tables, format != Format::Json);
-    let next = AtomicUsize::new(0);
-    let judge = || {
-        let mine = iter::from_fn(|| papers.get(next.fetch_add(1, Ordering::Relaxed)));
-        mine.map(|paper| (paper, audit_with(paper, &mut || progress.step()))).collect::<Vec<_>>()
-    };
-    let threads = available_parallelism().map_or(1, NonZero::get).min(papers.len());
-    let mut judged = thread::scope(|scope| {
-        let threads: Vec<_> = (0..threads).map(|_| scope.spawn(judge)).collect();
-        let judged = threads.into_iter().map(|thread| thread.join().expect("no audit panics"));
-        judged.flatten().collect::<Vec<_>>()
-    });
-    judged.sort_by_key(|(judged, _)| papers.iter().position(|paper| ptr::eq(paper, *judged)));
-    judged.into_iter().map(|(_, audit)| audit.map_err(Failure::from)).collect()
+    Ok(audit_all(papers, &|| progress.step())?)
 }

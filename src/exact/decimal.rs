@@ -85,12 +85,18 @@ impl Decimal {
     /// How this decimal came from the value `exact`, in exact arithmetic.
     #[must_use]
     pub fn rounding_of<R: Real + PartialOrd>(&self, exact: &R) -> Rounding {
-        let value = R::from_rational(&self.value());
+        // Most are far away, and comparing is quicker than subtracting.
+        let (shown, place) = (self.value(), self.unit());
+        let above = |bound: Rational| *exact >= R::from_rational(&bound);
+        if above(&shown + &place) || !above(&shown - &place) {
+            return Rounding::Neither;
+        }
+        let value = R::from_rational(&shown);
         let off = value.minus(exact).magnitude();
         if off == R::zero() {
             return Rounding::Exact;
         }
-        let unit = R::from_rational(&self.unit());
+        let unit = R::from_rational(&place);
         if off.plus(&off) <= unit {
             return Rounding::Nearest;
         }

@@ -28,6 +28,7 @@ pub mod format;
 mod integer;
 mod interval;
 mod linear;
+mod monomial;
 mod ops;
 mod parametric;
 mod piecewise;
@@ -38,6 +39,8 @@ mod read;
 mod scalar;
 mod sturm;
 mod univariate;
+mod vanishing;
+mod word;
 
 pub use algebraic::RealAlgebraic;
 pub use common::CommonDenominator;

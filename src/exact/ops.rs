@@ -1,55 +1,58 @@
 //! The operators of [`Integer`](super::Integer) and
 //! [`Rational`](super::Rational), by value and by reference.
 
-/// Implements one binary operator in its four forms, and its assigning form.
+/// Implements one binary operator in its four forms, and its assigning form, from what
+/// computes it from two references and what computes it in place.
 macro_rules! binary_operator {
-    ($type:ident, $inner:ty, $trait:ident, $method:ident, $assign:ident, $assign_method:ident) => {
+    ($type:ident, $trait:ident::$method:ident, $assign:ident::$assign_method:ident,
+     $compute:path, $in_place:path) => {
         impl std::ops::$trait<&$type> for &$type {
             type Output = $type;
             fn $method(self, other: &$type) -> $type {
-                $type(<$inner>::from(std::ops::$trait::$method(&self.0, &other.0)))
+                $compute(self, other)
             }
         }
         impl std::ops::$trait<$type> for $type {
             type Output = $type;
-            fn $method(self, other: $type) -> $type {
-                $type(std::ops::$trait::$method(self.0, other.0))
+            fn $method(mut self, other: $type) -> $type {
+                $in_place(&mut self, &other);
+                self
             }
         }
         impl std::ops::$trait<&$type> for $type {
             type Output = $type;
-            fn $method(self, other: &$type) -> $type {
-                $type(std::ops::$trait::$method(self.0, &other.0))
+            fn $method(mut self, other: &$type) -> $type {
+                $in_place(&mut self, other);
+                self
             }
         }
         impl std::ops::$trait<$type> for &$type {
             type Output = $type;
             fn $method(self, other: $type) -> $type {
-                std::ops::$trait::$method(self, &other)
+                $compute(self, &other)
             }
         }
         impl std::ops::$assign<&$type> for $type {
             fn $assign_method(&mut self, other: &$type) {
-                std::ops::$assign::$assign_method(&mut self.0, &other.0);
+                $in_place(self, other);
             }
         }
     };
 }
 
-/// Implements negation, sums, formatting of `Debug` as of `Display`, and the
-/// conversions from machine integers.
+/// Implements negation by value, sums, formatting of `Debug` as of `Display`, order as of
+/// `Ord`, and the conversions from machine integers.
 macro_rules! ring_basics {
-    ($type:ident, $inner:ty) => {
+    ($type:ident) => {
         impl std::ops::Neg for $type {
             type Output = $type;
             fn neg(self) -> $type {
-                $type(-self.0)
+                -&self
             }
         }
-        impl std::ops::Neg for &$type {
-            type Output = $type;
-            fn neg(self) -> $type {
-                $type(<$inner>::from(-&self.0))
+        impl PartialOrd for $type {
+            fn partial_cmp(&self, other: &$type) -> Option<std::cmp::Ordering> {
+                Some(self.cmp(other))
             }
         }
         impl std::iter::Sum for $type {

@@ -1,12 +1,12 @@
 //! Polynomials over the real cyclotomic numbers in named variables.
 
-use super::{Rational, RationalPolynomial, RealCyclotomic, Scalar};
+use super::monomial::Monomial;
+use super::{Rational, RationalPolynomial, RealCyclotomic};
+use std::cmp::Ordering;
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::fmt;
-use std::ops::{Add, Mul, Sub};
-
-/// Variables with their exponents, all positive; empty for the constant term.
-type Monomial = BTreeMap<String, u32>;
+use std::ops::{Add, AddAssign, Mul, Sub};
 
 /// A polynomial in named variables over the fields Q(2cos(2π/n)), in normal form:
 /// two polynomials are equal exactly when they agree as functions.
@@ -25,46 +25,40 @@ type Monomial = BTreeMap<String, u32>;
 /// assert_eq!((&cosine * &w).to_string(), "(cos(2*pi/5))*w");
 /// # Ok::<(), subcert::exact::CosineError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Polynomial {
-    /// No coefficient is 0.
-    terms: BTreeMap<Monomial, RealCyclotomic>,
+    /// Apart from the others: in many formulas most values are constants.
+    constant: RealCyclotomic,
+    /// In the order of the monomials. No coefficient is 0, and no monomial 1.
+    terms: Vec<Term>,
 }
+
+type Term = (Monomial, RealCyclotomic);
 
 impl Polynomial {
     /// The constant `value`.
     #[must_use]
     pub fn constant(value: impl Into<RealCyclotomic>) -> Polynomial {
-        Polynomial::monomial(Monomial::new(), value.into())
+        Polynomial { constant: value.into(), terms: Vec::new() }
     }
 
     /// The variable `name`.
     #[must_use]
     pub fn variable(name: &str) -> Polynomial {
-        Polynomial::monomial(Monomial::from([(name.to_owned(), 1)]), RealCyclotomic::from(1))
-    }
-
-    fn monomial(monomial: Monomial, coefficient: RealCyclotomic) -> Polynomial {
-        if is_zero(&coefficient) {
-            return Polynomial::default();
-        }
-        Polynomial { terms: BTreeMap::from([(monomial, coefficient)]) }
+        let terms = vec![(Monomial::variable(name), RealCyclotomic::from(1))];
+        Polynomial { constant: RealCyclotomic::from(0), terms }
     }
 
     /// The value of a constant polynomial; `None` when a variable remains.
     #[must_use]
     pub fn as_constant(&self) -> Option<RealCyclotomic> {
-        match self.terms.len() {
-            0 => Some(RealCyclotomic::zero()),
-            1 => self.terms.get(&Monomial::new()).cloned(),
-            _ => None,
-        }
+        self.terms.is_empty().then(|| self.constant.clone())
     }
 
     /// Whether this is 0.
     #[must_use]
     pub fn is_zero(&self) -> bool {
-        self.terms.is_empty()
+        self.terms.is_empty() && is_zero(&self.constant)
     }
 
     /// This as a polynomial in `variable` over the rationals; `None` when another
@@ -79,12 +73,9 @@ impl Polynomial {
     /// ```
     #[must_use]
     pub fn in_variable(&self, variable: &str) -> Option<RationalPolynomial> {
-        let mut coefficients = Vec::new();
+        let mut coefficients = vec![self.constant.as_rational()?.clone()];
         for (monomial, coefficient) in &self.terms {
-            let exponent = monomial.get(variable).copied().unwrap_or(0);
-            if monomial.len() > usize::from(exponent > 0) {
-                return None;
-            }
+            let exponent = monomial.only(variable)?;
             let place = usize::try_from(exponent).ok()?;
             if coefficients.len() <= place {
                 coefficients.resize(place + 1, Rational::zero());
@@ -97,31 +88,50 @@ impl Polynomial {
     /// The number of terms.
     #[must_use]
     pub fn term_count(&self) -> usize {
-        self.terms.len()
+        self.terms.len() + usize::from(!is_zero(&self.constant))
     }
 
     /// The greatest sum of exponents in a term; 0 for a constant.
     #[must_use]
     pub fn degree(&self) -> u64 {
-        let degree = |monomial: &Monomial| monomial.values().map(|&e| u64::from(e)).sum();
-        self.terms.keys().map(degree).max().unwrap_or(0)
+        self.terms.iter().map(|(monomial, _)| monomial.degree()).max().unwrap_or(0)
     }
 
     /// The coefficients, none of them 0.
     pub fn coefficients(&self) -> impl Iterator<Item = &RealCyclotomic> {
-        self.terms.values()
+        let constant = Some(&self.constant).filter(|constant| !is_zero(constant));
+        constant.into_iter().chain(self.terms.iter().map(|(_, coefficient)| coefficient))
     }
 
-    fn add_term(&mut self, monomial: Monomial, coefficient: RealCyclotomic) {
-        let sum = match self.terms.get(&monomial) {
-            Some(present) => present + &coefficient,
-            None => coefficient,
-        };
-        if is_zero(&sum) {
-            self.terms.remove(&monomial);
-        } else {
-            self.terms.insert(monomial, sum);
+    /// Adds terms in the order of their monomials.
+    fn add_terms(&mut self, others: impl ExactSizeIterator<Item = Term>) {
+        let own = std::mem::take(&mut self.terms);
+        self.terms.reserve(own.len() + others.len());
+        let (mut own, mut others) = (own.into_iter().peekable(), others.peekable());
+        loop {
+            let order = match (own.peek(), others.peek()) {
+                (Some((own, _)), Some((other, _))) => own.cmp(other),
+                (Some(_), None) => Ordering::Less,
+                (None, Some(_)) => Ordering::Greater,
+                (None, None) => return,
+            };
+            match order {
+                Ordering::Less => self.terms.extend(own.next()),
+                Ordering::Greater => self.terms.extend(others.next()),
+                Ordering::Equal => {
+                    let both = own.next().zip(others.next());
+                    let sum = both.map(|((monomial, a), (_, b))| (monomial, &a + &b));
+                    self.terms.extend(sum.filter(|(_, coefficient)| !is_zero(coefficient)));
+                }
+            }
         }
+    }
+}
+
+impl Default for Polynomial {
+    /// 0.
+    fn default() -> Polynomial {
+        Polynomial::constant(0)
     }
 }
 
@@ -129,13 +139,20 @@ fn is_zero(value: &RealCyclotomic) -> bool {
     value.as_rational().is_some_and(Rational::is_zero)
 }
 
+impl AddAssign<&Polynomial> for Polynomial {
+    fn add_assign(&mut self, other: &Polynomial) {
+        self.constant = &self.constant + &other.constant;
+        if !other.terms.is_empty() {
+            self.add_terms(other.terms.iter().cloned());
+        }
+    }
+}
+
 impl Add for &Polynomial {
     type Output = Polynomial;
     fn add(self, other: &Polynomial) -> Polynomial {
         let mut sum = self.clone();
-        for (monomial, coefficient) in &other.terms {
-            sum.add_term(monomial.clone(), coefficient.clone());
-        }
+        sum += other;
         sum
     }
 }
@@ -144,9 +161,9 @@ impl Sub for &Polynomial {
     type Output = Polynomial;
     fn sub(self, other: &Polynomial) -> Polynomial {
         let mut difference = self.clone();
-        for (monomial, coefficient) in &other.terms {
-            difference.add_term(monomial.clone(), -coefficient);
-        }
+        difference.constant = &self.constant - &other.constant;
+        let negative = |(monomial, coefficient): &Term| (monomial.clone(), -coefficient);
+        difference.add_terms(other.terms.iter().map(negative));
         difference
     }
 }
@@ -154,17 +171,26 @@ impl Sub for &Polynomial {
 impl Mul for &Polynomial {
     type Output = Polynomial;
     fn mul(self, other: &Polynomial) -> Polynomial {
-        let mut product = Polynomial::default();
-        for (left, a) in &self.terms {
-            for (right, b) in &other.terms {
-                let mut monomial = left.clone();
-                for (variable, exponent) in right {
-                    let sum = monomial.entry(variable.clone()).or_insert(0);
-                    *sum = sum.checked_add(*exponent).expect("an exponent below 2^32");
-                }
-                product.add_term(monomial, a * b);
+        // No product of coefficients is 0: these are fields.
+        let mut product = Polynomial::constant(&self.constant * &other.constant);
+        for (constant, terms) in [(&self.constant, &other.terms), (&other.constant, &self.terms)] {
+            if !is_zero(constant) {
+                let times = |(monomial, a): &Term| (monomial.clone(), constant * a);
+                product.add_terms(terms.iter().map(times));
             }
         }
+        let pairs = self.terms.iter().flat_map(|(left, a)| {
+            other.terms.iter().map(move |(right, b)| (left.times(right), a * b))
+        });
+        let mut sums: BTreeMap<Monomial, RealCyclotomic> = BTreeMap::new();
+        for (monomial, coefficient) in pairs {
+            match sums.entry(monomial) {
+                Entry::Vacant(place) => drop(place.insert(coefficient)),
+                Entry::Occupied(mut place) => *place.get_mut() = place.get() + &coefficient,
+            }
+        }
+        sums.retain(|_, coefficient| !is_zero(coefficient));
+        product.add_terms(sums.into_iter());
         product
     }
 }
@@ -175,7 +201,11 @@ impl fmt::Display for Polynomial {
             return f.pad("0");
         }
         let mut text = String::new();
-        for (monomial, coefficient) in &self.terms {
+        let constant = (Monomial::one(), self.constant.clone());
+        let constant = Some((&constant.0, &constant.1)).filter(|(_, value)| !is_zero(value));
+        for (monomial, coefficient) in
+            constant.into_iter().chain(self.terms.iter().map(|(m, c)| (m, c)))
+        {
             let (negative, term) = term(monomial, coefficient);
             text.push_str(match (text.is_empty(), negative) {
                 (true, true) => "-",
@@ -194,16 +224,16 @@ impl fmt::Display for Polynomial {
 fn term(monomial: &Monomial, coefficient: &RealCyclotomic) -> (bool, String) {
     let (negative, magnitude) = match coefficient.as_rational() {
         Some(value) => (value.sign() < 0, value.abs().to_string()),
-        None if monomial.is_empty() => (false, coefficient.to_string()),
+        None if monomial.is_one() => (false, coefficient.to_string()),
         None => (false, format!("({coefficient})")),
     };
     let mut factors = Vec::new();
-    if monomial.is_empty() || magnitude != "1" {
+    if monomial.is_one() || magnitude != "1" {
         factors.push(magnitude);
     }
-    for (variable, exponent) in monomial {
+    for (variable, exponent) in monomial.powers() {
         factors.push(match exponent {
-            1 => variable.clone(),
+            1 => variable.to_string(),
             _ => format!("{variable}^{exponent}"),
         });
     }

@@ -11,6 +11,10 @@ pub trait Scalar: Clone {
     /// self + other.
     #[must_use]
     fn plus(&self, other: &Self) -> Self;
+    /// self becomes self + other.
+    fn accumulate(&mut self, other: &Self) {
+        *self = self.plus(other);
+    }
     /// self − other.
     #[must_use]
     fn minus(&self, other: &Self) -> Self;
@@ -30,7 +34,10 @@ pub trait Scalar: Clone {
     where
         Self: 'a,
     {
-        terms.into_iter().fold(Self::zero(), |sum, term| sum.plus(term))
+        terms.into_iter().fold(Self::zero(), |mut sum, term| {
+            sum.accumulate(term);
+            sum
+        })
     }
 }
 
@@ -69,6 +76,9 @@ impl Scalar for Rational {
     fn plus(&self, other: &Self) -> Self {
         self + other
     }
+    fn accumulate(&mut self, other: &Self) {
+        *self += other;
+    }
     fn minus(&self, other: &Self) -> Self {
         self - other
     }
@@ -95,6 +105,9 @@ impl Scalar for Polynomial {
     }
     fn plus(&self, other: &Self) -> Self {
         self + other
+    }
+    fn accumulate(&mut self, other: &Self) {
+        *self += other;
     }
     fn minus(&self, other: &Self) -> Self {
         self - other

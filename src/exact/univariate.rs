@@ -84,7 +84,7 @@ impl IntegerPolynomial {
     }
 
     /// (q^d·f(p/q), q^d), by Horner's rule on integers.
-    fn scaled_value(&self, point: &Rational) -> (Integer, Integer) {
+    pub(super) fn scaled_value(&self, point: &Rational) -> (Integer, Integer) {
         let (p, q) = (point.numerator(), point.denominator());
         let Some((leading, rest)) = self.coefficients.split_last() else {
             return (Integer::zero(), Integer::one());
@@ -124,35 +124,6 @@ impl IntegerPolynomial {
     pub fn primitive(&self) -> IntegerPolynomial {
         let primitive = self.without_content();
         if primitive.leading().sign() < 0 { -&primitive } else { primitive }
-    }
-
-    /// Whether the rule of Descartes leaves a root between `lower` and `upper`: an
-    /// inexpensive test, that is right when it says no. The roots in between are at
-    /// most the sign changes of the coefficients of (1 + x)^d f((l + ux)/(1 + x)).
-    ///
-    /// ```
-    /// use subcert::exact::{IntegerPolynomial, Rational};
-    ///
-    /// let f = IntegerPolynomial::from([-2, 0, 1]);
-    /// assert!(f.may_vanish_between(&Rational::from(1), &Rational::from(2)));
-    /// assert!(!f.may_vanish_between(&Rational::from(2), &Rational::from(9)));
-    /// ```
-    #[must_use]
-    pub fn may_vanish_between(&self, lower: &Rational, upper: &Rational) -> bool {
-        let (a, b) = (lower.denominator(), upper.denominator());
-        let (low, high) = (lower.numerator() * &b, upper.numerator() * &a);
-        // f((low + high·x)/(ab(1 + x))), its denominator cleared.
-        let top = IntegerPolynomial::new(vec![low, high]);
-        let bottom = IntegerPolynomial::new(vec![&a * &b, a * b]);
-        let mut scale = IntegerPolynomial::from([1]);
-        let mut sum = IntegerPolynomial::default();
-        for coefficient in self.coefficients.iter().rev() {
-            sum = &(&sum * &top) + &(&scale * &IntegerPolynomial::new(vec![coefficient.clone()]));
-            scale = &scale * &bottom;
-        }
-        let signs = sum.coefficients.iter().map(Integer::sign).filter(|&sign| sign != 0);
-        let signs: Vec<i8> = signs.collect();
-        signs.windows(2).any(|pair| pair[0] != pair[1])
     }
 
     /// (s, Q, R) with s·self = Q·divisor + R, deg R < deg divisor, and s > 0 a

@@ -23,13 +23,13 @@ impl<V: Value> Angle<V> {
         right: &Angle<V>,
     ) -> Result<Angle<V>, FormulaErrorKind> {
         let each = |left: &Angle<V>, factor: &V| {
-            let plain = apply(operator, &left.plain, factor)?;
-            Ok(Angle { plain, pi: apply(operator, &left.pi, factor)? })
+            let plain = apply(operator, left.plain.clone(), factor)?;
+            Ok(Angle { plain, pi: apply(operator, left.pi.clone(), factor)? })
         };
         match operator {
             Operator::Add | Operator::Subtract => Ok(Angle {
-                plain: apply(operator, &left.plain, &right.plain)?,
-                pi: apply(operator, &left.pi, &right.pi)?,
+                plain: apply(operator, left.plain.clone(), &right.plain)?,
+                pi: apply(operator, left.pi.clone(), &right.pi)?,
             }),
             Operator::Multiply | Operator::Divide if is_zero(&right.pi) => each(left, &right.plain),
             Operator::Multiply if is_zero(&left.pi) => each(right, &left.plain),

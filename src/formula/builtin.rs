@@ -75,14 +75,14 @@ fn floor<V: Value>(value: &V) -> Result<Integer, FormulaErrorKind> {
 
 /// x − m⌊x/m⌋.
 fn modulo<V: Value>(x: &V, modulus: &V) -> Result<V, FormulaErrorKind> {
-    let quotient = floor(&apply(Operator::Divide, x, modulus)?)?;
+    let quotient = floor(&apply(Operator::Divide, x.clone(), modulus)?)?;
     let multiple = multiply(modulus, &V::from_rational(&Rational::from(quotient)))?;
-    apply(Operator::Subtract, x, &multiple)
+    apply(Operator::Subtract, x.clone(), &multiple)
 }
 
 /// 1 where left = right, 0 elsewhere.
 fn kronecker<V: Value>(left: &V, right: &V) -> Result<V, FormulaErrorKind> {
-    let difference = apply(Operator::Subtract, left, right)?;
+    let difference = apply(Operator::Subtract, left.clone(), right)?;
     let equal = difference.vanishes().ok_or(FormulaErrorKind::Unsupported(SYMBOLIC))?;
     Ok(V::from_rational(&Rational::from(i64::from(equal))))
 }
@@ -107,15 +107,18 @@ pub(super) fn lesser<V: Value>(left: &V, right: &V) -> Result<V, FormulaErrorKin
 /// left ∘ right, in a field that holds both.
 pub(super) fn apply<V: Value>(
     operator: Operator,
-    left: &V,
+    mut left: V,
     right: &V,
 ) -> Result<V, FormulaErrorKind> {
-    together(left, right)?;
+    together(&left, right)?;
     match operator {
-        Operator::Add => Ok(left.plus(right)),
+        Operator::Add => {
+            left.accumulate(right);
+            Ok(left)
+        }
         Operator::Subtract => Ok(left.minus(right)),
-        Operator::Multiply => multiply(left, right),
-        Operator::Divide => divide(left, right),
+        Operator::Multiply => multiply(&left, right),
+        Operator::Divide => divide(&left, right),
     }
 }
 

@@ -203,7 +203,7 @@ impl<V: Value> Evaluator<'_, V> {
         let mut value = self.value(first, indices)?;
         for (operator, operand) in rest {
             let right = self.value(operand, indices)?;
-            let result = builtin::apply(*operator, &value, &right);
+            let result = builtin::apply(*operator, value, &right);
             value = self.spend(result.or_else(|kind| fail(kind, &operand.span))?, &operand.span)?;
         }
         Ok(value)
@@ -242,17 +242,29 @@ impl<V: Value> Evaluator<'_, V> {
         body: &Expr,
         indices: &mut Vec<(String, V)>,
     ) -> Result<Option<V>, FormulaError> {
+        indices.insert(0, (index.to_owned(), V::zero()));
+        let total = self.folded(fold, range, body, indices);
+        indices.remove(0);
+        total
+    }
+
+    /// The same where the first index is that of the range.
+    fn folded(
+        &self,
+        fold: Fold,
+        range: std::ops::RangeInclusive<i64>,
+        body: &Expr,
+        indices: &mut Vec<(String, V)>,
+    ) -> Result<Option<V>, FormulaError> {
         let mut total = (fold == Fold::Sum).then(V::zero);
         for i in range {
-            indices.insert(0, (index.to_owned(), V::from_rational(&Rational::from(i))));
-            let term = self.value(body, indices);
-            indices.remove(0);
-            let term = term?;
+            indices[0].1 = V::from_rational(&Rational::from(i));
+            let term = self.value(body, indices)?;
             total = Some(match total {
                 None => term,
                 Some(total) => {
                     let next = match fold {
-                        Fold::Sum => builtin::apply(Operator::Add, &total, &term),
+                        Fold::Sum => builtin::apply(Operator::Add, total, &term),
                         Fold::Max => builtin::greater(&total, &term),
                         Fold::Min => builtin::lesser(&total, &term),
                     };

@@ -117,7 +117,8 @@ impl Value for Polynomial {
     }
     fn conductor(&self) -> u32 {
         // What is brought together has a common field, so this stays below the cap.
-        self.coefficients().map(RealCyclotomic::conductor).fold(1, num_integer::lcm)
+        let others = self.coefficients().map(RealCyclotomic::conductor).filter(|&n| n > 1);
+        others.fold(1, num_integer::lcm)
     }
 }
 

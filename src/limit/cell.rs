@@ -1,6 +1,7 @@
 //! The intervals between neighbouring points of a level, and how each splits.
 
 use super::error::{LimitError, MAX_WINDOW};
+use super::fraction::Fraction;
 use super::functional::{Functional, rule_at};
 use super::value::Limit;
 use crate::exact::{Integer, Rational};
@@ -37,17 +38,26 @@ impl Cell {
 }
 
 /// What the bounds on a cell take: the sizes of Δ = Δ^M and ∇Δ in its window.
-pub(super) struct Sizes {
-    /// max|Δ|.
-    pub(super) spread: Rational,
-    /// |Δ_i|, of the cell from i to i + 1.
-    pub(super) own: Rational,
-    /// max|∇Δ|, where (∇Δ)_i = Δ_{i+1} − Δ_i.
-    pub(super) turn: Rational,
+pub(super) struct Sizes<'c> {
+    /// max|Δ|, times `scale`.
+    pub(super) spread: Integer,
+    /// |Δ_i|, of the cell from i to i + 1, times `scale`.
+    pub(super) own: Integer,
+    /// max|∇Δ|, where (∇Δ)_i = Δ_{i+1} − Δ_i, times `scale`.
+    pub(super) turn: Integer,
+    pub(super) scale: &'c Integer,
 }
 
-fn magnitude(row: &[Integer]) -> Integer {
-    row.iter().map(Integer::abs).sum()
+/// Σ |x|, without a copy of each.
+pub(super) fn magnitude(row: &[Integer]) -> Integer {
+    row.iter().fold(Integer::zero(), |mut sum, x| {
+        if x.sign() < 0 {
+            sum -= x;
+        } else {
+            sum += x;
+        }
+        sum
+    })
 }
 
 /// How a cell splits into n, over integers: Δ^{M+1} = DΔ^M, and P^∞ at the new points is
@@ -122,26 +132,41 @@ impl Splitting {
         cell
     }
 
+    /// What the denominators of [`distances`](Splitting::distances) have beyond those of
+    /// [`sizes`](Splitting::sizes).
+    pub(super) fn end_scale(&self) -> &Integer {
+        &self.scale
+    }
+
     /// |P^∞ − P^k| at both ends, from level k on.
-    pub(super) fn distances(&self, cell: &Cell) -> Option<[Rational; 2]> {
+    pub(super) fn distances(&self, cell: &Cell) -> Option<[Fraction; 2]> {
         let scale = &cell.scale * &self.scale;
         let ends = cell.ends.as_ref()?;
-        Some(ends.each_ref().map(|end| Rational::new(magnitude(end), scale.clone())))
+        Some(ends.each_ref().map(|end| Fraction { p: magnitude(end), q: scale.clone() }))
     }
 
     /// The sizes of the differences of the window.
-    pub(super) fn sizes(&self, cell: &Cell) -> Sizes {
-        let fraction = |size: Integer| Rational::new(size, cell.scale.clone());
+    pub(super) fn sizes<'c>(&self, cell: &'c Cell) -> Sizes<'c> {
         let own = usize::try_from(-self.first).expect("the window holds Δ_0");
-        let step = |pair: &[Vec<Integer>]| -> Vec<Integer> {
-            pair[1].iter().zip(&pair[0]).map(|(next, this)| next - this).collect()
+        let turn = |pair: &[Vec<Integer>]| -> Integer {
+            let steps = pair[1].iter().zip(&pair[0]);
+            steps.fold(Integer::zero(), |mut sum, (next, this)| {
+                if next < this {
+                    sum += this;
+                    sum -= next;
+                } else {
+                    sum += next;
+                    sum -= this;
+                }
+                sum
+            })
         };
-        let turns = cell.rows.windows(2).map(|pair| magnitude(&step(pair)));
         let spread = cell.rows.iter().map(|row| magnitude(row)).max();
         Sizes {
-            spread: fraction(spread.expect("the window holds Δ_0")),
-            own: fraction(magnitude(&cell.rows[own])),
-            turn: fraction(turns.max().unwrap_or_else(Integer::zero)),
+            spread: spread.expect("the window holds Δ_0"),
+            own: magnitude(&cell.rows[own]),
+            turn: cell.rows.windows(2).map(turn).max().unwrap_or_else(Integer::zero),
+            scale: &cell.scale,
         }
     }
 

@@ -2,6 +2,7 @@
 
 use super::error::{LimitError, MAX_PARAMETER_DIGITS};
 use super::functional::Functional;
+use super::row::{Refinement, Row};
 use crate::exact::{Rational, format};
 use crate::scheme::Rules;
 
@@ -47,8 +48,16 @@ impl Parameter {
     /// A functional of the sequence of level m = the number of digits, whose index 0
     /// stands for the index n^m·t, as a functional of that of level 0; `rules` take
     /// each level to the next.
-    pub(super) fn pull_back(&self, functional: Functional, rules: &Rules) -> Functional {
-        let level_by_level = |fine: Functional, digit: &i64| fine.shifted(*digit).after(rules);
-        self.digits.iter().rev().fold(functional, level_by_level).shifted(self.whole)
+    pub(super) fn pull_back(&self, functional: &Functional, rules: &Rules) -> Functional {
+        if self.digits.is_empty() {
+            return functional.shifted(self.whole);
+        }
+        let refinement = Refinement::of(rules);
+        let (row, denominator) = Row::of(functional);
+        let level_by_level = |fine: Row, digit: &i64| refinement.pull_back(&fine, *digit);
+        let coarse = self.digits.iter().rev().fold(row, level_by_level);
+        let levels = u32::try_from(self.digits.len()).expect("the digits are capped");
+        let multiple = denominator * refinement.denominator().pow(levels);
+        coarse.functional(&multiple).shifted(self.whole)
     }
 }

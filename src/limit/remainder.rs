@@ -3,10 +3,11 @@
 use super::cell::Sizes;
 use super::convergence::contraction_constants;
 use super::error::LimitError;
+use super::fraction::Fraction;
 use super::functional::Functional;
 use super::value::Limit;
 use crate::bound::SoundBound;
-use crate::exact::Rational;
+use crate::exact::{Integer, Rational};
 use crate::scheme::Mask;
 
 /// Bounds on a cell, per unit of the differences Δ of its window and of their own
@@ -20,9 +21,9 @@ pub(super) struct Remainders {
     /// Of |P^∞ − P^j|, by |Δ_0| and max|∇Δ|.
     smooth_polygon: Option<SmoothBound>,
     /// Of the distance of P^∞ from its chord, by max|Δ|.
-    chord: Rational,
+    chord: Fraction,
     /// λ: that distance is at most λ min(u, 1−u) max|∇Δ| at u.
-    smooth_chord: Option<Rational>,
+    smooth_chord: Option<Fraction>,
 }
 
 /// |P^∞ − P^j| ≤ n^−j |τ||Δ_0| + (n^−j ρ + ς_j) max|∇Δ| for a scheme that takes lines to
@@ -40,16 +41,32 @@ struct SmoothBound {
 
 /// A bound of |P^∞ − P^j|: what stands before max|Δ|, or before |Δ_0| and max|∇Δ|.
 pub(super) struct LevelBound {
-    spread: Rational,
-    smooth: Option<[Rational; 2]>,
+    spread: Fraction,
+    /// Over one denominator.
+    smooth: Option<[Fraction; 2]>,
 }
 
 impl LevelBound {
+    fn new(spread: &Rational, smooth: Option<&[Rational; 2]>) -> LevelBound {
+        let smooth = smooth.map(|[own, turn]| {
+            let (p, q) = (own.denominator(), turn.denominator());
+            [
+                Fraction { p: own.numerator() * &q, q: &p * &q },
+                Fraction { p: turn.numerator() * &p, q: p * q },
+            ]
+        });
+        LevelBound { spread: spread.into(), smooth }
+    }
+
     /// The bound over a cell.
-    pub(super) fn over(&self, sizes: &Sizes) -> Rational {
-        let bound = &self.spread * &sizes.spread;
+    pub(super) fn over(&self, sizes: &Sizes) -> Fraction {
+        let Fraction { p, q } = &self.spread;
+        let bound = Fraction { p: p * &sizes.spread, q: q * sizes.scale };
         match &self.smooth {
-            Some([own, turn]) => bound.min(own * &sizes.own + turn * &sizes.turn),
+            Some([own, turn]) => bound.min(Fraction {
+                p: &own.p * &sizes.own + &turn.p * &sizes.turn,
+                q: &own.q * sizes.scale,
+            }),
             None => bound,
         }
     }
@@ -63,6 +80,7 @@ impl Remainders {
         let constants = limit.contraction();
         let chord = series(greatest(norms(middles)), constants).expect("some T_c is below 1");
         let polygon = SoundBound::of(greatest(norms(&displaced)), constants.to_vec());
+        let chord = Fraction::from(&chord);
         let mut remainders =
             Remainders { polygon, smooth_polygon: None, chord, smooth_chord: None };
         if let Some(scaled) = second_contraction_constants(limit) {
@@ -71,18 +89,31 @@ impl Remainders {
             let slopes = (1..).zip(middles).map(|(alpha, middle)| {
                 second_norm(middle) * Rational::new(arity, alpha.min(arity - alpha))
             });
-            remainders.smooth_chord = series(greatest(slopes), &scaled);
+            remainders.smooth_chord =
+                series(greatest(slopes), &scaled).map(|slope| Fraction::from(&slope));
         }
         Ok(remainders)
     }
 
-    /// A bound over a cell of which the values at both ends are at most these.
-    pub(super) fn between(&self, [left, right]: &[Rational; 2], sizes: &Sizes) -> Rational {
+    /// A bound over a cell of which the values at both ends are at most these, over one
+    /// denominator, which is `factor` times that of the sizes.
+    pub(super) fn between(
+        &self,
+        [left, right]: &[Fraction; 2],
+        factor: &Integer,
+        sizes: &Sizes,
+    ) -> Fraction {
         let ends = left.max(right);
-        let bound = ends + &self.chord * &sizes.spread;
+        // sum/q + (p/q')·size, over both denominators.
+        let plus = |sum: &Integer, chord: &Fraction, size: &Integer| Fraction {
+            p: sum * &chord.q + &chord.p * size * factor,
+            q: &ends.q * &chord.q,
+        };
+        let bound = plus(&ends.p, &self.chord, &sizes.spread);
         match &self.smooth_chord {
             Some(slope) => {
-                let middle = (left + right + slope * &sizes.turn) / Rational::from(2);
+                let mut middle = plus(&(&left.p + &right.p), slope, &sizes.turn);
+                middle.q = middle.q.shifted_left(1);
                 bound.min(middle.max(ends.clone()))
             }
             None => bound,
@@ -93,9 +124,8 @@ impl Remainders {
     pub(super) fn levels(&self, level: u32) -> Vec<LevelBound> {
         let spreads = self.polygon.levels(level).expect("some T_c is below 1");
         let smooth = self.smooth_polygon.as_ref().and_then(|smooth| smooth.levels(level));
-        let bound = |(j, spread): (usize, Rational)| LevelBound {
-            spread,
-            smooth: smooth.as_ref().map(|smooth| smooth[j].clone()),
+        let bound = |(j, spread): (usize, Rational)| {
+            LevelBound::new(&spread, smooth.as_ref().map(|smooth| &smooth[j]))
         };
         spreads.into_iter().enumerate().map(bound).collect()
     }

@@ -1,6 +1,7 @@
 //! The supremum of |P^∞ − P^k|, between a value that it takes and a bound.
 
 use super::cell::{Cell, Splitting};
+use super::fraction::Fraction;
 use super::remainder::{LevelBound, Remainders};
 use crate::exact::{Integer, Rational};
 
@@ -24,10 +25,10 @@ pub(super) enum Goal {
 }
 
 impl Goal {
-    fn settles(&self, bound: &Rational, best: &Rational) -> bool {
+    fn settles(&self, bound: &Fraction, best: &Rational) -> bool {
         match self {
-            Goal::Width(width) => *bound <= best + width,
-            Goal::Threshold(threshold) => bound <= threshold || best > threshold,
+            Goal::Width(width) => *bound <= Fraction::from(&(best + width)),
+            Goal::Threshold(threshold) => *bound <= Fraction::from(threshold) || best > threshold,
         }
     }
 }
@@ -68,13 +69,13 @@ impl<'a> Search<'a> {
     /// A bound of the supremum without splitting any cell.
     pub(super) fn bound(&self, best: &mut Best) -> Rational {
         let bounded = self.bounded(self.start(), None, best).pop();
-        bounded.map_or_else(Rational::zero, |(bound, _)| bound)
+        bounded.map_or_else(Rational::zero, |(bound, _)| bound.reduced())
     }
 
     /// Searches all cells, improves on `best`, and gives a bound of the supremum, which
     /// is within the goal unless a cap was met.
     pub(super) fn run(&mut self, goal: &Goal, best: &mut Best) -> Rational {
-        let mut upper = best.value.clone();
+        let mut upper = Fraction::from(&best.value);
         let mut stack = self.bounded(self.start(), None, best);
         while let Some((bound, cell)) = stack.pop() {
             let deep = cell.level >= self.level + MAX_DEEPER;
@@ -86,7 +87,7 @@ impl<'a> Search<'a> {
             let parts = self.splitting.split(&cell, self.level);
             stack.extend(self.bounded(parts.into_iter(), Some(&bound), best));
         }
-        upper
+        upper.reduced()
     }
 
     /// The roots, as cells of a search.
@@ -99,13 +100,14 @@ impl<'a> Search<'a> {
     fn bounded(
         &self,
         cells: impl Iterator<Item = Cell>,
-        whole: Option<&Rational>,
+        whole: Option<&Fraction>,
         best: &mut Best,
-    ) -> Vec<(Rational, Cell)> {
-        let mut bounded: Vec<(Rational, Cell)> = cells
+    ) -> Vec<(Fraction, Cell)> {
+        let mut bounded: Vec<(Fraction, Cell)> = cells
             .map(|cell| {
                 let bound = self.bound_over(&cell, best);
-                (whole.map_or(bound.clone(), |whole| bound.min(whole.clone())), cell)
+                let bound = whole.filter(|whole| **whole < bound).cloned().unwrap_or(bound);
+                (bound, cell)
             })
             .collect();
         bounded.sort_by(|one, other| one.0.cmp(&other.0));
@@ -114,19 +116,19 @@ impl<'a> Search<'a> {
 
     /// A bound of |P^∞ − P^k| over the cell: by the level that remains up to k, and from
     /// k on by the values at its ends, which improve on `best`.
-    fn bound_over(&self, cell: &Cell, best: &mut Best) -> Rational {
+    fn bound_over(&self, cell: &Cell, best: &mut Best) -> Fraction {
         let sizes = self.splitting.sizes(cell);
         let remaining = self.level.checked_sub(cell.level);
         let by_level = remaining.map(|j| self.bounds[j as usize].over(&sizes));
         let by_ends = self.splitting.distances(cell).map(|ends| {
             for (end, value) in (0..).zip(&ends) {
-                if *value > best.value {
+                if *value > Fraction::from(&best.value) {
                     let points = Integer::from(self.splitting.arity).pow(cell.level);
                     let parameter = Rational::new(&cell.index + Integer::from(end), points);
-                    *best = Best { value: value.clone(), parameter };
+                    *best = Best { value: value.clone().reduced(), parameter };
                 }
             }
-            self.remainders.between(&ends, &sizes)
+            self.remainders.between(&ends, self.splitting.end_scale(), &sizes)
         });
         let bounds = by_level.into_iter().chain(by_ends);
         bounds.min().expect("a cell above level k has values at its ends")

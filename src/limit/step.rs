@@ -2,7 +2,8 @@
 
 use super::error::LimitError;
 use super::functional::{ExtremalPolygon, Functional, rule_at};
-use crate::exact::{CommonDenominator, Integer, Rational};
+use super::row::{Refinement, Row};
+use crate::exact::{Integer, Rational};
 use crate::scheme::{Mask, Rules};
 
 /// The most residue classes over which a step or a difference is compared.
@@ -129,19 +130,14 @@ fn greatest(
     if classes.is_none_or(|all| all > MAX_CLASSES) {
         return Err(LimitError::Classes { arity, level });
     }
-    let walk = Walk {
-        common: CommonDenominator::of(difference.rows()),
-        offset: difference.offset(),
-        arity: i64::try_from(arity).expect("the arity is capped"),
-        level,
-    };
+    let walk = Walk { refinement: Refinement::of(difference), level };
     let mut best: Option<Attained> = None;
     for (label, functional) in fine {
         let (row, denominator) = Row::of(functional);
-        let scale = denominator * walk.common.denominator.pow(level);
+        let scale = denominator * walk.refinement.denominator().pow(level);
         let mut top: Option<(Integer, i64, Row)> = None;
         walk.visit(&row, 0, 0, 1, &mut |row, shift| {
-            let norm: Integer = row.coefficients.iter().map(Integer::abs).sum();
+            let norm = row.norm();
             if top.as_ref().is_none_or(|(most, ..)| norm > *most) {
                 top = Some((norm, shift, row.clone()));
             }
@@ -149,40 +145,16 @@ fn greatest(
         let Some((norm, shift, row)) = top else { continue };
         let value = Rational::new(norm, scale);
         if best.as_ref().is_none_or(|best| value > best.value) {
-            let polygon = row.functional().extremal_polygon();
+            let polygon = row.functional(&Integer::one()).extremal_polygon();
             best = Some(Attained { value, index: per * shift + label, polygon });
         }
     }
     Ok(best.expect("there is at least one functional and one class"))
 }
 
-/// A functional with integer coefficients, of consecutive indices.
-#[derive(Clone)]
-struct Row {
-    first: i64,
-    coefficients: Vec<Integer>,
-}
-
-impl Row {
-    /// The functional over its common denominator.
-    fn of(functional: &Functional) -> (Row, Integer) {
-        let (first, last) = functional.support().unwrap_or((0, 0));
-        let dense: Vec<Rational> = (first..=last).map(|i| functional.coefficient(i)).collect();
-        let CommonDenominator { mut numerators, denominator } = CommonDenominator::of(&[dense]);
-        let coefficients = numerators.pop().unwrap_or_default();
-        (Row { first, coefficients }, denominator)
-    }
-
-    fn functional(&self) -> Functional {
-        Functional::new(self.first, self.coefficients.iter().cloned().map(Rational::from))
-    }
-}
-
 /// All shifts 0, …, n^k − 1 of a functional of level k, as functionals of level 0.
 struct Walk {
-    common: CommonDenominator,
-    offset: i64,
-    arity: i64,
+    refinement: Refinement,
     level: u32,
 }
 
@@ -200,27 +172,15 @@ impl Walk {
             found(row, shift);
             return;
         }
-        for digit in 0..self.arity {
-            let coarser = self.pull_back(row, digit);
-            self.visit(&coarser, depth + 1, shift + digit * place, place * self.arity, found);
+        for digit in 0..self.refinement.arity() {
+            let coarser = self.refinement.pull_back(row, digit);
+            self.visit(
+                &coarser,
+                depth + 1,
+                shift + digit * place,
+                place * self.refinement.arity(),
+                found,
+            );
         }
-    }
-
-    fn pull_back(&self, row: &Row, shift: i64) -> Row {
-        let width = self.common.numerators[0].len();
-        let first = (row.first + shift).div_euclid(self.arity);
-        let last = row.coefficients.len().saturating_sub(1);
-        let last =
-            (row.first + shift + i64::try_from(last).unwrap_or(i64::MAX)).div_euclid(self.arity);
-        let span = usize::try_from(last - first).expect("a row is not empty") + width;
-        let mut coefficients = vec![Integer::zero(); span];
-        for (i, coefficient) in (row.first + shift..).zip(&row.coefficients) {
-            let start = usize::try_from(i.div_euclid(self.arity) - first).expect("first is least");
-            let rule = usize::try_from(i.rem_euclid(self.arity)).expect("a residue");
-            for (to, entry) in coefficients[start..].iter_mut().zip(&self.common.numerators[rule]) {
-                *to += &(coefficient * entry);
-            }
-        }
-        Row { first: first + self.offset, coefficients }
     }
 }

@@ -87,7 +87,7 @@ impl Limit {
     /// When t is not such a parameter, or |t| is 2^60 or more.
     pub fn at(&self, t: &Rational) -> Result<Functional, LimitError> {
         let parameter = Parameter::new(t, self.mask.arity())?;
-        Ok(parameter.pull_back(self.at_zero.clone(), self.mask.rules()))
+        Ok(parameter.pull_back(&self.at_zero, self.mask.rules()))
     }
 
     /// P^k(t) as a functional of the control points.
@@ -96,7 +96,7 @@ impl Limit {
     /// As of [`Limit::at`], and when the level k is above 128.
     pub fn polygon_at(&self, level: u32, t: &Rational) -> Result<Functional, LimitError> {
         let (parameter, rest) = self.split(level, t)?;
-        Ok(parameter.pull_back(linear(&rest), self.mask.rules()))
+        Ok(parameter.pull_back(&linear(&rest), self.mask.rules()))
     }
 
     /// P^∞(t) − P^k(t) as a functional of the differences Δ_i = x_{i+1} − x_i of the
@@ -129,7 +129,7 @@ impl Limit {
         let (parameter, rest) = self.split(level, t)?;
         let error = self.at(&rest)?.plus(&Rational::from(-1), &linear(&rest));
         let error = error.on_differences().expect("both values are affine combinations");
-        Ok(parameter.pull_back(error, &self.difference))
+        Ok(parameter.pull_back(&error, &self.difference))
     }
 
     fn split(&self, level: u32, t: &Rational) -> Result<(Parameter, Rational), LimitError> {

@@ -45,9 +45,57 @@ proptest! {
         prop_assert_eq!(x.cmp(&y), a.cmp(&b));
         prop_assert_eq!(x.bits(), a.bits());
         prop_assert_eq!(x.is_even(), a.is_even());
+        prop_assert_eq!(x.shifted_left(exponent * 20), ours(&(&a << (exponent * 20))));
+        prop_assert_eq!(x.shifted_right(exponent * 20), ours(&(&a >> (exponent * 20))));
+        prop_assert_eq!(BigInt::from(x.residue(6)), a.mod_floor(&BigInt::from(6)));
         prop_assert_eq!(i64::from(x.sign()), a.signum().to_i64().unwrap());
         prop_assert_eq!(x.to_i128(), a.to_i128());
         prop_assert_eq!(x.to_i64(), a.to_i64());
+    }
+
+    #[test]
+    fn assigning_forms_agree_with_the_others(a in integer(), b in integer(), p in ratio(), q in ratio()) {
+        let (x, y) = (ours(&a), ours(&b));
+        let by = |assign: fn(&mut Integer, &Integer)| {
+            let mut value = x.clone();
+            assign(&mut value, &y);
+            value
+        };
+        prop_assert_eq!(by(|x, y| *x += y), ours(&(&a + &b)));
+        prop_assert_eq!(by(|x, y| *x -= y), ours(&(&a - &b)));
+        prop_assert_eq!(by(|x, y| *x *= y), ours(&(&a * &b)));
+        prop_assert_eq!(x.clone() + y.clone() - x.clone(), y.clone());
+        // Equal values have one form, whatever made them.
+        prop_assert_eq!(&x - &x, Integer::zero());
+        prop_assert_eq!((&x * &y) - (&x * &y) + &x, x);
+        let mut value = our_ratio(&p);
+        value += &our_ratio(&q);
+        prop_assert_eq!(theirs(&value), &p + &q);
+        value -= &our_ratio(&q);
+        prop_assert_eq!(value, our_ratio(&p));
+    }
+
+    #[test]
+    fn common_divisors_agree_with_num_bigint(a in integer(), b in integer(), k in integer()) {
+        let (a, b) = (a * &k, b * k);
+        prop_assert_eq!(ours(&a).gcd(&ours(&b)), ours(&a.gcd(&b)));
+    }
+
+    // Fractions of few denominators, so that sums and products cancel.
+    #[test]
+    fn rationals_that_cancel_agree_with_num_rational(
+        p in integer(), q in prop::sample::select(&[1, 2, 6, 30, 210, 1 << 30]),
+        r in integer(), s in prop::sample::select(&[1, 3, 6, 15, 7, 1 << 31]),
+        large in any::<bool>(),
+    ) {
+        let factor = if large { BigInt::from(i64::MAX) } else { BigInt::one() };
+        let (a, b) = (BigRational::new(p, factor.clone() * q), BigRational::new(r, factor * s));
+        let (x, y) = (our_ratio(&a), our_ratio(&b));
+        prop_assert_eq!(theirs(&(&x + &y)), &a + &b);
+        prop_assert_eq!(theirs(&(&x - &y)), &a - &b);
+        prop_assert_eq!(theirs(&(&x * &y)), &a * &b);
+        prop_assert_eq!(x.cmp(&y), a.cmp(&b));
+        prop_assert_eq!(x.cmp(&y), (&x - &y).sign().cmp(&0));
     }
 
     #[test]
@@ -137,6 +185,20 @@ fn binomials_are_pascals_triangle() {
         row = [Integer::one()].into_iter().chain(inner).chain([Integer::one()]).collect();
     }
     assert_eq!(Integer::binomial(100, 50).to_string(), "100891344545564193334812497256");
+}
+
+/// All quotients of Euclid's algorithm are 1 for Fibonacci numbers, and many bits long for
+/// a^3 and a.
+#[test]
+fn common_divisors_of_extreme_quotients() {
+    let mut pair = (Integer::one(), Integer::one());
+    for _ in 0..1000 {
+        assert_eq!(pair.0.gcd(&pair.1), Integer::one());
+        pair = (pair.1.clone(), &pair.0 + &pair.1);
+    }
+    let a = pair.0;
+    assert_eq!((a.pow(3) + &a).gcd(&a), a);
+    assert_eq!((a.pow(3) + Integer::one()).gcd(&a), Integer::one());
 }
 
 #[test]

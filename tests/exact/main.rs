@@ -21,16 +21,24 @@ use num_rational::BigRational;
 use proptest::prelude::*;
 use subcert::exact::{Integer, Rational};
 
-/// An integer of up to 380 digits, the short ones as likely as the long ones.
+/// An integer of up to 380 digits, the short ones as likely as the long ones, and as those
+/// at the ends of machine words.
 fn integer() -> impl Strategy<Value = BigInt> {
     let limbs = prop_oneof![
         prop::collection::vec(any::<u32>(), 0..3),
         prop::collection::vec(any::<u32>(), 0..40)
     ];
-    (any::<bool>(), limbs).prop_map(|(negative, limbs)| {
+    let of_any_size = (any::<bool>(), limbs).prop_map(|(negative, limbs)| {
         let magnitude = BigInt::from(num_bigint::BigUint::new(limbs));
         if negative { -magnitude } else { magnitude }
-    })
+    });
+    let near_a_power =
+        (any::<bool>(), prop::sample::select(&[31, 32, 62, 63, 64, 126, 127, 128]), -2..3);
+    let near_a_power = near_a_power.prop_map(|(negative, places, off)| {
+        let power = BigInt::from(1) << places;
+        if negative { off - power } else { power + off }
+    });
+    prop_oneof![2 => of_any_size, 1 => near_a_power]
 }
 
 fn nonzero() -> impl Strategy<Value = BigInt> {

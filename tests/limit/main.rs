@@ -5,6 +5,7 @@ mod changes;
 #[path = "../common/mod.rs"]
 mod common;
 mod distances;
+mod far;
 mod polygons;
 mod refused;
 mod rings;

@@ -108,44 +108,41 @@ impl<'a> Block<'a> {
 
 /// The blocks of a certificate about the paper of this key.
 pub fn blocks<'a>(text: &'a str, key: &str) -> Checked<Vec<Block<'a>>> {
-    let mut blocks: Vec<Block<'a>> = Vec::new();
-    let (mut number, mut heads, mut ended) = (0, 0, false);
-    if text.len() > MAX_BYTES {
-        return Err(Rejection { line: 1, reason: Reason::LongLine });
-    }
+    let mut number = 0;
+    let blocks = read(text, key, &mut number);
+    blocks.map_err(|rejection| rejection.at(number.max(1)))
+}
+
+/// The same; counts the lines up to the one that is wrong.
+fn read<'a>(text: &'a str, key: &str, number: &mut usize) -> Checked<Vec<Block<'a>>> {
+    let (mut blocks, mut heads, mut ended) = (Vec::<Block<'a>>::new(), 0, false);
+    require(text.len() <= MAX_BYTES, Reason::LongLine)?;
     for raw in text.lines() {
-        number += 1;
-        let line = Line { number, text: raw.trim() };
-        if raw.len() > MAX_LINE {
-            return Err(line.reject(Reason::LongLine));
-        }
-        if heads == 0 && line.text != VERSION {
-            return Err(line.reject(Reason::Version));
-        }
+        *number += 1;
+        let line = Line { number: *number, text: raw.trim() };
+        require(raw.len() <= MAX_LINE, Reason::LongLine)?;
+        require(heads > 0 || line.text == VERSION, Reason::Version)?;
         if line.text.is_empty() || line.text.starts_with('#') {
             continue;
         }
-        let indented = raw.starts_with(' ');
+        require(!ended, Reason::AfterFooter)?;
         match (heads, line.word()) {
-            _ if ended => return Err(line.reject(Reason::AfterFooter)),
             (0, _) => heads = 1,
-            (1, ("paper", found)) if found == key => heads = 2,
-            (1, _) => return Err(line.reject(Reason::Paper)),
-            (_, ("end", count)) if !indented => {
-                if count != blocks.len().to_string() {
-                    return Err(line.reject(Reason::Count));
-                }
+            (1, head) => {
+                require(head == ("paper", key), Reason::Paper)?;
+                heads = 2;
+            }
+            _ if raw.starts_with(' ') => {
+                blocks.last_mut().ok_or(Reason::Malformed("a claim"))?.lines.push(line);
+            }
+            (_, ("end", count)) => {
+                require(count == blocks.len().to_string(), Reason::Count)?;
                 ended = true;
             }
-            _ if !indented => {
-                blocks.push(Block { head: line, lines: Vec::new(), taken: 0, at: number });
-            }
-            _ => match blocks.last_mut() {
-                Some(block) => block.lines.push(line),
-                None => return Err(line.reject(Reason::Malformed("a claim"))),
-            },
+            _ => blocks.push(Block { head: line, lines: Vec::new(), taken: 0, at: *number }),
         }
     }
-    let cut_off = Rejection { line: number + 1, reason: Reason::Truncated };
-    if ended { Ok(blocks) } else { Err(cut_off) }
+    *number += 1;
+    require(ended, Reason::Truncated)?;
+    Ok(blocks)
 }

@@ -21,6 +21,7 @@ mod polynomial;
 mod reading;
 mod reject;
 mod ring;
+mod root;
 mod rounding;
 mod rules;
 mod scheme;

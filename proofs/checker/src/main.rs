@@ -4,28 +4,36 @@ use std::io::Write;
 use std::process::ExitCode;
 use subcert_check::{Outcome, Reason, check};
 
-const USAGE: &str = "usage: subcert-check [--only KIND-OR-ID]… [--except-open] CLAIMS CERTIFICATE…
+const USAGE: &str = "usage: subcert-check [--only KIND-OR-ID]… [--accept WHAT]… CLAIMS CERTIFICATE…
 
 Checks certificates against the claim file that they are about. Asked for are all of its
-claims, or with --only those of a kind (table, equation, function, range, theorem) or id; with
---except-open not the theorems that a certificate calls open, which are listed all the same.
-Exit code: 0 if all that is asked for is valid or cited, 1 if not, 2 if a file cannot be read.";
+claims, or with --only those of a kind (table, equation, function, range, theorem) or id.
+Besides what is valid, --accept cited lets pass what a statement of THEOREMS.md decides, and
+--accept open the theorems that a certificate calls open; they are listed all the same.
+Exit code: 0 if all that is asked for is valid or accepted, 1 if not, 2 if a file cannot be read.";
+
+/// Takes the values of an option out of the arguments.
+fn values(arguments: &mut Vec<String>, option: &str) -> Vec<String> {
+    let mut values = Vec::new();
+    while let Some(at) = arguments.iter().position(|argument| argument == option) {
+        values.extend(arguments.drain(at..arguments.len().min(at + 2)).skip(1));
+    }
+    values
+}
 
 fn main() -> ExitCode {
     let mut arguments: Vec<String> = std::env::args().skip(1).collect();
-    let mut only = Vec::new();
-    while let Some(at) = arguments.iter().position(|argument| argument == "--only") {
-        only.extend(arguments.drain(at..arguments.len().min(at + 2)).skip(1));
-    }
-    let except_open = arguments.contains(&"--except-open".to_owned());
-    arguments.retain(|argument| argument != "--except-open");
+    let only = values(&mut arguments, "--only");
+    let accept = values(&mut arguments, "--accept");
     let files = arguments;
     let read = |path: &String| {
         std::fs::read_to_string(path).map_err(|error| format!("cannot read `{path}`: {error}"))
     };
     let run = || -> Result<bool, String> {
         let [claims, certificates @ ..] = &files[..] else { return Err(USAGE.to_owned()) };
-        if files.iter().any(|file| file.starts_with('-')) {
+        let accepts = |what: &str| accept.iter().any(|accepted| accepted == what);
+        let known = accept.iter().all(|what| what == "cited" || what == "open");
+        if !known || files.iter().any(|file| file.starts_with('-')) {
             return Err(USAGE.to_owned());
         }
         let claim_text = read(claims)?;
@@ -65,8 +73,10 @@ fn main() -> ExitCode {
         ));
         // A closed pipe is no failure of the check.
         let _ = writeln!(std::io::stdout(), "{}", lines.join("\n"));
-        let left = if except_open { incomplete - open } else { incomplete };
-        Ok(valid + cited > 0 && invalid + left == 0)
+        let mut left = invalid + incomplete;
+        left += if accepts("cited") { 0 } else { cited };
+        left -= if accepts("open") { open } else { 0 };
+        Ok(valid + cited > 0 && left == 0)
     };
     match run() {
         Ok(true) => ExitCode::SUCCESS,

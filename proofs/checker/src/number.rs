@@ -162,7 +162,12 @@ impl Number {
             n = 1;
         }
         if !bottom.is_one() {
-            let common = top.iter().fold(bottom.clone(), |common, c| common.gcd(c));
+            let gcd = |a: BigInt, b: &BigInt| match (a.to_u64(), b.abs().to_u64()) {
+                // Most numbers are small, and for these machine integers are quicker.
+                (Some(a), Some(b)) => a.gcd(&b).into(),
+                _ => a.gcd(b),
+            };
+            let common = top.iter().fold(bottom.clone(), gcd);
             for coefficient in &mut top {
                 *coefficient /= &common;
             }
@@ -213,6 +218,12 @@ impl Number {
             *a = if p == q { &*a + b * factor } else { &*a * q + b * p * factor };
         }
         Ok(Number::new(n, top, if p == q { p.clone() } else { p * q }))
+    }
+
+    /// self · factor.
+    pub fn times_integer(&self, factor: i64) -> Number {
+        let top = self.top.iter().map(|coefficient| coefficient * factor).collect();
+        Number::new(self.n, top, self.bottom.clone())
     }
 
     /// self · other.

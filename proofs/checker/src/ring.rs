@@ -6,6 +6,7 @@ use crate::reject::Stop;
 use crate::scheme::{Library, formula, formulas, total};
 use crate::toml::Toml;
 use crate::value::Value;
+use std::cell::OnceCell;
 
 /// The most points.
 const MAX_POINTS: i64 = 100;
@@ -25,6 +26,7 @@ pub struct Ring<'a> {
     pub weights: Vec<Vec<Value>>,
     /// The edges of the mesh.
     pub edges: Vec<[usize; 2]>,
+    contracts: OnceCell<Result<bool, Stop>>,
 }
 
 fn wrong(what: &str) -> Stop {
@@ -45,7 +47,7 @@ impl<'a> Ring<'a> {
         let orbits = Orbits::read(table, &inner)?;
         let edges = orbits.edges(table, &inner)?;
         let (names, weights) = (orbits.names(), orbits.weights(table, &inner)?);
-        let ring = Ring { library, names, weights, edges };
+        let ring = Ring { library, names, weights, edges, contracts: OnceCell::new() };
         for row in &ring.weights {
             if total(row)? != Value::int(1) {
                 return Err(wrong("the weights of a point do not sum to 1"));
@@ -120,6 +122,10 @@ impl<'a> Ring<'a> {
     /// Whether the largest difference along an edge is smaller c levels later than at first, for
     /// some c. Then all points of every ring tend to one number (THEOREMS.md, 20).
     pub fn contracts(&self) -> Result<bool, Stop> {
+        self.contracts.get_or_init(|| self.contracts_once()).clone()
+    }
+
+    fn contracts_once(&self) -> Result<bool, Stop> {
         let tree = self.tree();
         // f with the sum 0 is a sum of differences along the edges of the tree, each times
         // what f has beyond that edge.

@@ -2,22 +2,31 @@
 
 use crate::decimal::{Decimal, Q, int};
 use crate::reject::Stop;
-use crate::value::Value;
+use crate::value::{Piece, Value};
 use num_bigint::BigInt;
 use num_traits::{One, Pow, Signed};
 
 /// How `decimal` came from `value`: `nearest`; or not so, but `cut` towards zero or rounded
 /// `away` from it; or `neither`, when it is a unit of its last place off, or more.
 pub fn rounding(decimal: &Decimal, value: &Value) -> Result<&'static str, Stop> {
+    rounding_on(decimal, value, None)
+}
+
+/// The same of a polynomial on a piece.
+pub fn rounding_on(
+    decimal: &Decimal,
+    value: &Value,
+    piece: Option<&Piece>,
+) -> Result<&'static str, Stop> {
     let (shown, unit) = (Value::from(decimal.value()), Value::from(decimal.unit()));
-    let off = shown.minus(value)?.abs(None)?;
-    if off.plus(1, &off)?.compare(&unit)?.is_le() {
+    let off = shown.minus(value)?.abs(piece)?;
+    if off.plus(1, &off)?.compare_on(&unit, piece)?.is_le() {
         return Ok("nearest");
     }
-    if off.compare(&unit)?.is_ge() {
+    if off.compare_on(&unit, piece)?.is_ge() {
         return Ok("neither");
     }
-    let less = shown.abs(None)?.compare(&value.abs(None)?)?.is_lt();
+    let less = shown.abs(None)?.compare_on(&value.abs(piece)?, piece)?.is_lt();
     Ok(if less { "cut" } else { "away" })
 }
 

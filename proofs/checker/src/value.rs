@@ -2,8 +2,8 @@
 
 use crate::decimal::{Q, int};
 use crate::number::Number;
-use crate::polynomial::sign_on;
 use crate::reject::Stop;
+use crate::root::{Root, sign_between};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Zero};
@@ -18,15 +18,15 @@ const MAX_SIZE: u64 = 500_000;
 /// The greatest degree of a polynomial whose sign is asked for.
 const MAX_DEGREE: u32 = 256;
 
-/// An open interval of a symbol; `None` where an end is infinite.
+/// An open interval of a symbol, `None` where an end is infinite; or one number.
 #[derive(Clone, Debug)]
 pub struct Piece {
     /// The symbol.
     pub symbol: Rc<str>,
     /// The lower end.
-    pub low: Option<Q>,
-    /// The upper end.
-    pub high: Option<Q>,
+    pub low: Option<Root>,
+    /// The upper end; where both are the same, the piece is this number.
+    pub high: Option<Root>,
 }
 
 /// Symbols with their powers, by name.
@@ -113,7 +113,7 @@ impl Value {
     fn add_term(&mut self, on: Monomial, factor: i64, term: &Number) -> Result<(), Stop> {
         match self.terms.entry(on) {
             Entry::Vacant(place) => {
-                place.insert(Number::from(Q::zero()).plus(factor, term)?);
+                place.insert(term.times_integer(factor));
             }
             Entry::Occupied(mut known) => {
                 let sum = known.get().plus(factor, term)?;
@@ -194,11 +194,13 @@ impl Value {
         };
         let polynomial = self.univariate(&piece.symbol);
         let polynomial = polynomial.ok_or(Stop::Wrong("no polynomial in one symbol".into()))?;
-        let sign = sign_on(&polynomial, piece.low.as_ref(), piece.high.as_ref());
-        sign.ok_or_else(|| match &polynomial[..] {
-            [constant, slope] => Stop::Split(-constant / slope),
-            _ => Stop::Wrong("the sign changes between two breaks".into()),
-        })
+        match (&piece.low, &piece.high) {
+            (Some(low), Some(high)) if low == high => low.sign_of(&polynomial),
+            (low, high) => {
+                let sign = sign_between(&polynomial, low.as_ref(), high.as_ref())?;
+                sign.map_err(Stop::Split)
+            }
+        }
     }
 
     /// The rational coefficients on the powers of a symbol, if it has no other.
@@ -232,13 +234,21 @@ impl Value {
 
     /// The greater of the two.
     pub fn max(&self, other: &Value, piece: Option<&Piece>) -> Result<Value, Stop> {
-        let less = self.minus(other)?.sign(piece)? < 0;
+        let less = self.compare_on(other, piece)?.is_lt();
         Ok(if less { other.clone() } else { self.clone() })
     }
 
     /// How two numbers compare.
     pub fn compare(&self, other: &Value) -> Result<Ordering, Stop> {
-        Ok(self.minus(other)?.sign(None)?.cmp(&0))
+        self.compare_on(other, None)
+    }
+
+    /// The same of polynomials on a piece.
+    pub fn compare_on(&self, other: &Value, piece: Option<&Piece>) -> Result<Ordering, Stop> {
+        match (self.rational(), other.rational()) {
+            (Some(one), Some(other)) => Ok(one.cmp(&other)),
+            _ => Ok(self.minus(other)?.sign(piece)?.cmp(&0)),
+        }
     }
 
     /// Whether the two are equal, as polynomials.

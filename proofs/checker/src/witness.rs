@@ -7,9 +7,9 @@ use crate::evaluate::Scope;
 use crate::functional::{Functional, Rules, product};
 use crate::functions::greatest;
 use crate::paper::Paper;
-use crate::reject::{Checked, Reason, Rejection, Stop, require};
+use crate::reject::{Checked, Reason, Stop, require};
 use crate::ring::Ring;
-use crate::scheme::{Library, Scheme};
+use crate::scheme::Scheme;
 use crate::value::Value;
 use num_bigint::BigInt;
 use num_traits::{One, Signed, ToPrimitive, Zero};
@@ -20,38 +20,45 @@ const MAX_CLASSES: usize = 1 << 12;
 
 /// What control data are refined by.
 pub enum Setting<'a> {
-    /// One mask, or one for each index of a net.
-    Masks(Vec<Rules<'a>>),
+    /// One mask, or one for each index of a net; and whether each is shown to converge.
+    Masks(Vec<Rules<'a>>, bool),
     /// A ring, and what makes of the points of one level those that the next is compared with.
-    Ring(Ring<'a>, Option<Ring<'a>>),
+    Ring(Box<Ring<'a>>, Option<Box<Ring<'a>>>),
 }
 
 impl<'a> Setting<'a> {
-    /// The masks of a scheme, at this offset or at their own; `None` if they are not rational.
-    pub fn masks(
-        library: &'a Library<'a>,
+    /// The masks of a scheme, which are rational, at this offset or at their own.
+    pub fn masks<'s>(
+        scope: &Scope<'s>,
         schemes: &[Rc<Scheme>],
         offset: Option<i64>,
-    ) -> Option<Setting<'a>> {
-        let rules =
-            |scheme: &Rc<Scheme>| Rules::new(library, scheme, offset.unwrap_or(scheme.offset));
-        schemes.iter().map(rules).collect::<Option<Vec<Rules>>>().map(Setting::Masks)
+    ) -> Checked<Setting<'a>>
+    where
+        's: 'a,
+    {
+        require(!schemes.is_empty(), Reason::NoPromise)?;
+        let (mut rules, mut converge) = (Vec::new(), true);
+        for scheme in schemes {
+            let offset = offset.unwrap_or(scheme.offset);
+            let rational = Rules::new(scope.library, scheme, offset);
+            rules.push(rational.ok_or(Reason::Malformed("rational masks"))?);
+            converge &= converges(scope, scheme)?;
+        }
+        Ok(Setting::Masks(rules, converge))
     }
 }
 
-/// Whether T_c < 1 for some n^c ≤ 4096, for each of these schemes.
-pub fn converge(scope: &Scope<'_>, schemes: &[Rc<Scheme>]) -> Result<bool, Stop> {
-    for scheme in schemes {
-        let blocks = (1..).take_while(|c| scheme.arity().saturating_pow(*c) <= MAX_CLASSES);
-        let constant =
-            |c: u32| greatest(scope, &classes(scope, scheme, "b", false, &Value::int(c.into()))?);
-        let mut contracts = blocks.map(|c| Ok(constant(c)?.compare(&Value::int(1))?.is_lt()));
-        // Up to the first block that contracts, or a cap.
-        if !contracts.find(|found| *found != Ok(false)).unwrap_or(Ok(false))? {
-            return Ok(false);
+/// Whether T_c < 1 for some n^c ≤ 4096.
+fn converges(scope: &Scope<'_>, scheme: &Scheme) -> Result<bool, Stop> {
+    let mut c = 1;
+    while scheme.arity().saturating_pow(c) <= MAX_CLASSES {
+        let sums = classes(scope, scheme, "b", false, &Value::int(c.into()))?;
+        if greatest(scope, &sums)?.compare(&Value::int(1))?.is_lt() {
+            return Ok(true);
         }
+        c += 1;
     }
-    Ok(true)
+    Ok(false)
 }
 
 /// x_i, i = first, first + 1, …; constant beyond both ends.
@@ -92,8 +99,6 @@ enum Control {
 
 /// Control data with a place.
 pub struct Witness<'l> {
-    /// The line of the place.
-    pub line: usize,
     control: Control,
     place: Vec<&'l str>,
 }
@@ -107,50 +112,51 @@ fn index(value: &BigInt) -> Option<i64> {
     value.to_i64().filter(|index| index.abs() <= 1_000_000)
 }
 
+fn malformed<T>(expected: &'static str) -> Checked<T> {
+    Err(Reason::Malformed(expected).into())
+}
+
 impl<'l> Witness<'l> {
     /// Reads `polygon …`, `net …` with its rows or `ring …`, and `at …`.
     pub fn read(paper: &Paper<'_>, block: &mut Block<'l>) -> Checked<Witness<'l>> {
         let control = if let Some(said) = block.maybe("ring") {
             let points = integers(said).ok_or(Reason::Malformed("ring INTEGER…"))?;
-            let weights = block.maybe("weights").unwrap_or_default().split_whitespace();
-            let weights = weights.map(|word| paper.number(word));
-            Control::Ring(points, weights.collect::<Checked<_>>()?)
+            let words = block.maybe("weights").unwrap_or_default().split_whitespace();
+            let weights = words.map(|word| paper.number(word)).collect::<Checked<Vec<Value>>>()?;
+            Control::Ring(points, weights)
         } else if let Some(said) = block.maybe("net") {
-            let line = block.at;
-            let first = integers(said).and_then(|first| first.iter().map(index).collect());
-            let first = first.and_then(|first: Vec<i64>| first.try_into().ok());
-            let mut rows: Vec<Option<Vec<BigInt>>> = Vec::new();
+            let first: Option<Vec<i64>> =
+                integers(said).unwrap_or_default().iter().map(index).collect();
+            let Some(&[i, j]) = first.as_deref() else { return malformed("net FIRST FIRST") };
+            let mut rows = Vec::<Vec<BigInt>>::new();
             while let Some(said) = block.maybe("row") {
-                rows.push(integers(said));
+                let row = integers(said).filter(|row| !row.is_empty());
+                let row = row.ok_or(Reason::Malformed("row INTEGER…"))?;
+                let even = rows.first().is_none_or(|first| first.len() == row.len());
+                require(even, Reason::Malformed("rows of equal length"))?;
+                rows.push(row);
             }
-            let rows: Option<Vec<Vec<BigInt>>> = rows.into_iter().collect();
-            let proper = |rows: &Vec<Vec<BigInt>>| {
-                rows.first().is_some_and(|first| !first.is_empty())
-                    && rows.iter().all(|row| row.len() == rows[0].len())
-            };
-            let malformed = Reason::Malformed("net FIRST FIRST, and its rows");
-            let net = first.zip(rows.filter(proper)).map(|(first, rows)| Control::Net(first, rows));
-            net.ok_or(Rejection::from(malformed).at(line))?
+            require(!rows.is_empty(), Reason::Malformed("the rows of a net"))?;
+            Control::Net([i, j], rows)
         } else {
             let mut polygons = vec![polygon(block.after("polygon")?)?];
-            while let Some(next) = block.maybe("polygon") {
-                polygons.push(polygon(next)?);
+            while let Some(said) = block.maybe("polygon") {
+                polygons.push(polygon(said)?);
             }
             Control::Polygons(polygons)
         };
-        let place = block.after("at")?.split_whitespace().collect();
-        Ok(Witness { line: block.at, control, place })
+        Ok(Witness { control, place: block.after("at")?.split_whitespace().collect() })
     }
 
     /// The largest differences of neighbouring points: along each index, or along the edges.
     pub fn spreads(&self, setting: &Setting<'_>) -> Checked<Vec<Q>> {
         let spreads = match (&self.control, setting) {
-            (Control::Polygons(polygons), Setting::Masks(rules))
+            (Control::Polygons(polygons), Setting::Masks(rules, _))
                 if polygons.len() == rules.len() =>
             {
                 polygons.iter().map(Polygon::spread).collect()
             }
-            (Control::Net(_, rows), Setting::Masks(rules)) if rules.len() == 2 => {
+            (Control::Net(_, rows), Setting::Masks(rules, _)) if rules.len() == 2 => {
                 let down = rows.windows(2).flat_map(|pair| pair[0].iter().zip(&pair[1]));
                 let along = rows.iter().flat_map(|row| row.windows(2));
                 vec![
@@ -163,30 +169,25 @@ impl<'l> Witness<'l> {
             {
                 vec![spread(ring.edges.iter().map(|&[a, b]| [&points[a], &points[b]]))]
             }
-            _ => return Err(self.reject(Reason::Malformed("data of such a scheme"))),
+            _ => return malformed("data of such a scheme"),
         };
         Ok(spreads.into_iter().map(Q::from_integer).collect())
     }
 
-    /// A rejection at the line of the place.
-    fn reject(&self, reason: Reason) -> Rejection {
-        Rejection::from(reason).at(self.line)
-    }
-
-    /// The value of a quantity at a level, at the place. Of `distance`, the scheme is one that
-    /// converges.
+    /// The value of a quantity at a level, at the place, for data of such a scheme.
     pub fn value(&self, setting: &Setting<'_>, quantity: &str, level: u32) -> Checked<Value> {
-        let value = match (&self.control, setting) {
+        let off = match (&self.control, setting) {
             (Control::Ring(points, weights), Setting::Ring(ring, earlier)) => {
-                self.of_ring((points, weights), (ring, earlier.as_ref()), quantity, level)
+                self.of_ring((points, weights), (ring, earlier.as_deref()), quantity, level)?
             }
-            (_, Setting::Masks(rules)) => self
-                .functionals(rules, quantity, level)
-                .map(|[f, g]| Value::from(self.of(&f) - self.of(&g))),
-            _ => Err(Reason::Malformed("data of such a scheme").into()),
+            (_, Setting::Masks(rules, converge)) => {
+                require(quantity != "distance" || *converge, Reason::NoLimit)?;
+                let [f, g] = self.functionals(rules, quantity, level)?;
+                Value::from(self.of(&f) - self.of(&g))
+            }
+            _ => return malformed("data of such a scheme"),
         };
-        let value = value.and_then(|value| Ok(value.abs(None)?));
-        value.map_err(|rejection| rejection.at(self.line))
+        Ok(off.abs(None)?)
     }
 
     /// A product of functionals, one for each index, of the data.
@@ -217,36 +218,31 @@ impl<'l> Witness<'l> {
     ) -> Checked<[Vec<Functional>; 2]> {
         let numbers: Option<Vec<Q>> = self.place.iter().map(|word| read_rational(word)).collect();
         let numbers = numbers.unwrap_or_default();
-        if quantity == "difference" {
-            // Of a net, the last number says along which index.
-            let (axis, at) = match (rules.len(), &numbers[..]) {
-                (1, at) => (0, at),
-                (_, [at @ .., axis]) => (usize::from(!axis.is_one()), at),
-                (_, []) => (0, &[][..]),
-            };
-            let proper = at.len() == rules.len() && numbers.iter().all(Q::is_integer);
-            let along = numbers.get(2).is_none_or(|along| [int(1), int(2)].contains(along));
-            require(proper && along, Reason::Malformed("indices, and of a net 1 or 2"))?;
-            let side = |step: i64| {
-                let point = |(k, (rules, i)): (usize, (&Rules<'_>, &Q))| {
-                    let i = if k == axis { i + int(step) } else { i.clone() };
-                    rules.at(level, &i)
-                };
-                rules.iter().zip(at).enumerate().map(point).collect::<Result<Vec<_>, Stop>>()
-            };
-            return Ok([side(1)?, side(0)?]);
+        let whole = quantity == "distance" || numbers.iter().all(Q::is_integer);
+        // Of a difference of a net, the last number says along which index.
+        let along = quantity == "difference" && rules.len() == 2;
+        if !whole || numbers.len() != rules.len() + usize::from(along) {
+            return malformed("a place");
         }
-        require(numbers.len() == rules.len(), Reason::Malformed("a number for each index"))?;
+        let axis = if along { &numbers[2] } else { &int(1) };
+        require([int(1), int(2)].contains(axis), Reason::Malformed("1 or 2, for an index"))?;
         let [mut new, mut old] = [Vec::new(), Vec::new()];
-        for (rules, at) in rules.iter().zip(&numbers) {
-            if quantity == "step" {
-                require(at.is_integer(), Reason::Malformed("an index of a point"))?;
-                new.push(rules.at(level + 1, at)?);
-                old.push(rules.at(level, &(at / int(rules.arity())))?);
-            } else {
-                new.push(rules.limit(at)?.ok_or(Reason::Malformed("an n-adic number"))?);
-                old.push(rules.polygon(level, at)?);
-            }
+        for (rules, (place, at)) in rules.iter().zip([int(1), int(2)].iter().zip(&numbers)) {
+            let arity = int(rules.arity());
+            let (after, before) = match quantity {
+                "difference" if place == axis => {
+                    (rules.at(level, &(at + Q::one()))?, rules.at(level, at)?)
+                }
+                "difference" => (rules.at(level, at)?, rules.at(level, at)?),
+                "step" => (rules.at(level + 1, at)?, rules.at(level, &(at / arity))?),
+                "distance" => {
+                    let limit = rules.limit(at)?.ok_or(Reason::Malformed("an n-adic number"))?;
+                    (limit, rules.polygon(level, at)?)
+                }
+                _ => return malformed("a theorem about a bound"),
+            };
+            new.push(after);
+            old.push(before);
         }
         Ok([new, old])
     }
@@ -259,37 +255,43 @@ impl<'l> Witness<'l> {
         quantity: &str,
         level: u32,
     ) -> Checked<Value> {
-        let named = |name: &str| ring.names.iter().position(|known| known == name);
-        let place: Option<Vec<usize>> = self.place.iter().map(|name| named(name)).collect();
-        let place = place.unwrap_or_default();
-        let control: Vec<Value> =
-            points.iter().map(|x| Value::from(Q::from_integer(x.clone()))).collect();
-        let refine = |points: Vec<Value>, _| ring.refined(&points);
-        let refined = (0..level).try_fold(control.clone(), refine)?;
-        match (quantity, &place[..]) {
-            ("difference", &[a, b]) if ring.has_edge(a, b) => Ok(refined[a].minus(&refined[b])?),
+        let named = |name: &&str| ring.names.iter().position(|known| known == name);
+        let place: Option<Vec<usize>> = self.place.iter().map(named).collect();
+        let integer = |x: &BigInt| Value::from(Q::from_integer(x.clone()));
+        let control: Vec<Value> = points.iter().map(integer).collect();
+        let refined = (0..level).try_fold(control.clone(), |points, _| ring.refined(&points))?;
+        let off = match (quantity, &place.unwrap_or_default()[..]) {
+            ("difference", &[a, b]) if ring.has_edge(a, b) => refined[a].minus(&refined[b]),
             ("step", &[a]) => {
-                let next = ring.refined(&refined)?;
-                let old = earlier.map(|earlier| earlier.refined(&refined)).transpose()?;
-                Ok(next[a].minus(&old.unwrap_or(refined)[a])?)
+                let old = match earlier {
+                    Some(earlier) => earlier.refined(&refined)?,
+                    None => refined.clone(),
+                };
+                ring.refined(&refined)?[a].minus(&old[a])
             }
             ("distance", &[a]) => {
                 // Around a vertex only what the interpolant keeps has its limit there.
-                require(earlier.is_none_or(|earlier| earlier.keeps(a)), Reason::NoLimit)?;
+                let kept = earlier.is_none_or(|earlier| earlier.keeps(a));
+                require(kept && ring.contracts()?, Reason::NoLimit)?;
                 require(ring.is_limit(weights)?, Reason::Weights)?;
-                let mut terms = weights.iter().zip(&control);
-                let less = |off: Value, (weight, x): (&Value, &Value)| off.minus(&weight.times(x)?);
-                Ok(terms.try_fold(refined[a].clone(), less)?)
+                weights
+                    .iter()
+                    .zip(&control)
+                    .try_fold(refined[a].clone(), |off, (weight, x)| off.minus(&weight.times(x)?))
             }
-            _ => Err(Reason::Malformed("a point, or an edge").into()),
-        }
+            _ => return malformed("a point, or an edge"),
+        };
+        Ok(off?)
     }
 }
 
 fn polygon(said: &str) -> Checked<Polygon> {
-    let numbers = integers(said).filter(|numbers| numbers.len() > 1);
-    let read = numbers.and_then(|numbers| {
-        Some(Polygon { first: index(&numbers[0])?, points: numbers[1..].to_vec() })
-    });
-    Ok(read.ok_or(Reason::Malformed("polygon FIRST INTEGER…"))?)
+    let numbers = integers(said).unwrap_or_default();
+    match &numbers[..] {
+        [first, points @ ..] if !points.is_empty() => {
+            let first = index(first).ok_or(Reason::Malformed("an index"))?;
+            Ok(Polygon { first, points: points.to_vec() })
+        }
+        _ => malformed("polygon FIRST INTEGER…"),
+    }
 }

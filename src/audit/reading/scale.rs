@@ -41,7 +41,17 @@ pub(super) fn solve(
     let intervals: Vec<(Rational, Rational)> =
         cells.iter().filter_map(|(printed, value)| interval(printed, value, rounding)).collect();
     let covers = |(low, high): &(Rational, Rational), s: &Rational| low <= s && s <= high;
-    let count = |s: &Rational| intervals.iter().filter(|interval| covers(interval, s)).count();
+    let mut ends: [Vec<&Rational>; 2] = [
+        intervals.iter().map(|(low, _)| low).collect(),
+        intervals.iter().map(|(_, high)| high).collect(),
+    ];
+    for ends in &mut ends {
+        ends.sort_unstable();
+    }
+    // Those that begin up to s less those that end before it.
+    let count = |s: &Rational| {
+        ends[0].partition_point(|low| *low <= s) - ends[1].partition_point(|high| *high < s)
+    };
     // The greatest number of intervals meets at the lower end of one of them.
     let mut lows: Vec<(usize, Rational)> =
         intervals.iter().map(|(low, _)| (count(low), low.clone())).collect();

@@ -3,7 +3,7 @@
 use super::choice::{Choice, Effect};
 use super::choices::FAMILY;
 use crate::claim::Alternative;
-use crate::exact::Rational;
+use crate::exact::{Rational, RealCyclotomic};
 use crate::formula::LocatedFormula;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -18,6 +18,8 @@ pub(in crate::audit) struct Settings {
     replaced: Vec<usize>,
     /// Values for parameters instead of the assumed ones.
     pub(in crate::audit) parameters: BTreeMap<String, Rational>,
+    /// The values of definitions, where they are known.
+    pub(in crate::audit) known: BTreeMap<String, RealCyclotomic>,
     /// What each choice that the formula depends on is as printed.
     consulted: RefCell<BTreeMap<&'static str, String>>,
 }

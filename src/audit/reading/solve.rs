@@ -28,11 +28,11 @@ pub(super) fn solve(space: &Space<'_>, all: &[Evaluated], best: &[Explanation]) 
     let mut found = parameter::search(space, &readings, least.max(cells / 2 + 1));
     if let Some(name) = spread::unknown(space) {
         // Where a reading explains every cell, only its spread is left to be found.
-        let worth = |reading: &&Vec<Change>| {
-            let differences = space.differences(reading);
+        let worth = |one: &&Evaluated| {
+            let differences = space.differences(&one.reading);
             least < cells || best.iter().any(|best| best.differences == differences)
         };
-        let worth: Vec<&Vec<Change>> = readings.iter().filter(worth).collect();
+        let worth: Vec<&Evaluated> = all.iter().filter(worth).collect();
         found.explanations.extend(spread::search(space, name, &worth, least));
         found.tried += worth.len();
         found.candidates += &(spread::candidates(space) * Integer::from(readings.len()));

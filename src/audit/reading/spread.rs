@@ -6,7 +6,8 @@
 use super::consistent::DecimalRounding;
 use super::scale::{Solved, is_simple, simplest_between};
 use super::search::Explanation;
-use super::space::{Change, Space};
+use super::space::Space;
+use super::tried::Evaluated;
 use crate::audit::judge::At;
 use crate::audit::quantity::LevelCall;
 use crate::bound::{Rounded, log_level_algebraic};
@@ -59,10 +60,10 @@ fn is_spread(space: &Space<'_>, name: &str) -> bool {
 pub(super) fn search(
     space: &Space<'_>,
     name: &str,
-    readings: &[&Vec<Change>],
+    readings: &[&Evaluated],
     least: usize,
 ) -> Vec<Explanation> {
-    readings.iter().filter_map(|reading| solved(space, name, reading, least)).collect()
+    readings.iter().filter_map(|one| solved(space, name, one, least)).collect()
 }
 
 /// How many tables the spreads give that differ in their printed form, where one cell
@@ -87,15 +88,12 @@ pub(super) fn candidates(space: &Space<'_>) -> Integer {
     Integer::from(cells) * (Integer::one() + Integer::from(cells) * Integer::from(changes))
 }
 
-fn solved(space: &Space<'_>, name: &str, reading: &[Change], least: usize) -> Option<Explanation> {
-    let settings = space.settings(reading);
+fn solved(space: &Space<'_>, name: &str, one: &Evaluated, least: usize) -> Option<Explanation> {
+    let Evaluated { reading, levels, .. } = one;
     let mut intervals = Vec::new();
-    for (row, line) in space.printed.iter().enumerate() {
-        for (column, printed) in line.iter().enumerate() {
-            let Some(printed) = printed else { continue };
-            let at = At { row, column, assume: &space.assume, settings: &settings };
-            let call = space.judge.level_call(at);
-            intervals.extend(call.and_then(|call| squares(&call, &printed.decimal.value())));
+    for (printed, call) in space.printed.iter().flatten().zip(levels.iter().flatten()) {
+        if let (Some(printed), Some(call)) = (printed, call) {
+            intervals.extend(squares(call, &printed.decimal.value()));
         }
     }
     if intervals.len() < least {
@@ -119,7 +117,7 @@ fn solved(space: &Space<'_>, name: &str, reading: &[Change], least: usize) -> Op
     } else {
         Some(simplest_between(&between.0, &between.1)).filter(is_simple)?
     };
-    let settings = settings.with_parameter(name, &simplest);
+    let settings = space.settings(reading).with_parameter(name, &simplest);
     let values = space.values(&settings);
     let explained = space.explained(&values, DecimalRounding::Nearest);
     let differences = reading.iter().map(|change| space.difference(change)).collect();

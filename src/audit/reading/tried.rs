@@ -4,7 +4,8 @@ use super::consistent::DecimalRounding;
 use super::search::{Difference, Explanation, printed};
 use super::space::{Change, Space, Values};
 use crate::audit::finding::CellFinding;
-use crate::audit::judge::Judge;
+use crate::audit::judge::{At, Judge};
+use crate::audit::quantity::LevelCall;
 use crate::exact::Rational;
 
 /// The most values of cells under all readings together; of a larger table, fewer
@@ -15,14 +16,31 @@ const MAX_VALUES: usize = 100_000;
 pub(super) struct Evaluated {
     pub(super) reading: Vec<Change>,
     pub(super) values: Values,
+    /// Of depths, the logarithms that the values are, row by row.
+    pub(super) levels: Vec<Vec<Option<LevelCall>>>,
 }
 
 impl Space<'_> {
     /// Every reading with its values.
     pub(super) fn evaluated(&self) -> Vec<Evaluated> {
         let evaluate = |reading: Vec<Change>| {
-            let values = self.values(&self.settings(&reading));
-            Evaluated { reading, values }
+            let settings = self.settings(&reading);
+            if !self.is_depth() {
+                return Evaluated { reading, values: self.values(&settings), levels: Vec::new() };
+            }
+            let cell = |row: usize, column: usize| {
+                self.printed[row][column]?;
+                let at = At { row, column, assume: &self.assume, settings: &settings };
+                self.judge.value_and_levels(at)
+            };
+            let row = |row: usize| {
+                let cells = (0..self.printed[row].len()).map(|column| cell(row, column));
+                cells
+                    .map(|cell| cell.map_or((None, None), |(value, call)| (Some(value), call)))
+                    .unzip()
+            };
+            let (values, levels) = (0..self.printed.len()).map(row).unzip();
+            Evaluated { reading, values, levels }
         };
         let cells = self.printed.iter().map(Vec::len).sum::<usize>().max(1);
         let most = (MAX_VALUES / cells).max(1);

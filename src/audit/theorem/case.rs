@@ -1,4 +1,4 @@
-//! A scheme and values that a theorem is tried on, and its formulas there.
+//! A scheme and values that a theorem is tried on.
 
 use super::curve::Curve;
 use super::ring::AroundPoint;
@@ -6,19 +6,15 @@ use super::setting::Setting;
 use super::surface::Surface;
 use crate::audit::judge::scheme_error;
 use crate::audit::library::{Library, Resolved, Unresolved, values};
-use crate::audit::quantity::Quantities;
 use crate::audit::reading::Settings;
 use crate::claim::{LocatedReference, Paper, Theorem, Trial};
 use crate::diagnostic::Diagnostic;
-use crate::exact::{Rational, RealCyclotomic, common_conductor};
-use crate::formula::{FormulaErrorKind, LocatedFormula, Scope, evaluate};
+use crate::exact::{Rational, RealCyclotomic};
+use crate::formula::FormulaErrorKind;
 use crate::scheme::{Instance, Mask, SchemeError};
-use std::cell::{Cell, RefCell};
+use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
-
-/// The names that stand for the spread of the control data, which is 1.
-const SPREADS: [&str; 4] = ["beta", "beta_1", "beta_2", "beta_3"];
 
 /// Settings by what determines them.
 type Kept<K, S> = RefCell<BTreeMap<K, Rc<S>>>;
@@ -59,16 +55,15 @@ pub(super) struct Case<'a> {
     pub(super) scheme: String,
     /// The values that were chosen.
     pub(super) chosen: Vec<(String, Rational)>,
-    paper: &'a Paper,
-    library: &'a Library<'a>,
-    values: BTreeMap<String, Rational>,
-    resolved: Option<Resolved>,
+    pub(super) paper: &'a Paper,
+    pub(super) library: &'a Library<'a>,
+    pub(super) values: BTreeMap<String, Rational>,
+    pub(super) resolved: Option<Resolved>,
+    /// Whether the bound is proportional to the spread, once that is asked for.
+    pub(super) linear: OnceCell<bool>,
     /// `None` where the program has no exact limits of this kind of scheme.
     pub(super) setting: Option<Rc<dyn Setting>>,
 }
-
-/// A value, or why there is none.
-pub(super) type Evaluated = Result<RealCyclotomic, String>;
 
 impl<'a> Case<'a> {
     /// All cases of a theorem; none when it names no scheme to be tried on.
@@ -103,6 +98,7 @@ impl<'a> Case<'a> {
                     library,
                     values: given.clone(),
                     resolved: None,
+                    linear: OnceCell::new(),
                     setting: None,
                 };
                 case.values.extend(case.chosen.iter().cloned());
@@ -191,92 +187,6 @@ impl<'a> Case<'a> {
             Err(Unresolved::Scheme(error)) => Err(scheme_error(located, &error)),
         }
     }
-
-    fn functions<'s>(&'s self, settings: &'s Settings) -> Quantities<'s> {
-        let (library, scheme) = (self.library, self.resolved.clone());
-        Quantities {
-            library,
-            scheme,
-            settings,
-            beyond_caps: Cell::new(false),
-            last_levels: RefCell::default(),
-        }
-    }
-
-    fn scope<'s>(
-        &'s self,
-        functions: &'s Quantities<'s>,
-        names: &[(&str, Rational)],
-    ) -> Scope<'s, RealCyclotomic> {
-        let definitions = functions.settings.definitions.as_ref();
-        let mut scope = Scope::new(definitions.unwrap_or(&self.paper.definitions), functions);
-        for (name, value) in &self.values {
-            scope = scope.with(name, value.clone().into());
-        }
-        for name in SPREADS {
-            scope = scope.with(name, Rational::one().into());
-        }
-        for (name, value) in names {
-            scope = scope.with(name, value.clone().into());
-        }
-        scope
-    }
-
-    /// The value of a formula where these names have these values, and the spread is 1.
-    pub(super) fn evaluate(
-        &self,
-        formula: &LocatedFormula,
-        names: &[(&str, Rational)],
-        settings: &Settings,
-    ) -> Result<Evaluated, Diagnostic> {
-        self.evaluate_part(formula, &formula.expr, names, settings)
-    }
-
-    /// The same of a part of it, or of another formula in its place.
-    pub(super) fn evaluate_part(
-        &self,
-        formula: &LocatedFormula,
-        part: &crate::formula::Expr,
-        names: &[(&str, Rational)],
-        settings: &Settings,
-    ) -> Result<Evaluated, Diagnostic> {
-        let functions = self.functions(settings);
-        match evaluate(part, &self.scope(&functions, names)) {
-            Ok(value) => Ok(Ok(value)),
-            Err(error) => match error.kind {
-                FormulaErrorKind::Undefined(why) => Ok(Err(why)),
-                FormulaErrorKind::DivisionByZero => Ok(Err("it divides by zero".to_owned())),
-                _ => Err(formula.diagnostic(&error)),
-            },
-        }
-    }
-
-    /// Whether a bound is proportional to the spread.
-    pub(super) fn is_linear(&self, by: &LocatedFormula, k: u32) -> Result<bool, Diagnostic> {
-        let settings = Settings::default();
-        let mut names: Vec<(&str, Rational)> =
-            SPREADS.iter().map(|name| (*name, Rational::from(2))).collect();
-        names.push(("k", Rational::from(k)));
-        let once = self.evaluate(by, &[("k", Rational::from(k))], &settings)?;
-        let twice = self.evaluate(by, &names, &settings)?;
-        Ok(match (once, twice) {
-            (Ok(once), Ok(twice)) => &once + &once == twice,
-            _ => true,
-        })
-    }
-
-    /// The definitions in force.
-    pub(super) fn definitions<'s>(
-        &'s self,
-        settings: &'s Settings,
-    ) -> &'s BTreeMap<String, LocatedFormula> {
-        settings.definitions.as_ref().unwrap_or(&self.paper.definitions)
-    }
-
-    /// Whether a name has a value here, whatever its definition is.
-    pub(super) fn has_value(&self, name: &str) -> bool {
-        self.values.contains_key(name) || SPREADS.contains(&name)
-    }
 }
 
 /// `six-point:w=3/256 x chaikin`.
@@ -287,9 +197,4 @@ fn joined<V: std::fmt::Display>(instances: &[Instance<V>]) -> String {
 fn in_parameters(located: &LocatedReference, error: &crate::formula::FormulaError) -> Diagnostic {
     let message = format!("in its parameters: {error}");
     Diagnostic::new(&located.source, located.span.clone(), message)
-}
-
-/// Whether some field holds both.
-pub(super) fn comparable(left: &RealCyclotomic, right: &RealCyclotomic) -> bool {
-    common_conductor(left.conductor(), right.conductor()).is_ok()
 }

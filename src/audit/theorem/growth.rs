@@ -1,13 +1,11 @@
 //! How a bound depends on the level.
 
 use super::case::Case;
+use super::evaluate::LEVEL;
 use crate::audit::reading::Settings;
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Rational, RealCyclotomic, Scalar};
 use crate::formula::{Expr, FreeNames, LocatedFormula, Node, Operator};
-
-/// The name of the level in a bound.
-const LEVEL: &str = "k";
 
 /// The longest period, and the largest power of a ratio, that is looked at.
 const MAX_PERIOD: u32 = 64;

@@ -3,6 +3,7 @@
 mod case;
 mod correction;
 mod curve;
+mod evaluate;
 mod growth;
 mod premises;
 mod ring;
@@ -114,19 +115,20 @@ pub struct Repair {
     pub proved: bool,
 }
 
-/// Judges the theorems of a paper whose other claims are judged.
-pub(super) fn judge<'a>(
-    audit: &PaperAudit<'a>,
+/// Tries the theorems of a paper, each by itself.
+pub(super) fn trials<'a>(
+    paper: &'a Paper,
     library: &Library<'_>,
 ) -> Result<Vec<TheoremFinding<'a>>, Diagnostic> {
-    let paper = audit.paper;
-    let mut findings = Vec::new();
     let stage = Stage::default();
-    for theorem in &paper.theorems {
-        findings.push(one(paper, theorem, library, &stage)?);
-    }
+    paper.theorems.iter().map(|theorem| one(paper, theorem, library, &stage)).collect()
+}
+
+/// Finds what the theorems rest on that does not hold, when all claims are judged.
+pub(super) fn premises(audit: &mut PaperAudit<'_>) {
+    let mut findings = std::mem::take(&mut audit.theorems);
     premises::find(audit, &mut findings);
-    Ok(findings)
+    audit.theorems = findings;
 }
 
 fn one<'a>(

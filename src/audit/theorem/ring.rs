@@ -1,6 +1,6 @@
 //! Rings as a setting.
 
-use super::case::comparable;
+use super::evaluate::comparable;
 use super::setting::Setting;
 use super::witness::{Attained, Control, Place, Supremum};
 use crate::bound::RingConstants;

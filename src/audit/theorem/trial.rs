@@ -1,7 +1,8 @@
 //! Trying a theorem on one case.
 
-use super::case::{Case, comparable};
+use super::case::Case;
 use super::correction::{Change, Correction, settings};
+use super::evaluate::{LEVEL, TOLERANCE, comparable};
 use super::growth::growth;
 use super::setting::Setting;
 use super::witness::Violation;
@@ -59,6 +60,10 @@ impl Trial<'_> {
         let block = match &self.theorem.tried.block {
             None => 1,
             Some(block) => Self::block(case, block, &settings)?,
+        };
+        let settings = match &self.theorem.statement {
+            Statement::Bound { by, .. } | Statement::Depth(by) => case.prepared(by, settings),
+            Statement::Other(_) => settings,
         };
         let bound = Bound { trial: self, case, setting, settings: &settings, block };
         match &self.theorem.statement {
@@ -131,7 +136,7 @@ impl Bound<'_> {
         };
         let (mut shown, mut gap) = (None, None);
         for level in from..from.saturating_add(self.setting.levels()) {
-            let names = [("k", Rational::from(level / self.stretch()))];
+            let names = [(LEVEL, Rational::from(level / self.stretch()))];
             let bound = match self.case.evaluate(by, &names, self.settings)? {
                 Ok(bound) => bound.times(&contribution),
                 Err(why) => return Ok(Outcome::Unknown(why)),
@@ -239,7 +244,7 @@ impl Bound<'_> {
         let Some(asked) = asked.as_rational().cloned().or_else(|| slightly_less(&asked)) else {
             return Ok(Ok(false));
         };
-        let depth = self.case.evaluate(by, &[("epsilon", asked)], self.settings)?;
+        let depth = self.case.evaluate(by, &[(TOLERANCE, asked)], self.settings)?;
         Ok(depth.map(|depth| {
             depth.times(&RealCyclotomic::from(self.stretch())) <= RealCyclotomic::from(level)
         }))

@@ -1,10 +1,9 @@
 //! GMP, through rug.
 
 use rug::Complete as _;
-use rug::ops::{DivRounding as _, Pow as _};
+use rug::ops::{DivRounding as _, Pow as _, RemRounding as _};
 
 pub(in crate::exact) use rug::Integer as Int;
-pub(in crate::exact) use rug::Rational as Rat;
 
 pub(in crate::exact) const NAME: &str = "GMP";
 
@@ -21,6 +20,11 @@ pub(in crate::exact) fn div_floor(a: &Int, b: &Int) -> Int {
     Int::from(a.div_floor(b))
 }
 
+/// a/b, which is an integer.
+pub(in crate::exact) fn div_exact(a: &Int, b: &Int) -> Int {
+    a.div_exact_ref(b).complete()
+}
+
 pub(in crate::exact) fn gcd(a: &Int, b: &Int) -> Int {
     a.gcd_ref(b).complete()
 }
@@ -29,8 +33,8 @@ pub(in crate::exact) fn pow(a: &Int, exponent: u32) -> Int {
     Int::from(a.pow(exponent))
 }
 
-pub(in crate::exact) fn abs(a: &Int) -> Int {
-    a.abs_ref().complete()
+pub(in crate::exact) fn neg(a: &Int) -> Int {
+    (-a).complete()
 }
 
 pub(in crate::exact) fn sign(a: &Int) -> i8 {
@@ -43,6 +47,10 @@ pub(in crate::exact) fn bits(a: &Int) -> u64 {
 
 pub(in crate::exact) fn is_even(a: &Int) -> bool {
     a.is_even()
+}
+
+pub(in crate::exact) fn to_i64(a: &Int) -> Option<i64> {
+    a.to_i64()
 }
 
 pub(in crate::exact) fn to_i128(a: &Int) -> Option<i128> {
@@ -60,26 +68,6 @@ pub(in crate::exact) fn shr(a: &Int, places: u32) -> Int {
 }
 
 /// a mod modulus, from 0 to modulus − 1.
-pub(in crate::exact) fn residue(a: &Int, modulus: u32) -> u32 {
-    a.mod_u(modulus)
-}
-
-pub(in crate::exact) fn rat(numerator: Int, denominator: Int) -> Rat {
-    Rat::from((numerator, denominator))
-}
-
-pub(in crate::exact) fn rat_is_zero(a: &Rat) -> bool {
-    a.cmp0().is_eq()
-}
-
-pub(in crate::exact) fn rat_sign(a: &Rat) -> i8 {
-    a.cmp0() as i8
-}
-
-pub(in crate::exact) fn rat_pow(a: &Rat, exponent: u32) -> Rat {
-    Rat::from(a.pow(exponent))
-}
-
-pub(in crate::exact) fn rat_bits(a: &Rat) -> u64 {
-    bits(a.numer()) + bits(a.denom())
+pub(in crate::exact) fn residue(a: &Int, modulus: u64) -> u64 {
+    Int::from(a.rem_euc(Int::from(modulus))).to_u64().expect("less than the modulus")
 }

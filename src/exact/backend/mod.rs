@@ -1,6 +1,5 @@
-//! The arbitrary-precision arithmetic below [`Integer`](super::Integer) and
-//! [`Rational`](super::Rational): num-bigint and num-rational by default, GMP
-//! through rug with the feature `gmp`. Both files offer the same names.
+//! The arbitrary-precision arithmetic below [`Integer`](super::Integer): num-bigint by
+//! default, GMP through rug with the feature `gmp`. Both files offer the same names.
 
 #[cfg(feature = "gmp")]
 mod gmp;

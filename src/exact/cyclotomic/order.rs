@@ -52,6 +52,20 @@ impl RealCyclotomic {
         }
     }
 
+    /// (s, e, q) with |s − 2^64·q·self| ≤ e.
+    fn fixed(&self) -> (Integer, Integer, Integer) {
+        match &self.0 {
+            Form::Rational(value) => {
+                let scaled = value.numerator().shifted_left(Field::bits(0));
+                (scaled, Integer::zero(), value.denominator())
+            }
+            Form::Irrational(element) => {
+                let (sum, error) = element.fixed(0);
+                (sum, error, element.denominator.clone())
+            }
+        }
+    }
+
     /// ⌊self⌋.
     #[must_use]
     pub fn floor(&self) -> Integer {
@@ -77,8 +91,8 @@ impl Enclosed for RealCyclotomic {
 }
 
 impl Ord for RealCyclotomic {
-    /// By the first enclosures, if these are disjoint; otherwise by the sign of the
-    /// difference.
+    /// By the first enclosures of the cosines, if these decide it; otherwise by the sign of
+    /// the difference.
     ///
     /// # Panics
     /// When they are not, and the numbers have no common field within the cap.
@@ -86,12 +100,17 @@ impl Ord for RealCyclotomic {
         if let (Form::Rational(a), Form::Rational(b)) = (&self.0, &other.0) {
             return a.cmp(b);
         }
-        let (a, b) = (self.enclosure(0), other.enclosure(0));
-        if a.upper() < b.lower() {
-            return Ordering::Less;
+        let (a, e, p) = self.fixed();
+        let (b, f, q) = other.fixed();
+        let (off, error) = (a * &q - b * &p, e * q + f * p);
+        if off.abs() > error {
+            return off.sign().cmp(&0);
         }
-        if b.upper() < a.lower() {
-            return Ordering::Greater;
+        if let (Form::Irrational(a), Form::Irrational(b)) = (&self.0, &other.0)
+            && a.field.conductor() == b.field.conductor()
+            && self == other
+        {
+            return Ordering::Equal;
         }
         (self - other).sign().cmp(&0)
     }

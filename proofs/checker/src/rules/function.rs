@@ -22,7 +22,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         [] if equal => Ok(()),
         [at, left, right] if !equal => {
             let at = read_rational(at).ok_or(Reason::Malformed("a number"))?;
-            let scope = free.scope(&Place::At(&at))?;
+            let scope = free.scope(&Place::At(&at.into()))?;
             let said = [paper.number(left)?, paper.number(right)?];
             for (side, said) in sides.iter().zip(&said) {
                 require(scope.value(side)?.equals(said)?, Reason::Value)?;

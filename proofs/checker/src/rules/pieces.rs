@@ -1,10 +1,10 @@
 //! What the rules `function` and `range` have in common: signs on pieces of a line.
 
 use crate::certificate::Block;
-use crate::decimal::{Q, read_rational};
 use crate::evaluate::Scope;
 use crate::paper::Paper;
 use crate::reject::{Checked, Reason, Stop, require};
+use crate::root::Root;
 use crate::toml::Toml;
 use crate::value::{Piece, Value};
 
@@ -17,7 +17,7 @@ const MAX_PIECES: usize = 1_000;
 /// The breaks of a parameter, and signs on the pieces between and at the breaks.
 pub struct Pieces {
     /// The breaks, increasing.
-    pub breaks: Vec<Q>,
+    pub breaks: Vec<Root>,
     /// The signs: of the first piece, at the first break, of the second piece, ….
     pub signs: Vec<i8>,
 }
@@ -25,9 +25,9 @@ pub struct Pieces {
 /// Where a formula is looked at.
 pub enum Place<'p> {
     /// On a piece, with polynomials in the parameter.
-    Piece(Option<&'p Q>, Option<&'p Q>),
+    Piece(Option<&'p Root>, Option<&'p Root>),
     /// At a value of the parameter.
-    At(&'p Q),
+    At(&'p Root),
 }
 
 /// A claim about a free parameter.
@@ -51,15 +51,14 @@ impl<'a> Free<'a> {
     pub fn scope(&self, place: &Place<'_>) -> Result<Scope<'a>, Stop> {
         let mut scope = self.paper.scope();
         scope.values.clone_from(&self.paper.given);
-        let value = match place {
-            Place::At(value) => Value::from((*value).clone()),
-            Place::Piece(low, high) => {
-                let (low, high) = (low.cloned(), high.cloned());
-                scope.piece = Some(Piece { symbol: self.variable.into(), low, high });
-                Value::symbol(self.variable)
-            }
+        let (low, high) = match place {
+            Place::Piece(low, high) => (low.cloned(), high.cloned()),
+            Place::At(root) => (Some((*root).clone()), Some((*root).clone())),
         };
+        let number = low.as_ref().filter(|_| low == high).and_then(Root::rational);
+        let value = number.map_or(Value::symbol(self.variable), |value| value.clone().into());
         scope.values.insert(self.variable.to_owned(), value);
+        scope.piece = Some(Piece { symbol: self.variable.into(), low, high });
         if let Some(reference) = self.claim.text("scheme") {
             scope.scheme = self.paper.library.resolve(reference, &scope)?.first().cloned();
         }
@@ -72,10 +71,13 @@ impl<'a> Free<'a> {
         block: &mut Block<'_>,
         value: impl Fn(&Scope<'_>) -> Result<Value, Stop>,
     ) -> Checked<Pieces> {
-        let breaks = block.after("breaks")?.split_whitespace().map(read_rational);
-        let breaks: Vec<Q> = breaks.collect::<Option<_>>().ok_or(Reason::Malformed("numbers"))?;
-        let increase = breaks.windows(2).all(|pair| pair[0] < pair[1]);
-        require(breaks.len() <= MAX_BREAKS && increase, Reason::Breaks)?;
+        let breaks = block.after("breaks")?.split_whitespace().map(Root::read);
+        let breaks: Vec<Root> =
+            breaks.collect::<Option<_>>().ok_or(Reason::Malformed("numbers"))?;
+        require(breaks.len() <= MAX_BREAKS, Reason::Breaks)?;
+        for pair in breaks.windows(2) {
+            require(pair[0].compare(&pair[1])?.is_lt(), Reason::Breaks)?;
+        }
         let said = block.after("signs")?;
         let mut signs = Vec::new();
         for i in 0..=breaks.len() {
@@ -94,16 +96,17 @@ impl<'a> Free<'a> {
         Ok(Pieces { breaks, signs })
     }
 
-    fn at(&self, at: &Q, value: impl Fn(&Scope<'_>) -> Result<Value, Stop>) -> Result<i8, Stop> {
-        value(&self.scope(&Place::At(at))?)?.sign(None)
+    fn at(&self, at: &Root, value: impl Fn(&Scope<'_>) -> Result<Value, Stop>) -> Result<i8, Stop> {
+        let scope = self.scope(&Place::At(at))?;
+        value(&scope)?.sign(scope.piece.as_ref())
     }
 
     /// The sign on a piece, which is cut where formulas have another form; `None` if there
     /// is not only one.
     fn on_piece(
         &self,
-        low: Option<&Q>,
-        high: Option<&Q>,
+        low: Option<&Root>,
+        high: Option<&Root>,
         value: &impl Fn(&Scope<'_>) -> Result<Value, Stop>,
     ) -> Result<Option<i8>, Stop> {
         // The pieces that are still to be looked at.
@@ -114,7 +117,7 @@ impl<'a> Free<'a> {
             let scope = self.scope(&Place::Piece(low.as_ref(), high.as_ref()))?;
             let found = match value(&scope).and_then(|value| value.sign(scope.piece.as_ref())) {
                 Err(Stop::Split(at)) => {
-                    pieces.extend([(low, Some(at.clone())), (Some(at.clone()), high)]);
+                    pieces.extend([(low, Some((*at).clone())), (Some((*at).clone()), high)]);
                     self.at(&at, value)?
                 }
                 found => found?,

@@ -13,8 +13,8 @@ use crate::reject::{Checked, Reason, Stop, require};
 use crate::ring::Ring;
 use crate::table::Table;
 use crate::value::Value;
-use crate::witness::{Setting, Witness, converge};
-use num_traits::Zero;
+use crate::witness::{Setting, Witness};
+use num_traits::{Signed, Zero};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -22,7 +22,7 @@ use std::rc::Rc;
 const MAX_POINTS: i64 = 1 << 16;
 
 /// Checks the lines `witness`, and those of the cells.
-pub fn check<'a>(table: &'a Table<'a>, block: &mut Block<'_>) -> Checked<()> {
+pub fn check(table: &Table<'_>, block: &mut Block<'_>) -> Checked<()> {
     let mut witnesses = BTreeMap::new();
     while let Some(name) = block.maybe("witness") {
         require(!witnesses.contains_key(name), Reason::Taken)?;
@@ -31,39 +31,35 @@ pub fn check<'a>(table: &'a Table<'a>, block: &mut Block<'_>) -> Checked<()> {
     if table.claim.get("promise").is_none() {
         return Ok(());
     }
-    let mut settings = Settings::new();
+    let mut settings = BTreeMap::new();
     for at in table.places() {
         let Some((_, printed)) = table.printed(at) else { continue };
-        let verdict = block.next_word();
         block.look();
-        require(["kept", "broken", "undecided"].contains(&verdict), Reason::Promises)?;
-        let (found, said) = place(table, block.any()?.1)?;
-        let proper = found == at && (verdict != "undecided" || said.is_empty());
-        require(proper, Reason::Promises)?;
+        let mut lines = ["kept", "broken", "undecided"].into_iter();
+        let line = lines.find_map(|verdict| Some((verdict, block.maybe(verdict)?)));
+        let (verdict, said) = line.ok_or(Reason::Promises)?;
+        let (found, said) = place(table, said)?;
+        require(found == at, Reason::Promises)?;
         if verdict == "undecided" {
+            require(said.is_empty(), Reason::Malformed("ROW COLUMN"))?;
             continue;
         }
-        let promised = Promised::new(table, at)?;
-        let printed = Value::from(printed.value());
-        let (level, most) = match (&promised.level, &promised.tolerance) {
-            (Some(level), _) => (*level, printed),
-            (None, Some(tolerance)) => {
-                (printed.integer(MAX_LEVEL.into()).unwrap_or(-1), tolerance.clone())
-            }
-            (None, None) => return Err(Reason::NoPromise.into()),
+        let (promised, printed) = (Promised::new(table, at)?, Value::from(printed.value()));
+        let (level, most) = match (promised.level, &promised.tolerance) {
+            (None, Some(tolerance)) => (printed.integer(MAX_LEVEL.into())?, tolerance.clone()),
+            (level, _) => (level.ok_or(Reason::NoPromise)?, printed),
         };
         let level = u32::try_from(level).ok().filter(|level| *level <= MAX_LEVEL);
         let level = level.ok_or(Reason::Malformed("a level"))?;
-        let setting = setting(&promised, &mut settings)?;
+        let setting = setting(table, &promised, &mut settings)?;
         if verdict == "kept" {
-            kept(&promised, &setting, said, level, &most)?;
+            kept(&promised, &setting, said, (level, &most))?;
             continue;
         }
         let (name, sides) = said.split_once(' ').unwrap_or((said, ""));
         let witness = witnesses.get(name).ok_or(Reason::NoWitness)?;
-        let spread = witness.spreads(&setting)?.into_iter().max().unwrap_or_else(Q::zero);
-        let flat = require(!spread.is_zero(), Reason::Malformed("data that are not all equal"));
-        flat.map_err(|rejection| rejection.at(witness.line))?;
+        let spread = witness.spreads(&setting)?.into_iter().max().filter(Q::is_positive);
+        let spread = spread.ok_or(Reason::Malformed("data that are not all equal"))?;
         let distance = witness.value(&setting, "distance", level)?;
         let left = distance.times(&promised.spread)?.over(&spread.into())?;
         violated(table.paper, sides, &left, &most)?;
@@ -71,12 +67,13 @@ pub fn check<'a>(table: &'a Table<'a>, block: &mut Block<'_>) -> Checked<()> {
     Ok(())
 }
 
-/// Schemes of which all control data have limits.
-type Settings<'a> = BTreeMap<String, Rc<Setting<'a>>>;
-
 /// What a cell speaks of.
-fn setting<'a>(promised: &Promised<'a>, known: &mut Settings<'a>) -> Checked<Rc<Setting<'a>>> {
-    let Promised { table, scope, schemes, offset, .. } = promised;
+fn setting<'a>(
+    table: &'a Table<'a>,
+    promised: &Promised<'a>,
+    known: &mut BTreeMap<String, Rc<Setting<'a>>>,
+) -> Checked<Rc<Setting<'a>>> {
+    let Promised { scope, schemes, offset, .. } = promised;
     let library = table.paper.library;
     let ring = table.claim.get("promise").and_then(|promise| promise.text("ring"));
     let key = match ring {
@@ -86,16 +83,10 @@ fn setting<'a>(promised: &Promised<'a>, known: &mut Settings<'a>) -> Checked<Rc<
     if let Some(known) = known.get(&key) {
         return Ok(Rc::clone(known));
     }
-    let (setting, contracts) = if let Some(ring) = ring {
-        let ring = Ring::new(library, ring, scope)?;
-        let contracts = ring.contracts()?;
-        (Setting::Ring(ring, None), contracts)
-    } else {
-        let masks = Setting::masks(library, schemes, *offset).filter(|_| !schemes.is_empty());
-        (masks.ok_or(Reason::Malformed("rational masks"))?, converge(scope, schemes)?)
-    };
-    require(contracts, Reason::NoLimit)?;
-    let setting = Rc::new(setting);
+    let setting = Rc::new(match ring {
+        Some(ring) => Setting::Ring(Box::new(Ring::new(library, ring, scope)?), None),
+        None => Setting::masks(scope, schemes, *offset)?,
+    });
     known.insert(key, Rc::clone(&setting));
     Ok(setting)
 }
@@ -106,20 +97,20 @@ fn kept(
     promised: &Promised<'_>,
     setting: &Setting<'_>,
     said: &str,
-    level: u32,
-    most: &Value,
+    (level, most): (u32, &Value),
 ) -> Checked<()> {
     let malformed = Reason::Malformed("ROW COLUMN L M c, L from the level on");
-    let (later, constants) = said.split_once(' ').ok_or(malformed.clone())?;
-    let later: u32 = later.parse().ok().filter(|l| *l >= level).ok_or(malformed.clone())?;
-    let bound = promised.bound(i64::from(later), constants)?;
-    let change = match setting {
-        _ if later == level => Value::int(0),
-        Setting::Masks(rules) => change(promised, rules, level, later)?,
-        Setting::Ring(..) => return Err(malformed.into()),
+    let (later, constants) = said.split_once(' ').unwrap_or((said, ""));
+    let later: Option<u32> = later.parse().ok().filter(|l| *l >= level);
+    let (Some(later), Setting::Masks(rules, _)) = (later, setting) else {
+        return Err(malformed.into());
     };
-    let sum = bound.plus(1, &change.times(&promised.spread)?)?;
-    require(sum.compare(most)?.is_le(), Reason::TooLarge)
+    let mut bound = promised.bound(later.into(), constants)?;
+    if later > level {
+        let change = change(promised, rules, level, later)?.times(&promised.spread)?;
+        bound.add(1, &change)?;
+    }
+    require(bound.compare(most)?.is_le(), Reason::TooLarge)
 }
 
 /// A bound of ‖P^l − P^k‖ for the spread 1.
@@ -138,9 +129,8 @@ fn change(promised: &Promised<'_>, rules: &[Rules<'_>], k: u32, l: u32) -> Resul
     let [first, second] = rules else { return largest(&rules[0]) };
     // THEOREMS.md, 32, with level l in place of the limit.
     let norm = |axis: usize, level: u32| {
-        let scheme = &promised.schemes[axis];
-        let sums = classes(&promised.scope, scheme, "a", false, &Value::int(level.into()))?;
-        greatest(&promised.scope, &sums)
+        let (scope, level) = (&promised.scope, Value::int(level.into()));
+        greatest(scope, &classes(scope, &promised.schemes[axis], "a", false, &level)?)
     };
     let (c, d) = (largest(first)?, largest(second)?);
     let one = c.times(&norm(1, l)?)?.plus(1, &d.times(&norm(0, k)?)?)?;

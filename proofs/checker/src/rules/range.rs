@@ -2,15 +2,16 @@
 
 use super::pieces::{Free, Pieces};
 use crate::certificate::Block;
-use crate::decimal::{Decimal, Q, int, read_rational};
+use crate::decimal::{Decimal, int};
 use crate::paper::{Paper, formula_of, printed};
 use crate::reject::{Checked, Reason, Stop, require};
-use crate::rounding::rounding;
+use crate::root::Root;
+use crate::rounding::rounding_on;
 use crate::toml::Toml;
-use num_traits::Signed;
+use crate::value::{Piece, Value};
 
 /// An end of an interval: `None` if it is infinite, and whether it belongs to the set.
-type End = (Option<Q>, bool);
+type End = (Option<Root>, bool);
 
 /// Checks a range.
 pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<()> {
@@ -37,10 +38,18 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         let (exact, relation) = said.and_then(|said| said.split_once(' ')).ok_or(Reason::Ends)?;
         let ends = set.iter().map(|interval| &interval[side]);
         let ends = ends.filter_map(|(end, belongs)| Some((end.as_ref()?, *belongs)));
-        let nearest = ends.min_by_key(|(end, _)| (*end - decimal.value()).abs());
-        let found = match &nearest {
-            None => exact == "none",
-            Some((end, _)) => read_rational(exact).as_ref() == Some(*end),
+        let mut nearest: Option<(&Root, bool)> = None;
+        for (end, belongs) in ends {
+            let nearer = match nearest {
+                Some((other, _)) => end.nearer(other, &decimal.value())?.is_lt(),
+                None => true,
+            };
+            nearest = if nearer { Some((end, belongs)) } else { nearest };
+        }
+        let found = match (&nearest, Root::read(exact)) {
+            (None, _) => exact == "none",
+            (Some((end, _)), Some(exact)) => end.compare(&exact)?.is_eq(),
+            _ => false,
         };
         require(found, Reason::ExactEnd)?;
         let closed = match claim.get("closed") {
@@ -83,23 +92,32 @@ fn relation(
     printed: &Decimal,
     closed: Option<bool>,
     outwards: i64,
-    exact: Option<(&Q, bool)>,
+    exact: Option<(&Root, bool)>,
     set: &[[End; 2]],
 ) -> Result<&'static str, Stop> {
     let Some((end, belongs)) = exact else { return Ok("apart") };
-    let at = printed.value();
-    if at == *end {
+    let at = Root::from(printed.value());
+    if at.compare(end)?.is_eq() {
         let same = closed.is_none_or(|closed| closed == belongs);
         return Ok(if same { "equal" } else { "belonging" });
     }
-    let found = rounding(printed, &end.clone().into())?;
+    // The end as a symbol that has this value alone.
+    let [low, high] = [(); 2].map(|()| Some(end.clone()));
+    let piece = Piece { symbol: "x".into(), low, high };
+    let found = rounding_on(printed, &Value::symbol("x"), Some(&piece))?;
     if found != "neither" {
         return Ok(found);
     }
-    let inside = set.iter().any(|[low, high]| {
-        low.0.as_ref().is_none_or(|low| *low < at) && high.0.as_ref().is_none_or(|high| at < *high)
-    });
-    let next = at + printed.unit() * int(outwards);
-    let last = inside && next == *end && !belongs && closed != Some(false);
-    Ok(if last { "last-inside" } else { "apart" })
+    let next = Root::from(printed.value() + printed.unit() * int(outwards));
+    if belongs || closed == Some(false) || !next.compare(end)?.is_eq() {
+        return Ok("apart");
+    }
+    for [low, high] in set {
+        let above = low.0.as_ref().map_or(Ok(true), |low| Ok(low.compare(&at)?.is_lt()))?;
+        let below = high.0.as_ref().map_or(Ok(true), |high| Ok(at.compare(high)?.is_lt()))?;
+        if above && below {
+            return Ok("last-inside");
+        }
+    }
+    Ok("apart")
 }

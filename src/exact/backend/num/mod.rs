@@ -1,10 +1,12 @@
-//! num-bigint and num-rational.
+//! num-bigint.
 
+mod gcd;
+
+use num_bigint::Sign;
 use num_integer::Integer as _;
-use num_traits::{Signed as _, ToPrimitive as _, Zero as _};
+use num_traits::ToPrimitive as _;
 
 pub(in crate::exact) use num_bigint::BigInt as Int;
-pub(in crate::exact) use num_rational::BigRational as Rat;
 
 pub(in crate::exact) const NAME: &str = "num-bigint";
 
@@ -23,23 +25,28 @@ pub(in crate::exact) fn div_floor(a: &Int, b: &Int) -> Int {
     a.div_floor(b)
 }
 
+/// a/b, which is an integer.
+pub(in crate::exact) fn div_exact(a: &Int, b: &Int) -> Int {
+    a / b
+}
+
 pub(in crate::exact) fn gcd(a: &Int, b: &Int) -> Int {
-    a.gcd(b)
+    gcd::gcd(a.magnitude(), b.magnitude()).into()
 }
 
 pub(in crate::exact) fn pow(a: &Int, exponent: u32) -> Int {
     a.pow(exponent)
 }
 
-pub(in crate::exact) fn abs(a: &Int) -> Int {
-    a.abs()
+pub(in crate::exact) fn neg(a: &Int) -> Int {
+    -a
 }
 
 pub(in crate::exact) fn sign(a: &Int) -> i8 {
     match a.sign() {
-        num_bigint::Sign::Minus => -1,
-        num_bigint::Sign::NoSign => 0,
-        num_bigint::Sign::Plus => 1,
+        Sign::Minus => -1,
+        Sign::NoSign => 0,
+        Sign::Plus => 1,
     }
 }
 
@@ -49,6 +56,10 @@ pub(in crate::exact) fn bits(a: &Int) -> u64 {
 
 pub(in crate::exact) fn is_even(a: &Int) -> bool {
     a.is_even()
+}
+
+pub(in crate::exact) fn to_i64(a: &Int) -> Option<i64> {
+    a.to_i64()
 }
 
 pub(in crate::exact) fn to_i128(a: &Int) -> Option<i128> {
@@ -66,26 +77,7 @@ pub(in crate::exact) fn shr(a: &Int, places: u32) -> Int {
 }
 
 /// a mod modulus, from 0 to modulus − 1.
-pub(in crate::exact) fn residue(a: &Int, modulus: u32) -> u32 {
-    a.mod_floor(&Int::from(modulus)).to_u32().expect("less than the modulus")
-}
-
-pub(in crate::exact) fn rat(numerator: Int, denominator: Int) -> Rat {
-    Rat::new(numerator, denominator)
-}
-
-pub(in crate::exact) fn rat_is_zero(a: &Rat) -> bool {
-    a.is_zero()
-}
-
-pub(in crate::exact) fn rat_sign(a: &Rat) -> i8 {
-    sign(a.numer())
-}
-
-pub(in crate::exact) fn rat_pow(a: &Rat, exponent: u32) -> Rat {
-    num_traits::Pow::pow(a, exponent)
-}
-
-pub(in crate::exact) fn rat_bits(a: &Rat) -> u64 {
-    bits(a.numer()) + bits(a.denom())
+pub(in crate::exact) fn residue(a: &Int, modulus: u64) -> u64 {
+    let rest = (a.magnitude() % modulus).to_u64().expect("less than the modulus");
+    if a.sign() == Sign::Minus && rest > 0 { modulus - rest } else { rest }
 }

@@ -1,0 +1,209 @@
+//! Real numbers as roots of polynomials, and the signs of polynomials at them and between.
+
+use crate::decimal::{Q, int, read_rational};
+use crate::polynomial::{at, beyond_roots, divide, gcd, roots_between, signum, trimmed};
+use crate::reject::Stop;
+use num_traits::{Signed, Zero};
+use std::cmp::Ordering;
+use std::fmt;
+
+/// The most coefficients of a polynomial.
+const MAX_LENGTH: usize = 65;
+
+/// How often an interval is halved.
+const MAX_HALVINGS: usize = 1_000;
+
+/// The only root of a polynomial between two rational numbers at which it is not 0; or the
+/// rational number that both of these are.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Root {
+    polynomial: Vec<Q>,
+    low: Q,
+    high: Q,
+}
+
+impl From<Q> for Root {
+    fn from(value: Q) -> Root {
+        Root { polynomial: vec![-&value, int(1)], low: value.clone(), high: value }
+    }
+}
+
+impl fmt::Display for Root {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "from {} to {}", self.low, self.high)
+    }
+}
+
+impl Root {
+    /// Reads a number, or `root:COEFFICIENT,…:LOW:HIGH`.
+    pub fn read(text: &str) -> Option<Root> {
+        let Some(said) = text.strip_prefix("root:") else {
+            return read_rational(text).map(Root::from);
+        };
+        let [polynomial, low, high] = said.split(':').collect::<Vec<&str>>()[..] else {
+            return None;
+        };
+        let polynomial: Vec<Q> = polynomial.split(',').map(read_rational).collect::<Option<_>>()?;
+        let (low, high) = (read_rational(low)?, read_rational(high)?);
+        let ends = [&low, &high].iter().all(|end| !at(&polynomial, end).is_zero());
+        let proper = low < high && ends && (2..=MAX_LENGTH).contains(&polynomial.len());
+        let one = proper && roots_between(&polynomial, &low, &high) == 1;
+        one.then_some(Root { polynomial, low, high })
+    }
+
+    /// This as a rational number, if it is known to be one.
+    pub fn rational(&self) -> Option<&Q> {
+        (self.low == self.high).then_some(&self.low)
+    }
+
+    /// How many roots a polynomial, which is not 0 at the ends, has in the interval.
+    fn count(&self, p: &[Q]) -> usize {
+        roots_between(p, &self.low, &self.high)
+    }
+
+    /// The same number in half of the interval.
+    fn halved(&self) -> Root {
+        let (polynomial, middle) = (self.polynomial.clone(), (&self.low + &self.high) / int(2));
+        if at(&polynomial, &middle).is_zero() {
+            return middle.into();
+        }
+        let lower = Root { polynomial, low: self.low.clone(), high: middle.clone() };
+        if lower.count(&self.polynomial) == 1 {
+            return lower;
+        }
+        Root { low: middle, high: self.high.clone(), ..lower }
+    }
+
+    /// The same number in an interval without other roots of a polynomial.
+    fn apart_from(&self, p: &[Q]) -> Result<Root, Stop> {
+        let (own, mut root) = (usize::from(self.sign_of(p)? == 0), self.clone());
+        for _ in 0..MAX_HALVINGS {
+            let ends = || [&root.low, &root.high].iter().all(|end| !at(p, end).is_zero());
+            if root.rational().is_some() || ends() && root.count(p) == own {
+                return Ok(root);
+            }
+            root = root.halved();
+        }
+        Err(Stop::Capped("the halvings of an interval"))
+    }
+
+    /// The sign of a polynomial at this number.
+    pub fn sign_of(&self, p: &[Q]) -> Result<i8, Stop> {
+        if let Some(value) = self.rational() {
+            return Ok(signum(&at(p, value)));
+        }
+        // What divides both polynomials is not 0 at the ends.
+        if self.count(&gcd(p, &self.polynomial)) > 0 {
+            return Ok(0);
+        }
+        let mut root = self.clone();
+        for _ in 0..MAX_HALVINGS {
+            let signs = [&root.low, &root.high].map(|end| signum(&at(p, end)));
+            if signs[0] != 0 && signs[1] != 0 && root.count(p) == 0 {
+                return Ok(signs[0]);
+            }
+            root = root.halved();
+        }
+        Err(Stop::Capped("the halvings of an interval"))
+    }
+
+    /// How two numbers compare.
+    pub fn compare(&self, other: &Root) -> Result<Ordering, Stop> {
+        match (self.rational(), other.rational()) {
+            (_, Some(value)) => return Ok(self.sign_of(&[-value, int(1)])?.cmp(&0)),
+            (Some(_), None) => return Ok(other.compare(self)?.reverse()),
+            (None, None) => {}
+        }
+        let [low, high] = [&other.low, &other.high].map(|end| self.compare(&end.clone().into()));
+        if self.sign_of(&other.polynomial)? == 0 && low?.is_gt() && high?.is_lt() {
+            return Ok(Ordering::Equal);
+        }
+        let (mut one, mut other) = (self.clone(), other.clone());
+        for _ in 0..MAX_HALVINGS {
+            if one.high <= other.low {
+                return Ok(Ordering::Less);
+            }
+            if other.high <= one.low {
+                return Ok(Ordering::Greater);
+            }
+            (one, other) = (one.halved(), other.halved());
+        }
+        Err(Stop::Capped("the halvings of an interval"))
+    }
+
+    /// Which of two is nearer to a rational number.
+    pub fn nearer(&self, other: &Root, to: &Q) -> Result<Ordering, Stop> {
+        let (mut one, mut other) = (self.clone(), other.clone());
+        let off = |root: &Root| {
+            let off = [&root.low, &root.high].map(|end| (end - to).abs());
+            let inside = root.low < *to && *to < root.high;
+            let [a, b] = off;
+            let (least, most) = if a < b { (a, b) } else { (b, a) };
+            (if inside { Q::zero() } else { least }, most)
+        };
+        for _ in 0..MAX_HALVINGS {
+            let ((least, most), (other_least, other_most)) = (off(&one), off(&other));
+            if most < other_least {
+                return Ok(Ordering::Less);
+            }
+            if other_most < least {
+                return Ok(Ordering::Greater);
+            }
+            if one.rational().is_some() && other.rational().is_some() {
+                return Ok(Ordering::Equal);
+            }
+            (one, other) = (one.halved(), other.halved());
+        }
+        Err(Stop::Capped("the halvings of an interval"))
+    }
+}
+
+/// The sign of p between two numbers, the lower one first; or a root, when it has several.
+pub fn sign_between(
+    p: &[Q],
+    low: Option<&Root>,
+    high: Option<&Root>,
+) -> Result<Result<i8, Box<Root>>, Stop> {
+    if p.iter().all(Zero::is_zero) {
+        return Ok(Ok(0));
+    }
+    // From the ends on to rational numbers, with no root of p on the way; without an end, from
+    // beyond all roots of p and the other end.
+    let ends = [low, high].into_iter().flatten();
+    let bound = beyond_roots(p) + ends.map(|end| end.low.abs() + end.high.abs()).sum::<Q>();
+    let mut low = low.map_or(Ok((-&bound).into()), |low| low.apart_from(p))?;
+    let mut high = high.map_or(Ok(bound.into()), |high| high.apart_from(p))?;
+    for _ in 0..MAX_HALVINGS {
+        if low.high < high.low {
+            return Ok(sign_or_root(p, low.high, high.low));
+        }
+        (low, high) = (low.halved(), high.halved());
+    }
+    Err(Stop::Capped("the halvings of an interval"))
+}
+
+/// The same between rational numbers.
+fn sign_or_root(p: &[Q], mut low: Q, mut high: Q) -> Result<i8, Box<Root>> {
+    // Roots at the ends are divided out: x − low is positive between, and x − high negative.
+    let (mut p, mut turned) = (trimmed(p.to_vec()), 1);
+    for (end, factor) in [(&low, 1), (&high, -1)] {
+        while at(&p, end).is_zero() {
+            (p, _) = divide(p, &[-end, int(1)]);
+            turned *= factor;
+        }
+    }
+    loop {
+        match roots_between(&p, &low, &high) {
+            0 => return Ok(turned * signum(&at(&p, &low))),
+            1 if p.len() == 2 => return Err(Box::new((-&p[0] / &p[1]).into())),
+            1 => return Err(Box::new(Root { polynomial: p, low, high })),
+            _ => {}
+        }
+        let middle = (&low + &high) / int(2);
+        if at(&p, &middle).is_zero() {
+            return Err(Box::new(middle.into()));
+        }
+        (low, high) =
+            if roots_between(&p, &low, &middle) > 0 { (low, middle) } else { (middle, high) };
+    }
+}

@@ -1,0 +1,155 @@
+//! The parts of papers that are judged apart from each other, on all cores.
+
+use super::equation::{self, EquationFinding};
+use super::function::{self, FunctionFinding};
+use super::library::Library;
+use super::range::{self, RangeFinding};
+use super::table::{self, TableFinding};
+use super::theorem::{self, TheoremFinding};
+use super::{PaperAudit, consistency};
+use crate::claim::Paper;
+use crate::diagnostic::Diagnostic;
+use std::cmp::Reverse;
+use std::num::NonZero;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread::{self, available_parallelism};
+
+/// What is judged by one thread, with a library of its own. What one part finds does not
+/// depend on the others, nor on who judges it.
+enum Part {
+    /// The tables at these places, which share schemes.
+    Tables(Vec<usize>),
+    Formulas,
+    Theorems,
+}
+
+/// What a part finds, or the first error in it, with the place of its table.
+enum Found<'a> {
+    Tables(Vec<(usize, TableFinding<'a>)>),
+    Formulas(Vec<EquationFinding<'a>>, Vec<FunctionFinding<'a>>, Vec<RangeFinding<'a>>),
+    Theorems(Vec<TheoremFinding<'a>>),
+    Error(Place, Diagnostic),
+}
+
+/// Where an error stands: in a table, or after all tables.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Place {
+    Table(usize),
+    Formulas,
+    Theorems,
+}
+
+/// Judges every claim of these papers, on all cores; `after_table` is called when a table
+/// is judged.
+pub(super) fn judge<'a>(
+    papers: &'a [Paper],
+    after_table: &(dyn Fn() + Sync),
+) -> Result<Vec<PaperAudit<'a>>, Diagnostic> {
+    let mut jobs: Vec<(usize, Part)> = Vec::new();
+    for (at, paper) in papers.iter().enumerate() {
+        let tables = table::related(paper).into_iter().map(Part::Tables);
+        jobs.extend(tables.chain([Part::Theorems, Part::Formulas]).map(|part| (at, part)));
+    }
+    // The longest first, so that they end together.
+    jobs.sort_by_key(|(at, part)| Reverse(part.size(&papers[*at])));
+    let found = on_all_cores(&jobs, |(at, part)| (*at, part.judge(&papers[*at], after_table)));
+    let mut parts: Vec<Vec<Found<'a>>> = papers.iter().map(|_| Vec::new()).collect();
+    for (at, found) in found {
+        parts[at].push(found);
+    }
+    papers.iter().zip(parts).map(|(paper, parts)| together(paper, parts)).collect()
+}
+
+impl Part {
+    /// How much there is to do, roughly.
+    fn size(&self, paper: &Paper) -> usize {
+        match self {
+            Part::Tables(places) => {
+                places.iter().map(|&place| paper.tables[place].cells.iter().flatten().count()).sum()
+            }
+            Part::Formulas => paper.equations.len(),
+            Part::Theorems => 2 * paper.theorems.len(),
+        }
+    }
+
+    fn judge<'a>(&self, paper: &'a Paper, after_table: &dyn Fn()) -> Found<'a> {
+        let library = Library::new(paper);
+        match self {
+            Part::Tables(places) => match table::judge_all(paper, places, &library, after_table) {
+                Ok(findings) => Found::Tables(findings),
+                Err((place, error)) => Found::Error(Place::Table(place), error),
+            },
+            Part::Formulas => formulas(paper, &library)
+                .unwrap_or_else(|error| Found::Error(Place::Formulas, error)),
+            Part::Theorems => match theorem::trials(paper, &library) {
+                Ok(findings) => Found::Theorems(findings),
+                Err(error) => Found::Error(Place::Theorems, error),
+            },
+        }
+    }
+}
+
+fn formulas<'a>(paper: &'a Paper, library: &Library<'_>) -> Result<Found<'a>, Diagnostic> {
+    let equations = paper.equations.iter().map(|claim| equation::judge(paper, claim, library));
+    let functions = paper.functions.iter().map(|claim| function::judge(paper, claim, library));
+    let ranges = paper.ranges.iter().map(|claim| range::judge(paper, claim, library));
+    Ok(Found::Formulas(
+        equations.collect::<Result<_, _>>()?,
+        functions.collect::<Result<_, _>>()?,
+        ranges.collect::<Result<_, _>>()?,
+    ))
+}
+
+/// What the parts of a paper found, and what follows from it all; the first error of the
+/// paper, if there is one.
+fn together<'a>(paper: &'a Paper, parts: Vec<Found<'a>>) -> Result<PaperAudit<'a>, Diagnostic> {
+    let mut audit = PaperAudit {
+        paper,
+        tables: Vec::new(),
+        equations: Vec::new(),
+        functions: Vec::new(),
+        ranges: Vec::new(),
+        theorems: Vec::new(),
+        contradictions: Vec::new(),
+    };
+    let (mut tables, mut errors) = (Vec::new(), Vec::new());
+    for part in parts {
+        match part {
+            Found::Tables(findings) => tables.extend(findings),
+            Found::Formulas(equations, functions, ranges) => {
+                (audit.equations, audit.functions, audit.ranges) = (equations, functions, ranges);
+            }
+            Found::Theorems(theorems) => audit.theorems = theorems,
+            Found::Error(place, error) => errors.push((place, error)),
+        }
+    }
+    if let Some((_, error)) = errors.into_iter().min_by_key(|(place, _)| *place) {
+        return Err(error);
+    }
+    tables.sort_by_key(|(place, _)| *place);
+    audit.tables = tables.into_iter().map(|(_, finding)| finding).collect();
+    audit.contradictions = consistency::judge(paper, &audit.tables, &Library::new(paper))?;
+    theorem::premises(&mut audit);
+    Ok(audit)
+}
+
+/// The results of all jobs, in no order.
+fn on_all_cores<J: Sync, T: Send>(jobs: &[J], run: impl Fn(&J) -> T + Sync) -> Vec<T> {
+    let next = AtomicUsize::new(0);
+    let work = || {
+        let mine = std::iter::from_fn(|| jobs.get(next.fetch_add(1, Ordering::Relaxed)));
+        mine.map(&run).collect::<Vec<T>>()
+    };
+    let threads = available_parallelism().map_or(1, NonZero::get).min(jobs.len());
+    if threads <= 1 {
+        return work();
+    }
+    thread::scope(|scope| {
+        let threads: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
+        let results = threads.into_iter().map(|thread| match thread.join() {
+            Ok(results) => results,
+            Err(panic) => std::panic::resume_unwind(panic),
+        });
+        results.flatten().collect()
+    })
+}

@@ -1,0 +1,86 @@
+//! Operators, order and conversions of [`Integer`].
+
+use super::Form::{Large, Word};
+use super::{Int, Integer};
+use crate::exact::backend;
+use crate::exact::ops::{binary_operator, ring_basics};
+use std::cmp::Ordering;
+use std::ops::Neg;
+
+/// Implements a ring operator on two references, and in place.
+macro_rules! operation {
+    ($compute:ident, $in_place:ident, $checked:ident, $trait:ident::$method:ident,
+     $assign:ident::$assign_method:ident) => {
+        fn $compute(a: &Integer, b: &Integer) -> Integer {
+            Integer::normal(match (&a.0, &b.0) {
+                (Word(x), Word(y)) => match x.$checked(*y) {
+                    Some(value) => return Integer(Word(value)),
+                    None => std::ops::$trait::$method(Int::from(*x), *y),
+                },
+                (Word(x), Large(y)) => Int::from(std::ops::$trait::$method(*x, y)),
+                (Large(x), Word(y)) => Int::from(std::ops::$trait::$method(x, *y)),
+                (Large(x), Large(y)) => Int::from(std::ops::$trait::$method(x, y)),
+            })
+        }
+
+        fn $in_place(a: &mut Integer, b: &Integer) {
+            match (&mut a.0, &b.0) {
+                (Large(x), Word(y)) => std::ops::$assign::$assign_method(x, *y),
+                (Large(x), Large(y)) => std::ops::$assign::$assign_method(x, y),
+                _ => return *a = $compute(a, b),
+            }
+            a.normalise();
+        }
+
+        binary_operator!(Integer, $trait::$method, $assign::$assign_method, $compute, $in_place);
+    };
+}
+operation!(add, add_in_place, checked_add, Add::add, AddAssign::add_assign);
+operation!(sub, sub_in_place, checked_sub, Sub::sub, SubAssign::sub_assign);
+operation!(mul, mul_in_place, checked_mul, Mul::mul, MulAssign::mul_assign);
+ring_basics!(Integer);
+
+impl Neg for &Integer {
+    type Output = Integer;
+    fn neg(self) -> Integer {
+        match &self.0 {
+            Word(value) => value
+                .checked_neg()
+                .map_or_else(|| Integer(Large(-Int::from(*value))), |value| Integer(Word(value))),
+            Large(value) => Integer::normal(backend::neg(value)),
+        }
+    }
+}
+
+impl Ord for Integer {
+    fn cmp(&self, other: &Integer) -> Ordering {
+        match (&self.0, &other.0) {
+            (Word(x), Word(y)) => x.cmp(y),
+            (Large(x), Large(y)) => x.cmp(y),
+            (Large(_), Word(_)) => self.sign().cmp(&0),
+            (Word(_), Large(_)) => 0.cmp(&other.sign()),
+        }
+    }
+}
+
+macro_rules! from_machine {
+    ($($type:ty),*) => {$(
+        impl From<$type> for Integer {
+            fn from(value: $type) -> Integer {
+                Integer(i64::try_from(value).map_or_else(|_| Large(Int::from(value)), Word))
+            }
+        }
+    )*};
+}
+from_machine!(u64, i128, usize);
+
+macro_rules! from_word {
+    ($($type:ty),*) => {$(
+        impl From<$type> for Integer {
+            fn from(value: $type) -> Integer {
+                Integer(Word(value.into()))
+            }
+        }
+    )*};
+}
+from_word!(i32, u32, i64);

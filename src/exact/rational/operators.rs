@@ -1,0 +1,114 @@
+//! Operators, order and conversions of [`Rational`].
+
+use super::Form::{Large, Words};
+use super::{Fraction, Rational};
+use crate::exact::Integer;
+use crate::exact::ops::{binary_operator, ring_basics};
+use crate::exact::word;
+use std::cmp::Ordering;
+use std::ops::Neg;
+
+/// Implements an operator by `$compute`, and its assigning form `$in_place` by that.
+macro_rules! operation {
+    ($compute:ident, $in_place:ident, $trait:ident::$method:ident,
+     $assign:ident::$assign_method:ident) => {
+        fn $in_place(a: &mut Rational, b: &Rational) {
+            *a = $compute(a, b);
+        }
+
+        binary_operator!(Rational, $trait::$method, $assign::$assign_method, $compute, $in_place);
+    };
+}
+operation!(add, add_in_place, Add::add, AddAssign::add_assign);
+operation!(sub, sub_in_place, Sub::sub, SubAssign::sub_assign);
+operation!(mul, mul_in_place, Mul::mul, MulAssign::mul_assign);
+operation!(div, div_in_place, Div::div, DivAssign::div_assign);
+ring_basics!(Rational);
+
+fn add(a: &Rational, b: &Rational) -> Rational {
+    if let (Words(p, q), Words(r, s)) = (&a.0, &b.0) {
+        return Rational::of_words(word::sum((i128::from(*p), *q), (i128::from(*r), *s)));
+    }
+    let (a, b) = (a.fraction(), b.fraction());
+    sum(&a, &b.p, &b.q)
+}
+
+fn sub(a: &Rational, b: &Rational) -> Rational {
+    if let (Words(p, q), Words(r, s)) = (&a.0, &b.0) {
+        return Rational::of_words(word::sum((i128::from(*p), *q), (-i128::from(*r), *s)));
+    }
+    let (a, b) = (a.fraction(), b.fraction());
+    sum(&a, &-&b.p, &b.q)
+}
+
+fn mul(a: &Rational, b: &Rational) -> Rational {
+    if let (Words(p, q), Words(r, s)) = (&a.0, &b.0) {
+        return Rational::of_words(word::product((*p, *q), (*r, *s)));
+    }
+    let (a, b) = (a.fraction(), b.fraction());
+    let (first, second) = (a.p.gcd(&b.q), b.p.gcd(&a.q));
+    Rational::of(
+        a.p.div_exact(&first) * b.p.div_exact(&second),
+        a.q.div_exact(&second) * b.q.div_exact(&first),
+    )
+}
+
+fn div(a: &Rational, b: &Rational) -> Rational {
+    mul(a, &b.recip())
+}
+
+/// p/q + r/s. What the numerator shares with the least common denominator divides the
+/// greatest common divisor of q and s (Knuth 1997, 4.5.1).
+fn sum(Fraction { p, q }: &Fraction, r: &Integer, s: &Integer) -> Rational {
+    let divisor = q.gcd(s);
+    let (reduced, cofactor) = (q.div_exact(&divisor), s.div_exact(&divisor));
+    let numerator = p * &cofactor + r * &reduced;
+    let shared = numerator.gcd(&divisor);
+    Rational::of(numerator.div_exact(&shared), reduced * s.div_exact(&shared))
+}
+
+impl Neg for &Rational {
+    type Output = Rational;
+    fn neg(self) -> Rational {
+        match &self.0 {
+            Words(p, q) => Rational::of_words((-i128::from(*p), i128::from(*q))),
+            Large(fraction) => Rational::of(-&fraction.p, fraction.q.clone()),
+        }
+    }
+}
+
+impl Ord for Rational {
+    fn cmp(&self, other: &Rational) -> Ordering {
+        if let (Words(p, q), Words(r, s)) = (&self.0, &other.0) {
+            return (i128::from(*p) * i128::from(*s)).cmp(&(i128::from(*r) * i128::from(*q)));
+        }
+        self.sign().cmp(&other.sign()).then_with(|| {
+            let (a, b) = (self.fraction(), other.fraction());
+            (&a.p * &b.q).cmp(&(&b.p * &a.q))
+        })
+    }
+}
+
+impl From<Integer> for Rational {
+    fn from(value: Integer) -> Rational {
+        Rational::of(value, Integer::one())
+    }
+}
+
+/// A copy: what takes a number takes a reference to one.
+impl From<&Rational> for Rational {
+    fn from(value: &Rational) -> Rational {
+        value.clone()
+    }
+}
+
+macro_rules! from_machine {
+    ($($type:ty),*) => {$(
+        impl From<$type> for Rational {
+            fn from(value: $type) -> Rational {
+                Rational::from(Integer::from(value))
+            }
+        }
+    )*};
+}
+from_machine!(i32, u32, i64, u64, i128, usize);

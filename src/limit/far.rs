@@ -1,0 +1,92 @@
+//! Polygons that are far from their limit at a high level, from those at the levels before.
+
+use super::error::{LimitError, MAX_LEVEL};
+use super::functional::ExtremalPolygon;
+use super::row::{Refinement, Row};
+use super::value::Limit;
+use crate::exact::{Integer, Rational};
+
+/// A polygon that is far from its limit at a place.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FarPolygon {
+    /// The polygon: integers, neighbours of which differ by 1.
+    pub polygon: ExtremalPolygon,
+    /// t.
+    pub parameter: Rational,
+    /// |P^∞(t) − P^k(t)|.
+    pub distance: Rational,
+}
+
+/// P^∞(t) − P^k(t) as a functional of Δ, times a denominator.
+struct Place {
+    parameter: Rational,
+    row: Row,
+    denominator: Integer,
+    norm: Rational,
+}
+
+impl Place {
+    fn new(parameter: Rational, row: Row, denominator: Integer) -> Place {
+        let norm = Rational::new(row.norm(), denominator.clone());
+        Place { parameter, row, denominator, norm }
+    }
+}
+
+impl Limit {
+    /// A polygon with max|Δ| = 1 that is far from its limit at a level, though not always
+    /// as far as any: its place is looked for near that of the level before.
+    ///
+    /// From t at level k the places (t + d)/n, d = 0, …, n − 1, and t itself are tried at
+    /// level k + 1. P^∞ − P^{k+1} at (t + d)/n is P^∞ − P^k at t + d of the refined polygon
+    /// (`proofs/THEOREMS.md`, 4), so that each of these takes one step.
+    ///
+    /// # Errors
+    /// When the level is above 128.
+    ///
+    /// # Panics
+    /// Never: there are places.
+    ///
+    /// ```
+    /// use subcert::exact::Rational;
+    /// use subcert::limit::Limit;
+    /// use subcert::scheme::parse_scheme;
+    ///
+    /// let scheme = parse_scheme("b-spline:degree=3")?;
+    /// let far = Limit::new(scheme.masks()[0])?.far_polygon(2)?;
+    /// assert_eq!(far.distance, Rational::new(1, 48));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn far_polygon(&self, level: u32) -> Result<FarPolygon, LimitError> {
+        if level > MAX_LEVEL {
+            return Err(LimitError::Level(level));
+        }
+        let refinement = Refinement::of(self.difference());
+        let arity = self.mask().arity();
+        let at = |level: u32, parameter: Rational| -> Result<Place, LimitError> {
+            let (row, denominator) = Row::of(&self.error(level, &parameter)?);
+            Ok(Place::new(parameter, row, denominator))
+        };
+        let mut best = at(0, Rational::zero())?;
+        for digit in 0..arity {
+            best = farther(at(0, Rational::new(digit, arity))?, best);
+        }
+        for k in 1..=level {
+            let mut next = at(k, best.parameter.clone())?;
+            let denominator = &best.denominator * refinement.denominator();
+            for digit in 0..refinement.arity() {
+                let parameter = (&best.parameter + Rational::from(digit)) / Rational::from(arity);
+                let row = refinement.pull_back(&best.row, digit);
+                next = farther(Place::new(parameter, row, denominator.clone()), next);
+            }
+            best = next;
+        }
+        let Place { parameter, row, norm: distance, .. } = best;
+        let polygon = row.functional(&Integer::one()).extremal_polygon();
+        Ok(FarPolygon { polygon, parameter, distance })
+    }
+}
+
+/// The place of the greater norm; of equal ones, the one further right.
+fn farther(one: Place, other: Place) -> Place {
+    if (&one.norm, &one.parameter) > (&other.norm, &other.parameter) { one } else { other }
+}

@@ -1,0 +1,82 @@
+//! Functionals with integer coefficients, and what refinement makes of them.
+
+use super::cell::magnitude;
+use super::functional::Functional;
+use crate::exact::{CommonDenominator, Integer, Rational};
+use crate::scheme::Rules;
+
+/// A functional with integer coefficients, of consecutive indices.
+#[derive(Clone)]
+pub(super) struct Row {
+    first: i64,
+    coefficients: Vec<Integer>,
+}
+
+impl Row {
+    /// The functional over its common denominator, and that.
+    pub(super) fn of(functional: &Functional) -> (Row, Integer) {
+        let (first, last) = functional.support().unwrap_or((0, 0));
+        let dense: Vec<Rational> = (first..=last).map(|i| functional.coefficient(i)).collect();
+        let CommonDenominator { mut numerators, denominator } = CommonDenominator::of(&[dense]);
+        let coefficients = numerators.pop().unwrap_or_default();
+        (Row { first, coefficients }, denominator)
+    }
+
+    /// The functional of which this is the multiple.
+    pub(super) fn functional(&self, multiple: &Integer) -> Functional {
+        let coefficient = |c: &Integer| Rational::new(c.clone(), multiple.clone());
+        Functional::new(self.first, self.coefficients.iter().map(coefficient))
+    }
+
+    /// The sum of the absolute coefficients.
+    pub(super) fn norm(&self) -> Integer {
+        magnitude(&self.coefficients)
+    }
+}
+
+/// The rules of a scheme as integers over one denominator.
+pub(super) struct Refinement {
+    common: CommonDenominator,
+    offset: i64,
+    arity: i64,
+}
+
+impl Refinement {
+    pub(super) fn of(rules: &Rules) -> Refinement {
+        Refinement {
+            common: CommonDenominator::of(rules.rows()),
+            offset: rules.offset(),
+            arity: i64::try_from(rules.arity()).expect("the arity is capped"),
+        }
+    }
+
+    /// n.
+    pub(super) fn arity(&self) -> i64 {
+        self.arity
+    }
+
+    /// The denominator of the rules.
+    pub(super) fn denominator(&self) -> &Integer {
+        &self.common.denominator
+    }
+
+    /// x ↦ the value of a row, shifted, at y, where y_{ni+α} = Σ_j r_{α,j} x_{i+o+j}; times
+    /// the denominator of the rules.
+    pub(super) fn pull_back(&self, row: &Row, shift: i64) -> Row {
+        let width = self.common.numerators[0].len();
+        let first = (row.first + shift).div_euclid(self.arity);
+        let last = row.coefficients.len().saturating_sub(1);
+        let last =
+            (row.first + shift + i64::try_from(last).unwrap_or(i64::MAX)).div_euclid(self.arity);
+        let span = usize::try_from(last - first).expect("a row is not empty") + width;
+        let mut coefficients = vec![Integer::zero(); span];
+        for (i, coefficient) in (row.first + shift..).zip(&row.coefficients) {
+            let start = usize::try_from(i.div_euclid(self.arity) - first).expect("first is least");
+            let rule = usize::try_from(i.rem_euclid(self.arity)).expect("a residue");
+            for (to, entry) in coefficients[start..].iter_mut().zip(&self.common.numerators[rule]) {
+                *to += &(coefficient * entry);
+            }
+        }
+        Row { first: first + self.offset, coefficients }
+    }
+}
