@@ -32,7 +32,7 @@ impl RingWork {
     /// # Errors
     /// When they are more work than [`MAX_RING_WORK`].
     pub fn check<S: Value>(ring: &Ring<S>, rows: usize, levels: u32) -> Result<(), RingWork> {
-        let bits = ring.weights().iter().flatten().map(|weight| weight.product_size(weight)).max();
+        let bits = ring.weights().values().iter().map(|weight| weight.product_size(weight)).max();
         let work = ((rows * ring.product_count()) as u64)
             .saturating_mul(u64::from(levels.saturating_sub(1)))
             .saturating_mul(bits.unwrap_or(1));
@@ -61,7 +61,7 @@ pub(crate) fn power_rows<S: Scalar>(
     chosen: &Representatives,
     levels: u32,
 ) -> impl Iterator<Item = PowerRows<S>> {
-    let first = rows_of(chosen).into_iter().map(|a| (a, ring.weights()[a].clone()));
+    let first = rows_of(chosen).into_iter().map(|a| (a, ring.weights().row(a).cloned().collect()));
     let first = PowerRows { rows: first.collect() };
     let next = |rows: &PowerRows<S>| {
         let rows = rows.rows.iter().map(|(a, row)| (*a, ring.pull_back(row)));
@@ -91,7 +91,7 @@ impl<S: Real> PowerRows<S> {
 pub(crate) fn displaced_rows<S: Scalar>(ring: &Ring<S>, chosen: &Representatives) -> Vec<Vec<S>> {
     let one = S::from_rational(&Rational::one());
     let displaced = |&a: &usize| {
-        let mut row = ring.weights()[a].clone();
+        let mut row: Vec<S> = ring.weights().row(a).cloned().collect();
         row[a] = row[a].minus(&one);
         row
     };

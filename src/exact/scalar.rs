@@ -1,6 +1,6 @@
 //! What the algorithms ask of a number type, so that each is written once.
 
-use super::{Polynomial, Rational};
+use super::{Matrix, Polynomial, Rational};
 use std::cmp::Ordering;
 
 /// A commutative ring that contains the rationals: exact numbers, polynomials,
@@ -38,6 +38,19 @@ pub trait Scalar: Clone {
             sum.accumulate(term);
             sum
         })
+    }
+
+    /// wᵀM, for a coordinate of w for each row of M: the sums Σ_a w_a m_{a,b} over the
+    /// entries other than 0, from top to bottom. Exact numbers may go another way.
+    #[must_use]
+    fn left_product(w: &[Self], matrix: &Matrix<Self>) -> Vec<Self> {
+        let mut sums = vec![Self::zero(); matrix.names().first().map_or(0, Vec::len)];
+        for (w, names) in w.iter().zip(matrix.names()) {
+            for (sum, &name) in sums.iter_mut().zip(names).filter(|(_, name)| **name != 0) {
+                *sum = sum.plus(&w.times(&matrix.values()[name as usize]));
+            }
+        }
+        sums
     }
 }
 

@@ -3,7 +3,8 @@
 use super::field::Field;
 use super::norm::cofactor;
 use super::number::{Element, Form, RealCyclotomic};
-use crate::exact::{Integer, Rational, Real, Scalar};
+use super::row_product::left_product;
+use crate::exact::{Integer, Matrix, Rational, Real, Scalar};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::sync::Arc;
 
@@ -169,6 +170,9 @@ impl Scalar for RealCyclotomic {
     }
     fn times(&self, other: &Self) -> Self {
         self * other
+    }
+    fn left_product(w: &[Self], matrix: &Matrix<Self>) -> Vec<Self> {
+        left_product(w, matrix)
     }
 }
 

@@ -5,7 +5,7 @@ use super::number::angle;
 use super::symmetric::{cyclotomic, product};
 use crate::exact::{Integer, Rational};
 use std::collections::BTreeMap;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 /// The largest conductor n of a field Q(2cos(2π/n)) that is computed in.
 pub const MAX_CONDUCTOR: u32 = 10_000;
@@ -65,6 +65,8 @@ pub(super) struct Field {
     degree: usize,
     /// The (k, a_k) with a_k ≠ 0 and k < m in Ψ_n = C_m + Σ a_k C_k.
     relation: Vec<(usize, i64)>,
+    /// [`Field::reduced_cosines`], once they are wanted.
+    pub(super) reduced: OnceLock<Vec<Vec<(usize, i64)>>>,
 }
 
 /// The fields used so far, by conductor.
@@ -99,7 +101,7 @@ impl Field {
             coefficients.pop();
             let degree = coefficients.len();
             let relation = coefficients.into_iter().enumerate().filter(|(_, a)| *a != 0).collect();
-            Arc::new(Field { conductor, degree, relation })
+            Arc::new(Field { conductor, degree, relation, reduced: OnceLock::new() })
         });
         Arc::clone(field)
     }
