@@ -6,8 +6,8 @@ use crate::scheme::{Representatives, Ring};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The most work of the powers of a ring: r·p·(c−1)·s, when r rows are multiplied c − 1
-/// times by a matrix of p weights other than 0, and the product of one with itself has up
-/// to s bits, as [`product_size`](Value::product_size) counts them.
+/// times by a matrix of p weights other than 0, and a product costs up to s, as
+/// [`row_product_size`](Value::row_product_size) counts.
 pub const MAX_RING_WORK: u64 = 1 << 32;
 
 /// The powers of a ring are beyond [`MAX_RING_WORK`].
@@ -32,10 +32,11 @@ impl RingWork {
     /// # Errors
     /// When they are more work than [`MAX_RING_WORK`].
     pub fn check<S: Value>(ring: &Ring<S>, rows: usize, levels: u32) -> Result<(), RingWork> {
-        let bits = ring.weights().values().iter().map(|weight| weight.product_size(weight)).max();
+        let weights = ring.weights().values().iter();
+        let size = weights.map(|weight| weight.row_product_size(levels)).max();
         let work = ((rows * ring.product_count()) as u64)
             .saturating_mul(u64::from(levels.saturating_sub(1)))
-            .saturating_mul(bits.unwrap_or(1));
+            .saturating_mul(size.unwrap_or(1));
         if work <= MAX_RING_WORK {
             return Ok(());
         }

@@ -1,6 +1,6 @@
 //! ‖w‖_*: the norm of a functional on rings whose differences along edges are bounded.
 
-use crate::exact::Real;
+use crate::exact::{Rational, Real};
 use std::cmp::Ordering;
 use std::collections::VecDeque;
 
@@ -75,7 +75,13 @@ pub fn transport_at_costs<S: Real + Ord>(
     edges: &[(usize, usize)],
     costs: &[u32],
 ) -> Option<Transport<S>> {
-    let mut network = Network::new(w, edges, costs);
+    // Without denominators, which the flow would have in all of its steps.
+    let scale = Rational::from(S::common_denominator(w));
+    let scaled = |w: &[S], by: &Rational| -> Vec<S> {
+        let by = S::from_rational(by);
+        w.iter().map(|w| w.times(&by)).collect()
+    };
+    let mut network = Network::new(&scaled(w, &scale), edges, costs);
     while network.unbalanced() {
         let sources = (0..w.len()).filter(|&a| network.excess_sign[a] == Ordering::Greater);
         let paths = network.shortest_paths(sources);
@@ -90,7 +96,9 @@ pub fn transport_at_costs<S: Real + Ord>(
     let heights = distances.into_iter().map(|d| d.map_or(0, |(cost, _)| -cost)).collect();
     let cost = |(f, cost): (&S, &u32)| f.magnitude().times(&S::from_rational(&(*cost).into()));
     let costs: Vec<S> = network.flow.iter().zip(costs).map(cost).collect();
-    Some(Transport { value: S::total(&costs), flow: network.flow, heights })
+    let back = scale.recip();
+    let value = S::total(&costs).times(&S::from_rational(&back));
+    Some(Transport { value, flow: scaled(&network.flow, &back), heights })
 }
 
 /// A step along an edge.
@@ -185,11 +193,15 @@ impl<S: Real + Ord> Network<S> {
         let zero = S::zero();
         for step in path {
             let flow = &mut self.flow[step.edge];
-            *flow = if step.direction > 0 { flow.plus(&amount) } else { flow.minus(&amount) };
+            if step.direction > 0 {
+                flow.accumulate(&amount);
+            } else {
+                flow.lessen(&amount);
+            }
             self.flow_sign[step.edge] = (*flow).cmp(&zero) as i8;
         }
-        self.excess[*source] = self.excess[*source].minus(&amount);
-        self.excess[sink] = self.excess[sink].plus(&amount);
+        self.excess[*source].lessen(&amount);
+        self.excess[sink].accumulate(&amount);
         for end in [*source, sink] {
             self.excess_sign[end] = self.excess[end].cmp(&zero);
         }

@@ -1,6 +1,6 @@
 //! What the algorithms ask of a number type, so that each is written once.
 
-use super::{Matrix, Polynomial, Rational};
+use super::{Integer, Matrix, Polynomial, Rational};
 use std::cmp::Ordering;
 
 /// A commutative ring that contains the rationals: exact numbers, polynomials,
@@ -18,9 +18,20 @@ pub trait Scalar: Clone {
     /// self − other.
     #[must_use]
     fn minus(&self, other: &Self) -> Self;
+    /// self becomes self − other.
+    fn lessen(&mut self, other: &Self) {
+        *self = self.minus(other);
+    }
     /// self · other.
     #[must_use]
     fn times(&self, other: &Self) -> Self;
+
+    /// Some q > 0 such that sums of multiples of these by q need no common denominators;
+    /// 1 where there is nothing to gain.
+    #[must_use]
+    fn common_denominator(_: &[Self]) -> Integer {
+        Integer::one()
+    }
 
     /// 0.
     #[must_use]
@@ -97,6 +108,9 @@ impl Scalar for Rational {
     }
     fn times(&self, other: &Self) -> Self {
         self * other
+    }
+    fn common_denominator(values: &[Self]) -> Integer {
+        values.iter().fold(Integer::one(), |lcm, value| lcm.lcm(&value.denominator()))
     }
 }
 

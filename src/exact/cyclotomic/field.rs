@@ -65,6 +65,8 @@ pub(super) struct Field {
     degree: usize,
     /// The (k, a_k) with a_k ≠ 0 and k < m in Ψ_n = C_m + Σ a_k C_k.
     relation: Vec<(usize, i64)>,
+    /// [`Field::words`], once they are wanted.
+    words: OnceLock<Vec<i128>>,
     /// [`Field::reduced_cosines`], once they are wanted.
     pub(super) reduced: OnceLock<Vec<Vec<(usize, i64)>>>,
 }
@@ -101,7 +103,8 @@ impl Field {
             coefficients.pop();
             let degree = coefficients.len();
             let relation = coefficients.into_iter().enumerate().filter(|(_, a)| *a != 0).collect();
-            Arc::new(Field { conductor, degree, relation, reduced: OnceLock::new() })
+            let (words, reduced) = (OnceLock::new(), OnceLock::new());
+            Arc::new(Field { conductor, degree, relation, words, reduced })
         });
         Arc::clone(field)
     }
@@ -131,6 +134,14 @@ impl Field {
         }
         let table = Arc::new(cosines(self.conductor, self.degree, Field::bits(level)));
         Arc::clone(lock(&TABLES).entry(key).or_insert(table))
+    }
+
+    /// [`table`](Self::table) of level 0: none is above 2^65.
+    pub(super) fn words(&self) -> &[i128] {
+        self.words.get_or_init(|| {
+            let word = |cosine: &Integer| cosine.to_i128().expect("at most 2·2^64");
+            self.table(0).iter().map(word).collect()
+        })
     }
 
     /// The index in 0, …, ⌊n/2⌋ of the same cosine as k.

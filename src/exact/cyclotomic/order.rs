@@ -21,8 +21,29 @@ impl Element {
         (sum, error)
     }
 
+    /// [`fixed`](Self::fixed) of level 0, where Σ |a_k| < 2^61: in machine words, as no
+    /// cosine is above 2^65 and no sum above 2^126.
+    fn fixed_words(&self) -> Option<(i128, i128)> {
+        let table = self.field.words();
+        let first = i128::from(self.numerators[0].to_i64()?);
+        let (mut sum, mut error) = (first << Field::bits(0), 0);
+        let mut size = first.abs();
+        for (numerator, cosine) in self.numerators[1..].iter().zip(&table[1..]) {
+            let numerator = i128::from(numerator.to_i64()?);
+            sum = numerator.wrapping_mul(*cosine).wrapping_add(sum);
+            error += numerator.abs();
+        }
+        size += error;
+        (size < 1 << 61).then_some((sum, error))
+    }
+
     /// The sign at this precision, if that decides it.
     fn sign_at(&self, level: u32) -> Option<i8> {
+        if level == 0
+            && let Some((sum, error)) = self.fixed_words()
+        {
+            return (sum.abs() > error).then(|| if sum < 0 { -1 } else { 1 });
+        }
         let (sum, error) = self.fixed(level);
         (sum.abs() > error).then(|| sum.sign())
     }
@@ -66,6 +87,17 @@ impl RealCyclotomic {
         }
     }
 
+    /// The order of irrational numbers over one denominator, where the first enclosures in
+    /// words decide it.
+    fn compare_words(&self, other: &RealCyclotomic) -> Option<Ordering> {
+        let (Form::Irrational(a), Form::Irrational(b)) = (&self.0, &other.0) else { return None };
+        if a.denominator != b.denominator {
+            return None;
+        }
+        let ((s, e), (t, f)) = (a.fixed_words()?, b.fixed_words()?);
+        (s.abs_diff(t) > (e + f).unsigned_abs()).then(|| s.cmp(&t))
+    }
+
     /// ⌊self⌋.
     #[must_use]
     pub fn floor(&self) -> Integer {
@@ -99,6 +131,12 @@ impl Ord for RealCyclotomic {
     fn cmp(&self, other: &RealCyclotomic) -> Ordering {
         if let (Form::Rational(a), Form::Rational(b)) = (&self.0, &other.0) {
             return a.cmp(b);
+        }
+        if matches!(&other.0, Form::Rational(value) if value.is_zero()) {
+            return self.sign().cmp(&0);
+        }
+        if let Some(order) = self.compare_words(other) {
+            return order;
         }
         let (a, e, p) = self.fixed();
         let (b, f, q) = other.fixed();

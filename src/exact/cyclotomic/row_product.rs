@@ -112,10 +112,7 @@ struct Common {
 impl Common {
     /// These numbers, which are in `field`, or rational where there is none.
     fn of(numbers: &[RealCyclotomic], field: Option<&Arc<Field>>) -> Common {
-        let denominator = numbers.iter().fold(Integer::one(), |lcm, number| match &number.0 {
-            Form::Rational(value) => lcm.lcm(&value.denominator()),
-            Form::Irrational(element) => lcm.lcm(&element.denominator),
-        });
+        let denominator = RealCyclotomic::denominator(numbers);
         let terms = |number: &RealCyclotomic| match (&number.0, field) {
             (Form::Irrational(element), Some(field)) => {
                 let scale = denominator.div_floor(&element.denominator);

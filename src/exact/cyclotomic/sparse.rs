@@ -39,39 +39,44 @@ impl Field {
     /// The same number as Σ_k a_k C_k with k = 0, …, ⌊n/2⌋ and few terms, as far as they are
     /// easily found: while some multiple of a C_k, k ≥ m, that takes the last of its
     /// coefficients away leaves fewer terms, it is taken away. So α + βC_k, with up to m
-    /// coefficients in the basis, has two terms again.
+    /// coefficients in the basis, has two terms again. Numbers beyond words stay as they are.
     pub(super) fn sparse(&self, numerators: &[Integer]) -> Vec<(usize, Integer)> {
-        let terms = |rest: &[Integer]| rest.iter().filter(|a| !a.is_zero()).count();
-        let (mut rest, mut found) = (numerators.to_vec(), Vec::new());
-        let mut count = terms(&rest);
-        while count > FEW && self.conductor() <= MAX_SEARCHED {
-            let less = |(k, cosine): &(usize, &Vec<(usize, i64)>)| {
-                let factor = factor(&rest, cosine)?;
-                let gone = cosine.iter().filter(|(i, a)| rest[*i] == &factor * Integer::from(*a));
-                let new = cosine.iter().filter(|(i, _)| rest[*i].is_zero());
-                let left = count + 1 + new.count() - gone.count();
-                (left < count).then_some((left, *k, factor))
-            };
-            let cosines = (self.degree()..).zip(self.reduced_cosines());
-            let Some((_, k, factor)) =
-                cosines.filter_map(|it| less(&it)).min_by_key(|(left, k, _)| (*left, *k))
-            else {
-                break;
-            };
-            for (i, a) in &self.reduced_cosines()[k - self.degree()] {
-                rest[*i] -= &(&factor * Integer::from(*a));
+        let terms = || numerators.iter().enumerate().filter(|(_, a)| !a.is_zero());
+        let words: Option<Vec<i64>> = numerators.iter().map(Integer::to_i64).collect();
+        let (Some(mut rest), true) = (words, terms().count() > FEW) else {
+            return terms().map(|(k, a)| (k, a.clone())).collect();
+        };
+        let mut found = Vec::new();
+        if self.conductor() <= MAX_SEARCHED {
+            while let Some((k, factor)) = self.fewer(&rest) {
+                for (i, a) in &self.reduced_cosines()[k - self.degree()] {
+                    rest[*i] -= factor * a;
+                }
+                found.push((k, factor));
             }
-            found.push((k, factor));
-            count = terms(&rest);
         }
-        let rest = rest.into_iter().enumerate().filter(|(_, a)| !a.is_zero());
-        rest.chain(found).collect()
+        let rest = rest.into_iter().enumerate().filter(|(_, a)| *a != 0);
+        rest.chain(found).map(|(k, a)| (k, Integer::from(a))).collect()
     }
-}
 
-/// What times this cosine has the same last coefficient as the number; unless that is 0.
-fn factor(number: &[Integer], cosine: &[(usize, i64)]) -> Option<Integer> {
-    let (last, a) = cosine.last()?;
-    let (factor, remainder) = number[*last].div_rem_floor(&Integer::from(*a));
-    (!factor.is_zero() && remainder.is_zero()).then_some(factor)
+    /// The k and the factor of C_k that leave the fewest terms, counting their own, if these
+    /// are fewer than there are.
+    fn fewer(&self, number: &[i64]) -> Option<(usize, i64)> {
+        let now = number.iter().filter(|a| **a != 0).count();
+        let after = |(k, cosine): (usize, &Vec<(usize, i64)>)| {
+            let (last, a) = cosine.last()?;
+            let factor = number[*last].checked_div(*a).filter(|factor| *factor != 0)?;
+            let (mut after, mut exact) = (now + 1, true);
+            for (i, a) in cosine {
+                let (before, product) = (number[*i], factor.checked_mul(*a)?);
+                exact &= before.checked_sub(product).is_some();
+                after += usize::from(before == 0);
+                after -= usize::from(before == product);
+            }
+            (exact && after < now).then_some((after, k, factor))
+        };
+        let cosines = (self.degree()..).zip(self.reduced_cosines());
+        let best = cosines.filter_map(after).min_by_key(|(after, ..)| *after);
+        best.map(|(_, k, factor)| (k, factor))
+    }
 }
