@@ -77,6 +77,13 @@ pub trait Real: Scalar {
     #[must_use]
     fn over(&self, other: &Self) -> Self;
 
+    /// Integers of up to some 50 bits, near one multiple of these; `None` where exact
+    /// arithmetic is as quick.
+    #[must_use]
+    fn rounded(_: &[Self]) -> Option<Vec<i64>> {
+        None
+    }
+
     /// Σ |t| over `terms`.
     #[must_use]
     fn sum_of_magnitudes<'a>(terms: impl IntoIterator<Item = &'a Self>) -> Self

@@ -231,4 +231,7 @@ impl Real for RealCyclotomic {
     fn over(&self, other: &Self) -> Self {
         self / other
     }
+    fn rounded(values: &[Self]) -> Option<Vec<i64>> {
+        RealCyclotomic::rounded(values)
+    }
 }

@@ -73,6 +73,22 @@ impl RealCyclotomic {
         }
     }
 
+    /// The numbers without denominators, times one power of 2, to some 50 bits; if there
+    /// are irrational ones among them, and all are made of words.
+    pub(super) fn rounded(values: &[RealCyclotomic]) -> Option<Vec<i64>> {
+        let fixed = |value: &RealCyclotomic| match &value.0 {
+            Form::Rational(value) => Some(i128::from(value.floor().to_i64()?) << Field::bits(0)),
+            Form::Irrational(element) => element.fixed_words().map(|(sum, _)| sum),
+        };
+        if values.iter().all(|value| value.as_rational().is_some()) {
+            return None;
+        }
+        let fixed: Vec<i128> = values.iter().map(fixed).collect::<Option<_>>()?;
+        let most = fixed.iter().map(|value| value.unsigned_abs()).max()?;
+        let excess = (u128::BITS - most.leading_zeros()).saturating_sub(50);
+        fixed.into_iter().map(|value| i64::try_from(value >> excess).ok()).collect()
+    }
+
     /// (s, e, q) with |s − 2^64·q·self| ≤ e.
     fn fixed(&self) -> (Integer, Integer, Integer) {
         match &self.0 {
