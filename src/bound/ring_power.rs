@@ -57,11 +57,11 @@ pub(super) fn rows_of(chosen: &Representatives) -> BTreeSet<usize> {
 }
 
 /// [`PowerRows`] for c = 1, …, `levels`, each from the one before.
-pub(crate) fn power_rows<S: Scalar>(
-    ring: &Ring<S>,
+pub(crate) fn power_rows<'a, S: Scalar>(
+    ring: &'a Ring<S>,
     chosen: &Representatives,
     levels: u32,
-) -> impl Iterator<Item = PowerRows<S>> {
+) -> impl Iterator<Item = PowerRows<S>> + use<'a, S> {
     let first = rows_of(chosen).into_iter().map(|a| (a, ring.weights().row(a).cloned().collect()));
     let first = PowerRows { rows: first.collect() };
     let next = |rows: &PowerRows<S>| {
@@ -72,6 +72,35 @@ pub(crate) fn power_rows<S: Scalar>(
 }
 
 impl<S: Scalar> PowerRows<S> {
+    /// The same for c = 1, …, `levels`, where only the rows of the chosen points are
+    /// multiplied: the others follow by the rotation, which takes a power of M to itself.
+    pub(super) fn turned(
+        ring: &Ring<S>,
+        chosen: &Representatives,
+        levels: u32,
+    ) -> impl Iterator<Item = PowerRows<S>> {
+        let points = Representatives { points: chosen.points.clone(), edges: Vec::new() };
+        let (needed, image) = (rows_of(chosen), ring.rotation());
+        power_rows(ring, &points, levels).map(move |PowerRows { mut rows }| {
+            let Some(image) = &image else { return PowerRows { rows } };
+            for (&first, row) in &rows.clone() {
+                let (mut point, mut row) = (image[first], row.clone());
+                while point != first && !needed.iter().all(|needed| rows.contains_key(needed)) {
+                    let mut next = row.clone();
+                    for (x, &place) in row.into_iter().zip(image) {
+                        next[place] = x;
+                    }
+                    row = next;
+                    if needed.contains(&point) {
+                        rows.insert(point, row.clone());
+                    }
+                    point = image[point];
+                }
+            }
+            PowerRows { rows }
+        })
+    }
+
     /// e_aᵀM^c − e_bᵀM^c of each chosen edge (a, b).
     pub(crate) fn differences(&self, chosen: &Representatives) -> Vec<Vec<S>> {
         let difference = |(a, b): &(usize, usize)| {
