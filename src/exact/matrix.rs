@@ -116,16 +116,6 @@ impl<S> Matrix<S> {
         self.names[a].iter().map(|&name| self.value(name))
     }
 
-    /// How often each value is an entry, in the order of the names.
-    #[must_use]
-    pub fn counts(&self) -> Vec<usize> {
-        let mut counts = vec![0; self.values.len()];
-        for &name in self.names.iter().flatten() {
-            counts[name as usize] += 1;
-        }
-        counts
-    }
-
     /// The matrix of the images of the entries; 0 is to go to 0.
     #[must_use]
     pub fn map<T>(&self, map: impl FnMut(&S) -> T) -> Matrix<T> {

@@ -65,7 +65,10 @@ impl Field {
         let now = number.iter().filter(|a| **a != 0).count();
         let after = |(k, cosine): (usize, &Vec<(usize, i64)>)| {
             let (last, a) = cosine.last()?;
-            let factor = number[*last].checked_div(*a).filter(|factor| *factor != 0)?;
+            let factor = number[*last].checked_div(*a)?;
+            if factor == 0 || factor.checked_mul(*a)? != number[*last] {
+                return None;
+            }
             let (mut after, mut exact) = (now + 1, true);
             for (i, a) in cosine {
                 let (before, product) = (number[*i], factor.checked_mul(*a)?);
