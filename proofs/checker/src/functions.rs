@@ -135,8 +135,8 @@ impl Call<'_> {
             ("ceil", [x]) => whole(&x.negated()?)?.negated(),
             ("mod", [x, m]) => x.minus(&m.times(&whole(&x.over(m)?)?)?),
             ("kronecker", [a, b]) => {
-                let difference = a.minus(b)?.number()?;
-                Ok(Value::int(difference.is_zero().into()))
+                let difference = a.minus(b)?;
+                Ok(Value::int(difference.number()?.is_zero().into()))
             }
             ("binomial", [top, bottom]) => binomial(scope, top, bottom.integer(10_000)?),
             ("levels", [ratio, x]) => self.levels(ratio, x),

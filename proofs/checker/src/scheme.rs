@@ -1,6 +1,6 @@
 //! Schemes: their masks, and the sequences that they give.
 
-use crate::convolution::Product;
+use crate::convolution::Products;
 use crate::evaluate::{MAX_STEPS, Scope};
 use crate::formula::{Expr, MAX_LENGTH, is_name, parse};
 use crate::paper::Definitions;
@@ -54,7 +54,7 @@ pub struct Library<'a> {
     catalogue: &'a [Toml],
     masks: RefCell<BTreeMap<String, Rc<Scheme>>>,
     /// Products of sequences that are known already, by what they are of.
-    pub products: RefCell<BTreeMap<String, Rc<Product>>>,
+    pub products: RefCell<Products>,
     steps: Cell<u64>,
     /// No named formulas.
     pub nothing: Definitions,
@@ -102,9 +102,11 @@ impl<'a> Library<'a> {
         }
     }
 
-    /// Begins another claim.
+    /// Begins another claim, for which nothing is known: what it costs does not depend on others.
     pub fn restart(&self) {
         self.steps.set(0);
+        self.masks.borrow_mut().clear();
+        self.products.borrow_mut().clear();
     }
 
     /// The schemes of a reference such as `six-point:w=w`, one for each factor of a tensor

@@ -34,7 +34,7 @@ const FIELDS: [(&str, &str); 6] = [
 ];
 
 /// What a valid certificate proves of a claim.
-pub enum Verdict<'a> {
+pub enum Verdict {
     /// An identity, a closed form or a range holds.
     Holds,
     /// Something else that needs no other claim.
@@ -44,7 +44,7 @@ pub enum Verdict<'a> {
         /// The statement.
         statement: String,
         /// The ids of the claims.
-        uses: Vec<&'a str>,
+        uses: Vec<String>,
     },
 }
 
@@ -53,9 +53,18 @@ pub fn check<'a>(
     paper: &'a Paper<'a>,
     kind: &str,
     claim: &'a Toml,
-    block: &mut Block<'_>,
-) -> Checked<Verdict<'a>> {
+    mut block: Block<'_>,
+) -> Checked<Verdict> {
     paper.library.restart();
+    judge(paper, kind, claim, &mut block).map_err(|rejection| rejection.at(block.at))
+}
+
+fn judge<'a>(
+    paper: &'a Paper<'a>,
+    kind: &str,
+    claim: &'a Toml,
+    block: &mut Block<'_>,
+) -> Checked<Verdict> {
     // What the claim file says beyond this could change what the claim means.
     let fields = FIELDS.iter().filter(|(of, _)| ["", kind].contains(of));
     let known: Vec<&str> = fields.flat_map(|(_, fields)| fields.split(' ')).collect();
