@@ -1,6 +1,6 @@
 //! Products of sequences: t(z)·t(z^n)·t(z^(n²))…
 
-use crate::evaluate::Scope;
+use crate::evaluate::{MAX_INTEGER, Scope};
 use crate::number::Number;
 use crate::reject::Stop;
 use crate::scheme::{Library, Scheme};
@@ -17,6 +17,9 @@ const MAX_PRODUCTS: usize = 1_000;
 
 /// Products by how they are made: the convolution, its length and the sequence.
 pub type Products = HashMap<(Convolution, usize, Vec<Value>), Rc<Product>>;
+
+/// A constant: the rules, whether they are read forwards, and the level.
+pub type Large = (Vec<Vec<Value>>, bool, u32);
 
 /// E^c of a sequence.
 pub struct Product {
@@ -196,4 +199,17 @@ pub fn classes(
     // Where f is beyond all coefficients, those of its class are the E^c_{l,f}.
     let beyond = product.coefficients.len().next_multiple_of(product.classes);
     product.sums(scope, beyond, beyond + product.classes - 1)
+}
+
+/// The greatest of these sums, if it is one that a line `constant` has shown.
+pub fn large(
+    scope: &Scope<'_>,
+    scheme: &Scheme,
+    of: &str,
+    forward: bool,
+    c: &Value,
+) -> Option<Value> {
+    let rules = if of == "a" { &scheme.mask } else { &scheme.difference };
+    let c = u32::try_from(c.integer(MAX_INTEGER).ok()?).ok()?;
+    scope.library.large.borrow().get(&(rules.clone(), forward, c)).cloned()
 }

@@ -19,6 +19,7 @@ mod linear;
 mod number;
 mod paper;
 mod polynomial;
+mod powers;
 mod reading;
 mod reject;
 mod ring;

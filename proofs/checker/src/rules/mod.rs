@@ -2,6 +2,7 @@
 
 mod attained;
 mod cell;
+mod constant;
 mod equation;
 mod family;
 mod function;
@@ -71,6 +72,9 @@ fn judge<'a>(
     let mut fields = claim.as_table().iter().map(|(field, _)| field);
     if let Some(field) = fields.find(|field| !known.contains(&field.as_str())) {
         return Err(Reason::Field(field.clone()).into());
+    }
+    while let Some(said) = block.maybe("constant") {
+        constant::check(paper, said, block)?;
     }
     let mut verdict = Verdict::Other;
     match kind {
