@@ -79,22 +79,23 @@ impl<S: Scalar> PowerRows<S> {
         chosen: &Representatives,
         levels: u32,
     ) -> impl Iterator<Item = PowerRows<S>> {
-        let points = Representatives { points: chosen.points.clone(), edges: Vec::new() };
         let (needed, image) = (rows_of(chosen), ring.rotation());
+        let chosen = chosen.points.clone();
+        let points = Representatives { points: chosen.clone(), edges: Vec::new() };
         power_rows(ring, &points, levels).map(move |PowerRows { mut rows }| {
             let Some(image) = &image else { return PowerRows { rows } };
-            for (&first, row) in &rows.clone() {
-                let (mut point, mut row) = (image[first], row.clone());
-                while point != first && !needed.iter().all(|needed| rows.contains_key(needed)) {
-                    let mut next = row.clone();
-                    for (x, &place) in row.into_iter().zip(image) {
-                        next[place] = x;
-                    }
-                    row = next;
+            for &first in &chosen {
+                let (mut point, mut places) = (image[first], image.clone());
+                while point != first && rows.len() < needed.len() {
                     if needed.contains(&point) {
-                        rows.insert(point, row.clone());
+                        let mut turned: Vec<&S> = rows[&first].iter().collect();
+                        for (x, &place) in rows[&first].iter().zip(&places) {
+                            turned[place] = x;
+                        }
+                        rows.insert(point, turned.into_iter().cloned().collect());
                     }
                     point = image[point];
+                    places.iter_mut().for_each(|place| *place = image[*place]);
                 }
             }
             PowerRows { rows }

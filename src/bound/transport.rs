@@ -166,14 +166,17 @@ impl<S: Real + Ord> Network<S> {
         Network { flow, flow_sign, ..network }
     }
 
-    /// The norm, for a flow of least cost. The heights do not depend on which it is: they
-    /// are the greatest with these differences, up to a constant.
+    /// The norm, for a flow of least cost. The heights do not depend on which it is
+    /// (`proofs/THEOREMS.md`, 24).
     pub(super) fn found(self, costs: &[u32]) -> Transport<S> {
         // From everywhere at once: d_b ≤ d_a + c along every edge, and d_b = d_a + c where
         // flow runs from a to b, since the residual network has no negative cycle.
         let distances = self.shortest_paths(0..self.excess.len()).length;
         let heights = distances.into_iter().map(|d| d.map_or(0, |(cost, _)| -cost)).collect();
-        let cost = |(f, cost): (&S, &u32)| f.magnitude().times(&S::from_rational(&(*cost).into()));
+        let cost = |(f, cost): (&S, &u32)| match cost {
+            1 => f.magnitude(),
+            _ => f.magnitude().times(&S::from_rational(&(*cost).into())),
+        };
         let costs: Vec<S> = self.flow.iter().zip(costs).map(cost).collect();
         Transport { value: S::total(&costs), flow: self.flow, heights }
     }

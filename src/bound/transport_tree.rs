@@ -12,6 +12,8 @@ use std::cmp::Reverse;
 /// They are proved by a flow that carries w along edges with |P_a − P_b| = c_e, downwards
 /// (complementary slackness): along a spanning forest of these edges, where it is unique,
 /// preferring those with much flow in the rounded problem.
+///
+/// Source: `proofs/THEOREMS.md`, 24.
 pub(super) fn by_rounding<S: Real + Ord>(
     w: &[S],
     edges: &[(usize, usize)],

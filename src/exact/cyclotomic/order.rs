@@ -28,7 +28,8 @@ impl Element {
         let first = i128::from(self.numerators[0].to_i64()?);
         let (mut sum, mut error) = (first << Field::bits(0), 0);
         let mut size = first.abs();
-        for (numerator, cosine) in self.numerators[1..].iter().zip(&table[1..]) {
+        let terms = self.numerators[1..].iter().zip(&table[1..]);
+        for (numerator, cosine) in terms.filter(|(numerator, _)| !numerator.is_zero()) {
             let numerator = i128::from(numerator.to_i64()?);
             sum = numerator.wrapping_mul(*cosine).wrapping_add(sum);
             error += numerator.abs();
