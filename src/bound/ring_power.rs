@@ -95,7 +95,9 @@ impl<S: Scalar> PowerRows<S> {
                         rows.insert(point, turned.into_iter().cloned().collect());
                     }
                     point = image[point];
-                    places.iter_mut().for_each(|place| *place = image[*place]);
+                    for place in &mut places {
+                        *place = image[*place];
+                    }
                 }
             }
             PowerRows { rows }

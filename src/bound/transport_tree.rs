@@ -57,7 +57,9 @@ impl Forest<'_> {
             let (a, b) = edges[e];
             let (old, new) = (tree[a], tree[b]);
             if old != new {
-                tree.iter_mut().filter(|t| **t == old).for_each(|t| *t = new);
+                for root in tree.iter_mut().filter(|root| **root == old) {
+                    *root = new;
+                }
                 forest.at[a].push(e);
                 forest.at[b].push(e);
             }
@@ -73,7 +75,12 @@ impl Forest<'_> {
         for (point, above) in self.rooted().into_iter().rev() {
             let out = std::mem::replace(&mut carried[point], zero.clone());
             let sign = out.cmp(&zero) as i64;
-            let Some(e) = above else { if sign == 0 { continue } else { return None } };
+            let Some(e) = above else {
+                if sign != 0 {
+                    return None;
+                }
+                continue;
+            };
             let (a, b) = self.edges[e];
             let next = a + b - point;
             if sign * (heights[point] - heights[next]) < 0 {

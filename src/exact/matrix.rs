@@ -112,6 +112,7 @@ impl<S> Matrix<S> {
     ///
     /// # Panics
     /// When there is no such row.
+    #[must_use]
     pub fn row(&self, a: usize) -> impl ExactSizeIterator<Item = &S> + Clone {
         self.names[a].iter().map(|&name| self.value(name))
     }

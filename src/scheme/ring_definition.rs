@@ -58,12 +58,11 @@ struct Block<'a> {
 
 impl<'a> Block<'a> {
     fn new(
-        formula: &'a Option<LocatedFormula>,
+        formula: Option<&'a LocatedFormula>,
         pair: &mut IndexPair<'a>,
         new: &Orbit,
         old: &Orbit,
     ) -> Block<'a> {
-        let formula = formula.as_ref();
         let dependence = formula.map_or(Dependence::Neither, |f| pair.dependence(&f.expr));
         let places = match dependence {
             Dependence::Neither => 1,
@@ -148,8 +147,9 @@ impl SchemeDefinition {
         let (mut values, mut rows) = (vec![V::zero()], Vec::new());
         for (new, formulas) in orbits.iter().zip(&formulas.weights) {
             let blocks = orbits.iter().zip(formulas);
-            let mut blocks: Vec<Block> =
-                blocks.map(|(old, formula)| Block::new(formula, &mut pair, new, old)).collect();
+            let mut blocks: Vec<Block> = blocks
+                .map(|(old, formula)| Block::new(formula.as_ref(), &mut pair, new, old))
+                .collect();
             for i in 0..new.count {
                 let mut row = Vec::new();
                 for block in &mut blocks {

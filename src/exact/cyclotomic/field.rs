@@ -5,7 +5,7 @@ use super::number::angle;
 use super::symmetric::{cyclotomic, prime_divisors, product};
 use crate::exact::{Integer, Rational};
 use std::collections::BTreeMap;
-use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// The largest conductor n of a field Q(2cos(2π/n)) that is computed in.
 pub const MAX_CONDUCTOR: u32 = 10_000;
@@ -67,14 +67,15 @@ pub(super) struct Field {
     /// a_k ≠ 0 and k < h: Φ_d(x^{n/d}), which Φ_n divides, for products d of the first
     /// primes in n, with 4 for 2. The fewer primes, the fewer terms; the last is Φ_n.
     relations: Vec<Relation>,
-    /// [`Field::words`], once they are wanted.
-    words: OnceLock<Vec<i128>>,
-    /// [`Field::reduced_cosines`], once they are wanted.
-    pub(super) reduced: OnceLock<Vec<Vec<(usize, i64)>>>,
+    /// The integers within 1 of 2^64·C_k, k = 0, …, m − 1: none is above 2^65.
+    words: Vec<i128>,
 }
 
+/// The (k, a_k) of a sum.
+pub(super) type Terms = Vec<(usize, i64)>;
+
 /// h and the (k, a_k).
-type Relation = (usize, Vec<(usize, i64)>);
+type Relation = (usize, Terms);
 
 /// The fields used so far, by conductor.
 static FIELDS: Mutex<BTreeMap<usize, Arc<Field>>> = Mutex::new(BTreeMap::new());
@@ -84,6 +85,9 @@ type Table = Arc<Vec<Integer>>;
 
 /// The tables used so far, by conductor and level.
 static TABLES: Mutex<BTreeMap<(usize, u32), Table>> = Mutex::new(BTreeMap::new());
+
+/// The sums of [`Field::reduced`] so far, by conductor.
+static REDUCED: Mutex<BTreeMap<usize, Arc<Vec<Terms>>>> = Mutex::new(BTreeMap::new());
 
 /// The data behind these locks is only ever added to, and so never left broken.
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
@@ -110,8 +114,8 @@ impl Field {
             });
             let relations: Vec<Relation> = divisors.map(|d| relation(conductor, d)).collect();
             let degree = relations.last().map_or(0, |(degree, _)| *degree);
-            let (words, reduced) = (OnceLock::new(), OnceLock::new());
-            Arc::new(Field { conductor, degree, relations, words, reduced })
+            let words = cosines(conductor, degree, Field::bits(0)).iter().map(word).collect();
+            Arc::new(Field { conductor, degree, relations, words })
         });
         Arc::clone(field)
     }
@@ -144,12 +148,19 @@ impl Field {
         Arc::clone(lock(&TABLES).entry(key).or_insert(table))
     }
 
-    /// [`table`](Self::table) of level 0: none is above 2^65.
+    /// [`table`](Self::table) of level 0.
     pub(super) fn words(&self) -> &[i128] {
-        self.words.get_or_init(|| {
-            let word = |cosine: &Integer| cosine.to_i128().expect("at most 2·2^64");
-            self.table(0).iter().map(word).collect()
-        })
+        &self.words
+    }
+
+    /// What [`Field::find_reduced`](Self::find_reduced) finds, found once for the whole
+    /// program.
+    pub(super) fn reduced(&self) -> Arc<Vec<Terms>> {
+        if let Some(found) = lock(&REDUCED).get(&self.conductor) {
+            return Arc::clone(found);
+        }
+        let found = Arc::new(self.find_reduced());
+        Arc::clone(lock(&REDUCED).entry(self.conductor).or_insert(found))
     }
 
     /// The index in 0, …, ⌊n/2⌋ of the same cosine as k.
@@ -225,6 +236,10 @@ fn relation(n: usize, d: usize) -> Relation {
     let degree = coefficients.len() * (n / d);
     let terms = coefficients.into_iter().enumerate().filter(|(_, a)| *a != 0);
     (degree, terms.map(|(k, a)| (k * (n / d), a)).collect())
+}
+
+fn word(cosine: &Integer) -> i128 {
+    cosine.to_i128().expect("at most 2·2^64 + 1")
 }
 
 /// target −= factor·times.

@@ -43,7 +43,7 @@ impl Element {
         if level == 0
             && let Some((sum, error)) = self.fixed_words()
         {
-            return (sum.abs() > error).then(|| if sum < 0 { -1 } else { 1 });
+            return (sum.abs() > error).then_some(if sum < 0 { -1 } else { 1 });
         }
         let (sum, error) = self.fixed(level);
         (sum.abs() > error).then(|| sum.sign())

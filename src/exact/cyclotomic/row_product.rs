@@ -66,7 +66,7 @@ pub(super) fn left_product(
     let (w, values) = (Common::of(w, field.as_ref()), Common::of(matrix.values(), field.as_ref()));
     let result = Finish { field, denominator: &w.denominator * &values.denominator };
     // A product is added at two places: no sum is above twice the bound.
-    let most = values.terms.iter().map(|x| magnitude(x)).max().unwrap_or_else(Integer::zero);
+    let most = values.terms.iter().map(magnitude).max().unwrap_or_else(Integer::zero);
     let bound: Integer = w.terms.iter().map(|x| magnitude(x) * &most).sum();
     match (w.words(), values.words()) {
         (Some(w), Some(values)) if bound.bits() < 126 => {
