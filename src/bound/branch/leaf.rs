@@ -1,7 +1,8 @@
 //! The tree of a search, as data that another program can follow.
 
-use super::descent::Search;
+use super::descent::{Descent, Space, product};
 use super::number::Number;
+use super::sweep::Search;
 use super::uniform::UniformBound;
 use crate::exact::{Integer, Rational};
 
@@ -45,36 +46,51 @@ pub struct SearchTree {
     pub leaves: Vec<Leaf>,
 }
 
-impl<T: Number> Search<'_, T, 1> {
+impl<T: Number, const K: usize> Search<'_, T, K> {
     /// A cover of all rows that shows the greatest one: each leaf is a row, or bounded by its
     /// own rows.
-    pub(super) fn leaves(mut self, greatest: &Integer) -> Option<Vec<Leaf>> {
-        let arity = self.problem.operators[0].arity;
-        let limit = T::from_integer(greatest).product(&self.fraction);
+    pub(super) fn leaves(self, greatest: &Integer) -> Option<Vec<Leaf>> {
+        let Search { descent, mut spaces, work, .. } = self;
+        let arity = descent.problem.operators[0].arity;
+        let limit = descent.limit(&T::from_integer(greatest));
         let mut leaves = Vec::new();
-        let mut stack = vec![(0, Integer::zero(), self.trees[0].root())];
+        let mut stack = vec![(0, Integer::zero(), descent.root().rows)];
         while let Some((level, index, rows)) = stack.pop() {
-            let left = (self.problem.levels - level) as usize;
-            let closed = if left == 0 {
-                Some(Closed::Row)
-            } else if level == 0 {
-                None
-            } else if self.line(0, &rows, left).is_some_and(|bound| bound <= limit) {
-                Some(Closed::Line)
-            } else {
-                (self.largest(0, &rows, left) <= limit).then_some(Closed::Largest)
+            let left = descent.problem.levels - level;
+            let closed = match (level, left) {
+                (_, 0) => Some(Closed::Row),
+                (0, _) => None,
+                _ => descent.closed(&mut spaces[0], &rows, left as usize, &limit),
             };
             if let Some(closed) = closed {
                 leaves.push(Leaf { level, index, closed });
                 continue;
             }
             for digit in (0..arity).rev() {
-                self.spend()?;
-                let mut part = self.trees[0].root();
-                self.trees[0].part(digit, &rows, &mut part);
+                *work = work.checked_sub(descent.cost)?;
+                let mut part = descent.root().rows;
+                descent.part(digit, &rows, &mut part);
                 stack.push((level + 1, &index * Integer::from(arity) + Integer::from(digit), part));
             }
         }
         Some(leaves)
+    }
+}
+
+impl<T: Number, const K: usize> Descent<'_, T, K> {
+    /// What shows that the rows below a node are not above the limit.
+    fn closed(
+        &self,
+        space: &mut Space<T, K>,
+        rows: &[Vec<T>; K],
+        left: usize,
+        limit: &T,
+    ) -> Option<Closed> {
+        let mut bounds = self.largest(rows, left);
+        let lines = self.lines(space, rows, left, &mut bounds);
+        if lines.is_some_and(|lines| lines.bound <= *limit) {
+            return Some(Closed::Line);
+        }
+        (product(&bounds) <= *limit).then_some(Closed::Largest)
     }
 }

@@ -15,6 +15,7 @@ mod number;
 mod reach;
 mod scaled;
 mod search;
+mod sweep;
 mod tree;
 mod uniform;
 mod wide;
@@ -25,8 +26,7 @@ use crate::scheme::Rules;
 use growth::Growth;
 pub use leaf::{Closed, Leaf, SearchTree};
 use scaled::Scaled;
-use search::{Greatest, Problem};
-use std::cell::Cell;
+use search::{Greatest, Problem, threads};
 pub use uniform::UniformBound;
 
 /// The greatest number of levels of a search.
@@ -105,13 +105,13 @@ impl PowerSearch {
     /// may be larger than the tree of the search.
     pub fn tree(&mut self, levels: u32) -> Option<SearchTree> {
         found(&mut self.growth, levels)?;
-        self.growth.tree(levels, &Cell::new(MAX_WORK))
+        self.growth.tree(levels, &mut MAX_WORK.clone())
     }
 }
 
 fn found(growth: &mut Growth, levels: u32) -> Option<Searched> {
-    let work = Cell::new(MAX_WORK);
-    let found = (levels <= MAX_LEVELS).then(|| growth.greatest(levels, &work))??;
+    let mut work = MAX_WORK;
+    let found = (levels <= MAX_LEVELS).then(|| growth.greatest(levels, &mut work))??;
     Some(unscaled([growth.operator()], levels, found))
 }
 
@@ -124,14 +124,14 @@ pub(super) fn joint(rules: [&Rules; 2], levels: u32) -> Result<PowerNorm, ClassC
 
 /// The same by branch and bound.
 fn search_joint(rules: [&Rules; 2], levels: u32) -> Option<Searched> {
+    let mut work = MAX_WORK;
     let mut growths = (levels <= MAX_LEVELS).then(|| Growth::of(rules))?;
-    let work = &Cell::new(MAX_WORK);
     for growth in &mut growths {
-        growth.prepare(levels, work)?;
+        growth.prepare(levels, &mut work)?;
     }
     let operators = growths.each_ref().map(Growth::operator);
     let reach = growths.each_ref().map(Growth::reach);
-    let found = Problem { operators, reach, levels, work }.greatest()?;
+    let found = Problem { operators, reach, levels, threads: threads() }.greatest(&mut work)?;
     Some(unscaled(operators, levels, found))
 }
 
