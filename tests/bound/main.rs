@@ -11,6 +11,7 @@ mod displacement;
 mod norm;
 mod parameter_range;
 mod ring;
+mod search_tree;
 mod sound;
 mod surface;
 mod transport;

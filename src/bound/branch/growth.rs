@@ -1,6 +1,6 @@
 //! ‖E^m‖ for every m, as far as a search needs it.
 
-use super::leaf::SearchTree;
+use super::leaf::{SearchTree, SearchedOperator};
 use super::reach::{Moments, place, rounded_up};
 use super::scaled::Scaled;
 use super::search::{Greatest, Problem, Reach, threads};
@@ -74,19 +74,20 @@ impl Growth {
     pub(super) fn tree(&mut self, levels: u32, work: &mut u64) -> Option<SearchTree> {
         let greatest = self.greatest(levels, work)?;
         let leaves = self.problem(levels, 1).leaves(&greatest, work)?;
-        let scale = |m: u32| self.operator.denominator.pow(m);
+        Some(SearchTree::new([self], levels, greatest, leaves))
+    }
+
+    /// What bounds of the c-th power rest on.
+    pub(super) fn operand(&self, levels: u32) -> SearchedOperator {
         let total = |(m, reach): (u32, &Reach)| {
-            Rational::new(reach.total.clone(), scale(m) * &self.operator.fraction)
+            let scale = self.operator.denominator.pow(m) * &self.operator.fraction;
+            Rational::new(reach.total.clone(), scale)
         };
-        Some(SearchTree {
-            // Of R with all its columns.
-            offset: self.operator.offset - i64::try_from(self.operator.skipped).ok()?,
+        SearchedOperator {
             factor: self.operator.factor.clone(),
-            norm: Rational::new(greatest.value, scale(levels)),
             totals: (0..levels).zip(&self.reach).map(total).collect(),
             uniform: self.uniform.clone(),
-            leaves,
-        })
+        }
     }
 
     /// Bounds of ‖E^m‖ for all m < c: exact ones for m up to [`FIRST`], and for all m where there

@@ -1,7 +1,9 @@
 //! The tree of a search, as data that another program can follow.
 
 use super::descent::{Descent, Space, product};
+use super::growth::Growth;
 use super::number::Number;
+use super::search::Greatest;
 use super::sweep::Search;
 use super::uniform::UniformBound;
 use crate::exact::{Integer, Rational};
@@ -11,9 +13,11 @@ use crate::exact::{Integer, Rational};
 pub enum Closed {
     /// It is a row of R^c itself.
     Row,
-    /// By the line through two of its rows: `proofs/THEOREMS.md`, 62.
+    /// By the line through two of its rows: `proofs/THEOREMS.md`, 62; a product by both
+    /// lines: 65.
     Line,
-    /// By ‖E^m‖ times the largest of its rows: `proofs/THEOREMS.md`, 60.
+    /// By ‖E^m‖ times the largest of its rows: `proofs/THEOREMS.md`, 60; a product by the least
+    /// bound of 60 and 62 of each operator.
     Largest,
 }
 
@@ -29,21 +33,49 @@ pub struct Leaf {
     pub closed: Closed,
 }
 
-/// Leaves that cover all rows of E^c = R^c/s^c, and what their bounds rest on.
+/// Leaves that cover all rows of E^c = R^c/s^c, of one operator or of two, and what their bounds
+/// rest on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SearchTree {
     /// The index offset o that the leaves are counted at.
     pub offset: i64,
+    /// ‖E^c‖; of two operators, the greatest product of the norms of their rows of one index.
+    pub norm: Rational,
+    /// One or two.
+    pub operators: Vec<SearchedOperator>,
+    /// In the order of their indices.
+    pub leaves: Vec<Leaf>,
+}
+
+/// What the bounds of a tree rest on, for one operator.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SearchedOperator {
     /// s.
     pub factor: Rational,
-    /// ‖E^c‖.
-    pub norm: Rational,
     /// Upper bounds of ‖E^m‖ for m = 0, …, c − 1.
     pub totals: Vec<Rational>,
     /// A bound of all ‖E^m‖, if one was used; totals that differ from it are norms.
     pub uniform: Option<UniformBound>,
-    /// In the order of their indices.
-    pub leaves: Vec<Leaf>,
+}
+
+impl SearchTree {
+    pub(super) fn new<const K: usize>(
+        growths: [&Growth; K],
+        levels: u32,
+        greatest: Greatest,
+        leaves: Vec<Leaf>,
+    ) -> SearchTree {
+        let operators = growths.map(Growth::operator);
+        let denominators = operators.iter().map(|operator| &operator.denominator);
+        let scale = denominators.fold(Integer::one(), |product, q| product * q);
+        SearchTree {
+            // Of R with all its columns.
+            offset: operators[0].offset - i64::try_from(operators[0].skipped).expect("few columns"),
+            norm: Rational::new(greatest.value, scale.pow(levels)),
+            operators: growths.map(|growth| growth.operand(levels)).into(),
+            leaves,
+        }
+    }
 }
 
 impl<T: Number, const K: usize> Search<'_, T, K> {

@@ -10,6 +10,7 @@
 mod descent;
 mod estimate;
 mod growth;
+mod joint;
 mod leaf;
 mod number;
 mod reach;
@@ -20,13 +21,14 @@ mod tree;
 mod uniform;
 mod wide;
 
-use super::contraction::{ClassCap, Order, PowerNorm, oriented, walked_joint_norm, walked_norm};
+use super::contraction::{ClassCap, Order, PowerNorm, oriented, walked_norm};
 use crate::exact::Rational;
 use crate::scheme::Rules;
 use growth::Growth;
-pub use leaf::{Closed, Leaf, SearchTree};
+pub use joint::JointSearch;
+pub use leaf::{Closed, Leaf, SearchTree, SearchedOperator};
 use scaled::Scaled;
-use search::{Greatest, Problem, threads};
+use search::Greatest;
 pub use uniform::UniformBound;
 
 /// The greatest number of levels of a search.
@@ -100,7 +102,7 @@ impl PowerSearch {
         found(&mut self.growth, levels)
     }
 
-    /// A tree of bounds that shows ‖R^c‖, and what they rest on; `None` as for
+    /// A tree of bounds that shows ‖E^c‖, and what they rest on; `None` as for
     /// [`search`](PowerSearch::search). Its nodes are bounded each by its own rows, so that it
     /// may be larger than the tree of the search.
     pub fn tree(&mut self, levels: u32) -> Option<SearchTree> {
@@ -113,26 +115,6 @@ fn found(growth: &mut Growth, levels: u32) -> Option<Searched> {
     let mut work = MAX_WORK;
     let found = (levels <= MAX_LEVELS).then(|| growth.greatest(levels, &mut work))??;
     Some(unscaled([growth.operator()], levels, found))
-}
-
-/// ‖R^c‖ for the two operators of one shape and offset, with one supremum of the product over
-/// a common row.
-pub(super) fn joint(rules: [&Rules; 2], levels: u32) -> Result<PowerNorm, ClassCap> {
-    let walk = || walked_joint_norm(rules[0], rules[1], levels, Order::Adjoint);
-    either(rules[0].arity(), levels, walk, || Some(search_joint(rules, levels)?.norm))
-}
-
-/// The same by branch and bound.
-fn search_joint(rules: [&Rules; 2], levels: u32) -> Option<Searched> {
-    let mut work = MAX_WORK;
-    let mut growths = (levels <= MAX_LEVELS).then(|| Growth::of(rules))?;
-    for growth in &mut growths {
-        growth.prepare(levels, &mut work)?;
-    }
-    let operators = growths.each_ref().map(Growth::operator);
-    let reach = growths.each_ref().map(Growth::reach);
-    let found = Problem { operators, reach, levels, threads: threads() }.greatest(&mut work)?;
-    Some(unscaled(operators, levels, found))
 }
 
 /// By visiting every class if there are few; else by the search, or if it does not end, by

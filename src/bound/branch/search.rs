@@ -89,9 +89,7 @@ impl<const K: usize> Problem<'_, K> {
         });
         values.sum::<u64>().max(classes)
     }
-}
 
-impl Problem<'_, 1> {
     /// The leaves of a tree that shows that no row is greater than this one, in the order of
     /// their indices.
     pub(super) fn leaves(&self, greatest: &Greatest, work: &mut u64) -> Option<Vec<Leaf>> {
@@ -116,9 +114,9 @@ impl<const K: usize> Run<K> for GreatestRow {
 
 struct Leaves<'a>(&'a Integer);
 
-impl Run<1> for Leaves<'_> {
+impl<const K: usize> Run<K> for Leaves<'_> {
     type Output = Vec<Leaf>;
-    fn run<T: Number>(self, search: Search<'_, T, 1>) -> Option<Vec<Leaf>> {
+    fn run<T: Number>(self, search: Search<'_, T, K>) -> Option<Vec<Leaf>> {
         search.leaves(self.0)
     }
 }
