@@ -1,7 +1,7 @@
 //! Branch and bound against the walk over all rows.
 
 use super::common::{affine, mask, r, rules};
-use super::search_tree::{power_row, size};
+use super::row_bounds::{power_row, size};
 use proptest::prelude::*;
 use subcert::bound::{
     JointSearch, Order, PowerSearch, joint_norm, power_norm, power_norm_generic, walked_joint_norm,
@@ -157,18 +157,45 @@ fn a_quarter_of_a_million_rows() {
     }
 }
 
-// Their product has its maximum where one norm grows and the other falls.
+// Their product has its maximum where one norm grows and the other falls. For the four-point scheme
+// the sums of E = 2D are nowhere smooth, and greater rows are found again and again.
 #[test]
-fn joint_suprema_of_64_levels() {
-    for scheme in ["four-point", "ternary-four-point:mu=1/11"] {
+fn joint_suprema_of_many_levels() {
+    for (scheme, c, most) in [
+        ("four-point", 64, 1000),
+        ("four-point", 256, 4000),
+        ("ternary-four-point:mu=1/11", 64, 400),
+    ] {
         let mask = mask(scheme);
         let difference = mask.difference();
-        let joint = joint_norm(&difference, mask.rules(), 64, Order::Adjoint).unwrap();
-        let norm = |rules: &Rules| power_norm(rules, 64, Order::Adjoint).unwrap().value;
+        let joint = JointSearch::new(&difference, mask.rules(), Order::Adjoint).search(c).unwrap();
+        assert!(joint.nodes < most, "{scheme}, c = {c}: {} nodes", joint.nodes);
+        let joint = joint.norm;
+        let norm = |rules: &Rules| power_norm(rules, c, Order::Adjoint).unwrap().value;
         assert!(joint.value <= norm(&difference) * norm(mask.rules()));
         let row =
-            |rules: &Rules| size(&power_row(&rules.with_offset(0), &r(1, 1), 64, &joint.class));
+            |rules: &Rules| size(&power_row(&rules.with_offset(0), &r(1, 1), c, &joint.class));
         assert_eq!(joint.value, row(&difference) * row(mask.rules()));
+        // The neighbours are not greater.
+        let [difference, mask] = [&difference, mask.rules()].map(|rules| rules.with_offset(0));
+        for step in [-2, -1, 1, 2] {
+            let class = &joint.class + Integer::from(step);
+            let row = |rules: &Rules| size(&power_row(rules, &r(1, 1), c, &class));
+            assert!(row(&difference) * row(&mask) <= joint.value);
+        }
+    }
+}
+
+// Rows that are read forwards: the lines of a node do not show which of its parts is greatest.
+#[test]
+fn forward_norms_of_many_levels() {
+    for (scheme, c, most) in [("four-point", 64, 10_000), ("quinary-three-point", 40, 10_000)] {
+        for rules in [mask(scheme).difference(), mask(scheme).rules().clone()] {
+            let found = PowerSearch::new(&rules, Order::Forward).search(c).unwrap();
+            assert!(found.nodes < most, "{scheme}: {} nodes", found.nodes);
+            let rules = rules.reversed();
+            assert_eq!(size(&power_row(&rules, &r(1, 1), c, &found.norm.class)), found.norm.value);
+        }
     }
 }
 

@@ -92,28 +92,31 @@ impl PowerSearch {
             arity,
             levels,
             || walked_norm(&self.rules, levels, Order::Adjoint),
-            || Some(found(&mut self.growth, levels)?.norm),
+            || Some(found(&mut self.growth, levels, &mut { MAX_WORK })?.norm),
         )
     }
 
     /// The same by branch and bound, however few residue classes there are; `None` when it
     /// does not end within 2^33 products, or c is above [`MAX_LEVELS`].
     pub fn search(&mut self, levels: u32) -> Option<Searched> {
-        found(&mut self.growth, levels)
+        self.search_within(levels, &mut { MAX_WORK })
+    }
+
+    /// The same within so many products, less those computed.
+    pub(crate) fn search_within(&mut self, levels: u32, work: &mut u64) -> Option<Searched> {
+        found(&mut self.growth, levels, work)
     }
 
     /// A tree of bounds that shows ‖E^c‖, and what they rest on; `None` as for
     /// [`search`](PowerSearch::search). Its nodes are bounded each by its own rows, so that it
     /// may be larger than the tree of the search.
     pub fn tree(&mut self, levels: u32) -> Option<SearchTree> {
-        found(&mut self.growth, levels)?;
-        self.growth.tree(levels, &mut MAX_WORK.clone())
+        (levels <= MAX_LEVELS).then(|| self.growth.tree(levels, &mut { MAX_WORK }))?
     }
 }
 
-fn found(growth: &mut Growth, levels: u32) -> Option<Searched> {
-    let mut work = MAX_WORK;
-    let found = (levels <= MAX_LEVELS).then(|| growth.greatest(levels, &mut work))??;
+fn found(growth: &mut Growth, levels: u32, work: &mut u64) -> Option<Searched> {
+    let found = (levels <= MAX_LEVELS).then(|| growth.greatest(levels, work))??;
     Some(unscaled([growth.operator()], levels, found))
 }
 

@@ -9,6 +9,7 @@ use super::sweep::Search;
 use super::wide::Wide;
 use crate::exact::Integer;
 use std::num::NonZero;
+use std::sync::LazyLock;
 use std::thread;
 
 /// What bounds the rows that are m levels below a node, for one m.
@@ -40,9 +41,11 @@ pub(super) struct Problem<'a, const K: usize> {
     pub(super) threads: usize,
 }
 
-/// What a search may run on.
+/// How many threads a search may run on.
 pub(super) fn threads() -> usize {
-    thread::available_parallelism().map_or(1, NonZero::get)
+    static THREADS: LazyLock<usize> =
+        LazyLock::new(|| thread::available_parallelism().map_or(1, NonZero::get).min(8));
+    *THREADS
 }
 
 impl<const K: usize> Problem<'_, K> {

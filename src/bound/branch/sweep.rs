@@ -10,13 +10,16 @@ use std::thread;
 
 /// How many nodes are split at once: up to the first row, and then.
 const FIRST: usize = 4;
-const CHUNK: usize = 32;
+const CHUNK: usize = 8;
 
 /// A search that has split so many nodes a level looks for a greater row: it goes from level to
 /// level, keeping the nodes that promise most; so many, one sweep after the other, until none is
 /// left out.
 const PATIENCE: u64 = 32;
 const WIDTHS: [usize; 3] = [64, 512, 4096];
+
+/// What the parts of a level that a sweep keeps may cost: at least four times their words.
+const LEVEL: u64 = 1 << 25;
 
 /// A thread is worth so many products of words.
 const SHARE: u64 = 1 << 18;
@@ -42,7 +45,7 @@ impl<'a, T: Number, const K: usize> Search<'a, T, K> {
     pub(super) fn run(mut self) -> Option<Greatest> {
         let mut complete = self.exhaust(PATIENCE * u64::from(self.descent.problem.levels))?;
         for width in WIDTHS {
-            complete = complete || self.sweep(width)?;
+            complete = complete || self.cost(width) <= LEVEL && self.sweep(width)?;
         }
         if !complete {
             self.exhaust(u64::MAX)?;
@@ -88,10 +91,15 @@ impl<'a, T: Number, const K: usize> Search<'a, T, K> {
         Some(complete)
     }
 
+    /// The products that the parts of so many nodes cost.
+    fn cost(&self, nodes: usize) -> u64 {
+        let parts = (nodes * self.descent.problem.operators[0].arity) as u64;
+        parts.saturating_mul(self.descent.cost)
+    }
+
     /// The parts of these nodes that are not closed.
     fn split(&mut self, nodes: Vec<Node<T, K>>) -> Option<Vec<Node<T, K>>> {
-        let parts = (nodes.len() * self.descent.problem.operators[0].arity) as u64;
-        let cost = parts.saturating_mul(self.descent.cost);
+        let cost = self.cost(nodes.len());
         *self.work = self.work.checked_sub(cost)?;
         self.splits += nodes.len() as u64;
         let threads = usize::try_from(cost / SHARE).unwrap_or(usize::MAX);
