@@ -1,6 +1,7 @@
-//! What certificates say beyond the findings: the scale of a table, and the blocks of its
-//! sound bounds.
+//! What certificates say beyond the findings: the scale of a table, its constants, and the
+//! blocks of its sound bounds.
 
+use super::attained::{self, AttainedConstant, SearchedConstant};
 use super::judge::{At, Judge, Outcome};
 use super::library::Library;
 use super::reading::{self, Settings};
@@ -20,6 +21,10 @@ const MAX_LEVEL: u32 = 1_000;
 pub struct Evidence {
     /// The stated parameter that every value is proportional to, if there is one.
     pub scale: Option<String>,
+    /// The constants that the values are computed from.
+    pub attained: Vec<AttainedConstant>,
+    /// Those of many residue classes.
+    pub searched: Vec<SearchedConstant>,
     /// The sound bounds of the cells, where there are any.
     pub sound: Vec<SoundCell>,
 }
@@ -39,13 +44,18 @@ pub struct SoundCell {
     pub value: Rational,
 }
 
-/// The evidence for a table.
+/// The evidence for a table; whether its values are looked at under other readings too.
 ///
 /// # Errors
 /// When a formula of the claim file is wrong.
-pub fn evidence(paper: &Paper, table: &Table) -> Result<Evidence, Diagnostic> {
+pub fn evidence(
+    paper: &Paper,
+    table: &Table,
+    read_otherwise: bool,
+) -> Result<Evidence, Diagnostic> {
     let library = Library::new(paper);
     let judge = Judge::new(paper, table, &library)?;
+    let (attained, searched) = attained::constants(&judge, read_otherwise)?;
     let scale = reading::scale(&judge, &table::cells(&judge)?);
     let mut sound = Vec::new();
     if let Some(promise) = &table.promise {
@@ -55,7 +65,7 @@ pub fn evidence(paper: &Paper, table: &Table) -> Result<Evidence, Diagnostic> {
             }
         }
     }
-    Ok(Evidence { scale, sound })
+    Ok(Evidence { scale, attained, searched, sound })
 }
 
 fn sound_cell(

@@ -1,7 +1,8 @@
 //! The schemes that a paper's claims are about, each with its constants once.
 
+use super::attained::NotedConstant;
 use super::kept::Remembered;
-use super::series::Norms;
+use super::series::{Norms, NotedNorm};
 use crate::bound::{ClassCap, Constants, DepthError, Rounded, SoundBound, log_level_algebraic};
 use crate::claim::{Paper, SchemeSource};
 use crate::diagnostic::Diagnostic;
@@ -46,6 +47,8 @@ pub(super) struct Library<'a> {
     distances: RefCell<BTreeMap<SoundKey, Rc<Remembered>>>,
     rings: RefCell<BTreeMap<Instance, Rc<Remembered>>>,
     pub(super) norms: Norms<RealCyclotomic>,
+    /// The constants of masks that were asked for, if they are noted.
+    noted: RefCell<Option<Vec<NotedConstant>>>,
     log_levels: RefCell<BTreeMap<LogLevel, Result<u32, DepthError>>>,
 }
 
@@ -59,8 +62,27 @@ pub(super) struct Resolved {
 impl<'a> Library<'a> {
     pub(super) fn new(paper: &'a Paper) -> Library<'a> {
         let (constants, sound, distances, rings) = Default::default();
-        let (norms, log_levels) = Default::default();
-        Library { paper, constants, sound, distances, rings, norms, log_levels }
+        let (norms, noted, log_levels) = Default::default();
+        Library { paper, constants, sound, distances, rings, norms, noted, log_levels }
+    }
+
+    /// From now on, notes the constants that are asked for.
+    pub(super) fn note(&self) {
+        self.noted.replace(Some(Vec::new()));
+        self.norms.noted.replace(Some(Vec::new()));
+    }
+
+    /// Notes a constant.
+    pub(super) fn note_constant(&self, constant: impl FnOnce() -> NotedConstant) {
+        if let Some(noted) = self.noted.borrow_mut().as_mut() {
+            noted.push(constant());
+        }
+    }
+
+    /// Ends noting, and gives what was noted.
+    pub(super) fn noted(&self) -> (Vec<NotedConstant>, Vec<NotedNorm<RealCyclotomic>>) {
+        let norms = self.norms.noted.take();
+        (self.noted.take().unwrap_or_default(), norms.unwrap_or_default())
     }
 
     /// The scheme that `reference` means in `context`.

@@ -1,5 +1,6 @@
 //! From claims to verdicts.
 
+mod attained;
 mod claims;
 mod compare;
 mod consistency;
@@ -28,6 +29,7 @@ mod summary;
 mod table;
 mod theorem;
 
+pub use attained::{AttainedConstant, Powers, SearchedConstant};
 pub use claims::ClaimVerdict;
 pub use consistency::{Contradiction, Side, TablePart};
 pub use coverage::{Coverage, CoverageState};

@@ -1,17 +1,20 @@
 //! The functions that claims can use: constants of the scheme they are about.
 
+use super::attained::NotedConstant;
 use super::library::{Library, Resolved, Unresolved};
 use super::options::{Exponent, Options};
 use super::reading::Settings;
 use super::series;
 use super::shape::shape;
 use crate::bound::{
-    ClassCap, Constants, DepthError, Operator, Rounded, Terms, displacement, surface_displacement,
+    ClassCap, Constants, DepthError, Operator, Rounded, Suprema, Terms, displacement,
+    surface_displacement,
 };
 use crate::exact::{Rational, Real, RealCyclotomic};
 use crate::formula::{Call, CallError, Context, Functions, Parameters, Value};
 use crate::scheme::{Mask, Reference, Rules};
 use std::cell::{Cell, RefCell};
+use std::rc::Rc;
 
 /// The functions, with what they are; for help texts.
 pub const QUANTITIES: [(&str, &str); 13] = [
@@ -113,24 +116,54 @@ impl Quantities<'_> {
         options: &mut Options<'_>,
     ) -> Result<RealCyclotomic, CallError> {
         let other;
-        let scheme = match options.take("scheme") {
+        let named = options.take("scheme");
+        let scheme = match &named {
             None => self.scheme.as_ref(),
             Some(name) => {
-                other = self.other_scheme(&name)?;
+                other = self.other_scheme(name)?;
                 Some(&other)
             }
         };
         let missing = || CallError::Misuse("this needs a scheme: give the table one".to_owned());
-        let constants: &Constants = &scheme.ok_or_else(missing)?.constants[0];
+        let scheme = scheme.ok_or_else(missing)?;
+        let constants: &Constants = &scheme.constants[0];
+        let note = |operator, levels, order| {
+            self.library.note_constant(|| NotedConstant {
+                instance: scheme.instances[0].clone(),
+                constants: Rc::clone(&scheme.constants[0]),
+                operator,
+                levels,
+                order,
+                named: named.clone(),
+            });
+        };
         let value = match (call.function, call.arguments) {
-            ("contraction", [c]) => self.contraction(constants, level(c)?, options),
+            ("contraction", [c]) => {
+                let (c, order) = (level(c)?, options.order()?);
+                match options.terms()? {
+                    Terms::Each => {
+                        note(Operator::Difference, c, order);
+                        self.capped(constants.norm(Operator::Difference, c, order))
+                    }
+                    Terms::Total if c == 1 => Ok(total_contraction(constants.difference())),
+                    Terms::Total => {
+                        let message = "`terms = total` is defined for c = 1 only";
+                        return Err(CallError::Misuse(message.to_owned()));
+                    }
+                }
+            }
             ("norm", [c]) => {
-                let order = options.order()?;
-                self.capped(constants.norm(Operator::Scheme, level(c)?, order))
+                let (c, order) = (level(c)?, options.order()?);
+                note(Operator::Scheme, c, order);
+                self.capped(constants.norm(Operator::Scheme, c, order))
             }
             ("tensor", [c]) => {
-                let (order, suprema) = (options.order()?, options.suprema()?);
-                self.capped(constants.tensor(level(c)?, order, suprema))
+                let (c, order, suprema) = (level(c)?, options.order()?, options.suprema()?);
+                if suprema == Suprema::Independent {
+                    note(Operator::Difference, c, order);
+                    note(Operator::Scheme, c, order);
+                }
+                self.capped(constants.tensor(c, order, suprema))
             }
             ("displacement", []) => moved(constants.mask(), options),
             ("surface_displacement", [x1, x2, x3]) => {
@@ -177,22 +210,6 @@ impl Quantities<'_> {
             self.beyond_caps.set(true);
             CallError::Undefined(error.to_string())
         })
-    }
-
-    fn contraction(
-        &self,
-        constants: &Constants,
-        c: u32,
-        options: &mut Options<'_>,
-    ) -> Result<Rational, CallError> {
-        let order = options.order()?;
-        match options.terms()? {
-            Terms::Each => self.capped(constants.norm(Operator::Difference, c, order)),
-            Terms::Total if c == 1 => Ok(total_contraction(constants.difference())),
-            Terms::Total => {
-                Err(CallError::Misuse("`terms = total` is defined for c = 1 only".to_owned()))
-            }
-        }
     }
 }
 

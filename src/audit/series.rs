@@ -23,7 +23,26 @@ const MAX_PRODUCTS: usize = 1_000_000;
 const INDEX: &str = "q";
 
 /// The absolute sums of windows by what they depend on, each computed once.
-pub(super) type Norms<V> = RefCell<Vec<(Window<V>, Vec<V>)>>;
+pub(super) struct Norms<V> {
+    known: RefCell<Vec<(Window<V>, Vec<V>)>>,
+    /// The norms of single sequences that were asked for outside of all sums, if they are noted.
+    pub(super) noted: RefCell<Option<Vec<NotedNorm<V>>>>,
+}
+
+impl<V> Default for Norms<V> {
+    fn default() -> Norms<V> {
+        Norms { known: RefCell::default(), noted: RefCell::default() }
+    }
+}
+
+/// A norm of one sequence, and where it is attained.
+pub(super) struct NotedNorm<V> {
+    /// The call that gives it.
+    pub(super) formula: String,
+    /// The least f with the greatest sum.
+    pub(super) index: usize,
+    pub(super) value: V,
+}
 
 /// A sequence, and what [`convolution_window`] makes of it.
 #[derive(PartialEq)]
@@ -83,7 +102,22 @@ fn norm<V: Value + PartialEq>(
     let sums = |name: &str| {
         let terms = names.sequence(name, call, context, length)?;
         let window = Window { terms, arity: n, c: narrow(c), last, recursion };
-        window.absolute_sums(known)
+        let sums = window.absolute_sums(known)?;
+        if let Some(noted) = known.noted.borrow_mut().as_mut().filter(|_| call.indices.is_empty()) {
+            let value = largest(&sums)?;
+            let at = sums.iter().position(|sum| *sum == value).unwrap_or(0);
+            let printed =
+                if recursion == Recursion::Printed { ", recursion = printed" } else { "" };
+            let index = match &names.index[..] {
+                INDEX => String::new(),
+                other => format!(", index = {other}"),
+            };
+            let formula = format!(
+                "convolution_norm({c}, {n}, {length}, {last}, sequence = {name}{index}{printed})"
+            );
+            noted.push(NotedNorm { formula, index: last + 1 - sums.len() + at, value });
+        }
+        Ok(sums)
     };
     let first = sums(&names.first)?;
     let Some(second) = &names.second else { return largest(&first) };
@@ -110,7 +144,8 @@ fn symbolic() -> CallError {
 impl<V: Value + PartialEq> Window<V> {
     /// Σ_l |E^c_{l,f}| for each f of the window.
     fn absolute_sums(self, known: &Norms<V>) -> Result<Vec<V>, CallError> {
-        if let Some((_, sums)) = known.borrow().iter().find(|(window, _)| *window == self) {
+        let mut known = known.known.borrow_mut();
+        if let Some((_, sums)) = known.iter().find(|(window, _)| *window == self) {
             return Ok(sums.clone());
         }
         // By the printed recursion both factors grow.
@@ -132,7 +167,7 @@ impl<V: Value + PartialEq> Window<V> {
             })
         };
         let sums = rows.iter().map(sum).collect::<Result<Vec<V>, CallError>>()?;
-        known.borrow_mut().push((self, sums.clone()));
+        known.push((self, sums.clone()));
         Ok(sums)
     }
 }

@@ -4,6 +4,7 @@
 //! `proofs/checker`, which shares no code with this crate, accepts it or does not.
 
 mod block;
+mod constant;
 mod equation;
 mod family;
 mod parametric;

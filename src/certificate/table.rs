@@ -2,7 +2,7 @@
 
 use super::block::{Block, closed};
 use super::reading::Readings;
-use super::{family, promise};
+use super::{constant, family, promise};
 use crate::audit::{
     CellFinding, Direction, Missing, Slip, SoundCell, TableFinding, Verdict, evidence,
     promise_evidence, readings,
@@ -12,11 +12,21 @@ use crate::claim::Paper;
 pub(super) fn block(paper: &Paper, finding: &TableFinding<'_>) -> Block {
     let table = finding.table;
     let mut block = Block::new("table", &table.id);
+    let readings = Readings::of(finding);
+    let judged = finding.cells.iter().flatten();
+    let refuted = judged.filter(|cell| cell.verdict == Verdict::Refuted).count();
+    let evidence = match evidence(paper, table, refuted > 0 || !readings.is_empty()) {
+        Ok(evidence) => evidence,
+        Err(error) => {
+            block.give_up(error.message);
+            return block;
+        }
+    };
+    evidence.searched.iter().for_each(|constant| constant::searched(&mut block, constant));
     if let Some(scheme) = &table.scheme {
         block.restate("scheme", &scheme.reference.to_string());
     }
     block.restate("value", &table.value.text);
-    let readings = Readings::of(finding);
     readings.write(&mut block, paper);
     for (row, cells) in finding.cells.iter().enumerate() {
         for (column, cell) in cells.iter().enumerate() {
@@ -24,17 +34,13 @@ pub(super) fn block(paper: &Paper, finding: &TableFinding<'_>) -> Block {
             block.try_line(line.map(|line| format!("cell {} {} {line}", row + 1, column + 1)));
         }
     }
-    match evidence(paper, table) {
-        Ok(evidence) => {
-            evidence.sound.iter().for_each(|cell| block.line(sound(cell)));
-            match promise_evidence(paper, finding) {
-                Ok(evidence) => promise::lines(&mut block, &evidence),
-                Err(error) => block.give_up(error.message),
-            }
-            family(&mut block, paper, finding, &readings, evidence.scale.as_deref());
-        }
+    evidence.attained.iter().for_each(|constant| block.line(constant::attained(constant)));
+    evidence.sound.iter().for_each(|cell| block.line(sound(cell)));
+    match promise_evidence(paper, finding) {
+        Ok(evidence) => promise::lines(&mut block, &evidence),
         Err(error) => block.give_up(error.message),
     }
+    family(&mut block, paper, finding, &readings, evidence.scale.as_deref());
     block
 }
 

@@ -34,7 +34,7 @@ impl<'a> Line<'a> {
 }
 
 /// A claim's line, and the lines indented under it, which are taken one by one.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Block<'a> {
     /// `table table-1`, …
     pub head: Line<'a>,

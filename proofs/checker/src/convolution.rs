@@ -1,11 +1,12 @@
 //! Products of sequences: t(z)·t(z^n)·t(z^(n²))…
 
-use crate::evaluate::Scope;
+use crate::evaluate::{MAX_INTEGER, Scope};
+use crate::number::Number;
 use crate::reject::Stop;
 use crate::scheme::{Library, Scheme};
 use crate::value::Value;
 use std::cell::RefCell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
 
 /// The most coefficients of a product, and the most residue classes.
@@ -13,6 +14,12 @@ pub const MAX_LENGTH: usize = 1 << 16;
 
 /// The most products that are kept.
 const MAX_PRODUCTS: usize = 1_000;
+
+/// Products by how they are made: the convolution, its length and the sequence.
+pub type Products = HashMap<(Convolution, usize, Vec<Value>), Rc<Product>>;
+
+/// A constant: the rules, whether they are read forwards, and the level.
+pub type Large = (Vec<Vec<Value>>, bool, u32);
 
 /// E^c of a sequence.
 pub struct Product {
@@ -29,7 +36,7 @@ pub struct Product {
 }
 
 /// How sequences are convolved.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Convolution {
     /// c.
     pub c: u32,
@@ -53,7 +60,7 @@ impl Convolution {
         length: usize,
     ) -> Result<Rc<Product>, Stop> {
         let Convolution { c, arity, printed } = self;
-        let key = format!("{c} {arity} {printed} {length} {sequence:?}");
+        let key = (self, length, sequence.to_vec());
         if let Some(known) = library.products.borrow().get(&key) {
             return Ok(Rc::clone(known));
         }
@@ -118,15 +125,34 @@ fn spread(
     length: usize,
 ) -> Result<Vec<Value>, Stop> {
     let whole = left.len().saturating_sub(1).saturating_mul(step).saturating_add(right.len());
-    let mut product = vec![Value::int(0); whole.min(length).min(MAX_LENGTH + 1)];
+    let count = whole.min(length).min(MAX_LENGTH + 1);
+    if let Some(product) = spread_small(left, right, step, count) {
+        library.spend((left.len() * right.len()) as u64)?;
+        return Ok(product);
+    }
+    let mut product = vec![Value::int(0); count];
     for (i, a) in left.iter().enumerate() {
-        let from = i.saturating_mul(step).min(product.len());
+        let from = i.saturating_mul(step).min(count);
         for (sum, b) in product[from..].iter_mut().zip(right) {
-            library.spend(a.cost(b).max(1))?;
+            library.spend(a.cost(b))?;
             sum.add(1, &a.times(b)?)?;
         }
     }
     Ok(product)
+}
+
+/// The same with machine integers, which most products consist of; `None` if one is none.
+fn spread_small(left: &[Value], right: &[Value], step: usize, count: usize) -> Option<Vec<Value>> {
+    let integer = |value: &Value| value.number().ok()?.integer();
+    let right: Vec<i128> = right.iter().map(integer).collect::<Option<_>>()?;
+    let mut product = vec![0_i128; count];
+    for (i, a) in left.iter().enumerate() {
+        let (from, a) = (i.saturating_mul(step).min(count), integer(a)?);
+        for (sum, b) in product[from..].iter_mut().zip(&right) {
+            *sum = sum.checked_add(a.checked_mul(*b)?)?;
+        }
+    }
+    Some(product.into_iter().map(|value| Number::from(value).into()).collect())
 }
 
 impl Product {
@@ -173,4 +199,17 @@ pub fn classes(
     // Where f is beyond all coefficients, those of its class are the E^c_{l,f}.
     let beyond = product.coefficients.len().next_multiple_of(product.classes);
     product.sums(scope, beyond, beyond + product.classes - 1)
+}
+
+/// The greatest of these sums, if it is one that a line `constant` has shown.
+pub fn large(
+    scope: &Scope<'_>,
+    scheme: &Scheme,
+    of: &str,
+    forward: bool,
+    c: &Value,
+) -> Option<Value> {
+    let rules = if of == "a" { &scheme.mask } else { &scheme.difference };
+    let c = u32::try_from(c.integer(MAX_INTEGER).ok()?).ok()?;
+    scope.library.large.borrow().get(&(rules.clone(), forward, c)).cloned()
 }

@@ -1,14 +1,14 @@
 //! From formula to value.
 
-use crate::formula::{Expr, Head};
+use crate::formula::{Expr, Head, names as names_in};
 use crate::functions;
 use crate::paper::Definitions;
 use crate::reading::Reading;
 use crate::reject::Stop;
 use crate::scheme::{Library, Scheme};
 use crate::value::{Piece, Value};
-use std::cell::Cell;
-use std::collections::{BTreeMap, BTreeSet};
+use std::cell::{Cell, RefCell};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::rc::Rc;
 
 /// The most steps of one claim: nodes of formulas, sums unrolled, and for products those
@@ -42,6 +42,10 @@ pub struct Scope<'a> {
     pub reading: &'a Reading,
     /// The schemes, and what is known of them.
     pub library: &'a Library<'a>,
+    /// The values of definitions that are known already, by name and the indices that occur in
+    /// them; and the names that occur in them.
+    known: RefCell<HashMap<(String, Indices), Value>>,
+    mentioned: RefCell<HashMap<String, BTreeSet<String>>>,
     /// How deep the evaluation is.
     depth: Cell<usize>,
     /// Whether this is inside of `cos`, where `pi` has a meaning.
@@ -57,6 +61,7 @@ impl<'a> Scope<'a> {
     ) -> Scope<'a> {
         let (values, unstated, families) = Default::default();
         let (scheme, piece, depth, angle) = Default::default();
+        let (known, mentioned) = Default::default();
         Scope {
             definitions,
             values,
@@ -66,6 +71,8 @@ impl<'a> Scope<'a> {
             piece,
             reading,
             library,
+            known,
+            mentioned,
             depth,
             angle,
         }
@@ -73,6 +80,8 @@ impl<'a> Scope<'a> {
 
     /// The value of a formula.
     pub fn value(&self, expr: &Expr) -> Result<Value, Stop> {
+        // Names may have got other values since the last formula.
+        self.known.borrow_mut().clear();
         self.evaluate(expr, &mut Vec::new())
     }
 
@@ -144,10 +153,26 @@ impl<'a> Scope<'a> {
         }
         let definition = self.definitions.get(name);
         let definition = definition.ok_or_else(|| Stop::Wrong(format!("`{name}` is unknown")))?;
+        let key = (name.to_owned(), self.occurring(name, definition, indices));
+        if let Some(known) = self.known.borrow().get(&key) {
+            return Ok(known.clone());
+        }
         let angle = self.angle.replace(false);
         let value = self.evaluate(definition, indices);
         self.angle.set(angle);
+        if let Ok(value) = &value {
+            self.known.borrow_mut().insert(key, value.clone());
+        }
         value
+    }
+
+    /// The indices that occur in a definition or in those that it leads to: what it depends on,
+    /// as long as the scope is the same.
+    fn occurring(&self, name: &str, definition: &Expr, indices: &Indices) -> Indices {
+        let mut mentioned = self.mentioned.borrow_mut();
+        let names = mentioned.entry(name.to_owned());
+        let names = names.or_insert_with(|| names_in(definition, self.definitions));
+        indices.iter().filter(|(index, _)| names.contains(index)).cloned().collect()
     }
 
     fn over(

@@ -1,6 +1,6 @@
 //! The functions of formulas, by their definitions.
 
-use crate::convolution::{Convolution, MAX_LENGTH, Product, classes};
+use crate::convolution::{Convolution, MAX_LENGTH, Product, classes, large};
 use crate::decimal::Q;
 use crate::displacement::{displaced, gather, surface};
 use crate::evaluate::{Indices, MAX_INTEGER, Scope};
@@ -22,6 +22,8 @@ struct Call<'c> {
     function: &'c str,
     arguments: &'c [Value],
     options: Vec<&'c (String, String)>,
+    /// Whether it is not only the greatest sum that is asked for.
+    every_sum: bool,
 }
 
 /// What is asked of the options of functions: which words there are, the default first.
@@ -42,7 +44,8 @@ pub fn call(
     options: &[(String, String)],
     indices: &mut Indices,
 ) -> Result<Value, Stop> {
-    let mut call = Call { scope, function, arguments, options: options.iter().collect() };
+    let options = options.iter().collect();
+    let mut call = Call { scope, function, arguments, options, every_sum: false };
     let value = call.value(indices)?;
     match call.options.first() {
         None => Ok(value),
@@ -57,7 +60,8 @@ pub fn sums_of(scope: &Scope<'_>, expr: &Expr) -> Result<(usize, Vec<Value>), St
     };
     let arguments = arguments.iter().map(|argument| scope.value(argument));
     let arguments = &arguments.collect::<Result<Vec<Value>, Stop>>()?;
-    let mut call = Call { scope, function, arguments, options: options.iter().collect() };
+    let options = options.iter().collect();
+    let mut call = Call { scope, function, arguments, options, every_sum: true };
     let (first, mut lists, _) = call.sums(&mut Vec::new())?;
     match lists.pop() {
         Some(sums) if lists.is_empty() && call.options.is_empty() => Ok((first, sums)),
@@ -135,8 +139,8 @@ impl Call<'_> {
             ("ceil", [x]) => whole(&x.negated()?)?.negated(),
             ("mod", [x, m]) => x.minus(&m.times(&whole(&x.over(m)?)?)?),
             ("kronecker", [a, b]) => {
-                let difference = a.minus(b)?.number()?;
-                Ok(Value::int(difference.is_zero().into()))
+                let difference = a.minus(b)?;
+                Ok(Value::int(difference.number()?.is_zero().into()))
             }
             ("binomial", [top, bottom]) => binomial(scope, top, bottom.integer(10_000)?),
             ("levels", [ratio, x]) => self.levels(ratio, x),
@@ -261,7 +265,10 @@ impl Call<'_> {
             return Ok((0, vec![sums.collect::<Result<_, _>>()?], false));
         }
         let joint = self.function == "tensor" && self.choose("suprema", &SUPREMA)? == 1;
-        let sums = lists.iter().map(|of| classes(scope, &scheme, of, forward, c));
+        let sums = lists.iter().map(|of| match large(scope, &scheme, of, forward, c) {
+            Some(value) if !joint && !self.every_sum => Ok(vec![value]),
+            _ => classes(scope, &scheme, of, forward, c),
+        });
         Ok((0, sums.collect::<Result<_, _>>()?, joint))
     }
 

@@ -11,6 +11,7 @@ mod cursor;
 mod decimal;
 mod displacement;
 mod evaluate;
+mod field;
 mod formula;
 mod functional;
 mod functions;
@@ -18,6 +19,7 @@ mod linear;
 mod number;
 mod paper;
 mod polynomial;
+mod powers;
 mod reading;
 mod reject;
 mod ring;
@@ -35,7 +37,13 @@ pub use reject::{Reason, Rejection, Stop};
 use rules::Verdict;
 use scheme::{Library, catalogue};
 use std::collections::{BTreeMap, BTreeSet};
+use std::num::NonZero;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread::{Builder, available_parallelism};
 use toml::Toml;
+
+/// The bytes of a stack: more than formulas as deep as they may be nested need.
+const STACK: usize = 64 << 20;
 
 /// What is known of a claim.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -68,7 +76,7 @@ pub fn is_formula(text: &str) -> bool {
     formula::parse(text, formula::MAX_LENGTH).is_ok()
 }
 
-/// Checks certificates against the claim file that they are about.
+/// Checks certificates against the claim file that they are about, on all cores.
 ///
 /// # Errors
 /// What is wrong with the claim file.
@@ -77,46 +85,66 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
     let library = Library::new(file.list("scheme"), &known);
     let paper = Paper::new(&file, &library).map_err(|stop| stop.to_string())?;
     let key = file.text("key").ok_or("`key` is missing")?.to_owned();
-    let mut outcomes: BTreeMap<(&str, &str), Outcome> = BTreeMap::new();
-    let (mut holding, mut cited, mut broken) = (BTreeSet::new(), Vec::new(), Vec::new());
+    let (mut tasks, mut broken) = (Vec::new(), Vec::new());
     for (place, text) in certificates.iter().enumerate() {
-        let blocks = match certificate::blocks(text, &key) {
-            Ok(blocks) => blocks,
-            Err(rejection) => {
-                broken.push((place, rejection));
-                continue;
-            }
-        };
-        for mut block in blocks {
+        let blocks = certificate::blocks(text, &key).unwrap_or_else(|rejection| {
+            broken.push((place, rejection));
+            Vec::new()
+        });
+        for block in blocks {
             let (kind, id) = block.head.word();
             let claim = file.list(kind).iter().find(|claim| claim.text("id") == Some(id));
-            let Some(claim) = claim.filter(|_| paper::KINDS.contains(&kind)) else {
-                broken.push((place, block.head.reject(Reason::NoSuchClaim)));
-                continue;
-            };
-            let checked = rules::check(&paper, kind, claim, &mut block);
-            let outcome = match checked.map_err(|rejection| rejection.at(block.at)) {
-                Ok(Verdict::Other) => Outcome::Valid,
-                Ok(Verdict::Holds) => {
-                    holding.insert(id);
-                    Outcome::Valid
-                }
-                Ok(Verdict::Cited { statement, uses }) => {
-                    cited.push((id, block.head, uses));
-                    Outcome::Cited(statement)
-                }
-                Err(rejection) if rejection.given_up() => Outcome::Incomplete(Some(rejection)),
-                Err(rejection) => Outcome::Invalid(place, rejection),
-            };
-            if outcomes.insert((kind, id), outcome).is_some() {
-                let twice = block.head.reject(Reason::Twice);
-                outcomes.insert((kind, id), Outcome::Invalid(place, twice));
+            match claim.filter(|_| paper::KINDS.contains(&kind)) {
+                Some(claim) => tasks.push((place, kind, id, claim, block)),
+                None => broken.push((place, block.head.reject(Reason::NoSuchClaim))),
             }
         }
     }
+    // Every claim has one block, and what it says does not depend on the others.
+    let next = AtomicUsize::new(0);
+    let worker = || {
+        let library = Library::new(file.list("scheme"), &known);
+        let Ok(paper) = Paper::new(&file, &library) else { return Vec::new() };
+        let mut checked = Vec::new();
+        while let at = next.fetch_add(1, Ordering::Relaxed)
+            && let Some((_, kind, _, claim, block)) = tasks.get(at)
+        {
+            checked.push((at, rules::check(&paper, kind, claim, block.clone())));
+        }
+        checked
+    };
+    let cores = available_parallelism().map_or(1, NonZero::get);
+    let mut checked: Vec<_> = std::thread::scope(|scope| {
+        let spawn = |_| Builder::new().stack_size(STACK).spawn_scoped(scope, worker).ok();
+        let workers: Vec<_> = (0..cores).filter_map(spawn).collect();
+        workers.into_iter().filter_map(|worker| worker.join().ok()).flatten().collect()
+    });
+    checked.sort_by_key(|(at, _)| *at);
+    let mut outcomes: BTreeMap<(&str, &str), Outcome> = BTreeMap::new();
+    let (mut holding, mut cited) = (BTreeSet::new(), Vec::new());
+    for (at, checked) in checked {
+        let (place, kind, id, _, block) = &tasks[at];
+        let outcome = match checked {
+            Ok(Verdict::Other) => Outcome::Valid,
+            Ok(Verdict::Holds) => {
+                holding.insert(*id);
+                Outcome::Valid
+            }
+            Ok(Verdict::Cited { statement, uses }) => {
+                cited.push((*id, block.head, uses));
+                Outcome::Cited(statement)
+            }
+            Err(rejection) if rejection.given_up() => Outcome::Incomplete(Some(rejection)),
+            Err(rejection) => Outcome::Invalid(*place, rejection),
+        };
+        if outcomes.insert((kind, id), outcome).is_some() {
+            let twice = block.head.reject(Reason::Twice);
+            outcomes.insert((kind, id), Outcome::Invalid(*place, twice));
+        }
+    }
     for (id, head, uses) in cited {
-        if let Some(other) = uses.into_iter().find(|other| !holding.contains(other)) {
-            let rejection = head.reject(Reason::Premise(other.to_owned()));
+        if let Some(other) = uses.into_iter().find(|other| !holding.contains(&other[..])) {
+            let rejection = head.reject(Reason::Premise(other));
             outcomes.insert(("theorem", id), Outcome::Incomplete(Some(rejection)));
         }
     }

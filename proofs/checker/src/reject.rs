@@ -87,6 +87,7 @@ reasons! {
     ExactEnd "the exact end is another one"
     Relation "the printed end is not so related to the exact one"
     Class "this residue class does not attain the constant"
+    Powers "the norms of the powers are not shown to be at most this"
     NotLargest "another residue class has a larger sum"
     NoPromise "the table promises nothing, or has no scheme"
     NoContraction "the constant of the block is not below 1"

@@ -1,6 +1,6 @@
 //! Schemes: their masks, and the sequences that they give.
 
-use crate::convolution::Product;
+use crate::convolution::{Large, Products};
 use crate::evaluate::{MAX_STEPS, Scope};
 use crate::formula::{Expr, MAX_LENGTH, is_name, parse};
 use crate::paper::Definitions;
@@ -9,7 +9,7 @@ use crate::reject::Stop;
 use crate::toml::Toml;
 use crate::value::Value;
 use std::cell::{Cell, RefCell};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
 
 /// The most rules of a scheme.
@@ -54,7 +54,9 @@ pub struct Library<'a> {
     catalogue: &'a [Toml],
     masks: RefCell<BTreeMap<String, Rc<Scheme>>>,
     /// Products of sequences that are known already, by what they are of.
-    pub products: RefCell<BTreeMap<String, Rc<Product>>>,
+    pub products: RefCell<Products>,
+    /// Constants of more residue classes than can be looked at.
+    pub large: RefCell<HashMap<Large, Value>>,
     steps: Cell<u64>,
     /// No named formulas.
     pub nothing: Definitions,
@@ -88,8 +90,8 @@ pub fn formulas(entries: &[(String, Toml)]) -> Result<Definitions, Stop> {
 impl<'a> Library<'a> {
     /// The library of a claim file's `[[scheme]]` tables.
     pub fn new(file: &'a [Toml], catalogue: &'a [Toml]) -> Library<'a> {
-        let (masks, products, steps, nothing, as_printed) = Default::default();
-        Library { file, catalogue, masks, products, steps, nothing, as_printed }
+        let (masks, products, large, steps, nothing, as_printed) = Default::default();
+        Library { file, catalogue, masks, products, large, steps, nothing, as_printed }
     }
 
     /// Counts steps of the claim at hand.
@@ -102,9 +104,12 @@ impl<'a> Library<'a> {
         }
     }
 
-    /// Begins another claim.
+    /// Begins another claim, for which nothing is known: what it costs does not depend on others.
     pub fn restart(&self) {
         self.steps.set(0);
+        self.masks.borrow_mut().clear();
+        self.products.borrow_mut().clear();
+        self.large.borrow_mut().clear();
     }
 
     /// The schemes of a reference such as `six-point:w=w`, one for each factor of a tensor

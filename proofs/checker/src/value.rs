@@ -1,6 +1,6 @@
 //! Values of formulas: polynomials in symbols, most of them without any.
 
-use crate::decimal::{Q, int};
+use crate::decimal::Q;
 use crate::number::Number;
 use crate::reject::Stop;
 use crate::root::{Root, sign_between};
@@ -33,18 +33,19 @@ pub struct Piece {
 type Monomial = Vec<(Rc<str>, u32)>;
 
 /// A polynomial, or a number.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Value {
-    /// Monomials with their coefficients, none of which is 0.
+    /// The coefficient on 1.
+    constant: Number,
+    /// Those on monomials in symbols, none of which is 0.
     terms: BTreeMap<Monomial, Number>,
 }
 
 const SIZE: Stop = Stop::Capped("the size of a number or polynomial");
 
 impl From<Number> for Value {
-    fn from(number: Number) -> Value {
-        let terms = [(Monomial::new(), number)];
-        Value { terms: terms.into_iter().filter(|(_, number)| !number.is_zero()).collect() }
+    fn from(constant: Number) -> Value {
+        Value { constant, terms: BTreeMap::new() }
     }
 }
 
@@ -57,23 +58,21 @@ impl From<Q> for Value {
 impl Value {
     /// An integer.
     pub fn int(value: i64) -> Value {
-        Value::from(int(value))
+        Number::Small(value, 1).into()
     }
 
     /// A symbol.
     pub fn symbol(name: &str) -> Value {
-        Value { terms: BTreeMap::from([(vec![(Rc::from(name), 1)], Number::from(Q::one()))]) }
+        let terms = BTreeMap::from([(vec![(Rc::from(name), 1)], Number::Small(1, 1))]);
+        Value { constant: Number::Small(0, 1), terms }
     }
 
     /// This as a number, if it is one.
-    pub fn number(&self) -> Result<Number, Stop> {
-        match self.terms.first_key_value() {
-            None => Ok(Number::from(Q::zero())),
-            Some((monomial, number)) if monomial.is_empty() && self.terms.len() == 1 => {
-                Ok(number.clone())
-            }
-            _ => Err(Stop::Wrong("this has no value while a name is a symbol".into())),
+    pub fn number(&self) -> Result<&Number, Stop> {
+        if self.terms.is_empty() {
+            return Ok(&self.constant);
         }
+        Err(Stop::Wrong("this has no value while a name is a symbol".into()))
     }
 
     /// This as a rational number, if it is one.
@@ -81,20 +80,39 @@ impl Value {
         self.number().ok()?.rational()
     }
 
+    /// The monomials with coefficients that are not 0.
+    fn all(&self) -> impl Iterator<Item = (&[(Rc<str>, u32)], &Number)> + Clone {
+        let terms = self.terms.iter().map(|(monomial, number)| (&monomial[..], number));
+        let constant = (!self.constant.is_zero()).then_some((&[][..], &self.constant));
+        constant.into_iter().chain(terms)
+    }
+
+    /// The number of monomials.
+    fn count(&self) -> u64 {
+        self.terms.len() as u64 + u64::from(!self.constant.is_zero())
+    }
+
     /// Whether it is 0, as a polynomial.
     pub fn is_zero(&self) -> bool {
-        self.terms.is_empty()
+        self.count() == 0
+    }
+
+    fn is_small(&self) -> bool {
+        self.terms.is_empty() && self.constant.is_small()
     }
 
     fn size(&self) -> u64 {
-        self.terms.values().map(|c| 1 + c.bits()).sum()
+        self.all().map(|(_, c)| 1 + c.bits()).sum()
     }
 
     /// About what self · other costs: sixteen products of 64 binary digits, or one of
     /// two terms, count as one.
     pub fn cost(&self, other: &Value) -> u64 {
+        if self.is_small() && other.is_small() {
+            return 1;
+        }
         let limbs = (self.size() / 64).saturating_mul(other.size() / 64);
-        ((self.terms.len() * other.terms.len()) as u64).saturating_add(limbs / 16)
+        (self.count() * other.count()).saturating_add(limbs / 16)
     }
 
     /// self + factor·other.
@@ -106,14 +124,17 @@ impl Value {
 
     /// The same, in the place of this value.
     pub fn add(&mut self, factor: i64, other: &Value) -> Result<(), Stop> {
-        let mut terms = other.terms.iter();
-        terms.try_for_each(|(monomial, term)| self.add_term(monomial.clone(), factor, term))
+        other.all().try_for_each(|(monomial, term)| self.add_term(monomial, factor, term))
     }
 
-    fn add_term(&mut self, on: Monomial, factor: i64, term: &Number) -> Result<(), Stop> {
-        match self.terms.entry(on) {
+    fn add_term(&mut self, on: &[(Rc<str>, u32)], factor: i64, term: &Number) -> Result<(), Stop> {
+        if on.is_empty() {
+            self.constant = self.constant.plus(factor, term)?;
+            return Ok(());
+        }
+        match self.terms.entry(on.to_vec()) {
             Entry::Vacant(place) => {
-                place.insert(term.times_integer(factor));
+                place.insert(term.times_integer(factor)?);
             }
             Entry::Occupied(mut known) => {
                 let sum = known.get().plus(factor, term)?;
@@ -129,8 +150,9 @@ impl Value {
 
     /// A common denominator.
     pub fn denominator(values: &[Value]) -> Value {
-        let numbers = values.iter().flat_map(|value| value.terms.values());
-        let common = numbers.fold(BigInt::one(), |common, number| common.lcm(number.bottom()));
+        let numbers = values.iter().flat_map(Value::all);
+        let common =
+            numbers.fold(BigInt::one(), |common, (_, number)| common.lcm(&number.bottom()));
         Q::from_integer(common).into()
     }
 
@@ -146,14 +168,18 @@ impl Value {
 
     /// self · other.
     pub fn times(&self, other: &Value) -> Result<Value, Stop> {
-        let terms = (self.terms.len() * other.terms.len()) as u64;
-        if self.size().saturating_add(other.size()) > MAX_SIZE || terms > MAX_SIZE {
+        let terms = self.count() * other.count();
+        let small = self.is_small() && other.is_small();
+        if !small && (self.size().saturating_add(other.size()) > MAX_SIZE || terms > MAX_SIZE) {
             return Err(SIZE);
         }
+        if let (Ok(one), Ok(other)) = (self.number(), other.number()) {
+            return Ok(one.times(other)?.into());
+        }
         let mut product = Value::int(0);
-        for (a, x) in &self.terms {
-            for (b, y) in &other.terms {
-                product.add_term(joined(a, b), 1, &x.times(y)?)?;
+        for (a, x) in self.all() {
+            for (b, y) in other.all() {
+                product.add_term(&joined(a, b), 1, &x.times(y)?)?;
             }
         }
         Ok(product)
@@ -206,8 +232,8 @@ impl Value {
     /// The rational coefficients on the powers of a symbol, if it has no other.
     fn univariate(&self, symbol: &str) -> Option<Vec<Q>> {
         let mut polynomial = Vec::new();
-        for (monomial, coefficient) in &self.terms {
-            let power = match &monomial[..] {
+        for (monomial, coefficient) in self.all() {
+            let power = match monomial {
                 [] => 0,
                 [(name, power)] if **name == *symbol && *power <= MAX_DEGREE => *power as usize,
                 _ => return None,
@@ -245,8 +271,8 @@ impl Value {
 
     /// The same of polynomials on a piece.
     pub fn compare_on(&self, other: &Value, piece: Option<&Piece>) -> Result<Ordering, Stop> {
-        match (self.rational(), other.rational()) {
-            (Some(one), Some(other)) => Ok(one.cmp(&other)),
+        match (self.number(), other.number()) {
+            (Ok(one), Ok(other)) => one.compare(other),
             _ => Ok(self.minus(other)?.sign(piece)?.cmp(&0)),
         }
     }
@@ -258,9 +284,9 @@ impl Value {
 
     /// An integer from −limit to limit.
     pub fn integer(&self, limit: i64) -> Result<i64, Stop> {
-        let integer = self.rational().filter(Q::is_integer);
-        let integer = integer.and_then(|value| i64::try_from(value.numer()).ok());
-        let integer = integer.filter(|value| value.abs() <= limit);
+        let integer = self.number().ok().and_then(Number::integer);
+        let integer = integer.and_then(|value| i64::try_from(value).ok());
+        let integer = integer.filter(|value| value.unsigned_abs() <= limit.unsigned_abs());
         integer.ok_or_else(|| Stop::Wrong(format!("an integer up to {limit} is needed")))
     }
 
@@ -271,8 +297,8 @@ impl Value {
 }
 
 /// The product of two monomials.
-fn joined(left: &Monomial, right: &Monomial) -> Monomial {
-    let mut product = left.clone();
+fn joined(left: &[(Rc<str>, u32)], right: &[(Rc<str>, u32)]) -> Monomial {
+    let mut product = left.to_vec();
     for (name, power) in right {
         match product.binary_search_by(|(known, _)| known.cmp(name)) {
             Ok(at) => product[at].1 = product[at].1.saturating_add(*power),

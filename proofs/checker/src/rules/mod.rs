@@ -2,6 +2,7 @@
 
 mod attained;
 mod cell;
+mod constant;
 mod equation;
 mod family;
 mod function;
@@ -34,7 +35,7 @@ const FIELDS: [(&str, &str); 6] = [
 ];
 
 /// What a valid certificate proves of a claim.
-pub enum Verdict<'a> {
+pub enum Verdict {
     /// An identity, a closed form or a range holds.
     Holds,
     /// Something else that needs no other claim.
@@ -44,7 +45,7 @@ pub enum Verdict<'a> {
         /// The statement.
         statement: String,
         /// The ids of the claims.
-        uses: Vec<&'a str>,
+        uses: Vec<String>,
     },
 }
 
@@ -53,15 +54,27 @@ pub fn check<'a>(
     paper: &'a Paper<'a>,
     kind: &str,
     claim: &'a Toml,
-    block: &mut Block<'_>,
-) -> Checked<Verdict<'a>> {
+    mut block: Block<'_>,
+) -> Checked<Verdict> {
     paper.library.restart();
+    judge(paper, kind, claim, &mut block).map_err(|rejection| rejection.at(block.at))
+}
+
+fn judge<'a>(
+    paper: &'a Paper<'a>,
+    kind: &str,
+    claim: &'a Toml,
+    block: &mut Block<'_>,
+) -> Checked<Verdict> {
     // What the claim file says beyond this could change what the claim means.
     let fields = FIELDS.iter().filter(|(of, _)| ["", kind].contains(of));
     let known: Vec<&str> = fields.flat_map(|(_, fields)| fields.split(' ')).collect();
     let mut fields = claim.as_table().iter().map(|(field, _)| field);
     if let Some(field) = fields.find(|field| !known.contains(&field.as_str())) {
         return Err(Reason::Field(field.clone()).into());
+    }
+    while let Some(said) = block.maybe("constant") {
+        constant::check(paper, said, block)?;
     }
     let mut verdict = Verdict::Other;
     match kind {

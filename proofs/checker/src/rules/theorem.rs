@@ -23,11 +23,7 @@ const MAX_LEVEL: u32 = 64;
 const THEOREMS: &str = include_str!("../../../THEOREMS.md");
 
 /// Checks a theorem.
-pub fn check<'a>(
-    paper: &'a Paper<'a>,
-    claim: &'a Toml,
-    block: &mut Block<'_>,
-) -> Checked<Verdict<'a>> {
+pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<Verdict> {
     require(block.maybe("open").is_none(), Reason::Open)?;
     for key in ["says", "bounds", "by"] {
         if claim.get(key).is_some() {
@@ -46,7 +42,8 @@ pub fn check<'a>(
     let heading = format!("**{number}. ");
     require(THEOREMS.lines().any(|line| line.starts_with(&heading)), Reason::NoStatement)?;
     block.word(verdict)?;
-    let uses = claim.list("proof_uses").iter().filter_map(Toml::as_text).collect();
+    let uses =
+        claim.list("proof_uses").iter().filter_map(Toml::as_text).map(str::to_owned).collect();
     Ok(Verdict::Cited { statement: format!("THEOREMS.md, {number}"), uses })
 }
 

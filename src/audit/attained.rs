@@ -1,0 +1,174 @@
+//! The constants that a table's values are computed from, and where they are attained.
+
+use super::judge::{At, Judge};
+use super::reading::Settings;
+use crate::bound::{Constants, Operator, Order, PowerSearch};
+use crate::diagnostic::Diagnostic;
+use crate::exact::{Integer, Rational, RealCyclotomic};
+use crate::scheme::{Instance, Rules};
+use std::collections::BTreeSet;
+use std::rc::Rc;
+
+/// Products of sequences of at most so many coefficients can be looked at class by class.
+const MAX_LENGTH: u64 = 1 << 16;
+
+/// A constant of a cell, with the residue class that attains it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AttainedConstant {
+    /// The row, counted from 0.
+    pub row: usize,
+    /// The column, counted from 0.
+    pub column: usize,
+    /// The call that gives it, in the scope of the cell.
+    pub formula: String,
+    /// The class of the places of the product of sequences, mod n^c.
+    pub class: Integer,
+    /// The constant.
+    pub value: RealCyclotomic,
+}
+
+/// T_c or Λ_c with more residue classes than can be looked at, and what bounds all others.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SearchedConstant {
+    /// The scheme.
+    pub scheme: Instance,
+    /// Whether it is T_c or Λ_c.
+    pub operator: Operator,
+    /// The order in which the sequence is read.
+    pub order: Order,
+    /// c.
+    pub levels: u32,
+    /// The class of the places of the product of sequences, mod n^c.
+    pub class: Integer,
+    /// The constant.
+    pub value: Rational,
+    /// Bounds of the norms of the lower powers.
+    pub powers: Powers,
+}
+
+/// Bounds of ‖E^m‖, R = sE: `proofs/THEOREMS.md`, 60 to 63.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Powers {
+    /// One for all m.
+    All(Rational),
+    /// One for each m from 1 to c − 1.
+    Each(Vec<Rational>),
+}
+
+/// A constant that was asked for.
+#[derive(Clone)]
+pub(super) struct NotedConstant {
+    pub(super) instance: Instance,
+    pub(super) constants: Rc<Constants>,
+    pub(super) operator: Operator,
+    pub(super) levels: u32,
+    pub(super) order: Order,
+    /// The option that names its scheme.
+    pub(super) named: Option<String>,
+}
+
+impl NotedConstant {
+    fn key(&self) -> (Instance, Operator, Order, u32) {
+        (self.instance.clone(), self.operator, self.order, self.levels)
+    }
+
+    fn rules(&self) -> &Rules {
+        match self.operator {
+            Operator::Difference => self.constants.difference(),
+            Operator::Scheme => self.constants.mask().rules(),
+        }
+    }
+
+    /// Whether the product of the sequences is too long for every class to be looked at.
+    fn is_searched(&self) -> bool {
+        let (n, width) = (self.rules().arity() as u64, self.rules().width() as u64);
+        let last = |classes: u64| (n * width - 1).checked_mul((classes - 1) / (n - 1));
+        let length = n.checked_pow(self.levels).and_then(last);
+        length.is_none_or(|last| last >= MAX_LENGTH)
+    }
+
+    /// The class of a row: row r at the offset o has the coefficients of the class r +
+    /// (o + N − 1)(n + … + n^c) mod n^c of the product of the sequences.
+    fn class(&self, row: &Integer) -> Integer {
+        let n = Integer::from(self.rules().arity());
+        let powers: Integer = (1..self.levels).map(|k| n.pow(k)).sum();
+        let shift = Integer::from(self.rules().offset()) + Integer::from(self.rules().width() - 1);
+        (row + powers * shift).div_rem_floor(&n.pow(self.levels)).1
+    }
+
+    fn formula(&self) -> String {
+        let function = match self.operator {
+            Operator::Difference => "contraction",
+            Operator::Scheme => "norm",
+        };
+        let order = if self.order == Order::Forward { ", order = forward" } else { "" };
+        let scheme = self.named.as_ref().map_or(String::new(), |name| format!(", scheme = {name}"));
+        format!("{function}({}{order}{scheme})", self.levels)
+    }
+
+    /// What shows it by a tree; `None` beyond the caps of a search.
+    fn searched(&self) -> Option<SearchedConstant> {
+        let mut search = PowerSearch::new(self.rules(), self.order);
+        let found = search.search(self.levels)?.norm;
+        let tree = search.tree(self.levels)?;
+        let powers = match tree.uniform {
+            Some(uniform) => Powers::All(uniform.bound),
+            None => Powers::Each(tree.totals[1..].to_vec()),
+        };
+        Some(SearchedConstant {
+            scheme: self.instance.clone(),
+            operator: self.operator,
+            order: self.order,
+            levels: self.levels,
+            class: self.class(&found.class),
+            value: found.value,
+            powers,
+        })
+    }
+}
+
+/// The constants of all cells, as printed: each once, in the first cell that needs it; and those
+/// of many residue classes, with `read_otherwise` in both orders.
+pub(super) fn constants(
+    judge: &Judge<'_>,
+    read_otherwise: bool,
+) -> Result<(Vec<AttainedConstant>, Vec<SearchedConstant>), Diagnostic> {
+    let assume: BTreeSet<String> = judge.assumed.keys().cloned().collect();
+    let (mut attained, mut searched) = (Vec::<AttainedConstant>::new(), Vec::new());
+    let (mut known, mut large) = (BTreeSet::new(), BTreeSet::new());
+    let settings = &Settings::default();
+    for row in 0..judge.table.cells.len() {
+        for column in 0..judge.table.cells[row].len() {
+            judge.library.note();
+            judge.evaluate(&judge.table.value, At { row, column, assume: &assume, settings })?;
+            let (constants, norms) = judge.library.noted();
+            for noted in constants {
+                let orders = [noted.order, Order::Adjoint, Order::Forward];
+                let asked = if read_otherwise { 3 } else { 1 };
+                if noted.is_searched() {
+                    let both = orders[..asked].iter().map(|&order| (order, noted.clone()));
+                    let both = both.map(|(order, noted)| NotedConstant { order, ..noted });
+                    let new = both.filter(|noted| large.insert(noted.key()));
+                    searched.extend(new.filter_map(|noted| noted.searched()));
+                } else if noted.levels > 0 && known.insert((noted.key(), noted.named.clone())) {
+                    let mut search = PowerSearch::new(noted.rules(), noted.order);
+                    let Ok(found) = search.norm(noted.levels) else { continue };
+                    let (formula, value) = (noted.formula(), found.value.into());
+                    let class = noted.class(&found.class);
+                    attained.push(AttainedConstant { row, column, formula, class, value });
+                }
+            }
+            for norm in norms {
+                let (formula, class, value) = (norm.formula, norm.index.into(), norm.value);
+                let new = AttainedConstant { row, column, formula, class, value };
+                let same = |old: &AttainedConstant| {
+                    (&old.formula, &old.class, &old.value) == (&new.formula, &new.class, &new.value)
+                };
+                if !attained.iter().any(same) {
+                    attained.push(new);
+                }
+            }
+        }
+    }
+    Ok((attained, searched))
+}
