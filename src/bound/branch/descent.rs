@@ -48,7 +48,7 @@ struct Below<T> {
 /// What a search works on, in numbers of one width.
 pub(super) struct Descent<'a, T: Number, const K: usize> {
     pub(super) problem: &'a Problem<'a, K>,
-    pub(super) trees: [Tree<T>; K],
+    trees: [Tree<T>; K],
     below: [Vec<Below<T>>; K],
     /// n^0, …, n^c.
     classes: Vec<T>,
