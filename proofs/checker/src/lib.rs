@@ -32,12 +32,15 @@ mod toml;
 mod value;
 mod witness;
 
+use certificate::Block;
 use paper::Paper;
+use reject::Checked;
 pub use reject::{Reason, Rejection, Stop};
 use rules::Verdict;
 use scheme::{Library, catalogue};
 use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZero;
+use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::{Builder, available_parallelism};
 use toml::Toml;
@@ -95,51 +98,30 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
             let (kind, id) = block.head.word();
             let claim = file.list(kind).iter().find(|claim| claim.text("id") == Some(id));
             match claim.filter(|_| paper::KINDS.contains(&kind)) {
-                Some(claim) => tasks.push((place, kind, id, claim, block)),
+                Some(claim) => tasks.push(Task { place, kind, id, claim, block }),
                 None => broken.push((place, block.head.reject(Reason::NoSuchClaim))),
             }
         }
     }
-    // Every claim has one block, and what it says does not depend on the others.
-    let next = AtomicUsize::new(0);
-    let worker = || {
-        let library = Library::new(file.list("scheme"), &known);
-        let Ok(paper) = Paper::new(&file, &library) else { return Vec::new() };
-        let mut checked = Vec::new();
-        while let at = next.fetch_add(1, Ordering::Relaxed)
-            && let Some((_, kind, _, claim, block)) = tasks.get(at)
-        {
-            checked.push((at, rules::check(&paper, kind, claim, block.clone())));
-        }
-        checked
-    };
-    let cores = available_parallelism().map_or(1, NonZero::get);
-    let mut checked: Vec<_> = std::thread::scope(|scope| {
-        let spawn = |_| Builder::new().stack_size(STACK).spawn_scoped(scope, worker).ok();
-        let workers: Vec<_> = (0..cores).filter_map(spawn).collect();
-        workers.into_iter().filter_map(|worker| worker.join().ok()).flatten().collect()
-    });
-    checked.sort_by_key(|(at, _)| *at);
     let mut outcomes: BTreeMap<(&str, &str), Outcome> = BTreeMap::new();
     let (mut holding, mut cited) = (BTreeSet::new(), Vec::new());
-    for (at, checked) in checked {
-        let (place, kind, id, _, block) = &tasks[at];
-        let outcome = match checked {
+    for (task, verdict) in tasks.iter().zip(verdicts(&file, &known, &tasks)) {
+        let outcome = match verdict {
             Ok(Verdict::Other) => Outcome::Valid,
             Ok(Verdict::Holds) => {
-                holding.insert(*id);
+                holding.insert(task.id);
                 Outcome::Valid
             }
             Ok(Verdict::Cited { statement, uses }) => {
-                cited.push((*id, block.head, uses));
+                cited.push((task.id, task.block.head, uses));
                 Outcome::Cited(statement)
             }
             Err(rejection) if rejection.given_up() => Outcome::Incomplete(Some(rejection)),
-            Err(rejection) => Outcome::Invalid(*place, rejection),
+            Err(rejection) => Outcome::Invalid(task.place, rejection),
         };
-        if outcomes.insert((kind, id), outcome).is_some() {
-            let twice = block.head.reject(Reason::Twice);
-            outcomes.insert((kind, id), Outcome::Invalid(*place, twice));
+        if outcomes.insert((task.kind, task.id), outcome).is_some() {
+            let twice = task.block.head.reject(Reason::Twice);
+            outcomes.insert((task.kind, task.id), Outcome::Invalid(task.place, twice));
         }
     }
     for (id, head, uses) in cited {
@@ -152,4 +134,42 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
         (kind, id.to_owned(), outcomes.remove(&(kind, id)).unwrap_or(Outcome::Incomplete(None)))
     });
     Ok(Report { key, claims: claims.collect(), broken })
+}
+
+/// A claim, and what a certificate says of it.
+struct Task<'t> {
+    /// The certificate's place among those given.
+    place: usize,
+    kind: &'t str,
+    id: &'t str,
+    claim: &'t Toml,
+    block: Block<'t>,
+}
+
+/// Checks each on its own, on all cores.
+fn verdicts(file: &Toml, known: &[Toml], tasks: &[Task<'_>]) -> Vec<Checked<Verdict>> {
+    let next = AtomicUsize::new(0);
+    let worker = || {
+        let library = Library::new(file.list("scheme"), known);
+        let Ok(paper) = Paper::new(file, &library) else { return Vec::new() };
+        let mut checked = Vec::new();
+        while let at = next.fetch_add(1, Ordering::Relaxed)
+            && let Some(Task { kind, claim, block, .. }) = tasks.get(at)
+        {
+            checked.push((at, rules::check(&paper, kind, claim, block.clone())));
+        }
+        checked
+    };
+    let cores = available_parallelism().map_or(1, NonZero::get);
+    let mut checked = std::thread::scope(|scope| {
+        let spawn = |_| Builder::new().stack_size(STACK).spawn_scoped(scope, worker).ok();
+        let workers: Vec<_> = (0..cores).filter_map(spawn).collect();
+        let mut checked = Vec::new();
+        for worker in workers {
+            checked.extend(worker.join().unwrap_or_else(|panic| resume_unwind(panic)));
+        }
+        checked
+    });
+    checked.sort_by_key(|(at, _)| *at);
+    checked.into_iter().map(|(_, verdict)| verdict).collect()
 }
