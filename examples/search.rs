@@ -1,10 +1,10 @@
 //! Nodes, time and memory of the searches for T_c, Λ_c and the joint suprema, against c.
 //!
 //! `cargo run --release --example search` for the schemes of the papers, or with scheme names
-//! and a number c.
+//! and numbers c, and the word `forward` for masks that are read forwards.
 
 use std::time::Instant;
-use subcert::bound::{Order, PowerSearch, joint_norm};
+use subcert::bound::{JointSearch, Order, PowerSearch, Searched};
 use subcert::scheme::parse_scheme;
 
 const SCHEMES: [&str; 6] = [
@@ -17,8 +17,11 @@ const SCHEMES: [&str; 6] = [
 ];
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let (forward, words): (Vec<String>, Vec<String>) =
+        std::env::args().skip(1).partition(|word| word == "forward");
+    let order = if forward.is_empty() { Order::Adjoint } else { Order::Forward };
     let (levels, mut names): (Vec<String>, Vec<String>) =
-        std::env::args().skip(1).partition(|word| word.parse::<u32>().is_ok());
+        words.into_iter().partition(|word| word.parse::<u32>().is_ok());
     let mut levels: Vec<u32> = levels.iter().filter_map(|c| c.parse().ok()).collect();
     if levels.is_empty() {
         levels = vec![8, 16, 20, 32, 64, 128, 256];
@@ -27,8 +30,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         names = SCHEMES.map(str::to_owned).to_vec();
     }
     println!(
-        "{:34} {:>4} {:>12} {:>10} {:>12} {:>10} {:>10}",
-        "", "c", "T: nodes", "ms", "Λ: nodes", "ms", "joint: ms"
+        "{:34} {:>4} {:>10} {:>10} {:>10} {:>10} {:>12} {:>10}",
+        "", "c", "T: nodes", "ms", "Λ: nodes", "ms", "joint: nodes", "ms"
     );
     for name in names {
         let scheme = parse_scheme(&name)?;
@@ -36,17 +39,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         for &c in &levels {
             print!("{name:34} {c:>4}");
             let difference = mask.difference();
-            for rules in [&difference, mask.rules()] {
-                let start = Instant::now();
-                let found = PowerSearch::new(rules, Order::Adjoint).search(c);
-                let time = start.elapsed().as_secs_f64() * 1e3;
-                let nodes = found.map_or("–".to_owned(), |found| found.nodes.to_string());
-                print!(" {nodes:>12} {time:>10.1}");
-            }
-            let start = Instant::now();
-            let joint = joint_norm(&difference, mask.rules(), c, Order::Adjoint);
-            let time = format!("{:.1}", start.elapsed().as_secs_f64() * 1e3);
-            println!(" {:>10}", joint.map_or("–".to_owned(), |_| time));
+            timed(10, || PowerSearch::new(&difference, order).search(c));
+            timed(10, || PowerSearch::new(mask.rules(), order).search(c));
+            timed(12, || JointSearch::new(&difference, mask.rules(), order).search(c));
+            println!();
         }
     }
     if let Ok(status) = std::fs::read_to_string("/proc/self/status") {
@@ -54,4 +50,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         println!("{}", peak.unwrap_or_default());
     }
     Ok(())
+}
+
+/// Prints the nodes and the time of a search.
+fn timed(width: usize, search: impl FnOnce() -> Option<Searched>) {
+    let start = Instant::now();
+    let found = search();
+    let time = start.elapsed().as_secs_f64() * 1e3;
+    let nodes = found.map_or("–".to_owned(), |found| found.nodes.to_string());
+    print!(" {nodes:>width$} {time:>10.1}");
 }

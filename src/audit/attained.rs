@@ -110,10 +110,10 @@ impl NotedConstant {
     fn searched(&self) -> Option<SearchedConstant> {
         let mut search = PowerSearch::new(self.rules(), self.order);
         let found = search.search(self.levels)?.norm;
-        let tree = search.tree(self.levels)?;
-        let powers = match tree.uniform {
+        let rests = search.tree(self.levels)?.operators.pop()?;
+        let powers = match rests.uniform {
             Some(uniform) => Powers::All(uniform.bound),
-            None => Powers::Each(tree.totals[1..].to_vec()),
+            None => Powers::Each(rests.totals[1..].to_vec()),
         };
         Some(SearchedConstant {
             scheme: self.instance.clone(),

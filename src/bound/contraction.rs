@@ -1,6 +1,6 @@
 //! ‖Dᶜ‖_∞: the norm of a power of a subdivision operator.
 
-use super::branch::{MAX_LEVELS, PowerSearch, joint};
+use super::branch::{JointSearch, MAX_LEVELS, PowerSearch};
 use super::walk::{Magnitude, walk};
 use crate::exact::{CommonDenominator, Integer, Rational, Real, Scalar};
 use crate::scheme::Rules;
@@ -127,9 +127,7 @@ pub fn joint_norm(
     levels: u32,
     order: Order,
 ) -> Result<PowerNorm, ClassCap> {
-    same_shape(first, second);
-    let pair = [oriented(first, order).with_offset(0), oriented(second, order).with_offset(0)];
-    joint([&pair[0], &pair[1]], levels)
+    JointSearch::new(first, second, order).norm(levels)
 }
 
 /// The value and the row of [`joint_norm`] by visiting every residue class.
@@ -145,7 +143,8 @@ pub fn walked_joint_norm(
     levels: u32,
     order: Order,
 ) -> Result<PowerNorm, ClassCap> {
-    same_shape(first, second);
+    assert_eq!(first.arity(), second.arity(), "joint suprema need equal arities");
+    assert_eq!(first.width(), second.width(), "joint suprema need equal widths");
     ClassCap::check(first.arity(), levels)?;
     let common = [first, second].map(|rules| CommonDenominator::of(oriented(rules, order).rows()));
     let rows = common.each_ref().map(|common| common.numerators.clone());
@@ -158,11 +157,6 @@ pub fn walked_joint_norm(
     });
     let scale = (&common[0].denominator * &common[1].denominator).pow(levels);
     Ok(PowerNorm { value: Rational::new(best.0, scale), class: Integer::from(best.1) })
-}
-
-fn same_shape(first: &Rules, second: &Rules) {
-    assert_eq!(first.arity(), second.arity(), "joint suprema need equal arities");
-    assert_eq!(first.width(), second.width(), "joint suprema need equal widths");
 }
 
 /// The value of [`power_norm`] over any [`Real`] numbers: the same walk, operation

@@ -18,7 +18,10 @@ mod transport_tree;
 mod walk;
 
 pub use algebraic_depth::log_level_algebraic;
-pub use branch::{Closed, Leaf, MAX_LEVELS, PowerSearch, SearchTree, Searched, UniformBound};
+pub use branch::{
+    Closed, JointSearch, Leaf, MAX_LEVELS, PowerSearch, SearchTree, Searched, SearchedOperator,
+    UniformBound,
+};
 pub use constants::{Constants, Operator, Suprema};
 pub use contraction::{
     ClassCap, MAX_CLASSES, Order, PowerNorm, joint_norm, power_norm, power_norm_generic,

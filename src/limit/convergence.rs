@@ -2,30 +2,49 @@
 
 use super::error::{LimitError, MAX_WINDOW};
 use super::functional::{Functional, rule_at};
-use crate::bound::{Order, power_norm};
+use crate::bound::{Order, PowerSearch};
 use crate::exact::{Rational, solve};
 use crate::scheme::{Mask, Rules};
 
 /// The residue classes up to which ‖Rᶜ‖ is computed in any case.
 const CLASSES: u64 = 1 << 10;
 
-/// The residue classes up to which a norm below 1 is looked for.
+/// The residue classes up to which a norm below 1 is looked for in any case, and beyond them the
+/// products of words that branch and bound may compute.
 const MOST_CLASSES: u64 = 1 << 16;
+const MOST_WORK: u64 = 1 << 25;
 
-/// ‖R^0‖ = 1, ‖R^1‖, …, in adjoint order: for n^c ≤ 2^10, and for n^c ≤ 2^16 while
-/// none is below 1.
+/// ‖R^0‖ = 1, ‖R^1‖, …, in adjoint order: for n^c ≤ 2^10, and while none is below 1 for
+/// n^c ≤ 2^16; and beyond, if branch and bound soon finds one that is below 1.
 pub(super) fn contraction_constants(rules: &Rules) -> Vec<Rational> {
     let one = Rational::one();
+    let mut search = PowerSearch::new(rules, Order::Adjoint);
     let mut constants = vec![one.clone()];
     let mut classes = rules.arity() as u64;
     for c in 1.. {
         let contracts = constants[1..].iter().any(|constant| *constant < one);
         if classes > if contracts { CLASSES } else { MOST_CLASSES } {
+            if !contracts {
+                constants.extend(first_below_one(&mut search, c));
+            }
             break;
         }
-        let norm = power_norm(rules, c, Order::Adjoint).expect("2^16 classes can be walked");
+        let norm = search.norm(c).expect("2^16 classes can be walked");
         constants.push(norm.value);
         classes = classes.saturating_mul(rules.arity() as u64);
+    }
+    constants
+}
+
+/// ‖R^c‖, ‖R^{c+1}‖, … up to the first that is below 1; none if it is not soon found.
+fn first_below_one(search: &mut PowerSearch, first: u32) -> Vec<Rational> {
+    let (mut constants, mut work) = (Vec::new(), MOST_WORK);
+    for c in first.. {
+        let Some(found) = search.search_within(c, &mut work) else { return Vec::new() };
+        constants.push(found.norm.value);
+        if constants[constants.len() - 1] < Rational::one() {
+            break;
+        }
     }
     constants
 }

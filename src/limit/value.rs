@@ -43,7 +43,8 @@ pub struct Limit {
 impl Limit {
     /// The limit of the scheme of this mask.
     ///
-    /// T_c is computed for n^c ≤ 2^10, and up to n^c ≤ 2^16 while none is below 1.
+    /// T_c is computed for n^c ≤ 2^10, and while none is below 1 up to n^c ≤ 2^16, and beyond where
+    /// branch and bound soon comes to one.
     ///
     /// # Errors
     /// When 1 is a multiple eigenvalue, so that there is no continuous limit; when no

@@ -1,11 +1,11 @@
 //! Branch and bound against the walk over all rows.
 
 use super::common::{affine, mask, r, rules};
+use super::row_bounds::{power_row, size};
 use proptest::prelude::*;
-use std::collections::BTreeMap;
 use subcert::bound::{
-    Closed, Order, PowerSearch, UniformBound, joint_norm, power_norm, power_norm_generic,
-    walked_joint_norm, walked_norm,
+    JointSearch, Order, PowerSearch, joint_norm, power_norm, power_norm_generic, walked_joint_norm,
+    walked_norm,
 };
 use subcert::exact::{Integer, Rational};
 use subcert::scheme::{Rules, lagrange_mask};
@@ -157,18 +157,45 @@ fn a_quarter_of_a_million_rows() {
     }
 }
 
-// Their product has its maximum where one norm grows and the other falls.
+// Their product has its maximum where one norm grows and the other falls. For the four-point scheme
+// the sums of E = 2D are nowhere smooth, and greater rows are found again and again.
 #[test]
-fn joint_suprema_of_64_levels() {
-    for scheme in ["four-point", "ternary-four-point:mu=1/11"] {
+fn joint_suprema_of_many_levels() {
+    for (scheme, c, most) in [
+        ("four-point", 64, 1000),
+        ("four-point", 256, 4000),
+        ("ternary-four-point:mu=1/11", 64, 400),
+    ] {
         let mask = mask(scheme);
         let difference = mask.difference();
-        let joint = joint_norm(&difference, mask.rules(), 64, Order::Adjoint).unwrap();
-        let norm = |rules: &Rules| power_norm(rules, 64, Order::Adjoint).unwrap().value;
+        let joint = JointSearch::new(&difference, mask.rules(), Order::Adjoint).search(c).unwrap();
+        assert!(joint.nodes < most, "{scheme}, c = {c}: {} nodes", joint.nodes);
+        let joint = joint.norm;
+        let norm = |rules: &Rules| power_norm(rules, c, Order::Adjoint).unwrap().value;
         assert!(joint.value <= norm(&difference) * norm(mask.rules()));
         let row =
-            |rules: &Rules| size(&power_row(&rules.with_offset(0), &r(1, 1), 64, &joint.class));
+            |rules: &Rules| size(&power_row(&rules.with_offset(0), &r(1, 1), c, &joint.class));
         assert_eq!(joint.value, row(&difference) * row(mask.rules()));
+        // The neighbours are not greater.
+        let [difference, mask] = [&difference, mask.rules()].map(|rules| rules.with_offset(0));
+        for step in [-2, -1, 1, 2] {
+            let class = &joint.class + Integer::from(step);
+            let row = |rules: &Rules| size(&power_row(rules, &r(1, 1), c, &class));
+            assert!(row(&difference) * row(&mask) <= joint.value);
+        }
+    }
+}
+
+// Rows that are read forwards: the lines of a node do not show which of its parts is greatest.
+#[test]
+fn forward_norms_of_many_levels() {
+    for (scheme, c, most) in [("four-point", 64, 10_000), ("quinary-three-point", 40, 10_000)] {
+        for rules in [mask(scheme).difference(), mask(scheme).rules().clone()] {
+            let found = PowerSearch::new(&rules, Order::Forward).search(c).unwrap();
+            assert!(found.nodes < most, "{scheme}: {} nodes", found.nodes);
+            let rules = rules.reversed();
+            assert_eq!(size(&power_row(&rules, &r(1, 1), c, &found.norm.class)), found.norm.value);
+        }
     }
 }
 
@@ -179,184 +206,5 @@ fn ties_go_to_the_least_row() {
         let rules = mask(&format!("b-spline:degree={degree}")).difference();
         let norm = power_norm(&rules, 40, Order::Adjoint).unwrap();
         assert_eq!((norm.value, norm.class), (r(1, 2).pow(40), Integer::zero()));
-    }
-}
-
-/// Row i of E^m, from the definition, for all i asked for.
-fn power_row(rules: &Rules, factor: &Rational, levels: u32, index: &Integer) -> Row {
-    let n = Integer::from(rules.arity());
-    let mut row: Row = BTreeMap::from([(index.clone(), Rational::one())]);
-    for _ in 0..levels {
-        let mut coarse = Row::new();
-        for (fine, x) in row {
-            let (base, rule) = fine.div_rem_floor(&n);
-            let rule = usize::try_from(rule.to_i64().unwrap()).unwrap();
-            for (j, y) in (rules.offset()..).zip(&rules.rows()[rule]).filter(|(_, y)| !y.is_zero())
-            {
-                let entry = coarse.entry(&base + Integer::from(j)).or_insert_with(Rational::zero);
-                *entry += &(&x * y / factor);
-            }
-        }
-        row = coarse;
-    }
-    row
-}
-
-type Row = BTreeMap<Integer, Rational>;
-
-fn size(row: &Row) -> Rational {
-    row.values().map(Rational::abs).sum()
-}
-
-/// Σ c·row.
-fn combined(terms: &[(Rational, &Row)]) -> Row {
-    let mut sum = Row::new();
-    for (c, row) in terms {
-        for (index, x) in *row {
-            *sum.entry(index.clone()).or_insert_with(Rational::zero) += &(c * x);
-        }
-    }
-    sum
-}
-
-/// Theorem 62 as it stands, for the line through positions a and a + 1 that gives the least.
-fn line_bound(rows: &[Row], first: i64, [u, v]: &[Rational; 2], tau: &Rational) -> Rational {
-    let bound = |a: usize| {
-        let at = |w: &Rational| {
-            let t = w - Rational::from(first + i64::try_from(a).unwrap());
-            combined(&[(Rational::one() - &t, &rows[a]), (t, &rows[a + 1])])
-        };
-        let position = |p: usize| Rational::from(first + i64::try_from(p).unwrap());
-        let off: Vec<Row> = (0..rows.len())
-            .map(|p| combined(&[(r(1, 1), &rows[p]), (r(-1, 1), &at(&position(p)))]))
-            .collect();
-        let (low, high) = (at(u), at(v));
-        let value = |row: &Row, k: &Integer| row.get(k).cloned().unwrap_or_else(Rational::zero);
-        let sign = |k: &Integer| {
-            let radius = off.iter().map(|row| value(row, k).abs()).max().unwrap() * tau;
-            let ends = [value(&low, k), value(&high, k)];
-            [1, -1].into_iter().find(|&s| ends.iter().all(|x| x * Rational::from(s) >= radius))
-        };
-        let rest = |row: &Row| {
-            let (mut signed, mut others) = (Rational::zero(), Rational::zero());
-            for (k, x) in row {
-                match sign(k) {
-                    Some(s) => signed += &(x * Rational::from(s)),
-                    None => others += &x.abs(),
-                }
-            }
-            signed.abs() + others
-        };
-        size(&low).max(size(&high)) + tau * off.iter().map(rest).max().unwrap()
-    };
-    (0..rows.len() - 1).map(bound).min().unwrap()
-}
-
-/// The leaves cover all rows, and their bounds are at most the norm, by definitions alone; whether
-/// a bound of all powers was used, and followed.
-fn follow(rules: &Rules, levels: u32) -> bool {
-    let tree = PowerSearch::new(rules, Order::Adjoint).tree(levels).unwrap();
-    let at = rules.with_offset(tree.offset);
-    let n = Integer::from(rules.arity());
-    let norm = walked_norm(rules, levels, Order::Adjoint).unwrap().value;
-    assert_eq!(norm, tree.norm.clone() * tree.factor.abs().pow(levels.cast_signed()));
-    for (m, total) in (0..).zip(&tree.totals) {
-        let exact = walked_norm(rules, m, Order::Adjoint).unwrap().value;
-        assert!(total * tree.factor.abs().pow(m.cast_signed()) >= exact);
-    }
-    // The positions that any row needs.
-    let rows_of = |m: u32| {
-        let last = n.pow(m).to_i64().unwrap();
-        (0..last).map(Integer::from)
-    };
-    let supports = (0..=levels).flat_map(|m| rows_of(m).map(move |t| (m, t))).flat_map(|(m, t)| {
-        power_row(&at, &tree.factor, m, &t).into_keys().collect::<Vec<Integer>>()
-    });
-    let window = supports.fold((0, 0), |(low, high), p| {
-        let p = p.to_i64().unwrap();
-        (low.min(p), high.max(p))
-    });
-    if let Some(uniform) = &tree.uniform {
-        follow_uniform(&at, &tree.factor, window, uniform);
-    }
-    let mut next = Integer::zero();
-    for leaf in &tree.leaves {
-        let m = levels - leaf.level;
-        assert_eq!(&leaf.index * n.pow(m), next);
-        next += &n.pow(m);
-        let row =
-            |p: i64| power_row(&at, &tree.factor, leaf.level, &(&leaf.index + Integer::from(p)));
-        let rows: Vec<Row> = (window.0..=window.1).map(row).collect();
-        let bound = match leaf.closed {
-            Closed::Row => size(&row(0)),
-            Closed::Largest => rows.iter().map(size).max().unwrap() * &tree.totals[m as usize],
-            Closed::Line => {
-                let moment = |t: Integer| -> Rational {
-                    let row = power_row(&at, &tree.factor, m, &t);
-                    row.iter().map(|(p, x)| Rational::from(p.clone()) * x).sum()
-                };
-                let moments: Vec<Rational> = rows_of(m).map(moment).collect();
-                let ends = [moments.iter().min().unwrap(), moments.iter().max().unwrap()];
-                line_bound(&rows, window.0, &ends.map(Clone::clone), &tree.totals[m as usize])
-            }
-        };
-        assert!(bound <= tree.norm, "{leaf:?} of {rules:?}");
-    }
-    assert_eq!(next, n.pow(levels));
-    tree.uniform.is_some()
-}
-
-/// The tree of Theorem 63 covers all rows, and shows the bound, by definitions alone.
-fn follow_uniform(at: &Rules, factor: &Rational, window: (i64, i64), uniform: &UniformBound) {
-    let n = Integer::from(at.arity());
-    let tau = &uniform.bound;
-    let nth = r(1, n.to_i64().unwrap());
-    let shifts: Vec<Rational> = (0..n.to_i64().unwrap())
-        .map(|beta| {
-            let row = power_row(at, factor, 1, &Integer::from(beta));
-            assert_eq!(row.values().sum::<Rational>(), r(1, 1));
-            let moment: Rational = row.iter().map(|(p, x)| Rational::from(p.clone()) * x).sum();
-            moment - Rational::from(beta) * &nth
-        })
-        .collect();
-    let (least, most) = (shifts.iter().min().unwrap(), shifts.iter().max().unwrap());
-    let (phi, rho) = ((least + most) * r(1, 2), (most - least) * r(1, 2));
-    let whole = (r(1, 1) - &nth).recip();
-    let (limit, radius) = (&phi * &whole, rho * tau * &whole);
-    let ends =
-        [phi.clone().min(limit.clone()) - &radius, (phi - &nth).max(limit) + r(1, 1) + &radius];
-    let mut next = Rational::zero();
-    for (level, index) in &uniform.leaves {
-        assert!(*level > 0);
-        // The part of all rows that are below it.
-        let part = n.pow(*level);
-        assert_eq!(Rational::new(index.clone(), part.clone()), next);
-        next += &Rational::new(1, part);
-        let mut above = index.clone();
-        for m in (0..=*level).rev() {
-            assert!(size(&power_row(at, factor, m, &above)) <= *tau);
-            above = above.div_floor(&n);
-        }
-        let row = |p: i64| power_row(at, factor, *level, &(index + Integer::from(p)));
-        let rows: Vec<Row> = (window.0..=window.1).map(row).collect();
-        assert!(line_bound(&rows, window.0, &ends, tau) <= *tau, "level {level}, {index}");
-    }
-    assert_eq!(next, r(1, 1));
-}
-
-#[test]
-fn trees_can_be_followed() {
-    for (scheme, levels) in [
-        ("four-point", 10),
-        ("six-point:w=3/256", 7),
-        ("chaikin", 6),
-        ("ternary-four-point:mu=1/11", 5),
-        ("quinary-three-point", 3),
-        ("newton:j=1,n=3", 4),
-    ] {
-        let mask = mask(scheme);
-        let uniform = follow(&mask.difference(), levels);
-        assert_eq!(uniform, levels == 10, "{scheme}");
-        follow(mask.rules(), levels.min(5));
     }
 }

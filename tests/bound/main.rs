@@ -11,6 +11,8 @@ mod displacement;
 mod norm;
 mod parameter_range;
 mod ring;
+mod row_bounds;
+mod search_tree;
 mod sound;
 mod surface;
 mod transport;

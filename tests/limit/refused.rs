@@ -1,6 +1,7 @@
 //! Schemes without a limit, and questions without an answer.
 
 use super::common::{mask, r};
+use subcert::bound::{Order, power_norm};
 use subcert::exact::Rational;
 use subcert::limit::{Limit, LimitError};
 use subcert::scheme::Mask;
@@ -22,6 +23,20 @@ fn schemes_that_do_not_converge() {
     let message = refusal(&mask("four-point:w=1")).to_string();
     assert!(message.starts_with("not shown to converge: the least"), "{message}");
     assert!(message.contains("for c from 1 to 16"), "{message}");
+}
+
+// The four-point scheme converges for |w| < 1/2; the nearer w is to the ends, the later T_c < 1.
+#[test]
+fn schemes_that_contract_late() {
+    for (w, c) in [("9/20", 8), ("12/25", 19), ("49/100", 36)] {
+        let scheme = mask(&format!("four-point:w={w}"));
+        let limit = Limit::new(&scheme).unwrap();
+        let constants = limit.contraction();
+        let first = constants.iter().position(|constant| *constant < r(1, 1));
+        assert_eq!(first, Some(c), "w = {w}");
+        let norm = power_norm(&scheme.difference(), 19, Order::Adjoint).unwrap();
+        assert!(constants.get(19).is_none_or(|constant| *constant == norm.value), "w = {w}");
+    }
 }
 
 #[test]

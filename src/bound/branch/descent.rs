@@ -1,28 +1,43 @@
-//! Branch and bound over the rows of a power.
+//! Nodes, their parts, and the bounds of the rows below them.
 
 use super::estimate::{Estimator, Line, Place};
 use super::number::Number;
-use super::search::{Greatest, Problem};
+use super::search::Problem;
 use super::tree::Tree;
 use crate::exact::Integer;
-use std::cmp::Ordering;
+use std::cmp::{Ordering, Reverse};
 
-/// After so many improvements a search looks for a great row with a beam of so many nodes.
-const WANDERING: u32 = 8;
-const BEAM: usize = 16;
-
-/// A node whose bound does not close it.
-struct Node<T, const K: usize> {
+/// A node that is not closed.
+pub(super) struct Node<T, const K: usize> {
     /// The product of fraction·q^c of the operators, times the bound.
-    bound: T,
-    /// The same by its own rows alone: of several with one bound, what is likely to be greater.
-    promise: T,
+    pub(super) bound: T,
+    /// What a row below it may be expected to have.
+    pub(super) promise: T,
     /// The least class below it.
-    class: T,
-    level: u32,
-    index: T,
-    rows: [Vec<T>; K],
+    pub(super) class: T,
+    pub(super) level: u32,
+    pub(super) index: T,
+    pub(super) rows: [Vec<T>; K],
 }
+
+/// What the lines through two rows of a node say of the rows below it.
+pub(super) struct Lines<T> {
+    pub(super) bound: T,
+    /// The greatest norm, or product of norms, on the lines themselves.
+    promise: T,
+}
+
+/// A row; of several the best is the greatest, and of equal ones that of the least class.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Best<T> {
+    pub(super) value: T,
+    pub(super) class: Reverse<T>,
+    /// The product of the fractions, times the value.
+    threshold: T,
+}
+
+/// The parts of some nodes that are not closed, and the best row among them.
+pub(super) type Parts<T, const K: usize> = (Vec<Node<T, K>>, Option<Best<T>>);
 
 /// What bounds the rows m levels below a node, for one operator and one m.
 struct Below<T> {
@@ -30,32 +45,41 @@ struct Below<T> {
     place: Option<Place<T>>,
 }
 
-/// A search, with the space it works in.
-pub(super) struct Search<'a, T: Number, const K: usize> {
+/// What a search works on, in numbers of one width.
+pub(super) struct Descent<'a, T: Number, const K: usize> {
     pub(super) problem: &'a Problem<'a, K>,
-    pub(super) trees: [Tree<T>; K],
-    estimators: [Estimator<T>; K],
+    trees: [Tree<T>; K],
     below: [Vec<Below<T>>; K],
     /// n^0, …, n^c.
     classes: Vec<T>,
     /// The class of index 0 of level c.
     start: T,
     /// What bounds are multiples of one part of, for rows of the last level.
-    pub(super) fraction: T,
-    /// The value and its class, and `fraction` times the value.
-    best: Option<(T, T)>,
-    threshold: T,
-    /// How often a greater row was found.
-    improvements: u32,
-    splits: u64,
-    /// What a part costs, and rows to be written again.
-    cost: u64,
-    pool: Vec<[Vec<T>; K]>,
+    fraction: T,
+    /// What a part costs.
+    pub(super) cost: u64,
 }
 
-impl<'a, T: Number, const K: usize> Search<'a, T, K> {
+/// The space that nodes are split in: rows to be written again.
+pub(super) struct Space<T, const K: usize> {
+    estimators: [Estimator<T>; K],
+    pub(super) pool: Vec<[Vec<T>; K]>,
+}
+
+impl<T: Number> Best<T> {
+    /// Whether no row under this bound is greater, or as great and of a lower class.
+    pub(super) fn closes(&self, bound: &T, class: &T) -> bool {
+        match bound.cmp(&self.threshold) {
+            Ordering::Less => true,
+            Ordering::Equal => *class >= self.class.0,
+            Ordering::Greater => false,
+        }
+    }
+}
+
+impl<'a, T: Number, const K: usize> Descent<'a, T, K> {
     /// `None` if a coefficient does not fit.
-    pub(super) fn new(problem: &'a Problem<'a, K>, words: u64) -> Option<Search<'a, T, K>> {
+    pub(super) fn new(problem: &'a Problem<'a, K>, words: u64) -> Option<Descent<'a, T, K>> {
         let trees = problem.operators.iter().map(|operator| Tree::new(operator));
         let trees: [Tree<T>; K] = trees.collect::<Option<Vec<_>>>()?.try_into().ok()?;
         let arity = Integer::from(problem.operators[0].arity);
@@ -64,8 +88,7 @@ impl<'a, T: Number, const K: usize> Search<'a, T, K> {
         let shift: Integer = classes[1..].iter().sum::<Integer>() * &problem.operators[0].moved;
         let start = (-shift).div_rem_floor(&classes[problem.levels as usize]).1;
         let cost = |tree: &Tree<T>| (tree.cost() + 4 * (tree.size * tree.size) as u64) * words;
-        Some(Search {
-            estimators: trees.each_ref().map(|tree| Estimator::new(tree.size)),
+        Some(Descent {
             below: problem.reach.map(|reach| {
                 let below = reach[..problem.levels as usize].iter().map(|reach| Below {
                     total: T::from_integer(&reach.total),
@@ -81,54 +104,15 @@ impl<'a, T: Number, const K: usize> Search<'a, T, K> {
             fraction: problem.operators.iter().fold(T::one(), |product, operator| {
                 product.product(&T::from_integer(&operator.fraction))
             }),
-            best: None,
-            threshold: T::times(&T::one(), -1),
-            improvements: 0,
-            splits: 0,
-            pool: Vec::new(),
         })
     }
 
-    /// The greatest row; `None` when the work does not suffice.
-    pub(super) fn run(mut self) -> Option<Greatest> {
-        let mut beamed = false;
-        let mut stack = vec![self.root()];
-        while let Some(node) = stack.pop() {
-            if node.level == 0 || !self.closes(&node.bound, &node.class) {
-                let first = stack.len();
-                self.split(&node, &mut stack)?;
-                stack[first..].sort_by(|a, b| {
-                    let least_class = || b.class.cmp(&a.class);
-                    (&a.bound, &a.promise).cmp(&(&b.bound, &b.promise)).then_with(least_class)
-                });
-            }
-            self.pool.push(node.rows);
-            if self.improvements >= WANDERING && !beamed {
-                beamed = true;
-                self.beam()?;
-            }
-        }
-        let (value, class) = self.best?;
-        let (value, class) = (value.to_integer(), class.to_integer());
-        Some(Greatest { value, class, split: self.splits })
+    pub(super) fn space(&self) -> Space<T, K> {
+        let estimators = self.trees.each_ref().map(|tree| Estimator::new(tree.size));
+        Space { estimators, pool: Vec::new() }
     }
 
-    /// Looks for a great row from level to level, keeping the nodes that promise most.
-    fn beam(&mut self) -> Option<()> {
-        let (mut beam, mut parts) = (vec![self.root()], Vec::new());
-        while !beam.is_empty() {
-            for node in beam.drain(..) {
-                self.split(&node, &mut parts)?;
-                self.pool.push(node.rows);
-            }
-            parts.sort_by(|a, b| b.promise.cmp(&a.promise).then_with(|| a.class.cmp(&b.class)));
-            self.pool.extend(parts.drain(BEAM.min(parts.len())..).map(|part| part.rows));
-            std::mem::swap(&mut beam, &mut parts);
-        }
-        Some(())
-    }
-
-    fn root(&self) -> Node<T, K> {
+    pub(super) fn root(&self) -> Node<T, K> {
         Node {
             bound: T::zero(),
             promise: T::zero(),
@@ -139,50 +123,53 @@ impl<'a, T: Number, const K: usize> Search<'a, T, K> {
         }
     }
 
-    /// Whether no row under this bound is greater, or as great and of a lower class.
-    fn closes(&self, bound: &T, class: &T) -> bool {
-        match bound.cmp(&self.threshold) {
-            Ordering::Less => true,
-            Ordering::Equal => self.best.as_ref().is_some_and(|(_, least)| class >= least),
-            Ordering::Greater => false,
+    /// The parts of these nodes that are not closed, and the greatest row, if they are of the
+    /// last level.
+    pub(super) fn split(
+        &self,
+        space: &mut Space<T, K>,
+        nodes: &[Node<T, K>],
+        best: Option<&Best<T>>,
+    ) -> Parts<T, K> {
+        let mut parts = (Vec::new(), None);
+        for node in nodes {
+            self.split_one(space, node, best, &mut parts);
         }
+        parts
     }
 
-    /// Adds the parts of a node that are not closed.
-    fn split(&mut self, node: &Node<T, K>, parts: &mut Vec<Node<T, K>>) -> Option<()> {
-        self.splits += 1;
+    fn split_one(
+        &self,
+        space: &mut Space<T, K>,
+        node: &Node<T, K>,
+        best: Option<&Best<T>>,
+        (parts, greatest): &mut Parts<T, K>,
+    ) {
         let level = node.level + 1;
         let first = node.index.product(&self.classes[1]);
         for (digit, step) in (0..self.problem.operators[0].arity).zip(0..) {
-            self.spend()?;
             let index = T::times(&T::one(), step).plus(&first);
             let class = self.least_class(&index, level);
-            let mut rows = self.pool.pop().unwrap_or_else(|| self.trees.each_ref().map(Tree::root));
-            for ((tree, from), to) in self.trees.iter().zip(&node.rows).zip(&mut rows) {
-                tree.part(digit, from, to);
-            }
+            let rows = space.pool.pop();
+            let mut rows = rows.unwrap_or_else(|| self.trees.each_ref().map(Tree::root));
+            self.part(digit, &node.rows, &mut rows);
             let (bound, promise) = (T::zero(), T::zero());
             let mut part = Node { bound, promise, class, level, index, rows };
-            let last = level == self.problem.levels;
-            if last {
-                self.value(&part);
-            } else {
-                self.estimate(&mut part, (level > 1).then_some(&node.bound));
-            }
-            if last || self.closes(&part.bound, &part.class) {
-                self.pool.push(part.rows);
-            } else {
+            if level == self.problem.levels {
+                *greatest = greatest.take().max(Some(self.row(&part)));
+            } else if !self.estimate(space, &mut part, (level > 1).then_some(&node.bound), best) {
                 parts.push(part);
+                continue;
             }
+            space.pool.push(part.rows);
         }
-        Some(())
     }
 
-    /// Takes the cost of a part from the work that is left.
-    pub(super) fn spend(&self) -> Option<()> {
-        let work = self.problem.work;
-        work.set(work.get().checked_sub(self.cost)?);
-        Some(())
+    /// The rows of the part of this digit.
+    pub(super) fn part(&self, digit: usize, rows: &[Vec<T>; K], part: &mut [Vec<T>; K]) {
+        for ((tree, from), to) in self.trees.iter().zip(rows).zip(part) {
+            tree.part(digit, from, to);
+        }
     }
 
     /// The least class of the rows below an index.
@@ -194,74 +181,84 @@ impl<'a, T: Number, const K: usize> Search<'a, T, K> {
         if first.clone().plus(below) > *all { T::zero() } else { first }
     }
 
-    /// Takes the row of a node of the last level into account.
-    fn value(&mut self, node: &Node<T, K>) {
+    /// The row of a node of the last level.
+    fn row(&self, node: &Node<T, K>) -> Best<T> {
         let norms = self.trees.iter().zip(&node.rows).map(|(tree, rows)| tree.norm(rows));
         let value = norms.reduce(|x, y| x.product(&y)).expect("at least one operator");
-        let better = self.best.as_ref().is_none_or(|(best, least)| {
-            value.cmp(best).then_with(|| least.cmp(&node.class)).is_gt()
-        });
-        if better {
-            self.threshold = value.product(&self.fraction);
-            self.improvements += 1;
-            self.best = Some((value, node.class.clone()));
-        }
+        Best { threshold: self.limit(&value), value, class: Reverse(node.class.clone()) }
     }
 
-    /// Bounds the rows below a node, from its own rows and the bound of the node above it.
-    fn estimate(&mut self, node: &mut Node<T, K>, above: Option<&T>) {
+    /// What bounds of rows with these norms are.
+    pub(super) fn limit(&self, value: &T) -> T {
+        value.product(&self.fraction)
+    }
+
+    /// Bounds the rows below a node, from its own rows and the bound of the node above it;
+    /// whether that closes it.
+    fn estimate(
+        &self,
+        space: &mut Space<T, K>,
+        node: &mut Node<T, K>,
+        above: Option<&T>,
+        best: Option<&Best<T>>,
+    ) -> bool {
+        let closes =
+            |node: &Node<T, K>| best.is_some_and(|best| best.closes(&node.bound, &node.class));
         let left = (self.problem.levels - node.level) as usize;
         // The cheaper bound first.
-        let mut bounds: [T; K] = std::array::from_fn(|k| self.largest(k, &node.rows[k], left));
+        let mut bounds = self.largest(&node.rows, left);
         node.bound = product(&bounds);
-        if self.closes(&node.bound, &node.class) {
-            return;
+        if closes(node) {
+            return true;
         }
-        let promise = self.promise(node, left, &mut bounds);
+        let lines = self.lines(space, &node.rows, left, &mut bounds);
         node.bound = product(&bounds);
-        if let Some(promise) = &promise {
-            node.bound = node.bound.clone().min(promise.clone());
+        node.promise = node.bound.clone();
+        if let Some(lines) = lines {
+            node.bound = node.bound.clone().min(lines.bound);
+            node.promise = lines.promise;
         }
-        node.promise = promise.unwrap_or_else(|| node.bound.clone());
         if let Some(above) = above.filter(|above| **above < node.bound) {
             node.bound.clone_from(above);
         }
+        closes(node)
     }
 
-    /// The bound of the rows below a node by the lines through two of its rows, which also
-    /// improve the bounds of each operator; `None` if one has no line.
-    fn promise(&mut self, node: &Node<T, K>, left: usize, bounds: &mut [T; K]) -> Option<T> {
-        let mut promise: Option<(T, Line<T>)> = None;
+    /// What the lines through two of its rows say of a node with m levels left; they also improve
+    /// the bounds of each operator. `None` if one has no line.
+    pub(super) fn lines(
+        &self,
+        space: &mut Space<T, K>,
+        rows: &[Vec<T>; K],
+        left: usize,
+        bounds: &mut [T; K],
+    ) -> Option<Lines<T>> {
+        let mut lines: Vec<Line<T>> = Vec::with_capacity(K);
         for (k, bound) in bounds.iter_mut().enumerate() {
             let place = self.below[k][left].place.as_ref()?;
-            let (tree, rows) = (&self.trees[k], &node.rows[k]);
-            let mut line = self.estimators[k].line(tree, rows, place);
+            let (tree, rows) = (&self.trees[k], &rows[k]);
+            let line = space.estimators[k].line(tree, rows, place);
             let greatest = line.greatest();
             if greatest < *bound {
-                bound.clone_from(&greatest);
+                *bound = greatest;
             }
-            if K > 1 {
-                line = Estimator::strayed(line, tree, rows, place);
-            }
-            let bound = promise.map_or(greatest, |(_, before)| before.product(&line));
-            promise = Some((bound, line));
+            lines.push(if K > 1 { Estimator::strayed(line, tree, rows, place) } else { line });
         }
-        promise.map(|(bound, _)| bound)
+        let bound = match &lines[..] {
+            [first, second] => first.product(second),
+            _ => lines[0].greatest(),
+        };
+        Some(Lines { bound, promise: Line::promise(&lines) })
     }
 
-    /// The bound by the line through two rows of a node, m levels left.
-    pub(super) fn line(&mut self, k: usize, rows: &[T], left: usize) -> Option<T> {
-        let place = self.below[k][left].place.as_ref()?;
-        Some(self.estimators[k].bound(&self.trees[k], rows, place))
-    }
-
-    /// The bound by its largest row and ‖E^m‖.
-    pub(super) fn largest(&self, k: usize, rows: &[T], left: usize) -> T {
-        self.trees[k].largest(rows).product(&self.below[k][left].total)
+    /// The bounds by the largest row of each operator and ‖E^m‖.
+    pub(super) fn largest(&self, rows: &[Vec<T>; K], left: usize) -> [T; K] {
+        let below = |k: usize| &self.below[k][left].total;
+        std::array::from_fn(|k| self.trees[k].largest(&rows[k]).product(below(k)))
     }
 }
 
-fn product<T: Number, const K: usize>(factors: &[T; K]) -> T {
+pub(super) fn product<T: Number, const K: usize>(factors: &[T; K]) -> T {
     let (first, rest) = factors.split_first().expect("at least one operator");
     rest.iter().fold(first.clone(), |product, factor| product.product(factor))
 }

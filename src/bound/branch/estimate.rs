@@ -33,20 +33,33 @@ pub(super) struct Place<N> {
 
 /// `unit` times an upper bound of each row below a node: of row t of them, the value at t of the
 /// line from the first number, at 0, to the second, at n^m − 1.
-pub(super) struct Line<T>([T; 2]);
+pub(super) struct Line<T> {
+    bounds: [T; 2],
+    /// `unit` times the norms of the combinations of two rows at the ends alone.
+    norms: [T; 2],
+}
 
 impl<T: Number> Line<T> {
     /// The bound of all of them.
     pub(super) fn greatest(&self) -> T {
-        let [low, high] = &self.0;
+        let [low, high] = &self.bounds;
         low.max(high).clone()
+    }
+
+    /// The greatest product of the norms of several lines at one end.
+    pub(super) fn promise(lines: &[Line<T>]) -> T {
+        let at = |end: usize| {
+            let norms = lines.iter().map(|line| line.norms[end].clone());
+            norms.reduce(|x, y| x.product(&y)).unwrap_or_else(T::zero)
+        };
+        at(0).max(at(1))
     }
 
     /// A bound of the products of the values of two lines.
     ///
     /// Source: `proofs/THEOREMS.md`, 65.
     pub(super) fn product(&self, other: &Line<T>) -> T {
-        let ([a, b], [c, d]) = (&self.0, &other.0);
+        let ([a, b], [c, d]) = (&self.bounds, &other.bounds);
         let ends = a.product(c).max(b.product(d));
         let bend = b.clone().minus(a).product(&c.clone().minus(d));
         if bend.is_negative() { ends } else { ends.plus(&bend.quarter()) }
@@ -152,7 +165,7 @@ impl<T: Number> Estimator<T> {
             }
         }
         let deviation = deviation.product(&place.total);
-        Line(ends.map(|end| end.plus(&deviation)))
+        Line { bounds: ends.clone().map(|end| end.plus(&deviation)), norms: ends }
     }
 
     /// The line with what moments may stray.
@@ -163,7 +176,7 @@ impl<T: Number> Estimator<T> {
             sum
         });
         let stray = step.product(&place.stray);
-        Line(line.0.map(|end| end.plus(&stray)))
+        Line { bounds: line.bounds.map(|end| end.plus(&stray)), ..line }
     }
 
     /// Whether the largest deviation of a column, times the bound of Σ_p |λ_p|, is at most

@@ -1,13 +1,12 @@
 //! ‖E^m‖ for every m, as far as a search needs it.
 
-use super::leaf::SearchTree;
+use super::leaf::{SearchTree, SearchedOperator};
 use super::reach::{Moments, place, rounded_up};
 use super::scaled::Scaled;
-use super::search::{Greatest, Problem, Reach};
+use super::search::{Greatest, Problem, Reach, threads};
 use super::uniform::{self, UniformBound};
 use crate::exact::{Integer, Rational};
 use crate::scheme::Rules;
-use std::cell::Cell;
 use std::collections::BTreeMap;
 
 /// So many ‖E^m‖ are computed before a bound of all of them is tried.
@@ -52,7 +51,7 @@ impl Growth {
     }
 
     /// The greatest row of the c-th power, or `None` if the work does not suffice.
-    pub(super) fn greatest(&mut self, levels: u32, work: &Cell<u64>) -> Option<Greatest> {
+    pub(super) fn greatest(&mut self, levels: u32, work: &mut u64) -> Option<Greatest> {
         if let Some(known) = self.known.get(&levels) {
             return Some(known.clone());
         }
@@ -61,38 +60,39 @@ impl Growth {
     }
 
     /// The same, after `prepare`.
-    fn search(&mut self, levels: u32, work: &Cell<u64>) -> Option<Greatest> {
-        let found = self.problem(levels, work).greatest()?;
+    fn search(&mut self, levels: u32, work: &mut u64) -> Option<Greatest> {
+        let found = self.problem(levels, threads()).greatest(work)?;
         self.known.insert(levels, found.clone());
         Some(found)
     }
 
-    pub(super) fn problem<'a>(&'a self, levels: u32, work: &'a Cell<u64>) -> Problem<'a, 1> {
-        Problem { operators: [&self.operator], reach: [&self.reach], levels, work }
+    fn problem(&self, levels: u32, threads: usize) -> Problem<'_, 1> {
+        Problem { operators: [&self.operator], reach: [&self.reach], levels, threads }
     }
 
     /// A tree that shows the greatest row of the c-th power.
-    pub(super) fn tree(&mut self, levels: u32, work: &Cell<u64>) -> Option<SearchTree> {
+    pub(super) fn tree(&mut self, levels: u32, work: &mut u64) -> Option<SearchTree> {
         let greatest = self.greatest(levels, work)?;
-        let leaves = self.problem(levels, work).leaves(&greatest)?;
-        let scale = |m: u32| self.operator.denominator.pow(m);
+        let leaves = self.problem(levels, 1).leaves(&greatest, work)?;
+        Some(SearchTree::new([self], levels, greatest, leaves))
+    }
+
+    /// What bounds of the c-th power rest on.
+    pub(super) fn operand(&self, levels: u32) -> SearchedOperator {
         let total = |(m, reach): (u32, &Reach)| {
-            Rational::new(reach.total.clone(), scale(m) * &self.operator.fraction)
+            let scale = self.operator.denominator.pow(m) * &self.operator.fraction;
+            Rational::new(reach.total.clone(), scale)
         };
-        Some(SearchTree {
-            // Of R with all its columns.
-            offset: self.operator.offset - i64::try_from(self.operator.skipped).ok()?,
+        SearchedOperator {
             factor: self.operator.factor.clone(),
-            norm: Rational::new(greatest.value, scale(levels)),
             totals: (0..levels).zip(&self.reach).map(total).collect(),
             uniform: self.uniform.clone(),
-            leaves,
-        })
+        }
     }
 
     /// Bounds of ‖E^m‖ for all m < c: exact ones for m up to [`FIRST`], and for all m where there
     /// is no bound of all.
-    pub(super) fn prepare(&mut self, levels: u32, work: &Cell<u64>) -> Option<()> {
+    pub(super) fn prepare(&mut self, levels: u32, work: &mut u64) -> Option<()> {
         for m in 0..levels {
             let known = self.known.contains_key(&m);
             if !known && (m <= FIRST || self.uniform().is_none()) {
@@ -111,14 +111,14 @@ impl Growth {
 
     /// The greatest rows of the powers m and m + 1, side by side: where the second search needs
     /// ‖E^m‖, at its first level, it takes a product of two norms.
-    fn search_two(&mut self, m: u32, work: &Cell<u64>) -> Option<()> {
+    fn search_two(&mut self, m: u32, work: &mut u64) -> Option<()> {
         let (reach, moments) = (self.reach.len(), self.moments.clone());
         self.extend(m);
-        let share = work.get() / 2;
+        let share = *work / 2;
         let search = |levels| {
-            let work = Cell::new(share);
-            let found = self.problem(levels, &work).greatest();
-            (found, work.get())
+            let mut work = share;
+            let found = self.problem(levels, 1).greatest(&mut work);
+            (found, work)
         };
         let [first, second] = std::thread::scope(|scope| {
             let second = scope.spawn(|| search(m + 1));
@@ -126,7 +126,7 @@ impl Growth {
         });
         self.reach.truncate(reach);
         self.moments = moments;
-        work.set(first.1 + second.1);
+        *work = first.1 + second.1;
         self.known.insert(m, first.0?);
         self.known.insert(m + 1, second.0?);
         Some(())

@@ -10,23 +10,25 @@
 mod descent;
 mod estimate;
 mod growth;
+mod joint;
 mod leaf;
 mod number;
 mod reach;
 mod scaled;
 mod search;
+mod sweep;
 mod tree;
 mod uniform;
 mod wide;
 
-use super::contraction::{ClassCap, Order, PowerNorm, oriented, walked_joint_norm, walked_norm};
+use super::contraction::{ClassCap, Order, PowerNorm, oriented, walked_norm};
 use crate::exact::Rational;
 use crate::scheme::Rules;
 use growth::Growth;
-pub use leaf::{Closed, Leaf, SearchTree};
+pub use joint::JointSearch;
+pub use leaf::{Closed, Leaf, SearchTree, SearchedOperator};
 use scaled::Scaled;
-use search::{Greatest, Problem};
-use std::cell::Cell;
+use search::Greatest;
 pub use uniform::UniformBound;
 
 /// The greatest number of levels of a search.
@@ -90,49 +92,32 @@ impl PowerSearch {
             arity,
             levels,
             || walked_norm(&self.rules, levels, Order::Adjoint),
-            || Some(found(&mut self.growth, levels)?.norm),
+            || Some(found(&mut self.growth, levels, &mut { MAX_WORK })?.norm),
         )
     }
 
     /// The same by branch and bound, however few residue classes there are; `None` when it
     /// does not end within 2^33 products, or c is above [`MAX_LEVELS`].
     pub fn search(&mut self, levels: u32) -> Option<Searched> {
-        found(&mut self.growth, levels)
+        self.search_within(levels, &mut { MAX_WORK })
     }
 
-    /// A tree of bounds that shows ‖R^c‖, and what they rest on; `None` as for
+    /// The same within so many products, less those computed.
+    pub(crate) fn search_within(&mut self, levels: u32, work: &mut u64) -> Option<Searched> {
+        found(&mut self.growth, levels, work)
+    }
+
+    /// A tree of bounds that shows ‖E^c‖, and what they rest on; `None` as for
     /// [`search`](PowerSearch::search). Its nodes are bounded each by its own rows, so that it
     /// may be larger than the tree of the search.
     pub fn tree(&mut self, levels: u32) -> Option<SearchTree> {
-        found(&mut self.growth, levels)?;
-        self.growth.tree(levels, &Cell::new(MAX_WORK))
+        (levels <= MAX_LEVELS).then(|| self.growth.tree(levels, &mut { MAX_WORK }))?
     }
 }
 
-fn found(growth: &mut Growth, levels: u32) -> Option<Searched> {
-    let work = Cell::new(MAX_WORK);
-    let found = (levels <= MAX_LEVELS).then(|| growth.greatest(levels, &work))??;
+fn found(growth: &mut Growth, levels: u32, work: &mut u64) -> Option<Searched> {
+    let found = (levels <= MAX_LEVELS).then(|| growth.greatest(levels, work))??;
     Some(unscaled([growth.operator()], levels, found))
-}
-
-/// ‖R^c‖ for the two operators of one shape and offset, with one supremum of the product over
-/// a common row.
-pub(super) fn joint(rules: [&Rules; 2], levels: u32) -> Result<PowerNorm, ClassCap> {
-    let walk = || walked_joint_norm(rules[0], rules[1], levels, Order::Adjoint);
-    either(rules[0].arity(), levels, walk, || Some(search_joint(rules, levels)?.norm))
-}
-
-/// The same by branch and bound.
-fn search_joint(rules: [&Rules; 2], levels: u32) -> Option<Searched> {
-    let mut growths = (levels <= MAX_LEVELS).then(|| Growth::of(rules))?;
-    let work = &Cell::new(MAX_WORK);
-    for growth in &mut growths {
-        growth.prepare(levels, work)?;
-    }
-    let operators = growths.each_ref().map(Growth::operator);
-    let reach = growths.each_ref().map(Growth::reach);
-    let found = Problem { operators, reach, levels, work }.greatest()?;
-    Some(unscaled(operators, levels, found))
 }
 
 /// By visiting every class if there are few; else by the search, or if it does not end, by

@@ -6,9 +6,9 @@ use crate::exact::Integer;
 ///
 /// Those of fixed width do not check for overflow: a search takes them only where a
 /// bound on all of its numbers is proven to fit.
-pub(super) trait Number: Clone + Ord {
+pub(super) trait Number: Clone + Ord + Send + Sync {
     /// The coefficients of the operator.
-    type Coefficient;
+    type Coefficient: Send + Sync;
 
     fn zero() -> Self;
 

@@ -1,13 +1,16 @@
 //! The problem of a search, and the width of its integers.
 
-use super::descent::Search;
+use super::descent::Descent;
 use super::estimate::{Place, margin};
 use super::leaf::Leaf;
 use super::number::Number;
 use super::scaled::Scaled;
+use super::sweep::Search;
 use super::wide::Wide;
 use crate::exact::Integer;
-use std::cell::Cell;
+use std::num::NonZero;
+use std::sync::LazyLock;
+use std::thread;
 
 /// What bounds the rows that are m levels below a node, for one m.
 #[derive(Clone, Debug)]
@@ -35,32 +38,42 @@ pub(super) struct Problem<'a, const K: usize> {
     /// For m = 0, …, c − 1.
     pub(super) reach: [&'a [Reach]; K],
     pub(super) levels: u32,
-    /// The products of words that may still be computed.
-    pub(super) work: &'a Cell<u64>,
+    pub(super) threads: usize,
+}
+
+/// How many threads a search may run on.
+pub(super) fn threads() -> usize {
+    static THREADS: LazyLock<usize> =
+        LazyLock::new(|| thread::available_parallelism().map_or(1, NonZero::get).min(8));
+    *THREADS
 }
 
 impl<const K: usize> Problem<'_, K> {
     /// The greatest product of the row sums of the c-th powers over a common row, or `None`
-    /// when the work does not suffice.
+    /// when the work, products of words, does not suffice.
     ///
     /// The integers are of the least width that is proven to hold all of them.
-    pub(super) fn greatest(&self) -> Option<Greatest> {
+    pub(super) fn greatest(&self, work: &mut u64) -> Option<Greatest> {
         if self.levels == 0 {
             return Some(Greatest { value: Integer::one(), class: Integer::zero(), split: 0 });
         }
-        self.dispatch(GreatestRow)
+        self.dispatch(work, GreatestRow)
     }
 
-    fn dispatch<R: Run<K>>(&self, run: R) -> Option<R::Output> {
+    fn dispatch<R: Run<K>>(&self, work: &mut u64, run: R) -> Option<R::Output> {
         let bits = self.bits();
         let narrow = self.operators.iter().all(|operator| operator.largest().to_i64().is_some());
         match bits {
-            0..=126 if narrow => run.run(Search::<i128, K>::new(self, 2)?),
-            0..=254 if narrow => run.run(Search::<Wide<4>, K>::new(self, 4)?),
-            0..=510 if narrow => run.run(Search::<Wide<8>, K>::new(self, 8)?),
-            0..=1022 if narrow => run.run(Search::<Wide<16>, K>::new(self, 16)?),
-            0..=2046 if narrow => run.run(Search::<Wide<32>, K>::new(self, 32)?),
-            _ => run.run(Search::<Integer, K>::new(self, bits / 64 + 1)?),
+            0..=126 if narrow => run.run(Search::new(Descent::<i128, K>::new(self, 2)?, work)),
+            0..=254 if narrow => run.run(Search::new(Descent::<Wide<4>, K>::new(self, 4)?, work)),
+            0..=510 if narrow => run.run(Search::new(Descent::<Wide<8>, K>::new(self, 8)?, work)),
+            0..=1022 if narrow => {
+                run.run(Search::new(Descent::<Wide<16>, K>::new(self, 16)?, work))
+            }
+            0..=2046 if narrow => {
+                run.run(Search::new(Descent::<Wide<32>, K>::new(self, 32)?, work))
+            }
+            _ => run.run(Search::new(Descent::<Integer, K>::new(self, bits / 64 + 1)?, work)),
         }
     }
 
@@ -79,13 +92,11 @@ impl<const K: usize> Problem<'_, K> {
         });
         values.sum::<u64>().max(classes)
     }
-}
 
-impl Problem<'_, 1> {
     /// The leaves of a tree that shows that no row is greater than this one, in the order of
     /// their indices.
-    pub(super) fn leaves(&self, greatest: &Greatest) -> Option<Vec<Leaf>> {
-        self.dispatch(Leaves(&greatest.value))
+    pub(super) fn leaves(&self, greatest: &Greatest, work: &mut u64) -> Option<Vec<Leaf>> {
+        self.dispatch(work, Leaves(&greatest.value))
     }
 }
 
@@ -106,9 +117,9 @@ impl<const K: usize> Run<K> for GreatestRow {
 
 struct Leaves<'a>(&'a Integer);
 
-impl Run<1> for Leaves<'_> {
+impl<const K: usize> Run<K> for Leaves<'_> {
     type Output = Vec<Leaf>;
-    fn run<T: Number>(self, search: Search<'_, T, 1>) -> Option<Vec<Leaf>> {
+    fn run<T: Number>(self, search: Search<'_, T, K>) -> Option<Vec<Leaf>> {
         search.leaves(self.0)
     }
 }

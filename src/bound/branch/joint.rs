@@ -1,0 +1,84 @@
+//! Joint suprema: one row for two operators.
+
+use super::growth::Growth;
+use super::search::{Problem, threads};
+use super::{MAX_LEVELS, MAX_WORK, SearchTree, Searched, either, unscaled};
+use crate::bound::contraction::{ClassCap, Order, PowerNorm, oriented, walked_joint_norm};
+use crate::scheme::Rules;
+
+/// max_r Σ_s |(R^c)_{r,s}| · Σ_s |(S^c)_{r,s}| for several c, as
+/// [`joint_norm`](super::super::joint_norm): what one search finds out about R and S serves the
+/// next ones.
+///
+/// ```
+/// use subcert::bound::{JointSearch, Order};
+/// use subcert::scheme::parse_scheme;
+///
+/// let scheme = parse_scheme("four-point")?;
+/// let mask = scheme.masks()[0];
+/// let mut search = JointSearch::new(&mask.difference(), mask.rules(), Order::Adjoint);
+/// assert!(search.search(64).expect("the work suffices").nodes < 2000);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct JointSearch {
+    /// As they are read, at offset 0.
+    rules: [Rules; 2],
+    growths: [Growth; 2],
+}
+
+impl JointSearch {
+    /// The powers of the operators of these rules at offset 0, read in this order.
+    ///
+    /// # Panics
+    /// When arity or width differ.
+    #[must_use]
+    pub fn new(first: &Rules, second: &Rules, order: Order) -> JointSearch {
+        assert_eq!(first.arity(), second.arity(), "joint suprema need equal arities");
+        assert_eq!(first.width(), second.width(), "joint suprema need equal widths");
+        let rules = [first, second].map(|rules| oriented(rules, order).with_offset(0));
+        let growths = Growth::of(rules.each_ref());
+        JointSearch { rules, growths }
+    }
+
+    /// The greatest product, and the least row that attains it.
+    ///
+    /// # Errors
+    /// As [`PowerSearch::norm`](super::PowerSearch::norm).
+    pub fn norm(&mut self, levels: u32) -> Result<PowerNorm, ClassCap> {
+        let [first, second] = self.rules.clone();
+        let walk = || walked_joint_norm(&first, &second, levels, Order::Adjoint);
+        either(first.arity(), levels, walk, || Some(self.search(levels)?.norm))
+    }
+
+    /// The same by branch and bound, however few residue classes there are; `None` as for
+    /// [`PowerSearch::search`](super::PowerSearch::search).
+    pub fn search(&mut self, levels: u32) -> Option<Searched> {
+        let mut work = MAX_WORK;
+        let problem = self.problem(levels, &mut work)?;
+        let found = problem.greatest(&mut work)?;
+        Some(unscaled(problem.operators, levels, found))
+    }
+
+    /// A tree of bounds that shows the greatest product for the two E, as
+    /// [`PowerSearch::tree`](super::PowerSearch::tree).
+    pub fn tree(&mut self, levels: u32) -> Option<SearchTree> {
+        let mut work = MAX_WORK;
+        let problem = self.problem(levels, &mut work)?;
+        let greatest = problem.greatest(&mut work)?;
+        let leaves = problem.leaves(&greatest, &mut work)?;
+        Some(SearchTree::new(self.growths.each_ref(), levels, greatest, leaves))
+    }
+
+    fn problem(&mut self, levels: u32, work: &mut u64) -> Option<Problem<'_, 2>> {
+        if levels > MAX_LEVELS {
+            return None;
+        }
+        for growth in &mut self.growths {
+            growth.prepare(levels, work)?;
+        }
+        let operators = self.growths.each_ref().map(Growth::operator);
+        let reach = self.growths.each_ref().map(Growth::reach);
+        Some(Problem { operators, reach, levels, threads: threads() })
+    }
+}

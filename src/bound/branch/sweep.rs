@@ -1,0 +1,130 @@
+//! The order in which the nodes of a search are split.
+//!
+//! Nodes are split many at a time, against the greatest row found before: so the tree of a
+//! search does not depend on how many threads share the work.
+
+use super::descent::{Best, Descent, Node, Space};
+use super::number::Number;
+use super::search::Greatest;
+use std::thread;
+
+/// How many nodes are split at once: up to the first row, and then.
+const FIRST: usize = 4;
+const CHUNK: usize = 8;
+
+/// A search that has split so many nodes a level looks for a greater row: it goes from level to
+/// level, keeping the nodes that promise most; so many, one sweep after the other, until none is
+/// left out.
+const PATIENCE: u64 = 32;
+const WIDTHS: [usize; 3] = [64, 512, 4096];
+
+/// What the parts of a level that a sweep keeps may cost: at least four times their words.
+const LEVEL: u64 = 1 << 25;
+
+/// A thread is worth so many products of words.
+const SHARE: u64 = 1 << 18;
+
+/// The state of a search.
+pub(super) struct Search<'a, T: Number, const K: usize> {
+    pub(super) descent: Descent<'a, T, K>,
+    /// The products of words that may still be computed.
+    pub(super) work: &'a mut u64,
+    /// One for each thread.
+    pub(super) spaces: Vec<Space<T, K>>,
+    best: Option<Best<T>>,
+    splits: u64,
+}
+
+impl<'a, T: Number, const K: usize> Search<'a, T, K> {
+    pub(super) fn new(descent: Descent<'a, T, K>, work: &'a mut u64) -> Search<'a, T, K> {
+        let spaces = (0..descent.problem.threads).map(|_| descent.space()).collect();
+        Search { descent, work, spaces, best: None, splits: 0 }
+    }
+
+    /// The greatest row; `None` when the work does not suffice.
+    pub(super) fn run(mut self) -> Option<Greatest> {
+        let mut complete = self.exhaust(PATIENCE * u64::from(self.descent.problem.levels))?;
+        for width in WIDTHS {
+            complete = complete || self.cost(width) <= LEVEL && self.sweep(width)?;
+        }
+        if !complete {
+            self.exhaust(u64::MAX)?;
+        }
+        let best = self.best?;
+        let (value, class) = (best.value.to_integer(), best.class.0.to_integer());
+        Some(Greatest { value, class, split: self.splits })
+    }
+
+    /// Splits all nodes that are not closed, those of the last levels first; `false` when
+    /// more than so many were split.
+    fn exhaust(&mut self, most: u64) -> Option<bool> {
+        let mut stack = vec![self.descent.root()];
+        while !stack.is_empty() {
+            if self.splits > most {
+                return Some(false);
+            }
+            let count = if self.best.is_some() { CHUNK } else { FIRST };
+            let mut nodes = stack.split_off(stack.len().saturating_sub(count));
+            if let Some(best) = &self.best {
+                nodes.retain(|node| node.level == 0 || !best.closes(&node.bound, &node.class));
+            }
+            let mut parts = self.split(nodes)?;
+            parts.sort_by(|a, b| (&a.promise, &b.class).cmp(&(&b.promise, &a.class)));
+            stack.append(&mut parts);
+        }
+        Some(true)
+    }
+
+    /// Goes from level to level; whether no node had to be left out.
+    fn sweep(&mut self, width: usize) -> Option<bool> {
+        let (mut nodes, mut complete) = (vec![self.descent.root()], true);
+        while !nodes.is_empty() {
+            nodes = self.split(nodes)?;
+            if nodes.len() > width {
+                complete = false;
+                // Between what may be expected and the bound.
+                let key = |node: &Node<T, K>| node.promise.clone().plus(&node.bound);
+                nodes.sort_by(|a, b| (key(b), &a.class).cmp(&(key(a), &b.class)));
+                nodes.truncate(width);
+            }
+        }
+        Some(complete)
+    }
+
+    /// The products that the parts of so many nodes cost.
+    fn cost(&self, nodes: usize) -> u64 {
+        let parts = (nodes * self.descent.problem.operators[0].arity) as u64;
+        parts.saturating_mul(self.descent.cost)
+    }
+
+    /// The parts of these nodes that are not closed.
+    fn split(&mut self, nodes: Vec<Node<T, K>>) -> Option<Vec<Node<T, K>>> {
+        let cost = self.cost(nodes.len());
+        *self.work = self.work.checked_sub(cost)?;
+        self.splits += nodes.len() as u64;
+        let threads = usize::try_from(cost / SHARE).unwrap_or(usize::MAX);
+        let share = nodes.len().div_ceil(threads.clamp(1, self.spaces.len())).max(1);
+        let (descent, best) = (&self.descent, self.best.as_ref());
+        let mut tasks = nodes
+            .chunks(share)
+            .zip(&mut self.spaces)
+            .map(|(nodes, space)| move || descent.split(space, nodes, best));
+        let results = thread::scope(|scope| {
+            let first = tasks.next();
+            let others: Vec<_> = tasks.map(|task| scope.spawn(task)).collect();
+            let first = first.map(|mut task| task());
+            let others = others.into_iter().map(|task| task.join().expect("no panic in a search"));
+            first.into_iter().chain(others).collect::<Vec<_>>()
+        });
+        let mut rows = nodes.into_iter().map(|node| node.rows);
+        for space in &mut self.spaces {
+            space.pool.extend(rows.by_ref().take(share));
+        }
+        let mut parts = Vec::new();
+        for (more, row) in results {
+            parts.extend(more);
+            self.best = self.best.take().max(row);
+        }
+        Some(parts)
+    }
+}
