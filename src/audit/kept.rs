@@ -164,6 +164,14 @@ impl Remembered {
         }
     }
 
+    /// Of a ring, flows that bound the distances of its points at a level.
+    pub(super) fn flows(&self, level: u32) -> Option<Vec<Vec<RealCyclotomic>>> {
+        match &self.distances {
+            Ok(Of::Ring(distances)) => distances.flows(level).ok(),
+            _ => None,
+        }
+    }
+
     /// Of a ring, the least level from which on all meet a tolerance.
     pub(super) fn settled(&self, spread: &Rational, tolerance: &Rational) -> Result<u32, String> {
         match self.distances.as_ref().map_err(Clone::clone)? {

@@ -30,6 +30,9 @@ pub enum PromiseEvidence<'f> {
         /// The block length c.
         block: u32,
     },
+    /// It does on a ring: the weights of its limit, and for every point a flow along the edges
+    /// that carries its error and costs little enough.
+    KeptByFlows(Vec<RealCyclotomic>, Vec<Vec<RealCyclotomic>>),
     /// It does not for these data; of a ring, with the weights of its limit.
     Broken(&'f Broken, Vec<RealCyclotomic>),
     /// Neither is shown.
@@ -67,14 +70,23 @@ fn of_cell<'f>(
     cell: &'f CellFinding,
     at: At<'_>,
 ) -> Result<PromiseEvidence<'f>, Diagnostic> {
+    let (Promise::Depth { ring, .. } | Promise::Bound { ring, .. }) = promise;
+    let ring = ring.as_ref().map(|ring| judge.ring(ring, at)).transpose()?;
+    let ring = ring.and_then(Result::ok);
+    let weights = ring.as_ref().and_then(|ring| Some(ring.limit_weights()?.to_vec()));
     match &cell.kept {
-        Some(Kept::Yes) => Ok(kept(judge, promise, at)?.unwrap_or(PromiseEvidence::Undecided)),
-        Some(Kept::No(broken)) => {
-            let (Promise::Depth { ring, .. } | Promise::Bound { ring, .. }) = promise;
-            let ring = ring.as_ref().map(|ring| judge.ring(ring, at)).transpose()?;
-            let weights = ring.and_then(|ring| Some(ring.ok()?.limit_weights()?.to_vec()));
-            Ok(PromiseEvidence::Broken(broken, weights.unwrap_or_default()))
+        Some(Kept::Yes) => {
+            let kept = match ring.zip(weights) {
+                Some((ring, weights)) => {
+                    let level = terms(judge, promise, at)?.map(|(level, _)| level);
+                    let flows = level.and_then(|level| ring.flows(level));
+                    flows.map(|flows| PromiseEvidence::KeptByFlows(weights, flows))
+                }
+                None => kept(judge, promise, at)?,
+            };
+            Ok(kept.unwrap_or(PromiseEvidence::Undecided))
         }
+        Some(Kept::No(broken)) => Ok(PromiseEvidence::Broken(broken, weights.unwrap_or_default())),
         Some(Kept::Open(_)) | None => Ok(PromiseEvidence::Undecided),
     }
 }
@@ -90,15 +102,7 @@ fn kept<'f>(
     let (Promise::Depth { spread, offset, .. } | Promise::Bound { spread, offset, .. }) = promise;
     let offset = offset.as_ref().map(|offset| integer(judge, offset, at)).transpose()?.flatten();
     let Some(spread) = number(judge, spread, at)? else { return Ok(None) };
-    let Some(printed) = judge.printed(at) else { return Ok(None) };
-    let (level, most) = match promise {
-        Promise::Depth { tolerance, .. } => {
-            (printed.numerator().to_i64(), number(judge, tolerance, at)?)
-        }
-        Promise::Bound { level, .. } => (integer(judge, level, at)?, Some(printed)),
-    };
-    let level = level.and_then(|level| u32::try_from(level).ok());
-    let (Some(level), Some(most)) = (level, most) else { return Ok(None) };
+    let Some((level, most)) = terms(judge, promise, at)? else { return Ok(None) };
     let Ok(bound) = judge.library.sound_bound(&scheme, offset) else { return Ok(None) };
     for later in level..=level.saturating_add(MAX_LATER) {
         let (Some((value, block)), Some(change)) =
@@ -112,6 +116,22 @@ fn kept<'f>(
         }
     }
     Ok(None)
+}
+
+/// The level that a cell speaks of, and what the distance there is promised to be at most.
+fn terms(
+    judge: &Judge<'_>,
+    promise: &Promise,
+    at: At<'_>,
+) -> Result<Option<(u32, Rational)>, Diagnostic> {
+    let Some(printed) = judge.printed(at) else { return Ok(None) };
+    let (level, most) = match promise {
+        Promise::Depth { tolerance, .. } => {
+            (printed.numerator().to_i64(), number(judge, tolerance, at)?)
+        }
+        Promise::Bound { level, .. } => (integer(judge, level, at)?, Some(printed)),
+    };
+    Ok(level.and_then(|level| u32::try_from(level).ok()).zip(most))
 }
 
 /// A bound of ‖P^l − P^k‖ for the spread 1; of a net, of both spreads 1.

@@ -26,6 +26,11 @@ pub(super) fn lines(block: &mut Block, evidence: &[Vec<Option<PromiseEvidence<'_
                 Some(PromiseEvidence::Kept { later, levels, block: length }) => {
                     block.line(format!("kept {place} {later} {levels} {length}"));
                 }
+                Some(PromiseEvidence::KeptByFlows(weights, flows)) => {
+                    block.line(format!("kept {place}"));
+                    block.line(format!("weights {}", values(weights)));
+                    flows.iter().for_each(|flow| block.line(format!("flow {}", values(flow))));
+                }
                 Some(PromiseEvidence::Broken(Broken { data, distance, most, .. }, _)) => {
                     let name =
                         witnesses.iter().position(|known| *known == data).map_or(0, |i| i + 1);
@@ -34,6 +39,10 @@ pub(super) fn lines(block: &mut Block, evidence: &[Vec<Option<PromiseEvidence<'_
             }
         }
     }
+}
+
+fn values(values: &[RealCyclotomic]) -> String {
+    values.iter().map(closed).collect::<Vec<String>>().join(" ")
 }
 
 fn witness(block: &mut Block, data: &ControlData, weights: &[RealCyclotomic]) {

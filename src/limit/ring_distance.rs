@@ -5,6 +5,7 @@ use super::error::MAX_LEVEL;
 use super::ring::{
     Labelled, RingLimit, RingLimitError, check_level, edge_differences, greatest, pulled_back,
 };
+use crate::bound::transport;
 use crate::exact::{Rational, Real, RealCyclotomic, format};
 use crate::formula::Value;
 use crate::scheme::Ring;
@@ -91,6 +92,27 @@ impl<S: Real + Ord + Value> RingDistances<S> {
     /// [`MAX_RING_WORK`](crate::bound::MAX_RING_WORK).
     pub fn constant(&self, level: u32) -> Result<RingWitness<S>, RingLimitError> {
         self.at_level(self.errors.clone(), level)
+    }
+
+    /// For every point a, a flow along the [edges](Ring::edges) that carries e_aᵀM^k − wᵀ and
+    /// costs C_k at most: Σ_e |f_e| ≥ |x^k_a − Σ_b w_b x_b| for each ring of differences of 1 at
+    /// most.
+    ///
+    /// # Errors
+    /// As of [`RingDistances::constant`].
+    ///
+    /// # Panics
+    /// Never: the mesh of a ring is connected.
+    pub fn flows(&self, level: u32) -> Result<Vec<Vec<S>>, RingLimitError> {
+        let ring = self.limit.ring();
+        let points = ring.point_count();
+        check_level(ring, points, level)?;
+        let errors = (0..points).map(|a| (a, error(&self.limit, a))).collect();
+        let errors = pulled_back(ring, errors).nth(level as usize).expect("there is no last level");
+        let flow = |(_, f): &Labelled<S, usize>| {
+            transport(f, ring.edges()).expect("the mesh of a ring is connected").flow
+        };
+        Ok(errors.iter().map(flow).collect())
     }
 
     /// ‖e_aᵀM^k − wᵀ‖_*, of the point a alone.

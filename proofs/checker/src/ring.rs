@@ -102,6 +102,20 @@ impl<'a> Ring<'a> {
         Ok(!same.collect::<Result<Vec<bool>, Stop>>()?.contains(&false))
     }
 
+    /// Of a flow along the edges, what it costs, and what it carries to the first end of each, away
+    /// from the second: |Σ_b g_b x_b| is at most the cost, where it carries g and the differences
+    /// along the edges are 1 at most.
+    pub fn carried(&self, flow: &[Value]) -> Result<(Value, Vec<Value>), Stop> {
+        let mut carried = vec![Value::int(0); self.names.len()];
+        let mut cost = Value::int(0);
+        for (&[a, b], f) in self.edges.iter().zip(flow) {
+            carried[a].add(1, f)?;
+            carried[b].add(-1, f)?;
+            cost.add(1, &f.abs(None)?)?;
+        }
+        Ok((cost, carried))
+    }
+
     /// A tree of edges: each point but the first with one before it, from the first point on.
     fn tree(&self) -> Vec<(usize, usize)> {
         let mut tree = vec![(0, 0)];
@@ -212,7 +226,10 @@ impl<'t> Orbits<'t> {
             let ends = ends.iter().map(end).collect::<Result<Vec<_>, Stop>>()?;
             let [a, b] = &ends[..] else { return Err(wrong("an edge has two ends")) };
             for i in 0..a.count.max(b.count) {
-                edges.push([a.point(scope, i)?, b.point(scope, i)?]);
+                let edge @ [from, to] = [a.point(scope, i)?, b.point(scope, i)?];
+                if !edges.contains(&edge) && !edges.contains(&[to, from]) {
+                    edges.push(edge);
+                }
             }
         }
         Ok(edges)

@@ -9,6 +9,7 @@ use crate::convolution::classes;
 use crate::decimal::Q;
 use crate::functional::{MAX_LEVEL, Rules};
 use crate::functions::greatest;
+use crate::paper::Paper;
 use crate::reject::{Checked, Reason, Stop, require};
 use crate::ring::Ring;
 use crate::table::Table;
@@ -53,7 +54,14 @@ pub fn check(table: &Table<'_>, block: &mut Block<'_>) -> Checked<()> {
         let level = level.ok_or(Reason::Malformed("a level"))?;
         let setting = setting(table, &promised, &mut settings)?;
         if verdict == "kept" {
-            kept(&promised, &setting, said, (level, &most))?;
+            match &*setting {
+                Setting::Ring(ring, _) => {
+                    require(said.is_empty(), Reason::Malformed("ROW COLUMN"))?;
+                    let most = most.over(&promised.spread)?;
+                    kept_by_flows(table.paper, ring, block, (level, &most))?;
+                }
+                Setting::Masks(..) => kept(&promised, &setting, said, (level, &most))?,
+            }
             continue;
         }
         let (name, sides) = said.split_once(' ').unwrap_or((said, ""));
@@ -111,6 +119,35 @@ fn kept(
         bound.add(1, &change)?;
     }
     require(bound.compare(most)?.is_le(), Reason::TooLarge)
+}
+
+/// Checks `weights …` and `flow …` of every point: the flow carries e_aᵀM^k − w, and costs at
+/// most what is promised for the spread 1.
+fn kept_by_flows(
+    paper: &Paper<'_>,
+    ring: &Ring<'_>,
+    block: &mut Block<'_>,
+    (level, most): (u32, &Value),
+) -> Checked<()> {
+    let values = |said: &str| {
+        said.split_whitespace().map(|word| paper.number(word)).collect::<Checked<Vec<Value>>>()
+    };
+    let weights = values(block.after("weights")?)?;
+    require(ring.is_limit(&weights)?, Reason::Weights)?;
+    require(ring.contracts()?, Reason::NoLimit)?;
+    let points = ring.names.len();
+    for a in 0..points {
+        let flow = values(block.after("flow")?)?;
+        require(flow.len() == ring.edges.len(), Reason::Malformed("a number for each edge"))?;
+        let unit = (0..points).map(|b| Value::int((a == b).into())).collect();
+        let row: Vec<Value> = (0..level).try_fold(unit, |f: Vec<Value>, _| ring.before(&f))?;
+        let (cost, carried) = ring.carried(&flow)?;
+        for ((carried, new), limit) in carried.iter().zip(&row).zip(&weights) {
+            require(carried.equals(&new.minus(limit)?)?, Reason::Flow)?;
+        }
+        require(cost.compare(most)?.is_le(), Reason::TooLarge)?;
+    }
+    Ok(())
 }
 
 /// A bound of ‖P^l − P^k‖ for the spread 1.
