@@ -1,6 +1,6 @@
 """Time and peak memory of the headline runs, as one table.
 
-    cargo build --release --bin subcert --example search && python3 benches/headlines.py
+    cargo build --release --bin subcert --examples && python3 benches/headlines.py
 """
 
 import os
@@ -8,7 +8,8 @@ import subprocess
 import sys
 import time
 
-PROGRAM, SEARCH = "target/release/subcert", "target/release/examples/search"
+PROGRAM = "target/release/subcert"
+SEARCH, VALENCE = "target/release/examples/search", "target/release/examples/valence"
 SCHEMES = [
     "four-point",
     "six-point:w=3/256",
@@ -22,9 +23,10 @@ RUNS = [
     ("audit of the five papers", [PROGRAM, "audit"]),
     *((f"T, Λ and joint, c = 64: {scheme}", [SEARCH, scheme, "64"]) for scheme in SCHEMES),
     *((f"T, Λ and joint, c = 256: {scheme}", [SEARCH, scheme, "256"]) for scheme in SCHEMES),
+    ("Doo–Sabin faces, n = 3…500, c = 1…5", [VALENCE]),
     *(
         (f"Doo–Sabin face, n = {n}, c = 1…5", [PROGRAM, "constants", f"doo-sabin:n={n}", "-c", "5"])
-        for n in (5, 100, 500)
+        for n in (5, 100, 499, 500)
     ),
 ]
 

@@ -8,7 +8,15 @@ fn main() {
     divan::main();
 }
 
-#[divan::bench(args = [3, 5, 12, 37, 100], sample_count = 5)]
+const VALENCES: [u32; 8] = [3, 5, 12, 37, 100, 455, 499, 500];
+
+/// The weights, from their formula.
+#[divan::bench(args = VALENCES, sample_count = 5)]
+fn weights(n: u32) {
+    divan::black_box(parse_ring(&format!("doo-sabin:n={n}")).expect("a catalogue entry"));
+}
+
+#[divan::bench(args = VALENCES, sample_count = 5)]
 fn doo_sabin(bencher: Bencher, n: u32) {
     let ring = parse_ring(&format!("doo-sabin:n={n}")).expect("a catalogue entry");
     bencher.bench(|| RingConstants::new(&ring, 5));

@@ -14,6 +14,7 @@ mod ring_power;
 mod sound;
 mod surface;
 mod transport;
+mod transport_tree;
 mod walk;
 
 pub use algebraic_depth::log_level_algebraic;

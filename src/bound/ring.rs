@@ -1,6 +1,6 @@
 //! The constants of a ring: T_c, Λ_c and σ.
 
-use super::ring_power::{PowerRows, RingWork, displaced_rows, power_rows, rows_of};
+use super::ring_power::{PowerRows, RingWork, displaced_rows};
 use super::transport::{Transport, transport};
 use crate::exact::{Real, RealCyclotomic};
 use crate::formula::Value;
@@ -59,7 +59,7 @@ impl<S: Real + Ord + Value> RingConstants<S> {
     /// its mesh is connected.
     pub fn new(ring: &Ring<S>, levels: u32) -> Result<RingConstants<S>, RingWork> {
         let chosen = ring.representatives();
-        RingWork::check(ring, rows_of(&chosen).len(), levels)?;
+        RingWork::check(ring, chosen.points.len(), levels)?;
         let norm = |w: Vec<S>| {
             transport(&w, ring.edges()).expect("differences of affine combinations sum to 0")
         };
@@ -72,7 +72,7 @@ impl<S: Real + Ord + Value> RingConstants<S> {
         };
         Ok(RingConstants {
             displacements: displacements.collect(),
-            levels: power_rows(ring, &chosen, levels).map(level).collect(),
+            levels: PowerRows::turned(ring, &chosen, levels).map(level).collect(),
         })
     }
 }

@@ -6,8 +6,8 @@ use crate::scheme::{Representatives, Ring};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The most work of the powers of a ring: r·p·(c−1)·s, when r rows are multiplied c − 1
-/// times by a matrix of p weights other than 0, and the product of one with itself has up
-/// to s bits, as [`product_size`](Value::product_size) counts them.
+/// times by a matrix of p weights other than 0, and a product costs up to s, as
+/// [`row_product_size`](Value::row_product_size) counts.
 pub const MAX_RING_WORK: u64 = 1 << 32;
 
 /// The powers of a ring are beyond [`MAX_RING_WORK`].
@@ -32,10 +32,11 @@ impl RingWork {
     /// # Errors
     /// When they are more work than [`MAX_RING_WORK`].
     pub fn check<S: Value>(ring: &Ring<S>, rows: usize, levels: u32) -> Result<(), RingWork> {
-        let bits = ring.weights().iter().flatten().map(|weight| weight.product_size(weight)).max();
+        let weights = ring.weights().values().iter();
+        let size = weights.map(|weight| weight.row_product_size(levels)).max();
         let work = ((rows * ring.product_count()) as u64)
             .saturating_mul(u64::from(levels.saturating_sub(1)))
-            .saturating_mul(bits.unwrap_or(1));
+            .saturating_mul(size.unwrap_or(1));
         if work <= MAX_RING_WORK {
             return Ok(());
         }
@@ -56,12 +57,12 @@ pub(super) fn rows_of(chosen: &Representatives) -> BTreeSet<usize> {
 }
 
 /// [`PowerRows`] for c = 1, …, `levels`, each from the one before.
-pub(crate) fn power_rows<S: Scalar>(
-    ring: &Ring<S>,
+pub(crate) fn power_rows<'a, S: Scalar>(
+    ring: &'a Ring<S>,
     chosen: &Representatives,
     levels: u32,
-) -> impl Iterator<Item = PowerRows<S>> {
-    let first = rows_of(chosen).into_iter().map(|a| (a, ring.weights()[a].clone()));
+) -> impl Iterator<Item = PowerRows<S>> + use<'a, S> {
+    let first = rows_of(chosen).into_iter().map(|a| (a, ring.weights().row(a).cloned().collect()));
     let first = PowerRows { rows: first.collect() };
     let next = |rows: &PowerRows<S>| {
         let rows = rows.rows.iter().map(|(a, row)| (*a, ring.pull_back(row)));
@@ -71,6 +72,38 @@ pub(crate) fn power_rows<S: Scalar>(
 }
 
 impl<S: Scalar> PowerRows<S> {
+    /// The same for c = 1, …, `levels`, where only the rows of the chosen points are
+    /// multiplied: the others follow by the rotation, which takes a power of M to itself.
+    pub(super) fn turned(
+        ring: &Ring<S>,
+        chosen: &Representatives,
+        levels: u32,
+    ) -> impl Iterator<Item = PowerRows<S>> {
+        let (needed, image) = (rows_of(chosen), ring.rotation());
+        let chosen = chosen.points.clone();
+        let points = Representatives { points: chosen.clone(), edges: Vec::new() };
+        power_rows(ring, &points, levels).map(move |PowerRows { mut rows }| {
+            let Some(image) = &image else { return PowerRows { rows } };
+            for &first in &chosen {
+                let (mut point, mut places) = (image[first], image.clone());
+                while point != first && rows.len() < needed.len() {
+                    if needed.contains(&point) {
+                        let mut turned: Vec<&S> = rows[&first].iter().collect();
+                        for (x, &place) in rows[&first].iter().zip(&places) {
+                            turned[place] = x;
+                        }
+                        rows.insert(point, turned.into_iter().cloned().collect());
+                    }
+                    point = image[point];
+                    for place in &mut places {
+                        *place = image[*place];
+                    }
+                }
+            }
+            PowerRows { rows }
+        })
+    }
+
     /// e_aᵀM^c − e_bᵀM^c of each chosen edge (a, b).
     pub(crate) fn differences(&self, chosen: &Representatives) -> Vec<Vec<S>> {
         let difference = |(a, b): &(usize, usize)| {
@@ -91,7 +124,7 @@ impl<S: Real> PowerRows<S> {
 pub(crate) fn displaced_rows<S: Scalar>(ring: &Ring<S>, chosen: &Representatives) -> Vec<Vec<S>> {
     let one = S::from_rational(&Rational::one());
     let displaced = |&a: &usize| {
-        let mut row = ring.weights()[a].clone();
+        let mut row: Vec<S> = ring.weights().row(a).cloned().collect();
         row[a] = row[a].minus(&one);
         row
     };

@@ -1,6 +1,7 @@
 //! ‖w‖_*: the norm of a functional on rings whose differences along edges are bounded.
 
-use crate::exact::Real;
+use super::transport_tree::by_rounding;
+use crate::exact::{Rational, Real};
 use std::cmp::Ordering;
 use std::collections::VecDeque;
 
@@ -75,6 +76,25 @@ pub fn transport_at_costs<S: Real + Ord>(
     edges: &[(usize, usize)],
     costs: &[u32],
 ) -> Option<Transport<S>> {
+    // Without denominators, which the flow would have in all of its steps.
+    let scale = Rational::from(S::common_denominator(w));
+    let scaled = |w: &[S], by: &Rational| -> Vec<S> {
+        let by = S::from_rational(by);
+        w.iter().map(|w| w.times(&by)).collect()
+    };
+    let w = scaled(w, &scale);
+    let found = by_rounding(&w, edges, costs).or_else(|| shortest(&w, edges, costs))?;
+    let back = scale.recip();
+    let value = found.value.times(&S::from_rational(&back));
+    Some(Transport { value, flow: scaled(&found.flow, &back), heights: found.heights })
+}
+
+/// By shortest paths, in exact steps.
+pub(super) fn shortest<S: Real + Ord>(
+    w: &[S],
+    edges: &[(usize, usize)],
+    costs: &[u32],
+) -> Option<Transport<S>> {
     let mut network = Network::new(w, edges, costs);
     while network.unbalanced() {
         let sources = (0..w.len()).filter(|&a| network.excess_sign[a] == Ordering::Greater);
@@ -84,13 +104,7 @@ pub fn transport_at_costs<S: Real + Ord>(
         let (_, sink) = nearest?;
         network.send(&paths.to(sink), sink);
     }
-    // From everywhere at once: d_b ≤ d_a + c along every edge, and d_b = d_a + c where
-    // flow runs from a to b, since the residual network has no negative cycle.
-    let distances = network.shortest_paths(0..w.len()).length;
-    let heights = distances.into_iter().map(|d| d.map_or(0, |(cost, _)| -cost)).collect();
-    let cost = |(f, cost): (&S, &u32)| f.magnitude().times(&S::from_rational(&(*cost).into()));
-    let costs: Vec<S> = network.flow.iter().zip(costs).map(cost).collect();
-    Some(Transport { value: S::total(&costs), flow: network.flow, heights })
+    Some(network.found(costs))
 }
 
 /// A step along an edge.
@@ -105,7 +119,7 @@ struct Step {
 }
 
 /// A flow, and what is left to send: excess_a = w_a − div(f)_a.
-struct Network<S> {
+pub(super) struct Network<S> {
     steps: Vec<Vec<Step>>,
     flow: Vec<S>,
     flow_sign: Vec<i8>,
@@ -137,6 +151,34 @@ impl<S: Real + Ord> Network<S> {
             excess: w.to_vec(),
             excess_sign: w.iter().map(|excess| excess.cmp(&zero)).collect(),
         }
+    }
+
+    /// The network with this flow, and nothing left to send.
+    pub(super) fn carrying(
+        flow: Vec<S>,
+        points: usize,
+        edges: &[(usize, usize)],
+        costs: &[u32],
+    ) -> Network<S> {
+        let zero = S::zero();
+        let flow_sign = flow.iter().map(|f| f.cmp(&zero) as i8).collect();
+        let network = Network::new(&vec![zero; points], edges, costs);
+        Network { flow, flow_sign, ..network }
+    }
+
+    /// The norm, for a flow of least cost. The heights do not depend on which it is
+    /// (`proofs/THEOREMS.md`, 24).
+    pub(super) fn found(self, costs: &[u32]) -> Transport<S> {
+        // From everywhere at once: d_b ≤ d_a + c along every edge, and d_b = d_a + c where
+        // flow runs from a to b, since the residual network has no negative cycle.
+        let distances = self.shortest_paths(0..self.excess.len()).length;
+        let heights = distances.into_iter().map(|d| d.map_or(0, |(cost, _)| -cost)).collect();
+        let cost = |(f, cost): (&S, &u32)| match cost {
+            1 => f.magnitude(),
+            _ => f.magnitude().times(&S::from_rational(&(*cost).into())),
+        };
+        let costs: Vec<S> = self.flow.iter().zip(costs).map(cost).collect();
+        Transport { value: S::total(&costs), flow: self.flow, heights }
     }
 
     fn unbalanced(&self) -> bool {
@@ -185,11 +227,15 @@ impl<S: Real + Ord> Network<S> {
         let zero = S::zero();
         for step in path {
             let flow = &mut self.flow[step.edge];
-            *flow = if step.direction > 0 { flow.plus(&amount) } else { flow.minus(&amount) };
+            if step.direction > 0 {
+                flow.accumulate(&amount);
+            } else {
+                flow.lessen(&amount);
+            }
             self.flow_sign[step.edge] = (*flow).cmp(&zero) as i8;
         }
-        self.excess[*source] = self.excess[*source].minus(&amount);
-        self.excess[sink] = self.excess[sink].plus(&amount);
+        self.excess[*source].lessen(&amount);
+        self.excess[sink].accumulate(&amount);
         for end in [*source, sink] {
             self.excess_sign[end] = self.excess[end].cmp(&zero);
         }

@@ -69,7 +69,10 @@ impl Report<'_> {
         ];
         let rows = self.ring.representatives().points.into_iter();
         facts.extend(rows.map(|point| {
-            (format!("weights of {}", self.ring.name(point)), row_text(&self.ring.weights()[point]))
+            (
+                format!("weights of {}", self.ring.name(point)),
+                row_text(self.ring.weights().row(point)),
+            )
         }));
         if let Some((edge, found)) = self.constants.contraction(1) {
             let holds = if self.contracts() { "< 1: one level contracts" } else { "not < 1" };
@@ -109,8 +112,8 @@ impl Report<'_> {
         if let Some(delta) = &mut delta {
             delta["holds"] = json!(self.contracts());
         }
-        let texts = |row: &Vec<RealCyclotomic>| row.iter().map(ToString::to_string).collect();
-        let weights: Vec<Vec<String>> = self.ring.weights().iter().map(texts).collect();
+        let texts = |a| self.ring.weights().row(a).map(ToString::to_string).collect();
+        let weights: Vec<Vec<String>> = (0..self.ring.point_count()).map(texts).collect();
         json!({
             "schema": 1,
             "scheme": name,
@@ -124,11 +127,12 @@ impl Report<'_> {
     }
 }
 
-fn row_text(row: &[RealCyclotomic]) -> String {
+fn row_text<'a>(row: impl ExactSizeIterator<Item = &'a RealCyclotomic>) -> String {
     let weight = |weight: &RealCyclotomic| {
         let exact = weight.to_string();
         if exact.len() > SHOWN_LENGTH { short(weight, 10) } else { exact }
     };
-    let shown = row.iter().take(SHOWN_WEIGHTS).map(weight).collect::<Vec<String>>().join("  ");
-    if row.len() > SHOWN_WEIGHTS { format!("{shown}  … (all in --format json)") } else { shown }
+    let more = row.len() > SHOWN_WEIGHTS;
+    let shown = row.take(SHOWN_WEIGHTS).map(weight).collect::<Vec<String>>().join("  ");
+    if more { format!("{shown}  … (all in --format json)") } else { shown }
 }

@@ -14,6 +14,7 @@
 //! | [`RationalPolynomial`], [`PiecewisePolynomial`], [`Parametric`] | functions of a free parameter |
 //! | [`Interval`], [`IntervalSet`] | where such a function is below a bound |
 //! | [`Scalar`], [`Real`] | what the algorithms ask of a number type |
+//! | [`Matrix`] | matrices in which few numbers stand in many places |
 //! | [`solve`] | systems of linear equations |
 //! | [`CommonDenominator`] | rationals as integers over one denominator, for hot loops |
 
@@ -28,6 +29,7 @@ pub mod format;
 mod integer;
 mod interval;
 mod linear;
+mod matrix;
 mod monomial;
 mod ops;
 mod parametric;
@@ -52,6 +54,7 @@ pub use enclosure::{Enclosed, Enclosure};
 pub use integer::Integer;
 pub use interval::{Interval, IntervalSet};
 pub use linear::solve;
+pub use matrix::{Matrix, Naming};
 pub use parametric::Parametric;
 pub use piecewise::PiecewisePolynomial;
 pub use polynomial::Polynomial;

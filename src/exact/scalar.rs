@@ -1,6 +1,6 @@
 //! What the algorithms ask of a number type, so that each is written once.
 
-use super::{Polynomial, Rational};
+use super::{Integer, Matrix, Polynomial, Rational};
 use std::cmp::Ordering;
 
 /// A commutative ring that contains the rationals: exact numbers, polynomials,
@@ -18,9 +18,20 @@ pub trait Scalar: Clone {
     /// self − other.
     #[must_use]
     fn minus(&self, other: &Self) -> Self;
+    /// self becomes self − other.
+    fn lessen(&mut self, other: &Self) {
+        *self = self.minus(other);
+    }
     /// self · other.
     #[must_use]
     fn times(&self, other: &Self) -> Self;
+
+    /// Some q > 0 such that sums of multiples of these by q need no common denominators;
+    /// 1 where there is nothing to gain.
+    #[must_use]
+    fn common_denominator(_: &[Self]) -> Integer {
+        Integer::one()
+    }
 
     /// 0.
     #[must_use]
@@ -39,6 +50,19 @@ pub trait Scalar: Clone {
             sum
         })
     }
+
+    /// wᵀM, for a coordinate of w for each row of M: the sums Σ_a w_a m_{a,b} over the
+    /// entries other than 0, from top to bottom. Exact numbers may go another way.
+    #[must_use]
+    fn left_product(w: &[Self], matrix: &Matrix<Self>) -> Vec<Self> {
+        let mut sums = vec![Self::zero(); matrix.names().first().map_or(0, Vec::len)];
+        for (w, names) in w.iter().zip(matrix.names()) {
+            for (sum, &name) in sums.iter_mut().zip(names).filter(|(_, name)| **name != 0) {
+                *sum = sum.plus(&w.times(&matrix.values()[name as usize]));
+            }
+        }
+        sums
+    }
 }
 
 /// An ordered [`Scalar`] with absolute values and division.
@@ -52,6 +76,13 @@ pub trait Real: Scalar {
     /// self / other, for other ≠ 0.
     #[must_use]
     fn over(&self, other: &Self) -> Self;
+
+    /// Integers of up to some 50 bits, near one multiple of these; `None` where exact
+    /// arithmetic is as quick.
+    #[must_use]
+    fn rounded(_: &[Self]) -> Option<Vec<i64>> {
+        None
+    }
 
     /// Σ |t| over `terms`.
     #[must_use]
@@ -84,6 +115,9 @@ impl Scalar for Rational {
     }
     fn times(&self, other: &Self) -> Self {
         self * other
+    }
+    fn common_denominator(values: &[Self]) -> Integer {
+        values.iter().fold(Integer::one(), |lcm, value| lcm.lcm(&value.denominator()))
     }
 }
 

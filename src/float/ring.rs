@@ -134,7 +134,7 @@ fn names(ring: &Ring, chosen: &Representatives, blocks: u32) -> Vec<String> {
 }
 
 fn weights<S: Clone>(ring: &Ring<S>, chosen: &Representatives) -> Vec<S> {
-    chosen.points.iter().flat_map(|&a| ring.weights()[a].clone()).collect()
+    chosen.points.iter().flat_map(|&a| ring.weights().row(a).cloned()).collect()
 }
 
 /// The greatest Σ_b w_b P_b of functionals w with heights P.

@@ -41,6 +41,7 @@
 mod angle;
 mod ast;
 mod builtin;
+mod dependence;
 mod display;
 mod error;
 mod evaluate;
@@ -52,6 +53,7 @@ mod value;
 
 pub use angle::PI;
 pub use ast::{Expr, Fold, Node, Operator, OptionWord, Span};
+pub use dependence::{Dependence, IndexPair};
 pub use error::{CallError, FormulaError, FormulaErrorKind};
 pub use evaluate::{Call, Context, Lookup, Parameters, Work, evaluate};
 pub use free::FreeNames;

@@ -14,6 +14,11 @@ pub trait Value: Scalar + std::fmt::Display {
     fn product_size(&self, other: &Self) -> u64 {
         self.size().saturating_add(other.size())
     }
+    /// What a product costs in the rows of the first `levels` powers of a matrix of such
+    /// values.
+    fn row_product_size(&self, _levels: u32) -> u64 {
+        self.product_size(self)
+    }
     /// What self / divisor costs, for divisor ≠ 0.
     fn quotient_size(&self, divisor: &Self) -> u64 {
         self.product_size(divisor)
@@ -134,6 +139,9 @@ impl Value for RealCyclotomic {
         // terms with names.
         let terms = self.term_count() as u64 * other.term_count() as u64;
         terms.saturating_add(self.bits()).saturating_add(other.bits())
+    }
+    fn row_product_size(&self, levels: u32) -> u64 {
+        self.row_product_size(levels)
     }
     fn quotient_size(&self, divisor: &Self) -> u64 {
         self.bits().saturating_add(divisor.recip_cost())

@@ -197,7 +197,7 @@ fn left_eigenvector<S: Real + Ord + Value>(ring: &Ring<S>) -> Result<Vec<S>, Rin
     let classes = classes(ring, &representatives);
     let unknowns = representatives.len();
     let weights = ring.weights();
-    let entries = weights.iter().flatten();
+    let entries = weights.values().iter();
     let field = entries.clone().map(|m| u64::from(m.conductor()).pow(2)).max().unwrap_or(1);
     let size = entries.map(|m| m.product_size(m)).max().unwrap_or(1).max(field);
     let work = (unknowns as u64).saturating_pow(4).saturating_mul(size);
@@ -212,7 +212,7 @@ fn left_eigenvector<S: Real + Ord + Value>(ring: &Ring<S>) -> Result<Vec<S>, Rin
     rows[0][unknowns] = one.clone();
     for (d, &b) in representatives.iter().enumerate().skip(1) {
         for (a, &class) in classes.iter().enumerate() {
-            rows[d][class] = rows[d][class].plus(&weights[a][b]);
+            rows[d][class] = rows[d][class].plus(weights.entry(a, b));
         }
         rows[d][d] = rows[d][d].minus(&one);
     }
@@ -221,7 +221,7 @@ fn left_eigenvector<S: Real + Ord + Value>(ring: &Ring<S>) -> Result<Vec<S>, Rin
 }
 
 /// For each point the index of its representative.
-fn classes<S: PartialEq>(ring: &Ring<S>, representatives: &[usize]) -> Vec<usize> {
+fn classes<S>(ring: &Ring<S>, representatives: &[usize]) -> Vec<usize> {
     let image = ring.rotation().unwrap_or_else(|| (0..ring.point_count()).collect());
     let mut classes = vec![0; ring.point_count()];
     for (class, &first) in representatives.iter().enumerate() {

@@ -128,10 +128,10 @@ impl<S: Real + Ord + Value> RingDistances<S> {
         level: u32,
     ) -> Result<RingWitness<S>, RingLimitError> {
         let rows = self.limit.ring().weights();
-        assert_eq!(rows.len(), interpolant.point_count(), "an interpolant of as many points");
-        let pairs = rows.iter().zip(interpolant.weights());
-        let moved = pairs.map(|(new, old)| minus(new, old));
-        self.at_level(moved.enumerate().collect(), level)
+        let points = rows.row_count();
+        assert_eq!(points, interpolant.point_count(), "an interpolant of as many points");
+        let moved = |a: usize| (a, minus(rows.row(a), interpolant.weights().row(a)));
+        self.at_level((0..points).map(moved).collect(), level)
     }
 
     /// Compares C_k with a threshold.
@@ -245,7 +245,7 @@ impl<S: Real + Ord + Value> RingDistances<S> {
         let ring = self.limit.ring();
         let threshold = S::from_rational(&(tolerance / spread));
         let zero = S::zero();
-        let averages = ring.weights().iter().flatten().all(|weight| *weight >= zero);
+        let averages = ring.weights().values().iter().all(|weight| *weight >= zero);
         let run = if averages { 1 } else { self.block().0 };
         let (mut first, mut start) = (None, None);
         for (level, errors) in (0..=MAX_LEVEL).zip(pulled_back(ring, self.errors.clone())) {
@@ -271,7 +271,8 @@ impl<S: Real + Ord + Value> RingDistances<S> {
     /// e_aᵀM − e_a, for the points a up to the rotation.
     fn steps(&self) -> Vec<Labelled<S, usize>> {
         let rows = self.limit.ring().weights();
-        let step = |(a, _): &Labelled<S, usize>| (*a, minus(&rows[*a], &unit(rows.len(), *a)));
+        let step =
+            |(a, _): &Labelled<S, usize>| (*a, minus(rows.row(*a), &unit(rows.row_count(), *a)));
         self.errors.iter().map(step).collect()
     }
 
@@ -307,6 +308,9 @@ fn unit<S: Real>(count: usize, at: usize) -> Vec<S> {
     (0..count).map(entry).collect()
 }
 
-fn minus<S: Real>(left: &[S], right: &[S]) -> Vec<S> {
-    left.iter().zip(right).map(|(x, y)| x.minus(y)).collect()
+fn minus<'a, S: Real + 'a>(
+    left: impl IntoIterator<Item = &'a S>,
+    right: impl IntoIterator<Item = &'a S>,
+) -> Vec<S> {
+    left.into_iter().zip(right).map(|(x, y)| x.minus(y)).collect()
 }

@@ -102,8 +102,9 @@ pub fn ring_reference_values(
     let contraction: Vec<_> = levels.clone().map(|l| l.contraction().1.value.clone()).collect();
     let norm: Vec<_> = levels.map(|level| level.norm.clone()).collect();
     let sigma = constants.displacement().1.value.clone();
+    let weights: Vec<_> = (0..count).flat_map(|a| ring.weights().row(a).cloned()).collect();
     let groups: Vec<Group> = vec![
-        group("weights", WEIGHTS, &[count, count], 0, &ring.weights().concat()),
+        group("weights", WEIGHTS, &[count, count], 0, &weights),
         group("contraction-constant", CONTRACTION, &[contraction.len()], 1, &contraction),
         group("scheme-norm", NORM, &[norm.len()], 1, &norm),
         group("displacement", SIGMA, &[], 0, &[sigma]),

@@ -57,7 +57,7 @@ pub fn parse_scheme(text: &str) -> Result<Scheme<Rational>, SchemeError> {
 ///
 /// let ring = parse_ring("catmull-clark:N=5")?;
 /// assert_eq!(ring.point_count(), 11);
-/// assert_eq!(ring.weights()[0][0].to_string(), "13/20");
+/// assert_eq!(ring.weights().entry(0, 0).to_string(), "13/20");
 /// # Ok::<(), subcert::scheme::SchemeError>(())
 /// ```
 pub fn parse_ring(text: &str) -> Result<Ring<RealCyclotomic>, SchemeError> {

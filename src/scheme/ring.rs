@@ -1,8 +1,9 @@
 //! Rings: valence-dependent rules around an extraordinary vertex or face.
 
-use crate::exact::{Rational, RealCyclotomic, Scalar};
-use std::collections::BTreeSet;
+use crate::exact::{Matrix, Rational, RealCyclotomic, Scalar};
+use std::collections::{BTreeSet, HashSet};
 use std::fmt::Display;
+use std::hash::Hash;
 
 /// The most points of a ring.
 pub const MAX_RING_POINTS: usize = 600;
@@ -29,9 +30,7 @@ pub struct Orbit {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ring<S = RealCyclotomic> {
     orbits: Vec<Orbit>,
-    weights: Vec<Vec<S>>,
-    /// For each new point a, the b with m_{a,b} ≠ 0: most rings have few.
-    supports: Vec<Vec<usize>>,
+    weights: Matrix<S>,
     edges: Vec<(usize, usize)>,
 }
 
@@ -85,7 +84,7 @@ pub enum RingError {
     },
 }
 
-impl<S: Scalar + PartialEq + Display> Ring<S> {
+impl<S: Scalar + Eq + Hash + Display> Ring<S> {
     /// The ring of these orbits, with one row of weights for each new point and these
     /// edges. Of several edges between two points the first is kept.
     ///
@@ -111,28 +110,62 @@ impl<S: Scalar + PartialEq + Display> Ring<S> {
         weights: Vec<Vec<S>>,
         edges: Vec<(usize, usize)>,
     ) -> Result<Ring<S>, RingError> {
-        let points = orbits.iter().fold(0_usize, |sum, orbit| sum.saturating_add(orbit.count));
-        if !(2..=MAX_RING_POINTS).contains(&points) {
-            return Err(RingError::Points(points));
-        }
+        let points = check_count(&orbits)?;
         if weights.len() != points || weights.iter().any(|row| row.len() != points) {
             return Err(RingError::Shape { points });
         }
-        let zero = S::zero();
-        let support = |row: &Vec<S>| (0..points).filter(|&b| row[b] != zero).collect();
-        let supports = weights.iter().map(support).collect();
-        let ring = Ring { orbits, weights, supports, edges: without_repetition(edges) };
-        let one = S::from_rational(&Rational::one());
-        for (point, weights) in ring.weights.iter().enumerate() {
-            let sum = S::total(weights);
-            if sum != one {
-                let (point, excess) = (ring.name(point), sum.minus(&one).to_string());
-                return Err(RingError::NotAffine { point, sum: sum.to_string(), excess });
-            }
+        Ring::with_weights(orbits, Matrix::from_rows(weights), edges)
+    }
+
+    /// [`Ring::new`] with the weights as a matrix.
+    ///
+    /// # Errors
+    /// As of [`Ring::new`].
+    pub fn with_weights(
+        orbits: Vec<Orbit>,
+        weights: Matrix<S>,
+        edges: Vec<(usize, usize)>,
+    ) -> Result<Ring<S>, RingError> {
+        let points = check_count(&orbits)?;
+        if weights.row_count() != points || weights.names().iter().any(|row| row.len() != points) {
+            return Err(RingError::Shape { points });
         }
+        let ring = Ring { orbits, weights, edges: without_repetition(edges) };
+        ring.check_sums()?;
         ring.check_edges()?;
         Ok(ring)
     }
+
+    /// Rows of the same weights, each as often, have the same sum.
+    fn check_sums(&self) -> Result<(), RingError> {
+        let (one, mut seen) = (S::from_rational(&Rational::one()), HashSet::new());
+        for (point, names) in self.weights.names().iter().enumerate() {
+            let mut counts = vec![0_u32; self.weights.values().len()];
+            for &name in names {
+                counts[name as usize] += 1;
+            }
+            if !seen.insert(counts.clone()) {
+                continue;
+            }
+            let terms = self.weights.values().iter().zip(counts).filter(|(_, count)| *count > 0);
+            let terms = terms.map(|(value, count)| value.times(&S::from_rational(&count.into())));
+            let sum = S::total(&terms.collect::<Vec<S>>());
+            if sum != one {
+                let (point, excess) = (self.name(point), sum.minus(&one).to_string());
+                return Err(RingError::NotAffine { point, sum: sum.to_string(), excess });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// v, within its range.
+fn check_count(orbits: &[Orbit]) -> Result<usize, RingError> {
+    let points = orbits.iter().fold(0_usize, |sum, orbit| sum.saturating_add(orbit.count));
+    if !(2..=MAX_RING_POINTS).contains(&points) {
+        return Err(RingError::Points(points));
+    }
+    Ok(points)
 }
 
 impl<S> Ring<S> {
@@ -145,19 +178,19 @@ impl<S> Ring<S> {
     /// v.
     #[must_use]
     pub fn point_count(&self) -> usize {
-        self.weights.len()
+        self.weights.row_count()
     }
 
     /// m, one row for each new point.
     #[must_use]
-    pub fn weights(&self) -> &[Vec<S>] {
+    pub fn weights(&self) -> &Matrix<S> {
         &self.weights
     }
 
     /// The number of weights other than 0: the products of a refinement.
     #[must_use]
     pub fn product_count(&self) -> usize {
-        self.supports.iter().map(Vec::len).sum()
+        self.weights.names().iter().flatten().filter(|name| **name != 0).count()
     }
 
     /// The edges, as pairs of points, each once.
@@ -178,10 +211,9 @@ impl<S> Ring<S> {
     /// The weights in another arithmetic, which may round, and takes 0 to 0: their sums
     /// are not checked again.
     #[must_use]
-    pub fn map<T>(&self, mut map: impl FnMut(&S) -> T) -> Ring<T> {
-        let weights = self.weights.iter().map(|row| row.iter().map(&mut map).collect()).collect();
-        let Ring { orbits, supports, edges, .. } = self;
-        Ring { orbits: orbits.clone(), weights, supports: supports.clone(), edges: edges.clone() }
+    pub fn map<T>(&self, map: impl FnMut(&S) -> T) -> Ring<T> {
+        let (orbits, edges) = (self.orbits.clone(), self.edges.clone());
+        Ring { orbits, weights: self.weights.map(map), edges }
     }
 
     fn check_edges(&self) -> Result<(), RingError> {
@@ -224,10 +256,7 @@ impl<S: Scalar> Ring<S> {
     #[must_use]
     pub fn refine(&self, points: &[S]) -> Vec<S> {
         assert_eq!(points.len(), self.point_count(), "a ring has as many control points as rows");
-        let combine = |(row, support): (&Vec<S>, &Vec<usize>)| {
-            support.iter().fold(S::zero(), |sum, &b| sum.plus(&row[b].times(&points[b])))
-        };
-        self.weights.iter().zip(&self.supports).map(combine).collect()
+        self.weights.product(points)
     }
 
     /// wᵀM, with (wᵀM)_b = Σ_a w_a m_{a,b}: the functional w of the new points, as one
@@ -238,13 +267,7 @@ impl<S: Scalar> Ring<S> {
     #[must_use]
     pub fn pull_back(&self, functional: &[S]) -> Vec<S> {
         assert_eq!(functional.len(), self.point_count(), "a coefficient for each point");
-        let mut sums = vec![S::zero(); self.point_count()];
-        for (w, (row, support)) in functional.iter().zip(self.weights.iter().zip(&self.supports)) {
-            for &b in support {
-                sums[b] = sums[b].plus(&w.times(&row[b]));
-            }
-        }
-        sums
+        self.weights.left_product(functional)
     }
 }
 

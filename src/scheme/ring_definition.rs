@@ -4,8 +4,10 @@ use super::definition::{Coefficients, SchemeDefinition};
 use super::reference::SchemeError;
 use super::ring::{MAX_RING_POINTS, Orbit, Ring, RingError, point_name};
 use crate::diagnostic::{Diagnostic, SourceText};
-use crate::formula::{LocatedFormula, Value};
+use crate::exact::{Matrix, Naming};
+use crate::formula::{Dependence, IndexPair, LocatedFormula, Value};
 use std::collections::BTreeMap;
+use std::hash::Hash;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -45,6 +47,46 @@ pub(super) struct End {
 
 type Parameters<V> = BTreeMap<String, V>;
 
+/// The weights of one orbit of old points in one of new points.
+struct Block<'a> {
+    formula: Option<&'a LocatedFormula>,
+    dependence: Dependence,
+    columns: usize,
+    /// Where the values that the formula has had stand; 0 where it has had none.
+    known: Vec<usize>,
+}
+
+impl<'a> Block<'a> {
+    fn new(
+        formula: Option<&'a LocatedFormula>,
+        pair: &mut IndexPair<'a>,
+        new: &Orbit,
+        old: &Orbit,
+    ) -> Block<'a> {
+        let dependence = formula.map_or(Dependence::Neither, |f| pair.dependence(&f.expr));
+        let places = match dependence {
+            Dependence::Neither => 1,
+            Dependence::First => new.count,
+            Dependence::Second => old.count,
+            Dependence::Difference => new.count + old.count,
+            Dependence::Both => new.count * old.count,
+        };
+        Block { formula, dependence, columns: old.count, known: vec![0; places] }
+    }
+
+    /// The formula, and one place for all (i, j) that look the same to it.
+    fn place(&mut self, i: usize, j: usize) -> (Option<&'a LocatedFormula>, &mut usize) {
+        let at = match self.dependence {
+            Dependence::Neither => 0,
+            Dependence::First => i,
+            Dependence::Second => j,
+            Dependence::Difference => self.known.len() - self.columns + j - i,
+            Dependence::Both => i * self.columns + j,
+        };
+        (self.formula, &mut self.known[at])
+    }
+}
+
 impl SchemeDefinition {
     /// Whether this is a ring, and has no mask.
     #[must_use]
@@ -59,7 +101,7 @@ impl SchemeDefinition {
     /// When this is a mask, a parameter is missing or unknown, a formula has no value,
     /// the weights have no [`common_conductor`](crate::exact::common_conductor), or they
     /// are not a ring.
-    pub fn ring<V: Value + PartialEq>(
+    pub fn ring<V: Value + Eq + Hash>(
         &self,
         values: &BTreeMap<String, V>,
     ) -> Result<Ring<V>, SchemeError> {
@@ -69,9 +111,8 @@ impl SchemeDefinition {
         let parameters = self.complete(values)?;
         let orbits = self.orbits(formulas, &parameters)?;
         let weights = self.weights(formulas, &orbits, &parameters)?;
-        self.check_common_field(weights.iter().flatten())?;
         let edges = self.edges(formulas, &orbits, &parameters)?;
-        Ring::new(orbits, weights, edges).map_err(|error| formulas.refusal(&error))
+        Ring::with_weights(orbits, weights, edges).map_err(|error| formulas.refusal(&error))
     }
 
     fn orbits<V: Value>(
@@ -95,27 +136,42 @@ impl SchemeDefinition {
         Ok(orbits)
     }
 
-    fn weights<V: Value>(
+    /// Each formula is evaluated once for all places that look the same to it.
+    fn weights<V: Value + Eq + Hash>(
         &self,
         formulas: &RingFormulas,
         orbits: &[Orbit],
         parameters: &Parameters<V>,
-    ) -> Result<Vec<Vec<V>>, SchemeError> {
-        let mut rows = Vec::new();
+    ) -> Result<Matrix<V>, SchemeError> {
+        let mut pair = IndexPair::new([NEW_INDEX, OLD_INDEX], &self.definitions);
+        let (mut values, mut rows) = (vec![V::zero()], Vec::new());
         for (new, formulas) in orbits.iter().zip(&formulas.weights) {
-            for i in indices(new) {
+            let blocks = orbits.iter().zip(formulas);
+            let mut blocks: Vec<Block> = blocks
+                .map(|(old, formula)| Block::new(formula.as_ref(), &mut pair, new, old))
+                .collect();
+            for i in 0..new.count {
                 let mut row = Vec::new();
-                for (old, formula) in orbits.iter().zip(formulas) {
-                    for j in indices(old) {
-                        let at = [(NEW_INDEX, i), (OLD_INDEX, j)];
-                        let weight = formula.as_ref().map(|f| self.value(f, parameters, &at));
-                        row.push(weight.transpose()?.unwrap_or_else(V::zero));
+                for block in &mut blocks {
+                    for j in 0..block.columns {
+                        let (formula, known) = block.place(i, j);
+                        if let (Some(formula), 0) = (formula, *known) {
+                            let at = [(NEW_INDEX, index(i)), (OLD_INDEX, index(j))];
+                            values.push(self.value(formula, parameters, &at)?);
+                            *known = values.len() - 1;
+                        }
+                        row.push(*known);
                     }
                 }
                 rows.push(row);
             }
         }
-        Ok(rows)
+        self.check_common_field(values.iter())?;
+        let mut naming = Naming::new();
+        let names: Vec<u32> = values.into_iter().map(|value| naming.name(value)).collect();
+        let row = |row: Vec<usize>| row.into_iter().map(|place| names[place]).collect();
+        let rows = rows.into_iter().map(row).collect();
+        Ok(naming.matrix(rows))
     }
 
     /// The edges of every family, i running over the indices of its larger orbit.
@@ -212,7 +268,11 @@ fn extent<'a>(
 }
 
 fn indices(orbit: &Orbit) -> Range<i64> {
-    0..i64::try_from(orbit.count).expect("a small cap")
+    0..index(orbit.count)
+}
+
+fn index(i: usize) -> i64 {
+    i64::try_from(i).expect("a small cap")
 }
 
 fn at_formula(formula: &LocatedFormula, error: &RingError) -> SchemeError {

@@ -13,7 +13,7 @@ pub struct Representatives {
     pub edges: Vec<(usize, usize)>,
 }
 
-impl<S: PartialEq> Ring<S> {
+impl<S> Ring<S> {
     /// The rotation ρ that takes point i of each orbit to i + m/g mod m, where m is the
     /// count of the orbit and g the greatest common divisor of the counts above 1; if
     /// it is a symmetry: m_{ρa,ρb} = m_{a,b}, and edges go to edges. As the image of each
@@ -31,11 +31,11 @@ impl<S: PartialEq> Ring<S> {
             let step = if count > 1 { count / order } else { 0 };
             image.extend((0..count).map(|i| first + (i + step) % count));
         }
-        let turned = |row: &[S], other: &[S]| {
-            row.iter().zip(&image).all(|(weight, &image)| *weight == other[image])
+        let names = self.weights().names();
+        let turned = |(row, &a): (&Vec<u32>, &usize)| {
+            row.iter().zip(&image).all(|(name, &b)| *name == names[a][b])
         };
-        let weights = self.weights();
-        let same_weights = weights.iter().zip(&image).all(|(row, &a)| turned(row, &weights[a]));
+        let same_weights = names.iter().zip(&image).all(turned);
         let edges: BTreeSet<_> = self.edges().iter().map(|&(a, b)| unordered(a, b)).collect();
         let same_edges = edges.iter().all(|&(a, b)| edges.contains(&unordered(image[a], image[b])));
         (same_weights && same_edges).then_some(image)

@@ -63,6 +63,10 @@ fn check_at_costs<S: Real + Ord + std::fmt::Debug>(
     assert_eq!(heights.iter().min(), Some(&0));
 }
 
+fn cosine(p: i64, q: i64) -> RealCyclotomic {
+    RealCyclotomic::cosine(&r(p, q)).unwrap()
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
     #[test]
@@ -78,6 +82,46 @@ proptest! {
         check(&w, &edges, &found);
         let costs = vec![1; edges.len()];
         prop_assert_eq!(found.value, brute(&w, &edges, &costs, &mut vec![0]));
+    }
+
+    // Times 1 + cos(2π/n): heights of the same problem, and of least and greatest numbers.
+    #[test]
+    fn irrational_numbers_have_the_heights_of_rational_ones(
+        (edges, w, costs) in mesh(24).prop_flat_map(|(count, edges)| {
+            let costs = prop::collection::vec(0_u32..4, edges.len());
+            (Just(edges), prop::collection::vec(rational(), count), costs)
+        }),
+        n in 5_u32..40,
+    ) {
+        let mut w = w;
+        let rest: Rational = w.iter().sum();
+        w[0] = &w[0] - rest;
+        let factor = &RealCyclotomic::cosine(&r(1, n.into())).unwrap() + &RealCyclotomic::from(1);
+        let scaled: Vec<_> = w.iter().map(|w| &RealCyclotomic::from(w) * &factor).collect();
+        let found = transport_at_costs(&w, &edges, &costs).unwrap();
+        let irrational = transport_at_costs(&scaled, &edges, &costs).unwrap();
+        check_at_costs(&scaled, &edges, &costs, &irrational);
+        prop_assert_eq!(irrational.value, &RealCyclotomic::from(found.value) * &factor);
+        prop_assert_eq!(irrational.heights, found.heights);
+    }
+
+    // Differences far below the digits that are kept of rounded numbers.
+    #[test]
+    fn numbers_that_round_to_the_same(
+        (edges, w, small) in mesh(12).prop_flat_map(|(count, edges)| {
+            let numbers = || prop::collection::vec(rational(), count);
+            (Just(edges), numbers(), numbers())
+        }),
+        bits in 40_i32..140,
+    ) {
+        let (large, tiny) = (cosine(1, 5), Rational::from(2).pow(-bits));
+        let term = |(w, small): (&Rational, &Rational)| {
+            let (w, small) = (RealCyclotomic::from(w), RealCyclotomic::from(small * &tiny));
+            &(&w * &large) + &small
+        };
+        let mut w: Vec<RealCyclotomic> = w.iter().zip(&small).map(term).collect();
+        w[0] = &w[0] - &RealCyclotomic::total(&w);
+        check(&w, &edges, &transport(&w, &edges).unwrap());
     }
 
     // Costs from 0 on: what is joined for nothing is of one height.

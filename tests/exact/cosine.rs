@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use std::cmp::Ordering;
 use subcert::exact::{
-    Enclosed as _, IntegerPolynomial, Rational, Real as _, RealCyclotomic, format,
+    Enclosed as _, IntegerPolynomial, Rational, Real as _, RealCyclotomic, Scalar as _, format,
 };
 use subcert::float::{exact, nearest};
 
@@ -44,7 +44,50 @@ fn sample() -> impl Strategy<Value = Sample> {
     })
 }
 
+/// Coefficients near the ends of words and of what sums of them may be, and the conductor of
+/// their field.
+fn large() -> impl Strategy<Value = RealCyclotomic> {
+    let power = (prop::sample::select(&[0, 30, 59, 60, 61, 62, 63, 64, 130]), -3_i64..4);
+    let coefficient = (power, -1_i64..2).prop_map(|((places, off), sign)| {
+        &Rational::from(2).pow(places) * &Rational::from(sign) + Rational::from(off)
+    });
+    let conductors = prop::sample::select(&[5_i64, 12, 28, 105]);
+    (conductors, prop::collection::vec((0_i64..105, coefficient), 1..5)).prop_map(|(n, terms)| {
+        terms.into_iter().fold(rational(0, 1), |sum, (j, factor)| {
+            &sum + &(&RealCyclotomic::from(factor) * &cosine(2 * j, 2 * n))
+        })
+    })
+}
+
 proptest! {
+    // Signs and order of numbers that do and do not fit into words, against enclosures of
+    // 512 digits.
+    #[test]
+    fn order_is_that_of_enclosures(a in large(), b in large()) {
+        let (x, y) = (a.enclosure(3), b.enclosure(3));
+        if x.upper() < y.lower() {
+            prop_assert_eq!(a.cmp(&b), Ordering::Less);
+            prop_assert_eq!((&a - &b).sign(), -1);
+        } else if y.upper() < x.lower() {
+            prop_assert_eq!(a.cmp(&b), Ordering::Greater);
+            prop_assert_eq!((&a - &b).sign(), 1);
+        } else {
+            prop_assert_eq!(a.cmp(&b), (&a - &b).sign().cmp(&0));
+        }
+    }
+
+    #[test]
+    fn in_place_as_by_itself(a in large(), b in large(), c in sample()) {
+        for (x, y) in [(&a, &b), (&a, &a), (&a, &c.number), (&c.number, &a)] {
+            let (mut sum, mut difference) = (x.clone(), x.clone());
+            sum.accumulate(y);
+            difference.lessen(y);
+            prop_assert_eq!(&sum, &(x + y));
+            prop_assert_eq!(&difference, &(x + &(y * &rational(-1, 1))));
+            prop_assert_eq!(difference.as_rational().is_some(), (x - y).as_rational().is_some());
+        }
+    }
+
     #[test]
     fn field_axioms(a in sample(), b in sample(), c in sample()) {
         let (a, b, c) = (&a.number, &b.number, &c.number);

@@ -11,6 +11,7 @@ mod doo_sabin;
 mod enclosure;
 mod format;
 mod linear;
+mod matrix;
 mod piecewise;
 mod polynomial;
 mod reading;

@@ -3,6 +3,7 @@
 
 mod caps;
 mod cosine;
+mod dependence;
 mod errors;
 mod scope;
 mod syntax;

@@ -1,8 +1,10 @@
 //! Rings: the catalogue's, those in files, and what is none.
 
 use super::common::{int, r, ring};
+use proptest::prelude::*;
 use subcert::diagnostic::{Diagnostic, SourceText};
 use subcert::exact::{Rational, RealCyclotomic, Scalar as _};
+use subcert::formula::{Parameters, evaluate, parse};
 use subcert::scheme::{
     AnyScheme, Orbit, Ring, RingError, SchemeError, find, parse_any_scheme, parse_ring,
     parse_scheme, read_scheme,
@@ -36,8 +38,9 @@ fn a_file_is_a_ring_with_parameters() {
     let ring: Ring<Rational> = definition.ring(&[].into()).unwrap();
     let names: Vec<String> = (0..5).map(|point| ring.name(point)).collect();
     assert_eq!(names, ["tip", "corner[0]", "corner[1]", "corner[2]", "corner[3]"]);
-    assert_eq!(ring.weights()[0], [r(1, 2), r(1, 8), r(1, 8), r(1, 8), r(1, 8)]);
-    assert_eq!(ring.weights()[2], [r(0, 1), r(1, 8), r(5, 8), r(1, 8), r(1, 8)]);
+    let row = |a| ring.weights().row(a).cloned().collect::<Vec<Rational>>();
+    assert_eq!(row(0), [r(1, 2), r(1, 8), r(1, 8), r(1, 8), r(1, 8)]);
+    assert_eq!(row(2), [r(0, 1), r(1, 8), r(5, 8), r(1, 8), r(1, 8)]);
     let edges = [(0, 1), (0, 2), (0, 3), (0, 4), (1, 2), (2, 3), (3, 4), (4, 1)];
     assert_eq!(ring.edges(), edges);
     assert_eq!(ring.rotation(), Some(vec![0, 2, 3, 4, 1]));
@@ -50,9 +53,10 @@ fn rings_of_the_catalogue() {
     {
         for valence in valences.chain([24]) {
             let ring = ring(&format!("{name}:{parameter}={valence}"));
-            for row in ring.weights() {
-                assert_eq!(RealCyclotomic::total(row), RealCyclotomic::from(1), "{name} {valence}");
-                assert!(row.iter().all(|weight| weight.sign() >= 0), "{name} {valence}");
+            for row in (0..ring.point_count()).map(|a| ring.weights().row(a)) {
+                let sum = RealCyclotomic::total(row.clone());
+                assert_eq!(sum, RealCyclotomic::from(1), "{name} {valence}");
+                assert!(row.clone().all(|weight| weight.sign() >= 0), "{name} {valence}");
             }
             assert!(ring.rotation().is_some(), "{name} {valence}");
         }
@@ -264,12 +268,58 @@ fn refinement_as_defined() {
         };
         let (w, x) = (numbers(1), numbers(2));
         let refined = ring.refine(&x);
-        let naive: Vec<RealCyclotomic> = ring.weights().iter().map(|row| dot(row, &x)).collect();
+        let row = |a| ring.weights().row(a).cloned().collect::<Vec<RealCyclotomic>>();
+        let naive: Vec<_> = (0..ring.point_count()).map(|a| dot(&row(a), &x)).collect();
         assert_eq!(refined, naive, "{scheme}");
         assert_eq!(dot(&w, &refined), dot(&ring.pull_back(&w), &x), "{scheme}");
     }
     let sparse = ring("catmull-clark:N=5");
     assert_eq!(sparse.product_count(), 11 + 5 * 6 + 5 * 4);
+}
+
+/// Terms of a weight of old point j in new point i, of which each row sums to the second.
+const TERMS: [(&str, i64); 9] = [
+    ("kronecker(i, j)", 1),
+    ("2*kronecker(turn, 1)", 2),
+    ("3*kronecker(mod(i - j + 2, N), 0)", 3),
+    ("cos(2*pi*(j - i)/N)", 0),
+    ("(mod(j - i, N) - (N - 1)/2)^2 - (N^2 - 1)/12", 0),
+    ("sum(k = 1..2, cos(2*pi*k*(j - i)/N))", 0),
+    ("kronecker(j, 1)/2 - kronecker(j, 2)/2", 0),
+    ("i*cos(2*pi*j/N)", 0),
+    ("kronecker(i, 1)*(kronecker(j, 0) - kronecker(turn, 0))", 0),
+];
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+    // Weights that are found once for many places, against each formula at each place; and
+    // the rotation against the definition.
+    #[test]
+    fn weights_as_written(n in 3_usize..9, chosen in prop::collection::vec(0_usize..9, 0..4)) {
+        let chosen: Vec<(&str, i64)> = chosen.into_iter().map(|term| TERMS[term]).collect();
+        let sum: i64 = chosen.iter().map(|(_, sum)| sum).sum();
+        let terms: Vec<&str> = chosen.iter().map(|(term, _)| *term).collect();
+        let weight = [&[&*format!("(1 - {sum})/N")], &terms[..]].concat().join(" + ");
+        let text = format!(
+            "name = 'ring'\nparameters.N = {{}}\norbits = {{ p = 'N' }}\n\
+             edges = [['p[i]', 'p[i + 1]']]\n[weights.p]\np = '{weight}'\n\
+             [let]\nturn = 'mod(j - i, N)'\n"
+        );
+        let definition = read_scheme(&SourceText::new("ring.toml", text)).unwrap();
+        let count = RealCyclotomic::from(int(n));
+        let ring: Ring = definition.ring(&[("N".to_owned(), count.clone())].into()).unwrap();
+        let formula = parse(&weight.replace("turn", "mod(j - i, N)")).unwrap();
+        let naive = |i: usize, j: usize| {
+            let [i, j] = [i, j].map(|index| RealCyclotomic::from(int(index)));
+            evaluate(&formula, &Parameters::from([("N", count.clone()), ("i", i), ("j", j)])).unwrap()
+        };
+        let mut turns = true;
+        for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
+            prop_assert_eq!(ring.weights().entry(i, j), &naive(i, j), "{} at {}, {}", weight, i, j);
+            turns &= naive(i, j) == naive((i + 1) % n, (j + 1) % n);
+        }
+        prop_assert_eq!(ring.rotation().is_some(), turns, "{}", weight);
+    }
 }
 
 // Counts 2 and 6 turn by 1 and by 3; a weight that differs, or an edge, stops the turn.

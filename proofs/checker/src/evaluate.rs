@@ -24,6 +24,18 @@ pub const MAX_INTEGER: i64 = 1_000_000;
 /// The indices of the sums around a formula, the innermost last.
 pub type Indices = Vec<(String, Value)>;
 
+/// The values of definitions that are known already.
+#[derive(Default)]
+pub struct Memory {
+    values: RefCell<HashMap<Known, Value>>,
+    /// The names that occur in a definition or in those that it leads to.
+    names: RefCell<HashMap<String, BTreeSet<String>>>,
+}
+
+/// A definition with all that it depends on: the values of names and indices that occur in it,
+/// and the scheme.
+type Known = (String, Indices, Option<*const Scheme>);
+
 /// What names mean.
 pub struct Scope<'a> {
     /// The formulas that names stand for.
@@ -42,10 +54,8 @@ pub struct Scope<'a> {
     pub reading: &'a Reading,
     /// The schemes, and what is known of them.
     pub library: &'a Library<'a>,
-    /// The values of definitions that are known already, by name and the indices that occur in
-    /// them; and the names that occur in them.
-    known: RefCell<HashMap<(String, Indices), Value>>,
-    mentioned: RefCell<HashMap<String, BTreeSet<String>>>,
+    /// What is known of the definitions, read in this way.
+    pub memory: Rc<Memory>,
     /// How deep the evaluation is.
     depth: Cell<usize>,
     /// Whether this is inside of `cos`, where `pi` has a meaning.
@@ -61,7 +71,7 @@ impl<'a> Scope<'a> {
     ) -> Scope<'a> {
         let (values, unstated, families) = Default::default();
         let (scheme, piece, depth, angle) = Default::default();
-        let (known, mentioned) = Default::default();
+        let memory = Rc::default();
         Scope {
             definitions,
             values,
@@ -71,8 +81,7 @@ impl<'a> Scope<'a> {
             piece,
             reading,
             library,
-            known,
-            mentioned,
+            memory,
             depth,
             angle,
         }
@@ -80,8 +89,6 @@ impl<'a> Scope<'a> {
 
     /// The value of a formula.
     pub fn value(&self, expr: &Expr) -> Result<Value, Stop> {
-        // Names may have got other values since the last formula.
-        self.known.borrow_mut().clear();
         self.evaluate(expr, &mut Vec::new())
     }
 
@@ -153,26 +160,28 @@ impl<'a> Scope<'a> {
         }
         let definition = self.definitions.get(name);
         let definition = definition.ok_or_else(|| Stop::Wrong(format!("`{name}` is unknown")))?;
-        let key = (name.to_owned(), self.occurring(name, definition, indices));
-        if let Some(known) = self.known.borrow().get(&key) {
+        let scheme = self.scheme.as_ref().map(Rc::as_ptr);
+        let key = (name.to_owned(), self.occurring(name, definition, indices), scheme);
+        if let Some(known) = self.memory.values.borrow().get(&key) {
             return Ok(known.clone());
         }
         let angle = self.angle.replace(false);
         let value = self.evaluate(definition, indices);
         self.angle.set(angle);
         if let Ok(value) = &value {
-            self.known.borrow_mut().insert(key, value.clone());
+            self.memory.values.borrow_mut().insert(key, value.clone());
         }
         value
     }
 
-    /// The indices that occur in a definition or in those that it leads to: what it depends on,
-    /// as long as the scope is the same.
+    /// The names and indices with values that occur in a definition or in those that it leads to.
     fn occurring(&self, name: &str, definition: &Expr, indices: &Indices) -> Indices {
-        let mut mentioned = self.mentioned.borrow_mut();
-        let names = mentioned.entry(name.to_owned());
+        let mut names = self.memory.names.borrow_mut();
+        let names = names.entry(name.to_owned());
         let names = names.or_insert_with(|| names_in(definition, self.definitions));
-        indices.iter().filter(|(index, _)| names.contains(index)).cloned().collect()
+        let values = self.values.iter().filter(|(name, _)| names.contains(family_of(name)));
+        let values = values.map(|(name, value)| (name.clone(), value.clone()));
+        values.chain(indices.iter().filter(|(name, _)| names.contains(name)).cloned()).collect()
     }
 
     fn over(
@@ -206,6 +215,11 @@ impl<'a> Scope<'a> {
             _ => a.negated()?.max(&b.negated()?, self.piece.as_ref())?.negated(),
         }
     }
+}
+
+/// The family of a member, `q` of `q[3]`; of another name, itself.
+fn family_of(name: &str) -> &str {
+    name.split_once('[').map_or(name, |(family, _)| family)
 }
 
 /// The name of a member of a family.

@@ -1,7 +1,7 @@
 //! A table of a claim file, and the values of its cells.
 
 use crate::decimal::Decimal;
-use crate::evaluate::Scope;
+use crate::evaluate::{Memory, Scope};
 use crate::formula::Expr;
 use crate::paper::{Axis, Definitions, Paper, formula_of, printed};
 use crate::reading::Reading;
@@ -58,6 +58,8 @@ pub struct Read {
     pub parameters: BTreeMap<String, Value>,
     /// The values of cells that are known already.
     known: RefCell<BTreeMap<Place, Option<Value>>>,
+    /// Those of definitions.
+    memory: Rc<Memory>,
 }
 
 impl Read {
@@ -133,6 +135,7 @@ impl<'a> Table<'a> {
     ) -> Result<(Scope<'s>, Vec<Rc<Scheme>>), Stop> {
         let definitions = read.definitions.as_ref().unwrap_or(&self.paper.definitions);
         let mut scope = Scope::new(definitions, self.paper.library, &read.reading);
+        scope.memory = Rc::clone(&read.memory);
         let stated = self.given.iter();
         let (assumed, missing): (Vec<_>, Vec<_>) =
             self.unstated.iter().partition(|(name, _)| assumed.contains(*name));

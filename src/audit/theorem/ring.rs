@@ -73,7 +73,8 @@ impl AroundPoint {
     fn kept(&self) -> Option<Result<usize, String>> {
         let interpolant = self.interpolant.as_ref()?;
         let one = RealCyclotomic::from(Rational::one());
-        let kept = interpolant.weights().iter().enumerate().position(|(a, row)| row[a] == one);
+        let weights = interpolant.weights();
+        let kept = (0..weights.row_count()).find(|&a| *weights.entry(a, a) == one);
         Some(kept.ok_or_else(|| "the interpolant keeps no point".to_owned()))
     }
 

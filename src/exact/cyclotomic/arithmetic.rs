@@ -3,7 +3,8 @@
 use super::field::Field;
 use super::norm::cofactor;
 use super::number::{Element, Form, RealCyclotomic};
-use crate::exact::{Integer, Rational, Real, Scalar};
+use super::row_product::left_product;
+use crate::exact::{Integer, Matrix, Rational, Real, Scalar};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::sync::Arc;
 
@@ -95,6 +96,38 @@ impl RealCyclotomic {
         (degree * degree / 64 + 1).saturating_mul(primes)
     }
 
+    /// The least common denominator of the coefficients of these.
+    pub(super) fn denominator(values: &[RealCyclotomic]) -> Integer {
+        values.iter().fold(Integer::one(), |lcm, value| match &value.0 {
+            Form::Rational(value) => lcm.lcm(&value.denominator()),
+            Form::Irrational(element) => lcm.lcm(&element.denominator),
+        })
+    }
+
+    /// Adds or subtracts where two numbers of one field have no denominators, and so
+    /// nothing has to be brought to lowest terms; says whether it did.
+    fn add_in_place(&mut self, other: &RealCyclotomic, subtract: bool) -> bool {
+        let (Form::Irrational(this), Form::Irrational(other)) = (&mut self.0, &other.0) else {
+            return false;
+        };
+        let one = Integer::one();
+        let whole = this.denominator == one && other.denominator == one;
+        if !whole || !Arc::ptr_eq(&this.field, &other.field) {
+            return false;
+        }
+        for (a, b) in this.numerators.iter_mut().zip(&other.numerators) {
+            if subtract {
+                *a -= b;
+            } else {
+                *a += b;
+            }
+        }
+        if this.numerators[1..].iter().all(Integer::is_zero) {
+            *self = RealCyclotomic::from(this.numerators.swap_remove(0));
+        }
+        true
+    }
+
     /// |self|.
     #[must_use]
     pub fn abs(&self) -> RealCyclotomic {
@@ -164,11 +197,27 @@ impl Scalar for RealCyclotomic {
     fn plus(&self, other: &Self) -> Self {
         self + other
     }
+    fn accumulate(&mut self, other: &Self) {
+        if !self.add_in_place(other, false) {
+            *self = &*self + other;
+        }
+    }
     fn minus(&self, other: &Self) -> Self {
         self - other
     }
+    fn lessen(&mut self, other: &Self) {
+        if !self.add_in_place(other, true) {
+            *self = &*self - other;
+        }
+    }
     fn times(&self, other: &Self) -> Self {
         self * other
+    }
+    fn common_denominator(values: &[Self]) -> Integer {
+        RealCyclotomic::denominator(values)
+    }
+    fn left_product(w: &[Self], matrix: &Matrix<Self>) -> Vec<Self> {
+        left_product(w, matrix)
     }
 }
 
@@ -181,5 +230,8 @@ impl Real for RealCyclotomic {
     }
     fn over(&self, other: &Self) -> Self {
         self / other
+    }
+    fn rounded(values: &[Self]) -> Option<Vec<i64>> {
+        RealCyclotomic::rounded(values)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::fixed::cosines;
 use super::number::angle;
-use super::symmetric::{cyclotomic, product};
+use super::symmetric::{cyclotomic, prime_divisors, product};
 use crate::exact::{Integer, Rational};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -63,9 +63,19 @@ pub fn common_conductor(m: u32, n: u32) -> Result<u32, CosineError> {
 pub(super) struct Field {
     conductor: usize,
     degree: usize,
-    /// The (k, a_k) with a_k ≠ 0 and k < m in Ψ_n = C_m + Σ a_k C_k.
-    relation: Vec<(usize, i64)>,
+    /// Sums C_h + Σ a_k C_k that are 0, of falling degree h, as h and the (k, a_k) with
+    /// a_k ≠ 0 and k < h: Φ_d(x^{n/d}), which Φ_n divides, for products d of the first
+    /// primes in n, with 4 for 2. The fewer primes, the fewer terms; the last is Φ_n.
+    relations: Vec<Relation>,
+    /// The integers within 1 of 2^64·C_k, k = 0, …, m − 1: none is above 2^65.
+    words: Vec<i128>,
 }
+
+/// The (k, a_k) of a sum.
+pub(super) type Terms = Vec<(usize, i64)>;
+
+/// h and the (k, a_k).
+type Relation = (usize, Terms);
 
 /// The fields used so far, by conductor.
 static FIELDS: Mutex<BTreeMap<usize, Arc<Field>>> = Mutex::new(BTreeMap::new());
@@ -75,6 +85,9 @@ type Table = Arc<Vec<Integer>>;
 
 /// The tables used so far, by conductor and level.
 static TABLES: Mutex<BTreeMap<(usize, u32), Table>> = Mutex::new(BTreeMap::new());
+
+/// The sums of [`Field::reduced`] so far, by conductor.
+static REDUCED: Mutex<BTreeMap<usize, Arc<Vec<Terms>>>> = Mutex::new(BTreeMap::new());
 
 /// The data behind these locks is only ever added to, and so never left broken.
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
@@ -95,11 +108,14 @@ impl Field {
         assert!(conductor >= 5 && conductor % 4 != 2, "a field other than Q, in normal form");
         let mut fields = lock(&FIELDS);
         let field = fields.entry(conductor).or_insert_with(|| {
-            let mut coefficients = cyclotomic(conductor);
-            coefficients.pop();
-            let degree = coefficients.len();
-            let relation = coefficients.into_iter().enumerate().filter(|(_, a)| *a != 0).collect();
-            Arc::new(Field { conductor, degree, relation })
+            let divisors = prime_divisors(conductor).into_iter().scan(1, |d, p| {
+                *d *= if p == 2 { 4 } else { p };
+                Some(*d)
+            });
+            let relations: Vec<Relation> = divisors.map(|d| relation(conductor, d)).collect();
+            let degree = relations.last().map_or(0, |(degree, _)| *degree);
+            let words = cosines(conductor, degree, Field::bits(0)).iter().map(word).collect();
+            Arc::new(Field { conductor, degree, relations, words })
         });
         Arc::clone(field)
     }
@@ -112,8 +128,9 @@ impl Field {
         self.degree
     }
 
+    /// The (k, a_k) with a_k ≠ 0 and k < m in Ψ_n = C_m + Σ a_k C_k.
     pub(super) fn relation(&self) -> &[(usize, i64)] {
-        &self.relation
+        self.relations.last().map_or(&[], |(_, relation)| relation)
     }
 
     /// The binary digits of the approximations of a level.
@@ -131,6 +148,21 @@ impl Field {
         Arc::clone(lock(&TABLES).entry(key).or_insert(table))
     }
 
+    /// [`table`](Self::table) of level 0.
+    pub(super) fn words(&self) -> &[i128] {
+        &self.words
+    }
+
+    /// What [`Field::find_reduced`](Self::find_reduced) finds, found once for the whole
+    /// program.
+    pub(super) fn reduced(&self) -> Arc<Vec<Terms>> {
+        if let Some(found) = lock(&REDUCED).get(&self.conductor) {
+            return Arc::clone(found);
+        }
+        let found = Arc::new(self.find_reduced());
+        Arc::clone(lock(&REDUCED).entry(self.conductor).or_insert(found))
+    }
+
     /// The index in 0, …, ⌊n/2⌋ of the same cosine as k.
     pub(super) fn fold(&self, k: usize) -> usize {
         let k = k % self.conductor;
@@ -142,18 +174,21 @@ impl Field {
         vec![Integer::zero(); self.conductor / 2 + 1]
     }
 
-    /// Σ a_k C_k for k = 0, …, ⌊n/2⌋, in the basis of the first m: from the top,
-    /// a_k C_{k−m} Ψ_n, which is 0, is taken away.
+    /// Σ a_k C_k for k = 0, …, ⌊n/2⌋, in the basis of the first m: from the top, a_k C_{k−h}
+    /// times the shortest relation of degree h ≤ k, which is 0, is taken away.
     pub(super) fn reduce(&self, mut coefficients: Vec<Integer>) -> Vec<Integer> {
+        let mut relations = self.relations.iter().peekable();
         for k in (self.degree..coefficients.len()).rev() {
+            while relations.next_if(|(degree, _)| *degree > k).is_some() {}
+            let (degree, relation) = relations.peek().expect("that of degree m is the last");
             let top = std::mem::replace(&mut coefficients[k], Integer::zero());
             if top.is_zero() {
                 continue;
             }
-            let shift = k - self.degree;
-            let (_, second, times) = product(shift, self.degree);
+            let shift = k - degree;
+            let (_, second, times) = product(shift, *degree);
             subtract(&mut coefficients[second], &top, i64::from(times));
-            for &(j, a) in &self.relation {
+            for &(j, a) in relation {
                 let (first, second, times) = product(shift, j);
                 subtract(&mut coefficients[first], &top, a);
                 subtract(&mut coefficients[second], &top, a * i64::from(times));
@@ -192,6 +227,19 @@ impl Field {
         }
         self.reduce(sum)
     }
+}
+
+/// Φ_d(x^{n/d}) as a sum of cosines, for a divisor d ≥ 3 of n.
+fn relation(n: usize, d: usize) -> Relation {
+    let mut coefficients = cyclotomic(d);
+    coefficients.pop();
+    let degree = coefficients.len() * (n / d);
+    let terms = coefficients.into_iter().enumerate().filter(|(_, a)| *a != 0);
+    (degree, terms.map(|(k, a)| (k * (n / d), a)).collect())
+}
+
+fn word(cosine: &Integer) -> i128 {
+    cosine.to_i128().expect("at most 2·2^64 + 1")
 }
 
 /// target −= factor·times.

@@ -8,6 +8,8 @@
 //! | `number` | the number type: how numbers are made and what they tell |
 //! | `arithmetic` | its operators |
 //! | `order` | sign, order, enclosures |
+//! | `row_product` | rows times matrices |
+//! | `sparse` | numbers in few cosines |
 //! | `norm` | inverses, by norms modulo primes |
 //! | `minimal` | the minimal polynomial of a number |
 
@@ -18,6 +20,8 @@ mod minimal;
 mod norm;
 mod number;
 mod order;
+mod row_product;
+mod sparse;
 mod symmetric;
 
 pub use field::{CosineError, MAX_CONDUCTOR, common_conductor};

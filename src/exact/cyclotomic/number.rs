@@ -179,6 +179,20 @@ impl RealCyclotomic {
         }
     }
 
+    /// What one product in the row of `levels` powers of a matrix of such numbers costs,
+    /// in ten nanoseconds: t²(1 + cb/16), for t terms of up to b bits with their denominator.
+    pub(crate) fn row_product_size(&self, levels: u32) -> u64 {
+        let (terms, bits) = match &self.0 {
+            Form::Rational(value) => (1, value.bits()),
+            Form::Irrational(element) => {
+                let terms = element.field.sparse(&element.numerators);
+                let bits = terms.iter().map(|(_, a)| a.bits()).max().unwrap_or(0);
+                (terms.len() as u64, bits + element.denominator.bits())
+            }
+        };
+        (terms * terms).saturating_mul(bits.saturating_mul(levels.into()) / 16 + 1)
+    }
+
     /// The image under the automorphism that takes 2cos(2πk/n) to
     /// 2cos(2πk·`multiplier`/n), for n the [conductor](Self::conductor).
     ///

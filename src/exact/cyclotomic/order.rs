@@ -21,8 +21,30 @@ impl Element {
         (sum, error)
     }
 
+    /// [`fixed`](Self::fixed) of level 0, where Σ |a_k| < 2^61: in machine words, as no
+    /// cosine is above 2^65 and no sum above 2^126.
+    fn fixed_words(&self) -> Option<(i128, i128)> {
+        let table = self.field.words();
+        let first = i128::from(self.numerators[0].to_i64()?);
+        let (mut sum, mut error) = (first << Field::bits(0), 0);
+        let mut size = first.abs();
+        let terms = self.numerators[1..].iter().zip(&table[1..]);
+        for (numerator, cosine) in terms.filter(|(numerator, _)| !numerator.is_zero()) {
+            let numerator = i128::from(numerator.to_i64()?);
+            sum = numerator.wrapping_mul(*cosine).wrapping_add(sum);
+            error += numerator.abs();
+        }
+        size += error;
+        (size < 1 << 61).then_some((sum, error))
+    }
+
     /// The sign at this precision, if that decides it.
     fn sign_at(&self, level: u32) -> Option<i8> {
+        if level == 0
+            && let Some((sum, error)) = self.fixed_words()
+        {
+            return (sum.abs() > error).then_some(if sum < 0 { -1 } else { 1 });
+        }
         let (sum, error) = self.fixed(level);
         (sum.abs() > error).then(|| sum.sign())
     }
@@ -52,6 +74,22 @@ impl RealCyclotomic {
         }
     }
 
+    /// The numbers without denominators, times one power of 2, to some 50 bits; if there
+    /// are irrational ones among them, and all are made of words.
+    pub(super) fn rounded(values: &[RealCyclotomic]) -> Option<Vec<i64>> {
+        let fixed = |value: &RealCyclotomic| match &value.0 {
+            Form::Rational(value) => Some(i128::from(value.floor().to_i64()?) << Field::bits(0)),
+            Form::Irrational(element) => element.fixed_words().map(|(sum, _)| sum),
+        };
+        if values.iter().all(|value| value.as_rational().is_some()) {
+            return None;
+        }
+        let fixed: Vec<i128> = values.iter().map(fixed).collect::<Option<_>>()?;
+        let most = fixed.iter().map(|value| value.unsigned_abs()).max()?;
+        let excess = (u128::BITS - most.leading_zeros()).saturating_sub(50);
+        fixed.into_iter().map(|value| i64::try_from(value >> excess).ok()).collect()
+    }
+
     /// (s, e, q) with |s − 2^64·q·self| ≤ e.
     fn fixed(&self) -> (Integer, Integer, Integer) {
         match &self.0 {
@@ -64,6 +102,17 @@ impl RealCyclotomic {
                 (sum, error, element.denominator.clone())
             }
         }
+    }
+
+    /// The order of irrational numbers over one denominator, where the first enclosures in
+    /// words decide it.
+    fn compare_words(&self, other: &RealCyclotomic) -> Option<Ordering> {
+        let (Form::Irrational(a), Form::Irrational(b)) = (&self.0, &other.0) else { return None };
+        if a.denominator != b.denominator {
+            return None;
+        }
+        let ((s, e), (t, f)) = (a.fixed_words()?, b.fixed_words()?);
+        (s.abs_diff(t) > (e + f).unsigned_abs()).then(|| s.cmp(&t))
     }
 
     /// ⌊self⌋.
@@ -99,6 +148,12 @@ impl Ord for RealCyclotomic {
     fn cmp(&self, other: &RealCyclotomic) -> Ordering {
         if let (Form::Rational(a), Form::Rational(b)) = (&self.0, &other.0) {
             return a.cmp(b);
+        }
+        if matches!(&other.0, Form::Rational(value) if value.is_zero()) {
+            return self.sign().cmp(&0);
+        }
+        if let Some(order) = self.compare_words(other) {
+            return order;
         }
         let (a, e, p) = self.fixed();
         let (b, f, q) = other.fixed();

@@ -1,0 +1,117 @@
+//! Transport by rounded numbers first: these find the heights, and what is exact is only a
+//! flow along a forest that proves them.
+
+use super::transport::{Network, Transport, shortest};
+use crate::exact::{Rational, Real};
+use std::cmp::Reverse;
+
+/// Like [`transport_at_costs`](super::transport_at_costs), for numbers w that are not worth
+/// exact steps along every path; `None` where rounding misleads.
+///
+/// The heights P of the rounded problem do not depend on its last digits, save by chance.
+/// They are proved by a flow that carries w along edges with |P_a − P_b| = c_e, downwards
+/// (complementary slackness): along a spanning forest of these edges, where it is unique,
+/// preferring those with much flow in the rounded problem.
+///
+/// Source: `proofs/THEOREMS.md`, 24.
+pub(super) fn by_rounding<S: Real + Ord>(
+    w: &[S],
+    edges: &[(usize, usize)],
+    costs: &[u32],
+) -> Option<Transport<S>> {
+    let mut rounded = S::rounded(w)?;
+    let rest: i64 = rounded.iter().sum();
+    *rounded.first_mut()? -= rest;
+    let rounded: Vec<Rational> = rounded.into_iter().map(Rational::from).collect();
+    let guess = shortest(&rounded, edges, costs)?;
+    let forest = Forest::of(&guess, edges, costs, w.len());
+    let flow = forest.flow(w, &guess.heights)?;
+    Some(Network::carrying(flow, w.len(), edges, costs).found(costs))
+}
+
+/// A forest in a graph.
+struct Forest<'a> {
+    edges: &'a [(usize, usize)],
+    /// The edges at each point.
+    at: Vec<Vec<usize>>,
+}
+
+impl Forest<'_> {
+    /// A spanning forest of the edges along which the heights differ by the cost, with as
+    /// much flow as possible.
+    fn of<'a>(
+        guess: &Transport<Rational>,
+        edges: &'a [(usize, usize)],
+        costs: &'a [u32],
+        points: usize,
+    ) -> Forest<'a> {
+        let tight = |&e: &usize| {
+            let (a, b) = edges[e];
+            guess.heights[a].abs_diff(guess.heights[b]) == u64::from(costs[e])
+        };
+        let mut order: Vec<usize> = (0..edges.len()).filter(tight).collect();
+        order.sort_by_cached_key(|&e| Reverse(guess.flow[e].abs()));
+        let mut forest = Forest { edges, at: vec![Vec::new(); points] };
+        let mut tree: Vec<usize> = (0..points).collect();
+        for e in order {
+            let (a, b) = edges[e];
+            let (old, new) = (tree[a], tree[b]);
+            if old != new {
+                for root in tree.iter_mut().filter(|root| **root == old) {
+                    *root = new;
+                }
+                forest.at[a].push(e);
+                forest.at[b].push(e);
+            }
+        }
+        forest
+    }
+
+    /// The flow along the forest that carries w, if there is one and it nowhere rises.
+    fn flow<S: Real + Ord>(&self, w: &[S], heights: &[i64]) -> Option<Vec<S>> {
+        let zero = S::zero();
+        let (mut flow, mut carried) = (vec![zero.clone(); self.edges.len()], w.to_vec());
+        // From the leaves to the roots.
+        for (point, above) in self.rooted().into_iter().rev() {
+            let out = std::mem::replace(&mut carried[point], zero.clone());
+            let sign = out.cmp(&zero) as i64;
+            let Some(e) = above else {
+                if sign != 0 {
+                    return None;
+                }
+                continue;
+            };
+            let (a, b) = self.edges[e];
+            let next = a + b - point;
+            if sign * (heights[point] - heights[next]) < 0 {
+                return None;
+            }
+            carried[next].accumulate(&out);
+            flow[e] = if point == a { out } else { zero.minus(&out) };
+        }
+        Some(flow)
+    }
+
+    /// The points, each after the one that the edge beside it leads to.
+    fn rooted(&self) -> Vec<(usize, Option<usize>)> {
+        let mut seen = vec![false; self.at.len()];
+        let mut order = Vec::with_capacity(self.at.len());
+        for root in 0..self.at.len() {
+            if std::mem::replace(&mut seen[root], true) {
+                continue;
+            }
+            let mut next = order.len();
+            order.push((root, None));
+            while let Some(&(point, _)) = order.get(next) {
+                next += 1;
+                for &e in &self.at[point] {
+                    let (a, b) = self.edges[e];
+                    if !std::mem::replace(&mut seen[a + b - point], true) {
+                        order.push((a + b - point, Some(e)));
+                    }
+                }
+            }
+        }
+        order
+    }
+}

@@ -1,0 +1,168 @@
+//! wᵀM in integers over common denominators: one reduction for each sum, in place of one
+//! for each term.
+//!
+//! A number is doubled and written as Σ_k a_k·2cos(2πk/n), k = 0, …, ⌊n/2⌋, so that all
+//! products follow one rule: 2cos(s)·2cos(t) = 2cos(s + t) + 2cos(s − t).
+
+use super::field::Field;
+use super::number::{Form, RealCyclotomic};
+use crate::exact::{Integer, Matrix, Rational};
+use std::sync::Arc;
+
+/// Σ a_k·2cos(2πk/n) as the pairs of k and a_k.
+type Terms<C> = Vec<(usize, C)>;
+
+/// Factors of one size, and sums of their products.
+trait Arithmetic {
+    type Factor;
+    type Sum: Clone;
+    fn zero() -> Self::Sum;
+    fn product(x: &Self::Factor, y: &Self::Factor) -> Self::Sum;
+    fn add(sum: &mut Self::Sum, value: &Self::Sum);
+}
+
+/// Where every sum fits.
+struct Words;
+
+/// For all others.
+struct Integers;
+
+impl Arithmetic for Words {
+    type Factor = i64;
+    type Sum = i128;
+    fn zero() -> i128 {
+        0
+    }
+    fn product(x: &i64, y: &i64) -> i128 {
+        i128::from(*x) * i128::from(*y)
+    }
+    fn add(sum: &mut i128, value: &i128) {
+        *sum += value;
+    }
+}
+
+impl Arithmetic for Integers {
+    type Factor = Integer;
+    type Sum = Integer;
+    fn zero() -> Integer {
+        Integer::zero()
+    }
+    fn product(x: &Integer, y: &Integer) -> Integer {
+        x * y
+    }
+    fn add(sum: &mut Integer, value: &Integer) {
+        *sum += value;
+    }
+}
+
+/// wᵀM.
+pub(super) fn left_product(
+    w: &[RealCyclotomic],
+    matrix: &Matrix<RealCyclotomic>,
+) -> Vec<RealCyclotomic> {
+    let numbers = w.iter().chain(matrix.values());
+    let conductor = numbers.map(|x| x.conductor() as usize).fold(1, num_integer::lcm);
+    let field = (conductor > 1).then(|| Field::of(conductor));
+    let (w, values) = (Common::of(w, field.as_ref()), Common::of(matrix.values(), field.as_ref()));
+    let result = Finish { field, denominator: &w.denominator * &values.denominator };
+    // A product is added at two places: no sum is above twice the bound.
+    let most = values.terms.iter().map(magnitude).max().unwrap_or_else(Integer::zero);
+    let bound: Integer = w.terms.iter().map(|x| magnitude(x) * &most).sum();
+    match (w.words(), values.words()) {
+        (Some(w), Some(values)) if bound.bits() < 126 => {
+            let sums = sums::<Words>(&w, &values, matrix.names(), conductor);
+            sums.map(|sum| result.number(sum.into_iter().map(Integer::from).collect())).collect()
+        }
+        _ => {
+            let sums = sums::<Integers>(&w.terms, &values.terms, matrix.names(), conductor);
+            sums.map(|sum| result.number(sum)).collect()
+        }
+    }
+}
+
+/// Σ_a w_a m_{a,b} for each b, as the coefficients of k = 0, …, ⌊n/2⌋.
+fn sums<A: Arithmetic>(
+    w: &[Terms<A::Factor>],
+    values: &[Terms<A::Factor>],
+    names: &[Vec<u32>],
+    n: usize,
+) -> impl Iterator<Item = Vec<A::Sum>> {
+    let columns = names.first().map_or(0, Vec::len);
+    (0..columns).map(move |b| {
+        let mut sum = vec![A::zero(); n / 2 + 1];
+        for (w, names) in w.iter().zip(names) {
+            for (j, y) in &values[names[b] as usize] {
+                for (i, x) in w {
+                    let value = A::product(x, y);
+                    A::add(&mut sum[(i + j).min(n.wrapping_sub(i + j))], &value);
+                    A::add(&mut sum[i.abs_diff(*j)], &value);
+                }
+            }
+        }
+        sum
+    })
+}
+
+/// Numbers over one denominator.
+struct Common {
+    denominator: Integer,
+    terms: Vec<Terms<Integer>>,
+}
+
+impl Common {
+    /// These numbers, which are in `field`, or rational where there is none.
+    fn of(numbers: &[RealCyclotomic], field: Option<&Arc<Field>>) -> Common {
+        let denominator = RealCyclotomic::denominator(numbers);
+        let terms = |number: &RealCyclotomic| match (&number.0, field) {
+            (Form::Irrational(element), Some(field)) => {
+                let scale = denominator.div_floor(&element.denominator);
+                field
+                    .sparse(&element.lifted(field))
+                    .into_iter()
+                    .map(|(k, a)| {
+                        let a = a * &scale;
+                        (k, if k == 0 { a } else { &a + &a })
+                    })
+                    .collect()
+            }
+            (Form::Rational(value), _) if value.is_zero() => Vec::new(),
+            (Form::Rational(value), _) => {
+                vec![(0, value.numerator() * denominator.div_floor(&value.denominator()))]
+            }
+            (Form::Irrational(_), None) => unreachable!("an irrational number has a conductor"),
+        };
+        let terms = numbers.iter().map(terms).collect();
+        Common { denominator: &denominator + &denominator, terms }
+    }
+
+    /// The terms in words, if they fit.
+    fn words(&self) -> Option<Vec<Terms<i64>>> {
+        let word = |(k, a): &(usize, Integer)| Some((*k, a.to_i64()?));
+        self.terms.iter().map(|terms| terms.iter().map(word).collect()).collect()
+    }
+}
+
+/// Σ |a_k|.
+fn magnitude(terms: &Terms<Integer>) -> Integer {
+    terms.iter().map(|(_, a)| a.abs()).sum()
+}
+
+/// What makes numbers of sums.
+struct Finish {
+    field: Option<Arc<Field>>,
+    denominator: Integer,
+}
+
+impl Finish {
+    fn number(&self, mut sum: Vec<Integer>) -> RealCyclotomic {
+        // 2cos 0 is 2.
+        sum[0] = &sum[0] + &sum[0];
+        match &self.field {
+            None => Rational::new(sum.swap_remove(0), self.denominator.clone()).into(),
+            Some(field) => {
+                let numerators = field.reduce(sum);
+                RealCyclotomic::normal(Arc::clone(field), numerators, self.denominator.clone())
+            }
+        }
+    }
+}
