@@ -15,7 +15,7 @@ const MOST_CLASSES: u64 = 1 << 16;
 const MOST_WORK: u64 = 1 << 25;
 
 /// ‖R^0‖ = 1, ‖R^1‖, …, in adjoint order: for n^c ≤ 2^10, and while none is below 1 for
-/// n^c ≤ 2^16; and beyond, if branch and bound soon finds one that is below 1.
+/// n^c ≤ 2^16; and beyond, if they fall and branch and bound soon finds one that is below 1.
 pub(super) fn contraction_constants(rules: &Rules) -> Vec<Rational> {
     let one = Rational::one();
     let mut search = PowerSearch::new(rules, Order::Adjoint);
@@ -24,7 +24,7 @@ pub(super) fn contraction_constants(rules: &Rules) -> Vec<Rational> {
     for c in 1.. {
         let contracts = constants[1..].iter().any(|constant| *constant < one);
         if classes > if contracts { CLASSES } else { MOST_CLASSES } {
-            if !contracts {
+            if !contracts && fall(&constants) {
                 constants.extend(first_below_one(&mut search, c));
             }
             break;
@@ -34,6 +34,11 @@ pub(super) fn contraction_constants(rules: &Rules) -> Vec<Rational> {
         classes = classes.saturating_mul(rules.arity() as u64);
     }
     constants
+}
+
+/// Whether the last is less than the one before: where it is not, none below 1 is soon to come.
+fn fall(constants: &[Rational]) -> bool {
+    constants.windows(2).next_back().is_some_and(|pair| pair[1] < pair[0])
 }
 
 /// ‖R^c‖, ‖R^{c+1}‖, … up to the first that is below 1; none if it is not soon found.
