@@ -73,7 +73,7 @@ fn class_sums(rules: &Rules, d: i128, c: u32) -> Vec<Rational> {
     let (n, width) = (rules.arity(), rules.width());
     let entry = |place: usize| {
         let entry = &rules.rows()[place % n][width - 1 - place / n] * Rational::from(d);
-        i128::try_from(entry.numerator().to_i64().expect("small")).expect("small")
+        i128::from(entry.numerator().to_i64().expect("small"))
     };
     let sequence: Vec<i128> = (0..n * width).map(entry).collect();
     let mut product = vec![1_i128];

@@ -29,7 +29,9 @@ pub(super) fn lines(block: &mut Block, evidence: &[Vec<Option<PromiseEvidence<'_
                 Some(PromiseEvidence::KeptByFlows(weights, flows)) => {
                     block.line(format!("kept {place}"));
                     block.line(format!("weights {}", values(weights)));
-                    flows.iter().for_each(|flow| block.line(format!("flow {}", values(flow))));
+                    for flow in flows {
+                        block.line(format!("flow {}", values(flow)));
+                    }
                 }
                 Some(PromiseEvidence::Broken(Broken { data, distance, most, .. }, _)) => {
                     let name =

@@ -6,7 +6,7 @@ use crate::reject::{Checked, Reason, Stop, require};
 use crate::scheme::Library;
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::{One, Pow, Signed, ToPrimitive, Zero};
+use num_traits::{One, Signed, ToPrimitive, Zero};
 
 /// The highest level of a tree that bounds all powers.
 const MAX_LEVEL: u32 = 64;
@@ -114,8 +114,8 @@ impl<'a> Operator<'a> {
     pub fn of_class(&self, levels: u32, f: &BigInt) -> Checked<Q> {
         // Row m at offset 0 is class m + (N−1)(n + … + n^c), and row m − o(n + … + n^c) at o.
         let n = BigInt::from(self.n);
-        let powers: BigInt = (1..levels).map(|k| (&n).pow(k)).sum();
-        let mut rest = (f - powers * (self.width - 1 + self.offset)).mod_floor(&(&n).pow(levels));
+        let powers: BigInt = (1..levels).map(|k| n.pow(k)).sum();
+        let mut rest = (f - powers * (self.width - 1 + self.offset)).mod_floor(&n.pow(levels));
         let mut digits = Vec::new();
         for _ in 0..levels {
             digits.push((&rest % &n).to_i64().unwrap_or(0));
@@ -123,7 +123,7 @@ impl<'a> Operator<'a> {
         }
         let rows =
             digits.iter().rev().try_fold(self.root(), |rows, &digit| self.part(&rows, digit))?;
-        let value = Q::new(self.norm(&rows), (&self.over).pow(levels));
+        let value = Q::new(self.norm(&rows), self.over.pow(levels));
         Ok(value * self.factor.abs().pow(levels.cast_signed()))
     }
 
@@ -138,10 +138,10 @@ impl<'a> Operator<'a> {
         let reach = self.reach([low, high], tau);
         let mut stack = vec![(0, self.root())];
         while let Some((level, rows)) = stack.pop() {
-            let limit = tau * Q::from_integer((&self.over).pow(level));
+            let limit = tau * Q::from_integer(self.over.pow(level));
             let fits = level < MAX_LEVEL && Q::from_integer(self.norm(&rows)) <= limit;
             require(fits, Reason::Powers)?;
-            if level == 0 || self.bound(&rows, &reach) > limit {
+            if level == 0 || bound(&rows, &reach) > limit {
                 for digit in 0..self.n {
                     stack.push((level + 1, self.part(&rows, digit)?));
                 }
@@ -164,10 +164,10 @@ impl<'a> Operator<'a> {
         }
         let mut stack = vec![(0, self.root())];
         while let Some((level, rows)) = stack.pop() {
-            let limit = limit * Q::from_integer((&self.over).pow(level));
+            let limit = limit * Q::from_integer(self.over.pow(level));
             if level == levels {
                 require(Q::from_integer(self.norm(&rows)) <= limit, Reason::NotLargest)?;
-            } else if level == 0 || self.bound(&rows, &reaches[(levels - level) as usize]) > limit {
+            } else if level == 0 || bound(&rows, &reaches[(levels - level) as usize]) > limit {
                 for digit in 0..self.n {
                     stack.push((level + 1, self.part(&rows, digit)?));
                 }
@@ -188,14 +188,14 @@ impl<'a> Operator<'a> {
         let base = usize::try_from(base - self.first).unwrap_or(0);
         Reach { base, ends: lines.then_some([low, high]), total }
     }
+}
 
-    /// A bound of Σ_k |Σ_p λ_p R_{p,k}|, for all λ as they are known, with Σ_p λ_p = 1.
-    fn bound(&self, rows: &Rows, reach: &Reach) -> Q {
-        let largest = rows.iter().map(|row| norm(row)).max().unwrap_or_default();
-        let bound = &reach.total * largest;
-        let line = reach.ends.as_ref().map(|ends| by_line(rows, reach, ends));
-        Q::new(line.filter(|line| *line < bound).unwrap_or(bound), unit())
-    }
+/// A bound of Σ_k |Σ_p λ_p R_{p,k}|, for all λ as they are known, with Σ_p λ_p = 1.
+fn bound(rows: &Rows, reach: &Reach) -> Q {
+    let largest = rows.iter().map(|row| norm(row)).max().unwrap_or_default();
+    let bound = &reach.total * largest;
+    let line = reach.ends.as_ref().map(|ends| by_line(rows, reach, ends));
+    Q::new(line.filter(|line| *line < bound).unwrap_or(bound), unit())
 }
 
 /// 2^PLACES times the bound by the line through two rows: THEOREMS.md, 62.
