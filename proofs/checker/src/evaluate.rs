@@ -103,10 +103,35 @@ impl<'a> Scope<'a> {
             Expr::Number(value) => Ok(Value::from(value.clone())),
             Expr::Name(name) => self.name(name, indices),
             Expr::Of(Head::Over(fold, index), parts) => self.over(fold, index, parts, indices),
+            Expr::Of(Head::Chain(operators), parts) => self.chain(operators, parts, indices),
             Expr::Of(head, parts) => self.of(head, parts, indices),
         };
         self.depth.set(self.depth.get() - 1);
         value
+    }
+
+    /// Sums and products, from left to right.
+    fn chain(
+        &self,
+        operators: &[char],
+        parts: &[Expr],
+        indices: &mut Indices,
+    ) -> Result<Value, Stop> {
+        let [first, rest @ ..] = parts else { return Err(Stop::Wrong("an operand".into())) };
+        let mut value = self.evaluate(first, indices)?;
+        for (operator, part) in operators.iter().zip(rest) {
+            let right = self.evaluate(part, indices)?;
+            match operator {
+                '+' => value.add(1, &right)?,
+                '-' => value.add(-1, &right)?,
+                '/' => value = value.over(&right)?,
+                _ => {
+                    self.library.spend(value.cost(&right))?;
+                    value = value.times(&right)?;
+                }
+            }
+        }
+        Ok(value)
     }
 
     fn of(&self, head: &Head, parts: &[Expr], indices: &mut Indices) -> Result<Value, Stop> {
@@ -118,19 +143,6 @@ impl<'a> Scope<'a> {
         match (head, &values?[..]) {
             (Head::Member(family), positions) => self.name(&member(family, positions)?, indices),
             (Head::Minus, [x]) => x.negated(),
-            (Head::Chain(operators), [first, rest @ ..]) => {
-                operators.iter().zip(rest).try_fold(first.clone(), |value, (operator, right)| {
-                    match operator {
-                        '+' => value.plus(1, right),
-                        '-' => value.minus(right),
-                        '/' => value.over(right),
-                        _ => {
-                            self.library.spend(value.cost(right))?;
-                            value.times(right)
-                        }
-                    }
-                })
-            }
             (Head::Power, [base, exponent]) => {
                 let power = base.power(exponent.integer(MAX_INTEGER)?)?;
                 self.library.spend(power.cost(&power))?;

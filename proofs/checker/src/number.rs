@@ -52,16 +52,14 @@ impl From<i128> for Number {
 
 /// top/bottom, for a positive denominator.
 fn fraction(top: i128, bottom: i128) -> Number {
-    let common = match (u64::try_from(top.unsigned_abs()), u64::try_from(bottom)) {
-        (_, Ok(1)) => 1,
-        (Ok(top), Ok(bottom)) => top.gcd(&bottom).into(),
-        _ => top.gcd(&bottom),
-    };
-    let (top, bottom) = (top / common, bottom / common);
-    match (i64::try_from(top), i64::try_from(bottom)) {
-        (Ok(top), Ok(bottom)) => Number::Small(top, bottom),
-        _ => Number::lowest(1, vec![top.into()], bottom.into()),
+    if let (Ok(top), Ok(bottom)) = (i64::try_from(top), i64::try_from(bottom)) {
+        // What divides the denominator is no larger than that.
+        let common = if bottom == 1 { 1 } else { top.unsigned_abs().gcd(&bottom.unsigned_abs()) };
+        let common = i64::try_from(common).unwrap_or(1);
+        return Number::Small(top / common, bottom / common);
     }
+    let common = top.gcd(&bottom);
+    Number::lowest(1, vec![(top / common).into()], (bottom / common).into())
 }
 
 impl Number {

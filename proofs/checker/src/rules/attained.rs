@@ -7,8 +7,9 @@ use crate::functions::sums_of;
 use crate::reject::{Checked, Reason, require};
 use crate::table::{Read, Table};
 
-/// Checks `ROW COLUMN CLASS VALUE FORMULA`.
-pub fn check(table: &Table<'_>, said: &str) -> Checked<()> {
+/// Checks `ROW COLUMN CLASS VALUE FORMULA`, with a reading as printed that is not the table's: what
+/// it consults says nothing of what the table's value does.
+pub fn check(table: &Table<'_>, read: &Read, said: &str) -> Checked<()> {
     let (at, said) = place(table, said)?;
     let mut words = said.splitn(3, ' ');
     let (Some(class), Some(value), Some(formula)) = (words.next(), words.next(), words.next())
@@ -18,9 +19,7 @@ pub fn check(table: &Table<'_>, said: &str) -> Checked<()> {
     let class: usize = class.parse().map_err(|_| Reason::Malformed("a residue class"))?;
     let value = table.paper.number(value)?;
     let formula = parse(formula, MAX_LINE).map_err(Reason::NoValue)?;
-    // A reading of its own: what this consults says nothing of what the table's value does.
-    let read = Read::default();
-    let (scope, _) = table.scope(at, &read, &table.needed(at).0)?;
+    let (scope, _) = table.scope(at, read, &table.needed(at).0)?;
     let (first, sums) = sums_of(&scope, &formula)?;
     let sum = class.checked_sub(first).and_then(|class| sums.get(class)).ok_or(Reason::Class)?;
     require(sum.equals(&value)?, Reason::Class)?;

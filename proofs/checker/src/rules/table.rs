@@ -5,7 +5,7 @@ use super::{attained, cell, family, promise, sound};
 use crate::certificate::Block;
 use crate::paper::Paper;
 use crate::reject::{Checked, Reason, require};
-use crate::table::Table;
+use crate::table::{Read, Table};
 use crate::toml::Toml;
 
 /// Checks a table.
@@ -25,8 +25,9 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     }
     block.look();
     require(places.next().is_none(), Reason::CellsMissing)?;
+    let read = Read::default();
     while let Some(said) = block.maybe("attained") {
-        attained::check(&table, said)?;
+        attained::check(&table, &read, said)?;
     }
     while let Some(said) = block.maybe("sound") {
         sound::check(&table, said)?;
