@@ -67,7 +67,7 @@ impl Convolution {
         // How many sequences are multiplied.
         let count = if printed { 1_u32.checked_shl(c - 1).unwrap_or(u32::MAX) } else { c };
         // Integers are quicker to multiply.
-        let scale = Value::denominator(sequence);
+        let scale = Value::denominator(sequence)?;
         let first = &sequence[..sequence.len().min(length)];
         let first = first.iter().map(|value| value.times(&scale));
         let first = first.collect::<Result<Vec<Value>, Stop>>()?;

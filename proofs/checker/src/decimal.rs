@@ -1,8 +1,10 @@
 //! Rational numbers and decimals as text.
 
+use crate::reject::Stop;
 use num_bigint::BigInt;
+use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::{Pow, Zero};
+use num_traits::{One, Pow, Zero};
 
 /// A rational number.
 pub type Q = BigRational;
@@ -12,6 +14,9 @@ const MAX_DIGITS: usize = 10_000;
 
 /// The greatest exponent.
 const MAX_EXPONENT: i64 = 10_000;
+
+/// The most binary digits of a common denominator.
+const MAX_BITS: u64 = 1 << 16;
 
 /// An integer as a rational number.
 pub fn int(value: i64) -> Q {
@@ -59,6 +64,15 @@ impl Decimal {
     pub fn unit(&self) -> Q {
         int(10).pow(i32::try_from(self.place).unwrap_or(0))
     }
+}
+
+/// The least common multiple.
+pub fn common_multiple<'i>(numbers: impl IntoIterator<Item = &'i BigInt>) -> Result<BigInt, Stop> {
+    numbers.into_iter().try_fold(BigInt::one(), |common, number| {
+        let common = common.lcm(number);
+        let fits = common.bits() <= MAX_BITS;
+        fits.then_some(common).ok_or(Stop::Capped("the size of a common denominator"))
+    })
 }
 
 /// Reads `-35/1296` or a decimal.

@@ -1,6 +1,6 @@
 //! Points of refined control data and of their limits, as functionals of the data.
 
-use crate::decimal::{Q, int};
+use crate::decimal::{Q, common_multiple, int};
 use crate::linear::solve;
 use crate::reject::Stop;
 use crate::scheme::{Library, Scheme};
@@ -80,13 +80,18 @@ type Zero = Result<Option<(i64, Vec<Q>)>, Stop>;
 
 impl<'a> Rules<'a> {
     /// The rules of a scheme, at this offset; `None` if they are not rational.
-    pub fn new(library: &'a Library<'a>, scheme: &Scheme, offset: i64) -> Option<Rules<'a>> {
+    pub fn new(
+        library: &'a Library<'a>,
+        scheme: &Scheme,
+        offset: i64,
+    ) -> Result<Option<Rules<'a>>, Stop> {
         let row = |row: &Vec<Value>| row.iter().map(Value::rational).collect();
-        let mask = scheme.mask.iter().map(row).collect::<Option<Vec<Vec<Q>>>>()?;
-        let over = mask.iter().flatten().fold(BigInt::one(), |over, a| over.lcm(a.denom()));
+        let mask = scheme.mask.iter().map(row).collect::<Option<Vec<Vec<Q>>>>();
+        let Some(mask) = mask else { return Ok(None) };
+        let over = common_multiple(mask.iter().flatten().map(Q::denom))?;
         let top = |a: Q| a.numer() * (&over / a.denom());
         let rows = mask.into_iter().map(|row| row.into_iter().map(top).collect()).collect();
-        Some(Rules { rows, over, offset, library, zero: OnceCell::new() })
+        Ok(Some(Rules { rows, over, offset, library, zero: OnceCell::new() }))
     }
 
     /// n.

@@ -1,7 +1,7 @@
 //! Norms of powers of a mask's operator, where there are too many residue classes to look at
 //! each: a tree of rows, and bounds of all rows below a node.
 
-use crate::decimal::{Q, int};
+use crate::decimal::{Q, common_multiple, int};
 use crate::reject::{Checked, Reason, Stop, require};
 use crate::scheme::Library;
 use num_bigint::BigInt;
@@ -12,7 +12,7 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 const MAX_LEVEL: u32 = 64;
 
 /// The binary digits behind the point to which what bounds rest on is rounded, upwards.
-const PLACES: u32 = 32;
+pub const PLACES: u32 = 32;
 
 /// The rows of q^l·E^l at the positions of the window around an index, on its columns.
 type Rows = Vec<Vec<BigInt>>;
@@ -70,7 +70,7 @@ impl<'a> Operator<'a> {
         let moments: Vec<Q> = scaled.iter().zip(0..).map(moment).collect();
         let ends = moments.iter().min().zip(moments.iter().max());
         let middle = |(low, high): (&Q, &Q)| [(low + high) / int(2), (high - low) / int(2)];
-        let over = scaled.iter().flatten().fold(BigInt::one(), |over, x| over.lcm(x.denom()));
+        let over = common_multiple(scaled.iter().flatten().map(Q::denom))?;
         let integer = |x: &Q| x.numer() * (&over / x.denom());
         let rows = scaled.iter().map(|rule| rule.iter().map(integer).collect()).collect();
         let size = usize::try_from(last - first + 1).unwrap_or(0);

@@ -1,12 +1,11 @@
 //! Values of formulas: polynomials in symbols, most of them without any.
 
-use crate::decimal::Q;
+use crate::decimal::{Q, common_multiple};
 use crate::number::Number;
 use crate::reject::Stop;
 use crate::root::{Root, sign_between};
 use num_bigint::BigInt;
-use num_integer::Integer;
-use num_traits::{One, Zero};
+use num_traits::Zero;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -149,11 +148,10 @@ impl Value {
     }
 
     /// A common denominator.
-    pub fn denominator(values: &[Value]) -> Value {
-        let numbers = values.iter().flat_map(Value::all);
-        let common =
-            numbers.fold(BigInt::one(), |common, (_, number)| common.lcm(&number.bottom()));
-        Q::from_integer(common).into()
+    pub fn denominator(values: &[Value]) -> Result<Value, Stop> {
+        let bottoms: Vec<BigInt> =
+            values.iter().flat_map(Value::all).map(|(_, number)| number.bottom()).collect();
+        Ok(Q::from_integer(common_multiple(&bottoms)?).into())
     }
 
     /// self − other.

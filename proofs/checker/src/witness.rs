@@ -40,7 +40,7 @@ impl<'a> Setting<'a> {
         let (mut rules, mut converge) = (Vec::new(), true);
         for scheme in schemes {
             let offset = offset.unwrap_or(scheme.offset);
-            let rational = Rules::new(scope.library, scheme, offset);
+            let rational = Rules::new(scope.library, scheme, offset)?;
             rules.push(rational.ok_or(Reason::Malformed("rational masks"))?);
             converge &= converges(scope, scheme)?;
         }

@@ -3,9 +3,9 @@
 
 use crate::certificate::Block;
 use crate::convolution::Large;
-use crate::decimal::{Q, read_rational};
+use crate::decimal::{Q, int, read_rational};
 use crate::paper::Paper;
-use crate::powers::Operator;
+use crate::powers::{Operator, PLACES};
 use crate::reject::{Checked, Reason, require};
 use crate::value::Value;
 use num_traits::Signed;
@@ -44,26 +44,25 @@ pub fn check<'a>(paper: &'a Paper<'a>, said: &str, block: &mut Block<'_>) -> Che
     let rational = rational.ok_or(Reason::Malformed("rational masks"))?;
     let operator = Operator::new(paper.library, &rational)?;
     require(operator.of_class(levels, &class)? == exact, Reason::Class)?;
-    let powers = block.after("powers")?;
-    let number = |text: &str| read_rational(text).filter(|number| !number.is_negative());
-    let numbers: Option<Vec<Q>> = match powers.strip_prefix("all ") {
-        Some(tau) => number(tau).map(|tau| vec![tau]),
-        None => powers.split_whitespace().map(number).collect(),
+    let said = block.after("powers")?;
+    let all = said.strip_prefix("all ");
+    // Rounded upwards, so that no long number is computed with.
+    let number = |text: &str| {
+        let number = read_rational(text).filter(|number| !number.is_negative())?;
+        Some((number * int(1 << PLACES)).ceil() / int(1 << PLACES))
     };
+    let numbers: Option<Vec<Q>> = all.unwrap_or(said).split_whitespace().map(number).collect();
     let numbers = numbers.ok_or(Reason::Malformed("powers all NUMBER, or powers NUMBER…"))?;
-    if powers.starts_with("all ") {
-        operator.all_at_most(&numbers[0])?;
-    } else {
-        require(numbers.len() + 1 == levels as usize, Reason::Malformed("c − 1 numbers"))?;
-    }
-    let tau = |m: u32| match m.checked_sub(1) {
-        None => crate::decimal::int(1),
-        Some(at) => numbers.get(at as usize).unwrap_or(&numbers[0]).clone(),
+    let expected = all.map_or(levels as usize - 1, |_| 1);
+    require(numbers.len() == expected, Reason::Malformed("one number, or C − 1"))?;
+    let tau = |m: u32| match (m, all) {
+        (0, _) => int(1),
+        (_, Some(_)) => numbers[0].clone(),
+        (_, None) => numbers[m as usize - 1].clone(),
     };
-    if !powers.starts_with("all ") {
-        for m in 1..levels {
-            operator.at_most(m, &tau(m), tau)?;
-        }
+    match all {
+        Some(_) => operator.all_at_most(&numbers[0])?,
+        None => (1..levels).try_for_each(|m| operator.at_most(m, &tau(m), tau))?,
     }
     let limit = &exact / operator.factor.abs().pow(levels.cast_signed());
     operator.at_most(levels, &limit, tau)?;
