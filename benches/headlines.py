@@ -10,14 +10,7 @@ import time
 
 PROGRAM = "target/release/subcert"
 SEARCH, VALENCE = "target/release/examples/search", "target/release/examples/valence"
-SCHEMES = [
-    "four-point",
-    "six-point:w=3/256",
-    "ternary-four-point:mu=1/11",
-    "ternary-four-point-approximating",
-    "quaternary-four-point:mu=0",
-    "quinary-three-point",
-]
+SCHEMES = subprocess.check_output([SEARCH, "schemes"], text=True).split()
 RUNS = [
     ("start (--help)", [PROGRAM, "--help"]),
     ("audit of the five papers", [PROGRAM, "audit"]),

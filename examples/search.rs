@@ -1,7 +1,7 @@
 //! Nodes, time and memory of the searches for T_c, Λ_c and the joint suprema, against c.
 //!
 //! `cargo run --release --example search` for the schemes of the papers, or with scheme names
-//! and numbers c, and the word `forward` for masks that are read forwards.
+//! and numbers c, and the word `forward` for masks that are read forwards. `schemes` lists the names.
 
 use std::time::Instant;
 use subcert::bound::{JointSearch, Order, PowerSearch, Searched};
@@ -17,6 +17,10 @@ const SCHEMES: [&str; 6] = [
 ];
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
+    if std::env::args().skip(1).eq(["schemes"]) {
+        println!("{}", SCHEMES.join("\n"));
+        return Ok(());
+    }
     let (forward, words): (Vec<String>, Vec<String>) =
         std::env::args().skip(1).partition(|word| word == "forward");
     let order = if forward.is_empty() { Order::Adjoint } else { Order::Forward };

@@ -44,7 +44,8 @@ pub struct SoundCell {
     pub value: Rational,
 }
 
-/// The evidence for a table; whether its values are looked at under other readings too.
+/// The evidence for a table. If it is `read_otherwise`, its values are looked at under other readings
+/// too, which may need other constants.
 ///
 /// # Errors
 /// When a formula of the claim file is wrong.

@@ -13,9 +13,8 @@ pub(super) fn block(paper: &Paper, finding: &TableFinding<'_>) -> Block {
     let table = finding.table;
     let mut block = Block::new("table", &table.id);
     let readings = Readings::of(finding);
-    let judged = finding.cells.iter().flatten();
-    let refuted = judged.filter(|cell| cell.verdict == Verdict::Refuted).count();
-    let evidence = match evidence(paper, table, refuted > 0 || !readings.is_empty()) {
+    let refuted = refuted(finding);
+    let evidence = match evidence(paper, table, !refuted.is_empty() || !readings.is_empty()) {
         Ok(evidence) => evidence,
         Err(error) => {
             block.give_up(error.message);
@@ -40,8 +39,17 @@ pub(super) fn block(paper: &Paper, finding: &TableFinding<'_>) -> Block {
         Ok(evidence) => promise::lines(&mut block, &evidence),
         Err(error) => block.give_up(error.message),
     }
-    family(&mut block, paper, finding, &readings, evidence.scale.as_deref());
+    family(&mut block, paper, finding, (&readings, &refuted), evidence.scale.as_deref());
     block
+}
+
+/// The places of the refuted cells.
+fn refuted(finding: &TableFinding<'_>) -> Vec<(usize, usize)> {
+    let places = finding.cells.iter().enumerate().flat_map(|(row, cells)| {
+        cells.iter().enumerate().map(move |(column, cell)| ((row, column), cell))
+    });
+    let refuted = places.filter(|(_, cell)| cell.verdict == Verdict::Refuted);
+    refuted.map(|(place, _)| place).collect()
 }
 
 fn sound(cell: &SoundCell) -> String {
@@ -54,14 +62,9 @@ fn family(
     block: &mut Block,
     paper: &Paper,
     finding: &TableFinding<'_>,
-    read: &Readings<'_>,
+    (read, refuted): (&Readings<'_>, &[(usize, usize)]),
     scale: Option<&str>,
 ) {
-    let places = finding.cells.iter().enumerate().flat_map(|(row, cells)| {
-        cells.iter().enumerate().map(move |(column, cell)| ((row, column), cell))
-    });
-    let refuted = places.filter(|(_, cell)| cell.verdict == Verdict::Refuted);
-    let refuted: Vec<(usize, usize)> = refuted.map(|(place, _)| place).collect();
     let mut printed = finding.cells.iter().flatten().filter(|cell| cell.printed.is_some());
     let plain = printed.all(|cell| cell.assumed.is_empty());
     if refuted.is_empty() && (!plain || read.is_empty()) {
@@ -72,7 +75,7 @@ fn family(
     }
     let best = finding.search.as_ref().and_then(|search| search.best.first());
     match readings(paper, finding) {
-        Ok(readings) => family::lines(block, paper, &readings, best, scale, &refuted),
+        Ok(readings) => family::lines(block, paper, &readings, best, scale, refuted),
         Err(error) => block.give_up(error.message),
     }
 }

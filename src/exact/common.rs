@@ -2,6 +2,11 @@
 
 use super::{Integer, Rational};
 
+/// The least common denominator of these.
+pub(crate) fn common_denominator<'a>(values: impl IntoIterator<Item = &'a Rational>) -> Integer {
+    values.into_iter().fold(Integer::one(), |lcm, value| lcm.lcm(&value.denominator()))
+}
+
 /// Rows of rationals, written as integers over one common denominator q.
 ///
 /// Loops that only add and multiply run on these: an integer operation costs a
@@ -27,8 +32,7 @@ impl CommonDenominator {
     /// The rows over their least common denominator.
     #[must_use]
     pub fn of(rows: &[Vec<Rational>]) -> CommonDenominator {
-        let denominator =
-            rows.iter().flatten().fold(Integer::one(), |lcm, value| lcm.lcm(&value.denominator()));
+        let denominator = common_denominator(rows.iter().flatten());
         let scale =
             |value: &Rational| value.numerator() * denominator.div_floor(&value.denominator());
         let numerators = rows.iter().map(|row| row.iter().map(scale).collect()).collect();

@@ -46,6 +46,7 @@ mod word;
 
 pub use algebraic::RealAlgebraic;
 pub use common::CommonDenominator;
+pub(crate) use common::common_denominator;
 pub use cyclotomic::{
     CosineError, MAX_CONDUCTOR, RealCyclotomic, common_conductor, cosine_polynomial,
 };

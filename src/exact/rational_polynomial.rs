@@ -1,6 +1,6 @@
 //! Polynomials in one variable over the rationals.
 
-use super::{Integer, IntegerPolynomial, Polynomial, Rational, Scalar};
+use super::{Integer, IntegerPolynomial, Polynomial, Rational, Scalar, common_denominator};
 
 /// A polynomial in one variable over Q: an integer polynomial over one
 /// denominator, in lowest terms.
@@ -23,8 +23,7 @@ impl RationalPolynomial {
     /// Σ c_i x^i for `coefficients` c_0, c_1, …
     #[must_use]
     pub fn new(coefficients: &[Rational]) -> RationalPolynomial {
-        let denominator =
-            coefficients.iter().fold(Integer::one(), |lcm, c| lcm.lcm(&c.denominator()));
+        let denominator = common_denominator(coefficients);
         let numerator = IntegerPolynomial::over_common_denominator(coefficients);
         RationalPolynomial { numerator, denominator }
     }

@@ -1,6 +1,6 @@
 //! What the algorithms ask of a number type, so that each is written once.
 
-use super::{Integer, Matrix, Polynomial, Rational};
+use super::{Integer, Matrix, Polynomial, Rational, common_denominator};
 use std::cmp::Ordering;
 
 /// A commutative ring that contains the rationals: exact numbers, polynomials,
@@ -117,7 +117,7 @@ impl Scalar for Rational {
         self * other
     }
     fn common_denominator(values: &[Self]) -> Integer {
-        values.iter().fold(Integer::one(), |lcm, value| lcm.lcm(&value.denominator()))
+        common_denominator(values)
     }
 }
 

@@ -4,7 +4,7 @@ use super::error::{LimitError, MAX_WINDOW};
 use super::fraction::Fraction;
 use super::functional::{Functional, rule_at};
 use super::value::Limit;
-use crate::exact::{Integer, Rational};
+use crate::exact::{Integer, Rational, common_denominator};
 use crate::scheme::Rules;
 
 /// A row of a matrix, without its zeros: column and entry.
@@ -92,12 +92,11 @@ impl Splitting {
         let (first, last) = window(difference, middles.iter().chain(&ends))?;
         let size = usize::try_from(last - first + 1).expect("the window holds 0");
         let denominator = |functionals: &[Functional]| {
-            let values = functionals.iter().flat_map(|f| f.terms().map(|(_, c)| c.denominator()));
-            values.fold(Integer::one(), |lcm, value| lcm.lcm(&value))
+            common_denominator(functionals.iter().flat_map(|f| f.terms().map(|(_, c)| c)))
         };
         let arity = difference.arity();
         let entries = difference.rows().iter().flatten();
-        let base = entries.fold(Integer::from(arity), |lcm, entry| lcm.lcm(&entry.denominator()));
+        let base = common_denominator(entries).lcm(&Integer::from(arity));
         let scale = denominator(middles).lcm(&denominator(&ends));
         let sparse = |terms: &mut dyn Iterator<Item = (i64, &Rational)>, scale: &Integer| {
             let entry = |(i, c): (i64, &Rational)| {

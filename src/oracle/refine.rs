@@ -1,7 +1,7 @@
 //! Exact refinement of polygons and grids over several levels.
 
 use crate::bound::{ClassCap, RingWork};
-use crate::exact::{CommonDenominator, Integer, Rational, Scalar};
+use crate::exact::{CommonDenominator, Integer, Rational, Scalar, common_denominator};
 use crate::scheme::Rules;
 
 /// The most values of a control polygon or grid, refined or not.
@@ -242,8 +242,7 @@ fn whole(rules: &Rules) -> (Rules<Whole>, Integer) {
 }
 
 fn whole_values(values: &[Rational]) -> (Vec<Whole>, Integer) {
-    let denominator =
-        values.iter().fold(Integer::one(), |lcm, value| lcm.lcm(&value.denominator()));
+    let denominator = common_denominator(values);
     let scale = Rational::from(denominator.clone());
     (values.iter().map(|value| Whole((value * &scale).numerator())).collect(), denominator)
 }

@@ -75,6 +75,13 @@ pub fn common_multiple<'i>(numbers: impl IntoIterator<Item = &'i BigInt>) -> Res
     })
 }
 
+/// Rows as integers over one denominator.
+pub fn over_one_denominator(rows: &[Vec<Q>]) -> Result<(Vec<Vec<BigInt>>, BigInt), Stop> {
+    let over = common_multiple(rows.iter().flatten().map(Q::denom))?;
+    let integer = |x: &Q| x.numer() * (&over / x.denom());
+    Ok((rows.iter().map(|row| row.iter().map(integer).collect()).collect(), over))
+}
+
 /// Reads `-35/1296` or a decimal.
 pub fn read_rational(text: &str) -> Option<Q> {
     let Some((top, bottom)) = text.split_once('/') else {

@@ -1,6 +1,6 @@
 //! Points of refined control data and of their limits, as functionals of the data.
 
-use crate::decimal::{Q, common_multiple, int};
+use crate::decimal::{Q, int, over_one_denominator};
 use crate::linear::solve;
 use crate::reject::Stop;
 use crate::scheme::{Library, Scheme};
@@ -88,9 +88,7 @@ impl<'a> Rules<'a> {
         let row = |row: &Vec<Value>| row.iter().map(Value::rational).collect();
         let mask = scheme.mask.iter().map(row).collect::<Option<Vec<Vec<Q>>>>();
         let Some(mask) = mask else { return Ok(None) };
-        let over = common_multiple(mask.iter().flatten().map(Q::denom))?;
-        let top = |a: Q| a.numer() * (&over / a.denom());
-        let rows = mask.into_iter().map(|row| row.into_iter().map(top).collect()).collect();
+        let (rows, over) = over_one_denominator(&mask)?;
         Ok(Some(Rules { rows, over, offset, library, zero: OnceCell::new() }))
     }
 

@@ -1,7 +1,7 @@
 //! Norms of powers of a mask's operator, where there are too many residue classes to look at
 //! each: a tree of rows, and bounds of all rows below a node.
 
-use crate::decimal::{Q, common_multiple, int};
+use crate::decimal::{Q, int, over_one_denominator};
 use crate::reject::{Checked, Reason, Stop, require};
 use crate::scheme::Library;
 use num_bigint::BigInt;
@@ -70,9 +70,7 @@ impl<'a> Operator<'a> {
         let moments: Vec<Q> = scaled.iter().zip(0..).map(moment).collect();
         let ends = moments.iter().min().zip(moments.iter().max());
         let middle = |(low, high): (&Q, &Q)| [(low + high) / int(2), (high - low) / int(2)];
-        let over = common_multiple(scaled.iter().flatten().map(Q::denom))?;
-        let integer = |x: &Q| x.numer() * (&over / x.denom());
-        let rows = scaled.iter().map(|rule| rule.iter().map(integer).collect()).collect();
+        let (rows, over) = over_one_denominator(&scaled)?;
         let size = usize::try_from(last - first + 1).unwrap_or(0);
         let shift = ends.filter(|_| affine).map(middle);
         Ok(Operator { library, n, width, offset, first, size, rows, over, factor, shift })
@@ -136,18 +134,12 @@ impl<'a> Operator<'a> {
         let low = middle.min(&limit) - &radius;
         let high = (middle - &nth).max(limit) + int(1) + radius;
         let reach = self.reach([low, high], tau);
-        let mut stack = vec![(0, self.root())];
-        while let Some((level, rows)) = stack.pop() {
+        self.descend(|level, rows| {
             let limit = tau * Q::from_integer(self.over.pow(level));
-            let fits = level < MAX_LEVEL && Q::from_integer(self.norm(&rows)) <= limit;
+            let fits = level < MAX_LEVEL && Q::from_integer(self.norm(rows)) <= limit;
             require(fits, Reason::Powers)?;
-            if level == 0 || bound(&rows, &reach) > limit {
-                for digit in 0..self.n {
-                    stack.push((level + 1, self.part(&rows, digit)?));
-                }
-            }
-        }
-        Ok(())
+            Ok(level > 0 && bound(rows, &reach) <= limit)
+        })
     }
 
     /// Makes sure that ‖E^c‖ is at most this number, for τ with ‖E^m‖ ≤ τ_m, m < c: a
@@ -162,12 +154,21 @@ impl<'a> Operator<'a> {
             (middle, radius, part) =
                 (middle * &nth + &phi, radius * &nth + &rho * tau, part * &nth);
         }
-        let mut stack = vec![(0, self.root())];
-        while let Some((level, rows)) = stack.pop() {
+        self.descend(|level, rows| {
             let limit = limit * Q::from_integer(self.over.pow(level));
             if level == levels {
-                require(Q::from_integer(self.norm(&rows)) <= limit, Reason::NotLargest)?;
-            } else if level == 0 || bound(&rows, &reaches[(levels - level) as usize]) > limit {
+                require(Q::from_integer(self.norm(rows)) <= limit, Reason::NotLargest)?;
+                return Ok(true);
+            }
+            Ok(level > 0 && bound(rows, &reaches[(levels - level) as usize]) <= limit)
+        })
+    }
+
+    /// Visits the nodes from the root on, and splits those that are not closed.
+    fn descend(&self, closed: impl Fn(u32, &Rows) -> Checked<bool>) -> Checked<()> {
+        let mut stack = vec![(0, self.root())];
+        while let Some((level, rows)) = stack.pop() {
+            if !closed(level, &rows)? {
                 for digit in 0..self.n {
                     stack.push((level + 1, self.part(&rows, digit)?));
                 }
