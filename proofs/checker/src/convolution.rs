@@ -32,7 +32,30 @@ pub struct Product {
     /// n^c.
     classes: usize,
     /// The sums for values of f that are known already.
-    known: RefCell<BTreeMap<(usize, usize), Vec<Value>>>,
+    known: RefCell<BTreeMap<(usize, usize), Sums>>,
+}
+
+/// Sums of absolute values, one for each of some values of f.
+#[derive(Clone)]
+pub struct Sums {
+    /// The first f.
+    pub first: usize,
+    /// The sums, in units of `scale`.
+    pub units: Rc<[Value]>,
+    /// A positive number.
+    pub scale: Value,
+}
+
+impl Sums {
+    /// These sums.
+    pub fn new(sums: Vec<Value>) -> Sums {
+        Sums { first: 0, units: sums.into(), scale: Value::int(1) }
+    }
+
+    /// The greatest one.
+    pub fn greatest(&self, scope: &Scope<'_>) -> Result<Value, Stop> {
+        scope.greatest(&self.units)?.times(&self.scale)
+    }
 }
 
 /// How sequences are convolved.
@@ -165,20 +188,23 @@ impl Product {
         self.coefficient(l, f).map_or(Ok(Value::int(0)), |value| value.times(&self.scale))
     }
 
-    /// Σ_l |E^c_{l,f}|, l = 0, …, ⌊f/n^c⌋, for f from `from` to `to`.
-    pub fn sums(&self, scope: &Scope<'_>, from: usize, to: usize) -> Result<Vec<Value>, Stop> {
+    /// Σ_l |E^c_{l,f}|, l = 0, …, ⌊f/n^c⌋, for f from `first` to `last`.
+    pub fn sums(&self, scope: &Scope<'_>, first: usize, last: usize) -> Result<Sums, Stop> {
         let piece = scope.piece.as_ref();
-        if let Some(known) = self.known.borrow().get(&(from, to)).filter(|_| piece.is_none()) {
+        if let Some(known) = self.known.borrow().get(&(first, last)).filter(|_| piece.is_none()) {
             return Ok(known.clone());
         }
         let sum = |f: usize| {
-            let values = (0..=f / self.classes).filter_map(|l| self.coefficient(l, f));
-            let mut values = values.map(|value| value.abs(piece));
-            values.try_fold(Value::int(0), |a, b| a.plus(1, &b?))?.times(&self.scale)
+            let mut sum = Value::int(0);
+            for value in (0..=f / self.classes).filter_map(|l| self.coefficient(l, f)) {
+                sum.add(value.sign(piece)?.into(), value)?;
+            }
+            Ok(sum)
         };
-        let sums = (from..=to).map(sum).collect::<Result<Vec<Value>, Stop>>()?;
+        let units = (first..=last).map(sum).collect::<Result<Rc<[Value]>, Stop>>()?;
+        let sums = Sums { first, units, scale: self.scale.clone() };
         if piece.is_none() {
-            self.known.borrow_mut().insert((from, to), sums.clone());
+            self.known.borrow_mut().insert((first, last), sums.clone());
         }
         Ok(sums)
     }
@@ -192,13 +218,13 @@ pub fn classes(
     of: &str,
     forward: bool,
     c: &Value,
-) -> Result<Vec<Value>, Stop> {
+) -> Result<Sums, Stop> {
     let c = u32::try_from(c.integer(64)?).map_err(|_| Stop::Wrong("a negative level".into()))?;
     let convolution = Convolution { c, arity: scheme.arity(), printed: false };
     let product = convolution.of_scheme(scope.library, scheme, of, forward)?;
     // Where f is beyond all coefficients, those of its class are the E^c_{l,f}.
     let beyond = product.coefficients.len().next_multiple_of(product.classes);
-    product.sums(scope, beyond, beyond + product.classes - 1)
+    Ok(Sums { first: 0, ..product.sums(scope, beyond, beyond + product.classes - 1)? })
 }
 
 /// The greatest of these sums, if it is one that a line `constant` has shown.

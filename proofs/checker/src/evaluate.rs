@@ -219,6 +219,11 @@ impl<'a> Scope<'a> {
         total.ok_or_else(|| Stop::Wrong("an extreme of nothing".into()))
     }
 
+    /// The greatest of these, and of 0.
+    pub fn greatest(&self, values: &[Value]) -> Result<Value, Stop> {
+        values.iter().try_fold(Value::int(0), |best, value| best.max(value, self.piece.as_ref()))
+    }
+
     /// The `sum`, `max` or `min` of two values.
     pub fn join(&self, fold: &str, a: &Value, b: &Value) -> Result<Value, Stop> {
         match fold {

@@ -121,9 +121,15 @@ pub fn reduce(n: u32, polynomial: Vec<BigInt>) -> Vec<BigInt> {
     if n == 1 {
         return polynomial;
     }
-    let minimal = &field(n).minimal;
-    let mut rest = divide(polynomial, minimal).1;
-    rest.resize(minimal.len() - 1, BigInt::zero());
+    let (minimal, mut rest) = (&field(n).minimal, polynomial);
+    let degree = minimal.len() - 1;
+    for at in (0..rest.len().saturating_sub(degree)).rev() {
+        let leading = rest.pop().unwrap_or_default();
+        for (sum, coefficient) in rest[at..].iter_mut().zip(minimal) {
+            *sum -= &leading * coefficient;
+        }
+    }
+    rest.resize(degree, BigInt::zero());
     rest
 }
 

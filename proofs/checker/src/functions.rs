@@ -1,6 +1,6 @@
 //! The functions of formulas, by their definitions.
 
-use crate::convolution::{Convolution, MAX_LENGTH, Product, classes, large};
+use crate::convolution::{Convolution, MAX_LENGTH, Product, Sums, classes, large};
 use crate::decimal::Q;
 use crate::displacement::{displaced, gather, surface};
 use crate::evaluate::{Indices, MAX_INTEGER, Scope};
@@ -53,8 +53,8 @@ pub fn call(
     }
 }
 
-/// The sums that a call is the greatest of, and the place of the first one.
-pub fn sums_of(scope: &Scope<'_>, expr: &Expr) -> Result<(usize, Vec<Value>), Stop> {
+/// The sums that a call is the greatest of.
+pub fn sums_of(scope: &Scope<'_>, expr: &Expr) -> Result<Sums, Stop> {
     let Expr::Of(Head::Call(function, options), arguments) = expr else {
         return wrong("this is no constant");
     };
@@ -62,16 +62,11 @@ pub fn sums_of(scope: &Scope<'_>, expr: &Expr) -> Result<(usize, Vec<Value>), St
     let arguments = &arguments.collect::<Result<Vec<Value>, Stop>>()?;
     let options = options.iter().collect();
     let mut call = Call { scope, function, arguments, options, every_sum: true };
-    let (first, mut lists, _) = call.sums(&mut Vec::new())?;
+    let (mut lists, _) = call.sums(&mut Vec::new())?;
     match lists.pop() {
-        Some(sums) if lists.is_empty() && call.options.is_empty() => Ok((first, sums)),
+        Some(sums) if lists.is_empty() && call.options.is_empty() => Ok(sums),
         _ => wrong("this is no constant that is attained in one class"),
     }
-}
-
-/// The greatest of these, and of 0.
-pub fn greatest(scope: &Scope<'_>, values: &[Value]) -> Result<Value, Stop> {
-    values.iter().try_fold(Value::int(0), |best, value| best.max(value, scope.piece.as_ref()))
 }
 
 /// An integer from `least` to `most`, as an index.
@@ -162,12 +157,15 @@ impl Call<'_> {
             }
             ("contraction" | "norm" | "tensor" | "convolution_norm", _) => {
                 match self.sums(indices)? {
-                    (_, lists, true) if lists.len() == 2 => {
-                        let products = lists[0].iter().zip(&lists[1]).map(|(a, b)| a.times(b));
-                        greatest(scope, &products.collect::<Result<Vec<_>, _>>()?)
+                    (lists, true) if lists.len() == 2 => {
+                        let [one, other] = [&lists[0], &lists[1]];
+                        let pairs = one.units.iter().zip(&*other.units);
+                        let units = pairs.map(|(a, b)| a.times(b)).collect::<Result<_, _>>()?;
+                        let scale = one.scale.times(&other.scale)?;
+                        Sums { first: 0, units, scale }.greatest(scope)
                     }
-                    (_, lists, _) => lists.iter().try_fold(Value::int(1), |product, list| {
-                        product.times(&greatest(scope, list)?)
+                    (lists, _) => lists.iter().try_fold(Value::int(1), |product, list| {
+                        product.times(&list.greatest(scope)?)
                     }),
                 }
             }
@@ -191,7 +189,7 @@ impl Call<'_> {
                 let offset = offset.filter(|o: &i64| o.abs() <= 10_000);
                 let Some(o) = offset else { return wrong(format!("no offset: `{word}`")) };
                 let moved = |alpha| gather(scope, &displaced(&scheme, alpha, o)?, terms);
-                greatest(scope, &(0..scheme.arity()).map(moved).collect::<Result<Vec<_>, _>>()?)
+                scope.greatest(&(0..scheme.arity()).map(moved).collect::<Result<Vec<_>, _>>()?)
             }
             ("surface_displacement", [x1, x2, x3]) => {
                 let (scheme, terms) = (self.scheme()?, self.choose("terms", &TERMS)?);
@@ -231,9 +229,9 @@ impl Call<'_> {
         names.map(|name| (0..length).map(|q| value(&name, q)).collect()).collect()
     }
 
-    /// What `contraction`, `norm`, `tensor` and `convolution_norm` are the greatest of: the place
-    /// of the first sum, the sums of one or two sequences, and whether their suprema are joint.
-    fn sums(&mut self, indices: &mut Indices) -> Result<(usize, Vec<Vec<Value>>, bool), Stop> {
+    /// What `contraction`, `norm`, `tensor` and `convolution_norm` are the greatest of: the sums of
+    /// one or two sequences, and whether their suprema are joint.
+    fn sums(&mut self, indices: &mut Indices) -> Result<(Vec<Sums>, bool), Stop> {
         let scope = self.scope;
         let lists = match (self.function, self.arguments) {
             ("convolution_norm", [c, n, length, last]) => {
@@ -248,7 +246,7 @@ impl Call<'_> {
                     let product = convolution.of(scope.library, &sequence, last + 1)?;
                     product.sums(scope, first, last)
                 });
-                return Ok((first, sums.collect::<Result<_, Stop>>()?, joint));
+                return Ok((sums.collect::<Result<_, Stop>>()?, joint));
             }
             ("contraction", [_]) => &["b"][..],
             ("norm", [_]) => &["a"],
@@ -262,14 +260,14 @@ impl Call<'_> {
                 return wrong("`terms = total` is defined for c = 1 only");
             }
             let sums = scheme.difference.iter().map(|row| gather(scope, row, 1));
-            return Ok((0, vec![sums.collect::<Result<_, _>>()?], false));
+            return Ok((vec![Sums::new(sums.collect::<Result<_, _>>()?)], false));
         }
         let joint = self.function == "tensor" && self.choose("suprema", &SUPREMA)? == 1;
         let sums = lists.iter().map(|of| match large(scope, &scheme, of, forward, c) {
-            Some(value) if !joint && !self.every_sum => Ok(vec![value]),
+            Some(value) if !joint && !self.every_sum => Ok(Sums::new(vec![value])),
             _ => classes(scope, &scheme, of, forward, c),
         });
-        Ok((0, sums.collect::<Result<_, _>>()?, joint))
+        Ok((sums.collect::<Result<_, _>>()?, joint))
     }
 
     /// The logarithm of x to the base `ratio`, as an integer of at least 0.

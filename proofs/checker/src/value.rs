@@ -148,9 +148,9 @@ impl Value {
     }
 
     /// A common denominator.
-    pub fn denominator(values: &[Value]) -> Result<Value, Stop> {
-        let bottoms: Vec<BigInt> =
-            values.iter().flat_map(Value::all).map(|(_, number)| number.bottom()).collect();
+    pub fn denominator<'v>(values: impl IntoIterator<Item = &'v Value>) -> Result<Value, Stop> {
+        let numbers = values.into_iter().flat_map(Value::all);
+        let bottoms: Vec<BigInt> = numbers.map(|(_, number)| number.bottom()).collect();
         Ok(Q::from_integer(common_multiple(&bottoms)?).into())
     }
 

@@ -5,7 +5,6 @@ use crate::convolution::classes;
 use crate::decimal::{Q, int, read_rational};
 use crate::evaluate::Scope;
 use crate::functional::{Functional, Rules, product};
-use crate::functions::greatest;
 use crate::paper::Paper;
 use crate::reject::{Checked, Reason, Stop, require};
 use crate::ring::Ring;
@@ -53,7 +52,7 @@ fn converges(scope: &Scope<'_>, scheme: &Scheme) -> Result<bool, Stop> {
     let mut c = 1;
     while scheme.arity().saturating_pow(c) <= MAX_CLASSES {
         let sums = classes(scope, scheme, "b", false, &Value::int(c.into()))?;
-        if greatest(scope, &sums)?.compare(&Value::int(1))?.is_lt() {
+        if sums.greatest(scope)?.compare(&Value::int(1))?.is_lt() {
             return Ok(true);
         }
         c += 1;

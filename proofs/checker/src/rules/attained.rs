@@ -20,11 +20,9 @@ pub fn check(table: &Table<'_>, read: &Read, said: &str) -> Checked<()> {
     let value = table.paper.number(value)?;
     let formula = parse(formula, MAX_LINE).map_err(Reason::NoValue)?;
     let (scope, _) = table.scope(at, read, &table.needed(at).0)?;
-    let (first, sums) = sums_of(&scope, &formula)?;
-    let sum = class.checked_sub(first).and_then(|class| sums.get(class)).ok_or(Reason::Class)?;
+    let sums = sums_of(&scope, &formula)?;
+    let sum = class.checked_sub(sums.first).and_then(|class| sums.units.get(class));
+    let sum = sum.ok_or(Reason::Class)?.times(&sums.scale)?;
     require(sum.equals(&value)?, Reason::Class)?;
-    for sum in &sums {
-        require(sum.compare(&value)?.is_le(), Reason::NotLargest)?;
-    }
-    Ok(())
+    require(sums.greatest(&scope)?.equals(&value)?, Reason::NotLargest)
 }

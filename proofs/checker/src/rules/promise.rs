@@ -8,7 +8,6 @@ use crate::certificate::Block;
 use crate::convolution::classes;
 use crate::decimal::Q;
 use crate::functional::{MAX_LEVEL, Rules};
-use crate::functions::greatest;
 use crate::paper::Paper;
 use crate::reject::{Checked, Reason, Stop, require};
 use crate::ring::Ring;
@@ -167,7 +166,7 @@ fn change(promised: &Promised<'_>, rules: &[Rules<'_>], k: u32, l: u32) -> Resul
     // THEOREMS.md, 32, with level l in place of the limit.
     let norm = |axis: usize, level: u32| {
         let (scope, level) = (&promised.scope, Value::int(level.into()));
-        greatest(scope, &classes(scope, &promised.schemes[axis], "a", false, &level)?)
+        classes(scope, &promised.schemes[axis], "a", false, &level)?.greatest(scope)
     };
     let (c, d) = (largest(first)?, largest(second)?);
     let one = c.times(&norm(1, l)?)?.plus(1, &d.times(&norm(0, k)?)?)?;

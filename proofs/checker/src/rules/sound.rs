@@ -4,9 +4,8 @@ use super::place;
 use crate::convolution::classes;
 use crate::displacement::{displaced, gather};
 use crate::evaluate::Scope;
-use crate::functions::greatest;
 use crate::reject::{Checked, Reason, Stop, require};
-use crate::scheme::{Scheme, formula, total};
+use crate::scheme::{Scheme, formula};
 use crate::table::{Place, Table};
 use crate::value::Value;
 use std::rc::Rc;
@@ -84,12 +83,17 @@ impl<'t> Promised<'t> {
         let place = |value: i64| usize::try_from(value).unwrap_or(0);
         let key = self.schemes.iter().map(|scheme| Rc::as_ptr(scheme) as usize).collect();
         let mut known = self.table.bounds.borrow_mut();
+        // U_m·d^m, which are integers for this d: they are quicker to multiply and to compare.
         let upper = known.entry((key, most)).or_default();
+        let rules = self.schemes.iter().flat_map(|s| s.mask.iter().chain(&s.difference));
+        let d = Value::denominator(rules.flatten())?;
+        let d = if self.schemes.len() > 1 { d.times(&d)? } else { d };
         if upper.is_empty() {
-            let constants = (0..=most).map(|c| self.constant(&Value::int(c)));
-            upper.extend(constants.collect::<Result<Vec<Value>, Stop>>()?);
+            let constant = |c| self.constant(&Value::int(c))?.times(&d.power(c)?);
+            upper.extend((0..=most).map(constant).collect::<Result<Vec<Value>, Stop>>()?);
         }
-        let rest = Value::int(1).minus(&upper[place(block)])?;
+        // (1 − U_c)·d^c
+        let rest = d.power(block)?.minus(&upper[place(block)])?;
         if rest.sign(None)? <= 0 {
             return Ok(None);
         }
@@ -102,15 +106,17 @@ impl<'t> Promised<'t> {
             }
             upper.push(least);
         }
-        let sum = total(&upper[place(level)..place(level + block)])?;
+        let later = &upper[place(level)..place(level + block)];
+        let sum = later.iter().try_fold(Value::int(0), |sum, u| sum.times(&d)?.plus(1, u))?;
+        // The sum is one of U_m·d^(level + block − 1).
+        let sum = sum.times(&d)?.over(&d.power(level)?)?;
         self.factor()?.times(&sum)?.over(&rest).map(Some)
     }
 
     /// T_c, or the larger of the T_cΛ_c of one factor and the other.
     fn constant(&self, c: &Value) -> Result<Value, Stop> {
-        let of = |scheme: &Scheme, of| {
-            greatest(&self.scope, &classes(&self.scope, scheme, of, false, c)?)
-        };
+        let of =
+            |scheme: &Scheme, of| classes(&self.scope, scheme, of, false, c)?.greatest(&self.scope);
         match &self.schemes[..] {
             [first, second, ..] => {
                 let one = of(first, "b")?.times(&of(second, "a")?)?;
@@ -128,7 +134,7 @@ impl<'t> Promised<'t> {
             (0..scheme.arity()).map(moved).collect::<Result<Vec<Value>, Stop>>()
         };
         let [first, second, ..] = &self.schemes[..] else {
-            return greatest(&self.scope, &moved(&self.schemes[0])?);
+            return self.scope.greatest(&moved(&self.schemes[0])?);
         };
         let mut sums = Vec::new();
         for (row, beta) in second.mask.iter().zip(moved(second)?) {
@@ -137,6 +143,6 @@ impl<'t> Promised<'t> {
                 sums.push(alpha.times(&norm)?.plus(1, &beta)?);
             }
         }
-        greatest(&self.scope, &sums)
+        self.scope.greatest(&sums)
     }
 }
