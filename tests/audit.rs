@@ -380,6 +380,21 @@ fn a_definition_follows_the_scheme_of_its_column() {
     assert_eq!(values.collect::<Vec<_>>(), expected);
 }
 
+/// A column's header goes before a value that the paper states elsewhere, in definitions too.
+#[test]
+fn a_definition_follows_the_header_of_its_column() {
+    for given in ["[given]\nbeta = '1'\n", ""] {
+        let paper = paper(&format!(
+            "{given}[define]\nE = '2*beta'\n[[table]]\nid = 't'\nlocus = 'T'\nvalue = 'E'\n\
+             unstated = {{ gamma = '5' }}\ncolumns = {{ name = 'beta', values = ['1', '3'] }}\n\
+             cells = [['2', '6']]\n"
+        ));
+        let audit = judged(&paper);
+        let values = audit.tables[0].cells[0].iter().map(|cell| cell.exact.clone());
+        assert_eq!(values.collect::<Vec<_>>(), [exact(2, 1), exact(6, 1)].map(Some));
+    }
+}
+
 /// What is wrong in a definition is underlined there, and the claim that needs it is named.
 #[test]
 fn an_error_in_a_definition_is_shown_there() {

@@ -1,16 +1,21 @@
 //! The constants that a table's values are computed from, and where they are attained.
 
 use super::judge::{At, Judge};
+use super::library::Resolved;
 use super::reading::Settings;
 use crate::bound::{Constants, Operator, Order, PowerSearch};
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Integer, Rational, RealCyclotomic};
+use crate::limit::first_contraction;
 use crate::scheme::{Instance, Rules};
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
 /// Products of sequences of at most so many coefficients can be looked at class by class.
 const MAX_LENGTH: u64 = 1 << 16;
+
+/// Of so many residue classes the T_c < 1 that shows convergence needs no line of its own.
+const MAX_CLASSES: u64 = 1 << 12;
 
 /// A constant of a cell, with the residue class that attains it.
 #[derive(Clone, Debug, PartialEq)]
@@ -79,14 +84,6 @@ impl NotedConstant {
         }
     }
 
-    /// Whether the product of the sequences is too long for every class to be looked at.
-    fn is_searched(&self) -> bool {
-        let (n, width) = (self.rules().arity() as u64, self.rules().width() as u64);
-        let last = |classes: u64| (n * width - 1).checked_mul((classes - 1) / (n - 1));
-        let length = n.checked_pow(self.levels).and_then(last);
-        length.is_none_or(|last| last >= MAX_LENGTH)
-    }
-
     /// The class of a row: row r at the offset o has the coefficients of the class r +
     /// (o + N − 1)(n + … + n^c) mod n^c of the product of the sequences.
     fn class(&self, row: &Integer) -> Integer {
@@ -127,6 +124,28 @@ impl NotedConstant {
     }
 }
 
+/// Whether the product of c sequences is too long for every class to be looked at.
+pub(super) fn is_long(rules: &Rules, c: u32) -> bool {
+    let (n, width) = (rules.arity() as u64, rules.width() as u64);
+    let last = |classes: u64| (n * width - 1).checked_mul((classes - 1) / (n - 1));
+    n.checked_pow(c).and_then(last).is_none_or(|last| last >= MAX_LENGTH)
+}
+
+/// What shows that masks converge of which every T_c < 1 has more than 4,096 residue classes.
+pub(super) fn convergence(scheme: &Resolved) -> Vec<SearchedConstant> {
+    let masks = scheme.instances.iter().zip(&scheme.constants);
+    let of = |(instance, constants): (&Instance, &Rc<Constants>)| {
+        let rules = constants.difference();
+        let levels = first_contraction(rules)?;
+        let few = (rules.arity() as u64).checked_pow(levels).is_some_and(|n| n <= MAX_CLASSES);
+        let (operator, order, named) = (Operator::Difference, Order::Adjoint, None);
+        let (instance, constants) = (instance.clone(), Rc::clone(constants));
+        let constant = NotedConstant { instance, constants, operator, levels, order, named };
+        if few { None } else { constant.searched() }
+    };
+    masks.filter_map(of).collect()
+}
+
 /// The constants of all cells, as printed: each once, in the first cell that needs it; and those
 /// of many residue classes, with `read_otherwise` in both orders.
 pub(super) fn constants(
@@ -145,7 +164,7 @@ pub(super) fn constants(
             for noted in constants {
                 let orders = [noted.order, Order::Adjoint, Order::Forward];
                 let asked = if read_otherwise { 3 } else { 1 };
-                if noted.is_searched() {
+                if is_long(noted.rules(), noted.levels) {
                     let both = orders[..asked].iter().map(|&order| (order, noted.clone()));
                     let both = both.map(|(order, noted)| NotedConstant { order, ..noted });
                     let new = both.filter(|noted| large.insert(noted.key()));

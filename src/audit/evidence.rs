@@ -3,11 +3,13 @@
 
 use super::attained::{self, AttainedConstant, SearchedConstant};
 use super::judge::{At, Judge, Outcome};
+use super::kept::Kept;
 use super::library::Library;
+use super::quantity::Quantities;
 use super::reading::{self, Settings};
-use super::table;
+use super::table::TableFinding;
 use crate::bound::SoundBound;
-use crate::claim::{Paper, Promise, Table};
+use crate::claim::{Paper, Promise};
 use crate::diagnostic::Diagnostic;
 use crate::exact::Rational;
 use crate::formula::LocatedFormula;
@@ -51,13 +53,18 @@ pub struct SoundCell {
 /// When a formula of the claim file is wrong.
 pub fn evidence(
     paper: &Paper,
-    table: &Table,
+    finding: &TableFinding<'_>,
     read_otherwise: bool,
 ) -> Result<Evidence, Diagnostic> {
-    let library = Library::new(paper);
+    let (library, table) = (Library::new(paper), finding.table);
     let judge = Judge::new(paper, table, &library)?;
-    let (attained, searched) = attained::constants(&judge, read_otherwise)?;
-    let scale = reading::scale(&judge, &table::cells(&judge)?);
+    let (attained, mut searched) = attained::constants(&judge, read_otherwise)?;
+    for constant in convergence(&judge, finding)? {
+        if !searched.contains(&constant) {
+            searched.push(constant);
+        }
+    }
+    let scale = reading::scale(&judge, &finding.cells);
     let mut sound = Vec::new();
     if let Some(promise) = &table.promise {
         for row in 0..table.cells.len() {
@@ -67,6 +74,26 @@ pub fn evidence(
         }
     }
     Ok(Evidence { scale, attained, searched, sound })
+}
+
+/// What shows that schemes converge whose control data break promises.
+fn convergence(
+    judge: &Judge<'_>,
+    finding: &TableFinding<'_>,
+) -> Result<Vec<SearchedConstant>, Diagnostic> {
+    let assume: BTreeSet<String> = judge.assumed.keys().cloned().collect();
+    let (mut known, mut constants) = (BTreeSet::new(), Vec::new());
+    for (row, cells) in finding.cells.iter().enumerate() {
+        for column in (0..cells.len()).filter(|&i| matches!(cells[i].kept, Some(Kept::No(_)))) {
+            let at = At { row, column, assume: &assume, settings: &Settings::default() };
+            if let Ok(Quantities { scheme: Some(scheme), .. }) = judge.quantities(at)?
+                && known.insert(scheme.instances.clone())
+            {
+                constants.extend(attained::convergence(&scheme));
+            }
+        }
+    }
+    Ok(constants)
 }
 
 fn sound_cell(

@@ -1,5 +1,6 @@
 //! What certificates say of promises: why a printed number keeps its promise, or does not.
 
+use super::attained::is_long;
 use super::evidence::{integer, number};
 use super::finding::CellFinding;
 use super::judge::{At, Judge};
@@ -145,8 +146,11 @@ fn change(scheme: &Resolved, offset: Option<i64>, k: u32, l: u32) -> Option<Rati
         let mask = constants.mask();
         greatest_change(&mask.with_offset(offset.unwrap_or(mask.offset())), k, l).ok()
     };
-    let norm =
-        |constants: &Constants, level| constants.norm(Operator::Scheme, level, Order::Adjoint).ok();
+    // Whoever checks it looks at every class.
+    let norm = |constants: &Constants, level| {
+        let few = !is_long(constants.mask().rules(), level);
+        constants.norm(Operator::Scheme, level, Order::Adjoint).ok().filter(|_| few)
+    };
     match &scheme.constants[..] {
         [curve] => of(curve),
         [first, second] => {

@@ -36,9 +36,11 @@ impl RowDefinitions {
     pub(super) fn find(judge: &Judge<'_>) -> RowDefinitions {
         let Judge { paper, table, given, assumed, .. } = judge;
         let fixed = |name: &String| {
-            table.rows.as_ref().is_some_and(|axis| axis.name == *name)
-                || given.contains_key(name)
-                || assumed.contains_key(name)
+            // The headers of the columns go before what is stated or assumed elsewhere.
+            table.columns.name != *name
+                && (table.rows.as_ref().is_some_and(|axis| axis.name == *name)
+                    || given.contains_key(name)
+                    || assumed.contains_key(name))
         };
         let mut varying = BTreeSet::new();
         let mut definitions = paper.definitions.clone();

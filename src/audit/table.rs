@@ -120,12 +120,7 @@ pub(super) fn readings(
 ) -> Result<Vec<Explanation>, Diagnostic> {
     let mut judge = Judge::new(paper, finding.table, library)?;
     judge.siblings.clone_from(&finding.siblings);
-    Ok(reading::readings(&judge, &judge.cells()?))
-}
-
-/// Every cell as printed.
-pub(super) fn cells(judge: &Judge<'_>) -> Result<Vec<Vec<CellFinding>>, Diagnostic> {
-    judge.cells()
+    Ok(reading::readings(&judge, &finding.cells))
 }
 
 impl Judge<'_> {

@@ -14,7 +14,7 @@ pub(super) fn block(paper: &Paper, finding: &TableFinding<'_>) -> Block {
     let mut block = Block::new("table", &table.id);
     let readings = Readings::of(finding);
     let refuted = refuted(finding);
-    let evidence = match evidence(paper, table, !refuted.is_empty() || !readings.is_empty()) {
+    let evidence = match evidence(paper, finding, !refuted.is_empty() || !readings.is_empty()) {
         Ok(evidence) => evidence,
         Err(error) => {
             block.give_up(error.message);

@@ -36,6 +36,13 @@ pub(super) fn contraction_constants(rules: &Rules) -> Vec<Rational> {
     constants
 }
 
+/// The least c that is found with ‖R^c‖ < 1.
+pub(crate) fn first_contraction(rules: &Rules) -> Option<u32> {
+    let constants = contraction_constants(rules);
+    let c = constants.iter().position(|constant| *constant < Rational::one());
+    c.and_then(|c| u32::try_from(c).ok())
+}
+
 /// Whether the last is less than the one before: where it is not, none below 1 is soon to come.
 fn fall(constants: &[Rational]) -> bool {
     constants.windows(2).next_back().is_some_and(|pair| pair[1] < pair[0])

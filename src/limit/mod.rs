@@ -27,6 +27,7 @@ mod surface_search;
 mod value;
 
 pub use comparison::{Comparison, Witness};
+pub(crate) use convergence::first_contraction;
 pub use depth::TwoSidedDepth;
 pub use distance::{Distance, Distances, MAX_CELLS};
 pub use error::{LimitError, MAX_LEVEL, MAX_OFFSET, MAX_PARAMETER_DIGITS, MAX_WINDOW};

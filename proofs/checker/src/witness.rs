@@ -12,6 +12,7 @@ use crate::scheme::Scheme;
 use crate::value::Value;
 use num_bigint::BigInt;
 use num_traits::{One, Signed, ToPrimitive, Zero};
+use std::cmp::Ordering;
 use std::rc::Rc;
 
 /// The most residue classes of a constant that shows convergence.
@@ -47,8 +48,17 @@ impl<'a> Setting<'a> {
     }
 }
 
-/// Whether T_c < 1 for some n^c ≤ 4096.
+/// Whether T_c < 1 for some n^c ≤ 4096, or for some c by a line `constant`.
 fn converges(scope: &Scope<'_>, scheme: &Scheme) -> Result<bool, Stop> {
+    let large = scope.library.large.borrow();
+    let large =
+        large.iter().filter(|((rules, forward, _), _)| !forward && *rules == scheme.difference);
+    if large
+        .map(|(_, value)| value.compare(&Value::int(1)))
+        .any(|order| order.is_ok_and(Ordering::is_lt))
+    {
+        return Ok(true);
+    }
     let mut c = 1;
     while scheme.arity().saturating_pow(c) <= MAX_CLASSES {
         let sums = classes(scope, scheme, "b", false, &Value::int(c.into()))?;

@@ -303,6 +303,11 @@ fn at_best_scale(
         }
         Ok(count)
     };
+    let given = |s: &Value| -> Result<usize, Stop> {
+        let factor = s.over(&Value::from(base.clone()))?;
+        let scaled = values.iter().map(|v| v.as_ref().map(|v| v.times(&factor)).transpose());
+        Ok(explained(cells, &scaled.collect::<Result<Vec<_>, Stop>>()?, decimals)?.len())
+    };
     let mut best = 0;
     for (low, high) in &ranges {
         // The ranges that meet at some value all hold the greatest of their lower ends.
@@ -316,7 +321,7 @@ fn at_best_scale(
                 if p > MAX_SCALE.into() || s.compare(high)?.is_gt() {
                     break;
                 }
-                best = best.max(if p.is_positive() { covering(&s)? } else { 0 });
+                best = best.max(if p.is_positive() { given(&s)? } else { 0 });
                 p += 1;
             }
         }

@@ -134,7 +134,10 @@ fn refuted<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> 
         // The level is one that the theorem calls deep enough.
         require(by.compare(&Value::int(level.into()))?.is_le(), Reason::Level)?;
     }
-    violated(paper, said, &left, &tolerance.unwrap_or(by))?;
+    let right = tolerance.unwrap_or(by);
+    // A bound that is negative presupposes what does not hold, such as a constant below 1.
+    require(right.sign(None)? >= 0, Reason::Negative)?;
+    violated(paper, said, &left, &right)?;
     block.word("refuted")
 }
 
@@ -145,7 +148,5 @@ pub fn violated(paper: &Paper<'_>, said: &str, left: &Value, right: &Value) -> C
     };
     require(paper.number(one)?.equals(left)?, Reason::Value)?;
     require(paper.number(other)?.equals(right)?, Reason::Value)?;
-    // A bound that is negative presupposes what does not hold, such as a constant below 1.
-    require(right.sign(None)? >= 0, Reason::Negative)?;
     require(left.compare(right)?.is_gt(), Reason::NotViolated)
 }
