@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 const MAX_WINDOW: i64 = 200;
 
 /// The greatest index.
-const MAX_INDEX: i64 = 1 << 40;
+const MAX_INDEX: i64 = 1 << 61;
 
 /// The highest level.
 pub const MAX_LEVEL: u32 = 1_000;
