@@ -6,6 +6,7 @@ mod constant;
 mod equation;
 mod family;
 mod function;
+mod levels;
 mod pieces;
 mod promise;
 mod range;
