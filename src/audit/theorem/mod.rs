@@ -206,8 +206,7 @@ fn one<'a>(
 
 /// Whether a theorem is about the single case that it is tried on.
 fn closed(theorem: &Theorem) -> bool {
-    let tried = &theorem.tried;
-    theorem.scheme.is_some() && tried.schemes.is_empty() && tried.values.is_empty()
+    theorem.scheme.is_some() && theorem.tried.values.is_empty()
 }
 
 /// How much there is to check: the level, the number of points, the length of numbers.

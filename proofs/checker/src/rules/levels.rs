@@ -14,7 +14,7 @@ use crate::toml::Toml;
 use crate::value::Value;
 use crate::witness::Setting;
 use num_integer::Integer;
-use num_traits::{ToPrimitive, Zero};
+use num_traits::{One, ToPrimitive, Zero};
 use std::cell::RefCell;
 
 /// The last level that is looked at, and the longest period.
@@ -32,6 +32,7 @@ pub fn check<'a>(
     block: &mut Block<'_>,
     Instance { mut scope, schemes, offset, setting }: Instance<'a>,
 ) -> Checked<()> {
+    block.look();
     // One of several schemes or values proves nothing of the others.
     let one = ["schemes", "values"].iter().all(|key| claim.get(key).is_none());
     require(one && claim.get("scheme").is_some(), Reason::Single)?;
@@ -42,7 +43,6 @@ pub fn check<'a>(
     for name in ["k", "beta"] {
         scope.values.insert(name.to_owned(), Value::symbol(name));
     }
-    block.look();
     let (period, ratio, spreads) = growth(&scope, &by, 0)?;
     require(spreads == 1, Reason::Growth)?;
     let said = block.after("grows")?.split_once(' ').unwrap_or_default();
@@ -165,9 +165,6 @@ fn slope(scope: &Scope<'_>, expr: &Expr, depth: usize) -> Checked<(u32, Q)> {
         require(line.len() <= 2, Reason::Growth)?;
         return Ok((1, line.into_iter().nth(1).unwrap_or_default()));
     }
-    let number = |expr| -> Checked<Q> {
-        Ok(steady(scope, expr)?.and_then(|value| value.rational()).ok_or(Reason::Growth)?)
-    };
     match expr {
         Expr::Name(name) => slope(scope, definition(scope, name)?, depth + 1),
         Expr::Of(Head::Call(floor, _), parts) if floor == "floor" && parts.len() == 1 => {
@@ -175,22 +172,24 @@ fn slope(scope: &Scope<'_>, expr: &Expr, depth: usize) -> Checked<(u32, Q)> {
             let times = within(step.denom().to_u32().unwrap_or(0))?;
             Ok((within(period * times)?, step * Q::from_integer(times.into())))
         }
-        // A number may stand behind, or as a factor in front.
+        // One part varies, and the others are numbers.
         Expr::Of(Head::Chain(operators), parts) => {
-            let front = operators[..] == ['*'] && number(&parts[0]).is_ok();
-            let (varying, rest) =
-                if front { (&parts[1], &parts[..1]) } else { (&parts[0], &parts[1..]) };
-            let (period, mut step) = slope(scope, varying, depth + 1)?;
-            for (operator, part) in operators.iter().zip(rest) {
-                let number = number(part)?;
-                match operator {
-                    '*' => step *= number,
-                    '/' if !number.is_zero() => step /= number,
-                    '/' => return Err(Reason::Growth.into()),
-                    _ => {}
+            let first = if ['+', '-'].contains(&operators[0]) { '+' } else { '*' };
+            let (mut varying, mut factor) = (None, Q::one());
+            for (operator, part) in [first].iter().chain(operators).zip(parts) {
+                match (operator, steady(scope, part)?.map(|value| value.rational())) {
+                    ('*', Some(Some(number))) => factor *= number,
+                    ('/', Some(Some(number))) if !number.is_zero() => factor /= number,
+                    ('+' | '-', Some(Some(_))) => {}
+                    ('+' | '-' | '*', None) if varying.is_none() => {
+                        varying = Some(slope(scope, part, depth + 1)?);
+                        factor = if *operator == '-' { -factor } else { factor };
+                    }
+                    _ => return Err(Reason::Growth.into()),
                 }
             }
-            Ok((period, step))
+            let (period, step) = varying.ok_or(Reason::Growth)?;
+            Ok((period, step * factor))
         }
         _ => Err(Reason::Growth.into()),
     }
