@@ -19,10 +19,6 @@ fn harmless(original: &Block, altered: &Block) -> Option<&'static str> {
     if words(original) == words(altered) {
         return Some("names in another order, or twice, where their order says nothing");
     }
-    let unsigned = |block: &Block| -> Vec<Vec<String>> {
-        let word = |word: &str| if word == "-0" { "0".to_owned() } else { word.to_owned() };
-        block.lines.iter().map(|line| line.split_whitespace().map(word).collect()).collect()
-    };
     if unsigned(original) == unsigned(altered) {
         return Some("minus zero");
     }
@@ -57,18 +53,7 @@ fn harmless(original: &Block, altered: &Block) -> Option<&'static str> {
     {
         return Some("a parameter that is read as it is assumed anyway");
     }
-    let is_kept: fn(&str) -> bool = |line| line.starts_with("kept ") || line.starts_with("level ");
-    let places = |block: &Block| {
-        let kept = block.lines.iter().filter(|line| is_kept(line.trim()));
-        let place = |line: &String| {
-            let named = if line.trim().starts_with("kept ") { 3 } else { 2 };
-            line.split_whitespace().take(named).map(str::to_owned).collect()
-        };
-        kept.map(place).collect::<Vec<Vec<String>>>()
-    };
-    if without(original, is_kept) == without(altered, is_kept)
-        && places(original) == places(altered)
-    {
+    if without(original, is_kept) == without(altered, is_kept) && kept(original) == kept(altered) {
         return Some("other constants, or another level, which show the same");
     }
     let unnamed = |block: &Block| -> Vec<String> {
@@ -152,6 +137,27 @@ fn unordered(line: &str) -> String {
         Some((names, counts)) => format!("member {}:{counts}", sorted(names)),
         None => line.to_owned(),
     }
+}
+
+/// The words of all lines, without the sign of a zero.
+fn unsigned(block: &Block) -> Vec<Vec<&str>> {
+    let word = |word| if word == "-0" { "0" } else { word };
+    block.lines.iter().map(|line| line.split_whitespace().map(word).collect()).collect()
+}
+
+/// Whether a line shows by some constants, and a later level, that a bound is kept.
+fn is_kept(line: &str) -> bool {
+    line.starts_with("kept ") || line.starts_with("level ")
+}
+
+/// The cells and levels of these lines.
+fn kept(block: &Block) -> Vec<String> {
+    let lines = block.lines.iter().filter(|line| is_kept(line.trim()));
+    let place = |line: &String| {
+        let named = if line.trim().starts_with("kept ") { 3 } else { 2 };
+        line.split_whitespace().take(named).collect::<Vec<&str>>().join(" ")
+    };
+    lines.map(place).collect()
 }
 
 /// The sound bounds: of which cell, and the value.

@@ -1,29 +1,17 @@
 //! Rule `levels`: a bound for one scheme, proved at all levels by finitely many (THEOREMS.md, 40).
 
+use super::growth::{MAX_PERIOD, growth};
 use super::promise::{change, errors, flows, kept};
 use super::sound::Promised;
 use super::theorem::Instance;
 use crate::certificate::Block;
-use crate::decimal::Q;
-use crate::evaluate::Scope;
-use crate::formula::{Expr, Head};
 use crate::paper::{Paper, formula_of};
 use crate::reject::{Checked, Reason, Stop, require};
 use crate::ring::less;
 use crate::toml::Toml;
 use crate::value::Value;
 use crate::witness::Setting;
-use num_integer::Integer;
-use num_traits::{One, ToPrimitive, Zero};
 use std::cell::RefCell;
-
-/// The last level that is looked at, and the longest period.
-const MAX_LEVEL: u32 = 64;
-
-/// How deep definitions and parts of a formula may be nested.
-const MAX_DEPTH: usize = 128;
-
-const NESTING: Stop = Stop::Capped("the nesting of formulas");
 
 /// Checks `grows …`, `times …` and the levels.
 pub fn check<'a>(
@@ -49,8 +37,8 @@ pub fn check<'a>(
     require(said.0 == period.to_string() && paper.number(said.1)?.equals(&ratio)?, Reason::Growth)?;
     let times: u32 = block.after("times")?.parse().unwrap_or(0);
     let from: u32 = claim.text("from").and_then(|from| from.parse().ok()).unwrap_or(0);
-    let levels = period.checked_mul(times).filter(|levels| (1..=MAX_LEVEL).contains(levels));
-    let levels = levels.filter(|_| from <= MAX_LEVEL).ok_or(Reason::Level)?;
+    let levels = period.checked_mul(times).filter(|levels| (1..=MAX_PERIOD).contains(levels));
+    let levels = levels.filter(|_| from <= MAX_PERIOD).ok_or(Reason::Level)?;
     let power = ratio.power(times.into())?;
     scope.values.insert("beta".to_owned(), Value::int(1));
     let known = RefCell::default();
@@ -116,104 +104,4 @@ pub fn check<'a>(
         }
     }
     block.word("proved")
-}
-
-/// (p, q, d) with by(k + p) = q·by(k) for all k, for a multiple of beta^d.
-type Growth = (u32, Value, i64);
-
-fn growth(scope: &Scope<'_>, expr: &Expr, depth: usize) -> Checked<Growth> {
-    require(depth < MAX_DEPTH, Reason::Stopped(NESTING))?;
-    if steady(scope, expr)?.is_some() {
-        return Ok((1, Value::int(1), 0));
-    }
-    match expr {
-        Expr::Name(name) if name == "beta" => Ok((1, Value::int(1), 1)),
-        Expr::Name(name) => growth(scope, definition(scope, name)?, depth + 1),
-        Expr::Of(Head::Minus, parts) => growth(scope, &parts[0], depth + 1),
-        Expr::Of(Head::Power, parts) => {
-            let base = steady(scope, &parts[0])?.ok_or(Reason::Growth)?;
-            let (period, step) = slope(scope, &parts[1], depth + 1)?;
-            let step = Some(step).filter(Q::is_integer).and_then(|step| step.to_i64());
-            Ok((period, base.power(step.ok_or(Reason::Growth)?)?, 0))
-        }
-        Expr::Of(Head::Chain(operators), parts) => {
-            let mut whole = growth(scope, &parts[0], depth + 1)?;
-            for (operator, part) in operators.iter().zip(&parts[1..]) {
-                let next = growth(scope, part, depth + 1)?;
-                let period = within(whole.0.lcm(&next.0))?;
-                let own = whole.1.power((period / whole.0).into())?;
-                let other = next.1.power((period / next.0).into())?;
-                whole = match operator {
-                    '*' => (period, own.times(&other)?, whole.2 + next.2),
-                    '/' => (period, own.over(&other)?, whole.2 - next.2),
-                    _ => {
-                        require(own.equals(&other)? && whole.2 == next.2, Reason::Growth)?;
-                        (period, own, whole.2)
-                    }
-                };
-            }
-            Ok(whole)
-        }
-        _ => Err(Reason::Growth.into()),
-    }
-}
-
-/// (p, s) with e(k + p) = e(k) + s for all k.
-fn slope(scope: &Scope<'_>, expr: &Expr, depth: usize) -> Checked<(u32, Q)> {
-    require(depth < MAX_DEPTH, Reason::Stopped(NESTING))?;
-    if let Some(line) = symbolic(scope, expr)?.and_then(|value| value.univariate("k")) {
-        require(line.len() <= 2, Reason::Growth)?;
-        return Ok((1, line.into_iter().nth(1).unwrap_or_default()));
-    }
-    match expr {
-        Expr::Name(name) => slope(scope, definition(scope, name)?, depth + 1),
-        Expr::Of(Head::Call(floor, _), parts) if floor == "floor" && parts.len() == 1 => {
-            let (period, step) = slope(scope, &parts[0], depth + 1)?;
-            let times = within(step.denom().to_u32().unwrap_or(0))?;
-            Ok((within(period * times)?, step * Q::from_integer(times.into())))
-        }
-        // One part varies, and the others are numbers.
-        Expr::Of(Head::Chain(operators), parts) => {
-            let first = if ['+', '-'].contains(&operators[0]) { '+' } else { '*' };
-            let (mut varying, mut factor) = (None, Q::one());
-            for (operator, part) in [first].iter().chain(operators).zip(parts) {
-                match (operator, steady(scope, part)?.map(|value| value.rational())) {
-                    ('*', Some(Some(number))) => factor *= number,
-                    ('/', Some(Some(number))) if !number.is_zero() => factor /= number,
-                    ('+' | '-', Some(Some(_))) => {}
-                    ('+' | '-' | '*', None) if varying.is_none() => {
-                        varying = Some(slope(scope, part, depth + 1)?);
-                        factor = if *operator == '-' { -factor } else { factor };
-                    }
-                    _ => return Err(Reason::Growth.into()),
-                }
-            }
-            let (period, step) = varying.ok_or(Reason::Growth)?;
-            Ok((period, step * factor))
-        }
-        _ => Err(Reason::Growth.into()),
-    }
-}
-
-/// The value of a formula that depends on neither `k` nor `beta`.
-fn steady(scope: &Scope<'_>, expr: &Expr) -> Result<Option<Value>, Stop> {
-    Ok(symbolic(scope, expr)?.filter(|value| value.number().is_ok()))
-}
-
-/// The value where `k` and `beta` are symbols; none if a formula asks what these are.
-fn symbolic(scope: &Scope<'_>, expr: &Expr) -> Result<Option<Value>, Stop> {
-    match scope.value(expr) {
-        Err(stop @ Stop::Capped(_)) => Err(stop),
-        value => Ok(value.ok()),
-    }
-}
-
-fn definition<'s>(scope: &'s Scope<'_>, name: &str) -> Checked<&'s Expr> {
-    let definition = scope.definitions.get(name).filter(|_| !scope.values.contains_key(name));
-    Ok(definition.ok_or(Reason::Growth)?)
-}
-
-fn within(period: u32) -> Checked<u32> {
-    require((1..=MAX_LEVEL).contains(&period), Reason::Growth)?;
-    Ok(period)
 }

@@ -6,6 +6,7 @@ mod constant;
 mod equation;
 mod family;
 mod function;
+mod growth;
 mod levels;
 mod pieces;
 mod promise;
