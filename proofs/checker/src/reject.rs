@@ -100,7 +100,7 @@ reasons! {
     Taken "two witnesses have this name"
     NoWitness "no witness has this name"
     Promises "each printed cell has a line about its promise, row by row"
-    Flow "the flow does not carry the error of the point"
+    Flow "the flow carries something else"
     Weights "these are not the weights of the limit"
     Level "the theorem is not stated for this level, or it is beyond the cap"
     Single "the claim does not speak of one scheme alone"
