@@ -48,7 +48,9 @@ pub(super) fn later(Later { later, levels, block }: &Later) -> String {
 
 /// The lines of flows along the edges of a ring.
 pub(super) fn flows(block: &mut Block, flows: &[Vec<RealCyclotomic>]) {
-    flows.iter().for_each(|flow| block.line(format!("flow {}", list(flow))));
+    for flow in flows {
+        block.line(format!("flow {}", list(flow)));
+    }
 }
 
 fn witness(block: &mut Block, data: &ControlData, weights: &[RealCyclotomic]) {

@@ -325,7 +325,7 @@ pub fn least_flows<S: Real + Ord + Value>(
     check_level(ring, functionals.len(), level)?;
     let functionals = functionals.into_iter().map(|f| ((), f)).collect();
     let after = pulled_back(ring, functionals).nth(level as usize);
-    let flow = |(_, f): &Labelled<S, ()>| {
+    let flow = |((), f): &Labelled<S, ()>| {
         transport(f, ring.edges()).expect("coefficients that sum to 0").flow
     };
     Ok(after.expect("there is no last level").iter().map(flow).collect())
