@@ -310,13 +310,27 @@ fn witness<S: Real + Ord>(
 }
 
 /// For each functional f of which the coefficients sum to 0, a flow along the [edges](Ring::edges)
-/// that carries fᵀM^k at the least cost.
+/// that carries fᵀM^k at the least cost, ‖fᵀM^k‖_*.
 ///
 /// # Errors
 /// As of [`RingDistances::constant`].
 ///
 /// # Panics
 /// When a functional is another one.
+///
+/// ```
+/// use subcert::exact::{Rational, RealCyclotomic};
+/// use subcert::limit::least_flows;
+/// use subcert::scheme::parse_ring;
+///
+/// // Two levels later the difference along an edge of a square is at most 5/32 + 3/32 of
+/// // those along this one and the opposite one.
+/// let square = parse_ring("doo-sabin:n=4")?;
+/// let difference = [1, -1, 0, 0].map(RealCyclotomic::from).to_vec();
+/// let flow = [5, 0, -3, 0].map(|p| Rational::new(p, 32).into());
+/// assert_eq!(least_flows(&square, vec![difference], 2)?, [flow]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn least_flows<S: Real + Ord + Value>(
     ring: &Ring<S>,
     functionals: Vec<Vec<S>>,
@@ -333,8 +347,7 @@ pub fn least_flows<S: Real + Ord + Value>(
 
 impl<S: Real + Ord + Value> RingLimit<S> {
     /// e_a − w for every point a.
-    #[must_use]
-    pub fn errors(&self) -> Vec<Vec<S>> {
+    pub(crate) fn errors(&self) -> Vec<Vec<S>> {
         (0..self.weights().len()).map(|a| self.error(a)).collect()
     }
 
