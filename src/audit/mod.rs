@@ -40,7 +40,7 @@ pub use finding::{AsRead, Assumed, CellFinding, Direction, Missing, Slip, Sound,
 pub use function::{Example, FunctionFinding, FunctionVerdict};
 pub use kept::{Broken, ControlData, Kept};
 pub use promise::PromiseCounts;
-pub use promised::{PromiseEvidence, promise_evidence};
+pub use promised::{Later, PromiseEvidence, promise_evidence};
 pub use quantity::QUANTITIES;
 pub use range::{EndFinding, EndRelation, RangeFinding, RangeVerdict};
 pub use reading::{
@@ -50,8 +50,8 @@ pub use reading::{
 pub use summary::{CellGroup, CellOutcome, CellSummary, Standing};
 pub use table::TableFinding;
 pub use theorem::{
-    Attained, CaseFinding, Control, Correction, FailingPremise, Outcome, Place, Refutation, Repair,
-    Supremum, TheoremFinding, TheoremVerdict, Violation,
+    Attained, CaseFinding, Control, Correction, FailingPremise, LevelEvidence, Levels, Outcome,
+    Place, Refutation, Repair, Supremum, TheoremFinding, TheoremVerdict, Violation,
 };
 
 use crate::claim::Paper;

@@ -5,10 +5,10 @@ use super::evidence::{integer, number};
 use super::finding::CellFinding;
 use super::judge::{At, Judge};
 use super::kept::{Broken, Kept};
-use super::library::{Library, Resolved};
+use super::library::Library;
 use super::reading::Settings;
 use super::table::TableFinding;
-use crate::bound::{Constants, Operator, Order};
+use crate::bound::{Constants, Operator, Order, SoundBound};
 use crate::claim::{Paper, Promise};
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Rational, RealCyclotomic};
@@ -23,14 +23,7 @@ const MAX_LATER: u32 = 8;
 pub enum PromiseEvidence<'f> {
     /// It does: the sound bound at a level, and how far that level is from the one that
     /// is promised, are together small enough.
-    Kept {
-        /// The level of the sound bound.
-        later: u32,
-        /// The greatest m whose constant T_m is computed.
-        levels: usize,
-        /// The block length c.
-        block: u32,
-    },
+    Kept(Later),
     /// It does on a ring: the weights of its limit, and for every point a flow along the edges
     /// that carries its error and costs little enough.
     KeptByFlows(Vec<RealCyclotomic>, Vec<Vec<RealCyclotomic>>),
@@ -38,6 +31,17 @@ pub enum PromiseEvidence<'f> {
     Broken(&'f Broken, Vec<RealCyclotomic>),
     /// Neither is shown.
     Undecided,
+}
+
+/// A sound bound of a later level.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Later {
+    /// Its level.
+    pub later: u32,
+    /// The greatest m whose constant T_m is computed.
+    pub levels: usize,
+    /// The block length c.
+    pub block: u32,
 }
 
 /// The evidence for the promises of a table: `None` for cells of which there is none.
@@ -105,18 +109,27 @@ fn kept<'f>(
     let Some(spread) = number(judge, spread, at)? else { return Ok(None) };
     let Some((level, most)) = terms(judge, promise, at)? else { return Ok(None) };
     let Ok(bound) = judge.library.sound_bound(&scheme, offset) else { return Ok(None) };
-    for later in level..=level.saturating_add(MAX_LATER) {
-        let (Some((value, block)), Some(change)) =
-            (bound.level(later), change(&scheme, offset, level, later))
-        else {
-            break;
-        };
-        if (value + change) * &spread <= most {
-            let levels = bound.constants().len() - 1;
-            return Ok(Some(PromiseEvidence::Kept { later, levels, block }));
-        }
-    }
-    Ok(None)
+    let axes: Vec<&Constants> = scheme.constants.iter().map(|axis| &**axis).collect();
+    let most = most / &spread;
+    let later = later(&bound, level, &most, MAX_LATER, |later| change(&axes, offset, level, later));
+    Ok(later.map(PromiseEvidence::Kept))
+}
+
+/// The first level, from this one on, whose sound bound and how far it is from this one are together at
+/// most `most`.
+pub(super) fn later(
+    bound: &SoundBound,
+    level: u32,
+    most: &Rational,
+    longest: u32,
+    change: impl Fn(u32) -> Option<Rational>,
+) -> Option<Later> {
+    let levels = bound.constants().len() - 1;
+    let mut sums = (level..=level.saturating_add(longest)).map_while(|later| {
+        let (value, block) = bound.level(later)?;
+        Some((value + change(later)?, Later { later, levels, block }))
+    });
+    sums.find(|(sum, _)| sum <= most).map(|(_, later)| later)
 }
 
 /// The level that a cell speaks of, and what the distance there is promised to be at most.
@@ -138,7 +151,7 @@ fn terms(
 /// A bound of ‖P^l − P^k‖ for the spread 1; of a net, of both spreads 1.
 ///
 /// Source: `proofs/THEOREMS.md`, 32, with level l in place of the limit.
-fn change(scheme: &Resolved, offset: Option<i64>, k: u32, l: u32) -> Option<Rational> {
+pub(super) fn change(axes: &[&Constants], offset: Option<i64>, k: u32, l: u32) -> Option<Rational> {
     if k == l {
         return Some(Rational::zero());
     }
@@ -151,7 +164,7 @@ fn change(scheme: &Resolved, offset: Option<i64>, k: u32, l: u32) -> Option<Rati
         let few = !is_long(constants.mask().rules(), level);
         constants.norm(Operator::Scheme, level, Order::Adjoint).ok().filter(|_| few)
     };
-    match &scheme.constants[..] {
+    match axes {
         [curve] => of(curve),
         [first, second] => {
             let (c, d) = (of(first)?, of(second)?);

@@ -2,7 +2,7 @@
 
 use super::block::{Block, closed};
 use super::witness::{list, net, polygon, ring};
-use crate::audit::{Broken, ControlData, PromiseEvidence};
+use crate::audit::{Broken, ControlData, Later, PromiseEvidence};
 use crate::exact::RealCyclotomic;
 
 /// The lines about the promises of a table, row by row.
@@ -23,15 +23,13 @@ pub(super) fn lines(block: &mut Block, evidence: &[Vec<Option<PromiseEvidence<'_
             match evidence {
                 None => {}
                 Some(PromiseEvidence::Undecided) => block.line(format!("undecided {place}")),
-                Some(PromiseEvidence::Kept { later, levels, block: length }) => {
-                    block.line(format!("kept {place} {later} {levels} {length}"));
+                Some(PromiseEvidence::Kept(kept)) => {
+                    block.line(format!("kept {place} {}", later(kept)));
                 }
                 Some(PromiseEvidence::KeptByFlows(weights, flows)) => {
                     block.line(format!("kept {place}"));
-                    block.line(format!("weights {}", values(weights)));
-                    for flow in flows {
-                        block.line(format!("flow {}", values(flow)));
-                    }
+                    block.line(format!("weights {}", list(weights)));
+                    self::flows(block, flows);
                 }
                 Some(PromiseEvidence::Broken(Broken { data, distance, most, .. }, _)) => {
                     let name =
@@ -43,8 +41,16 @@ pub(super) fn lines(block: &mut Block, evidence: &[Vec<Option<PromiseEvidence<'_
     }
 }
 
-fn values(values: &[RealCyclotomic]) -> String {
-    values.iter().map(closed).collect::<Vec<String>>().join(" ")
+/// `L M c`.
+pub(super) fn later(Later { later, levels, block }: &Later) -> String {
+    format!("{later} {levels} {block}")
+}
+
+/// The lines of flows along the edges of a ring.
+pub(super) fn flows(block: &mut Block, flows: &[Vec<RealCyclotomic>]) {
+    for flow in flows {
+        block.line(format!("flow {}", list(flow)));
+    }
 }
 
 fn witness(block: &mut Block, data: &ControlData, weights: &[RealCyclotomic]) {

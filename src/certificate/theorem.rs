@@ -1,8 +1,11 @@
 //! Theorems: control data that refute them, or the statement that proves them.
 
 use super::block::{Block, closed};
-use super::witness::{net, polygon, ring};
-use crate::audit::{Control, Place, Refutation, TheoremFinding, TheoremVerdict};
+use super::promise::{flows, later};
+use super::witness::{list, net, polygon, ring};
+use crate::audit::{
+    Control, LevelEvidence, Levels, Place, Refutation, TheoremFinding, TheoremVerdict,
+};
 use crate::claim::{Statement, Theorem};
 
 pub(super) fn block(finding: &TheoremFinding<'_>) -> Block {
@@ -20,9 +23,48 @@ pub(super) fn block(finding: &TheoremFinding<'_>) -> Block {
             block.line(finding.verdict.name());
         }
         _ if finding.verdict == TheoremVerdict::Open => block.line("open"),
-        _ => block.give_up("the format has no words for a proof by finitely many levels"),
+        _ => {
+            restate(&mut block, theorem);
+            match &finding.levels {
+                Some(levels) => proved(&mut block, theorem, levels),
+                None => block.give_up("the levels that prove it are not known"),
+            }
+        }
     }
     block
+}
+
+fn proved(block: &mut Block, theorem: &Theorem, levels: &Levels) {
+    let Levels { period, ratio, times, evidence } = levels;
+    let scheme = theorem.scheme.as_ref().map(|scheme| scheme.reference.to_string());
+    block.restate("scheme", &scheme.unwrap_or_default());
+    block.line(format!("grows {period} {}", closed(ratio)));
+    block.line(format!("times {times}"));
+    let evidence = match evidence {
+        Ok(evidence) => evidence,
+        Err(why) => return block.give_up(why),
+    };
+    if let LevelEvidence::Flows { weights, contraction, .. } = evidence {
+        if !weights.is_empty() {
+            block.line(format!("weights {}", list(weights)));
+        }
+        flows(block, contraction);
+    }
+    let from = match &theorem.statement {
+        Statement::Bound { from, .. } => *from,
+        _ => 0,
+    };
+    for (i, level) in (from..).take((period * times) as usize).enumerate() {
+        match evidence {
+            LevelEvidence::Suprema => block.line(format!("level {level}")),
+            LevelEvidence::Later(sums) => block.line(format!("level {level} {}", later(&sums[i]))),
+            LevelEvidence::Flows { levels, .. } => {
+                block.line(format!("level {level}"));
+                flows(block, &levels[i]);
+            }
+        }
+    }
+    block.line("proved");
 }
 
 fn restate(block: &mut Block, theorem: &Theorem) {

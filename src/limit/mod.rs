@@ -35,7 +35,7 @@ pub use far::FarPolygon;
 pub use functional::{ExtremalPolygon, Functional};
 pub use polygon::ControlPolygon;
 pub use ring::{RingLimit, RingLimitError};
-pub use ring_distance::{RingDepth, RingDistances, RingWitness};
+pub use ring_distance::{RingDepth, RingDistances, RingWitness, least_flows};
 pub use step::{Attained, greatest_change, greatest_difference, greatest_step};
 pub use surface::{MAX_NET_POINTS, Spreads, SurfaceDistances, SurfaceError, SurfaceWitness};
 pub use value::Limit;

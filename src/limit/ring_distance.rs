@@ -75,7 +75,7 @@ impl<S: Real + Ord + Value> RingDistances<S> {
     #[must_use]
     pub fn new(limit: RingLimit<S>) -> RingDistances<S> {
         let points = limit.ring().representatives().points;
-        let errors = points.into_iter().map(|a| (a, error(&limit, a))).collect();
+        let errors = points.into_iter().map(|a| (a, limit.error(a))).collect();
         RingDistances { limit, errors }
     }
 
@@ -100,19 +100,8 @@ impl<S: Real + Ord + Value> RingDistances<S> {
     ///
     /// # Errors
     /// As of [`RingDistances::constant`].
-    ///
-    /// # Panics
-    /// Never: the mesh of a ring is connected.
     pub fn flows(&self, level: u32) -> Result<Vec<Vec<S>>, RingLimitError> {
-        let ring = self.limit.ring();
-        let points = ring.point_count();
-        check_level(ring, points, level)?;
-        let errors = (0..points).map(|a| (a, error(&self.limit, a))).collect();
-        let errors = pulled_back(ring, errors).nth(level as usize).expect("there is no last level");
-        let flow = |(_, f): &Labelled<S, usize>| {
-            transport(f, ring.edges()).expect("the mesh of a ring is connected").flow
-        };
-        Ok(errors.iter().map(flow).collect())
+        least_flows(self.limit.ring(), self.limit.errors(), level)
     }
 
     /// ‖e_aᵀM^k − wᵀ‖_*, of the point a alone.
@@ -123,7 +112,7 @@ impl<S: Real + Ord + Value> RingDistances<S> {
     /// # Panics
     /// When there is no such point.
     pub fn at_point(&self, point: usize, level: u32) -> Result<RingWitness<S>, RingLimitError> {
-        self.at_level(vec![(point, error(&self.limit, point))], level)
+        self.at_level(vec![(point, self.limit.error(point))], level)
     }
 
     /// max_a ‖e_aᵀM^{k+1} − e_aᵀM^k‖_*: the least number with |x^{k+1}_a − x^k_a| at most
@@ -320,9 +309,51 @@ fn witness<S: Real + Ord>(
     RingWitness { ring: found.heights, level, point, distance: found.value }
 }
 
-/// e_a − w.
-fn error<S: Real + Ord + Value>(limit: &RingLimit<S>, point: usize) -> Vec<S> {
-    minus(&unit(limit.weights().len(), point), limit.weights())
+/// For each functional f of which the coefficients sum to 0, a flow along the [edges](Ring::edges)
+/// that carries fᵀM^k at the least cost, ‖fᵀM^k‖_*.
+///
+/// # Errors
+/// As of [`RingDistances::constant`].
+///
+/// # Panics
+/// When a functional is another one.
+///
+/// ```
+/// use subcert::exact::{Rational, RealCyclotomic};
+/// use subcert::limit::least_flows;
+/// use subcert::scheme::parse_ring;
+///
+/// // Two levels later the difference along an edge of a square is at most 5/32 + 3/32 of
+/// // those along this one and the opposite one.
+/// let square = parse_ring("doo-sabin:n=4")?;
+/// let difference = [1, -1, 0, 0].map(RealCyclotomic::from).to_vec();
+/// let flow = [5, 0, -3, 0].map(|p| Rational::new(p, 32).into());
+/// assert_eq!(least_flows(&square, vec![difference], 2)?, [flow]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn least_flows<S: Real + Ord + Value>(
+    ring: &Ring<S>,
+    functionals: Vec<Vec<S>>,
+    level: u32,
+) -> Result<Vec<Vec<S>>, RingLimitError> {
+    check_level(ring, functionals.len(), level)?;
+    let functionals = functionals.into_iter().map(|f| ((), f)).collect();
+    let after = pulled_back(ring, functionals).nth(level as usize);
+    let flow = |((), f): &Labelled<S, ()>| {
+        transport(f, ring.edges()).expect("coefficients that sum to 0").flow
+    };
+    Ok(after.expect("there is no last level").iter().map(flow).collect())
+}
+
+impl<S: Real + Ord + Value> RingLimit<S> {
+    /// e_a − w for every point a.
+    pub(crate) fn errors(&self) -> Vec<Vec<S>> {
+        (0..self.weights().len()).map(|a| self.error(a)).collect()
+    }
+
+    fn error(&self, point: usize) -> Vec<S> {
+        minus(&unit(self.weights().len(), point), self.weights())
+    }
 }
 
 fn unit<S: Real>(count: usize, at: usize) -> Vec<S> {

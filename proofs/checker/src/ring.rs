@@ -70,6 +70,30 @@ impl<'a> Ring<'a> {
         (0..f.len()).map(column).collect()
     }
 
+    /// fM^k for each functional f.
+    pub fn functionals_before(
+        &self,
+        functionals: Vec<Vec<Value>>,
+        k: u32,
+    ) -> Result<Vec<Vec<Value>>, Stop> {
+        (0..k).try_fold(functionals, |functionals, _| {
+            functionals.iter().map(|f| self.before(f)).collect()
+        })
+    }
+
+    /// e_a for every point a.
+    pub fn units(&self) -> Vec<Vec<Value>> {
+        let points = 0..self.names.len();
+        let unit = |a| points.clone().map(|b| Value::int(i64::from(a == b))).collect();
+        points.clone().map(unit).collect()
+    }
+
+    /// e_a − e_b for every edge (a, b).
+    pub fn differences(&self) -> Result<Vec<Vec<Value>>, Stop> {
+        let units = self.units();
+        self.edges.iter().map(|&[a, b]| less(&units[a], &units[b])).collect()
+    }
+
     /// The sum of products.
     fn combined<'v>(
         &self,
@@ -152,15 +176,9 @@ impl<'a> Ring<'a> {
             }
             Ok(sum.compare(&Value::int(1))?.is_lt())
         };
-        let unit = |a: usize, at: usize| i64::from(a == at);
-        let difference = |&[a, b]: &[usize; 2]| -> Vec<Value> {
-            (0..self.names.len()).map(|at| Value::int(unit(a, at) - unit(b, at))).collect()
-        };
-        let mut differences: Vec<Vec<Value>> = self.edges.iter().map(difference).collect();
+        let mut differences = self.differences()?;
         for _ in 0..MAX_BLOCK {
-            for f in &mut differences {
-                *f = self.before(f)?;
-            }
+            differences = self.functionals_before(differences, 1)?;
             if !differences.iter().map(bound).collect::<Result<Vec<bool>, Stop>>()?.contains(&false)
             {
                 return Ok(true);
@@ -168,6 +186,11 @@ impl<'a> Ring<'a> {
         }
         Ok(false)
     }
+}
+
+/// f − g.
+pub fn less(f: &[Value], g: &[Value]) -> Result<Vec<Value>, Stop> {
+    f.iter().zip(g).map(|(x, y)| x.minus(y)).collect()
 }
 
 /// The kinds of points with their numbers.

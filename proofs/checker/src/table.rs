@@ -39,7 +39,7 @@ pub struct Table<'a> {
 }
 
 /// Values by schemes and a number of levels.
-type Bounds = BTreeMap<(Vec<usize>, i64), Vec<Value>>;
+pub type Bounds = BTreeMap<(Vec<usize>, i64), Vec<Value>>;
 
 /// The row and the column of a cell, counted from 0.
 pub type Place = (usize, usize);

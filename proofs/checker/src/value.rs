@@ -228,7 +228,7 @@ impl Value {
     }
 
     /// The rational coefficients on the powers of a symbol, if it has no other.
-    fn univariate(&self, symbol: &str) -> Option<Vec<Q>> {
+    pub fn univariate(&self, symbol: &str) -> Option<Vec<Q>> {
         let mut polynomial = Vec::new();
         for (monomial, coefficient) in self.all() {
             let power = match monomial {

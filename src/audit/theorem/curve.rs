@@ -1,5 +1,6 @@
 //! Curves as a setting.
 
+use super::levels::{LevelEvidence, sums};
 use super::setting::Setting;
 use super::witness::{Attained, Control, Place, Supremum};
 use crate::bound::{Constants, MAX_CLASSES, Operator, Order, SoundBound, best_offset};
@@ -88,9 +89,9 @@ impl Curve {
         })
     }
 
-    fn sound_bounds(&self) -> Option<Vec<Rational>> {
+    fn sound_bound(&self) -> Option<SoundBound> {
         let block = (1..=MAX_BLOCK).take_while(|&c| self.factor(c).is_ok()).last()?;
-        SoundBound::curve(&self.constants, block).ok()?.levels(MAX_SOUND_LEVEL)
+        SoundBound::curve(&self.constants, block).ok()
     }
 
     /// The supremum of a distance.
@@ -170,8 +171,20 @@ impl Setting for Curve {
         norm.map(RealCyclotomic::from).map_err(|error| error.to_string())
     }
 
+    fn evidence(
+        &self,
+        quantity: Quantity,
+        bounds: &[(u32, RealCyclotomic)],
+    ) -> Result<LevelEvidence, String> {
+        match quantity {
+            Quantity::Distance => sums(&[&self.constants], self.sound_bound().as_ref(), bounds),
+            _ => Ok(LevelEvidence::Suprema),
+        }
+    }
+
     fn sound(&self, level: u32) -> Option<RealCyclotomic> {
-        let bounds = self.sound.get_or_init(|| self.sound_bounds().unwrap_or_default());
+        let levels = || self.sound_bound()?.levels(MAX_SOUND_LEVEL);
+        let bounds = self.sound.get_or_init(|| levels().unwrap_or_default());
         bounds.get(level as usize).cloned().map(RealCyclotomic::from)
     }
 

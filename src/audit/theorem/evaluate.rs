@@ -9,8 +9,9 @@ use crate::formula::{FormulaErrorKind, FreeNames, LocatedFormula, Scope, evaluat
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The names that stand for the spread of the control data, which is 1.
-const SPREADS: [&str; 4] = ["beta", "beta_1", "beta_2", "beta_3"];
+/// The names that stand for the spread of the control data, which is 1; the first one also of curves
+/// and rings.
+pub(super) const SPREADS: [&str; 4] = ["beta", "beta_1", "beta_2", "beta_3"];
 
 /// The names of the level in a bound and of the tolerance in a depth.
 pub(super) const LEVEL: &str = "k";

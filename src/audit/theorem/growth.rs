@@ -1,7 +1,7 @@
-//! How a bound depends on the level.
+//! How a bound depends on the level, and on the spread.
 
 use super::case::Case;
-use super::evaluate::LEVEL;
+use super::evaluate::{LEVEL, SPREADS};
 use crate::audit::reading::Settings;
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Rational, RealCyclotomic, Scalar};
@@ -10,16 +10,17 @@ use crate::formula::{Expr, FreeNames, LocatedFormula, Node, Operator};
 /// The longest period, and the largest power of a ratio, that is looked at.
 const MAX_PERIOD: u32 = 64;
 
-/// by(k + period) = ratio·by(k) for every k.
+/// by(k + period) = ratio·by(k) for every k, and by is a multiple of beta^spreads.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Growth {
     pub(super) period: u32,
     pub(super) ratio: RealCyclotomic,
+    pub(super) spreads: i32,
 }
 
 impl Growth {
     fn constant() -> Growth {
-        Growth { period: 1, ratio: Rational::one().into() }
+        Growth { period: 1, ratio: Rational::one().into(), spreads: 0 }
     }
 
     /// ratio^times.
@@ -38,12 +39,14 @@ impl Growth {
             true if others != zero => &own / &others,
             true => return None,
         };
-        Some(Growth { period, ratio })
+        let spreads = if divides { -other.spreads } else { other.spreads };
+        Some(Growth { period, ratio, spreads: self.spreads.checked_add(spreads)? })
     }
 }
 
 /// The growth of a bound, where it is a product of powers of which k is in the exponents
-/// only; `None` for another form.
+/// only, and of beta; `None` for another form. What holds for beta_1 = beta_2 = beta_3 = 1 need
+/// not hold for other nets.
 pub(super) fn growth(
     case: &Case<'_>,
     by: &LocatedFormula,
@@ -60,8 +63,10 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
+    /// Whether the level or a spread occurs in it.
     fn depends(&self, expr: &Expr) -> bool {
-        FreeNames::new(self.case.definitions(self.settings)).of(expr).contains(LEVEL)
+        let free = FreeNames::new(self.case.definitions(self.settings)).of(expr);
+        free.contains(LEVEL) || SPREADS.iter().any(|spread| free.contains(*spread))
     }
 
     fn value(&self, expr: &Expr) -> Result<Option<RealCyclotomic>, Diagnostic> {
@@ -76,6 +81,9 @@ impl Reader<'_> {
             return Ok(None);
         }
         match &expr.node {
+            Node::Name(name) if name == SPREADS[0] => {
+                Ok(Some(Growth { spreads: 1, ..Growth::constant() }))
+            }
             Node::Name(name) if name != LEVEL && !self.case.has_value(name) => {
                 match self.case.definitions(self.settings).get(name) {
                     Some(definition) => self.of(&definition.expr, depth + 1),
@@ -88,8 +96,8 @@ impl Reader<'_> {
                 else {
                     return Ok(None);
                 };
-                let ratio = Growth { period: 1, ratio: base }.power(step);
-                Ok(Some(Growth { period, ratio }))
+                let ratio = Growth { ratio: base, ..Growth::constant() }.power(step);
+                Ok(Some(Growth { period, ratio, spreads: 0 }))
             }
             Node::Chain(first, rest) => {
                 let Some(mut growth) = self.of(first, depth + 1)? else { return Ok(None) };

@@ -5,6 +5,7 @@ mod correction;
 mod curve;
 mod evaluate;
 mod growth;
+mod levels;
 mod premises;
 mod ring;
 mod setting;
@@ -13,6 +14,7 @@ mod trial;
 mod witness;
 
 pub use correction::Correction;
+pub use levels::{LevelEvidence, Levels};
 pub use premises::FailingPremise;
 pub use trial::Outcome;
 pub use witness::{Attained, Control, Place, Supremum, Violation};
@@ -41,6 +43,9 @@ pub struct TheoremFinding<'a> {
     pub verdict: TheoremVerdict,
     /// What shows it; `None` for an open theorem.
     pub proof: Option<String>,
+    /// Of a theorem about a single scheme that is proved without a proof by hand, the levels that
+    /// prove it.
+    pub levels: Option<Levels>,
     /// Of a refuted theorem, the simplest data that refute it.
     pub refutation: Option<Refutation>,
     /// What it was tried on.
@@ -142,6 +147,7 @@ fn one<'a>(
         theorem,
         verdict: TheoremVerdict::Open,
         proof: None,
+        levels: None,
         refutation: None,
         cases: Vec::new(),
         corrections: Vec::new(),
@@ -192,6 +198,7 @@ fn one<'a>(
         if let [CaseFinding { outcome: Outcome::Proved, .. }] = &finding.cases[..] {
             finding.verdict = TheoremVerdict::Proved;
             finding.proof = Some("by exact suprema at finitely many levels, and T_c".to_owned());
+            finding.levels = as_printed.levels(&cases[0])?;
         }
     }
     Ok(finding)

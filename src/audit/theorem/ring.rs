@@ -1,12 +1,13 @@
 //! Rings as a setting.
 
 use super::evaluate::comparable;
+use super::levels::LevelEvidence;
 use super::setting::Setting;
 use super::witness::{Attained, Control, Place, Supremum};
 use crate::bound::RingConstants;
 use crate::claim::Quantity;
 use crate::exact::{Enclosed, Rational, RealCyclotomic};
-use crate::limit::{Comparison, RingDistances, RingLimit, RingWitness};
+use crate::limit::{Comparison, RingDistances, RingLimit, RingWitness, least_flows};
 use crate::scheme::Ring;
 use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
@@ -69,6 +70,24 @@ impl AroundPoint {
         })
     }
 
+    fn unit(&self, point: usize) -> Vec<RealCyclotomic> {
+        let entry = |b| RealCyclotomic::from(u32::from(b == point));
+        (0..self.ring.point_count()).map(entry).collect()
+    }
+
+    /// e_aᵀ − e_bᵀ for the edges (a, b).
+    fn edge_differences(&self) -> Vec<Vec<RealCyclotomic>> {
+        let edges = self.ring.edges().iter();
+        edges.map(|&(a, b)| minus(&self.unit(a), &self.unit(b))).collect()
+    }
+
+    /// The rows of M less those of the interpolant, or of 1.
+    fn steps(&self) -> Vec<Vec<RealCyclotomic>> {
+        let row = |ring: &Ring, a| ring.weights().row(a).cloned().collect::<Vec<_>>();
+        let old = |a| self.interpolant.as_ref().map_or_else(|| self.unit(a), |ring| row(ring, a));
+        (0..self.ring.point_count()).map(|a| minus(&row(&self.ring, a), &old(a))).collect()
+    }
+
     /// The first point that an interpolant keeps.
     fn kept(&self) -> Option<Result<usize, String>> {
         let interpolant = self.interpolant.as_ref()?;
@@ -104,6 +123,10 @@ impl AroundPoint {
     }
 }
 
+fn minus(left: &[RealCyclotomic], right: &[RealCyclotomic]) -> Vec<RealCyclotomic> {
+    left.iter().zip(right).map(|(x, y)| x - y).collect()
+}
+
 fn text(error: impl std::fmt::Display) -> String {
     error.to_string()
 }
@@ -136,6 +159,29 @@ impl Setting for AroundPoint {
 
     fn factor(&self, c: u32) -> Result<RealCyclotomic, String> {
         self.greatest(Quantity::Difference, c).map(|found| found.value)
+    }
+
+    fn evidence(
+        &self,
+        quantity: Quantity,
+        bounds: &[(u32, RealCyclotomic)],
+    ) -> Result<LevelEvidence, String> {
+        let flows = |functionals: &[Vec<RealCyclotomic>], level| {
+            least_flows(&self.ring, functionals.to_vec(), level).map_err(text)
+        };
+        let differences = self.edge_differences();
+        let (functionals, weights) = match quantity {
+            Quantity::Difference => (differences.clone(), Vec::new()),
+            Quantity::Step => (self.steps(), Vec::new()),
+            Quantity::Distance => {
+                let limit = self.distances()?.limit();
+                (limit.errors(), limit.weights().to_vec())
+            }
+        };
+        let levels = bounds.iter().map(|(level, _)| flows(&functionals, *level));
+        let levels = levels.collect::<Result<_, String>>()?;
+        let count = u32::try_from(bounds.len()).map_err(text)?;
+        Ok(LevelEvidence::Flows { weights, contraction: flows(&differences, count)?, levels })
     }
 
     fn sound(&self, _: u32) -> Option<RealCyclotomic> {

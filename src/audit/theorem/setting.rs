@@ -1,5 +1,6 @@
 //! Where a theorem is tried: a scheme with the exact suprema of what theorems bound.
 
+use super::levels::LevelEvidence;
 use super::witness::{Attained, Supremum};
 use crate::claim::Quantity;
 use crate::exact::RealCyclotomic;
@@ -23,6 +24,14 @@ pub(super) trait Setting {
     /// An f such that no supremum of level k + c is more than f times that of level k,
     /// for every k: T_c.
     fn factor(&self, c: u32) -> Result<RealCyclotomic, String>;
+
+    /// What shows that the suprema of these levels are at most these numbers, or why there is nothing
+    /// that certificates have words for.
+    fn evidence(
+        &self,
+        quantity: Quantity,
+        bounds: &[(u32, RealCyclotomic)],
+    ) -> Result<LevelEvidence, String>;
 
     /// The sound block bound of the distance.
     fn sound(&self, level: u32) -> Option<RealCyclotomic>;

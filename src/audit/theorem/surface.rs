@@ -1,5 +1,6 @@
 //! Tensor product surfaces as a setting.
 
+use super::levels::{LevelEvidence, sums};
 use super::setting::Setting;
 use super::witness::{Attained, Control, Place, Supremum};
 use crate::bound::{Constants, MAX_CLASSES, SoundBound, surface_factor};
@@ -122,10 +123,10 @@ impl Surface {
         })
     }
 
-    fn sound_bounds(&self) -> Option<Vec<Rational>> {
+    fn sound_bound(&self) -> Option<SoundBound> {
         let [first, second] = &self.axes;
         let block = (1..=MAX_BLOCK).take_while(|&c| self.factor(c).is_ok()).last()?;
-        SoundBound::surface(first, second, block).ok()?.levels(MAX_SOUND_LEVEL)
+        SoundBound::surface(first, second, block).ok()
     }
 
     /// An upper bound of a step or a difference.
@@ -210,8 +211,20 @@ impl Setting for Surface {
         Ok(one.max(other).into())
     }
 
+    fn evidence(
+        &self,
+        quantity: Quantity,
+        bounds: &[(u32, RealCyclotomic)],
+    ) -> Result<LevelEvidence, String> {
+        match quantity {
+            Quantity::Distance => sums(&self.axes.each_ref(), self.sound_bound().as_ref(), bounds),
+            _ => Ok(LevelEvidence::Suprema),
+        }
+    }
+
     fn sound(&self, level: u32) -> Option<RealCyclotomic> {
-        let bounds = self.sound.get_or_init(|| self.sound_bounds().unwrap_or_default());
+        let levels = || self.sound_bound()?.levels(MAX_SOUND_LEVEL);
+        let bounds = self.sound.get_or_init(|| levels().unwrap_or_default());
         bounds.get(level as usize).cloned().map(RealCyclotomic::from)
     }
 

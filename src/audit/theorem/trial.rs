@@ -3,7 +3,8 @@
 use super::case::Case;
 use super::correction::{Change, Correction, settings};
 use super::evaluate::{LEVEL, TOLERANCE, comparable};
-use super::growth::growth;
+use super::growth::{Growth, growth};
+use super::levels::Levels;
 use super::setting::Setting;
 use super::witness::Violation;
 use crate::audit::reading::Settings;
@@ -61,15 +62,32 @@ impl Trial<'_> {
             None => 1,
             Some(block) => Self::block(case, block, &settings)?,
         };
-        let settings = match &self.theorem.statement {
-            Statement::Bound { by, .. } | Statement::Depth(by) => case.prepared(by, settings),
-            Statement::Other(_) => settings,
-        };
+        let settings = self.prepared(case, settings);
         let bound = Bound { trial: self, case, setting, settings: &settings, block };
         match &self.theorem.statement {
             Statement::Bound { quantity, by, from } => bound.of_quantity(*quantity, by, *from),
             Statement::Depth(by) => bound.of_depth(by),
             Statement::Other(_) => Ok(Outcome::Unknown("it states no bound".to_owned())),
+        }
+    }
+
+    fn prepared(&self, case: &Case<'_>, settings: Settings) -> Settings {
+        match &self.theorem.statement {
+            Statement::Bound { by, .. } | Statement::Depth(by) => case.prepared(by, settings),
+            Statement::Other(_) => settings,
+        }
+    }
+
+    /// What shows that the bound holds at all levels in a case in which it does as printed.
+    pub(super) fn levels(&self, case: &Case<'_>) -> Result<Option<Levels>, Diagnostic> {
+        let Some(setting) = case.setting.as_deref() else { return Ok(None) };
+        let settings = &self.prepared(case, Settings::default());
+        match &self.theorem.statement {
+            Statement::Bound { quantity, by, from } => {
+                Bound { trial: self, case, setting, settings, block: 1 }
+                    .levels(*quantity, by, *from)
+            }
+            _ => Ok(None),
         }
     }
 
@@ -162,26 +180,51 @@ impl Bound<'_> {
             return Ok(Outcome::Unknown(gap.unwrap_or_default()));
         };
         let proved = self.all_levels(by, last - from + 1)?;
-        Ok(if proved { Outcome::Proved } else { Outcome::UpTo(last) })
+        Ok(proved.map_or(Outcome::UpTo(last), |_| Outcome::Proved))
     }
 
-    /// Whether a bound that holds at this many levels, from its first, holds at all.
+    /// How a bound grows, and the number of its periods after which differences have fallen as
+    /// much, if it holds at all levels since it holds at this many, from its first.
     ///
     /// Source: `proofs/THEOREMS.md`, 40.
-    fn all_levels(&self, by: &LocatedFormula, levels: u32) -> Result<bool, Diagnostic> {
-        let Some(growth) = growth(self.case, by, self.settings)? else { return Ok(false) };
+    fn all_levels(
+        &self,
+        by: &LocatedFormula,
+        levels: u32,
+    ) -> Result<Option<(Growth, u32)>, Diagnostic> {
+        let growth = growth(self.case, by, self.settings)?.filter(|growth| growth.spreads == 1);
+        let Some(growth) = growth else { return Ok(None) };
         for times in 1.. {
             let period = growth.period * self.stretch() * times;
             if period > levels {
-                return Ok(false);
+                return Ok(None);
             }
-            let Ok(factor) = self.setting.factor(period) else { return Ok(false) };
+            let Ok(factor) = self.setting.factor(period) else { return Ok(None) };
             let ratio = growth.power(times);
             if comparable(&factor, &ratio) && factor <= ratio {
-                return Ok(true);
+                return Ok(Some((growth, times)));
             }
         }
-        Ok(false)
+        Ok(None)
+    }
+
+    /// What shows that a bound, which was found to hold at all levels, does.
+    fn levels(
+        &self,
+        quantity: Quantity,
+        by: &LocatedFormula,
+        from: u32,
+    ) -> Result<Option<Levels>, Diagnostic> {
+        let all = self.all_levels(by, self.setting.levels())?;
+        let Some((Growth { period, ratio, .. }, times)) = all else { return Ok(None) };
+        let mut bounds = Vec::new();
+        for level in from..from.saturating_add(period * times) {
+            let names = [(LEVEL, Rational::from(level))];
+            let Ok(bound) = self.case.evaluate(by, &names, self.settings)? else { return Ok(None) };
+            bounds.push((level, bound));
+        }
+        let evidence = self.setting.evidence(quantity, &bounds);
+        Ok(Some(Levels { period, ratio, times, evidence }))
     }
 
     /// Looks for a tolerance that the depth does not meet: as near as is handy below a

@@ -6,6 +6,8 @@ mod constant;
 mod equation;
 mod family;
 mod function;
+mod growth;
+mod levels;
 mod pieces;
 mod promise;
 mod range;

@@ -10,7 +10,7 @@ use crate::decimal::Q;
 use crate::functional::{MAX_LEVEL, Rules};
 use crate::paper::Paper;
 use crate::reject::{Checked, Reason, Stop, require};
-use crate::ring::Ring;
+use crate::ring::{Ring, less};
 use crate::table::Table;
 use crate::value::Value;
 use crate::witness::{Setting, Witness};
@@ -100,13 +100,13 @@ fn setting<'a>(
 
 /// Checks `L M c`: the sound bound at level L, and how far level L is from level k, are together
 /// at most what is promised.
-fn kept(
+pub fn kept(
     promised: &Promised<'_>,
     setting: &Setting<'_>,
     said: &str,
     (level, most): (u32, &Value),
 ) -> Checked<()> {
-    let malformed = Reason::Malformed("ROW COLUMN L M c, L from the level on");
+    let malformed = Reason::Malformed("L M c, L from the level on");
     let (later, constants) = said.split_once(' ').unwrap_or((said, ""));
     let later: Option<u32> = later.parse().ok().filter(|l| *l >= level);
     let (Some(later), Setting::Masks(rules, _)) = (later, setting) else {
@@ -128,29 +128,49 @@ fn kept_by_flows(
     block: &mut Block<'_>,
     (level, most): (u32, &Value),
 ) -> Checked<()> {
-    let values = |said: &str| {
-        said.split_whitespace().map(|word| paper.number(word)).collect::<Checked<Vec<Value>>>()
-    };
-    let weights = values(block.after("weights")?)?;
+    let errors = errors(paper, ring, block)?;
+    flows(paper, ring, block, &ring.functionals_before(errors, level)?, (most, Reason::TooLarge))
+}
+
+fn values(paper: &Paper<'_>, said: &str) -> Checked<Vec<Value>> {
+    said.split_whitespace().map(|word| paper.number(word)).collect()
+}
+
+/// Checks `weights …`, and gives e_a − w for every point.
+pub fn errors(
+    paper: &Paper<'_>,
+    ring: &Ring<'_>,
+    block: &mut Block<'_>,
+) -> Checked<Vec<Vec<Value>>> {
+    let weights = values(paper, block.after("weights")?)?;
     require(ring.is_limit(&weights)?, Reason::Weights)?;
     require(ring.contracts()?, Reason::NoLimit)?;
-    let points = ring.names.len();
-    for a in 0..points {
-        let flow = values(block.after("flow")?)?;
+    let errors = ring.units().into_iter().map(|unit| less(&unit, &weights));
+    Ok(errors.collect::<Result<_, Stop>>()?)
+}
+
+/// Checks a line `flow …` for each functional: the flow carries it, and costs at most so much.
+pub fn flows(
+    paper: &Paper<'_>,
+    ring: &Ring<'_>,
+    block: &mut Block<'_>,
+    functionals: &[Vec<Value>],
+    (most, otherwise): (&Value, Reason),
+) -> Checked<()> {
+    for functional in functionals {
+        let flow = values(paper, block.after("flow")?)?;
         require(flow.len() == ring.edges.len(), Reason::Malformed("a number for each edge"))?;
-        let unit = (0..points).map(|b| Value::int((a == b).into())).collect();
-        let row: Vec<Value> = (0..level).try_fold(unit, |f: Vec<Value>, _| ring.before(&f))?;
         let (cost, carried) = ring.carried(&flow)?;
-        for ((carried, new), limit) in carried.iter().zip(&row).zip(&weights) {
-            require(carried.equals(&new.minus(limit)?)?, Reason::Flow)?;
+        for (carried, needed) in carried.iter().zip(functional) {
+            require(carried.equals(needed)?, Reason::Flow)?;
         }
-        require(cost.compare(most)?.is_le(), Reason::TooLarge)?;
+        require(cost.compare(most)?.is_le(), otherwise.clone())?;
     }
     Ok(())
 }
 
 /// A bound of ‖P^l − P^k‖ for the spread 1.
-fn change(promised: &Promised<'_>, rules: &[Rules<'_>], k: u32, l: u32) -> Result<Value, Stop> {
+pub fn change(promised: &Promised<'_>, rules: &[Rules<'_>], k: u32, l: u32) -> Result<Value, Stop> {
     let largest = |rules: &Rules<'_>| -> Result<Value, Stop> {
         let count = rules.arity().checked_pow(l).filter(|count| *count <= MAX_POINTS);
         let count = count.ok_or(Stop::Capped("the points of a level"))?;

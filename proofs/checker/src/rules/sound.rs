@@ -4,10 +4,12 @@ use super::place;
 use crate::convolution::classes;
 use crate::displacement::{displaced, gather};
 use crate::evaluate::Scope;
+use crate::paper::Paper;
 use crate::reject::{Checked, Reason, Stop, require};
 use crate::scheme::{Scheme, formula};
-use crate::table::{Place, Table};
+use crate::table::{Bounds, Place, Table};
 use crate::value::Value;
+use std::cell::RefCell;
 use std::rc::Rc;
 
 /// The most levels of a bound.
@@ -30,11 +32,13 @@ pub fn check<'a>(table: &'a Table<'a>, said: &str) -> Checked<()> {
     }
 }
 
-/// What a table promises at a cell.
+/// What a table promises at a cell, or a theorem claims.
 pub struct Promised<'t> {
-    /// The table.
-    pub table: &'t Table<'t>,
-    /// The scope of the cell, with all assumptions.
+    /// The paper.
+    pub paper: &'t Paper<'t>,
+    /// What is known of the bounds.
+    pub bounds: &'t RefCell<Bounds>,
+    /// The scope, of a cell with all assumptions.
     pub scope: Scope<'t>,
     /// The factors of its scheme; none of a ring.
     pub schemes: Vec<Rc<Scheme>>,
@@ -60,15 +64,16 @@ impl<'t> Promised<'t> {
         let (spread, offset, level) = (of("spread")?, integer("offset")?, integer("level")?);
         let spread = spread.ok_or(Reason::NoPromise)?;
         let tolerance = of("tolerance")?.filter(|_| level.is_none());
-        Ok(Promised { table, scope, schemes, offset, spread, level, tolerance })
+        let Table { paper, bounds, .. } = table;
+        Ok(Promised { paper, bounds, scope, schemes, offset, spread, level, tolerance })
     }
 
     /// The bound at a level that the constants `M c` give.
     pub fn bound(&self, level: i64, constants: &str) -> Checked<Value> {
-        let number = |text: &str| Ok(self.table.paper.number(text)?.integer(MAX_LEVEL)?);
+        let number = |text: &str| Ok(self.paper.number(text)?.integer(MAX_LEVEL)?);
         let numbers = constants.split_whitespace().map(number).collect::<Checked<Vec<i64>>>()?;
         let [most, block] = numbers[..] else {
-            return Err(Reason::Malformed("ROW COLUMN M c VALUE").into());
+            return Err(Reason::Malformed("M c").into());
         };
         let proper = 1 <= block && block <= most && most <= MAX_BLOCK;
         require(proper, Reason::Malformed("1 ≤ c ≤ M ≤ 12"))?;
@@ -82,7 +87,7 @@ impl<'t> Promised<'t> {
     fn of_block(&self, level: i64, most: i64, block: i64) -> Result<Option<Value>, Stop> {
         let place = |value: i64| usize::try_from(value).unwrap_or(0);
         let key = self.schemes.iter().map(|scheme| Rc::as_ptr(scheme) as usize).collect();
-        let mut known = self.table.bounds.borrow_mut();
+        let mut known = self.bounds.borrow_mut();
         // U_m·d^m, which are integers for this d: they are quicker to multiply and to compare.
         let upper = known.entry((key, most)).or_default();
         let rules = self.schemes.iter().flat_map(|s| s.mask.iter().chain(&s.difference));
@@ -114,7 +119,7 @@ impl<'t> Promised<'t> {
     }
 
     /// T_c, or the larger of the T_cΛ_c of one factor and the other.
-    fn constant(&self, c: &Value) -> Result<Value, Stop> {
+    pub fn constant(&self, c: &Value) -> Result<Value, Stop> {
         let of =
             |scheme: &Scheme, of| classes(&self.scope, scheme, of, false, c)?.greatest(&self.scope);
         match &self.schemes[..] {
@@ -127,7 +132,7 @@ impl<'t> Promised<'t> {
     }
 
     /// σ, or of two factors the greatest ς_αλ_β + ς_β.
-    fn factor(&self) -> Result<Value, Stop> {
+    pub fn factor(&self) -> Result<Value, Stop> {
         let moved = |scheme: &Scheme| {
             let offset = self.offset.unwrap_or(scheme.offset);
             let moved = |alpha| gather(&self.scope, &displaced(scheme, alpha, offset)?, 0);

@@ -1,7 +1,7 @@
-//! Rule `theorem`: open, refuted by control data, or proved or refuted by a statement of
-//! THEOREMS.md.
+//! Rule `theorem`: open, refuted by control data, proved by finitely many levels, or proved or
+//! refuted by a statement of THEOREMS.md.
 
-use super::Verdict;
+use super::{Verdict, levels};
 use crate::certificate::Block;
 use crate::decimal::{Q, read_rational};
 use crate::evaluate::Scope;
@@ -34,7 +34,11 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     let (word, text, verdict) = match next {
         "proved-by" => ("proved-by", claim.text("proved_by"), "proved"),
         "refuted-by" => ("refuted-by", claim.text("refuted_by"), "refuted"),
-        _ => return refuted(paper, claim, block).map(|()| Verdict::Other),
+        _ => {
+            let instance = Instance::read(paper, claim, block)?;
+            let rule = if block.next_word() == "grows" { levels::check } else { refuted };
+            return rule(paper, claim, block, instance).map(|()| Verdict::Other);
+        }
     };
     block.restates(word, text)?;
     let number = text.and_then(|text| text.strip_prefix("THEOREMS ")).unwrap_or_default();
@@ -48,9 +52,15 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
 }
 
 /// A scheme and values that a theorem speaks of.
-struct Instance<'a> {
-    scope: Scope<'a>,
-    setting: Setting<'a>,
+pub struct Instance<'a> {
+    /// With the parameters.
+    pub scope: Scope<'a>,
+    /// The factors of the scheme; none of a ring.
+    pub schemes: Vec<Rc<Scheme>>,
+    /// The offset at which masks are taken, if not their own.
+    pub offset: Option<i64>,
+    /// What data are refined by.
+    pub setting: Setting<'a>,
 }
 
 impl<'a> Instance<'a> {
@@ -78,6 +88,7 @@ impl<'a> Instance<'a> {
             scope.values.insert(name.to_owned(), value);
         }
         require(left.is_empty(), Reason::NotListed)?;
+        let (mut schemes, mut offset) = (Vec::new(), None);
         let setting = if paper.library.is_ring(reference) {
             let ring = |reference: &str| Ring::new(paper.library, reference, &scope);
             let (own, earlier) =
@@ -86,24 +97,27 @@ impl<'a> Instance<'a> {
             require(alike, Reason::Malformed("an interpolant of the same points"))?;
             Setting::Ring(Box::new(own), earlier.map(Box::new))
         } else {
-            let schemes = paper.library.resolve(reference, &scope)?;
-            let offset =
-                claim.text("offset").map(|text| scope.value(&formula(text)?)).transpose()?;
-            let offset = offset.map(|offset| offset.integer(10_000)).transpose()?;
-            scope.scheme = schemes.first().map(|scheme: &Rc<Scheme>| Rc::clone(scheme));
+            schemes = paper.library.resolve(reference, &scope)?;
+            let said = claim.text("offset").map(|text| scope.value(&formula(text)?)).transpose()?;
+            offset = said.map(|offset| offset.integer(10_000)).transpose()?;
+            scope.scheme = schemes.first().map(Rc::clone);
             Setting::masks(&scope, &schemes, offset)?
         };
         if let Some(supposed) = claim.get("supposes") {
             let of = |key| scope.value(&formula_of(supposed, key)?);
             require(of("value")?.compare(&of("below")?)?.is_lt(), Reason::Supposed)?;
         }
-        Ok(Instance { scope, setting })
+        Ok(Instance { scope, schemes, offset, setting })
     }
 }
 
 /// Control data for which the bound is false.
-fn refuted<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<()> {
-    let Instance { mut scope, setting } = Instance::read(paper, claim, block)?;
+fn refuted<'a>(
+    paper: &'a Paper<'a>,
+    claim: &'a Toml,
+    block: &mut Block<'_>,
+    Instance { mut scope, setting, .. }: Instance<'a>,
+) -> Checked<()> {
     let (bounds, mut tolerance) = (claim.text("bounds").unwrap_or_default(), None);
     if bounds == "depth" {
         let number = read_rational(block.after("tolerance")?).filter(Q::is_positive);

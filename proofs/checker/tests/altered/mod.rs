@@ -79,7 +79,7 @@ pub fn accepted(paper: &Paper, block: &Block) -> bool {
 }
 
 /// Words of the format that may stand in each other's place.
-const WORDS: [&[&str]; 20] = [
+const WORDS: [&[&str]; 21] = [
     &["confirmed", "refuted", "differs", "undefined", "lost"],
     &["confirmed", "rounding cut", "rounding away", "rounding down", "rounding nearest"],
     &[
@@ -106,6 +106,7 @@ const WORDS: [&[&str]; 20] = [
     &["kept", "broken", "undecided"],
     &["polygon", "net", "row", "ring", "weights"],
     &["level", "tolerance", "at", "let"],
+    &["grows", "times", "flow", "weights", "level"],
 ];
 
 /// Every alteration of a block: lines dropped, repeated and exchanged; of every field

@@ -1,0 +1,128 @@
+//! How a formula grows with `k`, and with `beta`.
+
+use crate::evaluate::Scope;
+use crate::formula::{Expr, Head};
+use crate::reject::{Checked, Reason, Stop, require};
+use crate::value::Value;
+use num_integer::Integer;
+use num_traits::ToPrimitive;
+
+/// The longest period.
+pub const MAX_PERIOD: u32 = 64;
+
+/// The greatest exponent that a period adds.
+const MAX_STEP: i64 = 10_000;
+
+/// How deep definitions and parts of a formula may be nested.
+const MAX_DEPTH: usize = 128;
+
+/// (p, q, d) with by(k + p) = q·by(k) for all k, by a multiple of beta^d.
+type Growth = (u32, Value, i64);
+
+/// The growth of a formula in a scope where `k` and `beta` are symbols: a product of powers with k
+/// in exponents only, and of beta.
+pub fn growth(scope: &Scope<'_>, expr: &Expr, depth: usize) -> Checked<Growth> {
+    require(depth < MAX_DEPTH, Reason::Stopped(Stop::Capped("the nesting of formulas")))?;
+    if steady(scope, expr)?.is_some() {
+        return Ok((1, Value::int(1), 0));
+    }
+    match expr {
+        Expr::Name(name) if name == "beta" => Ok((1, Value::int(1), 1)),
+        Expr::Name(name) => growth(scope, definition(scope, name)?, depth + 1),
+        Expr::Of(Head::Minus, parts) => growth(scope, &parts[0], depth + 1),
+        Expr::Of(Head::Power, parts) => {
+            let base = steady(scope, &parts[0])?.ok_or(Reason::Growth)?;
+            let (period, step) = slope(scope, &parts[1], depth + 1)?;
+            let ratio = base.power(step.integer(MAX_STEP).map_err(|_| Reason::Growth)?)?;
+            scope.library.spend(ratio.cost(&ratio))?;
+            Ok((period, ratio, 0))
+        }
+        Expr::Of(Head::Chain(operators), parts) => {
+            let mut whole = growth(scope, &parts[0], depth + 1)?;
+            for (operator, part) in operators.iter().zip(&parts[1..]) {
+                let next = growth(scope, part, depth + 1)?;
+                let period = within(whole.0.lcm(&next.0))?;
+                let own = whole.1.power((period / whole.0).into())?;
+                let other = next.1.power((period / next.0).into())?;
+                scope.library.spend(own.cost(&other))?;
+                whole = match operator {
+                    '*' => (period, own.times(&other)?, whole.2 + next.2),
+                    '/' => (period, own.over(&other)?, whole.2 - next.2),
+                    _ => {
+                        require(own.equals(&other)? && whole.2 == next.2, Reason::Growth)?;
+                        (period, own, whole.2)
+                    }
+                };
+            }
+            Ok(whole)
+        }
+        _ => Err(Reason::Growth.into()),
+    }
+}
+
+/// (p, s) with e(k + p) = e(k) + s for all k.
+fn slope(scope: &Scope<'_>, expr: &Expr, depth: usize) -> Checked<(u32, Value)> {
+    require(depth < MAX_DEPTH, Reason::Stopped(Stop::Capped("the nesting of formulas")))?;
+    if let Some(line) = symbolic(scope, expr)?.and_then(|value| value.univariate("k")) {
+        require(line.len() <= 2, Reason::Growth)?;
+        return Ok((1, line.into_iter().nth(1).unwrap_or_default().into()));
+    }
+    match expr {
+        Expr::Name(name) => slope(scope, definition(scope, name)?, depth + 1),
+        Expr::Of(Head::Call(floor, _), parts) if floor == "floor" && parts.len() == 1 => {
+            let (period, step) = slope(scope, &parts[0], depth + 1)?;
+            let times = step.rational().and_then(|step| step.denom().to_u32()).unwrap_or(0);
+            let period = within(period * within(times)?)?;
+            Ok((period, step.times(&Value::int(times.into()))?))
+        }
+        // One part varies with k, and the others do not.
+        Expr::Of(Head::Chain(operators), parts) => {
+            let first = if ['+', '-'].contains(&operators[0]) { '+' } else { '*' };
+            let (mut varying, mut factor) = (None, Value::int(1));
+            for (operator, part) in [first].iter().chain(operators).zip(parts) {
+                match (operator, steady(scope, part)?) {
+                    ('*', Some(number)) => {
+                        scope.library.spend(factor.cost(&number))?;
+                        factor = factor.times(&number)?;
+                    }
+                    ('/', Some(number)) => {
+                        scope.library.spend(factor.cost(&number))?;
+                        factor = factor.over(&number)?;
+                    }
+                    (_, Some(_)) => {}
+                    ('+' | '-' | '*', None) if varying.is_none() => {
+                        varying = Some(slope(scope, part, depth + 1)?);
+                        factor = if *operator == '-' { factor.negated()? } else { factor };
+                    }
+                    _ => return Err(Reason::Growth.into()),
+                }
+            }
+            let (period, step) = varying.ok_or(Reason::Growth)?;
+            Ok((period, step.times(&factor)?))
+        }
+        _ => Err(Reason::Growth.into()),
+    }
+}
+
+/// The value of a formula that depends on neither `k` nor `beta`.
+fn steady(scope: &Scope<'_>, expr: &Expr) -> Result<Option<Value>, Stop> {
+    Ok(symbolic(scope, expr)?.filter(|value| value.number().is_ok()))
+}
+
+/// The value where `k` and `beta` are symbols; none if a formula asks what these are.
+fn symbolic(scope: &Scope<'_>, expr: &Expr) -> Result<Option<Value>, Stop> {
+    match scope.value(expr) {
+        Err(stop @ Stop::Capped(_)) => Err(stop),
+        value => Ok(value.ok()),
+    }
+}
+
+fn definition<'s>(scope: &'s Scope<'_>, name: &str) -> Checked<&'s Expr> {
+    let definition = scope.definitions.get(name).filter(|_| !scope.values.contains_key(name));
+    Ok(definition.ok_or(Reason::Growth)?)
+}
+
+fn within(period: u32) -> Checked<u32> {
+    require((1..=MAX_PERIOD).contains(&period), Reason::Growth)?;
+    Ok(period)
+}

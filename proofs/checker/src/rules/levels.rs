@@ -1,0 +1,107 @@
+//! Rule `levels`: a bound for one scheme, proved at all levels by finitely many (THEOREMS.md, 40).
+
+use super::growth::{MAX_PERIOD, growth};
+use super::promise::{change, errors, flows, kept};
+use super::sound::Promised;
+use super::theorem::Instance;
+use crate::certificate::Block;
+use crate::paper::{Paper, formula_of};
+use crate::reject::{Checked, Reason, Stop, require};
+use crate::ring::less;
+use crate::toml::Toml;
+use crate::value::Value;
+use crate::witness::Setting;
+use std::cell::RefCell;
+
+/// Checks `grows …`, `times …` and the levels.
+pub fn check<'a>(
+    paper: &'a Paper<'a>,
+    claim: &'a Toml,
+    block: &mut Block<'_>,
+    Instance { mut scope, schemes, offset, setting }: Instance<'a>,
+) -> Checked<()> {
+    block.look();
+    // One of several schemes or values proves nothing of the others.
+    let one = ["schemes", "values"].iter().all(|key| claim.get(key).is_none());
+    require(one && claim.get("scheme").is_some(), Reason::Single)?;
+    let bounds = claim.text("bounds").unwrap_or_default();
+    let quantity = ["difference", "step", "distance"].contains(&bounds);
+    require(quantity, Reason::Malformed("a theorem about a bound"))?;
+    let by = formula_of(claim, "by")?;
+    for name in ["k", "beta"] {
+        scope.values.insert(name.to_owned(), Value::symbol(name));
+    }
+    let (period, ratio, spreads) = growth(&scope, &by, 0)?;
+    require(spreads == 1, Reason::Growth)?;
+    let said = block.after("grows")?.split_once(' ').unwrap_or_default();
+    require(said.0 == period.to_string() && paper.number(said.1)?.equals(&ratio)?, Reason::Growth)?;
+    let times: u32 = block.after("times")?.parse().unwrap_or(0);
+    let from: u32 = claim.text("from").and_then(|from| from.parse().ok()).unwrap_or(0);
+    let levels = period.checked_mul(times).filter(|levels| (1..=MAX_PERIOD).contains(levels));
+    let levels = levels.filter(|_| from <= MAX_PERIOD).ok_or(Reason::Level)?;
+    let power = ratio.power(times.into())?;
+    scope.values.insert("beta".to_owned(), Value::int(1));
+    let known = RefCell::default();
+    let (spread, level, tolerance) = (Value::int(1), None, None);
+    let mut promised =
+        Promised { paper, bounds: &known, scope, schemes, offset, spread, level, tolerance };
+    let mut functionals = Vec::new();
+    match &setting {
+        Setting::Masks(..) => {
+            let factor = promised.constant(&Value::int(levels.into()))?;
+            require(factor.compare(&power)?.is_le(), Reason::Contraction)?;
+        }
+        Setting::Ring(ring, earlier) => {
+            let differences = ring.differences()?;
+            functionals = match bounds {
+                "difference" => differences.clone(),
+                "step" => {
+                    let units = ring.units();
+                    let old = earlier.as_ref().map_or(&units, |earlier| &earlier.weights);
+                    let steps = ring.weights.iter().zip(old).map(|(new, old)| less(new, old));
+                    steps.collect::<Result<_, Stop>>()?
+                }
+                _ => {
+                    // Only of what an interpolant keeps the limit is known.
+                    require(earlier.is_none(), Reason::NoLimit)?;
+                    errors(paper, ring, block)?
+                }
+            };
+            let after = ring.functionals_before(differences, levels)?;
+            flows(paper, ring, block, &after, (&power, Reason::Contraction))?;
+            functionals = ring.functionals_before(functionals, from)?;
+        }
+    }
+    for k in from..from + levels {
+        let said = block.after("level")?;
+        let (said, evidence) = said.split_once(' ').unwrap_or((said, ""));
+        require(said == k.to_string(), Reason::Level)?;
+        promised.scope.values.insert("k".to_owned(), Value::int(k.into()));
+        let most = promised.scope.value(&by)?;
+        if let (Setting::Masks(..), "distance") = (&setting, bounds) {
+            kept(&promised, &setting, evidence, (k, &most))?;
+            continue;
+        }
+        require(evidence.is_empty(), Reason::Malformed("level K"))?;
+        match &setting {
+            Setting::Ring(ring, _) => {
+                functionals = ring.functionals_before(functionals, u32::from(k > from))?;
+                flows(paper, ring, block, &functionals, (&most, Reason::TooLarge))?;
+            }
+            Setting::Masks(rules, _) => {
+                let mut bound = promised.constant(&Value::int(k.into()))?;
+                if let ("step", [_]) = (bounds, &rules[..]) {
+                    bound = change(&promised, rules, k, k + 1)?;
+                } else if bounds == "step" {
+                    let one = promised.factor()?;
+                    promised.schemes.reverse();
+                    let other = promised.factor()?;
+                    bound =
+                        bound.times(if one.compare(&other)?.is_le() { &one } else { &other })?;
+                }
+                require(bound.compare(&most)?.is_le(), Reason::TooLarge)?;
+            }
+        }
+    }
+    block.word("proved")
+}
