@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 const MAX_WINDOW: i64 = 200;
 
 /// The greatest index.
-const MAX_INDEX: i64 = 1 << 61;
+const MAX_INDEX: i64 = 1 << 40;
 
 /// The highest level.
 pub const MAX_LEVEL: u32 = 1_000;
@@ -28,12 +28,19 @@ pub struct Functional {
 }
 
 impl Functional {
-    /// P(u), where P is piecewise linear and P(i) = x_i.
-    fn at(u: &Q) -> Result<Functional, Stop> {
-        let (i, part) = (index(&u.floor())?, u - u.floor());
-        let weights = [(i, part.denom() - part.numer()), (i + 1, part.numer().clone())];
+    /// P(u), 0 ≤ u < 1, where P is piecewise linear and P(i) = x_i.
+    fn at(u: &Q) -> Functional {
+        let weights = [(0, u.denom() - u.numer()), (1, u.numer().clone())];
         let weights = weights.into_iter().filter(|(_, weight)| !weight.is_zero());
-        Ok(Functional { weights: weights.collect(), over: part.denom().clone() })
+        Functional { weights: weights.collect(), over: u.denom().clone() }
+    }
+
+    /// The same of the points that are so many further.
+    fn moved(self, by: &BigInt) -> Result<Functional, Stop> {
+        let by = by.to_i64().filter(|by| by.abs() <= MAX_INDEX);
+        let by = by.ok_or(Stop::Capped("the parameters of control data"))?;
+        let weights = self.weights.into_iter().map(|(i, weight)| (i + by, weight)).collect();
+        Ok(Functional { weights, ..self })
     }
 
     /// x_0.
@@ -110,17 +117,21 @@ impl<'a> Rules<'a> {
         Ok(Functional { weights, over: &f.over * &self.over })
     }
 
-    /// The functional of the control data that f is of level k.
-    fn of_level(&self, k: u32, f: Functional) -> Result<Functional, Stop> {
+    /// The functional of the control data that f is of the points of level k from this one on.
+    fn of_level(&self, k: u32, mut from: BigInt, mut f: Functional) -> Result<Functional, Stop> {
         if k > MAX_LEVEL {
             return Err(Stop::Capped("the levels of a refinement"));
         }
-        (0..k).try_fold(f, |f, _| self.before(&f))
+        for _ in 0..k {
+            let (rest, digit) = from.div_mod_floor(&self.arity().into());
+            (from, f) = (rest, self.before(&f.moved(&digit)?)?);
+        }
+        f.moved(&from)
     }
 
     /// P(u), where P is piecewise linear and P(i) = x^k_i.
     pub fn at(&self, k: u32, u: &Q) -> Result<Functional, Stop> {
-        self.of_level(k, Functional::at(u)?)
+        self.of_level(k, u.floor().to_integer(), Functional::at(&(u - u.floor())))
     }
 
     /// P^k(t), where P^k is piecewise linear and P^k(i/n^k) = x^k_i.
@@ -138,13 +149,12 @@ impl<'a> Rules<'a> {
                 return Ok(None);
             }
         }
-        let shift = index(&at)?;
         let zero = self.zero.get_or_init(|| self.limit_at_zero()).as_ref();
         let Some((first, weights)) = zero.map_err(Clone::clone)? else { return Ok(None) };
         let over = weights.iter().fold(BigInt::one(), |over, w| over.lcm(w.denom()));
         let top = |w: &Q| w.numer() * (&over / w.denom());
-        let weights = (first + shift..).zip(weights.iter().map(top)).collect();
-        self.of_level(levels, Functional { weights, over }).map(Some)
+        let weights = (*first..).zip(weights.iter().map(top)).collect();
+        self.of_level(levels, at.to_integer(), Functional { weights, over }).map(Some)
     }
 
     /// There is no limit if the equations wA = w, Σw = 1 do not have exactly one solution.
@@ -174,12 +184,6 @@ impl<'a> Rules<'a> {
         equations[0] = vec![Q::one(); count + 1];
         Ok(solve(equations).map(|weights| (l, weights)))
     }
-}
-
-/// An integer as an index.
-fn index(value: &Q) -> Result<i64, Stop> {
-    let index = value.to_integer().to_i64().filter(|index| index.abs() <= MAX_INDEX);
-    index.ok_or(Stop::Capped("the parameters of control data"))
 }
 
 fn size<T>(list: &[T]) -> i64 {
