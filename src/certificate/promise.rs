@@ -53,18 +53,33 @@ pub(super) fn flows(block: &mut Block, flows: &[Vec<RealCyclotomic>]) {
     }
 }
 
+/// The lines of data and their place. Data that are all 0 were found where the distance is 0 whatever
+/// they are: others, which have a spread, take their place.
 fn witness(block: &mut Block, data: &ControlData, weights: &[RealCyclotomic]) {
+    let flat = |points: &[i64]| points.iter().all(|x| *x == 0);
     match data {
         ControlData::Polygon(points, t) => {
-            polygon(block, points);
+            let mut points = points.clone();
+            if flat(&points.points) {
+                points.points.push(1);
+            }
+            polygon(block, &points);
             block.line(format!("at {t}"));
         }
         ControlData::Net(rows, first, parameters) => {
-            net(block, *first, rows, false);
+            let mut rows = rows.clone();
+            if flat(&rows.concat()) {
+                rows.iter_mut().for_each(|row| row.push(1));
+            }
+            net(block, *first, &rows, false);
             block.line(format!("at {}", list(parameters)));
         }
         ControlData::Ring(points, name) => {
-            ring(block, points, weights);
+            let mut points = points.clone();
+            if flat(&points) {
+                points[0] = 1;
+            }
+            ring(block, &points, weights);
             block.line(format!("at {name}"));
         }
     }
