@@ -12,6 +12,9 @@ use std::rc::Rc;
 /// The most coefficients of a product, and the most residue classes.
 pub const MAX_LENGTH: usize = 1 << 16;
 
+/// About what the sign of a polynomial on a piece costs.
+const STEPS_OF_SIGN: u64 = 1_000;
+
 /// The most products that are kept.
 const MAX_PRODUCTS: usize = 1_000;
 
@@ -197,6 +200,7 @@ impl Product {
         let sum = |f: usize| {
             let mut sum = Value::int(0);
             for value in (0..=f / self.classes).filter_map(|l| self.coefficient(l, f)) {
+                scope.library.spend(if piece.is_some() { STEPS_OF_SIGN } else { 0 })?;
                 sum.add(value.sign(piece)?.into(), value)?;
             }
             Ok(sum)

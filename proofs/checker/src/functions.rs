@@ -257,7 +257,7 @@ impl Call<'_> {
         let forward = self.choose("order", &ORDER)? == 1;
         if self.function == "contraction" && self.choose("terms", &TERMS)? == 1 {
             if *c != Value::int(1) {
-                return wrong("`terms = total` is defined for c = 1 only");
+                return Err(Stop::Undefined("`terms = total` is defined for c = 1 only"));
             }
             let sums = scheme.difference.iter().map(|row| gather(scope, row, 1));
             return Ok((vec![Sums::new(sums.collect::<Result<_, _>>()?)], false));

@@ -27,6 +27,7 @@ mod root;
 mod rounding;
 mod rules;
 mod scheme;
+mod shape;
 mod table;
 mod toml;
 mod value;
@@ -85,8 +86,15 @@ pub fn is_formula(text: &str) -> bool {
 /// What is wrong with the claim file.
 pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
     let (file, known) = (Toml::read(claims)?, catalogue()?);
+    if let Some(path) = shape::misfit(&file, "file") {
+        return Err(format!("`{}` is unknown, or not of its type", path.trim_start_matches('.')));
+    }
     let library = Library::new(file.list("scheme"), &known);
     let paper = Paper::new(&file, &library).map_err(|stop| stop.to_string())?;
+    let mut ids = BTreeSet::new();
+    if let Some((_, id)) = paper.claims().into_iter().find(|(_, id)| !ids.insert(*id)) {
+        return Err(format!("two claims are called `{id}`"));
+    }
     let key = file.text("key").ok_or("`key` is missing")?.to_owned();
     let (mut tasks, mut broken) = (Vec::new(), Vec::new());
     for (place, text) in certificates.iter().enumerate() {

@@ -94,11 +94,12 @@ impl<'a> Table<'a> {
         let (rows, columns) = table.size();
         let cells = claim.list("cells");
         let even = cells.len() == rows && cells.iter().all(|row| row.as_list().len() == columns);
-        if even || claim.text("cells") == Some("lost") {
-            Ok(table)
-        } else {
-            Err(Stop::Wrong("the cells are not as many as the headers".into()))
+        if claim.text("cells") == Some("lost") {
+            return Ok(table);
         }
+        let printed = even && table.places().all(|place| table.printed(place).is_some());
+        let why = "the cells are not as many as the headers, or one is no decimal";
+        printed.then_some(table).ok_or_else(|| Stop::Wrong(why.into()))
     }
 
     /// The number of rows and columns.
@@ -203,7 +204,7 @@ impl<'a> Table<'a> {
             scope.and_then(|(scope, _)| scope.value(&self.value))
         };
         let value = match value {
-            Err(Stop::Capped(cap)) => return Err(Stop::Capped(cap)),
+            Err(stop @ (Stop::Capped(_) | Stop::Wrong(_))) => return Err(stop),
             value => value.ok(),
         };
         read.known.borrow_mut().insert(at, value.clone());

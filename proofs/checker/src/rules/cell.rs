@@ -116,7 +116,8 @@ impl Cell<'_> {
                     let given = gives(&self.decimal, &value, part.read.decimals())?;
                     require(!given, Reason::Explained)?;
                     if part.slip().is_none() {
-                        let near = self.rounding(Some(&value))? != "neither" && !self.is_depth();
+                        let near = self.rounding(Some(&value))?;
+                        let near = ["cut", "away"].contains(&near) && !self.is_depth();
                         let digits = has_digits(&self.decimal, "rounding");
                         require(!near || !digits, Reason::Explained)?;
                         self.no_slip(Some(&value), around(part))?;

@@ -278,8 +278,8 @@ fn scale(table: &Table<'_>, cells: &Cells) -> Result<Option<String>, Stop> {
     Ok(None)
 }
 
-/// How many cells the values give at most when they are those at `base` of a parameter that
-/// they are proportional to, and it is p/q with p, q = 1, …, 100; exact above `enough` only.
+/// How many cells the values give at most when they are multiplied by (p/q)/base, p, q = 1, …, 100;
+/// exact above `enough` only.
 fn at_best_scale(
     cells: &Cells,
     values: &[Option<Value>],
@@ -287,28 +287,35 @@ fn at_best_scale(
     base: &Value,
     enough: usize,
 ) -> Result<usize, Stop> {
-    let Some(base) = base.rational().filter(Signed::is_positive) else { return Ok(0) };
-    // The values of the parameter that give a cell, by its |value| at 1.
-    let mut ranges = Vec::new();
+    let given = |s: &Value| -> Result<usize, Stop> {
+        let factor = s.over(base)?;
+        let scaled = values.iter().map(|v| v.as_ref().map(|v| v.times(&factor)).transpose());
+        Ok(explained(cells, &scaled.collect::<Result<Vec<_>, Stop>>()?, decimals)?.len())
+    };
+    // The p/q that may give a cell, by its |value| at 1. A value that is 0 is so at all of them.
+    let (mut ranges, mut zeros) = (Vec::new(), 0);
     for ((_, decimal), value) in cells.iter().zip(values) {
-        let Some(value) = value.as_ref().filter(|value| !value.is_zero()) else { continue };
-        let unit = value.over(&Value::from(base.clone()))?.abs(None)?;
+        let Some(value) = value else { continue };
+        if value.is_zero() {
+            zeros += 1;
+            continue;
+        }
+        let unit = value.over(base)?.abs(None)?;
         let (low, high) = interval(decimal, decimals);
         ranges.push((Value::from(low).over(&unit)?, Value::from(high).over(&unit)?));
     }
+    // No fewer than are given there.
     let covering = |s: &Value| -> Result<usize, Stop> {
-        let mut count = 0;
+        let mut count = zeros;
         for (low, high) in &ranges {
             count += usize::from(low.compare(s)?.is_le() && s.compare(high)?.is_le());
         }
         Ok(count)
     };
-    let given = |s: &Value| -> Result<usize, Stop> {
-        let factor = s.over(&Value::from(base.clone()))?;
-        let scaled = values.iter().map(|v| v.as_ref().map(|v| v.times(&factor)).transpose());
-        Ok(explained(cells, &scaled.collect::<Result<Vec<_>, Stop>>()?, decimals)?.len())
-    };
     let mut best = 0;
+    if zeros > enough {
+        best = given(&Value::int(1))?;
+    }
     for (low, high) in &ranges {
         // The ranges that meet at some value all hold the greatest of their lower ends.
         if covering(low)? <= enough {

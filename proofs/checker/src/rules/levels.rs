@@ -3,7 +3,7 @@
 use super::growth::{MAX_PERIOD, growth};
 use super::promise::{change, errors, flows, kept};
 use super::sound::Promised;
-use super::theorem::Instance;
+use super::theorem::{Instance, first_level};
 use crate::certificate::Block;
 use crate::paper::{Paper, formula_of};
 use crate::reject::{Checked, Reason, Stop, require};
@@ -36,7 +36,7 @@ pub fn check<'a>(
     let said = block.after("grows")?.split_once(' ').unwrap_or_default();
     require(said.0 == period.to_string() && paper.number(said.1)?.equals(&ratio)?, Reason::Growth)?;
     let times: u32 = block.after("times")?.parse().unwrap_or(0);
-    let from: u32 = claim.text("from").and_then(|from| from.parse().ok()).unwrap_or(0);
+    let from = first_level(claim)?;
     let levels = period.checked_mul(times).filter(|levels| (1..=MAX_PERIOD).contains(levels));
     let levels = levels.filter(|_| from <= MAX_PERIOD).ok_or(Reason::Level)?;
     let power = ratio.power(times.into())?;

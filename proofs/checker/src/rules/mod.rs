@@ -19,22 +19,9 @@ mod theorem;
 use crate::certificate::Block;
 use crate::paper::Paper;
 use crate::reject::{Checked, Reason};
+use crate::shape::misfit;
 use crate::table::{Place, Table};
 use crate::toml::Toml;
-
-/// The fields of all claims, and those of the claims of each kind.
-const FIELDS: [(&str, &str); 6] = [
-    ("", "id locus title scheme note"),
-    ("table", "value promise rows columns cells given unstated"),
-    ("equation", "symbols hypotheses indices left right absent"),
-    ("function", "variable left right"),
-    ("range", "variable value below at_most from to closed"),
-    (
-        "theorem",
-        "bounds by from says rests schemes values offset interpolant supposes block corrections \
-         proved_by refuted_by proof_uses",
-    ),
-];
 
 /// What a valid certificate proves of a claim.
 pub enum Verdict {
@@ -68,12 +55,9 @@ fn judge<'a>(
     claim: &'a Toml,
     block: &mut Block<'_>,
 ) -> Checked<Verdict> {
-    // What the claim file says beyond this could change what the claim means.
-    let fields = FIELDS.iter().filter(|(of, _)| ["", kind].contains(of));
-    let known: Vec<&str> = fields.flat_map(|(_, fields)| fields.split(' ')).collect();
-    let mut fields = claim.as_table().iter().map(|(field, _)| field);
-    if let Some(field) = fields.find(|field| !known.contains(&field.as_str())) {
-        return Err(Reason::Field(field.clone()).into());
+    // What else the claim file says could change what the claim means.
+    if let Some(path) = misfit(claim, kind) {
+        return Err(Reason::Field(path[1..].to_owned()).into());
     }
     while let Some(said) = block.maybe("constant") {
         constant::check(paper, said, block)?;

@@ -18,6 +18,9 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     let free = Free::read(paper, claim, block)?;
     block.restates("value", claim.text("value"))?;
     let below = claim.get("below").is_some();
+    if below && claim.get("at_most").is_some() {
+        return Err(Stop::Wrong("`below` and `at_most` at once".into()).into());
+    }
     let (word, key) = if below { ("below", "below") } else { ("at-most", "at_most") };
     block.restates(word, claim.text(key))?;
     let value = formula_of(claim, "value")?;

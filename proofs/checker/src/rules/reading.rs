@@ -7,6 +7,7 @@ use crate::scheme::formula;
 use crate::table::{Place, Read, Table};
 use crate::toml::Toml;
 use crate::value::Value;
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
 /// The most choices and definitions that are other than printed.
@@ -15,11 +16,15 @@ pub const MAX_DIFFERENCES: usize = 4;
 /// The lines `read …` of a table; `None` when there are none.
 fn read(table: &Table<'_>, block: &mut Block<'_>) -> Checked<Option<Read>> {
     let (mut read, mut found, mut differences) = (Read::default(), false, 0);
+    let mut defined = BTreeSet::new();
     while let Some(said) = block.maybe("read") {
         found = true;
         match said.split_whitespace().collect::<Vec<&str>>()[..] {
             ["choice", name, way] => choose(&mut read, name, way)?,
-            ["definition", name, number] => define(table, &mut read, name, number)?,
+            ["definition", name, number] => {
+                require(defined.insert(name), Reason::NotInFamily(name.to_owned()))?;
+                define(table, &mut read, name, number)?;
+            }
             ["parameter", name, value] => {
                 let known = table.given.contains_key(name) || table.unstated.contains_key(name);
                 let value = table.paper.number(value)?;

@@ -111,6 +111,16 @@ impl<'a> Instance<'a> {
     }
 }
 
+/// The first level that a bound is stated for.
+pub fn first_level(claim: &Toml) -> Result<u32, Stop> {
+    match claim.text("from") {
+        None if claim.text("bounds") == Some("depth") => Ok(0),
+        from => {
+            from.and_then(|from| from.parse().ok()).ok_or(Stop::Wrong("`from` is no level".into()))
+        }
+    }
+}
+
 /// Control data for which the bound is false.
 fn refuted<'a>(
     paper: &'a Paper<'a>,
@@ -124,7 +134,7 @@ fn refuted<'a>(
         tolerance = Some(Value::from(number.ok_or(Reason::Malformed("a positive number"))?));
     }
     let said = block.after("level")?;
-    let from: u32 = claim.text("from").and_then(|from| from.parse().ok()).unwrap_or(0);
+    let from = first_level(claim)?;
     let level: u32 = said.parse().map_err(|_| Reason::Malformed("a level"))?;
     require((from..=MAX_LEVEL).contains(&level), Reason::Level)?;
     let witness = Witness::read(paper, block)?;

@@ -1,0 +1,59 @@
+//! What may stand in a claim file, and of which type.
+
+use crate::toml::Toml;
+
+/// The fields of each kind of table with their types: `*t` is a list of t, `%t` a table of any names,
+/// and of `s|t` it is one.
+const SHAPES: &str = "
+file: key=text paper=any define=%text given=%text alternative=*alternative scheme=*scheme \
+ table=*any equation=*any function=*any range=*any theorem=*any unclaimed=any
+alternative: of=text label=text value=text
+scheme: name=text title=text source=text parameters=%parameter let=%text offset=text arity=text \
+ width=text entry=text mask=**text orbits=%text weights=%%text edges=**text use=text
+parameter: default=text about=text
+claim: id=text locus=text title=text scheme=text note=text
+table: value=text promise=promise rows=axis columns=axis cells=text|**number given=%text \
+ unstated=%text
+equation: symbols=*text hypotheses=*text indices=*axis left=text|*text right=text absent=text
+function: variable=text left=text right=text
+range: variable=text value=text below=text at_most=text from=number to=number closed=flag
+theorem: bounds=text by=text from=text says=text rests=*text schemes=*text values=%*text \
+ offset=text interpolant=text supposes=supposes block=text corrections=*correction \
+ proved_by=text refuted_by=text proof_uses=*text
+promise: tolerance=text level=text spread=text offset=text ring=text
+axis: name=text label=text values=*number from=text to=text
+number: TEXT printed=text read=text note=text
+supposes: value=text below=text
+correction: of=text says=text value=text
+";
+
+/// The type of a field of a kind of table, or of every claim.
+fn field(kind: &str, name: &str) -> Option<&'static str> {
+    let of = |kind: &str| {
+        let fields = SHAPES.lines().find_map(|line| line.strip_prefix(kind)?.strip_prefix(": "))?;
+        let mut fields = fields.split_whitespace().filter_map(|field| field.split_once('='));
+        fields.find(|(known, _)| *known == name).map(|(_, of)| of)
+    };
+    of(kind).or_else(|| of("claim").filter(|_| crate::paper::KINDS.contains(&kind)))
+}
+
+/// Where a value is not of a type: the fields that lead there, `.promise.spread`.
+pub fn misfit(value: &Toml, of: &str) -> Option<String> {
+    let nested = |(name, value): &(String, Toml), of: &str| {
+        misfit(value, of).map(|rest| format!(".{name}{rest}"))
+    };
+    if let Some((one, other)) = of.split_once('|') {
+        return misfit(value, one).and(misfit(value, other));
+    }
+    match (value, of.strip_prefix('*'), of.strip_prefix('%')) {
+        (Toml::List(list), Some(of), _) => list.iter().find_map(|value| misfit(value, of)),
+        (Toml::Table(table), _, Some(of)) => table.iter().find_map(|entry| nested(entry, of)),
+        (Toml::Table(table), None, None) if !["text", "flag", "any"].contains(&of) => {
+            table.iter().find_map(|entry| nested(entry, field(of, &entry.0).unwrap_or("none")))
+        }
+        (Toml::Text(_), ..) if ["text", "number"].contains(&of) => None,
+        (Toml::Flag(_), ..) if of == "flag" => None,
+        _ if of == "any" => None,
+        _ => Some(String::new()),
+    }
+}
