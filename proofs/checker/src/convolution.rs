@@ -13,7 +13,7 @@ use std::rc::Rc;
 pub const MAX_LENGTH: usize = 1 << 16;
 
 /// About what the sign of a polynomial on a piece costs.
-const STEPS_OF_SIGN: u64 = 1_000;
+const STEPS_OF_SIGN: u64 = 100;
 
 /// The most products that are kept.
 const MAX_PRODUCTS: usize = 1_000;

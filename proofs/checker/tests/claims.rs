@@ -1,0 +1,169 @@
+//! What a claim file must not say, or not so: nothing that it says is passed over.
+
+use subcert_check::{Outcome, Reason, check};
+
+const CLAIMS: &str = r#"
+key = "claims"
+[define]
+twice = '2*w'
+[[alternative]]
+of = "twice"
+label = "three times"
+value = '3*w'
+[[scheme]]
+name = "corner"
+parameters.w = { about = "tension", default = '1/4' }
+mask = [['1 - w', 'w'], ['w', '1 - w']]
+[[table]]
+id = "t"
+value = 'twice'
+columns = { name = "w", values = ['2', '3'] }
+given = { x = '1' }
+promise = { level = 'x', spread = '1' }
+scheme = "corner"
+cells = [['4', '6']]
+[[equation]]
+id = "e"
+symbols = ["x"]
+hypotheses = ['x[0] = 2']
+indices = [{ name = "i", from = '1', to = '2' }]
+left = 'i*x[0]'
+right = '2*i'
+[[equation]]
+id = "no"
+left = '1'
+right = '2'
+[[theorem]]
+id = "c"
+says = "something"
+proved_by = "THEOREMS 1"
+proof_uses = ["e"]
+[[range]]
+id = "r"
+variable = "w"
+value = 'w^2'
+below = '1'
+from = '-1'
+to = '1'
+closed = false
+"#;
+
+const CERTIFICATE: &str = r#"subcert-certificate 1
+paper claims
+table t
+  scheme corner
+  value twice
+  cell 1 1 "4" 4 confirmed
+  cell 1 2 "6" 6 confirmed
+  kept 1 1 1 1 1
+  kept 1 2 1 1 1
+equation e
+  left i*x[0]
+  right 2*i
+  holds 2
+equation no
+  left 1
+  right 2
+  fails 1
+  case = -1
+theorem c
+  says something
+  proved-by THEOREMS 1
+  proved
+range r
+  variable w
+  value w^2
+  below 1
+  breaks -1 1
+  signs + 0 - 0 +
+  end from "-1" -1 equal
+  end to "1" 1 equal
+  exact
+end 5
+"#;
+
+/// How many claims of a file are shown.
+fn shown(claims: &str, certificate: &str) -> Option<usize> {
+    let claims = check(claims, &[certificate]).ok()?.claims;
+    let shown = |outcome: &Outcome| matches!(outcome, Outcome::Valid | Outcome::Cited(_));
+    Some(claims.iter().filter(|(.., outcome)| shown(outcome)).count())
+}
+
+/// A text with other words in the place of these.
+fn altered(text: &str, from: &str, to: &str) -> String {
+    assert!(text.contains(from), "{from}");
+    text.replacen(from, to, 1)
+}
+
+#[test]
+fn nothing_that_a_claim_says_is_passed_over() {
+    assert_eq!(shown(CLAIMS, CERTIFICATE), Some(5));
+    for (from, to) in [
+        ("['2', '3']", "['2', { printed = '3', read = '3', unit = 'm' }]"),
+        ("values = ['2', '3']", "values = ['2', '3'], step = '1'"),
+        ("given = { x = '1' }", "given = ['x']"),
+        ("spread = '1'", "spread = '1', norm = 'l2'"),
+        ("spread = '1'", "spread = '-1'"),
+        ("hypotheses = ['x[0] = 2']", "hypotheses = 'x[0] = 2'"),
+        ("indices = [{ name", "indices = [{ step = '2', name"),
+        ("closed = false", "closed = 'no'"),
+        ("closed = false", "closed = false\nat_most = '1'"),
+        ("proof_uses = [\"e\"]", "proof_uses = [\"no\"]"),
+        ("proof_uses = [\"e\"]", "proof_uses = \"no\""),
+        ("proof_uses = [\"e\"]", "proof_uses = [[\"no\"]]"),
+        ("proof_uses = [\"e\"]", "proof_uses = { e = \"no\" }"),
+    ] {
+        let claims = altered(CLAIMS, from, to);
+        assert!(shown(&claims, CERTIFICATE).is_some_and(|shown| shown < 5), "{to}");
+    }
+    for (from, to) in [
+        ("key = \"claims\"", "key = \"claims\"\nunits = 'm'"),
+        ("[[equation]]\nid = \"no\"", "[[conjecture]]\nid = \"no\""),
+        ("id = \"no\"", "id = \"e\""),
+        ("label = \"three times\"", "label = \"three times\"\nif = 'w > 1'"),
+        ("default = '1/4'", "default = '1/4', range = '0..1'"),
+        ("mask = [['1 - w', 'w'],", "mask = [['1 - w', ['w']],"),
+    ] {
+        let claims = altered(CLAIMS, from, to);
+        assert_eq!(shown(&claims, CERTIFICATE), None, "{to}");
+    }
+}
+
+#[test]
+fn a_cell_that_is_no_decimal_is_not_lost() {
+    for text in ["+6", "0,5", "1/3", ".5", "5.", " 6", "n/a", "", "1e400000"] {
+        let claims = altered(CLAIMS, "'6']]", &format!("'{text}']]"));
+        let lost = altered(CERTIFICATE, "\"6\" 6 confirmed", "lost 6");
+        let lost = altered(&lost, "  kept 1 2 1 1 1\n", "");
+        assert_eq!(shown(&claims, &lost), Some(4), "{text}");
+    }
+}
+
+/// A definition is read in one way.
+#[test]
+fn a_definition_is_read_once() {
+    let claims = altered(
+        CLAIMS,
+        "value = '3*w'",
+        "value = '3*w'\n[[alternative]]\nof = \"twice\"\nlabel = \"four times\"\nvalue = '4*w'",
+    );
+    let claims = altered(&claims, "['4', '6']", "['8', '12']");
+    let read = |lines: &str| {
+        let read = format!("value twice\n{lines}");
+        let read = altered(CERTIFICATE, "value twice\n", &read);
+        let read = altered(&read, "\"4\" 4 confirmed", "\"8\" 4 other-reading 8");
+        let read = altered(&read, "\"6\" 6 confirmed", "\"12\" 6 other-reading 12");
+        let family = "  kept 1 2 1 1 1\n  family 2\n  member : 0 0 0\n  member twice#1 : 0 0 0\n  member twice#2 : 2 2 2\n";
+        altered(&read, "  kept 1 2 1 1 1\n", family)
+    };
+    let reason = |lines: &str| {
+        let report = check(&claims, &[&read(lines)]).expect("a claim file");
+        let outcome = report.claims.into_iter().find(|(_, id, _)| id == "t");
+        let Some((.., Outcome::Invalid(_, rejection))) = outcome else { panic!("{outcome:?}") };
+        rejection.reason
+    };
+    // That few digits are luck is the only thing that is wrong with one reading.
+    assert_eq!(reason("  read definition twice 2\n"), Reason::Luck);
+    let twice = reason("  read definition twice 1\n  read definition twice 2\n");
+    assert_eq!(twice, Reason::NotInFamily("twice".to_owned()));
+}
