@@ -4,6 +4,7 @@
 //! otherwise or a parameter is another, and its decimals are cut or rounded, with slips.
 
 #![allow(missing_docs)]
+#![allow(clippy::format_push_string, reason = "a claim file is written line by line")]
 
 use proptest::prelude::*;
 use subcert::audit::audit;
@@ -77,7 +78,7 @@ fn head(choices: &mut Choices) -> String {
     });
     let rules: Vec<String> = rules.collect();
     let offset = choices.of(&["0", "-1", "1"]);
-    text += &format!("[[scheme]]\nname = 's'\nparameters.w = {{ about = '' }}\n");
+    text += "[[scheme]]\nname = 's'\nparameters.w = { about = '' }\n";
     text + &format!("mask = [{}]\noffset = '{offset}'\n", rules.join(", "))
 }
 
@@ -147,7 +148,7 @@ fn paper(text: &str) -> Paper {
 fn claims(mut choices: Choices) -> String {
     let head = head(&mut choices);
     let mut text = head.clone();
-    for id in 0..1 + choices.below(2) {
+    for id in 0..=choices.below(2) {
         let (blank, hidden) = blank(&mut choices, id);
         let tension = if choices.below(3) == 0 { "3/32" } else { blank.tension };
         let source = paper(&format!("{head}{}", blank.table(hidden, tension, |_, _| "1".into())));

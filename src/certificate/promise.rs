@@ -69,7 +69,9 @@ fn witness(block: &mut Block, data: &ControlData, weights: &[RealCyclotomic]) {
         ControlData::Net(rows, first, parameters) => {
             let mut rows = rows.clone();
             if flat(&rows.concat()) {
-                rows.iter_mut().for_each(|row| row.push(1));
+                for row in &mut rows {
+                    row.push(1);
+                }
             }
             net(block, *first, &rows, false);
             block.line(format!("at {}", list(parameters)));
