@@ -90,28 +90,30 @@ impl Convolution {
         if let Some(known) = library.products.borrow().get(&key) {
             return Ok(Rc::clone(known));
         }
-        // How many sequences are multiplied.
-        let count = if printed { 1_u32.checked_shl(c - 1).unwrap_or(u32::MAX) } else { c };
-        // Integers are quicker to multiply.
-        let scale = Value::denominator(sequence)?;
-        let first = &sequence[..sequence.len().min(length)];
-        let first = first.iter().map(|value| value.times(&scale));
-        let first = first.collect::<Result<Vec<Value>, Stop>>()?;
-        let (mut product, mut factors) = (vec![Value::int(1)], 0);
-        while factors < count {
-            // E^c_{l,f} = Σ_e E_{l,e} E^{c−1}_{e,f}: the left factor in z^(n^factors).
-            let step = arity.saturating_pow(factors);
-            let left = if printed && factors > 0 { &product } else { &first };
-            product = spread(library, left, &product, step, length)?;
-            factors += if printed && factors > 0 { factors } else { 1 };
-        }
-        let product = Rc::new(Product {
-            coefficients: product,
-            scale: Value::int(1).over(&scale.power(count.into())?)?,
-            stride: arity.saturating_pow(count),
-            classes: self.classes(),
-            known: RefCell::default(),
-        });
+        let one = Value::int(1);
+        let product = if c == 0 {
+            (vec![one.clone()], one, 1)
+        } else {
+            // E^c_{l,f} = Σ_e E_{l,e} E^{c−1}_{e,f}: the left factor in z^stride, in integers,
+            // which are quicker to multiply.
+            let right = Convolution { c: c - 1, ..self }.of(library, sequence, length)?;
+            let step = right.stride;
+            if printed && c > 1 {
+                let left = &right.coefficients;
+                let product = spread(library, left, left, step, length)?;
+                (product, right.scale.times(&right.scale)?, step.saturating_mul(step))
+            } else {
+                let over = Value::denominator(sequence)?;
+                let left = &sequence[..sequence.len().min(length)];
+                let left = left.iter().map(|value| value.times(&over));
+                let left = left.collect::<Result<Vec<Value>, Stop>>()?;
+                let product = spread(library, &left, &right.coefficients, step, length)?;
+                (product, right.scale.over(&over)?, step.saturating_mul(arity))
+            }
+        };
+        let (coefficients, scale, stride) = product;
+        let (classes, known) = (self.classes(), RefCell::default());
+        let product = Rc::new(Product { coefficients, scale, stride, classes, known });
         let mut known = library.products.borrow_mut();
         if known.len() == MAX_PRODUCTS {
             known.clear();
