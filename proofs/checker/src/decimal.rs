@@ -28,8 +28,10 @@ pub fn int(value: i64) -> Q {
 pub struct Decimal {
     /// The digits.
     pub digits: BigInt,
-    /// The power of ten of the last digit.
-    pub place: i64,
+    /// One unit of the last digit.
+    pub unit: Q,
+    /// The value.
+    pub value: Q,
 }
 
 /// Digits, with a sign in front or not.
@@ -52,17 +54,9 @@ impl Decimal {
         // There are digits before the point, and behind it.
         digits(whole, true).filter(|_| number.len() != whole.len() + 1)?;
         let place = exponent - i64::try_from(fraction.len()).ok()?;
-        Some(Decimal { digits: digits(&format!("{whole}{fraction}"), true)?, place })
-    }
-
-    /// Its value.
-    pub fn value(&self) -> Q {
-        self.unit() * &self.digits
-    }
-
-    /// One unit of its last place.
-    pub fn unit(&self) -> Q {
-        int(10).pow(i32::try_from(self.place).unwrap_or(0))
+        let unit = int(10).pow(i32::try_from(place).ok()?);
+        let digits = digits(&format!("{whole}{fraction}"), true)?;
+        Some(Decimal { value: &unit * &digits, digits, unit })
     }
 }
 
@@ -85,7 +79,7 @@ pub fn over_one_denominator(rows: &[Vec<Q>]) -> Result<(Vec<Vec<BigInt>>, BigInt
 /// Reads `-35/1296` or a decimal.
 pub fn read_rational(text: &str) -> Option<Q> {
     let Some((top, bottom)) = text.split_once('/') else {
-        return Decimal::read(text).map(|decimal| decimal.value());
+        return Decimal::read(text).map(|decimal| decimal.value);
     };
     let top = digits(&top.replace('\u{2212}', "-"), true)?;
     let bottom = digits(bottom, false).filter(|bottom| !bottom.is_zero())?;

@@ -186,7 +186,7 @@ impl Parser {
         }
         let decimal = Decimal::read(&text).ok_or("a number")?;
         self.space();
-        Ok(Expr::Number(decimal.value()))
+        Ok(Expr::Number(decimal.value))
     }
 
     fn list(&mut self) -> Parsed<Vec<Expr>> {

@@ -68,6 +68,11 @@ impl<'a> Paper<'a> {
 
     /// A closed formula of a certificate.
     pub fn number(&self, text: &str) -> Checked<Value> {
+        // Most are fractions.
+        let fraction = text.bytes().all(|b| b.is_ascii_digit() || b == b'-' || b == b'/');
+        if let Some(known) = read_rational(text).filter(|_| fraction) {
+            return Ok(known.into());
+        }
         value(text, &self.nothing())
     }
 }

@@ -1,6 +1,7 @@
 //! Printed decimals against exact values.
 
 use crate::decimal::{Decimal, Q, int};
+use crate::polynomial::signum;
 use crate::reject::Stop;
 use crate::value::{Piece, Value};
 use num_bigint::BigInt;
@@ -18,7 +19,7 @@ pub fn rounding_on(
     value: &Value,
     piece: Option<&Piece>,
 ) -> Result<&'static str, Stop> {
-    let (shown, unit) = (Value::from(decimal.value()), Value::from(decimal.unit()));
+    let (shown, unit) = (Value::from(decimal.value.clone()), Value::from(decimal.unit.clone()));
     let off = shown.minus(value)?.abs(piece)?;
     if off.plus(1, &off)?.compare_on(&unit, piece)?.is_le() {
         return Ok("nearest");
@@ -32,7 +33,7 @@ pub fn rounding_on(
 
 /// Whether `value` becomes `decimal` where decimals are rounded in this way.
 pub fn gives(decimal: &Decimal, value: &Value, decimals: &str) -> Result<bool, Stop> {
-    let shown = Value::from(decimal.value()).abs(None)?;
+    let shown = Value::from(decimal.value.abs());
     let beyond = shown.compare(&value.abs(None)?)?;
     Ok(match (rounding(decimal, value)?, decimals) {
         ("neither", _) => false,
@@ -73,10 +74,10 @@ pub fn slips(decimal: &Decimal, value: &Value) -> Result<Vec<String>, Stop> {
             slips.push(format!("exponent {places}"));
         }
     }
-    if Value::from(decimal.value()).sign(None)? != value.sign(None)? {
+    if signum(&decimal.digits) != value.sign(None)? {
         return Ok(slips);
     }
-    let scaled = value.over(&Value::from(decimal.unit()))?.abs(None)?;
+    let scaled = value.over(&Value::from(decimal.unit.clone()))?.abs(None)?;
     let cut = scaled.floor()?;
     for correct in [nearest(&scaled, &cut)?, cut] {
         slips.extend(digit_slip(&decimal.digits.abs(), &correct));
@@ -112,8 +113,8 @@ fn digit_slip(printed: &BigInt, correct: &BigInt) -> Option<String> {
 
 /// The ends of the interval of values that a decimal stands for in this rounding.
 pub fn interval(decimal: &Decimal, decimals: &str) -> (Q, Q) {
-    let (shown, unit) = (decimal.value().abs(), decimal.unit());
-    let half = &unit / int(2);
+    let (shown, unit) = (decimal.value.abs(), &decimal.unit);
+    let half = unit / int(2);
     match decimals {
         "cut" => (shown.clone(), shown + unit),
         "away" => (&shown - unit, shown),

@@ -149,7 +149,7 @@ impl Cell<'_> {
         let mut read = Read::default();
         read.reading.words = BTreeMap::from([("rounded".to_owned(), way.to_owned())]);
         let value = self.table.read(self.place, &read)?;
-        value.map_or(Ok(false), |value| value.equals(&self.decimal.value().into()))
+        value.map_or(Ok(false), |value| value.equals(&self.decimal.value.clone().into()))
     }
 
     /// Makes sure that this slip leads from the value to the printed number.

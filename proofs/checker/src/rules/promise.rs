@@ -44,7 +44,7 @@ pub fn check(table: &Table<'_>, block: &mut Block<'_>) -> Checked<()> {
             require(said.is_empty(), Reason::Malformed("ROW COLUMN"))?;
             continue;
         }
-        let (promised, printed) = (Promised::new(table, at)?, Value::from(printed.value()));
+        let (promised, printed) = (Promised::new(table, at)?, Value::from(printed.value));
         let (level, most) = match (promised.level, &promised.tolerance) {
             (None, Some(tolerance)) => (printed.integer(MAX_LEVEL.into())?, tolerance.clone()),
             (level, _) => (level.ok_or(Reason::NoPromise)?, printed),

@@ -44,7 +44,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         let mut nearest: Option<(&Root, bool)> = None;
         for (end, belongs) in ends {
             let nearer = match nearest {
-                Some((other, _)) => end.nearer(other, &decimal.value())?.is_lt(),
+                Some((other, _)) => end.nearer(other, &decimal.value)?.is_lt(),
                 None => true,
             };
             nearest = if nearer { Some((end, belongs)) } else { nearest };
@@ -99,7 +99,7 @@ fn relation(
     set: &[[End; 2]],
 ) -> Result<&'static str, Stop> {
     let Some((end, belongs)) = exact else { return Ok("apart") };
-    let at = Root::from(printed.value());
+    let at = Root::from(printed.value.clone());
     if at.compare(end)?.is_eq() {
         let same = closed.is_none_or(|closed| closed == belongs);
         return Ok(if same { "equal" } else { "belonging" });
@@ -111,7 +111,7 @@ fn relation(
     if found != "neither" {
         return Ok(found);
     }
-    let next = Root::from(printed.value() + printed.unit() * int(outwards));
+    let next = Root::from(&printed.value + &printed.unit * int(outwards));
     if belongs || closed == Some(false) || !next.compare(end)?.is_eq() {
         return Ok("apart");
     }
