@@ -1,0 +1,67 @@
+//! What makes a cell refuted: no member of the family, at no scale, explains more.
+
+use subcert_check::{Outcome, Reason, check};
+
+/// What the checker says of a table of a·w, a = 0, 1, 2, 3 under alternatives of a·w.
+fn reason(w: &str, cells: [&str; 4], alternative: &str, block: &str) -> Option<Reason> {
+    let cells = cells.join("', '");
+    let claims = format!(
+        "key = 'f'\n[define]\ny = 'a*w'\n[[alternative]]\nof = 'y'\nlabel = 'b'\n\
+         value = '{alternative}'\n[[table]]\nid = 't'\nvalue = 'y'\ngiven = {{ w = '{w}' }}\n\
+         columns = {{ name = 'a', values = ['0', '1', '2', '3'] }}\ncells = [['{cells}']]\n"
+    );
+    let certificate = format!("subcert-certificate 1\npaper f\ntable t\n  value y\n{block}end 1\n");
+    let report = check(&claims, &[&certificate]).expect("a claim file");
+    assert!(report.broken.is_empty());
+    match report.claims.into_iter().next().expect("a table").2 {
+        Outcome::Valid => None,
+        Outcome::Invalid(_, rejection) => Some(rejection.reason),
+        outcome => panic!("{outcome:?}"),
+    }
+}
+
+/// Cells that are refuted, with what the members give there.
+fn refuted(cells: [&str; 4], values: [&str; 4], family: &str) -> String {
+    let cell = |(i, (text, value)): (usize, (&str, &str))| {
+        let verdict = if i == 0 { "confirmed" } else { "refuted" };
+        format!("  cell 1 {} \"{text}\" {value} {verdict}\n", i + 1)
+    };
+    let pairs = cells.into_iter().zip(values).enumerate();
+    pairs.map(cell).collect::<String>() + family
+}
+
+#[test]
+fn every_scale_is_looked_at() {
+    // w = 1/2, and what is printed belongs to no p/q at all; then to 3/7, of which 0 is a cell too.
+    let values = ["0", "1/2", "1", "3/2"];
+    let family = "  family 1\n  scale w\n  values 1 2 1/2 5/2\n  values 1 3 1 5\n  values 1 4 3/2 15/2\n  \
+                  member : 1 1 1 : 1 1 1\n  member y#1 : 1 1 1 : 2 2 2\n";
+    let none = ["0.0", "0.123411", "0.771309", "2.219047"];
+    assert_eq!(reason("1/2", none, "5*a*w", &refuted(none, values, family)), None);
+    let scaled = ["0.0", "0.428571", "0.857143", "1.285714"];
+    let found = reason("1/2", scaled, "5*a*w", &refuted(scaled, values, family));
+    assert_eq!(found, Some(Reason::NotBest));
+    let one = ["0.0", "0.428571", "0.771309", "2.219047"];
+    let found = reason("1/2", one, "5*a*w", &refuted(one, values, family));
+    assert_eq!(found, Some(Reason::NotBest));
+    // So it is where w is negative.
+    let values = ["0", "-1/20", "-1/10", "-3/20"];
+    let family = "  family 1\n  scale w\n  values 1 2 -1/20 -1/4\n  values 1 3 -1/10 -1/2\n  \
+                  values 1 4 -3/20 -3/4\n  member : 1 1 1 : 1 1 1\n  member y#1 : 1 1 1 : 2 2 2\n";
+    assert_eq!(reason("-1/20", none, "5*a*w", &refuted(none, values, family)), None);
+    let found = reason("-1/20", scaled, "5*a*w", &refuted(scaled, values, family));
+    assert_eq!(found, Some(Reason::NotBest));
+}
+
+/// A member that has no value for another reason than a division by 0, say, is no member that
+/// explains nothing.
+#[test]
+fn a_wrong_alternative_refutes_nothing() {
+    let cells = ["0.0", "0.123411", "0.771309", "2.219047"];
+    let values = ["0", "1/2", "1", "3/2"];
+    let family = "  family 1\n  scale w\n  values 1 2 1/2 undefined\n  values 1 3 1 undefined\n  \
+                  values 1 4 3/2 undefined\n  member : 1 1 1 : 1 1 1\n  member y#1 : 0 0 0 : 2 2 2\n";
+    assert_eq!(reason("1/2", cells, "a/(w - w)", &refuted(cells, values, family)), None);
+    let found = reason("1/2", cells, "a/v", &refuted(cells, values, family));
+    assert!(matches!(found, Some(Reason::Stopped(_))), "{found:?}");
+}
