@@ -45,7 +45,7 @@ impl Space<'_> {
     }
 
     fn is_scale(&self, scale: &Scale) -> bool {
-        if scale.base.is_zero() {
+        if scale.base.sign() <= 0 {
             return false;
         }
         let mut double = Settings::default();
@@ -152,9 +152,6 @@ impl Space<'_> {
         let cells = self.printed.iter().flatten().zip(values.iter().flatten());
         let cells: Vec<(&Printed, &RealCyclotomic)> =
             cells.filter_map(|(printed, value)| Some(((*printed)?, value.as_ref()?))).collect();
-        if scale.base.sign() < 0 {
-            return None;
-        }
         // A cell that is a slip may move the interval off the number that was chosen.
         solve(&cells, rounding).find_map(|(low, high)| {
             let between = (low * &scale.base, high * &scale.base);

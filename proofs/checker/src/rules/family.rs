@@ -257,13 +257,16 @@ fn explained(cells: &Cells, values: &[Option<Value>], decimals: &str) -> Result<
     Ok(found)
 }
 
-/// The first stated parameter, by name, that is not 0 and that every value is proportional to.
+/// The first stated parameter, by name, that is positive and that every value is proportional to.
 fn scale(table: &Table<'_>, cells: &Cells) -> Result<Option<String>, Stop> {
     if table.tolerance.is_some() {
         return Ok(None);
     }
     let once = values(table, cells, &table.as_printed)?;
-    for (name, base) in table.given.iter().filter(|(_, base)| !base.is_zero()) {
+    for (name, base) in &table.given {
+        if base.sign(None)? <= 0 {
+            continue;
+        }
         let mut read = Read::default();
         read.parameters.insert(name.clone(), base.plus(1, base)?);
         let twice = values(table, cells, &read)?;
