@@ -1,32 +1,22 @@
 //! Rule `family`: no reading of a table explains more cells than the one that is given, and
 //! luck would hardly find one as good.
 
-use super::reading::{MAX_DIFFERENCES, Reads, choose, define};
+use super::members::{Cells, explained, members, read, values};
+use super::reading::{MAX_DIFFERENCES, Reads};
+use super::scale::{at_best_scale, scale};
 use crate::certificate::Block;
-use crate::decimal::{Decimal, Q, int};
-use crate::formula::names;
-use crate::reading::CHOICES;
+use crate::decimal::{Q, int};
 use crate::reject::{Checked, Reason, Stop, require};
-use crate::rounding::{gives, interval};
 use crate::table::{Place, Read, Table};
 use crate::value::Value;
 use num_traits::{One, Pow, Signed, Zero};
-use std::collections::{BTreeMap, BTreeSet};
-
-/// The most members of a family.
-const MAX_MEMBERS: usize = 4_096;
-
-/// The greatest numerator and denominator of a scale that someone would choose.
-const MAX_SCALE: i64 = 100;
+use std::collections::BTreeSet;
 
 /// The fewest cells that a row or column with a reading of its own explains.
 const LEAST_CELLS: usize = 2;
 
 /// The places from which the values of a row or column are taken: its own, and those around.
 const SHIFTS: i64 = 5;
-
-/// The printed cells, with their places.
-type Cells = Vec<(Place, Decimal)>;
 
 /// Checks the lines `family`, `scale`, `values` and `member` of a table that is read
 /// otherwise or has cells that are refuted.
@@ -186,157 +176,6 @@ impl Listed {
 /// Whether two values are equal, or both undefined.
 fn same(one: Option<&Value>, other: Option<&Value>) -> Result<bool, Stop> {
     one.zip(other).map_or(Ok(one.is_none() && other.is_none()), |(one, other)| one.equals(other))
-}
-
-/// Every member: its differences from the printed text, `NAME=WAY` or `NAME#NUMBER`.
-fn members(table: &Table<'_>) -> Result<BTreeSet<BTreeSet<String>>, Stop> {
-    let consulted = table.as_printed.reading.consulted.borrow();
-    let tolerance = table.axes.iter().flatten().any(|axis| table.tolerance == Some(axis.name));
-    let mut changes: Vec<Vec<String>> = Vec::new();
-    for choice in &CHOICES {
-        let printed = match (consulted.get(choice.name), choice.name) {
-            (Some(word), _) => word.as_str(),
-            (None, "tolerance") if tolerance => "exact",
-            _ => continue,
-        };
-        let ways = choice.ways.iter().filter(|way| **way != printed);
-        changes.push(ways.map(|way| format!("{}={way}", choice.name)).collect());
-    }
-    let mut others: BTreeMap<&str, Vec<String>> = BTreeMap::new();
-    let used = names(&table.value, &table.paper.definitions);
-    for name in table.paper.file.list("alternative").iter().filter_map(|other| other.text("of")) {
-        if used.contains(name) {
-            let known = others.entry(name).or_default();
-            known.push(format!("{name}#{}", known.len() + 1));
-        }
-    }
-    changes.extend(others.into_values());
-    let mut members = BTreeSet::from([BTreeSet::new()]);
-    for ways in changes {
-        let shorter = members.iter().filter(|member| member.len() < MAX_DIFFERENCES);
-        let longer = shorter.flat_map(|member| {
-            ways.iter().map(|way| member.iter().chain([way]).cloned().collect::<BTreeSet<_>>())
-        });
-        members = longer.chain(members.iter().cloned()).collect();
-        if members.len() > MAX_MEMBERS {
-            return Err(Stop::Capped("the members of a family"));
-        }
-    }
-    Ok(members)
-}
-
-/// The reading of a member.
-fn read(table: &Table<'_>, member: &BTreeSet<String>) -> Checked<Read> {
-    let mut read = Read::default();
-    for difference in member {
-        if let Some((name, way)) = difference.split_once('=') {
-            choose(&mut read, name, way)?;
-        } else {
-            let (name, number) = difference.split_once('#').unwrap_or_default();
-            define(table, &mut read, name, number)?;
-        }
-    }
-    Ok(read)
-}
-
-/// The values of the cells under a reading, where they have one.
-fn values(table: &Table<'_>, cells: &Cells, read: &Read) -> Result<Vec<Option<Value>>, Stop> {
-    cells.iter().map(|(place, _)| table.read(*place, read)).collect()
-}
-
-/// The cells that these values give.
-fn explained(cells: &Cells, values: &[Option<Value>], decimals: &str) -> Result<Vec<Place>, Stop> {
-    let mut found = Vec::new();
-    for ((place, decimal), value) in cells.iter().zip(values) {
-        if let Some(value) = value
-            && gives(decimal, value, decimals)?
-        {
-            found.push(*place);
-        }
-    }
-    Ok(found)
-}
-
-/// The first stated parameter, by name, that is positive and that every value is proportional to.
-fn scale(table: &Table<'_>, cells: &Cells) -> Result<Option<String>, Stop> {
-    if table.tolerance.is_some() {
-        return Ok(None);
-    }
-    let once = values(table, cells, &table.as_printed)?;
-    for (name, base) in &table.given {
-        if base.sign(None)? <= 0 {
-            continue;
-        }
-        let mut read = Read::default();
-        read.parameters.insert(name.clone(), base.plus(1, base)?);
-        let twice = values(table, cells, &read)?;
-        let mut pairs = once.iter().zip(&twice);
-        if pairs.all(|pair| match pair {
-            (Some(once), Some(twice)) => twice.plus(-2, once).is_ok_and(|rest| rest.is_zero()),
-            (once, twice) => once.is_none() && twice.is_none(),
-        }) {
-            return Ok(Some(name.clone()));
-        }
-    }
-    Ok(None)
-}
-
-/// How many cells the values give at most when they are multiplied by (p/q)/base, p, q = 1, …, 100;
-/// exact above `enough` only.
-fn at_best_scale(
-    cells: &Cells,
-    values: &[Option<Value>],
-    decimals: &str,
-    base: &Value,
-    enough: usize,
-) -> Result<usize, Stop> {
-    let given = |s: &Value| -> Result<usize, Stop> {
-        let factor = s.over(base)?;
-        let scaled = values.iter().map(|v| v.as_ref().map(|v| v.times(&factor)).transpose());
-        Ok(explained(cells, &scaled.collect::<Result<Vec<_>, Stop>>()?, decimals)?.len())
-    };
-    // The p/q that may give a cell, by its |value| at 1. A value that is 0 is so at all of them.
-    let (mut ranges, mut zeros) = (Vec::new(), 0);
-    for ((_, decimal), value) in cells.iter().zip(values) {
-        let Some(value) = value else { continue };
-        if value.is_zero() {
-            zeros += 1;
-            continue;
-        }
-        let unit = value.over(base)?.abs(None)?;
-        let (low, high) = interval(decimal, decimals);
-        ranges.push((Value::from(low).over(&unit)?, Value::from(high).over(&unit)?));
-    }
-    // No fewer than are given there.
-    let covering = |s: &Value| -> Result<usize, Stop> {
-        let mut count = zeros;
-        for (low, high) in &ranges {
-            count += usize::from(low.compare(s)?.is_le() && s.compare(high)?.is_le());
-        }
-        Ok(count)
-    };
-    let mut best = 0;
-    if zeros > enough {
-        best = given(&Value::int(1))?;
-    }
-    for (low, high) in &ranges {
-        // The ranges that meet at some value all hold the greatest of their lower ends.
-        if covering(low)? <= enough {
-            continue;
-        }
-        for q in 1..=MAX_SCALE {
-            let mut p = low.times(&Value::int(q))?.floor()?;
-            loop {
-                let s = Value::from(Q::new(p.clone(), q.into()));
-                if p > MAX_SCALE.into() || s.compare(high)?.is_gt() {
-                    break;
-                }
-                best = best.max(if p.is_positive() { given(&s)? } else { 0 });
-                p += 1;
-            }
-        }
-    }
-    Ok(best)
 }
 
 /// Whether one of so many readings of unrelated values is likely enough to become m of these

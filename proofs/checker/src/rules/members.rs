@@ -1,0 +1,90 @@
+//! The members of the declared family of a table, and what they explain.
+
+use super::reading::{MAX_DIFFERENCES, choose, define};
+use crate::decimal::Decimal;
+use crate::formula::names;
+use crate::reading::CHOICES;
+use crate::reject::{Checked, Stop};
+use crate::rounding::gives;
+use crate::table::{Place, Read, Table};
+use crate::value::Value;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The most members of a family.
+const MAX_MEMBERS: usize = 4_096;
+
+/// The printed cells, with their places.
+pub type Cells = Vec<(Place, Decimal)>;
+
+/// Every member: its differences from the printed text, `NAME=WAY` or `NAME#NUMBER`.
+pub fn members(table: &Table<'_>) -> Result<BTreeSet<BTreeSet<String>>, Stop> {
+    let consulted = table.as_printed.reading.consulted.borrow();
+    let tolerance = table.axes.iter().flatten().any(|axis| table.tolerance == Some(axis.name));
+    let mut changes: Vec<Vec<String>> = Vec::new();
+    for choice in &CHOICES {
+        let printed = match (consulted.get(choice.name), choice.name) {
+            (Some(word), _) => word.as_str(),
+            (None, "tolerance") if tolerance => "exact",
+            _ => continue,
+        };
+        let ways = choice.ways.iter().filter(|way| **way != printed);
+        changes.push(ways.map(|way| format!("{}={way}", choice.name)).collect());
+    }
+    let mut others: BTreeMap<&str, Vec<String>> = BTreeMap::new();
+    let used = names(&table.value, &table.paper.definitions);
+    for name in table.paper.file.list("alternative").iter().filter_map(|other| other.text("of")) {
+        if used.contains(name) {
+            let known = others.entry(name).or_default();
+            known.push(format!("{name}#{}", known.len() + 1));
+        }
+    }
+    changes.extend(others.into_values());
+    let mut members = BTreeSet::from([BTreeSet::new()]);
+    for ways in changes {
+        let shorter = members.iter().filter(|member| member.len() < MAX_DIFFERENCES);
+        let longer = shorter.flat_map(|member| {
+            ways.iter().map(|way| member.iter().chain([way]).cloned().collect::<BTreeSet<_>>())
+        });
+        members = longer.chain(members.iter().cloned()).collect();
+        if members.len() > MAX_MEMBERS {
+            return Err(Stop::Capped("the members of a family"));
+        }
+    }
+    Ok(members)
+}
+
+/// The reading of a member.
+pub fn read(table: &Table<'_>, member: &BTreeSet<String>) -> Checked<Read> {
+    let mut read = Read::default();
+    for difference in member {
+        if let Some((name, way)) = difference.split_once('=') {
+            choose(&mut read, name, way)?;
+        } else {
+            let (name, number) = difference.split_once('#').unwrap_or_default();
+            define(table, &mut read, name, number)?;
+        }
+    }
+    Ok(read)
+}
+
+/// The values of the cells under a reading, where they have one.
+pub fn values(table: &Table<'_>, cells: &Cells, read: &Read) -> Result<Vec<Option<Value>>, Stop> {
+    cells.iter().map(|(place, _)| table.read(*place, read)).collect()
+}
+
+/// The cells that these values give.
+pub fn explained(
+    cells: &Cells,
+    values: &[Option<Value>],
+    decimals: &str,
+) -> Result<Vec<Place>, Stop> {
+    let mut found = Vec::new();
+    for ((place, decimal), value) in cells.iter().zip(values) {
+        if let Some(value) = value
+            && gives(decimal, value, decimals)?
+        {
+            found.push(*place);
+        }
+    }
+    Ok(found)
+}

@@ -1,0 +1,94 @@
+//! The scale of a table: a parameter that all values are proportional to.
+
+use super::members::{Cells, explained, values};
+use crate::decimal::Q;
+use crate::reject::Stop;
+use crate::rounding::interval;
+use crate::table::{Read, Table};
+use crate::value::Value;
+use num_traits::Signed;
+
+/// The greatest numerator and denominator of a scale that someone would choose.
+const MAX_SCALE: i64 = 100;
+
+/// The first stated parameter, by name, that is positive and that every value is proportional to.
+pub fn scale(table: &Table<'_>, cells: &Cells) -> Result<Option<String>, Stop> {
+    if table.tolerance.is_some() {
+        return Ok(None);
+    }
+    let once = values(table, cells, &table.as_printed)?;
+    for (name, base) in &table.given {
+        if base.sign(None)? <= 0 {
+            continue;
+        }
+        let mut read = Read::default();
+        read.parameters.insert(name.clone(), base.plus(1, base)?);
+        let twice = values(table, cells, &read)?;
+        let mut pairs = once.iter().zip(&twice);
+        if pairs.all(|pair| match pair {
+            (Some(once), Some(twice)) => twice.plus(-2, once).is_ok_and(|rest| rest.is_zero()),
+            (once, twice) => once.is_none() && twice.is_none(),
+        }) {
+            return Ok(Some(name.clone()));
+        }
+    }
+    Ok(None)
+}
+
+/// How many cells the values give at most when they are multiplied by (p/q)/base, p, q = 1, …, 100;
+/// exact above `enough` only.
+pub fn at_best_scale(
+    cells: &Cells,
+    values: &[Option<Value>],
+    decimals: &str,
+    base: &Value,
+    enough: usize,
+) -> Result<usize, Stop> {
+    let given = |s: &Value| -> Result<usize, Stop> {
+        let factor = s.over(base)?;
+        let scaled = values.iter().map(|v| v.as_ref().map(|v| v.times(&factor)).transpose());
+        Ok(explained(cells, &scaled.collect::<Result<Vec<_>, Stop>>()?, decimals)?.len())
+    };
+    // The p/q that may give a cell, by its |value| at 1. A value that is 0 is so at all of them.
+    let (mut ranges, mut zeros) = (Vec::new(), 0);
+    for ((_, decimal), value) in cells.iter().zip(values) {
+        let Some(value) = value else { continue };
+        if value.is_zero() {
+            zeros += 1;
+            continue;
+        }
+        let unit = value.over(base)?.abs(None)?;
+        let (low, high) = interval(decimal, decimals);
+        ranges.push((Value::from(low).over(&unit)?, Value::from(high).over(&unit)?));
+    }
+    // No fewer than are given there.
+    let covering = |s: &Value| -> Result<usize, Stop> {
+        let mut count = zeros;
+        for (low, high) in &ranges {
+            count += usize::from(low.compare(s)?.is_le() && s.compare(high)?.is_le());
+        }
+        Ok(count)
+    };
+    let mut best = 0;
+    if zeros > enough {
+        best = given(&Value::int(1))?;
+    }
+    for (low, high) in &ranges {
+        // The ranges that meet at some value all hold the greatest of their lower ends.
+        if covering(low)? <= enough {
+            continue;
+        }
+        for q in 1..=MAX_SCALE {
+            let mut p = low.times(&Value::int(q))?.floor()?;
+            loop {
+                let s = Value::from(Q::new(p.clone(), q.into()));
+                if p > MAX_SCALE.into() || s.compare(high)?.is_gt() {
+                    break;
+                }
+                best = best.max(if p.is_positive() { given(&s)? } else { 0 });
+                p += 1;
+            }
+        }
+    }
+    Ok(best)
+}
