@@ -74,8 +74,9 @@ pub fn at_best_scale(
         best = given(&Value::int(1))?;
     }
     for (low, high) in &ranges {
-        // The ranges that meet at some value all hold the greatest of their lower ends.
-        if covering(low)? <= enough {
+        // The ranges that meet at some value all hold the greatest of their lower ends. What is
+        // printed as 0 tells of no scale.
+        if low.sign(None)? <= 0 || covering(low)? <= enough {
             continue;
         }
         for q in 1..=MAX_SCALE {
