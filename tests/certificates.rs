@@ -190,3 +190,18 @@ fn what_has_no_words_is_said() {
     let deep = claims.iter().find(|(_, id, _)| id == "deep");
     assert_eq!(deep.map(|(_, _, outcome)| outcome), Some(&Outcome::Incomplete(None)));
 }
+
+/// Of data without a spread nothing is to be divided, and every promise that is not negative is kept.
+#[test]
+fn a_spread_of_0_keeps_promises() {
+    let paper = paper(
+        "key = 'flat'\n[paper]\nauthors = []\ntitle = ''\nvenue = ''\nyear = ''\n[[table]]\nid = 't'\n\
+         locus = ''\nvalue = 'contraction(1)*k'\nscheme = 'chaikin'\n\
+         promise = { level = 'k', spread = '0' }\n\
+         columns = { name = 'k', values = ['1', '2'] }\ncells = [['0.5', '1.0']]\n",
+    );
+    let audit = audit(&paper).expect("an audit");
+    let text = certificate(&audit).text;
+    assert!(text.contains("kept 1 1 ") && text.contains("kept 1 2 "), "{text}");
+    assert!(valid(&audit, "t"));
+}

@@ -106,30 +106,31 @@ fn kept<'f>(
     let Some(scheme) = quantities.scheme else { return Ok(None) };
     let (Promise::Depth { spread, offset, .. } | Promise::Bound { spread, offset, .. }) = promise;
     let offset = offset.as_ref().map(|offset| integer(judge, offset, at)).transpose()?.flatten();
-    let Some(spread) = number(judge, spread, at)? else { return Ok(None) };
+    let spread = number(judge, spread, at)?.filter(|spread| spread.sign() >= 0);
+    let Some(spread) = spread else { return Ok(None) };
     let Some((level, most)) = terms(judge, promise, at)? else { return Ok(None) };
     let Ok(bound) = judge.library.sound_bound(&scheme, offset) else { return Ok(None) };
     let axes: Vec<&Constants> = scheme.constants.iter().map(|axis| &**axis).collect();
-    let most = most / &spread;
-    let later = later(&bound, level, &most, MAX_LATER, |later| change(&axes, offset, level, later));
+    let change = |later| change(&axes, offset, level, later);
+    let later = later(&bound, level, MAX_LATER, change, |sum| sum * &spread <= most);
     Ok(later.map(PromiseEvidence::Kept))
 }
 
-/// The first level, from this one on, whose sound bound and how far it is from this one are together at
-/// most `most`.
+/// The first level, from this one on, whose sound bound and how far it is from this one are together
+/// `small` enough.
 pub(super) fn later(
     bound: &SoundBound,
     level: u32,
-    most: &Rational,
     longest: u32,
     change: impl Fn(u32) -> Option<Rational>,
+    small: impl Fn(&Rational) -> bool,
 ) -> Option<Later> {
     let levels = bound.constants().len() - 1;
     let mut sums = (level..=level.saturating_add(longest)).map_while(|later| {
         let (value, block) = bound.level(later)?;
         Some((value + change(later)?, Later { later, levels, block }))
     });
-    sums.find(|(sum, _)| sum <= most).map(|(_, later)| later)
+    sums.find(|(sum, _)| small(sum)).map(|(_, later)| later)
 }
 
 /// The level that a cell speaks of, and what the distance there is promised to be at most.

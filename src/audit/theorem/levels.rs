@@ -49,7 +49,8 @@ pub(super) fn sums(
 ) -> Result<LevelEvidence, String> {
     let of = |(level, most): &(u32, RealCyclotomic)| {
         let most: &Rational = most.as_rational()?;
-        later(sound?, *level, most, MAX_LATER, |later| change(axes, None, *level, later))
+        let change = |later| change(axes, None, *level, later);
+        later(sound?, *level, MAX_LATER, change, |sum| sum <= most)
     };
     let later = bounds.iter().map(|bound| {
         let why = || format!("no sound bound is as small as the bound at level {}", bound.0);
