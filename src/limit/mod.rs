@@ -36,6 +36,7 @@ pub use functional::{ExtremalPolygon, Functional};
 pub use polygon::ControlPolygon;
 pub use ring::{RingLimit, RingLimitError};
 pub use ring_distance::{RingDepth, RingDistances, RingWitness, least_flows};
+pub(crate) use ring_distance::{minus, unit};
 pub use step::{Attained, greatest_change, greatest_difference, greatest_step};
 pub use surface::{MAX_NET_POINTS, Spreads, SurfaceDistances, SurfaceError, SurfaceWitness};
 pub use value::Limit;

@@ -356,12 +356,14 @@ impl<S: Real + Ord + Value> RingLimit<S> {
     }
 }
 
-fn unit<S: Real>(count: usize, at: usize) -> Vec<S> {
+/// e_a.
+pub(crate) fn unit<S: Real>(count: usize, at: usize) -> Vec<S> {
     let entry = |b| S::from_rational(&Rational::from(u32::from(b == at)));
     (0..count).map(entry).collect()
 }
 
-fn minus<'a, S: Real + 'a>(
+/// The difference of two functionals.
+pub(crate) fn minus<'a, S: Real + 'a>(
     left: impl IntoIterator<Item = &'a S>,
     right: impl IntoIterator<Item = &'a S>,
 ) -> Vec<S> {

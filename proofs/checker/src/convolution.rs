@@ -90,9 +90,8 @@ impl Convolution {
         if let Some(known) = library.products.borrow().get(&key) {
             return Ok(Rc::clone(known));
         }
-        let one = Value::int(1);
-        let product = if c == 0 {
-            (vec![one.clone()], one, 1)
+        let (coefficients, scale, stride) = if c == 0 {
+            (vec![Value::int(1)], Value::int(1), 1)
         } else {
             // E^c_{l,f} = Σ_e E_{l,e} E^{c−1}_{e,f}: the left factor in z^stride, in integers,
             // which are quicker to multiply.
@@ -111,7 +110,6 @@ impl Convolution {
                 (product, right.scale.over(&over)?, step.saturating_mul(arity))
             }
         };
-        let (coefficients, scale, stride) = product;
         let (classes, known) = (self.classes(), RefCell::default());
         let product = Rc::new(Product { coefficients, scale, stride, classes, known });
         let mut known = library.products.borrow_mut();

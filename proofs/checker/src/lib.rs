@@ -87,7 +87,7 @@ pub fn is_formula(text: &str) -> bool {
 pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
     let (file, known) = (Toml::read(claims)?, catalogue()?);
     if let Some(path) = shape::misfit(&file, "file") {
-        return Err(format!("`{}` is unknown, or not of its type", path.trim_start_matches('.')));
+        return Err(format!("`{path}` is unknown, or not of its type"));
     }
     let library = Library::new(file.list("scheme"), &known);
     let paper = Paper::new(&file, &library).map_err(|stop| stop.to_string())?;

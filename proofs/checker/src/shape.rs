@@ -1,5 +1,6 @@
 //! What may stand in a claim file, and of which type.
 
+use crate::paper::KINDS;
 use crate::toml::Toml;
 
 /// The fields of each kind of table with their types: `*t` is a list of t, `%t` a table of any names,
@@ -22,7 +23,7 @@ theorem: bounds=text by=text from=text says=text rests=*text schemes=*text value
  proved_by=text refuted_by=text proof_uses=*text
 promise: tolerance=text level=text spread=text offset=text ring=text
 axis: name=text label=text values=*number from=text to=text
-number: TEXT printed=text read=text note=text
+number: printed=text read=text note=text
 supposes: value=text below=text
 correction: of=text says=text value=text
 ";
@@ -34,19 +35,24 @@ fn field(kind: &str, name: &str) -> Option<&'static str> {
         let mut fields = fields.split_whitespace().filter_map(|field| field.split_once('='));
         fields.find(|(known, _)| *known == name).map(|(_, of)| of)
     };
-    of(kind).or_else(|| of("claim").filter(|_| crate::paper::KINDS.contains(&kind)))
+    of(kind).or_else(|| of("claim").filter(|_| KINDS.contains(&kind)))
 }
 
-/// Where a value is not of a type: the fields that lead there, `.promise.spread`.
+/// Where a value is not of a type: the fields that lead there, `promise.spread`.
 pub fn misfit(value: &Toml, of: &str) -> Option<String> {
+    path(value, of).map(|path| path.trim_start_matches('.').to_owned())
+}
+
+/// The same with a point before each field.
+fn path(value: &Toml, of: &str) -> Option<String> {
     let nested = |(name, value): &(String, Toml), of: &str| {
-        misfit(value, of).map(|rest| format!(".{name}{rest}"))
+        path(value, of).map(|rest| format!(".{name}{rest}"))
     };
     if let Some((one, other)) = of.split_once('|') {
-        return misfit(value, one).and(misfit(value, other));
+        return path(value, one).and(path(value, other));
     }
     match (value, of.strip_prefix('*'), of.strip_prefix('%')) {
-        (Toml::List(list), Some(of), _) => list.iter().find_map(|value| misfit(value, of)),
+        (Toml::List(list), Some(of), _) => list.iter().find_map(|value| path(value, of)),
         (Toml::Table(table), _, Some(of)) => table.iter().find_map(|entry| nested(entry, of)),
         (Toml::Table(table), None, None) if !["text", "flag", "any"].contains(&of) => {
             table.iter().find_map(|entry| nested(entry, field(of, &entry.0).unwrap_or("none")))

@@ -7,7 +7,7 @@ use super::witness::{Attained, Control, Place, Supremum};
 use crate::bound::RingConstants;
 use crate::claim::Quantity;
 use crate::exact::{Enclosed, Rational, RealCyclotomic};
-use crate::limit::{Comparison, RingDistances, RingLimit, RingWitness, least_flows};
+use crate::limit::{Comparison, RingDistances, RingLimit, RingWitness, least_flows, minus, unit};
 use crate::scheme::Ring;
 use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
@@ -70,22 +70,24 @@ impl AroundPoint {
         })
     }
 
-    fn unit(&self, point: usize) -> Vec<RealCyclotomic> {
-        let entry = |b| RealCyclotomic::from(u32::from(b == point));
-        (0..self.ring.point_count()).map(entry).collect()
-    }
-
     /// e_aᵀ − e_bᵀ for the edges (a, b).
     fn edge_differences(&self) -> Vec<Vec<RealCyclotomic>> {
+        let count = self.ring.point_count();
         let edges = self.ring.edges().iter();
-        edges.map(|&(a, b)| minus(&self.unit(a), &self.unit(b))).collect()
+        edges.map(|&(a, b)| minus(&unit(count, a), &unit(count, b))).collect()
     }
 
     /// The rows of M less those of the interpolant, or of 1.
     fn steps(&self) -> Vec<Vec<RealCyclotomic>> {
-        let row = |ring: &Ring, a| ring.weights().row(a).cloned().collect::<Vec<_>>();
-        let old = |a| self.interpolant.as_ref().map_or_else(|| self.unit(a), |ring| row(ring, a));
-        (0..self.ring.point_count()).map(|a| minus(&row(&self.ring, a), &old(a))).collect()
+        let count = self.ring.point_count();
+        let step = |a| {
+            let new = self.ring.weights().row(a);
+            match &self.interpolant {
+                Some(interpolant) => minus(new, interpolant.weights().row(a)),
+                None => minus(new, &unit(count, a)),
+            }
+        };
+        (0..count).map(step).collect()
     }
 
     /// The first point that an interpolant keeps.
@@ -121,10 +123,6 @@ impl AroundPoint {
         self.known.borrow_mut().insert(key, found.clone());
         Ok(found)
     }
-}
-
-fn minus(left: &[RealCyclotomic], right: &[RealCyclotomic]) -> Vec<RealCyclotomic> {
-    left.iter().zip(right).map(|(x, y)| x - y).collect()
 }
 
 fn text(error: impl std::fmt::Display) -> String {

@@ -59,7 +59,7 @@ fn judge<'a>(
 ) -> Checked<Verdict> {
     // What else the claim file says could change what the claim means.
     if let Some(path) = misfit(claim, kind) {
-        return Err(Reason::Field(path[1..].to_owned()).into());
+        return Err(Reason::Field(path).into());
     }
     while let Some(said) = block.maybe("constant") {
         constant::check(paper, said, block)?;
