@@ -7,7 +7,6 @@
 #![allow(clippy::format_push_string, reason = "a claim file is written line by line")]
 
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
 use subcert::audit::audit;
 use subcert::certificate::certificate;
 use subcert::claim::{Paper, read_paper};
@@ -180,13 +179,7 @@ fn claims(mut choices: Choices) -> String {
 }
 
 proptest! {
-    // The same cases every time: at a scale, the program looks at fewer parameters than the
-    // checker where signs are slips or numbers are printed as 0.
-    #![proptest_config(ProptestConfig {
-        cases: 40,
-        rng_seed: RngSeed::Fixed(20_261_122),
-        ..ProptestConfig::default()
-    })]
+    #![proptest_config(ProptestConfig::with_cases(40))]
 
     #[test]
     fn what_is_found_is_accepted(numbers in prop::collection::vec(0_usize..1_000, 120)) {

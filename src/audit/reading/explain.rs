@@ -1,13 +1,13 @@
 //! What the readings of a table give, and which cells that explains.
 
 use super::consistent::DecimalRounding;
-use super::scale::{Scale, Solved, is_simple, simplest, solve};
+use super::scale::{Scale, Solved, solve};
 use super::search::{Difference, Explanation, MAX_DIFFERENCES};
 use super::settings::Settings;
 use super::space::{Change, Space, Values};
 use crate::audit::judge::{At, Judge, Outcome};
 use crate::claim::Printed;
-use crate::exact::RealCyclotomic;
+use crate::exact::{Rational, RealCyclotomic};
 
 impl Space<'_> {
     /// The exact values of the printed cells, where the formula has one under the
@@ -48,14 +48,17 @@ impl Space<'_> {
         if scale.base.sign() <= 0 {
             return false;
         }
-        let mut double = Settings::default();
-        double.parameters.insert(scale.name.clone(), &scale.base + &scale.base);
-        let twice = self.values(&double);
-        let mut pairs = self.as_printed.iter().flatten().zip(twice.iter().flatten());
-        pairs.all(|(once, twice)| match (once, twice) {
-            (Some(once), Some(twice)) => &(once + once) == twice,
-            (None, None) => true,
-            _ => false,
+        // A power, T^k, may be twice as much at 2k, but then it is not three times as much at 3k.
+        [2, 3].map(Rational::from).iter().all(|times| {
+            let mut settings = Settings::default();
+            settings.parameters.insert(scale.name.clone(), &scale.base * times);
+            let (values, times) = (self.values(&settings), RealCyclotomic::from(times.clone()));
+            let mut pairs = self.as_printed.iter().flatten().zip(values.iter().flatten());
+            pairs.all(|pair| match pair {
+                (Some(once), Some(value)) => once * &times == *value,
+                (None, None) => true,
+                _ => false,
+            })
         })
     }
 
@@ -149,14 +152,12 @@ impl Space<'_> {
     }
 
     fn solve(&self, scale: &Scale, values: &Values, rounding: DecimalRounding) -> Option<Solved> {
+        let at_one = RealCyclotomic::from(scale.base.recip());
         let cells = self.printed.iter().flatten().zip(values.iter().flatten());
-        let cells: Vec<(&Printed, &RealCyclotomic)> =
-            cells.filter_map(|(printed, value)| Some(((*printed)?, value.as_ref()?))).collect();
-        // A cell that is a slip may move the interval off the number that was chosen.
-        solve(&cells, rounding).find_map(|(low, high)| {
-            let between = (low * &scale.base, high * &scale.base);
-            let simplest = simplest(&between.0, &between.1, rounding);
-            is_simple(&simplest).then(|| Solved { name: scale.name.clone(), between, simplest })
-        })
+        let cells =
+            cells.filter_map(|(printed, value)| Some(((*printed)?, value.as_ref()? * &at_one)));
+        let (simplest, between) =
+            solve(&cells.collect::<Vec<(&Printed, RealCyclotomic)>>(), rounding)?;
+        Some(Solved { name: scale.name.clone(), between, simplest })
     }
 }

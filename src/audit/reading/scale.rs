@@ -26,42 +26,90 @@ pub(super) struct Scale {
     pub(super) stated: bool,
 }
 
-/// The most intervals that are looked at for a number that someone would choose.
-const MAX_INTERVALS: usize = 12;
+/// Two ends, the lesser first.
+type Interval = (Rational, Rational);
 
 /// The precision of the ends: enclosures of 128 binary digits.
 const PRECISION: u32 = 1;
 
-/// The values of s for which some cells are consistent with s times their exact values:
-/// the ends of each proper interval, those of most cells first.
+/// The simple s > 0 for which most cells are consistent with s times their values at 1; of
+/// several the simplest, with the ends of what is consistent with these cells.
 pub(super) fn solve(
-    cells: &[(&Printed, &RealCyclotomic)],
+    cells: &[(&Printed, RealCyclotomic)],
     rounding: DecimalRounding,
-) -> impl Iterator<Item = (Rational, Rational)> {
-    let intervals: Vec<(Rational, Rational)> =
-        cells.iter().filter_map(|(printed, value)| interval(printed, value, rounding)).collect();
-    let covers = |(low, high): &(Rational, Rational), s: &Rational| low <= s && s <= high;
-    let mut ends: [Vec<&Rational>; 2] = [
-        intervals.iter().map(|(low, _)| low).collect(),
-        intervals.iter().map(|(_, high)| high).collect(),
-    ];
-    for ends in &mut ends {
-        ends.sort_unstable();
+) -> Option<(Rational, Interval)> {
+    let consistent = Consistent::new(cells, rounding);
+    // What is printed as 0 tells of no scale.
+    let starts = consistent.intervals.iter().filter(|(low, _)| low.sign() > 0);
+    let mut starts: Vec<(usize, &Interval)> =
+        starts.map(|interval| (consistent.meeting(&interval.0), interval)).collect();
+    // Those that meet somewhere meet at the greatest of their lower ends.
+    starts.sort_by_key(|(count, _)| Reverse(*count));
+    let size = |s: &Rational| Reverse((s.denominator(), s.numerator()));
+    let mut best = None;
+    for (meeting, interval) in starts {
+        if best.as_ref().is_some_and(|((most, _), _)| meeting < *most) {
+            break;
+        }
+        for s in simple_between(interval) {
+            let rank = (consistent.at(&s), size(&s));
+            if best.as_ref().is_none_or(|(known, _)| rank > *known) {
+                best = Some((rank, s));
+            }
+        }
     }
-    // Those that begin up to s less those that end before it.
-    let count = |s: &Rational| {
-        ends[0].partition_point(|low| *low <= s) - ends[1].partition_point(|high| *high < s)
-    };
-    // The greatest number of intervals meets at the lower end of one of them.
-    let mut lows: Vec<(usize, Rational)> =
-        intervals.iter().map(|(low, _)| (count(low), low.clone())).collect();
-    lows.sort_by_key(|(count, _)| Reverse(*count));
-    lows.into_iter().take(MAX_INTERVALS).filter_map(move |(_, s)| {
-        let meeting = || intervals.iter().filter(|interval| covers(interval, &s));
-        let low = meeting().map(|(low, _)| low.clone()).max()?;
-        let high = meeting().map(|(_, high)| high.clone()).min()?;
-        (low < high).then_some((low, high))
-    })
+    let (_, s) = best?;
+    let around = consistent.around(&s)?;
+    Some((s, around))
+}
+
+/// For each cell, the s for which s times its value rounds to what is printed.
+struct Consistent {
+    intervals: Vec<Interval>,
+    /// Their ends, in order.
+    lows: Vec<Rational>,
+    highs: Vec<Rational>,
+    rounding: DecimalRounding,
+}
+
+impl Consistent {
+    fn new(cells: &[(&Printed, RealCyclotomic)], rounding: DecimalRounding) -> Consistent {
+        let interval = |(printed, value): &(&Printed, _)| interval(printed, value, rounding);
+        let intervals: Vec<Interval> = cells.iter().filter_map(interval).collect();
+        let (mut lows, mut highs): (Vec<_>, Vec<_>) = intervals.iter().cloned().unzip();
+        lows.sort_unstable();
+        highs.sort_unstable();
+        Consistent { intervals, lows, highs, rounding }
+    }
+
+    /// How many hold s or have it as an end: those that begin up to s less those that end
+    /// before it.
+    fn meeting(&self, s: &Rational) -> usize {
+        self.lows.partition_point(|low| low <= s) - self.highs.partition_point(|high| high < s)
+    }
+
+    fn has_begun(&self, low: &Rational, s: &Rational) -> bool {
+        low < s || low == s && self.rounding != DecimalRounding::Away
+    }
+
+    fn has_ended(&self, high: &Rational, s: &Rational) -> bool {
+        high < s || high == s && self.rounding == DecimalRounding::Cut
+    }
+
+    /// How many hold s.
+    fn at(&self, s: &Rational) -> usize {
+        let begun = self.lows.partition_point(|low| self.has_begun(low, s));
+        begun - self.highs.partition_point(|high| self.has_ended(high, s))
+    }
+
+    /// What those that hold s have in common.
+    fn around(&self, s: &Rational) -> Option<Interval> {
+        let holds = |(low, high): &&Interval| self.has_begun(low, s) && !self.has_ended(high, s);
+        let holding = || self.intervals.iter().filter(holds);
+        let low = holding().map(|(low, _)| low).max()?;
+        let high = holding().map(|(_, high)| high).min()?;
+        Some((low.clone(), high.clone()))
+    }
 }
 
 /// The s > 0 for which s·value rounds to what is printed.
@@ -69,19 +117,22 @@ fn interval(
     printed: &Printed,
     value: &RealCyclotomic,
     rounding: DecimalRounding,
-) -> Option<(Rational, Rational)> {
-    let (shown, unit) = (printed.decimal.value().abs(), printed.decimal.unit());
-    let half = &unit / Rational::from(2);
+) -> Option<Interval> {
+    let (shown, unit) = (printed.decimal.value(), printed.decimal.unit());
+    if value.sign() == 0 || shown.sign() == -value.sign() {
+        return None;
+    }
+    let (shown, half) = (shown.abs(), &unit / Rational::from(2));
     let (low, high) = match rounding {
         DecimalRounding::Nearest => (&shown - &half, &shown + &half),
         DecimalRounding::Cut => (shown.clone(), &shown + &unit),
         DecimalRounding::Away => (&shown - &unit, shown.clone()),
     };
     let enclosure = value.abs().enclosure(PRECISION);
-    if enclosure.lower().sign() <= 0 || low.sign() <= 0 {
+    if enclosure.lower().sign() <= 0 || high.sign() <= 0 {
         return None;
     }
-    Some((low / enclosure.upper(), high / enclosure.lower()))
+    Some((low.max(Rational::zero()) / enclosure.upper(), high / enclosure.lower()))
 }
 
 /// The greatest numerator and denominator of a scale that someone would choose.
@@ -93,22 +144,21 @@ pub(super) fn is_simple(scale: &Rational) -> bool {
     scale.numerator() <= most && scale.denominator() <= most
 }
 
-/// The fraction of least denominator, and of these the least numerator, in an
-/// interval that holds those of its ends that the rounding lets it.
-pub(super) fn simplest(low: &Rational, high: &Rational, rounding: DecimalRounding) -> Rational {
-    let (with_low, with_high) = match rounding {
-        DecimalRounding::Nearest => (true, true),
-        DecimalRounding::Cut => (true, false),
-        DecimalRounding::Away => (false, true),
-    };
-    let ends = [(with_low, low), (with_high, high)].into_iter();
-    let ends = ends.filter(|(with, _)| *with).map(|(_, end)| end.clone());
-    let size = |value: &Rational| (value.denominator(), value.numerator());
-    let inside = simplest_between(low, high);
-    ends.fold(inside, |best, end| if size(&end) < size(&best) { end } else { best })
+/// The simple numbers in an interval of positive numbers, its ends included, in lowest terms.
+fn simple_between((low, high): &Interval) -> impl Iterator<Item = Rational> {
+    (1..=MAX_SIMPLE).flat_map(move |denominator| {
+        let over = Rational::from(denominator);
+        let first = (low * &over).ceil().max(Integer::one());
+        let last = (high * &over).floor().min(Integer::from(MAX_SIMPLE));
+        let ends = first.to_i64().zip(last.to_i64());
+        let (first, last) = ends.unwrap_or((1, 0));
+        let numbers = (first..=last).map(move |numerator| Rational::new(numerator, denominator));
+        numbers.filter(move |s| s.denominator() == Integer::from(denominator))
+    })
 }
 
-/// The same strictly between two numbers that are not negative.
+/// The fraction of least denominator, and of these the least numerator, strictly between
+/// two numbers that are not negative.
 pub(super) fn simplest_between(low: &Rational, high: &Rational) -> Rational {
     let whole = low.floor();
     let next = Rational::from(&whole + Integer::one());

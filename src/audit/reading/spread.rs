@@ -28,28 +28,30 @@ pub(super) fn unknown<'s>(space: &'s Space<'_>) -> Option<&'s str> {
     names.map(String::as_str).find(|name| is_spread(space, name))
 }
 
-/// Whether the printed definition takes x to x/2 and the ratio to itself when the
-/// parameter doubles.
+/// Whether the printed definition takes x to x/2 and x/3, and the ratio to itself, when
+/// the parameter becomes two and three times as much: of powers, one at most holds.
 fn is_spread(space: &Space<'_>, name: &str) -> bool {
     let settings = space.settings(&[]);
     let base = &space.judge.assumed[name];
-    let double = settings.with_parameter(name, &(base + base));
     let mut seen = false;
-    for (row, line) in space.printed.iter().enumerate() {
-        for column in (0..line.len()).filter(|&column| line[column].is_some()) {
-            let call = |settings| {
-                space.judge.level_call(At { row, column, assume: &space.assume, settings })
-            };
-            let (once, twice) = (call(&settings), call(&double));
-            match (once, twice) {
-                (Some(once), Some(twice)) => {
-                    if once.ratio != twice.ratio || once.x != &twice.x + &twice.x {
-                        return false;
+    for times in [2, 3].map(Rational::from) {
+        let (other, times) =
+            (settings.with_parameter(name, &(base * &times)), RealCyclotomic::from(times));
+        for (row, line) in space.printed.iter().enumerate() {
+            for column in (0..line.len()).filter(|&column| line[column].is_some()) {
+                let call = |settings| {
+                    space.judge.level_call(At { row, column, assume: &space.assume, settings })
+                };
+                match (call(&settings), call(&other)) {
+                    (Some(once), Some(more)) => {
+                        if once.ratio != more.ratio || once.x != &more.x * &times {
+                            return false;
+                        }
+                        seen = true;
                     }
-                    seen = true;
+                    (None, None) => {}
+                    _ => return false,
                 }
-                (None, None) => {}
-                _ => return false,
             }
         }
     }

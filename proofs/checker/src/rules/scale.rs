@@ -17,18 +17,20 @@ pub fn scale(table: &Table<'_>, cells: &Cells) -> Result<Option<String>, Stop> {
         return Ok(None);
     }
     let once = values(table, cells, &table.as_printed)?;
-    for (name, base) in &table.given {
-        if base.sign(None)? <= 0 {
-            continue;
-        }
+    // The values when the parameter is so many times as much are so many times as much. That a
+    // power T^k is twice as much at 2k happens.
+    let multiplies = |name: &str, base: &Value, times: i64| -> Result<bool, Stop> {
         let mut read = Read::default();
-        read.parameters.insert(name.clone(), base.plus(1, base)?);
-        let twice = values(table, cells, &read)?;
-        let mut pairs = once.iter().zip(&twice);
-        if pairs.all(|pair| match pair {
-            (Some(once), Some(twice)) => twice.plus(-2, once).is_ok_and(|rest| rest.is_zero()),
-            (once, twice) => once.is_none() && twice.is_none(),
-        }) {
+        read.parameters.insert(name.to_owned(), base.plus(times - 1, base)?);
+        let more = values(table, cells, &read)?;
+        Ok(once.iter().zip(&more).all(|pair| match pair {
+            (Some(once), Some(more)) => more.plus(-times, once).is_ok_and(|rest| rest.is_zero()),
+            (once, more) => once.is_none() && more.is_none(),
+        }))
+    };
+    for (name, base) in &table.given {
+        let positive = base.sign(None)?.is_positive();
+        if positive && multiplies(name, base, 2)? && multiplies(name, base, 3)? {
             return Ok(Some(name.clone()));
         }
     }
@@ -70,9 +72,6 @@ pub fn at_best_scale(
         Ok(count)
     };
     let mut best = 0;
-    if zeros > enough {
-        best = given(&Value::int(1))?;
-    }
     for (low, high) in &ranges {
         // The ranges that meet at some value all hold the greatest of their lower ends. What is
         // printed as 0 tells of no scale.
