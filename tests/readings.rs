@@ -301,6 +301,96 @@ proptest! {
     }
 }
 
+/// A table of a·w, a = 0, 1, 2, 3, where w = 0.12345 is stated, with an alternative.
+fn multiples(alternative: &str, cells: &[String]) -> Search {
+    let text = format!(
+        "key = 'k'\n[paper]\nauthors = []\ntitle = ''\nvenue = ''\nyear = ''\n[define]\n\
+         y = 'a*w'\n[[alternative]]\nof = 'y'\nlabel = 'b'\nvalue = '{alternative}'\n[[table]]\n\
+         id = 't'\nlocus = ''\nvalue = 'y'\ngiven = {{ w = '0.12345' }}\n\
+         columns = {{ name = 'a', values = ['0', '1', '2', '3'] }}\ncells = [['{}']]\n",
+        cells.join("', '")
+    );
+    let paper = read_paper(&SourceText::new("k.toml", text)).expect("a claim file");
+    judged(&paper).tables[0].search.clone().expect("a search")
+}
+
+/// What the printed text gives anyway is no sign of another reading, nor is what is printed as 0.
+#[test]
+fn luck_counts_what_is_new() {
+    for (last, found) in [("0.9", false), ("0.901234", true)] {
+        let other = format!("a*w + a*(a - 1)*(a - 2)/6*({last} - 3*w)");
+        let cells = ["0.0", "0.12345", "0.2469", last].map(str::to_owned);
+        let search = multiples(&other, &cells);
+        assert_eq!((search.as_printed, search.most), (3, 4));
+        assert_eq!(!search.best.is_empty(), found, "{last}");
+    }
+    for (last, found) in [("0.901", false), ("0.901234", true)] {
+        let cells = ["0.0", "0.00", "0.00", last].map(str::to_owned);
+        let search = multiples(&format!("a*(a - 1)*(a - 2)/6*{last}"), &cells);
+        assert_eq!((search.as_printed, search.most), (1, 4));
+        assert_eq!(!search.best.is_empty(), found, "{last}");
+    }
+}
+
+/// Which of a·s, a = 0, 1, 2, 3, become these decimals when they are rounded to the nearest, cut,
+/// or rounded away from zero; with those whose rounding reaches to 0.
+fn given(s: &Rational, cells: &[String; 4], way: usize) -> Vec<bool> {
+    let reaches = |(a, cell): (i64, &String)| {
+        let decimals = cell.split_once('.').map_or("", |(_, digits)| digits);
+        let unit = decimals.bytes().fold(r(1, 1), |unit, _| &unit * &r(1, 10));
+        let shown = &unit * &Rational::from(cell.replace('.', "").parse::<i64>().expect("digits"));
+        let value = s * &Rational::from(a);
+        let (off, side) = ((&value - &shown).abs(), (value.abs() - shown.abs()).sign());
+        let (given, low) = match way {
+            0 => (&off + &off <= unit, &shown.abs() - &(&unit / &Rational::from(2))),
+            1 => (off < unit && side >= 0, shown.abs()),
+            _ => (off < unit && side <= 0, shown.abs() - &unit),
+        };
+        given.then_some(low.sign() <= 0)
+    };
+    (0..).zip(cells).filter_map(reaches).collect()
+}
+
+/// The p/q, p, q = 1, …, 100, that give a cell whose rounding does not reach to 0 are all tried.
+#[test]
+fn every_simple_scale_is_looked_at() {
+    for cells in [
+        ["0.0", "0.43", "0.9", "1.28571"],
+        ["0.0", "-0.43", "0.86", "1.3"],
+        ["0.1", "0.4", "0.98", "1.4"],
+        ["0.00", "0.0", "0.003", "-7"],
+        ["0.5", "0.00", "0.0", "0.0"],
+        ["0", "77.77", "1.3", "9.9"],
+    ] {
+        let cells = cells.map(str::to_owned);
+        let simple = (1..=100).flat_map(|p| (1..=100).map(move |q| r(p, q)));
+        let ways = simple.flat_map(|s| (0..3).map(move |way| (s.clone(), way)));
+        let given_at = |(s, way): (Rational, usize)| given(&s, &cells, way);
+        let scaled = ways.map(given_at).filter(|given| given.contains(&false));
+        let stated = (0..3).map(|way| given_at((r(12_345, 100_000), way)));
+        let most = scaled.chain(stated).map(|given| given.len()).max();
+        assert_eq!(Some(multiples("a*w", &cells).most), most, "{cells:?}");
+    }
+}
+
+/// A power that is twice as much at 2k is not proportional to k.
+#[test]
+fn powers_have_no_scale() {
+    let text = |value: &str| {
+        format!(
+            "key = 'k'\n[paper]\nauthors = []\ntitle = ''\nvenue = ''\nyear = ''\n[[table]]\n\
+             id = 't'\nlocus = ''\nvalue = '{value}'\ngiven = {{ k = '1' }}\n\
+             columns = {{ name = 'a', values = ['1', '2', '3'] }}\n\
+             cells = [['1.428571', '2.857143', '4.285714']]\n",
+        )
+    };
+    for (value, found) in [("a*k", true), ("a*2^k", false)] {
+        let paper = read_paper(&SourceText::new("k.toml", text(value))).expect("a claim file");
+        let search = judged(&paper).tables[0].search.clone().expect("a search");
+        assert_eq!(!search.best.is_empty(), found, "{value}");
+    }
+}
+
 /// The tables of the founding papers that a reading explains whole.
 #[test]
 fn tables_of_the_papers() {

@@ -13,11 +13,14 @@ const MAX_LISTED: usize = 3;
 pub(super) fn remark(search: &Search) -> String {
     let Search { tried, cells, as_printed, .. } = search;
     let Some(first) = search.best.first() else {
-        return format!(
-            "Readings: none of {tried} explains more than the {as_printed} of {cells} cells that \
-             are as printed. {}",
-            differ_in(search),
-        );
+        let found = match by_luck(search) {
+            Some(found) => format!("the best of {tried} {found}"),
+            None => format!(
+                "none of {tried} explains more than the {as_printed} of {cells} cells that are as \
+                 printed."
+            ),
+        };
+        return format!("Readings: {found} {}", differ_in(search));
     };
     let others = search.best[1..].iter().take(MAX_LISTED - 1);
     let others = others.map(|other| format!(" Or: {}.", other.differs()));
@@ -79,10 +82,22 @@ fn capital(text: &str) -> String {
     letters.next().map(char::to_uppercase).into_iter().flatten().chain(letters).collect()
 }
 
+/// What the best reading explains where luck explains it.
+fn by_luck(search: &Search) -> Option<String> {
+    let Search { cells, as_printed, most, chance, .. } = search;
+    (search.best.is_empty() && most > as_printed).then(|| {
+        format!(
+            "explains {most} of {cells} cells, {as_printed} are as printed; luck would find {} that \
+             do.",
+            short(chance, 1)
+        )
+    })
+}
+
 /// What the search covered, so that what it did not find means something.
 pub(super) fn covered(search: &Search) -> String {
     let best = match search.best.first() {
-        None => String::new(),
+        None => by_luck(search).map_or(String::new(), |found| format!(" The best {found}")),
         Some(best) => format!(
             " The best ({}) explains {} of {} cells.",
             best.differs(),
@@ -188,6 +203,7 @@ pub(super) fn search_json(table: &Table, search: &Search) -> Value {
         "max_differences": MAX_DIFFERENCES,
         "cells": search.cells,
         "as_printed": search.as_printed,
+        "most": search.most,
         "best": search.best.iter().map(explanation_json).collect::<Vec<Value>>(),
         "chance": search.chance.to_string(),
         "lines": search.lines.iter().map(line).collect::<Vec<Value>>(),

@@ -65,3 +65,43 @@ fn a_wrong_alternative_refutes_nothing() {
     let found = reason("1/2", cells, "a/v", &refuted(cells, values, family));
     assert!(matches!(found, Some(Reason::Stopped(_))), "{found:?}");
 }
+
+/// What the printed text gives anyway is no sign of another reading, nor is what is printed as 0.
+#[test]
+fn luck_counts_what_is_new() {
+    let w = "0.12345";
+    let of = |last: &str, verdict: &str, values: &str| {
+        // In a refuted cell each member has its value.
+        let [first, second] = if values.is_empty() { ["", ""] } else { [" : 1", " : 2"] };
+        format!(
+            "  cell 1 1 \"0.0\" 0 confirmed\n  cell 1 2 \"0.12345\" 0.12345 confirmed\n  \
+             cell 1 3 \"0.2469\" 0.2469 confirmed\n  cell 1 4 \"{last}\" 0.37035 {verdict}\n  \
+             family 4\n  scale w\n{values}  member : 3 3 3{first}\n  member y#1 : 4 4 4{second}\n"
+        )
+    };
+    // One more cell, of one digit and of six.
+    for (last, luck) in [("0.9", Some(Reason::Luck)), ("0.901234", None)] {
+        let other = format!("a*w + a*(a - 1)*(a - 2)/6*({last} - 3*w)");
+        let cells = ["0.0", "0.12345", "0.2469", last];
+        let read = of(last, &format!("other-reading {last}"), "");
+        let read = format!("  read definition y 1\n{read}");
+        assert_eq!(reason(w, cells, &other, &read), luck, "{last}");
+        let values = format!("  values 1 4 0.37035 {last}\n");
+        let unread = of(last, "refuted", &values);
+        let not_luck = luck.is_none().then_some(Reason::NotLuck);
+        assert_eq!(reason(w, cells, &other, &unread), not_luck, "{last}");
+    }
+    // Three more cells, two of which are 0.
+    for (last, luck) in [("0.901", Some(Reason::Luck)), ("0.901234", None)] {
+        let other = format!("a*(a - 1)*(a - 2)/6*{last}");
+        let block = format!(
+            "  read definition y 1\n  cell 1 1 \"0.0\" 0 confirmed\n  \
+             cell 1 2 \"0.00\" 0.12345 other-reading 0\n  \
+             cell 1 3 \"0.00\" 0.2469 other-reading 0\n  \
+             cell 1 4 \"{last}\" 0.37035 other-reading {last}\n  family 4\n  scale w\n  \
+             member : 1 1 1\n  member y#1 : 4 4 4\n"
+        );
+        let found = reason(w, ["0.0", "0.00", "0.00", last], &other, &block);
+        assert_eq!(found, luck, "{last}");
+    }
+}

@@ -119,7 +119,7 @@ fn one(
     }
     let least = all.len() * lines * SHIFTS.len();
     // Where even all of them would be luck, there is nothing to look for.
-    if of_line.is_empty() || !is_small(&chance(&of_line, of_line.len(), 0, Integer::from(least))) {
+    if of_line.is_empty() || !is_small(&chance(&of_line, of_line.len(), Integer::from(least))) {
         return None;
     }
     let (mut tried, mut best_so_far) = (0, None::<(Explanation, (i32, i32), Vec<Need>)>);
@@ -137,7 +137,8 @@ fn one(
         return None;
     }
     let tried = tried * lines;
-    let chance = chance(&of_line, best.count(), best.solved.len(), Integer::from(tried));
+    let beyond = best.count().saturating_sub(best.solved.len());
+    let chance = chance(&of_line, beyond, Integer::from(tried));
     let cells = of_line.len();
     is_small(&chance).then_some(LineReading { line, cells, shift, tried, best, chance, needs })
 }

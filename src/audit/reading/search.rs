@@ -58,9 +58,14 @@ impl Explanation {
         differences.chain(solved).collect::<Vec<String>>().join("; ")
     }
 
-    /// The better, the more cells it explains, and of those the fewer differences.
-    pub(super) fn rank(&self) -> (usize, Reverse<usize>) {
-        (self.count(), Reverse(self.differences.len()))
+    /// The better, the more cells it explains; of those that leave what is stated as it is
+    /// come first, and then those with fewer differences.
+    pub(super) fn rank(&self) -> (usize, bool, Reverse<usize>) {
+        let restates = |difference: &Difference| {
+            self.solved.iter().any(|solved| solved.name == difference.choice)
+        };
+        let restates = self.differences.iter().any(restates);
+        (self.count(), !restates, Reverse(self.differences.len()))
     }
 }
 
@@ -75,10 +80,13 @@ pub struct Search {
     pub cells: usize,
     /// How many cells the printed definition explains.
     pub as_printed: usize,
+    /// How many cells the best of the readings explain, be it by luck.
+    pub most: usize,
     /// The readings that explain most cells, with the fewest differences; empty when
     /// none explains more than the printed definition, or luck could.
     pub best: Vec<Explanation>,
-    /// How many readings would do as well on unrelated numbers, at most.
+    /// How many readings would do as well as those that explain most on unrelated
+    /// numbers, at most.
     pub chance: Rational,
     /// The readings of rows and columns for the cells that `best` leaves.
     pub lines: Vec<LineReading>,
@@ -106,18 +114,27 @@ pub(in crate::audit) fn search(
     let mut best = tried::best(&explanations);
     let likelihood =
         |printed: &Printed| if space.is_depth() { of_depth() } else { of_decimal(printed) };
-    let likelihoods: Vec<Rational> = cells.iter().map(|printed| likelihood(printed)).collect();
     let solved = solve::solve(&space, &all, &best);
     let tried = explanations.len() + solved.tried;
     for explanation in solved.explanations {
         solve::drop_unsolved(&mut best, &explanation);
         keep_best(&mut best, explanation);
     }
-    let explained = best.first().map_or(0, Explanation::count);
+    let most = best.first().map_or(0, Explanation::count);
     let free = best.first().map_or(0, |first| first.solved.len());
-    let candidates = solved.candidates + Integer::from(tried);
-    let chance = chance(&likelihoods, explained, free, candidates);
-    if explained <= count || !is_small(&chance) {
+    // What the printed text gives without assumptions tells nothing for another reading.
+    let stated =
+        |(explained, finding): (&bool, &CellFinding)| *explained && finding.assumed.is_empty();
+    let stated = as_printed.iter().flatten().zip(findings.iter().flatten()).map(stated);
+    let others = printed
+        .iter()
+        .flatten()
+        .zip(stated)
+        .filter_map(|(cell, stated)| (*cell).filter(|_| !stated).map(likelihood));
+    let others: Vec<Rational> = others.collect();
+    let beyond = most.saturating_sub(cells.len() - others.len() + free);
+    let chance = chance(&others, beyond, solved.candidates + Integer::from(tried));
+    if most <= count || !is_small(&chance) {
         best.clear();
     }
     let of_row = |row: &Vec<Option<&Printed>>| row.iter().map(|c| c.map(likelihood)).collect();
@@ -133,7 +150,7 @@ pub(in crate::audit) fn search(
     let mut choices = space.names();
     choices.extend(solve::names(&space));
     let (cells, as_printed) = (cells.len(), count);
-    Some((Some(Search { tried, choices, cells, as_printed, best, chance, lines }), needs))
+    Some((Some(Search { tried, choices, cells, as_printed, most, best, chance, lines }), needs))
 }
 
 /// Adds an explanation to those that explain most, or puts it in their place.

@@ -5,7 +5,7 @@ use super::members::{Cells, explained, members, read, values};
 use super::reading::{MAX_DIFFERENCES, Reads};
 use super::scale::{at_best_scale, scale};
 use crate::certificate::Block;
-use crate::decimal::{Q, int};
+use crate::decimal::{Decimal, Q, int};
 use crate::reject::{Checked, Reason, Stop, require};
 use crate::table::{Place, Read, Table};
 use crate::value::Value;
@@ -93,7 +93,9 @@ impl Family<'_> {
         let printed = explained_by(&table.as_printed)?;
         let mut left: BTreeSet<Place> = cells.iter().map(|(place, _)| *place).collect();
         left.retain(|place| !printed.contains(place));
-        let lucky = |m| chance(table, cells, m, self.size);
+        // What the printed text gives tells nothing for another reading.
+        let others: Cells = cells.iter().filter(|(at, _)| left.contains(at)).cloned().collect();
+        let lucky = |m: usize| chance(table, &others, m.saturating_sub(printed.len()), self.size);
         if let Some(read) = reads.whole() {
             let found = explained_by(read)?;
             require(found.len() == *best && *best > printed.len(), Reason::NotBest)?;
@@ -180,13 +182,16 @@ fn same(one: Option<&Value>, other: Option<&Value>) -> Result<bool, Stop> {
 
 /// Whether one of so many readings of unrelated values is likely enough to become m of these
 /// printed cells: readings·e_m of the likelihoods that a value becomes a cell, against 1/1000.
+/// That a cell is printed as 0 tells nothing: it is left out, and m is one less.
 fn chance(table: &Table<'_>, cells: &Cells, m: usize, readings: i64) -> bool {
+    let depth = table.tolerance.is_some();
+    let telling = |cell: &&(Place, Decimal)| depth || !cell.1.digits.is_zero();
+    let m = m.saturating_sub(cells.len() - cells.iter().filter(telling).count());
     let mut symmetric = vec![Q::zero(); m + 1];
     symmetric[0] = Q::one();
-    for (_, decimal) in cells {
+    for (_, decimal) in cells.iter().filter(telling) {
         let digits = decimal.digits.abs().to_string();
-        let digits = i32::try_from(digits.trim_end_matches('0').len().max(1)).unwrap_or(i32::MAX);
-        let depth = table.tolerance.is_some();
+        let digits = i32::try_from(digits.trim_end_matches('0').len()).unwrap_or(i32::MAX);
         let likely = if depth { int(4).recip() } else { int(10).pow(1 - digits) / int(9) };
         for k in (1..=m).rev() {
             let more = &symmetric[k - 1] * &likely;
