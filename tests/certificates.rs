@@ -191,17 +191,22 @@ fn what_has_no_words_is_said() {
     assert_eq!(deep.map(|(_, _, outcome)| outcome), Some(&Outcome::Incomplete(None)));
 }
 
-/// Of data without a spread nothing is to be divided, and every promise that is not negative is kept.
+/// Of data without a spread nothing is to be divided, and every promise that is not negative is kept;
+/// one of a deep level is kept by its sound bound.
 #[test]
-fn a_spread_of_0_keeps_promises() {
+fn promises_of_flat_data_and_deep_levels() {
     let paper = paper(
         "key = 'flat'\n[paper]\nauthors = []\ntitle = ''\nvenue = ''\nyear = ''\n[[table]]\nid = 't'\n\
          locus = ''\nvalue = 'contraction(1)*k'\nscheme = 'chaikin'\n\
          promise = { level = 'k', spread = '0' }\n\
-         columns = { name = 'k', values = ['1', '2'] }\ncells = [['0.5', '1.0']]\n",
+         columns = { name = 'k', values = ['1', '2'] }\ncells = [['0.5', '1.0']]\n[[table]]\n\
+         id = 'deep'\nlocus = ''\nvalue = 'levels(0.99, epsilon)'\nscheme = 'chaikin'\n\
+         promise = { tolerance = 'epsilon', spread = '1' }\n\
+         columns = { name = 'epsilon', values = ['1e-8'] }\ncells = [['1833']]\n",
     );
     let audit = audit(&paper).expect("an audit");
     let text = certificate(&audit).text;
     assert!(text.contains("kept 1 1 ") && text.contains("kept 1 2 "), "{text}");
-    assert!(valid(&audit, "t"));
+    assert!(text.contains("kept 1 1 1833 "), "{text}");
+    assert!(["t", "deep"].iter().all(|id| valid(&audit, id)));
 }

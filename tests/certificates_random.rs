@@ -191,7 +191,9 @@ proptest! {
         let report = check(&text, &[&written.text]).expect("a claim file");
         prop_assert!(report.broken.is_empty());
         for (_, id, outcome) in report.claims {
-            prop_assert_eq!(outcome, Outcome::Valid, "{}\n{}\n{}", id, &text, &written.text);
+            // What is beyond a cap, a depth of 20,000, say, is left open.
+            let accepted = matches!(outcome, Outcome::Valid | Outcome::Incomplete(Some(_)));
+            prop_assert!(accepted, "{outcome:?}\n{id}\n{text}\n{}", written.text);
         }
     }
 }

@@ -15,6 +15,12 @@ use crate::exact::{Rational, RealCyclotomic};
 use crate::limit::greatest_change;
 use std::collections::BTreeSet;
 
+/// The deepest level that a certificate speaks of.
+const MAX_LEVEL: u32 = 10_000;
+
+/// The deepest level of a ring for which flows are computed.
+const MAX_RING_LEVEL: u32 = 1_000;
+
 /// The most levels by which a bound is taken later than at the level that is promised.
 const MAX_LATER: u32 = 8;
 
@@ -84,6 +90,7 @@ fn of_cell<'f>(
             let kept = match ring.zip(weights) {
                 Some((ring, weights)) => {
                     let level = terms(judge, promise, at)?.map(|(level, _)| level);
+                    let level = level.filter(|level| *level <= MAX_RING_LEVEL);
                     let flows = level.and_then(|level| ring.flows(level));
                     flows.map(|flows| PromiseEvidence::KeptByFlows(weights, flows))
                 }
@@ -108,7 +115,8 @@ fn kept<'f>(
     let offset = offset.as_ref().map(|offset| integer(judge, offset, at)).transpose()?.flatten();
     let spread = number(judge, spread, at)?.filter(|spread| spread.sign() >= 0);
     let Some(spread) = spread else { return Ok(None) };
-    let Some((level, most)) = terms(judge, promise, at)? else { return Ok(None) };
+    let terms = terms(judge, promise, at)?.filter(|(level, _)| *level <= MAX_LEVEL);
+    let Some((level, most)) = terms else { return Ok(None) };
     let Ok(bound) = judge.library.sound_bound(&scheme, offset) else { return Ok(None) };
     let axes: Vec<&Constants> = scheme.constants.iter().map(|axis| &**axis).collect();
     let change = |later| change(&axes, offset, level, later);

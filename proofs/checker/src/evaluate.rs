@@ -100,7 +100,7 @@ impl<'a> Scope<'a> {
         }
         self.depth.set(self.depth.get() + 1);
         let value = match expr {
-            Expr::Number(value) => Ok(Value::from(value.clone())),
+            Expr::Number(value) => Ok(value.clone()),
             Expr::Name(name) => self.name(name, indices),
             Expr::Of(Head::Over(fold, index), parts) => self.over(fold, index, parts, indices),
             Expr::Of(Head::Chain(operators), parts) => self.chain(operators, parts, indices),

@@ -1,8 +1,9 @@
 //! Formulas: from text to tree.
 
 use crate::cursor::{Cursor, Parsed};
-use crate::decimal::{Decimal, Q};
+use crate::decimal::Decimal;
 use crate::paper::Definitions;
+use crate::value::Value;
 use std::collections::BTreeSet;
 
 /// The longest formula of a claim file, in characters.
@@ -15,7 +16,7 @@ const MAX_NESTING: usize = 64;
 #[derive(Clone, Debug)]
 pub enum Expr {
     /// A number.
-    Number(Q),
+    Number(Value),
     /// A name.
     Name(String),
     /// What is done with the values of other formulas.
@@ -186,7 +187,7 @@ impl Parser {
         }
         let decimal = Decimal::read(&text).ok_or("a number")?;
         self.space();
-        Ok(Expr::Number(decimal.value))
+        Ok(Expr::Number(decimal.value.into()))
     }
 
     fn list(&mut self) -> Parsed<Vec<Expr>> {

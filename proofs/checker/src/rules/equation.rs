@@ -2,13 +2,14 @@
 
 use crate::certificate::Block;
 use crate::decimal::{Q, int};
-use crate::evaluate::{MAX_INTEGER, Scope, member};
+use crate::evaluate::{MAX_INTEGER, Memory, Scope, member};
 use crate::formula::{Expr, Head};
 use crate::paper::{Axis, Paper, formula_of, value};
 use crate::reject::{Checked, Reason, Stop, require};
 use crate::scheme::formula;
 use crate::toml::Toml;
 use crate::value::Value;
+use std::rc::Rc;
 
 /// The most cases of an equation.
 const MAX_CASES: usize = 100_000;
@@ -39,10 +40,10 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     let (verdict, count) = block.any()?;
     require(["holds", "fails"].contains(&verdict), Reason::Malformed("holds or fails"))?;
     require(count == cases.len().to_string(), Reason::Cases)?;
-    let mut listed = 0;
+    let (mut listed, memory) = (0, Rc::default());
     for (case, left) in cases.iter().zip(lefts.iter().cycle()) {
         let name = case.iter().map(|(_, value)| value.to_string()).collect::<Vec<_>>().join(" ");
-        let scope = scope(paper, claim, case)?;
+        let scope = scope(paper, claim, case, &memory)?;
         let difference = scope.value(left)?.minus(&scope.value(&right)?)?;
         // `case 3 1/2 = p[0] - p[1]`, if the next line is about this case.
         let line = block.peek().map(|line| line.word()).filter(|(word, _)| *word == "case");
@@ -71,9 +72,15 @@ fn symbols<'a>(paper: &'a Paper<'a>, claim: &Toml) -> Scope<'a> {
     scope
 }
 
-/// The scope of a case.
-fn scope<'a>(paper: &'a Paper<'a>, claim: &Toml, case: &Case<'_>) -> Result<Scope<'a>, Stop> {
+/// The scope of a case, with what is known of the definitions from others.
+fn scope<'a>(
+    paper: &'a Paper<'a>,
+    claim: &Toml,
+    case: &Case<'_>,
+    memory: &Rc<Memory>,
+) -> Result<Scope<'a>, Stop> {
     let mut scope = symbols(paper, claim);
+    scope.memory = Rc::clone(memory);
     let values = case.iter().map(|(name, value)| ((*name).to_owned(), value.clone().into()));
     scope.values.extend(values);
     for text in claim.list("hypotheses").iter().filter_map(Toml::as_text) {

@@ -68,7 +68,9 @@ pub fn check<'a>(
                 }
             };
             let after = ring.functionals_before(differences, levels)?;
-            flows(paper, ring, block, &after, (&power, Reason::Contraction))?;
+            flows(paper, ring, block, &after, &|cost| {
+                require(cost.compare(&power)?.is_le(), Reason::Contraction)
+            })?;
             functionals = ring.functionals_before(functionals, from)?;
         }
     }
@@ -86,7 +88,9 @@ pub fn check<'a>(
         match &setting {
             Setting::Ring(ring, _) => {
                 functionals = ring.functionals_before(functionals, u32::from(k > from))?;
-                flows(paper, ring, block, &functionals, (&most, Reason::TooLarge))?;
+                flows(paper, ring, block, &functionals, &|cost| {
+                    require(cost.compare(&most)?.is_le(), Reason::TooLarge)
+                })?;
             }
             Setting::Masks(rules, _) => {
                 let mut bound = promised.constant(&Value::int(k.into()))?;

@@ -7,7 +7,7 @@ use super::theorem::violated;
 use crate::certificate::Block;
 use crate::convolution::classes;
 use crate::decimal::Q;
-use crate::functional::{MAX_LEVEL, Rules};
+use crate::functional::Rules;
 use crate::paper::Paper;
 use crate::reject::{Checked, Reason, Stop, require};
 use crate::ring::{Ring, less};
@@ -17,6 +17,9 @@ use crate::witness::{Setting, Witness};
 use num_traits::{Signed, Zero};
 use std::collections::BTreeMap;
 use std::rc::Rc;
+
+/// The deepest level that a promise is about.
+const MAX_LEVEL: u32 = 10_000;
 
 /// The most points of a level that are looked at.
 const MAX_POINTS: i64 = 1 << 16;
@@ -57,8 +60,13 @@ pub fn check(table: &Table<'_>, block: &mut Block<'_>) -> Checked<()> {
             match &*setting {
                 Setting::Ring(ring, _) => {
                     require(said.is_empty(), Reason::Malformed("ROW COLUMN"))?;
-                    let most = most.over(&promised.spread)?;
-                    kept_by_flows(table.paper, ring, block, (level, &most))?;
+                    let errors = errors(table.paper, ring, block)?;
+                    let functionals = ring.functionals_before(errors, level)?;
+                    let small = |cost: &Value| {
+                        let bound = cost.times(&promised.spread)?;
+                        require(bound.compare(&most)?.is_le(), Reason::TooLarge)
+                    };
+                    flows(table.paper, ring, block, &functionals, &small)?;
                 }
                 Setting::Masks(..) => kept(&promised, &setting, said, (level, &most))?,
             }
@@ -121,18 +129,6 @@ pub fn kept(
     require(bound.compare(most)?.is_le(), Reason::TooLarge)
 }
 
-/// Checks `weights …` and `flow …` of every point: the flow carries e_aᵀM^k − w, and costs at
-/// most what is promised for the spread 1.
-fn kept_by_flows(
-    paper: &Paper<'_>,
-    ring: &Ring<'_>,
-    block: &mut Block<'_>,
-    (level, most): (u32, &Value),
-) -> Checked<()> {
-    let errors = errors(paper, ring, block)?;
-    flows(paper, ring, block, &ring.functionals_before(errors, level)?, (most, Reason::TooLarge))
-}
-
 fn values(paper: &Paper<'_>, said: &str) -> Checked<Vec<Value>> {
     said.split_whitespace().map(|word| paper.number(word)).collect()
 }
@@ -150,13 +146,13 @@ pub fn errors(
     Ok(errors.collect::<Result<_, Stop>>()?)
 }
 
-/// Checks a line `flow …` for each functional: the flow carries it, and costs at most so much.
+/// Checks a line `flow …` for each functional: the flow carries it, and its cost is small.
 pub fn flows(
     paper: &Paper<'_>,
     ring: &Ring<'_>,
     block: &mut Block<'_>,
     functionals: &[Vec<Value>],
-    (most, otherwise): (&Value, Reason),
+    small: &dyn Fn(&Value) -> Checked<()>,
 ) -> Checked<()> {
     for functional in functionals {
         let flow = values(paper, block.after("flow")?)?;
@@ -165,7 +161,7 @@ pub fn flows(
         for (carried, needed) in carried.iter().zip(functional) {
             require(carried.equals(needed)?, Reason::Flow)?;
         }
-        require(cost.compare(most)?.is_le(), otherwise.clone())?;
+        small(&cost)?;
     }
     Ok(())
 }
