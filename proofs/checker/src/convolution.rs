@@ -7,6 +7,7 @@ use crate::scheme::{Library, Scheme};
 use crate::value::Value;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap};
+use std::hash::Hash;
 use std::rc::Rc;
 
 /// The most coefficients of a product, and the most residue classes.
@@ -20,6 +21,9 @@ const MAX_PRODUCTS: usize = 1_000;
 
 /// Products by how they are made: the convolution, its length and the sequence.
 pub type Products = HashMap<(Convolution, usize, Vec<Value>), Rc<Product>>;
+
+/// Those of a scheme: the convolution, the scheme, whether of its mask, and whether forwards.
+pub type OfSchemes = HashMap<(Convolution, *const Scheme, bool, bool), Rc<Product>>;
 
 /// A constant: the rules, whether they are read forwards, and the level.
 pub type Large = (Vec<Vec<Value>>, bool, u32);
@@ -112,11 +116,7 @@ impl Convolution {
         };
         let (classes, known) = (self.classes(), RefCell::default());
         let product = Rc::new(Product { coefficients, scale, stride, classes, known });
-        let mut known = library.products.borrow_mut();
-        if known.len() == MAX_PRODUCTS {
-            known.clear();
-        }
-        known.insert(key, Rc::clone(&product));
+        keep(&mut library.products.borrow_mut(), key, &product);
         Ok(product)
     }
 
@@ -129,6 +129,11 @@ impl Convolution {
         of: &str,
         forward: bool,
     ) -> Result<Rc<Product>, Stop> {
+        // A claim's schemes stay where they are until the next claim.
+        let key = (self, std::ptr::from_ref(scheme), of == "a", forward);
+        if let Some(known) = library.of_schemes.borrow().get(&key) {
+            return Ok(Rc::clone(known));
+        }
         // t_{nu+β} = r_{β,N−1−u}, or r_{β,u} forwards.
         let rules = if of == "a" { &scheme.mask } else { &scheme.difference };
         let last = scheme.width() - 1;
@@ -138,8 +143,16 @@ impl Convolution {
         if product.coefficients.len() > MAX_LENGTH || product.classes > MAX_LENGTH {
             return Err(Stop::Capped("the length of a product of sequences"));
         }
+        keep(&mut library.of_schemes.borrow_mut(), key, &product);
         Ok(product)
     }
+}
+
+fn keep<K: Eq + Hash>(known: &mut HashMap<K, Rc<Product>>, key: K, product: &Rc<Product>) {
+    if known.len() == MAX_PRODUCTS {
+        known.clear();
+    }
+    known.insert(key, Rc::clone(product));
 }
 
 /// left(z^step)·right(z), its first `length` coefficients.

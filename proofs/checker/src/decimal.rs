@@ -44,6 +44,11 @@ fn digits(text: &str, signed: bool) -> Option<BigInt> {
 impl Decimal {
     /// Reads `-0.0266`, `4.35e-5`, `1.99×10^-10`; nothing else.
     pub fn read(text: &str) -> Option<Decimal> {
+        // Most are short integers.
+        if let Some(digits) = digits(text, false) {
+            let value = Q::from_integer(digits.clone());
+            return Some(Decimal { digits, unit: int(1), value });
+        }
         let text = text.replace('\u{2212}', "-").replace("×10^", "e").replace("x10^", "e");
         let text = text.replace("*10^", "e").replace('E', "e");
         let (number, exponent) = text.split_once('e').unwrap_or((&text, "0"));

@@ -274,36 +274,50 @@ impl Call<'_> {
     fn levels(&mut self, ratio: &Value, x: &Value) -> Result<Value, Stop> {
         let rounding = self.choose("rounded", &["up", "nearest", "down"])?;
         let one = Value::int(1);
-        let above = |value: &Value, other: &Value| value.compare(other).map(Ordering::is_gt);
-        if ratio.sign(None)? <= 0 || x.sign(None)? <= 0 || !above(&one, ratio)? {
+        let between = ratio.sign(None)? > 0 && ratio.compare(&one)?.is_lt();
+        if !between || x.sign(None)? <= 0 {
             let why = "no depth: the ratio is not between 0 and 1, or x not positive";
             return Err(Stop::Undefined(why));
         }
+        // Without fractions: pairs of a top and a bottom.
+        let pair = |value: &Value| {
+            let bottom = Value::denominator([value])?;
+            Ok::<_, Stop>((value.times(&bottom)?, bottom))
+        };
+        let times = |(a, b): &(Value, Value), (c, d): &(Value, Value)| {
+            Ok::<_, Stop>((a.times(c)?, b.times(d)?))
+        };
+        let compare =
+            |(a, b): &(Value, Value), (c, d): &(Value, Value)| a.times(d)?.compare(&b.times(c)?);
+        let (ratio, x) = (pair(ratio)?, pair(x)?);
         // ratio to the powers 1, 2, 4, …, as long as they are above x.
         let mut powers = vec![ratio.clone()];
         while let Some(last) = powers.last()
-            && above(last, x)?
+            && compare(last, &x)?.is_gt()
         {
             if powers.len() == MAX_LEVEL_BITS {
                 return Err(Stop::Capped("the depth"));
             }
-            self.scope.library.spend(last.cost(last))?;
-            powers.push(last.times(last)?);
+            self.scope.library.spend(last.0.cost(&last.0) + last.1.cost(&last.1))?;
+            powers.push(times(last, last)?);
         }
         // The greatest k with ratio^k > x, digit by digit, and then the next.
-        let (mut k, mut power) = (0_i64, one.clone());
-        if above(&one, x)? {
+        let (mut k, mut power) = (0_i64, (one.clone(), one));
+        if compare(&power, &x)?.is_gt() {
             for (i, next) in powers.iter().enumerate().rev() {
-                let next = power.times(next)?;
-                if above(&next, x)? {
+                let next = times(&power, next)?;
+                if compare(&next, &x)?.is_gt() {
                     (k, power) = (k + (1 << i), next);
                 }
             }
-            (k, power) = (k + 1, power.times(ratio)?);
+            (k, power) = (k + 1, times(&power, &ratio)?);
         }
         // ⌊t + 1/2⌋ for t = log(x): k if ratio^(2k−1) ≥ x², that is t ≥ k − 1/2.
-        let near = !above(&x.times(x)?.times(ratio)?, &power.times(&power)?)?;
-        let kept = k == 0 || rounding == 0 || rounding == 1 && near || power.equals(x)?;
+        let near = || {
+            compare(&times(&times(&x, &x)?, &ratio)?, &times(&power, &power)?).map(Ordering::is_le)
+        };
+        let kept =
+            k == 0 || rounding == 0 || compare(&power, &x)?.is_eq() || rounding == 1 && near()?;
         Ok(Value::int(if kept { k } else { k - 1 }))
     }
 }

@@ -58,7 +58,7 @@ fn fraction(top: i128, bottom: i128) -> Number {
         let common = i64::try_from(common).unwrap_or(1);
         return Number::Small(top / common, bottom / common);
     }
-    let common = top.gcd(&bottom);
+    let common = if bottom == 1 { 1 } else { top.gcd(&bottom) };
     Number::lowest(1, vec![(top / common).into()], (bottom / common).into())
 }
 

@@ -1,6 +1,6 @@
 //! Schemes: their masks, and the sequences that they give.
 
-use crate::convolution::{Large, Products};
+use crate::convolution::{Large, OfSchemes, Products};
 use crate::evaluate::{MAX_STEPS, Scope};
 use crate::formula::{Expr, MAX_LENGTH, is_name, parse};
 use crate::paper::Definitions;
@@ -55,6 +55,8 @@ pub struct Library<'a> {
     masks: RefCell<BTreeMap<String, Rc<Scheme>>>,
     /// Products of sequences that are known already, by what they are of.
     pub products: RefCell<Products>,
+    /// Those of schemes.
+    pub of_schemes: RefCell<OfSchemes>,
     /// Constants of more residue classes than can be looked at.
     pub large: RefCell<HashMap<Large, Value>>,
     steps: Cell<u64>,
@@ -90,8 +92,9 @@ pub fn formulas(entries: &[(String, Toml)]) -> Result<Definitions, Stop> {
 impl<'a> Library<'a> {
     /// The library of a claim file's `[[scheme]]` tables.
     pub fn new(file: &'a [Toml], catalogue: &'a [Toml]) -> Library<'a> {
-        let (masks, products, large, steps, nothing, as_printed) = Default::default();
-        Library { file, catalogue, masks, products, large, steps, nothing, as_printed }
+        let (masks, products, of_schemes, large) = Default::default();
+        let (steps, nothing, as_printed) = Default::default();
+        Library { file, catalogue, masks, products, of_schemes, large, steps, nothing, as_printed }
     }
 
     /// Counts steps of the claim at hand.
@@ -109,6 +112,7 @@ impl<'a> Library<'a> {
         self.steps.set(0);
         self.masks.borrow_mut().clear();
         self.products.borrow_mut().clear();
+        self.of_schemes.borrow_mut().clear();
         self.large.borrow_mut().clear();
     }
 

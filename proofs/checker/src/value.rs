@@ -8,7 +8,6 @@ use num_bigint::BigInt;
 use num_traits::Zero;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
-use std::collections::btree_map::Entry;
 use std::rc::Rc;
 
 /// The most binary digits of a number, and the most terms of a polynomial.
@@ -131,18 +130,13 @@ impl Value {
             self.constant = self.constant.plus(factor, term)?;
             return Ok(());
         }
-        match self.terms.entry(on.to_vec()) {
-            Entry::Vacant(place) => {
-                place.insert(term.times_integer(factor)?);
-            }
-            Entry::Occupied(mut known) => {
-                let sum = known.get().plus(factor, term)?;
-                if sum.is_zero() {
-                    known.remove();
-                } else {
-                    known.insert(sum);
-                }
-            }
+        let Some(known) = self.terms.get_mut(on) else {
+            self.terms.insert(on.to_vec(), term.times_integer(factor)?);
+            return Ok(());
+        };
+        *known = known.plus(factor, term)?;
+        if known.is_zero() {
+            self.terms.remove(on);
         }
         Ok(())
     }
