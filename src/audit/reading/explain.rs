@@ -152,12 +152,10 @@ impl Space<'_> {
     }
 
     fn solve(&self, scale: &Scale, values: &Values, rounding: DecimalRounding) -> Option<Solved> {
-        let at_one = RealCyclotomic::from(scale.base.recip());
         let cells = self.printed.iter().flatten().zip(values.iter().flatten());
-        let cells =
-            cells.filter_map(|(printed, value)| Some(((*printed)?, value.as_ref()? * &at_one)));
-        let (simplest, between) =
-            solve(&cells.collect::<Vec<(&Printed, RealCyclotomic)>>(), rounding)?;
+        let cells: Vec<(&Printed, &RealCyclotomic)> =
+            cells.filter_map(|(printed, value)| Some(((*printed)?, value.as_ref()?))).collect();
+        let (simplest, between) = solve(&cells, &scale.base, rounding)?;
         Some(Solved { name: scale.name.clone(), between, simplest })
     }
 }

@@ -122,11 +122,10 @@ fn one(
     if of_line.is_empty() || !is_small(&chance(&of_line, of_line.len(), Integer::from(least))) {
         return None;
     }
-    let (mut tried, mut best_so_far) = (0, None::<(Explanation, (i32, i32), Vec<Need>)>);
+    let mut best_so_far = None::<(Explanation, (i32, i32), Vec<Need>)>;
     for shift in SHIFTS {
         let values = |one: &Evaluated| shifted(&one.values, shift, &inside);
         let explanations: Vec<Explanation> = space.explanations(all, values).collect();
-        tried += explanations.len();
         let Some(first) = best(&explanations).into_iter().next() else { continue };
         if best_so_far.as_ref().is_none_or(|(other, ..)| first.count() > other.count()) {
             best_so_far = Some((first, shift, space.needs(&explanations)));
@@ -136,7 +135,7 @@ fn one(
     if best.count() < LEAST_CELLS {
         return None;
     }
-    let tried = tried * lines;
+    let tried = space.count(all) * SHIFTS.len() * lines;
     let beyond = best.count().saturating_sub(best.solved.len());
     let chance = chance(&of_line, beyond, Integer::from(tried));
     let cells = of_line.len();

@@ -32,13 +32,14 @@ type Interval = (Rational, Rational);
 /// The precision of the ends: enclosures of 128 binary digits.
 const PRECISION: u32 = 1;
 
-/// The simple s > 0 for which most cells are consistent with s times their values at 1; of
-/// several the simplest, with the ends of what is consistent with these cells.
+/// The simple s > 0 for which most cells are consistent with s/base times their values; with
+/// the ends of what is consistent with these cells.
 pub(super) fn solve(
-    cells: &[(&Printed, RealCyclotomic)],
+    cells: &[(&Printed, &RealCyclotomic)],
+    base: &Rational,
     rounding: DecimalRounding,
 ) -> Option<(Rational, Interval)> {
-    let consistent = Consistent::new(cells, rounding);
+    let consistent = Consistent::new(cells, base, rounding);
     // What is printed as 0 tells of no scale.
     let starts = consistent.intervals.iter().filter(|(low, _)| low.sign() > 0);
     let mut starts: Vec<(usize, &Interval)> =
@@ -48,8 +49,12 @@ pub(super) fn solve(
     let size = |s: &Rational| Reverse((s.denominator(), s.numerator()));
     let mut best = None;
     for (meeting, interval) in starts {
-        if best.as_ref().is_some_and(|((most, _), _)| meeting < *most) {
+        if best.as_ref().is_some_and(|((most, _), _)| meeting <= *most) {
             break;
+        }
+        // Where the simplest number is not simple, none is.
+        if !is_simple(&simplest(&interval.0, &interval.1)) {
+            continue;
         }
         for s in simple_between(interval) {
             let rank = (consistent.at(&s), size(&s));
@@ -73,8 +78,15 @@ struct Consistent {
 }
 
 impl Consistent {
-    fn new(cells: &[(&Printed, RealCyclotomic)], rounding: DecimalRounding) -> Consistent {
-        let interval = |(printed, value): &(&Printed, _)| interval(printed, value, rounding);
+    fn new(
+        cells: &[(&Printed, &RealCyclotomic)],
+        base: &Rational,
+        rounding: DecimalRounding,
+    ) -> Consistent {
+        let interval = |(printed, value): &(&Printed, &_)| {
+            let (low, high) = interval(printed, value, rounding)?;
+            Some((low * base, high * base))
+        };
         let intervals: Vec<Interval> = cells.iter().filter_map(interval).collect();
         let (mut lows, mut highs): (Vec<_>, Vec<_>) = intervals.iter().cloned().unzip();
         lows.sort_unstable();
@@ -155,6 +167,14 @@ fn simple_between((low, high): &Interval) -> impl Iterator<Item = Rational> {
         let numbers = (first..=last).map(move |numerator| Rational::new(numerator, denominator));
         numbers.filter(move |s| s.denominator() == Integer::from(denominator))
     })
+}
+
+/// The fraction of least denominator, and of these the least numerator, from `low` to `high`.
+fn simplest(low: &Rational, high: &Rational) -> Rational {
+    let size = |value: &Rational| (value.denominator(), value.numerator());
+    let ends = [low.clone(), high.clone()].into_iter();
+    let inside = (low < high).then(|| simplest_between(low, high));
+    ends.chain(inside).min_by_key(size).unwrap_or_else(|| low.clone())
 }
 
 /// The fraction of least denominator, and of these the least numerator, strictly between

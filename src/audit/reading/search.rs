@@ -115,7 +115,7 @@ pub(in crate::audit) fn search(
     let likelihood =
         |printed: &Printed| if space.is_depth() { of_depth() } else { of_decimal(printed) };
     let solved = solve::solve(&space, &all, &best);
-    let tried = explanations.len() + solved.tried;
+    let tried = space.count(&all) + solved.tried;
     for explanation in solved.explanations {
         solve::drop_unsolved(&mut best, &explanation);
         keep_best(&mut best, explanation);

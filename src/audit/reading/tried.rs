@@ -47,6 +47,13 @@ impl Space<'_> {
         self.readings().into_iter().take(most).map(evaluate).collect()
     }
 
+    /// How many readings these are: with each rounding of the decimals, and where a scale is
+    /// stated, at that and at others.
+    pub(super) fn count(&self, all: &[Evaluated]) -> usize {
+        let scales = if self.scale.as_ref().is_some_and(|scale| scale.stated) { 2 } else { 1 };
+        all.iter().map(|one| scales * self.roundings(&one.reading).len()).sum()
+    }
+
     /// What each reading explains, by each rounding of the decimals, when these are
     /// its values.
     pub(super) fn explanations<'v>(
