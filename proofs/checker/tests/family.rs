@@ -79,8 +79,8 @@ fn luck_counts_what_is_new() {
              family 4\n  scale w\n{values}  member : 3 3 3{first}\n  member y#1 : 4 4 4{second}\n"
         )
     };
-    // One more cell, of one digit and of six.
-    for (last, luck) in [("0.9", Some(Reason::Luck)), ("0.901234", None)] {
+    // One more cell, of one digit and of nine.
+    for (last, luck) in [("0.9", Some(Reason::Luck)), ("0.901234567", None)] {
         let other = format!("a*w + a*(a - 1)*(a - 2)/6*({last} - 3*w)");
         let cells = ["0.0", "0.12345", "0.2469", last];
         let read = of(last, &format!("other-reading {last}"), "");
@@ -92,7 +92,7 @@ fn luck_counts_what_is_new() {
         assert_eq!(reason(w, cells, &other, &unread), not_luck, "{last}");
     }
     // Three more cells, two of which are 0.
-    for (last, luck) in [("0.901", Some(Reason::Luck)), ("0.901234", None)] {
+    for (last, luck) in [("0.901", Some(Reason::Luck)), ("0.901234567", None)] {
         let other = format!("a*(a - 1)*(a - 2)/6*{last}");
         let block = format!(
             "  read definition y 1\n  cell 1 1 \"0.0\" 0 confirmed\n  \
@@ -103,5 +103,29 @@ fn luck_counts_what_is_new() {
         );
         let found = reason(w, ["0.0", "0.00", "0.00", last], &other, &block);
         assert_eq!(found, luck, "{last}");
+    }
+}
+
+/// A parameter of a reading is the scale, and that a number that someone would choose.
+#[test]
+fn a_reading_has_a_simple_scale() {
+    for (w, known) in [("3/7", true), ("7/3", true), ("103/700", false)] {
+        let exact: Vec<String> = (0..4).map(|a| format!("{a}*{w}")).collect();
+        let cells = match w {
+            "3/7" => ["0.0", "0.428571", "0.857143", "1.285714"],
+            "7/3" => ["0.0", "2.333333", "4.666667", "7.00"],
+            _ => ["0.0", "0.147143", "0.294286", "0.441429"],
+        };
+        let rows = (1..4).map(|a| {
+            format!("  cell 1 {} \"{}\" {a}/2 other-reading {}\n", a + 1, cells[a], exact[a])
+        });
+        let block = format!(
+            "  read parameter w {w}\n  cell 1 1 \"0.0\" 0 confirmed\n{}  family 4\n  scale w\n  \
+             member : 1 1 1\n  member y#1 : 1 1 1\n",
+            rows.collect::<String>()
+        );
+        let found = reason("1/2", cells, "5*a*w", &block);
+        let foreign = Some(Reason::NotInFamily("w".to_owned()));
+        assert_eq!(found, if known { None } else { foreign }, "{w}");
     }
 }

@@ -136,7 +136,7 @@ fn one(
         return None;
     }
     let tried = space.count(all) * SHIFTS.len() * lines;
-    let beyond = best.count().saturating_sub(best.solved.len());
+    let beyond = best.count().saturating_sub(space.free(&best));
     let chance = chance(&of_line, beyond, Integer::from(tried));
     let cells = of_line.len();
     is_small(&chance).then_some(LineReading { line, cells, shift, tried, best, chance, needs })

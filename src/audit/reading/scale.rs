@@ -150,6 +150,9 @@ fn interval(
 /// The greatest numerator and denominator of a scale that someone would choose.
 const MAX_SIMPLE: i64 = 100;
 
+/// How many fractions in lowest terms these give.
+pub(super) const SIMPLE_NUMBERS: usize = 6_087;
+
 /// Whether someone would choose this as the scale of data.
 pub(super) fn is_simple(scale: &Rational) -> bool {
     let most = Integer::from(MAX_SIMPLE);

@@ -121,7 +121,7 @@ pub(in crate::audit) fn search(
         keep_best(&mut best, explanation);
     }
     let most = best.first().map_or(0, Explanation::count);
-    let free = best.first().map_or(0, |first| first.solved.len());
+    let free = best.first().map_or(0, |first| space.free(first));
     // What the printed text gives without assumptions tells nothing for another reading.
     let stated =
         |(explained, finding): (&bool, &CellFinding)| *explained && finding.assumed.is_empty();

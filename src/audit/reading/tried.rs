@@ -1,6 +1,7 @@
 //! Every reading of a table, with its values and what it explains.
 
 use super::consistent::DecimalRounding;
+use super::scale::SIMPLE_NUMBERS;
 use super::search::{Difference, Explanation, printed};
 use super::space::{Change, Space, Values};
 use crate::audit::finding::CellFinding;
@@ -47,11 +48,20 @@ impl Space<'_> {
         self.readings().into_iter().take(most).map(evaluate).collect()
     }
 
-    /// How many readings these are: with each rounding of the decimals, and where a scale is
-    /// stated, at that and at others.
+    /// How many readings these are: with each rounding of the decimals, and at each scale
+    /// that someone would choose, besides the one that is stated.
     pub(super) fn count(&self, all: &[Evaluated]) -> usize {
-        let scales = if self.scale.as_ref().is_some_and(|scale| scale.stated) { 2 } else { 1 };
+        let scales = match &self.scale {
+            Some(scale) => usize::from(scale.stated) + SIMPLE_NUMBERS,
+            None => 1,
+        };
         all.iter().map(|one| scales * self.roundings(&one.reading).len()).sum()
+    }
+
+    /// How many cells solving for parameters takes up. Each scale is a reading of its own.
+    pub(super) fn free(&self, explanation: &Explanation) -> usize {
+        let is_scale = |name: &str| self.scale.as_ref().is_some_and(|scale| scale.name == name);
+        explanation.solved.iter().filter(|solved| !is_scale(&solved.name)).count()
     }
 
     /// What each reading explains, by each rounding of the decimals, when these are

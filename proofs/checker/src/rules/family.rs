@@ -3,7 +3,7 @@
 
 use super::members::{Cells, explained, members, read, values};
 use super::reading::{MAX_DIFFERENCES, Reads};
-use super::scale::{at_best_scale, scale};
+use super::scale::{SCALES, at_best_scale, is_simple, scale};
 use crate::certificate::Block;
 use crate::decimal::{Decimal, Q, int};
 use crate::reject::{Checked, Reason, Stop, require};
@@ -43,7 +43,9 @@ pub fn check(
     }
     let mut listed = Listed::new(table, refuted, block)?;
     let mut members = members(table)?;
-    let mut family = Family { table, cells, best, scaled: base.is_some(), most: 0, size: 0 };
+    // Each scale gives another reading.
+    let scales = if base.is_some() { SCALES } else { 0 };
+    let mut family = Family { table, cells, best, size: 0 };
     let cells = &family.cells;
     while let Some(said) = block.maybe("member") {
         let (differences, said) = said.split_once(':').ok_or(Reason::Malformed("`:`"))?;
@@ -60,11 +62,14 @@ pub fn check(
             let scaled = base.map(|base| at_best_scale(cells, &values, decimals, base, best));
             require(count.max(scaled.transpose()?.unwrap_or(0)) <= best, Reason::NotBest)?;
             found.push(count.to_string());
-            family.most = family.most.max(count);
-            family.size += 1 + i64::from(base.is_some());
+            family.size += 1 + scales;
         }
         require(counts.split_whitespace().eq(found.iter().map(String::as_str)), Reason::Explains)?;
         listed.compare(numbers, cells, &values)?;
+    }
+    for (name, value) in reads.all().flat_map(|part| &part.read.parameters) {
+        let known = scale.as_ref() == Some(name) && is_simple(value);
+        require(known, Reason::NotInFamily(name.clone()))?;
     }
     let complete = require(members.is_empty() && listed.all_met(), Reason::Member);
     complete.and_then(|()| family.compare(reads)).map_err(|rejection| rejection.at(line))
@@ -76,10 +81,6 @@ struct Family<'f> {
     cells: Cells,
     /// No member explains more cells, at any scale.
     best: usize,
-    /// Whether there is a scale.
-    scaled: bool,
-    /// The most cells that a member explains at the stated scale.
-    most: usize,
     /// How many readings there are.
     size: i64,
 }
@@ -99,12 +100,10 @@ impl Family<'_> {
         if let Some(read) = reads.whole() {
             let found = explained_by(read)?;
             require(found.len() == *best && *best > printed.len(), Reason::NotBest)?;
-            require(!lucky(best.saturating_sub(read.parameters.len())), Reason::Luck)?;
+            require(!lucky(*best), Reason::Luck)?;
             left.retain(|place| !found.contains(place));
         } else {
-            require(self.most <= printed.len() || lucky(self.most), Reason::NotLuck)?;
-            let m = best.saturating_sub(self.scaled.into());
-            require(*best <= printed.len() || lucky(m), Reason::NotLuck)?;
+            require(*best <= printed.len() || lucky(*best), Reason::NotLuck)?;
         }
         // What rows and columns explain of what is left.
         let (rows, columns) = table.size();
@@ -115,8 +114,7 @@ impl Family<'_> {
             let values = cells.iter().map(|(place, _)| part.value(table, *place));
             let values = values.collect::<Result<Vec<_>, Stop>>()?;
             let found = explained(&cells, &values, part.read.decimals())?;
-            let m = found.len().saturating_sub(part.read.parameters.len());
-            let lucky = chance(table, &cells, m, self.size * SHIFTS * lines);
+            let lucky = chance(table, &cells, found.len(), self.size * SHIFTS * lines);
             require(found.len() >= LEAST_CELLS && !lucky, Reason::Luck)?;
             left.retain(|place| !found.contains(place));
         }

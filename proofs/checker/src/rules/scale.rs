@@ -6,10 +6,20 @@ use crate::reject::Stop;
 use crate::rounding::interval;
 use crate::table::{Read, Table};
 use crate::value::Value;
+use num_bigint::BigInt;
 use num_traits::Signed;
 
 /// The greatest numerator and denominator of a scale that someone would choose.
 const MAX_SCALE: i64 = 100;
+
+/// How many fractions in lowest terms these give.
+pub const SCALES: i64 = 6_087;
+
+/// Whether a scale is p/q, p, q = 1, …, 100.
+pub fn is_simple(scale: &Value) -> bool {
+    let simple = |part: &BigInt| part.is_positive() && *part <= MAX_SCALE.into();
+    scale.rational().is_some_and(|s| simple(s.numer()) && simple(s.denom()))
+}
 
 /// The first stated parameter, by name, that is positive and that every value is proportional to.
 pub fn scale(table: &Table<'_>, cells: &Cells) -> Result<Option<String>, Stop> {
