@@ -303,10 +303,15 @@ proptest! {
 
 /// A table of a·w, a = 0, 1, 2, 3, where w = 0.12345 is stated, with an alternative.
 fn multiples(alternative: &str, cells: &[String]) -> Search {
+    multiples_at("0.12345", alternative, cells)
+}
+
+/// The same for any w.
+fn multiples_at(w: &str, alternative: &str, cells: &[String]) -> Search {
     let text = format!(
         "key = 'k'\n[paper]\nauthors = []\ntitle = ''\nvenue = ''\nyear = ''\n[define]\n\
          y = 'a*w'\n[[alternative]]\nof = 'y'\nlabel = 'b'\nvalue = '{alternative}'\n[[table]]\n\
-         id = 't'\nlocus = ''\nvalue = 'y'\ngiven = {{ w = '0.12345' }}\n\
+         id = 't'\nlocus = ''\nvalue = 'y'\ngiven = {{ w = '{w}' }}\n\
          columns = {{ name = 'a', values = ['0', '1', '2', '3'] }}\ncells = [['{}']]\n",
         cells.join("', '")
     );
@@ -371,6 +376,31 @@ fn every_simple_scale_is_looked_at() {
         let most = scaled.chain(stated).map(|given| given.len()).max();
         assert_eq!(Some(multiples("a*w", &cells).most), most, "{cells:?}");
     }
+}
+
+/// A reading that is not proportional to the scale is not scaled.
+#[test]
+fn only_proportional_readings_are_scaled() {
+    // (a·w)² at w = 1/2, times 12/7: not what it is at w = 6/7. At 3/7 the printed text gives two.
+    let cells = ["0.0", "0.428571", "1.714286", "3.857143"].map(str::to_owned);
+    assert_eq!(multiples_at("1/2", "a*a*w^2", &cells).most, 2);
+    assert_eq!(multiples_at("1/2", "a*a*w", &cells).most, 4);
+}
+
+/// How many numbers are looked at as scales.
+#[test]
+fn simple_scales_are_counted() {
+    let cells = ["0.0", "0.43", "0.9", "1.28571"].map(str::to_owned);
+    let gcd = |mut p: u32, mut q: u32| {
+        while q > 0 {
+            (p, q) = (q, p % q);
+        }
+        p
+    };
+    let pairs = (1..=100).flat_map(|p| (1..=100).map(move |q| (p, q)));
+    let simple = pairs.filter(|(p, q)| gcd(*p, *q) == 1).count();
+    // Two readings with three roundings of decimals, at these scales and as stated.
+    assert_eq!(multiples("a*a*w", &cells).tried, 6 * (simple + 1));
 }
 
 /// A power that is twice as much at 2k is not proportional to k.

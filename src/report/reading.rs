@@ -13,6 +13,7 @@ const MAX_LISTED: usize = 3;
 pub(super) fn remark(search: &Search) -> String {
     let Search { tried, cells, as_printed, .. } = search;
     let Some(first) = search.best.first() else {
+        let tried = grouped(*tried);
         let found = match by_luck(search) {
             Some(found) => format!("the best of {tried} {found}"),
             None => format!(
@@ -105,7 +106,7 @@ pub(super) fn covered(search: &Search) -> String {
             search.cells
         ),
     };
-    format!("{} readings were tried. {}{best}", search.tried, differ_in(search))
+    format!("{} readings were tried. {}{best}", grouped(search.tried), differ_in(search))
 }
 
 /// How good the reading of some cells is: the one that names it, of the table, or else
@@ -129,9 +130,9 @@ pub(super) fn evidence<'c>(
 fn strength(search: &Search) -> String {
     let Search { tried, cells, as_printed, chance, .. } = search;
     format!(
-        "{} of {cells} cells, {as_printed} as printed; of {tried} readings, luck would find {} \
-         that do.",
+        "{} of {cells} cells, {as_printed} as printed; of {} readings, luck would find {} that do.",
         search.best.first().map_or(0, Explanation::count),
+        grouped(*tried),
         short(chance, 1),
     )
 }
@@ -145,9 +146,20 @@ fn line_strength(line: &LineReading) -> String {
         format!("{explained} of {cells} cells")
     };
     format!(
-        "{of} left there; of {tried} readings over all rows and columns, luck would find {} that do.",
+        "{of} left there; of {} readings over all rows and columns, luck would find {} that do.",
+        grouped(*tried),
         short(chance, 1)
     )
+}
+
+/// `280,048`.
+fn grouped(number: usize) -> String {
+    let digits = number.to_string();
+    let commas = |(place, digit): (usize, char)| {
+        let comma = place > 0 && (digits.len() - place).is_multiple_of(3);
+        comma.then_some(',').into_iter().chain([digit])
+    };
+    digits.chars().enumerate().flat_map(commas).collect()
 }
 
 fn differ_in(search: &Search) -> String {
@@ -158,7 +170,7 @@ fn differ_in(search: &Search) -> String {
 pub(super) fn facts(table: &Table, search: &Search) -> Vec<(String, String)> {
     let mut facts = vec![
         ("readings differ in".to_owned(), search.choices.join(", ")),
-        ("readings tried".to_owned(), search.tried.to_string()),
+        ("readings tried".to_owned(), grouped(search.tried)),
         ("as printed".to_owned(), format!("explains {} of {}", search.as_printed, search.cells)),
     ];
     for explanation in search.best.iter().take(MAX_LISTED) {

@@ -18,7 +18,7 @@ const MAX_WINDOW: i64 = 200;
 const MAX_INDEX: i64 = 1 << 40;
 
 /// The highest level.
-pub const MAX_LEVEL: u32 = 1_000;
+const MAX_LEVEL: u32 = 1_000;
 
 /// Σ_i f_i x_i, with integers f_i over one denominator.
 #[derive(Clone, Debug)]

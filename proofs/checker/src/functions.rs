@@ -13,7 +13,7 @@ use num_traits::ToPrimitive;
 use std::cmp::Ordering;
 use std::rc::Rc;
 
-/// A depth that is looked for is below two to the power of this.
+/// A depth that is looked for is at most two to the power of this.
 const MAX_LEVEL_BITS: usize = 14;
 
 /// A call, with the options that are not used yet.
@@ -295,7 +295,7 @@ impl Call<'_> {
         while let Some(last) = powers.last()
             && compare(last, &x)?.is_gt()
         {
-            if powers.len() == MAX_LEVEL_BITS {
+            if powers.len() > MAX_LEVEL_BITS {
                 return Err(Stop::Capped("the depth"));
             }
             self.scope.library.spend(last.0.cost(&last.0) + last.1.cost(&last.1))?;

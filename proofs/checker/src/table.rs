@@ -56,6 +56,8 @@ pub struct Read {
     pub definitions: Option<Definitions>,
     /// Parameters with other values.
     pub parameters: BTreeMap<String, Value>,
+    /// Its choices, but for decimals, and definitions: `NAME=WAY`, `NAME#NUMBER`.
+    pub differences: BTreeSet<String>,
     /// The values of cells that are known already.
     known: RefCell<BTreeMap<Place, Option<Value>>>,
     /// Those of definitions.

@@ -4,9 +4,14 @@ use subcert_check::{Outcome, Reason, check};
 
 /// What the checker says of a table of a·w, a = 0, 1, 2, 3 under alternatives of a·w.
 fn reason(w: &str, cells: [&str; 4], alternative: &str, block: &str) -> Option<Reason> {
+    reason_of("a*w", w, cells, alternative, block)
+}
+
+/// The same of another value y.
+fn reason_of(y: &str, w: &str, cells: [&str; 4], alternative: &str, block: &str) -> Option<Reason> {
     let cells = cells.join("', '");
     let claims = format!(
-        "key = 'f'\n[define]\ny = 'a*w'\n[[alternative]]\nof = 'y'\nlabel = 'b'\n\
+        "key = 'f'\n[define]\ny = '{y}'\n[[alternative]]\nof = 'y'\nlabel = 'b'\n\
          value = '{alternative}'\n[[table]]\nid = 't'\nvalue = 'y'\ngiven = {{ w = '{w}' }}\n\
          columns = {{ name = 'a', values = ['0', '1', '2', '3'] }}\ncells = [['{cells}']]\n"
     );
@@ -79,8 +84,10 @@ fn luck_counts_what_is_new() {
              family 4\n  scale w\n{values}  member : 3 3 3{first}\n  member y#1 : 4 4 4{second}\n"
         )
     };
-    // One more cell, of one digit and of nine.
-    for (last, luck) in [("0.9", Some(Reason::Luck)), ("0.901234567", None)] {
+    // One more cell, of one digit, of six, and of nine: each of 6087 scales is a reading.
+    let lucks =
+        [("0.9", Some(Reason::Luck)), ("0.901234", Some(Reason::Luck)), ("0.901234567", None)];
+    for (last, luck) in lucks {
         let other = format!("a*w + a*(a - 1)*(a - 2)/6*({last} - 3*w)");
         let cells = ["0.0", "0.12345", "0.2469", last];
         let read = of(last, &format!("other-reading {last}"), "");
@@ -128,4 +135,46 @@ fn a_reading_has_a_simple_scale() {
         let foreign = Some(Reason::NotInFamily("w".to_owned()));
         assert_eq!(found, if known { None } else { foreign }, "{w}");
     }
+}
+
+/// Only members that are proportional to the scale are of the family at other scales, and only
+/// choices and definitions that the value as printed consults give members.
+#[test]
+fn readings_are_members() {
+    // (a·w)² at w = 6/7, with w = 1/2 stated.
+    let cells = ["0.0", "0.734694", "2.938776", "6.612245"];
+    let rows = |numbers: [&str; 3]| {
+        let row = |(i, number): (usize, &str)| {
+            let (a, cell) = (i + 1, cells[i + 1]);
+            format!("  cell 1 {} \"{cell}\" {a}/2 other-reading {number}\n", a + 1)
+        };
+        numbers.into_iter().enumerate().map(row).collect::<String>()
+    };
+    let block = |read: &str| {
+        let rows = rows(["36/49", "144/49", "324/49"]);
+        format!(
+            "  {read}\n  cell 1 1 \"0.0\" 0 confirmed\n{rows}  family 4\n  scale w\n  \
+             member : 1 1 1\n  member y#1 : 1 1 1\n"
+        )
+    };
+    let read = block("read definition y 1\n  read parameter w 6/7");
+    let found = reason("1/2", cells, "a*a*w^2", &read);
+    assert_eq!(found, Some(Reason::NotInFamily("w".to_owned())));
+    // A choice that nothing consults.
+    let consulted = block("read definition y 1\n  read choice order forward");
+    let found = reason("1/2", cells, "a*a*36/49", &consulted);
+    assert_eq!(found, Some(Reason::NotInFamily("order=forward y#1".to_owned())));
+    // Of a power that is twice as much at 2k there is no scale.
+    let cells = ["0.0", "0.123411", "0.771309", "2.219047"];
+    let power = refuted(
+        cells,
+        ["0", "2", "4", "6"],
+        "  family 1\n  values 1 2 2\n  values 1 3 4\n  values 1 4 6\n  \
+         member : 1 1 1 : 1 1 1\n  member y#1 : 1 1 1 : 1 1 1\n",
+    );
+    assert_eq!(reason_of("a*2^w", "1", cells, "a*2^w", &power), None);
+    let scaled = power.replace("family 1\n", "family 1\n  scale w\n");
+    assert!(reason_of("a*2^w", "1", cells, "a*2^w", &scaled).is_some());
+    assert!(reason_of("a*2*w", "1", cells, "a*2*w", &power).is_some());
+    assert_eq!(reason_of("a*2*w", "1", cells, "a*2*w", &scaled), None);
 }

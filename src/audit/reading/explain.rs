@@ -41,21 +41,23 @@ impl Space<'_> {
         let candidates = from.iter().filter(|(name, _)| stated || self.assume.contains(*name));
         let mut scales =
             candidates.map(|(name, base)| Scale { name: name.clone(), base: base.clone(), stated });
-        scales.find(|scale| self.is_scale(scale))
+        let printed = Settings::default();
+        let any = self.as_printed.iter().flatten().flatten().any(|value| value.sign() != 0);
+        scales.find(|scale| {
+            any && scale.base.sign() > 0 && self.is_scale(scale, &self.as_printed, &printed)
+        })
     }
 
-    fn is_scale(&self, scale: &Scale) -> bool {
-        if scale.base.sign() <= 0 {
-            return false;
-        }
-        // A power, T^k, may be twice as much at 2k, but then it is not three times as much at 3k.
+    /// Whether the values of a reading become two and three times as much when the scale
+    /// does. A power, T^k, may be twice as much at 2k, but then it is not three times as much
+    /// at 3k.
+    pub(super) fn is_scale(&self, scale: &Scale, values: &Values, settings: &Settings) -> bool {
         [2, 3].map(Rational::from).iter().all(|times| {
-            let mut settings = Settings::default();
-            settings.parameters.insert(scale.name.clone(), &scale.base * times);
-            let (values, times) = (self.values(&settings), RealCyclotomic::from(times.clone()));
-            let mut pairs = self.as_printed.iter().flatten().zip(values.iter().flatten());
+            let settings = settings.with_parameter(&scale.name, &(&scale.base * times));
+            let (scaled, times) = (self.values(&settings), RealCyclotomic::from(times.clone()));
+            let mut pairs = values.iter().flatten().zip(scaled.iter().flatten());
             pairs.all(|pair| match pair {
-                (Some(once), Some(value)) => once * &times == *value,
+                (Some(once), Some(scaled)) => once * &times == *scaled,
                 (None, None) => true,
                 _ => false,
             })
@@ -85,19 +87,21 @@ impl Space<'_> {
         all.take(if one { 1 } else { DecimalRounding::ALL.len() }).collect()
     }
 
-    /// What a reading explains: with the scale solved for, where there is one, and,
-    /// where it is stated, also as it is stated.
+    /// What a reading explains: with the scale solved for, where there is one to which its
+    /// values are proportional, and, where it is stated, also as it is stated.
     pub(super) fn explain(
         &self,
         reading: &[Change],
         rounding: DecimalRounding,
         values: &Values,
+        proportional: &impl Fn(&Scale) -> bool,
     ) -> Vec<Explanation> {
         let Some(scale) = &self.scale else {
             return vec![self.explanation(reading, rounding, values.clone(), None)];
         };
         let solved = self.solve(scale, values, rounding);
         let solved = solved.filter(|solved| !scale.stated || solved.simplest != scale.base);
+        let solved = solved.filter(|_| proportional(scale));
         let as_it_is = (scale.stated || solved.is_none()).then_some(None);
         let variants = as_it_is.into_iter().chain(solved.map(Some));
         variants.map(|solved| self.explanation(reading, rounding, values.clone(), solved)).collect()

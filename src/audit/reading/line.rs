@@ -52,7 +52,8 @@ pub struct LineReading {
     /// Where the values stand that are printed in it: (0, 0) in place, (0, 1) in the
     /// next column, (1, 0) in the next row.
     pub shift: (i32, i32),
-    /// How many readings were compared, over all rows and columns.
+    /// How many readings were compared, over all rows and columns, as [`Search::tried`](super::Search::tried)
+    /// counts them.
     pub tried: usize,
     /// The reading, of equally good ones the first.
     pub best: Explanation,

@@ -58,21 +58,16 @@ impl Explanation {
         differences.chain(solved).collect::<Vec<String>>().join("; ")
     }
 
-    /// The better, the more cells it explains; of those that leave what is stated as it is
-    /// come first, and then those with fewer differences.
-    pub(super) fn rank(&self) -> (usize, bool, Reverse<usize>) {
-        let restates = |difference: &Difference| {
-            self.solved.iter().any(|solved| solved.name == difference.choice)
-        };
-        let restates = self.differences.iter().any(restates);
-        (self.count(), !restates, Reverse(self.differences.len()))
+    /// The better, the more cells it explains, and of those the fewer differences.
+    pub(super) fn rank(&self) -> (usize, Reverse<usize>) {
+        (self.count(), Reverse(self.differences.len()))
     }
 }
 
 /// What a search has found.
 #[derive(Clone, Debug)]
 pub struct Search {
-    /// How many readings were compared.
+    /// How many readings were compared, every scale that someone would choose counted.
     pub tried: usize,
     /// What they differ in.
     pub choices: Vec<String>,
@@ -123,15 +118,10 @@ pub(in crate::audit) fn search(
     let most = best.first().map_or(0, Explanation::count);
     let free = best.first().map_or(0, |first| space.free(first));
     // What the printed text gives without assumptions tells nothing for another reading.
-    let stated =
-        |(explained, finding): (&bool, &CellFinding)| *explained && finding.assumed.is_empty();
-    let stated = as_printed.iter().flatten().zip(findings.iter().flatten()).map(stated);
-    let others = printed
-        .iter()
-        .flatten()
-        .zip(stated)
-        .filter_map(|(cell, stated)| (*cell).filter(|_| !stated).map(likelihood));
-    let others: Vec<Rational> = others.collect();
+    let given = as_printed.iter().flatten().zip(findings.iter().flatten());
+    let given = given.map(|(explained, finding)| *explained && finding.assumed.is_empty());
+    let others = printed.iter().flatten().zip(given).filter(|(_, given)| !given);
+    let others: Vec<Rational> = others.filter_map(|(cell, _)| cell.map(likelihood)).collect();
     let beyond = most.saturating_sub(cells.len() - others.len() + free);
     let chance = chance(&others, beyond, solved.candidates + Integer::from(tried));
     if most <= count || !is_small(&chance) {

@@ -53,5 +53,6 @@ pub(super) fn drop_unsolved(best: &mut Vec<Explanation>, solved: &Explanation) {
 pub(super) fn names(space: &Space<'_>) -> impl Iterator<Item = String> {
     let spread = spread::unknown(space).map(str::to_owned);
     let range = |name: &String| format!("{name} from -{RANGE} to {RANGE}");
-    spread.into_iter().chain(parameter::unknowns(space).map(range))
+    let scale = space.scale.as_ref().map(|scale| format!("{} = p/q, p, q up to 100", scale.name));
+    spread.into_iter().chain(scale).chain(parameter::unknowns(space).map(range))
 }

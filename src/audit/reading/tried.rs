@@ -1,13 +1,14 @@
 //! Every reading of a table, with its values and what it explains.
 
 use super::consistent::DecimalRounding;
-use super::scale::SIMPLE_NUMBERS;
+use super::scale::{SIMPLE_NUMBERS, Scale};
 use super::search::{Difference, Explanation, printed};
 use super::space::{Change, Space, Values};
 use crate::audit::finding::CellFinding;
 use crate::audit::judge::{At, Judge};
 use crate::audit::quantity::LevelCall;
 use crate::exact::Rational;
+use std::cell::OnceCell;
 
 /// The most values of cells under all readings together; of a larger table, fewer
 /// readings are compared, those with fewer differences first.
@@ -19,6 +20,8 @@ pub(super) struct Evaluated {
     pub(super) values: Values,
     /// Of depths, the logarithms that the values are, row by row.
     pub(super) levels: Vec<Vec<Option<LevelCall>>>,
+    /// Whether the values are proportional to the scale, once that was asked.
+    scaled: OnceCell<bool>,
 }
 
 impl Space<'_> {
@@ -27,7 +30,8 @@ impl Space<'_> {
         let evaluate = |reading: Vec<Change>| {
             let settings = self.settings(&reading);
             if !self.is_depth() {
-                return Evaluated { reading, values: self.values(&settings), levels: Vec::new() };
+                let (values, levels) = (self.values(&settings), Vec::new());
+                return Evaluated { reading, values, levels, scaled: OnceCell::new() };
             }
             let cell = |row: usize, column: usize| {
                 self.printed[row][column]?;
@@ -41,7 +45,7 @@ impl Space<'_> {
                     .unzip()
             };
             let (values, levels) = (0..self.printed.len()).map(row).unzip();
-            Evaluated { reading, values, levels }
+            Evaluated { reading, values, levels, scaled: OnceCell::new() }
         };
         let cells = self.printed.iter().map(Vec::len).sum::<usize>().max(1);
         let most = (MAX_VALUES / cells).max(1);
@@ -74,7 +78,11 @@ impl Space<'_> {
         all.iter().flat_map(move |one| {
             let values = values(one);
             let roundings = self.roundings(&one.reading);
-            let explain = |rounding| self.explain(&one.reading, rounding, &values);
+            let proportional = |scale: &Scale| {
+                let settings = || self.settings(&one.reading);
+                *one.scaled.get_or_init(|| self.is_scale(scale, &one.values, &settings()))
+            };
+            let explain = |rounding| self.explain(&one.reading, rounding, &values, &proportional);
             roundings.into_iter().flat_map(explain).collect::<Vec<Explanation>>()
         })
     }

@@ -3,7 +3,7 @@
 
 use super::members::{Cells, explained, members, read, values};
 use super::reading::{MAX_DIFFERENCES, Reads};
-use super::scale::{SCALES, at_best_scale, is_simple, scale};
+use super::scale::{SCALES, at_best_scale, is_scale, is_simple, scale};
 use crate::certificate::Block;
 use crate::decimal::{Decimal, Q, int};
 use crate::reject::{Checked, Reason, Stop, require};
@@ -43,6 +43,9 @@ pub fn check(
     }
     let mut listed = Listed::new(table, refuted, block)?;
     let mut members = members(table)?;
+    for part in reads.all() {
+        belongs(table, &part.read, &members, scale.as_deref())?;
+    }
     // Each scale gives another reading.
     let scales = if base.is_some() { SCALES } else { 0 };
     let mut family = Family { table, cells, best, size: 0 };
@@ -59,20 +62,47 @@ pub fn check(
         let mut found = Vec::new();
         for decimals in roundings {
             let count = explained(cells, &values, decimals)?.len();
-            let scaled = base.map(|base| at_best_scale(cells, &values, decimals, base, best));
-            require(count.max(scaled.transpose()?.unwrap_or(0)) <= best, Reason::NotBest)?;
+            require(count <= best, Reason::NotBest)?;
+            if let (Some(name), Some(base)) = (&scale, base)
+                && at_best_scale(table, cells, &values, decimals, (base, best))? > best
+            {
+                require(!is_scale(table, cells, name, base, &read)?, Reason::NotBest)?;
+            }
             found.push(count.to_string());
             family.size += 1 + scales;
         }
         require(counts.split_whitespace().eq(found.iter().map(String::as_str)), Reason::Explains)?;
         listed.compare(numbers, cells, &values)?;
     }
-    for (name, value) in reads.all().flat_map(|part| &part.read.parameters) {
-        let known = scale.as_ref() == Some(name) && is_simple(value);
-        require(known, Reason::NotInFamily(name.clone()))?;
-    }
     let complete = require(members.is_empty() && listed.all_met(), Reason::Member);
     complete.and_then(|()| family.compare(reads)).map_err(|rejection| rejection.at(line))
+}
+
+/// Makes sure that a reading is of the family: one of its members, or one at a scale.
+fn belongs(
+    table: &Table<'_>,
+    read: &Read,
+    members: &BTreeSet<BTreeSet<String>>,
+    scale: Option<&str>,
+) -> Checked<()> {
+    let unknown = |name: &str| Reason::NotInFamily(name.to_owned());
+    let differences = read.differences.iter().cloned().collect::<Vec<String>>().join(" ");
+    require(members.contains(&read.differences), unknown(&differences))?;
+    for (name, value) in &read.parameters {
+        require(scale == Some(name) && is_simple(value), unknown(name))?;
+        let cells: Cells =
+            table.places().filter_map(|at| Some((at, table.printed(at)?.1))).collect();
+        let member = self::read(table, &read.differences)?;
+        let base = &table.given[name];
+        require(is_scale(table, &cells, name, base, &member)?, unknown(name))?;
+        let factor = value.over(base)?;
+        let pairs = values(table, &cells, &member)?.into_iter().zip(values(table, &cells, read)?);
+        for (once, scaled) in pairs {
+            let once = once.map(|once| once.times(&factor)).transpose()?;
+            require(same(once.as_ref(), scaled.as_ref())?, unknown(name))?;
+        }
+    }
+    Ok(())
 }
 
 /// What is known of a family when all of its members have been looked at.
@@ -96,7 +126,7 @@ impl Family<'_> {
         left.retain(|place| !printed.contains(place));
         // What the printed text gives tells nothing for another reading.
         let others: Cells = cells.iter().filter(|(at, _)| left.contains(at)).cloned().collect();
-        let lucky = |m: usize| chance(table, &others, m.saturating_sub(printed.len()), self.size);
+        let lucky = |m: usize| is_luck(table, &others, m.saturating_sub(printed.len()), self.size);
         if let Some(read) = reads.whole() {
             let found = explained_by(read)?;
             require(found.len() == *best && *best > printed.len(), Reason::NotBest)?;
@@ -114,7 +144,7 @@ impl Family<'_> {
             let values = cells.iter().map(|(place, _)| part.value(table, *place));
             let values = values.collect::<Result<Vec<_>, Stop>>()?;
             let found = explained(&cells, &values, part.read.decimals())?;
-            let lucky = chance(table, &cells, found.len(), self.size * SHIFTS * lines);
+            let lucky = is_luck(table, &cells, found.len(), self.size * SHIFTS * lines);
             require(found.len() >= LEAST_CELLS && !lucky, Reason::Luck)?;
             left.retain(|place| !found.contains(place));
         }
@@ -178,10 +208,10 @@ fn same(one: Option<&Value>, other: Option<&Value>) -> Result<bool, Stop> {
     one.zip(other).map_or(Ok(one.is_none() && other.is_none()), |(one, other)| one.equals(other))
 }
 
-/// Whether one of so many readings of unrelated values is likely enough to become m of these
+/// Whether it is luck: one of so many readings of unrelated values is likely enough to become m of these
 /// printed cells: readings·e_m of the likelihoods that a value becomes a cell, against 1/1000.
 /// That a cell is printed as 0 tells nothing: it is left out, and m is one less.
-fn chance(table: &Table<'_>, cells: &Cells, m: usize, readings: i64) -> bool {
+fn is_luck(table: &Table<'_>, cells: &Cells, m: usize, readings: i64) -> bool {
     let depth = table.tolerance.is_some();
     let telling = |cell: &&(Place, Decimal)| depth || !cell.1.digits.is_zero();
     let m = m.saturating_sub(cells.len() - cells.iter().filter(telling).count());

@@ -49,11 +49,13 @@ pub fn check(table: &Table<'_>, block: &mut Block<'_>) -> Checked<()> {
         }
         let (promised, printed) = (Promised::new(table, at)?, Value::from(printed.value));
         let (level, most) = match (promised.level, &promised.tolerance) {
-            (None, Some(tolerance)) => (printed.integer(MAX_LEVEL.into())?, tolerance.clone()),
+            (None, Some(tolerance)) => (printed.integer(i64::MAX)?, tolerance.clone()),
             (level, _) => (level.ok_or(Reason::NoPromise)?, printed),
         };
-        let level = u32::try_from(level).ok().filter(|level| *level <= MAX_LEVEL);
-        let level = level.ok_or(Reason::Malformed("a level"))?;
+        let level = u32::try_from(level).map_err(|_| Reason::Malformed("a level"))?;
+        if level > MAX_LEVEL {
+            return Err(Stop::Capped("the level of a promise").into());
+        }
         let setting = setting(table, &promised, &mut settings)?;
         if verdict == "kept" {
             require(promised.spread.sign(None)? >= 0, Reason::Negative)?;
@@ -117,7 +119,7 @@ pub fn kept(
 ) -> Checked<()> {
     let malformed = Reason::Malformed("L M c, L from the level on");
     let (later, constants) = said.split_once(' ').unwrap_or((said, ""));
-    let later: Option<u32> = later.parse().ok().filter(|l| *l >= level);
+    let later: Option<u32> = later.parse().ok().filter(|l| (level..=MAX_LEVEL).contains(l));
     let (Some(later), Setting::Masks(rules, _)) = (later, setting) else {
         return Err(malformed.into());
     };

@@ -130,6 +130,9 @@ impl Reads {
 pub fn choose(read: &mut Read, name: &str, way: &str) -> Checked<()> {
     let known = CHOICES.iter().any(|choice| choice.name == name && choice.ways.contains(&way));
     let twice = read.reading.words.insert(name.to_owned(), way.to_owned()).is_some();
+    if name != "decimals" {
+        read.differences.insert(format!("{name}={way}"));
+    }
     require(known && !twice, Reason::NotInFamily(format!("{name} {way}")))
 }
 
@@ -142,6 +145,7 @@ pub fn define(table: &Table<'_>, read: &mut Read, name: &str, number: &str) -> C
     let place = number.parse::<usize>().ok().and_then(|number| number.checked_sub(1));
     let other = place.and_then(|place| others.nth(place)).ok_or_else(unknown)?;
     let value = Rc::new(formula(other.text("value").unwrap_or(""))?);
+    read.differences.insert(format!("{name}#{number}"));
     let definitions = read.definitions.get_or_insert_with(|| table.paper.definitions.clone());
     require(definitions.insert(name.to_owned(), value).is_some(), unknown())
 }

@@ -1,8 +1,9 @@
 //! The scale of a table: a parameter that all values are proportional to.
 
-use super::members::{Cells, explained, values};
+use super::members::{self, Cells, explained, values};
 use crate::decimal::Q;
-use crate::reject::Stop;
+use crate::polynomial::signum;
+use crate::reject::{Checked, Stop};
 use crate::rounding::interval;
 use crate::table::{Read, Table};
 use crate::value::Value;
@@ -21,42 +22,58 @@ pub fn is_simple(scale: &Value) -> bool {
     scale.rational().is_some_and(|s| simple(s.numer()) && simple(s.denom()))
 }
 
-/// The first stated parameter, by name, that is positive and that every value is proportional to.
-pub fn scale(table: &Table<'_>, cells: &Cells) -> Result<Option<String>, Stop> {
-    if table.tolerance.is_some() {
+/// The first stated parameter, by name, that is positive, and with which the values as printed grow.
+pub fn scale(table: &Table<'_>, cells: &Cells) -> Checked<Option<String>> {
+    let once = values(table, cells, &table.as_printed)?;
+    if table.tolerance.is_some() || once.iter().flatten().all(Value::is_zero) {
         return Ok(None);
     }
-    let once = values(table, cells, &table.as_printed)?;
-    // The values when the parameter is so many times as much are so many times as much. That a
-    // power T^k is twice as much at 2k happens.
-    let multiplies = |name: &str, base: &Value, times: i64| -> Result<bool, Stop> {
-        let mut read = Read::default();
-        read.parameters.insert(name.to_owned(), base.plus(times - 1, base)?);
-        let more = values(table, cells, &read)?;
-        Ok(once.iter().zip(&more).all(|pair| match pair {
-            (Some(once), Some(more)) => more.plus(-times, once).is_ok_and(|rest| rest.is_zero()),
-            (once, more) => once.is_none() && more.is_none(),
-        }))
-    };
     for (name, base) in &table.given {
-        let positive = base.sign(None)?.is_positive();
-        if positive && multiplies(name, base, 2)? && multiplies(name, base, 3)? {
+        let printed = Read::default();
+        if base.sign(None)?.is_positive() && is_scale(table, cells, name, base, &printed)? {
             return Ok(Some(name.clone()));
         }
     }
     Ok(None)
 }
 
-/// How many cells the values give at most when they are multiplied by (p/q)/base, p, q = 1, …, 100;
-/// exact above `enough` only.
+/// Whether all values under a reading become two and three times as much when a parameter does.
+/// That a power T^k is twice as much at 2k happens.
+pub fn is_scale(
+    table: &Table<'_>,
+    cells: &Cells,
+    name: &str,
+    base: &Value,
+    read: &Read,
+) -> Checked<bool> {
+    let once = values(table, cells, read)?;
+    for times in [2, 3] {
+        let mut scaled = members::read(table, &read.differences)?;
+        scaled.parameters.insert(name.to_owned(), base.plus(times - 1, base)?);
+        let more = values(table, cells, &scaled)?;
+        let mut pairs = once.iter().zip(&more);
+        if !pairs.all(|pair| match pair {
+            (Some(once), Some(more)) => more.plus(-times, once).is_ok_and(|rest| rest.is_zero()),
+            (once, more) => once.is_none() && more.is_none(),
+        }) {
+            return Ok(false);
+        }
+    }
+    Ok(true)
+}
+
+/// How many cells the values give when they are multiplied by (p/q)/base, for p, q = 1, …, 100 that
+/// give more than `enough`; what is not more is not exact.
 pub fn at_best_scale(
+    table: &Table<'_>,
     cells: &Cells,
     values: &[Option<Value>],
     decimals: &str,
-    base: &Value,
-    enough: usize,
+    (base, enough): (&Value, usize),
 ) -> Result<usize, Stop> {
+    let spend = || table.paper.library.spend(cells.len() as u64);
     let given = |s: &Value| -> Result<usize, Stop> {
+        spend()?;
         let factor = s.over(base)?;
         let scaled = values.iter().map(|v| v.as_ref().map(|v| v.times(&factor)).transpose());
         Ok(explained(cells, &scaled.collect::<Result<Vec<_>, Stop>>()?, decimals)?.len())
@@ -65,6 +82,10 @@ pub fn at_best_scale(
     let (mut ranges, mut zeros) = (Vec::new(), 0);
     for ((_, decimal), value) in cells.iter().zip(values) {
         let Some(value) = value else { continue };
+        // What is printed with the other sign is given at no scale.
+        if signum(&decimal.digits) == -value.sign(None)? && !value.is_zero() {
+            continue;
+        }
         if value.is_zero() {
             zeros += 1;
             continue;
@@ -75,6 +96,7 @@ pub fn at_best_scale(
     }
     // No fewer than are given there.
     let covering = |s: &Value| -> Result<usize, Stop> {
+        spend()?;
         let mut count = zeros;
         for (low, high) in &ranges {
             count += usize::from(low.compare(s)?.is_le() && s.compare(high)?.is_le());
@@ -96,6 +118,9 @@ pub fn at_best_scale(
                     break;
                 }
                 best = best.max(if p.is_positive() { given(&s)? } else { 0 });
+                if best > enough {
+                    return Ok(best);
+                }
                 p += 1;
             }
         }

@@ -103,10 +103,14 @@ impl<'t> Promised<'t> {
             return Ok(None);
         }
         while upper.len() < place(level + block) {
-            let mut least = upper[1].times(&upper[upper.len() - 1])?;
-            for j in 2..=place(most) {
+            let product = |j: usize| {
                 let next = upper[j].times(&upper[upper.len() - j])?;
                 self.scope.library.spend(next.cost(&next))?;
+                Ok::<Value, Stop>(next)
+            };
+            let mut least = product(1)?;
+            for j in 2..=place(most) {
+                let next = product(j)?;
                 least = if next.compare(&least)?.is_lt() { next } else { least };
             }
             upper.push(least);
