@@ -76,7 +76,7 @@ fn every_standing_is_counted() {
     let summary = judged(&paper).cell_summary();
     assert_eq!(summary.cells(), 10);
     assert_eq!(summary.count(Standing::Confirmed), 1);
-    assert_eq!(causes(&summary, Standing::Explained), [("decimals cut", 1)]);
+    assert_eq!(causes(&summary, Standing::Explained), [("cut, not rounded", 1)]);
     assert_eq!(causes(&summary, Standing::Misprinted), [("as printed", 1)]);
     assert_eq!(summary.count(Standing::Refuted), 2);
     let unstated = "the paper does not state y";
