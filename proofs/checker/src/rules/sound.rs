@@ -15,6 +15,9 @@ use std::rc::Rc;
 /// The most levels of a bound.
 const MAX_LEVEL: i64 = 10_000;
 
+/// The greatest offset.
+const MAX_OFFSET: i64 = 10_000;
+
 /// The most levels whose constants are computed.
 const MAX_BLOCK: i64 = 12;
 
@@ -24,7 +27,7 @@ pub fn check<'a>(table: &'a Table<'a>, said: &str) -> Checked<()> {
     let said = said.rsplit_once(' ').ok_or(Reason::Malformed("ROW COLUMN M c VALUE"))?;
     let (constants, said) = (said.0, table.paper.number(said.1)?);
     let promised = Promised::new(table, at)?;
-    let level = promised.level.map_or_else(|| said.integer(MAX_LEVEL), Ok)?;
+    let level = promised.level.map_or_else(|| said.integer(i64::MAX), Ok)?;
     let bound = promised.bound(level, constants)?;
     match promised.tolerance {
         None => require(bound.equals(&said)?, Reason::Value),
@@ -60,8 +63,9 @@ impl<'t> Promised<'t> {
         let assumed = table.unstated.keys().cloned().collect();
         let (scope, schemes) = table.scope(at, &table.as_printed, &assumed)?;
         let of = |key: &str| promise.text(key).map(|text| scope.value(&formula(text)?)).transpose();
-        let integer = |key| of(key)?.map(|value| value.integer(MAX_LEVEL)).transpose();
-        let (spread, offset, level) = (of("spread")?, integer("offset")?, integer("level")?);
+        let integer = |key, most| of(key)?.map(|value: Value| value.integer(most)).transpose();
+        let (offset, level) = (integer("offset", MAX_OFFSET)?, integer("level", i64::MAX)?);
+        let spread = of("spread")?;
         let spread = spread.ok_or(Reason::NoPromise)?;
         let tolerance = of("tolerance")?.filter(|_| level.is_none());
         let Table { paper, bounds, .. } = table;
@@ -78,6 +82,9 @@ impl<'t> Promised<'t> {
         let proper = 1 <= block && block <= most && most <= MAX_BLOCK;
         require(proper, Reason::Malformed("1 ≤ c ≤ M ≤ 12"))?;
         require(level >= 0, Reason::Malformed("a level"))?;
+        if level > MAX_LEVEL {
+            return Err(Stop::Capped("the level of a promise").into());
+        }
         require(!self.schemes.is_empty(), Reason::NoPromise)?;
         let bound = self.of_block(level, most, block)?.ok_or(Reason::NoContraction)?;
         Ok(bound.times(&self.spread)?)
