@@ -79,8 +79,8 @@ impl Space<'_> {
             let values = values(one);
             let roundings = self.roundings(&one.reading);
             let proportional = |scale: &Scale| {
-                let settings = || self.settings(&one.reading);
-                *one.scaled.get_or_init(|| self.is_scale(scale, &one.values, &settings()))
+                let is_scale = || self.is_scale(scale, &one.values, &self.settings(&one.reading));
+                *one.scaled.get_or_init(is_scale)
             };
             let explain = |rounding| self.explain(&one.reading, rounding, &values, &proportional);
             roundings.into_iter().flat_map(explain).collect::<Vec<Explanation>>()

@@ -37,17 +37,16 @@ pub fn check(
     require(plain, Reason::Assumed)?;
     let best: usize = best.parse().map_err(|_| Reason::Malformed("a number of cells"))?;
     let scale = scale(table, &cells)?;
-    let base = scale.as_ref().and_then(|name| table.given.get(name));
-    if let Some(name) = &scale {
+    if let Some((name, _)) = scale {
         require(block.after("scale")? == name, Reason::Scale)?;
     }
     let mut listed = Listed::new(table, refuted, block)?;
     let mut members = members(table)?;
     for part in reads.all() {
-        belongs(table, &part.read, &members, scale.as_deref())?;
+        belongs(table, &cells, &part.read, &members, scale)?;
     }
     // Each scale gives another reading.
-    let scales = if base.is_some() { SCALES } else { 0 };
+    let scales = if scale.is_some() { SCALES } else { 0 };
     let mut family = Family { table, cells, best, size: 0 };
     let cells = &family.cells;
     while let Some(said) = block.maybe("member") {
@@ -63,7 +62,7 @@ pub fn check(
         for decimals in roundings {
             let count = explained(cells, &values, decimals)?.len();
             require(count <= best, Reason::NotBest)?;
-            if let (Some(name), Some(base)) = (&scale, base)
+            if let Some((name, base)) = scale
                 && at_best_scale(table, cells, &values, decimals, (base, best))? > best
             {
                 require(!is_scale(table, cells, name, base, &read)?, Reason::NotBest)?;
@@ -81,22 +80,21 @@ pub fn check(
 /// Makes sure that a reading is of the family: one of its members, or one at a scale.
 fn belongs(
     table: &Table<'_>,
+    cells: &Cells,
     read: &Read,
     members: &BTreeSet<BTreeSet<String>>,
-    scale: Option<&str>,
+    scale: Option<(&str, &Value)>,
 ) -> Checked<()> {
     let unknown = |name: &str| Reason::NotInFamily(name.to_owned());
     let differences = read.differences.iter().cloned().collect::<Vec<String>>().join(" ");
     require(members.contains(&read.differences), unknown(&differences))?;
     for (name, value) in &read.parameters {
-        require(scale == Some(name) && is_simple(value), unknown(name))?;
-        let cells: Cells =
-            table.places().filter_map(|at| Some((at, table.printed(at)?.1))).collect();
+        let scale = scale.filter(|(scale, _)| scale == name && is_simple(value));
+        let (_, base) = scale.ok_or_else(|| unknown(name))?;
         let member = self::read(table, &read.differences)?;
-        let base = &table.given[name];
-        require(is_scale(table, &cells, name, base, &member)?, unknown(name))?;
+        require(is_scale(table, cells, name, base, &member)?, unknown(name))?;
         let factor = value.over(base)?;
-        let pairs = values(table, &cells, &member)?.into_iter().zip(values(table, &cells, read)?);
+        let pairs = values(table, cells, &member)?.into_iter().zip(values(table, cells, read)?);
         for (once, scaled) in pairs {
             let once = once.map(|once| once.times(&factor)).transpose()?;
             require(same(once.as_ref(), scaled.as_ref())?, unknown(name))?;

@@ -2,7 +2,7 @@
 //! data, cell by cell.
 
 use super::place;
-use super::sound::Promised;
+use super::sound::{self, MAX_LEVEL, Promised};
 use super::theorem::violated;
 use crate::certificate::Block;
 use crate::convolution::classes;
@@ -17,9 +17,6 @@ use crate::witness::{Setting, Witness};
 use num_traits::{Signed, Zero};
 use std::collections::BTreeMap;
 use std::rc::Rc;
-
-/// The deepest level that a promise is about.
-const MAX_LEVEL: u32 = 10_000;
 
 /// The most points of a level that are looked at.
 const MAX_POINTS: i64 = 1 << 16;
@@ -52,10 +49,7 @@ pub fn check(table: &Table<'_>, block: &mut Block<'_>) -> Checked<()> {
             (None, Some(tolerance)) => (printed.integer(i64::MAX)?, tolerance.clone()),
             (level, _) => (level.ok_or(Reason::NoPromise)?, printed),
         };
-        let level = u32::try_from(level).map_err(|_| Reason::Malformed("a level"))?;
-        if level > MAX_LEVEL {
-            return Err(Stop::Capped("the level of a promise").into());
-        }
+        let level = sound::level(level)?;
         let setting = setting(table, &promised, &mut settings)?;
         if verdict == "kept" {
             require(promised.spread.sign(None)? >= 0, Reason::Negative)?;

@@ -22,8 +22,9 @@ pub fn is_simple(scale: &Value) -> bool {
     scale.rational().is_some_and(|s| simple(s.numer()) && simple(s.denom()))
 }
 
-/// The first stated parameter, by name, that is positive, and with which the values as printed grow.
-pub fn scale(table: &Table<'_>, cells: &Cells) -> Checked<Option<String>> {
+/// The first stated parameter, by name, that is positive, and with which the values as printed grow;
+/// with its value.
+pub fn scale<'t>(table: &'t Table<'_>, cells: &Cells) -> Checked<Option<(&'t str, &'t Value)>> {
     let once = values(table, cells, &table.as_printed)?;
     if table.tolerance.is_some() || once.iter().flatten().all(Value::is_zero) {
         return Ok(None);
@@ -31,7 +32,7 @@ pub fn scale(table: &Table<'_>, cells: &Cells) -> Checked<Option<String>> {
     for (name, base) in &table.given {
         let printed = Read::default();
         if base.sign(None)?.is_positive() && is_scale(table, cells, name, base, &printed)? {
-            return Ok(Some(name.clone()));
+            return Ok(Some((name, base)));
         }
     }
     Ok(None)
@@ -82,12 +83,12 @@ pub fn at_best_scale(
     let (mut ranges, mut zeros) = (Vec::new(), 0);
     for ((_, decimal), value) in cells.iter().zip(values) {
         let Some(value) = value else { continue };
-        // What is printed with the other sign is given at no scale.
-        if signum(&decimal.digits) == -value.sign(None)? && !value.is_zero() {
-            continue;
-        }
         if value.is_zero() {
             zeros += 1;
+            continue;
+        }
+        // What is printed with the other sign is given at no scale.
+        if signum(&decimal.digits) == -value.sign(None)? {
             continue;
         }
         let unit = value.over(base)?.abs(None)?;

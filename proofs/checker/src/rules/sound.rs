@@ -13,13 +13,20 @@ use std::cell::RefCell;
 use std::rc::Rc;
 
 /// The most levels of a bound.
-const MAX_LEVEL: i64 = 10_000;
+pub const MAX_LEVEL: u32 = 10_000;
 
 /// The greatest offset.
 const MAX_OFFSET: i64 = 10_000;
 
 /// The most levels whose constants are computed.
 const MAX_BLOCK: i64 = 12;
+
+/// A level that bounds are looked at.
+pub fn level(level: i64) -> Checked<u32> {
+    require(level >= 0, Reason::Malformed("a level"))?;
+    let level = u32::try_from(level).ok().filter(|level| *level <= MAX_LEVEL);
+    Ok(level.ok_or(Stop::Capped("the level of a promise"))?)
+}
 
 /// Checks `ROW COLUMN M c VALUE`.
 pub fn check<'a>(table: &'a Table<'a>, said: &str) -> Checked<()> {
@@ -74,17 +81,14 @@ impl<'t> Promised<'t> {
 
     /// The bound at a level that the constants `M c` give.
     pub fn bound(&self, level: i64, constants: &str) -> Checked<Value> {
-        let number = |text: &str| Ok(self.paper.number(text)?.integer(MAX_LEVEL)?);
+        let number = |text: &str| Ok(self.paper.number(text)?.integer(MAX_LEVEL.into())?);
         let numbers = constants.split_whitespace().map(number).collect::<Checked<Vec<i64>>>()?;
         let [most, block] = numbers[..] else {
             return Err(Reason::Malformed("M c").into());
         };
         let proper = 1 <= block && block <= most && most <= MAX_BLOCK;
         require(proper, Reason::Malformed("1 ≤ c ≤ M ≤ 12"))?;
-        require(level >= 0, Reason::Malformed("a level"))?;
-        if level > MAX_LEVEL {
-            return Err(Stop::Capped("the level of a promise").into());
-        }
+        let level = i64::from(self::level(level)?);
         require(!self.schemes.is_empty(), Reason::NoPromise)?;
         let bound = self.of_block(level, most, block)?.ok_or(Reason::NoContraction)?;
         Ok(bound.times(&self.spread)?)
