@@ -33,6 +33,10 @@ pub struct Diagnostic {
     pub span: Range<usize>,
     /// What is wrong.
     pub message: String,
+    /// What stands there, in a few words.
+    pub label: Option<String>,
+    /// Another place that it is about, and what stands there.
+    pub other: Option<(Range<usize>, String)>,
     /// What would be right.
     pub help: Option<String>,
 }
@@ -45,7 +49,20 @@ impl Diagnostic {
         span: Range<usize>,
         message: impl Into<String>,
     ) -> Diagnostic {
-        Diagnostic { source: Arc::clone(source), span, message: message.into(), help: None }
+        let (source, message) = (Arc::clone(source), message.into());
+        Diagnostic { source, span, message, label: None, other: None, help: None }
+    }
+
+    /// The same with words for what stands at the place.
+    #[must_use]
+    pub fn with_label(self, label: impl Into<String>) -> Diagnostic {
+        Diagnostic { label: Some(label.into()), ..self }
+    }
+
+    /// The same with another place that it is about, and what stands there.
+    #[must_use]
+    pub fn with_place(self, span: Range<usize>, label: impl Into<String>) -> Diagnostic {
+        Diagnostic { other: Some((span, label.into())), ..self }
     }
 
     /// The same with a remedy.
@@ -65,9 +82,15 @@ impl Diagnostic {
     /// The drawing, coloured when `colour`.
     #[must_use]
     pub fn render(&self, colour: bool) -> String {
-        let annotation = AnnotationKind::Primary.span(self.span.clone());
-        let snippet =
+        let mut annotation = AnnotationKind::Primary.span(self.span.clone());
+        if let Some(label) = &self.label {
+            annotation = annotation.label(label);
+        }
+        let mut snippet =
             Snippet::source(&self.source.text).path(&self.source.name).annotation(annotation);
+        if let Some((span, label)) = &self.other {
+            snippet = snippet.annotation(AnnotationKind::Context.span(span.clone()).label(label));
+        }
         let mut group = Level::ERROR.primary_title(&self.message).element(snippet);
         if let Some(help) = &self.help {
             group = group.element(Level::HELP.message(help));

@@ -69,17 +69,21 @@ pub(super) fn judge(
 /// What is explained of a table: all of it, or rows and columns of it.
 fn places<'f, 'a>(finding: &'f TableFinding<'a>) -> Vec<Explained<'f, 'a>> {
     let whole = |by| Explained { finding, line: None, by, needs: &finding.needs };
-    let Some(search) = &finding.search else {
+    if finding.searches().next().is_none() {
         let printed = finding.cells.iter().flatten().any(|cell| cell.printed.is_some());
         return printed.then(|| whole(None)).into_iter().collect();
-    };
-    let lines = search.lines.iter().filter(|line| line.shift == (0, 0)).map(|line| Explained {
-        finding,
-        line: Some(line.line),
-        by: Some(&line.best),
-        needs: &line.needs,
+    }
+    let parts = finding.searches().flat_map(|search| {
+        let lines = search.lines.iter().filter(|line| line.shift == (0, 0));
+        let lines = lines.map(|line| Explained {
+            finding,
+            line: Some(line.line),
+            by: Some(&line.best),
+            needs: &line.needs,
+        });
+        search.best.first().map(|best| whole(Some(best))).into_iter().chain(lines)
     });
-    search.best.first().map(|best| whole(Some(best))).into_iter().chain(lines).collect()
+    parts.collect()
 }
 
 impl Explained<'_, '_> {

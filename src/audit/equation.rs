@@ -2,12 +2,12 @@
 
 use super::judge::scheme_error;
 use super::library::{Library, Unresolved};
-use super::mend;
 use super::shape::{Coefficients, Shape, Shapes};
+use super::{hypotheses, mend};
 use crate::claim::{Equation, EquationBody, Hypothesis, Identity, Index, LocatedReference, Paper};
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Polynomial, Rational, Scalar};
-use crate::formula::{Context, Expr, LocatedFormula, Node, Parameters, Scope, Value, evaluate};
+use crate::formula::{Context, Expr, LocatedFormula, Parameters, Scope, Value, evaluate};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -159,6 +159,12 @@ fn cases(identity: &Identity) -> Result<Vec<Case>, Diagnostic> {
         }
         cases = longer;
     }
+    if cases.is_empty() {
+        let (source, span) = (&identity.right.source, identity.right.span.clone());
+        let message = "the indices have no values, so that nothing is claimed";
+        return Err(Diagnostic::new(source, span, message)
+            .with_help("`from` is the first value and `to` the last one, which is not less"));
+    }
     Ok(cases)
 }
 
@@ -223,22 +229,38 @@ impl Comparison<'_> {
         functions: &'s Coefficients<'s, Polynomial>,
         member: &'s dyn Fn(&str) -> Polynomial,
     ) -> Result<Scope<'s, Polynomial>, Diagnostic> {
-        let mut scope = Scope::new(&self.paper.definitions, functions);
-        for symbol in &self.identity.symbols {
-            scope = scope.with(symbol, Polynomial::variable(symbol)).with_family(symbol, member);
+        let identity = self.identity;
+        let plain = || {
+            let mut scope = Scope::new(&self.paper.definitions, functions);
+            for symbol in &identity.symbols {
+                let variable = Polynomial::variable(symbol);
+                scope = scope.with(symbol, variable).with_family(symbol, member);
+            }
+            for (name, value) in &case.values {
+                scope = scope.with(name, Polynomial::from_rational(value));
+            }
+            scope
+        };
+        // A family of which all members that occur are given is no symbol itself.
+        let mut symbols = plain();
+        for family in identity.hypotheses.iter().filter_map(Hypothesis::family) {
+            symbols = symbols.with_family(family, member);
         }
-        for (name, value) in &case.values {
-            scope = scope.with(name, Polynomial::from_rational(value));
-        }
-        for Hypothesis { member, value } in &self.identity.hypotheses {
-            let Node::Indexed { name, indices } = &member.expr.node else { continue };
-            let position = |index: &Expr| {
-                let value = evaluate(index, &scope).map_err(|error| member.diagnostic(&error))?;
-                Ok(value.to_string())
-            };
-            let key = indices.iter().map(position).collect::<Result<Vec<String>, Diagnostic>>()?;
-            let value = evaluate(&value.expr, &scope).map_err(|error| value.diagnostic(&error))?;
-            scope = scope.with(&format!("{name}[{}]", key.join(",")), value);
+        let solved = hypotheses::solve(&identity.hypotheses, &symbols)?;
+        let mut scope = plain();
+        for (name, value) in solved {
+            // Its value is one of the other symbols: none of a family that is only given.
+            let unknown = value.linear().into_iter().flatten().find(|name| {
+                let family = name.split_once('[').map(|(family, _)| family);
+                family.is_some_and(|family| identity.symbols.iter().all(|known| known != family))
+            });
+            if let Some(unknown) = unknown {
+                let right = &identity.right;
+                let message = format!("the hypotheses leave `{unknown}` open");
+                return Err(Diagnostic::new(&right.source, right.span.clone(), message)
+                    .with_help("give it a value too, or name its family in `symbols`"));
+            }
+            scope = scope.with(&name, value);
         }
         Ok(scope)
     }

@@ -55,7 +55,9 @@ impl<'a> Judge<'a> {
         let mut given = values(&paper.given)?;
         given.extend(values(&table.given)?);
         let assumed = values(&table.unstated)?;
-        given.retain(|name, _| !assumed.contains_key(name));
+        let axes = || table.rows.iter().chain([&table.columns]);
+        let header = |name: &String| axes().any(|axis| axis.name == *name);
+        given.retain(|name, _| !assumed.contains_key(name) && !header(name));
         let (settings, rows) = (Settings::default(), RowDefinitions::default());
         let siblings = Vec::new();
         let mut judge = Judge { paper, table, library, given, assumed, settings, rows, siblings };

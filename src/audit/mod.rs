@@ -10,6 +10,7 @@ mod errata;
 mod evidence;
 mod finding;
 mod function;
+mod hypotheses;
 mod jobs;
 mod judge;
 mod kept;

@@ -191,7 +191,14 @@ impl Judge<'_> {
             let offset = offset.as_ref().map(|formula| self.integer(formula, at)).transpose()?;
             Compared::Masks(scheme.ok_or_else(no_scheme)?, offset)
         };
-        let spread = self.number(spread, at)?;
+        let (formula, spread) = (spread, self.number(spread, at)?);
+        if spread.sign() < 0 {
+            let (source, span) = (&formula.source, formula.span.clone());
+            let message = format!("the spread of the data is negative: {spread}");
+            return Err(NoSound::Wrong(Diagnostic::new(source, span, message).with_help(
+                "the spread is the largest absolute difference of neighbouring points",
+            )));
+        }
         let of = match promise {
             Promise::Depth { tolerance, .. } => Of::Tolerance(self.number(tolerance, at)?),
             Promise::Bound { level, .. } => Of::Level(self.integer(level, at)?),

@@ -4,7 +4,7 @@ use super::options::Options;
 use super::shape::{index, place};
 use crate::bound::{Recursion, Suprema, convolution_coefficient, convolution_window};
 use crate::exact::{Rational, common_conductor};
-use crate::formula::{Call, CallError, Context, FormulaErrorKind, Lookup, Value};
+use crate::formula::{Call, CallError, Context, FormulaErrorKind, Lookup, SEQUENCE_INDEX, Value};
 use std::cell::RefCell;
 
 /// The longest sequence.
@@ -18,9 +18,6 @@ const MAX_COEFFICIENT_CONVOLUTIONS: i64 = 3;
 
 /// The most products of one convolution: the last index times the length.
 const MAX_PRODUCTS: usize = 1_000_000;
-
-/// The index of a sequence when the call does not name it.
-const INDEX: &str = "q";
 
 /// The absolute sums of windows by what they depend on, each computed once.
 pub(super) struct Norms<V> {
@@ -109,7 +106,7 @@ fn norm<V: Value + PartialEq>(
             let printed =
                 if recursion == Recursion::Printed { ", recursion = printed" } else { "" };
             let index = match &names.index[..] {
-                INDEX => String::new(),
+                SEQUENCE_INDEX => String::new(),
                 other => format!(", index = {other}"),
             };
             let formula = format!(
@@ -185,7 +182,7 @@ impl Names {
             let message = "name the definition that gives the sequence: `sequence = g`";
             CallError::Misuse(message.to_owned())
         })?;
-        let index = options.take("index").unwrap_or_else(|| INDEX.to_owned());
+        let index = options.take("index").unwrap_or_else(|| SEQUENCE_INDEX.to_owned());
         Ok(Names { first, second: options.take("with"), index })
     }
 

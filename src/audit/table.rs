@@ -4,7 +4,9 @@ use super::compare::{self, Values};
 use super::finding::{AsRead, Assumed, CellFinding, Direction, Missing, Slip, Verdict};
 use super::judge::{At, Judge, Outcome};
 use super::library::Library;
-use super::reading::{self, DEPTH_ROUNDING, Explanation, Need, Search, Settings, Sibling};
+use super::reading::{
+    self, CellKind, DEPTH_ROUNDING, Explanation, Need, Search, Settings, Sibling,
+};
 use crate::claim::{Cell, Paper, Printed, Promise, Table};
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Decimal, RealCyclotomic};
@@ -18,8 +20,11 @@ pub struct TableFinding<'a> {
     /// Its cells, row by row.
     pub cells: Vec<Vec<CellFinding>>,
     /// The search for the reading that it was computed by, unless every cell is as
-    /// printed.
+    /// printed: of the cells that need no assumptions, if there are any.
     pub search: Option<Search>,
+    /// Where some cells need assumptions and others do not, the search for the reading of the cells
+    /// that do.
+    pub assumed_search: Option<Search>,
     /// How many cells each way of each choice explains.
     pub needs: Vec<Need>,
     /// What other tables gave away of its parameters.
@@ -99,8 +104,13 @@ fn judge<'a>(
     judge.siblings = siblings;
     let mut cells = judge.cells()?;
     judge.compare_with_neighbours(&mut cells);
-    let (search, needs) = reading::search(&judge, &cells).unwrap_or_default();
-    if let Some(search) = &search {
+    let (mut searches, mut needs) = (Vec::new(), Vec::new());
+    for kind in CellKind::of(&cells) {
+        let (search, needed) = reading::search(&judge, &cells, kind).unwrap_or_default();
+        searches.push(search);
+        needs.extend(needed);
+    }
+    for search in searches.iter().flatten() {
         if let Some(best) = search.best.first() {
             judge.read_as(best, Part::Table, &mut cells);
         }
@@ -109,10 +119,20 @@ fn judge<'a>(
         }
     }
     let siblings = judge.siblings;
-    Ok(TableFinding { table, cells, search, needs, siblings })
+    let mut searches = searches.into_iter();
+    let (search, assumed_search) = (searches.next().flatten(), searches.next().flatten());
+    Ok(TableFinding { table, cells, search, assumed_search, needs, siblings })
 }
 
-/// Every reading of a table with what it explains, the best first.
+impl TableFinding<'_> {
+    /// The searches for readings.
+    pub fn searches(&self) -> impl Iterator<Item = &Search> {
+        self.search.iter().chain(&self.assumed_search)
+    }
+}
+
+/// Every reading of a table with what it explains, the best first: of the cells that need no
+/// assumptions, if there are any.
 pub(super) fn readings(
     paper: &Paper,
     finding: &TableFinding<'_>,
@@ -120,7 +140,9 @@ pub(super) fn readings(
 ) -> Result<Vec<Explanation>, Diagnostic> {
     let mut judge = Judge::new(paper, finding.table, library)?;
     judge.siblings.clone_from(&finding.siblings);
-    Ok(reading::readings(&judge, &finding.cells))
+    let kinds = CellKind::of(&finding.cells);
+    let kind = kinds.first().copied().unwrap_or(CellKind::Plain);
+    Ok(reading::readings(&judge, &finding.cells, kind))
 }
 
 impl Judge<'_> {
@@ -286,14 +308,20 @@ impl Judge<'_> {
         if self.is_depth() {
             return;
         }
-        let exact: Values =
-            cells.iter().map(|row| row.iter().map(|cell| cell.exact.clone()).collect()).collect();
+        let values = |counts: fn(&CellFinding) -> bool| -> Values {
+            let value = |cell: &CellFinding| cell.exact.clone().filter(|_| counts(cell));
+            cells.iter().map(|row| row.iter().map(value).collect()).collect()
+        };
+        // What needs assumptions does not count where nothing is assumed.
+        let plain = values(|cell| cell.assumed.is_empty());
+        let all = values(|_| true);
         for (row, findings) in cells.iter_mut().enumerate() {
             for (column, finding) in findings.iter_mut().enumerate() {
                 let Cell::Printed(printed) = &self.table.cells[row][column] else { continue };
+                let exact = if finding.assumed.is_empty() { &plain } else { &all };
                 let verdict = finding.verdict_if_assumed.as_mut().unwrap_or(&mut finding.verdict);
                 if *verdict == Verdict::Refuted {
-                    *verdict = self.slip(&printed.decimal, &exact, row, column);
+                    *verdict = self.slip(&printed.decimal, exact, row, column);
                 }
             }
         }

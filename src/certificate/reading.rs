@@ -2,7 +2,8 @@
 
 use super::block::Block;
 use crate::audit::{
-    AsRead, Difference, Direction, Explanation, FAMILY, Line, LineReading, Slip, TableFinding,
+    AsRead, Difference, Direction, Explanation, FAMILY, Line, LineReading, Search, Slip,
+    TableFinding,
 };
 use crate::claim::Paper;
 
@@ -32,25 +33,65 @@ const ROUNDED: [(&str, Option<Direction>); 3] = [
 
 /// The readings of a table, and of its rows and columns.
 pub(super) struct Readings<'f> {
+    /// Those of the cells that need no assumptions, if there are any, and otherwise of all.
+    first: Part<'f>,
+    /// Where there are others, those of the cells that need some.
+    assumed: Part<'f>,
+}
+
+/// The readings of the cells of one kind.
+struct Part<'f> {
     table: Option<&'f Explanation>,
     lines: Vec<&'f LineReading>,
 }
 
 impl<'f> Readings<'f> {
     pub(super) fn of(finding: &'f TableFinding<'_>) -> Readings<'f> {
-        let search = finding.search.as_ref();
-        let table = search.and_then(|search| search.best.first());
-        let lines = search.into_iter().flat_map(|search| &search.lines);
-        Readings { table, lines: lines.collect() }
+        let (search, assumed) = (finding.search.as_ref(), finding.assumed_search.as_ref());
+        Readings { first: Part::of(search), assumed: Part::of(assumed) }
     }
 
-    /// Whether everything is as printed.
+    /// Whether everything is as printed that needs no assumptions.
     pub(super) fn is_empty(&self) -> bool {
-        self.table.is_none() && self.lines.is_empty()
+        self.first.is_empty()
     }
 
     /// The lines `read …`, and those of rows and columns.
     pub(super) fn write(&self, block: &mut Block, paper: &Paper) {
+        self.first.write(block, paper);
+        if !self.assumed.is_empty() {
+            block.line("assumed".to_owned());
+            self.assumed.write(block, paper);
+        }
+    }
+
+    /// How a cell comes from the reading that it is read by: rounded otherwise, and by
+    /// the reading of which row or column; `slip` is the one that is left.
+    pub(super) fn by(
+        &self,
+        read: &AsRead,
+        slip: Option<&Slip>,
+        at: (usize, usize),
+    ) -> Result<(&'static str, String), String> {
+        let found = self.first.by(read, slip, at).or_else(|| self.assumed.by(read, slip, at));
+        found.ok_or_else(|| {
+            "a cell is read otherwise than the table, its row and its column".to_owned()
+        })
+    }
+}
+
+impl<'f> Part<'f> {
+    fn of(search: Option<&'f Search>) -> Part<'f> {
+        let table = search.and_then(|search| search.best.first());
+        let lines = search.into_iter().flat_map(|search| &search.lines);
+        Part { table, lines: lines.collect() }
+    }
+
+    fn is_empty(&self) -> bool {
+        self.table.is_none() && self.lines.is_empty()
+    }
+
+    fn write(&self, block: &mut Block, paper: &Paper) {
         if let Some(reading) = self.table {
             for line in lines(paper, reading) {
                 block.try_line(line);
@@ -68,14 +109,12 @@ impl<'f> Readings<'f> {
         }
     }
 
-    /// How a cell comes from the reading that it is read by: rounded otherwise, and by
-    /// the reading of which row or column; `slip` is the one that is left.
-    pub(super) fn by(
+    fn by(
         &self,
         read: &AsRead,
         slip: Option<&Slip>,
         at: (usize, usize),
-    ) -> Result<(&'static str, String), String> {
+    ) -> Option<(&'static str, String)> {
         let table = self.table.map(|reading| (reading, String::new()));
         let lines = self.lines.iter().filter(|line| match line.line {
             Line::Row(row) => row == at.0,
@@ -95,11 +134,11 @@ impl<'f> Readings<'f> {
             for (words, direction) in ROUNDED {
                 let more = direction.map_or(String::new(), |direction| format!("; {direction}"));
                 if read.differs == format!("{}{more}", reading.differs()) {
-                    return Ok((words, by));
+                    return Some((words, by));
                 }
             }
         }
-        Err("a cell is read otherwise than the table, its row and its column".to_owned())
+        None
     }
 }
 

@@ -66,12 +66,9 @@ fn family(
     scale: Option<&str>,
 ) {
     let mut printed = finding.cells.iter().flatten().filter(|cell| cell.printed.is_some());
-    let plain = printed.all(|cell| cell.assumed.is_empty());
-    if refuted.is_empty() && (!plain || read.is_empty()) {
+    let plain = printed.any(|cell| cell.assumed.is_empty());
+    if !plain || refuted.is_empty() && read.is_empty() {
         return;
-    }
-    if !plain {
-        return block.give_up("some cells are refuted, and others need assumptions");
     }
     let best = finding.search.as_ref().and_then(|search| search.best.first());
     match readings(paper, finding) {

@@ -1,7 +1,7 @@
 //! Equations between formulas.
 
 use super::table::{Axis, LocatedReference};
-use crate::formula::LocatedFormula;
+use crate::formula::{LocatedFormula, Node};
 
 /// An equation, or a list of equations with indices.
 #[derive(Clone, Debug)]
@@ -93,4 +93,15 @@ pub struct Hypothesis {
     pub member: LocatedFormula,
     /// What it equals.
     pub value: LocatedFormula,
+}
+
+impl Hypothesis {
+    /// The name of the family: `a`.
+    #[must_use]
+    pub fn family(&self) -> Option<&str> {
+        match &self.member.expr.node {
+            Node::Indexed { name, .. } => Some(name),
+            _ => None,
+        }
+    }
 }

@@ -21,4 +21,4 @@ pub use function::{FunctionClaim, Limit, RangeClaim};
 pub use paper::{Alternative, Bibliography, Paper, SchemeSource};
 pub use read::{MAX_CLAIM_FILE_BYTES, read_paper, read_paper_file};
 pub use table::{Axis, AxisEntry, Cell, LocatedReference, Printed, Promise, Table};
-pub use theorem::{ByHand, Quantity, Rewriting, Statement, Theorem, Trial};
+pub use theorem::{ByHand, Quantity, Rewriting, Statement, THEOREM_NAMES, Theorem, Trial};

@@ -4,6 +4,11 @@ use super::table::LocatedReference;
 use crate::exact::Rational;
 use crate::formula::LocatedFormula;
 
+/// The names that every theorem about a bound or a depth brings: the spread of the control data, of
+/// nets also by directions, the level, and the tolerance. Nothing else of a claim file means one of
+/// them in a theorem.
+pub const THEOREM_NAMES: [&str; 6] = ["beta", "beta_1", "beta_2", "beta_3", "k", "epsilon"];
+
 /// A theorem: what it states, and what that rests on.
 #[derive(Clone, Debug)]
 pub struct Theorem {

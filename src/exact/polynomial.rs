@@ -85,6 +85,34 @@ impl Polynomial {
         Some(RationalPolynomial::new(&coefficients))
     }
 
+    /// The variables, if no term has a power or a product of them.
+    ///
+    /// ```
+    /// use subcert::exact::Polynomial;
+    /// let [x, y] = ["x", "y"].map(Polynomial::variable);
+    /// assert_eq!((&x + &y).linear(), Some(vec!["x", "y"]));
+    /// assert_eq!((&x * &y).linear(), None);
+    /// ```
+    #[must_use]
+    pub fn linear(&self) -> Option<Vec<&str>> {
+        fn variable(term: &Term) -> Option<&str> {
+            match term.0.powers() {
+                [(name, 1)] => Some(name),
+                _ => None,
+            }
+        }
+        self.terms.iter().map(variable).collect()
+    }
+
+    /// The coefficient of a variable to the first power, without others.
+    #[must_use]
+    pub fn coefficient(&self, variable: &str) -> RealCyclotomic {
+        let is_variable =
+            |monomial: &Monomial| matches!(monomial.powers(), [(name, 1)] if **name == *variable);
+        let term = self.terms.iter().find(|(monomial, _)| is_variable(monomial));
+        term.map_or(RealCyclotomic::from(0), |(_, coefficient)| coefficient.clone())
+    }
+
     /// The number of terms.
     #[must_use]
     pub fn term_count(&self) -> usize {

@@ -3,6 +3,11 @@
 use crate::exact::Rational;
 use std::collections::BTreeSet;
 
+/// The option that names the index of a sequence.
+pub(super) const INDEX_OPTION: &str = "index";
+/// The index of a sequence that a function is about, where no option names it.
+pub const SEQUENCE_INDEX: &str = "q";
+
 /// Bytes of the formula's text.
 pub type Span = std::ops::Range<usize>;
 
@@ -41,6 +46,35 @@ impl Expr {
             waiting.extend(expr.parts());
         }
         names
+    }
+
+    /// The names of the indices of its sums and extremes, and of the sequences that functions in it
+    /// are about.
+    ///
+    /// ```
+    /// let formula = subcert::formula::parse("sum(h = 1..m, max(j = 0..h, a[h, j]))")?;
+    /// assert_eq!(formula.indices().into_iter().collect::<Vec<_>>(), ["h", "j"]);
+    /// # Ok::<(), subcert::formula::FormulaError>(())
+    /// ```
+    #[must_use]
+    pub fn indices(&self) -> BTreeSet<&str> {
+        let (mut indices, mut waiting) = (BTreeSet::new(), vec![self]);
+        while let Some(expr) = waiting.pop() {
+            match &expr.node {
+                Node::Fold { index, .. } => {
+                    indices.insert(index.as_str());
+                }
+                Node::Call { options, .. }
+                    if options.iter().any(|option| option.definition().is_some()) =>
+                {
+                    let named = options.iter().find(|option| option.name == INDEX_OPTION);
+                    indices.insert(named.map_or(SEQUENCE_INDEX, |option| &option.word));
+                }
+                _ => {}
+            }
+            waiting.extend(expr.parts());
+        }
+        indices
     }
 
     /// The expressions that this one is made of.

@@ -1,13 +1,9 @@
 //! The names that a formula depends on.
 
 use super::angle::PI;
-use super::ast::{Expr, Node, OptionWord};
+use super::ast::{Expr, INDEX_OPTION, Node, OptionWord, SEQUENCE_INDEX};
 use super::located::LocatedFormula;
 use std::collections::{BTreeMap, BTreeSet};
-
-/// The option that names the index of a definition that an option names, and its
-/// default.
-const INDEX_OPTION: (&str, &str) = ("index", "q");
 
 /// What formulas over some definitions depend on.
 ///
@@ -46,8 +42,8 @@ impl<'a> FreeNames<'a> {
                 free.insert(name.clone());
             }
             Node::Call { options, .. } => {
-                let index = options.iter().find(|option| option.name == INDEX_OPTION.0);
-                let index = index.map_or(INDEX_OPTION.1, |option| &option.word);
+                let index = options.iter().find(|option| option.name == INDEX_OPTION);
+                let index = index.map_or(SEQUENCE_INDEX, |option| &option.word);
                 for name in options.iter().filter_map(OptionWord::definition) {
                     free.extend(self.of_name(name).into_iter().filter(|free| free != index));
                 }

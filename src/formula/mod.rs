@@ -52,7 +52,7 @@ mod scope;
 mod value;
 
 pub use angle::PI;
-pub use ast::{Expr, Fold, Node, Operator, OptionWord, Span};
+pub use ast::{Expr, Fold, Node, Operator, OptionWord, SEQUENCE_INDEX, Span};
 pub use dependence::{Dependence, IndexPair};
 pub use error::{CallError, FormulaError, FormulaErrorKind};
 pub use evaluate::{Call, Context, Lookup, Parameters, Work, evaluate};

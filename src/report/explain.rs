@@ -62,7 +62,7 @@ pub fn explain_sheet(
         for line in remarks(finding).into_iter().chain(finding.table.note.clone()) {
             sheet.text(line);
         }
-        if let Some(search) = &finding.search {
+        for search in finding.searches() {
             sheet.facts(reading::facts(finding.table, search));
         }
         tried::section(&mut sheet, finding, readings, None, all);

@@ -57,12 +57,16 @@ fn paper(audit: &PaperAudit<'_>) -> Value {
 
 /// A table, with what the search for its reading covered and found.
 fn table(finding: &TableFinding<'_>) -> Value {
-    json!({
+    let mut table = json!({
         "id": finding.table.id,
         "locus": finding.table.locus,
         "value": finding.table.value.text,
         "search": finding.search.as_ref().map(|search| search_json(finding.table, search)),
-    })
+    });
+    if let Some(search) = &finding.assumed_search {
+        table["search_of_cells_with_assumptions"] = search_json(finding.table, search);
+    }
+    table
 }
 
 fn cell(cell: &CellFinding) -> Value {

@@ -22,7 +22,7 @@ fn in_order<'r>(
 ) -> Vec<&'r Explanation> {
     let mut readings: Vec<&Explanation> = readings.iter().collect();
     if let Some((row, column)) = at {
-        let lines = finding.search.iter().flat_map(|search| &search.lines);
+        let lines = finding.searches().flat_map(|search| &search.lines);
         let own = lines.map(|line| &line.best).filter(|best| best.explained[row][column]);
         readings.splice(0..0, own);
         readings.sort_by_key(|reading| !reading.explained[row][column]);

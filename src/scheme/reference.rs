@@ -153,6 +153,11 @@ struct Part {
 }
 
 impl Reference {
+    /// The formulas of its parameters.
+    pub fn formulas(&self) -> impl Iterator<Item = &Expr> {
+        self.parts.iter().flat_map(|part| part.parameters.values())
+    }
+
     /// Reads `name`, `name:p=formula,q=formula`, or two of these with ` x `
     /// between them.
     ///

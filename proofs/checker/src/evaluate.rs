@@ -48,6 +48,10 @@ pub struct Scope<'a> {
     pub families: BTreeSet<String>,
     /// The scheme that functions are about.
     pub scheme: Option<Rc<Scheme>>,
+    /// Names that no index may have, although they have no value.
+    pub reserved: &'static [&'static str],
+    /// Names with values that an index may have: the indices of an equation.
+    pub hidden: BTreeSet<String>,
     /// Where signs of polynomials are taken.
     pub piece: Option<Piece>,
     /// The way in which the options of functions are read.
@@ -71,13 +75,15 @@ impl<'a> Scope<'a> {
     ) -> Scope<'a> {
         let (values, unstated, families) = Default::default();
         let (scheme, piece, depth, angle) = Default::default();
-        let memory = Rc::default();
+        let (memory, reserved, hidden) = Default::default();
         Scope {
             definitions,
             values,
             unstated,
             families,
             scheme,
+            reserved,
+            hidden,
             piece,
             reading,
             library,
@@ -204,6 +210,7 @@ impl<'a> Scope<'a> {
         indices: &mut Indices,
     ) -> Result<Value, Stop> {
         let [from, to, body] = parts else { return Err(Stop::Wrong("a range".into())) };
+        self.index(index)?;
         let from = self.evaluate(from, indices)?.integer(MAX_INTEGER)?;
         let to = self.evaluate(to, indices)?.integer(MAX_INTEGER)?;
         let mut total = (fold == "sum").then(|| Value::int(0));
@@ -217,6 +224,16 @@ impl<'a> Scope<'a> {
             });
         }
         total.ok_or_else(|| Stop::Wrong("an extreme of nothing".into()))
+    }
+
+    /// Makes sure that an index hides no other meaning of its name, which definitions may refer to.
+    pub fn index(&self, name: &str) -> Result<(), Stop> {
+        let valued = self.values.contains_key(name) && !self.hidden.contains(name);
+        let named = self.definitions.contains_key(name) || self.unstated.contains(name);
+        if valued || named || name == "pi" || self.reserved.contains(&name) {
+            return Err(Stop::Wrong(format!("the index `{name}` has another meaning")));
+        }
+        Ok(())
     }
 
     /// The greatest of these, and of 0.

@@ -216,6 +216,7 @@ impl Call<'_> {
     ) -> Result<Vec<Vec<Value>>, Stop> {
         let length = within(length, 1, 1_000)?;
         let index = self.option("index").unwrap_or_else(|| "q".to_owned());
+        self.scope.index(&index)?;
         let Some(first) = self.option("sequence") else { return wrong("no `sequence`") };
         let mut value = |name: &str, q: usize| {
             indices.push((index.clone(), number(q)));

@@ -16,6 +16,7 @@ mod formula;
 mod functional;
 mod functions;
 mod linear;
+mod names;
 mod number;
 mod paper;
 mod polynomial;
@@ -89,13 +90,19 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
     if let Some(path) = shape::misfit(&file, "file") {
         return Err(format!("`{path}` is unknown, or not of its type"));
     }
+    names::misuse(&file)?;
     let library = Library::new(file.list("scheme"), &known);
     let paper = Paper::new(&file, &library).map_err(|stop| stop.to_string())?;
-    let mut ids = BTreeSet::new();
-    if let Some((_, id)) = paper.claims().into_iter().find(|(_, id)| !ids.insert(*id)) {
-        return Err(format!("two claims are called `{id}`"));
-    }
     let key = file.text("key").ok_or("`key` is missing")?.to_owned();
+    let mut ids = BTreeSet::new();
+    for id in paper.claims().into_iter().map(|(_, id)| id).chain([&key[..]]) {
+        if !is_id(id) {
+            return Err(format!("{id:?} cannot be an id"));
+        }
+        if id != key && !ids.insert(id) {
+            return Err(format!("two claims are called `{id}`"));
+        }
+    }
     let (mut tasks, mut broken) = (Vec::new(), Vec::new());
     for (place, text) in certificates.iter().enumerate() {
         let blocks = certificate::blocks(text, &key).unwrap_or_else(|rejection| {
@@ -142,6 +149,12 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
         (kind, id.to_owned(), outcomes.remove(&(kind, id)).unwrap_or(Outcome::Incomplete(None)))
     });
     Ok(Report { key, claims: claims.collect(), broken })
+}
+
+/// Whether this can be the id of a claim or the key of a file: what is printed in one line.
+fn is_id(text: &str) -> bool {
+    let fits = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
+    !text.is_empty() && text.chars().all(fits)
 }
 
 /// A claim, and what a certificate says of it.

@@ -75,6 +75,7 @@ reasons! {
     NotBest "another member of the family explains more cells"
     Luck "luck would find a reading as good"
     NotLuck "a reading of the family is better than luck"
+    NoCase "the indices have no values"
     Cases "the number of cases is another one"
     Differ(case: String) "the sides differ in a case that is not listed"
     Case "there is no such case here; they are listed in order"
@@ -107,6 +108,7 @@ reasons! {
     Growth "the bound grows otherwise, or is not proportional to the spread"
     Contraction "the differences do not fall as fast as the bound"
     NoLimit "the scheme is not shown to converge"
+    NegativeSpread "the spread of the data is negative"
     Negative "the bound is negative: it presupposes something that does not hold"
     NotViolated "the bound is not violated"
 }

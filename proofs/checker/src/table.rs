@@ -44,6 +44,9 @@ pub type Bounds = BTreeMap<(Vec<usize>, i64), Vec<Value>>;
 /// The row and the column of a cell, counted from 0.
 pub type Place = (usize, usize);
 
+/// Printed cells, with their places.
+pub type Cells = Vec<(Place, Decimal)>;
+
 /// The parameters that a cell needs, and its value.
 type Needed = (BTreeSet<String>, Result<Value, Stop>);
 
@@ -79,13 +82,15 @@ impl<'a> Table<'a> {
         let unstated = paper.constants(claim.entries("unstated"))?;
         let mut given = paper.given.clone();
         given.extend(paper.constants(claim.entries("given"))?);
-        given.retain(|name, _| !unstated.contains_key(name));
+        let axes = [rows, Some(Axis::read(columns)?)];
+        let header = |name: &str| axes.iter().flatten().any(|axis| axis.name == name);
+        given.retain(|name, _| !unstated.contains_key(name) && !header(name));
         let promise = claim.get("promise");
         let table = Table {
             paper,
             claim,
             value: formula_of(claim, "value")?,
-            axes: [rows, Some(Axis::read(columns)?)],
+            axes,
             given,
             unstated,
             tolerance: promise.and_then(|promise| promise.text("tolerance")).map(str::trim),
@@ -185,6 +190,17 @@ impl<'a> Table<'a> {
         };
         self.known.borrow_mut().insert(at, (assumed.clone(), value.clone()));
         (assumed, value)
+    }
+
+    /// Whether a cell needs no assumption.
+    pub fn is_plain(&self, at: Place) -> bool {
+        self.needed(at).0.is_empty()
+    }
+
+    /// The printed cells that need no assumption, or those that do.
+    pub fn cells(&self, plain: bool) -> Cells {
+        let places = self.places().filter(|at| self.is_plain(*at) == plain);
+        places.filter_map(|at| Some((at, self.printed(at)?.1))).collect()
     }
 
     /// Whether a reading is this table's text as printed.

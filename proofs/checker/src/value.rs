@@ -245,6 +245,21 @@ impl Value {
         }
     }
 
+    /// The symbols that occur, if none has a power or a factor.
+    pub fn linear(&self) -> Option<Vec<String>> {
+        let symbol = |monomial: &Monomial| match &monomial[..] {
+            [(name, 1)] => Some(name.to_string()),
+            _ => None,
+        };
+        self.terms.keys().map(symbol).collect()
+    }
+
+    /// The coefficient on a symbol.
+    pub fn coefficient(&self, symbol: &str) -> Value {
+        let known = self.terms.get(&vec![(Rc::from(symbol), 1)]);
+        known.map_or(Value::int(0), |coefficient| coefficient.clone().into())
+    }
+
     /// |self|.
     pub fn abs(&self, piece: Option<&Piece>) -> Result<Value, Stop> {
         if self.sign(piece)? < 0 { self.negated() } else { Ok(self.clone()) }

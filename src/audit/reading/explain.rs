@@ -15,8 +15,7 @@ impl Space<'_> {
     pub(super) fn values(&self, settings: &Settings) -> Values {
         let rows = self.printed.iter().enumerate().map(|(row, printed)| {
             let value = |(column, printed): (usize, Option<&Printed>)| {
-                let at = At { row, column, assume: &self.assume, settings };
-                printed.and_then(|_| self.value(at))
+                printed.and_then(|_| self.value(self.at(row, column, settings)))
             };
             printed.iter().copied().enumerate().map(value).collect()
         });

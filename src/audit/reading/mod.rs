@@ -30,7 +30,7 @@ pub(super) use choices::{DEPTH_ROUNDING, HEADER};
 pub use line::{Line, LineReading};
 pub use needs::Need;
 pub use scale::Solved;
-pub use search::{Difference, Explanation, MAX_DIFFERENCES, Search};
+pub use search::{CellKind, Difference, Explanation, MAX_DIFFERENCES, Search};
 pub(super) use search::{readings, scale, search};
 pub(super) use settings::{Restricted, Settings};
 pub(super) use sibling::{Sibling, siblings};

@@ -118,7 +118,7 @@ impl<'s> Unknown<'s> {
     }
 
     fn at<'n>(&'n self, cell: &PrintedCell<'_>, settings: &'n Settings) -> At<'n> {
-        At { row: cell.row, column: cell.column, assume: &self.space.assume, settings }
+        self.space.at(cell.row, cell.column, settings)
     }
 
     /// The intervals of the parameter on which most cells round to what is printed, at

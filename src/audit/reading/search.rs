@@ -87,14 +87,15 @@ pub struct Search {
     pub lines: Vec<LineReading>,
 }
 
-/// Searches the family for the readings of a table whose cells as printed are
+/// Searches the family for the readings of some cells of a table whose cells as printed are
 /// `findings`: what was found, unless every cell is as printed, and what the cells
-/// need; `None` when nothing is printed.
+/// need; `None` when none of them is printed.
 pub(in crate::audit) fn search(
     judge: &Judge<'_>,
     findings: &[Vec<CellFinding>],
+    kind: CellKind,
 ) -> Option<(Option<Search>, Vec<Need>)> {
-    let printed = printed(judge);
+    let printed = printed(judge, findings, kind);
     let cells: Vec<&Printed> = printed.iter().flatten().flatten().copied().collect();
     let space = Space::new(judge, findings, &printed)?;
     let as_printed = space.explained_as_printed();
@@ -154,17 +155,18 @@ fn keep_best(best: &mut Vec<Explanation>, explanation: Explanation) {
 
 /// The stated parameter that every value of the table is proportional to.
 pub(in crate::audit) fn scale(judge: &Judge<'_>, findings: &[Vec<CellFinding>]) -> Option<String> {
-    let printed = printed(judge);
+    let printed = printed(judge, findings, CellKind::Plain);
     let scale = Space::new(judge, findings, &printed)?.scale.filter(|scale| scale.stated);
     scale.map(|scale| scale.name)
 }
 
-/// Every reading of the table with what it explains, the best first.
+/// Every reading of some cells of the table with what it explains, the best first.
 pub(in crate::audit) fn readings(
     judge: &Judge<'_>,
     findings: &[Vec<CellFinding>],
+    kind: CellKind,
 ) -> Vec<Explanation> {
-    let printed = printed(judge);
+    let printed = printed(judge, findings, kind);
     let Some(space) = Space::new(judge, findings, &printed) else { return Vec::new() };
     let all = space.evaluated();
     let mut explanations: Vec<Explanation> =
@@ -174,10 +176,38 @@ pub(in crate::audit) fn readings(
     explanations
 }
 
-pub(super) fn printed<'a>(judge: &Judge<'a>) -> PrintedCells<'a> {
-    let cell = |cell: &'a Cell| match cell {
-        Cell::Printed(printed) => Some(printed),
-        Cell::Lost => None,
+/// The printed cells of this kind.
+pub(super) fn printed<'a>(
+    judge: &Judge<'a>,
+    findings: &[Vec<CellFinding>],
+    kind: CellKind,
+) -> PrintedCells<'a> {
+    let cell = |(cell, finding): (&'a Cell, &CellFinding)| match cell {
+        Cell::Printed(printed) if kind.holds(finding) => Some(printed),
+        _ => None,
     };
-    judge.table.cells.iter().map(|row| row.iter().map(cell).collect()).collect()
+    let rows = judge.table.cells.iter().zip(findings);
+    rows.map(|(row, findings)| row.iter().zip(findings).map(cell).collect()).collect()
+}
+
+/// Which cells of a table are read together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CellKind {
+    /// Those whose value as printed needs no assumption.
+    Plain,
+    /// Those that need one.
+    Assumed,
+}
+
+impl CellKind {
+    fn holds(self, finding: &CellFinding) -> bool {
+        finding.assumed.is_empty() == (self == CellKind::Plain)
+    }
+
+    /// The kinds of the printed cells of a table.
+    pub(in crate::audit) fn of(findings: &[Vec<CellFinding>]) -> Vec<CellKind> {
+        let printed = || findings.iter().flatten().filter(|finding| finding.printed.is_some());
+        let kinds = [CellKind::Plain, CellKind::Assumed].into_iter();
+        kinds.filter(|kind| printed().any(|finding| kind.holds(finding))).collect()
+    }
 }

@@ -31,13 +31,14 @@ pub(in crate::audit) fn siblings(
 ) -> Vec<Sibling> {
     let whole =
         |search: &Search| search.best.first().is_some_and(|best| best.count() == search.cells);
-    let Some(search) = &finding.search else { return Vec::new() };
+    // The search of the cells that need assumptions, if any does.
+    let Some(search) = finding.searches().last() else { return Vec::new() };
     if whole(search) {
         return Vec::new();
     }
     let mut found = Vec::new();
     for other in all.iter().filter(|other| same_scheme(finding.table, other.table)) {
-        let best = other.search.iter().filter(|search| whole(search)).flat_map(|s| &s.best);
+        let best = other.searches().filter(|search| whole(search)).flat_map(|s| &s.best);
         for solved in best.flat_map(|best| &best.solved) {
             let sibling = Sibling {
                 name: solved.name.clone(),

@@ -8,7 +8,7 @@ use super::settings::Settings;
 use super::sibling::Sibling;
 pub(super) use crate::audit::compare::Values;
 use crate::audit::finding::CellFinding;
-use crate::audit::judge::Judge;
+use crate::audit::judge::{At, Judge};
 use crate::claim::Printed;
 use std::collections::BTreeSet;
 
@@ -33,8 +33,10 @@ pub(super) enum Change {
 pub(super) struct Space<'s> {
     pub(super) judge: &'s Judge<'s>,
     pub(super) printed: &'s PrintedCells<'s>,
-    /// The parameters that have to be assumed.
+    /// The parameters that have to be assumed for some cell.
     pub(super) assume: BTreeSet<String>,
+    /// Those of each cell, row by row.
+    needed: Vec<Vec<BTreeSet<String>>>,
     /// The values by the printed definition.
     pub(super) as_printed: Values,
     /// The parameter that the values are proportional to.
@@ -49,12 +51,17 @@ impl<'s> Space<'s> {
         findings: &[Vec<CellFinding>],
         printed: &'s PrintedCells<'s>,
     ) -> Option<Space<'s>> {
-        let all = findings.iter().flatten().filter(|finding| finding.printed.is_some());
-        let assume: BTreeSet<String> =
-            all.flat_map(|finding| finding.assumed.iter().map(|(name, _)| name.clone())).collect();
+        let cell = |(finding, printed): (&CellFinding, &Option<&Printed>)| {
+            let names = finding.assumed.iter().filter(|_| printed.is_some());
+            names.map(|(name, _)| name.clone()).collect()
+        };
+        let rows = findings.iter().zip(printed);
+        let needed: Vec<Vec<BTreeSet<String>>> =
+            rows.map(|(row, printed)| row.iter().zip(printed).map(cell).collect()).collect();
+        let assume = needed.iter().flatten().flatten().cloned().collect();
         let settings = Settings::default();
         let (as_printed, scale, changes) = (Values::new(), None, Vec::new());
-        let mut space = Space { judge, printed, assume, as_printed, scale, changes };
+        let mut space = Space { judge, printed, assume, needed, as_printed, scale, changes };
         space.as_printed = space.values(&settings);
         let mut consulted = settings.consulted();
         consulted.extend(judge.rows.choices.clone());
@@ -93,6 +100,11 @@ impl<'s> Space<'s> {
         }
         space.scale = space.find_scale();
         printed.iter().flatten().any(Option::is_some).then_some(space)
+    }
+
+    /// A cell with what it needs as printed assumed, under a reading.
+    pub(super) fn at<'n>(&'n self, row: usize, column: usize, settings: &'n Settings) -> At<'n> {
+        At { row, column, assume: &self.needed[row][column], settings }
     }
 
     pub(super) fn is_depth(&self) -> bool {

@@ -8,7 +8,6 @@ use super::scale::{Solved, is_simple, simplest_between};
 use super::search::Explanation;
 use super::space::Space;
 use super::tried::Evaluated;
-use crate::audit::judge::At;
 use crate::audit::quantity::LevelCall;
 use crate::bound::{Rounded, log_level_algebraic};
 use crate::exact::{Enclosed, Integer, Rational, RealCyclotomic};
@@ -39,9 +38,7 @@ fn is_spread(space: &Space<'_>, name: &str) -> bool {
             (settings.with_parameter(name, &(base * &times)), RealCyclotomic::from(times));
         for (row, line) in space.printed.iter().enumerate() {
             for column in (0..line.len()).filter(|&column| line[column].is_some()) {
-                let call = |settings| {
-                    space.judge.level_call(At { row, column, assume: &space.assume, settings })
-                };
+                let call = |settings| space.judge.level_call(space.at(row, column, settings));
                 match (call(&settings), call(&other)) {
                     (Some(once), Some(more)) => {
                         if once.ratio != more.ratio || once.x != &more.x * &times {
@@ -76,8 +73,8 @@ pub(super) fn candidates(space: &Space<'_>) -> Integer {
     let (mut ratios, mut cells) = (Vec::new(), 0);
     for (row, line) in space.printed.iter().enumerate() {
         for column in (0..line.len()).filter(|&column| line[column].is_some()) {
-            let at = At { row, column, assume: &space.assume, settings: &settings };
-            ratios.extend(space.judge.level_call(at).map(|call| call.ratio));
+            let call = space.judge.level_call(space.at(row, column, &settings));
+            ratios.extend(call.map(|call| call.ratio));
             cells += 1;
         }
     }

@@ -2,10 +2,10 @@
 
 use super::consistent::DecimalRounding;
 use super::scale::{SIMPLE_NUMBERS, Scale};
-use super::search::{Difference, Explanation, printed};
+use super::search::{CellKind, Difference, Explanation, printed};
 use super::space::{Change, Space, Values};
 use crate::audit::finding::CellFinding;
-use crate::audit::judge::{At, Judge};
+use crate::audit::judge::Judge;
 use crate::audit::quantity::LevelCall;
 use crate::exact::Rational;
 use std::cell::OnceCell;
@@ -35,8 +35,7 @@ impl Space<'_> {
             }
             let cell = |row: usize, column: usize| {
                 self.printed[row][column]?;
-                let at = At { row, column, assume: &self.assume, settings: &settings };
-                self.judge.value_and_levels(at)
+                self.judge.value_and_levels(self.at(row, column, &settings))
             };
             let row = |row: usize| {
                 let cells = (0..self.printed[row].len()).map(|column| cell(row, column));
@@ -97,8 +96,15 @@ pub(in crate::audit) fn remaining(
     name: &str,
     value: &Rational,
 ) -> usize {
-    let printed = printed(judge);
-    let Some(space) = Space::new(judge, findings, &printed) else { return 0 };
+    let left = CellKind::of(findings).into_iter().map(|kind| {
+        let printed = printed(judge, findings, kind);
+        Space::new(judge, findings, &printed).map_or(0, |space| of_cells(&space, by, name, value))
+    });
+    left.sum()
+}
+
+/// The same of the cells of a space.
+fn of_cells(space: &Space<'_>, by: Option<&Explanation>, name: &str, value: &Rational) -> usize {
     let differences = by.map_or(&[][..], |by| &by.differences);
     let named = |difference: &Difference| differences.contains(difference);
     let changes = |reading: &Vec<Change>| {

@@ -7,11 +7,11 @@ use super::surface::Surface;
 use crate::audit::judge::scheme_error;
 use crate::audit::library::{Library, Resolved, Unresolved, values};
 use crate::audit::reading::Settings;
-use crate::claim::{LocatedReference, Paper, Theorem, Trial};
+use crate::claim::{LocatedReference, Paper, THEOREM_NAMES, Theorem, Trial};
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Rational, RealCyclotomic};
 use crate::formula::FormulaErrorKind;
-use crate::scheme::{Instance, Mask, SchemeError};
+use crate::scheme::{Instance, Mask, Ring, SchemeError};
 use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -27,8 +27,11 @@ pub(super) struct Stage {
     rings: Kept<RingKey, AroundPoint>,
 }
 
-/// A ring, and whether it is compared with an interpolant.
-type RingKey = (Vec<Instance<RealCyclotomic>>, bool);
+/// A ring, and the interpolant that it is compared with.
+type RingKey = (RingScheme, Option<RingScheme>);
+
+/// The scheme that a reference to a ring names.
+type RingScheme = Vec<Instance<RealCyclotomic>>;
 
 impl Stage {
     fn curve(&self, scheme: &Resolved, mask: &Mask) -> Rc<dyn Setting> {
@@ -85,7 +88,9 @@ impl<'a> Case<'a> {
             });
             combinations = longer.collect();
         }
-        let given = values(&paper.given)?;
+        let mut given = values(&paper.given)?;
+        // What these mean is for the theorem to say, not for the paper.
+        given.retain(|name, _| !THEOREM_NAMES.contains(&name.as_str()));
         let mut cases = Vec::new();
         for scheme in schemes {
             for values in &combinations {
@@ -166,16 +171,21 @@ impl<'a> Case<'a> {
                 };
                 let (instances, own) = ring(located)?;
                 let interpolant = interpolant.map(|located| {
-                    let (_, interpolant) = ring(located)?;
-                    if interpolant.point_count() == own.point_count() {
-                        return Ok(interpolant);
+                    let (instances, interpolant) = ring(located)?;
+                    let names = |ring: &Ring<_>| {
+                        (0..ring.point_count()).map(|a| ring.name(a)).collect::<Vec<String>>()
+                    };
+                    if names(&interpolant) == names(&own) {
+                        return Ok((instances, interpolant));
                     }
-                    let message = "an interpolant has as many points as the ring";
-                    Err(Diagnostic::new(&located.source, located.span.clone(), message))
+                    let message = "an interpolant has the same points as the ring";
+                    Err(Diagnostic::new(&located.source, located.span.clone(), message).with_help(
+                        "list the same orbits with as many points each, in the same order",
+                    ))
                 });
                 let name = joined(&instances);
-                let key = (instances, interpolant.is_some());
-                let interpolant = interpolant.transpose()?;
+                let (earlier, interpolant) = interpolant.transpose()?.unzip();
+                let key = (instances, earlier);
                 let mut rings = stage.rings.borrow_mut();
                 let found =
                     rings.entry(key).or_insert_with(|| Rc::new(AroundPoint::new(own, interpolant)));

@@ -9,8 +9,8 @@ use crate::formula::{FormulaErrorKind, FreeNames, LocatedFormula, Scope, evaluat
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The names that stand for the spread of the control data, which is 1; the first one also of curves
-/// and rings.
+/// The names that stand for the spread of the control data, which is 1; the first one of curves and
+/// rings, all of them of nets.
 pub(super) const SPREADS: [&str; 4] = ["beta", "beta_1", "beta_2", "beta_3"];
 
 /// The names of the level in a bound and of the tolerance in a depth.
@@ -45,13 +45,19 @@ impl Case<'_> {
         for (name, value) in &self.values {
             scope = scope.with(name, value.clone().into());
         }
-        for name in SPREADS {
+        for name in self.spreads() {
             scope = scope.with(name, Rational::one().into());
         }
         for (name, value) in names {
             scope = scope.with(name, value.clone().into());
         }
         scope
+    }
+
+    /// The names of the spread that have a meaning for this scheme.
+    fn spreads(&self) -> &'static [&'static str] {
+        let net = self.resolved.as_ref().is_some_and(|scheme| scheme.instances.len() == 2);
+        if net { &SPREADS } else { &SPREADS[..1] }
     }
 
     /// The value of a formula where these names have these values, and the spread is 1.
@@ -115,7 +121,7 @@ impl Case<'_> {
         }
         let settings = self.prepared(by, Settings::default());
         let mut names: Vec<(&str, Rational)> =
-            SPREADS.iter().map(|name| (*name, Rational::from(2))).collect();
+            self.spreads().iter().map(|name| (*name, Rational::from(2))).collect();
         names.push((LEVEL, Rational::from(k)));
         let once = self.evaluate(by, &[(LEVEL, Rational::from(k))], &settings)?;
         let twice = self.evaluate(by, &names, &settings)?;
@@ -136,7 +142,7 @@ impl Case<'_> {
 
     /// Whether a name has a value here, whatever its definition is.
     pub(super) fn has_value(&self, name: &str) -> bool {
-        self.values.contains_key(name) || SPREADS.contains(&name)
+        self.values.contains_key(name) || self.spreads().contains(&name)
     }
 }
 

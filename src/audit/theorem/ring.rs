@@ -93,9 +93,8 @@ impl AroundPoint {
     /// The first point that an interpolant keeps.
     fn kept(&self) -> Option<Result<usize, String>> {
         let interpolant = self.interpolant.as_ref()?;
-        let one = RealCyclotomic::from(Rational::one());
-        let weights = interpolant.weights();
-        let kept = (0..weights.row_count()).find(|&a| *weights.entry(a, a) == one);
+        let (weights, count) = (interpolant.weights(), self.ring.point_count());
+        let kept = (0..count).find(|&a| weights.row(a).eq(unit(count, a).iter()));
         Some(kept.ok_or_else(|| "the interpolant keeps no point".to_owned()))
     }
 

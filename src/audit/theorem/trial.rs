@@ -159,6 +159,10 @@ impl Bound<'_> {
                 Ok(bound) => bound.times(&contribution),
                 Err(why) => return Ok(Outcome::Unknown(why)),
             };
+            if bound.sign() < 0 {
+                let why = format!("the bound is negative at level {level}, which nothing is");
+                return Ok(Outcome::Unknown(why));
+            }
             match self.setting.compare(quantity, level, &bound) {
                 Ok(Comparison::Within) if gap.is_none() => shown = Some(level),
                 Ok(Comparison::Within) => {}

@@ -12,7 +12,7 @@ use toml::Spanned;
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct AxisTable {
-    name: Spanned<String>,
+    pub(super) name: Spanned<String>,
     label: Option<String>,
     values: Option<Spanned<Vec<Spanned<NumberField>>>>,
     from: Option<Spanned<String>>,

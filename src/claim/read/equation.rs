@@ -14,11 +14,11 @@ use toml::Spanned;
 
 claim_table!(EquationTable {
     #[serde(default)]
-    symbols: Vec<Spanned<String>>,
+    pub(super) symbols: Vec<Spanned<String>>,
     #[serde(default)]
     hypotheses: Vec<Spanned<String>>,
     #[serde(default)]
-    indices: Vec<AxisTable>,
+    pub(super) indices: Vec<AxisTable>,
     left: Option<Spanned<LeftField>>,
     right: Option<Spanned<String>>,
     absent: Option<String>,

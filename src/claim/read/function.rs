@@ -8,13 +8,13 @@ use crate::scheme::{formula, identifier};
 use toml::Spanned;
 
 claim_table!(FunctionTable {
-    variable: Spanned<String>,
+    pub(super) variable: Spanned<String>,
     left: Spanned<String>,
     right: Spanned<String>,
 });
 
 claim_table!(RangeTable {
-    variable: Spanned<String>,
+    pub(super) variable: Spanned<String>,
     value: Spanned<String>,
     below: Option<Spanned<String>>,
     at_most: Option<Spanned<String>>,

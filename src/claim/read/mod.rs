@@ -5,6 +5,8 @@ mod contents;
 mod equation;
 mod fields;
 mod function;
+mod indices;
+mod roles;
 mod table;
 mod theorem;
 mod trial;
@@ -108,13 +110,15 @@ impl PaperFile {
 ///
 /// # Errors
 /// When it is not TOML, a key is unknown or missing, a table is ragged, an id is
-/// used twice, or a formula or number is not one: with the place and a remedy.
+/// used twice, a name has two meanings, or a formula or number is not one: with the place and
+/// a remedy.
 pub fn read_paper(source: &Arc<SourceText>) -> Result<Paper, Diagnostic> {
     let file: PaperFile = from_toml(source)?;
     let reader = Reader { source };
     reader.id(&file.key)?;
     let ids = reader.ids(&file)?;
-    Ok(Paper {
+    let roles = reader.roles(&file)?;
+    let paper = Paper {
         key: file.key.get_ref().clone(),
         bibliography: file.paper.bibliography(),
         contents: reader.contents(&file.paper.numbered, file.claims(), &file.unclaimed)?,
@@ -128,7 +132,9 @@ pub fn read_paper(source: &Arc<SourceText>) -> Result<Paper, Diagnostic> {
         ranges: all(&file.range, |range| reader.range(range))?,
         theorems: all(&file.theorem, |theorem| reader.theorem(theorem, &ids))?,
         source: Arc::clone(source),
-    })
+    };
+    reader.formulas(&paper, &roles)?;
+    Ok(paper)
 }
 
 fn all<T, C>(

@@ -14,13 +14,13 @@ use toml::Spanned;
 claim_table!(TableTable {
     value: Spanned<String>,
     promise: Option<Spanned<PromiseTable>>,
-    rows: Option<AxisTable>,
-    columns: AxisTable,
+    pub(super) rows: Option<AxisTable>,
+    pub(super) columns: AxisTable,
     cells: Spanned<CellsField>,
     #[serde(default)]
-    given: Formulas,
+    pub(super) given: Formulas,
     #[serde(default)]
-    unstated: Formulas,
+    pub(super) unstated: Formulas,
 });
 
 #[derive(Debug, Deserialize)]

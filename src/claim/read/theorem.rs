@@ -11,7 +11,7 @@ use toml::Spanned;
 
 claim_table!(TheoremTable {
     bounds: Option<Spanned<String>>,
-    by: Option<Spanned<String>>,
+    pub(super) by: Option<Spanned<String>>,
     from: Option<Spanned<String>>,
     says: Option<String>,
     #[serde(default)]

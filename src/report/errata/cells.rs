@@ -26,7 +26,6 @@ pub(super) fn facts(cells: &CellErratum<'_, '_>) -> Vec<(String, String)> {
 /// How the cells came about: a rounding, a reading, a slip, or not explained.
 pub(super) fn origin(cells: &CellErratum<'_, '_>) -> String {
     let cause = cells.outcome.cause.clone().unwrap_or_default();
-    let search = cells.finding.search.as_ref();
     match cells.outcome.standing {
         Standing::Confirmed | Standing::NotCheckable => {
             let rounded_down = |cell: &CellFinding| cell.kept_by_formula == Some(false);
@@ -39,7 +38,8 @@ pub(super) fn origin(cells: &CellErratum<'_, '_>) -> String {
         Standing::Explained if cells.findings().any(|cell| cell.as_read.is_some()) => {
             let table = cells.finding.table;
             let evidence = |search| reading::evidence(table, search, &cells.findings());
-            format!("read otherwise: {cause}\n{}", search.map(evidence).unwrap_or_default())
+            let evidence = cells.finding.searches().map(evidence).filter(|text| !text.is_empty());
+            format!("read otherwise: {cause}\n{}", evidence.collect::<Vec<String>>().join("\n"))
         }
         Standing::Explained => cause,
         Standing::Misprinted => {
@@ -52,6 +52,8 @@ pub(super) fn origin(cells: &CellErratum<'_, '_>) -> String {
         }
         Standing::Refuted => {
             let undefined = if cause.is_empty() { cause } else { format!(" no value: {cause}.") };
+            // Only a cell that needs no assumption is refuted.
+            let search = cells.finding.search.as_ref();
             let covered = search.map(reading::covered).unwrap_or_default();
             format!("not explained.{undefined} {covered}")
         }
@@ -159,7 +161,7 @@ pub(super) fn unchecked(sheet: &mut Sheet, errata: &Errata<'_, '_>) {
             let text = format!("{broken} break it for some control data, {open} are open");
             facts.push(("promise".to_owned(), text));
         }
-        if let Some(search) = &group.finding.search {
+        for search in group.finding.searches() {
             let lines = reading::line_remarks(table, search);
             let lines = std::iter::once(reading::remark(search)).chain(lines);
             facts.push(("what was tried".to_owned(), lines.collect::<Vec<String>>().join("\n")));

@@ -81,7 +81,7 @@ impl Cell<'_> {
                 let by = rest.iter().position(|word| *word == "by");
                 let (rest, by) = rest.split_at(by.unwrap_or(rest.len()));
                 let name = by.get(1..).unwrap_or_default().join(" ");
-                let part = reads.by(self.place, &name).ok_or(Reason::NoReading)?;
+                let part = reads.by(self.table, self.place, &name).ok_or(Reason::NoReading)?;
                 let known = part.value(self.table, self.place)?.ok_or(Reason::NotExplained)?;
                 same(self.table, value, Some(&known))?;
                 let given = gives(&self.decimal, &known, part.read.decimals())?;
@@ -111,7 +111,7 @@ impl Cell<'_> {
                 for way in ["down", "nearest"].iter().filter(|_| self.is_depth()) {
                     require(!self.is_depth_rounded(way)?, Reason::Slip)?;
                 }
-                for part in reads.of(self.place) {
+                for part in reads.of(self.table, self.place) {
                     let Some(value) = part.value(self.table, self.place)? else { continue };
                     let given = gives(&self.decimal, &value, part.read.decimals())?;
                     require(!given, Reason::Explained)?;
@@ -176,8 +176,11 @@ impl Cell<'_> {
         let steps = [(0, 1), (0, -1), (1, 0), (-1, 0)].into_iter();
         for (step, read) in steps.filter_map(|step| around.map(|read| (step, read))) {
             let Some(place) = self.table.moved(self.place, step) else { continue };
-            // Another reading is about printed cells.
-            if !self.table.is_as_printed(read) && self.table.printed(place).is_none() {
+            // What needs assumptions does not count where nothing is assumed, and the reading of one
+            // kind of cells is not about the other.
+            let plain = self.table.is_plain(place);
+            let alike = plain == self.plain || plain && self.table.is_as_printed(read);
+            if !alike {
                 continue;
             }
             let Some(other) = self.table.read(place, read)? else { continue };

@@ -1,9 +1,10 @@
 //! Rule `equation`: two sides, as polynomials in the symbols, in every case.
 
+use super::hypotheses;
 use crate::certificate::Block;
 use crate::decimal::{Q, int};
-use crate::evaluate::{MAX_INTEGER, Memory, Scope, member};
-use crate::formula::{Expr, Head};
+use crate::evaluate::{MAX_INTEGER, Memory, Scope};
+use crate::formula::Expr;
 use crate::paper::{Axis, Paper, formula_of, value};
 use crate::reject::{Checked, Reason, Stop, require};
 use crate::scheme::formula;
@@ -19,7 +20,9 @@ type Case<'a> = Vec<(&'a str, Q)>;
 
 /// Checks an equation.
 pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<()> {
-    if block.next_word() == "absent" {
+    if claim.get("absent").is_some() {
+        let sides = claim.get("left").or(claim.get("right"));
+        require(sides.is_none(), Reason::Malformed("sides, or what is absent, but not both"))?;
         return block.restates("absent", claim.text("absent"));
     }
     let each = claim.list("left");
@@ -37,6 +40,8 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     if !each.is_empty() && lefts.len() != cases.len() {
         return Err(Stop::Wrong("as many left sides as cases are needed".into()).into());
     }
+    // What is said of no case supports nothing.
+    require(!cases.is_empty(), Reason::NoCase)?;
     let (verdict, count) = block.any()?;
     require(["holds", "fails"].contains(&verdict), Reason::Malformed("holds or fails"))?;
     require(count == cases.len().to_string(), Reason::Cases)?;
@@ -53,7 +58,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
             continue;
         };
         block.after("case")?;
-        let said = value(said, &symbols(paper, claim))?;
+        let said = value(said, &scope)?;
         require(!said.is_zero(), Reason::NoDifference)?;
         require(difference.equals(&said)?, Reason::Difference)?;
         listed += 1;
@@ -81,18 +86,11 @@ fn scope<'a>(
 ) -> Result<Scope<'a>, Stop> {
     let mut scope = symbols(paper, claim);
     scope.memory = Rc::clone(memory);
-    let values = case.iter().map(|(name, value)| ((*name).to_owned(), value.clone().into()));
-    scope.values.extend(values);
-    for text in claim.list("hypotheses").iter().filter_map(Toml::as_text) {
-        let (name, value) = text.split_once('=').unwrap_or((text, ""));
-        let Expr::Of(Head::Member(family), positions) = formula(name.trim())? else {
-            return Err(Stop::Wrong("a hypothesis is `q[i] = …`".into()));
-        };
-        let positions = positions.iter().map(|position| scope.value(position));
-        let name = member(&family, &positions.collect::<Result<Vec<Value>, Stop>>()?)?;
-        let value = scope.value(&formula(value.trim())?)?;
-        scope.values.insert(name, value);
+    for (name, value) in case {
+        scope.hidden.insert((*name).to_owned());
+        scope.values.insert((*name).to_owned(), value.clone().into());
     }
+    hypotheses::suppose(claim, &mut scope)?;
     if let Some(reference) = claim.text("scheme") {
         scope.scheme = paper.library.resolve(reference, &scope)?.first().cloned();
     }

@@ -1,13 +1,13 @@
 //! Rule `family`: no reading of a table explains more cells than the one that is given, and
 //! luck would hardly find one as good.
 
-use super::members::{Cells, explained, members, read, values};
-use super::reading::{MAX_DIFFERENCES, Reads};
+use super::members::{Members, explained, members, read, values};
+use super::reading::{MAX_DIFFERENCES, PartRead, Reads};
 use super::scale::{SCALES, at_best_scale, is_scale, is_simple, scale};
 use crate::certificate::Block;
 use crate::decimal::{Decimal, Q, int};
 use crate::reject::{Checked, Reason, Stop, require};
-use crate::table::{Place, Read, Table};
+use crate::table::{Cells, Place, Read, Table};
 use crate::value::Value;
 use num_traits::{One, Pow, Signed, Zero};
 use std::collections::BTreeSet;
@@ -26,23 +26,21 @@ pub fn check(
     refuted: &[Place],
     block: &mut Block<'_>,
 ) -> Checked<()> {
-    let cells = table.places().filter_map(|place| Some((place, table.printed(place)?.1)));
-    let cells: Cells = cells.collect();
-    let plain = cells.iter().all(|(place, _)| table.needed(*place).0.is_empty());
-    if refuted.is_empty() && (!plain || reads.all().count() == 0) {
+    assumed(table, reads)?;
+    let cells = table.cells(true);
+    if refuted.is_empty() && reads.all(true).count() == 0 {
         return Ok(());
     }
     let best = block.after("family").map_err(|_| Reason::NoFamily)?;
     let line = block.at;
-    require(plain, Reason::Assumed)?;
     let best: usize = best.parse().map_err(|_| Reason::Malformed("a number of cells"))?;
     let scale = scale(table, &cells)?;
     if let Some((name, _)) = scale {
         require(block.after("scale")? == name, Reason::Scale)?;
     }
     let mut listed = Listed::new(table, refuted, block)?;
-    let mut members = members(table)?;
-    for part in reads.all() {
+    let mut members = members(table, &cells)?;
+    for part in reads.all(true) {
         belongs(table, &cells, &part.read, &members, scale)?;
     }
     // Each scale gives another reading.
@@ -77,17 +75,40 @@ pub fn check(
     complete.and_then(|()| family.compare(reads)).map_err(|rejection| rejection.at(line))
 }
 
+/// Makes sure that the readings of cells that need assumptions are members of their family, with
+/// other values of parameters that are not stated at most.
+fn assumed(table: &Table<'_>, reads: &Reads) -> Checked<()> {
+    if reads.all(false).count() == 0 {
+        return Ok(());
+    }
+    let members = members(table, &table.cells(false))?;
+    for PartRead { read, .. } in reads.all(false) {
+        is_member(read, &members)?;
+        let mut names = read.parameters.keys();
+        let stated = names.find(|name| !table.unstated.contains_key(*name));
+        if let Some(name) = stated {
+            return Err(Reason::NotInFamily(name.clone()).into());
+        }
+    }
+    Ok(())
+}
+
+/// Makes sure that the choices and definitions of a reading are those of a member.
+fn is_member(read: &Read, members: &Members) -> Checked<()> {
+    let differences = read.differences.iter().cloned().collect::<Vec<String>>().join(" ");
+    require(members.contains(&read.differences), Reason::NotInFamily(differences))
+}
+
 /// Makes sure that a reading is of the family: one of its members, or one at a scale.
 fn belongs(
     table: &Table<'_>,
     cells: &Cells,
     read: &Read,
-    members: &BTreeSet<BTreeSet<String>>,
+    members: &Members,
     scale: Option<(&str, &Value)>,
 ) -> Checked<()> {
     let unknown = |name: &str| Reason::NotInFamily(name.to_owned());
-    let differences = read.differences.iter().cloned().collect::<Vec<String>>().join(" ");
-    require(members.contains(&read.differences), unknown(&differences))?;
+    is_member(read, members)?;
     for (name, value) in &read.parameters {
         let scale = scale.filter(|(scale, _)| scale == name && is_simple(value));
         let (_, base) = scale.ok_or_else(|| unknown(name))?;
@@ -125,8 +146,8 @@ impl Family<'_> {
         // What the printed text gives tells nothing for another reading.
         let others: Cells = cells.iter().filter(|(at, _)| left.contains(at)).cloned().collect();
         let lucky = |m: usize| is_luck(table, &others, m.saturating_sub(printed.len()), self.size);
-        if let Some(read) = reads.whole() {
-            let found = explained_by(read)?;
+        if let Some(part) = reads.all(true).find(|part| part.is_whole()) {
+            let found = explained_by(&part.read)?;
             require(found.len() == *best && *best > printed.len(), Reason::NotBest)?;
             require(!lucky(*best), Reason::Luck)?;
             left.retain(|place| !found.contains(place));
@@ -136,8 +157,9 @@ impl Family<'_> {
         // What rows and columns explain of what is left.
         let (rows, columns) = table.size();
         let lines = i64::try_from(rows + columns).unwrap_or(i64::MAX);
-        for part in reads.all().filter(|part| !part.is_whole()) {
-            let cells = cells.iter().filter(|(at, _)| left.contains(at) && part.holds(*at));
+        for part in reads.all(true).filter(|part| !part.is_whole()) {
+            let inside = |at: &Place| left.contains(at) && part.holds(table, *at);
+            let cells = cells.iter().filter(|(at, _)| inside(at));
             let cells: Cells = cells.cloned().collect();
             let values = cells.iter().map(|(place, _)| part.value(table, *place));
             let values = values.collect::<Result<Vec<_>, Stop>>()?;

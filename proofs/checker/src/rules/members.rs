@@ -1,24 +1,25 @@
 //! The members of the declared family of a table, and what they explain.
 
 use super::reading::{MAX_DIFFERENCES, choose, define};
-use crate::decimal::Decimal;
 use crate::formula::names;
 use crate::reading::CHOICES;
 use crate::reject::{Checked, Stop};
 use crate::rounding::gives;
-use crate::table::{Place, Read, Table};
+use crate::table::{Cells, Place, Read, Table};
 use crate::value::Value;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The most members of a family.
 const MAX_MEMBERS: usize = 4_096;
 
-/// The printed cells, with their places.
-pub type Cells = Vec<(Place, Decimal)>;
+/// Members: of each its differences from the printed text, `NAME=WAY` or `NAME#NUMBER`.
+pub type Members = BTreeSet<BTreeSet<String>>;
 
-/// Every member: its differences from the printed text, `NAME=WAY` or `NAME#NUMBER`.
-pub fn members(table: &Table<'_>) -> Result<BTreeSet<BTreeSet<String>>, Stop> {
-    let consulted = table.as_printed.reading.consulted.borrow();
+/// Every member of the family of these cells.
+pub fn members(table: &Table<'_>, cells: &Cells) -> Result<Members, Stop> {
+    let printed = Read::default();
+    values(table, cells, &printed)?;
+    let consulted = printed.reading.consulted.borrow();
     let tolerance = table.axes.iter().flatten().any(|axis| table.tolerance == Some(axis.name));
     let mut changes: Vec<Vec<String>> = Vec::new();
     for choice in &CHOICES {

@@ -7,6 +7,7 @@ mod equation;
 mod family;
 mod function;
 mod growth;
+mod hypotheses;
 mod levels;
 mod members;
 mod pieces;

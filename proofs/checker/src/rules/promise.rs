@@ -52,7 +52,6 @@ pub fn check(table: &Table<'_>, block: &mut Block<'_>) -> Checked<()> {
         let level = sound::level(level)?;
         let setting = setting(table, &promised, &mut settings)?;
         if verdict == "kept" {
-            require(promised.spread.sign(None)? >= 0, Reason::Negative)?;
             match &*setting {
                 Setting::Ring(ring, _) => {
                     require(said.is_empty(), Reason::Malformed("ROW COLUMN"))?;

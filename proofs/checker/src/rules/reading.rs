@@ -48,19 +48,23 @@ pub struct PartRead {
     line: Option<(usize, usize)>,
     /// How many rows down and columns to the right the values stand.
     shift: (isize, isize),
+    /// Whether it is about cells that need no assumptions, or about those that do.
+    pub plain: bool,
     /// The reading.
     pub read: Read,
 }
 
 impl PartRead {
     /// Whether it is about this cell.
-    pub fn holds(&self, place: Place) -> bool {
+    pub fn holds(&self, table: &Table<'_>, place: Place) -> bool {
         self.line.is_none_or(|(axis, number)| [place.0, place.1][axis] == number)
+            && table.is_plain(place) == self.plain
     }
 
-    /// The value that should be in a cell.
+    /// The value that should be in a cell, that of another one if it is shifted.
     pub fn value(&self, table: &Table<'_>, place: Place) -> Result<Option<Value>, Stop> {
         let moved = table.moved(place, self.shift);
+        let moved = moved.filter(|place| table.is_plain(*place) == self.plain);
         moved.map_or(Ok(None), |place| table.read(place, &self.read))
     }
 
@@ -80,9 +84,21 @@ impl PartRead {
 pub struct Reads(Vec<PartRead>);
 
 impl Reads {
-    /// Reads the lines `read …` of a table, and those under `row N` and `column N`.
+    /// Reads the lines `read …` of a table, and those under `row N` and `column N`: of the cells that
+    /// need no assumptions, and behind a line `assumed` of those that do.
     pub fn new(table: &Table<'_>, block: &mut Block<'_>) -> Checked<Reads> {
-        let whole = |read| PartRead { name: String::new(), line: None, shift: (0, 0), read };
+        let [plain, assumed] = [true, false].map(|plain| !table.cells(plain).is_empty());
+        let mut reads = Reads::of_cells(table, block, plain)?;
+        if plain && block.maybe("assumed").is_some() {
+            require(assumed, Reason::Malformed("cells that need assumptions"))?;
+            reads.0.extend(Reads::of_cells(table, block, false)?.0);
+        }
+        Ok(reads)
+    }
+
+    /// Reads those of the cells that need no assumptions, or of those that do.
+    fn of_cells(table: &Table<'_>, block: &mut Block<'_>, plain: bool) -> Checked<Reads> {
+        let whole = |read| PartRead { name: String::new(), line: None, shift: (0, 0), plain, read };
         let mut reads: Vec<PartRead> = read(table, block)?.map(whole).into_iter().collect();
         let (rows, columns) = table.size();
         while let Some((word @ ("row" | "column"), said)) = block.peek().map(|line| line.word()) {
@@ -100,29 +116,25 @@ impl Reads {
             let read = read(table, block)?;
             require(read.is_some() || shift != (0, 0), Reason::NoReading)?;
             let (line, read) = (Some((axis, number - 1)), read.unwrap_or_default());
-            reads.push(PartRead { name, line, shift, read });
+            reads.push(PartRead { name, line, shift, plain, read });
         }
         Ok(Reads(reads))
     }
 
-    /// The reading of the whole table.
-    pub fn whole(&self) -> Option<&Read> {
-        self.0.iter().find(|part| part.is_whole()).map(|part| &part.read)
-    }
-
-    /// Every reading, of the table first.
-    pub fn all(&self) -> impl Iterator<Item = &PartRead> {
-        self.0.iter()
+    /// Every reading of the cells that need no assumptions, or of those that do, that of all of them
+    /// first.
+    pub fn all(&self, plain: bool) -> impl Iterator<Item = &PartRead> {
+        self.0.iter().filter(move |part| part.plain == plain)
     }
 
     /// Every reading that is about a cell.
-    pub fn of(&self, place: Place) -> impl Iterator<Item = &PartRead> {
-        self.all().filter(move |part| part.holds(place))
+    pub fn of(&self, table: &Table<'_>, place: Place) -> impl Iterator<Item = &PartRead> {
+        self.0.iter().filter(move |part| part.holds(table, place))
     }
 
     /// That of this name.
-    pub fn by(&self, place: Place, name: &str) -> Option<&PartRead> {
-        self.of(place).find(|part| part.name == name)
+    pub fn by(&self, table: &Table<'_>, place: Place, name: &str) -> Option<&PartRead> {
+        self.of(table, place).find(|part| part.name == name)
     }
 }
 

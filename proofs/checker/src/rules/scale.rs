@@ -1,11 +1,11 @@
 //! The scale of a table: a parameter that all values are proportional to.
 
-use super::members::{self, Cells, explained, values};
+use super::members::{self, explained, values};
 use crate::decimal::Q;
 use crate::polynomial::signum;
 use crate::reject::{Checked, Stop};
 use crate::rounding::interval;
-use crate::table::{Read, Table};
+use crate::table::{Cells, Read, Table};
 use crate::value::Value;
 use num_bigint::BigInt;
 use num_traits::Signed;

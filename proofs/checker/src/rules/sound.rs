@@ -74,6 +74,7 @@ impl<'t> Promised<'t> {
         let (offset, level) = (integer("offset", MAX_OFFSET)?, integer("level", i64::MAX)?);
         let spread = of("spread")?;
         let spread = spread.ok_or(Reason::NoPromise)?;
+        require(spread.sign(None)? >= 0, Reason::NegativeSpread)?;
         let tolerance = of("tolerance")?.filter(|_| level.is_none());
         let Table { paper, bounds, .. } = table;
         Ok(Promised { paper, bounds, scope, schemes, offset, spread, level, tolerance })

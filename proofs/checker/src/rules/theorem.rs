@@ -5,6 +5,7 @@ use super::{Verdict, levels};
 use crate::certificate::Block;
 use crate::decimal::{Q, read_rational};
 use crate::evaluate::Scope;
+use crate::names::OF_THEOREMS;
 use crate::paper::{Paper, formula_of};
 use crate::reject::{Checked, Reason, Stop, require};
 use crate::ring::Ring;
@@ -73,6 +74,9 @@ impl<'a> Instance<'a> {
         require(listed, Reason::Restated("scheme"))?;
         let mut scope = paper.scope();
         scope.values.clone_from(&paper.given);
+        // What these mean is for the theorem to say, not for the paper.
+        scope.values.retain(|name, _| !OF_THEOREMS.contains(&&name[..]));
+        scope.reserved = &OF_THEOREMS;
         let mut left: BTreeSet<&String> =
             claim.entries("values").iter().map(|(name, _)| name).collect();
         while let Some(said) = block.maybe("let") {

@@ -1,0 +1,73 @@
+//! What the names of a claim file mean: in a claim, one thing each (FORMAT.md, Names).
+
+use crate::formula::is_name;
+use crate::paper::KINDS;
+use crate::toml::Toml;
+use std::collections::BTreeSet;
+
+/// The names that a theorem about a bound or a depth brings: the spread of the data, of nets also by
+/// directions, the level, and the tolerance.
+pub const OF_THEOREMS: [&str; 6] = ["beta", "beta_1", "beta_2", "beta_3", "k", "epsilon"];
+
+/// The indices that the formulas of a mask's entries, and those of the weights of a ring, have.
+const OF_ENTRIES: [&str; 2] = ["alpha", "r"];
+const OF_WEIGHTS: [&str; 2] = ["i", "j"];
+
+/// Says what is wrong with the names of a file, if anything is.
+pub fn misuse(file: &Toml) -> Result<(), String> {
+    let names = |key: &str| file.entries(key).iter().map(|(name, _)| name.as_str());
+    distinct("scheme", file.list("scheme").iter().filter_map(|scheme| scheme.text("name")))?;
+    distinct("name", names("define").chain(names("given")))?;
+    for scheme in file.list("scheme") {
+        of_scheme(scheme)?;
+    }
+    for (kind, claim) in KINDS.iter().flat_map(|kind| file.list(kind).iter().map(|c| (*kind, c))) {
+        let own = own(kind, claim);
+        if let Some(name) = own.iter().find(|name| !is_name(name) || **name == "pi") {
+            return Err(format!("`{name}` cannot be a name"));
+        }
+        distinct("name", own.iter().copied().chain(names("define")))?;
+    }
+    Ok(())
+}
+
+/// The names that a claim gives a meaning.
+fn own<'a>(kind: &str, claim: &'a Toml) -> Vec<&'a str> {
+    let keys = |key: &str| claim.entries(key).iter().map(|(name, _)| name.as_str());
+    let name = |axis: &'a Toml| axis.text("name");
+    match kind {
+        "table" => {
+            let axes = ["rows", "columns"].iter().filter_map(|key| claim.get(key)).filter_map(name);
+            axes.chain(keys("given")).chain(keys("unstated")).collect()
+        }
+        "equation" => {
+            let symbols = claim.list("symbols").iter().filter_map(Toml::as_text);
+            symbols.chain(claim.list("indices").iter().filter_map(name)).collect()
+        }
+        "theorem" if claim.get("by").is_some() => keys("values").chain(OF_THEOREMS).collect(),
+        "theorem" => keys("values").collect(),
+        _ => claim.text("variable").into_iter().collect(),
+    }
+}
+
+/// The parameters of a scheme, its named formulas and the indices of its formulas are apart.
+fn of_scheme(scheme: &Toml) -> Result<(), String> {
+    let keys = |key: &str| scheme.entries(key).iter().map(|(name, _)| name.as_str());
+    let indices: &[&str] = match (scheme.get("entry"), scheme.get("orbits")) {
+        (Some(_), _) => &OF_ENTRIES,
+        (_, Some(_)) => &OF_WEIGHTS,
+        _ => &[],
+    };
+    distinct("name", keys("parameters").chain(keys("let")).chain(indices.iter().copied()))
+}
+
+/// Makes sure that no two are the same.
+fn distinct<'n>(what: &str, names: impl Iterator<Item = &'n str>) -> Result<(), String> {
+    let mut known = BTreeSet::new();
+    for name in names {
+        if !known.insert(name) {
+            return Err(format!("the {what} `{name}` has two meanings"));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,175 @@
+//! The indices of sums, and the names that theorems bring: what formulas must not hide or mention.
+
+use super::Reader;
+use super::roles::{AllRoles, Role, Roles};
+use crate::claim::{
+    Equation, EquationBody, Index, Left, LocatedReference, Paper, Promise, Statement,
+    THEOREM_NAMES, Table, Theorem,
+};
+use crate::diagnostic::Diagnostic;
+use crate::formula::{Expr, LocatedFormula};
+use std::collections::BTreeSet;
+use std::ops::Range;
+
+/// A formula, and the bytes of the file that it takes.
+type Placed<'p> = (&'p Expr, Range<usize>);
+
+impl Reader<'_> {
+    /// Makes sure of the names in the formulas of a paper.
+    ///
+    /// # Errors
+    /// When the index of a sum has the name of a definition or of something that has a value in the
+    /// claim, an equation's indices excepted: a definition that is used inside would be ambiguous. When a
+    /// theorem mentions a name that has no meaning there, such as `k` in a hypothesis.
+    pub(super) fn formulas(&self, paper: &Paper, all: &AllRoles<'_>) -> Result<(), Diagnostic> {
+        for table in &paper.tables {
+            self.claim(paper, of_table(table), all.of(&table.id), all)?;
+        }
+        for equation in &paper.equations {
+            self.claim(paper, of_equation(equation), all.of(&equation.id), all)?;
+        }
+        for claim in &paper.functions {
+            let mut formulas = vec![placed(&claim.left), placed(&claim.right)];
+            formulas.extend(claim.scheme.iter().flat_map(of_reference));
+            self.claim(paper, formulas, all.of(&claim.id), all)?;
+        }
+        for claim in &paper.ranges {
+            let mut formulas = vec![placed(&claim.value)];
+            formulas.extend(claim.scheme.iter().flat_map(of_reference));
+            self.claim(paper, formulas, all.of(&claim.id), all)?;
+        }
+        for theorem in &paper.theorems {
+            let (bound, others) = of_theorem(theorem);
+            self.claim(paper, [&bound[..], &others].concat(), all.of(&theorem.id), all)?;
+            let known: &[&str] = match &theorem.statement {
+                Statement::Bound { .. } => &["k", "beta", "beta_1", "beta_2", "beta_3"],
+                Statement::Depth(_) => &["epsilon", "beta", "beta_1", "beta_2", "beta_3"],
+                Statement::Other(_) => continue,
+            };
+            self.mentions(paper, &bound, known)?;
+            self.mentions(paper, &others, &[])?;
+        }
+        Ok(())
+    }
+
+    /// Makes sure of the indices in the formulas of a claim and in all that these lead to.
+    fn claim(
+        &self,
+        paper: &Paper,
+        formulas: Vec<Placed<'_>>,
+        roles: &Roles<'_>,
+        all: &AllRoles<'_>,
+    ) -> Result<(), Diagnostic> {
+        for (expr, span) in reached(paper, formulas) {
+            for index in expr.indices() {
+                let hidden = roles.get(index).or_else(|| all.definitions.get(index));
+                if let Some(hidden) = hidden.filter(|hidden| hidden.role != Role::Index) {
+                    let message = format!("the index `{index}` hides another meaning of this name");
+                    return Err(self
+                        .error(span, message)
+                        .with_label("it is an index here")
+                        .with_place(hidden.span.clone(), hidden.role.to_string())
+                        .with_help("give the index another name"));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Makes sure that formulas mention no other of the names that theorems bring than these.
+    fn mentions(
+        &self,
+        paper: &Paper,
+        formulas: &[Placed<'_>],
+        known: &[&str],
+    ) -> Result<(), Diagnostic> {
+        for formula in formulas {
+            for (expr, span) in reached(paper, vec![formula.clone()]) {
+                let mut names = expr.names().into_iter();
+                let unknown = |name: &&str| THEOREM_NAMES.contains(name) && !known.contains(name);
+                if let Some(name) = names.find(unknown) {
+                    let message = format!("`{name}` has no meaning here");
+                    return Err(self
+                        .error(span, message)
+                        .with_place(formula.1.clone(), "for this formula")
+                        .with_help(
+                            "a bound is a formula in `k` and `beta` (of nets also in `beta_1`, \
+                             `beta_2` and `beta_3`), a depth in `epsilon` and these spreads; \
+                             hypotheses and parameters of schemes have none of them",
+                        ));
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// These formulas, and the definitions and alternatives that they lead to.
+fn reached<'p>(paper: &'p Paper, formulas: Vec<Placed<'p>>) -> Vec<Placed<'p>> {
+    let (mut met, mut waiting) = (BTreeSet::new(), formulas);
+    let mut found = Vec::new();
+    while let Some((expr, span)) = waiting.pop() {
+        for name in expr.names() {
+            if met.insert(name) {
+                waiting.extend(paper.definitions.get(name).map(placed));
+                let others = paper.alternatives.iter().filter(|other| other.of == name);
+                waiting.extend(others.map(|other| placed(&other.value)));
+            }
+        }
+        found.push((expr, span));
+    }
+    found
+}
+
+fn placed(formula: &LocatedFormula) -> Placed<'_> {
+    (&formula.expr, formula.span.clone())
+}
+
+fn of_reference(located: &LocatedReference) -> impl Iterator<Item = Placed<'_>> {
+    located.reference.formulas().map(|expr| (expr, located.span.clone()))
+}
+
+fn of_table(table: &Table) -> Vec<Placed<'_>> {
+    let mut formulas = vec![placed(&table.value)];
+    formulas.extend(table.scheme.iter().flat_map(of_reference));
+    if let Some(promise) = &table.promise {
+        let (Promise::Depth { tolerance: first, spread, offset, ring }
+        | Promise::Bound { level: first, spread, offset, ring }) = promise;
+        formulas.extend([first, spread].into_iter().chain(offset).map(placed));
+        formulas.extend(ring.iter().flat_map(of_reference));
+    }
+    formulas
+}
+
+fn of_equation(equation: &Equation) -> Vec<Placed<'_>> {
+    let EquationBody::Identity(identity) = &equation.body else { return Vec::new() };
+    let mut formulas = vec![placed(&identity.right)];
+    formulas.extend(identity.scheme.iter().flat_map(of_reference));
+    match &identity.left {
+        Left::One(left) => formulas.push(placed(left)),
+        Left::Each(lefts) => formulas.extend(lefts.iter().map(placed)),
+    }
+    let sides = identity.hypotheses.iter().flat_map(|one| [&one.member, &one.value]);
+    formulas.extend(sides.map(placed));
+    for index in &identity.indices {
+        if let Index::Range { from, to, .. } = index {
+            formulas.extend([placed(from), placed(to)]);
+        }
+    }
+    formulas
+}
+
+/// The bound of a theorem, or its depth, and what it puts in place of definitions there; and its
+/// other formulas.
+fn of_theorem(theorem: &Theorem) -> (Vec<Placed<'_>>, Vec<Placed<'_>>) {
+    let tried = &theorem.tried;
+    let mut bound: Vec<Placed<'_>> = match &theorem.statement {
+        Statement::Bound { by, .. } | Statement::Depth(by) => vec![placed(by)],
+        Statement::Other(_) => Vec::new(),
+    };
+    bound.extend(tried.rewritings.iter().map(|rewriting| placed(&rewriting.value)));
+    let supposed = tried.supposes.iter().flat_map(|(value, below)| [value, below]);
+    let others = supposed.chain(&tried.block).map(placed);
+    let schemes = theorem.scheme.iter().chain(&tried.schemes).chain(&tried.interpolant);
+    (bound, others.chain(schemes.flat_map(of_reference)).collect())
+}

@@ -1,0 +1,172 @@
+//! What names mean in each claim: one thing each (`proofs/FORMAT.md`, Names).
+
+use super::axis::AxisTable;
+use super::fields::Formulas;
+use super::{PaperFile, Reader};
+use crate::claim::THEOREM_NAMES;
+use crate::diagnostic::Diagnostic;
+use std::collections::BTreeMap;
+use std::fmt;
+use std::ops::Range;
+use toml::Spanned;
+
+/// What a name is in a claim.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Role {
+    /// A key of `[define]`.
+    Definition,
+    /// A key of `[given]`.
+    Stated,
+    /// A key of the table's own `given`.
+    Given,
+    /// A key of the table's `unstated`.
+    Unstated,
+    /// The name of `rows`, or of `columns`.
+    Header,
+    /// One of an equation's `symbols`.
+    Symbol,
+    /// The name of one of an equation's `indices`.
+    Index,
+    /// The `variable` of a function or a range.
+    Variable,
+    /// A key of a theorem's `values`.
+    Open,
+    /// One of the names that every theorem about a bound brings.
+    OfTheorem,
+}
+
+impl fmt::Display for Role {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Role::Definition => "a definition",
+            Role::Stated => "a value that the paper states",
+            Role::Given => "a value that the table states",
+            Role::Unstated => "a parameter that is not stated",
+            Role::Header => "the parameter of the headers",
+            Role::Symbol => "a symbol",
+            Role::Index => "an index of the equation",
+            Role::Variable => "the free parameter",
+            Role::Open => "a parameter of the theorem",
+            Role::OfTheorem => "the spread, the level or the tolerance of this theorem",
+        })
+    }
+}
+
+/// What a name is, and where that is said.
+#[derive(Clone, Debug)]
+pub(super) struct Named {
+    pub(super) role: Role,
+    pub(super) span: Range<usize>,
+}
+
+/// What names mean.
+pub(super) type Roles<'f> = BTreeMap<&'f str, Named>;
+
+/// What names mean in the file, and in each claim, by its id.
+pub(super) struct AllRoles<'f> {
+    pub(super) definitions: Roles<'f>,
+    claims: BTreeMap<&'f str, Roles<'f>>,
+}
+
+impl<'f> AllRoles<'f> {
+    /// Those of a claim, the file's definitions and stated values among them.
+    pub(super) fn of(&self, id: &str) -> &Roles<'f> {
+        &self.claims[id]
+    }
+}
+
+impl Reader<'_> {
+    /// What names mean in each claim of a file.
+    ///
+    /// # Errors
+    /// When one means two things, with both places. Only a value that the paper states may have the
+    /// name of something of a claim, which goes before it there.
+    pub(super) fn roles<'f>(&self, file: &'f PaperFile) -> Result<AllRoles<'f>, Diagnostic> {
+        let mut definitions = Roles::new();
+        for (name, _) in &file.define {
+            self.add(&mut definitions, name, Role::Definition)?;
+        }
+        let mut common = definitions.clone();
+        for (name, _) in &file.given {
+            self.add(&mut common, name, Role::Stated)?;
+        }
+        let mut claims = BTreeMap::new();
+        for table in &file.table {
+            let mut roles = common.clone();
+            self.add_all(&mut roles, &table.given, Role::Given)?;
+            self.add_all(&mut roles, &table.unstated, Role::Unstated)?;
+            for AxisTable { name, .. } in table.rows.iter().chain([&table.columns]) {
+                self.add(&mut roles, name, Role::Header)?;
+            }
+            claims.insert(table.common().id.get_ref().as_str(), roles);
+        }
+        for equation in &file.equation {
+            // Values that the paper states have no meaning in its equations.
+            let mut roles = definitions.clone();
+            for symbol in &equation.symbols {
+                self.add(&mut roles, symbol, Role::Symbol)?;
+            }
+            for AxisTable { name, .. } in &equation.indices {
+                self.add(&mut roles, name, Role::Index)?;
+            }
+            claims.insert(equation.common().id.get_ref().as_str(), roles);
+        }
+        let functions = file.function.iter().map(|claim| (claim.common(), &claim.variable));
+        let ranges = file.range.iter().map(|claim| (claim.common(), &claim.variable));
+        for (claim, variable) in functions.chain(ranges) {
+            let mut roles = common.clone();
+            self.add(&mut roles, variable, Role::Variable)?;
+            claims.insert(claim.id.get_ref().as_str(), roles);
+        }
+        for theorem in &file.theorem {
+            let mut roles = common.clone();
+            for (name, _) in &theorem.values {
+                self.add(&mut roles, name, Role::Open)?;
+            }
+            for name in theorem.by.iter().flat_map(|by| THEOREM_NAMES.map(|name| (name, by))) {
+                let ((name, by), role) = (name, Role::OfTheorem);
+                self.insert(&mut roles, name, Named { role, span: by.span() })?;
+            }
+            claims.insert(theorem.common().id.get_ref().as_str(), roles);
+        }
+        Ok(AllRoles { definitions, claims })
+    }
+
+    fn add_all<'f>(
+        &self,
+        roles: &mut Roles<'f>,
+        names: &'f Formulas,
+        role: Role,
+    ) -> Result<(), Diagnostic> {
+        names.keys().try_for_each(|name| self.add(roles, name, role))
+    }
+
+    fn add<'f>(
+        &self,
+        roles: &mut Roles<'f>,
+        name: &'f Spanned<String>,
+        role: Role,
+    ) -> Result<(), Diagnostic> {
+        self.insert(roles, name.get_ref(), Named { role, span: name.span() })
+    }
+
+    fn insert<'f>(
+        &self,
+        roles: &mut Roles<'f>,
+        name: &'f str,
+        named: Named,
+    ) -> Result<(), Diagnostic> {
+        let (role, span) = (named.role, named.span.clone());
+        match roles.insert(name, named) {
+            Some(other) if other.role != Role::Stated || role == Role::Stated => {
+                let message = format!("`{name}` has two meanings here");
+                Err(self
+                    .error(span, message)
+                    .with_label(format!("{role}"))
+                    .with_place(other.span, format!("{}", other.role))
+                    .with_help("give one of the two another name"))
+            }
+            _ => Ok(()),
+        }
+    }
+}
