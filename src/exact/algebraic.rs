@@ -1,6 +1,6 @@
 //! Real algebraic numbers: a polynomial, and an interval that isolates one root.
 
-use super::{Enclosed, Enclosure, Integer, IntegerPolynomial, Rational, SturmSequence};
+use super::{Enclosed, Enclosure, Integer, IntegerPolynomial, Rational};
 use std::cmp::Ordering;
 use std::fmt;
 use std::sync::Arc;
@@ -54,15 +54,6 @@ impl From<Rational> for RealAlgebraic {
 }
 
 impl RealAlgebraic {
-    /// The distinct real roots of `polynomial`, in increasing order.
-    ///
-    /// # Panics
-    /// When `polynomial` is 0.
-    #[must_use]
-    pub fn roots_of(polynomial: &IntegerPolynomial) -> Vec<RealAlgebraic> {
-        SturmSequence::new(polynomial).roots()
-    }
-
     /// The root of the square-free `polynomial` in (lower, upper], which holds
     /// exactly one.
     pub(super) fn isolated(
