@@ -41,6 +41,7 @@
 mod angle;
 mod ast;
 mod builtin;
+mod context;
 mod dependence;
 mod display;
 mod error;
@@ -53,11 +54,12 @@ mod value;
 
 pub use angle::PI;
 pub use ast::{Expr, Fold, Node, Operator, OptionWord, Span};
+pub use context::{Call, Context, Lookup, Parameters, Work};
 pub use dependence::{Dependence, IndexPair};
-pub use error::{CallError, FormulaError, FormulaErrorKind};
-pub use evaluate::{Call, Context, Lookup, Parameters, Work, evaluate};
+pub use error::{CallError, FormulaError, FormulaErrorKind, MAX_FORMULA_LENGTH, MAX_NESTING};
+pub use evaluate::evaluate;
 pub use free::FreeNames;
 pub use located::LocatedFormula;
-pub use parse::{MAX_FORMULA_LENGTH, MAX_NESTING, is_identifier, parse};
+pub use parse::{is_identifier, parse};
 pub use scope::{Functions, Scope};
 pub use value::Value;

@@ -1,19 +1,13 @@
 //! From text to tree, with winnow.
 
 use super::ast::{Expr, Fold, Node, Operator, OptionWord, Span};
-use super::error::{FormulaError, FormulaErrorKind};
+use super::error::{FormulaError, FormulaErrorKind, MAX_FORMULA_LENGTH, MAX_NESTING};
 use crate::exact::parse_decimal;
 use winnow::Parser;
 use winnow::combinator::{cut_err, delimited, not, opt, peek, preceded, repeat};
 use winnow::error::{ErrMode, ParserError};
 use winnow::stream::{LocatingSlice, Location, Stateful, Stream};
 use winnow::token::{any, one_of, take_while};
-
-/// The longest formula that is read, in bytes.
-pub const MAX_FORMULA_LENGTH: usize = 4_096;
-
-/// The deepest nesting of parentheses, signs and powers that is read.
-pub const MAX_NESTING: usize = 64;
 
 type Input<'a> = Stateful<LocatingSlice<&'a str>, usize>;
 type Parsed<T> = Result<T, ErrMode<Failure>>;
