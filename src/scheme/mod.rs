@@ -7,6 +7,7 @@
 
 mod catalogue;
 mod definition;
+mod fields;
 mod file;
 mod interpolation;
 mod mask;
@@ -15,13 +16,15 @@ mod reference;
 mod ring;
 mod ring_definition;
 mod ring_file;
+mod ring_formulas;
 mod ring_symmetry;
 mod rules;
 
 pub use catalogue::{Entry, catalogue, find};
 pub use definition::{ParameterSpec, SchemeDefinition};
+pub(crate) use fields::{definitions, formula, from_toml, identifier};
+pub(crate) use file::SchemeTable;
 pub use file::read_scheme;
-pub(crate) use file::{SchemeTable, definitions, formula, from_toml, identifier};
 pub use interpolation::lagrange_mask;
 pub use mask::{Mask, MaskError};
 pub(crate) use parse::find_in_catalogue;
