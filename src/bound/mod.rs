@@ -14,7 +14,6 @@ mod ring_power;
 mod sound;
 mod surface;
 mod transport;
-mod transport_tree;
 mod walk;
 
 pub use algebraic_depth::log_level_algebraic;
