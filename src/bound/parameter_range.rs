@@ -1,6 +1,6 @@
 //! Where in a parameter a contraction constant is below 1.
 
-use super::contraction::{Order, oriented};
+use super::power::{Order, oriented};
 use super::walk::walk_rows;
 use crate::exact::{
     Integer, IntegerPolynomial, IntervalSet, PiecewisePolynomial, Polynomial, Rational,
