@@ -50,6 +50,7 @@ mod free;
 mod located;
 mod parse;
 mod scope;
+mod token;
 mod value;
 
 pub use angle::PI;
@@ -60,6 +61,7 @@ pub use error::{CallError, FormulaError, FormulaErrorKind, MAX_FORMULA_LENGTH, M
 pub use evaluate::evaluate;
 pub use free::FreeNames;
 pub use located::LocatedFormula;
-pub use parse::{is_identifier, parse};
+pub use parse::parse;
 pub use scope::{Functions, Scope};
+pub use token::is_identifier;
 pub use value::Value;
