@@ -8,7 +8,9 @@ mod delta;
 mod depth;
 mod displacement;
 mod norm;
+mod norm_function;
 mod parameter_range;
+mod parametric_rows;
 mod power;
 mod ring;
 mod ring_power;
@@ -28,10 +30,9 @@ pub use delta::DeltaCondition;
 pub use depth::{DepthError, MAX_DEPTH, Rounded, least_level, log_level};
 pub use displacement::{Terms, best_offset, displacement};
 pub use norm::{joint_norm, power_norm};
-pub use parameter_range::{
-    MAX_RANGE_WORK, ParameterRange, RangeError, joint_norm_function_on, norm_below, norm_function,
-    norm_function_on, polynomial_rules,
-};
+pub use norm_function::{joint_norm_function_on, norm_function, norm_function_on};
+pub use parameter_range::{ParameterRange, norm_below};
+pub use parametric_rows::{MAX_RANGE_WORK, RangeError, polynomial_rules};
 pub use power::{ClassCap, MAX_CLASSES, MAX_LEVELS, Order, PowerNorm};
 pub use ring::{RingConstants, RingLevel};
 pub use ring_power::{MAX_RING_WORK, RingWork};
