@@ -28,6 +28,7 @@ mod factor;
 pub mod format;
 mod integer;
 mod interval;
+mod interval_set;
 mod linear;
 mod matrix;
 mod monomial;
@@ -55,7 +56,8 @@ pub use cyclotomic::{
 pub use decimal::{Decimal, Rounding};
 pub use enclosure::{Enclosed, Enclosure};
 pub use integer::Integer;
-pub use interval::{Interval, IntervalSet};
+pub use interval::Interval;
+pub use interval_set::IntervalSet;
 pub use linear::solve;
 pub use matrix::{Matrix, Naming};
 pub use parametric::Parametric;
