@@ -1,7 +1,8 @@
 //! The constants of one scheme, each computed once.
 
 use super::branch::PowerSearch;
-use super::contraction::{ClassCap, Order, joint_norm};
+use super::norm::joint_norm;
+use super::power::{ClassCap, Order};
 use crate::exact::Rational;
 use crate::scheme::{Mask, Rules};
 use std::cell::RefCell;

@@ -1,6 +1,6 @@
 //! The coefficients of repeated convolution, by their recursions.
 
-use super::contraction::Order;
+use super::power::Order;
 use crate::exact::Scalar;
 use crate::scheme::Rules;
 

@@ -1,7 +1,7 @@
 //! The δ condition: contraction in a single level.
 
 use super::constants::{Constants, Operator};
-use super::contraction::{ClassCap, Order};
+use super::power::{ClassCap, Order};
 use crate::exact::Rational;
 
 /// δ of a scheme, and whether δ < 1: the condition under which one level

@@ -1,9 +1,9 @@
 //! The bound that is true: level by level, with exact constants.
 
 use super::constants::{Constants, Operator};
-use super::contraction::{ClassCap, Order};
 use super::depth::{DepthError, MAX_DEPTH};
 use super::displacement::{Terms, displacement};
+use super::power::{ClassCap, Order};
 use super::surface::surface_factor;
 use crate::exact::{Integer, Rational, format};
 use std::collections::VecDeque;

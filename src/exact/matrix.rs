@@ -150,6 +150,6 @@ impl<S: Scalar> Matrix<S> {
     #[must_use]
     pub fn left_product(&self, w: &[S]) -> Vec<S> {
         assert_eq!(w.len(), self.names.len(), "a coordinate for each row");
-        S::left_product(w, self)
+        S::left_product(w, &self.values, &self.names)
     }
 }

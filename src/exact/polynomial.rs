@@ -1,7 +1,7 @@
 //! Polynomials over the real cyclotomic numbers in named variables.
 
 use super::monomial::Monomial;
-use super::{Rational, RationalPolynomial, RealCyclotomic};
+use super::{Rational, RealCyclotomic, Scalar};
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -61,30 +61,6 @@ impl Polynomial {
         self.terms.is_empty() && is_zero(&self.constant)
     }
 
-    /// This as a polynomial in `variable` over the rationals; `None` when another
-    /// variable or an irrational coefficient remains.
-    ///
-    /// ```
-    /// use subcert::exact::Polynomial;
-    ///
-    /// let (v, w) = (Polynomial::variable("v"), Polynomial::variable("w"));
-    /// assert_eq!((&w * &w).in_variable("w").and_then(|p| p.degree()), Some(2));
-    /// assert_eq!((&v * &w).in_variable("w"), None);
-    /// ```
-    #[must_use]
-    pub fn in_variable(&self, variable: &str) -> Option<RationalPolynomial> {
-        let mut coefficients = vec![self.constant.as_rational()?.clone()];
-        for (monomial, coefficient) in &self.terms {
-            let exponent = monomial.only(variable)?;
-            let place = usize::try_from(exponent).ok()?;
-            if coefficients.len() <= place {
-                coefficients.resize(place + 1, Rational::zero());
-            }
-            coefficients[place] = coefficient.as_rational()?.clone();
-        }
-        Some(RationalPolynomial::new(&coefficients))
-    }
-
     /// The variables, if no term has a power or a product of them.
     ///
     /// ```
@@ -123,6 +99,16 @@ impl Polynomial {
     #[must_use]
     pub fn degree(&self) -> u64 {
         self.terms.iter().map(|(monomial, _)| monomial.degree()).max().unwrap_or(0)
+    }
+
+    /// The coefficient of the monomial 1, which may be 0.
+    pub(super) fn constant_term(&self) -> &RealCyclotomic {
+        &self.constant
+    }
+
+    /// The other monomials, and their coefficients.
+    pub(super) fn other_terms(&self) -> &[(Monomial, RealCyclotomic)] {
+        &self.terms
     }
 
     /// The coefficients, none of them 0.
@@ -220,6 +206,24 @@ impl Mul for &Polynomial {
         sums.retain(|_, coefficient| !is_zero(coefficient));
         product.add_terms(sums.into_iter());
         product
+    }
+}
+
+impl Scalar for Polynomial {
+    fn from_rational(value: &Rational) -> Self {
+        Polynomial::constant(value.clone())
+    }
+    fn plus(&self, other: &Self) -> Self {
+        self + other
+    }
+    fn accumulate(&mut self, other: &Self) {
+        *self += other;
+    }
+    fn minus(&self, other: &Self) -> Self {
+        self - other
+    }
+    fn times(&self, other: &Self) -> Self {
+        self * other
     }
 }
 

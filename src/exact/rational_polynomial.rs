@@ -1,6 +1,6 @@
 //! Polynomials in one variable over the rationals.
 
-use super::{Integer, IntegerPolynomial, Polynomial, Rational, Scalar, common_denominator};
+use super::{Integer, IntegerPolynomial, Rational, Scalar, common_denominator};
 
 /// A polynomial in one variable over Q: an integer polynomial over one
 /// denominator, in lowest terms.
@@ -146,20 +146,6 @@ impl RationalPolynomial {
     pub fn times(&self, other: &RationalPolynomial) -> RationalPolynomial {
         let denominator = &self.denominator * &other.denominator;
         RationalPolynomial::over(&(&self.numerator * &other.numerator), &denominator)
-    }
-
-    /// The polynomial in `variable`, as [`Polynomial`] writes it.
-    #[must_use]
-    pub fn describe(&self, variable: &str) -> String {
-        let x = Polynomial::variable(variable);
-        let one = Polynomial::constant(Rational::one());
-        let mut power = one;
-        let mut sum = Polynomial::default();
-        for coefficient in self.coefficients() {
-            sum = &sum + &(&Polynomial::constant(coefficient) * &power);
-            power = &power * &x;
-        }
-        sum.to_string()
     }
 }
 

@@ -1,6 +1,6 @@
 //! What the algorithms ask of a number type, so that each is written once.
 
-use super::{Integer, Matrix, Polynomial, Rational, common_denominator};
+use super::{Integer, Rational, common_denominator};
 use std::cmp::Ordering;
 
 /// A commutative ring that contains the rationals: exact numbers, polynomials,
@@ -51,14 +51,15 @@ pub trait Scalar: Clone {
         })
     }
 
-    /// wᵀM, for a coordinate of w for each row of M: the sums Σ_a w_a m_{a,b} over the
+    /// wᵀM, for a coordinate of w for each row of M, with the entries m_{a,b} =
+    /// values\[names_{a,b}\] of a [`Matrix`](super::Matrix): the sums Σ_a w_a m_{a,b} over the
     /// entries other than 0, from top to bottom. Exact numbers may go another way.
     #[must_use]
-    fn left_product(w: &[Self], matrix: &Matrix<Self>) -> Vec<Self> {
-        let mut sums = vec![Self::zero(); matrix.names().first().map_or(0, Vec::len)];
-        for (w, names) in w.iter().zip(matrix.names()) {
+    fn left_product(w: &[Self], values: &[Self], names: &[Vec<u32>]) -> Vec<Self> {
+        let mut sums = vec![Self::zero(); names.first().map_or(0, Vec::len)];
+        for (w, names) in w.iter().zip(names) {
             for (sum, &name) in sums.iter_mut().zip(names).filter(|(_, name)| **name != 0) {
-                *sum = sum.plus(&w.times(&matrix.values()[name as usize]));
+                *sum = sum.plus(&w.times(&values[name as usize]));
             }
         }
         sums
@@ -130,23 +131,5 @@ impl Real for Rational {
     }
     fn over(&self, other: &Self) -> Self {
         self / other
-    }
-}
-
-impl Scalar for Polynomial {
-    fn from_rational(value: &Rational) -> Self {
-        Polynomial::constant(value.clone())
-    }
-    fn plus(&self, other: &Self) -> Self {
-        self + other
-    }
-    fn accumulate(&mut self, other: &Self) {
-        *self += other;
-    }
-    fn minus(&self, other: &Self) -> Self {
-        self - other
-    }
-    fn times(&self, other: &Self) -> Self {
-        self * other
     }
 }

@@ -1,7 +1,6 @@
-//! Sturm sequences: how many real roots a polynomial has, and where.
+//! Sturm sequences: how many real roots a polynomial has.
 
-use super::{Integer, IntegerPolynomial, Rational, RealAlgebraic};
-use std::sync::Arc;
+use super::{IntegerPolynomial, Rational};
 
 /// The Sturm sequence of a polynomial f: f, f′, and then each the negative
 /// remainder of the two before it, up to positive factors.
@@ -45,6 +44,11 @@ impl SturmSequence {
         SturmSequence { sequence }
     }
 
+    /// f, without its multiple factors.
+    pub(super) fn polynomial(&self) -> &IntegerPolynomial {
+        &self.sequence[0]
+    }
+
     /// The number of distinct roots in (lower, upper]; 0 when that is empty.
     #[must_use]
     pub fn count_roots(&self, lower: &Rational, upper: &Rational) -> usize {
@@ -73,53 +77,6 @@ impl SturmSequence {
     /// neighbours in the sequence have opposite signs.
     fn changes_right_of(&self, x: &Rational) -> usize {
         changes(self.sequence.iter().map(|p| p.sign_at(x)))
-    }
-
-    /// The real roots of the polynomial, in increasing order.
-    ///
-    /// # Panics
-    /// Never.
-    #[must_use]
-    pub fn roots(&self) -> Vec<RealAlgebraic> {
-        self.roots_between(None, None)
-    }
-
-    /// The real roots from `low` to `high`, both included, in increasing order;
-    /// `None` for no bound.
-    ///
-    /// # Panics
-    /// Never.
-    #[must_use]
-    pub fn roots_between(
-        &self,
-        low: Option<Rational>,
-        high: Option<Rational>,
-    ) -> Vec<RealAlgebraic> {
-        let polynomial = Arc::new(self.sequence[0].clone());
-        // Cauchy: every root is below 1 + max |c_i/c_d| in absolute value.
-        let largest = polynomial.coefficients().iter().map(Integer::abs).max();
-        let ratio =
-            Rational::new(largest.unwrap_or_else(Integer::zero), polynomial.leading().abs());
-        let bits = u32::try_from(ratio.ceil().bits()).expect("a number that fits in memory");
-        let bound = Rational::from(Integer::one().shifted_left(bits + 1));
-        let mut roots = Vec::new();
-        roots.extend(
-            low.clone().filter(|low| polynomial.sign_at(low) == 0).map(RealAlgebraic::from),
-        );
-        // Bisection; the stack holds the left half on top.
-        let mut stack = vec![(low.unwrap_or_else(|| -&bound), high.unwrap_or(bound))];
-        while let Some((lower, upper)) = stack.pop() {
-            match self.count_roots(&lower, &upper) {
-                0 => {}
-                1 => roots.push(RealAlgebraic::isolated(&polynomial, lower, upper)),
-                _ => {
-                    let middle = (&lower + &upper) / Rational::from(2);
-                    stack.push((middle.clone(), upper));
-                    stack.push((lower, middle));
-                }
-            }
-        }
-        roots
     }
 }
 

@@ -1,9 +1,8 @@
 //! Angles: what stands inside `cos`.
 
-use super::ast::{Expr, Node, Operator, OptionWord, Span};
-use super::builtin::{self, COSINE, apply};
-use super::error::{FormulaError, FormulaErrorKind};
-use super::evaluate::{Evaluator, fail};
+use super::ast::Operator;
+use super::builtin::apply;
+use super::error::FormulaErrorKind;
 use super::value::Value;
 use crate::exact::Rational;
 
@@ -11,13 +10,14 @@ use crate::exact::Rational;
 pub const PI: &str = "pi";
 
 /// a + bπ.
-struct Angle<V> {
-    plain: V,
-    pi: V,
+pub(super) struct Angle<V> {
+    pub(super) plain: V,
+    pub(super) pi: V,
 }
 
 impl<V: Value> Angle<V> {
-    fn combine(
+    /// One of the four operations.
+    pub(super) fn combine(
         operator: Operator,
         left: &Angle<V>,
         right: &Angle<V>,
@@ -39,7 +39,7 @@ impl<V: Value> Angle<V> {
     }
 
     /// b, if a = 0 and b is rational.
-    fn multiple(&self) -> Result<Rational, FormulaErrorKind> {
+    pub(super) fn multiple(&self) -> Result<Rational, FormulaErrorKind> {
         let refuse = |text: String| Err(FormulaErrorKind::Angle(text));
         match self.pi.as_rational() {
             None => refuse(format!("({})*pi", self.pi)),
@@ -52,53 +52,4 @@ impl<V: Value> Angle<V> {
 
 fn is_zero<V: Value>(value: &V) -> bool {
     value.as_rational().is_some_and(|value| value.is_zero())
-}
-
-impl<V: Value> Evaluator<'_, V> {
-    /// cos of its one argument.
-    pub(super) fn cosine(
-        &self,
-        arguments: &[Expr],
-        options: &[OptionWord],
-        span: &Span,
-        indices: &mut Vec<(String, V)>,
-    ) -> Result<V, FormulaError> {
-        let [argument] = arguments else {
-            return fail(builtin::wrong_count(COSINE, arguments.len()), span);
-        };
-        if let Some(option) = options.first() {
-            return fail(builtin::no_option(COSINE, option), span);
-        }
-        let angle = self.angle(argument, indices)?;
-        let multiple = angle.multiple().or_else(|kind| fail(kind, &argument.span))?;
-        let turn = multiple / Rational::from(2);
-        V::cosine(&turn).or_else(|error| fail(error.into(), span))
-    }
-
-    /// The value of an expression in which `pi` may stand, in sums, in products
-    /// and above a division bar. What has no `pi` is any expression.
-    fn angle(&self, expr: &Expr, indices: &mut Vec<(String, V)>) -> Result<Angle<V>, FormulaError> {
-        match &expr.node {
-            Node::Name(name) if name == PI => {
-                let pi = self.spend(V::from_rational(&Rational::one()), &expr.span)?;
-                Ok(Angle { plain: V::zero(), pi })
-            }
-            Node::Negate(operand) => {
-                let Angle { plain, pi } = self.angle(operand, indices)?;
-                Ok(Angle { plain: V::zero().minus(&plain), pi: V::zero().minus(&pi) })
-            }
-            Node::Chain(first, rest) => {
-                let mut angle = self.angle(first, indices)?;
-                for (operator, operand) in rest {
-                    let right = self.angle(operand, indices)?;
-                    let result = Angle::combine(*operator, &angle, &right);
-                    angle = result.or_else(|kind| fail(kind, &operand.span))?;
-                    angle.plain = self.spend(angle.plain, &operand.span)?;
-                    angle.pi = self.spend(angle.pi, &operand.span)?;
-                }
-                Ok(angle)
-            }
-            _ => Ok(Angle { plain: self.value(expr, indices)?, pi: V::zero() }),
-        }
-    }
 }

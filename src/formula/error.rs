@@ -1,8 +1,13 @@
 //! What can be wrong with a formula, and where.
 
 use super::ast::Span;
-use super::parse::{MAX_FORMULA_LENGTH, MAX_NESTING};
 use crate::diagnostic::Diagnostic;
+
+/// The longest formula that is read, in bytes.
+pub const MAX_FORMULA_LENGTH: usize = 4_096;
+
+/// The deepest nesting of parentheses, signs and powers that is read.
+pub const MAX_NESTING: usize = 64;
 
 /// An error in a formula, with the bytes it is about.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

@@ -1,13 +1,12 @@
 //! From tree to value.
 
-use super::angle::PI;
+use super::angle::{Angle, PI};
 use super::ast::{Expr, Fold, Node, Operator, OptionWord, Span};
 use super::builtin;
+use super::context::{Call, Context, Lookup, Work};
 use super::error::{CallError, FormulaError, FormulaErrorKind};
 use super::value::Value;
 use crate::exact::Rational;
-use std::cell::Cell;
-use std::collections::BTreeMap;
 
 /// The most work of one evaluation: the nodes visited, sums unrolled and named
 /// formulas entered, and the squares of the sizes of their values in 512 bits.
@@ -16,89 +15,6 @@ const MAX_WORK: u64 = 1_000_000;
 /// How deep the nodes of one evaluation may stand in each other, named formulas
 /// entered.
 const MAX_DEPTH: u32 = 256;
-
-/// What an evaluation has spent. A context that evaluates formulas itself, for
-/// its names or functions, keeps one, so that all of them share the cap.
-#[derive(Clone, Debug, Default)]
-pub struct Work {
-    spent: Cell<u64>,
-    depth: Cell<u32>,
-}
-
-/// What a name means.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Lookup<V> {
-    /// It has this value.
-    Found(V),
-    /// It exists, but nobody has said its value.
-    Unstated,
-    /// There is no such name.
-    Unknown,
-}
-
-/// A call of a function that is not the language's own.
-pub struct Call<'a, V> {
-    /// The function's name.
-    pub function: &'a str,
-    /// Its arguments, evaluated.
-    pub arguments: &'a [V],
-    /// Its options, as written.
-    pub options: &'a [OptionWord],
-    /// The sum indices in force where it is called, innermost first.
-    pub indices: &'a [(String, V)],
-}
-
-/// Names and functions beyond the language's own.
-pub trait Context<V> {
-    /// The meaning of a name.
-    ///
-    /// # Errors
-    /// When the name stands for a formula, and that has no value.
-    fn name(&self, name: &str, indices: &[(String, V)]) -> Result<Lookup<V>, CallError>;
-
-    /// The names that [`Context::name`] knows, for error messages.
-    fn names(&self) -> Vec<String>;
-
-    /// The work that the evaluations in this context share, if it evaluates
-    /// formulas itself.
-    fn work(&self) -> Option<&Work> {
-        None
-    }
-
-    /// The value of a function.
-    ///
-    /// # Errors
-    /// When there is no such function, or no such value.
-    fn call(&self, call: &Call<'_, V>) -> Result<V, CallError> {
-        let _ = call;
-        Err(CallError::UnknownFunction(Vec::new()))
-    }
-}
-
-/// The plain context: parameters with values, and no functions.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Parameters<V = Rational>(pub BTreeMap<String, V>);
-
-impl<V> Default for Parameters<V> {
-    fn default() -> Parameters<V> {
-        Parameters(BTreeMap::new())
-    }
-}
-
-impl<V, const N: usize> From<[(&str, V); N]> for Parameters<V> {
-    fn from(pairs: [(&str, V); N]) -> Parameters<V> {
-        Parameters(pairs.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
-    }
-}
-
-impl<V: Value> Context<V> for Parameters<V> {
-    fn name(&self, name: &str, _: &[(String, V)]) -> Result<Lookup<V>, CallError> {
-        Ok(self.0.get(name).map_or(Lookup::Unknown, |value| Lookup::Found(value.clone())))
-    }
-    fn names(&self) -> Vec<String> {
-        self.0.keys().cloned().collect()
-    }
-}
 
 /// The value of a formula.
 ///
@@ -123,18 +39,18 @@ pub(crate) fn evaluate_with<V: Value>(
     Evaluator { context, work }.value(expr, &mut indices.to_vec())
 }
 
-pub(super) struct Evaluator<'a, V> {
+struct Evaluator<'a, V> {
     context: &'a dyn Context<V>,
     work: &'a Work,
 }
 
-pub(super) fn fail<T>(kind: FormulaErrorKind, span: &Span) -> Result<T, FormulaError> {
+fn fail<T>(kind: FormulaErrorKind, span: &Span) -> Result<T, FormulaError> {
     Err(FormulaError { kind, span: span.clone(), definition: None })
 }
 
 impl<V: Value> Evaluator<'_, V> {
     /// Counts the work of a value; hands it on while the cap is not reached.
-    pub(super) fn spend(&self, value: V, span: &Span) -> Result<V, FormulaError> {
+    fn spend(&self, value: V, span: &Span) -> Result<V, FormulaError> {
         let size = value.size() / 512;
         let spent = self.work.spent.get().saturating_add(1 + size.saturating_mul(size));
         self.work.spent.set(spent);
@@ -145,11 +61,7 @@ impl<V: Value> Evaluator<'_, V> {
         Ok(value)
     }
 
-    pub(super) fn value(
-        &self,
-        expr: &Expr,
-        indices: &mut Vec<(String, V)>,
-    ) -> Result<V, FormulaError> {
+    fn value(&self, expr: &Expr, indices: &mut Vec<(String, V)>) -> Result<V, FormulaError> {
         let depth = self.work.depth.get();
         if depth >= MAX_DEPTH {
             let what = "the nesting of this formula and those it names";
@@ -316,6 +228,53 @@ impl<V: Value> Evaluator<'_, V> {
         }
         let call = Call { function, arguments, options, indices };
         self.context.call(&call).or_else(|error| fail_call(error, function, span))
+    }
+
+    /// cos of its one argument.
+    fn cosine(
+        &self,
+        arguments: &[Expr],
+        options: &[OptionWord],
+        span: &Span,
+        indices: &mut Vec<(String, V)>,
+    ) -> Result<V, FormulaError> {
+        let [argument] = arguments else {
+            return fail(builtin::wrong_count(builtin::COSINE, arguments.len()), span);
+        };
+        if let Some(option) = options.first() {
+            return fail(builtin::no_option(builtin::COSINE, option), span);
+        }
+        let angle = self.angle(argument, indices)?;
+        let multiple = angle.multiple().or_else(|kind| fail(kind, &argument.span))?;
+        let turn = multiple / Rational::from(2);
+        V::cosine(&turn).or_else(|error| fail(error.into(), span))
+    }
+
+    /// The value of an expression in which `pi` may stand, in sums, in products
+    /// and above a division bar. What has no `pi` is any expression.
+    fn angle(&self, expr: &Expr, indices: &mut Vec<(String, V)>) -> Result<Angle<V>, FormulaError> {
+        match &expr.node {
+            Node::Name(name) if name == PI => {
+                let pi = self.spend(V::from_rational(&Rational::one()), &expr.span)?;
+                Ok(Angle { plain: V::zero(), pi })
+            }
+            Node::Negate(operand) => {
+                let Angle { plain, pi } = self.angle(operand, indices)?;
+                Ok(Angle { plain: V::zero().minus(&plain), pi: V::zero().minus(&pi) })
+            }
+            Node::Chain(first, rest) => {
+                let mut angle = self.angle(first, indices)?;
+                for (operator, operand) in rest {
+                    let right = self.angle(operand, indices)?;
+                    let result = Angle::combine(*operator, &angle, &right);
+                    angle = result.or_else(|kind| fail(kind, &operand.span))?;
+                    angle.plain = self.spend(angle.plain, &operand.span)?;
+                    angle.pi = self.spend(angle.pi, &operand.span)?;
+                }
+                Ok(angle)
+            }
+            _ => Ok(Angle { plain: self.value(expr, indices)?, pi: V::zero() }),
+        }
     }
 }
 

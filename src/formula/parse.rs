@@ -1,22 +1,16 @@
 //! From text to tree, with winnow.
 
-use super::ast::{Expr, Fold, Node, Operator, OptionWord, Span};
-use super::error::{FormulaError, FormulaErrorKind};
-use crate::exact::parse_decimal;
+use super::ast::{Expr, Fold, Node, Operator, OptionWord};
+use super::error::{FormulaError, FormulaErrorKind, MAX_FORMULA_LENGTH};
+use super::token::{
+    Failure, Input, Parsed, continues_name, identifier, located, nested, number, required,
+    skip_space, space, starts_name, symbol, token_at,
+};
 use winnow::Parser;
-use winnow::combinator::{cut_err, delimited, not, opt, peek, preceded, repeat};
+use winnow::combinator::{cut_err, delimited, opt, peek, preceded, repeat};
 use winnow::error::{ErrMode, ParserError};
 use winnow::stream::{LocatingSlice, Location, Stateful, Stream};
 use winnow::token::{any, one_of, take_while};
-
-/// The longest formula that is read, in bytes.
-pub const MAX_FORMULA_LENGTH: usize = 4_096;
-
-/// The deepest nesting of parentheses, signs and powers that is read.
-pub const MAX_NESTING: usize = 64;
-
-type Input<'a> = Stateful<LocatingSlice<&'a str>, usize>;
-type Parsed<T> = Result<T, ErrMode<Failure>>;
 
 /// Reads a formula.
 ///
@@ -47,102 +41,6 @@ pub fn parse(text: &str) -> Result<Expr, FormulaError> {
         let span = failure.span.unwrap_or_else(|| token_at(text, at));
         FormulaError { kind, span, definition: None }
     })
-}
-
-/// Whether `text` can be the name of a parameter: a letter or `_`, then letters,
-/// digits and `_`.
-#[must_use]
-pub fn is_identifier(text: &str) -> bool {
-    let mut characters = text.chars();
-    characters.next().is_some_and(starts_name) && characters.all(continues_name)
-}
-
-fn starts_name(c: char) -> bool {
-    c.is_alphabetic() || c == '_'
-}
-
-fn continues_name(c: char) -> bool {
-    c.is_alphanumeric() || c == '_'
-}
-
-/// The token that starts at byte `at`, for underlining; empty at the end.
-fn token_at(text: &str, at: usize) -> Span {
-    let rest = &text[at..];
-    let word: usize = rest.chars().take_while(|c| continues_name(*c)).map(char::len_utf8).sum();
-    let length = if word > 0 { word } else { rest.chars().next().map_or(0, char::len_utf8) };
-    at..at + length
-}
-
-/// Where parsing stopped, and what was expected there.
-#[derive(Clone, Debug)]
-struct Failure {
-    at: usize,
-    kind: Option<FormulaErrorKind>,
-    span: Option<Span>,
-}
-
-impl<'a> ParserError<Input<'a>> for Failure {
-    type Inner = Failure;
-    fn from_input(input: &Input<'a>) -> Failure {
-        Failure { at: input.current_token_start(), kind: None, span: None }
-    }
-    fn or(self, other: Failure) -> Failure {
-        if self.at > other.at { self } else { other }
-    }
-    fn into_inner(self) -> Result<Failure, Failure> {
-        Ok(self)
-    }
-}
-
-/// Requires `parser`, and says what was expected when it does not match.
-fn required<'a, T>(
-    what: &'static str,
-    mut parser: impl Parser<Input<'a>, T, ErrMode<Failure>>,
-) -> impl Parser<Input<'a>, T, ErrMode<Failure>> {
-    move |input: &mut Input<'a>| {
-        parser.parse_next(input).map_err(|error| match error {
-            ErrMode::Backtrack(mut failure) => {
-                failure.kind = Some(FormulaErrorKind::Expected(what));
-                ErrMode::Cut(failure)
-            }
-            other => other,
-        })
-    }
-}
-
-fn space(input: &mut Input<'_>) -> Parsed<()> {
-    take_while(0.., char::is_whitespace).void().parse_next(input)
-}
-
-fn symbol<'a>(character: char) -> impl Parser<Input<'a>, (), ErrMode<Failure>> {
-    (character, space).void()
-}
-
-fn located<'a>(
-    mut parser: impl Parser<Input<'a>, Node, ErrMode<Failure>>,
-) -> impl Parser<Input<'a>, Expr, ErrMode<Failure>> {
-    move |input: &mut Input<'a>| {
-        let start = input.current_token_start();
-        let node = parser.parse_next(input)?;
-        Ok(Expr { node, span: start..input.previous_token_end() })
-    }
-}
-
-/// Runs `parser` one level deeper.
-fn nested<'a, T>(
-    mut parser: impl Parser<Input<'a>, T, ErrMode<Failure>>,
-) -> impl Parser<Input<'a>, T, ErrMode<Failure>> {
-    move |input: &mut Input<'a>| {
-        if input.state >= MAX_NESTING {
-            let at = input.current_token_start();
-            let kind = Some(FormulaErrorKind::TooDeep);
-            return Err(ErrMode::Cut(Failure { at, kind, span: None }));
-        }
-        input.state += 1;
-        let result = parser.parse_next(input);
-        input.state -= 1;
-        result
-    }
 }
 
 fn expression(input: &mut Input<'_>) -> Parsed<Expr> {
@@ -212,32 +110,6 @@ fn primary(input: &mut Input<'_>) -> Parsed<Expr> {
         return name_or_call(input);
     }
     required("a number, a name or `(`", winnow::combinator::fail).parse_next(input)
-}
-
-fn skip_space(input: &mut Input<'_>, expr: Expr) -> Parsed<Expr> {
-    space(input)?;
-    Ok(expr)
-}
-
-fn digits<'a>(input: &mut Input<'a>) -> Parsed<&'a str> {
-    take_while(1.., '0'..='9').parse_next(input)
-}
-
-fn number(input: &mut Input<'_>) -> Parsed<Node> {
-    let start = input.current_token_start();
-    // `1..3` is a range, not the number `1.` and a stray point.
-    let fraction = opt((('.', not('.')), required("a digit", digits)));
-    let power = opt((one_of(['e', 'E']), opt(one_of(['+', '-'])), required("a digit", digits)));
-    let text = (digits, fraction, power).take().parse_next(input)?;
-    parse_decimal(text).map(|decimal| Node::Number(decimal.value())).map_err(|error| {
-        let span = Some(start..start + text.len());
-        let kind = Some(FormulaErrorKind::Number(error));
-        ErrMode::Cut(Failure { at: start, kind, span })
-    })
-}
-
-fn identifier<'a>(input: &mut Input<'a>) -> Parsed<&'a str> {
-    (one_of(starts_name), take_while(0.., continues_name)).take().parse_next(input)
 }
 
 fn name_or_call(input: &mut Input<'_>) -> Parsed<Expr> {

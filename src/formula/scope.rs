@@ -1,7 +1,8 @@
 //! A context of parameters, definitions and functions.
 
+use super::context::{Call, Context, Lookup, Work};
 use super::error::CallError;
-use super::evaluate::{Call, Context, Lookup, Work, evaluate_with};
+use super::evaluate::evaluate_with;
 use super::located::LocatedFormula;
 use super::value::Value;
 use std::cell::Cell;

@@ -3,6 +3,7 @@
 use super::error::{LimitError, MAX_WINDOW};
 use super::fraction::Fraction;
 use super::functional::{Functional, rule_at};
+use super::row::magnitude;
 use super::value::Limit;
 use crate::exact::{Integer, Rational, common_denominator};
 use crate::scheme::Rules;
@@ -46,18 +47,6 @@ pub(super) struct Sizes<'c> {
     /// max|∇Δ|, where (∇Δ)_i = Δ_{i+1} − Δ_i, times `scale`.
     pub(super) turn: Integer,
     pub(super) scale: &'c Integer,
-}
-
-/// Σ |x|, without a copy of each.
-pub(super) fn magnitude(row: &[Integer]) -> Integer {
-    row.iter().fold(Integer::zero(), |mut sum, x| {
-        if x.sign() < 0 {
-            sum -= x;
-        } else {
-            sum += x;
-        }
-        sum
-    })
 }
 
 /// How a cell splits into n, over integers: Δ^{M+1} = DΔ^M, and P^∞ at the new points is

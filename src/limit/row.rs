@@ -1,6 +1,5 @@
 //! Functionals with integer coefficients, and what refinement makes of them.
 
-use super::cell::magnitude;
 use super::functional::Functional;
 use crate::exact::{CommonDenominator, Integer, Rational};
 use crate::scheme::Rules;
@@ -79,4 +78,16 @@ impl Refinement {
         }
         Row { first: first + self.offset, coefficients }
     }
+}
+
+/// Σ |x|, without a copy of each.
+pub(super) fn magnitude(row: &[Integer]) -> Integer {
+    row.iter().fold(Integer::zero(), |mut sum, x| {
+        if x.sign() < 0 {
+            sum -= x;
+        } else {
+            sum += x;
+        }
+        sum
+    })
 }

@@ -2,7 +2,7 @@
 
 use super::mask::{Mask, MaskError};
 use super::reference::SchemeError;
-use super::ring_definition::RingFormulas;
+use super::ring_formulas::RingFormulas;
 use super::rules::{MAX_ARITY, MAX_WIDTH, RulesError};
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::{Rational, common_conductor};

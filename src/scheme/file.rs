@@ -1,10 +1,11 @@
 //! Reading schemes from TOML.
 
 use super::definition::{Coefficients, ParameterSpec, RuleFormulas, SchemeDefinition};
-use super::ring_definition::{NEW_INDEX, OLD_INDEX, RingFormulas};
+use super::fields::{definitions, formula, from_toml, identifier};
 use super::ring_file::{EdgeTable, OrbitTable, WeightTable, ring};
+use super::ring_formulas::{NEW_INDEX, OLD_INDEX, RingFormulas};
 use crate::diagnostic::{Diagnostic, SourceText};
-use crate::formula::{LocatedFormula, PI, is_identifier};
+use crate::formula::LocatedFormula;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -69,58 +70,6 @@ struct ParameterTable {
 pub fn read_scheme(source: &Arc<SourceText>) -> Result<SchemeDefinition, Diagnostic> {
     let table: SchemeTable = from_toml(source)?;
     table.define(source)
-}
-
-/// Deserialises TOML, with the place of an error.
-pub(crate) fn from_toml<T: serde::de::DeserializeOwned>(
-    source: &Arc<SourceText>,
-) -> Result<T, Diagnostic> {
-    toml::from_str(&source.text).map_err(|error| {
-        let diagnostic = Diagnostic::new(source, error.span().unwrap_or(0..0), error.message());
-        let number = ["integer", "floating point"]
-            .iter()
-            .any(|kind| error.message().contains(&format!("invalid type: {kind}")));
-        if number {
-            diagnostic.with_help("write numbers in quotes, as '3/256': they are read exactly")
-        } else {
-            diagnostic
-        }
-    })
-}
-
-pub(crate) fn formula(
-    source: &Arc<SourceText>,
-    text: &Spanned<String>,
-) -> Result<LocatedFormula, Diagnostic> {
-    LocatedFormula::read(source, text.span(), text.get_ref())
-}
-
-/// Named formulas, each name an identifier.
-pub(crate) fn definitions(
-    source: &Arc<SourceText>,
-    table: &BTreeMap<Spanned<String>, Spanned<String>>,
-) -> Result<BTreeMap<String, LocatedFormula>, Diagnostic> {
-    let read = |(name, text): (&Spanned<String>, &Spanned<String>)| {
-        Ok((identifier(source, name)?, formula(source, text)?))
-    };
-    table.iter().map(read).collect()
-}
-
-/// A name that formulas can use.
-pub(crate) fn identifier(
-    source: &Arc<SourceText>,
-    name: &Spanned<String>,
-) -> Result<String, Diagnostic> {
-    if name.get_ref() == PI {
-        let message = "`pi` is reserved for the angles inside `cos`";
-        return Err(Diagnostic::new(source, name.span(), message));
-    }
-    if is_identifier(name.get_ref()) {
-        return Ok(name.get_ref().clone());
-    }
-    let message = format!("`{}` cannot be a name in a formula", name.get_ref());
-    Err(Diagnostic::new(source, name.span(), message)
-        .with_help("use a letter or `_`, then letters, digits and `_`"))
 }
 
 impl SchemeTable {

@@ -1,7 +1,7 @@
 //! Reading the orbits, weights and edges of a ring from TOML.
 
-use super::file::{formula, identifier};
-use super::ring_definition::{EdgeFormulas, End, RingFormulas};
+use super::fields::{formula, identifier};
+use super::ring_formulas::{EdgeFormulas, End, RingFormulas};
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::formula::{LocatedFormula, Node};
 use std::collections::BTreeMap;

@@ -2,7 +2,7 @@
 
 use super::estimate::{Estimator, Line, Place};
 use super::number::Number;
-use super::search::Problem;
+use super::problem::Problem;
 use super::tree::Tree;
 use crate::exact::Integer;
 use std::cmp::{Ordering, Reverse};

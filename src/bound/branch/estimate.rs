@@ -1,11 +1,9 @@
 //! Upper bounds over all rows below a node.
 
 use super::number::Number;
+use super::scaled::PLACES;
 use super::tree::Tree;
 use crate::exact::Integer;
-
-/// The binary digits behind the point of what bounds are rounded to.
-pub(super) const PLACES: u32 = 24;
 
 /// Factors that stay below this in absolute value.
 const LARGEST_FACTOR: i64 = 1 << 40;

@@ -1,9 +1,9 @@
 //! ‖E^m‖ for every m, as far as a search needs it.
 
-use super::leaf::{SearchTree, SearchedOperator};
+use super::problem::{Greatest, Problem, Reach, threads};
 use super::reach::{Moments, place, rounded_up};
 use super::scaled::Scaled;
-use super::search::{Greatest, Problem, Reach, threads};
+use super::search_tree::{Leaf, SearchTree, SearchedOperator};
 use super::uniform::{self, UniformBound};
 use crate::exact::{Integer, Rational};
 use crate::scheme::Rules;
@@ -74,11 +74,30 @@ impl Growth {
     pub(super) fn tree(&mut self, levels: u32, work: &mut u64) -> Option<SearchTree> {
         let greatest = self.greatest(levels, work)?;
         let leaves = self.problem(levels, 1).leaves(&greatest, work)?;
-        Some(SearchTree::new([self], levels, greatest, leaves))
+        Some(Growth::search_tree([self], levels, greatest, leaves))
+    }
+
+    /// The tree with these leaves, which show the greatest row of the c-th powers.
+    pub(super) fn search_tree<const K: usize>(
+        growths: [&Growth; K],
+        levels: u32,
+        greatest: Greatest,
+        leaves: Vec<Leaf>,
+    ) -> SearchTree {
+        let operators = growths.map(Growth::operator);
+        let denominators = operators.iter().map(|operator| &operator.denominator);
+        let scale = denominators.fold(Integer::one(), |product, q| product * q);
+        SearchTree {
+            // Of R with all its columns.
+            offset: operators[0].offset - i64::try_from(operators[0].skipped).expect("few columns"),
+            norm: Rational::new(greatest.value, scale.pow(levels)),
+            operators: growths.map(|growth| growth.operand(levels)).into(),
+            leaves,
+        }
     }
 
     /// What bounds of the c-th power rest on.
-    pub(super) fn operand(&self, levels: u32) -> SearchedOperator {
+    fn operand(&self, levels: u32) -> SearchedOperator {
         let total = |(m, reach): (u32, &Reach)| {
             let scale = self.operator.denominator.pow(m) * &self.operator.fraction;
             Rational::new(reach.total.clone(), scale)

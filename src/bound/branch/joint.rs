@@ -1,9 +1,11 @@
 //! Joint suprema: one row for two operators.
 
 use super::growth::Growth;
-use super::search::{Problem, threads};
-use super::{MAX_LEVELS, MAX_WORK, SearchTree, Searched, either, unscaled};
-use crate::bound::contraction::{ClassCap, Order, PowerNorm, oriented, walked_joint_norm};
+use super::problem::{Problem, threads};
+use super::search_tree::SearchTree;
+use super::searched::{MAX_WORK, Searched, either, unscaled};
+use crate::bound::power::{ClassCap, MAX_LEVELS, Order, PowerNorm, oriented};
+use crate::bound::walked_norm::walked_joint_norm;
 use crate::scheme::Rules;
 
 /// max_r Σ_s |(R^c)_{r,s}| · Σ_s |(S^c)_{r,s}| for several c, as
@@ -67,7 +69,7 @@ impl JointSearch {
         let problem = self.problem(levels, &mut work)?;
         let greatest = problem.greatest(&mut work)?;
         let leaves = problem.leaves(&greatest, &mut work)?;
-        Some(SearchTree::new(self.growths.each_ref(), levels, greatest, leaves))
+        Some(Growth::search_tree(self.growths.each_ref(), levels, greatest, leaves))
     }
 
     fn problem(&mut self, levels: u32, work: &mut u64) -> Option<Problem<'_, 2>> {

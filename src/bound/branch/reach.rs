@@ -1,7 +1,7 @@
 //! What is known of the rows m levels below a node.
 
-use super::estimate::{PLACES, Place};
-use super::scaled::Scaled;
+use super::estimate::Place;
+use super::scaled::{PLACES, Scaled};
 use crate::exact::{Integer, Rational};
 
 /// Where the moments Σ_p λ_p p of the rows λ of E^m lie, m = 0, 1, 2, …: from the middle of

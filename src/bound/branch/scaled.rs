@@ -1,8 +1,10 @@
 //! The operator of a search, scaled so that its rows sum to 1 where that is possible.
 
-use super::estimate::PLACES;
 use crate::exact::{CommonDenominator, Integer, Rational};
 use crate::scheme::Rules;
+
+/// The binary digits behind the point of what bounds are rounded to.
+pub(super) const PLACES: u32 = 24;
 
 /// R = sE, with the rows of E as integers over one common denominator q, at the offset
 /// whose window is least and nearest to 0.

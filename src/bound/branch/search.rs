@@ -1,125 +1,131 @@
-//! The problem of a search, and the width of its integers.
+//! The order in which the nodes of a search are split.
+//!
+//! Nodes are split many at a time, against the greatest row found before: so the tree of a
+//! search does not depend on how many threads share the work.
 
-use super::descent::Descent;
-use super::estimate::{Place, margin};
-use super::leaf::Leaf;
+use super::descent::{Best, Descent, Node, Space};
 use super::number::Number;
-use super::scaled::Scaled;
-use super::sweep::Search;
-use super::wide::Wide;
-use crate::exact::Integer;
-use std::num::NonZero;
-use std::sync::LazyLock;
+use super::problem::Greatest;
 use std::thread;
 
-/// What bounds the rows that are m levels below a node, for one m.
-#[derive(Clone, Debug)]
-pub(super) struct Reach {
-    /// fraction·q^m times an upper bound of ‖E^m‖.
-    pub(super) total: Integer,
-    /// Where the rows of E sum to 1.
-    pub(super) place: Option<Place<Integer>>,
+/// How many nodes are split at once: up to the first row, and then.
+const FIRST: usize = 4;
+const CHUNK: usize = 8;
+
+/// After so many splits per level a search looks for a greater row by beam searches.
+const PATIENCE: u64 = 32;
+
+/// The widths of the beam searches, one after the other, until one leaves no node out.
+const WIDTHS: [usize; 3] = [64, 512, 4096];
+
+/// What the parts of a level that a beam search keeps may cost: at least four times their words.
+const LEVEL: u64 = 1 << 25;
+
+/// A thread is worth so many products of words.
+const SHARE: u64 = 1 << 18;
+
+/// The state of a search.
+pub(super) struct Search<'a, T: Number, const K: usize> {
+    descent: Descent<'a, T, K>,
+    /// The products of words that may still be computed.
+    work: &'a mut u64,
+    /// One for each thread.
+    spaces: Vec<Space<T, K>>,
+    best: Option<Best<T>>,
+    splits: u64,
 }
 
-/// The greatest row, and the effort.
-#[derive(Clone, Debug)]
-pub(super) struct Greatest {
-    /// The greatest product of the row sums, times the powers of the denominators.
-    pub(super) value: Integer,
-    /// The least residue class that has it.
-    pub(super) class: Integer,
-    /// The nodes that were split.
-    pub(super) split: u64,
-}
-
-/// What a search works on.
-pub(super) struct Problem<'a, const K: usize> {
-    pub(super) operators: [&'a Scaled; K],
-    /// For m = 0, …, c − 1.
-    pub(super) reach: [&'a [Reach]; K],
-    pub(super) levels: u32,
-    pub(super) threads: usize,
-}
-
-/// How many threads a search may run on.
-pub(super) fn threads() -> usize {
-    static THREADS: LazyLock<usize> =
-        LazyLock::new(|| thread::available_parallelism().map_or(1, NonZero::get).min(8));
-    *THREADS
-}
-
-impl<const K: usize> Problem<'_, K> {
-    /// The greatest product of the row sums of the c-th powers over a common row, or `None`
-    /// when the work, products of words, does not suffice.
-    ///
-    /// The integers are of the least width that is proven to hold all of them.
-    pub(super) fn greatest(&self, work: &mut u64) -> Option<Greatest> {
-        if self.levels == 0 {
-            return Some(Greatest { value: Integer::one(), class: Integer::zero(), split: 0 });
-        }
-        self.dispatch(work, GreatestRow)
+impl<'a, T: Number, const K: usize> Search<'a, T, K> {
+    pub(super) fn new(descent: Descent<'a, T, K>, work: &'a mut u64) -> Search<'a, T, K> {
+        let spaces = (0..descent.problem.threads).map(|_| descent.space()).collect();
+        Search { descent, work, spaces, best: None, splits: 0 }
     }
 
-    fn dispatch<R: Run<K>>(&self, work: &mut u64, run: R) -> Option<R::Output> {
-        let bits = self.bits();
-        let narrow = self.operators.iter().all(|operator| operator.largest().to_i64().is_some());
-        match bits {
-            0..=126 if narrow => run.run(Search::new(Descent::<i128, K>::new(self, 2)?, work)),
-            0..=254 if narrow => run.run(Search::new(Descent::<Wide<4>, K>::new(self, 4)?, work)),
-            0..=510 if narrow => run.run(Search::new(Descent::<Wide<8>, K>::new(self, 8)?, work)),
-            0..=1022 if narrow => {
-                run.run(Search::new(Descent::<Wide<16>, K>::new(self, 16)?, work))
-            }
-            0..=2046 if narrow => {
-                run.run(Search::new(Descent::<Wide<32>, K>::new(self, 32)?, work))
-            }
-            _ => run.run(Search::new(Descent::<Integer, K>::new(self, bits / 64 + 1)?, work)),
+    /// The greatest row; `None` when the work does not suffice.
+    pub(super) fn run(mut self) -> Option<Greatest> {
+        let mut complete = self.exhaust(PATIENCE * u64::from(self.descent.problem.levels))?;
+        for width in WIDTHS {
+            complete = complete || self.cost(width) <= LEVEL && self.beam(width)?;
         }
+        if !complete {
+            self.exhaust(u64::MAX)?;
+        }
+        let best = self.best?;
+        let (value, class) = (best.value.to_integer(), best.class.0.to_integer());
+        Some(Greatest { value, class, split: self.splits })
     }
 
-    /// The binary digits of every number of a search: indices and classes, and the products of
-    /// the bounds of the operators.
-    fn bits(&self) -> u64 {
-        let classes = Integer::from(self.operators[0].arity).pow(self.levels).bits() + 2;
-        let values = self.operators.iter().zip(self.reach).map(|(operator, reach)| {
-            let reach = &reach[..self.levels as usize];
-            // The entries of level l are at most M·q^{l−1}·‖E^{l−1}‖, M the largest absolute row
-            // sum of qE; c − l levels are left.
-            let bits = reach.iter().zip(reach.iter().rev()).map(|(upper, lower)| {
-                (&upper.total * &lower.total).bits() - operator.fraction.bits() + 1
-            });
-            bits.max().unwrap_or(0) + operator.largest().bits() + margin(operator.size)
+    /// Splits all nodes that are not closed, those of the last levels first; `false` when
+    /// more than so many were split.
+    fn exhaust(&mut self, most: u64) -> Option<bool> {
+        let mut stack = vec![self.descent.root()];
+        while !stack.is_empty() {
+            if self.splits > most {
+                return Some(false);
+            }
+            let count = if self.best.is_some() { CHUNK } else { FIRST };
+            let mut nodes = stack.split_off(stack.len().saturating_sub(count));
+            if let Some(best) = &self.best {
+                nodes.retain(|node| node.level == 0 || !best.closes(&node.bound, &node.class));
+            }
+            let mut parts = self.split(nodes)?;
+            parts.sort_by(|a, b| (&a.promise, &b.class).cmp(&(&b.promise, &a.class)));
+            stack.append(&mut parts);
+        }
+        Some(true)
+    }
+
+    /// A beam search: it goes from level to level and keeps the nodes that promise most. Says
+    /// whether it left none out.
+    fn beam(&mut self, width: usize) -> Option<bool> {
+        let (mut nodes, mut complete) = (vec![self.descent.root()], true);
+        while !nodes.is_empty() {
+            nodes = self.split(nodes)?;
+            if nodes.len() > width {
+                complete = false;
+                // Between what may be expected and the bound.
+                let key = |node: &Node<T, K>| node.promise.clone().plus(&node.bound);
+                nodes.sort_by(|a, b| (key(b), &a.class).cmp(&(key(a), &b.class)));
+                nodes.truncate(width);
+            }
+        }
+        Some(complete)
+    }
+
+    /// The products that the parts of so many nodes cost.
+    fn cost(&self, nodes: usize) -> u64 {
+        let parts = (nodes * self.descent.problem.operators[0].arity) as u64;
+        parts.saturating_mul(self.descent.cost)
+    }
+
+    /// The parts of these nodes that are not closed.
+    fn split(&mut self, nodes: Vec<Node<T, K>>) -> Option<Vec<Node<T, K>>> {
+        let cost = self.cost(nodes.len());
+        *self.work = self.work.checked_sub(cost)?;
+        self.splits += nodes.len() as u64;
+        let threads = usize::try_from(cost / SHARE).unwrap_or(usize::MAX);
+        let share = nodes.len().div_ceil(threads.clamp(1, self.spaces.len())).max(1);
+        let (descent, best) = (&self.descent, self.best.as_ref());
+        let mut tasks = nodes
+            .chunks(share)
+            .zip(&mut self.spaces)
+            .map(|(nodes, space)| move || descent.split(space, nodes, best));
+        let results = thread::scope(|scope| {
+            let first = tasks.next();
+            let others: Vec<_> = tasks.map(|task| scope.spawn(task)).collect();
+            let first = first.map(|mut task| task());
+            let others = others.into_iter().map(|task| task.join().expect("no panic in a search"));
+            first.into_iter().chain(others).collect::<Vec<_>>()
         });
-        values.sum::<u64>().max(classes)
-    }
-
-    /// The leaves of a tree that shows that no row is greater than this one, in the order of
-    /// their indices.
-    pub(super) fn leaves(&self, greatest: &Greatest, work: &mut u64) -> Option<Vec<Leaf>> {
-        self.dispatch(work, Leaves(&greatest.value))
-    }
-}
-
-/// What is done with a search, whatever its numbers.
-trait Run<const K: usize> {
-    type Output;
-    fn run<T: Number>(self, search: Search<'_, T, K>) -> Option<Self::Output>;
-}
-
-struct GreatestRow;
-
-impl<const K: usize> Run<K> for GreatestRow {
-    type Output = Greatest;
-    fn run<T: Number>(self, search: Search<'_, T, K>) -> Option<Greatest> {
-        search.run()
-    }
-}
-
-struct Leaves<'a>(&'a Integer);
-
-impl<const K: usize> Run<K> for Leaves<'_> {
-    type Output = Vec<Leaf>;
-    fn run<T: Number>(self, search: Search<'_, T, K>) -> Option<Vec<Leaf>> {
-        search.leaves(self.0)
+        let mut rows = nodes.into_iter().map(|node| node.rows);
+        for space in &mut self.spaces {
+            space.pool.extend(rows.by_ref().take(share));
+        }
+        let mut parts = Vec::new();
+        for (more, row) in results {
+            parts.extend(more);
+            self.best = self.best.take().max(row);
+        }
+        Some(parts)
     }
 }

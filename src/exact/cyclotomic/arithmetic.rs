@@ -4,7 +4,7 @@ use super::field::Field;
 use super::norm::cofactor;
 use super::number::{Element, Form, RealCyclotomic};
 use super::row_product::left_product;
-use crate::exact::{Integer, Matrix, Rational, Real, Scalar};
+use crate::exact::{Integer, Rational, Real, Scalar};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::sync::Arc;
 
@@ -216,8 +216,8 @@ impl Scalar for RealCyclotomic {
     fn common_denominator(values: &[Self]) -> Integer {
         RealCyclotomic::denominator(values)
     }
-    fn left_product(w: &[Self], matrix: &Matrix<Self>) -> Vec<Self> {
-        left_product(w, matrix)
+    fn left_product(w: &[Self], values: &[Self], names: &[Vec<u32>]) -> Vec<Self> {
+        left_product(w, values, names)
     }
 }
 

@@ -1,57 +1,11 @@
 //! The fields Q(2cos(2π/n)).
 
+use super::error::MAX_CONDUCTOR;
 use super::fixed::cosines;
-use super::number::angle;
 use super::symmetric::{cyclotomic, prime_divisors, product};
-use crate::exact::{Integer, Rational};
+use crate::exact::Integer;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
-
-/// The largest conductor n of a field Q(2cos(2π/n)) that is computed in.
-pub const MAX_CONDUCTOR: u32 = 10_000;
-
-/// Why a cosine is not a number of the wanted kind.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
-pub enum CosineError {
-    /// A rational number was needed.
-    #[error("cos({angle}) is not rational")]
-    Irrational {
-        /// The angle as a formula, such as `2*pi/5`.
-        angle: String,
-    },
-    /// The least n such that all the cosines are in Q(2cos(2π/n)) is beyond
-    /// [`MAX_CONDUCTOR`].
-    #[error(
-        "the cosines need the field of 2cos(2π/n) for n = {conductor}; \
-         at most n = {MAX_CONDUCTOR} is computed in"
-    )]
-    Conductor {
-        /// n.
-        conductor: String,
-    },
-}
-
-impl CosineError {
-    /// cos(2π·`turn`) is not rational.
-    pub(crate) fn irrational(turn: &Rational) -> CosineError {
-        CosineError::Irrational { angle: angle(turn) }
-    }
-}
-
-/// The conductor of the field that numbers of conductors m and n lie in together:
-/// lcm(m, n).
-///
-/// # Errors
-/// When it is beyond [`MAX_CONDUCTOR`]. Arithmetic with two such numbers panics,
-/// so that whoever brings numbers together asks here first.
-pub fn common_conductor(m: u32, n: u32) -> Result<u32, CosineError> {
-    let lcm = num_integer::lcm(u64::from(m), u64::from(n));
-    match u32::try_from(lcm) {
-        Ok(lcm) if lcm <= MAX_CONDUCTOR => Ok(lcm),
-        _ => Err(CosineError::Conductor { conductor: lcm.to_string() }),
-    }
-}
 
 /// Q(θ), θ = 2cos(2π/n), of degree m = φ(n)/2 ≥ 2, where n is not 2 mod 4 (Q(ζ_2n) =
 /// Q(ζ_n) for odd n).

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `symmetric` | sums of x^k + x^(−k); the polynomials Φ_n and Ψ_n |
 //! | `fixed` | enclosures of cosines |
+//! | `error` | what can be wrong with a cosine |
 //! | `field` | the fields, shared; products and reduction |
 //! | `number` | the number type: how numbers are made and what they tell |
 //! | `arithmetic` | its operators |
@@ -14,6 +15,7 @@
 //! | `minimal` | the minimal polynomial of a number |
 
 mod arithmetic;
+mod error;
 mod field;
 mod fixed;
 mod minimal;
@@ -24,6 +26,6 @@ mod row_product;
 mod sparse;
 mod symmetric;
 
-pub use field::{CosineError, MAX_CONDUCTOR, common_conductor};
+pub use error::{CosineError, MAX_CONDUCTOR, common_conductor};
 pub use number::RealCyclotomic;
 pub use symmetric::cosine_polynomial;

@@ -1,6 +1,7 @@
 //! The number type.
 
-use super::field::{CosineError, Field, MAX_CONDUCTOR};
+use super::error::{CosineError, MAX_CONDUCTOR, angle};
+use super::field::Field;
 use crate::exact::{Integer, Rational};
 use std::borrow::Cow;
 use std::fmt;
@@ -268,17 +269,4 @@ impl fmt::Debug for RealCyclotomic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)
     }
-}
-
-/// 2π·`turn` as a formula: `0`, `pi`, `2*pi/5`.
-pub(super) fn angle(turn: &Rational) -> String {
-    let halves = turn + turn;
-    let (p, q) = (halves.numerator(), halves.denominator());
-    let top = match p.to_i64() {
-        Some(0) => return "0".to_owned(),
-        Some(1) => "pi".to_owned(),
-        Some(-1) => "-pi".to_owned(),
-        _ => format!("{p}*pi"),
-    };
-    if q == Integer::one() { top } else { format!("{top}/{q}") }
 }

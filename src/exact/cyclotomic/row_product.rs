@@ -6,7 +6,7 @@
 
 use super::field::Field;
 use super::number::{Form, RealCyclotomic};
-use crate::exact::{Integer, Matrix, Rational};
+use crate::exact::{Integer, Rational};
 use std::sync::Arc;
 
 /// Σ a_k·2cos(2πk/n) as the pairs of k and a_k.
@@ -55,26 +55,27 @@ impl Arithmetic for Integers {
     }
 }
 
-/// wᵀM.
+/// wᵀM, for m_{a,b} = values\[names_{a,b}\].
 pub(super) fn left_product(
     w: &[RealCyclotomic],
-    matrix: &Matrix<RealCyclotomic>,
+    values: &[RealCyclotomic],
+    names: &[Vec<u32>],
 ) -> Vec<RealCyclotomic> {
-    let numbers = w.iter().chain(matrix.values());
+    let numbers = w.iter().chain(values);
     let conductor = numbers.map(|x| x.conductor() as usize).fold(1, num_integer::lcm);
     let field = (conductor > 1).then(|| Field::of(conductor));
-    let (w, values) = (Common::of(w, field.as_ref()), Common::of(matrix.values(), field.as_ref()));
+    let (w, values) = (Common::of(w, field.as_ref()), Common::of(values, field.as_ref()));
     let result = Finish { field, denominator: &w.denominator * &values.denominator };
     // A product is added at two places: no sum is above twice the bound.
     let most = values.terms.iter().map(magnitude).max().unwrap_or_else(Integer::zero);
     let bound: Integer = w.terms.iter().map(|x| magnitude(x) * &most).sum();
     match (w.words(), values.words()) {
         (Some(w), Some(values)) if bound.bits() < 126 => {
-            let sums = sums::<Words>(&w, &values, matrix.names(), conductor);
+            let sums = sums::<Words>(&w, &values, names, conductor);
             sums.map(|sum| result.number(sum.into_iter().map(Integer::from).collect())).collect()
         }
         _ => {
-            let sums = sums::<Integers>(&w.terms, &values.terms, matrix.names(), conductor);
+            let sums = sums::<Integers>(&w.terms, &values.terms, names, conductor);
             sums.map(|sum| result.number(sum)).collect()
         }
     }

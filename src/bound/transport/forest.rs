@@ -1,7 +1,7 @@
 //! Transport by rounded numbers first: these find the heights, and what is exact is only a
 //! flow along a forest that proves them.
 
-use super::transport::{Network, Transport, shortest};
+use super::network::{Network, Transport, shortest};
 use crate::exact::{Rational, Real};
 use std::cmp::Reverse;
 

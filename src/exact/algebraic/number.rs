@@ -1,7 +1,6 @@
 //! Real algebraic numbers: a polynomial, and an interval that isolates one root.
 
-use super::{Enclosed, Enclosure, Integer, IntegerPolynomial, Rational, SturmSequence};
-use std::cmp::Ordering;
+use crate::exact::{Enclosed, Enclosure, Integer, IntegerPolynomial, Rational};
 use std::fmt;
 use std::sync::Arc;
 
@@ -24,28 +23,24 @@ use std::sync::Arc;
 /// assert_eq!(RealAlgebraic::roots_of(&four)[1], roots[1]);
 /// ```
 #[derive(Clone, Debug)]
-pub struct RealAlgebraic(Form);
+pub struct RealAlgebraic(pub(super) Form);
 
 #[derive(Clone, Debug)]
-enum Form {
+pub(super) enum Form {
     Rational(Rational),
     Irrational(Root),
 }
 
 /// The root of f in (lower, upper): one, and simple, with f(lower)·f(upper) < 0.
 #[derive(Clone, Debug)]
-struct Root {
+pub(super) struct Root {
     /// Primitive and square-free.
-    polynomial: Arc<IntegerPolynomial>,
-    lower: Rational,
-    upper: Rational,
+    pub(super) polynomial: Arc<IntegerPolynomial>,
+    pub(super) lower: Rational,
+    pub(super) upper: Rational,
     /// The sign of f(lower).
-    sign: i8,
+    pub(super) sign: i8,
 }
-
-/// How often the intervals of two roots are halved before their polynomials are
-/// compared.
-const GCD_AFTER: u32 = 8;
 
 impl From<Rational> for RealAlgebraic {
     fn from(value: Rational) -> RealAlgebraic {
@@ -54,18 +49,9 @@ impl From<Rational> for RealAlgebraic {
 }
 
 impl RealAlgebraic {
-    /// The distinct real roots of `polynomial`, in increasing order.
-    ///
-    /// # Panics
-    /// When `polynomial` is 0.
-    #[must_use]
-    pub fn roots_of(polynomial: &IntegerPolynomial) -> Vec<RealAlgebraic> {
-        SturmSequence::new(polynomial).roots()
-    }
-
     /// The root of the square-free `polynomial` in (lower, upper], which holds
     /// exactly one.
-    pub(super) fn isolated(
+    pub(in crate::exact) fn isolated(
         polynomial: &Arc<IntegerPolynomial>,
         lower: Rational,
         upper: Rational,
@@ -194,36 +180,11 @@ impl RealAlgebraic {
             }
         }
     }
-
-    /// −1, 0 or 1.
-    #[must_use]
-    pub fn sign(&self) -> i8 {
-        match self.cmp_rational(&Rational::zero()) {
-            Ordering::Less => -1,
-            Ordering::Equal => 0,
-            Ordering::Greater => 1,
-        }
-    }
-
-    /// How this compares with `other`, by one evaluation of the polynomial.
-    #[must_use]
-    pub fn cmp_rational(&self, other: &Rational) -> Ordering {
-        match &self.0 {
-            Form::Rational(value) => value.cmp(other),
-            Form::Irrational(root) if *other <= root.lower => Ordering::Greater,
-            Form::Irrational(root) if *other >= root.upper => Ordering::Less,
-            // f(other) = 0 would make the root rational.
-            Form::Irrational(root) if root.polynomial.sign_at(other) == root.sign => {
-                Ordering::Greater
-            }
-            Form::Irrational(_) => Ordering::Less,
-        }
-    }
 }
 
 impl Root {
     /// Halves the interval; the root, if it is the middle.
-    fn halve(&mut self) -> Option<Rational> {
+    pub(super) fn halve(&mut self) -> Option<Rational> {
         let middle = (&self.lower + &self.upper) / Rational::from(2);
         match self.polynomial.sign_at(&middle) {
             0 => return Some(middle),
@@ -253,22 +214,6 @@ impl Root {
         }
         RealAlgebraic(Form::Irrational(self))
     }
-
-    /// Whether this and `other` are the same number. A common root is a root of
-    /// the gcd g of the two polynomials, in the intersection of the two
-    /// intervals; which holds no other root of either. Neither end of it is a root
-    /// of g, so that g changes sign between them if and only if g has a root there.
-    fn equals(&self, other: &Root) -> bool {
-        let (lower, upper) = ((&self.lower).max(&other.lower), (&self.upper).min(&other.upper));
-        if lower >= upper {
-            return false;
-        }
-        if self.polynomial == other.polynomial {
-            return self.polynomial.sign_at(lower) == -self.polynomial.sign_at(upper);
-        }
-        let gcd = self.polynomial.gcd(&other.polynomial);
-        gcd.sign_at(lower) == -gcd.sign_at(upper)
-    }
 }
 
 impl Enclosed for RealAlgebraic {
@@ -287,52 +232,6 @@ impl Enclosed for RealAlgebraic {
         Enclosure::new(root.lower, root.upper)
     }
 }
-
-impl Ord for RealAlgebraic {
-    fn cmp(&self, other: &RealAlgebraic) -> Ordering {
-        match (&self.0, &other.0) {
-            (_, Form::Rational(value)) => self.cmp_rational(value),
-            (Form::Rational(value), _) => other.cmp_rational(value).reverse(),
-            (Form::Irrational(a), Form::Irrational(b)) => {
-                let (mut a, mut b) = (a.clone(), b.clone());
-                for halvings in 0_u32.. {
-                    if a.upper <= b.lower {
-                        return Ordering::Less;
-                    }
-                    if b.upper <= a.lower {
-                        return Ordering::Greater;
-                    }
-                    // Most pairs are apart soon; the gcd is for those that are not.
-                    let same = halvings == 0 && a.polynomial == b.polynomial;
-                    if (same || halvings == GCD_AFTER) && a.equals(&b) {
-                        return Ordering::Equal;
-                    }
-                    a.halve();
-                    b.halve();
-                }
-                unreachable!("two different numbers are apart after finitely many halvings")
-            }
-        }
-    }
-}
-
-impl PartialOrd for RealAlgebraic {
-    fn partial_cmp(&self, other: &RealAlgebraic) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl PartialEq for RealAlgebraic {
-    fn eq(&self, other: &RealAlgebraic) -> bool {
-        match (&self.0, &other.0) {
-            (Form::Rational(a), Form::Rational(b)) => a == b,
-            (Form::Irrational(a), Form::Irrational(b)) => a.equals(b),
-            _ => false,
-        }
-    }
-}
-
-impl Eq for RealAlgebraic {}
 
 impl fmt::Display for RealAlgebraic {
     /// p/q, or the polynomial and an interval: `root of x^2 - 2 in (1, 3/2)`.

@@ -1,7 +1,6 @@
-//! ‖w‖_*: the norm of a functional on rings whose differences along edges are bounded.
+//! Flows of least cost, by shortest paths of the residual network.
 
-use super::transport_tree::by_rounding;
-use crate::exact::{Rational, Real};
+use crate::exact::Real;
 use std::cmp::Ordering;
 use std::collections::VecDeque;
 
@@ -21,75 +20,7 @@ pub struct Transport<S> {
     pub heights: Vec<i64>,
 }
 
-/// ‖w‖_* = max { Σ_a w_a P_a : |P_a − P_b| ≤ 1 for every edge (a, b) }, the norm of
-/// the functional w on rings P by their largest difference; w_a for a = 0, …, v−1.
-///
-/// By duality of linear programs this is the least Σ|f_e| of the flows f along edges that
-/// carry w_a out of every point a (the norm of Kantorovich and Rubinstein, for the metric
-/// of the mesh). As the costs of the edges are integers, some P with integer heights
-/// attains it. On a cycle it is min_λ Σ_i |w_0 + … + w_i − λ|, with λ a median.
-///
-/// The flow is made of shortest paths of the residual network, with the fewest edges
-/// among those of equal cost, so that it ends for real numbers too (Edmonds and Karp 1972).
-/// `None` when the maximum is infinite: w does not sum to 0 on some connected part.
-///
-/// # Panics
-/// When an edge ends at no point.
-///
-/// ```
-/// use subcert::bound::transport;
-/// use subcert::exact::Rational;
-///
-/// // From one corner of a square to the opposite one.
-/// let square = [(0, 1), (1, 2), (2, 3), (3, 0)];
-/// let found = transport(&[1, 0, -1, 0].map(Rational::from), &square).unwrap();
-/// assert_eq!(found.value, Rational::from(2));
-/// assert_eq!(found.heights, [2, 1, 0, 1]);
-/// assert!(transport(&[1, 0, 0, 0].map(Rational::from), &square).is_none());
-/// ```
-#[must_use]
-pub fn transport<S: Real + Ord>(w: &[S], edges: &[(usize, usize)]) -> Option<Transport<S>> {
-    transport_at_costs(w, edges, &vec![1; edges.len()])
-}
-
-/// max { Σ_a w_a P_a : |P_a − P_b| ≤ c_e for every edge e = (a, b) }, for costs c_e ≥ 0 of
-/// the edges; [`transport()`] for costs 1. The least Σ c_e|f_e| of the flows that carry w_a
-/// out of every point a, and attained by integer heights, as the costs are integers.
-///
-/// # Panics
-/// When an edge ends at no point, or there is not a cost for each edge.
-///
-/// ```
-/// use subcert::bound::transport_at_costs;
-/// use subcert::exact::Rational;
-///
-/// // Across a square, on the way whose edges cost less.
-/// let square = [(0, 1), (1, 2), (2, 3), (3, 0)];
-/// let w = [1, 0, -1, 0].map(Rational::from);
-/// let found = transport_at_costs(&w, &square, &[5, 5, 2, 3]).unwrap();
-/// assert_eq!(found.value, Rational::from(5));
-/// assert_eq!(found.heights[0] - found.heights[2], 5);
-/// ```
-#[must_use]
-pub fn transport_at_costs<S: Real + Ord>(
-    w: &[S],
-    edges: &[(usize, usize)],
-    costs: &[u32],
-) -> Option<Transport<S>> {
-    // Without denominators, which the flow would have in all of its steps.
-    let scale = Rational::from(S::common_denominator(w));
-    let scaled = |w: &[S], by: &Rational| -> Vec<S> {
-        let by = S::from_rational(by);
-        w.iter().map(|w| w.times(&by)).collect()
-    };
-    let w = scaled(w, &scale);
-    let found = by_rounding(&w, edges, costs).or_else(|| shortest(&w, edges, costs))?;
-    let back = scale.recip();
-    let value = found.value.times(&S::from_rational(&back));
-    Some(Transport { value, flow: scaled(&found.flow, &back), heights: found.heights })
-}
-
-/// By shortest paths, in exact steps.
+/// The norm by shortest paths, in exact steps; `None` when it is infinite.
 pub(super) fn shortest<S: Real + Ord>(
     w: &[S],
     edges: &[(usize, usize)],

@@ -1,0 +1,79 @@
+//! The norms of the powers of one operator.
+
+use super::growth::Growth;
+use super::search_tree::SearchTree;
+use super::searched::{MAX_WORK, Searched, either, unscaled};
+use crate::bound::power::{ClassCap, MAX_LEVELS, Order, PowerNorm, oriented};
+use crate::bound::walked_norm::walked_norm;
+use crate::scheme::Rules;
+
+/// ‖R^c‖ for several c: what one search finds out about R serves the next ones.
+///
+/// ```
+/// use subcert::bound::{Order, PowerSearch};
+/// use subcert::exact::Rational;
+/// use subcert::scheme::parse_scheme;
+///
+/// let scheme = parse_scheme("four-point")?;
+/// let mut search = PowerSearch::new(&scheme.masks()[0].difference(), Order::Adjoint);
+/// let found = search.search(64).expect("the work suffices");
+/// // 2^c·T_c tends to 4/3.
+/// let rest = Rational::new(4, 3) - &found.norm.value * Rational::from(2).pow(64);
+/// assert!(rest.sign() > 0 && rest < Rational::from(4).pow(-63));
+/// assert!(found.nodes < 2000);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct PowerSearch {
+    /// As they are read.
+    rules: Rules,
+    growth: Growth,
+}
+
+impl PowerSearch {
+    /// The powers of the operator of these rules, read in this order.
+    #[must_use]
+    pub fn new(rules: &Rules, order: Order) -> PowerSearch {
+        let rules = oriented(rules, order);
+        let [growth] = Growth::of([&rules]);
+        PowerSearch { rules, growth }
+    }
+
+    /// ‖R^c‖ and the least row that attains it, as [`power_norm`](crate::bound::power_norm).
+    ///
+    /// # Errors
+    /// When c is above [`MAX_LEVELS`], or when the search does not end within 2^33 products
+    /// and there are more than 2^24 residue classes.
+    pub fn norm(&mut self, levels: u32) -> Result<PowerNorm, ClassCap> {
+        let arity = self.rules.arity();
+        either(
+            arity,
+            levels,
+            || walked_norm(&self.rules, levels, Order::Adjoint),
+            || Some(found(&mut self.growth, levels, &mut { MAX_WORK })?.norm),
+        )
+    }
+
+    /// The same by branch and bound, however few residue classes there are; `None` when it
+    /// does not end within 2^33 products, or c is above [`MAX_LEVELS`].
+    pub fn search(&mut self, levels: u32) -> Option<Searched> {
+        self.search_within(levels, &mut { MAX_WORK })
+    }
+
+    /// The same within so many products, less those computed.
+    pub(crate) fn search_within(&mut self, levels: u32, work: &mut u64) -> Option<Searched> {
+        found(&mut self.growth, levels, work)
+    }
+
+    /// A tree of bounds that shows ‖E^c‖, and what they rest on; `None` as for
+    /// [`search`](PowerSearch::search). Its nodes are bounded each by its own rows, so that it
+    /// may be larger than the tree of the search.
+    pub fn tree(&mut self, levels: u32) -> Option<SearchTree> {
+        (levels <= MAX_LEVELS).then(|| self.growth.tree(levels, &mut { MAX_WORK }))?
+    }
+}
+
+fn found(growth: &mut Growth, levels: u32, work: &mut u64) -> Option<Searched> {
+    let found = (levels <= MAX_LEVELS).then(|| growth.greatest(levels, work))??;
+    Some(unscaled([growth.operator()], levels, found))
+}

@@ -1,0 +1,67 @@
+//! The powers of an operator: the order they are read in, their norm, and the caps.
+
+use crate::exact::{Integer, Rational, Scalar};
+use crate::scheme::Rules;
+
+/// The most residue classes that are visited one by one: n^c ≤ 2^24.
+pub const MAX_CLASSES: u64 = 1 << 24;
+
+/// The greatest number of levels of a search.
+pub const MAX_LEVELS: u32 = 256;
+
+/// The order in which a difference mask is read as a sequence.
+///
+/// For c = 1 the two give the same norms; for c ≥ 2 in general they do not, and
+/// only the adjoint order bounds the differences of a subdivided polygon.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Order {
+    /// t_{nu+β} = b_{β,N−1−u}: the rows of the operator, the sound order.
+    Adjoint,
+    /// t_{nu+β} = b_{β,u}, as some papers print.
+    Forward,
+}
+
+/// A norm, and where it is attained.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PowerNorm {
+    /// max over r of Σ_s |(Rᶜ)_{r,s}|.
+    pub value: Rational,
+    /// The least row r of 0, …, n^c − 1 that attains it.
+    pub class: Integer,
+}
+
+/// n^c is beyond [`MAX_CLASSES`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "the largest of {arity}^{levels} row sums is out of reach: every row is visited up to \
+     {MAX_CLASSES}, and branch and bound goes up to {MAX_LEVELS} levels and to a cap on its \
+     work; take a smaller number of levels"
+)]
+pub struct ClassCap {
+    /// n.
+    pub arity: usize,
+    /// c.
+    pub levels: u32,
+}
+
+impl ClassCap {
+    /// Whether the residue classes mod `arity`^`levels` are few enough to walk.
+    ///
+    /// # Errors
+    /// When they are more than 2^24.
+    pub fn check(arity: usize, levels: u32) -> Result<(), ClassCap> {
+        let classes = (arity as u64).checked_pow(levels);
+        match classes.filter(|&count| count <= MAX_CLASSES) {
+            Some(_) => Ok(()),
+            None => Err(ClassCap { arity, levels }),
+        }
+    }
+}
+
+/// The rules as they are read in this order.
+pub(super) fn oriented<S: Scalar>(rules: &Rules<S>, order: Order) -> Rules<S> {
+    match order {
+        Order::Adjoint => rules.clone(),
+        Order::Forward => rules.reversed(),
+    }
+}

@@ -1,0 +1,100 @@
+//! Equality and order of real algebraic numbers.
+
+use super::number::{Form, RealAlgebraic, Root};
+use crate::exact::Rational;
+use std::cmp::Ordering;
+
+/// How often the intervals of two roots are halved before their polynomials are
+/// compared.
+const GCD_AFTER: u32 = 8;
+
+impl RealAlgebraic {
+    /// −1, 0 or 1.
+    #[must_use]
+    pub fn sign(&self) -> i8 {
+        match self.cmp_rational(&Rational::zero()) {
+            Ordering::Less => -1,
+            Ordering::Equal => 0,
+            Ordering::Greater => 1,
+        }
+    }
+
+    /// How this compares with `other`, by one evaluation of the polynomial.
+    #[must_use]
+    pub fn cmp_rational(&self, other: &Rational) -> Ordering {
+        match &self.0 {
+            Form::Rational(value) => value.cmp(other),
+            Form::Irrational(root) if *other <= root.lower => Ordering::Greater,
+            Form::Irrational(root) if *other >= root.upper => Ordering::Less,
+            // f(other) = 0 would make the root rational.
+            Form::Irrational(root) if root.polynomial.sign_at(other) == root.sign => {
+                Ordering::Greater
+            }
+            Form::Irrational(_) => Ordering::Less,
+        }
+    }
+}
+
+impl Root {
+    /// Whether this and `other` are the same number. A common root is a root of
+    /// the gcd g of the two polynomials, in the intersection of the two
+    /// intervals; which holds no other root of either. Neither end of it is a root
+    /// of g, so that g changes sign between them if and only if g has a root there.
+    fn equals(&self, other: &Root) -> bool {
+        let (lower, upper) = ((&self.lower).max(&other.lower), (&self.upper).min(&other.upper));
+        if lower >= upper {
+            return false;
+        }
+        if self.polynomial == other.polynomial {
+            return self.polynomial.sign_at(lower) == -self.polynomial.sign_at(upper);
+        }
+        let gcd = self.polynomial.gcd(&other.polynomial);
+        gcd.sign_at(lower) == -gcd.sign_at(upper)
+    }
+}
+
+impl Ord for RealAlgebraic {
+    fn cmp(&self, other: &RealAlgebraic) -> Ordering {
+        match (&self.0, &other.0) {
+            (_, Form::Rational(value)) => self.cmp_rational(value),
+            (Form::Rational(value), _) => other.cmp_rational(value).reverse(),
+            (Form::Irrational(a), Form::Irrational(b)) => {
+                let (mut a, mut b) = (a.clone(), b.clone());
+                for halvings in 0_u32.. {
+                    if a.upper <= b.lower {
+                        return Ordering::Less;
+                    }
+                    if b.upper <= a.lower {
+                        return Ordering::Greater;
+                    }
+                    // Most pairs are apart soon; the gcd is for those that are not.
+                    let same = halvings == 0 && a.polynomial == b.polynomial;
+                    if (same || halvings == GCD_AFTER) && a.equals(&b) {
+                        return Ordering::Equal;
+                    }
+                    a.halve();
+                    b.halve();
+                }
+                unreachable!("two different numbers are apart after finitely many halvings")
+            }
+        }
+    }
+}
+
+impl PartialOrd for RealAlgebraic {
+    fn partial_cmp(&self, other: &RealAlgebraic) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for RealAlgebraic {
+    fn eq(&self, other: &RealAlgebraic) -> bool {
+        match (&self.0, &other.0) {
+            (Form::Rational(a), Form::Rational(b)) => a == b,
+            (Form::Irrational(a), Form::Irrational(b)) => a.equals(b),
+            _ => false,
+        }
+    }
+}
+
+impl Eq for RealAlgebraic {}

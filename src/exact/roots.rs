@@ -1,0 +1,64 @@
+//! The real roots of a polynomial, found with its Sturm sequence.
+
+use super::{Integer, IntegerPolynomial, Rational, RealAlgebraic, SturmSequence};
+use std::sync::Arc;
+
+impl RealAlgebraic {
+    /// The distinct real roots of `polynomial`, in increasing order.
+    ///
+    /// # Panics
+    /// When `polynomial` is 0.
+    #[must_use]
+    pub fn roots_of(polynomial: &IntegerPolynomial) -> Vec<RealAlgebraic> {
+        SturmSequence::new(polynomial).roots()
+    }
+}
+
+impl SturmSequence {
+    /// The real roots of the polynomial, in increasing order.
+    ///
+    /// # Panics
+    /// Never.
+    #[must_use]
+    pub fn roots(&self) -> Vec<RealAlgebraic> {
+        self.roots_between(None, None)
+    }
+
+    /// The real roots from `low` to `high`, both included, in increasing order;
+    /// `None` for no bound.
+    ///
+    /// # Panics
+    /// Never.
+    #[must_use]
+    pub fn roots_between(
+        &self,
+        low: Option<Rational>,
+        high: Option<Rational>,
+    ) -> Vec<RealAlgebraic> {
+        let polynomial = Arc::new(self.polynomial().clone());
+        // Cauchy: every root is below 1 + max |c_i/c_d| in absolute value.
+        let largest = polynomial.coefficients().iter().map(Integer::abs).max();
+        let ratio =
+            Rational::new(largest.unwrap_or_else(Integer::zero), polynomial.leading().abs());
+        let bits = u32::try_from(ratio.ceil().bits()).expect("a number that fits in memory");
+        let bound = Rational::from(Integer::one().shifted_left(bits + 1));
+        let mut roots = Vec::new();
+        roots.extend(
+            low.clone().filter(|low| polynomial.sign_at(low) == 0).map(RealAlgebraic::from),
+        );
+        // Bisection; the stack holds the left half on top.
+        let mut stack = vec![(low.unwrap_or_else(|| -&bound), high.unwrap_or(bound))];
+        while let Some((lower, upper)) = stack.pop() {
+            match self.count_roots(&lower, &upper) {
+                0 => {}
+                1 => roots.push(RealAlgebraic::isolated(&polynomial, lower, upper)),
+                _ => {
+                    let middle = (&lower + &upper) / Rational::from(2);
+                    stack.push((middle.clone(), upper));
+                    stack.push((lower, middle));
+                }
+            }
+        }
+        roots
+    }
+}
