@@ -63,8 +63,7 @@ impl<'a> Judge<'a> {
         let mut judge = Judge { paper, table, library, given, assumed, settings, rows, siblings };
         let mut rows = RowDefinitions::find(&judge);
         let assume = judge.assumed.keys().cloned().collect();
-        let (row, column, settings) = (0, 0, &Settings::default());
-        rows.find_choices(&judge, At { row, column, assume: &assume, settings });
+        rows.find_choices(&judge, &assume);
         judge.rows = rows;
         Ok(judge)
     }

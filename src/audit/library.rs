@@ -66,6 +66,13 @@ impl<'a> Library<'a> {
         Library { paper, constants, sound, distances, rings, norms, noted, log_levels }
     }
 
+    /// Begins another claim. What was found of distances for one, with a limited amount of work, must
+    /// not decide what is found for the next.
+    pub(super) fn next_claim(&self) {
+        self.distances.take();
+        self.rings.take();
+    }
+
     /// From now on, notes the constants that are asked for.
     pub(super) fn note(&self) {
         self.noted.replace(Some(Vec::new()));

@@ -2,7 +2,7 @@
 
 use super::judge::{At, Judge, Outcome};
 use super::quantity::Quantities;
-use super::reading::{HEADER, Restricted};
+use super::reading::{HEADER, Restricted, Settings, choices_of};
 use crate::exact::RealCyclotomic;
 use crate::formula::FreeNames;
 use crate::scheme::Instance;
@@ -24,7 +24,9 @@ type Key = (usize, Vec<Instance>, Restricted, BTreeSet<String>);
 #[derive(Default)]
 pub(super) struct RowDefinitions {
     names: Vec<String>,
-    /// The choices of readings that the values depend on, with their words as printed.
+    /// The choices of readings that the values may depend on.
+    depends: BTreeSet<&'static str>,
+    /// Those that some row asks for as printed, with their words.
     pub(super) choices: BTreeMap<&'static str, String>,
     known: RefCell<BTreeMap<Key, Rc<Known>>>,
 }
@@ -55,7 +57,10 @@ impl RowDefinitions {
         }
         let used = paper.definitions_in(&table.value).into_keys().map(str::to_owned);
         let names = used.filter(|name| !varying.contains(name)).collect();
-        RowDefinitions { names, ..RowDefinitions::default() }
+        let formulas = paper.definitions.values();
+        let formulas = formulas.chain(paper.alternatives.iter().map(|other| &other.value));
+        let depends = formulas.flat_map(|formula| choices_of(&formula.expr)).collect();
+        RowDefinitions { names, depends, ..RowDefinitions::default() }
     }
 
     /// The values in the row of a cell, for the scheme that the quantities there are of.
@@ -70,7 +75,7 @@ impl RowDefinitions {
         }
         let scheme = quantities.scheme.as_ref().map(|scheme| scheme.instances.clone());
         let scheme = scheme.unwrap_or_default();
-        let key = (at.row, scheme, at.settings.restricted(&self.choices), at.assume.clone());
+        let key = (at.row, scheme, at.settings.restricted(&self.depends), at.assume.clone());
         if let Some(known) = self.known.borrow().get(&key) {
             return Rc::clone(known);
         }
@@ -79,14 +84,20 @@ impl RowDefinitions {
         known
     }
 
-    /// Notes which choices the values depend on, by computing those of the first row.
-    pub(super) fn find_choices(&mut self, judge: &Judge<'_>, at: At<'_>) {
-        if let Ok(Ok(quantities)) = &judge.quantities(at) {
-            self.compute(judge, at, quantities);
+    /// Notes which choices the rows ask for, by computing the values of each.
+    pub(super) fn find_choices(&mut self, judge: &Judge<'_>, assume: &BTreeSet<String>) {
+        let settings = Settings::default();
+        let rows = judge.table.cells.len();
+        for row in 0..if self.names.is_empty() { 0 } else { rows } {
+            let at = At { row, column: 0, assume, settings: &settings };
+            if let Ok(Ok(quantities)) = &judge.quantities(at) {
+                self.compute(judge, at, quantities);
+            }
         }
-        self.choices = at.settings.consulted();
+        self.choices = settings.consulted();
         if judge.table.rows.as_ref().is_some_and(|axis| judge.tolerance(axis)) {
             self.choices.insert(HEADER.name, AS_PRINTED.to_owned());
+            self.depends.insert(HEADER.name);
         }
     }
 

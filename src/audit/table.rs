@@ -100,6 +100,7 @@ fn judge<'a>(
     library: &Library<'_>,
     siblings: Vec<Sibling>,
 ) -> Result<TableFinding<'a>, Diagnostic> {
+    library.next_claim();
     let mut judge = Judge::new(paper, table, library)?;
     judge.siblings = siblings;
     let mut cells = judge.cells()?;

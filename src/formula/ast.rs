@@ -48,6 +48,19 @@ impl Expr {
         names
     }
 
+    /// The names of the functions that it calls.
+    #[must_use]
+    pub fn functions(&self) -> BTreeSet<&str> {
+        let (mut functions, mut waiting) = (BTreeSet::new(), vec![self]);
+        while let Some(expr) = waiting.pop() {
+            if let Node::Call { function, .. } = &expr.node {
+                functions.insert(function.as_str());
+            }
+            waiting.extend(expr.parts());
+        }
+        functions
+    }
+
     /// The names of the indices of its sums and extremes, and of the sequences that functions in it
     /// are about.
     ///

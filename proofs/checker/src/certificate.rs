@@ -3,7 +3,7 @@
 use crate::reject::{Checked, Reason, Rejection, require};
 
 /// The first line of a certificate.
-const VERSION: &str = "subcert-certificate 1";
+const VERSION: &str = "subcert-certificate 2";
 
 /// The most bytes of a certificate.
 pub const MAX_BYTES: usize = 64 << 20;

@@ -37,7 +37,7 @@ reasons! {
 reasons! {
     /// A side condition that does not hold.
     Reason:
-    Version "the first line is not `subcert-certificate 1`"
+    Version "the first line is not `subcert-certificate 2`"
     Paper "the second line is not `paper` and the key of the claim file"
     Malformed(what: &'static str) "expected"
     LongLine "the line, or the certificate, is too long"

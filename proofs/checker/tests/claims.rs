@@ -48,7 +48,7 @@ to = '1'
 closed = false
 "#;
 
-const CERTIFICATE: &str = r#"subcert-certificate 1
+const CERTIFICATE: &str = r#"subcert-certificate 2
 paper claims
 table t
   scheme corner

@@ -32,6 +32,6 @@ pub use needs::Need;
 pub use scale::Solved;
 pub use search::{CellKind, Difference, Explanation, MAX_DIFFERENCES, Search};
 pub(super) use search::{readings, scale, search};
-pub(super) use settings::{Restricted, Settings};
+pub(super) use settings::{Restricted, Settings, choices_of};
 pub(super) use sibling::{Sibling, siblings};
 pub(super) use tried::remaining;

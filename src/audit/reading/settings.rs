@@ -4,9 +4,9 @@ use super::choice::{Choice, Effect};
 use super::choices::FAMILY;
 use crate::claim::Alternative;
 use crate::exact::{Rational, RealCyclotomic};
-use crate::formula::LocatedFormula;
+use crate::formula::{Expr, LocatedFormula};
 use std::cell::RefCell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// How a claim's formula is read. The default reads it as printed.
 #[derive(Clone, Debug, Default)]
@@ -22,6 +22,17 @@ pub(in crate::audit) struct Settings {
     pub(in crate::audit) known: BTreeMap<String, RealCyclotomic>,
     /// What each choice that the formula depends on is as printed.
     consulted: RefCell<BTreeMap<&'static str, String>>,
+}
+
+/// The choices that a formula may depend on, whatever its values are: those of the functions that it
+/// calls.
+pub(in crate::audit) fn choices_of(expr: &Expr) -> BTreeSet<&'static str> {
+    let called = expr.functions();
+    let depends = |choice: &&Choice| match choice.effect {
+        Effect::Option { functions, .. } => functions.iter().any(|name| called.contains(name)),
+        Effect::Decimal | Effect::Header => false,
+    };
+    FAMILY.iter().copied().filter(depends).map(|choice| choice.name).collect()
 }
 
 /// The part of a reading that some values depend on.
@@ -62,11 +73,8 @@ impl Settings {
     }
 
     /// What of this is other than printed in some choices, and in definitions.
-    pub(in crate::audit) fn restricted(
-        &self,
-        choices: &BTreeMap<&'static str, String>,
-    ) -> Restricted {
-        let words = self.words.iter().filter(|(name, _)| choices.contains_key(name));
+    pub(in crate::audit) fn restricted(&self, choices: &BTreeSet<&'static str>) -> Restricted {
+        let words = self.words.iter().filter(|(name, _)| choices.contains(name));
         let replaced = self.replaced.clone();
         Restricted {
             words: words.copied().collect(),

@@ -19,7 +19,8 @@ use std::rc::Rc;
 /// Settings by what determines them.
 type Kept<K, S> = RefCell<BTreeMap<K, Rc<S>>>;
 
-/// The settings of schemes at offsets, each of them once, with what is known there.
+/// The settings of schemes at offsets that one theorem is tried on, each of them once, with what is
+/// known there.
 #[derive(Default)]
 pub(super) struct Stage {
     curves: Kept<(Vec<Instance>, i64), Curve>,

@@ -125,8 +125,8 @@ pub(super) fn trials<'a>(
     paper: &'a Paper,
     library: &Library<'_>,
 ) -> Result<Vec<TheoremFinding<'a>>, Diagnostic> {
-    let stage = Stage::default();
-    paper.theorems.iter().map(|theorem| one(paper, theorem, library, &stage)).collect()
+    let one = |theorem| one(paper, theorem, library, &Stage::default());
+    paper.theorems.iter().map(one).collect()
 }
 
 /// Finds what the theorems rest on that does not hold, when all claims are judged.

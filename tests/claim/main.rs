@@ -1,0 +1,5 @@
+//! Reading claim files.
+
+#![allow(missing_docs)]
+
+mod names;
