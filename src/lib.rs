@@ -61,9 +61,14 @@ pub mod bound;
 pub mod certificate;
 pub mod claim;
 pub mod diagnostic;
+mod digest;
+mod evaluation;
+mod evidence;
 pub mod exact;
+mod finding;
 pub mod float;
 pub mod formula;
+mod judge;
 pub mod limit;
 pub mod oracle;
 #[cfg(feature = "cli")]

@@ -1,18 +1,18 @@
 //! The parts of papers that are judged apart from each other, on all cores.
 
-use super::equation::{self, EquationFinding};
-use super::function::{self, FunctionFinding};
-use super::library::Library;
-use super::range::{self, RangeFinding};
-use super::table::{self, TableFinding};
-use super::theorem::{self, TheoremFinding};
-use super::{PaperAudit, consistency};
 use crate::claim::Paper;
 use crate::diagnostic::Diagnostic;
+use crate::digest::{consistency, premises};
+use crate::evaluation::library::Library;
+use crate::finding::{
+    EquationFinding, FunctionFinding, PaperAudit, RangeFinding, TableFinding, TheoremFinding,
+};
+use crate::judge::{equation, function, range, table, theorem};
 use std::cmp::Reverse;
 use std::num::NonZero;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread::{self, available_parallelism};
+use std::thread;
+use std::thread::available_parallelism;
 
 /// What is judged by one thread, with a library of its own. What one part finds does not
 /// depend on the others, nor on who judges it.
@@ -41,7 +41,7 @@ enum Place {
 
 /// Judges every claim of these papers, on all cores; `after_table` is called when a table
 /// is judged.
-pub(super) fn judge<'a>(
+pub(crate) fn judge<'a>(
     papers: &'a [Paper],
     after_table: &(dyn Fn() + Sync),
 ) -> Result<Vec<PaperAudit<'a>>, Diagnostic> {
@@ -129,7 +129,7 @@ fn together<'a>(paper: &'a Paper, parts: Vec<Found<'a>>) -> Result<PaperAudit<'a
     tables.sort_by_key(|(place, _)| *place);
     audit.tables = tables.into_iter().map(|(_, finding)| finding).collect();
     audit.contradictions = consistency::judge(paper, &audit.tables, &Library::new(paper))?;
-    theorem::premises(&mut audit);
+    premises::premises(&mut audit);
     Ok(audit)
 }
 

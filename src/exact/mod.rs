@@ -21,6 +21,7 @@
 mod algebraic;
 mod backend;
 mod common;
+mod comparable;
 mod cyclotomic;
 mod decimal;
 mod enclosure;
@@ -50,6 +51,7 @@ mod word;
 pub use algebraic::RealAlgebraic;
 pub use common::CommonDenominator;
 pub(crate) use common::common_denominator;
+pub(crate) use comparable::comparable;
 pub use cyclotomic::{
     CosineError, MAX_CONDUCTOR, RealCyclotomic, common_conductor, cosine_polynomial,
 };

@@ -1,0 +1,222 @@
+//! What a journal should be told of a paper: what is wrong, what that changes, and
+//! what could not be checked.
+
+mod consequence;
+pub use consequence::Consequences;
+
+use crate::claim::Promise;
+use crate::digest::summary::{CellOutcome, CellSummary, Standing};
+use crate::finding::{
+    CellFinding, EquationFinding, EquationVerdict, FunctionFinding, FunctionVerdict, PaperAudit,
+    RangeFinding, RangeVerdict, TableFinding, TheoremFinding,
+};
+use std::collections::BTreeMap;
+
+/// The errata of a paper.
+#[derive(Debug)]
+pub struct Errata<'e, 'a> {
+    /// The audit that they come from.
+    pub audit: &'e PaperAudit<'a>,
+    /// What is wrong, in the order of the claims: tables, equations, functions,
+    /// ranges, theorems.
+    pub errata: Vec<Erratum<'e, 'a>>,
+    /// Cells that could not be checked.
+    pub unchecked: Vec<Unchecked<'e, 'a>>,
+}
+
+/// Something that is wrong.
+#[derive(Debug)]
+pub struct Erratum<'e, 'a> {
+    /// What.
+    pub subject: Subject<'e, 'a>,
+    /// What it changes.
+    pub consequences: Consequences<'e, 'a>,
+}
+
+/// What is wrong.
+#[derive(Debug)]
+pub enum Subject<'e, 'a> {
+    /// Cells of a table, by one cause.
+    Cells(CellErratum<'e, 'a>),
+    /// An equation.
+    Equation(&'e EquationFinding<'a>),
+    /// A closed form in a free parameter.
+    Function(&'e FunctionFinding<'a>),
+    /// A range of a free parameter.
+    Range(&'e RangeFinding<'a>),
+    /// A refuted theorem.
+    Theorem(&'e TheoremFinding<'a>),
+}
+
+/// Cells of a table that have one outcome.
+#[derive(Debug)]
+pub struct CellErratum<'e, 'a> {
+    /// The table.
+    pub finding: &'e TableFinding<'a>,
+    /// Their outcome; [`Standing::Confirmed`] where they are as defined, but not shown
+    /// to keep their promise.
+    pub outcome: CellOutcome,
+    /// Their places: row and column, counted from 0.
+    pub cells: Vec<(usize, usize)>,
+}
+
+/// Cells of a table that could not be checked.
+#[derive(Debug)]
+pub struct Unchecked<'e, 'a> {
+    /// The table.
+    pub finding: &'e TableFinding<'a>,
+    /// What is absent.
+    pub cause: Option<String>,
+    /// Their places: row and column, counted from 0.
+    pub cells: Vec<(usize, usize)>,
+}
+
+impl<'e> CellErratum<'e, '_> {
+    /// The findings of the cells.
+    pub fn findings(&self) -> impl Iterator<Item = &'e CellFinding> + Clone {
+        self.cells.iter().map(|&(row, column)| &self.finding.cells[row][column])
+    }
+}
+
+impl<'a> PaperAudit<'a> {
+    /// What is wrong in the paper.
+    ///
+    /// ```
+    /// use subcert::audit::audit;
+    /// use subcert::claim::embedded_papers;
+    ///
+    /// let papers = embedded_papers()?;
+    /// let audit = audit(&papers[2])?;
+    /// assert!(audit.errata().errata.iter().any(|erratum| erratum.id() == "table-1"));
+    /// # Ok::<(), subcert::diagnostic::Diagnostic>(())
+    /// ```
+    #[must_use]
+    pub fn errata<'e>(&'e self) -> Errata<'e, 'a> {
+        let tables = self.tables.iter().flat_map(cell_errata).map(Subject::Cells);
+        let fails = |verdict: &EquationVerdict| matches!(verdict, EquationVerdict::Fails { .. });
+        let equations = self.equations.iter().filter(|finding| fails(&finding.verdict));
+        let fails = |verdict: &FunctionVerdict| *verdict != FunctionVerdict::Holds;
+        let functions = self.functions.iter().filter(|finding| fails(&finding.verdict));
+        let ranges = self.ranges.iter().filter(|finding| finding.verdict == RangeVerdict::Inexact);
+        let theorems = self.theorems.iter().filter(|finding| finding.verdict.name() == "refuted");
+        let subjects = tables
+            .chain(equations.map(Subject::Equation))
+            .chain(functions.map(Subject::Function))
+            .chain(ranges.map(Subject::Range))
+            .chain(theorems.map(Subject::Theorem));
+        let errata = subjects.map(|subject| {
+            let consequences = self.consequences(&subject);
+            Erratum { subject, consequences }
+        });
+        let unchecked = self.tables.iter().flat_map(unchecked).collect();
+        Errata { audit: self, errata: errata.collect(), unchecked }
+    }
+}
+
+impl<'a> Subject<'_, 'a> {
+    /// The id of the claim within the paper; of cells, that of their table.
+    #[must_use]
+    pub fn id(&self) -> &'a str {
+        match self {
+            Subject::Cells(cells) => &cells.finding.table.id,
+            Subject::Equation(finding) => &finding.equation.id,
+            Subject::Function(finding) => &finding.claim.id,
+            Subject::Range(finding) => &finding.claim.id,
+            Subject::Theorem(finding) => &finding.theorem.id,
+        }
+    }
+
+    /// Where it stands.
+    #[must_use]
+    pub fn locus(&self) -> &'a str {
+        match self {
+            Subject::Cells(cells) => &cells.finding.table.locus,
+            Subject::Equation(finding) => &finding.equation.locus,
+            Subject::Function(finding) => &finding.claim.locus,
+            Subject::Range(finding) => &finding.claim.locus,
+            Subject::Theorem(finding) => &finding.theorem.locus,
+        }
+    }
+}
+
+impl Subject<'_, '_> {
+    /// The name of its verdict; of cells, of the first one.
+    #[must_use]
+    pub fn verdict(&self) -> &'static str {
+        match self {
+            Subject::Cells(cells) => {
+                cells.findings().next().map_or("refuted", |cell| cell.verdict.name())
+            }
+            Subject::Equation(finding) => finding.verdict.name(),
+            Subject::Function(finding) => finding.verdict.name(),
+            Subject::Range(finding) => finding.verdict.name(),
+            Subject::Theorem(finding) => finding.verdict.name(),
+        }
+    }
+}
+
+impl<'a> Erratum<'_, 'a> {
+    /// The id of the claim within the paper; of cells, that of their table.
+    #[must_use]
+    pub fn id(&self) -> &'a str {
+        self.subject.id()
+    }
+}
+
+/// The cells of a table by what puts them together.
+fn grouped<'e, K: Ord>(
+    finding: &'e TableFinding<'_>,
+    key: impl Fn(&'e CellFinding) -> Option<K>,
+) -> BTreeMap<K, Vec<(usize, usize)>> {
+    let mut groups: BTreeMap<K, Vec<(usize, usize)>> = BTreeMap::new();
+    for (row, cells) in finding.cells.iter().enumerate() {
+        for (column, cell) in cells.iter().enumerate() {
+            if let Some(key) = key(cell) {
+                groups.entry(key).or_default().push((row, column));
+            }
+        }
+    }
+    groups
+}
+
+fn cell_errata<'e, 'a>(finding: &'e TableFinding<'a>) -> Vec<CellErratum<'e, 'a>> {
+    let groups = grouped(finding, |cell| {
+        let outcome = cell.outcome();
+        match outcome.standing {
+            Standing::Confirmed => {
+                (cell.keeps_promise() == Some(false) || cell.may_break_promise()).then_some(outcome)
+            }
+            Standing::NotCheckable => None,
+            _ => Some(outcome),
+        }
+    });
+    let erratum = |(outcome, cells)| CellErratum { finding, outcome, cells };
+    groups.into_iter().map(erratum).collect()
+}
+
+fn unchecked<'e, 'a>(finding: &'e TableFinding<'a>) -> Vec<Unchecked<'e, 'a>> {
+    let groups = grouped(finding, |cell| {
+        let outcome = cell.outcome();
+        (outcome.standing == Standing::NotCheckable).then_some(outcome.cause)
+    });
+    groups.into_iter().map(|(cause, cells)| Unchecked { finding, cause, cells }).collect()
+}
+
+impl<'e> Unchecked<'e, '_> {
+    /// The findings of the cells.
+    pub fn findings(&self) -> impl Iterator<Item = &'e CellFinding> + Clone {
+        self.cells.iter().map(|&(row, column)| &self.finding.cells[row][column])
+    }
+
+    /// What would become of them if the values put in were stated.
+    #[must_use]
+    pub fn if_assumed(&self) -> CellSummary {
+        CellSummary::of(self.findings())
+    }
+
+    /// Whether the cells are depths.
+    #[must_use]
+    pub fn depths(&self) -> bool {
+        matches!(self.finding.table.promise, Some(Promise::Depth { .. }))
+    }
+}

@@ -1,0 +1,14 @@
+//! What follows from findings: how claims stand, a summary of cells, what is covered, contradictions
+//! between tables, and errata.
+
+pub(crate) mod claims;
+pub(crate) mod consistency;
+mod coverage;
+mod errata;
+pub(crate) mod premises;
+mod summary;
+
+pub use claims::ClaimVerdict;
+pub use coverage::{Coverage, CoverageState};
+pub use errata::{CellErratum, Consequences, Errata, Erratum, Subject, Unchecked};
+pub use summary::{CellGroup, CellOutcome, CellSummary, Standing};

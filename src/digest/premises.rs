@@ -1,0 +1,52 @@
+//! What theorems rest on, and whether that holds.
+
+use crate::claim::Theorem;
+use crate::digest::claims::ClaimVerdict;
+use crate::finding::{FailingPremise, PaperAudit, TheoremFinding, TheoremVerdict};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Finds what the theorems rest on that does not hold, when all claims are judged.
+pub(crate) fn premises(audit: &mut PaperAudit<'_>) {
+    let mut findings = std::mem::take(&mut audit.theorems);
+    find(audit, &mut findings);
+    audit.theorems = findings;
+}
+
+/// Finds the claims that do not hold and that theorems rest on.
+fn find<'a>(audit: &PaperAudit<'a>, findings: &mut [TheoremFinding<'a>]) {
+    let theorems = &audit.paper.theorems;
+    let by_id: BTreeMap<&str, &Theorem> = theorems.iter().map(|t| (t.id.as_str(), t)).collect();
+    let mut judged = audit.claims();
+    judged.extend(findings.iter().map(|finding| {
+        let Theorem { id, locus, .. } = finding.theorem;
+        ClaimVerdict { id, locus, verdicts: BTreeMap::from([(finding.verdict.name(), 1)]) }
+    }));
+    for finding in findings {
+        // A proof by hand is none while a claim that it uses is not shown to hold.
+        if let Some(hand) = &finding.theorem.by_hand
+            && finding.refutation.is_none()
+            && !hand.uses.iter().all(|id| judged.iter().any(|c| c.id == id && c.holds()))
+        {
+            (finding.verdict, finding.proof) = (TheoremVerdict::Open, None);
+        }
+        let rests = closure(finding.theorem, &by_id);
+        let fails = |claim: &&ClaimVerdict<'a>| rests.contains(claim.id) && claim.fails();
+        let premise =
+            |claim: &ClaimVerdict<'a>| FailingPremise { id: claim.id, locus: claim.locus };
+        finding.failing = judged.iter().filter(fails).map(premise).collect();
+    }
+}
+
+/// The ids of what a theorem rests on, at once or through other theorems.
+fn closure<'a>(theorem: &'a Theorem, by_id: &BTreeMap<&str, &'a Theorem>) -> BTreeSet<&'a str> {
+    let mut closure = BTreeSet::new();
+    let mut waiting = vec![theorem];
+    while let Some(theorem) = waiting.pop() {
+        for id in theorem.rests.iter().map(String::as_str) {
+            if closure.insert(id) {
+                waiting.extend(by_id.get(id));
+            }
+        }
+    }
+    closure
+}

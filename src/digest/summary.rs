@@ -1,0 +1,143 @@
+//! What the cells of a paper's tables amount to.
+
+use crate::finding::{CellFinding, Missing, PaperAudit, Verdict};
+use std::cmp::Reverse;
+use std::collections::BTreeMap;
+
+/// What became of a cell: the verdicts, with those that a cause explains together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Standing {
+    /// As printed.
+    Confirmed,
+    /// Rounded otherwise, or by another reading.
+    Explained,
+    /// One slip away from the value as printed, or under a reading.
+    Misprinted,
+    /// None of these.
+    Refuted,
+    /// Something that it needs is absent.
+    NotCheckable,
+}
+
+impl Standing {
+    /// Its name.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Standing::Confirmed => "confirmed",
+            Standing::Explained => "explained",
+            Standing::Misprinted => "misprinted",
+            Standing::Refuted => "refuted",
+            Standing::NotCheckable => "not checkable",
+        }
+    }
+}
+
+/// What became of a cell, and by which cause: the reading that explains it, or what
+/// is absent.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct CellOutcome {
+    /// What became of it.
+    pub standing: Standing,
+    /// Why, in words; `None` where there is nothing to say.
+    pub cause: Option<String>,
+}
+
+/// Cells that have one outcome.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CellGroup {
+    /// The outcome.
+    pub outcome: CellOutcome,
+    /// What it would be if the values put in for unstated parameters were stated.
+    pub if_assumed: Option<CellOutcome>,
+    /// How many cells.
+    pub count: usize,
+}
+
+/// The cells of a paper's tables by outcome.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct CellSummary {
+    /// The groups, by standing, the largest of each first; each cell is in one.
+    pub groups: Vec<CellGroup>,
+}
+
+impl CellSummary {
+    /// Sorts cells into groups.
+    #[must_use]
+    pub fn of<'c>(cells: impl IntoIterator<Item = &'c CellFinding>) -> CellSummary {
+        let mut counts: BTreeMap<(CellOutcome, Option<CellOutcome>), usize> = BTreeMap::new();
+        for cell in cells {
+            *counts.entry((cell.outcome(), cell.outcome_if_assumed())).or_insert(0) += 1;
+        }
+        let group = |((outcome, if_assumed), count)| CellGroup { outcome, if_assumed, count };
+        let mut groups: Vec<CellGroup> = counts.into_iter().map(group).collect();
+        groups.sort_by_key(|group| (group.outcome.standing, Reverse(group.count)));
+        CellSummary { groups }
+    }
+
+    /// How many cells there are.
+    #[must_use]
+    pub fn cells(&self) -> usize {
+        self.groups.iter().map(|group| group.count).sum()
+    }
+
+    /// How many of them have this standing.
+    #[must_use]
+    pub fn count(&self, standing: Standing) -> usize {
+        let groups = self.groups.iter().filter(|group| group.outcome.standing == standing);
+        groups.map(|group| group.count).sum()
+    }
+}
+
+impl CellFinding {
+    /// What became of the cell.
+    #[must_use]
+    pub fn outcome(&self) -> CellOutcome {
+        self.as_outcome(&self.verdict)
+    }
+
+    /// What would become of it if the values put in for unstated parameters were
+    /// stated; `None` where none were.
+    #[must_use]
+    pub fn outcome_if_assumed(&self) -> Option<CellOutcome> {
+        self.verdict_if_assumed.as_ref().map(|verdict| self.as_outcome(verdict))
+    }
+
+    fn as_outcome(&self, verdict: &Verdict) -> CellOutcome {
+        let reading = || self.as_read.as_ref().map(|read| read.differs.clone());
+        let (standing, cause) = match verdict {
+            Verdict::Confirmed => (Standing::Confirmed, None),
+            Verdict::Rounding(direction) => (Standing::Explained, Some(direction.to_string())),
+            Verdict::OtherReading => (Standing::Explained, reading()),
+            Verdict::Misprint(_) => (
+                Standing::Misprinted,
+                Some(reading().map_or("as printed".to_owned(), |read| format!("read as: {read}"))),
+            ),
+            Verdict::Refuted => (Standing::Refuted, self.undefined.clone()),
+            Verdict::NotCheckable(missing) => {
+                // Of a lost cell, nothing else matters.
+                let missing = self.printed.as_ref().map_or(&Missing::Cell, |_| missing);
+                (Standing::NotCheckable, Some(missing.to_string()))
+            }
+        };
+        CellOutcome { standing, cause }
+    }
+}
+
+impl PaperAudit<'_> {
+    /// The cells of all tables by outcome.
+    ///
+    /// ```
+    /// use subcert::audit::{Standing, audit};
+    /// use subcert::claim::embedded_papers;
+    ///
+    /// let papers = embedded_papers()?;
+    /// let khan = audit(&papers[2])?.cell_summary();
+    /// assert_eq!((khan.cells(), khan.count(Standing::Confirmed)), (54, 6));
+    /// # Ok::<(), subcert::diagnostic::Diagnostic>(())
+    /// ```
+    #[must_use]
+    pub fn cell_summary(&self) -> CellSummary {
+        CellSummary::of(self.tables.iter().flat_map(|table| table.cells.iter().flatten()))
+    }
+}

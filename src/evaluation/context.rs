@@ -1,0 +1,226 @@
+//! What the formulas of a table refer to, cell by cell.
+
+use crate::claim::{Axis, AxisEntry, Cell, LocatedReference, Paper, Promise, Table};
+use crate::diagnostic::Diagnostic;
+use crate::evaluation::choices::HEADER;
+use crate::evaluation::library::{Library, values};
+use crate::evaluation::quantity::Quantities;
+use crate::evaluation::reference::{Unresolved, scheme_error};
+use crate::evaluation::settings::Settings;
+use crate::exact::{Rational, RealCyclotomic, parse_decimal};
+use crate::formula::{FormulaError, FormulaErrorKind, LocatedFormula, Node, Scope, evaluate};
+use crate::scheme::{Instance, Ring};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Values of definitions that are known already.
+pub(crate) type Known = BTreeMap<String, RealCyclotomic>;
+
+/// A value of the claim file's formula, or what stands in its way.
+pub(crate) enum Outcome {
+    Value(RealCyclotomic),
+    Unstated(String),
+    Undefined(String),
+    BeyondCaps(String),
+}
+
+/// One cell's place, and how it is looked at.
+#[derive(Clone, Copy)]
+pub(crate) struct At<'n> {
+    pub(crate) row: usize,
+    pub(crate) column: usize,
+    /// The unstated parameters that get their assumed values.
+    pub(crate) assume: &'n BTreeSet<String>,
+    /// How the formula is read.
+    pub(crate) settings: &'n Settings,
+}
+
+/// A table, with what its formulas refer to.
+pub(crate) struct TableContext<'a> {
+    pub(crate) paper: &'a Paper,
+    pub(crate) table: &'a Table,
+    pub(crate) library: &'a Library<'a>,
+    /// The values that are stated, for the paper or for the table.
+    pub(crate) given: BTreeMap<String, Rational>,
+    /// Those of parameters that are not stated, where they are assumed.
+    pub(crate) assumed: BTreeMap<String, Rational>,
+}
+
+impl<'a> TableContext<'a> {
+    pub(crate) fn new(
+        paper: &'a Paper,
+        table: &'a Table,
+        library: &'a Library<'a>,
+    ) -> Result<TableContext<'a>, Diagnostic> {
+        let mut given = values(&paper.given)?;
+        given.extend(values(&table.given)?);
+        let assumed = values(&table.unstated)?;
+        let axes = || table.rows.iter().chain([&table.columns]);
+        let header = |name: &String| axes().any(|axis| axis.name == *name);
+        given.retain(|name, _| !assumed.contains_key(name) && !header(name));
+        Ok(TableContext { paper, table, library, given, assumed })
+    }
+
+    pub(crate) fn scope<'s>(
+        &'s self,
+        at: At<'s>,
+        functions: &'s Quantities<'s>,
+        known: &Known,
+    ) -> Scope<'s, RealCyclotomic> {
+        let definitions = at.settings.definitions.as_ref().unwrap_or(&self.paper.definitions);
+        let mut scope = Scope::new(definitions, functions);
+        for (name, value) in &self.given {
+            let value = at.settings.parameters.get(name).unwrap_or(value);
+            scope = scope.with(name, value.clone().into());
+        }
+        for (name, value) in &self.assumed {
+            let value = at.settings.parameters.get(name).unwrap_or(value);
+            scope = if at.assume.contains(name) {
+                scope.with(name, value.clone().into())
+            } else {
+                scope.with_unstated(name)
+            };
+        }
+        for (name, value) in known {
+            scope = scope.with(name, value.clone());
+        }
+        for (axis, entry) in self.headers(at.row, at.column) {
+            scope = scope.with(&axis.name, self.header(axis, entry, at.settings).into());
+        }
+        scope
+    }
+
+    pub(crate) fn headers(
+        &self,
+        row: usize,
+        column: usize,
+    ) -> impl Iterator<Item = (&'a Axis, &'a AxisEntry)> {
+        let rows = self.table.rows.as_ref().map(|axis| (axis, &axis.entries[row]));
+        let columns = &self.table.columns;
+        rows.into_iter().chain([(columns, &columns.entries[column])])
+    }
+
+    /// The value of a header: a tolerance may stand for either end of its rounding
+    /// interval.
+    pub(crate) fn header(&self, axis: &Axis, entry: &AxisEntry, settings: &Settings) -> Rational {
+        let value = entry.value.clone();
+        let Some(word) = settings.word(&HEADER) else { return value };
+        let Some(decimal) =
+            self.tolerance(axis).then(|| parse_decimal(&entry.printed).ok()).flatten()
+        else {
+            return value;
+        };
+        let (low, high) = decimal.interval();
+        if word == "less" { low } else { high }
+    }
+
+    /// Whether the cells are depths.
+    pub(crate) fn is_depth(&self) -> bool {
+        matches!(self.table.promise, Some(Promise::Depth { .. }))
+    }
+
+    /// Whether the axis gives the tolerances of a table of depths.
+    pub(crate) fn tolerance(&self, axis: &Axis) -> bool {
+        let Some(Promise::Depth { tolerance, .. }) = &self.table.promise else { return false };
+        matches!(&tolerance.expr.node, Node::Name(name) if *name == axis.name)
+    }
+
+    /// Whether an axis gives tolerances.
+    pub(crate) fn has_tolerance_headers(&self) -> bool {
+        self.table.rows.iter().chain([&self.table.columns]).any(|axis| self.tolerance(axis))
+    }
+
+    /// The value of what is printed in a cell.
+    pub(crate) fn printed(&self, at: At<'_>) -> Option<Rational> {
+        match &self.table.cells[at.row][at.column] {
+            Cell::Lost => None,
+            Cell::Printed(printed) => Some(printed.decimal.value()),
+        }
+    }
+
+    /// The quantities of this cell's scheme.
+    pub(crate) fn quantities<'s>(
+        &'s self,
+        at: At<'s>,
+    ) -> Result<Result<Quantities<'s>, Outcome>, Diagnostic> {
+        let mut quantities = Quantities {
+            library: self.library,
+            scheme: None,
+            settings: at.settings,
+            beyond_caps: std::cell::Cell::new(false),
+            last_levels: std::cell::RefCell::new(None),
+        };
+        let Some(located) = &self.table.scheme else { return Ok(Ok(quantities)) };
+        let scope = self.scope(at, &quantities, &Known::new());
+        match self.library.resolve(&located.reference, &scope) {
+            Ok(scheme) => {
+                quantities.scheme = Some(scheme);
+                Ok(Ok(quantities))
+            }
+            Err(error) => Self::unresolved(located, error).map(Err),
+        }
+    }
+
+    /// The ring that a reference means at a cell, and its scheme.
+    pub(crate) fn ring(
+        &self,
+        located: &LocatedReference,
+        at: At<'_>,
+    ) -> Result<Result<(Instance, Ring), Outcome>, Diagnostic> {
+        let quantities = match self.quantities(at)? {
+            Ok(quantities) => quantities,
+            Err(outcome) => return Ok(Err(outcome)),
+        };
+        let scope = self.scope(at, &quantities, &Known::new());
+        match self.library.ring_at(&located.reference, &scope) {
+            Ok(ring) => Ok(Ok(ring)),
+            Err(error) => Self::unresolved(located, error).map(Err),
+        }
+    }
+
+    /// Why a reference gives no scheme: a finding, or an error of the claim file.
+    pub(crate) fn unresolved(
+        located: &LocatedReference,
+        error: Unresolved,
+    ) -> Result<Outcome, Diagnostic> {
+        match error {
+            Unresolved::Formula(error) => Self::sort(error).map_err(|error| {
+                let message = format!("in its parameters: {error}");
+                Diagnostic::new(&located.source, located.span.clone(), message)
+            }),
+            Unresolved::Scheme(error) => Err(scheme_error(located, &error)),
+        }
+    }
+
+    /// A formula error that is a finding, or one that is the claim file's.
+    pub(crate) fn sort(error: FormulaError) -> Result<Outcome, FormulaError> {
+        match error.kind {
+            FormulaErrorKind::Unstated(name) => Ok(Outcome::Unstated(name)),
+            FormulaErrorKind::Undefined(why) => Ok(Outcome::Undefined(why)),
+            FormulaErrorKind::DivisionByZero => {
+                Ok(Outcome::Undefined("the definition divides by zero".to_owned()))
+            }
+            _ => Err(error),
+        }
+    }
+
+    /// The same with these quantities, and with the values of some definitions known.
+    pub(crate) fn evaluate_with(
+        &self,
+        formula: &LocatedFormula,
+        at: At<'_>,
+        quantities: &Quantities<'_>,
+        known: &Known,
+    ) -> Result<Outcome, Diagnostic> {
+        // What another formula was given up for says nothing of this one.
+        quantities.beyond_caps.set(false);
+        match evaluate(&formula.expr, &self.scope(at, quantities, known)) {
+            Ok(value) => Ok(Outcome::Value(value)),
+            Err(error) => match Self::sort(error).map_err(|error| formula.diagnostic(&error))? {
+                Outcome::Undefined(why) if quantities.beyond_caps.get() => {
+                    Ok(Outcome::BeyondCaps(why))
+                }
+                outcome => Ok(outcome),
+            },
+        }
+    }
+}

@@ -1,0 +1,261 @@
+//! The schemes that a paper's claims are about, each with its constants once.
+
+use crate::bound::{ClassCap, Constants, DepthError, Rounded, SoundBound, log_level_algebraic};
+use crate::claim::{Paper, SchemeSource};
+use crate::diagnostic::Diagnostic;
+use crate::evaluation::reference::Unresolved;
+use crate::evaluation::series::Norms;
+use crate::evaluation::trace::{NotedConstant, NotedNorm};
+use crate::exact::{Rational, RealCyclotomic};
+use crate::formula::{Context, LocatedFormula, Parameters, Value, evaluate};
+use crate::scheme::{
+    Instance, Mask, Reference, Ring, SchemeDefinition, SchemeError, find_in_catalogue,
+};
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+/// The greatest block length of a sound bound.
+const MAX_SOUND_BLOCK: u32 = 6;
+
+/// The most residue classes that a sound bound walks.
+const MAX_SOUND_CLASSES: u64 = 4_096;
+
+/// How deep names may stand for names.
+const MAX_ALIAS_DEPTH: usize = 8;
+
+/// A scheme, and the offset at which it is looked at if not its own.
+type SoundKey = (Vec<Instance>, Option<i64>);
+
+/// The base of a logarithm, its argument, and its rounding.
+type LogLevel = (Rational, Rational, Rounded);
+
+/// The schemes of a paper.
+pub(crate) struct Library<'a> {
+    paper: &'a Paper,
+    constants: RefCell<BTreeMap<Instance, Rc<Constants>>>,
+    sound: RefCell<BTreeMap<SoundKey, Rc<SoundBound>>>,
+    pub(crate) norms: Norms<RealCyclotomic>,
+    /// The constants of masks that were asked for, if they are noted.
+    noted: RefCell<Option<Vec<NotedConstant>>>,
+    log_levels: RefCell<BTreeMap<LogLevel, Result<u32, DepthError>>>,
+}
+
+/// A scheme with the constants of its masks, one per direction.
+#[derive(Clone)]
+pub(crate) struct Resolved {
+    pub(crate) instances: Vec<Instance>,
+    pub(crate) constants: Vec<Rc<Constants>>,
+}
+
+impl<'a> Library<'a> {
+    pub(crate) fn new(paper: &'a Paper) -> Library<'a> {
+        let (constants, sound) = Default::default();
+        let (norms, noted, log_levels) = Default::default();
+        Library { paper, constants, sound, norms, noted, log_levels }
+    }
+
+    /// From now on, notes the constants that are asked for.
+    pub(crate) fn note(&self) {
+        self.noted.replace(Some(Vec::new()));
+        self.norms.noted.replace(Some(Vec::new()));
+    }
+
+    /// Notes a constant.
+    pub(crate) fn note_constant(&self, constant: impl FnOnce() -> NotedConstant) {
+        if let Some(noted) = self.noted.borrow_mut().as_mut() {
+            noted.push(constant());
+        }
+    }
+
+    /// Ends noting, and gives what was noted.
+    pub(crate) fn noted(&self) -> (Vec<NotedConstant>, Vec<NotedNorm<RealCyclotomic>>) {
+        let norms = self.norms.noted.take();
+        (self.noted.take().unwrap_or_default(), norms.unwrap_or_default())
+    }
+
+    /// The scheme that `reference` means in `context`.
+    pub(crate) fn resolve(
+        &self,
+        reference: &Reference,
+        context: &dyn Context<RealCyclotomic>,
+    ) -> Result<Resolved, Unresolved> {
+        let instances = self.instances(reference, context)?;
+        let instances = instances.into_iter().map(rational).collect::<Result<Vec<Instance>, _>>();
+        let instances = instances.map_err(Unresolved::Scheme)?;
+        let constants = instances.iter().map(|instance| self.constants(instance));
+        let constants = constants.collect::<Result<_, _>>().map_err(Unresolved::Scheme)?;
+        Ok(Resolved { instances, constants })
+    }
+
+    /// The ring of this scheme, one name with parameters.
+    pub(crate) fn ring(&self, scheme: &[Instance<RealCyclotomic>]) -> Result<Ring, SchemeError> {
+        match scheme {
+            [instance] => self.define(&instance.name)?.ring(&instance.parameters),
+            _ => Err(SchemeError::NotRing { scheme: "a tensor product".to_owned() }),
+        }
+    }
+
+    /// The masks of these schemes, over any numbers.
+    pub(crate) fn masks<V: Value + PartialEq>(
+        &self,
+        instances: &[Instance<V>],
+    ) -> Result<Vec<Mask<V>>, Unresolved> {
+        let mask = |instance: &Instance<V>| self.define(&instance.name)?.mask(&instance.parameters);
+        instances.iter().map(mask).collect::<Result<_, _>>().map_err(Unresolved::Scheme)
+    }
+
+    /// The schemes behind the names of `reference`, their parameters evaluated in
+    /// `context`.
+    pub(crate) fn instances<V: Value>(
+        &self,
+        reference: &Reference,
+        context: &dyn Context<V>,
+    ) -> Result<Vec<Instance<V>>, Unresolved> {
+        self.followed(reference, context, 0)
+    }
+
+    /// The schemes behind the names: a name of the claim file may stand for
+    /// another scheme, whose parameters are evaluated where the name is used.
+    fn followed<V: Value>(
+        &self,
+        reference: &Reference,
+        context: &dyn Context<V>,
+        depth: usize,
+    ) -> Result<Vec<Instance<V>>, Unresolved> {
+        let mut instances = Vec::new();
+        for instance in reference.instances(context).map_err(Unresolved::Formula)? {
+            match self.paper.schemes.get(&instance.name) {
+                Some(SchemeSource::Alias(other)) => {
+                    if let Some(parameter) = instance.parameters.keys().next() {
+                        return Err(Unresolved::Scheme(SchemeError::UnknownParameter {
+                            scheme: instance.name,
+                            parameter: parameter.clone(),
+                            known: Vec::new(),
+                        }));
+                    }
+                    if depth >= MAX_ALIAS_DEPTH {
+                        let known = Vec::new();
+                        let name = instance.name;
+                        return Err(Unresolved::Scheme(SchemeError::Unknown { name, known }));
+                    }
+                    instances.extend(self.followed(other, context, depth + 1)?);
+                }
+                _ => instances.push(instance),
+            }
+        }
+        Ok(instances)
+    }
+
+    fn define(&self, name: &str) -> Result<&SchemeDefinition, SchemeError> {
+        match self.paper.schemes.get(name) {
+            Some(SchemeSource::Own(definition)) => Ok(definition),
+            _ => find_in_catalogue(name).map_err(|error| match error {
+                SchemeError::Unknown { name, mut known } => {
+                    known.splice(0..0, self.paper.schemes.keys().cloned());
+                    SchemeError::Unknown { name, known }
+                }
+                other => other,
+            }),
+        }
+    }
+
+    fn constants(&self, instance: &Instance) -> Result<Rc<Constants>, SchemeError> {
+        if let Some(known) = self.constants.borrow().get(instance) {
+            return Ok(Rc::clone(known));
+        }
+        let mask = self.define(&instance.name)?.mask(&instance.parameters)?;
+        let constants = Rc::new(Constants::new(mask));
+        self.constants.borrow_mut().insert(instance.clone(), Rc::clone(&constants));
+        Ok(constants)
+    }
+
+    /// [`log_level_algebraic`], of rational numbers once for all cells and readings.
+    pub(crate) fn log_level(
+        &self,
+        ratio: &RealCyclotomic,
+        x: &RealCyclotomic,
+        rounded: Rounded,
+    ) -> Result<u32, DepthError> {
+        let compute = || log_level_algebraic(ratio, x, rounded);
+        let (Some(p), Some(q)) = (ratio.as_rational(), x.as_rational()) else { return compute() };
+        let key = (p.clone(), q.clone(), rounded);
+        self.log_levels.borrow_mut().entry(key).or_insert_with(compute).clone()
+    }
+
+    /// The sound bound of a scheme at its own offset or at another.
+    pub(crate) fn sound_bound(
+        &self,
+        scheme: &Resolved,
+        offset: Option<i64>,
+    ) -> Result<Rc<SoundBound>, ClassCap> {
+        let key = (scheme.instances.clone(), offset);
+        if let Some(known) = self.sound.borrow().get(&key) {
+            return Ok(Rc::clone(known));
+        }
+        let shifted: Vec<Rc<Constants>> = match offset {
+            None => scheme.constants.clone(),
+            Some(offset) => {
+                let shift = |constants: &Rc<Constants>| {
+                    Rc::new(Constants::new(constants.mask().with_offset(offset)))
+                };
+                scheme.constants.iter().map(shift).collect()
+            }
+        };
+        let bound = match &shifted[..] {
+            [curve] => SoundBound::curve(curve, block_length(&[curve.mask()]))?,
+            [first, second, ..] => {
+                let block = block_length(&[first.mask(), second.mask()]);
+                SoundBound::surface(first, second, block)?
+            }
+            [] => unreachable!("a scheme has one mask or two"),
+        };
+        let bound = Rc::new(bound);
+        self.sound.borrow_mut().insert(key, Rc::clone(&bound));
+        Ok(bound)
+    }
+
+    /// The ring that `reference` means in `context`, and its scheme with rational parameters.
+    pub(crate) fn ring_at(
+        &self,
+        reference: &Reference,
+        context: &dyn Context<RealCyclotomic>,
+    ) -> Result<(Instance, Ring), Unresolved> {
+        let instances = self.instances(reference, context)?;
+        let ring = self.ring(&instances).map_err(Unresolved::Scheme)?;
+        let instance = instances.into_iter().next().expect("a ring has one name");
+        Ok((rational(instance).map_err(Unresolved::Scheme)?, ring))
+    }
+}
+
+/// The same scheme with its parameters as rational numbers.
+fn rational(instance: Instance<RealCyclotomic>) -> Result<Instance, SchemeError> {
+    let Instance { name, parameters } = instance;
+    let parameter = |(parameter, value): (String, RealCyclotomic)| match value.as_rational() {
+        Some(rational) => Ok((parameter, rational.clone())),
+        None => Err(SchemeError::IrrationalParameter {
+            scheme: name.clone(),
+            parameter,
+            value: value.to_string(),
+        }),
+    };
+    let parameters = parameters.into_iter().map(parameter).collect::<Result<_, _>>()?;
+    Ok(Instance { name, parameters })
+}
+
+/// The longest block whose residue classes are few.
+fn block_length(masks: &[&Mask]) -> u32 {
+    let arity = masks.iter().map(|mask| mask.arity() as u64).max().unwrap_or(2);
+    (1..=MAX_SOUND_BLOCK).rev().find(|&c| arity.pow(c) <= MAX_SOUND_CLASSES).unwrap_or(1)
+}
+
+/// The values of formulas without parameters.
+pub(crate) fn values(
+    formulas: &BTreeMap<String, LocatedFormula>,
+) -> Result<BTreeMap<String, Rational>, Diagnostic> {
+    let value = |(name, formula): (&String, &LocatedFormula)| {
+        let value = evaluate(&formula.expr, &Parameters::<Rational>::default());
+        value.map(|value| (name.clone(), value)).map_err(|error| formula.diagnostic(&error))
+    };
+    formulas.iter().map(value).collect()
+}

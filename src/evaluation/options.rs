@@ -1,0 +1,96 @@
+//! The options of a function call in a claim.
+
+use crate::bound::{Order, Recursion, Rounded, Suprema, Terms};
+use crate::evaluation::settings::Settings;
+use crate::formula::{Call, CallError, OptionWord};
+
+/// What a power of a constant of c levels counts.
+#[derive(Clone, Copy)]
+pub(crate) enum Exponent {
+    Level,
+    Block,
+}
+
+/// The options of a call, each to be used once.
+pub(crate) struct Options<'a> {
+    function: &'a str,
+    left: Vec<&'a OptionWord>,
+    /// The reading, which may change what is printed.
+    settings: Option<&'a Settings>,
+}
+
+impl<'a> Options<'a> {
+    pub(crate) fn new<V>(call: &Call<'a, V>) -> Options<'a> {
+        Options { function: call.function, left: call.options.iter().collect(), settings: None }
+    }
+
+    /// The options as a reading has them.
+    pub(crate) fn read_as(self, settings: &'a Settings) -> Options<'a> {
+        Options { settings: Some(settings), ..self }
+    }
+
+    pub(crate) fn take(&mut self, name: &str) -> Option<String> {
+        let at = self.left.iter().position(|option| option.name == name)?;
+        Some(self.left.remove(at).word.clone())
+    }
+
+    fn choose<T: Copy>(&mut self, name: &str, choices: &[(&str, T)]) -> Result<T, CallError> {
+        let printed = self.take(name).unwrap_or_else(|| choices[0].0.to_owned());
+        let word = self.word(name, &printed);
+        let found = choices.iter().find(|(choice, _)| *choice == word);
+        found.map(|(_, value)| *value).ok_or_else(|| {
+            let known: Vec<&str> = choices.iter().map(|(choice, _)| *choice).collect();
+            CallError::Misuse(format!("`{name}` is one of {}, not `{word}`", known.join(", ")))
+        })
+    }
+
+    /// The word of an option, which the claim gives as `printed`.
+    fn word<'w>(&self, name: &str, printed: &'w str) -> &'w str {
+        self.settings.map_or(printed, |settings| settings.option(self.function, name, printed))
+    }
+
+    pub(crate) fn exponent(&mut self) -> Result<Exponent, CallError> {
+        self.choose("exponent", &[("level", Exponent::Level), ("block", Exponent::Block)])
+    }
+
+    pub(crate) fn order(&mut self) -> Result<Order, CallError> {
+        self.choose("order", &[("adjoint", Order::Adjoint), ("forward", Order::Forward)])
+    }
+
+    pub(crate) fn terms(&mut self) -> Result<Terms, CallError> {
+        self.choose("terms", &[("each", Terms::Each), ("total", Terms::Total)])
+    }
+
+    pub(crate) fn suprema(&mut self) -> Result<Suprema, CallError> {
+        let choices = [("independent", Suprema::Independent), ("joint", Suprema::Joint)];
+        self.choose("suprema", &choices)
+    }
+
+    pub(crate) fn recursion(&mut self) -> Result<Recursion, CallError> {
+        let choices = [("derived", Recursion::Derived), ("printed", Recursion::Printed)];
+        self.choose("recursion", &choices)
+    }
+
+    pub(crate) fn rounded(&mut self) -> Result<Rounded, CallError> {
+        let choices = [("up", Rounded::Up), ("nearest", Rounded::Nearest), ("down", Rounded::Down)];
+        self.choose("rounded", &choices)
+    }
+
+    pub(crate) fn offset(&mut self, own: i64) -> Result<i64, CallError> {
+        let printed = self.take("offset").unwrap_or_else(|| "own".to_owned());
+        match self.word("offset", &printed) {
+            "own" => Ok(own),
+            word => word.parse().ok().filter(|o: &i64| o.abs() <= 10_000).ok_or_else(|| {
+                CallError::Misuse(format!("`offset` is `own` or an integer, not `{word}`"))
+            }),
+        }
+    }
+
+    /// `value`, once every option has been used.
+    pub(crate) fn finished<V>(&self, value: V) -> Result<V, CallError> {
+        self.left.first().map_or(Ok(value), |option| {
+            let (name, function) = (&option.name, self.function);
+            Err(CallError::Misuse(format!("`{function}` takes no option `{name}`")))
+        })
+    }
+}

@@ -1,0 +1,255 @@
+//! Formulas and constants as functions of one free parameter.
+
+use crate::bound::{
+    Order, RangeError, Suprema, Terms, joint_norm_function_on, norm_function, norm_function_on,
+    power_norm_generic,
+};
+use crate::claim::{LocatedReference, Paper};
+use crate::diagnostic::Diagnostic;
+use crate::evaluation::arguments::level;
+use crate::evaluation::constants::{moved, total_contraction};
+use crate::evaluation::context::{At, TableContext};
+use crate::evaluation::library::{Library, values};
+use crate::evaluation::options::Options;
+use crate::evaluation::series;
+use crate::evaluation::settings::Settings;
+use crate::evaluation::shape::{Coefficients, Shapes, own_shape, shape};
+use crate::evaluation::table::Evaluator;
+use crate::exact::{Parametric, PiecewisePolynomial, Rational, RationalPolynomial, Scalar};
+use crate::formula::{Call, CallError, Context, Functions, LocatedFormula, Scope, evaluate};
+use crate::scheme::Rules;
+use std::collections::BTreeMap;
+
+/// What the formulas of a claim about a free parameter refer to.
+pub(crate) struct FreeParameter<'a> {
+    paper: &'a Paper,
+    library: &'a Library<'a>,
+    variable: &'a str,
+    given: BTreeMap<String, Rational>,
+    scheme: Option<&'a LocatedReference>,
+}
+
+impl<'a> FreeParameter<'a> {
+    pub(crate) fn new(
+        paper: &'a Paper,
+        library: &'a Library<'a>,
+        variable: &'a str,
+        scheme: Option<&'a LocatedReference>,
+    ) -> Result<FreeParameter<'a>, Diagnostic> {
+        Ok(FreeParameter { paper, library, variable, given: values(&paper.given)?, scheme })
+    }
+
+    /// The value of a formula, as a function of the free parameter.
+    pub(crate) fn function(
+        &self,
+        formula: &LocatedFormula,
+    ) -> Result<PiecewisePolynomial, Diagnostic> {
+        let shapes = Shapes::new(self.library);
+        let none = Constants::of(Coefficients { shapes: &shapes, own: None });
+        let own = match self.scheme {
+            None => None,
+            Some(located) => Some(own_shape(&shapes, located, &self.scope(&none))?),
+        };
+        let constants = Constants::of(Coefficients { shapes: &shapes, own });
+        let value = evaluate(&formula.expr, &self.scope(&constants));
+        match value.map_err(|error| formula.diagnostic(&error))? {
+            Parametric::Function(function) => Ok(function),
+            Parametric::Outside => {
+                let variable = self.variable;
+                let message = format!("this is not piecewise polynomial in `{variable}`");
+                Err(Diagnostic::new(&formula.source, formula.span.clone(), message).with_help(
+                    format!(
+                        "it divides by an expression that depends on `{variable}`, or has more \
+                         than 4096 pieces or a degree above 64; sums, products, abs, max and min \
+                         can be compared"
+                    ),
+                ))
+            }
+        }
+    }
+
+    fn scope<'s>(&'s self, constants: &'s Constants<'s>) -> Scope<'s, Parametric> {
+        let mut scope = Scope::new(&self.paper.definitions, constants);
+        for (name, value) in &self.given {
+            scope = scope.with(name, Parametric::from_rational(value));
+        }
+        scope.with(self.variable, Parametric::variable())
+    }
+}
+
+/// The value of a table's formula in one cell as a function of an unstated parameter,
+/// which is right for the values of it in `window`; `None` where it is none of this
+/// class.
+pub(crate) fn of_cell(
+    judge: &Evaluator<'_>,
+    at: At<'_>,
+    parameter: &str,
+    window: &(Rational, Rational),
+) -> Option<PiecewisePolynomial> {
+    let TableContext { table, library, .. } = &**judge;
+    let shapes = Shapes::new(library);
+    let constants = |own| {
+        let coefficients = Coefficients { shapes: &shapes, own };
+        Constants { coefficients, settings: Some(at.settings), window: Some(window) }
+    };
+    let none = constants(None);
+    let own = match &table.scheme {
+        None => None,
+        Some(located) => {
+            let scope = cell_scope(judge, at, parameter, &none);
+            Some(own_shape(&shapes, located, &scope).ok()?)
+        }
+    };
+    let constants = constants(own);
+    let value = evaluate(&table.value.expr, &cell_scope(judge, at, parameter, &constants));
+    value.ok()?.function().cloned()
+}
+
+fn cell_scope<'s>(
+    judge: &'s Evaluator<'_>,
+    at: At<'s>,
+    parameter: &str,
+    functions: &'s Constants<'s>,
+) -> Scope<'s, Parametric> {
+    let definitions = at.settings.definitions.as_ref().unwrap_or(&judge.paper.definitions);
+    let mut scope = Scope::new(definitions, functions);
+    for (name, value) in judge.given.iter().chain(&judge.assumed) {
+        let value = at.settings.parameters.get(name).unwrap_or(value);
+        scope = scope.with(name, Parametric::from_rational(value));
+    }
+    for (axis, entry) in judge.headers(at.row, at.column) {
+        let value = judge.header(axis, entry, at.settings);
+        scope = scope.with(&axis.name, Parametric::from_rational(&value));
+    }
+    scope.with(parameter, Parametric::variable())
+}
+
+/// The constants of a scheme that are piecewise polynomial in its parameter when its
+/// mask is.
+pub(crate) struct Constants<'a> {
+    pub(crate) coefficients: Coefficients<'a, Parametric>,
+    /// How the formula is read.
+    pub(crate) settings: Option<&'a Settings>,
+    /// The values of the parameter that matter; all, without it.
+    pub(crate) window: Option<&'a (Rational, Rational)>,
+}
+
+impl<'a> Constants<'a> {
+    pub(crate) fn of(coefficients: Coefficients<'a, Parametric>) -> Constants<'a> {
+        Constants { coefficients, settings: None, window: None }
+    }
+}
+
+impl Functions<Parametric> for Constants<'_> {
+    fn call(
+        &self,
+        call: &Call<'_, Parametric>,
+        context: &dyn Context<Parametric>,
+    ) -> Result<Parametric, CallError> {
+        let mut options = Options::new(call);
+        if let Some(settings) = self.settings {
+            options = options.read_as(settings);
+        }
+        if let Some(value) =
+            series::call(call, context, &mut options, &self.coefficients.shapes.norms)
+        {
+            return options.finished(value?);
+        }
+        let found = self.coefficients.shape(call, &mut options)?;
+        let mask = &found.mask;
+        let value = match (call.function, call.arguments) {
+            ("contraction", [c]) => {
+                let (order, terms) = (options.order()?, options.terms()?);
+                let difference = found.difference();
+                match (terms, level(c)?) {
+                    (Terms::Each, c) => self.norm(difference, c, order)?,
+                    (Terms::Total, 1) => total_contraction(difference),
+                    (Terms::Total, _) => {
+                        let message = "`terms = total` is defined for c = 1 only";
+                        return Err(CallError::Misuse(message.to_owned()));
+                    }
+                }
+            }
+            ("norm", [c]) => {
+                let order = options.order()?;
+                self.norm(mask.rules(), level(c)?, order)?
+            }
+            ("displacement", []) => moved(mask, &mut options)?,
+            ("tensor", [c]) => {
+                let (order, suprema, c) = (options.order()?, options.suprema()?, level(c)?);
+                match suprema {
+                    Suprema::Independent => {
+                        let norm = self.norm(found.difference(), c, order)?;
+                        norm.times(&self.norm(mask.rules(), c, order)?)
+                    }
+                    Suprema::Joint => self.joint([found.difference(), mask.rules()], c, order)?,
+                }
+            }
+            (name @ ("surface_displacement" | "levels"), _) => {
+                let message = format!("`{name}` is not computed as a function of a free parameter");
+                return Err(CallError::Misuse(message));
+            }
+            _ => shape(mask, || found.difference(), call, &mut options)?,
+        };
+        options.finished(value)
+    }
+}
+
+impl Constants<'_> {
+    /// ‖Rᶜ‖_∞ as a function of the parameter: of polynomial rules by
+    /// [`norm_function`], of one level also for rules with |·| or max in them.
+    fn norm(
+        &self,
+        rules: &Rules<Parametric>,
+        c: u32,
+        order: Order,
+    ) -> Result<Parametric, CallError> {
+        if let Some(rules) = polynomial(rules) {
+            let function = match self.window {
+                None => norm_function(&rules, c, order),
+                Some(window) => norm_function_on(&rules, c, order, window),
+            };
+            return function.map(Parametric::Function).map_err(|error| undefined(&error));
+        }
+        match c {
+            0 | 1 => power_norm_generic(rules, c, order)
+                .map_err(|error| CallError::Undefined(error.to_string())),
+            c => Err(CallError::Misuse(format!(
+                "the norm of {c} levels needs a mask that is polynomial in the free parameter"
+            ))),
+        }
+    }
+
+    /// The product of two norms with one supremum over a common row.
+    fn joint(
+        &self,
+        rules: [&Rules<Parametric>; 2],
+        c: u32,
+        order: Order,
+    ) -> Result<Parametric, CallError> {
+        let misuse = |message: &str| CallError::Misuse(message.to_owned());
+        let window = self.window.ok_or_else(|| {
+            misuse("joint suprema are not computed as a function of a free parameter")
+        })?;
+        let [Some(first), Some(second)] = rules.map(polynomial) else {
+            return Err(misuse("joint suprema need a mask that is polynomial in the parameter"));
+        };
+        let function = joint_norm_function_on([&first, &second], c, order, window);
+        function.map(Parametric::Function).map_err(|error| undefined(&error))
+    }
+}
+
+/// Rules whose coefficients are polynomials.
+fn polynomial(rules: &Rules<Parametric>) -> Option<Rules<RationalPolynomial>> {
+    let polynomial = |entry: &Parametric| match entry.function()?.pieces() {
+        [only] => Some(only.clone()),
+        _ => None,
+    };
+    let all = rules.rows().iter().flatten().all(|entry| polynomial(entry).is_some());
+    let zero = || RationalPolynomial::constant(Rational::zero());
+    all.then(|| rules.map(|entry| polynomial(entry).unwrap_or_else(zero)))
+}
+
+fn undefined(error: &RangeError) -> CallError {
+    CallError::Undefined(error.to_string())
+}

@@ -1,0 +1,171 @@
+//! The functions that claims can use: constants of the scheme they are about.
+
+use crate::bound::{
+    ClassCap, Constants, DepthError, Operator, Suprema, Terms, surface_displacement,
+};
+use crate::evaluation::arguments::level;
+use crate::evaluation::constants::{moved, total_contraction};
+use crate::evaluation::functions::check_name;
+use crate::evaluation::library::{Library, Resolved};
+use crate::evaluation::options::{Exponent, Options};
+use crate::evaluation::reference::{reference, unresolved};
+use crate::evaluation::series;
+use crate::evaluation::settings::Settings;
+use crate::evaluation::shape::shape;
+use crate::evaluation::trace::{LevelCall, NotedConstant};
+use crate::exact::{Rational, Real, RealCyclotomic};
+use crate::formula::{Call, CallError, Context, Functions, Parameters, Value};
+use crate::scheme::Rules;
+use std::cell::{Cell, RefCell};
+use std::rc::Rc;
+
+/// The quantities of one scheme, in exact numbers.
+pub(crate) struct Quantities<'a> {
+    pub(crate) library: &'a Library<'a>,
+    pub(crate) scheme: Option<Resolved>,
+    /// How the formula is read.
+    pub(crate) settings: &'a Settings,
+    /// Whether a value was given up because it is beyond the caps of the program,
+    /// not because it does not exist.
+    pub(crate) beyond_caps: Cell<bool>,
+    /// The last call of `levels`.
+    pub(crate) last_levels: RefCell<Option<LevelCall>>,
+}
+
+impl Functions<RealCyclotomic> for Quantities<'_> {
+    fn call(
+        &self,
+        call: &Call<'_, RealCyclotomic>,
+        context: &dyn Context<RealCyclotomic>,
+    ) -> Result<RealCyclotomic, CallError> {
+        check_name(call.function)?;
+        let mut options = Options::new(call).read_as(self.settings);
+        let value = match (call.function, call.arguments) {
+            ("levels", [ratio, x]) => self.levels(ratio, x, &mut options)?,
+            ("levels", [ratio, x, c]) => {
+                let levels = self.levels(ratio, x, &mut options)?;
+                match options.exponent()? {
+                    Exponent::Level => levels,
+                    Exponent::Block => &levels * c,
+                }
+            }
+            _ => match series::call(call, context, &mut options, &self.library.norms) {
+                Some(value) => value?,
+                None => self.of_scheme(call, &mut options)?,
+            },
+        };
+        options.finished(value)
+    }
+}
+
+impl Quantities<'_> {
+    /// A constant or a coefficient of a scheme.
+    fn of_scheme(
+        &self,
+        call: &Call<'_, RealCyclotomic>,
+        options: &mut Options<'_>,
+    ) -> Result<RealCyclotomic, CallError> {
+        let other;
+        let named = options.take("scheme");
+        let scheme = match &named {
+            None => self.scheme.as_ref(),
+            Some(name) => {
+                other = self.other_scheme(name)?;
+                Some(&other)
+            }
+        };
+        let missing = || CallError::Misuse("this needs a scheme: give the table one".to_owned());
+        let scheme = scheme.ok_or_else(missing)?;
+        let constants: &Constants = &scheme.constants[0];
+        let note = |operator, levels, order| {
+            self.library.note_constant(|| NotedConstant {
+                instance: scheme.instances[0].clone(),
+                constants: Rc::clone(&scheme.constants[0]),
+                operator,
+                levels,
+                order,
+                named: named.clone(),
+            });
+        };
+        let value = match (call.function, call.arguments) {
+            ("contraction", [c]) => {
+                let (c, order) = (level(c)?, options.order()?);
+                match options.terms()? {
+                    Terms::Each => {
+                        note(Operator::Difference, c, order);
+                        self.capped(constants.norm(Operator::Difference, c, order))
+                    }
+                    Terms::Total if c == 1 => Ok(total_contraction(constants.difference())),
+                    Terms::Total => {
+                        let message = "`terms = total` is defined for c = 1 only";
+                        return Err(CallError::Misuse(message.to_owned()));
+                    }
+                }
+            }
+            ("norm", [c]) => {
+                let (c, order) = (level(c)?, options.order()?);
+                note(Operator::Scheme, c, order);
+                self.capped(constants.norm(Operator::Scheme, c, order))
+            }
+            ("tensor", [c]) => {
+                let (c, order, suprema) = (level(c)?, options.order()?, options.suprema()?);
+                if suprema == Suprema::Independent {
+                    note(Operator::Difference, c, order);
+                    note(Operator::Scheme, c, order);
+                }
+                self.capped(constants.tensor(c, order, suprema))
+            }
+            ("displacement", []) => moved(constants.mask(), options),
+            ("surface_displacement", [x1, x2, x3]) => {
+                let spreads = [rational(x1)?, rational(x2)?, rational(x3)?];
+                let terms = options.terms()?;
+                Ok(surface_displacement(constants.mask(), spreads, terms))
+            }
+            _ => {
+                let rules = |rules: &Rules| rules.map(|value| RealCyclotomic::from(value.clone()));
+                let mask = constants.mask().map(|value| RealCyclotomic::from(value.clone()));
+                return shape(&mask, || rules(constants.difference()), call, options);
+            }
+        };
+        value.map(RealCyclotomic::from)
+    }
+
+    fn levels(
+        &self,
+        ratio: &RealCyclotomic,
+        x: &RealCyclotomic,
+        options: &mut Options<'_>,
+    ) -> Result<RealCyclotomic, CallError> {
+        let rounded = options.rounded()?;
+        let level = self.library.log_level(ratio, x, rounded);
+        let (ratio, x) = (ratio.clone(), x.clone());
+        let call = LevelCall { ratio, x, rounded, level: level.clone().ok() };
+        self.last_levels.replace(Some(call));
+        level.map(RealCyclotomic::from).map_err(|error| {
+            if error == DepthError::TooDeep {
+                self.beyond_caps.set(true);
+            }
+            CallError::Undefined(error.to_string())
+        })
+    }
+
+    fn other_scheme(&self, name: &str) -> Result<Resolved, CallError> {
+        let reference = reference(name)?;
+        let resolved = self.library.resolve(&reference, &Parameters::<RealCyclotomic>::default());
+        resolved.map_err(|error| unresolved(name, error))
+    }
+
+    fn capped(&self, value: Result<Rational, ClassCap>) -> Result<Rational, CallError> {
+        value.map_err(|error| {
+            self.beyond_caps.set(true);
+            CallError::Undefined(error.to_string())
+        })
+    }
+}
+
+/// A number that has to be rational here.
+fn rational(value: &RealCyclotomic) -> Result<&Rational, CallError> {
+    value.as_rational().ok_or_else(|| {
+        CallError::Misuse(format!("this is computed at rational numbers only, and not at {value}"))
+    })
+}

@@ -1,0 +1,35 @@
+//! Schemes that formulas name, and why a name gives none.
+
+use crate::claim::LocatedReference;
+use crate::diagnostic::Diagnostic;
+use crate::formula::{CallError, FormulaError};
+use crate::scheme::{Reference, SchemeError};
+
+/// An error of a scheme, at the place that names it or, for a scheme of the claim
+/// file's own, inside it.
+pub(crate) fn scheme_error(located: &LocatedReference, error: &SchemeError) -> Diagnostic {
+    match error {
+        SchemeError::File(inner) if inner.source == located.source => (**inner).clone(),
+        other => Diagnostic::new(&located.source, located.span.clone(), other.to_string()),
+    }
+}
+
+/// Why a reference of a claim gives no mask.
+pub(crate) enum Unresolved {
+    /// A formula has no value: for a parameter that the paper does not state, a
+    /// finding; otherwise an error of the claim file.
+    Formula(FormulaError),
+    /// There is no such scheme.
+    Scheme(SchemeError),
+}
+
+pub(crate) fn reference(name: &str) -> Result<Reference, CallError> {
+    Reference::parse(name).map_err(|error| CallError::Misuse(error.to_string()))
+}
+
+pub(crate) fn unresolved(name: &str, error: Unresolved) -> CallError {
+    match error {
+        Unresolved::Formula(error) => CallError::Inner(error.kind),
+        Unresolved::Scheme(error) => CallError::Misuse(format!("scheme `{name}`: {error}")),
+    }
+}

@@ -1,0 +1,73 @@
+//! The formulas of a table, evaluated cell by cell.
+
+use crate::claim::{Paper, Table};
+use crate::diagnostic::Diagnostic;
+use crate::evaluation::context::{At, Outcome, TableContext};
+use crate::evaluation::library::Library;
+use crate::evaluation::row::RowDefinitions;
+use crate::evaluation::trace::LevelCall;
+use crate::exact::RealCyclotomic;
+use crate::formula::LocatedFormula;
+use std::ops::Deref;
+
+/// The context of a table, and the values of definitions that are the same in a whole row.
+pub(crate) struct Evaluator<'a> {
+    context: TableContext<'a>,
+    pub(crate) rows: RowDefinitions,
+}
+
+impl<'a> Deref for Evaluator<'a> {
+    type Target = TableContext<'a>;
+    fn deref(&self) -> &TableContext<'a> {
+        &self.context
+    }
+}
+
+impl<'a> Evaluator<'a> {
+    pub(crate) fn new(
+        paper: &'a Paper,
+        table: &'a Table,
+        library: &'a Library<'a>,
+    ) -> Result<Evaluator<'a>, Diagnostic> {
+        let context = TableContext::new(paper, table, library)?;
+        let rows = RowDefinitions::new(&context);
+        Ok(Evaluator { context, rows })
+    }
+
+    /// The value of a formula at a cell.
+    pub(crate) fn evaluate(
+        &self,
+        formula: &LocatedFormula,
+        at: At<'_>,
+    ) -> Result<Outcome, Diagnostic> {
+        let quantities = match self.quantities(at)? {
+            Ok(quantities) => quantities,
+            Err(outcome) => return Ok(outcome),
+        };
+        let known = self.rows.of(&self.context, at, &quantities);
+        self.evaluate_with(formula, at, &quantities, &known)
+    }
+
+    /// The number of levels that a cell's value is, before it is rounded; `None` where
+    /// it is another number.
+    pub(crate) fn level_call(&self, at: At<'_>) -> Option<LevelCall> {
+        self.value_and_levels(at)?.1
+    }
+
+    /// A cell's value, and the number of levels that it is, where it is one.
+    pub(crate) fn value_and_levels(
+        &self,
+        at: At<'_>,
+    ) -> Option<(RealCyclotomic, Option<LevelCall>)> {
+        let quantities = self.quantities(at).ok()?.ok()?;
+        let known = self.rows.of(&self.context, at, &quantities);
+        quantities.last_levels.take();
+        let value = self.evaluate_with(&self.table.value, at, &quantities, &known);
+        let Ok(Outcome::Value(value)) = value else { return None };
+        let call = quantities.last_levels.take();
+        let is_value =
+            |call: &LevelCall| call.level.is_some_and(|level| value == RealCyclotomic::from(level));
+        let call = call.filter(is_value);
+        Some((value, call))
+    }
+}

@@ -1,0 +1,9 @@
+//! Evidence: what certificates need beyond the findings, computed when they are written.
+
+mod constants;
+mod promise;
+mod table;
+
+pub use constants::{AttainedConstant, Powers, SearchedConstant};
+pub use promise::{PromiseEvidence, promise_evidence};
+pub use table::{Evidence, SoundCell, evidence};

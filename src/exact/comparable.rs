@@ -1,0 +1,9 @@
+//! Whether two numbers can be compared.
+
+use crate::exact::RealCyclotomic;
+use crate::exact::common_conductor;
+
+/// Whether some field holds both.
+pub(crate) fn comparable(left: &RealCyclotomic, right: &RealCyclotomic) -> bool {
+    common_conductor(left.conductor(), right.conductor()).is_ok()
+}

@@ -1,0 +1,237 @@
+//! What the audit says of a table cell.
+
+use crate::exact::{Rational, RealCyclotomic};
+use crate::finding::promise::Kept;
+use std::fmt;
+
+/// The verdict of a number.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Verdict {
+    /// The correctly rounded value of the printed definition.
+    Confirmed,
+    /// The exact value of the printed definition, rounded otherwise in the last
+    /// place.
+    Rounding(Direction),
+    /// One local slip away from the exact value.
+    Misprint(Slip),
+    /// Not the printed definition, but what another reading of it gives, which
+    /// [`CellFinding::as_read`] names.
+    OtherReading,
+    /// None of these.
+    Refuted,
+    /// Something that it needs is absent.
+    NotCheckable(Missing),
+}
+
+impl Verdict {
+    /// The names of the verdicts of numbers, best first.
+    pub const NAMES: [&'static str; 6] =
+        ["confirmed", "rounding", "misprint", "other-reading", "refuted", "not-checkable"];
+
+    /// The verdict's name.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Verdict::Confirmed => "confirmed",
+            Verdict::Rounding(_) => "rounding",
+            Verdict::Misprint(_) => "misprint",
+            Verdict::OtherReading => "other-reading",
+            Verdict::Refuted => "refuted",
+            Verdict::NotCheckable(_) => "not-checkable",
+        }
+    }
+}
+
+/// How a printed number was rounded, when not to the nearest (a depth: not up).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// A decimal cut towards zero.
+    Cut,
+    /// A decimal rounded away from zero.
+    Away,
+    /// A depth rounded down: one level short.
+    DepthDown,
+    /// A depth rounded to the nearest integer.
+    DepthNearest,
+}
+
+impl fmt::Display for Direction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Direction::Cut => "cut, not rounded",
+            Direction::Away => "rounded away from zero",
+            Direction::DepthDown => "rounded down: one level short",
+            Direction::DepthNearest => "rounded to the nearest level",
+        })
+    }
+}
+
+/// A slip of the pen that leads from the exact value to the printed one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Slip {
+    /// One digit, counted from 1 among the significant ones, is another.
+    Digit {
+        /// Which digit.
+        position: usize,
+        /// What is printed.
+        printed: char,
+        /// What would be right.
+        correct: char,
+    },
+    /// Two neighbouring digits are exchanged; the first of them, counted from 1.
+    Swap(usize),
+    /// The decimal point is off by so many places to the right.
+    Exponent(i32),
+    /// The sign is wrong.
+    Sign,
+    /// The number is that of a neighbouring cell: how many rows down and columns
+    /// to the right.
+    Neighbour(i32, i32),
+    /// The number is exchanged with that of a neighbouring cell: how many rows down
+    /// and columns to the right.
+    Exchanged(i32, i32),
+}
+
+impl fmt::Display for Slip {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Slip::Digit { position, printed, correct } => {
+                write!(f, "digit {position} is {printed}, and should be {correct}")
+            }
+            Slip::Swap(position) => {
+                write!(f, "digits {position} and {} are exchanged", position + 1)
+            }
+            Slip::Exponent(places) => {
+                let large = if *places > 0 { "large" } else { "small" };
+                write!(f, "too {large} by the factor 10^{}", places.unsigned_abs())
+            }
+            Slip::Sign => f.write_str("the sign is wrong"),
+            Slip::Neighbour(rows, columns) => f.write_str(match (rows, columns) {
+                (_, 1..) => "this is the value of the next column",
+                (_, ..=-1) => "this is the value of the column before",
+                (1.., _) => "this is the value of the next row",
+                _ => "this is the value of the row before",
+            }),
+            Slip::Exchanged(rows, columns) => f.write_str(match (rows, columns) {
+                (_, 1..) => "exchanged with the next column",
+                (_, ..=-1) => "exchanged with the column before",
+                (1.., _) => "exchanged with the next row",
+                _ => "exchanged with the row before",
+            }),
+        }
+    }
+}
+
+/// Why a number cannot be checked.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Missing {
+    /// The source at hand has lost the cell.
+    Cell,
+    /// The paper does not state these parameters.
+    Parameters(Vec<String>),
+    /// The value is beyond the caps of this program: which one.
+    Capacity(String),
+}
+
+impl fmt::Display for Missing {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Missing::Cell => f.write_str("the cell is lost"),
+            Missing::Parameters(names) => {
+                write!(f, "the paper does not state {}", names.join(", "))
+            }
+            Missing::Capacity(why) => f.write_str(why),
+        }
+    }
+}
+
+/// Parameters that the paper leaves open, and the values that were put in for
+/// them to have something to show.
+pub type Assumed = Vec<(String, Rational)>;
+
+/// What holds whatever the verdict is: the sound value of a bound or depth.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Sound {
+    /// A depth.
+    Depth {
+        /// The least level at which the sound bound meets the tolerance.
+        level: u32,
+        /// The block length c of that bound.
+        block: u32,
+    },
+    /// Of a ring: the least level, exactly, that meets the tolerance, and so do all later
+    /// ones.
+    Least(u32),
+    /// An upper bound of the distance.
+    Bound(Rational),
+    /// No sound value, and why.
+    None(String),
+}
+
+/// A cell as another reading than the printed one has it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AsRead {
+    /// How the reading differs from the printed text.
+    pub differs: String,
+    /// The value that it gives.
+    pub value: RealCyclotomic,
+}
+
+/// What the audit says of a table cell.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CellFinding {
+    /// `key:table:row:column`, the latter two counted from 1.
+    pub id: String,
+    /// Table, row and column in words.
+    pub locus: String,
+    /// The cell as printed; `None` when it is lost.
+    pub printed: Option<String>,
+    /// Why the number read is not the text printed, when it is not.
+    pub note: Option<String>,
+    /// The verdict.
+    pub verdict: Verdict,
+    /// The value of the printed definition, if it has one.
+    pub exact: Option<RealCyclotomic>,
+    /// The reading that explains the cell, or that it is a slip away from.
+    pub as_read: Option<AsRead>,
+    /// Why it has none.
+    pub undefined: Option<String>,
+    /// The values at which `exact` and `sound` were computed though the paper
+    /// does not state them; empty when all are stated.
+    pub assumed: Assumed,
+    /// What the verdict would be if the assumed values were stated.
+    pub verdict_if_assumed: Option<Verdict>,
+    /// The sound value, for a bound or a depth.
+    pub sound: Option<Sound>,
+    /// Whether the printed number keeps its promise under the printed formula.
+    pub kept_by_formula: Option<bool>,
+    /// Whether the sound bound shows that it keeps its promise.
+    pub kept_by_sound: Option<bool>,
+    /// Whether it keeps it for all control data.
+    pub kept: Option<Kept>,
+    /// Of a curve, where it does not at the paper's offset: the scheme's own, and whether
+    /// it does there.
+    pub kept_at_own_offset: Option<(i64, Kept)>,
+}
+
+impl CellFinding {
+    /// Whether the printed number keeps its promise, by the exact distances or by the
+    /// sound bound; `None` where there is none, or neither shows it.
+    #[must_use]
+    pub fn keeps_promise(&self) -> Option<bool> {
+        match &self.kept {
+            Some(Kept::Yes) => Some(true),
+            Some(Kept::No(_)) => Some(false),
+            Some(Kept::Open(_)) | None => self.kept_by_sound.filter(|kept| *kept),
+        }
+    }
+
+    /// Whether it makes a promise of which it is not known that it keeps it.
+    #[must_use]
+    pub fn may_break_promise(&self) -> bool {
+        self.printed.is_some() && self.sound.is_some() && self.keeps_promise().is_none()
+    }
+}

@@ -1,0 +1,43 @@
+//! Tables of one paper that contradict each other.
+
+use crate::claim::{Paper, Table};
+use crate::finding::reading::Line;
+
+/// A choice or a parameter of which tables, rows or columns need different values.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Contradiction {
+    /// The choice, or the parameter.
+    pub about: String,
+    /// What is needed, and where.
+    pub sides: Vec<Side>,
+}
+
+/// One side of a contradiction.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Side {
+    /// What is needed, in words.
+    pub says: String,
+    /// Where.
+    pub places: Vec<TablePart>,
+}
+
+/// A table, or a row or column of one, that needs something.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TablePart {
+    /// The table's id within the paper.
+    pub table: String,
+    /// The row or column, where it is not the whole table.
+    pub line: Option<Line>,
+    /// How many cells are explained with what it needs.
+    pub explained: usize,
+    /// How many at most with what another side needs.
+    pub otherwise: usize,
+}
+
+impl TablePart {
+    /// The table of a paper that it is in.
+    #[must_use]
+    pub fn table_of<'p>(&self, paper: &'p Paper) -> Option<&'p Table> {
+        paper.tables.iter().find(|table| table.id == self.table)
+    }
+}

@@ -1,0 +1,70 @@
+//! What the audit says of an equation.
+
+use crate::claim::Equation;
+use crate::exact::{Polynomial, Rational};
+
+/// What the audit says of an equation.
+#[derive(Clone, Debug)]
+pub struct EquationFinding<'a> {
+    /// `key:equation`.
+    pub id: String,
+    /// The equation.
+    pub equation: &'a Equation,
+    /// The verdict.
+    pub verdict: EquationVerdict,
+}
+
+/// The verdict of an equation.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum EquationVerdict {
+    /// Both sides are equal, in all of this many cases.
+    Holds {
+        /// The number of combinations of the indices.
+        cases: usize,
+    },
+    /// They differ somewhere.
+    Fails {
+        /// The number of combinations of the indices.
+        cases: usize,
+        /// Those where the sides differ.
+        failures: Vec<Failure>,
+        /// Changes of one symbol with which it holds in all cases.
+        mends: Vec<String>,
+    },
+    /// Something that it needs is absent: what.
+    NotCheckable(String),
+}
+
+impl EquationVerdict {
+    /// The verdict's name.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            EquationVerdict::Holds { .. } => "holds",
+            EquationVerdict::Fails { .. } => "fails",
+            EquationVerdict::NotCheckable(_) => "not-checkable",
+        }
+    }
+}
+
+/// A case in which the two sides differ.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Failure {
+    /// The indices in words; empty when there are none.
+    pub at: String,
+    /// The values of the indices.
+    pub indices: Vec<Rational>,
+    /// The left side.
+    pub left: Polynomial,
+    /// The right side.
+    pub right: Polynomial,
+}
+
+impl Failure {
+    /// left − right.
+    #[must_use]
+    pub fn difference(&self) -> Polynomial {
+        &self.left - &self.right
+    }
+}

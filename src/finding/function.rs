@@ -1,0 +1,54 @@
+//! What the audit says of a closed form in a free parameter.
+
+use crate::claim::FunctionClaim;
+use crate::exact::{IntervalSet, Rational};
+
+/// What the audit says of a closed form in a free parameter.
+#[derive(Clone, Debug)]
+pub struct FunctionFinding<'a> {
+    /// `key:function`.
+    pub id: String,
+    /// The claim.
+    pub claim: &'a FunctionClaim,
+    /// The verdict.
+    pub verdict: FunctionVerdict,
+}
+
+/// The verdict of a closed form in a free parameter.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum FunctionVerdict {
+    /// Both sides are equal at every value of the parameter.
+    Holds,
+    /// They differ somewhere.
+    Fails {
+        /// Where the printed form is larger.
+        larger: IntervalSet,
+        /// Where it is smaller: there a bound that uses it promises too much.
+        smaller: IntervalSet,
+        /// A value of the parameter at which they differ.
+        example: Box<Example>,
+    },
+}
+
+impl FunctionVerdict {
+    /// The verdict's name.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            FunctionVerdict::Holds => "holds",
+            FunctionVerdict::Fails { .. } => "fails",
+        }
+    }
+}
+
+/// Both sides at one value of the parameter.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Example {
+    /// The parameter.
+    pub at: Rational,
+    /// The printed form there.
+    pub left: Rational,
+    /// What it should equal.
+    pub right: Rational,
+}

@@ -1,0 +1,34 @@
+//! Findings: what the audit says of claims, as plain data.
+
+mod cell;
+mod consistency;
+mod equation;
+mod function;
+mod levels;
+mod paper;
+mod promise;
+mod range;
+mod reading;
+mod table;
+mod theorem;
+mod witness;
+
+pub use cell::{AsRead, Assumed, CellFinding, Direction, Missing, Slip, Sound, Verdict};
+pub use consistency::{Contradiction, Side, TablePart};
+pub use equation::{EquationFinding, EquationVerdict, Failure};
+pub use function::{Example, FunctionFinding, FunctionVerdict};
+pub use levels::{Later, LevelEvidence, Levels};
+pub use paper::PaperAudit;
+pub use promise::{Broken, ControlData, Kept, PromiseCounts};
+pub use range::{EndFinding, EndRelation, RangeFinding, RangeVerdict};
+pub use reading::{
+    CellKind, Difference, Explanation, Line, LineReading, MAX_DIFFERENCES, Need, Search, Solved,
+};
+pub(crate) use reading::{Sibling, Values};
+pub use table::TableFinding;
+pub(crate) use theorem::Change;
+pub use theorem::{
+    CaseFinding, Correction, FailingPremise, Outcome, Refutation, Repair, TheoremFinding,
+    TheoremVerdict,
+};
+pub use witness::{Attained, Control, Place, Supremum, Violation};

@@ -1,0 +1,72 @@
+//! Whether a printed bound or depth keeps its promise.
+
+use crate::exact::{Rational, RealCyclotomic};
+use crate::limit::ExtremalPolygon;
+use std::ops::Add;
+
+/// Whether a printed number keeps its promise for all control data.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Kept {
+    /// It does.
+    Yes,
+    /// It does not for these.
+    No(Box<Broken>),
+    /// Not decided, and why.
+    Open(String),
+}
+
+/// Control data for which a printed number does not keep its promise.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Broken {
+    /// The data, and the place where they are too far from their limit.
+    pub data: ControlData,
+    /// β, of the data times β.
+    pub spread: Rational,
+    /// k.
+    pub level: u32,
+    /// The distance of the data times β from their limit at that place and level.
+    pub distance: RealCyclotomic,
+    /// What it was promised to be at most.
+    pub most: Rational,
+}
+
+/// Control data of spread 1, and a place.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ControlData {
+    /// A piece of a control polygon, and t.
+    Polygon(ExtremalPolygon, Rational),
+    /// A piece of a control net, row by row, the indices of its first point, and s and t.
+    Net(Vec<Vec<i64>>, [i64; 2], [Rational; 2]),
+    /// A control ring, and the name of one of its points.
+    Ring(Vec<i64>, String),
+}
+
+/// How many printed bounds and depths keep their promise for every control polygon.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct PromiseCounts {
+    /// They do.
+    pub kept: usize,
+    /// They do not.
+    pub broken: usize,
+    /// Not decided.
+    pub open: usize,
+}
+
+impl PromiseCounts {
+    /// All of them.
+    #[must_use]
+    pub fn all(&self) -> usize {
+        self.kept + self.broken + self.open
+    }
+}
+
+impl Add for PromiseCounts {
+    type Output = PromiseCounts;
+    fn add(self, other: PromiseCounts) -> PromiseCounts {
+        PromiseCounts {
+            kept: self.kept + other.kept,
+            broken: self.broken + other.broken,
+            open: self.open + other.open,
+        }
+    }
+}

@@ -1,0 +1,201 @@
+//! Readings of tables: what they differ in, and what they explain.
+
+use crate::exact::{Enclosed, Rational, RealCyclotomic};
+use crate::finding::cell::CellFinding;
+use std::cmp::Reverse;
+use std::collections::BTreeMap;
+use std::fmt;
+
+/// The exact values of the cells of a table, by row.
+pub(crate) type Values = Vec<Vec<Option<RealCyclotomic>>>;
+
+/// A row or a column, counted from 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Line {
+    /// A row.
+    Row(usize),
+    /// A column.
+    Column(usize),
+}
+
+impl Line {
+    pub(crate) fn holds(self, row: usize, column: usize) -> bool {
+        match self {
+            Line::Row(place) => place == row,
+            Line::Column(place) => place == column,
+        }
+    }
+}
+
+/// The reading of the cells of a row or column that no reading of the whole table
+/// explains.
+#[derive(Clone, Debug)]
+pub struct LineReading {
+    /// The row or column.
+    pub line: Line,
+    /// How many of its cells were left over.
+    pub cells: usize,
+    /// Where the values stand that are printed in it: (0, 0) in place, (0, 1) in the
+    /// next column, (1, 0) in the next row.
+    pub shift: (i32, i32),
+    /// How many readings were compared, over all rows and columns, as [`Search::tried`](super::Search::tried)
+    /// counts them.
+    pub tried: usize,
+    /// The reading, of equally good ones the first.
+    pub best: Explanation,
+    /// How many readings would do as well on unrelated numbers, at most.
+    pub chance: Rational,
+    /// What its cells need.
+    pub needs: Vec<Need>,
+}
+
+/// A choice, and how many cells each of its ways explains at most.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Need {
+    /// The choice, or the definition.
+    pub choice: String,
+    /// Each way in words, with the number of cells that some reading with it explains.
+    pub ways: BTreeMap<String, usize>,
+}
+
+impl Need {
+    /// How many cells the best way explains.
+    #[must_use]
+    pub fn most(&self) -> usize {
+        self.ways.values().copied().max().unwrap_or(0)
+    }
+
+    /// The ways that explain as many cells as the best one, but for `lost` at most.
+    #[must_use]
+    pub fn suitable(&self, lost: usize) -> Vec<&str> {
+        let least = self.most().saturating_sub(lost);
+        let suits = self.ways.iter().filter(|(_, count)| **count >= least);
+        suits.map(|(way, _)| way.as_str()).collect()
+    }
+}
+
+/// A parameter that the paper does not state, as the printed numbers determine it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solved {
+    /// Its name.
+    pub name: String,
+    /// The values with which every explained cell is consistent lie between these,
+    /// up to 2^−60 of them.
+    pub between: (Rational, Rational),
+    /// The simplest number among them; of a spread, the assumed one where it is among
+    /// them.
+    pub simplest: Rational,
+}
+
+/// The most differences from the printed text that a reading may have.
+pub const MAX_DIFFERENCES: usize = 4;
+
+/// A respect in which a reading differs from the printed text.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Difference {
+    /// The choice, or the definition.
+    pub choice: String,
+    /// What holds instead of the printed text.
+    pub says: String,
+    /// The value, where the choice is that of a parameter.
+    pub value: Option<Rational>,
+}
+
+/// A reading that explains cells of a table.
+#[derive(Clone, Debug)]
+pub struct Explanation {
+    /// Its differences from the printed text.
+    pub differences: Vec<Difference>,
+    /// The parameters that were solved for.
+    pub solved: Vec<Solved>,
+    /// The exact value of each cell, row by row, where there is one.
+    pub values: Vec<Vec<Option<RealCyclotomic>>>,
+    /// Which printed cells it explains.
+    pub explained: Vec<Vec<bool>>,
+}
+
+impl Explanation {
+    /// How many cells it explains.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.explained.iter().flatten().filter(|explained| **explained).count()
+    }
+
+    /// How it differs from the printed text, in words.
+    #[must_use]
+    pub fn differs(&self) -> String {
+        let differences = self.differences.iter().map(|difference| difference.says.clone());
+        let solved = self.solved.iter().filter(|solved| {
+            self.differences.iter().all(|difference| difference.choice != solved.name)
+        });
+        let solved = solved.map(|solved| format!("{} = {}", solved.name, solved.simplest));
+        differences.chain(solved).collect::<Vec<String>>().join("; ")
+    }
+
+    /// The better, the more cells it explains, and of those the fewer differences.
+    pub(crate) fn rank(&self) -> (usize, Reverse<usize>) {
+        (self.count(), Reverse(self.differences.len()))
+    }
+}
+
+/// What a search has found.
+#[derive(Clone, Debug)]
+pub struct Search {
+    /// How many readings were compared, every scale that someone would choose counted.
+    pub tried: usize,
+    /// What they differ in.
+    pub choices: Vec<String>,
+    /// How many cells are printed.
+    pub cells: usize,
+    /// How many cells the printed definition explains.
+    pub as_printed: usize,
+    /// How many cells the best of the readings explain, be it by luck.
+    pub most: usize,
+    /// The readings that explain most cells, with the fewest differences; empty when
+    /// none explains more than the printed definition, or luck could.
+    pub best: Vec<Explanation>,
+    /// How many readings would do as well as those that explain most on unrelated
+    /// numbers, at most.
+    pub chance: Rational,
+    /// The readings of rows and columns for the cells that `best` leaves.
+    pub lines: Vec<LineReading>,
+}
+
+/// Which cells of a table are read together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CellKind {
+    /// Those whose value as printed needs no assumption.
+    Plain,
+    /// Those that need one.
+    Assumed,
+}
+
+impl CellKind {
+    pub(crate) fn holds(self, finding: &CellFinding) -> bool {
+        finding.assumed.is_empty() == (self == CellKind::Plain)
+    }
+
+    /// The kinds of the printed cells of a table.
+    pub(crate) fn of(findings: &[Vec<CellFinding>]) -> Vec<CellKind> {
+        let printed = || findings.iter().flatten().filter(|finding| finding.printed.is_some());
+        let kinds = [CellKind::Plain, CellKind::Assumed].into_iter();
+        kinds.filter(|kind| printed().any(|finding| kind.holds(finding))).collect()
+    }
+}
+
+/// A parameter of a scheme as another table of the paper was computed with it.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Sibling {
+    /// The parameter.
+    pub(crate) name: String,
+    /// Its value.
+    pub(crate) value: Rational,
+    /// Where the other table stands.
+    pub(crate) locus: String,
+}
+
+impl fmt::Display for Sibling {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} = {}, as in {}", self.name, self.value, self.locus)
+    }
+}

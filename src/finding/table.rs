@@ -1,0 +1,48 @@
+//! What the audit says of a table.
+
+use crate::claim::Table;
+use crate::finding::cell::CellFinding;
+use crate::finding::promise::{Kept, PromiseCounts};
+use crate::finding::reading::{Need, Search, Sibling};
+
+impl TableFinding<'_> {
+    /// How many of its printed bounds and depths keep their promise.
+    #[must_use]
+    pub fn promise_counts(&self) -> PromiseCounts {
+        let mut counts = PromiseCounts::default();
+        for kept in self.cells.iter().flatten().filter_map(|cell| cell.kept.as_ref()) {
+            *match kept {
+                Kept::Yes => &mut counts.kept,
+                Kept::No(_) => &mut counts.broken,
+                Kept::Open(_) => &mut counts.open,
+            } += 1;
+        }
+        counts
+    }
+}
+
+/// What the audit says of a table.
+#[derive(Clone, Debug)]
+pub struct TableFinding<'a> {
+    /// The table.
+    pub table: &'a Table,
+    /// Its cells, row by row.
+    pub cells: Vec<Vec<CellFinding>>,
+    /// The search for the reading that it was computed by, unless every cell is as
+    /// printed: of the cells that need no assumptions, if there are any.
+    pub search: Option<Search>,
+    /// Where some cells need assumptions and others do not, the search for the reading of the cells
+    /// that do.
+    pub assumed_search: Option<Search>,
+    /// How many cells each way of each choice explains.
+    pub needs: Vec<Need>,
+    /// What other tables gave away of its parameters.
+    pub(crate) siblings: Vec<Sibling>,
+}
+
+impl TableFinding<'_> {
+    /// The searches for readings.
+    pub fn searches(&self) -> impl Iterator<Item = &Search> {
+        self.search.iter().chain(&self.assumed_search)
+    }
+}

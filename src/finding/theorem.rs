@@ -1,0 +1,142 @@
+//! What the audit says of a theorem.
+
+use crate::claim::Theorem;
+use crate::exact::{Rational, RealCyclotomic};
+use crate::finding::levels::Levels;
+use crate::finding::witness::{Supremum, Violation};
+
+/// One correction.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Correction {
+    /// What holds instead of the printed text.
+    pub says: String,
+    pub(crate) change: Change,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Change {
+    /// A sound word for a choice that the formula depends on.
+    Word(&'static str, &'static str),
+    /// One of the claim file's alternatives, by its place.
+    Alternative(usize),
+    /// One of the theorem's rewritings, by its place.
+    Rewriting(usize),
+    /// A power of the constant for each block of levels.
+    Block,
+    /// The sum, or the greatest, of what the levels of a block contribute.
+    Within,
+    /// Polygon and limit compared at the offset that serves the scheme best.
+    Centred,
+}
+
+/// What the audit says of a theorem.
+#[derive(Clone, Debug)]
+pub struct TheoremFinding<'a> {
+    /// `key:theorem`.
+    pub id: String,
+    /// The theorem.
+    pub theorem: &'a Theorem,
+    /// The verdict.
+    pub verdict: TheoremVerdict,
+    /// What shows it; `None` for an open theorem.
+    pub proof: Option<String>,
+    /// Of a theorem about a single scheme that is proved without a proof by hand, the levels that
+    /// prove it.
+    pub levels: Option<Levels>,
+    /// Of a refuted theorem, the simplest data that refute it.
+    pub refutation: Option<Refutation>,
+    /// What it was tried on.
+    pub cases: Vec<CaseFinding>,
+    /// Of a refuted theorem, how a reader may try to save it.
+    pub corrections: Vec<Correction>,
+    /// The smallest sets of corrections with which nothing refutes it.
+    pub repairs: Vec<Repair>,
+    /// The claims that do not hold and that it rests on, at once or through other
+    /// theorems. It may be true in spite of them; its proof does not show it.
+    pub failing: Vec<FailingPremise<'a>>,
+}
+
+/// The verdict of a theorem.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum TheoremVerdict {
+    /// It is true.
+    Proved,
+    /// It is false.
+    Refuted,
+    /// Neither is known.
+    Open,
+}
+
+impl TheoremVerdict {
+    /// The verdict's name.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            TheoremVerdict::Proved => "proved",
+            TheoremVerdict::Refuted => "refuted",
+            TheoremVerdict::Open => "open",
+        }
+    }
+}
+
+/// A case, and what the theorem is there.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CaseFinding {
+    /// The scheme and the values.
+    pub label: String,
+    /// What the trial has shown.
+    pub outcome: Outcome,
+}
+
+/// A case in which a theorem is false.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Refutation {
+    /// The scheme and the values, in a few words.
+    pub case: String,
+    /// The scheme, as the claim refers to it.
+    pub scheme: String,
+    /// The values of the names that the theorem leaves open.
+    pub values: Vec<(String, Rational)>,
+    /// Of a distance of a ring, the weights of its limit.
+    pub limit: Vec<RealCyclotomic>,
+    /// The data.
+    pub violation: Violation,
+    /// The supremum over all control data, at this level.
+    pub supremum: Option<Supremum>,
+    /// The sound block bound of the distance, at this level.
+    pub sound: Option<RealCyclotomic>,
+}
+
+/// Corrections with which nothing refutes a theorem.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Repair {
+    /// The places of the corrections.
+    pub corrections: Vec<usize>,
+    /// Whether it is then proved in every case that it speaks of.
+    pub proved: bool,
+}
+
+/// A claim that a theorem rests on, and that does not hold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FailingPremise<'a> {
+    /// Its id within the paper.
+    pub id: &'a str,
+    /// Where it stands.
+    pub locus: &'a str,
+}
+
+/// What a trial has shown.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Outcome {
+    /// The bound is exceeded.
+    Refuted(Box<Violation>),
+    /// It holds at every level.
+    Proved,
+    /// It holds at the levels up to this one, and later ones are not shown to exceed it.
+    UpTo(u32),
+    /// Nothing is known, for this reason.
+    Unknown(String),
+    /// The theorem does not speak of this case, for this reason.
+    Outside(String),
+}

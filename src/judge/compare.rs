@@ -1,0 +1,159 @@
+//! A printed decimal against an exact value.
+
+use crate::exact::{Decimal, Enclosed, Integer, Rational, RealCyclotomic, Rounding};
+use crate::finding::{Direction, Slip, Values, Verdict};
+
+/// The digits that a slip needs before it is more than luck: with fewer, a number
+/// of random digits would be one slip away from the exact value more than once in
+/// a thousand times. A digit can change in 9d ways, towards the value rounded or
+/// cut; a pair can be exchanged in d−1; the point can be off by 3 places at most
+/// either way; a sign has one other; there are four neighbours. Zeros at the end
+/// do not count: 0.1600 for 0.1400 says no more than 0.16 for 0.14.
+const DIGITS_FOR_DIGIT: usize = 5;
+
+const DIGITS_FOR_SWAP: usize = 5;
+
+const DIGITS_FOR_EXPONENT: usize = 4;
+
+const DIGITS_FOR_SIGN: usize = 4;
+
+const DIGITS_FOR_NEIGHBOUR: usize = 4;
+
+/// The digits that two exchanged numbers need together, each of them one at least:
+/// with four neighbours, luck finds such a pair once in 20 000 times.
+const DIGITS_FOR_EXCHANGED: usize = 5;
+
+/// The digits that a number needs to be explained by another reading in all places but
+/// the last.
+const DIGITS_FOR_ROUNDING: usize = 3;
+
+/// How far the decimal point may be off.
+const MAX_EXPONENT_SLIP: i32 = 3;
+
+/// The verdict on `printed` for the value `exact`; `neighbours` are the exact
+/// values of the cells around it with their direction.
+pub(crate) fn judge(
+    printed: &Decimal,
+    exact: &RealCyclotomic,
+    neighbours: &[((i32, i32), &RealCyclotomic)],
+) -> Verdict {
+    match printed.rounding_of(exact) {
+        Rounding::Exact | Rounding::Nearest => Verdict::Confirmed,
+        Rounding::Truncated => Verdict::Rounding(Direction::Cut),
+        Rounding::Up => Verdict::Rounding(Direction::Away),
+        Rounding::Neither => {
+            find_slip(printed, exact, neighbours).map_or(Verdict::Refuted, Verdict::Misprint)
+        }
+    }
+}
+
+/// The values beside, above and below a cell, with their direction: rows down, columns
+/// to the right.
+pub(crate) fn around(
+    values: &Values,
+    row: usize,
+    column: usize,
+) -> Vec<((i32, i32), &RealCyclotomic)> {
+    let steps = [(0, 1), (0, -1), (1, 0), (-1, 0)].into_iter();
+    let value = |step| {
+        let (row, column) = moved(row, column, step)?;
+        Some((step, values.get(row)?.get(column)?.as_ref()?))
+    };
+    steps.filter_map(value).collect()
+}
+
+/// The place that is so many rows down and columns to the right.
+pub(crate) fn moved(row: usize, column: usize, step: (i32, i32)) -> Option<(usize, usize)> {
+    let row = row.checked_add_signed(step.0 as isize)?;
+    Some((row, column.checked_add_signed(step.1 as isize)?))
+}
+
+/// Whether two cells, with what is printed and the exact value of each, are exchanged.
+pub(crate) fn exchanged(
+    first: &Decimal,
+    first_exact: &RealCyclotomic,
+    second: &Decimal,
+    second_exact: &RealCyclotomic,
+) -> bool {
+    let (digits, other) = (telling_digits(first), telling_digits(second));
+    digits.min(other) > 0
+        && digits + other >= DIGITS_FOR_EXCHANGED
+        && !matches(first, first_exact)
+        && !matches(second, second_exact)
+        && matches(first, second_exact)
+        && matches(second, first_exact)
+}
+
+/// Whether `exact` becomes `printed` by some rounding.
+pub(crate) fn matches(printed: &Decimal, exact: &RealCyclotomic) -> bool {
+    printed.rounding_of(exact) != Rounding::Neither
+}
+
+/// The significant digits without the zeros at the end.
+fn telling_digits(printed: &Decimal) -> usize {
+    printed.mantissa().abs().to_string().trim_matches('0').len()
+}
+
+/// Whether a number that agrees up to its last place agrees by more than luck.
+pub(crate) fn says_enough(printed: &Decimal) -> bool {
+    telling_digits(printed) >= DIGITS_FOR_ROUNDING
+}
+
+fn find_slip(
+    printed: &Decimal,
+    exact: &RealCyclotomic,
+    neighbours: &[((i32, i32), &RealCyclotomic)],
+) -> Option<Slip> {
+    let digits = telling_digits(printed);
+    if digits >= DIGITS_FOR_SIGN && matches(printed, &-exact) {
+        return Some(Slip::Sign);
+    }
+    if digits >= DIGITS_FOR_EXPONENT {
+        let places = (1..=MAX_EXPONENT_SLIP).flat_map(|places| [places, -places]);
+        let moved = |places: i32| exact * &RealCyclotomic::from(Rational::power_of_ten(places));
+        if let Some(places) = places.into_iter().find(|&places| {
+            matches!(printed.rounding_of(&moved(places)), Rounding::Exact | Rounding::Nearest)
+        }) {
+            return Some(Slip::Exponent(places));
+        }
+    }
+    if digits >= DIGITS_FOR_NEIGHBOUR {
+        let same = neighbours.iter().find(|(_, value)| *value != exact && matches(printed, value));
+        if let Some(((rows, columns), _)) = same {
+            return Some(Slip::Neighbour(*rows, *columns));
+        }
+    }
+    if digits < DIGITS_FOR_DIGIT.min(DIGITS_FOR_SWAP) || printed.value().sign() != exact.sign() {
+        return None;
+    }
+    let unit = RealCyclotomic::from(printed.unit().recip());
+    let scaled = (exact * &unit).abs();
+    [scaled.step(Rational::round_half_even), scaled.floor()]
+        .iter()
+        .find_map(|correct| digit_slip(&printed.mantissa().abs(), correct, digits))
+}
+
+/// One digit changed, or two neighbours exchanged, between two integers of the
+/// same length. A last digit that differs is no slip: inexact computing gives it too.
+fn digit_slip(printed: &Integer, correct: &Integer, digits: usize) -> Option<Slip> {
+    let printed: Vec<char> = printed.to_string().chars().collect();
+    let correct: Vec<char> = correct.to_string().chars().collect();
+    if printed.len() != correct.len() {
+        return None;
+    }
+    let differing: Vec<usize> = (0..printed.len()).filter(|&i| printed[i] != correct[i]).collect();
+    match differing[..] {
+        [i] if digits >= DIGITS_FOR_DIGIT && i + 1 < printed.len() => {
+            Some(Slip::Digit { position: i + 1, printed: printed[i], correct: correct[i] })
+        }
+        [i, j]
+            if digits >= DIGITS_FOR_SWAP
+                && j == i + 1
+                && printed[i] == correct[j]
+                && printed[j] == correct[i] =>
+        {
+            Some(Slip::Swap(i + 1))
+        }
+        _ => None,
+    }
+}

@@ -1,0 +1,87 @@
+//! The two sides of an identity, in one case of its indices.
+
+use crate::claim::{Hypothesis, Identity, Paper};
+use crate::diagnostic::Diagnostic;
+use crate::evaluation::shape::{Coefficients, Shapes, own_shape};
+use crate::exact::{Polynomial, Rational, Scalar};
+use crate::formula::{Expr, LocatedFormula, Scope, evaluate};
+use crate::judge::hypotheses;
+
+/// A combination of the indices.
+pub(crate) struct Case {
+    pub(crate) values: Vec<(String, Rational)>,
+    /// The same in words.
+    pub(crate) text: String,
+}
+
+/// An identity with what its formulas refer to.
+pub(crate) struct Comparison<'a> {
+    pub(crate) paper: &'a Paper,
+    pub(crate) identity: &'a Identity,
+    pub(crate) shapes: Shapes<'a, Polynomial>,
+}
+
+impl Comparison<'_> {
+    /// The value of `expr`, which stands in `formula` or instead of it.
+    pub(crate) fn value(
+        &self,
+        formula: &LocatedFormula,
+        expr: &Expr,
+        case: &Case,
+    ) -> Result<Polynomial, Diagnostic> {
+        let member = |name: &str| Polynomial::variable(name);
+        let none = Coefficients { shapes: &self.shapes, own: None };
+        let own = match &self.identity.scheme {
+            None => None,
+            Some(located) => {
+                let scope = self.scope(case, &none, &member)?;
+                Some(own_shape(&self.shapes, located, &scope)?)
+            }
+        };
+        let functions = Coefficients { shapes: &self.shapes, own };
+        let scope = self.scope(case, &functions, &member)?;
+        evaluate(expr, &scope).map_err(|error| formula.diagnostic(&error))
+    }
+
+    fn scope<'s>(
+        &'s self,
+        case: &Case,
+        functions: &'s Coefficients<'s, Polynomial>,
+        member: &'s dyn Fn(&str) -> Polynomial,
+    ) -> Result<Scope<'s, Polynomial>, Diagnostic> {
+        let identity = self.identity;
+        let plain = || {
+            let mut scope = Scope::new(&self.paper.definitions, functions);
+            for symbol in &identity.symbols {
+                let variable = Polynomial::variable(symbol);
+                scope = scope.with(symbol, variable).with_family(symbol, member);
+            }
+            for (name, value) in &case.values {
+                scope = scope.with(name, Polynomial::from_rational(value));
+            }
+            scope
+        };
+        // A family of which all members that occur are given is no symbol itself.
+        let mut symbols = plain();
+        for family in identity.hypotheses.iter().filter_map(Hypothesis::family) {
+            symbols = symbols.with_family(family, member);
+        }
+        let solved = hypotheses::solve(&identity.hypotheses, &symbols)?;
+        let mut scope = plain();
+        for (name, value) in solved {
+            // Its value is one of the other symbols: none of a family that is only given.
+            let unknown = value.linear().into_iter().flatten().find(|name| {
+                let family = name.split_once('[').map(|(family, _)| family);
+                family.is_some_and(|family| identity.symbols.iter().all(|known| known != family))
+            });
+            if let Some(unknown) = unknown {
+                let right = &identity.right;
+                let message = format!("the hypotheses leave `{unknown}` open");
+                return Err(Diagnostic::new(&right.source, right.span.clone(), message)
+                    .with_help("give it a value too, or name its family in `symbols`"));
+            }
+            scope = scope.with(&name, value);
+        }
+        Ok(scope)
+    }
+}

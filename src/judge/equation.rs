@@ -1,0 +1,108 @@
+//! Judging an equation.
+
+use crate::claim::{Equation, EquationBody, Identity, Index, Paper};
+use crate::diagnostic::Diagnostic;
+use crate::evaluation::library::Library;
+use crate::evaluation::shape::Shapes;
+use crate::exact::Rational;
+use crate::finding::{EquationFinding, EquationVerdict, Failure};
+use crate::formula::{Context, LocatedFormula, Parameters, evaluate};
+use crate::judge::comparison::{Case, Comparison};
+use crate::judge::mend;
+use std::collections::BTreeMap;
+
+/// The most combinations of indices that an identity is compared in.
+pub const MAX_CASES: usize = 100_000;
+
+/// Judges an equation: both sides as polynomials in the symbols, in normal form.
+pub(crate) fn judge<'a>(
+    paper: &'a Paper,
+    equation: &'a Equation,
+    library: &Library<'_>,
+) -> Result<EquationFinding<'a>, Diagnostic> {
+    let id = format!("{}:{}", paper.key, equation.id);
+    let verdict = match &equation.body {
+        EquationBody::NotCheckable(absent) => EquationVerdict::NotCheckable(absent.clone()),
+        EquationBody::Identity(identity) => compare(paper, identity, library)?,
+    };
+    Ok(EquationFinding { id, equation, verdict })
+}
+
+fn compare(
+    paper: &Paper,
+    identity: &Identity,
+    library: &Library<'_>,
+) -> Result<EquationVerdict, Diagnostic> {
+    let cases = cases(identity)?;
+    let comparison = Comparison { paper, identity, shapes: Shapes::new(library) };
+    let (mut failures, mut failing) = (Vec::new(), Vec::new());
+    for (i, case) in cases.iter().enumerate() {
+        let left = identity.left.formula(i);
+        let left = comparison.value(left, &left.expr, case)?;
+        let right = comparison.value(&identity.right, &identity.right.expr, case)?;
+        if left != right {
+            let indices = case.values.iter().map(|(_, value)| value.clone()).collect();
+            failures.push(Failure { at: case.text.clone(), indices, left, right });
+            failing.push(i);
+        }
+    }
+    if failures.is_empty() {
+        return Ok(EquationVerdict::Holds { cases: cases.len() });
+    }
+    let mends = mend::search(&comparison, &cases, &failing);
+    Ok(EquationVerdict::Fails { cases: cases.len(), failures, mends })
+}
+
+/// Every combination of the indices, the first one slowest.
+fn cases(identity: &Identity) -> Result<Vec<Case>, Diagnostic> {
+    let mut cases = vec![Case { values: Vec::new(), text: String::new() }];
+    for index in &identity.indices {
+        let mut longer = Vec::new();
+        for case in cases {
+            let (name, label, entries) = match index {
+                Index::Listed(axis) => {
+                    let entry = |entry: &crate::claim::AxisEntry| {
+                        (entry.value.clone(), entry.printed.clone())
+                    };
+                    (&axis.name, &axis.label, axis.entries.iter().map(entry).collect())
+                }
+                Index::Range { name, label, from, to } => {
+                    let (from, to) = (bound(from, &case)?, bound(to, &case)?);
+                    let entry = |value: i64| (Rational::from(value), value.to_string());
+                    (name, label, (from..=to).map(entry).collect::<Vec<_>>())
+                }
+            };
+            for (value, printed) in entries {
+                let comma = if case.text.is_empty() { "" } else { ", " };
+                let text = format!("{}{comma}{label} = {printed}", case.text);
+                let mut values = case.values.clone();
+                values.push((name.clone(), value));
+                longer.push(Case { values, text });
+            }
+            if longer.len() > MAX_CASES {
+                let source = &identity.right.source;
+                let message = format!("more than {MAX_CASES} combinations of the indices");
+                return Err(Diagnostic::new(source, identity.right.span.clone(), message));
+            }
+        }
+        cases = longer;
+    }
+    if cases.is_empty() {
+        let (source, span) = (&identity.right.source, identity.right.span.clone());
+        let message = "the indices have no values, so that nothing is claimed";
+        return Err(Diagnostic::new(source, span, message)
+            .with_help("`from` is the first value and `to` the last one, which is not less"));
+    }
+    Ok(cases)
+}
+
+fn bound(formula: &LocatedFormula, case: &Case) -> Result<i64, Diagnostic> {
+    let values: BTreeMap<String, Rational> = case.values.iter().cloned().collect();
+    let value =
+        evaluate(&formula.expr, &Parameters(values)).map_err(|error| formula.diagnostic(&error))?;
+    let integer = value.numerator().to_i64().filter(|value| value.abs() <= 1_000_000);
+    integer.filter(|_| value.is_integer()).ok_or_else(|| {
+        let message = format!("an index runs over integers up to 10^6, and this is {value}");
+        Diagnostic::new(&formula.source, formula.span.clone(), message)
+    })
+}

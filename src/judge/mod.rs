@@ -1,0 +1,17 @@
+//! Judging: one file for each kind of claim, and a folder for what takes more.
+
+mod compare;
+mod comparison;
+pub(crate) mod equation;
+pub(crate) mod function;
+mod hypotheses;
+pub(crate) mod kept;
+pub(crate) mod later;
+mod mend;
+pub(crate) mod promise;
+pub(crate) mod range;
+pub(crate) mod reading;
+pub(crate) mod table;
+pub(crate) mod theorem;
+
+pub use equation::MAX_CASES;

@@ -1,0 +1,240 @@
+//! What holds, whatever the verdict: the sound value of a bound or a depth, and whether the
+//! printed one is true for every control polygon.
+
+use crate::claim::{Cell, Promise};
+use crate::diagnostic::Diagnostic;
+use crate::evaluation::choices::DEPTH_ROUNDING;
+use crate::evaluation::context::{At, Outcome};
+use crate::evaluation::library::Resolved;
+use crate::evaluation::quantity::Quantities;
+use crate::evaluation::settings::Settings;
+use crate::evaluation::table::Evaluator;
+use crate::exact::{Rational, RealCyclotomic};
+use crate::finding::{CellFinding, Kept, Sound};
+use crate::formula::LocatedFormula;
+use crate::judge::kept::{DistanceMemo, Remembered};
+use std::rc::Rc;
+
+/// The highest level at which a bound is computed.
+const MAX_BOUND_LEVEL: u32 = 1_000;
+
+/// Why there is no sound value: a finding, or an error of the claim file.
+enum NoSound {
+    Because(String),
+    Wrong(Diagnostic),
+}
+
+impl From<Diagnostic> for NoSound {
+    fn from(diagnostic: Diagnostic) -> NoSound {
+        NoSound::Wrong(diagnostic)
+    }
+}
+
+impl From<Outcome> for NoSound {
+    fn from(outcome: Outcome) -> NoSound {
+        NoSound::Because(match outcome {
+            Outcome::Value(value) => value.to_string(),
+            Outcome::Unstated(name) => format!("the paper does not state {name}"),
+            Outcome::Undefined(why) | Outcome::BeyondCaps(why) => why,
+        })
+    }
+}
+
+/// A promise with its values.
+struct Promised {
+    scheme: Compared,
+    spread: Rational,
+    of: Of,
+}
+
+impl Promised {
+    /// The same at the own offset of a scheme for curves, where that is another.
+    fn at_own_offset(&self) -> Option<(i64, Promised)> {
+        let Compared::Masks(scheme, Some(offset)) = &self.scheme else { return None };
+        let [curve] = &scheme.constants[..] else { return None };
+        let own = curve.mask().offset();
+        let scheme = Compared::Masks(scheme.clone(), None);
+        let (spread, of) = (self.spread.clone(), self.of.clone());
+        (own != *offset).then_some((own, Promised { scheme, spread, of }))
+    }
+}
+
+/// What is compared with its limit.
+enum Compared {
+    /// At the offset, or at its own.
+    Masks(Resolved, Option<i64>),
+    Ring(Rc<Remembered>),
+}
+
+/// What a printed number is promised of.
+#[derive(Clone)]
+enum Of {
+    /// It is a depth for this tolerance.
+    Tolerance(Rational),
+    /// It is a bound of the distance at this level.
+    Level(i64),
+}
+
+impl Evaluator<'_> {
+    pub(crate) fn judge_promise(
+        &self,
+        cell: &Cell,
+        at: At<'_>,
+        distances: &DistanceMemo,
+        finding: &mut CellFinding,
+    ) -> Result<(), Diagnostic> {
+        let Some(promise) = &self.table.promise else { return Ok(()) };
+        let printed = match cell {
+            Cell::Lost => None,
+            Cell::Printed(printed) => Some(printed.decimal.value()),
+        };
+        if let (Some(printed), Some(exact)) = (&printed, &finding.exact) {
+            // A depth that the definition itself rounds down keeps no promise.
+            let needed = match promise {
+                Promise::Bound { .. } => Outcome::Value(exact.clone()),
+                Promise::Depth { .. } => {
+                    let settings = Settings::new(vec![(DEPTH_ROUNDING.name, "up")]);
+                    self.evaluate(&self.table.value, At { settings: &settings, ..at })?
+                }
+            };
+            if let Outcome::Value(needed) = needed {
+                finding.kept_by_formula = Some(RealCyclotomic::from(printed.clone()) >= needed);
+            }
+        }
+        let promised = match self.promised(promise, at, distances) {
+            Ok(promised) => promised,
+            Err(NoSound::Because(why)) => {
+                finding.kept = printed.map(|_| Kept::Open(why.clone()));
+                finding.sound = Some(Sound::None(why));
+                return Ok(());
+            }
+            Err(NoSound::Wrong(diagnostic)) => return Err(diagnostic),
+        };
+        let sound = self.sound(&promised).unwrap_or_else(Sound::None);
+        if let Some(printed) = printed {
+            finding.kept_by_sound = match &sound {
+                Sound::Depth { level, .. } | Sound::Least(level) => {
+                    Some(printed >= Rational::from(*level))
+                }
+                Sound::Bound(bound) => Some(printed >= *bound),
+                Sound::None(_) => None,
+            };
+            if finding.kept_by_sound == Some(true) {
+                finding.kept = Some(Kept::Yes);
+            } else {
+                let kept = self.kept(&promised, &printed, distances);
+                if kept != Kept::Yes
+                    && let Some((own, promised)) = promised.at_own_offset()
+                {
+                    finding.kept_at_own_offset =
+                        Some((own, self.kept(&promised, &printed, distances)));
+                }
+                finding.kept = Some(kept);
+            }
+        }
+        finding.sound = Some(sound);
+        Ok(())
+    }
+
+    fn promised(
+        &self,
+        promise: &Promise,
+        at: At<'_>,
+        distances: &DistanceMemo,
+    ) -> Result<Promised, NoSound> {
+        let (Promise::Depth { spread, offset, ring, .. }
+        | Promise::Bound { spread, offset, ring, .. }) = promise;
+        let scheme = if let Some(ring) = ring {
+            Compared::Ring(distances.of_ring(&self.ring(ring, at)??))
+        } else {
+            let Quantities { scheme, .. } = self.quantities(at)??;
+            let no_scheme = || NoSound::Because("no scheme is given".to_owned());
+            let offset = offset.as_ref().map(|formula| self.integer(formula, at)).transpose()?;
+            Compared::Masks(scheme.ok_or_else(no_scheme)?, offset)
+        };
+        let (formula, spread) = (spread, self.number(spread, at)?);
+        if spread.sign() < 0 {
+            let (source, span) = (&formula.source, formula.span.clone());
+            let message = format!("the spread of the data is negative: {spread}");
+            return Err(NoSound::Wrong(Diagnostic::new(source, span, message).with_help(
+                "the spread is the largest absolute difference of neighbouring points",
+            )));
+        }
+        let of = match promise {
+            Promise::Depth { tolerance, .. } => Of::Tolerance(self.number(tolerance, at)?),
+            Promise::Bound { level, .. } => Of::Level(self.integer(level, at)?),
+        };
+        Ok(Promised { scheme, spread, of })
+    }
+
+    fn sound(&self, promised: &Promised) -> Result<Sound, String> {
+        let Promised { scheme, spread, of } = promised;
+        let (scheme, offset) = match (scheme, of) {
+            (Compared::Masks(scheme, offset), _) => (scheme, offset),
+            (Compared::Ring(ring), Of::Tolerance(tolerance)) => {
+                return ring.settled(spread, tolerance).map(Sound::Least);
+            }
+            (Compared::Ring(_), Of::Level(_)) => {
+                return Err("of a ring the distances themselves are computed".to_owned());
+            }
+        };
+        let bound = self.library.sound_bound(scheme, *offset).map_err(|error| error.to_string())?;
+        match of {
+            Of::Tolerance(tolerance) => {
+                let depth = bound.depth(spread, tolerance).map_err(|error| error.to_string())?;
+                Ok(Sound::Depth { level: depth.level, block: depth.block })
+            }
+            Of::Level(level) => {
+                let last = u32::try_from(*level).ok().filter(|level| *level <= MAX_BOUND_LEVEL);
+                let last = last.ok_or_else(|| {
+                    format!("a level is from 0 to {MAX_BOUND_LEVEL}, and this is {level}")
+                })?;
+                let last = bound.levels(last).and_then(|mut bounds| bounds.pop());
+                let none = || "no constant of the scheme is below 1".to_owned();
+                Ok(Sound::Bound(last.ok_or_else(none)? * spread))
+            }
+        }
+    }
+
+    /// Whether the printed number keeps its promise for every control polygon.
+    fn kept(&self, promised: &Promised, printed: &Rational, distances: &DistanceMemo) -> Kept {
+        let Promised { scheme, spread, of } = promised;
+        let level = match of {
+            Of::Tolerance(_) => printed.numerator().to_i64().filter(|_| printed.is_integer()),
+            Of::Level(level) => Some(*level),
+        };
+        let Some(level) = level.and_then(|level| u32::try_from(level).ok()) else {
+            return Kept::Open("what is said to be a level is none".to_owned());
+        };
+        let most = match of {
+            Of::Tolerance(tolerance) => tolerance,
+            Of::Level(_) => printed,
+        };
+        let distances = match scheme {
+            Compared::Masks(scheme, offset) => distances.of(scheme, *offset),
+            Compared::Ring(ring) => Rc::clone(ring),
+        };
+        distances.kept(level, spread, most)
+    }
+
+    /// The value of a formula of a promise.
+    fn number(&self, formula: &LocatedFormula, at: At<'_>) -> Result<Rational, NoSound> {
+        match self.evaluate(formula, at)? {
+            Outcome::Value(value) => value.as_rational().cloned().ok_or_else(|| {
+                NoSound::Because(format!(
+                    "sound values are computed at rational numbers, not at {value}"
+                ))
+            }),
+            outcome => Err(outcome.into()),
+        }
+    }
+
+    fn integer(&self, formula: &LocatedFormula, at: At<'_>) -> Result<i64, NoSound> {
+        let value = self.number(formula, at)?;
+        let integer = value.numerator().to_i64().filter(|value| value.abs() <= 10_000);
+        integer.filter(|_| value.is_integer()).ok_or_else(|| {
+            let message = format!("an integer from -10000 to 10000 is needed, and this is {value}");
+            NoSound::Wrong(Diagnostic::new(&formula.source, formula.span.clone(), message))
+        })
+    }
+}

@@ -1,0 +1,117 @@
+//! Rows and columns that have a reading of their own, where none explains the whole
+//! table.
+
+use crate::exact::{Integer, Rational};
+use crate::finding::{Explanation, Line, LineReading, Need, Values};
+use crate::judge::compare;
+use crate::judge::reading::chance::{chance, is_small};
+use crate::judge::reading::space::Space;
+use crate::judge::reading::tried::{Evaluated, best};
+
+/// Where the values of a cell may stand by mistake: in the cell, or how many rows
+/// down and columns to the right of it.
+const SHIFTS: [(i32, i32); 5] = [(0, 0), (0, 1), (0, -1), (1, 0), (-1, 0)];
+
+/// The most cells of a table whose rows and columns are compared one by one.
+const MAX_CELLS: usize = 400;
+
+/// The most rows and columns that have readings of their own.
+const MAX_LINES: usize = 8;
+
+/// The fewest cells of a row or column that have a reading of their own: one alone is
+/// compared for slips.
+const LEAST_CELLS: usize = 2;
+
+/// The cells of a table, by row.
+type Cells = Vec<Vec<bool>>;
+
+/// Readings for the cells that are `left`, each for a row or a column: the one that
+/// explains most first, and then others for what it leaves. Luck is counted over all
+/// rows, columns, shifts and readings.
+pub(crate) fn search(
+    space: &Space<'_>,
+    all: &[Evaluated],
+    likelihoods: &[Vec<Option<Rational>>],
+    mut left: Cells,
+) -> Vec<LineReading> {
+    let rows = left.len();
+    let columns = left.iter().map(Vec::len).max().unwrap_or(0);
+    // A table of one row or one column was searched as a whole.
+    let lines = |count: usize, line: fn(usize) -> Line| {
+        let several = rows > 1 && columns > 1 && rows * columns <= MAX_CELLS;
+        (0..if several { count } else { 0 }).map(line)
+    };
+    let lines: Vec<Line> = lines(rows, Line::Row).chain(lines(columns, Line::Column)).collect();
+    let mut found = Vec::new();
+    while found.len() < MAX_LINES {
+        let readings =
+            lines.iter().filter_map(|&line| one(space, all, likelihoods, &left, line, lines.len()));
+        // Of equally good ones the first: rows before columns.
+        let best = readings.fold(None, |best: Option<LineReading>, next| match best {
+            Some(best) if best.best.count() >= next.best.count() => Some(best),
+            _ => Some(next),
+        });
+        let Some(reading) = best else { break };
+        for (row, cells) in left.iter_mut().enumerate() {
+            for (column, cell) in cells.iter_mut().enumerate() {
+                *cell &= !reading.best.explained[row][column];
+            }
+        }
+        found.push(reading);
+    }
+    found
+}
+
+/// The best reading of what is left of a line, unless luck would find one as good.
+fn one(
+    space: &Space<'_>,
+    all: &[Evaluated],
+    likelihoods: &[Vec<Option<Rational>>],
+    left: &Cells,
+    line: Line,
+    lines: usize,
+) -> Option<LineReading> {
+    let inside = |row: usize, column: usize| left[row][column] && line.holds(row, column);
+    let mut of_line = Vec::new();
+    for (row, cells) in likelihoods.iter().enumerate() {
+        let here = cells.iter().enumerate().filter(|(column, _)| inside(row, *column));
+        of_line.extend(here.filter_map(|(_, likelihood)| likelihood.clone()));
+    }
+    let least = all.len() * lines * SHIFTS.len();
+    // Where even all of them would be luck, there is nothing to look for.
+    if of_line.is_empty() || !is_small(&chance(&of_line, of_line.len(), Integer::from(least))) {
+        return None;
+    }
+    let mut best_so_far = None::<(Explanation, (i32, i32), Vec<Need>)>;
+    for shift in SHIFTS {
+        let values = |one: &Evaluated| shifted(&one.values, shift, &inside);
+        let explanations: Vec<Explanation> = space.explanations(all, values).collect();
+        let Some(first) = best(&explanations).into_iter().next() else { continue };
+        if best_so_far.as_ref().is_none_or(|(other, ..)| first.count() > other.count()) {
+            best_so_far = Some((first, shift, space.needs(&explanations)));
+        }
+    }
+    let (best, shift, needs) = best_so_far?;
+    if best.count() < LEAST_CELLS {
+        return None;
+    }
+    let tried = space.count(all) * SHIFTS.len() * lines;
+    let beyond = best.count().saturating_sub(space.free(&best));
+    let chance = chance(&of_line, beyond, Integer::from(tried));
+    let cells = of_line.len();
+    is_small(&chance).then_some(LineReading { line, cells, shift, tried, best, chance, needs })
+}
+
+/// The values of the cells `inside`, taken from the cells that are so many rows down
+/// and columns to the right.
+fn shifted(values: &Values, shift: (i32, i32), inside: &impl Fn(usize, usize) -> bool) -> Values {
+    let from = |row: usize, column: usize| {
+        let (row, column) = compare::moved(row, column, shift)?;
+        values.get(row)?.get(column)?.clone()
+    };
+    let row = |(row, cells): (usize, &Vec<_>)| {
+        let cell = |column| inside(row, column).then(|| from(row, column)).flatten();
+        (0..cells.len()).map(cell).collect()
+    };
+    values.iter().enumerate().map(row).collect()
+}

@@ -1,0 +1,23 @@
+//! Readings: what a table was computed by, when not by the printed definition.
+//!
+//! A reading is a point of a declared family: the product of the
+//! [choices](crate::evaluation::FAMILY) that a table's formula depends on, and of the alternatives
+//! that the claim file gives for definitions, with at most
+//! [`MAX_DIFFERENCES`](crate::finding::MAX_DIFFERENCES) of them other than printed. It explains a
+//! cell when its exact value becomes the printed number; it is reported when it explains more cells
+//! than the printed definition, and so many that luck is unlikely.
+
+mod chance;
+mod consistent;
+mod explain;
+mod found;
+mod line;
+mod needs;
+mod parameter;
+mod scale;
+pub(crate) mod search;
+pub(crate) mod sibling;
+mod solve;
+mod space;
+mod spread;
+pub(crate) mod tried;

@@ -1,0 +1,291 @@
+//! Solving for a parameter of the scheme that the paper does not state.
+//!
+//! Under a reading a cell is a piecewise polynomial function of the parameter, so
+//! the parameters at which it rounds to what is printed are a union of intervals
+//! with algebraic ends. Those of the first cells are found on the whole range; in
+//! each of these intervals, which are short, the others are added one by one.
+
+use crate::claim::Printed;
+use crate::evaluation::context::At;
+use crate::evaluation::parametric;
+use crate::evaluation::settings::Settings;
+use crate::exact::{
+    Enclosed, Integer, Interval, IntervalSet, PiecewisePolynomial, Rational, RealAlgebraic,
+};
+use crate::finding::{Explanation, Solved};
+use crate::judge::reading::consistent::DecimalRounding;
+use crate::judge::reading::found::Found;
+use crate::judge::reading::scale::simplest_between;
+use crate::judge::reading::space::{Change, Space};
+use std::ops::Bound;
+
+/// An unstated parameter of a scheme is searched from −10 to 10.
+pub(crate) const RANGE: i64 = 10;
+
+/// The most intervals that are followed from one cell under one reading.
+const MAX_INTERVALS: usize = 64;
+
+/// The parameters that can be solved for: those that have to be assumed, where the
+/// table is no one of depths and they are no scale.
+pub(crate) fn unknowns<'s>(space: &'s Space<'_>) -> impl Iterator<Item = &'s String> {
+    let solvable = !space.is_depth() && space.scale.is_none();
+    space.assume.iter().filter(move |_| solvable)
+}
+
+/// Solves for each unknown, under each reading, with the others at their assumed
+/// values.
+pub(crate) fn search(space: &Space<'_>, readings: &[Vec<Change>], least: usize) -> Found {
+    let mut found = Found { explanations: Vec::new(), tried: 0, candidates: Integer::zero() };
+    for name in unknowns(space) {
+        for reading in readings {
+            let settings = space.settings(reading);
+            let unknown = Unknown::new(space, &settings, name);
+            for rounding in space.roundings(reading) {
+                found.tried += 1;
+                let (solutions, candidates) = unknown.solutions(rounding, least);
+                found.candidates += &candidates;
+                let explanations = solutions
+                    .iter()
+                    .filter_map(|interval| unknown.explanation(interval, reading, rounding));
+                found.explanations.extend(explanations);
+            }
+        }
+    }
+    let most = found.explanations.iter().map(Explanation::count).max();
+    found.explanations.retain(|explanation| Some(explanation.count()) == most);
+    let least = found.explanations.iter().map(cost).min();
+    found.explanations.retain(|explanation| Some(cost(explanation)) == least);
+    found
+}
+
+/// How much a reading has to say: a digit of the parameter counts as much as a
+/// difference, which is one of about ten. A simple number with decimals cut is likelier
+/// than 15169/12641 with decimals rounded.
+fn cost(explanation: &Explanation) -> usize {
+    let digits = |solved: &Solved| {
+        let Solved { simplest, .. } = solved;
+        let digits = |part: Integer| part.abs().to_string().trim_end_matches('0').len().max(1);
+        digits(simplest.numerator()) + digits(simplest.denominator())
+    };
+    explanation.differences.len() + explanation.solved.iter().map(digits).sum::<usize>()
+}
+
+struct PrintedCell<'s> {
+    row: usize,
+    column: usize,
+    printed: &'s Printed,
+}
+
+/// A parameter under one reading.
+struct Unknown<'s> {
+    space: &'s Space<'s>,
+    settings: &'s Settings,
+    name: &'s str,
+    cells: Vec<PrintedCell<'s>>,
+    /// The first cells as functions on the whole range.
+    first: Vec<Option<PiecewisePolynomial>>,
+}
+
+impl<'s> Unknown<'s> {
+    fn new(space: &'s Space<'s>, settings: &'s Settings, name: &'s str) -> Unknown<'s> {
+        let mut cells = Vec::new();
+        for (row, line) in space.printed.iter().enumerate() {
+            let line = line.iter().enumerate();
+            cells.extend(line.filter_map(|(column, printed)| {
+                Some(PrintedCell { row, column, printed: (*printed)? })
+            }));
+        }
+        let mut unknown = Unknown { space, settings, name, cells, first: Vec::new() };
+        // As many as make sure that one of them is not the wrong one among four.
+        let count = (unknown.cells.len() / 4 + 1).max(2).min(unknown.cells.len());
+        let whole = (Rational::from(-RANGE), Rational::from(RANGE));
+        let function = |cell: &PrintedCell<'s>| {
+            unknown.function(cell, &whole).filter(|function| function.as_constant().is_none())
+        };
+        let first = unknown.cells[..count].iter().map(function).collect();
+        unknown.first = first;
+        unknown
+    }
+
+    /// The value of a cell as a function of the parameter in a window.
+    fn function(
+        &self,
+        cell: &PrintedCell<'_>,
+        window: &(Rational, Rational),
+    ) -> Option<PiecewisePolynomial> {
+        let at = self.at(cell, self.settings);
+        parametric::of_cell(self.space.judge, at, self.name, window)
+    }
+
+    fn at<'n>(&'n self, cell: &PrintedCell<'_>, settings: &'n Settings) -> At<'n> {
+        self.space.at(cell.row, cell.column, settings)
+    }
+
+    /// The intervals of the parameter on which most cells round to what is printed, at
+    /// least `least`; and how many candidates there were.
+    fn solutions(&self, rounding: DecimalRounding, least: usize) -> (Vec<Interval>, Integer) {
+        let range = Interval {
+            low: Bound::Included(Rational::from(-RANGE).into()),
+            high: Bound::Included(Rational::from(RANGE).into()),
+        };
+        let range = IntervalSet::from(range);
+        let (mut best, mut most, mut candidates) = (Vec::new(), least, Integer::zero());
+        for (seed, function) in self.first.iter().enumerate() {
+            let Some(function) = function else { continue };
+            let cell = &self.cells[seed];
+            let set = range.intersection(&consistent(function, cell.printed, rounding));
+            for interval in set.intervals().iter().take(MAX_INTERVALS) {
+                let (possible, distinct) = self.possible(seed, interval);
+                candidates += &distinct;
+                if possible < most {
+                    continue;
+                }
+                for (interval, count) in self.agreeing(seed, interval.clone(), rounding, most) {
+                    if count > most {
+                        best.clear();
+                        most = count;
+                    }
+                    if count == most && !best.contains(&interval) {
+                        best.push(interval);
+                    }
+                }
+            }
+        }
+        (best, candidates)
+    }
+
+    /// How many cells may round to what is printed somewhere in a short interval, and
+    /// how many different tables it gives: by their values at its ends.
+    fn possible(&self, seed: usize, interval: &Interval) -> (usize, Integer) {
+        let (low, high) = bounds(interval);
+        let (mut possible, mut distinct) = (0, Integer::one());
+        for (place, cell) in self.cells.iter().enumerate() {
+            let values = [&low, &high].map(|end| self.value(cell, end));
+            let [Some(a), Some(b)] = values else { continue };
+            let (unit, off) = (cell.printed.decimal.unit(), (&a - &b).abs());
+            let slack = &off + &unit;
+            let shown = cell.printed.decimal.value();
+            let near = (&a - &shown).abs().min((&b - &shown).abs()) <= slack;
+            possible += usize::from(place == seed || near);
+            if place != seed {
+                distinct += &(off / unit).ceil();
+            }
+        }
+        (possible, distinct)
+    }
+
+    /// The value of a cell at one value of the parameter.
+    fn value(&self, cell: &PrintedCell<'_>, parameter: &Rational) -> Option<Rational> {
+        let settings = self.settings.with_parameter(self.name, parameter);
+        self.space.value(self.at(cell, &settings))?.as_rational().cloned()
+    }
+
+    /// The parts of an interval in which the seed and as many others as possible,
+    /// taken in turn, round to what is printed; with their number.
+    fn agreeing(
+        &self,
+        seed: usize,
+        interval: Interval,
+        rounding: DecimalRounding,
+        least: usize,
+    ) -> Vec<(Interval, usize)> {
+        let mut found = Vec::new();
+        let mut stack = vec![(interval, 0, 1)];
+        while let Some((interval, place, count)) = stack.pop() {
+            let Some(cell) = self.cells.get(place) else {
+                found.push((interval, count));
+                continue;
+            };
+            if place == seed {
+                stack.push((interval, place + 1, count));
+                continue;
+            }
+            let function = self.function(cell, &bounds(&interval));
+            let set = function.map(|function| consistent(&function, cell.printed, rounding));
+            let set = set.unwrap_or_default().intersection(&IntervalSet::from(interval.clone()));
+            let left = self.cells.len() - place - 1 - usize::from(seed > place);
+            if set.is_empty() && count + left >= least {
+                stack.push((interval, place + 1, count));
+            } else if found.len() + stack.len() + set.intervals().len() <= MAX_INTERVALS {
+                let parts = set.intervals().iter().cloned();
+                stack.extend(parts.map(|part| (part, place + 1, count + 1)));
+            }
+        }
+        found
+    }
+
+    /// The reading with the parameter at the simplest number of the interval.
+    fn explanation(
+        &self,
+        interval: &Interval,
+        reading: &[Change],
+        rounding: DecimalRounding,
+    ) -> Option<Explanation> {
+        let simplest = simplest_in(interval)?;
+        let settings = self.settings.with_parameter(self.name, &simplest);
+        let values = self.space.values(&settings);
+        let explained = self.space.explained(&values, rounding);
+        let changes = reading.iter().map(|change| self.space.difference(change));
+        let differences = changes.chain(rounding.difference()).collect();
+        let solved = Solved { name: self.name.to_owned(), between: bounds(interval), simplest };
+        Some(Explanation { differences, solved: vec![solved], values, explained })
+    }
+}
+
+/// Rational numbers not inside the interval, and no further from its ends than 2^−64.
+fn bounds(interval: &Interval) -> (Rational, Rational) {
+    let low = end(&interval.low).map(|end| end.enclosure(0).lower().clone());
+    let high = end(&interval.high).map(|end| end.enclosure(0).upper().clone());
+    let range = Rational::from(RANGE);
+    (low.unwrap_or_else(|| -&range), high.unwrap_or(range))
+}
+
+fn end(bound: &Bound<RealAlgebraic>) -> Option<&RealAlgebraic> {
+    match bound {
+        Bound::Unbounded => None,
+        Bound::Included(end) | Bound::Excluded(end) => Some(end),
+    }
+}
+
+/// The parameters at which a function rounds to what is printed.
+fn consistent(
+    function: &PiecewisePolynomial,
+    printed: &Printed,
+    rounding: DecimalRounding,
+) -> IntervalSet {
+    let (value, unit) = (printed.decimal.value(), printed.decimal.unit());
+    let towards = match value.sign() {
+        -1 => function.scaled(&-Rational::one()),
+        0 => function.magnitude(),
+        _ => function.clone(),
+    };
+    let (shown, half) = (value.abs(), &unit / Rational::from(2));
+    let away = towards.scaled(&-Rational::one());
+    let (below, above) = match rounding {
+        DecimalRounding::Nearest => {
+            (towards.at_most(&(&shown + &half)), away.at_most(&(half - shown)))
+        }
+        DecimalRounding::Cut => (towards.below(&(&shown + unit)), away.at_most(&-shown)),
+        DecimalRounding::Away => (towards.at_most(&shown), away.below(&(unit - shown))),
+    };
+    below.intersection(&above)
+}
+
+/// The fraction of least denominator in an interval, and of these the least in
+/// absolute value; `None` for one irrational number.
+fn simplest_in(interval: &Interval) -> Option<Rational> {
+    let size = |value: &Rational| (value.denominator(), value.numerator().abs());
+    let own = [&interval.low, &interval.high].into_iter().filter_map(|bound| match bound {
+        Bound::Included(end) => end.as_rational().cloned(),
+        _ => None,
+    });
+    // Bounds inside, for irrational ends.
+    let low = end(&interval.low).map(|end| end.enclosure(0).upper().clone())?;
+    let high = end(&interval.high).map(|end| end.enclosure(0).lower().clone())?;
+    let inside = (low < high).then(|| match (low.sign(), high.sign()) {
+        (-1, 1) => Rational::zero(),
+        (-1, _) => -simplest_between(&-&high, &-&low),
+        _ => simplest_between(&low, &high),
+    });
+    own.chain(inside).min_by_key(size)
+}

@@ -1,0 +1,190 @@
+//! Solving for the scale of the data.
+
+use crate::claim::Printed;
+use crate::exact::{Enclosed, Integer, Rational, RealCyclotomic};
+use crate::judge::reading::consistent::DecimalRounding;
+use std::cmp::Reverse;
+
+/// A parameter that the values of a table are proportional to.
+pub(crate) struct Scale {
+    pub(crate) name: String,
+    /// Its stated or assumed value.
+    pub(crate) base: Rational,
+    pub(crate) stated: bool,
+}
+
+/// Two ends, the lesser first.
+type Interval = (Rational, Rational);
+
+/// The precision of the ends: enclosures of 128 binary digits.
+const PRECISION: u32 = 1;
+
+/// The simple s > 0 for which most cells are consistent with s/base times their values; with
+/// the ends of what is consistent with these cells.
+pub(crate) fn solve(
+    cells: &[(&Printed, &RealCyclotomic)],
+    base: &Rational,
+    rounding: DecimalRounding,
+) -> Option<(Rational, Interval)> {
+    let consistent = Consistent::new(cells, base, rounding);
+    // What is printed as 0 tells of no scale.
+    let starts = consistent.intervals.iter().filter(|(low, _)| low.sign() > 0);
+    let mut starts: Vec<(usize, &Interval)> =
+        starts.map(|interval| (consistent.meeting(&interval.0), interval)).collect();
+    // Those that meet somewhere meet at the greatest of their lower ends.
+    starts.sort_by_key(|(count, _)| Reverse(*count));
+    let size = |s: &Rational| Reverse((s.denominator(), s.numerator()));
+    let mut best = None;
+    for (meeting, interval) in starts {
+        if best.as_ref().is_some_and(|((most, _), _)| meeting <= *most) {
+            break;
+        }
+        // Where the simplest number is not simple, none is.
+        if !is_simple(&simplest(&interval.0, &interval.1)) {
+            continue;
+        }
+        for s in simple_between(interval) {
+            let rank = (consistent.at(&s), size(&s));
+            if best.as_ref().is_none_or(|(known, _)| rank > *known) {
+                best = Some((rank, s));
+            }
+        }
+    }
+    let (_, s) = best?;
+    let around = consistent.around(&s)?;
+    Some((s, around))
+}
+
+/// For each cell, the s for which s times its value rounds to what is printed.
+struct Consistent {
+    intervals: Vec<Interval>,
+    /// Their ends, in order.
+    lows: Vec<Rational>,
+    highs: Vec<Rational>,
+    rounding: DecimalRounding,
+}
+
+impl Consistent {
+    fn new(
+        cells: &[(&Printed, &RealCyclotomic)],
+        base: &Rational,
+        rounding: DecimalRounding,
+    ) -> Consistent {
+        let interval = |(printed, value): &(&Printed, &_)| {
+            let (low, high) = interval(printed, value, rounding)?;
+            Some((low * base, high * base))
+        };
+        let intervals: Vec<Interval> = cells.iter().filter_map(interval).collect();
+        let (mut lows, mut highs): (Vec<_>, Vec<_>) = intervals.iter().cloned().unzip();
+        lows.sort_unstable();
+        highs.sort_unstable();
+        Consistent { intervals, lows, highs, rounding }
+    }
+
+    /// How many hold s or have it as an end: those that begin up to s less those that end
+    /// before it.
+    fn meeting(&self, s: &Rational) -> usize {
+        self.lows.partition_point(|low| low <= s) - self.highs.partition_point(|high| high < s)
+    }
+
+    fn has_begun(&self, low: &Rational, s: &Rational) -> bool {
+        low < s || low == s && self.rounding != DecimalRounding::Away
+    }
+
+    fn has_ended(&self, high: &Rational, s: &Rational) -> bool {
+        high < s || high == s && self.rounding == DecimalRounding::Cut
+    }
+
+    /// How many hold s.
+    fn at(&self, s: &Rational) -> usize {
+        let begun = self.lows.partition_point(|low| self.has_begun(low, s));
+        begun - self.highs.partition_point(|high| self.has_ended(high, s))
+    }
+
+    /// What those that hold s have in common.
+    fn around(&self, s: &Rational) -> Option<Interval> {
+        let holds = |(low, high): &&Interval| self.has_begun(low, s) && !self.has_ended(high, s);
+        let holding = || self.intervals.iter().filter(holds);
+        let low = holding().map(|(low, _)| low).max()?;
+        let high = holding().map(|(_, high)| high).min()?;
+        Some((low.clone(), high.clone()))
+    }
+}
+
+/// The s > 0 for which s·value rounds to what is printed.
+fn interval(
+    printed: &Printed,
+    value: &RealCyclotomic,
+    rounding: DecimalRounding,
+) -> Option<Interval> {
+    let (shown, unit) = (printed.decimal.value(), printed.decimal.unit());
+    if value.sign() == 0 || shown.sign() == -value.sign() {
+        return None;
+    }
+    let (shown, half) = (shown.abs(), &unit / Rational::from(2));
+    let (low, high) = match rounding {
+        DecimalRounding::Nearest => (&shown - &half, &shown + &half),
+        DecimalRounding::Cut => (shown.clone(), &shown + &unit),
+        DecimalRounding::Away => (&shown - &unit, shown.clone()),
+    };
+    let enclosure = value.abs().enclosure(PRECISION);
+    if enclosure.lower().sign() <= 0 || high.sign() <= 0 {
+        return None;
+    }
+    Some((low.max(Rational::zero()) / enclosure.upper(), high / enclosure.lower()))
+}
+
+/// The greatest numerator and denominator of a scale that someone would choose.
+const MAX_SIMPLE: i64 = 100;
+
+/// How many fractions in lowest terms these give.
+pub(crate) const SIMPLE_NUMBERS: usize = 6_087;
+
+/// Whether someone would choose this as the scale of data.
+pub(crate) fn is_simple(scale: &Rational) -> bool {
+    let most = Integer::from(MAX_SIMPLE);
+    scale.numerator() <= most && scale.denominator() <= most
+}
+
+/// The simple numbers in an interval of positive numbers, its ends included, in lowest terms.
+fn simple_between((low, high): &Interval) -> impl Iterator<Item = Rational> {
+    (1..=MAX_SIMPLE).flat_map(move |denominator| {
+        let over = Rational::from(denominator);
+        let first = (low * &over).ceil().max(Integer::one());
+        let last = (high * &over).floor().min(Integer::from(MAX_SIMPLE));
+        let ends = first.to_i64().zip(last.to_i64());
+        let (first, last) = ends.unwrap_or((1, 0));
+        let numbers = (first..=last).map(move |numerator| Rational::new(numerator, denominator));
+        numbers.filter(move |s| s.denominator() == Integer::from(denominator))
+    })
+}
+
+/// The fraction of least denominator, and of these the least numerator, from `low` to `high`.
+fn simplest(low: &Rational, high: &Rational) -> Rational {
+    let size = |value: &Rational| (value.denominator(), value.numerator());
+    let ends = [low.clone(), high.clone()].into_iter();
+    let inside = (low < high).then(|| simplest_between(low, high));
+    ends.chain(inside).min_by_key(size).unwrap_or_else(|| low.clone())
+}
+
+/// The fraction of least denominator, and of these the least numerator, strictly between
+/// two numbers that are not negative.
+pub(crate) fn simplest_between(low: &Rational, high: &Rational) -> Rational {
+    let whole = low.floor();
+    let next = Rational::from(&whole + Integer::one());
+    if next < *high {
+        return next;
+    }
+    // low = whole + 1/x and high = whole + 1/y with y < x: the simplest is whole
+    // plus the reciprocal of the simplest between y and x.
+    let whole = Rational::from(whole);
+    let (below, above) = (low - &whole, high - &whole);
+    let y = above.recip();
+    let inner = if below.is_zero() {
+        // Anything greater than y will do.
+        Rational::from(y.floor() + Integer::one())
+    } else {
+        simplest_between(&y, &below.recip())
+    };
+    whole + inner.recip()
+}

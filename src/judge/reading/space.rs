@@ -1,0 +1,181 @@
+//! The readings of one table: what they may change.
+
+use crate::claim::{Cell, Printed};
+use crate::evaluation::choices::{DECIMAL_ROUNDING, FAMILY};
+use crate::evaluation::context::At;
+use crate::evaluation::settings::Settings;
+use crate::evaluation::table::Evaluator;
+use crate::evaluation::{Choice, Effect};
+use crate::finding::{CellFinding, CellKind, MAX_DIFFERENCES, Sibling, Values};
+use crate::judge::reading::scale::Scale;
+use std::collections::BTreeSet;
+
+/// The printed cells of this kind.
+pub(crate) fn printed<'a>(
+    judge: &Evaluator<'a>,
+    findings: &[Vec<CellFinding>],
+    kind: CellKind,
+) -> PrintedCells<'a> {
+    let cell = |(cell, finding): (&'a Cell, &CellFinding)| match cell {
+        Cell::Printed(printed) if kind.holds(finding) => Some(printed),
+        _ => None,
+    };
+    let rows = judge.table.cells.iter().zip(findings);
+    rows.map(|(row, findings)| row.iter().zip(findings).map(cell).collect()).collect()
+}
+
+/// The most readings of one table.
+const MAX_READINGS: usize = 4_096;
+
+/// The cells of a table; `None` where one is lost.
+pub(crate) type PrintedCells<'a> = Vec<Vec<Option<&'a Printed>>>;
+
+/// A way of a choice other than the printed one.
+#[derive(Clone)]
+pub(crate) enum Change {
+    /// A choice, its word and what that says.
+    Word(&'static Choice, &'static str, &'static str),
+    /// One of the claim file's alternatives, by its place.
+    Definition(usize),
+    /// A parameter as another table has it, by its place.
+    Sibling(usize),
+}
+
+/// The readings of one table.
+pub(crate) struct Space<'s> {
+    pub(crate) judge: &'s Evaluator<'s>,
+    /// What other tables say of parameters that are not stated.
+    pub(crate) siblings: &'s [Sibling],
+    pub(crate) printed: &'s PrintedCells<'s>,
+    /// The parameters that have to be assumed for some cell.
+    pub(crate) assume: BTreeSet<String>,
+    /// Those of each cell, row by row.
+    needed: Vec<Vec<BTreeSet<String>>>,
+    /// The values by the printed definition.
+    pub(crate) as_printed: Values,
+    /// The parameter that the values are proportional to.
+    pub(crate) scale: Option<Scale>,
+    /// For each choice, the ways other than the printed one.
+    pub(crate) changes: Vec<Vec<Change>>,
+}
+
+impl<'s> Space<'s> {
+    pub(crate) fn new(
+        judge: &'s Evaluator<'s>,
+        siblings: &'s [Sibling],
+        findings: &[Vec<CellFinding>],
+        printed: &'s PrintedCells<'s>,
+    ) -> Option<Space<'s>> {
+        let cell = |(finding, printed): (&CellFinding, &Option<&Printed>)| {
+            let names = finding.assumed.iter().filter(|_| printed.is_some());
+            names.map(|(name, _)| name.clone()).collect()
+        };
+        let rows = findings.iter().zip(printed);
+        let needed: Vec<Vec<BTreeSet<String>>> =
+            rows.map(|(row, printed)| row.iter().zip(printed).map(cell).collect()).collect();
+        let assume = needed.iter().flatten().flatten().cloned().collect();
+        let settings = Settings::default();
+        let (as_printed, scale, changes) = (Values::new(), None, Vec::new());
+        let mut space =
+            Space { judge, siblings, printed, assume, needed, as_printed, scale, changes };
+        space.as_printed = space.values(&settings);
+        let mut consulted = settings.consulted();
+        consulted.extend(judge.rows.choices.clone());
+        for choice in FAMILY {
+            let ways = choice.ways.iter();
+            let ways: Vec<Change> = match choice.effect {
+                Effect::Option { .. } => match consulted.get(choice.name) {
+                    None => continue,
+                    Some(printed) => ways
+                        .filter(|way| way.word != printed)
+                        .map(|way| Change::Word(choice, way.word, way.says))
+                        .collect(),
+                },
+                Effect::Header if judge.has_tolerance_headers() => {
+                    ways.skip(1).map(|way| Change::Word(choice, way.word, way.says)).collect()
+                }
+                // The roundings of decimals are compared on the same values.
+                Effect::Header | Effect::Decimal => continue,
+            };
+            space.changes.push(ways);
+        }
+        let alternatives = &judge.paper.alternatives;
+        let used = judge.paper.definitions_in(&judge.table.value);
+        let names: BTreeSet<&String> = alternatives.iter().map(|other| &other.of).collect();
+        for name in names.into_iter().filter(|name| used.contains_key(name.as_str())) {
+            let ways = (0..alternatives.len()).filter(|&i| alternatives[i].of == *name);
+            space.changes.push(ways.map(Change::Definition).collect());
+        }
+        let others = (0..siblings.len()).filter(|&i| {
+            let Sibling { name, value, .. } = &siblings[i];
+            space.assume.contains(name) && judge.assumed.get(name) != Some(value)
+        });
+        let others: Vec<Change> = others.map(Change::Sibling).collect();
+        if !others.is_empty() {
+            space.changes.push(others);
+        }
+        space.scale = space.find_scale();
+        printed.iter().flatten().any(Option::is_some).then_some(space)
+    }
+
+    /// A cell with what it needs as printed assumed, under a reading.
+    pub(crate) fn at<'n>(&'n self, row: usize, column: usize, settings: &'n Settings) -> At<'n> {
+        At { row, column, assume: &self.needed[row][column], settings }
+    }
+
+    pub(crate) fn is_depth(&self) -> bool {
+        self.judge.is_depth()
+    }
+
+    /// The names of what the readings differ in.
+    pub(crate) fn names(&self) -> Vec<String> {
+        let name = |ways: &Vec<Change>| match ways.first()? {
+            Change::Word(choice, ..) => Some(choice.name.to_owned()),
+            Change::Definition(i) => Some(self.judge.paper.alternatives[*i].of.clone()),
+            Change::Sibling(i) => Some(self.siblings[*i].name.clone()),
+        };
+        let mut names: Vec<String> = self.changes.iter().filter_map(name).collect();
+        if !self.is_depth() {
+            names.push(DECIMAL_ROUNDING.name.to_owned());
+        }
+        names
+    }
+
+    /// Every combination of at most [`MAX_DIFFERENCES`] changes, the printed text
+    /// first.
+    pub(crate) fn readings(&self) -> Vec<Vec<Change>> {
+        let mut readings = vec![Vec::new()];
+        for ways in &self.changes {
+            let longer: Vec<Vec<Change>> = readings
+                .iter()
+                .filter(|reading| reading.len() < MAX_DIFFERENCES)
+                .flat_map(|reading| {
+                    ways.iter().map(|way| [reading.clone(), vec![way.clone()]].concat())
+                })
+                .collect();
+            readings.extend(longer);
+        }
+        readings.sort_by_key(Vec::len);
+        readings.truncate(MAX_READINGS);
+        readings
+    }
+
+    pub(crate) fn settings(&self, reading: &[Change]) -> Settings {
+        let words = reading.iter().filter_map(|change| match change {
+            Change::Word(choice, word, _) => Some((choice.name, *word)),
+            Change::Definition(_) | Change::Sibling(_) => None,
+        });
+        let mut settings = Settings::new(words.collect());
+        let paper = self.judge.paper;
+        for change in reading {
+            if let Change::Definition(i) = change {
+                settings.replace(&paper.definitions, *i, &paper.alternatives[*i]);
+            }
+            if let Change::Sibling(i) = change {
+                let Sibling { name, value, .. } = &self.siblings[*i];
+                settings.parameters.insert(name.clone(), value.clone());
+            }
+        }
+        settings
+    }
+}

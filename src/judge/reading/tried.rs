@@ -1,0 +1,135 @@
+//! Every reading of a table, with its values and what it explains.
+
+use crate::evaluation::table::Evaluator;
+use crate::evaluation::trace::LevelCall;
+use crate::exact::Rational;
+use crate::finding::{CellKind, Difference, Explanation, TableFinding, Values};
+use crate::judge::reading::consistent::DecimalRounding;
+use crate::judge::reading::scale::{SIMPLE_NUMBERS, Scale};
+use crate::judge::reading::space::{Change, Space, printed};
+use std::cell::OnceCell;
+
+/// The most values of cells under all readings together; of a larger table, fewer
+/// readings are compared, those with fewer differences first.
+const MAX_VALUES: usize = 100_000;
+
+/// A reading with the exact values of the printed cells under it.
+pub(crate) struct Evaluated {
+    pub(crate) reading: Vec<Change>,
+    pub(crate) values: Values,
+    /// Of depths, the logarithms that the values are, row by row.
+    pub(crate) levels: Vec<Vec<Option<LevelCall>>>,
+    /// Whether the values are proportional to the scale, once that was asked.
+    scaled: OnceCell<bool>,
+}
+
+impl Space<'_> {
+    /// Every reading with its values.
+    pub(crate) fn evaluated(&self) -> Vec<Evaluated> {
+        let evaluate = |reading: Vec<Change>| {
+            let settings = self.settings(&reading);
+            if !self.is_depth() {
+                let (values, levels) = (self.values(&settings), Vec::new());
+                return Evaluated { reading, values, levels, scaled: OnceCell::new() };
+            }
+            let cell = |row: usize, column: usize| {
+                self.printed[row][column]?;
+                self.judge.value_and_levels(self.at(row, column, &settings))
+            };
+            let row = |row: usize| {
+                let cells = (0..self.printed[row].len()).map(|column| cell(row, column));
+                cells
+                    .map(|cell| cell.map_or((None, None), |(value, call)| (Some(value), call)))
+                    .unzip()
+            };
+            let (values, levels) = (0..self.printed.len()).map(row).unzip();
+            Evaluated { reading, values, levels, scaled: OnceCell::new() }
+        };
+        let cells = self.printed.iter().map(Vec::len).sum::<usize>().max(1);
+        let most = (MAX_VALUES / cells).max(1);
+        self.readings().into_iter().take(most).map(evaluate).collect()
+    }
+
+    /// How many readings these are: with each rounding of the decimals, and at each scale
+    /// that someone would choose, besides the one that is stated.
+    pub(crate) fn count(&self, all: &[Evaluated]) -> usize {
+        let scales = match &self.scale {
+            Some(scale) => usize::from(scale.stated) + SIMPLE_NUMBERS,
+            None => 1,
+        };
+        all.iter().map(|one| scales * self.roundings(&one.reading).len()).sum()
+    }
+
+    /// How many cells solving for parameters takes up. Each scale is a reading of its own.
+    pub(crate) fn free(&self, explanation: &Explanation) -> usize {
+        let is_scale = |name: &str| self.scale.as_ref().is_some_and(|scale| scale.name == name);
+        explanation.solved.iter().filter(|solved| !is_scale(&solved.name)).count()
+    }
+
+    /// What each reading explains, by each rounding of the decimals, when these are
+    /// its values.
+    pub(crate) fn explanations<'v>(
+        &'v self,
+        all: &'v [Evaluated],
+        values: impl Fn(&Evaluated) -> Values + 'v,
+    ) -> impl Iterator<Item = Explanation> + 'v {
+        all.iter().flat_map(move |one| {
+            let values = values(one);
+            let roundings = self.roundings(&one.reading);
+            let proportional = |scale: &Scale| {
+                let is_scale = || self.is_scale(scale, &one.values, &self.settings(&one.reading));
+                *one.scaled.get_or_init(is_scale)
+            };
+            let explain = |rounding| self.explain(&one.reading, rounding, &values, &proportional);
+            roundings.into_iter().flat_map(explain).collect::<Vec<Explanation>>()
+        })
+    }
+}
+
+/// How many of the cells that a reading explains it still explains when a parameter has
+/// this value; without a reading, the printed text is meant.
+pub(crate) fn remaining(
+    judge: &Evaluator<'_>,
+    finding: &TableFinding<'_>,
+    by: Option<&Explanation>,
+    name: &str,
+    value: &Rational,
+) -> usize {
+    let TableFinding { cells, siblings, .. } = finding;
+    let left = CellKind::of(cells).into_iter().map(|kind| {
+        let printed = printed(judge, cells, kind);
+        Space::new(judge, siblings, cells, &printed)
+            .map_or(0, |space| of_cells(&space, by, name, value))
+    });
+    left.sum()
+}
+
+/// The same of the cells of a space.
+fn of_cells(space: &Space<'_>, by: Option<&Explanation>, name: &str, value: &Rational) -> usize {
+    let differences = by.map_or(&[][..], |by| &by.differences);
+    let named = |difference: &Difference| differences.contains(difference);
+    let changes = |reading: &Vec<Change>| {
+        let own = reading.iter().map(|change| space.difference(change));
+        own.filter(named).count() == reading.len()
+    };
+    // The longest reading whose changes are all among the differences.
+    let Some(reading) = space.readings().into_iter().rev().find(changes) else { return 0 };
+    let roundings = DecimalRounding::ALL.into_iter().map(|(_, rounding)| rounding);
+    let mut roundings =
+        roundings.filter(|rounding| rounding.difference().is_some_and(|d| named(&d)));
+    let rounding = roundings.next().unwrap_or(DecimalRounding::Nearest);
+    let mut settings = space.settings(&reading);
+    settings.parameters.insert(name.to_owned(), value.clone());
+    let now = space.explained(&space.values(&settings), rounding);
+    let before = |row: usize, column: usize| by.is_none_or(|by| by.explained[row][column]);
+    let cells = now.iter().enumerate().flat_map(|(row, cells)| {
+        cells.iter().enumerate().filter(move |(column, now)| **now && before(row, *column))
+    });
+    cells.count()
+}
+
+/// Those that explain most, and of these those with the fewest differences.
+pub(crate) fn best(explanations: &[Explanation]) -> Vec<Explanation> {
+    let most = explanations.iter().map(Explanation::rank).max();
+    explanations.iter().filter(|one| Some(one.rank()) == most).cloned().collect()
+}

@@ -1,0 +1,211 @@
+//! A scheme and values that a theorem is tried on.
+
+use crate::claim::{LocatedReference, Paper, THEOREM_NAMES, Theorem, Trial};
+use crate::diagnostic::Diagnostic;
+use crate::evaluation::library::{Library, Resolved, values};
+use crate::evaluation::reference::{Unresolved, scheme_error};
+use crate::evaluation::settings::Settings;
+use crate::exact::{Rational, RealCyclotomic};
+use crate::formula::FormulaErrorKind;
+use crate::judge::theorem::curve::Curve;
+use crate::judge::theorem::ring::AroundPoint;
+use crate::judge::theorem::setting::Setting;
+use crate::judge::theorem::surface::Surface;
+use crate::scheme::{Instance, Mask, Ring, SchemeError};
+use std::cell::{OnceCell, RefCell};
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+/// Settings by what determines them.
+type Kept<K, S> = RefCell<BTreeMap<K, Rc<S>>>;
+
+/// The settings of schemes at offsets that one theorem is tried on, each of them once, with what is
+/// known there.
+#[derive(Default)]
+pub(crate) struct Stage {
+    curves: Kept<(Vec<Instance>, i64), Curve>,
+    surfaces: Kept<(Vec<Instance>, Option<i64>), Surface>,
+    rings: Kept<RingKey, AroundPoint>,
+}
+
+/// A ring, and the interpolant that it is compared with.
+type RingKey = (RingScheme, Option<RingScheme>);
+
+/// The scheme that a reference to a ring names.
+type RingScheme = Vec<Instance<RealCyclotomic>>;
+
+impl Stage {
+    fn curve(&self, scheme: &Resolved, mask: &Mask) -> Rc<dyn Setting> {
+        let key = (scheme.instances.clone(), mask.offset());
+        let mut curves = self.curves.borrow_mut();
+        let new = || Rc::new(Curve::new(mask.clone()));
+        let curve: Rc<Curve> = Rc::clone(curves.entry(key).or_insert_with(new));
+        curve
+    }
+
+    fn surface(&self, scheme: &Resolved, offset: Option<i64>, masks: [Mask; 2]) -> Rc<dyn Setting> {
+        let key = (scheme.instances.clone(), offset);
+        let mut surfaces = self.surfaces.borrow_mut();
+        let new = || Rc::new(Surface::new(masks));
+        let surface: Rc<Surface> = Rc::clone(surfaces.entry(key).or_insert_with(new));
+        surface
+    }
+}
+
+/// One scheme and one value of each name that a theorem leaves open.
+pub(crate) struct Case<'a> {
+    pub(crate) label: String,
+    /// The reference to the scheme, as the claim has it.
+    pub(crate) scheme: String,
+    /// The values that were chosen.
+    pub(crate) chosen: Vec<(String, Rational)>,
+    pub(crate) paper: &'a Paper,
+    pub(crate) library: &'a Library<'a>,
+    pub(crate) values: BTreeMap<String, Rational>,
+    pub(crate) resolved: Option<Resolved>,
+    /// Whether the bound is proportional to the spread, once that is asked for.
+    pub(crate) linear: OnceCell<bool>,
+    /// `None` where the program has no exact limits of this kind of scheme.
+    pub(crate) setting: Option<Rc<dyn Setting>>,
+}
+
+impl<'a> Case<'a> {
+    /// All cases of a theorem; none when it names no scheme to be tried on.
+    pub(crate) fn all(
+        paper: &'a Paper,
+        theorem: &'a Theorem,
+        library: &'a Library<'a>,
+        stage: &Stage,
+    ) -> Result<Vec<Case<'a>>, Diagnostic> {
+        let tried = &theorem.tried;
+        let schemes: Vec<&LocatedReference> = match &theorem.scheme {
+            Some(scheme) => vec![scheme],
+            None => tried.schemes.iter().collect(),
+        };
+        let mut combinations = vec![Vec::new()];
+        for (name, values) in &tried.values {
+            let longer = combinations.iter().flat_map(|shorter| {
+                values.iter().map(move |value| [shorter.clone(), vec![(name, value)]].concat())
+            });
+            combinations = longer.collect();
+        }
+        let mut given = values(&paper.given)?;
+        // What these mean is for the theorem to say, not for the paper.
+        given.retain(|name, _| !THEOREM_NAMES.contains(&name.as_str()));
+        let mut cases = Vec::new();
+        for scheme in schemes {
+            for values in &combinations {
+                let chosen = values.iter().map(|(name, value)| ((*name).clone(), (*value).clone()));
+                let mut case = Case {
+                    label: String::new(),
+                    scheme: scheme.reference.to_string(),
+                    chosen: chosen.collect(),
+                    paper,
+                    library,
+                    values: given.clone(),
+                    resolved: None,
+                    linear: OnceCell::new(),
+                    setting: None,
+                };
+                case.values.extend(case.chosen.iter().cloned());
+                // A theorem about a scheme with parameters of which none has a value
+                // is not tried.
+                if let Some(name) = case.resolve(scheme, tried, stage)? {
+                    // What the scheme is given shows in its parameters.
+                    let text = scheme.reference.to_string();
+                    let words: Vec<&str> =
+                        text.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
+                    let free = values.iter().filter(|(name, _)| !words.contains(&name.as_str()));
+                    let shown = free.map(|(name, value)| format!("{name} = {value}"));
+                    case.label = std::iter::once(name).chain(shown).collect::<Vec<_>>().join(", ");
+                    cases.push(case);
+                }
+            }
+        }
+        Ok(cases)
+    }
+
+    /// Finds the scheme, and gives its name; `None` when its parameters have no values.
+    fn resolve(
+        &mut self,
+        located: &LocatedReference,
+        tried: &Trial,
+        stage: &Stage,
+    ) -> Result<Option<String>, Diagnostic> {
+        let Trial { offset, values, interpolant, .. } = tried;
+        let (valued, interpolant) = (!values.is_empty(), interpolant.as_ref());
+        let settings = Settings::default();
+        let functions = self.functions(&settings);
+        let scope = self.scope(&functions, &[]);
+        match self.library.resolve(&located.reference, &scope) {
+            Ok(resolved) => {
+                let masks = resolved.constants.iter().map(|axis| axis.mask());
+                let at = |mask: &Mask| mask.with_offset(offset.unwrap_or(mask.offset()));
+                self.setting = match &masks.map(at).collect::<Vec<Mask>>()[..] {
+                    [curve] => Some(stage.curve(&resolved, curve)),
+                    [first, second] => {
+                        Some(stage.surface(&resolved, *offset, [first.clone(), second.clone()]))
+                    }
+                    _ => None,
+                };
+                let name = joined(&resolved.instances);
+                self.resolved = Some(resolved);
+                Ok(Some(name))
+            }
+            Err(Unresolved::Formula(error)) if !valued => {
+                if matches!(error.kind, FormulaErrorKind::UnknownName { .. }) {
+                    return Ok(None);
+                }
+                Err(in_parameters(located, &error))
+            }
+            Err(Unresolved::Formula(error)) => Err(in_parameters(located, &error)),
+            Err(Unresolved::Scheme(SchemeError::Ring { .. })) => {
+                let ring = |located: &LocatedReference| -> Result<_, Diagnostic> {
+                    let failed = |error| match error {
+                        Unresolved::Formula(error) => in_parameters(located, &error),
+                        Unresolved::Scheme(error) => scheme_error(located, &error),
+                    };
+                    let instances = self.library.instances(&located.reference, &scope);
+                    let instances = instances.map_err(failed)?;
+                    let ring = self.library.ring(&instances).map_err(Unresolved::Scheme);
+                    Ok((instances, ring.map_err(failed)?))
+                };
+                let (instances, own) = ring(located)?;
+                let interpolant = interpolant.map(|located| {
+                    let (instances, interpolant) = ring(located)?;
+                    let names = |ring: &Ring<_>| {
+                        (0..ring.point_count()).map(|a| ring.name(a)).collect::<Vec<String>>()
+                    };
+                    if names(&interpolant) == names(&own) {
+                        return Ok((instances, interpolant));
+                    }
+                    let message = "an interpolant has the same points as the ring";
+                    Err(Diagnostic::new(&located.source, located.span.clone(), message).with_help(
+                        "list the same orbits with as many points each, in the same order",
+                    ))
+                });
+                let name = joined(&instances);
+                let (earlier, interpolant) = interpolant.transpose()?.unzip();
+                let key = (instances, earlier);
+                let mut rings = stage.rings.borrow_mut();
+                let found =
+                    rings.entry(key).or_insert_with(|| Rc::new(AroundPoint::new(own, interpolant)));
+                let found = Rc::clone(found);
+                drop(rings);
+                self.setting = Some(found);
+                Ok(Some(name))
+            }
+            Err(Unresolved::Scheme(error)) => Err(scheme_error(located, &error)),
+        }
+    }
+}
+
+/// `six-point:w=3/256 x chaikin`.
+fn joined<V: std::fmt::Display>(instances: &[Instance<V>]) -> String {
+    instances.iter().map(ToString::to_string).collect::<Vec<String>>().join(" x ")
+}
+
+fn in_parameters(located: &LocatedReference, error: &crate::formula::FormulaError) -> Diagnostic {
+    let message = format!("in its parameters: {error}");
+    Diagnostic::new(&located.source, located.span.clone(), message)
+}

@@ -1,0 +1,27 @@
+//! Bounds that hold at all levels since they hold at finitely many.
+
+use crate::bound::{Constants, SoundBound};
+use crate::exact::{Rational, RealCyclotomic};
+use crate::finding::LevelEvidence;
+use crate::judge::later::{change, later};
+
+/// The most levels by which a sound bound is taken later than a bound that it shows.
+const MAX_LATER: u32 = 12;
+
+/// Of each bound of a distance, a later level whose sound bound shows it.
+pub(crate) fn sums(
+    axes: &[&Constants],
+    sound: Option<&SoundBound>,
+    bounds: &[(u32, RealCyclotomic)],
+) -> Result<LevelEvidence, String> {
+    let of = |(level, most): &(u32, RealCyclotomic)| {
+        let most: &Rational = most.as_rational()?;
+        let change = |later| change(axes, None, *level, later);
+        later(sound?, *level, MAX_LATER, change, |sum| sum <= most)
+    };
+    let later = bounds.iter().map(|bound| {
+        let why = || format!("no sound bound is as small as the bound at level {}", bound.0);
+        of(bound).ok_or_else(why)
+    });
+    Ok(LevelEvidence::Later(later.collect::<Result<_, String>>()?))
+}

@@ -1,0 +1,194 @@
+//! Rings as a setting.
+
+use crate::bound::RingConstants;
+use crate::claim::Quantity;
+use crate::exact::{Enclosed, Rational, RealCyclotomic, comparable};
+use crate::finding::{Attained, Control, LevelEvidence, Place, Supremum};
+use crate::judge::theorem::setting::Setting;
+use crate::limit::{Comparison, RingDistances, RingLimit, RingWitness, least_flows, minus, unit};
+use crate::scheme::Ring;
+use std::cell::{OnceCell, RefCell};
+use std::collections::BTreeMap;
+
+/// The points around an extraordinary vertex or on a face. Those of two levels are
+/// compared by their names, or with what an interpolant makes of the earlier ones; then
+/// the distance from the limit is known only at points that the interpolant keeps.
+pub(crate) struct AroundPoint {
+    ring: Ring,
+    interpolant: Option<Ring>,
+    distances: OnceCell<Result<RingDistances, String>>,
+    known: RefCell<BTreeMap<(&'static str, u32), Attained>>,
+}
+
+impl AroundPoint {
+    pub(crate) fn new(ring: Ring, interpolant: Option<Ring>) -> AroundPoint {
+        let (distances, known) = Default::default();
+        AroundPoint { ring, interpolant, distances, known }
+    }
+
+    fn distances(&self) -> Result<&RingDistances, String> {
+        let distances = self.distances.get_or_init(|| {
+            let limit = RingLimit::new(&self.ring).map_err(|error| error.to_string())?;
+            Ok(RingDistances::new(limit))
+        });
+        distances.as_ref().map_err(Clone::clone)
+    }
+
+    fn points(&self, heights: &[i64]) -> Control {
+        Control::Points((0..).zip(heights).map(|(a, x)| (self.ring.name(a), *x)).collect())
+    }
+
+    fn at_point(&self, witness: RingWitness) -> Attained {
+        Attained {
+            control: self.points(&witness.ring),
+            place: Place::Named(self.ring.name(witness.point)),
+            value: witness.distance,
+        }
+    }
+
+    fn difference(&self, level: u32) -> Result<Attained, String> {
+        let power =
+            RingConstants::new(&self.ring, level.max(1)).map_err(|error| error.to_string())?;
+        let ((a, b), transport) = if level == 0 {
+            let zeroth = self.ring.edges()[0];
+            let mut heights = vec![0; self.ring.point_count()];
+            heights[zeroth.0] = 1;
+            return Ok(Attained {
+                control: self.points(&heights),
+                place: self.edge(zeroth.0, zeroth.1),
+                value: Rational::one().into(),
+            });
+        } else {
+            power.contraction(level).ok_or("no constant of this level")?
+        };
+        Ok(Attained {
+            control: self.points(&transport.heights),
+            place: self.edge(*a, *b),
+            value: transport.value.clone(),
+        })
+    }
+
+    /// e_aᵀ − e_bᵀ for the edges (a, b).
+    fn edge_differences(&self) -> Vec<Vec<RealCyclotomic>> {
+        let count = self.ring.point_count();
+        let edges = self.ring.edges().iter();
+        edges.map(|&(a, b)| minus(&unit(count, a), &unit(count, b))).collect()
+    }
+
+    /// The rows of M less those of the interpolant, or of 1.
+    fn steps(&self) -> Vec<Vec<RealCyclotomic>> {
+        let count = self.ring.point_count();
+        let step = |a| {
+            let new = self.ring.weights().row(a);
+            match &self.interpolant {
+                Some(interpolant) => minus(new, interpolant.weights().row(a)),
+                None => minus(new, &unit(count, a)),
+            }
+        };
+        (0..count).map(step).collect()
+    }
+
+    /// The first point that an interpolant keeps.
+    fn kept(&self) -> Option<Result<usize, String>> {
+        let interpolant = self.interpolant.as_ref()?;
+        let (weights, count) = (interpolant.weights(), self.ring.point_count());
+        let kept = (0..count).find(|&a| weights.row(a).eq(unit(count, a).iter()));
+        Some(kept.ok_or_else(|| "the interpolant keeps no point".to_owned()))
+    }
+
+    fn edge(&self, a: usize, b: usize) -> Place {
+        Place::Edge([a, b].map(|point| self.ring.name(point)))
+    }
+
+    fn greatest(&self, quantity: Quantity, level: u32) -> Result<Attained, String> {
+        let key = (quantity.name(), level);
+        if let Some(known) = self.known.borrow().get(&key) {
+            return Ok(known.clone());
+        }
+        let far = |found: Result<RingWitness, _>| found.map(|witness| self.at_point(witness));
+        let found = match quantity {
+            Quantity::Difference => self.difference(level),
+            Quantity::Distance => match self.kept() {
+                None => far(self.distances()?.constant(level)).map_err(text),
+                Some(point) => far(self.distances()?.at_point(point?, level)).map_err(text),
+            },
+            Quantity::Step => match &self.interpolant {
+                None => far(self.distances()?.step(level)).map_err(text),
+                Some(earlier) => far(self.distances()?.step_from(earlier, level)).map_err(text),
+            },
+        }?;
+        self.known.borrow_mut().insert(key, found.clone());
+        Ok(found)
+    }
+}
+
+fn text(error: impl std::fmt::Display) -> String {
+    error.to_string()
+}
+
+impl Setting for AroundPoint {
+    fn compare(
+        &self,
+        quantity: Quantity,
+        level: u32,
+        bound: &RealCyclotomic,
+    ) -> Result<Comparison<Attained>, String> {
+        let found = self.greatest(quantity, level)?;
+        if !comparable(&found.value, bound) {
+            return Err(format!("no field holds the bound {bound} and the distances"));
+        }
+        Ok(if found.value > *bound {
+            Comparison::Exceeds(found)
+        } else if quantity == Quantity::Distance && self.interpolant.is_some() {
+            Comparison::Undecided(Box::new(found.value.enclosure(0)))
+        } else {
+            Comparison::Within
+        })
+    }
+
+    fn supremum(&self, quantity: Quantity, level: u32, _: u32) -> Result<Supremum, String> {
+        let value = self.greatest(quantity, level)?.value;
+        let exact = quantity != Quantity::Distance || self.interpolant.is_none();
+        Ok(Supremum { upper: exact.then(|| value.clone()), lower: value })
+    }
+
+    fn factor(&self, c: u32) -> Result<RealCyclotomic, String> {
+        self.greatest(Quantity::Difference, c).map(|found| found.value)
+    }
+
+    fn evidence(
+        &self,
+        quantity: Quantity,
+        bounds: &[(u32, RealCyclotomic)],
+    ) -> Result<LevelEvidence, String> {
+        let flows = |functionals: &[Vec<RealCyclotomic>], level| {
+            least_flows(&self.ring, functionals.to_vec(), level).map_err(text)
+        };
+        let differences = self.edge_differences();
+        let (functionals, weights) = match quantity {
+            Quantity::Difference => (differences.clone(), Vec::new()),
+            Quantity::Step => (self.steps(), Vec::new()),
+            Quantity::Distance => {
+                let limit = self.distances()?.limit();
+                (limit.errors(), limit.weights().to_vec())
+            }
+        };
+        let levels = bounds.iter().map(|(level, _)| flows(&functionals, *level));
+        let levels = levels.collect::<Result<_, String>>()?;
+        let count = u32::try_from(bounds.len()).map_err(text)?;
+        Ok(LevelEvidence::Flows { weights, contraction: flows(&differences, count)?, levels })
+    }
+
+    fn sound(&self, _: u32) -> Option<RealCyclotomic> {
+        // The suprema are exact, and no bound is better.
+        None
+    }
+
+    fn centred(&self) -> Option<&dyn Setting> {
+        None
+    }
+
+    fn limit(&self) -> Option<&[RealCyclotomic]> {
+        self.distances().ok().map(|distances| distances.limit().weights())
+    }
+}

@@ -1,0 +1,51 @@
+//! Where a theorem is tried: a scheme with the exact suprema of what theorems bound.
+
+use crate::claim::Quantity;
+use crate::exact::RealCyclotomic;
+use crate::finding::{Attained, LevelEvidence, Supremum};
+use crate::limit::Comparison;
+
+/// The suprema of a scheme, over all control data of spread 1, at level k.
+///
+/// Errors are texts that say why the program gives no answer.
+pub(crate) trait Setting {
+    /// Compares a supremum with a bound; what exceeds it is a value that is attained.
+    fn compare(
+        &self,
+        quantity: Quantity,
+        level: u32,
+        bound: &RealCyclotomic,
+    ) -> Result<Comparison<Attained>, String>;
+
+    /// A supremum, enclosed up to one of so many parts of it.
+    fn supremum(&self, quantity: Quantity, level: u32, parts: u32) -> Result<Supremum, String>;
+
+    /// An f such that no supremum of level k + c is more than f times that of level k,
+    /// for every k: T_c.
+    fn factor(&self, c: u32) -> Result<RealCyclotomic, String>;
+
+    /// What shows that the suprema of these levels are at most these numbers, or why there is nothing
+    /// that certificates have words for.
+    fn evidence(
+        &self,
+        quantity: Quantity,
+        bounds: &[(u32, RealCyclotomic)],
+    ) -> Result<LevelEvidence, String>;
+
+    /// The sound block bound of the distance.
+    fn sound(&self, level: u32) -> Option<RealCyclotomic>;
+
+    /// How many levels are compared.
+    fn levels(&self) -> u32 {
+        6
+    }
+
+    /// The same scheme, compared with its limit at the offset that serves it best; `None`
+    /// where it is already so, or there are no offsets.
+    fn centred(&self) -> Option<&dyn Setting>;
+
+    /// Of a ring, the weights of its limit.
+    fn limit(&self) -> Option<&[RealCyclotomic]> {
+        None
+    }
+}

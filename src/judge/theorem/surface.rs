@@ -1,0 +1,238 @@
+//! Tensor product surfaces as a setting.
+
+use crate::bound::{Constants, MAX_CLASSES, SoundBound, surface_factor};
+use crate::claim::Quantity;
+use crate::exact::{Enclosure, Rational, RealCyclotomic, Scalar};
+use crate::finding::{Attained, Control, LevelEvidence, Place, Supremum};
+use crate::judge::theorem::levels::sums;
+use crate::judge::theorem::setting::Setting;
+use crate::limit::{
+    Comparison, Limit, Spreads, SurfaceDistances, SurfaceWitness, greatest_difference,
+    greatest_step,
+};
+use crate::scheme::Mask;
+use std::cell::{OnceCell, RefCell};
+use std::collections::BTreeMap;
+use std::fmt::Display;
+
+/// The most residue classes over which a constant is computed here.
+const MAX_CONSTANT_CLASSES: u64 = 1 << 12;
+
+/// The highest level of which the sound bound is computed.
+const MAX_SOUND_LEVEL: u32 = 64;
+
+/// The longest block of a sound bound.
+const MAX_BLOCK: u32 = 6;
+
+/// What is known of a distance: a witness, and an upper bound.
+type Bounds = (Option<SurfaceWitness>, Option<Rational>);
+
+/// Two curve schemes, one for each index of the nets, at offsets. Both spreads are 1.
+pub(crate) struct Surface {
+    axes: [Constants; 2],
+    distances: OnceCell<Result<SurfaceDistances, String>>,
+    /// The sound bounds of the first levels.
+    sound: OnceCell<Vec<Rational>>,
+    attained: RefCell<BTreeMap<(Quantity, u32), Result<Attained, String>>>,
+    /// Distances that are attained, and bounds of them.
+    known: RefCell<BTreeMap<u32, Bounds>>,
+}
+
+fn text(error: impl Display) -> String {
+    error.to_string()
+}
+
+impl Surface {
+    pub(crate) fn new(masks: [Mask; 2]) -> Surface {
+        let (distances, sound, attained, known) = Default::default();
+        Surface { axes: masks.map(Constants::new), distances, sound, attained, known }
+    }
+
+    fn distances(&self) -> Result<&SurfaceDistances, String> {
+        let distances = self.distances.get_or_init(|| {
+            let limit = |axis: usize| Limit::new(self.axes[axis].mask()).map_err(text);
+            SurfaceDistances::new(&limit(0)?, &limit(1)?).map_err(text)
+        });
+        distances.as_ref().map_err(Clone::clone)
+    }
+
+    /// A net that changes along one index only has the differences of a curve, and the
+    /// sum of two such nets the steps of both: lower bounds, which are attained.
+    ///
+    /// Source: `proofs/THEOREMS.md`, 43.
+    fn attained(&self, quantity: Quantity, level: u32) -> Result<Attained, String> {
+        let mut known = self.attained.borrow_mut();
+        known.entry((quantity, level)).or_insert_with(|| self.separable(quantity, level)).clone()
+    }
+
+    fn separable(&self, quantity: Quantity, level: u32) -> Result<Attained, String> {
+        let of = |axis: usize| {
+            let mask = self.axes[axis].mask();
+            match quantity {
+                Quantity::Step => greatest_step(mask, level),
+                _ => greatest_difference(mask, level),
+            }
+            .map_err(text)
+        };
+        let pair = [of(0)?, of(1)?];
+        let polygons = pair.each_ref().map(|found| &found.polygon);
+        if quantity == Quantity::Step {
+            let row = |x: &i64| polygons[1].points.iter().map(|y| x + y).collect();
+            let rows = polygons[0].points.iter().map(row).collect();
+            let first = polygons.map(|polygon| polygon.first);
+            let value = RealCyclotomic::from(&pair[0].value + &pair[1].value);
+            let place = Place::Points(pair.each_ref().map(|found| found.index));
+            return Ok(Attained { control: Control::Net { first, rows }, place, value });
+        }
+        let axis = usize::from(pair[1].value > pair[0].value);
+        let points = &polygons[axis].points;
+        let (first, rows, place) = if axis == 0 {
+            let rows = points.iter().map(|x| vec![*x]).collect();
+            ([polygons[0].first, 0], rows, [pair[0].index, 0])
+        } else {
+            ([0, polygons[1].first], vec![points.clone()], [0, pair[1].index])
+        };
+        let value = pair[axis].value.clone().into();
+        Ok(Attained {
+            control: Control::Net { first, rows },
+            place: Place::Along(place, axis),
+            value,
+        })
+    }
+
+    fn distance(&self, level: u32, bound: &Rational) -> Result<Comparison<Attained>, String> {
+        let mut known = self.known.borrow_mut();
+        let (attained, upper) = known.entry(level).or_default();
+        if upper.as_ref().is_some_and(|upper| upper <= bound) {
+            return Ok(Comparison::Within);
+        }
+        if let Some(witness) = attained.as_ref().filter(|witness| witness.distance > *bound) {
+            return Ok(Comparison::Exceeds(far(witness.clone())));
+        }
+        let compared = self.distances()?.compare(level, bound, &Spreads::one()).map_err(text)?;
+        Ok(match compared {
+            Comparison::Within => {
+                *upper = Some(bound.clone());
+                Comparison::Within
+            }
+            Comparison::Exceeds(witness) => {
+                *attained = Some(witness.clone());
+                Comparison::Exceeds(far(witness))
+            }
+            Comparison::Undecided(enclosure) => Comparison::Undecided(enclosure),
+        })
+    }
+
+    fn sound_bound(&self) -> Option<SoundBound> {
+        let [first, second] = &self.axes;
+        let block = (1..=MAX_BLOCK).take_while(|&c| self.factor(c).is_ok()).last()?;
+        SoundBound::surface(first, second, block).ok()
+    }
+
+    /// An upper bound of a step or a difference.
+    fn upper(&self, quantity: Quantity, level: u32) -> Result<RealCyclotomic, String> {
+        let differences = self.factor(level)?;
+        Ok(match quantity {
+            Quantity::Step => {
+                let [first, second] = self.axes.each_ref().map(Constants::mask);
+                let one = surface_factor(first, second);
+                let other = surface_factor(second, first);
+                differences.times(&RealCyclotomic::from(one.min(other)))
+            }
+            _ => differences,
+        })
+    }
+}
+
+fn far(SurfaceWitness { first, net, parameters, distance, .. }: SurfaceWitness) -> Attained {
+    Attained {
+        control: Control::Net { first, rows: net },
+        place: Place::Parameters(parameters),
+        value: distance.into(),
+    }
+}
+
+impl Setting for Surface {
+    fn compare(
+        &self,
+        quantity: Quantity,
+        level: u32,
+        bound: &RealCyclotomic,
+    ) -> Result<Comparison<Attained>, String> {
+        let irrational = || format!("the bound of a surface is rational, not {bound}");
+        let threshold = bound.as_rational().ok_or_else(irrational)?;
+        if quantity == Quantity::Distance {
+            if self.sound(level).is_some_and(|sound| sound <= *bound) {
+                return Ok(Comparison::Within);
+            }
+            return self.distance(level, threshold);
+        }
+        let attained = self.attained(quantity, level)?;
+        if attained.value > *bound {
+            return Ok(Comparison::Exceeds(attained));
+        }
+        let upper = self.upper(quantity, level)?;
+        if upper <= *bound {
+            return Ok(Comparison::Within);
+        }
+        let ends = [attained.value, upper]
+            .map(|end| end.as_rational().cloned().unwrap_or_else(Rational::zero));
+        let [lower, upper] = ends;
+        Ok(Comparison::Undecided(Box::new(Enclosure::new(lower, upper))))
+    }
+
+    fn supremum(&self, quantity: Quantity, level: u32, parts: u32) -> Result<Supremum, String> {
+        if quantity != Quantity::Distance {
+            let lower = self.attained(quantity, level)?.value;
+            return Ok(Supremum { lower, upper: Some(self.upper(quantity, level)?) });
+        }
+        let distances = self.distances()?;
+        let ones = Spreads::one();
+        let (coarse, _) = distances.constant(level, &Rational::one(), &ones).map_err(text)?;
+        let width = coarse.upper() / &Rational::from(parts);
+        let (enclosure, _) = if width.is_zero() {
+            return Ok(Supremum { lower: Rational::zero().into(), upper: None });
+        } else {
+            distances.constant(level, &width, &ones).map_err(text)?
+        };
+        let (lower, upper) = (enclosure.lower().clone(), enclosure.upper().clone());
+        Ok(Supremum { lower: lower.into(), upper: Some(upper.into()) })
+    }
+
+    fn factor(&self, c: u32) -> Result<RealCyclotomic, String> {
+        let arity = self.axes.iter().map(|axis| axis.mask().arity() as u64).max().unwrap_or(2);
+        let classes = arity.checked_pow(c);
+        if classes.is_none_or(|classes| classes > MAX_CONSTANT_CLASSES.min(MAX_CLASSES)) {
+            return Err(format!("the constants of {c} levels are over too many residue classes"));
+        }
+        let [first, second] = &self.axes;
+        let one = first.tensor_with(second, c).map_err(text)?;
+        let other = second.tensor_with(first, c).map_err(text)?;
+        Ok(one.max(other).into())
+    }
+
+    fn evidence(
+        &self,
+        quantity: Quantity,
+        bounds: &[(u32, RealCyclotomic)],
+    ) -> Result<LevelEvidence, String> {
+        match quantity {
+            Quantity::Distance => sums(&self.axes.each_ref(), self.sound_bound().as_ref(), bounds),
+            _ => Ok(LevelEvidence::Suprema),
+        }
+    }
+
+    fn sound(&self, level: u32) -> Option<RealCyclotomic> {
+        let levels = || self.sound_bound()?.levels(MAX_SOUND_LEVEL);
+        let bounds = self.sound.get_or_init(|| levels().unwrap_or_default());
+        bounds.get(level as usize).cloned().map(RealCyclotomic::from)
+    }
+
+    fn levels(&self) -> u32 {
+        4
+    }
+
+    fn centred(&self) -> Option<&dyn Setting> {
+        None
+    }
+}

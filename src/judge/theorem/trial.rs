@@ -1,0 +1,327 @@
+//! Trying a theorem on one case.
+
+use crate::claim::{Paper, Quantity, Statement, Theorem};
+use crate::diagnostic::Diagnostic;
+use crate::evaluation::settings::Settings;
+use crate::exact::{Enclosed, Integer, Rational, RealCyclotomic, Scalar, comparable};
+use crate::finding::{Change, Correction, Levels, Outcome, Violation};
+use crate::formula::LocatedFormula;
+use crate::judge::theorem::case::Case;
+use crate::judge::theorem::correction::settings;
+use crate::judge::theorem::evaluate::{LEVEL, TOLERANCE};
+use crate::judge::theorem::growth::{Growth, growth};
+use crate::judge::theorem::setting::Setting;
+use crate::limit::Comparison;
+
+/// A theorem with corrections, to be tried.
+pub(crate) struct Trial<'a> {
+    pub(crate) paper: &'a Paper,
+    pub(crate) theorem: &'a Theorem,
+    pub(crate) corrections: &'a [&'a Correction],
+}
+
+impl Trial<'_> {
+    fn corrected(&self, change: &Change) -> bool {
+        self.corrections.iter().any(|correction| correction.change == *change)
+    }
+
+    pub(crate) fn of(&self, case: &Case<'_>) -> Result<Outcome, Diagnostic> {
+        let Some(setting) = &case.setting else {
+            let why = "the program has no exact limits of this kind of scheme";
+            return Ok(Outcome::Unknown(why.to_owned()));
+        };
+        let centred = self.corrected(&Change::Centred).then(|| setting.centred()).flatten();
+        let setting = centred.unwrap_or(&**setting);
+        let settings = settings(self.paper, self.theorem, self.corrections);
+        if let Some((value, below)) = &self.theorem.tried.supposes {
+            let (value, below) =
+                (case.evaluate(value, &[], &settings)?, case.evaluate(below, &[], &settings)?);
+            match (value, below) {
+                (Ok(value), Ok(below)) if comparable(&value, &below) && value < below => {}
+                (Ok(_), Ok(_)) => return Ok(Outcome::Outside("its hypothesis fails".to_owned())),
+                (Err(why), _) | (_, Err(why)) => return Ok(Outcome::Unknown(why)),
+            }
+        }
+        let block = match &self.theorem.tried.block {
+            None => 1,
+            Some(block) => Self::block(case, block, &settings)?,
+        };
+        let settings = self.prepared(case, settings);
+        let bound = Bound { trial: self, case, setting, settings: &settings, block };
+        match &self.theorem.statement {
+            Statement::Bound { quantity, by, from } => bound.of_quantity(*quantity, by, *from),
+            Statement::Depth(by) => bound.of_depth(by),
+            Statement::Other(_) => Ok(Outcome::Unknown("it states no bound".to_owned())),
+        }
+    }
+
+    fn prepared(&self, case: &Case<'_>, settings: Settings) -> Settings {
+        match &self.theorem.statement {
+            Statement::Bound { by, .. } | Statement::Depth(by) => case.prepared(by, settings),
+            Statement::Other(_) => settings,
+        }
+    }
+
+    /// What shows that the bound holds at all levels in a case in which it does as printed.
+    pub(crate) fn levels(&self, case: &Case<'_>) -> Result<Option<Levels>, Diagnostic> {
+        let Some(setting) = case.setting.as_deref() else { return Ok(None) };
+        let settings = &self.prepared(case, Settings::default());
+        match &self.theorem.statement {
+            Statement::Bound { quantity, by, from } => {
+                Bound { trial: self, case, setting, settings, block: 1 }
+                    .levels(*quantity, by, *from)
+            }
+            _ => Ok(None),
+        }
+    }
+
+    fn block(
+        case: &Case<'_>,
+        block: &LocatedFormula,
+        settings: &Settings,
+    ) -> Result<u32, Diagnostic> {
+        let value = case.evaluate(block, &[], settings)?;
+        let value = value.as_ref().ok().and_then(RealCyclotomic::as_rational).cloned();
+        let integer = value.filter(|value| value.is_integer() && value.sign() > 0);
+        let levels = integer.and_then(|value| u32::try_from(value.numerator().to_i64()?).ok());
+        levels.ok_or_else(|| {
+            let message = "a constant belongs to an integer number of levels, 1 or more";
+            Diagnostic::new(&block.source, block.span.clone(), message)
+        })
+    }
+}
+
+struct Bound<'t> {
+    trial: &'t Trial<'t>,
+    case: &'t Case<'t>,
+    setting: &'t dyn Setting,
+    settings: &'t Settings,
+    /// c.
+    block: u32,
+}
+
+impl Bound<'_> {
+    /// What the steps of a block amount to, in units of its first one.
+    fn contribution(&self, quantity: Quantity) -> Result<RealCyclotomic, String> {
+        let one = RealCyclotomic::from(Rational::one());
+        if !self.trial.corrected(&Change::Within) {
+            return Ok(one);
+        }
+        let levels =
+            (0..self.block).map(|j| if j == 0 { Ok(one.clone()) } else { self.setting.factor(j) });
+        let levels = levels.collect::<Result<Vec<RealCyclotomic>, String>>()?;
+        Ok(match quantity {
+            Quantity::Distance => RealCyclotomic::total(&levels),
+            _ => levels.into_iter().max().unwrap_or(one),
+        })
+    }
+
+    /// Levels for each level of the printed formula.
+    fn stretch(&self) -> u32 {
+        if self.trial.corrected(&Change::Block) { self.block } else { 1 }
+    }
+
+    fn of_quantity(
+        &self,
+        quantity: Quantity,
+        by: &LocatedFormula,
+        from: u32,
+    ) -> Result<Outcome, Diagnostic> {
+        if !self.case.is_linear(by, from)? {
+            let message = "this bound is not proportional to the spread beta";
+            return Err(Diagnostic::new(&by.source, by.span.clone(), message)
+                .with_help("a larger polygon has a larger distance: give a multiple of `beta`"));
+        }
+        let contribution = match self.contribution(quantity) {
+            Ok(contribution) => contribution,
+            Err(why) => return Ok(Outcome::Unknown(why)),
+        };
+        let (mut shown, mut gap) = (None, None);
+        for level in from..from.saturating_add(self.setting.levels()) {
+            let names = [(LEVEL, Rational::from(level / self.stretch()))];
+            let bound = match self.case.evaluate(by, &names, self.settings)? {
+                Ok(bound) => bound.times(&contribution),
+                Err(why) => return Ok(Outcome::Unknown(why)),
+            };
+            if bound.sign() < 0 {
+                let why = format!("the bound is negative at level {level}, which nothing is");
+                return Ok(Outcome::Unknown(why));
+            }
+            match self.setting.compare(quantity, level, &bound) {
+                Ok(Comparison::Within) if gap.is_none() => shown = Some(level),
+                Ok(Comparison::Within) => {}
+                Ok(Comparison::Exceeds(attained)) => {
+                    let violation = Violation { quantity, level, attained, bound };
+                    return Ok(Outcome::Refuted(Box::new(violation)));
+                }
+                Ok(Comparison::Undecided(_)) => {
+                    let why = || format!("not exceeded, but not decided at level {level}");
+                    gap = gap.or_else(|| Some(why()));
+                }
+                Err(why) => {
+                    gap = gap.or(Some(why));
+                    break;
+                }
+            }
+        }
+        let Some(last) = shown else {
+            return Ok(Outcome::Unknown(gap.unwrap_or_default()));
+        };
+        let proved = self.all_levels(by, last - from + 1)?;
+        Ok(proved.map_or(Outcome::UpTo(last), |_| Outcome::Proved))
+    }
+
+    /// How a bound grows, and the number of its periods after which differences have fallen as
+    /// much, if it holds at all levels since it holds at this many, from its first.
+    ///
+    /// Source: `proofs/THEOREMS.md`, 40.
+    fn all_levels(
+        &self,
+        by: &LocatedFormula,
+        levels: u32,
+    ) -> Result<Option<(Growth, u32)>, Diagnostic> {
+        let growth = growth(self.case, by, self.settings)?.filter(|growth| growth.spreads == 1);
+        let Some(growth) = growth else { return Ok(None) };
+        for times in 1.. {
+            let period = growth.period * self.stretch() * times;
+            if period > levels {
+                return Ok(None);
+            }
+            let Ok(factor) = self.setting.factor(period) else { return Ok(None) };
+            let ratio = growth.power(times);
+            if comparable(&factor, &ratio) && factor <= ratio {
+                return Ok(Some((growth, times)));
+            }
+        }
+        Ok(None)
+    }
+
+    /// What shows that a bound, which was found to hold at all levels, does.
+    fn levels(
+        &self,
+        quantity: Quantity,
+        by: &LocatedFormula,
+        from: u32,
+    ) -> Result<Option<Levels>, Diagnostic> {
+        let all = self.all_levels(by, self.setting.levels())?;
+        let Some((Growth { period, ratio, .. }, times)) = all else { return Ok(None) };
+        let mut bounds = Vec::new();
+        for level in from..from.saturating_add(period * times) {
+            let names = [(LEVEL, Rational::from(level))];
+            let Ok(bound) = self.case.evaluate(by, &names, self.settings)? else { return Ok(None) };
+            bounds.push((level, bound));
+        }
+        let evidence = self.setting.evidence(quantity, &bounds);
+        Ok(Some(Levels { period, ratio, times, evidence }))
+    }
+
+    /// Looks for a tolerance that the depth does not meet: as near as is handy below a
+    /// distance that is attained, where the formula asks for the fewest levels.
+    fn of_depth(&self, by: &LocatedFormula) -> Result<Outcome, Diagnostic> {
+        let quantity = Quantity::Distance;
+        let contribution = match self.contribution(quantity) {
+            Ok(contribution) => contribution,
+            Err(why) => return Ok(Outcome::Unknown(why)),
+        };
+        let mut shown = None;
+        for level in 0..self.setting.levels() {
+            for parts in PARTS {
+                let supremum = match self.setting.supremum(quantity, level, parts) {
+                    Ok(supremum) => supremum,
+                    Err(why) if shown.is_none() => return Ok(Outcome::Unknown(why)),
+                    Err(_) => {
+                        return Ok(shown.map_or(Outcome::Unknown(String::new()), Outcome::UpTo));
+                    }
+                };
+                let Some(tolerance) = slightly_less(&supremum.lower) else { break };
+                match self.deep_enough(by, &tolerance, &contribution, level)? {
+                    Err(why) => return Ok(Outcome::Unknown(why)),
+                    Ok(true) => {
+                        let bound = RealCyclotomic::from(tolerance);
+                        if let Ok(Comparison::Exceeds(attained)) =
+                            self.setting.compare(quantity, level, &bound)
+                        {
+                            let violation = Violation { quantity, level, attained, bound };
+                            return Ok(Outcome::Refuted(Box::new(violation)));
+                        }
+                    }
+                    Ok(false) => {}
+                }
+                // No tolerance below the supremum is promised at this level when not even
+                // one above it is.
+                let above = supremum.upper.map(|upper| upper.enclosure(0).upper().clone());
+                let possible = match above {
+                    Some(above) => self.deep_enough(by, &above, &contribution, level)?,
+                    None => Ok(true),
+                };
+                if possible != Ok(true) {
+                    break;
+                }
+            }
+            shown = Some(level);
+        }
+        Ok(shown.map_or_else(|| Outcome::Unknown("it has no distance".to_owned()), Outcome::UpTo))
+    }
+
+    /// Whether the formula says that this level is deep enough for the tolerance.
+    fn deep_enough(
+        &self,
+        by: &LocatedFormula,
+        tolerance: &Rational,
+        contribution: &RealCyclotomic,
+        level: u32,
+    ) -> Result<Result<bool, String>, Diagnostic> {
+        let asked = &RealCyclotomic::from(tolerance.clone()) / contribution;
+        let Some(asked) = asked.as_rational().cloned().or_else(|| slightly_less(&asked)) else {
+            return Ok(Ok(false));
+        };
+        let depth = self.case.evaluate(by, &[(TOLERANCE, asked)], self.settings)?;
+        Ok(depth.map(|depth| {
+            depth.times(&RealCyclotomic::from(self.stretch())) <= RealCyclotomic::from(level)
+        }))
+    }
+}
+
+/// How exactly a distance is enclosed where a tolerance below it is looked for, step by
+/// step, in parts of it.
+const PARTS: [u32; 3] = [4, 32, 256];
+
+/// The simplest rational number within 1/256 below a positive number.
+fn slightly_less(value: &RealCyclotomic) -> Option<Rational> {
+    let upper = value.enclosure(0).lower().clone();
+    if upper.sign() <= 0 {
+        return None;
+    }
+    let lower = &upper * &Rational::new(255, 256);
+    Some(simplest(&lower, &upper))
+}
+
+/// The rational number of least denominator from `low` to below `high`, 0 < low < high.
+fn simplest(low: &Rational, high: &Rational) -> Rational {
+    let whole = Rational::from(low.ceil());
+    if whole < *high {
+        return whole;
+    }
+    let floor = Rational::from(low.floor());
+    let (low, high) = (low - &floor, high - &floor);
+    // Here 0 < low < high ≤ 1.
+    let inverse = simplest_above(&high.recip(), &low.recip());
+    floor + inverse.recip()
+}
+
+/// The same above `low` and up to `high`.
+fn simplest_above(low: &Rational, high: &Rational) -> Rational {
+    let whole = Rational::from(low.floor() + Integer::one());
+    if whole <= *high {
+        return whole;
+    }
+    let floor = Rational::from(low.floor());
+    let (low, high) = (low - &floor, high - &floor);
+    if low.is_zero() {
+        // No whole number is above a whole `low` and at most `high` < low + 1.
+        let inverse = Rational::from(high.recip().ceil());
+        return floor + inverse.recip();
+    }
+    let inverse = simplest(&high.recip(), &low.recip());
+    floor + inverse.recip()
+}
