@@ -75,7 +75,6 @@ locus = ""
 title = ""
 scheme = "corner:w=w"
 value = 'contraction(1)'
-unstated = { w = '1/7' }
 columns = { name = "w", values = ['1/5', '1/4', '1/3', '1/7'] }
 cells = [['0.60', '0.51', '0.66', '0.6429']]
 [[equation]]

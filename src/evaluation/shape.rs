@@ -10,7 +10,7 @@ use crate::evaluation::options::Options;
 use crate::evaluation::reference::{Unresolved, reference, scheme_error, unresolved};
 use crate::evaluation::series;
 use crate::evaluation::series::Norms;
-use crate::exact::{Rational, Scalar};
+use crate::exact::Rational;
 use crate::formula::{Call, CallError, Context, Functions, Parameters, Value};
 use crate::scheme::{Instance, Mask, Reference, Rules};
 use std::borrow::Borrow;

@@ -1,6 +1,6 @@
 //! Readings of tables: what they differ in, and what they explain.
 
-use crate::exact::{Enclosed, Rational, RealCyclotomic};
+use crate::exact::{Rational, RealCyclotomic};
 use crate::finding::cell::CellFinding;
 use std::cmp::Reverse;
 use std::collections::BTreeMap;

@@ -6,7 +6,7 @@ use crate::evaluation::library::Library;
 use crate::evaluation::shape::Shapes;
 use crate::exact::Rational;
 use crate::finding::{EquationFinding, EquationVerdict, Failure};
-use crate::formula::{Context, LocatedFormula, Parameters, evaluate};
+use crate::formula::{LocatedFormula, Parameters, evaluate};
 use crate::judge::comparison::{Case, Comparison};
 use crate::judge::mend;
 use std::collections::BTreeMap;
