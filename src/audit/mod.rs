@@ -17,8 +17,8 @@ pub use crate::finding::{
     EquationVerdict, Example, Explanation, FailingPremise, Failure, FunctionFinding,
     FunctionVerdict, Kept, Later, LevelEvidence, Levels, Line, LineReading, MAX_DIFFERENCES,
     Missing, Need, Outcome, PaperAudit, Place, PromiseCounts, RangeFinding, RangeVerdict,
-    Refutation, Repair, Search, Side, Slip, Solved, Sound, Supremum, TableFinding, TablePart,
-    TheoremFinding, TheoremVerdict, Verdict, Violation,
+    Refutation, Repair, Search, Sibling, Side, Slip, Solved, Sound, Supremum, TableFinding,
+    TablePart, TheoremFinding, TheoremVerdict, Verdict, Violation,
 };
 pub use crate::judge::MAX_CASES;
 

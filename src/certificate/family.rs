@@ -2,9 +2,8 @@
 //! in the cells that none does.
 
 use super::block::{Block, closed, words};
-use super::reading::{self, ROUNDING};
-use crate::audit::{Difference, Explanation};
-use crate::claim::Paper;
+use super::reading;
+use crate::audit::{Difference, Effect, Explanation};
 use std::collections::BTreeMap;
 
 /// The cells that a member explains with decimals to the nearest, cut, and away, and its
@@ -14,7 +13,6 @@ type Member = (BTreeMap<usize, usize>, Vec<String>);
 /// The lines `family`, `scale`, `values` and `member`, from every reading of the table.
 pub(super) fn lines(
     block: &mut Block,
-    paper: &Paper,
     readings: &[Explanation],
     best: Option<&Explanation>,
     scale: Option<&str>,
@@ -32,7 +30,7 @@ pub(super) fn lines(
         let value = |(row, column): &(usize, usize)| {
             reading.values[*row][*column].as_ref().map_or("undefined".to_owned(), closed)
         };
-        match differences(paper, reading) {
+        match differences(reading) {
             Ok((differences, rounding)) => {
                 let member = members.entry((differences.len(), differences)).or_default();
                 member.0.insert(rounding, reading.count());
@@ -67,17 +65,20 @@ pub(super) fn lines(
 }
 
 /// The differences of a reading, and the place of its rounding of decimals.
-fn differences(paper: &Paper, reading: &Explanation) -> Result<(Vec<String>, usize), String> {
-    let is_rounding = |difference: &&Difference| difference.choice == ROUNDING.0;
-    let rounding = reading.differences.iter().find(is_rounding);
-    let rounding = match rounding.map(|rounding| reading::way(paper, rounding)).transpose()? {
-        None => 0,
-        Some(way) if way.ends_with("cut") => 1,
-        Some(_) => 2,
-    };
-    let others = reading.differences.iter().filter(|difference| !is_rounding(difference));
-    let mut names =
-        others.map(|other| reading::way(paper, other)).collect::<Result<Vec<String>, String>>()?;
+fn differences(reading: &Explanation) -> Result<(Vec<String>, usize), String> {
+    let (mut names, mut rounding) = (Vec::new(), 0);
+    for difference in &reading.differences {
+        match difference {
+            Difference::Way(choice, way) if choice.effect == Effect::Decimal => {
+                let place = choice.ways.iter().position(|other| other == *way);
+                rounding = place.unwrap_or(0);
+            }
+            other => {
+                let name = reading::member(other);
+                names.push(name.ok_or("a parameter is read otherwise, which is no member")?);
+            }
+        }
+    }
     names.sort();
     Ok((names, rounding))
 }

@@ -2,34 +2,9 @@
 
 use super::block::Block;
 use crate::audit::{
-    AsRead, Difference, Direction, Explanation, FAMILY, Line, LineReading, Search, Slip,
+    AsRead, Difference, Direction, Explanation, Line, LineReading, Search, Sibling, Slip,
     TableFinding,
 };
-use crate::claim::Paper;
-
-/// The name of the rounding of decimals in reports, and in certificates.
-pub(super) const ROUNDING: (&str, &str) = ("rounding of the decimals", "decimals");
-
-/// The names of choices in reports, and in certificates.
-const CHOICES: [(&str, &str); 10] = [
-    ("order", "order"),
-    ("suprema", "suprema"),
-    ("norm of the difference mask", "contraction-terms"),
-    ("norm of the displacement", "displacement-terms"),
-    ("offset", "offset"),
-    ("recursion", "recursion"),
-    ("exponent", "exponent"),
-    ("rounding of the depth", "rounded"),
-    ROUNDING,
-    ("tolerance", "tolerance"),
-];
-
-/// How a single cell may be rounded, as a verdict has it.
-const ROUNDED: [(&str, Option<Direction>); 3] = [
-    ("", None),
-    (" rounding cut", Some(Direction::Cut)),
-    (" rounding away", Some(Direction::Away)),
-];
 
 /// The readings of a table, and of its rows and columns.
 pub(super) struct Readings<'f> {
@@ -57,11 +32,11 @@ impl<'f> Readings<'f> {
     }
 
     /// The lines `read …`, and those of rows and columns.
-    pub(super) fn write(&self, block: &mut Block, paper: &Paper) {
-        self.first.write(block, paper);
+    pub(super) fn write(&self, block: &mut Block) {
+        self.first.write(block);
         if !self.assumed.is_empty() {
             block.line("assumed".to_owned());
-            self.assumed.write(block, paper);
+            self.assumed.write(block);
         }
     }
 
@@ -91,11 +66,9 @@ impl<'f> Part<'f> {
         self.table.is_none() && self.lines.is_empty()
     }
 
-    fn write(&self, block: &mut Block, paper: &Paper) {
+    fn write(&self, block: &mut Block) {
         if let Some(reading) = self.table {
-            for line in lines(paper, reading) {
-                block.try_line(line);
-            }
+            lines(reading).for_each(|line| block.line(line));
         }
         for (i, line) in self.lines.iter().enumerate() {
             let name = name(line);
@@ -103,9 +76,7 @@ impl<'f> Part<'f> {
                 block.give_up(format!("{name} has two readings"));
             }
             block.line(name);
-            for line in lines(paper, &line.best) {
-                block.try_line(line);
-            }
+            lines(&line.best).for_each(|line| block.line(line));
         }
     }
 
@@ -131,11 +102,14 @@ impl<'f> Part<'f> {
             if reading.values[at.0][at.1].as_ref() != Some(&read.value) {
                 continue;
             }
-            for (words, direction) in ROUNDED {
-                let more = direction.map_or(String::new(), |direction| format!("; {direction}"));
-                if read.differs == format!("{}{more}", reading.differs()) {
-                    return Some((words, by));
-                }
+            let words = match read.rounded {
+                None => "",
+                Some(Direction::Cut) => " rounding cut",
+                Some(Direction::Away) => " rounding away",
+                Some(Direction::DepthDown | Direction::DepthNearest) => continue,
+            };
+            if read.is(reading) {
+                return Some((words, by));
             }
         }
         None
@@ -155,53 +129,32 @@ fn name(reading: &LineReading) -> String {
 }
 
 /// The lines `read …`.
-fn lines(paper: &Paper, reading: &Explanation) -> Vec<Result<String, String>> {
-    let solved = &reading.solved;
+fn lines(reading: &Explanation) -> impl Iterator<Item = String> {
     // What is solved for has a line of its own.
-    let rest = reading
-        .differences
-        .iter()
-        .filter(|difference| solved.iter().all(|parameter| parameter.name != difference.choice));
-    let differences = rest.map(|difference| {
-        if let Some(value) = &difference.value {
-            return Ok(format!("read parameter {} {value}", difference.choice));
+    let solved = &reading.solved;
+    let is_solved = |difference: &&Difference| {
+        solved.iter().any(|parameter| parameter.name == difference.about())
+    };
+    let rest = reading.differences.iter().filter(move |difference| !is_solved(difference));
+    let differences = rest.map(|difference| match difference {
+        Difference::Way(choice, way) => format!("read choice {} {}", choice.key, way.word),
+        Difference::Alternative { of, number, .. } => format!("read definition {of} {number}"),
+        Difference::Scale { name, value, .. }
+        | Difference::Sibling(Sibling { name, value, .. }) => {
+            format!("read parameter {name} {value}")
         }
-        let way = way(paper, difference)?;
-        Ok(match way.split_once('=') {
-            Some((choice, word)) => format!("read choice {choice} {word}"),
-            None => format!("read definition {}", way.replace('#', " ")),
-        })
     });
     let parameters = solved
         .iter()
-        .map(|parameter| Ok(format!("read parameter {} {}", parameter.name, parameter.simplest)));
-    differences.chain(parameters).collect()
+        .map(|parameter| format!("read parameter {} {}", parameter.name, parameter.simplest));
+    differences.chain(parameters)
 }
 
-/// A difference as `CHOICE=WAY` or `DEFINITION#NUMBER`.
-pub(super) fn way(paper: &Paper, difference: &Difference) -> Result<String, String> {
-    let Difference { choice, says, .. } = difference;
-    let known = FAMILY.iter().find(|known| known.name == choice);
-    let way = known.and_then(|known| known.ways.iter().find(|way| way.says == says));
-    let name = CHOICES.iter().find(|(name, _)| name == choice);
-    if let (Some(way), Some((_, name))) = (way, name) {
-        return Ok(format!("{name}={}", way.word));
-    }
-    let mut alternatives = paper.alternatives.iter().filter(|other| other.of == *choice);
-    match alternatives.position(|other| other.label == *says) {
-        Some(place) => Ok(format!("{choice}#{}", place + 1)),
-        None => Err(format!("the format has no words for the reading `{choice}: {says}`")),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_choice_has_a_name() {
-        for choice in FAMILY {
-            assert!(CHOICES.iter().any(|(name, _)| *name == choice.name), "{}", choice.name);
-        }
+/// A difference as `CHOICE=WAY` or `DEFINITION#NUMBER`; none of a parameter.
+pub(super) fn member(difference: &Difference) -> Option<String> {
+    match difference {
+        Difference::Way(choice, way) => Some(format!("{}={}", choice.key, way.word)),
+        Difference::Alternative { of, number, .. } => Some(format!("{of}#{number}")),
+        Difference::Scale { .. } | Difference::Sibling(_) => None,
     }
 }

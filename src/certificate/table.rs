@@ -26,7 +26,7 @@ pub(super) fn block(paper: &Paper, finding: &TableFinding<'_>) -> Block {
         block.restate("scheme", &scheme.reference.to_string());
     }
     block.restate("value", &table.value.text);
-    readings.write(&mut block, paper);
+    readings.write(&mut block);
     for (row, cells) in finding.cells.iter().enumerate() {
         for (column, cell) in cells.iter().enumerate() {
             let line = line(cell, &readings, (row, column));
@@ -72,7 +72,7 @@ fn family(
     }
     let best = finding.search.as_ref().and_then(|search| search.best.first());
     match readings(paper, finding) {
-        Ok(readings) => family::lines(block, paper, &readings, best, scale, refuted),
+        Ok(readings) => family::lines(block, &readings, best, scale, refuted),
         Err(error) => block.give_up(error.message),
     }
 }

@@ -6,8 +6,11 @@ use crate::diagnostic::Diagnostic;
 use crate::evaluation::library::Library;
 use crate::evaluation::table::Evaluator;
 use crate::exact::Rational;
-use crate::finding::{Contradiction, Explanation, Line, Need, Side, TableFinding, TablePart};
+use crate::finding::{
+    Contradiction, Difference, Explanation, Line, Need, Side, TableFinding, TablePart,
+};
 use crate::judge::reading::tried;
+use std::cmp::Reverse;
 use std::collections::BTreeSet;
 
 /// How many cells a table may lose under a reading that still suits it: one, which may
@@ -73,13 +76,18 @@ impl Explained<'_, '_> {
 /// The choices of which no way suits every place.
 fn choices(explained: &[Explained<'_, '_>]) -> Vec<Contradiction> {
     let names: BTreeSet<&str> =
-        explained.iter().flat_map(|place| place.needs).map(|need| need.choice.as_str()).collect();
+        explained.iter().flat_map(|place| place.needs).map(|need| need.about.as_str()).collect();
     names.into_iter().filter_map(|name| one_choice(explained, name)).collect()
+}
+
+/// A way in words.
+fn words(way: &Option<Difference>) -> String {
+    way.as_ref().map_or_else(|| "as printed".to_owned(), Difference::to_string)
 }
 
 fn one_choice(explained: &[Explained<'_, '_>], name: &str) -> Option<Contradiction> {
     let need =
-        |place: &Explained<'_, '_>| place.needs.iter().find(|need| need.choice == name).cloned();
+        |place: &Explained<'_, '_>| place.needs.iter().find(|need| need.about == name).cloned();
     // Those that every way suits say nothing.
     let mut left: Vec<(&Explained<'_, '_>, Need)> = explained
         .iter()
@@ -89,29 +97,34 @@ fn one_choice(explained: &[Explained<'_, '_>], name: &str) -> Option<Contradicti
     let mut sides = Vec::new();
     // The way that suits most places takes them, then the next one.
     while !left.is_empty() {
-        let ways: BTreeSet<&str> =
-            left.iter().flat_map(|(_, need)| need.suitable(MAX_LOST)).collect();
-        let suited = |way: &str| {
-            left.iter().filter(|(_, need)| need.suitable(MAX_LOST).contains(&way)).count()
-        };
-        let way = ways.iter().rev().max_by_key(|way| suited(way))?.to_string();
+        let ways: BTreeSet<Option<Difference>> = left
+            .iter()
+            .flat_map(|(_, need)| need.suitable(MAX_LOST))
+            .map(Option::<&Difference>::cloned)
+            .collect();
+        let suits =
+            |need: &Need, way: &Option<Difference>| need.suitable(MAX_LOST).contains(&way.as_ref());
+        let suited =
+            |way: &Option<Difference>| left.iter().filter(|(_, need)| suits(need, way)).count();
+        // Of equally good ones the first in the alphabet.
+        let way = ways.into_iter().max_by_key(|way| (suited(way), Reverse(words(way))))?;
         let (here, rest): (Vec<_>, Vec<_>) =
-            left.into_iter().partition(|(_, need)| need.suitable(MAX_LOST).contains(&way.as_str()));
+            left.into_iter().partition(|(_, need)| suits(need, &way));
         left = rest;
         sides.push((way, here));
     }
     if sides.len() < 2 {
         return None;
     }
-    let all: Vec<String> = sides.iter().map(|(way, _)| way.clone()).collect();
-    let side = |(way, here): (String, Vec<(&Explained<'_, '_>, Need)>)| {
+    let all: Vec<Option<Difference>> = sides.iter().map(|(way, _)| way.clone()).collect();
+    let side = |(way, here): (Option<Difference>, Vec<(&Explained<'_, '_>, Need)>)| {
         let place = |(place, need): (&Explained<'_, '_>, Need)| {
             let others = all.iter().filter(|other| **other != way);
             let otherwise = others.filter_map(|other| need.ways.get(other)).max();
             let explained = need.ways.get(&way).copied().unwrap_or(0);
             place.place(explained, otherwise.copied().unwrap_or(0))
         };
-        Side { places: here.into_iter().map(place).collect(), says: way }
+        Side { places: here.into_iter().map(place).collect(), says: words(&way) }
     };
     let sides = sides.into_iter().map(side).collect();
     Some(Contradiction { about: name.to_owned(), sides })
@@ -171,8 +184,8 @@ fn own_value(place: &Explained<'_, '_>, judge: &Evaluator<'_>, name: &str) -> Op
     let solved = place.by.and_then(|by| by.solved.iter().find(|solved| solved.name == name));
     let solved = solved.map(|solved| &solved.simplest);
     let differences = place.by.into_iter().flat_map(|by| &by.differences);
-    let mut named = differences.filter(|difference| difference.choice == name);
-    let sibling = named.find_map(|difference| difference.value.as_ref());
+    let mut named = differences.filter(|difference| difference.about() == name);
+    let sibling = named.find_map(|difference| difference.value());
     let value = solved.or(sibling).or_else(|| judge.assumed.get(name));
     value.or_else(|| judge.given.get(name)).cloned()
 }

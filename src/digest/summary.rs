@@ -104,7 +104,7 @@ impl CellFinding {
     }
 
     fn as_outcome(&self, verdict: &Verdict) -> CellOutcome {
-        let reading = || self.as_read.as_ref().map(|read| read.differs.clone());
+        let reading = || self.as_read.as_ref().map(|read| read.differs());
         let (standing, cause) = match verdict {
             Verdict::Confirmed => (Standing::Confirmed, None),
             Verdict::Rounding(direction) => (Standing::Explained, Some(direction.to_string())),

@@ -1,8 +1,10 @@
 //! Choices: the respects in which a reading may differ from the printed text.
 
 /// One respect in which a printed definition can be understood in several ways.
-#[derive(Debug)]
+#[derive(Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Choice {
+    /// Its name in certificates.
+    pub key: &'static str,
     /// Its name in reports.
     pub name: &'static str,
     /// What it changes.
@@ -14,7 +16,7 @@ pub struct Choice {
 }
 
 /// What a choice changes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Effect {
     /// An option of some functions of the claim language.
     Option {
@@ -31,7 +33,7 @@ pub enum Effect {
 }
 
 /// One way of a choice.
-#[derive(Debug)]
+#[derive(Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Way {
     /// The word for it in the claim language.
     pub word: &'static str,

@@ -4,6 +4,7 @@ use crate::evaluation::{Choice, Effect, Way};
 
 /// Σ|b| or |Σ b|.
 pub(crate) const CONTRACTION_TERMS: Choice = Choice {
+    key: "contraction-terms",
     name: "norm of the difference mask",
     effect: Effect::Option { option: "terms", functions: &["contraction"] },
     ways: &[
@@ -15,6 +16,7 @@ pub(crate) const CONTRACTION_TERMS: Choice = Choice {
 
 /// To the nearest, or otherwise.
 pub(crate) const DECIMAL_ROUNDING: Choice = Choice {
+    key: "decimals",
     name: "rounding of the decimals",
     effect: Effect::Decimal,
     ways: &[
@@ -27,6 +29,7 @@ pub(crate) const DECIMAL_ROUNDING: Choice = Choice {
 
 /// Up, as a depth needs, or otherwise.
 pub(crate) const DEPTH_ROUNDING: Choice = Choice {
+    key: "rounded",
     name: "rounding of the depth",
     effect: Effect::Option { option: "rounded", functions: &["levels"] },
     ways: &[
@@ -39,6 +42,7 @@ pub(crate) const DEPTH_ROUNDING: Choice = Choice {
 
 /// Σ|ã| or |Σ ã|.
 pub(crate) const DISPLACEMENT_TERMS: Choice = Choice {
+    key: "displacement-terms",
     name: "norm of the displacement",
     effect: Effect::Option {
         option: "terms",
@@ -53,6 +57,7 @@ pub(crate) const DISPLACEMENT_TERMS: Choice = Choice {
 
 /// A power for each level, as printed, or for each block of c levels, as is sound.
 pub(crate) const EXPONENT: Choice = Choice {
+    key: "exponent",
     name: "exponent",
     effect: Effect::Option { option: "exponent", functions: &["levels"] },
     ways: &[
@@ -65,6 +70,7 @@ pub(crate) const EXPONENT: Choice = Choice {
 /// A header that was computed and then rounded stands for a number of its rounding
 /// interval: where a depth is decided at equality, either end may decide otherwise.
 pub(crate) const HEADER: Choice = Choice {
+    key: "tolerance",
     name: "tolerance",
     effect: Effect::Header,
     ways: &[
@@ -91,6 +97,7 @@ pub const FAMILY: [&Choice; 10] = [
 
 /// The index offset 0 that the papers print, or the scheme's own.
 pub(crate) const OFFSET: Choice = Choice {
+    key: "offset",
     name: "offset",
     effect: Effect::Option { option: "offset", functions: &["displacement"] },
     ways: &[
@@ -102,6 +109,7 @@ pub(crate) const OFFSET: Choice = Choice {
 
 /// t_{nu+β} = b_{β,N−1−u} or b_{β,u}.
 pub(crate) const ORDER: Choice = Choice {
+    key: "order",
     name: "order",
     effect: Effect::Option {
         option: "order",
@@ -117,6 +125,7 @@ pub(crate) const ORDER: Choice = Choice {
 
 /// C¹·C^{c−1}, which c convolutions have, or C^{c−1}·C^{c−1}.
 pub(crate) const RECURSION: Choice = Choice {
+    key: "recursion",
     name: "recursion",
     effect: Effect::Option {
         option: "recursion",
@@ -131,6 +140,7 @@ pub(crate) const RECURSION: Choice = Choice {
 
 /// Each norm over its own residue class, or both over the same.
 pub(crate) const SUPREMA: Choice = Choice {
+    key: "suprema",
     name: "suprema",
     effect: Effect::Option { option: "suprema", functions: &["tensor", "convolution_norm"] },
     ways: &[

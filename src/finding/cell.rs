@@ -2,6 +2,7 @@
 
 use crate::exact::{Rational, RealCyclotomic};
 use crate::finding::promise::Kept;
+use crate::finding::reading::{Difference, Explanation, Solved, differs};
 use std::fmt;
 
 /// The verdict of a number.
@@ -175,9 +176,28 @@ pub enum Sound {
 #[derive(Clone, Debug, PartialEq)]
 pub struct AsRead {
     /// How the reading differs from the printed text.
-    pub differs: String,
+    pub differences: Vec<Difference>,
+    /// The parameters that were solved for.
+    pub solved: Vec<Solved>,
+    /// How this cell alone is rounded, where it is not as the reading has it.
+    pub rounded: Option<Direction>,
     /// The value that it gives.
     pub value: RealCyclotomic,
+}
+
+impl AsRead {
+    /// Whether it is a reading.
+    #[must_use]
+    pub fn is(&self, reading: &Explanation) -> bool {
+        self.differences == reading.differences && self.solved == reading.solved
+    }
+
+    /// How it differs from the printed text, in words.
+    #[must_use]
+    pub fn differs(&self) -> String {
+        let differs = differs(&self.differences, &self.solved);
+        self.rounded.map_or(differs.clone(), |direction| format!("{differs}; {direction}"))
+    }
 }
 
 /// What the audit says of a table cell.
@@ -233,5 +253,27 @@ impl CellFinding {
     #[must_use]
     pub fn may_break_promise(&self) -> bool {
         self.printed.is_some() && self.sound.is_some() && self.keeps_promise().is_none()
+    }
+}
+
+/// Which cells of a table are read together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CellKind {
+    /// Those whose value as printed needs no assumption.
+    Plain,
+    /// Those that need one.
+    Assumed,
+}
+
+impl CellKind {
+    pub(crate) fn holds(self, finding: &CellFinding) -> bool {
+        finding.assumed.is_empty() == (self == CellKind::Plain)
+    }
+
+    /// The kinds of the printed cells of a table.
+    pub(crate) fn of(findings: &[Vec<CellFinding>]) -> Vec<CellKind> {
+        let printed = || findings.iter().flatten().filter(|finding| finding.printed.is_some());
+        let kinds = [CellKind::Plain, CellKind::Assumed].into_iter();
+        kinds.filter(|kind| printed().any(|finding| kind.holds(finding))).collect()
     }
 }

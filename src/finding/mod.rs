@@ -13,7 +13,7 @@ mod table;
 mod theorem;
 mod witness;
 
-pub use cell::{AsRead, Assumed, CellFinding, Direction, Missing, Slip, Sound, Verdict};
+pub use cell::{AsRead, Assumed, CellFinding, CellKind, Direction, Missing, Slip, Sound, Verdict};
 pub use consistency::{Contradiction, Side, TablePart};
 pub use equation::{EquationFinding, EquationVerdict, Failure};
 pub use function::{Example, FunctionFinding, FunctionVerdict};
@@ -21,10 +21,10 @@ pub use levels::{Later, LevelEvidence, Levels};
 pub use paper::PaperAudit;
 pub use promise::{Broken, ControlData, Kept, PromiseCounts};
 pub use range::{EndFinding, EndRelation, RangeFinding, RangeVerdict};
+pub(crate) use reading::Values;
 pub use reading::{
-    CellKind, Difference, Explanation, Line, LineReading, MAX_DIFFERENCES, Need, Search, Solved,
+    Difference, Explanation, Line, LineReading, MAX_DIFFERENCES, Need, Search, Sibling, Solved,
 };
-pub(crate) use reading::{Sibling, Values};
 pub use table::TableFinding;
 pub(crate) use theorem::Change;
 pub use theorem::{

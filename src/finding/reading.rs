@@ -1,7 +1,7 @@
 //! Readings of tables: what they differ in, and what they explain.
 
+use crate::evaluation::{Choice, Way};
 use crate::exact::{Rational, RealCyclotomic};
-use crate::finding::cell::CellFinding;
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::fmt;
@@ -53,9 +53,10 @@ pub struct LineReading {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Need {
     /// The choice, or the definition.
-    pub choice: String,
-    /// Each way in words, with the number of cells that some reading with it explains.
-    pub ways: BTreeMap<String, usize>,
+    pub about: String,
+    /// Each way, with the number of cells that some reading with it explains; `None` is a definition,
+    /// or a tolerance, as printed.
+    pub ways: BTreeMap<Option<Difference>, usize>,
 }
 
 impl Need {
@@ -67,10 +68,10 @@ impl Need {
 
     /// The ways that explain as many cells as the best one, but for `lost` at most.
     #[must_use]
-    pub fn suitable(&self, lost: usize) -> Vec<&str> {
+    pub fn suitable(&self, lost: usize) -> Vec<Option<&Difference>> {
         let least = self.most().saturating_sub(lost);
         let suits = self.ways.iter().filter(|(_, count)| **count >= least);
-        suits.map(|(way, _)| way.as_str()).collect()
+        suits.map(|(way, _)| way.as_ref()).collect()
     }
 }
 
@@ -92,13 +93,66 @@ pub const MAX_DIFFERENCES: usize = 4;
 
 /// A respect in which a reading differs from the printed text.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Difference {
-    /// The choice, or the definition.
-    pub choice: String,
-    /// What holds instead of the printed text.
-    pub says: String,
-    /// The value, where the choice is that of a parameter.
-    pub value: Option<Rational>,
+pub enum Difference {
+    /// A choice is made in this way.
+    Way(&'static Choice, &'static Way),
+    /// An alternative stands for a definition.
+    Alternative {
+        /// The definition.
+        of: String,
+        /// The number of the alternative among those of this definition, from 1.
+        number: usize,
+        /// What the claim file calls it.
+        label: String,
+    },
+    /// A stated parameter has another value.
+    Scale {
+        /// The parameter.
+        name: String,
+        /// Its value.
+        value: Rational,
+        /// The value that is stated.
+        stated: Rational,
+    },
+    /// A parameter that is not stated is as another table has it.
+    Sibling(Sibling),
+}
+
+impl Difference {
+    /// The name of the choice, the definition or the parameter.
+    #[must_use]
+    pub fn about(&self) -> &str {
+        match self {
+            Difference::Way(choice, _) => choice.name,
+            Difference::Alternative { of: name, .. }
+            | Difference::Scale { name, .. }
+            | Difference::Sibling(Sibling { name, .. }) => name,
+        }
+    }
+
+    /// The value of the parameter, where it is one.
+    #[must_use]
+    pub fn value(&self) -> Option<&Rational> {
+        match self {
+            Difference::Scale { value, .. } | Difference::Sibling(Sibling { value, .. }) => {
+                Some(value)
+            }
+            Difference::Way(..) | Difference::Alternative { .. } => None,
+        }
+    }
+}
+
+impl fmt::Display for Difference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Difference::Way(_, way) => f.write_str(way.says),
+            Difference::Alternative { label, .. } => f.write_str(label),
+            Difference::Scale { name, value, stated } => {
+                write!(f, "{name} = {value}, where {stated} is stated")
+            }
+            Difference::Sibling(sibling) => sibling.fmt(f),
+        }
+    }
 }
 
 /// A reading that explains cells of a table.
@@ -124,12 +178,7 @@ impl Explanation {
     /// How it differs from the printed text, in words.
     #[must_use]
     pub fn differs(&self) -> String {
-        let differences = self.differences.iter().map(|difference| difference.says.clone());
-        let solved = self.solved.iter().filter(|solved| {
-            self.differences.iter().all(|difference| difference.choice != solved.name)
-        });
-        let solved = solved.map(|solved| format!("{} = {}", solved.name, solved.simplest));
-        differences.chain(solved).collect::<Vec<String>>().join("; ")
+        differs(&self.differences, &self.solved)
     }
 
     /// The better, the more cells it explains, and of those the fewer differences.
@@ -161,41 +210,29 @@ pub struct Search {
     pub lines: Vec<LineReading>,
 }
 
-/// Which cells of a table are read together.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum CellKind {
-    /// Those whose value as printed needs no assumption.
-    Plain,
-    /// Those that need one.
-    Assumed,
-}
-
-impl CellKind {
-    pub(crate) fn holds(self, finding: &CellFinding) -> bool {
-        finding.assumed.is_empty() == (self == CellKind::Plain)
-    }
-
-    /// The kinds of the printed cells of a table.
-    pub(crate) fn of(findings: &[Vec<CellFinding>]) -> Vec<CellKind> {
-        let printed = || findings.iter().flatten().filter(|finding| finding.printed.is_some());
-        let kinds = [CellKind::Plain, CellKind::Assumed].into_iter();
-        kinds.filter(|kind| printed().any(|finding| kind.holds(finding))).collect()
-    }
-}
-
 /// A parameter of a scheme as another table of the paper was computed with it.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Sibling {
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Sibling {
     /// The parameter.
-    pub(crate) name: String,
+    pub name: String,
     /// Its value.
-    pub(crate) value: Rational,
+    pub value: Rational,
     /// Where the other table stands.
-    pub(crate) locus: String,
+    pub locus: String,
 }
 
 impl fmt::Display for Sibling {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} = {}, as in {}", self.name, self.value, self.locus)
     }
+}
+
+/// How a reading differs from the printed text, in words.
+pub(super) fn differs(differences: &[Difference], solved: &[Solved]) -> String {
+    let unsaid = solved
+        .iter()
+        .filter(|solved| differences.iter().all(|difference| difference.about() != solved.name));
+    let unsaid = unsaid.map(|solved| format!("{} = {}", solved.name, solved.simplest));
+    let differences = differences.iter().map(Difference::to_string);
+    differences.chain(unsaid).collect::<Vec<String>>().join("; ")
 }

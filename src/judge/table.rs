@@ -237,7 +237,6 @@ impl Evaluator<'_> {
     /// What a reading makes of the cells that are not as printed: explained, or a
     /// slip away from its value.
     fn read_as(&self, reading: &Explanation, part: Part, cells: &mut [Vec<CellFinding>]) {
-        let differs = reading.differs();
         let shift = if let Part::Line(shift) = part { shift } else { (0, 0) };
         for (row, findings) in cells.iter_mut().enumerate() {
             for (column, finding) in findings.iter_mut().enumerate() {
@@ -260,16 +259,17 @@ impl Evaluator<'_> {
                     },
                     _ => continue,
                 };
-                let mut differs = differs.clone();
+                let mut rounded = None;
                 *verdict = match read {
                     Verdict::OtherReading | Verdict::Misprint(_) => read,
                     Verdict::Rounding(direction) if compare::says_enough(&printed.decimal) => {
-                        differs = format!("{differs}; {direction}");
+                        rounded = Some(direction);
                         Verdict::OtherReading
                     }
                     _ => continue,
                 };
-                finding.as_read = Some(AsRead { differs, value });
+                let (differences, solved) = (reading.differences.clone(), reading.solved.clone());
+                finding.as_read = Some(AsRead { differences, solved, rounded, value });
             }
         }
     }

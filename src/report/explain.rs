@@ -157,7 +157,7 @@ fn facts(cell: &CellFinding) -> Vec<(String, String)> {
         fact("exact", format!("none: {why}"));
     }
     if let Some(read) = &cell.as_read {
-        fact("read otherwise", read.differs.clone());
+        fact("read otherwise", read.differs());
         fact("exact, as read", format!("{} = {}", read.value, short(&read.value, 17)));
     }
     if !cell.assumed.is_empty() {

@@ -88,7 +88,7 @@ fn cell(cell: &CellFinding) -> Value {
         "decimal": cell.exact.as_ref().map(|exact| short(exact, DECIMAL_DIGITS)),
         "verdict": cell.verdict.name(),
         "reading": cell.as_read.as_ref().map(|read| json!({
-            "differs": read.differs,
+            "differs": read.differs(),
             "exact": read.value.to_string(),
             "decimal": short(&read.value, DECIMAL_DIGITS),
         })),

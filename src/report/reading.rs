@@ -116,12 +116,12 @@ pub(super) fn evidence<'c>(
     search: &Search,
     cells: &(impl Iterator<Item = &'c CellFinding> + Clone),
 ) -> String {
-    let read = |differs: &str| {
-        cells.clone().any(|cell| cell.as_read.as_ref().is_some_and(|read| read.differs == differs))
+    let read = |reading: &Explanation| {
+        cells.clone().any(|cell| cell.as_read.as_ref().is_some_and(|read| read.is(reading)))
     };
-    let whole = search.best.first().filter(|best| read(&best.differs()));
+    let whole = search.best.first().filter(|best| read(best));
     let whole = whole.map(|_| format!("That explains {}", strength(search)));
-    let lines = search.lines.iter().filter(|line| read(&line.best.differs()));
+    let lines = search.lines.iter().filter(|line| read(&line.best));
     let lines =
         lines.map(|line| format!("{}: {}", capital(&place(table, line.line)), line_strength(line)));
     whole.into_iter().chain(lines).collect::<Vec<String>>().join("\n")

@@ -24,11 +24,7 @@ impl DecimalRounding {
     pub(crate) fn difference(self) -> Option<Difference> {
         let (word, _) = DecimalRounding::ALL.into_iter().find(|(_, way)| *way == self)?;
         let way = DECIMAL_ROUNDING.ways.iter().find(|way| Some(way.word) == word)?;
-        Some(Difference {
-            choice: DECIMAL_ROUNDING.name.to_owned(),
-            says: way.says.to_owned(),
-            value: None,
-        })
+        Some(Difference::Way(&DECIMAL_ROUNDING, way))
     }
 
     /// Whether `exact` becomes `printed`.

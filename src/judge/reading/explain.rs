@@ -1,6 +1,6 @@
 //! What the readings of a table give, and which cells that explains.
 
-use crate::claim::Printed;
+use crate::claim::{Alternative, Printed};
 use crate::evaluation::context::{At, Outcome};
 use crate::evaluation::settings::Settings;
 use crate::exact::{Rational, RealCyclotomic};
@@ -119,13 +119,10 @@ impl Space<'_> {
             for value in values.iter_mut().flatten().flatten() {
                 *value = &*value * &factor;
             }
-            otherwise = scale.stated.then(|| Difference {
-                choice: scale.name.clone(),
-                says: format!(
-                    "{} = {}, where {} is stated",
-                    scale.name, solved.simplest, scale.base
-                ),
-                value: Some(solved.simplest.clone()),
+            otherwise = scale.stated.then(|| Difference::Scale {
+                name: scale.name.clone(),
+                value: solved.simplest.clone(),
+                stated: scale.base.clone(),
             });
         }
         let explained = self.explained(&values, rounding);
@@ -140,18 +137,16 @@ impl Space<'_> {
     }
 
     pub(crate) fn difference(&self, change: &Change) -> Difference {
-        let (choice, says, value) = match change {
-            Change::Word(choice, _, says) => (choice.name, (*says).to_owned(), None),
+        match change {
+            Change::Way(choice, way) => Difference::Way(choice, way),
             Change::Definition(i) => {
-                let other = &self.judge.paper.alternatives[*i];
-                (other.of.as_str(), other.label.clone(), None)
+                let alternatives = &self.judge.paper.alternatives;
+                let Alternative { of, label, .. } = &alternatives[*i];
+                let number = alternatives[..=*i].iter().filter(|other| other.of == *of).count();
+                Difference::Alternative { of: of.clone(), number, label: label.clone() }
             }
-            Change::Sibling(i) => {
-                let sibling = &self.siblings[*i];
-                (sibling.name.as_str(), sibling.to_string(), Some(sibling.value.clone()))
-            }
-        };
-        Difference { choice: choice.to_owned(), says, value }
+            Change::Sibling(i) => Difference::Sibling(self.siblings[*i].clone()),
+        }
     }
 
     fn solve(&self, scale: &Scale, values: &Values, rounding: DecimalRounding) -> Option<Solved> {

@@ -5,7 +5,7 @@ use crate::evaluation::choices::{DECIMAL_ROUNDING, FAMILY};
 use crate::evaluation::context::At;
 use crate::evaluation::settings::Settings;
 use crate::evaluation::table::Evaluator;
-use crate::evaluation::{Choice, Effect};
+use crate::evaluation::{Choice, Effect, Way};
 use crate::finding::{CellFinding, CellKind, MAX_DIFFERENCES, Sibling, Values};
 use crate::judge::reading::scale::Scale;
 use std::collections::BTreeSet;
@@ -33,8 +33,8 @@ pub(crate) type PrintedCells<'a> = Vec<Vec<Option<&'a Printed>>>;
 /// A way of a choice other than the printed one.
 #[derive(Clone)]
 pub(crate) enum Change {
-    /// A choice, its word and what that says.
-    Word(&'static Choice, &'static str, &'static str),
+    /// A choice, and its way.
+    Way(&'static Choice, &'static Way),
     /// One of the claim file's alternatives, by its place.
     Definition(usize),
     /// A parameter as another table has it, by its place.
@@ -88,11 +88,11 @@ impl<'s> Space<'s> {
                     None => continue,
                     Some(printed) => ways
                         .filter(|way| way.word != printed)
-                        .map(|way| Change::Word(choice, way.word, way.says))
+                        .map(|way| Change::Way(choice, way))
                         .collect(),
                 },
                 Effect::Header if judge.has_tolerance_headers() => {
-                    ways.skip(1).map(|way| Change::Word(choice, way.word, way.says)).collect()
+                    ways.skip(1).map(|way| Change::Way(choice, way)).collect()
                 }
                 // The roundings of decimals are compared on the same values.
                 Effect::Header | Effect::Decimal => continue,
@@ -130,7 +130,7 @@ impl<'s> Space<'s> {
     /// The names of what the readings differ in.
     pub(crate) fn names(&self) -> Vec<String> {
         let name = |ways: &Vec<Change>| match ways.first()? {
-            Change::Word(choice, ..) => Some(choice.name.to_owned()),
+            Change::Way(choice, _) => Some(choice.name.to_owned()),
             Change::Definition(i) => Some(self.judge.paper.alternatives[*i].of.clone()),
             Change::Sibling(i) => Some(self.siblings[*i].name.clone()),
         };
@@ -162,7 +162,7 @@ impl<'s> Space<'s> {
 
     pub(crate) fn settings(&self, reading: &[Change]) -> Settings {
         let words = reading.iter().filter_map(|change| match change {
-            Change::Word(choice, word, _) => Some((choice.name, *word)),
+            Change::Way(choice, way) => Some((choice.name, way.word)),
             Change::Definition(_) | Change::Sibling(_) => None,
         });
         let mut settings = Settings::new(words.collect());
