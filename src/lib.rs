@@ -38,7 +38,7 @@
 //!
 //! # Modules
 //!
-//! Imports run one way, from top to bottom:
+//! Imports run one way: a module imports those above it in this list only.
 //!
 //! | module | what it holds |
 //! |---|---|
@@ -50,7 +50,12 @@
 //! | [`float`] | the same in f64, certified against the exact path |
 //! | [`oracle`] | reference values and checks for other programs' tests |
 //! | [`claim`] | what a paper asserts |
-//! | [`audit`] | from claims to verdicts |
+//! | `evaluation` | from the formulas of claims to values, under a reading |
+//! | `finding` | what the audit says of claims, as plain data |
+//! | `judge` | verdicts, one file for each kind of claim |
+//! | `digest` | what follows from findings: errata, coverage, contradictions |
+//! | `evidence` | what certificates need beyond the findings |
+//! | [`audit`] | the face of these five: from claims to verdicts |
 //! | [`certificate`] | verdicts as certificates, for a checker that trusts nothing of this |
 //! | `report` | findings as text, Markdown and JSON (feature `cli`) |
 //!

@@ -170,7 +170,7 @@ fn cells_of_the_papers() {
     assert_eq!(depth.verdict, Verdict::NotCheckable(missing));
     assert_eq!(depth.exact, Some(exact(12, 1)));
     assert_eq!(depth.verdict_if_assumed, Some(Verdict::OtherReading));
-    let differs = depth.as_read.map(|read| read.differs).expect("a reading");
+    let differs = depth.as_read.map(|read| read.differs()).expect("a reading");
     assert!(differs.starts_with("depths rounded to the nearest"), "{differs}");
     // n = 5 and c = 1 by hand, from the weights 1/2, near, far, far, near of a rule.
     let weight = |j| {

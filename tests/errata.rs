@@ -46,7 +46,7 @@ fn the_summary_adds_up() {
             let why = group.outcome.cause.as_deref();
             let read = |cell: &&subcert::audit::CellFinding| {
                 cell.verdict_if_assumed.is_none()
-                    && cell.as_read.as_ref().map(|read| read.differs.as_str()) == why
+                    && cell.as_read.as_ref().map(|read| read.differs()).as_deref() == why
             };
             assert_eq!(group.count, cells.clone().filter(read).count(), "{why:?}");
         }

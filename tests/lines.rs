@@ -92,7 +92,7 @@ fn a_row_with_its_own_reading() {
         assert_eq!(read(0).verdict, Verdict::Confirmed);
         for column in 1..4 {
             assert_eq!(read(column).verdict, Verdict::OtherReading);
-            assert_eq!(read(column).as_read.as_ref().unwrap().differs, "masks read forwards");
+            assert_eq!(read(column).as_read.as_ref().unwrap().differs(), "masks read forwards");
         }
         let lines: Vec<(Line, usize)> =
             search.lines.iter().map(|line| (line.line, line.best.count())).collect();

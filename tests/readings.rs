@@ -47,7 +47,7 @@ fn cut(value: &Rational, places: u32) -> String {
 
 fn says(search: &Search) -> Vec<Vec<String>> {
     let says = |differences: &[subcert::audit::Difference]| {
-        differences.iter().map(|difference| difference.says.clone()).collect()
+        differences.iter().map(ToString::to_string).collect()
     };
     search.best.iter().map(|explanation| says(&explanation.differences)).collect()
 }

@@ -95,8 +95,8 @@ impl RowDefinitions {
         }
         self.choices = settings.consulted();
         if context.table.rows.as_ref().is_some_and(|axis| context.tolerance(axis)) {
-            self.choices.insert(HEADER.name, AS_PRINTED.to_owned());
-            self.depends.insert(HEADER.name);
+            self.choices.insert(HEADER.key, AS_PRINTED.to_owned());
+            self.depends.insert(HEADER.key);
         }
     }
 

@@ -32,7 +32,7 @@ pub(crate) fn choices_of(expr: &Expr) -> BTreeSet<&'static str> {
         Effect::Option { functions, .. } => functions.iter().any(|name| called.contains(name)),
         Effect::Decimal | Effect::Header => false,
     };
-    FAMILY.iter().copied().filter(depends).map(|choice| choice.name).collect()
+    FAMILY.iter().copied().filter(depends).map(|choice| choice.key).collect()
 }
 
 /// The part of a reading that some values depend on.
@@ -58,13 +58,13 @@ impl Settings {
             Effect::Decimal | Effect::Header => false,
         });
         let Some(choice) = chosen else { return printed };
-        self.consulted.borrow_mut().entry(choice.name).or_insert_with(|| printed.to_owned());
+        self.consulted.borrow_mut().entry(choice.key).or_insert_with(|| printed.to_owned());
         self.word(choice).unwrap_or(printed)
     }
 
     /// The word of a choice, when it is not as printed.
     pub(crate) fn word(&self, choice: &Choice) -> Option<&'static str> {
-        self.words.iter().find(|(name, _)| *name == choice.name).map(|(_, word)| *word)
+        self.words.iter().find(|(name, _)| *name == choice.key).map(|(_, word)| *word)
     }
 
     /// What of this is other than printed in some choices, and in definitions.

@@ -93,7 +93,7 @@ impl Evaluator<'_> {
             let needed = match promise {
                 Promise::Bound { .. } => Outcome::Value(exact.clone()),
                 Promise::Depth { .. } => {
-                    let settings = Settings::new(vec![(DEPTH_ROUNDING.name, "up")]);
+                    let settings = Settings::new(vec![(DEPTH_ROUNDING.key, "up")]);
                     self.evaluate(&self.table.value, At { settings: &settings, ..at })?
                 }
             };

@@ -224,7 +224,7 @@ impl Evaluator<'_> {
         }
         let otherwise = [("down", Direction::DepthDown), ("nearest", Direction::DepthNearest)];
         for (rounded, direction) in otherwise {
-            let settings = Settings::new(vec![(DEPTH_ROUNDING.name, rounded)]);
+            let settings = Settings::new(vec![(DEPTH_ROUNDING.key, rounded)]);
             let at = At { settings: &settings, ..at };
             let value = self.evaluate(&self.table.value, at)?;
             if matches!(value, Outcome::Value(value) if value == printed.decimal.value().into()) {

@@ -84,7 +84,7 @@ impl<'s> Space<'s> {
         for choice in FAMILY {
             let ways = choice.ways.iter();
             let ways: Vec<Change> = match choice.effect {
-                Effect::Option { .. } => match consulted.get(choice.name) {
+                Effect::Option { .. } => match consulted.get(choice.key) {
                     None => continue,
                     Some(printed) => ways
                         .filter(|way| way.word != printed)
@@ -162,7 +162,7 @@ impl<'s> Space<'s> {
 
     pub(crate) fn settings(&self, reading: &[Change]) -> Settings {
         let words = reading.iter().filter_map(|change| match change {
-            Change::Way(choice, way) => Some((choice.name, way.word)),
+            Change::Way(choice, way) => Some((choice.key, way.word)),
             Change::Definition(_) | Change::Sibling(_) => None,
         });
         let mut settings = Settings::new(words.collect());

@@ -13,8 +13,8 @@ use std::collections::BTreeMap;
 const SOUND: [(&str, &str); 5] = [
     ("order", "adjoint"),
     ("suprema", "independent"),
-    ("norm of the difference mask", "each"),
-    ("norm of the displacement", "each"),
+    ("contraction-terms", "each"),
+    ("displacement-terms", "each"),
     ("recursion", "derived"),
 ];
 
@@ -39,12 +39,12 @@ pub(crate) fn corrections(
     }
     let mut found = Vec::new();
     let mut push = |says: String, change| found.push(Correction { says, change });
-    for (name, word) in SOUND {
-        let Some(printed) = consulted.get(name) else { continue };
-        let choice = FAMILY.iter().find(|choice| choice.name == name);
+    for (key, word) in SOUND {
+        let Some(printed) = consulted.get(key) else { continue };
+        let choice = FAMILY.iter().find(|choice| choice.key == key);
         let way = choice.and_then(|choice| choice.ways.iter().find(|way| way.word == word));
         if let Some(way) = way.filter(|way| way.word != printed) {
-            push(way.says.to_owned(), Change::Word(name, way.word));
+            push(way.says.to_owned(), Change::Word(key, way.word));
         }
     }
     let used = paper.definitions_in(by);
