@@ -202,40 +202,35 @@ fn by(
         _ => name("beta"),
     };
     let (value, fall) = greatest(instance, quantity, from, offset);
-    let factors = [
-        Q::one(),
-        Q::new(9.into(), 10.into()),
-        Q::new(11.into(), 10.into()),
-        Q::from_integer(4.into()),
-        Q::from_integer(1000.into()),
-    ];
-    let mut value = value * choices.of(&factors);
+    // Now and then one that is true for long, and false in the end.
+    let late = choices.once_in(4);
+    let factors = [(1, 1), (9, 10), (11, 10), (4, 1), (50, 1), (1000, 1)];
+    let factors = factors.map(|(p, q): (i64, i64)| Q::new(p.into(), q.into()));
+    let mut value = value * choices.of(&factors[if late { 4..6 } else { 0..6 }]);
     if value.is_zero() && choices.once_in(2) {
         value = Q::one();
     }
     let level = name("k");
-    let late =
+    let after =
         if from == 0 { level.clone() } else { of('-', level.clone(), number(from.into(), 1)) };
+    let less = Tree::Number(&fall * choices.of(&factors[..2]) * Q::new(4.into(), 5.into()));
     let fall = Tree::Number(fall);
-    let ratio = if ring {
-        fall.clone()
-    } else {
-        choices.of(&[fall.clone(), name("T"), call("contraction", &[number(1, 1)])])
-    };
-    let ratio =
-        choices.of(&[ratio.clone(), ratio, number(1, 2), number(3, 4), name("rate"), number(1, 1)]);
-    let ratio = if ring && ratio == name("rate") { number(1, 2) } else { ratio };
+    let named = if ring { fall.clone() } else { choices.of(&[name("T"), name("rate")]) };
+    let ratios =
+        [fall.clone(), fall, named, less.clone(), number(1, 2), number(3, 4), number(1, 1)];
+    let ratio = if late { less } else { choices.of(&ratios) };
     let plain = || {
         times(
             times(Tree::Number(value.clone()), spread.clone()),
-            of('^', ratio.clone(), late.clone()),
+            of('^', ratio.clone(), after.clone()),
         )
     };
-    let half = call("floor", &[of('/', late.clone(), number(2, 1))]);
+    let half = call("floor", &[of('/', after.clone(), number(2, 1))]);
     match choices.below(if ring { 7 } else { 11 }) {
         0 | 1 => plain(),
+        _ if late => plain(),
         4 if quantity == "distance" => plain(),
-        2 => times(spread.clone(), of('^', ratio.clone(), late.clone())),
+        2 => times(spread.clone(), of('^', ratio.clone(), after.clone())),
         3 => times(
             times(Tree::Number(value.clone()), spread.clone()),
             of('^', times(ratio.clone(), ratio.clone()), half),
@@ -260,6 +255,6 @@ fn by(
             let ends = Box::new([number(0, 1), choices.of(&[number(2, 1), level]), name("term")]);
             times(times(Tree::Number(value), spread), Tree::Sum("h".to_owned(), ends))
         }
-        _ => times(times(name("mixed"), spread), of('^', name("rate"), late)),
+        _ => times(times(name("mixed"), spread), of('^', name("rate"), after)),
     }
 }
