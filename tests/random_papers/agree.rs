@@ -1,6 +1,6 @@
 //! What the program certifies, the checker accepts; and both refuse the same files.
 
-use crate::draft::{Draft, Mood};
+use crate::draft::Draft;
 use crate::failure::{Checked, Failure};
 use crate::program::{blocks, checked, judged, left_open, read};
 use subcert::certificate::certificate;
@@ -8,7 +8,7 @@ use subcert_check::Outcome;
 
 pub fn accepted(draft: &Draft) -> Checked {
     let text = draft.text();
-    let clear = draft.names.mood == Mood::Clear;
+    let clear = draft.is_clear();
     let paper = match read(&text) {
         Ok(paper) => paper,
         Err(error) if clear => return Err(Failure::new("a clear file is refused", &text, error)),

@@ -23,7 +23,7 @@ fn member(position: Tree) -> Tree {
 
 fn atom(choices: &mut Choices, indices: &[&str]) -> Tree {
     let mut atoms = vec![name("a"), name("b"), number(2, 1), number(-1, 3), name("third")];
-    atoms.extend((0..3).map(|i| member(number(i, 1))));
+    atoms.extend([0, 1, 1, 2, 1].map(|i| member(number(i, 1))));
     for index in indices {
         atoms.extend([
             name(index),
@@ -67,6 +67,30 @@ fn rewritten(tree: &Tree) -> Tree {
         Tree::Of('+', parts) => of('+', parts[1].clone(), rewritten(&parts[0])),
         other => other.clone(),
     }
+}
+
+/// The formula with what the hypotheses say of the members in it, which ask for earlier ones only.
+fn solved(tree: &Tree, hypotheses: &[[Tree; 2]]) -> Tree {
+    match tree {
+        Tree::Member(..) => match hypotheses.iter().position(|[member, _]| member == tree) {
+            Some(at) => solved(&hypotheses[at][1], &hypotheses[..at]),
+            None => tree.clone(),
+        },
+        Tree::Of(operator, parts) => {
+            of(*operator, solved(&parts[0], hypotheses), solved(&parts[1], hypotheses))
+        }
+        Tree::Minus(part) => Tree::Minus(Box::new(solved(part, hypotheses))),
+        other => other.clone(),
+    }
+}
+
+/// Whether no value asks for a member that is stated later.
+fn in_order(stated: &[[Tree; 2]]) -> bool {
+    let asks = |value: &Tree, member: &Tree| value.to_string().contains(&member.to_string());
+    let early = |(at, [_, value]): (usize, &[Tree; 2])| {
+        stated[at..].iter().any(|[later, _]| asks(value, later))
+    };
+    !stated.iter().enumerate().any(early)
 }
 
 /// Texts of the file, and what is known of them.
@@ -123,17 +147,22 @@ pub fn claim(place: usize, choices: &mut Choices) -> Claim {
             cases = both.collect();
         }
     }
-    let left = polynomial(choices, &names, 2);
+    let (stated, hypotheses) = hypotheses(choices);
+    let doubtful = hypotheses.is_none() || !in_order(&stated);
+    let left = match choices.below(3) {
+        2 => member(number(1, 1)),
+        _ => polynomial(choices, &names, 2),
+    };
     let mut right = rewritten(&left);
-    match choices.below(4) {
+    match choices.below(6) {
         2 => right = polynomial(choices, &names, 2),
         3 => {
             let index = names.last().map_or(number(0, 1), |index| name(index));
             right = of('+', right, times(call("kronecker", &[index, number(2, 1)]), name("a")));
         }
+        4 | 5 => right = solved(&right, hypotheses.as_deref().unwrap_or_default()),
         _ => {}
     }
-    let (stated, hypotheses) = hypotheses(choices);
     let stated: Vec<String> =
         stated.iter().map(|[member, value]| format!("'{member} = {value}'")).collect();
     let listed = said.starts_with("values") && names.len() == 1 && choices.once_in(2);
@@ -145,5 +174,6 @@ pub fn claim(place: usize, choices: &mut Choices) -> Claim {
         stated.join(", ")
     );
     let identity = Identity { cases, hypotheses, left, right };
-    Claim { kind: "equation", id, text, known: Known::Identity(Box::new(identity)) }
+    let known = Known::Identity(Box::new(identity));
+    Claim { kind: "equation", id, text, known, doubtful }
 }

@@ -1,5 +1,6 @@
 //! Random papers.
 
+mod by;
 mod equation;
 mod names;
 mod parametric;
@@ -28,6 +29,8 @@ pub struct Claim {
     /// Its table in the file.
     pub text: String,
     pub known: Known,
+    /// Whether the program may refuse it, as long as the checker does not take it otherwise.
+    pub doubtful: bool,
 }
 
 /// What a claim means, for the oracle.
@@ -66,10 +69,10 @@ impl Draft {
         let mut draft = Draft { names, families, rings, claims: Vec::new() };
         for (place, numbers) in claims.into_iter().enumerate() {
             let mut choices = Choices::new(numbers);
-            let claim = match choices.below(8) {
+            let claim = match choices.below(9) {
                 0..=3 => theorem::claim(&draft, place, &mut choices),
                 4 => Some(parametric::claim(place, &mut choices)),
-                5 => Some(equation::claim(place, &mut choices)),
+                5 | 6 => Some(equation::claim(place, &mut choices)),
                 _ => Some(table::claim(&draft, place, &mut choices)),
             };
             draft.claims.extend(claim);
@@ -94,5 +97,10 @@ impl Draft {
 
     pub fn text(&self) -> String {
         self.with(&self.claims)
+    }
+
+    /// Whether nothing in it may be refused.
+    pub fn is_clear(&self) -> bool {
+        self.names.mood == Mood::Clear && !self.claims.iter().any(|claim| claim.doubtful)
     }
 }

@@ -68,6 +68,7 @@ pub fn claim(place: usize, choices: &mut Choices) -> Claim {
     let id = format!("{kind}-{place}");
     let text = format!("[[{kind}]]\nid = '{id}'\n{fields}{text}");
     Claim {
+        doubtful: false,
         kind,
         id,
         text,

@@ -100,7 +100,13 @@ pub fn claim(draft: &Draft, place: usize, choices: &mut Choices) -> Claim {
     let id = format!("table-{place}");
     let (blank, hidden) = blank(&id, choices);
     let tension = if choices.once_in(3) { "3/32" } else { blank.tension };
-    let finished = |text| Claim { kind: "table", id: id.clone(), text, known: Known::Nothing };
+    let finished = |text| Claim {
+        kind: "table",
+        id: id.clone(),
+        text,
+        known: Known::Nothing,
+        doubtful: false,
+    };
     if choices.once_in(12) {
         return finished(blank.text(blank.value, blank.tension, "'lost'"));
     }
