@@ -1,16 +1,15 @@
 //! How far a refined polygon moves away from the last one.
 
 use crate::decimal::Q;
-use crate::evaluate::Scope;
+use crate::piece::Piece;
 use crate::reject::Stop;
-use crate::scheme::{Scheme, total};
+use crate::scheme::Scheme;
 use crate::value::Value;
 
 /// Σ|·| with terms 0, |Σ·| with terms 1.
-pub fn gather(scope: &Scope<'_>, values: &[Value], terms: usize) -> Result<Value, Stop> {
-    let piece = scope.piece.as_ref();
+pub fn gather(piece: Option<&Piece>, values: &[Value], terms: usize) -> Result<Value, Stop> {
     if terms == 1 {
-        return total(values)?.abs(piece);
+        return Value::total(values)?.abs(piece);
     }
     values.iter().try_fold(Value::int(0), |sum, value| sum.plus(1, &value.abs(piece)?))
 }
@@ -25,9 +24,9 @@ pub fn displaced(scheme: &Scheme, alpha: usize, offset: i64) -> Result<Vec<Value
         // s ≤ m < 0: Δ_{i+m} has the weights of the s > m, or minus those of the s ≤ m.
         let cut = usize::try_from((m + 1 - offset).clamp(0, width)).unwrap_or(0);
         match m {
-            ..0 => total(&row[..cut])?.negated(),
-            0 => total(&row[cut..])?.minus(&fraction(alpha, scheme.arity())),
-            _ => total(&row[cut..]),
+            ..0 => Value::total(&row[..cut])?.negated(),
+            0 => Value::total(&row[cut..])?.minus(&fraction(alpha, scheme.arity())),
+            _ => Value::total(&row[cut..]),
         }
     };
     (offset.min(0)..=(offset + width - 2).max(0)).map(coefficient).collect()
@@ -39,15 +38,15 @@ fn fraction(top: usize, bottom: usize) -> Value {
 
 /// x1·η¹ + x2·η² + x3·η³, as FORMAT.md has it, for all α and β.
 pub fn surface(
-    scope: &Scope<'_>,
+    piece: Option<&Piece>,
     scheme: &Scheme,
     spreads: [&Value; 3],
     terms: usize,
 ) -> Result<Vec<Value>, Stop> {
-    let (n, piece) = (scheme.arity(), scope.piece.as_ref());
+    let n = scheme.arity();
     // A_α = Σ_{h≥1} a_{α,h}, and s_α the sum of the ã_{α,m} with m ≥ 1.
-    let tail = |rule: usize| total(&scheme.mask[rule][1..]);
-    let moved = |rule: usize| gather(scope, &displaced(scheme, rule, 0)?[1..], terms);
+    let tail = |rule: usize| Value::total(&scheme.mask[rule][1..]);
+    let moved = |rule: usize| gather(piece, &displaced(scheme, rule, 0)?[1..], terms);
     // |x − top/bottom| + factor·s
     let eta = |x: &Value, top: usize, bottom: usize, factor: &Value, s: &Value| {
         x.minus(&fraction(top, bottom))?.abs(piece)?.plus(1, &factor.times(s)?)
@@ -56,14 +55,14 @@ pub fn surface(
     for alpha in 0..n {
         for beta in 0..n {
             let (a, b, s) = (tail(alpha)?, tail(beta)?, moved(alpha)?);
-            let (first, norm) = (&scheme.mask[beta][0], gather(scope, &scheme.mask[alpha], terms)?);
+            let (first, norm) = (&scheme.mask[beta][0], gather(piece, &scheme.mask[alpha], terms)?);
             let eta = [
                 eta(&first.times(&a)?, alpha * (n - beta), n * n, &first.abs(piece)?, &s)?,
                 eta(&b, beta, n, &norm, &moved(beta)?)?,
                 eta(&a.times(&b)?, alpha * beta, n * n, &b.abs(piece)?, &s)?,
             ];
             let terms = eta.iter().zip(spreads).map(|(eta, spread)| eta.times(spread));
-            sums.push(total(&terms.collect::<Result<Vec<Value>, Stop>>()?)?);
+            sums.push(Value::total(&terms.collect::<Result<Vec<Value>, Stop>>()?)?);
         }
     }
     Ok(sums)

@@ -1,19 +1,16 @@
 //! From formula to value.
 
-use crate::formula::{Expr, Head, names as names_in};
-use crate::functions;
-use crate::paper::Definitions;
+use crate::definitions::{Definitions, names as names_in};
+use crate::formula::{Expr, Head};
+use crate::meter::Meter;
+use crate::piece::Piece;
 use crate::reading::Reading;
 use crate::reject::Stop;
-use crate::scheme::{Library, Scheme};
-use crate::value::{Piece, Value};
+use crate::scheme::Scheme;
+use crate::value::Value;
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::rc::Rc;
-
-/// The most steps of one claim: nodes of formulas, sums unrolled, and for products those
-/// of [`Value::cost`].
-pub const MAX_STEPS: u64 = 20_000_000;
 
 /// How deep formulas may be nested, those that are entered by name included.
 const MAX_DEPTH: usize = 200;
@@ -36,6 +33,22 @@ pub struct Memory {
 /// and the scheme.
 type Known = (String, Indices, Option<*const Scheme>);
 
+/// The functions that formulas call.
+pub trait Functions {
+    /// The value of a function with these arguments and options.
+    fn call(
+        &self,
+        scope: &Scope<'_>,
+        function: &str,
+        arguments: &[Value],
+        options: &[(String, String)],
+        indices: &mut Indices,
+    ) -> Result<Value, Stop>;
+
+    /// The meter that counts the steps of an evaluation.
+    fn meter(&self) -> &Meter;
+}
+
 /// What names mean.
 pub struct Scope<'a> {
     /// The formulas that names stand for.
@@ -56,8 +69,7 @@ pub struct Scope<'a> {
     pub piece: Option<Piece>,
     /// The way in which the options of functions are read.
     pub reading: &'a Reading,
-    /// The schemes, and what is known of them.
-    pub library: &'a Library<'a>,
+    functions: &'a dyn Functions,
     /// What is known of the definitions, read in this way.
     pub memory: Rc<Memory>,
     /// How deep the evaluation is.
@@ -70,7 +82,7 @@ impl<'a> Scope<'a> {
     /// A scope in which nothing has a value.
     pub fn new(
         definitions: &'a Definitions,
-        library: &'a Library<'a>,
+        functions: &'a dyn Functions,
         reading: &'a Reading,
     ) -> Scope<'a> {
         let (values, unstated, families) = Default::default();
@@ -86,11 +98,16 @@ impl<'a> Scope<'a> {
             hidden,
             piece,
             reading,
-            library,
+            functions,
             memory,
             depth,
             angle,
         }
+    }
+
+    /// Counts steps of the claim at hand.
+    pub fn spend(&self, steps: u64) -> Result<(), Stop> {
+        self.functions.meter().spend(steps)
     }
 
     /// The value of a formula.
@@ -100,7 +117,7 @@ impl<'a> Scope<'a> {
 
     /// The value of a formula inside of sums.
     pub fn evaluate(&self, expr: &Expr, indices: &mut Indices) -> Result<Value, Stop> {
-        self.library.spend(1)?;
+        self.spend(1)?;
         if self.depth.get() == MAX_DEPTH {
             return Err(Stop::Capped("the nesting of formulas"));
         }
@@ -132,7 +149,7 @@ impl<'a> Scope<'a> {
                 '-' => value.add(-1, &right)?,
                 '/' => value = value.over(&right)?,
                 _ => {
-                    self.library.spend(value.cost(&right))?;
+                    self.spend(value.cost(&right))?;
                     value = value.times(&right)?;
                 }
             }
@@ -151,11 +168,11 @@ impl<'a> Scope<'a> {
             (Head::Minus, [x]) => x.negated(),
             (Head::Power, [base, exponent]) => {
                 let power = base.power(exponent.integer(MAX_INTEGER)?)?;
-                self.library.spend(power.cost(&power))?;
+                self.spend(power.cost(&power))?;
                 Ok(power)
             }
             (Head::Call(name, options), values) => {
-                functions::call(self, name, values, options, indices)
+                self.functions.call(self, name, values, options, indices)
             }
             _ => Err(Stop::Wrong("this is no formula".into())),
         }
@@ -234,11 +251,6 @@ impl<'a> Scope<'a> {
             return Err(Stop::Wrong(format!("the index `{name}` has another meaning")));
         }
         Ok(())
-    }
-
-    /// The greatest of these, and of 0.
-    pub fn greatest(&self, values: &[Value]) -> Result<Value, Stop> {
-        values.iter().try_fold(Value::int(0), |best, value| best.max(value, self.piece.as_ref()))
     }
 
     /// The `sum`, `max` or `min` of two values.

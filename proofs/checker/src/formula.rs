@@ -2,9 +2,7 @@
 
 use crate::cursor::{Cursor, Parsed};
 use crate::decimal::Decimal;
-use crate::paper::Definitions;
 use crate::value::Value;
-use std::collections::BTreeSet;
 
 /// The longest formula of a claim file, in characters.
 pub const MAX_LENGTH: usize = 4_096;
@@ -52,27 +50,6 @@ pub fn parse(text: &str, longest: usize) -> Result<Expr, String> {
         Some(_) => Err("an operator or the end"),
     });
     parsed.map_err(|what| format!("{} of `{text}`", parser.text.expected(what)))
-}
-
-/// All names in a formula and in the definitions that it leads to.
-pub fn names(expr: &Expr, definitions: &Definitions) -> BTreeSet<String> {
-    let (mut names, mut waiting) = (BTreeSet::new(), vec![expr]);
-    while let Some(expr) = waiting.pop() {
-        let found: Vec<&String> = match expr {
-            Expr::Name(name) | Expr::Of(Head::Member(name), _) => vec![name],
-            Expr::Of(Head::Call(_, options), _) => options.iter().map(|(_, word)| word).collect(),
-            Expr::Number(_) | Expr::Of(..) => Vec::new(),
-        };
-        if let Expr::Of(_, parts) = expr {
-            waiting.extend(parts);
-        }
-        for name in found {
-            if names.insert(name.clone()) {
-                waiting.extend(definitions.get(name).map(|definition| &**definition));
-            }
-        }
-    }
-    names
 }
 
 struct Parser {

@@ -2,8 +2,9 @@
 
 use crate::decimal::{Q, int, over_one_denominator};
 use crate::linear::solve;
+use crate::meter::Meter;
 use crate::reject::Stop;
-use crate::scheme::{Library, Scheme};
+use crate::scheme::Scheme;
 use crate::value::Value;
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -78,7 +79,7 @@ pub struct Rules<'a> {
     rows: Vec<Vec<BigInt>>,
     over: BigInt,
     offset: i64,
-    library: &'a Library<'a>,
+    meter: &'a Meter,
     zero: OnceCell<Zero>,
 }
 
@@ -87,16 +88,12 @@ type Zero = Result<Option<(i64, Vec<Q>)>, Stop>;
 
 impl<'a> Rules<'a> {
     /// The rules of a scheme, at this offset; `None` if they are not rational.
-    pub fn new(
-        library: &'a Library<'a>,
-        scheme: &Scheme,
-        offset: i64,
-    ) -> Result<Option<Rules<'a>>, Stop> {
+    pub fn new(meter: &'a Meter, scheme: &Scheme, offset: i64) -> Result<Option<Rules<'a>>, Stop> {
         let row = |row: &Vec<Value>| row.iter().map(Value::rational).collect();
         let mask = scheme.mask.iter().map(row).collect::<Option<Vec<Vec<Q>>>>();
         let Some(mask) = mask else { return Ok(None) };
         let (rows, over) = over_one_denominator(&mask)?;
-        Ok(Some(Rules { rows, over, offset, library, zero: OnceCell::new() }))
+        Ok(Some(Rules { rows, over, offset, meter, zero: OnceCell::new() }))
     }
 
     /// n.
@@ -109,7 +106,7 @@ impl<'a> Rules<'a> {
         let mut weights = BTreeMap::new();
         for (at, weight) in &f.weights {
             let rule = &self.rows[usize::try_from(at.rem_euclid(self.arity())).unwrap_or(0)];
-            self.library.spend(rule.len() as u64 * (1 + weight.bits() / 1024))?;
+            self.meter.spend(rule.len() as u64 * (1 + weight.bits() / 1024))?;
             for (i, a) in (at.div_euclid(self.arity()) + self.offset..).zip(rule) {
                 *weights.entry(i).or_default() += weight * a;
             }
@@ -171,7 +168,7 @@ impl<'a> Rules<'a> {
         }
         let place = |i: i64| usize::try_from(i - l).unwrap_or(0);
         let count = place(h) + 1;
-        self.library.spend(count.pow(3) as u64)?;
+        self.meter.spend(count.pow(3) as u64)?;
         let mut equations = vec![vec![Q::zero(); count + 1]; count];
         for i in l..=h {
             let row = &self.rows[usize::try_from(i.rem_euclid(arity)).unwrap_or(0)];

@@ -5,22 +5,32 @@
 //! state, and says of each claim whether the certificate proves its verdict. FORMAT.md in the
 //! folder above specifies what certificates say and when they are valid.
 
+mod call;
+mod catalogue;
 mod certificate;
+mod constants;
 mod convolution;
 mod cursor;
 mod decimal;
+mod definitions;
+mod depth;
 mod displacement;
 mod evaluate;
 mod field;
 mod formula;
 mod functional;
 mod functions;
+mod library;
 mod linear;
+mod meter;
 mod names;
 mod number;
+mod orbits;
 mod paper;
+mod piece;
 mod polynomial;
 mod powers;
+mod products;
 mod reading;
 mod reject;
 mod ring;
@@ -28,18 +38,22 @@ mod root;
 mod rounding;
 mod rules;
 mod scheme;
+mod setting;
 mod shape;
+mod sums;
 mod table;
 mod toml;
 mod value;
 mod witness;
 
+use catalogue::catalogue;
 use certificate::Block;
+use library::Library;
+use meter::Meter;
 use paper::Paper;
 use reject::Checked;
 pub use reject::{Reason, Rejection, Stop};
 use rules::Verdict;
-use scheme::{Library, catalogue};
 use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZero;
 use std::panic::resume_unwind;
@@ -91,7 +105,8 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
         return Err(format!("`{path}` is unknown, or not of its type"));
     }
     names::misuse(&file)?;
-    let library = Library::new(file.list("scheme"), &known);
+    let meter = Meter::default();
+    let library = Library::new(file.list("scheme"), &known, &meter);
     let paper = Paper::new(&file, &library).map_err(|stop| stop.to_string())?;
     let key = file.text("key").ok_or("`key` is missing")?.to_owned();
     let mut ids = BTreeSet::new();
@@ -112,7 +127,7 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
         for block in blocks {
             let (kind, id) = block.head.word();
             let claim = file.list(kind).iter().find(|claim| claim.text("id") == Some(id));
-            match claim.filter(|_| paper::KINDS.contains(&kind)) {
+            match claim.filter(|_| shape::KINDS.contains(&kind)) {
                 Some(claim) => tasks.push(Task { place, kind, id, claim, block }),
                 None => broken.push((place, block.head.reject(Reason::NoSuchClaim))),
             }
@@ -127,9 +142,9 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
                 holding.insert(task.id);
                 Outcome::Valid
             }
-            Ok(Verdict::Cited { statement, uses }) => {
-                cited.push((task.id, task.block.head, uses));
-                Outcome::Cited(statement)
+            Ok(Verdict::Cited(citation)) => {
+                cited.push((task.id, task.block.head, citation.uses));
+                Outcome::Cited(citation.statement)
             }
             Err(rejection) if rejection.given_up() => Outcome::Incomplete(Some(rejection)),
             Err(rejection) => Outcome::Invalid(task.place, rejection),
@@ -171,7 +186,8 @@ struct Task<'t> {
 fn verdicts(file: &Toml, known: &[Toml], tasks: &[Task<'_>]) -> Vec<Checked<Verdict>> {
     let next = AtomicUsize::new(0);
     let worker = || {
-        let library = Library::new(file.list("scheme"), known);
+        let meter = Meter::default();
+        let library = Library::new(file.list("scheme"), known, &meter);
         let Ok(paper) = Paper::new(file, &library) else { return Vec::new() };
         let mut checked = Vec::new();
         while let at = next.fetch_add(1, Ordering::Relaxed)

@@ -1,7 +1,7 @@
 //! What the names of a claim file mean: in a claim, one thing each (FORMAT.md, Names).
 
 use crate::formula::is_name;
-use crate::paper::KINDS;
+use crate::shape::KINDS;
 use crate::toml::Toml;
 use std::collections::BTreeSet;
 

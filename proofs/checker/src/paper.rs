@@ -2,18 +2,15 @@
 
 use crate::certificate::MAX_LINE;
 use crate::decimal::{Q, read_rational};
+use crate::definitions::{Definitions, formulas};
 use crate::evaluate::Scope;
-use crate::formula::{Expr, is_name, parse};
-use crate::reading::Reading;
+use crate::formula::{is_name, parse};
+use crate::library::Library;
 use crate::reject::{Checked, Reason, Stop};
-use crate::scheme::{Library, formula, formulas};
+use crate::shape::KINDS;
 use crate::toml::Toml;
 use crate::value::Value;
 use std::collections::BTreeMap;
-use std::rc::Rc;
-
-/// Named formulas.
-pub type Definitions = BTreeMap<String, Rc<Expr>>;
 
 /// A claim file with the schemes that it may use.
 pub struct Paper<'a> {
@@ -25,19 +22,13 @@ pub struct Paper<'a> {
     pub given: BTreeMap<String, Value>,
     /// The schemes.
     pub library: &'a Library<'a>,
-    /// The reading of everything that is not a cell.
-    as_printed: Reading,
 }
-
-/// The kinds of claims.
-pub const KINDS: [&str; 5] = ["table", "equation", "function", "range", "theorem"];
 
 impl<'a> Paper<'a> {
     /// Reads what the claims of a file have in common.
     pub fn new(file: &'a Toml, library: &'a Library<'a>) -> Result<Paper<'a>, Stop> {
         let definitions = formulas(file.entries("define"))?;
-        let (given, as_printed) = Default::default();
-        let mut paper = Paper { file, definitions, given, library, as_printed };
+        let mut paper = Paper { file, definitions, given: BTreeMap::new(), library };
         paper.given = paper.constants(file.entries("given"))?;
         Ok(paper)
     }
@@ -52,18 +43,18 @@ impl<'a> Paper<'a> {
 
     /// The values of named formulas without parameters.
     pub fn constants(&self, entries: &[(String, Toml)]) -> Result<BTreeMap<String, Value>, Stop> {
-        let value = |(name, expr): (String, Rc<Expr>)| Ok((name, self.nothing().value(&expr)?));
-        formulas(entries)?.into_iter().map(value).collect()
+        let named = formulas(entries)?.into_iter();
+        named.map(|(name, expr)| Ok((name, self.nothing().value(&expr)?))).collect()
     }
 
     /// A scope with the definitions of the paper.
     pub fn scope(&'a self) -> Scope<'a> {
-        Scope::new(&self.definitions, self.library, &self.as_printed)
+        self.library.scope(&self.definitions)
     }
 
     /// A scope without names.
     pub fn nothing(&self) -> Scope<'_> {
-        Scope::new(&self.library.nothing, self.library, &self.as_printed)
+        self.library.closed()
     }
 
     /// A closed formula of a certificate.
@@ -80,11 +71,6 @@ impl<'a> Paper<'a> {
 /// A formula of a certificate.
 pub fn value(text: &str, scope: &Scope<'_>) -> Checked<Value> {
     Ok(scope.value(&parse(text, MAX_LINE).map_err(Reason::NoValue)?)?)
-}
-
-/// The formula of a key of a claim.
-pub fn formula_of(claim: &Toml, key: &str) -> Result<Expr, Stop> {
-    formula(claim.text(key).ok_or_else(|| Stop::Wrong(format!("`{key}` is missing")))?)
 }
 
 /// A number of the claim file as printed and as read: `'0.5'`, or a table that says both.

@@ -2,8 +2,8 @@
 //! each: a tree of rows, and bounds of all rows below a node.
 
 use crate::decimal::{Q, int, over_one_denominator};
+use crate::meter::Meter;
 use crate::reject::{Checked, Reason, Stop, require};
-use crate::scheme::Library;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, ToPrimitive, Zero};
@@ -20,7 +20,7 @@ type Rows = Vec<Vec<BigInt>>;
 /// R = sE, (Rx)_{ni+β} = Σ_j r_{β,j} x_{i+o+j}; where they have one sum that is not 0, s is
 /// the sum of every r_β, or else 1.
 pub struct Operator<'a> {
-    library: &'a Library<'a>,
+    meter: &'a Meter,
     n: i64,
     width: i64,
     offset: i64,
@@ -51,7 +51,7 @@ fn unit() -> BigInt {
 
 impl<'a> Operator<'a> {
     /// The operator of rules of rational numbers, at the offset of the least window.
-    pub fn new(library: &'a Library<'a>, rules: &[Vec<Q>]) -> Checked<Operator<'a>> {
+    pub fn new(meter: &'a Meter, rules: &[Vec<Q>]) -> Checked<Operator<'a>> {
         let size = |length: usize| i64::try_from(length).unwrap_or(i64::MAX);
         let (n, width) = (size(rules.len()), size(rules[0].len()));
         let windows = (-width..=0).map(|offset| (offset, window(n, width, offset)));
@@ -73,7 +73,7 @@ impl<'a> Operator<'a> {
         let (rows, over) = over_one_denominator(&scaled)?;
         let size = usize::try_from(last - first + 1).unwrap_or(0);
         let shift = ends.filter(|_| affine).map(middle);
-        Ok(Operator { library, n, width, offset, first, size, rows, over, factor, shift })
+        Ok(Operator { meter, n, width, offset, first, size, rows, over, factor, shift })
     }
 
     /// The rows of E^0.
@@ -89,7 +89,7 @@ impl<'a> Operator<'a> {
     fn part(&self, rows: &Rows, digit: i64) -> Result<Rows, Stop> {
         let bits = rows.iter().flatten().map(BigInt::bits).max().unwrap_or(0);
         let products = (self.size * self.size) as u64 * self.width.unsigned_abs();
-        self.library.spend(products.saturating_mul(1 + bits / 512))?;
+        self.meter.spend(products.saturating_mul(1 + bits / 512))?;
         let mut part = vec![vec![BigInt::zero(); self.size]; self.size];
         for (fine, row) in (digit + self.first..).zip(&mut part) {
             let rule = &self.rows[usize::try_from(fine.rem_euclid(self.n)).unwrap_or(0)];

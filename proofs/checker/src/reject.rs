@@ -1,6 +1,5 @@
 //! Why a certificate is rejected: one reason for each side condition of FORMAT.md.
 
-use crate::root::Root;
 use std::fmt;
 
 /// Declares reasons, each with the text that it is reported by.
@@ -31,7 +30,6 @@ reasons! {
     Undefined(why: &'static str) "the definition has no value here"
     Capped(cap: &'static str) "beyond a cap of this program"
     Wrong(why: String) "the formula is wrong"
-    Split(at: Box<Root>) "a polynomial is 0 on the piece"
 }
 
 reasons! {

@@ -1,25 +1,20 @@
 //! Rings: points around an extraordinary vertex or face, with rules that depend on their number.
 
+use crate::definitions::formulas;
 use crate::evaluate::Scope;
-use crate::formula::{Expr, Head};
+use crate::library::Library;
+use crate::meter::Meter;
+use crate::orbits::{Orbits, wrong};
 use crate::reject::Stop;
-use crate::scheme::{Library, formula, formulas, total};
-use crate::toml::Toml;
 use crate::value::Value;
 use std::cell::OnceCell;
-
-/// The most points.
-const MAX_POINTS: i64 = 100;
 
 /// The most levels after which differences are looked at.
 const MAX_BLOCK: usize = 32;
 
-/// The greatest index of a point.
-const MAX_INDEX: i64 = 1_000_000;
-
 /// v points, and the v points of the next level.
 pub struct Ring<'a> {
-    library: &'a Library<'a>,
+    meter: &'a Meter,
     /// `vertex`, `edge[0]`, `edge[1]`, …
     pub names: Vec<String>,
     /// m_{a,b}: x'_a = Σ_b m_{a,b} x_b.
@@ -27,10 +22,6 @@ pub struct Ring<'a> {
     /// The edges of the mesh.
     pub edges: Vec<[usize; 2]>,
     contracts: OnceCell<Result<bool, Stop>>,
-}
-
-fn wrong(what: &str) -> Stop {
-    Stop::Wrong(format!("a ring: {what}"))
 }
 
 impl<'a> Ring<'a> {
@@ -42,14 +33,14 @@ impl<'a> Ring<'a> {
     ) -> Result<Ring<'a>, Stop> {
         let (name, table, parameters) = library.entry(reference, scope)?;
         let definitions = formulas(table.entries("let"))?;
-        let mut inner = Scope::new(&definitions, library, &library.as_printed);
+        let mut inner = library.scope(&definitions);
         inner.values = library.complete(name, table, parameters)?;
         let orbits = Orbits::read(table, &inner)?;
         let edges = orbits.edges(table, &inner)?;
         let (names, weights) = (orbits.names(), orbits.weights(table, &inner)?);
-        let ring = Ring { library, names, weights, edges, contracts: OnceCell::new() };
+        let ring = Ring { meter: library.meter, names, weights, edges, contracts: OnceCell::new() };
         for row in &ring.weights {
-            if total(row)? != Value::int(1) {
+            if Value::total(row)? != Value::int(1) {
                 return Err(wrong("the weights of a point do not sum to 1"));
             }
         }
@@ -100,10 +91,10 @@ impl<'a> Ring<'a> {
         pairs: impl Iterator<Item = (&'v Value, &'v Value)>,
     ) -> Result<Value, Stop> {
         let term = |(weight, x): (&Value, &Value)| {
-            self.library.spend(weight.cost(x))?;
+            self.meter.spend(weight.cost(x))?;
             weight.times(x)
         };
-        total(&pairs.map(term).collect::<Result<Vec<Value>, Stop>>()?)
+        Value::total(&pairs.map(term).collect::<Result<Vec<Value>, Stop>>()?)
     }
 
     /// Whether an edge joins these points.
@@ -119,7 +110,7 @@ impl<'a> Ring<'a> {
 
     /// Whether wM = w and Σw = 1.
     pub fn is_limit(&self, w: &[Value]) -> Result<bool, Stop> {
-        if w.len() != self.names.len() || total(w)? != Value::int(1) {
+        if w.len() != self.names.len() || Value::total(w)? != Value::int(1) {
             return Ok(false);
         }
         let same = self.before(w)?.into_iter().zip(w).map(|(new, old)| new.equals(old));
@@ -191,112 +182,4 @@ impl<'a> Ring<'a> {
 /// f − g.
 pub fn less(f: &[Value], g: &[Value]) -> Result<Vec<Value>, Stop> {
     f.iter().zip(g).map(|(x, y)| x.minus(y)).collect()
-}
-
-/// The kinds of points with their numbers.
-struct Orbits<'t>(Vec<(&'t str, i64)>);
-
-impl<'t> Orbits<'t> {
-    fn read(table: &'t Toml, scope: &Scope<'_>) -> Result<Orbits<'t>, Stop> {
-        let count = |(name, text): &'t (String, Toml)| {
-            let count = scope.value(&formula(text.as_text().unwrap_or_default())?)?;
-            Ok((name.as_str(), count.integer(MAX_POINTS)?))
-        };
-        let orbits: Vec<_> =
-            table.entries("orbits").iter().map(count).collect::<Result<_, Stop>>()?;
-        let points: i64 = orbits.iter().map(|(_, count)| *count).sum();
-        if orbits.iter().any(|(_, count)| *count < 1) || !(2..=MAX_POINTS).contains(&points) {
-            return Err(wrong("its orbits have from 2 to 100 points together, each one at least"));
-        }
-        Ok(Orbits(orbits))
-    }
-
-    fn points(&self) -> impl Iterator<Item = (&'t str, i64, i64)> {
-        self.0.iter().flat_map(|&(name, count)| (0..count).map(move |i| (name, count, i)))
-    }
-
-    fn names(&self) -> Vec<String> {
-        let name = |(name, count, i): (&str, i64, i64)| {
-            if count == 1 { name.to_owned() } else { format!("{name}[{i}]") }
-        };
-        self.points().map(name).collect()
-    }
-
-    fn weights(&self, table: &Toml, scope: &Scope<'_>) -> Result<Vec<Vec<Value>>, Stop> {
-        let nothing = Toml::Table(Vec::new());
-        let of_new = table.get("weights").unwrap_or(&nothing);
-        let mut rows = Vec::new();
-        for (new, _, i) in self.points() {
-            let mut row = Vec::new();
-            for (old, _, j) in self.points() {
-                let text = of_new.get(new).and_then(|of_old| of_old.text(old));
-                row.push(match text {
-                    Some(text) => at(scope, &formula(text)?, &[("i", i), ("j", j)])?,
-                    None => Value::int(0),
-                });
-            }
-            rows.push(row);
-        }
-        Ok(rows)
-    }
-
-    /// The edges of every family, i from 0 to the larger number of points less 1.
-    fn edges(&self, table: &Toml, scope: &Scope<'_>) -> Result<Vec<[usize; 2]>, Stop> {
-        let mut edges = Vec::new();
-        for family in table.list("edges") {
-            let Toml::List(ends) = family else { return Err(wrong("an edge has two ends")) };
-            let end = |end: &Toml| self.end(end.as_text().unwrap_or_default());
-            let ends = ends.iter().map(end).collect::<Result<Vec<_>, Stop>>()?;
-            let [a, b] = &ends[..] else { return Err(wrong("an edge has two ends")) };
-            for i in 0..a.count.max(b.count) {
-                let edge @ [from, to] = [a.point(scope, i)?, b.point(scope, i)?];
-                if !edges.contains(&edge) && !edges.contains(&[to, from]) {
-                    edges.push(edge);
-                }
-            }
-        }
-        Ok(edges)
-    }
-
-    /// `vertex` or `edge[i + 1]`.
-    fn end(&self, text: &str) -> Result<End, Stop> {
-        let expr = formula(text)?;
-        let (name, index) = match &expr {
-            Expr::Name(name) => (name, None),
-            Expr::Of(Head::Member(name), index) if index.len() == 1 => {
-                (name, index.first().cloned())
-            }
-            _ => return Err(wrong("an end of an edge is a point")),
-        };
-        let mut first = 0;
-        for (known, count) in &self.0 {
-            if known == name {
-                return Ok(End { first, count: *count, index });
-            }
-            first += count;
-        }
-        Err(wrong("an end of an edge is a point"))
-    }
-}
-
-/// An end of a family of edges: indices count mod the number of points.
-struct End {
-    first: i64,
-    count: i64,
-    index: Option<Expr>,
-}
-
-impl End {
-    fn point(&self, scope: &Scope<'_>, i: i64) -> Result<usize, Stop> {
-        let index = match &self.index {
-            Some(index) => at(scope, index, &[("i", i)])?.integer(MAX_INDEX)?,
-            None => 0,
-        };
-        Ok(usize::try_from(self.first + index.rem_euclid(self.count)).unwrap_or(0))
-    }
-}
-
-fn at(scope: &Scope<'_>, expr: &Expr, indices: &[(&str, i64)]) -> Result<Value, Stop> {
-    let index = |(name, i): &(&str, i64)| ((*name).to_owned(), Value::int(*i));
-    scope.evaluate(expr, &mut indices.iter().map(index).collect())
 }

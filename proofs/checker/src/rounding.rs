@@ -1,9 +1,10 @@
 //! Printed decimals against exact values.
 
 use crate::decimal::{Decimal, Q, int};
+use crate::piece::Piece;
 use crate::polynomial::signum;
 use crate::reject::Stop;
-use crate::value::{Piece, Value};
+use crate::value::Value;
 use num_bigint::BigInt;
 use num_traits::{One, Pow, Signed};
 

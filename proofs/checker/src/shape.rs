@@ -1,7 +1,9 @@
 //! What may stand in a claim file, and of which type.
 
-use crate::paper::KINDS;
 use crate::toml::Toml;
+
+/// The kinds of claims.
+pub const KINDS: [&str; 5] = ["table", "equation", "function", "range", "theorem"];
 
 /// The fields of each kind of table with their types: `*t` is a list of t, `%t` a table of any names,
 /// and of `s|t` it is one.

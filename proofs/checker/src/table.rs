@@ -1,11 +1,12 @@
 //! A table of a claim file, and the values of its cells.
 
 use crate::decimal::Decimal;
+use crate::definitions::{Definitions, formula_of};
 use crate::evaluate::{Memory, Scope};
 use crate::formula::Expr;
-use crate::paper::{Axis, Definitions, Paper, formula_of, printed};
+use crate::paper::{Axis, Paper, printed};
 use crate::reading::Reading;
-use crate::reject::Stop;
+use crate::reject::{Checked, Reason, Stop};
 use crate::rounding::interval;
 use crate::scheme::Scheme;
 use crate::toml::Toml;
@@ -126,6 +127,18 @@ impl<'a> Table<'a> {
         let (rows, columns) = self.size();
         let row = row.checked_add_signed(down).filter(|row| *row < rows)?;
         Some((row, column.checked_add_signed(right).filter(|column| *column < columns)?))
+    }
+
+    /// The place of a cell that a line begins with, and what follows.
+    pub fn place<'l>(&self, said: &'l str) -> Checked<(Place, &'l str)> {
+        let mut words = said.splitn(3, ' ');
+        let mut next = |count: usize| {
+            let place: usize = words.next()?.parse().ok()?;
+            place.checked_sub(1).filter(|place| *place < count)
+        };
+        let (rows, columns) = self.size();
+        let place = next(rows).and_then(|row| Some((row, next(columns)?)));
+        Ok((place.ok_or(Reason::Cell)?, words.next().unwrap_or_default()))
     }
 
     /// A cell as printed, and as a decimal; `None` when it is lost or no decimal.

@@ -3,29 +3,16 @@
 use crate::decimal::{Q, common_multiple};
 use crate::number::Number;
 use crate::reject::Stop;
-use crate::root::{Root, sign_between};
 use num_bigint::BigInt;
 use num_traits::Zero;
-use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
 /// The most binary digits of a number, and the most terms of a polynomial.
 const MAX_SIZE: u64 = 500_000;
 
-/// The greatest degree of a polynomial whose sign is asked for.
+/// The greatest degree of a polynomial whose coefficients are asked for.
 const MAX_DEGREE: u32 = 256;
-
-/// An open interval of a symbol, `None` where an end is infinite; or one number.
-#[derive(Clone, Debug)]
-pub struct Piece {
-    /// The symbol.
-    pub symbol: Rc<str>,
-    /// The lower end.
-    pub low: Option<Root>,
-    /// The upper end; where both are the same, the piece is this number.
-    pub high: Option<Root>,
-}
 
 /// Symbols with their powers, by name.
 type Monomial = Vec<(Rc<str>, u32)>;
@@ -141,6 +128,11 @@ impl Value {
         Ok(())
     }
 
+    /// The sum of values.
+    pub fn total<'v>(values: impl IntoIterator<Item = &'v Value>) -> Result<Value, Stop> {
+        values.into_iter().try_fold(Value::int(0), |sum, value| sum.plus(1, value))
+    }
+
     /// A common denominator.
     pub fn denominator<'v>(values: impl IntoIterator<Item = &'v Value>) -> Result<Value, Stop> {
         let numbers = values.into_iter().flat_map(Value::all);
@@ -204,23 +196,6 @@ impl Value {
         if exponent < 0 { Value::int(1).over(&power) } else { Ok(power) }
     }
 
-    /// The sign: of a polynomial, the one it has on the whole piece.
-    pub fn sign(&self, piece: Option<&Piece>) -> Result<i8, Stop> {
-        let piece = match (self.number(), piece) {
-            (Err(_), Some(piece)) => piece,
-            (number, _) => return number?.sign(),
-        };
-        let polynomial = self.univariate(&piece.symbol);
-        let polynomial = polynomial.ok_or(Stop::Wrong("no polynomial in one symbol".into()))?;
-        match (&piece.low, &piece.high) {
-            (Some(low), Some(high)) if low == high => low.sign_of(&polynomial),
-            (low, high) => {
-                let sign = sign_between(&polynomial, low.as_ref(), high.as_ref())?;
-                sign.map_err(Stop::Split)
-            }
-        }
-    }
-
     /// The rational coefficients on the powers of a symbol, if it has no other.
     pub fn univariate(&self, symbol: &str) -> Option<Vec<Q>> {
         let mut polynomial = Vec::new();
@@ -258,30 +233,6 @@ impl Value {
     pub fn coefficient(&self, symbol: &str) -> Value {
         let known = self.terms.get(&vec![(Rc::from(symbol), 1)]);
         known.map_or(Value::int(0), |coefficient| coefficient.clone().into())
-    }
-
-    /// |self|.
-    pub fn abs(&self, piece: Option<&Piece>) -> Result<Value, Stop> {
-        if self.sign(piece)? < 0 { self.negated() } else { Ok(self.clone()) }
-    }
-
-    /// The greater of the two.
-    pub fn max(&self, other: &Value, piece: Option<&Piece>) -> Result<Value, Stop> {
-        let less = self.compare_on(other, piece)?.is_lt();
-        Ok(if less { other.clone() } else { self.clone() })
-    }
-
-    /// How two numbers compare.
-    pub fn compare(&self, other: &Value) -> Result<Ordering, Stop> {
-        self.compare_on(other, None)
-    }
-
-    /// The same of polynomials on a piece.
-    pub fn compare_on(&self, other: &Value, piece: Option<&Piece>) -> Result<Ordering, Stop> {
-        match (self.number(), other.number()) {
-            (Ok(one), Ok(other)) => one.compare(other),
-            _ => Ok(self.minus(other)?.sign(piece)?.cmp(&0)),
-        }
     }
 
     /// Whether the two are equal, as polynomials.

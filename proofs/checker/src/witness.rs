@@ -1,74 +1,15 @@
 //! Witnesses: control data, and a place where a quantity of theirs is looked at.
 
 use crate::certificate::Block;
-use crate::convolution::classes;
 use crate::decimal::{Q, int, read_rational};
-use crate::evaluate::Scope;
 use crate::functional::{Functional, Rules, product};
 use crate::paper::Paper;
-use crate::reject::{Checked, Reason, Stop, require};
+use crate::reject::{Checked, Reason, require};
 use crate::ring::Ring;
-use crate::scheme::Scheme;
+use crate::setting::Setting;
 use crate::value::Value;
 use num_bigint::BigInt;
 use num_traits::{One, Signed, ToPrimitive, Zero};
-use std::cmp::Ordering;
-use std::rc::Rc;
-
-/// The most residue classes of a constant that shows convergence.
-const MAX_CLASSES: usize = 1 << 12;
-
-/// What control data are refined by.
-pub enum Setting<'a> {
-    /// One mask, or one for each index of a net; and whether each is shown to converge.
-    Masks(Vec<Rules<'a>>, bool),
-    /// A ring, and what makes of the points of one level those that the next is compared with.
-    Ring(Box<Ring<'a>>, Option<Box<Ring<'a>>>),
-}
-
-impl<'a> Setting<'a> {
-    /// The masks of a scheme, which are rational, at this offset or at their own.
-    pub fn masks<'s>(
-        scope: &Scope<'s>,
-        schemes: &[Rc<Scheme>],
-        offset: Option<i64>,
-    ) -> Checked<Setting<'a>>
-    where
-        's: 'a,
-    {
-        require(!schemes.is_empty(), Reason::NoPromise)?;
-        let (mut rules, mut converge) = (Vec::new(), true);
-        for scheme in schemes {
-            let offset = offset.unwrap_or(scheme.offset);
-            let rational = Rules::new(scope.library, scheme, offset)?;
-            rules.push(rational.ok_or(Reason::Malformed("rational masks"))?);
-            converge &= converges(scope, scheme)?;
-        }
-        Ok(Setting::Masks(rules, converge))
-    }
-}
-
-/// Whether T_c < 1 for some n^c ≤ 4096, or for some c by a line `constant`.
-fn converges(scope: &Scope<'_>, scheme: &Scheme) -> Result<bool, Stop> {
-    let large = scope.library.large.borrow();
-    let large =
-        large.iter().filter(|((rules, forward, _), _)| !forward && *rules == scheme.difference);
-    if large
-        .map(|(_, value)| value.compare(&Value::int(1)))
-        .any(|order| order.is_ok_and(Ordering::is_lt))
-    {
-        return Ok(true);
-    }
-    let mut c = 1;
-    while scheme.arity().saturating_pow(c) <= MAX_CLASSES {
-        let sums = classes(scope, scheme, "b", false, &Value::int(c.into()))?;
-        if sums.greatest(scope)?.compare(&Value::int(1))?.is_lt() {
-            return Ok(true);
-        }
-        c += 1;
-    }
-    Ok(false)
-}
 
 /// x_i, i = first, first + 1, …; constant beyond both ends.
 struct Polygon {

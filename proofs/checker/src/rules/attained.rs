@@ -1,16 +1,15 @@
 //! Rule `attained`: a constant, and the residue class that attains it.
 
-use super::place;
 use crate::certificate::MAX_LINE;
 use crate::formula::parse;
-use crate::functions::sums_of;
 use crate::reject::{Checked, Reason, require};
+use crate::sums::of_constant;
 use crate::table::{Read, Table};
 
 /// Checks `ROW COLUMN CLASS VALUE FORMULA`, with a reading as printed that is not the table's: what
 /// it consults says nothing of what the table's value does.
 pub fn check(table: &Table<'_>, read: &Read, said: &str) -> Checked<()> {
-    let (at, said) = place(table, said)?;
+    let (at, said) = table.place(said)?;
     let mut words = said.splitn(3, ' ');
     let (Some(class), Some(value), Some(formula)) = (words.next(), words.next(), words.next())
     else {
@@ -20,9 +19,9 @@ pub fn check(table: &Table<'_>, read: &Read, said: &str) -> Checked<()> {
     let value = table.paper.number(value)?;
     let formula = parse(formula, MAX_LINE).map_err(Reason::NoValue)?;
     let (scope, _) = table.scope(at, read, &table.needed(at).0)?;
-    let sums = sums_of(&scope, &formula)?;
+    let sums = of_constant(table.paper.library, &scope, &formula)?;
     let sum = class.checked_sub(sums.first).and_then(|class| sums.units.get(class));
     let sum = sum.ok_or(Reason::Class)?.times(&sums.scale)?;
     require(sum.equals(&value)?, Reason::Class)?;
-    require(sums.greatest(&scope)?.equals(&value)?, Reason::NotLargest)
+    require(sums.greatest(None)?.equals(&value)?, Reason::NotLargest)
 }

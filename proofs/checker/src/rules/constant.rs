@@ -2,11 +2,12 @@
 //! functions of formulas.
 
 use crate::certificate::Block;
-use crate::convolution::Large;
+use crate::convolution::Sequence;
 use crate::decimal::{Q, int, read_rational};
 use crate::paper::Paper;
 use crate::powers::{Operator, PLACES};
 use crate::reject::{Checked, Reason, require};
+use crate::scheme::Part;
 use crate::value::Value;
 use num_traits::Signed;
 
@@ -22,12 +23,13 @@ pub fn check<'a>(paper: &'a Paper<'a>, said: &str, block: &mut Block<'_>) -> Che
     };
     let schemes = paper.library.resolve(reference, &paper.nothing())?;
     let [scheme] = &schemes[..] else { return Err(malformed().into()) };
-    let rules = match function {
-        "contraction" => &scheme.difference,
-        "norm" => &scheme.mask,
+    let part = match function {
+        "contraction" => Part::Difference,
+        "norm" => Part::Mask,
         _ => return Err(malformed().into()),
     };
     let forward = order == "forward";
+    let of = Sequence { scheme, part, forward };
     require(forward || order == "adjoint", malformed())?;
     let levels = c.parse().ok().filter(|c| (1..=MAX_LEVELS).contains(c)).ok_or(malformed())?;
     let class = class.parse().map_err(|_| malformed())?;
@@ -40,9 +42,9 @@ pub fn check<'a>(paper: &'a Paper<'a>, said: &str, block: &mut Block<'_>) -> Che
         }
         Some(rule)
     };
-    let rational = rules.iter().map(rational).collect::<Option<Vec<Vec<Q>>>>();
+    let rational = of.rules().iter().map(rational).collect::<Option<Vec<Vec<Q>>>>();
     let rational = rational.ok_or(Reason::Malformed("rational masks"))?;
-    let operator = Operator::new(paper.library, &rational)?;
+    let operator = Operator::new(paper.library.meter, &rational)?;
     require(operator.of_class(levels, &class)? == exact, Reason::Class)?;
     let said = block.after("powers")?;
     let all = said.strip_prefix("all ");
@@ -66,7 +68,6 @@ pub fn check<'a>(paper: &'a Paper<'a>, said: &str, block: &mut Block<'_>) -> Che
     }
     let limit = &exact / operator.factor.abs().pow(levels.cast_signed());
     operator.at_most(levels, &limit, tau)?;
-    let key: Large = (rules.clone(), forward, levels);
-    paper.library.large.borrow_mut().insert(key, exact.into());
+    paper.library.constants.insert(of, levels, exact.into());
     Ok(())
 }

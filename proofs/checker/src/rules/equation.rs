@@ -3,11 +3,11 @@
 use super::hypotheses;
 use crate::certificate::Block;
 use crate::decimal::{Q, int};
+use crate::definitions::{formula, formula_of};
 use crate::evaluate::{MAX_INTEGER, Memory, Scope};
 use crate::formula::Expr;
-use crate::paper::{Axis, Paper, formula_of, value};
+use crate::paper::{Axis, Paper, value};
 use crate::reject::{Checked, Reason, Stop, require};
-use crate::scheme::formula;
 use crate::toml::Toml;
 use crate::value::Value;
 use std::rc::Rc;

@@ -1,10 +1,12 @@
 //! Rule `function`: two sides as functions of a parameter.
 
-use super::pieces::{Free, Place};
+use super::pieces::Free;
 use crate::certificate::Block;
 use crate::decimal::read_rational;
-use crate::paper::{Paper, formula_of};
+use crate::definitions::formula_of;
+use crate::paper::Paper;
 use crate::reject::{Checked, Reason, require};
+use crate::root::Root;
 use crate::toml::Toml;
 
 /// Checks a function.
@@ -14,7 +16,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     block.restates("right", claim.text("right"))?;
     let sides = [formula_of(claim, "left")?, formula_of(claim, "right")?];
     let pieces =
-        free.pieces(block, |scope| scope.value(&sides[0])?.minus(&scope.value(&sides[1])?))?;
+        free.pieces(block, &|scope| scope.value(&sides[0])?.minus(&scope.value(&sides[1])?))?;
     let (word, said) = block.any()?;
     let equal = pieces.signs.iter().all(|sign| *sign == 0);
     require(word == if equal { "holds" } else { "fails" }, Reason::Verdict)?;
@@ -22,7 +24,8 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         [] if equal => Ok(()),
         [at, left, right] if !equal => {
             let at = read_rational(at).ok_or(Reason::Malformed("a number"))?;
-            let scope = free.scope(&Place::At(&at.into()))?;
+            let at = Some(Root::from(at));
+            let scope = free.scope([at.clone(), at])?;
             let said = [paper.number(left)?, paper.number(right)?];
             for (side, said) in sides.iter().zip(&said) {
                 require(scope.value(side)?.equals(said)?, Reason::Value)?;

@@ -34,7 +34,7 @@ pub fn growth(scope: &Scope<'_>, expr: &Expr, depth: usize) -> Checked<Growth> {
             let base = steady(scope, &parts[0])?.ok_or(Reason::Growth)?;
             let (period, step) = slope(scope, &parts[1], depth + 1)?;
             let ratio = base.power(step.integer(MAX_STEP).map_err(|_| Reason::Growth)?)?;
-            scope.library.spend(ratio.cost(&ratio))?;
+            scope.spend(ratio.cost(&ratio))?;
             Ok((period, ratio, 0))
         }
         Expr::Of(Head::Chain(operators), parts) => {
@@ -44,7 +44,7 @@ pub fn growth(scope: &Scope<'_>, expr: &Expr, depth: usize) -> Checked<Growth> {
                 let period = within(whole.0.lcm(&next.0))?;
                 let own = whole.1.power((period / whole.0).into())?;
                 let other = next.1.power((period / next.0).into())?;
-                scope.library.spend(own.cost(&other))?;
+                scope.spend(own.cost(&other))?;
                 whole = match operator {
                     '*' => (period, own.times(&other)?, whole.2 + next.2),
                     '/' => (period, own.over(&other)?, whole.2 - next.2),
@@ -82,11 +82,11 @@ fn slope(scope: &Scope<'_>, expr: &Expr, depth: usize) -> Checked<(u32, Value)> 
             for (operator, part) in [first].iter().chain(operators).zip(parts) {
                 match (operator, steady(scope, part)?) {
                     ('*', Some(number)) => {
-                        scope.library.spend(factor.cost(&number))?;
+                        scope.spend(factor.cost(&number))?;
                         factor = factor.times(&number)?;
                     }
                     ('/', Some(number)) => {
-                        scope.library.spend(factor.cost(&number))?;
+                        scope.spend(factor.cost(&number))?;
                         factor = factor.over(&number)?;
                     }
                     (_, Some(_)) => {}

@@ -1,9 +1,9 @@
 //! The hypotheses of an equation: linear equations between symbols, solved together.
 
+use crate::definitions::formula;
 use crate::evaluate::{Scope, member};
 use crate::formula::{Expr, Head};
 use crate::reject::Stop;
-use crate::scheme::formula;
 use crate::toml::Toml;
 use crate::value::Value;
 

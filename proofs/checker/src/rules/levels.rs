@@ -1,16 +1,17 @@
 //! Rule `levels`: a bound for one scheme, proved at all levels by finitely many (THEOREMS.md, 40).
 
 use super::growth::{MAX_PERIOD, growth};
+use super::instance::{Instance, first_level};
 use super::promise::{change, errors, flows, kept};
 use super::sound::Promised;
-use super::theorem::{Instance, first_level};
 use crate::certificate::Block;
-use crate::paper::{Paper, formula_of};
+use crate::definitions::formula_of;
+use crate::paper::Paper;
 use crate::reject::{Checked, Reason, Stop, require};
 use crate::ring::less;
+use crate::setting::Setting;
 use crate::toml::Toml;
 use crate::value::Value;
-use crate::witness::Setting;
 use std::cell::RefCell;
 
 /// Checks `grows …`, `times …` and the levels.

@@ -1,7 +1,7 @@
 //! The members of the declared family of a table, and what they explain.
 
 use super::reading::{MAX_DIFFERENCES, choose, define};
-use crate::formula::names;
+use crate::definitions::names;
 use crate::reading::CHOICES;
 use crate::reject::{Checked, Stop};
 use crate::rounding::gives;

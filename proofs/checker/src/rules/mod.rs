@@ -8,6 +8,7 @@ mod family;
 mod function;
 mod growth;
 mod hypotheses;
+mod instance;
 mod levels;
 mod members;
 mod pieces;
@@ -15,6 +16,7 @@ mod promise;
 mod range;
 mod reading;
 mod scale;
+mod sides;
 mod sound;
 mod table;
 mod theorem;
@@ -23,8 +25,8 @@ use crate::certificate::Block;
 use crate::paper::Paper;
 use crate::reject::{Checked, Reason};
 use crate::shape::misfit;
-use crate::table::{Place, Table};
 use crate::toml::Toml;
+use theorem::Citation;
 
 /// What a valid certificate proves of a claim.
 pub enum Verdict {
@@ -32,13 +34,8 @@ pub enum Verdict {
     Holds,
     /// Something else that needs no other claim.
     Other,
-    /// A theorem is proved or refuted by a statement of THEOREMS.md, if these claims hold.
-    Cited {
-        /// The statement.
-        statement: String,
-        /// The ids of the claims.
-        uses: Vec<String>,
-    },
+    /// A theorem is proved or refuted by a statement of THEOREMS.md.
+    Cited(Citation),
 }
 
 /// Checks a block that is about a claim.
@@ -65,28 +62,17 @@ fn judge<'a>(
     while let Some(said) = block.maybe("constant") {
         constant::check(paper, said, block)?;
     }
-    let mut verdict = Verdict::Other;
+    let mut cited = None;
     match kind {
         "table" => table::check(paper, claim, block)?,
         "equation" => equation::check(paper, claim, block)?,
         "function" => function::check(paper, claim, block)?,
         "range" => range::check(paper, claim, block)?,
-        "theorem" => verdict = theorem::check(paper, claim, block)?,
+        "theorem" => cited = theorem::check(paper, claim, block)?,
         _ => return Err(Reason::NoSuchClaim.into()),
     }
     block.finished()?;
     let holds = ["holds", "exact"].contains(&block.last().word().0);
-    Ok(if holds { Verdict::Holds } else { verdict })
-}
-
-/// The place of a cell that a line begins with, and what follows.
-fn place<'l>(table: &Table<'_>, said: &'l str) -> Checked<(Place, &'l str)> {
-    let mut words = said.splitn(3, ' ');
-    let mut next = |count: usize| {
-        let place: usize = words.next()?.parse().ok()?;
-        place.checked_sub(1).filter(|place| *place < count)
-    };
-    let (rows, columns) = table.size();
-    let place = next(rows).and_then(|row| Some((row, next(columns)?)));
-    Ok((place.ok_or(Reason::Cell)?, words.next().unwrap_or_default()))
+    let other = cited.map_or(Verdict::Other, Verdict::Cited);
+    Ok(if holds { Verdict::Holds } else { other })
 }

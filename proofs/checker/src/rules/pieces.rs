@@ -3,16 +3,14 @@
 use crate::certificate::Block;
 use crate::evaluate::Scope;
 use crate::paper::Paper;
+use crate::piece::{Ends, MAX_CUTS, Piece};
 use crate::reject::{Checked, Reason, Stop, require};
 use crate::root::Root;
 use crate::toml::Toml;
-use crate::value::{Piece, Value};
+use crate::value::Value;
 
 /// The most breaks.
 const MAX_BREAKS: usize = 1_000;
-
-/// The most pieces that one of a certificate is cut into.
-const MAX_PIECES: usize = 1_000;
 
 /// The breaks of a parameter, and signs on the pieces between and at the breaks.
 pub struct Pieces {
@@ -22,13 +20,8 @@ pub struct Pieces {
     pub signs: Vec<i8>,
 }
 
-/// Where a formula is looked at.
-pub enum Place<'p> {
-    /// On a piece, with polynomials in the parameter.
-    Piece(Option<&'p Root>, Option<&'p Root>),
-    /// At a value of the parameter.
-    At(&'p Root),
-}
+/// A value that depends on the parameter.
+pub type Formula<'f> = dyn Fn(&Scope<'_>) -> Result<Value, Stop> + 'f;
 
 /// A claim about a free parameter.
 pub struct Free<'a> {
@@ -47,30 +40,26 @@ impl<'a> Free<'a> {
         Ok(Free { paper, claim, variable: claim.text("variable").unwrap_or_default() })
     }
 
-    /// The scope of a place.
-    pub fn scope(&self, place: &Place<'_>) -> Result<Scope<'a>, Stop> {
+    /// The scope of a piece, or of one value of the parameter if both ends are the same.
+    pub fn scope(&self, ends: Ends) -> Result<Scope<'a>, Stop> {
         let mut scope = self.paper.scope();
         scope.values.clone_from(&self.paper.given);
-        let (low, high) = match place {
-            Place::Piece(low, high) => (low.cloned(), high.cloned()),
-            Place::At(root) => (Some((*root).clone()), Some((*root).clone())),
-        };
+        let [low, high] = &ends;
         let number = low.as_ref().filter(|_| low == high).and_then(Root::rational);
         let value = number.map_or(Value::symbol(self.variable), |value| value.clone().into());
         scope.values.insert(self.variable.to_owned(), value);
-        scope.piece = Some(Piece { symbol: self.variable.into(), low, high });
+        scope.piece = Some(Piece::new(self.variable, ends));
         if let Some(reference) = self.claim.text("scheme") {
             scope.scheme = self.paper.library.resolve(reference, &scope)?.first().cloned();
+            if scope.piece.as_ref().is_some_and(|piece| !piece.cuts().is_empty()) {
+                return Err(Stop::Undefined("a parameter of the scheme has no sign on the piece"));
+            }
         }
         Ok(scope)
     }
 
     /// Reads the lines `breaks` and `signs`, and compares them with the signs of a value.
-    pub fn pieces(
-        &self,
-        block: &mut Block<'_>,
-        value: impl Fn(&Scope<'_>) -> Result<Value, Stop>,
-    ) -> Checked<Pieces> {
+    pub fn pieces(&self, block: &mut Block<'_>, value: &Formula<'_>) -> Checked<Pieces> {
         let breaks = block.after("breaks")?.split_whitespace().map(Root::read);
         let breaks: Vec<Root> =
             breaks.collect::<Option<_>>().ok_or(Reason::Malformed("numbers"))?;
@@ -81,10 +70,11 @@ impl<'a> Free<'a> {
         let said = block.after("signs")?;
         let mut signs = Vec::new();
         for i in 0..=breaks.len() {
-            let low = i.checked_sub(1).map(|i| &breaks[i]);
-            signs.push(self.on_piece(low, breaks.get(i), &value)?.ok_or(Reason::Signs)?);
+            let low = i.checked_sub(1).map(|i| breaks[i].clone());
+            let sign = self.on_piece([low, breaks.get(i).cloned()], value)?;
+            signs.push(sign.ok_or(Reason::Signs)?);
             if let Some(at) = breaks.get(i) {
-                signs.push(self.at(at, &value)?);
+                signs.push(self.at(at, value)?);
             }
         }
         let words = signs.iter().map(|sign| match sign {
@@ -96,37 +86,34 @@ impl<'a> Free<'a> {
         Ok(Pieces { breaks, signs })
     }
 
-    fn at(&self, at: &Root, value: impl Fn(&Scope<'_>) -> Result<Value, Stop>) -> Result<i8, Stop> {
-        let scope = self.scope(&Place::At(at))?;
+    fn at(&self, at: &Root, value: &Formula<'_>) -> Result<i8, Stop> {
+        let scope = self.scope([Some(at.clone()), Some(at.clone())])?;
         value(&scope)?.sign(scope.piece.as_ref())
     }
 
-    /// The sign on a piece, which is cut where formulas have another form; `None` if there
-    /// is not only one.
-    fn on_piece(
-        &self,
-        low: Option<&Root>,
-        high: Option<&Root>,
-        value: &impl Fn(&Scope<'_>) -> Result<Value, Stop>,
-    ) -> Result<Option<i8>, Stop> {
-        // The pieces that are still to be looked at.
-        let mut pieces = vec![(low.cloned(), high.cloned())];
-        let mut sign = None;
-        for _ in 0..MAX_PIECES {
-            let Some((low, high)) = pieces.pop() else { return Ok(sign) };
-            let scope = self.scope(&Place::Piece(low.as_ref(), high.as_ref()))?;
-            let found = match value(&scope).and_then(|value| value.sign(scope.piece.as_ref())) {
-                Err(Stop::Split(at)) => {
-                    pieces.extend([(low, Some((*at).clone())), (Some((*at).clone()), high)]);
-                    self.at(&at, value)?
+    /// The sign on a piece and where it is cut; `None` if there is not only one.
+    fn on_piece(&self, ends: Ends, value: &Formula<'_>) -> Result<Option<i8>, Stop> {
+        let (mut rest, mut sign, mut looks) = (vec![ends], None, 0);
+        while let Some([low, high]) = rest.pop() {
+            let scope = self.scope([low.clone(), high])?;
+            let above = value(&scope).and_then(|value| value.sign(scope.piece.as_ref()));
+            // The scope has become that of the part above the last cut.
+            let cuts = scope.piece.map_or(Vec::new(), |piece| piece.cuts());
+            let lower = [low].into_iter().chain(cuts.iter().cloned().map(Some));
+            rest.extend(lower.zip(&cuts).map(|(low, cut)| [low, Some(cut.clone())]));
+            let at_cuts = cuts.iter().map(|cut| self.at(cut, value));
+            for found in at_cuts.chain([above]) {
+                if looks == MAX_CUTS {
+                    return Err(Stop::Capped("the number of pieces"));
                 }
-                found => found?,
-            };
-            if sign.is_some_and(|sign| sign != found) {
-                return Ok(None);
+                looks += 1;
+                let found = found?;
+                if sign.is_some_and(|sign| sign != found) {
+                    return Ok(None);
+                }
+                sign = Some(found);
             }
-            sign = Some(found);
         }
-        Err(Stop::Capped("the number of pieces"))
+        Ok(sign)
     }
 }

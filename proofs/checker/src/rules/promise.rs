@@ -1,19 +1,19 @@
 //! Rule `promise`: whether what a table promises of its printed numbers is true for all control
 //! data, cell by cell.
 
-use super::place;
+use super::sides::violated;
 use super::sound::{self, MAX_LEVEL, Promised};
-use super::theorem::violated;
 use crate::certificate::Block;
-use crate::convolution::classes;
 use crate::decimal::Q;
 use crate::functional::Rules;
 use crate::paper::Paper;
 use crate::reject::{Checked, Reason, Stop, require};
 use crate::ring::{Ring, less};
+use crate::scheme::Part;
+use crate::setting::Setting;
 use crate::table::Table;
 use crate::value::Value;
-use crate::witness::{Setting, Witness};
+use crate::witness::Witness;
 use num_traits::{Signed, Zero};
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -38,7 +38,7 @@ pub fn check(table: &Table<'_>, block: &mut Block<'_>) -> Checked<()> {
         let mut lines = ["kept", "broken", "undecided"].into_iter();
         let line = lines.find_map(|verdict| Some((verdict, block.maybe(verdict)?)));
         let (verdict, said) = line.ok_or(Reason::Promises)?;
-        let (found, said) = place(table, said)?;
+        let (found, said) = table.place(said)?;
         require(found == at, Reason::Promises)?;
         if verdict == "undecided" {
             require(said.is_empty(), Reason::Malformed("ROW COLUMN"))?;
@@ -96,7 +96,7 @@ fn setting<'a>(
     }
     let setting = Rc::new(match ring {
         Some(ring) => Setting::Ring(Box::new(Ring::new(library, ring, scope)?), None),
-        None => Setting::masks(scope, schemes, *offset)?,
+        None => Setting::masks(library, schemes, *offset)?,
     });
     known.insert(key, Rc::clone(&setting));
     Ok(setting)
@@ -177,8 +177,8 @@ pub fn change(promised: &Promised<'_>, rules: &[Rules<'_>], k: u32, l: u32) -> R
     let [first, second] = rules else { return largest(&rules[0]) };
     // THEOREMS.md, 32, with level l in place of the limit.
     let norm = |axis: usize, level: u32| {
-        let (scope, level) = (&promised.scope, Value::int(level.into()));
-        classes(scope, &promised.schemes[axis], "a", false, &level)?.greatest(scope)
+        let level = Value::int(level.into());
+        promised.class_sum(&promised.schemes[axis], Part::Mask, &level)
     };
     let (c, d) = (largest(first)?, largest(second)?);
     let one = c.times(&norm(1, l)?)?.plus(1, &d.times(&norm(0, k)?)?)?;

@@ -3,12 +3,14 @@
 use super::pieces::{Free, Pieces};
 use crate::certificate::Block;
 use crate::decimal::{Decimal, int};
-use crate::paper::{Paper, formula_of, printed};
+use crate::definitions::formula_of;
+use crate::paper::{Paper, printed};
+use crate::piece::Piece;
 use crate::reject::{Checked, Reason, Stop, require};
 use crate::root::Root;
 use crate::rounding::rounding_on;
 use crate::toml::Toml;
-use crate::value::{Piece, Value};
+use crate::value::Value;
 
 /// An end of an interval: `None` if it is infinite, and whether it belongs to the set.
 type End = (Option<Root>, bool);
@@ -25,7 +27,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     block.restates(word, claim.text(key))?;
     let value = formula_of(claim, "value")?;
     let limit = paper.nothing().value(&formula_of(claim, key)?)?;
-    let pieces = free.pieces(block, |scope| scope.value(&value)?.minus(&limit))?;
+    let pieces = free.pieces(block, &|scope| scope.value(&value)?.minus(&limit))?;
     let set = intervals(&pieces, below);
     let mut relations = Vec::new();
     for (side, name, outwards) in [(0, "from", -1), (1, "to", 1)] {
@@ -105,8 +107,7 @@ fn relation(
         return Ok(if same { "equal" } else { "belonging" });
     }
     // The end as a symbol that has this value alone.
-    let [low, high] = [(); 2].map(|()| Some(end.clone()));
-    let piece = Piece { symbol: "x".into(), low, high };
+    let piece = Piece::new("x", [Some(end.clone()), Some(end.clone())]);
     let found = rounding_on(printed, &Value::symbol("x"), Some(&piece))?;
     if found != "neither" {
         return Ok(found);

@@ -1,9 +1,9 @@
 //! Rule `read`: the reading of a table, a member of the declared family.
 
 use crate::certificate::Block;
+use crate::definitions::formula;
 use crate::reading::CHOICES;
 use crate::reject::{Checked, Reason, Stop, require};
-use crate::scheme::formula;
 use crate::table::{Place, Read, Table};
 use crate::toml::Toml;
 use crate::value::Value;

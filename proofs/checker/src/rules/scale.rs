@@ -72,7 +72,7 @@ pub fn at_best_scale(
     decimals: &str,
     (base, enough): (&Value, usize),
 ) -> Result<usize, Stop> {
-    let spend = || table.paper.library.spend(cells.len() as u64);
+    let spend = || table.paper.library.meter.spend(cells.len() as u64);
     let given = |s: &Value| -> Result<usize, Stop> {
         spend()?;
         let factor = s.over(base)?;

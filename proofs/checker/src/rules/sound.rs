@@ -1,12 +1,12 @@
 //! Rule `sound`: what a table promises, at a level or for a tolerance, as it is kept.
 
-use super::place;
-use crate::convolution::classes;
+use crate::convolution::Sequence;
+use crate::definitions::formula;
 use crate::displacement::{displaced, gather};
 use crate::evaluate::Scope;
 use crate::paper::Paper;
 use crate::reject::{Checked, Reason, Stop, require};
-use crate::scheme::{Scheme, formula};
+use crate::scheme::{Part, Scheme};
 use crate::table::{Bounds, Place, Table};
 use crate::value::Value;
 use std::cell::RefCell;
@@ -30,7 +30,7 @@ pub fn level(level: i64) -> Checked<u32> {
 
 /// Checks `ROW COLUMN M c VALUE`.
 pub fn check<'a>(table: &'a Table<'a>, said: &str) -> Checked<()> {
-    let (at, said) = place(table, said)?;
+    let (at, said) = table.place(said)?;
     let said = said.rsplit_once(' ').ok_or(Reason::Malformed("ROW COLUMN M c VALUE"))?;
     let (constants, said) = (said.0, table.paper.number(said.1)?);
     let promised = Promised::new(table, at)?;
@@ -117,7 +117,7 @@ impl<'t> Promised<'t> {
         while upper.len() < place(level + block) {
             let product = |j: usize| {
                 let next = upper[j].times(&upper[upper.len() - j])?;
-                self.scope.library.spend(next.cost(&next))?;
+                self.scope.spend(next.cost(&next))?;
                 Ok::<Value, Stop>(next)
             };
             let mut least = product(1)?;
@@ -136,34 +136,39 @@ impl<'t> Promised<'t> {
 
     /// T_c, or the larger of the T_cΛ_c of one factor and the other.
     pub fn constant(&self, c: &Value) -> Result<Value, Stop> {
-        let of =
-            |scheme: &Scheme, of| classes(&self.scope, scheme, of, false, c)?.greatest(&self.scope);
+        let of = |scheme: &Scheme, part| self.class_sum(scheme, part, c);
         match &self.schemes[..] {
             [first, second, ..] => {
-                let one = of(first, "b")?.times(&of(second, "a")?)?;
-                one.max(&of(second, "b")?.times(&of(first, "a")?)?, None)
+                let one = of(first, Part::Difference)?.times(&of(second, Part::Mask)?)?;
+                one.max(&of(second, Part::Difference)?.times(&of(first, Part::Mask)?)?, None)
             }
-            one => of(&one[0], "b"),
+            one => of(&one[0], Part::Difference),
         }
+    }
+
+    /// The greatest class sum of a mask at level c.
+    pub fn class_sum(&self, scheme: &Scheme, part: Part, c: &Value) -> Result<Value, Stop> {
+        let of = Sequence { scheme, part, forward: false };
+        self.paper.library.products.classes(of, c, None)?.greatest(None)
     }
 
     /// σ, or of two factors the greatest ς_αλ_β + ς_β.
     pub fn factor(&self) -> Result<Value, Stop> {
         let moved = |scheme: &Scheme| {
             let offset = self.offset.unwrap_or(scheme.offset);
-            let moved = |alpha| gather(&self.scope, &displaced(scheme, alpha, offset)?, 0);
+            let moved = |alpha| gather(None, &displaced(scheme, alpha, offset)?, 0);
             (0..scheme.arity()).map(moved).collect::<Result<Vec<Value>, Stop>>()
         };
         let [first, second, ..] = &self.schemes[..] else {
-            return self.scope.greatest(&moved(&self.schemes[0])?);
+            return Value::greatest(&moved(&self.schemes[0])?, None);
         };
         let mut sums = Vec::new();
         for (row, beta) in second.mask.iter().zip(moved(second)?) {
-            let norm = gather(&self.scope, row, 0)?;
+            let norm = gather(None, row, 0)?;
             for alpha in &moved(first)? {
                 sums.push(alpha.times(&norm)?.plus(1, &beta)?);
             }
         }
-        self.scope.greatest(&sums)
+        Value::greatest(&sums, None)
     }
 }

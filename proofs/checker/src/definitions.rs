@@ -1,0 +1,50 @@
+//! The formulas of a claim file, and the names that stand for formulas.
+
+use crate::formula::{Expr, Head, MAX_LENGTH, is_name, parse};
+use crate::reject::Stop;
+use crate::toml::Toml;
+use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
+
+/// Formulas by their names.
+pub type Definitions = BTreeMap<String, Rc<Expr>>;
+
+/// A formula of a file.
+pub fn formula(text: &str) -> Result<Expr, Stop> {
+    parse(text, MAX_LENGTH).map_err(Stop::Wrong)
+}
+
+/// The formula of a key of a claim.
+pub fn formula_of(claim: &Toml, key: &str) -> Result<Expr, Stop> {
+    formula(claim.text(key).ok_or_else(|| Stop::Wrong(format!("`{key}` is missing")))?)
+}
+
+/// The named formulas of a file.
+pub fn formulas(entries: &[(String, Toml)]) -> Result<Definitions, Stop> {
+    let read = |(name, text): &(String, Toml)| match text.as_text() {
+        Some(text) if is_name(name) && name != "pi" => Ok((name.clone(), Rc::new(formula(text)?))),
+        _ => Err(Stop::Wrong(format!("`{name}`: no named formula"))),
+    };
+    entries.iter().map(read).collect()
+}
+
+/// All names in a formula and in the definitions that it leads to.
+pub fn names(expr: &Expr, definitions: &Definitions) -> BTreeSet<String> {
+    let (mut names, mut waiting) = (BTreeSet::new(), vec![expr]);
+    while let Some(expr) = waiting.pop() {
+        let found: Vec<&String> = match expr {
+            Expr::Name(name) | Expr::Of(Head::Member(name), _) => vec![name],
+            Expr::Of(Head::Call(_, options), _) => options.iter().map(|(_, word)| word).collect(),
+            Expr::Number(_) | Expr::Of(..) => Vec::new(),
+        };
+        if let Expr::Of(_, parts) = expr {
+            waiting.extend(parts);
+        }
+        for name in found {
+            if names.insert(name.clone()) {
+                waiting.extend(definitions.get(name).map(|definition| &**definition));
+            }
+        }
+    }
+    names
+}

@@ -1,0 +1,198 @@
+//! The schemes that a claim file may name, and what is known of them.
+
+use crate::constants::Constants;
+use crate::definitions::{Definitions, formula, formulas};
+use crate::evaluate::Scope;
+use crate::meter::Meter;
+use crate::products::Products;
+use crate::reading::Reading;
+use crate::reject::Stop;
+use crate::scheme::{MAX_ARITY, MAX_WIDTH, Scheme};
+use crate::toml::Toml;
+use crate::value::Value;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+/// How many names may stand for names, one after the other.
+const MAX_ALIASES: usize = 8;
+
+/// The schemes of a claim file and of the catalogue.
+pub struct Library<'a> {
+    file: &'a [Toml],
+    catalogue: &'a [Toml],
+    schemes: RefCell<BTreeMap<String, Rc<Scheme>>>,
+    /// The steps of the claim at hand.
+    pub meter: &'a Meter,
+    /// The products of sequences that are known.
+    pub products: Products<'a>,
+    /// The constants that lines `constant` have shown.
+    pub constants: Constants,
+    nothing: Definitions,
+    as_printed: Reading,
+}
+
+fn wrong<T>(of: &str, what: &str) -> Result<T, Stop> {
+    Err(Stop::Wrong(format!("`{of}`: {what}")))
+}
+
+impl<'a> Library<'a> {
+    /// The library of a claim file's `[[scheme]]` tables.
+    pub fn new(file: &'a [Toml], catalogue: &'a [Toml], meter: &'a Meter) -> Library<'a> {
+        let (schemes, constants, nothing, as_printed) = Default::default();
+        let products = Products::new(meter);
+        Library { file, catalogue, schemes, meter, products, constants, nothing, as_printed }
+    }
+
+    /// Forgets everything, so that the cost of a claim does not depend on the claims before it.
+    pub fn restart(&self) {
+        self.meter.restart();
+        self.schemes.borrow_mut().clear();
+        self.products.clear();
+        self.constants.clear();
+    }
+
+    /// A scope without names, in which everything is read as printed.
+    pub fn closed(&self) -> Scope<'_> {
+        self.scope(&self.nothing)
+    }
+
+    /// A scope with these definitions, in which everything is read as printed.
+    pub fn scope<'s>(&'s self, definitions: &'s Definitions) -> Scope<'s> {
+        Scope::new(definitions, self, &self.as_printed)
+    }
+
+    /// The schemes of a reference such as `six-point:w=w`, one for each factor of a tensor
+    /// product; parameters are evaluated in the scope.
+    pub fn resolve(&self, reference: &str, scope: &Scope<'_>) -> Result<Vec<Rc<Scheme>>, Stop> {
+        self.follow(reference, scope, 0)
+    }
+
+    fn follow(
+        &self,
+        reference: &str,
+        scope: &Scope<'_>,
+        depth: usize,
+    ) -> Result<Vec<Rc<Scheme>>, Stop> {
+        let mut schemes = Vec::new();
+        let factors: Vec<&str> = reference.split(" x ").collect();
+        if factors.len() > 2 || depth > MAX_ALIASES {
+            return wrong(reference, "more than two factors, or names for names for names");
+        }
+        for factor in factors {
+            let (name, table, parameters) = self.entry(factor, scope)?;
+            match table.text("use") {
+                Some(_) if !parameters.is_empty() => {
+                    return wrong(reference, "it has no parameters");
+                }
+                Some(other) => schemes.extend(self.follow(other, scope, depth + 1)?),
+                None => schemes.push(self.scheme(name, table, parameters)?),
+            }
+        }
+        Ok(schemes)
+    }
+
+    fn named(&self, name: &str) -> Option<&'a Toml> {
+        let mut tables = self.file.iter().chain(self.catalogue);
+        tables.find(|table| table.text("name") == Some(name))
+    }
+
+    /// Whether a reference names a ring.
+    pub fn is_ring(&self, reference: &str) -> bool {
+        let (name, _) = reference.split_once(':').unwrap_or((reference, ""));
+        self.named(name.trim()).is_some_and(|table| table.get("orbits").is_some())
+    }
+
+    /// The table of the scheme that a reference names, with its parameters.
+    pub fn entry<'r>(
+        &self,
+        reference: &'r str,
+        scope: &Scope<'_>,
+    ) -> Result<(&'r str, &'a Toml, BTreeMap<String, Value>), Stop> {
+        let (name, arguments) = reference.trim().split_once(':').unwrap_or((reference.trim(), ""));
+        let mut parameters = BTreeMap::new();
+        for argument in arguments_of(arguments) {
+            let Some((parameter, value)) = argument.split_once('=') else {
+                return wrong(reference, "a parameter is name=value");
+            };
+            let value = scope.value(&formula(value.trim())?)?;
+            if parameters.insert(parameter.trim().to_owned(), value).is_some() {
+                return wrong(reference, "a parameter is given twice");
+            }
+        }
+        match self.named(name) {
+            Some(table) => Ok((name, table, parameters)),
+            None => wrong(reference, "there is no such scheme"),
+        }
+    }
+
+    /// The parameters of a scheme, those without a value at their defaults.
+    pub fn complete(
+        &self,
+        name: &str,
+        table: &Toml,
+        mut parameters: BTreeMap<String, Value>,
+    ) -> Result<BTreeMap<String, Value>, Stop> {
+        let known = table.entries("parameters");
+        if parameters.keys().any(|given| known.iter().all(|(known, _)| known != given)) {
+            return wrong(name, "it has no such parameter");
+        }
+        for (parameter, about) in known {
+            if !parameters.contains_key(parameter) {
+                let Some(default) = about.text("default") else {
+                    return wrong(name, "a parameter is missing");
+                };
+                parameters.insert(parameter.clone(), self.closed().value(&formula(default)?)?);
+            }
+        }
+        Ok(parameters)
+    }
+
+    fn scheme(
+        &self,
+        name: &str,
+        table: &Toml,
+        parameters: BTreeMap<String, Value>,
+    ) -> Result<Rc<Scheme>, Stop> {
+        let parameters = self.complete(name, table, parameters)?;
+        let key = format!("{name} {parameters:?}");
+        if let Some(known) = self.schemes.borrow().get(&key) {
+            return Ok(Rc::clone(known));
+        }
+        let definitions = formulas(table.entries("let"))?;
+        let mut scope = self.scope(&definitions);
+        scope.values = parameters;
+        let integer = |key: &str, most: usize| match table.text(key) {
+            Some(text) => scope.value(&formula(text)?)?.integer(i64::try_from(most).unwrap_or(0)),
+            None => wrong(name, "`mask` or `entry` is missing"),
+        };
+        let offset = if table.get("offset").is_some() { integer("offset", 10_000)? } else { 0 };
+        let mask: Result<Vec<Vec<Value>>, Stop> = if table.get("mask").is_some() {
+            let entry = |entry: &Toml| scope.value(&formula(entry.as_text().unwrap_or(""))?);
+            let rows = table.list("mask").iter();
+            rows.map(|row| row.as_list().iter().map(entry).collect()).collect()
+        } else {
+            let (arity, width) = (integer("arity", MAX_ARITY)?, integer("width", MAX_WIDTH)?);
+            let entry = formula(table.text("entry").unwrap_or(""))?;
+            let at = |alpha, r| {
+                let indices = [("alpha", alpha), ("r", r)];
+                let indices = indices.map(|(name, i)| (name.to_owned(), Value::int(i)));
+                scope.evaluate(&entry, &mut indices.to_vec())
+            };
+            (0..arity).map(|alpha| (0..width).map(|r| at(alpha, r)).collect()).collect()
+        };
+        let scheme = Rc::new(Scheme::new(mask?, offset)?);
+        self.schemes.borrow_mut().insert(key, Rc::clone(&scheme));
+        Ok(scheme)
+    }
+}
+
+/// The pieces between commas outside of parentheses; blank ones are left out.
+fn arguments_of(text: &str) -> Vec<&str> {
+    let mut depth = 0_i64;
+    let pieces = text.split(|c| {
+        depth += i64::from(c == '(') - i64::from(c == ')');
+        c == ',' && depth <= 0
+    });
+    pieces.filter(|piece| !piece.trim().is_empty()).collect()
+}

@@ -1,0 +1,100 @@
+//! The signs of values: of numbers, and of polynomials on a piece of a line.
+
+use crate::decimal::Q;
+use crate::reject::Stop;
+use crate::root::{Root, sign_between};
+use crate::value::Value;
+use std::cell::RefCell;
+use std::cmp::Ordering;
+
+/// The most cuts of a piece.
+pub const MAX_CUTS: usize = 1_000;
+
+/// The ends of a piece; `None` is infinite.
+pub type Ends = [Option<Root>; 2];
+
+/// An open interval of a symbol, or one number if both ends are the same.
+///
+/// Where the sign of a polynomial is asked that has a root in the interval, the piece is cut at
+/// the root, and from then on it is the part above. Signs that were found before hold there too.
+#[derive(Debug)]
+pub struct Piece {
+    symbol: String,
+    ends: RefCell<Ends>,
+    cuts: RefCell<Vec<Root>>,
+}
+
+impl Piece {
+    /// A piece that is not cut.
+    pub fn new(symbol: &str, ends: Ends) -> Piece {
+        Piece { symbol: symbol.to_owned(), ends: RefCell::new(ends), cuts: RefCell::default() }
+    }
+
+    /// Where the piece has been cut, from below.
+    pub fn cuts(&self) -> Vec<Root> {
+        self.cuts.borrow().clone()
+    }
+
+    /// The sign of a polynomial, after a cut if it has a root in the interval.
+    fn sign_of(&self, p: &[Q]) -> Result<i8, Stop> {
+        loop {
+            let [low, high] = &mut *self.ends.borrow_mut();
+            let root = match (&low, &high) {
+                (Some(low), Some(high)) if low == high => return low.sign_of(p),
+                (low, high) => match sign_between(p, low.as_ref(), high.as_ref())? {
+                    Ok(sign) => return Ok(sign),
+                    Err(root) => *root,
+                },
+            };
+            let mut cuts = self.cuts.borrow_mut();
+            if cuts.len() == MAX_CUTS {
+                return Err(Stop::Capped("the number of pieces"));
+            }
+            cuts.push(root.clone());
+            *low = Some(root);
+        }
+    }
+}
+
+impl Value {
+    /// The sign of a number; with a piece, also of a polynomial there.
+    pub fn sign(&self, piece: Option<&Piece>) -> Result<i8, Stop> {
+        match (self.number(), piece) {
+            (Err(_), Some(piece)) => {
+                let polynomial = self.univariate(&piece.symbol);
+                let no_polynomial = || Stop::Wrong("no polynomial in one symbol".into());
+                piece.sign_of(&polynomial.ok_or_else(no_polynomial)?)
+            }
+            (number, _) => number?.sign(),
+        }
+    }
+
+    /// |self|.
+    pub fn abs(&self, piece: Option<&Piece>) -> Result<Value, Stop> {
+        if self.sign(piece)? < 0 { self.negated() } else { Ok(self.clone()) }
+    }
+
+    /// The greater of the two.
+    pub fn max(&self, other: &Value, piece: Option<&Piece>) -> Result<Value, Stop> {
+        let less = self.compare_on(other, piece)?.is_lt();
+        Ok(if less { other.clone() } else { self.clone() })
+    }
+
+    /// The greatest of these, and of 0.
+    pub fn greatest(values: &[Value], piece: Option<&Piece>) -> Result<Value, Stop> {
+        values.iter().try_fold(Value::int(0), |best, value| best.max(value, piece))
+    }
+
+    /// How two numbers compare.
+    pub fn compare(&self, other: &Value) -> Result<Ordering, Stop> {
+        self.compare_on(other, None)
+    }
+
+    /// How two numbers compare, or two polynomials on a piece.
+    pub fn compare_on(&self, other: &Value, piece: Option<&Piece>) -> Result<Ordering, Stop> {
+        match (self.number(), other.number()) {
+            (Ok(one), Ok(other)) => one.compare(other),
+            _ => Ok(self.minus(other)?.sign(piece)?.cmp(&0)),
+        }
+    }
+}

@@ -1,0 +1,57 @@
+//! What control data are refined by.
+
+use crate::convolution::Sequence;
+use crate::functional::Rules;
+use crate::library::Library;
+use crate::reject::{Checked, Reason, Stop, require};
+use crate::ring::Ring;
+use crate::scheme::{Part, Scheme};
+use crate::value::Value;
+use std::rc::Rc;
+
+/// The most residue classes of a constant that shows convergence.
+const MAX_CLASSES: usize = 1 << 12;
+
+/// What control data are refined by.
+pub enum Setting<'a> {
+    /// One mask, or one for each index of a net; and whether each is shown to converge.
+    Masks(Vec<Rules<'a>>, bool),
+    /// A ring, and what makes of the points of one level those that the next is compared with.
+    Ring(Box<Ring<'a>>, Option<Box<Ring<'a>>>),
+}
+
+impl<'a> Setting<'a> {
+    /// The masks of a scheme, which are rational, at this offset or at their own.
+    pub fn masks(
+        library: &'a Library<'a>,
+        schemes: &[Rc<Scheme>],
+        offset: Option<i64>,
+    ) -> Checked<Setting<'a>> {
+        require(!schemes.is_empty(), Reason::NoPromise)?;
+        let (mut rules, mut converge) = (Vec::new(), true);
+        for scheme in schemes {
+            let offset = offset.unwrap_or(scheme.offset);
+            let rational = Rules::new(library.meter, scheme, offset)?;
+            rules.push(rational.ok_or(Reason::Malformed("rational masks"))?);
+            converge &= converges(library, scheme)?;
+        }
+        Ok(Setting::Masks(rules, converge))
+    }
+}
+
+/// Whether T_c < 1 for some n^c ≤ 4096, or for some c by a line `constant`.
+fn converges(library: &Library<'_>, scheme: &Scheme) -> Result<bool, Stop> {
+    let of = Sequence { scheme, part: Part::Difference, forward: false };
+    if library.constants.contract(of) {
+        return Ok(true);
+    }
+    let mut c = 1;
+    while scheme.arity().saturating_pow(c) <= MAX_CLASSES {
+        let sums = library.products.classes(of, &Value::int(c.into()), None)?;
+        if sums.greatest(None)?.compare(&Value::int(1))?.is_lt() {
+            return Ok(true);
+        }
+        c += 1;
+    }
+    Ok(false)
+}

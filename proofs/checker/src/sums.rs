@@ -1,0 +1,88 @@
+//! The functions that are the greatest of some sums: `contraction`, `norm`, `tensor` and
+//! `convolution_norm`.
+
+use crate::call::{Call, SUPREMA, TERMS, wrong};
+use crate::convolution::{MAX_LENGTH, Sequence, Sums};
+use crate::displacement::gather;
+use crate::evaluate::{Indices, MAX_INTEGER, Scope};
+use crate::formula::{Expr, Head};
+use crate::library::Library;
+use crate::reject::Stop;
+use crate::scheme::Part;
+use crate::value::Value;
+
+/// The value of such a function.
+pub fn greatest(call: &mut Call<'_>, indices: &mut Indices) -> Result<Value, Stop> {
+    let piece = call.scope.piece.as_ref();
+    let (lists, joint) = sums(call, indices, true)?;
+    if let ([one, other], true) = (&lists[..], joint) {
+        let pairs = one.units.iter().zip(&*other.units);
+        let units = pairs.map(|(a, b)| a.times(b)).collect::<Result<_, _>>()?;
+        return Sums { first: 0, units, scale: one.scale.times(&other.scale)? }.greatest(piece);
+    }
+    lists.iter().try_fold(Value::int(1), |product, list| product.times(&list.greatest(piece)?))
+}
+
+/// The sums that the formula of a constant is the greatest of.
+pub fn of_constant(library: &Library<'_>, scope: &Scope<'_>, expr: &Expr) -> Result<Sums, Stop> {
+    let Expr::Of(Head::Call(function, options), arguments) = expr else {
+        return wrong("this is no constant");
+    };
+    let arguments = arguments.iter().map(|argument| scope.value(argument));
+    let arguments = &arguments.collect::<Result<Vec<Value>, Stop>>()?;
+    let mut call = Call::new(library, scope, function, arguments, options);
+    let (mut lists, _) = sums(&mut call, &mut Vec::new(), false)?;
+    match lists.pop() {
+        Some(sums) if lists.is_empty() && call.finished().is_ok() => Ok(sums),
+        _ => wrong("this is no constant that is attained in one class"),
+    }
+}
+
+/// The sums of one or two sequences, and whether their suprema are joint. If only the greatest
+/// sum is asked for, a line `constant` may have shown it.
+fn sums(
+    call: &mut Call<'_>,
+    indices: &mut Indices,
+    greatest: bool,
+) -> Result<(Vec<Sums>, bool), Stop> {
+    let (library, piece) = (call.library, call.scope.piece.as_ref());
+    let parts = match (call.function, call.arguments) {
+        ("convolution_norm", [c, n, length, last]) => {
+            let how = call.convolution(c, n, 16)?;
+            let joint = call.choose("suprema", &SUPREMA)? == 1;
+            let last = usize::try_from(last.integer(MAX_INTEGER)?).unwrap_or(0);
+            if last > MAX_LENGTH {
+                return Err(Stop::Capped("the length of a product of sequences"));
+            }
+            let first = (last + 1).saturating_sub(how.classes());
+            let sums = call.sequences(length, indices)?.into_iter().map(|sequence| {
+                let product = library.products.of(how, &sequence, last + 1)?;
+                product.sums(library.meter, (first, last), piece)
+            });
+            return Ok((sums.collect::<Result<_, Stop>>()?, joint));
+        }
+        ("contraction", [_]) => &[Part::Difference][..],
+        ("norm", [_]) => &[Part::Mask],
+        ("tensor", [_]) => &[Part::Difference, Part::Mask],
+        (function, _) => return wrong(format!("`{function}` is no constant of this kind")),
+    };
+    let (scheme, c) = (call.scheme()?, &call.arguments[0]);
+    let sequence = call.sequence(&scheme, Part::Difference)?;
+    if call.function == "contraction" && call.choose("terms", &TERMS)? == 1 {
+        if *c != Value::int(1) {
+            return Err(Stop::Undefined("`terms = total` is defined for c = 1 only"));
+        }
+        let sums = scheme.difference.iter().map(|row| gather(piece, row, 1));
+        return Ok((vec![Sums::new(sums.collect::<Result<_, _>>()?)], false));
+    }
+    let joint = call.function == "tensor" && call.choose("suprema", &SUPREMA)? == 1;
+    let level = c.integer(MAX_INTEGER).ok().and_then(|c| u32::try_from(c).ok());
+    let sums = parts.iter().map(|&part| {
+        let of = Sequence { part, ..sequence };
+        match level.and_then(|level| library.constants.get(of, level)) {
+            Some(value) if !joint && greatest => Ok(Sums::new(vec![value])),
+            _ => library.products.classes(of, c, piece),
+        }
+    });
+    Ok((sums.collect::<Result<_, _>>()?, joint))
+}
