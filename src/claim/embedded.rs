@@ -13,27 +13,13 @@ pub struct EmbeddedPaper {
     pub text: &'static str,
 }
 
-macro_rules! claims {
-    ($($key:literal),* $(,)?) => {
-        [$(EmbeddedPaper {
-            key: $key,
-            text: include_str!(concat!("../../proofs/claims/", $key, ".toml")),
-        }),*]
-    };
-}
+/// Every file of the folder `proofs/claims`, by year and key: `build.rs` lists them.
+const PAPERS: &[EmbeddedPaper] = &include!(concat!(env!("OUT_DIR"), "/papers.rs"));
 
-const PAPERS: [EmbeddedPaper; 5] = claims![
-    "mustafa2007-bajaj",
-    "mustafa2007-ternary",
-    "khan2019-newton",
-    "mustafa2020-nary",
-    "khan2022-doo-sabin",
-];
-
-/// The embedded claim files, in the order of the papers' years.
+/// The embedded claim files, in the order of the papers' years, those of one year by key.
 #[must_use]
 pub fn embedded() -> &'static [EmbeddedPaper] {
-    &PAPERS
+    PAPERS
 }
 
 /// The embedded papers, read.

@@ -3,8 +3,8 @@
 use super::consistency;
 use super::equation::equations;
 use super::function;
-use super::mark;
 use super::overview::overview;
+use super::parts::mark;
 use super::promise;
 use super::reading;
 use super::sheet::{Grid, Sheet};

@@ -1,6 +1,6 @@
 //! What of each paper is claimed.
 
-use super::mark;
+use super::parts::mark;
 use super::sheet::{Grid, Sheet};
 use crate::audit::{ClaimVerdict, Coverage, CoverageState, PaperAudit};
 use serde_json::{Value, json};

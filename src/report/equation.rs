@@ -1,8 +1,9 @@
 //! The report of equations.
 
-use super::mark;
+use super::parts::mark;
 use super::sheet::Sheet;
 use crate::audit::{EquationFinding, EquationVerdict};
+use crate::claim::{Identity, Left};
 
 /// The equations that fail or cannot be checked; with `all`, every one.
 pub(super) fn equations(sheet: &mut Sheet, findings: &[EquationFinding<'_>], all: bool) {
@@ -47,4 +48,24 @@ pub(super) fn outcome(finding: &EquationFinding<'_>) -> String {
             lines.join("\n")
         }
     }
+}
+
+/// An identity as it stands in the claim file.
+pub(super) fn sides(identity: &Identity) -> Vec<(String, String)> {
+    let mut facts = Vec::new();
+    if let Some(scheme) = &identity.scheme {
+        facts.push(("scheme".to_owned(), scheme.reference.to_string()));
+    }
+    if !identity.symbols.is_empty() {
+        facts.push(("symbols".to_owned(), identity.symbols.join(", ")));
+    }
+    let left = match &identity.left {
+        Left::One(formula) => formula.text.clone(),
+        Left::Each(formulas) => {
+            formulas.iter().map(|formula| formula.text.as_str()).collect::<Vec<&str>>().join(", ")
+        }
+    };
+    facts.push(("left".to_owned(), left));
+    facts.push(("right".to_owned(), identity.right.text.clone()));
+    facts
 }

@@ -1,9 +1,9 @@
 //! One claim in full.
 
 use super::audit::{assumed, remarks, table_values};
-use super::equation::outcome;
+use super::equation::{outcome, sides};
 use super::function;
-use super::mark;
+use super::parts::{definitions, mark};
 use super::promise;
 use super::reading;
 use super::sheet::Sheet;
@@ -12,9 +12,8 @@ use super::tried;
 use crate::audit::{
     CellFinding, EquationVerdict, Explanation, Failure, PaperAudit, Sound, TableFinding, Verdict,
 };
-use crate::claim::{EquationBody, Identity, Left, Table};
+use crate::claim::{EquationBody, Table};
 use crate::exact::format::short;
-use crate::formula::LocatedFormula;
 
 /// The claim, table or equation of this id (`key:table-1`, `key:table-1:2:3`,
 /// `key:eq-3.8`, `key:range-1`, `key:theorem-1`) in full; `None` when there is none.
@@ -103,26 +102,6 @@ fn cell_place(table: &Table, id: &str) -> Option<(usize, usize)> {
     Some(at)
 }
 
-/// An identity as it stands in the claim file.
-pub(super) fn sides(identity: &Identity) -> Vec<(String, String)> {
-    let mut facts = Vec::new();
-    if let Some(scheme) = &identity.scheme {
-        facts.push(("scheme".to_owned(), scheme.reference.to_string()));
-    }
-    if !identity.symbols.is_empty() {
-        facts.push(("symbols".to_owned(), identity.symbols.join(", ")));
-    }
-    let left = match &identity.left {
-        Left::One(formula) => formula.text.clone(),
-        Left::Each(formulas) => {
-            formulas.iter().map(|formula| formula.text.as_str()).collect::<Vec<&str>>().join(", ")
-        }
-    };
-    facts.push(("left".to_owned(), left));
-    facts.push(("right".to_owned(), identity.right.text.clone()));
-    facts
-}
-
 fn definition(sheet: &mut Sheet, audit: &PaperAudit<'_>, finding: &TableFinding<'_>) {
     let mut facts = Vec::new();
     if let Some(scheme) = &finding.table.scheme {
@@ -131,15 +110,6 @@ fn definition(sheet: &mut Sheet, audit: &PaperAudit<'_>, finding: &TableFinding<
     facts.push(("said to equal".to_owned(), finding.table.value.text.clone()));
     facts.extend(definitions(audit, &finding.table.value));
     sheet.facts(facts);
-}
-
-/// The definitions that a formula uses.
-pub(super) fn definitions(
-    audit: &PaperAudit<'_>,
-    formula: &LocatedFormula,
-) -> impl Iterator<Item = (String, String)> {
-    let used = audit.paper.definitions_in(formula).into_iter();
-    used.map(|(name, formula)| (format!("where {name}"), formula.text.clone()))
 }
 
 fn facts(cell: &CellFinding) -> Vec<(String, String)> {

@@ -1,7 +1,6 @@
 //! Findings about a free parameter.
 
-use super::explain::definitions;
-use super::mark;
+use super::parts::{definitions, mark};
 use super::sheet::Sheet;
 use crate::audit::{
     EndFinding, EndRelation, FunctionFinding, FunctionVerdict, PaperAudit, RangeFinding,

@@ -2,6 +2,7 @@
 
 use super::consistency::contradictions_json;
 use super::function::{function_json, range_json};
+use super::parts::{DECIMAL_DIGITS, exact_json};
 use super::promise;
 use super::reading::search_json;
 use super::summary::summary_json;
@@ -9,13 +10,9 @@ use super::theorem::theorem_json;
 use crate::audit::{
     CellFinding, EquationFinding, EquationVerdict, PaperAudit, Sound, TableFinding, Verdict,
 };
-use crate::exact::{Enclosed, format::short};
+use crate::exact::format::short;
 use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
-use std::fmt::Display;
-
-/// How many significant digits a decimal beside an exact value has.
-const DECIMAL_DIGITS: u32 = 17;
 
 /// The version of the JSON form.
 const SCHEMA: u32 = 1;
@@ -24,12 +21,6 @@ const SCHEMA: u32 = 1;
 #[must_use]
 pub fn audit_json(audits: &[PaperAudit<'_>]) -> Value {
     json!({ "schema": SCHEMA, "papers": audits.iter().map(paper).collect::<Vec<Value>>() })
-}
-
-/// An exact value with its decimal.
-#[must_use]
-pub fn exact_json(value: &(impl Enclosed + Display)) -> Value {
-    json!({ "exact": value.to_string(), "decimal": short(value, DECIMAL_DIGITS) })
 }
 
 fn paper(audit: &PaperAudit<'_>) -> Value {

@@ -9,6 +9,7 @@ mod explain;
 mod function;
 mod json;
 mod overview;
+mod parts;
 mod promise;
 mod reading;
 mod sheet;
@@ -22,19 +23,7 @@ pub use audit::{audit_sheet, table_values};
 pub use coverage::{coverage_json, coverage_sheet};
 pub use errata::{errata_json, errata_sheet};
 pub use explain::{explain_sheet, table_of};
-pub use json::{audit_json, exact_json};
+pub use json::audit_json;
+pub use parts::{exact_json, mark};
 pub use sheet::{Block, Grid, Sheet};
 pub use tried::readings_json;
-
-/// The mark of a verdict in a table.
-#[must_use]
-pub fn mark(verdict: &str) -> &'static str {
-    match verdict {
-        "confirmed" | "holds" | "exact" | "proved" | "kept" => "✓",
-        "rounding" => "≈",
-        "misprint" => "±",
-        "other-reading" => "⇄",
-        "refuted" | "fails" | "inexact" | "broken" => "✗",
-        _ => "?",
-    }
-}

@@ -1,6 +1,6 @@
 //! The head of an audit's report: what each paper's claims come to.
 
-use super::mark;
+use super::parts::mark;
 use super::sheet::{Grid, Sheet};
 use crate::audit::{PaperAudit, Verdict};
 use std::collections::BTreeMap;

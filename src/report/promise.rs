@@ -1,6 +1,6 @@
 //! Whether printed bounds and depths keep their promise.
 
-use super::json::exact_json;
+use super::parts::exact_json;
 use crate::audit::{
     Broken, CellFinding, ControlData, Kept, PaperAudit, PromiseCounts, Sound, TableFinding,
 };

@@ -1,6 +1,6 @@
 //! The report of what a search for readings has found.
 
-use super::mark;
+use super::parts::mark;
 use crate::audit::{CellFinding, Explanation, Line, LineReading, MAX_DIFFERENCES, Search, Slip};
 use crate::claim::{Axis, Table};
 use crate::exact::format::short;

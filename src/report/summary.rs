@@ -1,6 +1,6 @@
 //! What the cells of a paper's tables amount to, at the end of its report.
 
-use super::mark;
+use super::parts::mark;
 use super::sheet::Sheet;
 use crate::audit::{CellOutcome, CellSummary, PaperAudit, Standing};
 use serde_json::{Value, json};

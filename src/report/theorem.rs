@@ -1,7 +1,6 @@
 //! Findings about theorems.
 
-use super::explain::definitions;
-use super::mark;
+use super::parts::{definitions, mark};
 use super::sheet::Sheet;
 use super::witness;
 use crate::audit::{

@@ -1,6 +1,6 @@
 //! The readings of a table that were tried, the best first.
 
-use super::mark;
+use super::parts::mark;
 use super::reading::explanation_json;
 use super::sheet::{Grid, Sheet};
 use crate::audit::{Explanation, TableFinding};

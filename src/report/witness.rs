@@ -1,6 +1,6 @@
 //! The data that refute a theorem.
 
-use super::json::exact_json;
+use super::parts::exact_json;
 use crate::audit::{Control, Place, Refutation, Violation};
 use crate::claim::Quantity;
 use crate::exact::{RealCyclotomic, format::short};

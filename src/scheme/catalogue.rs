@@ -8,27 +8,8 @@ use std::sync::OnceLock;
 /// A catalogue entry.
 pub type Entry = SchemeDefinition;
 
-macro_rules! files {
-    ($($name:literal),* $(,)?) => {
-        [$(($name, include_str!(concat!("catalogue/", $name, ".toml")))),*]
-    };
-}
-
-const FILES: [(&str, &str); 13] = files![
-    "b-spline",
-    "bajaj",
-    "catmull-clark",
-    "chaikin",
-    "doo-sabin",
-    "four-point",
-    "newton",
-    "quaternary-four-point",
-    "quinary-three-point",
-    "six-point",
-    "ternary-four-point",
-    "ternary-four-point-approximating",
-    "ternary-three-point",
-];
+/// Every file of the folder `catalogue`, by name: `build.rs` lists them.
+const FILES: &[(&str, &str)] = &include!(concat!(env!("OUT_DIR"), "/catalogue.rs"));
 
 /// The named schemes, by name.
 ///

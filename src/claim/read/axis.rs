@@ -1,7 +1,7 @@
 //! Reading headers and indices.
 
-use super::Reader;
 use super::fields::NumberField;
+use super::reader::Reader;
 use crate::claim::{Axis, AxisEntry, Index};
 use crate::diagnostic::Diagnostic;
 use crate::exact::parse_rational;

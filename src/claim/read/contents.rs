@@ -1,7 +1,7 @@
 //! Reading what a paper numbers, and what of it is claimed.
 
-use super::Reader;
 use super::fields::CommonFields;
+use super::reader::Reader;
 use crate::claim::{Item, Label};
 use crate::diagnostic::Diagnostic;
 use serde::Deserialize;

@@ -2,7 +2,7 @@
 
 use super::axis::AxisTable;
 use super::fields::claim_table;
-use super::{Head, Reader};
+use super::reader::{Head, Reader};
 use crate::claim::{Equation, EquationBody, Hypothesis, Identity, Index, Left, LocatedReference};
 use crate::diagnostic::Diagnostic;
 use crate::formula::{LocatedFormula, Node};

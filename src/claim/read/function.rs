@@ -1,7 +1,7 @@
 //! Reading the claims about a free parameter.
 
 use super::fields::{NumberField, claim_table};
-use super::{Head, Reader};
+use super::reader::{Head, Reader};
 use crate::claim::{FunctionClaim, Limit, RangeClaim};
 use crate::diagnostic::Diagnostic;
 use crate::scheme::{formula, identifier};

@@ -1,6 +1,6 @@
 //! The indices of sums, and the names that theorems bring: what formulas must not hide or mention.
 
-use super::Reader;
+use super::reader::Reader;
 use super::roles::{AllRoles, Role, Roles};
 use crate::claim::{
     Equation, EquationBody, Index, Left, LocatedReference, Paper, Promise, Statement,

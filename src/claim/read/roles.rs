@@ -2,7 +2,8 @@
 
 use super::axis::AxisTable;
 use super::fields::Formulas;
-use super::{PaperFile, Reader};
+use super::file::PaperFile;
+use super::reader::Reader;
 use crate::claim::THEOREM_NAMES;
 use crate::diagnostic::Diagnostic;
 use std::collections::BTreeMap;

@@ -2,7 +2,7 @@
 
 use super::axis::AxisTable;
 use super::fields::{Formulas, NumberField, claim_table};
-use super::{Head, Reader};
+use super::reader::{Head, Reader};
 use crate::claim::{Cell, Promise, Table};
 use crate::diagnostic::Diagnostic;
 use crate::scheme::{definitions, formula};

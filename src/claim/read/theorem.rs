@@ -1,8 +1,8 @@
 //! Reading theorems.
 
 use super::fields::claim_table;
-use super::trial::{RewritingTable, SupposesTable};
-use super::{Head, Reader};
+use super::reader::{Head, Reader};
+use super::trial::{RewritingTable, SupposesTable, TrialFields};
 use crate::claim::{ByHand, Quantity, Statement, Theorem};
 use crate::diagnostic::Diagnostic;
 use crate::scheme::formula;
@@ -15,15 +15,15 @@ claim_table!(TheoremTable {
     from: Option<Spanned<String>>,
     says: Option<String>,
     #[serde(default)]
-    pub(super) schemes: Vec<Spanned<String>>,
+    schemes: Vec<Spanned<String>>,
     #[serde(default)]
     pub(super) values: BTreeMap<Spanned<String>, Vec<Spanned<String>>>,
-    pub(super) offset: Option<Spanned<String>>,
-    pub(super) interpolant: Option<Spanned<String>>,
-    pub(super) block: Option<Spanned<String>>,
-    pub(super) supposes: Option<SupposesTable>,
+    offset: Option<Spanned<String>>,
+    interpolant: Option<Spanned<String>>,
+    block: Option<Spanned<String>>,
+    supposes: Option<SupposesTable>,
     #[serde(default)]
-    pub(super) corrections: Vec<RewritingTable>,
+    corrections: Vec<RewritingTable>,
     proved_by: Option<Spanned<String>>,
     refuted_by: Option<Spanned<String>>,
     #[serde(default)]
@@ -31,6 +31,21 @@ claim_table!(TheoremTable {
     #[serde(default)]
     rests: Vec<Spanned<String>>,
 });
+
+impl TheoremTable {
+    fn trial(&self) -> TrialFields<'_> {
+        TrialFields {
+            scheme: self.scheme.as_ref(),
+            schemes: &self.schemes,
+            values: &self.values,
+            offset: self.offset.as_ref(),
+            interpolant: self.interpolant.as_ref(),
+            block: self.block.as_ref(),
+            supposes: self.supposes.as_ref(),
+            corrections: &self.corrections,
+        }
+    }
+}
 
 /// What `bounds` says where a theorem bounds a depth, not a quantity at level k.
 const DEPTH: &str = "depth";
@@ -47,7 +62,7 @@ impl Reader<'_> {
         self.known(&id, &table.rests, "rests", ids)?;
         self.known(&id, &table.proof_uses, "proof_uses", ids)?;
         let rests = table.rests.iter().map(|premise| premise.get_ref().clone()).collect();
-        let (tried, by_hand) = (self.trial(table)?, self.by_hand(table)?);
+        let (tried, by_hand) = (self.trial(table.trial())?, self.by_hand(table)?);
         Ok(Theorem { id, locus, title, scheme, statement, tried, by_hand, rests, note })
     }
 

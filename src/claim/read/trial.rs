@@ -1,16 +1,16 @@
 //! Reading what a theorem is tried on.
 
-use super::Reader;
-use super::theorem::TheoremTable;
+use super::reader::Reader;
 use crate::claim::{Rewriting, Trial};
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Rational, parse_rational};
 use crate::scheme::{formula, identifier};
 use serde::Deserialize;
+use std::collections::BTreeMap;
 use toml::Spanned;
 
 /// The most combinations of a scheme and values that a theorem is tried on.
-pub(super) const MAX_TRIALS: usize = 256;
+const MAX_TRIALS: usize = 256;
 
 /// The greatest offset, in absolute value.
 const MAX_OFFSET: i64 = 10_000;
@@ -32,9 +32,23 @@ pub(super) struct RewritingTable {
     value: Spanned<String>,
 }
 
+/// What the TOML table of a theorem says of that.
+#[derive(Clone, Copy)]
+pub(super) struct TrialFields<'t> {
+    /// The scheme that the theorem is about, when it is about one.
+    pub(super) scheme: Option<&'t Spanned<String>>,
+    pub(super) schemes: &'t [Spanned<String>],
+    pub(super) values: &'t BTreeMap<Spanned<String>, Vec<Spanned<String>>>,
+    pub(super) offset: Option<&'t Spanned<String>>,
+    pub(super) interpolant: Option<&'t Spanned<String>>,
+    pub(super) block: Option<&'t Spanned<String>>,
+    pub(super) supposes: Option<&'t SupposesTable>,
+    pub(super) corrections: &'t [RewritingTable],
+}
+
 impl Reader<'_> {
-    pub(super) fn trial(&self, table: &TheoremTable) -> Result<Trial, Diagnostic> {
-        if let (Some(_), Some(second)) = (&table.common().scheme, table.schemes.first()) {
+    pub(super) fn trial(&self, table: TrialFields<'_>) -> Result<Trial, Diagnostic> {
+        if let (Some(_), Some(second)) = (table.scheme, table.schemes.first()) {
             return Err(self
                 .error(second.span(), "this theorem is about the scheme that `scheme` names")
                 .with_help("`schemes` is for a theorem about every scheme; take one of the two"));
@@ -43,7 +57,7 @@ impl Reader<'_> {
             table.schemes.iter().map(|text| self.located(text)).collect::<Result<_, _>>()?;
         let mut values = Vec::new();
         let mut trials = schemes.len().max(1);
-        for (name, texts) in &table.values {
+        for (name, texts) in table.values {
             let value = |text: &Spanned<String>| {
                 parse_rational(text.get_ref())
                     .map_err(|error| self.error(text.span(), error.to_string()))
@@ -64,7 +78,7 @@ impl Reader<'_> {
                 value: formula(self.source, &table.value)?,
             })
         };
-        let supposes = match &table.supposes {
+        let supposes = match table.supposes {
             None => None,
             Some(SupposesTable { value, below }) => {
                 Some((formula(self.source, value)?, formula(self.source, below)?))
@@ -73,9 +87,9 @@ impl Reader<'_> {
         Ok(Trial {
             schemes,
             values,
-            offset: table.offset.as_ref().map(|text| self.offset(text)).transpose()?,
-            interpolant: table.interpolant.as_ref().map(|text| self.located(text)).transpose()?,
-            block: self.optional(table.block.as_ref())?,
+            offset: table.offset.map(|text| self.offset(text)).transpose()?,
+            interpolant: table.interpolant.map(|text| self.located(text)).transpose()?,
+            block: self.optional(table.block)?,
             rewritings: table
                 .corrections
                 .iter()

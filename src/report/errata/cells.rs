@@ -7,9 +7,10 @@ use crate::exact::{
     format::{fixed, scientific, short},
 };
 use crate::report::audit::{assumed, spelled_out};
+use crate::report::parts::mark;
+use crate::report::reading;
 use crate::report::sheet::{Grid, Sheet};
 use crate::report::summary::words;
-use crate::report::{mark, reading};
 use std::collections::BTreeSet;
 
 /// What the cells show.

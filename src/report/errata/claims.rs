@@ -5,7 +5,7 @@ use crate::audit::{
 };
 use crate::claim::{EquationBody, Left};
 use crate::report::theorem as theorems;
-use crate::report::{explain, function};
+use crate::report::{equation, function};
 
 /// How many cases of a failing equation are listed.
 const MAX_CASES: usize = 6;
@@ -25,7 +25,7 @@ pub(super) fn equation(finding: &EquationFinding<'_>) -> Described {
     else {
         return (title, Vec::new(), stated(&origin.collect::<Vec<String>>()));
     };
-    let mut facts = explain::sides(identity);
+    let mut facts = equation::sides(identity);
     let numbers = matches!(identity.left, Left::Each(_));
     let mut lines = vec![format!("in {} of {cases} cases", failures.len())];
     for failure in failures.iter().take(MAX_CASES) {

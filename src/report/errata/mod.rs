@@ -4,8 +4,9 @@ mod cells;
 mod claims;
 mod json;
 
+use super::parts::mark;
 use super::sheet::{Block, Grid, Sheet};
-use super::{consistency, mark, summary, theorem};
+use super::{consistency, summary, theorem};
 use crate::audit::{Consequences, Errata, Erratum, PaperAudit, Standing, Subject};
 use crate::claim::Promise;
 pub use json::errata_json;
