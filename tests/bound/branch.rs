@@ -1,7 +1,7 @@
 //! Branch and bound against the walk over all rows.
 
-use super::common::{affine, mask, r, rules};
 use super::row_bounds::{power_row, size};
+use crate::common::{affine, mask, r, rules};
 use proptest::prelude::*;
 use subcert::bound::{
     JointSearch, Order, PowerSearch, joint_norm, power_norm, power_norm_generic, walked_joint_norm,

@@ -1,6 +1,6 @@
 //! T_c and Λ_c of named schemes.
 
-use super::common::{mask, r};
+use crate::common::{mask, r};
 use subcert::bound::{Constants, Operator, Order, Suprema, joint_norm};
 use subcert::exact::{Rational, parse_rational};
 

@@ -1,6 +1,6 @@
 //! Depths for a printed bound.
 
-use super::common::r;
+use crate::common::r;
 use proptest::prelude::*;
 use subcert::bound::{DepthError, MAX_DEPTH, Rounded, least_level, log_level, log_level_algebraic};
 use subcert::exact::{Rational, RealCyclotomic};

@@ -1,6 +1,6 @@
 //! σ, on data.
 
-use super::common::{affine, at, differences, int, largest, mask, polygon, r};
+use crate::common::{affine, at, differences, int, largest, mask, polygon, r};
 use proptest::prelude::*;
 use subcert::bound::{Terms, best_offset, displacement};
 use subcert::exact::Rational;

@@ -1,6 +1,6 @@
 //! ‖Rᶜ‖_∞ by three other ways.
 
-use super::common::{int, largest, mask, r, rows, rules};
+use crate::common::{int, largest, mask, r, rows, rules};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 use subcert::bound::{

@@ -1,6 +1,6 @@
 //! Norms as functions of a parameter against their values at single parameters.
 
-use super::common::r;
+use crate::common::r;
 use proptest::prelude::*;
 use subcert::bound::{
     Order, ParameterRange, RangeError, norm_below, norm_function, polynomial_rules, power_norm,

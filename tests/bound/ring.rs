@@ -1,6 +1,6 @@
 //! The constants of rings: against rings refined by hand, closed forms, and spectra.
 
-use super::common::{any_ring, mask, r, rational, ring};
+use crate::common::{any_ring, mask, r, rational, ring};
 use proptest::prelude::*;
 use subcert::bound::{MAX_RING_WORK, RingConstants, RingWork, transport};
 use subcert::exact::{Rational, RealCyclotomic, Scalar as _};

@@ -1,6 +1,6 @@
 //! Rows of powers, and bounds of combinations of them, as they are defined.
 
-use super::common::r;
+use crate::common::r;
 use std::collections::BTreeMap;
 use subcert::exact::{Integer, Rational};
 use subcert::scheme::Rules;

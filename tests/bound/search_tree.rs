@@ -1,7 +1,7 @@
 //! Trees of searches, followed by definitions alone.
 
-use super::common::{affine, mask, r};
 use super::row_bounds::{Known, Row, line_bound, moment, power_row, product_bound, size};
+use crate::common::{affine, mask, r};
 use proptest::prelude::*;
 use subcert::bound::{
     Closed, JointSearch, Leaf, Order, PowerSearch, SearchTree, SearchedOperator, UniformBound,

@@ -1,8 +1,8 @@
 //! The sound bound, against what subdivision does.
 
-use super::common::{affine, differences, gentle, int, largest, mask, polygon, r, refine};
 use super::norm::row;
 use super::surface::{Grid, bilinear, distance, grid, spread};
+use crate::common::{affine, differences, gentle, int, largest, mask, polygon, r, refine};
 use proptest::prelude::*;
 use subcert::bound::{Constants, DepthError, Order, SoundBound, power_norm};
 use subcert::exact::Rational;

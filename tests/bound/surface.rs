@@ -1,6 +1,6 @@
 //! Displacement of tensor products, on grids that close in both directions.
 
-use super::common::{affine, at, int, polygon, r};
+use crate::common::{affine, at, int, polygon, r};
 use proptest::prelude::*;
 use subcert::bound::{Terms, displacement, surface_coefficients, surface_factor};
 use subcert::exact::Rational;

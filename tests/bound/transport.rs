@@ -1,7 +1,7 @@
 //! ‖w‖_* against all integer heights, also at costs of edges, and against its closed form
 //! on a cycle.
 
-use super::common::{mesh, r, rational};
+use crate::common::{mesh, r, rational};
 use proptest::prelude::*;
 use subcert::bound::{Transport, transport, transport_at_costs};
 use subcert::exact::{Rational, Real, RealCyclotomic, Scalar};

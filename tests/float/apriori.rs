@@ -1,6 +1,6 @@
 //! The bound in advance always encloses the true error.
 
-use crate::strategy::{mask, two, wide};
+use crate::float::strategy::{mask, two, wide};
 use proptest::prelude::*;
 use subcert::bound::{Order, Terms, displacement, power_norm, power_norm_generic};
 use subcert::exact::{Rational, Real, Scalar};

@@ -1,6 +1,6 @@
 //! Whole schemes: errors within bounds, decisions against exact ones.
 
-use crate::strategy::{largest_row_sum, scheme, two};
+use crate::float::strategy::{largest_row_sum, scheme, two};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use std::cell::Cell;

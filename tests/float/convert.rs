@@ -1,6 +1,6 @@
 //! Exact to f64 and back.
 
-use crate::strategy::{two, wide};
+use crate::float::strategy::{two, wide};
 use proptest::prelude::*;
 use subcert::exact::{Rational, parse_decimal};
 use subcert::float::{exact, lower, nearest, shortest, ulp, ulps_between, upper};

@@ -1,6 +1,6 @@
 //! How far a level is from a later one.
 
-use super::common::{affine, at, int, r, refine};
+use crate::common::{affine, at, int, r, refine};
 use proptest::prelude::*;
 use subcert::exact::Rational;
 use subcert::limit::{greatest_change, greatest_step};
@@ -51,7 +51,7 @@ proptest! {
 
 #[test]
 fn no_level_is_before_itself() {
-    let mask = super::common::mask("chaikin");
+    let mask = crate::common::mask("chaikin");
     assert_eq!(greatest_change(&mask, 3, 3).unwrap(), Rational::zero());
     assert!(greatest_change(&mask, 3, 2).is_err());
     assert!(greatest_change(&mask, 0, 15).is_err());

@@ -1,7 +1,7 @@
 //! Distances from the limit: closed forms, and what polygons do.
 
-use super::common::{at, differences, int, largest, mask, polygon, r, refine};
 use super::values::{convergent, limit};
+use crate::common::{at, differences, int, largest, mask, polygon, r, refine};
 use proptest::prelude::*;
 use subcert::bound::{Constants, SoundBound};
 use subcert::exact::{Enclosure, Rational};

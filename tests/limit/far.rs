@@ -61,6 +61,6 @@ proptest! {
 
 #[test]
 fn levels_have_a_cap() {
-    let limit = super::values::limit(&super::common::mask("chaikin"));
+    let limit = super::values::limit(&crate::common::mask("chaikin"));
     assert_eq!(limit.far_polygon(129), Err(LimitError::Level(129)));
 }

@@ -1,8 +1,8 @@
 //! Thousands of random control polygons, refined in plain integers: none is farther from
 //! its limit than the distance constants say, and each is as far as its own distance says.
 
-use super::common::{int, mask, r};
 use super::values::limit;
+use crate::common::{int, mask, r};
 use subcert::exact::Rational;
 use subcert::limit::{ControlPolygon, Distances};
 use subcert::oracle::SplitMix64;

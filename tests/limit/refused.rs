@@ -1,6 +1,6 @@
 //! Schemes without a limit, and questions without an answer.
 
-use super::common::{mask, r};
+use crate::common::{mask, r};
 use subcert::bound::{Order, power_norm};
 use subcert::exact::Rational;
 use subcert::limit::{Limit, LimitError};

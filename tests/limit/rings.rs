@@ -1,7 +1,7 @@
 //! Limits and distances of rings: against refined rings, all integer rings, closed forms
 //! and spectra.
 
-use super::common::{any_ring, int, r, rational, ring};
+use crate::common::{any_ring, int, r, rational, ring};
 use proptest::prelude::*;
 use subcert::exact::{Rational, RealCyclotomic, Scalar as _};
 use subcert::limit::{

@@ -1,8 +1,8 @@
 //! Distances of nets from tensor product surfaces: against refined nets, all integer nets
 //! and closed forms.
 
-use super::common::{int, mask, polygon, r, refine};
 use super::values::{convergent, limit};
+use crate::common::{int, mask, polygon, r, refine};
 use proptest::prelude::*;
 use subcert::exact::{Enclosure, Rational};
 use subcert::limit::{
@@ -40,7 +40,7 @@ fn after(limit: &Limit, points: &[Rational], levels: u32) -> Vec<Rational> {
 fn limits(limit: &Limit, points: &[Rational], m: u32) -> Vec<Rational> {
     let fine = after(limit, points, m);
     let zero = limit.at(&Rational::zero()).unwrap();
-    let value = |i: usize| zero.apply(|j| super::common::at(&fine, int(i) + j).clone());
+    let value = |i: usize| zero.apply(|j| crate::common::at(&fine, int(i) + j).clone());
     (0..fine.len()).map(value).collect()
 }
 
@@ -50,8 +50,8 @@ fn lines(limit: &Limit, points: &[Rational], k: u32, m: u32) -> Vec<Rational> {
     let ratio = limit.mask().arity().pow(m - k);
     let value = |i: usize| {
         let s = r(int(i % ratio), int(ratio));
-        let near = super::common::at(&coarse, int(i / ratio)) * (Rational::one() - &s);
-        near + super::common::at(&coarse, int(i / ratio) + 1) * s
+        let near = crate::common::at(&coarse, int(i / ratio)) * (Rational::one() - &s);
+        near + crate::common::at(&coarse, int(i / ratio) + 1) * s
     };
     (0..coarse.len() * ratio).map(value).collect()
 }
@@ -64,7 +64,7 @@ fn farthest(left: &Net, right: &Net) -> Rational {
 /// The largest difference along columns, whose index is i, and along rows.
 fn spreads(net: &Net) -> [Rational; 2] {
     let along = |net: &Net| {
-        let differences = net.iter().flat_map(|row| super::common::differences(row));
+        let differences = net.iter().flat_map(|row| crate::common::differences(row));
         differences.map(|difference| difference.abs()).max().unwrap()
     };
     [along(&transposed(net)), along(net)]

@@ -1,6 +1,6 @@
 //! Limit values, and the functionals of differences.
 
-use super::common::{at, differences, gentle, int, largest, mask, polygon, r, refine};
+use crate::common::{at, differences, gentle, int, largest, mask, polygon, r, refine};
 use proptest::prelude::*;
 use subcert::bound::{Constants, SoundBound};
 use subcert::exact::{Integer, Rational};

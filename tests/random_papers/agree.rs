@@ -1,8 +1,8 @@
 //! What the program certifies, the checker accepts; and both refuse the same files.
 
-use crate::draft::Draft;
-use crate::failure::{Checked, Failure};
-use crate::program::{blocks, checked, judged, left_open, read};
+use crate::random_papers::draft::Draft;
+use crate::random_papers::failure::{Checked, Failure};
+use crate::random_papers::program::{blocks, checked, judged, left_open, read};
 use subcert::certificate::certificate;
 use subcert_check::Outcome;
 

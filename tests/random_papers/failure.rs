@@ -1,6 +1,6 @@
 //! What becomes of a property that fails.
 
-use crate::draft::Draft;
+use crate::random_papers::draft::Draft;
 use proptest::test_runner::TestCaseError;
 use std::collections::hash_map::DefaultHasher;
 use std::hash::{Hash, Hasher};

@@ -1,6 +1,6 @@
 //! Formulas as trees: their text for claim files, and their values by the letter of FORMAT.md.
 
-use crate::naive::{Curve, Q, int};
+use crate::random_papers::naive::{Curve, Q, int};
 use num_traits::{One, Signed, ToPrimitive, Zero};
 use std::collections::BTreeMap;
 use std::fmt;

@@ -1,8 +1,8 @@
 //! What is said of a claim does not depend on the claims around it.
 
-use crate::draft::{Claim, Draft};
-use crate::failure::{Checked, Failure};
-use crate::program::{Block, blocks, written};
+use crate::random_papers::draft::{Claim, Draft};
+use crate::random_papers::failure::{Checked, Failure};
+use crate::random_papers::program::{Block, blocks, written};
 
 /// Claims that are judged together: tables that leave parameters open may give them away to others.
 fn groups(draft: &Draft) -> Vec<Vec<&Claim>> {

@@ -1,6 +1,6 @@
 //! What the program and the checker say of a file.
 
-use crate::naive::Q;
+use crate::random_papers::naive::Q;
 use subcert::audit::{PaperAudit, audit};
 use subcert::certificate::certificate;
 use subcert::claim::{Paper, read_paper};

@@ -1,7 +1,7 @@
 //! The papers are of all kinds: none of the properties is about nothing.
 
-use crate::draft::{Draft, Known};
-use crate::program::{blocks, judged, read, written};
+use crate::random_papers::draft::{Draft, Known};
+use crate::random_papers::program::{blocks, judged, read, written};
 use std::collections::BTreeMap;
 
 /// What there is at least once.

@@ -1,6 +1,6 @@
 //! The named schemes against what is published about them.
 
-use super::common::{int, mask, r};
+use crate::common::{int, mask, r};
 use std::collections::BTreeMap;
 use subcert::exact::{Integer, Polynomial, Rational};
 use subcert::formula::{Parameters, evaluate, parse};

@@ -1,6 +1,6 @@
 //! The difference mask.
 
-use super::common::{affine, differences, mask, polygon, r, refine};
+use crate::common::{affine, differences, mask, polygon, r, refine};
 use proptest::prelude::*;
 use subcert::exact::{Polynomial, Rational};
 use subcert::scheme::find;

@@ -1,6 +1,6 @@
 //! Schemes in files of one's own.
 
-use super::common::{mask, r};
+use crate::common::{mask, r};
 use std::path::PathBuf;
 use subcert::diagnostic::{Diagnostic, SourceText};
 use subcert::exact::Rational;

@@ -1,6 +1,6 @@
 //! Rules and masks.
 
-use super::common::{affine, int, polygon, r, refine, rules};
+use crate::common::{affine, int, polygon, r, refine, rules};
 use proptest::prelude::*;
 use subcert::exact::{Polynomial, Rational};
 use subcert::scheme::{MAX_ARITY, MAX_WIDTH, Mask, MaskError, Rules, RulesError};

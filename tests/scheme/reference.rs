@@ -1,6 +1,6 @@
 //! SCHEME as written on the command line.
 
-use super::common::{mask, r};
+use crate::common::{mask, r};
 use proptest::prelude::*;
 use subcert::scheme::{Mask, ReferenceError, Scheme, SchemeError, parse_scheme};
 

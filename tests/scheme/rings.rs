@@ -1,6 +1,6 @@
 //! Rings: the catalogue's, those in files, and what is none.
 
-use super::common::{int, r, ring};
+use crate::common::{int, r, ring};
 use proptest::prelude::*;
 use subcert::diagnostic::{Diagnostic, SourceText};
 use subcert::exact::{Rational, RealCyclotomic, Scalar as _};

@@ -1,9 +1,9 @@
 //! Bounds that are true, or false by little or late.
 
 use super::shape::{Instance, Shape};
-use crate::choices::Choices;
-use crate::formula::{Tree, call, name, number, of, times};
-use crate::naive::{Curve, Net, Q, Ring};
+use crate::random_papers::choices::Choices;
+use crate::random_papers::formula::{Tree, call, name, number, of, times};
+use crate::random_papers::naive::{Curve, Net, Q, Ring};
 use num_traits::{One, Zero};
 
 /// The greatest value of a quantity at a level, at least, and of the differences after one level.

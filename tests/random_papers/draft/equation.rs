@@ -1,9 +1,9 @@
 //! Equations with symbols, families, indices and hypotheses.
 
 use super::{Claim, Known};
-use crate::choices::Choices;
-use crate::formula::{Tree, call, name, number, of, times};
-use crate::naive::{Q, int};
+use crate::random_papers::choices::Choices;
+use crate::random_papers::formula::{Tree, call, name, number, of, times};
+use crate::random_papers::naive::{Q, int};
 
 /// What an equation says.
 #[derive(Clone, Debug)]

@@ -16,7 +16,7 @@ pub use parametric::Parametric;
 pub use shape::{Instance, Shape, environment};
 pub use theorem::Bound;
 
-use crate::choices::Choices;
+use crate::random_papers::choices::Choices;
 use ring::RingFamily;
 use scheme::Family;
 use std::fmt;

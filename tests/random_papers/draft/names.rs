@@ -1,8 +1,8 @@
 //! Definitions, what is given, and names that mean two things.
 
-use crate::choices::Choices;
-use crate::formula::{Tree, call, name, number, of, times};
-use crate::naive::Q;
+use crate::random_papers::choices::Choices;
+use crate::random_papers::formula::{Tree, call, name, number, of, times};
+use crate::random_papers::naive::Q;
 use std::collections::BTreeMap;
 
 /// How careful a paper is with its names.

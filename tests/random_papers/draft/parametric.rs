@@ -1,9 +1,9 @@
 //! Functions and ranges of a parameter.
 
 use super::{Claim, Known};
-use crate::choices::Choices;
-use crate::formula::{Tree, call, name, number, of, times};
-use crate::naive::{Q, int};
+use crate::random_papers::choices::Choices;
+use crate::random_papers::formula::{Tree, call, name, number, of, times};
+use crate::random_papers::naive::{Q, int};
 
 /// What a claim about the parameter w says.
 #[derive(Clone, Debug)]

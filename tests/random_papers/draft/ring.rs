@@ -1,7 +1,7 @@
 //! Rings around a vertex of valence N, and what their points may be compared with.
 
-use crate::choices::Choices;
-use crate::naive::{Q, Ring, int};
+use crate::random_papers::choices::Choices;
+use crate::random_papers::naive::{Q, Ring, int};
 use num_traits::{One, Zero};
 
 /// A ring with the orbits `v`, one point, and `e`, N points. Every weight is rational.

@@ -1,7 +1,7 @@
 //! Schemes of the paper's own with a parameter, and those of the catalogue.
 
-use crate::choices::Choices;
-use crate::naive::{Curve, Q, int};
+use crate::random_papers::choices::Choices;
+use crate::random_papers::naive::{Curve, Q, int};
 use num_traits::{One, Zero};
 
 /// A mask whose entries are a + b·w.

@@ -2,10 +2,10 @@
 
 use super::Draft;
 use super::scheme::{CATALOGUE, catalogue};
-use crate::choices::Choices;
-use crate::formula::Env;
-use crate::formula::Tree;
-use crate::naive::{Curve, Net, Q, Ring};
+use crate::random_papers::choices::Choices;
+use crate::random_papers::formula::Env;
+use crate::random_papers::formula::Tree;
+use crate::random_papers::naive::{Curve, Net, Q, Ring};
 use num_traits::ToPrimitive;
 use std::collections::BTreeMap;
 

@@ -4,8 +4,8 @@
 //! slips.
 
 use super::{Claim, Draft, Known};
-use crate::choices::Choices;
-use crate::program;
+use crate::random_papers::choices::Choices;
+use crate::random_papers::program;
 use num_traits::Signed;
 
 /// Values of tables, and what each may be computed as instead.
@@ -133,12 +133,12 @@ pub fn claim(draft: &Draft, place: usize, choices: &mut Choices) -> Claim {
 }
 
 /// A number with so many decimals, rounded or cut.
-fn decimal(value: &crate::naive::Q, places: usize, cut: bool) -> String {
+fn decimal(value: &crate::random_papers::naive::Q, places: usize, cut: bool) -> String {
     let units = value.abs()
-        * crate::naive::Q::from_integer(
+        * crate::random_papers::naive::Q::from_integer(
             num_bigint::BigInt::from(10).pow(u32::try_from(places).expect("few")),
         );
-    let half = crate::naive::Q::new(1.into(), 2.into());
+    let half = crate::random_papers::naive::Q::new(1.into(), 2.into());
     let units = if cut { units.floor() } else { (units + half).floor() };
     let digits = format!("{:0>1$}", units.to_string(), places + 1);
     let (whole, rest) = digits.split_at(digits.len() - places);

@@ -3,9 +3,9 @@
 use super::by::{by, depth};
 use super::shape::{Factor, Instance, Shape, environment, valence};
 use super::{Claim, Draft, Known, Mood};
-use crate::choices::Choices;
-use crate::formula::{Env, Tree, name, number};
-use crate::naive::{Net, Q};
+use crate::random_papers::choices::Choices;
+use crate::random_papers::formula::{Env, Tree, name, number};
+use crate::random_papers::naive::{Net, Q};
 
 /// What a theorem says of its instances.
 #[derive(Clone, Debug)]

@@ -1,6 +1,6 @@
 //! The same block with another verdict.
 
-use crate::program::Block;
+use crate::random_papers::program::Block;
 
 /// Verdicts that say that a printed number is right, and that it is wrong.
 const RIGHT: [&str; 1] = ["confirmed"];

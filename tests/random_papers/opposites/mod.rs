@@ -6,9 +6,9 @@ mod flipped;
 mod promise;
 mod theorem;
 
-use crate::draft::{Claim, Draft, Known};
-use crate::failure::{Checked, Failure};
-use crate::program::{Block, accepts, blocks, written};
+use crate::random_papers::draft::{Claim, Draft, Known};
+use crate::random_papers::failure::{Checked, Failure};
+use crate::random_papers::program::{Block, accepts, blocks, written};
 
 /// A verdict and its opposite, each with the blocks that may show it.
 struct Sides {

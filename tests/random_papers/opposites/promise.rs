@@ -1,7 +1,7 @@
 //! Promises that are kept and broken: the data of a table with other printed numbers.
 
-use crate::draft::{Claim, Draft};
-use crate::program::{Block, blocks, written};
+use crate::random_papers::draft::{Claim, Draft};
+use crate::random_papers::program::{Block, blocks, written};
 
 const WORDS: [&str; 11] = [
     "witness",

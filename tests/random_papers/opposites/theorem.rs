@@ -1,11 +1,11 @@
 //! Proofs of what is refuted, and refutations of what is proved.
 
 use super::Sides;
-use crate::draft::{Bound, Claim, Draft, Instance, Shape};
-use crate::formula::{Env, Tree};
-use crate::naive::{Q, int};
-use crate::program::{Block, blocks, bound as whole, checked, written};
-use crate::truth::{Witness, names};
+use crate::random_papers::draft::{Bound, Claim, Draft, Instance, Shape};
+use crate::random_papers::formula::{Env, Tree};
+use crate::random_papers::naive::{Q, int};
+use crate::random_papers::program::{Block, blocks, bound as whole, checked, written};
+use crate::random_papers::truth::{Witness, names};
 use num_traits::{One, Zero};
 use subcert_check::{Outcome, Reason};
 

@@ -1,9 +1,9 @@
 //! Equations, functions and ranges, at many values of what is free in them.
 
-use crate::draft::{Draft, Identity, Parametric};
-use crate::formula::{Env, Tree};
-use crate::naive::{Q, int};
-use crate::program::Block;
+use crate::random_papers::draft::{Draft, Identity, Parametric};
+use crate::random_papers::formula::{Env, Tree};
+use crate::random_papers::naive::{Q, int};
+use crate::random_papers::program::Block;
 use num_traits::Signed;
 
 /// Numbers without a simple relation between them.

@@ -6,11 +6,11 @@ mod refuted;
 
 pub use refuted::Witness;
 
-use crate::draft::{Bound, Claim, Draft, Instance, Known, Shape, environment};
-use crate::failure::{Checked, Failure};
-use crate::formula::Env;
-use crate::naive::{Net, Q, int};
-use crate::program::{Block, blocks, checked, written};
+use crate::random_papers::draft::{Bound, Claim, Draft, Instance, Known, Shape, environment};
+use crate::random_papers::failure::{Checked, Failure};
+use crate::random_papers::formula::Env;
+use crate::random_papers::naive::{Net, Q, int};
+use crate::random_papers::program::{Block, blocks, checked, written};
 use subcert_check::Outcome;
 
 /// The names of a bound in an instance: spreads, and the level or the tolerance.

@@ -1,8 +1,8 @@
 //! Bounds that are proved, tried on the data that are worst at many levels.
 
 use super::{names, supposed};
-use crate::draft::{Bound, Draft, Instance, Shape};
-use crate::naive::{Curve, Net, Q, Ring, int};
+use crate::random_papers::draft::{Bound, Draft, Instance, Shape};
+use crate::random_papers::naive::{Curve, Net, Q, Ring, int};
 
 /// How many levels are looked at.
 const LEVELS: u32 = 24;

@@ -1,9 +1,9 @@
 //! Witnesses, recomputed.
 
 use super::{names, supposed};
-use crate::draft::{Bound, Draft, Instance, Shape};
-use crate::naive::{Curve, Net, Q, Ring, Row, int};
-use crate::program::Block;
+use crate::random_papers::draft::{Bound, Draft, Instance, Shape};
+use crate::random_papers::naive::{Curve, Net, Q, Ring, Row, int};
+use crate::random_papers::program::Block;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 /// The data of a block, and the place where they are looked at.

@@ -1,8 +1,6 @@
 //! Verdicts: on the embedded papers against values found by other means, and on
 //! small papers made for the purpose.
 
-#![allow(missing_docs)]
-
 use subcert::audit::{
     CellFinding, ControlData, Direction, EquationVerdict, Kept, Missing, PaperAudit, Slip, Sound,
     Verdict, audit,

@@ -1,8 +1,6 @@
 //! Claims about a free parameter: verdicts on mustafa2007-ternary against closed
 //! forms derived by hand, and on small papers made for the purpose.
 
-#![allow(missing_docs)]
-
 mod malformed;
 
 use subcert::audit::{

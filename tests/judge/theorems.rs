@@ -1,7 +1,5 @@
 //! Theorems as claims: reading, and what they rest on.
 
-#![allow(missing_docs)]
-
 use subcert::audit::{PaperAudit, TheoremFinding, audit};
 use subcert::claim::{Paper, Quantity, Statement, embedded, read_paper};
 use subcert::diagnostic::{Diagnostic, SourceText};

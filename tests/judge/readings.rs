@@ -1,10 +1,6 @@
 //! The search for readings: on tables that were computed under a known one.
 
-#![allow(missing_docs)]
-
-mod common;
-
-use common::r;
+use crate::common::r;
 use proptest::prelude::*;
 use subcert::audit::{FAMILY, PaperAudit, Search, Slip, Solved, Verdict, audit};
 use subcert::bound::{Constants, Suprema};

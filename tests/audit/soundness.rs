@@ -1,7 +1,5 @@
 //! Claim files of which a false verdict was said once, and what is said of them now.
 
-#![allow(missing_docs)]
-
 use subcert::audit::{EquationVerdict, TheoremVerdict, Verdict, audit};
 use subcert::certificate::certificate;
 use subcert::claim::{Paper, read_paper};

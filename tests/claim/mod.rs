@@ -1,6 +1,4 @@
 //! Reading claim files.
 
-#![allow(missing_docs)]
-
 mod embedded;
 mod names;

@@ -1,7 +1,5 @@
 //! Certificates of theorems and promises, and of wrong ones, before the checker.
 
-#![allow(missing_docs)]
-
 use subcert::audit::{Kept, PaperAudit, Place, TheoremVerdict, Violation, audit};
 use subcert::certificate::certificate;
 use subcert::claim::{Paper, read_paper};

@@ -1,8 +1,5 @@
 //! The program as a person runs it: real output, exit codes, bad input.
 
-#![cfg(feature = "cli")]
-#![allow(missing_docs)]
-
 mod bad_input;
 mod output;
 

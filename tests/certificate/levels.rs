@@ -1,8 +1,6 @@
 //! Certificates of theorems about single schemes that finitely many levels prove, and of wrong
 //! ones, before the checker.
 
-#![allow(missing_docs)]
-
 use proptest::prelude::*;
 use subcert::audit::{LevelEvidence, Levels, PaperAudit, TheoremVerdict, audit};
 use subcert::certificate::certificate;

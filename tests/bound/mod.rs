@@ -2,8 +2,6 @@
 //! promise against exactly subdivided data.
 
 mod branch;
-#[path = "../common/mod.rs"]
-mod common;
 mod constants;
 mod convolution;
 mod depth;

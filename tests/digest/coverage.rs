@@ -1,7 +1,5 @@
 //! What papers number, and what of it is claimed.
 
-#![allow(missing_docs)]
-
 use proptest::prelude::*;
 use subcert::audit::{CoverageState, audit};
 use subcert::claim::{Label, Paper, embedded, read_paper};

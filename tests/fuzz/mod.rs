@@ -1,8 +1,6 @@
 //! The entry points of the fuzz targets, run for a bounded time on a stable toolchain: on
 //! the inputs found so far, and on altered files of the project.
 
-#![allow(missing_docs)]
-
 mod entry;
 
 use std::path::Path;

@@ -1,7 +1,5 @@
 //! Certificates of the embedded papers, and of wrong audits, before the checker.
 
-#![allow(missing_docs)]
-
 use std::path::Path;
 use subcert::audit::{
     EquationVerdict, FunctionVerdict, PaperAudit, RangeVerdict, TheoremVerdict, Verdict, audit,

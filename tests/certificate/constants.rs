@@ -1,7 +1,5 @@
 //! Constants of so many residue classes that the checker takes bounds of all rows.
 
-#![allow(missing_docs)]
-
 use proptest::prelude::*;
 use subcert::audit::audit;
 use subcert::certificate::certificate;

@@ -1,8 +1,6 @@
 //! Readings of single rows and columns, slips under a reading, and tables that
 //! contradict each other.
 
-#![allow(missing_docs)]
-
 use proptest::prelude::*;
 use subcert::audit::{Contradiction, Line, PaperAudit, Search, Slip, Verdict, audit};
 use subcert::bound::{Constants, Operator, Order};

@@ -1,8 +1,6 @@
 //! Schemes: masks, the catalogue, files and references.
 
 mod catalogue;
-#[path = "../common/mod.rs"]
-mod common;
 mod difference;
 mod files;
 mod mask;

@@ -1,7 +1,5 @@
 //! What the audit of a paper yields as a whole.
 
-#![allow(missing_docs)]
-
 use subcert::audit::{CellSummary, Erratum, PaperAudit, Standing, Subject, Verdict, audit};
 use subcert::claim::{Cell, Paper, embedded_papers, read_paper};
 use subcert::diagnostic::SourceText;

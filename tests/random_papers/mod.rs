@@ -2,7 +2,6 @@
 //!
 //! `SUBCERT_CASES` sets the number of papers, `PROPTEST_RNG_SEED` which ones.
 
-#![allow(missing_docs)]
 #![allow(clippy::format_push_string, reason = "a claim file is written line by line")]
 
 mod agree;

@@ -2,8 +2,6 @@
 //! against what polygons do.
 
 mod changes;
-#[path = "../common/mod.rs"]
-mod common;
 mod distances;
 mod far;
 mod polygons;

@@ -3,8 +3,6 @@
 
 mod apriori;
 mod certify;
-#[path = "../common/mod.rs"]
-mod common;
 mod convert;
 mod hexadecimal;
 mod ring;

@@ -1,8 +1,6 @@
 //! Verdicts of theorems: witnesses against a naive refinement, and bounds that are known
 //! to be true or false.
 
-#![allow(missing_docs)]
-
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 use subcert::audit::{

@@ -1,0 +1,6 @@
+//! Certificates that the program writes, and the checker.
+
+mod constants;
+mod levels;
+mod papers;
+mod theorems;

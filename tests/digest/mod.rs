@@ -1,0 +1,4 @@
+//! What follows from findings.
+
+mod coverage;
+mod errata;

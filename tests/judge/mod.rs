@@ -1,0 +1,7 @@
+//! Judging tables, functions, ranges and theorems.
+
+mod functions_and_ranges;
+mod lines;
+mod readings;
+mod theorem_verdicts;
+mod theorems;

@@ -1,0 +1,23 @@
+//! The tests, in one program: folders and files are those of `src` that they are about.
+//!
+//! One program links the crate once. `cargo test exact::` runs one folder.
+
+#![allow(missing_docs)]
+
+mod audit;
+mod bound;
+mod certificate;
+mod claim;
+#[cfg(feature = "cli")]
+mod cli;
+mod common;
+mod digest;
+mod exact;
+mod float;
+mod formula;
+mod fuzz;
+mod judge;
+mod limit;
+mod oracle;
+mod random_papers;
+mod scheme;
