@@ -1,4 +1,5 @@
 //! The five papers, and claim files that were judged wrongly once.
 
+mod ledger;
 mod papers;
 mod soundness;

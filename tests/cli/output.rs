@@ -16,10 +16,10 @@ fn audit_in_full() {
         .stdout_eq(file!["snapshots/audit-all.md"]);
 }
 
-/// The record of every verdict; under the feature `gmp` it must be the same.
+/// The form; what is found in the five papers stands in the ledger of tests/audit.
 #[test]
 fn audit_as_json() {
-    subcert(["audit", "--format", "json"])
+    subcert(["audit", "examples/my-paper.toml", "--format", "json"])
         .assert()
         .success()
         .stdout_eq(file!["snapshots/audit.json": Text]);
