@@ -2,10 +2,10 @@
 
 use crate::convolution::{Convolution, Sequence};
 use crate::decimal::Q;
-use crate::evaluate::{Indices, MAX_INTEGER, Scope};
+use crate::evaluate::{Asked, Indices, MAX_INTEGER, Scope};
 use crate::library::Library;
 use crate::reject::Stop;
-use crate::scheme::{Part, Scheme};
+use crate::scheme::Scheme;
 use crate::value::Value;
 use std::rc::Rc;
 
@@ -46,13 +46,8 @@ pub fn number(value: usize) -> Value {
 
 impl<'c> Call<'c> {
     /// A call with all of its options.
-    pub fn new(
-        library: &'c Library<'c>,
-        scope: &'c Scope<'c>,
-        function: &'c str,
-        arguments: &'c [Value],
-        options: &'c [(String, String)],
-    ) -> Call<'c> {
+    pub fn new(library: &'c Library<'c>, scope: &'c Scope<'c>, of: Asked<'c>) -> Call<'c> {
+        let (function, arguments, options) = of;
         Call { library, scope, function, arguments, options: options.iter().collect() }
     }
 
@@ -96,9 +91,9 @@ impl<'c> Call<'c> {
         scheme.ok_or_else(|| Stop::Wrong(format!("`{}` needs a scheme", self.function)))
     }
 
-    /// The sequence of a scheme in the order that is chosen.
-    pub fn sequence<'s>(&mut self, scheme: &'s Scheme, part: Part) -> Result<Sequence<'s>, Stop> {
-        Ok(Sequence { scheme, part, forward: self.choose("order", &ORDER)? == 1 })
+    /// The sequence of a mask in the order that is chosen.
+    pub fn sequence<'s>(&mut self, rules: &'s [Vec<Value>]) -> Result<Sequence<'s>, Stop> {
+        Ok(Sequence { rules, forward: self.choose("order", &ORDER)? == 1 })
     }
 
     /// The convolution of level c ≤ `most` and arity n, by the recursion that is chosen.

@@ -1,6 +1,6 @@
 //! Certificates: lines, and blocks of lines.
 
-use crate::reject::{Checked, Reason, Rejection, require};
+use crate::reject::{Checked, Reason, Rejection, Text, agree, compare, require};
 
 /// The first line of a certificate.
 const VERSION: &str = "subcert-certificate 2";
@@ -84,8 +84,9 @@ impl<'a> Block<'a> {
 
     /// Takes the next line, which has to repeat a text of the claim file, up to blanks.
     pub fn restates(&mut self, word: &'static str, text: Option<&str>) -> Checked<()> {
-        let said = self.after(word)?.split_whitespace();
-        require(text.is_some_and(|text| text.split_whitespace().eq(said)), Reason::Restated(word))
+        let said = self.after(word)?;
+        let same = |text: &str| text.split_whitespace().eq(said.split_whitespace());
+        compare(text.is_some_and(same), said, text.unwrap_or_default(), Reason::Restated)
     }
 
     /// Takes the next line, which has to be this word alone.
@@ -121,7 +122,9 @@ fn read<'a>(text: &'a str, key: &str, number: &mut usize) -> Checked<Vec<Block<'
         *number += 1;
         let line = Line { number: *number, text: raw.trim() };
         require(raw.len() <= MAX_LINE, Reason::LongLine)?;
-        require(heads > 0 || line.text == VERSION, Reason::Version)?;
+        if heads == 0 && line.text != VERSION {
+            return Err(Reason::Version(Text(line.text.to_string())).into());
+        }
         if line.text.is_empty() || line.text.starts_with('#') {
             continue;
         }
@@ -129,14 +132,14 @@ fn read<'a>(text: &'a str, key: &str, number: &mut usize) -> Checked<Vec<Block<'
         match (heads, line.word()) {
             (0, _) => heads = 1,
             (1, head) => {
-                require(head == ("paper", key), Reason::Paper)?;
+                compare(head == ("paper", key), line.text, key, Reason::Paper)?;
                 heads = 2;
             }
             _ if raw.starts_with(' ') => {
                 blocks.last_mut().ok_or(Reason::Malformed("a claim"))?.lines.push(line);
             }
             (_, ("end", count)) => {
-                require(count == blocks.len().to_string(), Reason::Count)?;
+                agree(count, &blocks.len().to_string(), Reason::Count)?;
                 ended = true;
             }
             _ => blocks.push(Block { head: line, lines: Vec::new(), taken: 0, at: *number }),

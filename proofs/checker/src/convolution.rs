@@ -4,7 +4,6 @@ use crate::meter::Meter;
 use crate::number::Number;
 use crate::piece::Piece;
 use crate::reject::Stop;
-use crate::scheme::{Part, Scheme};
 use crate::value::Value;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -16,28 +15,21 @@ pub const MAX_LENGTH: usize = 1 << 16;
 /// About what the sign of a polynomial on a piece costs.
 const STEPS_OF_SIGN: u64 = 100;
 
-/// The sequence of a scheme: t_{nu+β} = r_{β,N−1−u}, or r_{β,u} forwards.
-#[derive(Clone, Copy)]
+/// The sequence of a mask: t_{nu+β} = r_{β,N−1−u}, or r_{β,u} forwards.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Sequence<'s> {
-    /// The scheme.
-    pub scheme: &'s Scheme,
-    /// Which mask r is.
-    pub part: Part,
+    /// The rules r_β.
+    pub rules: &'s [Vec<Value>],
     /// Whether the sequence is read forwards.
     pub forward: bool,
 }
 
 impl Sequence<'_> {
-    /// The rules r_β.
-    pub fn rules(&self) -> &[Vec<Value>] {
-        self.scheme.rules(self.part)
-    }
-
-    /// The sequence itself.
+    /// The values t_0, t_1, …
     pub fn values(&self) -> Vec<Value> {
-        let last = self.scheme.width() - 1;
+        let last = self.rules[0].len() - 1;
         let columns = (0..=last).map(|u| if self.forward { u } else { last - u });
-        columns.flat_map(|column| self.rules().iter().map(move |row| row[column].clone())).collect()
+        columns.flat_map(|column| self.rules.iter().map(move |row| row[column].clone())).collect()
     }
 }
 

@@ -33,17 +33,13 @@ pub struct Memory {
 /// and the scheme.
 type Known = (String, Indices, Option<*const Scheme>);
 
+/// A function with its arguments and options.
+pub type Asked<'c> = (&'c str, &'c [Value], &'c [(String, String)]);
+
 /// The functions that formulas call.
 pub trait Functions {
-    /// The value of a function with these arguments and options.
-    fn call(
-        &self,
-        scope: &Scope<'_>,
-        function: &str,
-        arguments: &[Value],
-        options: &[(String, String)],
-        indices: &mut Indices,
-    ) -> Result<Value, Stop>;
+    /// The value of a function.
+    fn call(&self, scope: &Scope<'_>, of: Asked<'_>, indices: &mut Indices) -> Result<Value, Stop>;
 
     /// The meter that counts the steps of an evaluation.
     fn meter(&self) -> &Meter;
@@ -172,7 +168,7 @@ impl<'a> Scope<'a> {
                 Ok(power)
             }
             (Head::Call(name, options), values) => {
-                self.functions.call(self, name, values, options, indices)
+                self.functions.call(self, (name, values, options), indices)
             }
             _ => Err(Stop::Wrong("this is no formula".into())),
         }

@@ -5,25 +5,17 @@ use crate::convolution::Product;
 use crate::decimal::Q;
 use crate::depth::depth;
 use crate::displacement::{displaced, gather, surface};
-use crate::evaluate::{Functions, Indices, MAX_INTEGER, Scope};
+use crate::evaluate::{Asked, Functions, Indices, MAX_INTEGER, Scope};
 use crate::library::Library;
 use crate::meter::Meter;
 use crate::number::Number;
 use crate::reject::Stop;
-use crate::scheme::Part;
 use crate::sums::greatest;
 use crate::value::Value;
 
 impl Functions for Library<'_> {
-    fn call(
-        &self,
-        scope: &Scope<'_>,
-        function: &str,
-        arguments: &[Value],
-        options: &[(String, String)],
-        indices: &mut Indices,
-    ) -> Result<Value, Stop> {
-        let mut call = Call::new(self, scope, function, arguments, options);
+    fn call(&self, scope: &Scope<'_>, of: Asked<'_>, indices: &mut Indices) -> Result<Value, Stop> {
+        let mut call = Call::new(self, scope, of);
         let value = value(&mut call, indices)?;
         call.finished().map(|()| value)
     }
@@ -68,9 +60,9 @@ fn value(call: &mut Call<'_>, indices: &mut Indices) -> Result<Value, Stop> {
         ("contraction" | "norm" | "tensor" | "convolution_norm", _) => greatest(call, indices),
         ("convolution", [c, l, f]) => {
             let scheme = call.scheme()?;
-            let sequence = call.sequence(&scheme, Part::Difference)?;
+            let sequence = call.sequence(&scheme.difference)?;
             let how = call.convolution(c, &number(scheme.arity()), 4)?;
-            let product = library.products.of_scheme(how, sequence)?;
+            let product = library.products.of_mask(how, sequence)?;
             coefficient(&product, l, f.integer(MAX_INTEGER)?)
         }
         ("convolved", [c, n, length, l, f]) => {

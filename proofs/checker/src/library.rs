@@ -1,6 +1,5 @@
 //! The schemes that a claim file may name, and what is known of them.
 
-use crate::constants::Constants;
 use crate::definitions::{Definitions, formula, formulas};
 use crate::evaluate::Scope;
 use crate::meter::Meter;
@@ -24,10 +23,8 @@ pub struct Library<'a> {
     schemes: RefCell<BTreeMap<String, Rc<Scheme>>>,
     /// The steps of the claim at hand.
     pub meter: &'a Meter,
-    /// The products of sequences that are known.
+    /// The products of sequences and the constants that are known.
     pub products: Products<'a>,
-    /// The constants that lines `constant` have shown.
-    pub constants: Constants,
     nothing: Definitions,
     as_printed: Reading,
 }
@@ -39,9 +36,9 @@ fn wrong<T>(of: &str, what: &str) -> Result<T, Stop> {
 impl<'a> Library<'a> {
     /// The library of a claim file's `[[scheme]]` tables.
     pub fn new(file: &'a [Toml], catalogue: &'a [Toml], meter: &'a Meter) -> Library<'a> {
-        let (schemes, constants, nothing, as_printed) = Default::default();
+        let (schemes, nothing, as_printed) = Default::default();
         let products = Products::new(meter);
-        Library { file, catalogue, schemes, meter, products, constants, nothing, as_printed }
+        Library { file, catalogue, schemes, meter, products, nothing, as_printed }
     }
 
     /// Forgets everything, so that the cost of a claim does not depend on the claims before it.
@@ -49,7 +46,6 @@ impl<'a> Library<'a> {
         self.meter.restart();
         self.schemes.borrow_mut().clear();
         self.products.clear();
-        self.constants.clear();
     }
 
     /// A scope without names, in which everything is read as printed.

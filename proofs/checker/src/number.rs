@@ -1,20 +1,17 @@
 //! Real numbers of the fields Q(2cos(2π/n)).
 
-use crate::decimal::{Q, int};
-use crate::field::{chebyshev, field, multiply, reduce, scaled};
-use crate::linear::solve;
+use crate::decimal::Q;
+use crate::element::{Element, sign};
+use crate::field::{chebyshev, multiply};
 use crate::polynomial::signum;
 use crate::reject::Stop;
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use num_traits::{One, ToPrimitive, Zero};
 use std::cmp::Ordering;
 
 /// The greatest n of a field Q(2cos(2π/n)).
 const MAX_FIELD: u32 = 1_000;
-
-/// The most binary digits of an enclosure of 2cos(2π/n).
-const MAX_PRECISION: u64 = 1 << 14;
 
 /// A number. Each has one form only, so that numbers are equal if their forms are.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -24,17 +21,6 @@ pub enum Number {
     Small(i64, i64),
     /// Any other.
     Large(Box<Element>),
-}
-
-/// A number of Q(x), x = 2cos(2π/n): integers on 1, x, x², …, over one denominator.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Element {
-    /// n; 1 if it is rational.
-    n: u32,
-    /// As many as the degree of the field; in lowest terms with the denominator.
-    top: Vec<BigInt>,
-    /// Positive.
-    bottom: BigInt,
 }
 
 impl From<Q> for Number {
@@ -141,11 +127,6 @@ impl Number {
         Ok(Number::new(one.n, top.collect(), if p == q { p.clone() } else { p * q }))
     }
 
-    /// self · factor.
-    pub fn times_integer(&self, factor: i64) -> Result<Number, Stop> {
-        self.times(&Number::Small(factor, 1))
-    }
-
     /// self · other.
     pub fn times(&self, other: &Number) -> Result<Number, Stop> {
         if let (&Number::Small(a, b), &Number::Small(c, d)) = (self, other) {
@@ -163,23 +144,8 @@ impl Number {
             let [top, bottom] = [top, bottom].map(i128::from);
             return (top != 0).then(|| fraction(bottom * top.signum(), top.abs()));
         }
-        // The y with top·y = 1: linear equations, one column top·x^j for each unknown.
-        let Element { n, top, bottom } = self.element();
-        let d = top.len();
-        let mut rows = vec![vec![Q::zero(); d + 1]; d];
-        let mut column = top;
-        for j in 0..d {
-            for (row, value) in rows.iter_mut().zip(&column) {
-                row[j] = value.clone().into();
-            }
-            column = multiply(n, &column, &[BigInt::zero(), BigInt::one()]);
-        }
-        rows[0][d] = int(1);
-        let solution = solve(rows)?;
-        let common = solution.iter().fold(BigInt::one(), |common, y| common.lcm(y.denom()));
-        let scale = Q::from_integer(&common * bottom);
-        let top = solution.into_iter().map(|y| (y * &scale).to_integer()).collect();
-        Some(Number::new(n, top, common))
+        let Element { n, top, bottom } = self.element().inverse()?;
+        Some(Number::new(n, top, bottom))
     }
 
     /// −1, 0 or 1.
@@ -233,6 +199,12 @@ impl Number {
         }
     }
 
+    /// n of its field, and its coordinates on 1, x, x², …
+    pub fn coordinates(&self) -> (u32, Vec<Q>) {
+        let Element { n, top, bottom } = self.element();
+        (n, top.into_iter().map(|c| Q::new(c, bottom.clone())).collect())
+    }
+
     /// The denominator.
     pub fn bottom(&self) -> BigInt {
         self.element().bottom
@@ -243,17 +215,7 @@ impl Number {
         if let Some(value) = self.rational() {
             return Ok(value.floor().to_integer());
         }
-        // By halving between −bound and bound.
-        let Element { top, bottom, .. } = self.element();
-        let bound: BigInt = top.iter().enumerate().map(|(i, c)| c.abs() << i).sum();
-        let bound = bound / bottom + 1;
-        let (mut low, mut high) = (-&bound, bound + 1);
-        while &high - &low > BigInt::one() {
-            let middle: BigInt = (&low + &high) >> 1;
-            let less = self.compare(&Q::from_integer(middle.clone()).into())?.is_lt();
-            if less { high = middle } else { low = middle }
-        }
-        Ok(low)
+        self.element().floor()
     }
 
     /// Its size in binary digits.
@@ -266,46 +228,5 @@ impl Number {
                 element.top.iter().map(BigInt::bits).sum::<u64>() + element.bottom.bits()
             }
         }
-    }
-}
-
-/// The sign of Σ top_i·x^i, x = 2cos(2π/n).
-fn sign(n: u32, top: &[BigInt]) -> Result<i8, Stop> {
-    if top[1..].iter().all(Zero::is_zero) {
-        return Ok(signum(&top[0]));
-    }
-    // It is not 0, so that some enclosure of x shows its sign. As |x| ≤ 2, x^i changes by
-    // at most i·2^i/2^p when x does by 1/2^p.
-    let degree = top.len() as u64 - 1;
-    let steps = top.iter().enumerate();
-    let slope: BigInt = steps.map(|(i, coefficient)| (coefficient.abs() * i) << i).sum();
-    let mut p = 64;
-    while p <= MAX_PRECISION {
-        let value = scaled(top, &field(n).enclose(p), p);
-        if value.abs() > (&slope << (p * (degree - 1))) {
-            return Ok(signum(&value));
-        }
-        p *= 2;
-    }
-    Err(Stop::Capped("the precision of a sign"))
-}
-
-impl Element {
-    /// The same number in the field of a multiple of its n.
-    fn lifted(self, n: u32) -> Element {
-        if self.n == n {
-            return self;
-        }
-        let mut top = reduce(n, vec![BigInt::zero()]);
-        if self.n == 1 {
-            top[0].clone_from(&self.top[0]);
-            return Element { n, top, ..self };
-        }
-        let x = chebyshev(n, n / self.n);
-        for coefficient in self.top.iter().rev() {
-            top = multiply(n, &top, &x);
-            top[0] += coefficient;
-        }
-        Element { n, top, ..self }
     }
 }

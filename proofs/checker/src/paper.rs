@@ -44,17 +44,12 @@ impl<'a> Paper<'a> {
     /// The values of named formulas without parameters.
     pub fn constants(&self, entries: &[(String, Toml)]) -> Result<BTreeMap<String, Value>, Stop> {
         let named = formulas(entries)?.into_iter();
-        named.map(|(name, expr)| Ok((name, self.nothing().value(&expr)?))).collect()
+        named.map(|(name, expr)| Ok((name, self.library.closed().value(&expr)?))).collect()
     }
 
     /// A scope with the definitions of the paper.
     pub fn scope(&'a self) -> Scope<'a> {
         self.library.scope(&self.definitions)
-    }
-
-    /// A scope without names.
-    pub fn nothing(&self) -> Scope<'_> {
-        self.library.closed()
     }
 
     /// A closed formula of a certificate.
@@ -64,7 +59,7 @@ impl<'a> Paper<'a> {
         if let Some(known) = read_rational(text).filter(|_| fraction) {
             return Ok(known.into());
         }
-        value(text, &self.nothing())
+        value(text, &self.library.closed())
     }
 }
 

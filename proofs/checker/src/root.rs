@@ -30,7 +30,10 @@ impl From<Q> for Root {
 
 impl fmt::Display for Root {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "from {} to {}", self.low, self.high)
+        match self.rational() {
+            Some(value) => write!(f, "{value}"),
+            None => write!(f, "a number from {} to {}", self.low, self.high),
+        }
     }
 }
 

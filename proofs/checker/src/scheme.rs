@@ -19,15 +19,6 @@ pub struct Scheme {
     pub offset: i64,
 }
 
-/// One of the two masks of a scheme.
-#[derive(Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Part {
-    /// The mask a.
-    Mask,
-    /// The difference mask b.
-    Difference,
-}
-
 impl Scheme {
     /// The scheme of a mask.
     pub fn new(mask: Vec<Vec<Value>>, offset: i64) -> Result<Scheme, Stop> {
@@ -55,14 +46,6 @@ impl Scheme {
         }
         difference.push(last);
         Ok(Scheme { mask, difference, offset })
-    }
-
-    /// The rules of one of the masks.
-    pub fn rules(&self, part: Part) -> &[Vec<Value>] {
-        match part {
-            Part::Mask => &self.mask,
-            Part::Difference => &self.difference,
-        }
     }
 
     /// n.

@@ -5,7 +5,7 @@ use crate::functional::Rules;
 use crate::library::Library;
 use crate::reject::{Checked, Reason, Stop, require};
 use crate::ring::Ring;
-use crate::scheme::{Part, Scheme};
+use crate::scheme::Scheme;
 use crate::value::Value;
 use std::rc::Rc;
 
@@ -41,8 +41,8 @@ impl<'a> Setting<'a> {
 
 /// Whether T_c < 1 for some n^c ≤ 4096, or for some c by a line `constant`.
 fn converges(library: &Library<'_>, scheme: &Scheme) -> Result<bool, Stop> {
-    let of = Sequence { scheme, part: Part::Difference, forward: false };
-    if library.constants.contract(of) {
+    let of = Sequence { rules: &scheme.difference, forward: false };
+    if library.products.contract(of) {
         return Ok(true);
     }
     let mut c = 1;

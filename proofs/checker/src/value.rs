@@ -66,7 +66,7 @@ impl Value {
     }
 
     /// The monomials with coefficients that are not 0.
-    fn all(&self) -> impl Iterator<Item = (&[(Rc<str>, u32)], &Number)> + Clone {
+    pub fn all(&self) -> impl Iterator<Item = (&[(Rc<str>, u32)], &Number)> + Clone {
         let terms = self.terms.iter().map(|(monomial, number)| (&monomial[..], number));
         let constant = (!self.constant.is_zero()).then_some((&[][..], &self.constant));
         constant.into_iter().chain(terms)
@@ -118,7 +118,7 @@ impl Value {
             return Ok(());
         }
         let Some(known) = self.terms.get_mut(on) else {
-            self.terms.insert(on.to_vec(), term.times_integer(factor)?);
+            self.terms.insert(on.to_vec(), term.times(&Number::Small(factor, 1))?);
             return Ok(());
         };
         *known = known.plus(factor, term)?;

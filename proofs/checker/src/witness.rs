@@ -4,7 +4,7 @@ use crate::certificate::Block;
 use crate::decimal::{Q, int, read_rational};
 use crate::functional::{Functional, Rules, product};
 use crate::paper::Paper;
-use crate::reject::{Checked, Reason, require};
+use crate::reject::{Checked, Reason, compare, require};
 use crate::ring::Ring;
 use crate::setting::Setting;
 use crate::value::Value;
@@ -244,4 +244,15 @@ fn polygon(said: &str) -> Checked<Polygon> {
         }
         _ => malformed("polygon FIRST INTEGER…"),
     }
+}
+
+/// Makes sure that these are the two sides, and that the first one is larger.
+pub fn violated(paper: &Paper<'_>, said: &str, left: &Value, right: &Value) -> Checked<()> {
+    let said: Vec<&str> = said.split_whitespace().collect();
+    require(said.len() == 2, Reason::Malformed("two sides"))?;
+    for (said, side) in said.into_iter().zip([left, right]) {
+        let said = paper.number(said)?;
+        compare(said.equals(side)?, &said, side, Reason::Value)?;
+    }
+    compare(left.compare(right)?.is_gt(), left, right, Reason::NotViolated)
 }

@@ -2,7 +2,7 @@
 
 use crate::certificate::MAX_LINE;
 use crate::formula::parse;
-use crate::reject::{Checked, Reason, require};
+use crate::reject::{Checked, Reason, Text, compare, require};
 use crate::sums::of_constant;
 use crate::table::{Read, Table};
 
@@ -21,7 +21,8 @@ pub fn check(table: &Table<'_>, read: &Read, said: &str) -> Checked<()> {
     let (scope, _) = table.scope(at, read, &table.needed(at).0)?;
     let sums = of_constant(table.paper.library, &scope, &formula)?;
     let sum = class.checked_sub(sums.first).and_then(|class| sums.units.get(class));
-    let sum = sum.ok_or(Reason::Class)?.times(&sums.scale)?;
-    require(sum.equals(&value)?, Reason::Class)?;
+    let none = || Reason::Class(Text(value.to_string()), Text("undefined".to_owned()));
+    let sum = sum.ok_or_else(none)?.times(&sums.scale)?;
+    compare(sum.equals(&value)?, &value, &sum, Reason::Class)?;
     require(sums.greatest(None)?.equals(&value)?, Reason::NotLargest)
 }

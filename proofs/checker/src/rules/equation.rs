@@ -7,7 +7,7 @@ use crate::definitions::{formula, formula_of};
 use crate::evaluate::{MAX_INTEGER, Memory, Scope};
 use crate::formula::Expr;
 use crate::paper::{Axis, Paper, value};
-use crate::reject::{Checked, Reason, Stop, require};
+use crate::reject::{Checked, Reason, Stop, Text, agree, compare, require};
 use crate::toml::Toml;
 use crate::value::Value;
 use std::rc::Rc;
@@ -44,7 +44,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     require(!cases.is_empty(), Reason::NoCase)?;
     let (verdict, count) = block.any()?;
     require(["holds", "fails"].contains(&verdict), Reason::Malformed("holds or fails"))?;
-    require(count == cases.len().to_string(), Reason::Cases)?;
+    agree(count, &cases.len().to_string(), Reason::Cases)?;
     let (mut listed, memory) = (0, Rc::default());
     for (case, left) in cases.iter().zip(lefts.iter().cycle()) {
         let name = case.iter().map(|(_, value)| value.to_string()).collect::<Vec<_>>().join(" ");
@@ -54,17 +54,19 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         let line = block.peek().map(|line| line.word()).filter(|(word, _)| *word == "case");
         let line = line.and_then(|(_, said)| said.split_once('='));
         let Some((_, said)) = line.filter(|(case, _)| case.trim() == name) else {
-            require(difference.is_zero(), Reason::Differ(name))?;
-            continue;
+            if difference.is_zero() {
+                continue;
+            }
+            return Err(Reason::Differ(name, Text(difference.to_string())).into());
         };
         block.after("case")?;
         let said = value(said, &scope)?;
         require(!said.is_zero(), Reason::NoDifference)?;
-        require(difference.equals(&said)?, Reason::Difference)?;
+        compare(difference.equals(&said)?, &said, &difference, Reason::Difference)?;
         listed += 1;
     }
     require(block.maybe("case").is_none(), Reason::Case)?;
-    require((listed > 0) == (verdict == "fails"), Reason::Verdict)
+    agree(verdict, if listed > 0 { "fails" } else { "holds" }, Reason::Verdict)
 }
 
 /// A scope of the symbols.
@@ -105,7 +107,7 @@ fn cases<'a>(paper: &'a Paper<'a>, claim: &'a Toml) -> Result<Vec<Case<'a>>, Sto
         for case in cases {
             let bounds = index.text("name").zip(index.text("from")).zip(index.text("to"));
             let (name, values): (&str, Vec<Q>) = if let Some(((name, from), to)) = bounds {
-                let mut scope = paper.nothing();
+                let mut scope = paper.library.closed();
                 let values =
                     case.iter().map(|(name, value)| ((*name).into(), value.clone().into()));
                 scope.values.extend(values);

@@ -6,7 +6,8 @@ use super::reading::{MAX_DIFFERENCES, PartRead, Reads};
 use super::scale::{SCALES, at_best_scale, is_scale, is_simple, scale};
 use crate::certificate::Block;
 use crate::decimal::{Decimal, Q, int};
-use crate::reject::{Checked, Reason, Stop, require};
+use crate::reject::{Checked, Reason, Stop, Text, agree, compare, require};
+use crate::show::shown;
 use crate::table::{Cells, Place, Read, Table};
 use crate::value::Value;
 use num_traits::{One, Pow, Signed, Zero};
@@ -36,7 +37,7 @@ pub fn check(
     let best: usize = best.parse().map_err(|_| Reason::Malformed("a number of cells"))?;
     let scale = scale(table, &cells)?;
     if let Some((name, _)) = scale {
-        require(block.after("scale")? == name, Reason::Scale)?;
+        agree(block.after("scale")?, name, Reason::Scale)?;
     }
     let mut listed = Listed::new(table, refuted, block)?;
     let mut members = members(table, &cells)?;
@@ -59,16 +60,17 @@ pub fn check(
         let mut found = Vec::new();
         for decimals in roundings {
             let count = explained(cells, &values, decimals)?.len();
-            require(count <= best, Reason::NotBest)?;
-            if let Some((name, base)) = scale
-                && at_best_scale(table, cells, &values, decimals, (base, best))? > best
-            {
-                require(!is_scale(table, cells, name, base, &read)?, Reason::NotBest)?;
+            require(count <= best, Reason::NotBest(best, count))?;
+            if let Some((name, base)) = scale {
+                let count = at_best_scale(table, cells, &values, decimals, (base, best))?;
+                let more = count > best && is_scale(table, cells, name, base, &read)?;
+                require(!more, Reason::NotBest(best, count))?;
             }
             found.push(count.to_string());
             family.size += 1 + scales;
         }
-        require(counts.split_whitespace().eq(found.iter().map(String::as_str)), Reason::Explains)?;
+        let same = counts.split_whitespace().eq(found.iter().map(String::as_str));
+        compare(same, counts.trim(), &found.join(" "), Reason::Explains)?;
         listed.compare(numbers, cells, &values)?;
     }
     let complete = require(members.is_empty() && listed.all_met(), Reason::Member);
@@ -148,7 +150,8 @@ impl Family<'_> {
         let lucky = |m: usize| is_luck(table, &others, m.saturating_sub(printed.len()), self.size);
         if let Some(part) = reads.all(true).find(|part| part.is_whole()) {
             let found = explained_by(&part.read)?;
-            require(found.len() == *best && *best > printed.len(), Reason::NotBest)?;
+            require(found.len() == *best, Reason::NotBest(*best, found.len()))?;
+            require(*best > printed.len(), Reason::NotBest(*best, printed.len()))?;
             require(!lucky(*best), Reason::Luck)?;
             left.retain(|place| !found.contains(place));
         } else {
@@ -210,9 +213,11 @@ impl Listed {
             let number: usize = number.ok_or(Reason::Malformed("the number of a value"))?;
             let value = cells.iter().zip(values).find(|((at, _), _)| at == place);
             let known = number.checked_sub(1).and_then(|i| listed.get_mut(i));
-            let (known, met) = known.ok_or(Reason::Value)?;
             let value = value.and_then(|(_, value)| value.as_ref());
-            require(same(known.as_ref(), value)?, Reason::Value)?;
+            let none = || Reason::Value(Text(format!("value {number}")), Text(shown(value)));
+            let (known, met) = known.ok_or_else(none)?;
+            let equal = same(known.as_ref(), value)?;
+            compare(equal, &shown(known.as_ref()), &shown(value), Reason::Value)?;
             *met = true;
         }
         require(numbers.next().is_none(), Reason::Malformed("the end of the line"))

@@ -16,7 +16,6 @@ mod promise;
 mod range;
 mod reading;
 mod scale;
-mod sides;
 mod sound;
 mod table;
 mod theorem;

@@ -4,7 +4,7 @@ use crate::certificate::Block;
 use crate::evaluate::Scope;
 use crate::paper::Paper;
 use crate::piece::{Ends, MAX_CUTS, Piece};
-use crate::reject::{Checked, Reason, Stop, require};
+use crate::reject::{Checked, Reason, Stop, Text, compare, require};
 use crate::root::Root;
 use crate::toml::Toml;
 use crate::value::Value;
@@ -72,17 +72,16 @@ impl<'a> Free<'a> {
         for i in 0..=breaks.len() {
             let low = i.checked_sub(1).map(|i| breaks[i].clone());
             let sign = self.on_piece([low, breaks.get(i).cloned()], value)?;
-            signs.push(sign.ok_or(Reason::Signs)?);
+            let several = || {
+                Reason::Signs(Text(said.to_string()), Text(format!("{} several", words(&signs))))
+            };
+            signs.push(sign.ok_or_else(several)?);
             if let Some(at) = breaks.get(i) {
                 signs.push(self.at(at, value)?);
             }
         }
-        let words = signs.iter().map(|sign| match sign {
-            -1 => "-",
-            0 => "0",
-            _ => "+",
-        });
-        require(words.eq(said.split_whitespace()), Reason::Signs)?;
+        let same = words(&signs).split_whitespace().eq(said.split_whitespace());
+        compare(same, said, &words(&signs), Reason::Signs)?;
         Ok(Pieces { breaks, signs })
     }
 
@@ -116,4 +115,14 @@ impl<'a> Free<'a> {
         }
         Ok(sign)
     }
+}
+
+/// Signs as a certificate writes them.
+fn words(signs: &[i8]) -> String {
+    let word = |sign: &i8| match sign {
+        -1 => "-",
+        0 => "0",
+        _ => "+",
+    };
+    signs.iter().map(word).collect::<Vec<&str>>().join(" ")
 }

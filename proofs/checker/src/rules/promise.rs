@@ -1,19 +1,17 @@
 //! Rule `promise`: whether what a table promises of its printed numbers is true for all control
 //! data, cell by cell.
 
-use super::sides::violated;
 use super::sound::{self, MAX_LEVEL, Promised};
 use crate::certificate::Block;
 use crate::decimal::Q;
 use crate::functional::Rules;
 use crate::paper::Paper;
-use crate::reject::{Checked, Reason, Stop, require};
+use crate::reject::{Checked, Reason, Stop, compare, require};
 use crate::ring::{Ring, less};
-use crate::scheme::Part;
 use crate::setting::Setting;
 use crate::table::Table;
 use crate::value::Value;
-use crate::witness::Witness;
+use crate::witness::{Witness, violated};
 use num_traits::{Signed, Zero};
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -59,7 +57,7 @@ pub fn check(table: &Table<'_>, block: &mut Block<'_>) -> Checked<()> {
                     let functionals = ring.functionals_before(errors, level)?;
                     let small = |cost: &Value| {
                         let bound = cost.times(&promised.spread)?;
-                        require(bound.compare(&most)?.is_le(), Reason::TooLarge)
+                        compare(bound.compare(&most)?.is_le(), &bound, &most, Reason::TooLarge)
                     };
                     flows(table.paper, ring, block, &functionals, &small)?;
                 }
@@ -121,7 +119,7 @@ pub fn kept(
         let change = change(promised, rules, level, later)?.times(&promised.spread)?;
         bound.add(1, &change)?;
     }
-    require(bound.compare(most)?.is_le(), Reason::TooLarge)
+    compare(bound.compare(most)?.is_le(), &bound, most, Reason::TooLarge)
 }
 
 fn values(paper: &Paper<'_>, said: &str) -> Checked<Vec<Value>> {
@@ -154,7 +152,7 @@ pub fn flows(
         require(flow.len() == ring.edges.len(), Reason::Malformed("a number for each edge"))?;
         let (cost, carried) = ring.carried(&flow)?;
         for (carried, needed) in carried.iter().zip(functional) {
-            require(carried.equals(needed)?, Reason::Flow)?;
+            compare(carried.equals(needed)?, carried, needed, Reason::Flow)?;
         }
         small(&cost)?;
     }
@@ -177,8 +175,7 @@ pub fn change(promised: &Promised<'_>, rules: &[Rules<'_>], k: u32, l: u32) -> R
     let [first, second] = rules else { return largest(&rules[0]) };
     // THEOREMS.md, 32, with level l in place of the limit.
     let norm = |axis: usize, level: u32| {
-        let level = Value::int(level.into());
-        promised.class_sum(&promised.schemes[axis], Part::Mask, &level)
+        promised.class_sum(&promised.schemes[axis].mask, &Value::int(level.into()))
     };
     let (c, d) = (largest(first)?, largest(second)?);
     let one = c.times(&norm(1, l)?)?.plus(1, &d.times(&norm(0, k)?)?)?;

@@ -6,7 +6,7 @@ use crate::decimal::{Decimal, int};
 use crate::definitions::formula_of;
 use crate::paper::{Paper, printed};
 use crate::piece::Piece;
-use crate::reject::{Checked, Reason, Stop, require};
+use crate::reject::{Checked, Reason, Stop, Text, agree, compare};
 use crate::root::Root;
 use crate::rounding::rounding_on;
 use crate::toml::Toml;
@@ -26,7 +26,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     let (word, key) = if below { ("below", "below") } else { ("at-most", "at_most") };
     block.restates(word, claim.text(key))?;
     let value = formula_of(claim, "value")?;
-    let limit = paper.nothing().value(&formula_of(claim, key)?)?;
+    let limit = paper.library.closed().value(&formula_of(claim, key)?)?;
     let pieces = free.pieces(block, &|scope| scope.value(&value)?.minus(&limit))?;
     let set = intervals(&pieces, below);
     let mut relations = Vec::new();
@@ -38,9 +38,12 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         };
         let said = block.after("end")?;
         let (text, read) = printed(field).unwrap_or_default();
-        let decimal = Decimal::read(read).ok_or(Reason::Ends)?;
-        let said = said.strip_prefix(&format!("{name} \"{text}\" "));
-        let (exact, relation) = said.and_then(|said| said.split_once(' ')).ok_or(Reason::Ends)?;
+        let claimed = format!("{name} \"{text}\"");
+        let other = || Reason::Ends(Text(said.to_string()), Text(claimed.clone()));
+        let decimal = Decimal::read(read).ok_or_else(other)?;
+        let rest = said.strip_prefix(&claimed).and_then(|rest| rest.strip_prefix(' '));
+        let rest = rest.and_then(|rest| rest.split_once(' '));
+        let (exact, relation) = rest.ok_or_else(other)?;
         let ends = set.iter().map(|interval| &interval[side]);
         let ends = ends.filter_map(|(end, belongs)| Some((end.as_ref()?, *belongs)));
         let mut nearest: Option<(&Root, bool)> = None;
@@ -56,13 +59,14 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
             (Some((end, _)), Some(exact)) => end.compare(&exact)?.is_eq(),
             _ => false,
         };
-        require(found, Reason::ExactEnd)?;
+        let end = nearest.map_or("none".to_owned(), |(end, _)| end.to_string());
+        compare(found, exact, &end, Reason::ExactEnd)?;
         let closed = match claim.get("closed") {
             Some(Toml::Flag(closed)) => Some(*closed),
             _ => None,
         };
         let expected = self::relation(&decimal, closed, outwards, nearest, &set)?;
-        require(relation.trim() == expected, Reason::Relation)?;
+        agree(relation.trim(), expected, Reason::Relation)?;
         relations.push(expected);
     }
     let expected = match &set[..] {
@@ -70,7 +74,8 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         [_] if relations.iter().all(|word| !["belonging", "apart"].contains(word)) => "rounding",
         _ => "inexact",
     };
-    require(block.any()? == (expected, ""), Reason::Verdict)
+    let said = block.any()?;
+    compare(said == (expected, ""), &format!("{} {}", said.0, said.1), expected, Reason::Verdict)
 }
 
 /// The intervals of the set where the sign is −1, or, unless `below`, 0 too.

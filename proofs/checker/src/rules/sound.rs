@@ -5,8 +5,8 @@ use crate::definitions::formula;
 use crate::displacement::{displaced, gather};
 use crate::evaluate::Scope;
 use crate::paper::Paper;
-use crate::reject::{Checked, Reason, Stop, require};
-use crate::scheme::{Part, Scheme};
+use crate::reject::{Checked, Reason, Stop, compare, require};
+use crate::scheme::Scheme;
 use crate::table::{Bounds, Place, Table};
 use crate::value::Value;
 use std::cell::RefCell;
@@ -37,8 +37,8 @@ pub fn check<'a>(table: &'a Table<'a>, said: &str) -> Checked<()> {
     let level = promised.level.map_or_else(|| said.integer(i64::MAX), Ok)?;
     let bound = promised.bound(level, constants)?;
     match promised.tolerance {
-        None => require(bound.equals(&said)?, Reason::Value),
-        Some(tolerance) => require(bound.compare(&tolerance)?.is_le(), Reason::TooLarge),
+        None => compare(bound.equals(&said)?, &said, &bound, Reason::Value),
+        Some(most) => compare(bound.compare(&most)?.is_le(), &bound, &most, Reason::TooLarge),
     }
 }
 
@@ -136,19 +136,19 @@ impl<'t> Promised<'t> {
 
     /// T_c, or the larger of the T_cΛ_c of one factor and the other.
     pub fn constant(&self, c: &Value) -> Result<Value, Stop> {
-        let of = |scheme: &Scheme, part| self.class_sum(scheme, part, c);
+        let of = |rules| self.class_sum(rules, c);
         match &self.schemes[..] {
             [first, second, ..] => {
-                let one = of(first, Part::Difference)?.times(&of(second, Part::Mask)?)?;
-                one.max(&of(second, Part::Difference)?.times(&of(first, Part::Mask)?)?, None)
+                let one = of(&first.difference)?.times(&of(&second.mask)?)?;
+                one.max(&of(&second.difference)?.times(&of(&first.mask)?)?, None)
             }
-            one => of(&one[0], Part::Difference),
+            one => of(&one[0].difference),
         }
     }
 
     /// The greatest class sum of a mask at level c.
-    pub fn class_sum(&self, scheme: &Scheme, part: Part, c: &Value) -> Result<Value, Stop> {
-        let of = Sequence { scheme, part, forward: false };
+    pub fn class_sum(&self, rules: &[Vec<Value>], c: &Value) -> Result<Value, Stop> {
+        let of = Sequence { rules, forward: false };
         self.paper.library.products.classes(of, c, None)?.greatest(None)
     }
 

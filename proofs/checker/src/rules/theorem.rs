@@ -3,7 +3,6 @@
 
 use super::instance::{Instance, first_level};
 use super::levels;
-use super::sides::violated;
 use crate::certificate::Block;
 use crate::decimal::{Q, read_rational};
 use crate::definitions::formula_of;
@@ -11,7 +10,7 @@ use crate::paper::Paper;
 use crate::reject::{Checked, Reason, require};
 use crate::toml::Toml;
 use crate::value::Value;
-use crate::witness::Witness;
+use crate::witness::{Witness, violated};
 use num_traits::Signed;
 
 /// The most levels of a witness.
