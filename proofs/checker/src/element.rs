@@ -1,4 +1,4 @@
-//! Numbers of a field Q(x), x = 2cos(2π/n), in their coordinates.
+//! The coordinates of a number of the field Q(x), x = 2cos(2π/n).
 
 use crate::decimal::{Q, int};
 use crate::field::{chebyshev, field, multiply, reduce, scaled};
@@ -15,11 +15,11 @@ const MAX_PRECISION: u64 = 1 << 14;
 /// A number of the field: integers on 1, x, x², …, over one denominator.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Element {
-    /// n; 1 if the number is rational.
+    /// The n of the field. It is 1 if the number is rational.
     pub n: u32,
-    /// As many as the degree of the field; in lowest terms with the denominator.
+    /// The integers. There are as many as the degree of the field.
     pub top: Vec<BigInt>,
-    /// The denominator, which is positive.
+    /// The positive denominator, in lowest terms with the integers.
     pub bottom: BigInt,
 }
 
@@ -42,7 +42,7 @@ impl Element {
         Element { n, top, ..self }
     }
 
-    /// 1/self, not in lowest terms.
+    /// The reciprocal. It need not be in lowest terms.
     pub fn inverse(self) -> Option<Element> {
         // The y with top·y = 1 solves linear equations, one column top·x^j for each unknown.
         let Element { n, top, bottom } = self;
@@ -65,7 +65,7 @@ impl Element {
 
     /// The greatest integer that is not above it.
     pub fn floor(self) -> Result<BigInt, Stop> {
-        // By halving between −bound and bound.
+        // The floor is found by bisection between −bound and bound.
         let Element { n, mut top, bottom } = self;
         let bound: BigInt = top.iter().enumerate().map(|(i, c)| c.abs() << i).sum();
         let bound = bound / &bottom + 1;

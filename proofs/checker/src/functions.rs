@@ -1,4 +1,4 @@
-//! The functions of formulas, by their definitions.
+//! The functions of formulas. FORMAT.md defines them.
 
 use crate::call::{Call, TERMS, entry, number, within, wrong};
 use crate::convolution::Product;
@@ -77,7 +77,7 @@ fn value(call: &mut Call<'_>, indices: &mut Indices) -> Result<Value, Stop> {
             let word = call.word("offset", "own");
             let offset = if word == "own" { Some(scheme.offset) } else { word.parse().ok() };
             let offset = offset.filter(|o: &i64| o.abs() <= 10_000);
-            let Some(o) = offset else { return wrong(format!("no offset: `{word}`")) };
+            let Some(o) = offset else { return wrong(format!("`{word}` is no offset")) };
             let moved = |alpha| gather(piece, &displaced(&scheme, alpha, o)?, terms);
             let moved = (0..scheme.arity()).map(moved).collect::<Result<Vec<_>, _>>()?;
             Value::greatest(&moved, piece)
@@ -100,7 +100,7 @@ fn floor(x: &Value) -> Result<Value, Stop> {
 
 /// E^c_{l,f}.
 fn coefficient(product: &Product, l: &Value, f: i64) -> Result<Value, Stop> {
-    // Sums of E stop at l = 0, so that another l would be another number.
+    // The sums of E begin at l = 0.
     let l = within(l, 0, MAX_INTEGER)?;
     usize::try_from(f).map_or(Ok(Value::int(0)), |f| product.at(l, f))
 }

@@ -13,13 +13,13 @@ use std::cmp::Ordering;
 /// The greatest n of a field Q(2cos(2π/n)).
 const MAX_FIELD: u32 = 1_000;
 
-/// A number. Each has one form only, so that numbers are equal if their forms are.
+/// A number. It has exactly one form, so that numbers are equal if their forms are.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Number {
-    /// A fraction in lowest terms of machine integers, as most numbers are; the denominator is
-    /// positive.
+    /// A fraction of machine integers in lowest terms, with a positive denominator. Most numbers
+    /// have this form.
     Small(i64, i64),
-    /// Any other.
+    /// Any other number.
     Large(Box<Element>),
 }
 
@@ -39,7 +39,7 @@ impl From<i128> for Number {
 /// top/bottom, for a positive denominator.
 fn fraction(top: i128, bottom: i128) -> Number {
     if let (Ok(top), Ok(bottom)) = (i64::try_from(top), i64::try_from(bottom)) {
-        // What divides the denominator is no larger than that.
+        // A divisor of the denominator is a machine integer too.
         let common = if bottom == 1 { 1 } else { top.unsigned_abs().gcd(&bottom.unsigned_abs()) };
         let common = i64::try_from(common).unwrap_or(1);
         return Number::Small(top / common, bottom / common);
@@ -68,7 +68,7 @@ impl Number {
         Number::lowest(n, top, bottom)
     }
 
-    /// The same in lowest terms.
+    /// A number from integers and a denominator in lowest terms.
     fn lowest(n: u32, top: Vec<BigInt>, bottom: BigInt) -> Number {
         match (top[0].to_i64(), bottom.to_i64()) {
             (Some(top), Some(bottom)) if n == 1 => Number::Small(top, bottom),
@@ -76,7 +76,7 @@ impl Number {
         }
     }
 
-    /// n, and its integers over one denominator.
+    /// The coordinates of the number.
     fn element(&self) -> Element {
         match self {
             Number::Large(element) => (**element).clone(),
@@ -98,7 +98,7 @@ impl Number {
         Ok(Number::new(n, double, BigInt::from(2)))
     }
 
-    /// Both in one field.
+    /// Both numbers in one field.
     fn together(&self, other: &Number) -> Result<(Element, Element), Stop> {
         let (one, other) = (self.element(), other.element());
         let n = one.n.lcm(&other.n);
@@ -148,7 +148,7 @@ impl Number {
         Some(Number::new(n, top, bottom))
     }
 
-    /// −1, 0 or 1.
+    /// The sign: −1, 0 or 1.
     pub fn sign(&self) -> Result<i8, Stop> {
         match self {
             Number::Small(top, _) => Ok(signum(top)),
@@ -172,7 +172,7 @@ impl Number {
         *self == Number::Small(0, 1)
     }
 
-    /// This as a rational number, if it is one.
+    /// The rational number that this is; `None` if it is irrational.
     pub fn rational(&self) -> Option<Q> {
         match self {
             &Number::Small(top, bottom) => Some(Q::new_raw(top.into(), bottom.into())),
@@ -188,7 +188,7 @@ impl Number {
         matches!(self, Number::Small(..))
     }
 
-    /// This as an integer, if it is one that is not large.
+    /// The machine integer that this is; `None` if it is no such integer.
     pub fn integer(&self) -> Option<i128> {
         match self {
             Number::Small(value, 1) => Some((*value).into()),
@@ -199,7 +199,7 @@ impl Number {
         }
     }
 
-    /// n of its field, and its coordinates on 1, x, x², …
+    /// The n of the field, and the rational coordinates on 1, x, x², …
     pub fn coordinates(&self) -> (u32, Vec<Q>) {
         let Element { n, top, bottom } = self.element();
         (n, top.into_iter().map(|c| Q::new(c, bottom.clone())).collect())
@@ -218,7 +218,7 @@ impl Number {
         self.element().floor()
     }
 
-    /// Its size in binary digits.
+    /// The size in binary digits.
     pub fn bits(&self) -> u64 {
         match self {
             Number::Small(top, bottom) => {

@@ -1,4 +1,4 @@
-//! The products of sequences and the constants that are known.
+//! Caches of products of sequences, and of constants.
 
 use crate::convolution::{Convolution, MAX_LENGTH, Product, Sequence, Sums};
 use crate::meter::Meter;
@@ -11,10 +11,10 @@ use std::collections::HashMap;
 use std::hash::Hash;
 use std::rc::Rc;
 
-/// The most products that are kept.
+/// The most products in a cache.
 const MAX_PRODUCTS: usize = 1_000;
 
-/// Products by what they are made of.
+/// A cache of products.
 type Known<K> = RefCell<HashMap<K, Rc<Product>>>;
 
 /// The rules of a constant, whether they are read forwards, and the level.
@@ -32,7 +32,7 @@ pub struct Products<'m> {
 }
 
 impl<'m> Products<'m> {
-    /// No products.
+    /// Empty caches.
     pub fn new(meter: &'m Meter) -> Products<'m> {
         let (known, of_masks, constants) = Default::default();
         Products { meter, known, of_masks, constants }
@@ -89,7 +89,7 @@ impl<'m> Products<'m> {
         piece: Option<&Piece>,
     ) -> Result<Sums, Stop> {
         let c = u32::try_from(c.integer(64)?);
-        let c = c.map_err(|_| Stop::Wrong("a negative level".into()))?;
+        let c = c.map_err(|_| Stop::Wrong("the level is negative".into()))?;
         let how = Convolution { c, arity: of.rules.len(), printed: false };
         self.of_mask(how, of)?.classes(self.meter, piece)
     }

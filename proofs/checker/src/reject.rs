@@ -1,9 +1,10 @@
-//! Why a certificate is rejected: one reason for each side condition of FORMAT.md.
+//! The reasons for which a certificate is rejected. There is one for each side condition of
+//! FORMAT.md.
 
 use std::fmt;
 
-/// What a certificate says, or what the checker found: a value, a count or words. It is
-/// displayed in a short form.
+/// A value, a count or words that a certificate says or that the checker found. If it is long, its
+/// beginning and its end are displayed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Text(pub String);
 
@@ -37,7 +38,7 @@ macro_rules! reasons {
 }
 
 reasons! {
-    /// Why a formula has no value.
+    /// The reason for which a formula has no value.
     Stop:
     Unstated(name: String) "the paper does not state the parameter {name}"
     Undefined(why: &'static str) "the definition has no value here: {why}"
@@ -127,14 +128,14 @@ reasons! {
 /// A reason, and the line of the certificate.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Rejection {
-    /// The line, counted from 1; 0 while it is the line at hand.
+    /// The line, counted from 1. It is 0 until the line is known.
     pub line: usize,
     /// The reason.
     pub reason: Reason,
 }
 
 impl Rejection {
-    /// Whether the claim was left open, not shown to be wrong.
+    /// Whether the claim is left open. Otherwise its certificate is wrong.
     #[must_use]
     pub fn given_up(&self) -> bool {
         matches!(
@@ -173,7 +174,7 @@ pub fn require(holds: bool, otherwise: Reason) -> Checked<()> {
     if holds { Ok(()) } else { Err(otherwise.into()) }
 }
 
-/// Makes sure of a side condition of two values or texts, which are shown if it does not hold.
+/// Makes sure of a side condition of two values or texts. The rejection shows both.
 pub fn compare<A, B>(holds: bool, said: &A, found: &B, otherwise: Compared) -> Checked<()>
 where
     A: fmt::Display + ?Sized,

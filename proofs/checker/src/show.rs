@@ -1,4 +1,4 @@
-//! Values as formulas.
+//! The display of values as formulas.
 
 use crate::decimal::Q;
 use crate::number::Number;
@@ -7,7 +7,7 @@ use num_traits::Zero;
 use std::fmt::{Display, Formatter, Result};
 use std::rc::Rc;
 
-/// A sum of terms, each a coefficient with the factor behind it.
+/// The text of a sum of terms. A term is a coefficient and a factor.
 fn sum(terms: impl Iterator<Item = (String, String)>) -> String {
     let term = |(coefficient, factor): (String, String)| match (&coefficient[..], &factor[..]) {
         (_, "") => coefficient,
@@ -47,7 +47,7 @@ impl Display for Value {
     }
 }
 
-/// A value, or `undefined`.
+/// The text of a value, or `undefined`.
 pub fn shown(value: Option<&Value>) -> String {
     value.map_or("undefined".to_owned(), Value::to_string)
 }

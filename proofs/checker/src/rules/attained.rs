@@ -1,4 +1,4 @@
-//! Rule `attained`: a constant, and the residue class that attains it.
+//! The rule `attained`: a constant and the residue class that attains it.
 
 use crate::certificate::MAX_LINE;
 use crate::formula::parse;
@@ -6,8 +6,8 @@ use crate::reject::{Checked, Reason, Text, compare, require};
 use crate::sums::of_constant;
 use crate::table::{Read, Table};
 
-/// Checks `ROW COLUMN CLASS VALUE FORMULA`, with a reading as printed that is not the table's: what
-/// it consults says nothing of what the table's value does.
+/// Checks `ROW COLUMN CLASS VALUE FORMULA`. The reading is as printed. It is not the table's own,
+/// whose record of consulted choices must not change.
 pub fn check(table: &Table<'_>, read: &Read, said: &str) -> Checked<()> {
     let (at, said) = table.place(said)?;
     let mut words = said.splitn(3, ' ');

@@ -1,4 +1,4 @@
-//! Rule `cell`: a printed number and its verdict.
+//! The rule `cell`: a printed number and its verdict.
 
 use super::reading::{PartRead, Reads};
 use crate::decimal::Decimal;
@@ -59,7 +59,7 @@ fn same(table: &Table<'_>, said: &str, value: Option<&Value>) -> Checked<()> {
 struct Cell<'c> {
     table: &'c Table<'c>,
     place: Place,
-    /// What is printed.
+    /// The printed text.
     text: &'c str,
     decimal: Decimal,
     /// Whether it needs no assumptions.
@@ -111,8 +111,8 @@ impl Cell<'_> {
         Ok(false)
     }
 
-    /// Makes sure that a reading explains the printed number by its value, in the way that the
-    /// words `rest` say; `found` is the rounding that leads from the value as printed.
+    /// Makes sure that the value under a reading explains the printed number, in the way that the
+    /// words `rest` say. `found` is the rounding of the value as printed.
     fn explained(
         &self,
         part: &PartRead,
@@ -139,8 +139,7 @@ impl Cell<'_> {
         }
     }
 
-    /// Makes sure that no reading gives the printed number, nor a value that a rounding or a slip
-    /// leads from.
+    /// Makes sure that no reading explains the printed number, by a rounding or a slip or directly.
     fn unexplained(&self, reads: &Reads) -> Checked<()> {
         for part in reads.of(self.table, self.place) {
             let value = part.value(self.table, self.place)?;
@@ -211,7 +210,7 @@ impl Cell<'_> {
         }
     }
 
-    /// The slips from the value, and from those of the cells around, which are read so.
+    /// The slips from the value, and from the values of the cells around under a reading.
     fn slips(&self, value: Option<&Value>, around: Option<&Read>) -> Result<Vec<String>, Stop> {
         let Some(value) = value.filter(|_| !self.is_depth()) else { return Ok(Vec::new()) };
         if self.rounding(Some(value))? != "neither" {
@@ -221,8 +220,8 @@ impl Cell<'_> {
         let steps = [(0, 1), (0, -1), (1, 0), (-1, 0)].into_iter();
         for (step, read) in steps.filter_map(|step| around.map(|read| (step, read))) {
             let Some(place) = self.table.moved(self.place, step) else { continue };
-            // What needs assumptions does not count where nothing is assumed, and the reading of one
-            // kind of cells is not about the other.
+            // Values that need assumptions do not count for a plain cell, and the reading of one
+            // kind of cells does not apply to the other.
             let plain = self.table.is_plain(place);
             let alike = plain == self.plain || plain && self.table.is_as_printed(read);
             if !alike {
@@ -233,7 +232,7 @@ impl Cell<'_> {
                 continue;
             }
             slips.push(format!("neighbour {} {}", step.0, step.1));
-            // Each of the two prints the other's value.
+            // Both cells print the value of the other.
             if let Some((_, printed)) = self.table.printed(place)
                 && rounding(&printed, &other)? == "neither"
                 && rounding(&printed, value)? != "neither"
@@ -247,7 +246,8 @@ impl Cell<'_> {
     }
 }
 
-/// How the cells around one are read: in a row or column of its own they do not count.
+/// The reading of the cells around one. The cells of a row or column with its own reading have
+/// none.
 fn around(part: &PartRead) -> Option<&Read> {
     part.is_whole().then_some(&part.read)
 }

@@ -1,5 +1,5 @@
-//! Rule `constant`: T_c or Λ_c of a scheme, where there are too many residue classes for the
-//! functions of formulas.
+//! The rule `constant`: T_c or Λ_c of a scheme with too many residue classes for the functions
+//! of formulas.
 
 use crate::certificate::Block;
 use crate::convolution::Sequence;
@@ -32,7 +32,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, said: &str, block: &mut Block<'_>) -> Che
     let levels = c.parse().ok().filter(|c| (1..=MAX_LEVELS).contains(c)).ok_or(malformed())?;
     let class = class.parse().map_err(|_| malformed())?;
     let exact = read_rational(value).ok_or(malformed())?;
-    // Read forwards, the sequence is that of the rules turned round.
+    // The sequence that is read forwards belongs to the reversed rules.
     let rational = |rule: &Vec<Value>| {
         let mut rule: Vec<Q> = rule.iter().map(Value::rational).collect::<Option<_>>()?;
         if forward {
@@ -47,7 +47,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, said: &str, block: &mut Block<'_>) -> Che
     compare(sum == exact, &exact, &sum, Reason::Class)?;
     let said = block.after("powers")?;
     let all = said.strip_prefix("all ");
-    // Rounded upwards, so that no long number is computed with.
+    // The numbers are rounded upwards, so that they are short.
     let number = |text: &str| {
         let number = read_rational(text).filter(|number| !number.is_negative())?;
         Some((number * int(1 << PLACES)).ceil() / int(1 << PLACES))

@@ -1,4 +1,4 @@
-//! Rule `equation`: two sides, as polynomials in the symbols, in every case.
+//! The rule `equation`: two sides as polynomials in the symbols, in every case.
 
 use super::hypotheses;
 use crate::certificate::Block;
@@ -38,9 +38,9 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     let lefts = lefts.collect::<Result<Vec<Expr>, Stop>>()?;
     let (right, cases) = (formula_of(claim, "right")?, cases(paper, claim)?);
     if !each.is_empty() && lefts.len() != cases.len() {
-        return Err(Stop::Wrong("as many left sides as cases are needed".into()).into());
+        return Err(Stop::Wrong("the number of left sides is not that of the cases".into()).into());
     }
-    // What is said of no case supports nothing.
+    // An equation without cases states nothing.
     require(!cases.is_empty(), Reason::NoCase)?;
     let (verdict, count) = block.any()?;
     require(["holds", "fails"].contains(&verdict), Reason::Malformed("holds or fails"))?;
@@ -79,7 +79,7 @@ fn symbols<'a>(paper: &'a Paper<'a>, claim: &Toml) -> Scope<'a> {
     scope
 }
 
-/// The scope of a case, with what is known of the definitions from others.
+/// The scope of a case. It shares the known values of definitions with other cases.
 fn scope<'a>(
     paper: &'a Paper<'a>,
     claim: &Toml,

@@ -1,5 +1,5 @@
-//! Rule `family`: no reading of a table explains more cells than the one that is given, and
-//! luck would hardly find one as good.
+//! The rule `family`: no reading of a table explains more cells than the given one, and readings
+//! of unrelated values would hardly explain as many.
 
 use super::members::{Members, explained, members, read, values};
 use super::reading::{MAX_DIFFERENCES, PartRead, Reads};
@@ -16,11 +16,11 @@ use std::collections::BTreeSet;
 /// The fewest cells that a row or column with a reading of its own explains.
 const LEAST_CELLS: usize = 2;
 
-/// The places from which the values of a row or column are taken: its own, and those around.
+/// The number of places from which the value of a cell may be taken: its own and those around.
 const SHIFTS: i64 = 5;
 
-/// Checks the lines `family`, `scale`, `values` and `member` of a table that is read
-/// otherwise or has cells that are refuted.
+/// Checks the lines `family`, `scale`, `values` and `member` of a table that has a reading or
+/// refuted cells.
 pub fn check(
     table: &Table<'_>,
     reads: &Reads,
@@ -77,8 +77,8 @@ pub fn check(
     complete.and_then(|()| family.compare(reads)).map_err(|rejection| rejection.at(line))
 }
 
-/// Makes sure that the readings of cells that need assumptions are members of their family, with
-/// other values of parameters that are not stated at most.
+/// Makes sure that the readings of cells that need assumptions are members of their family. Only
+/// parameters that are not stated may have other values.
 fn assumed(table: &Table<'_>, reads: &Reads) -> Checked<()> {
     if reads.all(false).count() == 0 {
         return Ok(());
@@ -101,7 +101,7 @@ fn is_member(read: &Read, members: &Members) -> Checked<()> {
     require(members.contains(&read.differences), Reason::NotInFamily(differences))
 }
 
-/// Makes sure that a reading is of the family: one of its members, or one at a scale.
+/// Makes sure that a reading is in the family. It is a member, or a member at a scale.
 fn belongs(
     table: &Table<'_>,
     cells: &Cells,
@@ -126,13 +126,13 @@ fn belongs(
     Ok(())
 }
 
-/// What is known of a family when all of its members have been looked at.
+/// A family all of whose members have been checked.
 struct Family<'f> {
     table: &'f Table<'f>,
     cells: Cells,
-    /// No member explains more cells, at any scale.
+    /// The most cells that a member explains, at any scale.
     best: usize,
-    /// How many readings there are.
+    /// The number of readings.
     size: i64,
 }
 
@@ -145,7 +145,7 @@ impl Family<'_> {
         let printed = explained_by(&table.as_printed)?;
         let mut left: BTreeSet<Place> = cells.iter().map(|(place, _)| *place).collect();
         left.retain(|place| !printed.contains(place));
-        // What the printed text gives tells nothing for another reading.
+        // The cells that the printed text gives are no evidence for another reading.
         let others: Cells = cells.iter().filter(|(at, _)| left.contains(at)).cloned().collect();
         let lucky = |m: usize| is_luck(table, &others, m.saturating_sub(printed.len()), self.size);
         if let Some(part) = reads.all(true).find(|part| part.is_whole()) {
@@ -157,7 +157,7 @@ impl Family<'_> {
         } else {
             require(*best <= printed.len() || lucky(*best), Reason::NotLuck)?;
         }
-        // What rows and columns explain of what is left.
+        // Rows and columns with readings explain some of the cells that are left.
         let (rows, columns) = table.size();
         let lines = i64::try_from(rows + columns).unwrap_or(i64::MAX);
         for part in reads.all(true).filter(|part| !part.is_whole()) {
@@ -180,7 +180,7 @@ type Met = (Option<Value>, bool);
 
 /// The values that members give in the refuted cells.
 struct Listed {
-    /// Of each cell: the values.
+    /// The values of each cell.
     cells: Vec<(Place, Vec<Met>)>,
 }
 
@@ -228,14 +228,15 @@ impl Listed {
     }
 }
 
-/// Whether two values are equal, or both undefined.
+/// Whether two values are equal or both are undefined.
 fn same(one: Option<&Value>, other: Option<&Value>) -> Result<bool, Stop> {
     one.zip(other).map_or(Ok(one.is_none() && other.is_none()), |(one, other)| one.equals(other))
 }
 
-/// Whether it is luck: one of so many readings of unrelated values is likely enough to become m of these
-/// printed cells: readings·e_m of the likelihoods that a value becomes a cell, against 1/1000.
-/// That a cell is printed as 0 tells nothing: it is left out, and m is one less.
+/// Whether m cells may be explained by luck. It compares with 1/1000 a bound of the expected number
+/// of readings of unrelated values that give m of these cells: the number of readings times the
+/// m-th elementary symmetric polynomial of the likelihoods of the cells. A cell that is printed as
+/// 0 is no evidence; it is left out, and m is one less.
 fn is_luck(table: &Table<'_>, cells: &Cells, m: usize, readings: i64) -> bool {
     let depth = table.tolerance.is_some();
     let telling = |cell: &&(Place, Decimal)| depth || !cell.1.digits.is_zero();

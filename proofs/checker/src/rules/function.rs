@@ -1,4 +1,4 @@
-//! Rule `function`: two sides as functions of a parameter.
+//! The rule `function`: two sides as functions of a parameter.
 
 use super::pieces::Free;
 use crate::certificate::Block;

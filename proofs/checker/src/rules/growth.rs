@@ -1,4 +1,4 @@
-//! How a formula grows with `k`, and with `beta`.
+//! The growth of a formula in `k` and `beta`.
 
 use crate::evaluate::Scope;
 use crate::formula::{Expr, Head};
@@ -16,14 +16,14 @@ const MAX_STEP: i64 = 10_000;
 /// How deep definitions and parts of a formula may be nested.
 const MAX_DEPTH: usize = 128;
 
-/// (p, q, d) with by(k + p) = q·by(k) for all k, by a multiple of beta^d.
+/// A triple (p, q, d): f(k + p) = q·f(k) for all k, and f is a multiple of beta^d.
 type Growth = (u32, Value, i64);
 
-/// What is known of a formula; as an error, `None` if nothing is.
+/// The growth or slope of a formula. The error `None` says that the formula has none.
 type Known<T> = Result<T, Option<Stop>>;
 
-/// The growth of a formula in a scope where `k` and `beta` are symbols: a product of powers with k
-/// in exponents only, and of beta.
+/// The growth of a formula in a scope where `k` and `beta` are symbols. The formula is made of
+/// beta and of powers with k in the exponent only.
 pub fn growth(scope: &Scope<'_>, expr: &Expr, depth: usize) -> Known<Growth> {
     nested(depth)?;
     if steady(scope, expr)?.is_some() {
@@ -63,7 +63,7 @@ pub fn growth(scope: &Scope<'_>, expr: &Expr, depth: usize) -> Known<Growth> {
     }
 }
 
-/// (p, s) with e(k + p) = e(k) + s for all k.
+/// The slope (p, s) of a formula: e(k + p) = e(k) + s for all k.
 fn slope(scope: &Scope<'_>, expr: &Expr, depth: usize) -> Known<(u32, Value)> {
     nested(depth)?;
     if let Some(line) = symbolic(scope, expr)?.and_then(|value| value.univariate("k")) {
@@ -112,7 +112,7 @@ fn steady(scope: &Scope<'_>, expr: &Expr) -> Result<Option<Value>, Stop> {
     Ok(symbolic(scope, expr)?.filter(|value| value.number().is_ok()))
 }
 
-/// The value where `k` and `beta` are symbols; none if a formula asks what these are.
+/// The value as a polynomial in `k` and `beta`, if the formula has one.
 fn symbolic(scope: &Scope<'_>, expr: &Expr) -> Result<Option<Value>, Stop> {
     match scope.value(expr) {
         Err(stop @ Stop::Capped(_)) => Err(stop),

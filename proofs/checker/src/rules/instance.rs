@@ -1,4 +1,4 @@
-//! An instance of a theorem: a scheme and values that it speaks of.
+//! An instance of a theorem: one scheme and one value of each parameter.
 
 use crate::certificate::Block;
 use crate::definitions::{formula, formula_of};
@@ -13,15 +13,15 @@ use crate::toml::Toml;
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
-/// A scheme and values that a theorem speaks of.
+/// A scheme and values of parameters for which a theorem is stated.
 pub struct Instance<'a> {
-    /// With the parameters.
+    /// The scope with the parameters.
     pub scope: Scope<'a>,
-    /// The factors of the scheme; none of a ring.
+    /// The factors of the scheme. A ring has none.
     pub schemes: Vec<Rc<Scheme>>,
     /// The offset at which masks are taken, if not their own.
     pub offset: Option<i64>,
-    /// What data are refined by.
+    /// The rules that refine control data.
     pub setting: Setting<'a>,
 }
 
@@ -40,7 +40,7 @@ impl<'a> Instance<'a> {
         compare(listed, reference, &known.join(", "), Reason::Restated)?;
         let mut scope = paper.scope();
         scope.values.clone_from(&paper.given);
-        // What these mean is for the theorem to say, not for the paper.
+        // The theorem defines these names, whatever the paper states.
         scope.values.retain(|name, _| !OF_THEOREMS.contains(&&name[..]));
         scope.reserved = &OF_THEOREMS;
         let mut left: BTreeSet<&String> =

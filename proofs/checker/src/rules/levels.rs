@@ -1,4 +1,5 @@
-//! Rule `levels`: a bound for one scheme, proved at all levels by finitely many (THEOREMS.md, 40).
+//! The rule `levels`: finitely many levels prove a bound for one scheme at all levels
+//! (THEOREMS.md, 40).
 
 use super::growth::{MAX_PERIOD, growth};
 use super::instance::{Instance, first_level};
@@ -22,7 +23,7 @@ pub fn check<'a>(
     Instance { mut scope, schemes, offset, setting }: Instance<'a>,
 ) -> Checked<()> {
     block.look();
-    // One of several schemes or values proves nothing of the others.
+    // A proof for one of several schemes or values says nothing about the others.
     let one = ["schemes", "values"].iter().all(|key| claim.get(key).is_none());
     require(one && claim.get("scheme").is_some(), Reason::Single)?;
     let bounds = claim.text("bounds").unwrap_or_default();
@@ -68,7 +69,7 @@ pub fn check<'a>(
                     steps.collect::<Result<_, Stop>>()?
                 }
                 _ => {
-                    // Only of what an interpolant keeps the limit is known.
+                    // The limit is known only of the points that an interpolant keeps.
                     require(earlier.is_none(), Reason::NoLimit)?;
                     errors(paper, ring, block)?
                 }

@@ -1,5 +1,5 @@
-//! Rule `promise`: whether what a table promises of its printed numbers is true for all control
-//! data, cell by cell.
+//! The rule `promise`: whether the promise of a table about its printed numbers is kept for all
+//! control data, cell by cell.
 
 use super::sound::{self, MAX_LEVEL, Promised};
 use crate::certificate::Block;
@@ -16,7 +16,7 @@ use num_traits::{Signed, Zero};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-/// The most points of a level that are looked at.
+/// The most points of a level.
 const MAX_POINTS: i64 = 1 << 16;
 
 /// Checks the lines `witness`, and those of the cells.
@@ -76,7 +76,7 @@ pub fn check(table: &Table<'_>, block: &mut Block<'_>) -> Checked<()> {
     Ok(())
 }
 
-/// What a cell speaks of.
+/// The setting of a cell.
 fn setting<'a>(
     table: &'a Table<'a>,
     promised: &Promised<'a>,
@@ -100,8 +100,8 @@ fn setting<'a>(
     Ok(setting)
 }
 
-/// Checks `L M c`: the sound bound at level L, and how far level L is from level k, are together
-/// at most what is promised.
+/// Checks `L M c`: the sound bound at level L and the distance between the levels L and k have a
+/// sum that is at most the promised bound.
 pub fn kept(
     promised: &Promised<'_>,
     setting: &Setting<'_>,
@@ -139,7 +139,8 @@ pub fn errors(
     Ok(errors.collect::<Result<_, Stop>>()?)
 }
 
-/// Checks a line `flow …` for each functional: the flow carries it, and its cost is small.
+/// Checks a line `flow …` for each functional. The flow carries the functional, and its cost is
+/// small.
 pub fn flows(
     paper: &Paper<'_>,
     ring: &Ring<'_>,
@@ -173,7 +174,7 @@ pub fn change(promised: &Promised<'_>, rules: &[Rules<'_>], k: u32, l: u32) -> R
         Ok(largest.into())
     };
     let [first, second] = rules else { return largest(&rules[0]) };
-    // THEOREMS.md, 32, with level l in place of the limit.
+    // This is THEOREMS.md, 32, with level l in place of the limit.
     let norm = |axis: usize, level: u32| {
         promised.class_sum(&promised.schemes[axis].mask, &Value::int(level.into()))
     };
