@@ -2,20 +2,20 @@
 
 use crate::convolution::{Convolution, Sequence};
 use crate::decimal::Q;
-use crate::evaluate::{Indices, MAX_INTEGER, Scope};
+use crate::evaluate::{Asked, Indices, MAX_INTEGER, Scope};
 use crate::library::Library;
 use crate::reject::Stop;
-use crate::scheme::{Part, Scheme};
+use crate::scheme::Scheme;
 use crate::value::Value;
 use std::rc::Rc;
 
-/// The words of an option, the default first.
+/// The words that these options may have. The default is the first.
 pub const TERMS: [&str; 2] = ["each", "total"];
 pub const SUPREMA: [&str; 2] = ["independent", "joint"];
 const ORDER: [&str; 2] = ["adjoint", "forward"];
 const RECURSION: [&str; 2] = ["derived", "printed"];
 
-/// A call, with the options that are not used yet.
+/// A call of a function. It keeps the options that are not used yet.
 pub struct Call<'c> {
     /// The schemes, and what is known of them.
     pub library: &'c Library<'c>,
@@ -32,7 +32,7 @@ pub fn wrong<T>(what: impl Into<String>) -> Result<T, Stop> {
     Err(Stop::Wrong(what.into()))
 }
 
-/// An integer from `least` to `most`, as an index.
+/// Reads an integer from `least` to `most` as an index.
 pub fn within(value: &Value, least: i64, most: i64) -> Result<usize, Stop> {
     let integer = Some(value.integer(most)?).filter(|integer| *integer >= least);
     let index = integer.and_then(|integer| usize::try_from(integer).ok());
@@ -46,13 +46,8 @@ pub fn number(value: usize) -> Value {
 
 impl<'c> Call<'c> {
     /// A call with all of its options.
-    pub fn new(
-        library: &'c Library<'c>,
-        scope: &'c Scope<'c>,
-        function: &'c str,
-        arguments: &'c [Value],
-        options: &'c [(String, String)],
-    ) -> Call<'c> {
+    pub fn new(library: &'c Library<'c>, scope: &'c Scope<'c>, of: Asked<'c>) -> Call<'c> {
+        let (function, arguments, options) = of;
         Call { library, scope, function, arguments, options: options.iter().collect() }
     }
 
@@ -70,13 +65,13 @@ impl<'c> Call<'c> {
         Some(&self.options.remove(at).1)
     }
 
-    /// The word of an option, as the reading has it.
+    /// The word that an option has under the reading.
     pub fn word(&mut self, name: &str, default: &str) -> String {
         let printed = self.option(name).unwrap_or(default);
         self.scope.reading.word(self.function, name, printed)
     }
 
-    /// Which of these words an option has.
+    /// The position of the word that an option has, in a list of the possible ones.
     pub fn choose(&mut self, name: &str, words: &[&str]) -> Result<usize, Stop> {
         let word = self.word(name, words[0]);
         let place = words.iter().position(|known| *known == word);
@@ -96,9 +91,9 @@ impl<'c> Call<'c> {
         scheme.ok_or_else(|| Stop::Wrong(format!("`{}` needs a scheme", self.function)))
     }
 
-    /// The sequence of a scheme in the order that is chosen.
-    pub fn sequence<'s>(&mut self, scheme: &'s Scheme, part: Part) -> Result<Sequence<'s>, Stop> {
-        Ok(Sequence { scheme, part, forward: self.choose("order", &ORDER)? == 1 })
+    /// The sequence of a mask in the order that is chosen.
+    pub fn sequence<'s>(&mut self, rules: &'s [Vec<Value>]) -> Result<Sequence<'s>, Stop> {
+        Ok(Sequence { rules, forward: self.choose("order", &ORDER)? == 1 })
     }
 
     /// The convolution of level c ≤ `most` and arity n, by the recursion that is chosen.
@@ -108,7 +103,7 @@ impl<'c> Call<'c> {
         Ok(Convolution { c: u32::try_from(c).unwrap_or(1), arity, printed })
     }
 
-    /// The sequences that the options `sequence` and `with` name, at 0, …, length − 1.
+    /// The values at 0, …, length − 1 of the sequences that the options `sequence` and `with` name.
     pub fn sequences(
         &mut self,
         length: &Value,
@@ -117,7 +112,9 @@ impl<'c> Call<'c> {
         let length = within(length, 1, 1_000)?;
         let index = self.option("index").unwrap_or("q");
         self.scope.index(index)?;
-        let Some(first) = self.option("sequence") else { return wrong("no `sequence`") };
+        let Some(first) = self.option("sequence") else {
+            return wrong("the option `sequence` is missing");
+        };
         let (scope, second) = (self.scope, self.option("with"));
         let mut value = |name: &str, q: usize| {
             indices.push((index.to_owned(), number(q)));

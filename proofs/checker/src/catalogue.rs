@@ -2,7 +2,7 @@
 
 use crate::toml::Toml;
 
-/// The schemes that every claim file may name: data, not code.
+/// The schemes that every claim file may name. They are data.
 const CATALOGUE: [&str; 13] = [
     include_str!("../../../src/scheme/catalogue/b-spline.toml"),
     include_str!("../../../src/scheme/catalogue/bajaj.toml"),
@@ -19,7 +19,7 @@ const CATALOGUE: [&str; 13] = [
     include_str!("../../../src/scheme/catalogue/ternary-three-point.toml"),
 ];
 
-/// The files of the catalogue, read.
+/// Reads the files of the catalogue.
 pub fn catalogue() -> Result<Vec<Toml>, String> {
     CATALOGUE.iter().map(|text| Toml::read(text)).collect()
 }

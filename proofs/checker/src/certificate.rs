@@ -1,6 +1,6 @@
 //! Certificates: lines, and blocks of lines.
 
-use crate::reject::{Checked, Reason, Rejection, require};
+use crate::reject::{Checked, Reason, Rejection, Text, agree, compare, require};
 
 /// The first line of a certificate.
 const VERSION: &str = "subcert-certificate 2";
@@ -33,7 +33,7 @@ impl<'a> Line<'a> {
     }
 }
 
-/// A claim's line, and the lines indented under it, which are taken one by one.
+/// A claim's line and the lines that are indented under it. A rule takes them one by one.
 #[derive(Clone, Debug)]
 pub struct Block<'a> {
     /// `table table-1`, …
@@ -50,7 +50,7 @@ impl<'a> Block<'a> {
         self.lines.get(self.taken).copied()
     }
 
-    /// The first word of the next line; nothing if there is none.
+    /// The first word of the next line. It is empty if there is no next line.
     pub fn next_word(&self) -> &'a str {
         self.peek().map_or("", |line| line.word().0)
     }
@@ -63,12 +63,12 @@ impl<'a> Block<'a> {
         Some(line.word().1)
     }
 
-    /// Goes on to the next line without taking it; back to the head if there is none.
+    /// Makes the next line the one at hand, or the head if there is no next line.
     pub fn look(&mut self) {
         self.at = self.peek().unwrap_or(self.head).number;
     }
 
-    /// Takes the next line, which has to begin with this word, and gives the rest of it.
+    /// Takes the next line and gives the rest of it. The line has to begin with this word.
     pub fn after(&mut self, word: &'static str) -> Checked<&'a str> {
         self.look();
         self.maybe(word).ok_or(Reason::Malformed(word).into())
@@ -82,13 +82,14 @@ impl<'a> Block<'a> {
         Ok(line.word())
     }
 
-    /// Takes the next line, which has to repeat a text of the claim file, up to blanks.
+    /// Takes the next line. It has to repeat a text of the claim file; blanks may differ.
     pub fn restates(&mut self, word: &'static str, text: Option<&str>) -> Checked<()> {
-        let said = self.after(word)?.split_whitespace();
-        require(text.is_some_and(|text| text.split_whitespace().eq(said)), Reason::Restated(word))
+        let said = self.after(word)?;
+        let same = |text: &str| text.split_whitespace().eq(said.split_whitespace());
+        compare(text.is_some_and(same), said, text.unwrap_or_default(), Reason::Restated)
     }
 
-    /// Takes the next line, which has to be this word alone.
+    /// Takes the next line. It has to be this word alone.
     pub fn word(&mut self, word: &'static str) -> Checked<()> {
         let rest = self.after(word)?;
         require(rest.is_empty(), Reason::Malformed(word))
@@ -113,7 +114,7 @@ pub fn blocks<'a>(text: &'a str, key: &str) -> Checked<Vec<Block<'a>>> {
     blocks.map_err(|rejection| rejection.at(number.max(1)))
 }
 
-/// The same; counts the lines up to the one that is wrong.
+/// Reads the blocks. It counts the lines up to the one that is wrong.
 fn read<'a>(text: &'a str, key: &str, number: &mut usize) -> Checked<Vec<Block<'a>>> {
     let (mut blocks, mut heads, mut ended) = (Vec::<Block<'a>>::new(), 0, false);
     require(text.len() <= MAX_BYTES, Reason::LongLine)?;
@@ -121,7 +122,9 @@ fn read<'a>(text: &'a str, key: &str, number: &mut usize) -> Checked<Vec<Block<'
         *number += 1;
         let line = Line { number: *number, text: raw.trim() };
         require(raw.len() <= MAX_LINE, Reason::LongLine)?;
-        require(heads > 0 || line.text == VERSION, Reason::Version)?;
+        if heads == 0 && line.text != VERSION {
+            return Err(Reason::Version(Text(line.text.to_string())).into());
+        }
         if line.text.is_empty() || line.text.starts_with('#') {
             continue;
         }
@@ -129,14 +132,14 @@ fn read<'a>(text: &'a str, key: &str, number: &mut usize) -> Checked<Vec<Block<'
         match (heads, line.word()) {
             (0, _) => heads = 1,
             (1, head) => {
-                require(head == ("paper", key), Reason::Paper)?;
+                compare(head == ("paper", key), line.text, key, Reason::Paper)?;
                 heads = 2;
             }
             _ if raw.starts_with(' ') => {
                 blocks.last_mut().ok_or(Reason::Malformed("a claim"))?.lines.push(line);
             }
             (_, ("end", count)) => {
-                require(count == blocks.len().to_string(), Reason::Count)?;
+                agree(count, &blocks.len().to_string(), Reason::Count)?;
                 ended = true;
             }
             _ => blocks.push(Block { head: line, lines: Vec::new(), taken: 0, at: *number }),

@@ -4,7 +4,6 @@ use crate::meter::Meter;
 use crate::number::Number;
 use crate::piece::Piece;
 use crate::reject::Stop;
-use crate::scheme::{Part, Scheme};
 use crate::value::Value;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -16,57 +15,50 @@ pub const MAX_LENGTH: usize = 1 << 16;
 /// About what the sign of a polynomial on a piece costs.
 const STEPS_OF_SIGN: u64 = 100;
 
-/// The sequence of a scheme: t_{nu+β} = r_{β,N−1−u}, or r_{β,u} forwards.
-#[derive(Clone, Copy)]
+/// The sequence of a mask: t_{nu+β} = r_{β,N−1−u}, or r_{β,u} forwards.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Sequence<'s> {
-    /// The scheme.
-    pub scheme: &'s Scheme,
-    /// Which mask r is.
-    pub part: Part,
+    /// The rules r_β.
+    pub rules: &'s [Vec<Value>],
     /// Whether the sequence is read forwards.
     pub forward: bool,
 }
 
 impl Sequence<'_> {
-    /// The rules r_β.
-    pub fn rules(&self) -> &[Vec<Value>] {
-        self.scheme.rules(self.part)
-    }
-
-    /// The sequence itself.
+    /// The values t_0, t_1, …
     pub fn values(&self) -> Vec<Value> {
-        let last = self.scheme.width() - 1;
+        let last = self.rules[0].len() - 1;
         let columns = (0..=last).map(|u| if self.forward { u } else { last - u });
-        columns.flat_map(|column| self.rules().iter().map(move |row| row[column].clone())).collect()
+        columns.flat_map(|column| self.rules.iter().map(move |row| row[column].clone())).collect()
     }
 }
 
-/// How sequences are convolved.
+/// A convolution of a sequence with itself.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Convolution {
-    /// c.
+    /// The number c of factors.
     pub c: u32,
-    /// n.
+    /// The arity n.
     pub arity: usize,
-    /// Whether by the recursion E^{c−1}·E^{c−1} in place of E¹·E^{c−1}.
+    /// Whether the recursion is E^{c−1}·E^{c−1} and not E¹·E^{c−1}.
     pub printed: bool,
 }
 
 impl Convolution {
-    /// n^c.
+    /// The number n^c of residue classes.
     pub fn classes(self) -> usize {
         self.arity.saturating_pow(self.c)
     }
 }
 
-/// Sums of absolute values, one for each of some values of f.
+/// Sums of absolute values for successive f.
 #[derive(Clone)]
 pub struct Sums {
     /// The first f.
     pub first: usize,
     /// The sums, in units of `scale`.
     pub units: Rc<[Value]>,
-    /// A positive number.
+    /// The positive unit of the sums.
     pub scale: Value,
 }
 
@@ -76,7 +68,7 @@ impl Sums {
         Sums { first: 0, units: sums.into(), scale: Value::int(1) }
     }
 
-    /// The greatest one.
+    /// The greatest sum.
     pub fn greatest(&self, piece: Option<&Piece>) -> Result<Value, Stop> {
         Value::greatest(&self.units, piece)?.times(&self.scale)
     }
@@ -84,20 +76,20 @@ impl Sums {
 
 /// E^c of a sequence.
 pub struct Product {
-    /// Integers, over one denominator.
+    /// The numerators over one denominator.
     coefficients: Vec<Value>,
-    /// One over the denominator.
+    /// The reciprocal of the denominator.
     scale: Value,
-    /// E^c_{l,f} is the coefficient of z^(f − stride·l).
+    /// The s for which E^c_{l,f} is the coefficient of z^(f − sl).
     stride: usize,
-    /// n^c.
+    /// The number n^c of residue classes.
     classes: usize,
     /// The sums that are known, by the first and the last f.
     known: RefCell<BTreeMap<(usize, usize), Sums>>,
 }
 
 impl Product {
-    /// E^0.
+    /// The product E^0 of no factors.
     pub fn one() -> Product {
         let (coefficients, scale, known) = (vec![Value::int(1)], Value::int(1), RefCell::default());
         Product { coefficients, scale, stride: 1, classes: 1, known }
@@ -128,7 +120,7 @@ impl Product {
         Ok(Product { coefficients, scale, stride, classes, known })
     }
 
-    /// Whether it has more coefficients or residue classes than are looked at.
+    /// Whether the product has too many coefficients or residue classes.
     pub fn is_long(&self) -> bool {
         self.coefficients.len() > MAX_LENGTH || self.classes > MAX_LENGTH
     }
@@ -179,7 +171,7 @@ impl Product {
     }
 }
 
-/// left(z^step)·right(z), its first `length` coefficients.
+/// The first `length` coefficients of left(z^step)·right(z).
 fn spread(
     meter: &Meter,
     left: &[Value],
@@ -204,7 +196,7 @@ fn spread(
     Ok(product)
 }
 
-/// The same product in machine integers, which suffice for most; `None` if they do not.
+/// The same product in machine integers; `None` if they do not suffice.
 fn spread_small(left: &[Value], right: &[Value], step: usize, count: usize) -> Option<Vec<Value>> {
     let integer = |value: &Value| value.number().ok()?.integer();
     let right: Vec<i128> = right.iter().map(integer).collect::<Option<_>>()?;

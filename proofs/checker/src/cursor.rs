@@ -1,9 +1,9 @@
-//! A place in a text, from which parsers read on.
+//! A position in a text. Parsers read from there.
 
-/// What a parser gives: a value, or what it expected.
+/// The value that a parser reads, or a description of what it expected.
 pub type Parsed<T> = Result<T, &'static str>;
 
-/// A text, and how far it is read.
+/// A text and the position up to which it has been read.
 pub struct Cursor {
     text: Vec<char>,
     at: usize,
@@ -20,7 +20,7 @@ impl Cursor {
         self.text.get(self.at).copied()
     }
 
-    /// The next character, taken.
+    /// Takes the next character.
     pub fn next(&mut self) -> Option<char> {
         self.at += 1;
         self.text.get(self.at - 1).copied()
@@ -39,7 +39,7 @@ impl Cursor {
         found
     }
 
-    /// Takes a token that has to stand here.
+    /// Takes a token. It has to stand here.
     pub fn expect(&mut self, token: &'static str) -> Parsed<()> {
         if self.eat(token) { Ok(()) } else { Err(token) }
     }
@@ -52,17 +52,17 @@ impl Cursor {
         taken
     }
 
-    /// The place, to come back to.
+    /// The position.
     pub fn at(&self) -> usize {
         self.at
     }
 
-    /// Comes back to a place.
+    /// Returns to a position.
     pub fn back(&mut self, at: usize) {
         self.at = at;
     }
 
-    /// What was expected, and in which line and column.
+    /// A message that says what was expected, and in which line and column.
     pub fn expected(&self, what: &str) -> String {
         let before = &self.text[..self.at.min(self.text.len())];
         let line = 1 + before.iter().filter(|c| **c == '\n').count();

@@ -23,10 +23,10 @@ pub fn int(value: i64) -> Q {
     Q::from_integer(value.into())
 }
 
-/// A decimal as printed: all its digits as one integer, and the place of the last.
+/// A decimal as printed.
 #[derive(Clone, Debug)]
 pub struct Decimal {
-    /// The digits.
+    /// The digits as one integer.
     pub digits: BigInt,
     /// One unit of the last digit.
     pub unit: Q,
@@ -34,7 +34,7 @@ pub struct Decimal {
     pub value: Q,
 }
 
-/// Digits, with a sign in front or not.
+/// Reads digits. A sign may precede them if `signed`.
 fn digits(text: &str, signed: bool) -> Option<BigInt> {
     let digits = text.strip_prefix('-').filter(|_| signed).unwrap_or(text);
     let proper = !digits.is_empty() && digits.len() <= MAX_DIGITS;
@@ -42,9 +42,9 @@ fn digits(text: &str, signed: bool) -> Option<BigInt> {
 }
 
 impl Decimal {
-    /// Reads `-0.0266`, `4.35e-5`, `1.99×10^-10`; nothing else.
+    /// Reads a decimal such as `-0.0266`, `4.35e-5` or `1.99×10^-10`.
     pub fn read(text: &str) -> Option<Decimal> {
-        // Most are short integers.
+        // Most decimals are short integers.
         if let Some(digits) = digits(text, false) {
             let value = Q::from_integer(digits.clone());
             return Some(Decimal { digits, unit: int(1), value });
@@ -56,7 +56,7 @@ impl Decimal {
         let exponent = digits(unsigned.unwrap_or(exponent), unsigned.is_none())?;
         let exponent = i64::try_from(exponent).ok().filter(|e| e.abs() <= MAX_EXPONENT)?;
         let (whole, fraction) = number.split_once('.').unwrap_or((number, ""));
-        // There are digits before the point, and behind it.
+        // Digits stand on both sides of the point.
         digits(whole, true).filter(|_| number.len() != whole.len() + 1)?;
         let place = exponent - i64::try_from(fraction.len()).ok()?;
         let unit = int(10).pow(i32::try_from(place).ok()?);
@@ -74,14 +74,14 @@ pub fn common_multiple<'i>(numbers: impl IntoIterator<Item = &'i BigInt>) -> Res
     })
 }
 
-/// Rows as integers over one denominator.
+/// Writes rows as integers over one denominator.
 pub fn over_one_denominator(rows: &[Vec<Q>]) -> Result<(Vec<Vec<BigInt>>, BigInt), Stop> {
     let over = common_multiple(rows.iter().flatten().map(Q::denom))?;
     let integer = |x: &Q| x.numer() * (&over / x.denom());
     Ok((rows.iter().map(|row| row.iter().map(integer).collect()).collect(), over))
 }
 
-/// Reads `-35/1296` or a decimal.
+/// Reads a fraction such as `-35/1296`, or a decimal.
 pub fn read_rational(text: &str) -> Option<Q> {
     let Some((top, bottom)) = text.split_once('/') else {
         return Decimal::read(text).map(|decimal| decimal.value);

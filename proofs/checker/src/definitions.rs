@@ -9,21 +9,21 @@ use std::rc::Rc;
 /// Formulas by their names.
 pub type Definitions = BTreeMap<String, Rc<Expr>>;
 
-/// A formula of a file.
+/// Reads a formula of a file.
 pub fn formula(text: &str) -> Result<Expr, Stop> {
     parse(text, MAX_LENGTH).map_err(Stop::Wrong)
 }
 
-/// The formula of a key of a claim.
+/// Reads the formula of a key of a claim.
 pub fn formula_of(claim: &Toml, key: &str) -> Result<Expr, Stop> {
     formula(claim.text(key).ok_or_else(|| Stop::Wrong(format!("`{key}` is missing")))?)
 }
 
-/// The named formulas of a file.
+/// Reads the named formulas of a file.
 pub fn formulas(entries: &[(String, Toml)]) -> Result<Definitions, Stop> {
     let read = |(name, text): &(String, Toml)| match text.as_text() {
         Some(text) if is_name(name) && name != "pi" => Ok((name.clone(), Rc::new(formula(text)?))),
-        _ => Err(Stop::Wrong(format!("`{name}`: no named formula"))),
+        _ => Err(Stop::Wrong(format!("`{name}` is no named formula"))),
     };
     entries.iter().map(read).collect()
 }

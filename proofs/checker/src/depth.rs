@@ -1,4 +1,4 @@
-//! The depth: the logarithm of a number, as an integer.
+//! Depths: logarithms that are rounded to integers.
 
 use crate::meter::Meter;
 use crate::reject::Stop;
@@ -8,7 +8,7 @@ use std::cmp::Ordering;
 /// A depth is at most two to the power of this.
 const MAX_LEVEL_BITS: usize = 14;
 
-/// A positive number without fractions: a numerator and a denominator.
+/// A numerator and a denominator, both without fractions.
 type Ratio = (Value, Value);
 
 fn ratio(value: &Value) -> Result<Ratio, Stop> {
@@ -30,11 +30,11 @@ pub fn depth(meter: &Meter, r: &Value, x: &Value, rounding: usize) -> Result<i64
     let one = Value::int(1);
     let between = r.sign(None)? > 0 && r.compare(&one)?.is_lt();
     if !between || x.sign(None)? <= 0 {
-        let why = "no depth: the ratio is not between 0 and 1, or x not positive";
+        let why = "the ratio of a depth is not between 0 and 1, or its number is not positive";
         return Err(Stop::Undefined(why));
     }
     let (r, x) = (ratio(r)?, ratio(x)?);
-    // r to the powers 1, 2, 4, …, as long as they are above x.
+    // The powers r, r², r⁴, … that are above x, and the next one.
     let mut powers = vec![r.clone()];
     while let Some(last) = powers.last()
         && compare(last, &x)?.is_gt()
@@ -45,7 +45,7 @@ pub fn depth(meter: &Meter, r: &Value, x: &Value, rounding: usize) -> Result<i64
         meter.spend(last.0.cost(&last.0) + last.1.cost(&last.1))?;
         powers.push(times(last, last)?);
     }
-    // The greatest k with r^k > x, digit by digit, and then the next.
+    // The greatest k with r^k > x is found bit by bit. Then k + 1 is the logarithm rounded up.
     let (mut k, mut power) = (0_i64, (one.clone(), one));
     if compare(&power, &x)?.is_gt() {
         for (i, next) in powers.iter().enumerate().rev() {

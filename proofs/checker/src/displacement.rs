@@ -1,4 +1,4 @@
-//! How far a refined polygon moves away from the last one.
+//! The displacement of a refined polygon from the polygon before.
 
 use crate::decimal::Q;
 use crate::piece::Piece;
@@ -6,7 +6,7 @@ use crate::reject::Stop;
 use crate::scheme::Scheme;
 use crate::value::Value;
 
-/// Σ|·| with terms 0, |Σ·| with terms 1.
+/// The sum of the absolute values (terms = 0), or the absolute value of the sum (terms = 1).
 pub fn gather(piece: Option<&Piece>, values: &[Value], terms: usize) -> Result<Value, Stop> {
     if terms == 1 {
         return Value::total(values)?.abs(piece);

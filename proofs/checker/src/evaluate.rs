@@ -1,4 +1,4 @@
-//! From formula to value.
+//! The evaluation of formulas.
 
 use crate::definitions::{Definitions, names as names_in};
 use crate::formula::{Expr, Head};
@@ -12,7 +12,7 @@ use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::rc::Rc;
 
-/// How deep formulas may be nested, those that are entered by name included.
+/// The greatest depth of an evaluation. Names that stand for formulas count.
 const MAX_DEPTH: usize = 200;
 
 /// The greatest integer that indices and exponents are read as.
@@ -21,7 +21,7 @@ pub const MAX_INTEGER: i64 = 1_000_000;
 /// The indices of the sums around a formula, the innermost last.
 pub type Indices = Vec<(String, Value)>;
 
-/// The values of definitions that are known already.
+/// A cache of the values of definitions.
 #[derive(Default)]
 pub struct Memory {
     values: RefCell<HashMap<Known, Value>>,
@@ -29,52 +29,48 @@ pub struct Memory {
     names: RefCell<HashMap<String, BTreeSet<String>>>,
 }
 
-/// A definition with all that it depends on: the values of names and indices that occur in it,
-/// and the scheme.
+/// A definition and what its value depends on: the values of the names and indices that occur in
+/// it, and the scheme.
 type Known = (String, Indices, Option<*const Scheme>);
+
+/// A function with its arguments and options.
+pub type Asked<'c> = (&'c str, &'c [Value], &'c [(String, String)]);
 
 /// The functions that formulas call.
 pub trait Functions {
-    /// The value of a function with these arguments and options.
-    fn call(
-        &self,
-        scope: &Scope<'_>,
-        function: &str,
-        arguments: &[Value],
-        options: &[(String, String)],
-        indices: &mut Indices,
-    ) -> Result<Value, Stop>;
+    /// The value of a function.
+    fn call(&self, scope: &Scope<'_>, of: Asked<'_>, indices: &mut Indices) -> Result<Value, Stop>;
 
     /// The meter that counts the steps of an evaluation.
     fn meter(&self) -> &Meter;
 }
 
-/// What names mean.
+/// A scope: the meanings of names.
 pub struct Scope<'a> {
     /// The formulas that names stand for.
     pub definitions: &'a Definitions,
-    /// Names with values; they go before definitions.
+    /// The names with values. They hide definitions.
     pub values: BTreeMap<String, Value>,
-    /// Names that exist, without a value.
+    /// The names of parameters without a value.
     pub unstated: BTreeSet<String>,
-    /// The names of families: every member is a symbol, unless it has a value.
+    /// The names of families. A member without a value is a symbol.
     pub families: BTreeSet<String>,
     /// The scheme that functions are about.
     pub scheme: Option<Rc<Scheme>>,
-    /// Names that no index may have, although they have no value.
+    /// Names without a value that no index may have either.
     pub reserved: &'static [&'static str],
-    /// Names with values that an index may have: the indices of an equation.
+    /// Names with values that an index may have. They are the indices of an equation.
     pub hidden: BTreeSet<String>,
-    /// Where signs of polynomials are taken.
+    /// The piece on which polynomials have signs.
     pub piece: Option<Piece>,
-    /// The way in which the options of functions are read.
+    /// The reading of the options of functions.
     pub reading: &'a Reading,
     functions: &'a dyn Functions,
-    /// What is known of the definitions, read in this way.
+    /// The values of definitions that are known under this reading.
     pub memory: Rc<Memory>,
-    /// How deep the evaluation is.
+    /// The depth of the evaluation.
     depth: Cell<usize>,
-    /// Whether this is inside of `cos`, where `pi` has a meaning.
+    /// Whether the evaluation is inside of `cos`, where `pi` has a meaning.
     angle: Cell<bool>,
 }
 
@@ -140,7 +136,9 @@ impl<'a> Scope<'a> {
         parts: &[Expr],
         indices: &mut Indices,
     ) -> Result<Value, Stop> {
-        let [first, rest @ ..] = parts else { return Err(Stop::Wrong("an operand".into())) };
+        let [first, rest @ ..] = parts else {
+            return Err(Stop::Wrong("an operand is missing".into()));
+        };
         let mut value = self.evaluate(first, indices)?;
         for (operator, part) in operators.iter().zip(rest) {
             let right = self.evaluate(part, indices)?;
@@ -172,7 +170,7 @@ impl<'a> Scope<'a> {
                 Ok(power)
             }
             (Head::Call(name, options), values) => {
-                self.functions.call(self, name, values, options, indices)
+                self.functions.call(self, (name, values, options), indices)
             }
             _ => Err(Stop::Wrong("this is no formula".into())),
         }
@@ -226,7 +224,7 @@ impl<'a> Scope<'a> {
         parts: &[Expr],
         indices: &mut Indices,
     ) -> Result<Value, Stop> {
-        let [from, to, body] = parts else { return Err(Stop::Wrong("a range".into())) };
+        let [from, to, body] = parts else { return Err(Stop::Wrong("a range is missing".into())) };
         self.index(index)?;
         let from = self.evaluate(from, indices)?.integer(MAX_INTEGER)?;
         let to = self.evaluate(to, indices)?.integer(MAX_INTEGER)?;
@@ -240,10 +238,10 @@ impl<'a> Scope<'a> {
                 Some(total) => self.join(fold, &total, &term?)?,
             });
         }
-        total.ok_or_else(|| Stop::Wrong("an extreme of nothing".into()))
+        total.ok_or_else(|| Stop::Wrong("a maximum or minimum has an empty range".into()))
     }
 
-    /// Makes sure that an index hides no other meaning of its name, which definitions may refer to.
+    /// Makes sure that an index does not hide a name to which definitions may refer.
     pub fn index(&self, name: &str) -> Result<(), Stop> {
         let valued = self.values.contains_key(name) && !self.hidden.contains(name);
         let named = self.definitions.contains_key(name) || self.unstated.contains(name);
@@ -263,7 +261,7 @@ impl<'a> Scope<'a> {
     }
 }
 
-/// The family of a member, `q` of `q[3]`; of another name, itself.
+/// The family `q` of a member `q[3]`, or the whole of another name.
 fn family_of(name: &str) -> &str {
     name.split_once('[').map_or(name, |(family, _)| family)
 }

@@ -12,9 +12,9 @@ pub struct Field {
     n: u32,
     /// The minimal polynomial ψ of x, from the constant to the leading coefficient 1.
     minimal: Vec<BigInt>,
-    /// M and p with M/2^p ≤ x ≤ (M + 1)/2^p.
+    /// An enclosure M/2^p ≤ x ≤ (M + 1)/2^p.
     enclosure: RefCell<(BigInt, u64)>,
-    /// C_k(x), by k, where it has been computed.
+    /// The C_k(x) that have been computed.
     chebyshev: RefCell<BTreeMap<u32, Vec<BigInt>>>,
 }
 
@@ -74,7 +74,7 @@ pub fn field(n: u32) -> Rc<Field> {
     }
     let (enclosure, chebyshev) = Default::default();
     let field = Rc::new(Field { n, minimal, enclosure, chebyshev });
-    // Between 0 and 1, or 1 and 2; that of n = 3 is −1, and of n = 4 it is 0.
+    // x lies between 0 and 1 or between 1 and 2. It is −1 for n = 3, and 0 for n = 4.
     let first = BigInt::from(i8::from(!field.is_below(&BigInt::one(), 0)));
     field.enclosure.replace((first, 0));
     FIELDS.with_borrow_mut(|known| known.insert(n, Rc::clone(&field)));
@@ -96,14 +96,14 @@ impl Field {
     fn is_below(&self, top: &BigInt, p: u64) -> bool {
         // x is the largest root of ψ, and x ≥ 2 − (2π/n)² > 2 − 40/n². The next root is at
         // most 2cos(4π/n) ≤ 2 − y² + y⁴/12 < 2 − 74/n², y = 4π/n, for n ≥ 5. So between
-        // 2 − 40/n² and 2, ψ is negative up to x and positive beyond. What has a smaller n is
-        // rational, and is not asked for.
+        // 2 − 40/n² and 2, ψ is negative up to x and positive beyond. For smaller n, x is rational
+        // and needs no enclosure.
         let unit = BigInt::one() << p;
         let near = (&unit * 2 - top) * self.n * self.n < unit * 40;
         near && scaled(&self.minimal, top, p).is_positive()
     }
 
-    /// M with M/2^p ≤ x ≤ (M + 1)/2^p.
+    /// The M with M/2^p ≤ x ≤ (M + 1)/2^p.
     pub fn enclose(&self, p: u64) -> BigInt {
         let mut enclosure = self.enclosure.borrow_mut();
         while enclosure.1 < p {
@@ -116,7 +116,7 @@ impl Field {
     }
 }
 
-/// The remainder of a polynomial in x, for n = 1 of an integer.
+/// Reduces a polynomial in x by the minimal polynomial of x. For n = 1 it is an integer.
 pub fn reduce(n: u32, polynomial: Vec<BigInt>) -> Vec<BigInt> {
     if n == 1 {
         return polynomial;

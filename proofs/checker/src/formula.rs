@@ -1,4 +1,4 @@
-//! Formulas: from text to tree.
+//! The parser of formulas.
 
 use crate::cursor::{Cursor, Parsed};
 use crate::decimal::Decimal;
@@ -17,24 +17,24 @@ pub enum Expr {
     Number(Value),
     /// A name.
     Name(String),
-    /// What is done with the values of other formulas.
+    /// An operation on the values of other formulas.
     Of(Head, Vec<Expr>),
 }
 
-/// What can be done with values.
+/// An operation on values.
 #[derive(Clone, Debug)]
 pub enum Head {
     /// A member of a family: `q[2*i-1]`.
     Member(String),
     /// −x.
     Minus,
-    /// Operators of one precedence, between the values from left to right.
+    /// Operators of one precedence that stand between the values, from left to right.
     Chain(Vec<char>),
     /// base^exponent.
     Power,
     /// A function, with its options.
     Call(String, Vec<(String, String)>),
-    /// `sum`, `max` or `min` over an index; the values are its first and last, and the body.
+    /// `sum`, `max` or `min` over an index. The values are the first and last index and the body.
     Over(String, String),
 }
 
@@ -197,7 +197,7 @@ impl Parser {
         Ok(expr)
     }
 
-    /// Takes `name =`, if that stands here.
+    /// Takes `name =` if it stands here.
     fn assigned(&mut self) -> Option<String> {
         let start = self.text.at();
         let name = self.text.take(continues_name);

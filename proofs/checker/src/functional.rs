@@ -21,7 +21,7 @@ const MAX_INDEX: i64 = 1 << 40;
 /// The highest level.
 const MAX_LEVEL: u32 = 1_000;
 
-/// Σ_i f_i x_i, with integers f_i over one denominator.
+/// A functional Σ_i f_i x_i with integers f_i over one denominator.
 #[derive(Clone, Debug)]
 pub struct Functional {
     weights: BTreeMap<i64, BigInt>,
@@ -29,14 +29,14 @@ pub struct Functional {
 }
 
 impl Functional {
-    /// P(u), 0 ≤ u < 1, where P is piecewise linear and P(i) = x_i.
+    /// The functional P(u), 0 ≤ u < 1, where P is piecewise linear and P(i) = x_i.
     fn at(u: &Q) -> Functional {
         let weights = [(0, u.denom() - u.numer()), (1, u.numer().clone())];
         let weights = weights.into_iter().filter(|(_, weight)| !weight.is_zero());
         Functional { weights: weights.collect(), over: u.denom().clone() }
     }
 
-    /// The same of the points that are so many further.
+    /// The functional that is moved to points with greater indices.
     fn moved(self, by: &BigInt) -> Result<Functional, Stop> {
         let by = by.to_i64().filter(|by| by.abs() <= MAX_INDEX);
         let by = by.ok_or(Stop::Capped("the parameters of control data"))?;
@@ -44,12 +44,12 @@ impl Functional {
         Ok(Functional { weights, ..self })
     }
 
-    /// x_0.
+    /// The functional x_0.
     pub fn unit() -> Functional {
         Functional { weights: BTreeMap::from([(0, BigInt::one())]), over: BigInt::one() }
     }
 
-    /// The same less another one.
+    /// The difference of two functionals.
     pub fn minus(&self, other: &Functional) -> Functional {
         let mut weights = BTreeMap::new();
         for (functional, factor) in [(self, &other.over), (other, &-&self.over)] {
@@ -60,8 +60,7 @@ impl Functional {
         Functional { weights, over: &self.over * &other.over }
     }
 
-    /// Its greatest value where |x_{i+1} − x_i| ≤ 1, for weights of the sum 0: it is
-    /// Σ_i F_i (x_{i+1} − x_i) with F_i = Σ_{h>i} f_h = −Σ_{h≤i} f_h.
+    /// The greatest value for |x_{i+1} − x_i| ≤ 1 of a functional whose weights sum to 0. It is
     pub fn norm_on_differences(&self) -> Q {
         let (mut total, mut sum, mut last) = (BigInt::default(), BigInt::default(), None);
         for (i, weight) in &self.weights {
@@ -75,7 +74,7 @@ impl Functional {
 
 /// A mask of rational numbers at an offset.
 pub struct Rules<'a> {
-    /// a_{α,j}, integers over one denominator.
+    /// The a_{α,j} as integers over one denominator.
     rows: Vec<Vec<BigInt>>,
     over: BigInt,
     offset: i64,
@@ -83,11 +82,11 @@ pub struct Rules<'a> {
     zero: OnceCell<Zero>,
 }
 
-/// The limit at 0 as weights w of x_l, x_{l+1}, …: l and w; or none.
+/// The limit at 0, if it exists: l, and the weights of x_l, x_{l+1}, …
 type Zero = Result<Option<(i64, Vec<Q>)>, Stop>;
 
 impl<'a> Rules<'a> {
-    /// The rules of a scheme, at this offset; `None` if they are not rational.
+    /// The rules of a scheme at an offset; `None` if they are not rational.
     pub fn new(meter: &'a Meter, scheme: &Scheme, offset: i64) -> Result<Option<Rules<'a>>, Stop> {
         let row = |row: &Vec<Value>| row.iter().map(Value::rational).collect();
         let mask = scheme.mask.iter().map(row).collect::<Option<Vec<Vec<Q>>>>();
@@ -96,12 +95,12 @@ impl<'a> Rules<'a> {
         Ok(Some(Rules { rows, over, offset, meter, zero: OnceCell::new() }))
     }
 
-    /// n.
+    /// The arity n.
     pub fn arity(&self) -> i64 {
         size(&self.rows)
     }
 
-    /// The functional of data x that f is of the refined x', x'_{ni+α} = Σ_j a_{α,j} x_{i+o+j}.
+    /// f applied to the refined x', as a functional of x; x'_{ni+α} = Σ_j a_{α,j} x_{i+o+j}.
     fn before(&self, f: &Functional) -> Result<Functional, Stop> {
         let mut weights = BTreeMap::new();
         for (at, weight) in &f.weights {
@@ -114,7 +113,7 @@ impl<'a> Rules<'a> {
         Ok(Functional { weights, over: &f.over * &self.over })
     }
 
-    /// The functional of the control data that f is of the points of level k from this one on.
+    /// f applied to the points of level k from a given one on, as a functional of the control data.
     fn of_level(&self, k: u32, mut from: BigInt, mut f: Functional) -> Result<Functional, Stop> {
         if k > MAX_LEVEL {
             return Err(Stop::Capped("the levels of a refinement"));
@@ -126,18 +125,18 @@ impl<'a> Rules<'a> {
         f.moved(&from)
     }
 
-    /// P(u), where P is piecewise linear and P(i) = x^k_i.
+    /// The functional P(u), where P is piecewise linear and P(i) = x^k_i.
     pub fn at(&self, k: u32, u: &Q) -> Result<Functional, Stop> {
         self.of_level(k, u.floor().to_integer(), Functional::at(&(u - u.floor())))
     }
 
-    /// P^k(t), where P^k is piecewise linear and P^k(i/n^k) = x^k_i.
+    /// The functional P^k(t), where P^k is piecewise linear and P^k(i/n^k) = x^k_i.
     pub fn polygon(&self, k: u32, t: &Q) -> Result<Functional, Stop> {
         self.at(k, &(t * int(self.arity()).pow(k.min(MAX_LEVEL).cast_signed())))
     }
 
-    /// P^∞(t) of a scheme that converges; `None` if tn^m is an integer for no m, or there is no
-    /// limit (THEOREMS.md, 3 and 4).
+    /// The functional P^∞(t) of a scheme that converges. It is `None` if tn^m is an integer for no
+    /// m, or if there is no limit (THEOREMS.md, 3 and 4).
     pub fn limit(&self, t: &Q) -> Result<Option<Functional>, Stop> {
         let (mut at, mut levels) = (t.clone(), 0);
         while !at.is_integer() {
@@ -154,10 +153,10 @@ impl<'a> Rules<'a> {
         self.of_level(levels, at.to_integer(), Functional { weights, over }).map(Some)
     }
 
-    /// There is no limit if the equations wA = w, Σw = 1 do not have exactly one solution.
+    /// The limit at 0. It exists if the equations wA = w, Σw = 1 have exactly one solution.
     fn limit_at_zero(&self) -> Zero {
         let (arity, width) = (self.arity(), size(&self.rows[0]));
-        // i − ⌊i/n⌋ does not fall, and is o from l on, and o + N − 1 up to h.
+        // i − ⌊i/n⌋ does not decrease. It is o from l on, and o + N − 1 up to h.
         let reach = |i: i64| i - i.div_euclid(arity);
         let bound = 2 * (self.offset.abs() + width) + 2;
         let l = (-bound..=bound).find(|&i| reach(i) == self.offset);

@@ -1,29 +1,21 @@
-//! The functions of formulas, by their definitions.
+//! The functions of formulas. FORMAT.md defines them.
 
 use crate::call::{Call, TERMS, entry, number, within, wrong};
 use crate::convolution::Product;
 use crate::decimal::Q;
 use crate::depth::depth;
 use crate::displacement::{displaced, gather, surface};
-use crate::evaluate::{Functions, Indices, MAX_INTEGER, Scope};
+use crate::evaluate::{Asked, Functions, Indices, MAX_INTEGER, Scope};
 use crate::library::Library;
 use crate::meter::Meter;
 use crate::number::Number;
 use crate::reject::Stop;
-use crate::scheme::Part;
 use crate::sums::greatest;
 use crate::value::Value;
 
 impl Functions for Library<'_> {
-    fn call(
-        &self,
-        scope: &Scope<'_>,
-        function: &str,
-        arguments: &[Value],
-        options: &[(String, String)],
-        indices: &mut Indices,
-    ) -> Result<Value, Stop> {
-        let mut call = Call::new(self, scope, function, arguments, options);
+    fn call(&self, scope: &Scope<'_>, of: Asked<'_>, indices: &mut Indices) -> Result<Value, Stop> {
+        let mut call = Call::new(self, scope, of);
         let value = value(&mut call, indices)?;
         call.finished().map(|()| value)
     }
@@ -68,9 +60,9 @@ fn value(call: &mut Call<'_>, indices: &mut Indices) -> Result<Value, Stop> {
         ("contraction" | "norm" | "tensor" | "convolution_norm", _) => greatest(call, indices),
         ("convolution", [c, l, f]) => {
             let scheme = call.scheme()?;
-            let sequence = call.sequence(&scheme, Part::Difference)?;
+            let sequence = call.sequence(&scheme.difference)?;
             let how = call.convolution(c, &number(scheme.arity()), 4)?;
-            let product = library.products.of_scheme(how, sequence)?;
+            let product = library.products.of_mask(how, sequence)?;
             coefficient(&product, l, f.integer(MAX_INTEGER)?)
         }
         ("convolved", [c, n, length, l, f]) => {
@@ -85,7 +77,7 @@ fn value(call: &mut Call<'_>, indices: &mut Indices) -> Result<Value, Stop> {
             let word = call.word("offset", "own");
             let offset = if word == "own" { Some(scheme.offset) } else { word.parse().ok() };
             let offset = offset.filter(|o: &i64| o.abs() <= 10_000);
-            let Some(o) = offset else { return wrong(format!("no offset: `{word}`")) };
+            let Some(o) = offset else { return wrong(format!("`{word}` is no offset")) };
             let moved = |alpha| gather(piece, &displaced(&scheme, alpha, o)?, terms);
             let moved = (0..scheme.arity()).map(moved).collect::<Result<Vec<_>, _>>()?;
             Value::greatest(&moved, piece)
@@ -108,7 +100,7 @@ fn floor(x: &Value) -> Result<Value, Stop> {
 
 /// E^c_{l,f}.
 fn coefficient(product: &Product, l: &Value, f: i64) -> Result<Value, Stop> {
-    // Sums of E stop at l = 0, so that another l would be another number.
+    // The sums of E begin at l = 0.
     let l = within(l, 0, MAX_INTEGER)?;
     usize::try_from(f).map_or(Ok(Value::int(0)), |f| product.at(l, f))
 }

@@ -4,46 +4,61 @@
 //! It reads a claim file and certificates about it, recomputes by definition whatever they
 //! state, and says of each claim whether the certificate proves its verdict. FORMAT.md in the
 //! folder above specifies what certificates say and when they are valid.
+//!
+//! The files form layers, which are listed from below. A file imports no file of a later layer,
+//! and no files import each other in a circle.
 
-mod call;
-mod catalogue;
+// Texts, and the reasons to reject them.
 mod certificate;
-mod constants;
-mod convolution;
 mod cursor;
+mod reject;
+mod shape;
+mod toml;
+
+// Numbers, polynomials and their signs.
 mod decimal;
-mod definitions;
-mod depth;
-mod displacement;
-mod evaluate;
+mod element;
 mod field;
-mod formula;
-mod functional;
-mod functions;
-mod library;
 mod linear;
-mod meter;
-mod names;
 mod number;
-mod orbits;
-mod paper;
 mod piece;
 mod polynomial;
-mod powers;
-mod products;
-mod reading;
-mod reject;
-mod ring;
 mod root;
 mod rounding;
-mod rules;
-mod scheme;
-mod setting;
-mod shape;
-mod sums;
-mod table;
-mod toml;
+mod show;
 mod value;
+
+// Formulas, and the scopes in which they have values.
+mod definitions;
+mod evaluate;
+mod formula;
+mod meter;
+mod names;
+mod reading;
+mod scheme;
+
+// Schemes, and what they make of sequences and control data.
+mod catalogue;
+mod convolution;
+mod displacement;
+mod functional;
+mod library;
+mod orbits;
+mod powers;
+mod products;
+mod ring;
+
+// The functions that formulas call.
+mod call;
+mod depth;
+mod functions;
+mod sums;
+
+// Claim files, and the rules by which certificates prove claims.
+mod paper;
+mod rules;
+mod setting;
+mod table;
 mod witness;
 
 use catalogue::catalogue;
@@ -52,7 +67,7 @@ use library::Library;
 use meter::Meter;
 use paper::Paper;
 use reject::Checked;
-pub use reject::{Reason, Rejection, Stop};
+pub use reject::{Reason, Rejection, Stop, Text};
 use rules::Verdict;
 use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZero;
@@ -61,31 +76,31 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::{Builder, available_parallelism};
 use toml::Toml;
 
-/// The bytes of a stack: more than formulas as deep as they may be nested need.
+/// The bytes of a stack. The deepest formula needs fewer.
 const STACK: usize = 64 << 20;
 
-/// What is known of a claim.
+/// The outcome of the check of a claim.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Outcome {
-    /// Its certificate is right.
+    /// The certificate is right.
     Valid,
-    /// It is right, on the word of this statement of THEOREMS.md: that the statement proves
-    /// what the claim says in words is not checked.
+    /// The certificate is right and cites this statement of THEOREMS.md. The checker does not
+    /// check that the statement proves what the claim says.
     Cited(String),
-    /// The certificate of this place among those given is not: where, and why.
+    /// The certificate with this index is wrong, for this reason.
     Invalid(usize, Rejection),
-    /// It has no certificate, or one that is beyond a cap of this program.
+    /// The claim has no certificate, or the certificate leaves it open for this reason.
     Incomplete(Option<Rejection>),
 }
 
-/// The claims of a file, and what the certificates prove of them.
+/// The claims of a file and the outcomes of their checks.
 #[derive(Debug)]
 pub struct Report {
     /// The key of the paper.
     pub key: String,
-    /// Kind, id and outcome of every claim, in the order of the file.
+    /// The kind, id and outcome of every claim, in the order of the file.
     pub claims: Vec<(&'static str, String, Outcome)>,
-    /// What is wrong with certificates as a whole: which one, where, and why.
+    /// The rejections of whole certificates, with the indices of the certificates.
     pub broken: Vec<(usize, Rejection)>,
 }
 
@@ -95,10 +110,10 @@ pub fn is_formula(text: &str) -> bool {
     formula::parse(text, formula::MAX_LENGTH).is_ok()
 }
 
-/// Checks certificates against the claim file that they are about, on all cores.
+/// Checks certificates against their claim file, on all cores.
 ///
 /// # Errors
-/// What is wrong with the claim file.
+/// The claim file is wrong; the message says why.
 pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
     let (file, known) = (Toml::read(claims)?, catalogue()?);
     if let Some(path) = shape::misfit(&file, "file") {
@@ -166,15 +181,15 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
     Ok(Report { key, claims: claims.collect(), broken })
 }
 
-/// Whether this can be the id of a claim or the key of a file: what is printed in one line.
+/// Whether a text can be the id of a claim or the key of a file. It has to fit in one line.
 fn is_id(text: &str) -> bool {
     let fits = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
     !text.is_empty() && text.chars().all(fits)
 }
 
-/// A claim, and what a certificate says of it.
+/// A claim and its block of a certificate.
 struct Task<'t> {
-    /// The certificate's place among those given.
+    /// The index of the certificate.
     place: usize,
     kind: &'t str,
     id: &'t str,
@@ -182,7 +197,7 @@ struct Task<'t> {
     block: Block<'t>,
 }
 
-/// Checks each on its own, on all cores.
+/// Checks every task on its own, on all cores.
 fn verdicts(file: &Toml, known: &[Toml], tasks: &[Task<'_>]) -> Vec<Checked<Verdict>> {
     let next = AtomicUsize::new(0);
     let worker = || {

@@ -1,6 +1,5 @@
-//! The schemes that a claim file may name, and what is known of them.
+//! The library of the schemes that a claim file may name.
 
-use crate::constants::Constants;
 use crate::definitions::{Definitions, formula, formulas};
 use crate::evaluate::Scope;
 use crate::meter::Meter;
@@ -14,7 +13,7 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-/// How many names may stand for names, one after the other.
+/// The greatest length of a chain of names that stand for names.
 const MAX_ALIASES: usize = 8;
 
 /// The schemes of a claim file and of the catalogue.
@@ -24,10 +23,8 @@ pub struct Library<'a> {
     schemes: RefCell<BTreeMap<String, Rc<Scheme>>>,
     /// The steps of the claim at hand.
     pub meter: &'a Meter,
-    /// The products of sequences that are known.
+    /// The products of sequences and the constants that are known.
     pub products: Products<'a>,
-    /// The constants that lines `constant` have shown.
-    pub constants: Constants,
     nothing: Definitions,
     as_printed: Reading,
 }
@@ -39,9 +36,9 @@ fn wrong<T>(of: &str, what: &str) -> Result<T, Stop> {
 impl<'a> Library<'a> {
     /// The library of a claim file's `[[scheme]]` tables.
     pub fn new(file: &'a [Toml], catalogue: &'a [Toml], meter: &'a Meter) -> Library<'a> {
-        let (schemes, constants, nothing, as_printed) = Default::default();
+        let (schemes, nothing, as_printed) = Default::default();
         let products = Products::new(meter);
-        Library { file, catalogue, schemes, meter, products, constants, nothing, as_printed }
+        Library { file, catalogue, schemes, meter, products, nothing, as_printed }
     }
 
     /// Forgets everything, so that the cost of a claim does not depend on the claims before it.
@@ -49,7 +46,6 @@ impl<'a> Library<'a> {
         self.meter.restart();
         self.schemes.borrow_mut().clear();
         self.products.clear();
-        self.constants.clear();
     }
 
     /// A scope without names, in which everything is read as printed.
@@ -63,7 +59,7 @@ impl<'a> Library<'a> {
     }
 
     /// The schemes of a reference such as `six-point:w=w`, one for each factor of a tensor
-    /// product; parameters are evaluated in the scope.
+    /// product. The parameters are evaluated in the scope.
     pub fn resolve(&self, reference: &str, scope: &Scope<'_>) -> Result<Vec<Rc<Scheme>>, Stop> {
         self.follow(reference, scope, 0)
     }
@@ -77,7 +73,10 @@ impl<'a> Library<'a> {
         let mut schemes = Vec::new();
         let factors: Vec<&str> = reference.split(" x ").collect();
         if factors.len() > 2 || depth > MAX_ALIASES {
-            return wrong(reference, "more than two factors, or names for names for names");
+            return wrong(
+                reference,
+                "it has more than two factors, or too many names stand for names",
+            );
         }
         for factor in factors {
             let (name, table, parameters) = self.entry(factor, scope)?;
@@ -113,7 +112,7 @@ impl<'a> Library<'a> {
         let mut parameters = BTreeMap::new();
         for argument in arguments_of(arguments) {
             let Some((parameter, value)) = argument.split_once('=') else {
-                return wrong(reference, "a parameter is name=value");
+                return wrong(reference, "a parameter has the form name=value");
             };
             let value = scope.value(&formula(value.trim())?)?;
             if parameters.insert(parameter.trim().to_owned(), value).is_some() {
@@ -126,7 +125,7 @@ impl<'a> Library<'a> {
         }
     }
 
-    /// The parameters of a scheme, those without a value at their defaults.
+    /// The parameters of a scheme. Missing ones have their defaults.
     pub fn complete(
         &self,
         name: &str,
@@ -187,7 +186,7 @@ impl<'a> Library<'a> {
     }
 }
 
-/// The pieces between commas outside of parentheses; blank ones are left out.
+/// The arguments between commas outside of parentheses, without blank ones.
 fn arguments_of(text: &str) -> Vec<&str> {
     let mut depth = 0_i64;
     let pieces = text.split(|c| {

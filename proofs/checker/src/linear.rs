@@ -3,8 +3,7 @@
 use crate::decimal::Q;
 use num_traits::Zero;
 
-/// The only solution of equations, each with its right side last; `None` if there is none
-/// or more than one.
+/// The unique solution of equations, or `None`. The right side of each equation comes last.
 pub fn solve(mut rows: Vec<Vec<Q>>) -> Option<Vec<Q>> {
     let d = rows.len();
     for j in 0..d {

@@ -1,4 +1,5 @@
-//! `subcert-check CLAIMS CERT…`: one line for each claim, and a last one with the counts.
+//! The program `subcert-check CLAIMS CERT…`. It prints a line for each claim and a last one with
+//! the counts.
 
 use std::io::Write;
 use std::process::ExitCode;
@@ -6,13 +7,13 @@ use subcert_check::{Outcome, Reason, check};
 
 const USAGE: &str = "usage: subcert-check [--only KIND-OR-ID]… [--accept WHAT]… CLAIMS CERTIFICATE…
 
-Checks certificates against the claim file that they are about. Asked for are all of its
-claims, or with --only those of a kind (table, equation, function, range, theorem) or id.
-Besides what is valid, --accept cited lets pass what a statement of THEOREMS.md decides, and
---accept open the theorems that a certificate calls open; they are listed all the same.
-Exit code: 0 if all that is asked for is valid or accepted, 1 if not, 2 if a file cannot be read.";
+Checks certificates against their claim file. It checks all claims, or with --only the claims of
+a kind (table, equation, function, range, theorem) or with an id.
+Valid claims pass. With --accept cited, claims pass that a statement of THEOREMS.md decides; with
+--accept open, theorems pass that a certificate calls open. They are listed as such.
+The exit code is 0 if all these claims pass, 1 if one does not, and 2 if a file cannot be read.";
 
-/// Takes the values of an option out of the arguments.
+/// Removes an option from the arguments and gives its values.
 fn values(arguments: &mut Vec<String>, option: &str) -> Vec<String> {
     let mut values = Vec::new();
     while let Some(at) = arguments.iter().position(|argument| argument == option) {

@@ -1,19 +1,19 @@
-//! What the names of a claim file mean: in a claim, one thing each (FORMAT.md, Names).
+//! The names of a claim file. In a claim each has one meaning (FORMAT.md, Names).
 
 use crate::formula::is_name;
 use crate::shape::KINDS;
 use crate::toml::Toml;
 use std::collections::BTreeSet;
 
-/// The names that a theorem about a bound or a depth brings: the spread of the data, of nets also by
-/// directions, the level, and the tolerance.
+/// The names that theorems about bounds and depths define: the spreads of the data, the level and
+/// the tolerance.
 pub const OF_THEOREMS: [&str; 6] = ["beta", "beta_1", "beta_2", "beta_3", "k", "epsilon"];
 
-/// The indices that the formulas of a mask's entries, and those of the weights of a ring, have.
+/// The indices in the formulas of the entries of a mask, and of the weights of a ring.
 const OF_ENTRIES: [&str; 2] = ["alpha", "r"];
 const OF_WEIGHTS: [&str; 2] = ["i", "j"];
 
-/// Says what is wrong with the names of a file, if anything is.
+/// Makes sure that no name has two meanings.
 pub fn misuse(file: &Toml) -> Result<(), String> {
     let names = |key: &str| file.entries(key).iter().map(|(name, _)| name.as_str());
     distinct("scheme", file.list("scheme").iter().filter_map(|scheme| scheme.text("name")))?;
@@ -31,7 +31,7 @@ pub fn misuse(file: &Toml) -> Result<(), String> {
     Ok(())
 }
 
-/// The names that a claim gives a meaning.
+/// The names that a claim defines.
 fn own<'a>(kind: &str, claim: &'a Toml) -> Vec<&'a str> {
     let keys = |key: &str| claim.entries(key).iter().map(|(name, _)| name.as_str());
     let name = |axis: &'a Toml| axis.text("name");
@@ -50,7 +50,7 @@ fn own<'a>(kind: &str, claim: &'a Toml) -> Vec<&'a str> {
     }
 }
 
-/// The parameters of a scheme, its named formulas and the indices of its formulas are apart.
+/// Makes sure that the parameters, named formulas and indices of a scheme have different names.
 fn of_scheme(scheme: &Toml) -> Result<(), String> {
     let keys = |key: &str| scheme.entries(key).iter().map(|(name, _)| name.as_str());
     let indices: &[&str] = match (scheme.get("entry"), scheme.get("orbits")) {
@@ -61,7 +61,7 @@ fn of_scheme(scheme: &Toml) -> Result<(), String> {
     distinct("name", keys("parameters").chain(keys("let")).chain(indices.iter().copied()))
 }
 
-/// Makes sure that no two are the same.
+/// Makes sure that no two names are the same.
 fn distinct<'n>(what: &str, names: impl Iterator<Item = &'n str>) -> Result<(), String> {
     let mut known = BTreeSet::new();
     for name in names {

@@ -1,40 +1,26 @@
 //! Real numbers of the fields Q(2cos(2π/n)).
 
-use crate::decimal::{Q, int};
-use crate::field::{chebyshev, field, multiply, reduce, scaled};
-use crate::linear::solve;
+use crate::decimal::Q;
+use crate::element::{Element, sign};
+use crate::field::{chebyshev, multiply};
 use crate::polynomial::signum;
 use crate::reject::Stop;
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use num_traits::{One, ToPrimitive, Zero};
 use std::cmp::Ordering;
 
 /// The greatest n of a field Q(2cos(2π/n)).
 const MAX_FIELD: u32 = 1_000;
 
-/// The most binary digits of an enclosure of 2cos(2π/n).
-const MAX_PRECISION: u64 = 1 << 14;
-
-/// A number. Each has one form only, so that numbers are equal if their forms are.
+/// A number. It has exactly one form, so that numbers are equal if their forms are.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Number {
-    /// A fraction in lowest terms of machine integers, as most numbers are; the denominator is
-    /// positive.
+    /// A fraction of machine integers in lowest terms, with a positive denominator. Most numbers
+    /// have this form.
     Small(i64, i64),
-    /// Any other.
+    /// Any other number.
     Large(Box<Element>),
-}
-
-/// A number of Q(x), x = 2cos(2π/n): integers on 1, x, x², …, over one denominator.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Element {
-    /// n; 1 if it is rational.
-    n: u32,
-    /// As many as the degree of the field; in lowest terms with the denominator.
-    top: Vec<BigInt>,
-    /// Positive.
-    bottom: BigInt,
 }
 
 impl From<Q> for Number {
@@ -53,7 +39,7 @@ impl From<i128> for Number {
 /// top/bottom, for a positive denominator.
 fn fraction(top: i128, bottom: i128) -> Number {
     if let (Ok(top), Ok(bottom)) = (i64::try_from(top), i64::try_from(bottom)) {
-        // What divides the denominator is no larger than that.
+        // A divisor of the denominator is a machine integer too.
         let common = if bottom == 1 { 1 } else { top.unsigned_abs().gcd(&bottom.unsigned_abs()) };
         let common = i64::try_from(common).unwrap_or(1);
         return Number::Small(top / common, bottom / common);
@@ -82,7 +68,7 @@ impl Number {
         Number::lowest(n, top, bottom)
     }
 
-    /// The same in lowest terms.
+    /// A number from integers and a denominator in lowest terms.
     fn lowest(n: u32, top: Vec<BigInt>, bottom: BigInt) -> Number {
         match (top[0].to_i64(), bottom.to_i64()) {
             (Some(top), Some(bottom)) if n == 1 => Number::Small(top, bottom),
@@ -90,7 +76,7 @@ impl Number {
         }
     }
 
-    /// n, and its integers over one denominator.
+    /// The coordinates of the number.
     fn element(&self) -> Element {
         match self {
             Number::Large(element) => (**element).clone(),
@@ -112,7 +98,7 @@ impl Number {
         Ok(Number::new(n, double, BigInt::from(2)))
     }
 
-    /// Both in one field.
+    /// Both numbers in one field.
     fn together(&self, other: &Number) -> Result<(Element, Element), Stop> {
         let (one, other) = (self.element(), other.element());
         let n = one.n.lcm(&other.n);
@@ -141,11 +127,6 @@ impl Number {
         Ok(Number::new(one.n, top.collect(), if p == q { p.clone() } else { p * q }))
     }
 
-    /// self · factor.
-    pub fn times_integer(&self, factor: i64) -> Result<Number, Stop> {
-        self.times(&Number::Small(factor, 1))
-    }
-
     /// self · other.
     pub fn times(&self, other: &Number) -> Result<Number, Stop> {
         if let (&Number::Small(a, b), &Number::Small(c, d)) = (self, other) {
@@ -163,26 +144,11 @@ impl Number {
             let [top, bottom] = [top, bottom].map(i128::from);
             return (top != 0).then(|| fraction(bottom * top.signum(), top.abs()));
         }
-        // The y with top·y = 1: linear equations, one column top·x^j for each unknown.
-        let Element { n, top, bottom } = self.element();
-        let d = top.len();
-        let mut rows = vec![vec![Q::zero(); d + 1]; d];
-        let mut column = top;
-        for j in 0..d {
-            for (row, value) in rows.iter_mut().zip(&column) {
-                row[j] = value.clone().into();
-            }
-            column = multiply(n, &column, &[BigInt::zero(), BigInt::one()]);
-        }
-        rows[0][d] = int(1);
-        let solution = solve(rows)?;
-        let common = solution.iter().fold(BigInt::one(), |common, y| common.lcm(y.denom()));
-        let scale = Q::from_integer(&common * bottom);
-        let top = solution.into_iter().map(|y| (y * &scale).to_integer()).collect();
-        Some(Number::new(n, top, common))
+        let Element { n, top, bottom } = self.element().inverse()?;
+        Some(Number::new(n, top, bottom))
     }
 
-    /// −1, 0 or 1.
+    /// The sign: −1, 0 or 1.
     pub fn sign(&self) -> Result<i8, Stop> {
         match self {
             Number::Small(top, _) => Ok(signum(top)),
@@ -206,7 +172,7 @@ impl Number {
         *self == Number::Small(0, 1)
     }
 
-    /// This as a rational number, if it is one.
+    /// The rational number that this is; `None` if it is irrational.
     pub fn rational(&self) -> Option<Q> {
         match self {
             &Number::Small(top, bottom) => Some(Q::new_raw(top.into(), bottom.into())),
@@ -222,7 +188,7 @@ impl Number {
         matches!(self, Number::Small(..))
     }
 
-    /// This as an integer, if it is one that is not large.
+    /// The machine integer that this is; `None` if it is no such integer.
     pub fn integer(&self) -> Option<i128> {
         match self {
             Number::Small(value, 1) => Some((*value).into()),
@@ -231,6 +197,12 @@ impl Number {
             }
             _ => None,
         }
+    }
+
+    /// The n of the field, and the rational coordinates on 1, x, x², …
+    pub fn coordinates(&self) -> (u32, Vec<Q>) {
+        let Element { n, top, bottom } = self.element();
+        (n, top.into_iter().map(|c| Q::new(c, bottom.clone())).collect())
     }
 
     /// The denominator.
@@ -243,20 +215,10 @@ impl Number {
         if let Some(value) = self.rational() {
             return Ok(value.floor().to_integer());
         }
-        // By halving between −bound and bound.
-        let Element { top, bottom, .. } = self.element();
-        let bound: BigInt = top.iter().enumerate().map(|(i, c)| c.abs() << i).sum();
-        let bound = bound / bottom + 1;
-        let (mut low, mut high) = (-&bound, bound + 1);
-        while &high - &low > BigInt::one() {
-            let middle: BigInt = (&low + &high) >> 1;
-            let less = self.compare(&Q::from_integer(middle.clone()).into())?.is_lt();
-            if less { high = middle } else { low = middle }
-        }
-        Ok(low)
+        self.element().floor()
     }
 
-    /// Its size in binary digits.
+    /// The size in binary digits.
     pub fn bits(&self) -> u64 {
         match self {
             Number::Small(top, bottom) => {
@@ -266,46 +228,5 @@ impl Number {
                 element.top.iter().map(BigInt::bits).sum::<u64>() + element.bottom.bits()
             }
         }
-    }
-}
-
-/// The sign of Σ top_i·x^i, x = 2cos(2π/n).
-fn sign(n: u32, top: &[BigInt]) -> Result<i8, Stop> {
-    if top[1..].iter().all(Zero::is_zero) {
-        return Ok(signum(&top[0]));
-    }
-    // It is not 0, so that some enclosure of x shows its sign. As |x| ≤ 2, x^i changes by
-    // at most i·2^i/2^p when x does by 1/2^p.
-    let degree = top.len() as u64 - 1;
-    let steps = top.iter().enumerate();
-    let slope: BigInt = steps.map(|(i, coefficient)| (coefficient.abs() * i) << i).sum();
-    let mut p = 64;
-    while p <= MAX_PRECISION {
-        let value = scaled(top, &field(n).enclose(p), p);
-        if value.abs() > (&slope << (p * (degree - 1))) {
-            return Ok(signum(&value));
-        }
-        p *= 2;
-    }
-    Err(Stop::Capped("the precision of a sign"))
-}
-
-impl Element {
-    /// The same number in the field of a multiple of its n.
-    fn lifted(self, n: u32) -> Element {
-        if self.n == n {
-            return self;
-        }
-        let mut top = reduce(n, vec![BigInt::zero()]);
-        if self.n == 1 {
-            top[0].clone_from(&self.top[0]);
-            return Element { n, top, ..self };
-        }
-        let x = chebyshev(n, n / self.n);
-        for coefficient in self.top.iter().rev() {
-            top = multiply(n, &top, &x);
-            top[0] += coefficient;
-        }
-        Element { n, top, ..self }
     }
 }

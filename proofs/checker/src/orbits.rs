@@ -1,4 +1,4 @@
-//! The points of a ring, in orbits, with their weights and edges.
+//! The orbits of the points of a ring, and the weights and edges between points.
 
 use crate::definitions::formula;
 use crate::evaluate::Scope;
@@ -17,7 +17,7 @@ pub fn wrong(what: &str) -> Stop {
     Stop::Wrong(format!("a ring: {what}"))
 }
 
-/// The kinds of points with their numbers.
+/// The names of the orbits with the numbers of their points.
 pub struct Orbits<'t>(Vec<(&'t str, i64)>);
 
 impl<'t> Orbits<'t> {
@@ -31,7 +31,7 @@ impl<'t> Orbits<'t> {
             table.entries("orbits").iter().map(count).collect::<Result<_, Stop>>()?;
         let points: i64 = orbits.iter().map(|(_, count)| *count).sum();
         if orbits.iter().any(|(_, count)| *count < 1) || !(2..=MAX_POINTS).contains(&points) {
-            return Err(wrong("its orbits have from 2 to 100 points together, each one at least"));
+            return Err(wrong("it does not have 2 to 100 points, or an orbit has none"));
         }
         Ok(Orbits(orbits))
     }
@@ -48,7 +48,7 @@ impl<'t> Orbits<'t> {
         self.points().map(name).collect()
     }
 
-    /// Reads `weights`: a row for each new point.
+    /// Reads `weights`. There is a row for each new point.
     pub fn weights(&self, table: &Toml, scope: &Scope<'_>) -> Result<Vec<Vec<Value>>, Stop> {
         let nothing = Toml::Table(Vec::new());
         let of_new = table.get("weights").unwrap_or(&nothing);
@@ -67,14 +67,16 @@ impl<'t> Orbits<'t> {
         Ok(rows)
     }
 
-    /// The edges of every family, i from 0 to the larger number of points less 1.
+    /// Reads `edges`. In every family, i runs from 0 to the larger number of points less 1.
     pub fn edges(&self, table: &Toml, scope: &Scope<'_>) -> Result<Vec<[usize; 2]>, Stop> {
         let mut edges = Vec::new();
         for family in table.list("edges") {
-            let Toml::List(ends) = family else { return Err(wrong("an edge has two ends")) };
+            let Toml::List(ends) = family else {
+                return Err(wrong("an edge does not have two ends"));
+            };
             let end = |end: &Toml| self.end(end.as_text().unwrap_or_default());
             let ends = ends.iter().map(end).collect::<Result<Vec<_>, Stop>>()?;
-            let [a, b] = &ends[..] else { return Err(wrong("an edge has two ends")) };
+            let [a, b] = &ends[..] else { return Err(wrong("an edge does not have two ends")) };
             for i in 0..a.count.max(b.count) {
                 let edge @ [from, to] = [a.point(scope, i)?, b.point(scope, i)?];
                 if !edges.contains(&edge) && !edges.contains(&[to, from]) {
@@ -85,7 +87,7 @@ impl<'t> Orbits<'t> {
         Ok(edges)
     }
 
-    /// `vertex` or `edge[i + 1]`.
+    /// Reads an end such as `vertex` or `edge[i + 1]`.
     fn end(&self, text: &str) -> Result<End, Stop> {
         let expr = formula(text)?;
         let (name, index) = match &expr {
@@ -93,7 +95,7 @@ impl<'t> Orbits<'t> {
             Expr::Of(Head::Member(name), index) if index.len() == 1 => {
                 (name, index.first().cloned())
             }
-            _ => return Err(wrong("an end of an edge is a point")),
+            _ => return Err(wrong("an end of an edge is no point")),
         };
         let mut first = 0;
         for (known, count) in &self.0 {
@@ -102,11 +104,11 @@ impl<'t> Orbits<'t> {
             }
             first += count;
         }
-        Err(wrong("an end of an edge is a point"))
+        Err(wrong("an end of an edge is no point"))
     }
 }
 
-/// An end of a family of edges: indices count mod the number of points.
+/// An end of a family of edges. Its indices count modulo the number of points.
 struct End {
     first: i64,
     count: i64,

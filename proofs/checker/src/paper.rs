@@ -1,4 +1,4 @@
-//! A claim file, and the scopes in which its formulas have values.
+//! A claim file and the scopes of its formulas.
 
 use crate::certificate::MAX_LINE;
 use crate::decimal::{Q, read_rational};
@@ -16,9 +16,9 @@ use std::collections::BTreeMap;
 pub struct Paper<'a> {
     /// The file.
     pub file: &'a Toml,
-    /// `[define]`.
+    /// The definitions in `[define]`.
     pub definitions: Definitions,
-    /// `[given]`.
+    /// The values in `[given]`.
     pub given: BTreeMap<String, Value>,
     /// The schemes.
     pub library: &'a Library<'a>,
@@ -44,7 +44,7 @@ impl<'a> Paper<'a> {
     /// The values of named formulas without parameters.
     pub fn constants(&self, entries: &[(String, Toml)]) -> Result<BTreeMap<String, Value>, Stop> {
         let named = formulas(entries)?.into_iter();
-        named.map(|(name, expr)| Ok((name, self.nothing().value(&expr)?))).collect()
+        named.map(|(name, expr)| Ok((name, self.library.closed().value(&expr)?))).collect()
     }
 
     /// A scope with the definitions of the paper.
@@ -52,28 +52,23 @@ impl<'a> Paper<'a> {
         self.library.scope(&self.definitions)
     }
 
-    /// A scope without names.
-    pub fn nothing(&self) -> Scope<'_> {
-        self.library.closed()
-    }
-
-    /// A closed formula of a certificate.
+    /// The value of a closed formula of a certificate.
     pub fn number(&self, text: &str) -> Checked<Value> {
-        // Most are fractions.
+        // Most numbers are fractions.
         let fraction = text.bytes().all(|b| b.is_ascii_digit() || b == b'-' || b == b'/');
         if let Some(known) = read_rational(text).filter(|_| fraction) {
             return Ok(known.into());
         }
-        value(text, &self.nothing())
+        value(text, &self.library.closed())
     }
 }
 
-/// A formula of a certificate.
+/// The value of a formula of a certificate.
 pub fn value(text: &str, scope: &Scope<'_>) -> Checked<Value> {
     Ok(scope.value(&parse(text, MAX_LINE).map_err(Reason::NoValue)?)?)
 }
 
-/// A number of the claim file as printed and as read: `'0.5'`, or a table that says both.
+/// A number of the claim file as printed and as read. It is `'0.5'`, or a table that says both.
 pub fn printed(field: &Toml) -> Option<(&str, &str)> {
     let text = field.as_text().or_else(|| field.text("printed"))?;
     Some((text, field.text("read").unwrap_or(text)))
@@ -83,7 +78,7 @@ pub fn printed(field: &Toml) -> Option<(&str, &str)> {
 pub struct Axis<'a> {
     /// The name of the parameter.
     pub name: &'a str,
-    /// The headers: as read, and their values.
+    /// The headers as read, with their values.
     pub entries: Vec<(&'a str, Q)>,
 }
 

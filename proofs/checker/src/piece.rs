@@ -1,4 +1,4 @@
-//! The signs of values: of numbers, and of polynomials on a piece of a line.
+//! The signs of numbers, and of polynomials on a piece of a line.
 
 use crate::decimal::Q;
 use crate::reject::Stop;
@@ -15,8 +15,8 @@ pub type Ends = [Option<Root>; 2];
 
 /// An open interval of a symbol, or one number if both ends are the same.
 ///
-/// Where the sign of a polynomial is asked that has a root in the interval, the piece is cut at
-/// the root, and from then on it is the part above. Signs that were found before hold there too.
+/// A polynomial with a root in the interval has no sign there. If its sign is asked for, the piece
+/// is cut at the root and becomes the part above. The signs that were found before hold there too.
 #[derive(Debug)]
 pub struct Piece {
     symbol: String,
@@ -30,12 +30,12 @@ impl Piece {
         Piece { symbol: symbol.to_owned(), ends: RefCell::new(ends), cuts: RefCell::default() }
     }
 
-    /// Where the piece has been cut, from below.
+    /// The cuts, from below.
     pub fn cuts(&self) -> Vec<Root> {
         self.cuts.borrow().clone()
     }
 
-    /// The sign of a polynomial, after a cut if it has a root in the interval.
+    /// The sign of a polynomial. The piece is cut until there is one.
     fn sign_of(&self, p: &[Q]) -> Result<i8, Stop> {
         loop {
             let [low, high] = &mut *self.ends.borrow_mut();
@@ -57,12 +57,12 @@ impl Piece {
 }
 
 impl Value {
-    /// The sign of a number; with a piece, also of a polynomial there.
+    /// The sign of a number, or of a polynomial on a piece.
     pub fn sign(&self, piece: Option<&Piece>) -> Result<i8, Stop> {
         match (self.number(), piece) {
             (Err(_), Some(piece)) => {
                 let polynomial = self.univariate(&piece.symbol);
-                let no_polynomial = || Stop::Wrong("no polynomial in one symbol".into());
+                let no_polynomial = || Stop::Wrong("this is no polynomial in one symbol".into());
                 piece.sign_of(&polynomial.ok_or_else(no_polynomial)?)
             }
             (number, _) => number?.sign(),

@@ -1,10 +1,11 @@
-//! Polynomials in one variable, from the constant coefficient up, and their roots by Sturm's
-//! theorem.
+//! Polynomials in one variable, and their roots by Sturm's theorem. The constant coefficient
+//! comes first.
 
 use crate::decimal::Q;
 use num_traits::{Num, One, Signed, Zero};
 
-/// Quotient and remainder by a divisor whose leading coefficient divides all that it has to.
+/// The quotient and the remainder. The leading coefficient of the divisor has to divide the
+/// coefficients that it meets.
 pub fn divide<T: Num + Clone>(mut p: Vec<T>, divisor: &[T]) -> (Vec<T>, Vec<T>) {
     let degree = divisor.len() - 1;
     let mut quotient = vec![T::zero(); p.len().saturating_sub(degree)];
@@ -18,7 +19,7 @@ pub fn divide<T: Num + Clone>(mut p: Vec<T>, divisor: &[T]) -> (Vec<T>, Vec<T>) 
     (quotient, p)
 }
 
-/// Without coefficients 0 at the end.
+/// Removes the leading coefficients that are 0.
 pub fn trimmed(mut p: Vec<Q>) -> Vec<Q> {
     while p.last().is_some_and(Zero::is_zero) {
         p.pop();
@@ -26,12 +27,12 @@ pub fn trimmed(mut p: Vec<Q>) -> Vec<Q> {
     p
 }
 
-/// −1, 0 or 1.
+/// The sign: −1, 0 or 1.
 pub fn signum<T: Signed>(value: &T) -> i8 {
     i8::from(value.is_positive()) - i8::from(value.is_negative())
 }
 
-/// p(x).
+/// The value p(x).
 pub fn at(p: &[Q], x: &Q) -> Q {
     p.iter().rev().fold(Q::zero(), |sum, coefficient| sum * x + coefficient)
 }
@@ -46,16 +47,16 @@ pub fn gcd(p: &[Q], q: &[Q]) -> Vec<Q> {
     one
 }
 
-/// A number beyond all roots of p ≠ 0 to both sides.
+/// An upper bound of the absolute values of the roots of p ≠ 0.
 pub fn beyond_roots(p: &[Q]) -> Q {
     let p = trimmed(p.to_vec());
     let leading = &p[p.len() - 1];
     p.iter().map(|coefficient| (coefficient / leading).abs()).sum::<Q>() + Q::one()
 }
 
-/// The number of distinct roots of p ≠ 0 between low and high, neither of which is one.
+/// The number of distinct roots of p ≠ 0 between low and high, which are no roots themselves.
 pub fn roots_between(p: &[Q], low: &Q, high: &Q) -> usize {
-    // Sturm's chain: p, p′, and then minus the remainders.
+    // Sturm's chain is p, p′ and then the negated remainders.
     let p = trimmed(p.to_vec());
     let powers = (1_i64..).map(|i| Q::from_integer(i.into()));
     let derivative = p.iter().skip(1).zip(powers).map(|(c, i)| c * i).collect();

@@ -1,5 +1,5 @@
-//! Norms of powers of a mask's operator, where there are too many residue classes to look at
-//! each: a tree of rows, and bounds of all rows below a node.
+//! Norms of powers of a mask's operator that have too many residue classes to sum each: a tree
+//! of rows, and bounds of all rows below a node.
 
 use crate::decimal::{Q, int, over_one_denominator};
 use crate::meter::Meter;
@@ -11,34 +11,34 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 /// The highest level of a tree that bounds all powers.
 const MAX_LEVEL: u32 = 64;
 
-/// The binary digits behind the point to which what bounds rest on is rounded, upwards.
+/// The binary digits after the point to which the data of bounds are rounded upwards.
 pub const PLACES: u32 = 32;
 
-/// The rows of q^l·E^l at the positions of the window around an index, on its columns.
+/// The rows of q^l·E^l at the positions of the window around an index, in its columns.
 type Rows = Vec<Vec<BigInt>>;
 
-/// R = sE, (Rx)_{ni+β} = Σ_j r_{β,j} x_{i+o+j}; where they have one sum that is not 0, s is
-/// the sum of every r_β, or else 1.
+/// The operator R = sE with (Rx)_{ni+β} = Σ_j r_{β,j} x_{i+o+j}. If all rules r_β have the same
+/// sum and it is not 0, s is that sum. Otherwise s is 1.
 pub struct Operator<'a> {
     meter: &'a Meter,
     n: i64,
     width: i64,
     offset: i64,
-    /// The window: first, …, first + size − 1. It holds 0, and what its rows need of the rows
-    /// a level before.
+    /// The window is first, …, first + size − 1. It contains 0 and the positions of all rows of
+    /// the level before that its rows depend on.
     first: i64,
     size: usize,
-    /// q·E, in integers, and q.
+    /// The rows of q·E as integers, and q.
     rows: Vec<Vec<BigInt>>,
     over: BigInt,
-    /// s.
+    /// The factor s.
     pub factor: Q,
-    /// φ and ρ of THEOREMS.md, 61, if the rows of E sum to 1.
+    /// The φ and ρ of THEOREMS.md, 61, if the rows of E sum to 1.
     shift: Option<[Q; 2]>,
 }
 
-/// What is known of the rows λ of E^m, for one m: the interval of Σ_p λ_p p as a base a and
-/// 2^PLACES times its ends less a, and 2^PLACES·τ for τ ≥ Σ_p |λ_p|.
+/// Bounds that hold for the rows λ of E^m, for one m. The interval of Σ_p λ_p p is given by a base
+/// a and 2^PLACES times its ends less a; the total is 2^PLACES·τ for τ ≥ Σ_p |λ_p|.
 struct Reach {
     base: usize,
     ends: Option<[BigInt; 2]>,
@@ -84,7 +84,7 @@ impl<'a> Operator<'a> {
             .collect()
     }
 
-    /// The rows around n·i + β, from those around i: row n·i + β + p of E^(l+1) is Σ_j E_{ρ,j}
+    /// The rows around n·i + β from the rows around i. Row n·i + β + p of E^(l+1) is Σ_j E_{ρ,j}
     /// times row i + ⌊(β+p)/n⌋ + o + j of E^l, ρ = (β + p) mod n (THEOREMS.md, 60).
     fn part(&self, rows: &Rows, digit: i64) -> Result<Rows, Stop> {
         let bits = rows.iter().flatten().map(BigInt::bits).max().unwrap_or(0);
@@ -102,7 +102,7 @@ impl<'a> Operator<'a> {
         Ok(part)
     }
 
-    /// Σ|x| over the row about the index itself.
+    /// The norm of the row of the index itself.
     fn norm(&self, rows: &Rows) -> BigInt {
         norm(&rows[usize::try_from(-self.first).unwrap_or(0)])
     }
@@ -142,8 +142,8 @@ impl<'a> Operator<'a> {
         })
     }
 
-    /// Makes sure that ‖E^c‖ is at most this number, for τ with ‖E^m‖ ≤ τ_m, m < c: a
-    /// node is split unless all rows below it are bounded (THEOREMS.md, 60 to 62).
+    /// Makes sure that ‖E^c‖ is at most a number, for τ with ‖E^m‖ ≤ τ_m, m < c. A node is split
+    /// unless all rows below it are bounded (THEOREMS.md, 60 to 62).
     pub fn at_most(&self, levels: u32, limit: &Q, tau: impl Fn(u32) -> Q) -> Checked<()> {
         let (nth, mut reaches) = (Q::new(BigInt::one(), self.n.into()), Vec::new());
         let (mut middle, mut radius, mut part) = (int(0), int(0), int(1));
@@ -191,7 +191,7 @@ impl<'a> Operator<'a> {
     }
 }
 
-/// A bound of Σ_k |Σ_p λ_p R_{p,k}|, for all λ as they are known, with Σ_p λ_p = 1.
+/// A bound of Σ_k |Σ_p λ_p R_{p,k}| for all λ that keep the bounds of `reach` and sum to 1.
 fn bound(rows: &Rows, reach: &Reach) -> Q {
     let largest = rows.iter().map(|row| norm(row)).max().unwrap_or_default();
     let bound = &reach.total * largest;
@@ -199,7 +199,7 @@ fn bound(rows: &Rows, reach: &Reach) -> Q {
     Q::new(line.filter(|line| *line < bound).unwrap_or(bound), unit())
 }
 
-/// 2^PLACES times the bound by the line through two rows: THEOREMS.md, 62.
+/// 2^PLACES times the bound by the line through two rows (THEOREMS.md, 62).
 fn by_line(rows: &Rows, reach: &Reach, ends: &[BigInt; 2]) -> BigInt {
     let mut sums = [BigInt::zero(), BigInt::zero()];
     let mut off = vec![[BigInt::zero(), BigInt::zero()]; rows.len()];
@@ -231,7 +231,7 @@ fn norm(row: &[BigInt]) -> BigInt {
     row.iter().map(Signed::abs).sum()
 }
 
-/// The least window that holds 0 and the positions ⌊(β+p)/n⌋ + o + j of every p in it.
+/// The least window that contains 0 and the positions ⌊(β+p)/n⌋ + o + j of every p in it.
 fn window(n: i64, width: i64, offset: i64) -> (i64, i64) {
     let (mut first, mut last) = (0_i64, 0_i64);
     loop {

@@ -1,41 +1,48 @@
-//! The products of sequences that are known.
+//! Caches of products of sequences, and of constants.
 
 use crate::convolution::{Convolution, MAX_LENGTH, Product, Sequence, Sums};
 use crate::meter::Meter;
 use crate::piece::Piece;
 use crate::reject::Stop;
-use crate::scheme::{Part, Scheme};
 use crate::value::Value;
 use std::cell::RefCell;
+use std::cmp::Ordering;
 use std::collections::HashMap;
 use std::hash::Hash;
 use std::rc::Rc;
 
-/// The most products that are kept.
+/// The most products in a cache.
 const MAX_PRODUCTS: usize = 1_000;
 
-/// Products by what they are made of.
+/// A cache of products.
 type Known<K> = RefCell<HashMap<K, Rc<Product>>>;
 
-/// The products of a claim. A meter counts the steps of new ones.
+/// The rules of a constant, whether they are read forwards, and the level.
+type Constant = (Vec<Vec<Value>>, bool, u32);
+
+/// The products and constants of a claim. A meter counts the steps of new products.
 pub struct Products<'m> {
     meter: &'m Meter,
     /// The convolution, its length and the sequence.
     known: Known<(Convolution, usize, Vec<Value>)>,
-    /// The convolution, the scheme, which of its masks, and whether it is read forwards.
-    of_schemes: Known<(Convolution, *const Scheme, Part, bool)>,
+    /// The convolution, the address of the rules, and whether they are read forwards.
+    of_masks: Known<(Convolution, *const Vec<Value>, bool)>,
+    /// The constants that lines `constant` have shown.
+    constants: RefCell<HashMap<Constant, Value>>,
 }
 
 impl<'m> Products<'m> {
-    /// No products.
+    /// Empty caches.
     pub fn new(meter: &'m Meter) -> Products<'m> {
-        Products { meter, known: RefCell::default(), of_schemes: RefCell::default() }
+        let (known, of_masks, constants) = Default::default();
+        Products { meter, known, of_masks, constants }
     }
 
-    /// Forgets all products.
+    /// Forgets all products and constants.
     pub fn clear(&self) {
         self.known.borrow_mut().clear();
-        self.of_schemes.borrow_mut().clear();
+        self.of_masks.borrow_mut().clear();
+        self.constants.borrow_mut().clear();
     }
 
     /// E^c of a sequence, for f < length.
@@ -59,22 +66,22 @@ impl<'m> Products<'m> {
         Ok(product)
     }
 
-    /// E^c of the sequence of a scheme.
-    pub fn of_scheme(&self, how: Convolution, of: Sequence<'_>) -> Result<Rc<Product>, Stop> {
-        // The address stands for the scheme, since the library keeps the schemes of a claim.
-        let key = (how, std::ptr::from_ref(of.scheme), of.part, of.forward);
-        if let Some(known) = self.of_schemes.borrow().get(&key) {
+    /// E^c of the sequence of a mask.
+    pub fn of_mask(&self, how: Convolution, of: Sequence<'_>) -> Result<Rc<Product>, Stop> {
+        // The address stands for the rules, since the library keeps the schemes of a claim.
+        let key = (how, of.rules.as_ptr(), of.forward);
+        if let Some(known) = self.of_masks.borrow().get(&key) {
             return Ok(Rc::clone(known));
         }
         let product = self.of(how, &of.values(), MAX_LENGTH + 1)?;
         if product.is_long() {
             return Err(Stop::Capped("the length of a product of sequences"));
         }
-        keep(&self.of_schemes, key, &product);
+        keep(&self.of_masks, key, &product);
         Ok(product)
     }
 
-    /// The class sums of the sequence of a scheme at level c.
+    /// The class sums of the sequence of a mask at level c.
     pub fn classes(
         &self,
         of: Sequence<'_>,
@@ -82,9 +89,27 @@ impl<'m> Products<'m> {
         piece: Option<&Piece>,
     ) -> Result<Sums, Stop> {
         let c = u32::try_from(c.integer(64)?);
-        let c = c.map_err(|_| Stop::Wrong("a negative level".into()))?;
-        let how = Convolution { c, arity: of.scheme.arity(), printed: false };
-        self.of_scheme(how, of)?.classes(self.meter, piece)
+        let c = c.map_err(|_| Stop::Wrong("the level is negative".into()))?;
+        let how = Convolution { c, arity: of.rules.len(), printed: false };
+        self.of_mask(how, of)?.classes(self.meter, piece)
+    }
+
+    /// Makes a constant known.
+    pub fn show(&self, of: Sequence<'_>, level: u32, value: Value) {
+        self.constants.borrow_mut().insert((of.rules.to_vec(), of.forward, level), value);
+    }
+
+    /// The constant of a level, if a line `constant` has shown it.
+    pub fn shown(&self, of: Sequence<'_>, level: u32) -> Option<Value> {
+        self.constants.borrow().get(&(of.rules.to_vec(), of.forward, level)).cloned()
+    }
+
+    /// Whether a constant of some level has been shown to be below 1.
+    pub fn contract(&self, of: Sequence<'_>) -> bool {
+        self.constants.borrow().iter().any(|((rules, forward, _), value)| {
+            let order = value.compare(&Value::int(1));
+            rules == of.rules && *forward == of.forward && order.is_ok_and(Ordering::is_lt)
+        })
     }
 }
 

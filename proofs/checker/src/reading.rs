@@ -1,21 +1,21 @@
-//! Readings: how the options of functions are understood.
+//! Readings of definitions: the meanings of the options of functions.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-/// A respect in which a definition can be read in several ways.
+/// A choice between several ways to read a definition.
 pub struct Choice {
-    /// Its name in certificates.
+    /// The name in certificates.
     pub name: &'static str,
     /// The option that says which way is printed.
     option: &'static str,
-    /// The functions that take this option; of the last two choices, none.
+    /// The functions that take this option. The last two choices have none.
     functions: &'static [&'static str],
-    /// The ways, the default first.
+    /// The ways. The default is the first.
     pub ways: &'static [&'static str],
 }
 
-/// The family of readings, but for what the claim file declares.
+/// All choices of a family of readings. The claim file may declare other definitions, too.
 #[rustfmt::skip]
 pub const CHOICES: [Choice; 10] = [
     Choice { name: "order", option: "order", functions: &["contraction", "norm", "tensor", "convolution"], ways: &["adjoint", "forward"] },
@@ -30,17 +30,17 @@ pub const CHOICES: [Choice; 10] = [
     Choice { name: "tolerance", option: "", functions: &[], ways: &["exact", "less", "more"] },
 ];
 
-/// How a definition is read: as printed, but for some choices.
+/// A reading of definitions. It differs from the printed text in some choices.
 #[derive(Debug, Default)]
 pub struct Reading {
-    /// The words of the choices that are not as printed, by name.
+    /// The words of the choices that are read otherwise, by name.
     pub words: BTreeMap<String, String>,
-    /// The choices that options were asked for, with their words as printed.
+    /// The choices that were consulted, with their printed words.
     pub consulted: RefCell<BTreeMap<&'static str, String>>,
 }
 
 impl Reading {
-    /// The word for an option of a function that prints another.
+    /// The word that an option of a function is read as.
     pub fn word(&self, function: &str, option: &str, printed: &str) -> String {
         let fits =
             |choice: &&Choice| choice.option == option && choice.functions.contains(&function);

@@ -1,127 +1,141 @@
-//! Why a certificate is rejected: one reason for each side condition of FORMAT.md.
+//! The reasons for which a certificate is rejected. There is one for each side condition of
+//! FORMAT.md.
 
 use std::fmt;
 
-/// Declares reasons, each with the text that it is reported by.
+/// A value, a count or words that a certificate says or that the checker found. If it is long, its
+/// beginning and its end are displayed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Text(pub String);
+
+impl fmt::Display for Text {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let text: Vec<char> = self.0.chars().collect();
+        let part = |range: std::ops::Range<usize>| text[range].iter().collect::<String>();
+        match text.len() {
+            0 => f.write_str("nothing"),
+            1..65 => f.write_str(&self.0),
+            all => write!(f, "{}…{} ({all} characters)", part(0..40), part(all - 20..all)),
+        }
+    }
+}
+
+/// Declares reasons, each with its fields and with the message that shows them.
 macro_rules! reasons {
-    ($(#[$doc:meta])* $type:ident: $($name:ident $(($of:ident: $as:ty))? $text:literal)*) => {
+    ($(#[$doc:meta])* $type:ident: $($name:ident $(($($of:ident: $as:ty),+))? $text:literal)*) => {
         $(#[$doc])*
         #[derive(Clone, Debug, PartialEq, Eq)]
-        pub enum $type { $(#[doc = $text] $name $(($as))?),* }
+        pub enum $type { $(#[doc = concat!("«", $text, "»")] $name $(($($as),+))?),* }
 
         impl fmt::Display for $type {
             fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 match self {
-                    $($type::$name $(($of))? => {
-                        f.write_str($text)?;
-                        $(write!(f, ": {}", $of)?;)?
-                    })*
+                    $($type::$name $(($($of),+))? => write!(f, $text),)*
                 }
-                Ok(())
             }
         }
     };
 }
 
 reasons! {
-    /// Why a formula has no value.
+    /// The reason for which a formula has no value.
     Stop:
-    Unstated(name: String) "the paper does not state this parameter"
-    Undefined(why: &'static str) "the definition has no value here"
-    Capped(cap: &'static str) "beyond a cap of this program"
-    Wrong(why: String) "the formula is wrong"
+    Unstated(name: String) "the paper does not state the parameter {name}"
+    Undefined(why: &'static str) "the definition has no value here: {why}"
+    Capped(cap: &'static str) "this is beyond a cap of the checker: {cap}"
+    Wrong(why: String) "the formula is wrong: {why}"
 }
 
 reasons! {
-    /// A side condition that does not hold.
+    /// A side condition that does not hold. Of two fields, the first is what the certificate says.
     Reason:
-    Version "the first line is not `subcert-certificate 2`"
-    Paper "the second line is not `paper` and the key of the claim file"
-    Malformed(what: &'static str) "expected"
+    Version(said: Text) "the first line is `{said}`, and not `subcert-certificate 2`"
+    Paper(said: Text, key: Text) "the second line is `{said}`, and not `paper {key}`"
+    Malformed(what: &'static str) "the line does not have the form that is expected: {what}"
     LongLine "the line, or the certificate, is too long"
-    AfterFooter "something follows the footer"
+    AfterFooter "the certificate goes on after its footer"
     Truncated "the footer is missing: the certificate is cut off"
-    Count "the footer counts another number of blocks"
+    Count(said: Text, found: Text) "the footer says {said}, and the number of blocks is {found}"
     NoSuchClaim "the claim file has no such claim"
-    Field(name: String) "the claim has an unknown field"
+    Field(name: String) "the claim has an unknown field: {name}"
     Twice "this claim is certified twice"
-    Restated(what: &'static str) "this is not what the claim file says"
-    NoValue(why: String) "no closed formula"
-    Value "the value is another one"
-    Stopped(why: Stop) "the formula has no value"
-    Cell "there is no such cell here; they are listed row by row"
+    Restated(said: Text, found: Text) "the certificate says `{said}`, and the claim file says `{found}`"
+    NoValue(why: String) "this is no closed formula: {why}"
+    Value(said: Text, found: Text) "the certificate says {said}, and it is {found}"
+    Stopped(why: Stop) "the formula has no value: {why}"
+    Cell "the table has no such cell here; the cells are listed row by row"
     CellsMissing "cells of the table are missing"
-    Printed "the cell is printed otherwise"
-    Lost "a lost cell has no verdict, and a printed one is not lost"
-    Assumed "other parameters have to be assumed"
-    NotNearest "the printed number is not the correctly rounded value"
-    Nearest "the printed number is the correctly rounded value"
-    NotRounded "the printed number is not the value rounded so"
+    Printed(said: Text, found: Text) "the certificate says `{said}`, and the claim file prints `{found}`"
+    Lost "a lost cell has a verdict, or a printed cell is called lost"
+    Assumed(said: Text, found: Text) "the assumptions do not fit: the certificate says {said}, and it is {found}"
+    NotNearest(printed: Text, value: Text) "the printed {printed} is not the correctly rounded value of {value}"
+    Nearest(printed: Text, value: Text) "the printed {printed} is a rounded value of {value}"
+    NotRounded(printed: Text, value: Text) "the printed {printed} is not {value} under this rounding"
     Depth "depths have roundings of their own, and no slips"
-    NotThisSlip "the printed number is not this slip away from the value"
-    FewDigits "the printed number has too few digits for a slip"
-    Slip "the printed number is a slip away from the value"
+    NotThisSlip(said: Text, found: Text) "the certificate says `{said}`, and the slips from the value are: {found}"
+    FewDigits(printed: Text) "the printed {printed} has too few digits for a slip"
+    Slip(slip: Text) "the printed number is a slip away from the value: {slip}"
     NoReading "no reading is given"
-    NotInFamily(what: String) "the family has no such choice, way, alternative or parameter"
+    NotInFamily(what: String) "the family has no such choice, way, alternative or parameter: {what}"
     Differences "the reading has too many differences"
-    NotExplained "the reading does not give the printed number"
-    Explained "the reading gives the printed number"
+    NotExplained(printed: Text, value: Text) "the reading gives {value}, and not the printed {printed}"
+    Explained(printed: Text, value: Text) "the reading gives {value}, which is printed as {printed}"
     NoFamily "a cell is refuted, and the family is not given"
     Member "this is no member of the family, or it is listed twice, or one is missing"
-    Scale "the parameter that all values are proportional to is another one"
-    Explains "the member explains another number of cells"
-    NotBest "another member of the family explains more cells"
-    Luck "luck would find a reading as good"
+    Scale(said: Text, found: Text) "the certificate says {said}, and all values are proportional to {found}"
+    Explains(said: Text, found: Text) "the certificate says {said}, and the numbers of explained cells are {found}"
+    NotBest(said: usize, found: usize) "the certificate says that the best reading explains {said} cells, and this one explains {found}"
+    Luck "a reading of unrelated values would be as good by luck"
     NotLuck "a reading of the family is better than luck"
     NoCase "the indices have no values"
-    Cases "the number of cases is another one"
-    Differ(case: String) "the sides differ in a case that is not listed"
+    Cases(said: Text, found: Text) "the certificate says {said}, and the number of cases is {found}"
+    Differ(case: String, difference: Text) "the sides differ by {difference} in a case that is not listed: ({case})"
     Case "there is no such case here; they are listed in order"
-    Difference "the difference of the sides is another one"
-    NoDifference "the difference is 0"
-    Verdict "the verdict does not follow"
+    Difference(said: Text, found: Text) "the certificate says {said}, and the difference of the sides is {found}"
+    NoDifference "the two sides do not differ"
+    Verdict(said: Text, found: Text) "the certificate says {said}, and the verdict is {found}"
     Breaks "the breaks do not increase"
-    Signs "the signs are others"
-    Ends "the ends are not those that are printed"
-    ExactEnd "the exact end is another one"
-    Relation "the printed end is not so related to the exact one"
-    Class "this residue class does not attain the constant"
+    Signs(said: Text, found: Text) "the signs are {found}, and the certificate says {said}"
+    Ends(said: Text, found: Text) "the certificate says `{said}`, and the claim file prints `{found}`"
+    ExactEnd(said: Text, found: Text) "the certificate says {said}, and the exact end is {found}"
+    Relation(said: Text, found: Text) "the certificate says {said}, and the printed end is {found}"
+    Class(said: Text, found: Text) "the certificate says {said}, and the sum of this residue class is {found}"
     Powers "the norms of the powers are not shown to be at most this"
     NotLargest "another residue class has a larger sum"
     NoPromise "the table promises nothing, or has no scheme"
     NoContraction "the constant of the block is not below 1"
-    TooLarge "the bound is above what is claimed"
+    TooLarge(bound: Text, claimed: Text) "the bound is {bound}, above the {claimed} that is claimed"
     Open "the theorem is open"
     NoStatement "THEOREMS.md has no such statement"
-    Premise(id: String) "the proof uses a claim that is not shown to hold"
-    NotListed "the claim lists another parameter here, or other values of it"
-    Supposed "what the theorem supposes does not hold"
+    Premise(id: String) "the proof uses a claim that is not shown to hold: {id}"
+    NotListed(name: String) "the claim lists another parameter here, or other values of it: {name}"
+    Supposed(value: Text, below: Text) "the theorem supposes that {value} is below {below}"
     Taken "two witnesses have this name"
     NoWitness "no witness has this name"
     Promises "each printed cell has a line about its promise, row by row"
-    Flow "the flow carries something else"
+    Flow(carried: Text, needed: Text) "the flow carries {carried} to a point that needs {needed}"
     Weights "these are not the weights of the limit"
     Level "the theorem is not stated for this level, or it is beyond the cap"
     Single "the claim does not speak of one scheme alone"
-    Growth "the bound grows otherwise, or is not proportional to the spread"
-    Contraction "the differences do not fall as fast as the bound"
+    Growth(said: Text, found: Text) "the certificate says {said}, and the growth of the bound is {found}"
+    Contraction(factor: Text, claimed: Text) "the differences fall by {factor}, and the bound falls by {claimed}"
     NoLimit "the scheme is not shown to converge"
     NegativeSpread "the spread of the data is negative"
     Negative "the bound is negative: it presupposes something that does not hold"
-    NotViolated "the bound is not violated"
+    NotViolated(value: Text, bound: Text) "the value is {value}, which does not violate the bound {bound}"
 }
 
 /// A reason, and the line of the certificate.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Rejection {
-    /// The line, counted from 1; 0 while it is the line at hand.
+    /// The line, counted from 1. It is 0 until the line is known.
     pub line: usize,
     /// The reason.
     pub reason: Reason,
 }
 
 impl Rejection {
-    /// Whether the claim was left open, not shown to be wrong.
+    /// Whether the claim is left open. Otherwise its certificate is wrong.
     #[must_use]
     pub fn given_up(&self) -> bool {
         matches!(
@@ -130,7 +144,7 @@ impl Rejection {
         )
     }
 
-    /// At this line, if it has none of its own.
+    /// The same rejection at this line, if it has no line of its own.
     pub(crate) fn at(mut self, line: usize) -> Rejection {
         self.line = if self.line == 0 { line } else { self.line };
         self
@@ -149,10 +163,31 @@ impl From<Stop> for Rejection {
     }
 }
 
-/// What a check gives.
+/// The result of a check.
 pub type Checked<T> = Result<T, Rejection>;
+
+/// A reason that compares what the certificate says with what the checker found.
+pub type Compared = fn(Text, Text) -> Reason;
 
 /// Makes sure of a side condition.
 pub fn require(holds: bool, otherwise: Reason) -> Checked<()> {
     if holds { Ok(()) } else { Err(otherwise.into()) }
+}
+
+/// Makes sure of a side condition of two values or texts. The rejection shows both.
+pub fn compare<A, B>(holds: bool, said: &A, found: &B, otherwise: Compared) -> Checked<()>
+where
+    A: fmt::Display + ?Sized,
+    B: fmt::Display + ?Sized,
+{
+    if holds {
+        Ok(())
+    } else {
+        Err(otherwise(Text(said.to_string()), Text(found.to_string())).into())
+    }
+}
+
+/// Makes sure that two texts are the same.
+pub fn agree(said: &str, found: &str, otherwise: Compared) -> Checked<()> {
+    compare(said == found, said, found, otherwise)
 }

@@ -1,4 +1,4 @@
-//! Rings: points around an extraordinary vertex or face, with rules that depend on their number.
+//! Rings: the points around an extraordinary vertex or face. Their rules depend on the valence.
 
 use crate::definitions::formulas;
 use crate::evaluate::Scope;
@@ -9,15 +9,15 @@ use crate::reject::Stop;
 use crate::value::Value;
 use std::cell::OnceCell;
 
-/// The most levels after which differences are looked at.
+/// The greatest level at which a contraction is looked for.
 const MAX_BLOCK: usize = 32;
 
-/// v points, and the v points of the next level.
+/// A linear map of the points of a ring to the points of the next level.
 pub struct Ring<'a> {
     meter: &'a Meter,
-    /// `vertex`, `edge[0]`, `edge[1]`, …
+    /// The names `vertex`, `edge[0]`, `edge[1]`, … of the points.
     pub names: Vec<String>,
-    /// m_{a,b}: x'_a = Σ_b m_{a,b} x_b.
+    /// The matrix M of the m_{a,b} with x'_a = Σ_b m_{a,b} x_b.
     pub weights: Vec<Vec<Value>>,
     /// The edges of the mesh.
     pub edges: Vec<[usize; 2]>,
@@ -45,23 +45,23 @@ impl<'a> Ring<'a> {
             }
         }
         if ring.tree().len() != ring.names.len() || ring.edges.iter().any(|[a, b]| a == b) {
-            return Err(wrong("its edges do not connect it"));
+            return Err(wrong("its edges do not connect all points, or an edge has one end"));
         }
         Ok(ring)
     }
 
-    /// Mx.
+    /// The refined points Mx.
     pub fn refined(&self, points: &[Value]) -> Result<Vec<Value>, Stop> {
         self.weights.iter().map(|row| self.combined(row.iter().zip(points))).collect()
     }
 
-    /// fM, the functional of the points that f is of those of the next level.
+    /// The functional fM: f applied to the points of the next level, as a functional of the points.
     pub fn before(&self, f: &[Value]) -> Result<Vec<Value>, Stop> {
         let column = |b: usize| self.combined(self.weights.iter().map(|row| &row[b]).zip(f));
         (0..f.len()).map(column).collect()
     }
 
-    /// fM^k for each functional f.
+    /// The functional fM^k for each functional f.
     pub fn functionals_before(
         &self,
         functionals: Vec<Vec<Value>>,
@@ -72,20 +72,20 @@ impl<'a> Ring<'a> {
         })
     }
 
-    /// e_a for every point a.
+    /// The functional e_a for every point a.
     pub fn units(&self) -> Vec<Vec<Value>> {
         let points = 0..self.names.len();
         let unit = |a| points.clone().map(|b| Value::int(i64::from(a == b))).collect();
         points.clone().map(unit).collect()
     }
 
-    /// e_a − e_b for every edge (a, b).
+    /// The functional e_a − e_b for every edge (a, b).
     pub fn differences(&self) -> Result<Vec<Vec<Value>>, Stop> {
         let units = self.units();
         self.edges.iter().map(|&[a, b]| less(&units[a], &units[b])).collect()
     }
 
-    /// The sum of products.
+    /// The sum of the products of pairs.
     fn combined<'v>(
         &self,
         pairs: impl Iterator<Item = (&'v Value, &'v Value)>,
@@ -117,9 +117,9 @@ impl<'a> Ring<'a> {
         Ok(!same.collect::<Result<Vec<bool>, Stop>>()?.contains(&false))
     }
 
-    /// Of a flow along the edges, what it costs, and what it carries to the first end of each, away
-    /// from the second: |Σ_b g_b x_b| is at most the cost, where it carries g and the differences
-    /// along the edges are 1 at most.
+    /// The cost of a flow along the edges, and the functional g that it carries: each edge carries
+    /// its flow from its second end to its first. If the differences along the edges are at most 1,
+    /// |Σ_b g_b x_b| is at most the cost.
     pub fn carried(&self, flow: &[Value]) -> Result<(Value, Vec<Value>), Stop> {
         let mut carried = vec![Value::int(0); self.names.len()];
         let mut cost = Value::int(0);
@@ -131,7 +131,7 @@ impl<'a> Ring<'a> {
         Ok((cost, carried))
     }
 
-    /// A tree of edges: each point but the first with one before it, from the first point on.
+    /// A spanning tree, from the first point on. Every other point comes with its predecessor.
     fn tree(&self) -> Vec<(usize, usize)> {
         let mut tree = vec![(0, 0)];
         let mut at = 0;
@@ -156,8 +156,8 @@ impl<'a> Ring<'a> {
 
     fn contracts_once(&self) -> Result<bool, Stop> {
         let tree = self.tree();
-        // f with the sum 0 is a sum of differences along the edges of the tree, each times
-        // what f has beyond that edge.
+        // A functional f with the sum 0 is a sum of differences along the edges of the tree. The
+        // factor of an edge is the sum of f beyond it.
         let bound = |f: &Vec<Value>| {
             let (mut beyond, mut sum) = (f.clone(), Value::int(0));
             for &(point, before) in tree[1..].iter().rev() {

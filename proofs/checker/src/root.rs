@@ -1,4 +1,4 @@
-//! Real numbers as roots of polynomials, and the signs of polynomials at them and between.
+//! Real numbers as roots of polynomials, and the signs of polynomials at and between them.
 
 use crate::decimal::{Q, int, read_rational};
 use crate::polynomial::{at, beyond_roots, divide, gcd, roots_between, signum, trimmed};
@@ -10,11 +10,11 @@ use std::fmt;
 /// The most coefficients of a polynomial.
 const MAX_LENGTH: usize = 65;
 
-/// How often an interval is halved.
+/// The most halvings of an interval.
 const MAX_HALVINGS: usize = 1_000;
 
-/// The only root of a polynomial between two rational numbers at which it is not 0; or the
-/// rational number that both of these are.
+/// The only root of a polynomial between two rational numbers that are no roots. If the two are
+/// the same, it is that rational number.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Root {
     polynomial: Vec<Q>,
@@ -30,7 +30,10 @@ impl From<Q> for Root {
 
 impl fmt::Display for Root {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "from {} to {}", self.low, self.high)
+        match self.rational() {
+            Some(value) => write!(f, "{value}"),
+            None => write!(f, "a number from {} to {}", self.low, self.high),
+        }
     }
 }
 
@@ -51,17 +54,17 @@ impl Root {
         one.then_some(Root { polynomial, low, high })
     }
 
-    /// This as a rational number, if it is known to be one.
+    /// The rational number that this is, if that is known.
     pub fn rational(&self) -> Option<&Q> {
         (self.low == self.high).then_some(&self.low)
     }
 
-    /// How many roots a polynomial, which is not 0 at the ends, has in the interval.
+    /// The number of roots of a polynomial in the interval. It is not 0 at the ends.
     fn count(&self, p: &[Q]) -> usize {
         roots_between(p, &self.low, &self.high)
     }
 
-    /// The same number in half of the interval.
+    /// The number in half of the interval.
     fn halved(&self) -> Root {
         let (polynomial, middle) = (self.polynomial.clone(), (&self.low + &self.high) / int(2));
         if at(&polynomial, &middle).is_zero() {
@@ -74,7 +77,7 @@ impl Root {
         Root { low: middle, high: self.high.clone(), ..lower }
     }
 
-    /// The same number in an interval without other roots of a polynomial.
+    /// The number in an interval without other roots of a polynomial.
     fn apart_from(&self, p: &[Q]) -> Result<Root, Stop> {
         let (own, mut root) = (usize::from(self.sign_of(p)? == 0), self.clone());
         for _ in 0..MAX_HALVINGS {
@@ -92,7 +95,7 @@ impl Root {
         if let Some(value) = self.rational() {
             return Ok(signum(&at(p, value)));
         }
-        // What divides both polynomials is not 0 at the ends.
+        // A common divisor is not 0 at the ends.
         if self.count(&gcd(p, &self.polynomial)) > 0 {
             return Ok(0);
         }
@@ -131,7 +134,7 @@ impl Root {
         Err(Stop::Capped("the halvings of an interval"))
     }
 
-    /// Which of two is nearer to a rational number.
+    /// Compares the distances of two numbers from a rational number.
     pub fn nearer(&self, other: &Root, to: &Q) -> Result<Ordering, Stop> {
         let (mut one, mut other) = (self.clone(), other.clone());
         let off = |root: &Root| {
@@ -158,7 +161,7 @@ impl Root {
     }
 }
 
-/// The sign of p between two numbers, the lower one first; or a root, when it has several.
+/// The sign of p between two numbers, or a root of p there. The lower number comes first.
 pub fn sign_between(
     p: &[Q],
     low: Option<&Root>,
@@ -167,8 +170,8 @@ pub fn sign_between(
     if p.iter().all(Zero::is_zero) {
         return Ok(Ok(0));
     }
-    // From the ends on to rational numbers, with no root of p on the way; without an end, from
-    // beyond all roots of p and the other end.
+    // Each end is replaced by a rational number, with no root of p between the two. An infinite
+    // end is replaced by a number beyond all roots of p and the other end.
     let ends = [low, high].into_iter().flatten();
     let bound = beyond_roots(p) + ends.map(|end| end.low.abs() + end.high.abs()).sum::<Q>();
     let mut low = low.map_or(Ok((-&bound).into()), |low| low.apart_from(p))?;
@@ -182,9 +185,9 @@ pub fn sign_between(
     Err(Stop::Capped("the halvings of an interval"))
 }
 
-/// The same between rational numbers.
+/// The sign of p between two rational numbers, or a root of p there.
 fn sign_or_root(p: &[Q], mut low: Q, mut high: Q) -> Result<i8, Box<Root>> {
-    // Roots at the ends are divided out: x − low is positive between, and x − high negative.
+    // Roots at the ends are divided out. In between, x − low is positive and x − high is negative.
     let (mut p, mut turned) = (trimmed(p.to_vec()), 1);
     for (end, factor) in [(&low, 1), (&high, -1)] {
         while at(&p, end).is_zero() {

@@ -1,4 +1,4 @@
-//! Printed decimals against exact values.
+//! The comparison of printed decimals with exact values.
 
 use crate::decimal::{Decimal, Q, int};
 use crate::piece::Piece;
@@ -8,13 +8,13 @@ use crate::value::Value;
 use num_bigint::BigInt;
 use num_traits::{One, Pow, Signed};
 
-/// How `decimal` came from `value`: `nearest`; or not so, but `cut` towards zero or rounded
-/// `away` from it; or `neither`, when it is a unit of its last place off, or more.
+/// The rounding that leads from `value` to `decimal`: `nearest`, otherwise `cut` towards zero or
+/// `away` from it, or `neither` if they differ by a unit of the last place or more.
 pub fn rounding(decimal: &Decimal, value: &Value) -> Result<&'static str, Stop> {
     rounding_on(decimal, value, None)
 }
 
-/// The same of a polynomial on a piece.
+/// The rounding that leads from a polynomial on a piece to `decimal`.
 pub fn rounding_on(
     decimal: &Decimal,
     value: &Value,
@@ -32,7 +32,7 @@ pub fn rounding_on(
     Ok(if less { "cut" } else { "away" })
 }
 
-/// Whether `value` becomes `decimal` where decimals are rounded in this way.
+/// Whether `value` becomes `decimal` if decimals are rounded in this way.
 pub fn gives(decimal: &Decimal, value: &Value, decimals: &str) -> Result<bool, Stop> {
     let shown = Value::from(decimal.value.abs());
     let beyond = shown.compare(&value.abs(None)?)?;
@@ -44,26 +44,26 @@ pub fn gives(decimal: &Decimal, value: &Value, decimals: &str) -> Result<bool, S
     })
 }
 
-/// The digits of a decimal that tell something: without zeros before and behind.
+/// The number of digits of a decimal without leading and trailing zeros.
 pub fn telling(decimal: &Decimal) -> usize {
     decimal.digits.abs().to_string().trim_matches('0').len()
 }
 
-/// Whether a decimal has the digits that this kind of slip needs; or `rounding`, not as the
-/// rest of the table.
+/// Whether a decimal has enough digits for this kind of slip, or for a `rounding` that the rest of
+/// the table does not have.
 pub fn has_digits(decimal: &Decimal, slip: &str) -> bool {
     let needed = match slip.split(' ').next() {
         Some("digit" | "swap") => 5,
         Some("rounding") => 3,
-        // The condition on both numbers is one of the slip itself.
+        // The slip itself has a condition on the digits of both numbers.
         Some("exchanged") => 1,
         _ => 4,
     };
     telling(decimal) >= needed
 }
 
-/// The slips that lead from `value` to `decimal`, when that is `neither`: `sign`,
-/// `exponent p`, `digit i`, `swap i`, whatever their number of digits.
+/// The slips `sign`, `exponent p`, `digit i` and `swap i` that lead from `value` to `decimal`, if
+/// the rounding is `neither`. The number of digits does not matter here.
 pub fn slips(decimal: &Decimal, value: &Value) -> Result<Vec<String>, Stop> {
     let mut slips = Vec::new();
     if rounding(decimal, &value.negated()?)? != "neither" {
@@ -87,7 +87,7 @@ pub fn slips(decimal: &Decimal, value: &Value) -> Result<Vec<String>, Stop> {
     Ok(slips)
 }
 
-/// The integer nearest to a number; of two, the even one.
+/// The integer nearest to a number. If two are equally near, it is the even one.
 fn nearest(value: &Value, floor: &BigInt) -> Result<BigInt, Stop> {
     let middle = Q::from_integer(floor.clone()) + Q::new(BigInt::one(), BigInt::from(2));
     let side = value.compare(&middle.into())?;
@@ -95,8 +95,8 @@ fn nearest(value: &Value, floor: &BigInt) -> Result<BigInt, Stop> {
     Ok(if up { floor + BigInt::one() } else { floor.clone() })
 }
 
-/// One digit that is another, or two neighbours exchanged. The last digit alone is none:
-/// inexact computing gives that too.
+/// The slip that changes one digit, or exchanges two neighbouring ones. A change of the last
+/// digit alone is no slip, since inexact arithmetic gives it too.
 fn digit_slip(printed: &BigInt, correct: &BigInt) -> Option<String> {
     let (printed, correct) = (printed.to_string().into_bytes(), correct.to_string().into_bytes());
     if printed.len() != correct.len() {
@@ -112,7 +112,7 @@ fn digit_slip(printed: &BigInt, correct: &BigInt) -> Option<String> {
     }
 }
 
-/// The ends of the interval of values that a decimal stands for in this rounding.
+/// The ends of the interval of values that have this decimal under a rounding.
 pub fn interval(decimal: &Decimal, decimals: &str) -> (Q, Q) {
     let (shown, unit) = (decimal.value.abs(), &decimal.unit);
     let half = unit / int(2);

@@ -11,21 +11,12 @@ pub const MAX_WIDTH: usize = 256;
 
 /// A mask with its difference mask.
 pub struct Scheme {
-    /// a_{α,j}: a row for each rule α.
+    /// The mask a_{α,j}, with a row for each rule α.
     pub mask: Vec<Vec<Value>>,
-    /// b_{β,j}.
+    /// The difference mask b_{β,j}.
     pub difference: Vec<Vec<Value>>,
-    /// o.
+    /// The offset o.
     pub offset: i64,
-}
-
-/// One of the two masks of a scheme.
-#[derive(Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Part {
-    /// The mask a.
-    Mask,
-    /// The difference mask b.
-    Difference,
 }
 
 impl Scheme {
@@ -34,7 +25,7 @@ impl Scheme {
         let width = mask.first().map_or(0, Vec::len);
         let even = mask.iter().all(|row| row.len() == width);
         if !(2..=MAX_ARITY).contains(&mask.len()) || !(1..=MAX_WIDTH).contains(&width) || !even {
-            return Err(wrong("the rules of a scheme are two or more, equally long"));
+            return Err(wrong("the number or the lengths of its rules are wrong"));
         }
         for row in &mask {
             if Value::total(row)? != Value::int(1) {
@@ -57,20 +48,12 @@ impl Scheme {
         Ok(Scheme { mask, difference, offset })
     }
 
-    /// The rules of one of the masks.
-    pub fn rules(&self, part: Part) -> &[Vec<Value>] {
-        match part {
-            Part::Mask => &self.mask,
-            Part::Difference => &self.difference,
-        }
-    }
-
-    /// n.
+    /// The arity n.
     pub fn arity(&self) -> usize {
         self.mask.len()
     }
 
-    /// N.
+    /// The width N.
     pub fn width(&self) -> usize {
         self.mask[0].len()
     }

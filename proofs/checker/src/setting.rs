@@ -1,27 +1,27 @@
-//! What control data are refined by.
+//! The setting of a witness: the masks or the ring that refine control data.
 
 use crate::convolution::Sequence;
 use crate::functional::Rules;
 use crate::library::Library;
 use crate::reject::{Checked, Reason, Stop, require};
 use crate::ring::Ring;
-use crate::scheme::{Part, Scheme};
+use crate::scheme::Scheme;
 use crate::value::Value;
 use std::rc::Rc;
 
 /// The most residue classes of a constant that shows convergence.
 const MAX_CLASSES: usize = 1 << 12;
 
-/// What control data are refined by.
+/// The rules that refine control data.
 pub enum Setting<'a> {
-    /// One mask, or one for each index of a net; and whether each is shown to converge.
+    /// One mask, or one for each index of a net, and whether all are shown to converge.
     Masks(Vec<Rules<'a>>, bool),
-    /// A ring, and what makes of the points of one level those that the next is compared with.
+    /// A ring, and perhaps the interpolant with whose points the next level is compared.
     Ring(Box<Ring<'a>>, Option<Box<Ring<'a>>>),
 }
 
 impl<'a> Setting<'a> {
-    /// The masks of a scheme, which are rational, at this offset or at their own.
+    /// The rational masks of a scheme, at this offset or at their own.
     pub fn masks(
         library: &'a Library<'a>,
         schemes: &[Rc<Scheme>],
@@ -39,10 +39,10 @@ impl<'a> Setting<'a> {
     }
 }
 
-/// Whether T_c < 1 for some n^c ≤ 4096, or for some c by a line `constant`.
+/// Whether T_c < 1 for some n^c ≤ 4096, or by a line `constant`.
 fn converges(library: &Library<'_>, scheme: &Scheme) -> Result<bool, Stop> {
-    let of = Sequence { scheme, part: Part::Difference, forward: false };
-    if library.constants.contract(of) {
+    let of = Sequence { rules: &scheme.difference, forward: false };
+    if library.products.contract(of) {
         return Ok(true);
     }
     let mut c = 1;

@@ -1,12 +1,12 @@
-//! What may stand in a claim file, and of which type.
+//! The fields of claim files and their types.
 
 use crate::toml::Toml;
 
 /// The kinds of claims.
 pub const KINDS: [&str; 5] = ["table", "equation", "function", "range", "theorem"];
 
-/// The fields of each kind of table with their types: `*t` is a list of t, `%t` a table of any names,
-/// and of `s|t` it is one.
+/// The fields of each kind of table with their types. `*t` is a list of t, `%t` is a table of t
+/// with any names, and `s|t` is s or t.
 const SHAPES: &str = "
 file: key=text paper=any define=%text given=%text alternative=*alternative scheme=*scheme \
  table=*any equation=*any function=*any range=*any theorem=*any unclaimed=any
@@ -40,12 +40,12 @@ fn field(kind: &str, name: &str) -> Option<&'static str> {
     of(kind).or_else(|| of("claim").filter(|_| KINDS.contains(&kind)))
 }
 
-/// Where a value is not of a type: the fields that lead there, `promise.spread`.
+/// The path of the first field that is not of its type, such as `promise.spread`.
 pub fn misfit(value: &Toml, of: &str) -> Option<String> {
     path(value, of).map(|path| path.trim_start_matches('.').to_owned())
 }
 
-/// The same with a point before each field.
+/// The path with a point before each field.
 fn path(value: &Toml, of: &str) -> Option<String> {
     let nested = |(name, value): &(String, Toml), of: &str| {
         path(value, of).map(|rest| format!(".{name}{rest}"))

@@ -8,7 +8,6 @@ use crate::evaluate::{Indices, MAX_INTEGER, Scope};
 use crate::formula::{Expr, Head};
 use crate::library::Library;
 use crate::reject::Stop;
-use crate::scheme::Part;
 use crate::value::Value;
 
 /// The value of such a function.
@@ -30,7 +29,7 @@ pub fn of_constant(library: &Library<'_>, scope: &Scope<'_>, expr: &Expr) -> Res
     };
     let arguments = arguments.iter().map(|argument| scope.value(argument));
     let arguments = &arguments.collect::<Result<Vec<Value>, Stop>>()?;
-    let mut call = Call::new(library, scope, function, arguments, options);
+    let mut call = Call::new(library, scope, (function, arguments, options));
     let (mut lists, _) = sums(&mut call, &mut Vec::new(), false)?;
     match lists.pop() {
         Some(sums) if lists.is_empty() && call.finished().is_ok() => Ok(sums),
@@ -46,40 +45,41 @@ fn sums(
     greatest: bool,
 ) -> Result<(Vec<Sums>, bool), Stop> {
     let (library, piece) = (call.library, call.scope.piece.as_ref());
-    let parts = match (call.function, call.arguments) {
-        ("convolution_norm", [c, n, length, last]) => {
-            let how = call.convolution(c, n, 16)?;
-            let joint = call.choose("suprema", &SUPREMA)? == 1;
-            let last = usize::try_from(last.integer(MAX_INTEGER)?).unwrap_or(0);
-            if last > MAX_LENGTH {
-                return Err(Stop::Capped("the length of a product of sequences"));
-            }
-            let first = (last + 1).saturating_sub(how.classes());
-            let sums = call.sequences(length, indices)?.into_iter().map(|sequence| {
-                let product = library.products.of(how, &sequence, last + 1)?;
-                product.sums(library.meter, (first, last), piece)
-            });
-            return Ok((sums.collect::<Result<_, Stop>>()?, joint));
+    if let ("convolution_norm", [c, n, length, last]) = (call.function, call.arguments) {
+        let how = call.convolution(c, n, 16)?;
+        let joint = call.choose("suprema", &SUPREMA)? == 1;
+        let last = usize::try_from(last.integer(MAX_INTEGER)?).unwrap_or(0);
+        if last > MAX_LENGTH {
+            return Err(Stop::Capped("the length of a product of sequences"));
         }
-        ("contraction", [_]) => &[Part::Difference][..],
-        ("norm", [_]) => &[Part::Mask],
-        ("tensor", [_]) => &[Part::Difference, Part::Mask],
-        (function, _) => return wrong(format!("`{function}` is no constant of this kind")),
+        let first = (last + 1).saturating_sub(how.classes());
+        let sums = call.sequences(length, indices)?.into_iter().map(|sequence| {
+            let product = library.products.of(how, &sequence, last + 1)?;
+            product.sums(library.meter, (first, last), piece)
+        });
+        return Ok((sums.collect::<Result<_, Stop>>()?, joint));
+    }
+    let (function, scheme) = (call.function, call.scheme()?);
+    let (a, b) = (&scheme.mask[..], &scheme.difference[..]);
+    let (masks, c) = match (function, call.arguments) {
+        ("contraction", [c]) => (&[b][..], c),
+        ("norm", [c]) => (&[a][..], c),
+        ("tensor", [c]) => (&[b, a][..], c),
+        _ => return wrong(format!("`{function}` is no constant of this kind")),
     };
-    let (scheme, c) = (call.scheme()?, &call.arguments[0]);
-    let sequence = call.sequence(&scheme, Part::Difference)?;
-    if call.function == "contraction" && call.choose("terms", &TERMS)? == 1 {
+    let sequence = call.sequence(b)?;
+    if function == "contraction" && call.choose("terms", &TERMS)? == 1 {
         if *c != Value::int(1) {
             return Err(Stop::Undefined("`terms = total` is defined for c = 1 only"));
         }
-        let sums = scheme.difference.iter().map(|row| gather(piece, row, 1));
+        let sums = b.iter().map(|row| gather(piece, row, 1));
         return Ok((vec![Sums::new(sums.collect::<Result<_, _>>()?)], false));
     }
-    let joint = call.function == "tensor" && call.choose("suprema", &SUPREMA)? == 1;
+    let joint = function == "tensor" && call.choose("suprema", &SUPREMA)? == 1;
     let level = c.integer(MAX_INTEGER).ok().and_then(|c| u32::try_from(c).ok());
-    let sums = parts.iter().map(|&part| {
-        let of = Sequence { part, ..sequence };
-        match level.and_then(|level| library.constants.get(of, level)) {
+    let sums = masks.iter().map(|&rules| {
+        let of = Sequence { rules, ..sequence };
+        match level.and_then(|level| library.products.shown(of, level)) {
             Some(value) if !joint && greatest => Ok(Sums::new(vec![value])),
             _ => library.products.classes(of, c, piece),
         }

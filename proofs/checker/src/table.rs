@@ -20,26 +20,26 @@ use std::rc::Rc;
 pub struct Table<'a> {
     /// The paper.
     pub paper: &'a Paper<'a>,
-    /// Its table of the claim file.
+    /// The claim.
     pub claim: &'a Toml,
-    /// What each cell is said to equal.
+    /// The formula that every cell should equal.
     pub value: Expr,
     /// The headers of the rows, if there are any, and of the columns.
     pub axes: [Option<Axis<'a>>; 2],
     /// The parameters that are stated.
     pub given: BTreeMap<String, Value>,
-    /// Those that are not, with the values that may be assumed.
+    /// The parameters that are not stated, with the values that may be assumed.
     pub unstated: BTreeMap<String, Value>,
     /// The name of the tolerance, if the cells are depths.
     pub tolerance: Option<&'a str>,
-    /// As printed.
+    /// The reading of the table as printed.
     pub as_printed: Read,
     known: RefCell<BTreeMap<Place, Needed>>,
-    /// Upper bounds of the constants of all levels, by scheme and the levels computed.
+    /// The upper bounds of constants that are known.
     pub bounds: RefCell<Bounds>,
 }
 
-/// Values by schemes and a number of levels.
+/// Upper bounds of the constants of all levels, by schemes and the number of computed levels.
 pub type Bounds = BTreeMap<(Vec<usize>, i64), Vec<Value>>;
 
 /// The row and the column of a cell, counted from 0.
@@ -60,16 +60,16 @@ pub struct Read {
     pub definitions: Option<Definitions>,
     /// Parameters with other values.
     pub parameters: BTreeMap<String, Value>,
-    /// Its choices, but for decimals, and definitions: `NAME=WAY`, `NAME#NUMBER`.
+    /// The choices `NAME=WAY`, except for decimals, and the definitions `NAME#NUMBER`.
     pub differences: BTreeSet<String>,
-    /// The values of cells that are known already.
+    /// The values of cells that are known.
     known: RefCell<BTreeMap<Place, Option<Value>>>,
-    /// Those of definitions.
+    /// The values of definitions that are known.
     memory: Rc<Memory>,
 }
 
 impl Read {
-    /// How decimals are rounded.
+    /// The way in which decimals are rounded.
     pub fn decimals(&self) -> &str {
         self.reading.words.get("decimals").map_or("nearest", String::as_str)
     }
@@ -106,7 +106,7 @@ impl<'a> Table<'a> {
             return Ok(table);
         }
         let printed = even && table.places().all(|place| table.printed(place).is_some());
-        let why = "the cells are not as many as the headers, or one is no decimal";
+        let why = "the numbers of cells and headers differ, or a cell is no decimal";
         printed.then_some(table).ok_or_else(|| Stop::Wrong(why.into()))
     }
 
@@ -122,7 +122,7 @@ impl<'a> Table<'a> {
         (0..rows).flat_map(move |row| (0..columns).map(move |column| (row, column)))
     }
 
-    /// The place so many rows down and columns to the right, if there is one.
+    /// The place that is so many rows down and columns to the right, if there is one.
     pub fn moved(&self, (row, column): Place, (down, right): (isize, isize)) -> Option<Place> {
         let (rows, columns) = self.size();
         let row = row.checked_add_signed(down).filter(|row| *row < rows)?;
@@ -141,13 +141,13 @@ impl<'a> Table<'a> {
         Ok((place.ok_or(Reason::Cell)?, words.next().unwrap_or_default()))
     }
 
-    /// A cell as printed, and as a decimal; `None` when it is lost or no decimal.
+    /// A cell as printed and as a decimal; `None` if it is lost or no decimal.
     pub fn printed(&self, (row, column): Place) -> Option<(&'a str, Decimal)> {
         let (text, read) = printed(self.claim.list("cells").get(row)?.as_list().get(column)?)?;
         Some((text, Decimal::read(read)?))
     }
 
-    /// The scope of a cell, where these parameters are assumed, and the factors of its scheme.
+    /// The scope of a cell under some assumed parameters, and the factors of its scheme.
     pub fn scope<'s>(
         &'s self,
         (row, column): Place,
@@ -170,7 +170,7 @@ impl<'a> Table<'a> {
             let (text, value) = &axis.entries[place];
             let value = match (read.reading.words.get("tolerance"), Decimal::read(text)) {
                 (Some(word), Some(decimal)) if self.tolerance == Some(axis.name) => {
-                    // Half a unit of the last place to either side.
+                    // The interval extends by half a unit of the last place to either side.
                     let (low, high) = interval(&decimal, "nearest");
                     let (low, high) = if value.is_negative() { (-high, -low) } else { (low, high) };
                     if word == "less" { low } else { high }
@@ -187,8 +187,8 @@ impl<'a> Table<'a> {
         Ok((scope, schemes))
     }
 
-    /// The parameters that have to be assumed for a cell, found one by one, and its value as
-    /// printed.
+    /// The parameters that have to be assumed for a cell, and its value as printed. The evaluation
+    /// finds the parameters one by one.
     pub fn needed(&self, at: Place) -> Needed {
         if let Some(known) = self.known.borrow().get(&at) {
             return known.clone();
@@ -210,19 +210,19 @@ impl<'a> Table<'a> {
         self.needed(at).0.is_empty()
     }
 
-    /// The printed cells that need no assumption, or those that do.
+    /// The printed cells that need no assumption, or, if not `plain`, those that do.
     pub fn cells(&self, plain: bool) -> Cells {
         let places = self.places().filter(|at| self.is_plain(*at) == plain);
         places.filter_map(|at| Some((at, self.printed(at)?.1))).collect()
     }
 
-    /// Whether a reading is this table's text as printed.
+    /// Whether a reading is that of this table as printed.
     pub fn is_as_printed(&self, read: &Read) -> bool {
         std::ptr::eq(read, &raw const self.as_printed)
     }
 
-    /// The value of a cell under a reading, with the parameters assumed that it needs as
-    /// printed; `None` if it has none.
+    /// The value of a cell under a reading; `None` if it has none. The parameters are assumed that
+    /// the cell needs as printed.
     pub fn read(&self, at: Place, read: &Read) -> Result<Option<Value>, Stop> {
         if let Some(known) = read.known.borrow().get(&at) {
             return Ok(known.clone());

@@ -18,7 +18,7 @@ pub enum Toml {
     Flag(bool),
     /// `[…]`, or the tables under `[[…]]`.
     List(Vec<Toml>),
-    /// `{…}`, or what stands under `[…]`.
+    /// `{…}`, or the entries under `[…]`.
     Table(Table),
 }
 
@@ -45,27 +45,27 @@ impl Toml {
         self.get(key).and_then(Toml::as_text)
     }
 
-    /// This as a string.
+    /// The string that this is.
     pub fn as_text(&self) -> Option<&str> {
         if let Toml::Text(text) = self { Some(text) } else { None }
     }
 
-    /// This as a list; empty when it is none.
+    /// The list that this is, or an empty one.
     pub fn as_list(&self) -> &[Toml] {
         if let Toml::List(list) = self { list } else { &[] }
     }
 
-    /// The list of a key; empty when there is none.
+    /// The list of a key, or an empty one.
     pub fn list(&self, key: &str) -> &[Toml] {
         self.get(key).map_or(&[], Toml::as_list)
     }
 
-    /// This as a table; empty when it is none.
+    /// The table that this is, or an empty one.
     pub fn as_table(&self) -> &[(String, Toml)] {
         if let Toml::Table(table) = self { table } else { &[] }
     }
 
-    /// The entries of the table of a key; none when there is no such table.
+    /// The entries of the table of a key. There are none without a table.
     pub fn entries(&self, key: &str) -> &[(String, Toml)] {
         self.get(key).map_or(&[], Toml::as_table)
     }
@@ -73,7 +73,7 @@ impl Toml {
 
 const USED: &str = "a name that is not yet used";
 
-/// Skips blanks; with `lines`, line ends and comments too.
+/// Skips blanks, and line ends and comments if `lines`.
 fn space(c: &mut Cursor, lines: bool) {
     loop {
         c.take(|c| matches!(c, ' ' | '\t') || lines && matches!(c, '\n' | '\r'));
@@ -117,7 +117,7 @@ fn file(c: &mut Cursor) -> Parsed<Table> {
     }
 }
 
-/// The value of a key; `empty` when there is none.
+/// The value of a key. If there is none, it becomes `empty`.
 fn slot<'t>(table: &'t mut Table, key: &str, empty: Toml) -> &'t mut Toml {
     let at = table.iter().position(|(name, _)| name == key).unwrap_or_else(|| {
         table.push((key.to_owned(), empty));
@@ -126,7 +126,7 @@ fn slot<'t>(table: &'t mut Table, key: &str, empty: Toml) -> &'t mut Toml {
     &mut table[at].1
 }
 
-/// The table at a path; of a list, its last one. Made when it is not there.
+/// The table at a path, or the last table of a list there. A missing table is made.
 fn descend<'t>(table: &'t mut Table, path: &[String]) -> Parsed<&'t mut Table> {
     path.iter().try_fold(table, |table, name| {
         let mut inner = slot(table, name, Toml::Table(Table::new()));
@@ -137,7 +137,7 @@ fn descend<'t>(table: &'t mut Table, path: &[String]) -> Parsed<&'t mut Table> {
     })
 }
 
-/// `a.b = …`
+/// Reads an entry `a.b = …`.
 fn entry(c: &mut Cursor, table: &mut Table, depth: usize) -> Parsed<()> {
     let path = path(c)?;
     c.expect("=")?;
@@ -152,7 +152,7 @@ fn entry(c: &mut Cursor, table: &mut Table, depth: usize) -> Parsed<()> {
     Ok(())
 }
 
-/// `a`, `a.b`, with blanks around.
+/// Reads a path such as `a` or `a.b`, with blanks around names.
 fn path(c: &mut Cursor) -> Parsed<Vec<String>> {
     let mut path = Vec::new();
     loop {
@@ -195,7 +195,7 @@ fn value(c: &mut Cursor, depth: usize) -> Parsed<Toml> {
     }
 }
 
-/// Items with commas between and maybe behind, up to a bracket.
+/// Reads items up to a bracket. Commas separate them, and one may follow the last.
 fn items(
     c: &mut Cursor,
     close: &'static str,

@@ -1,4 +1,4 @@
-//! Values of formulas: polynomials in symbols, most of them without any.
+//! Values of formulas: polynomials in symbols. Most of them are numbers.
 
 use crate::decimal::{Q, common_multiple};
 use crate::number::Number;
@@ -22,7 +22,7 @@ type Monomial = Vec<(Rc<str>, u32)>;
 pub struct Value {
     /// The coefficient on 1.
     constant: Number,
-    /// Those on monomials in symbols, none of which is 0.
+    /// The coefficients on monomials in symbols. None of them is 0.
     terms: BTreeMap<Monomial, Number>,
 }
 
@@ -52,7 +52,7 @@ impl Value {
         Value { constant: Number::Small(0, 1), terms }
     }
 
-    /// This as a number, if it is one.
+    /// The number that this is. A polynomial is none.
     pub fn number(&self) -> Result<&Number, Stop> {
         if self.terms.is_empty() {
             return Ok(&self.constant);
@@ -60,13 +60,13 @@ impl Value {
         Err(Stop::Wrong("this has no value while a name is a symbol".into()))
     }
 
-    /// This as a rational number, if it is one.
+    /// The rational number that this is, if it is one.
     pub fn rational(&self) -> Option<Q> {
         self.number().ok()?.rational()
     }
 
     /// The monomials with coefficients that are not 0.
-    fn all(&self) -> impl Iterator<Item = (&[(Rc<str>, u32)], &Number)> + Clone {
+    pub fn all(&self) -> impl Iterator<Item = (&[(Rc<str>, u32)], &Number)> + Clone {
         let terms = self.terms.iter().map(|(monomial, number)| (&monomial[..], number));
         let constant = (!self.constant.is_zero()).then_some((&[][..], &self.constant));
         constant.into_iter().chain(terms)
@@ -77,7 +77,7 @@ impl Value {
         self.terms.len() as u64 + u64::from(!self.constant.is_zero())
     }
 
-    /// Whether it is 0, as a polynomial.
+    /// Whether it is the polynomial 0.
     pub fn is_zero(&self) -> bool {
         self.count() == 0
     }
@@ -90,8 +90,8 @@ impl Value {
         self.all().map(|(_, c)| 1 + c.bits()).sum()
     }
 
-    /// About what self · other costs: sixteen products of 64 binary digits, or one of
-    /// two terms, count as one.
+    /// An estimate of the steps of self · other. A product of two terms, and sixteen products of 64
+    /// binary digits, count as one step.
     pub fn cost(&self, other: &Value) -> u64 {
         if self.is_small() && other.is_small() {
             return 1;
@@ -107,7 +107,7 @@ impl Value {
         Ok(sum)
     }
 
-    /// The same, in the place of this value.
+    /// Adds factor·other to this value.
     pub fn add(&mut self, factor: i64, other: &Value) -> Result<(), Stop> {
         other.all().try_for_each(|(monomial, term)| self.add_term(monomial, factor, term))
     }
@@ -118,7 +118,7 @@ impl Value {
             return Ok(());
         }
         let Some(known) = self.terms.get_mut(on) else {
-            self.terms.insert(on.to_vec(), term.times_integer(factor)?);
+            self.terms.insert(on.to_vec(), term.times(&Number::Small(factor, 1))?);
             return Ok(());
         };
         *known = known.plus(factor, term)?;
@@ -196,7 +196,7 @@ impl Value {
         if exponent < 0 { Value::int(1).over(&power) } else { Ok(power) }
     }
 
-    /// The rational coefficients on the powers of a symbol, if it has no other.
+    /// The rational coefficients on the powers of a symbol, if there is no other symbol.
     pub fn univariate(&self, symbol: &str) -> Option<Vec<Q>> {
         let mut polynomial = Vec::new();
         for (monomial, coefficient) in self.all() {
@@ -211,7 +211,7 @@ impl Value {
         Some(polynomial)
     }
 
-    /// The coefficient on a symbol, if there is nothing else.
+    /// The coefficient on a symbol, if there is no other term.
     pub fn multiple_of(&self, symbol: &str) -> Option<Q> {
         match &self.univariate(symbol)?[..] {
             [] => Some(Q::zero()),
@@ -220,7 +220,7 @@ impl Value {
         }
     }
 
-    /// The symbols that occur, if none has a power or a factor.
+    /// The symbols of a polynomial of degree at most 1.
     pub fn linear(&self) -> Option<Vec<String>> {
         let symbol = |monomial: &Monomial| match &monomial[..] {
             [(name, 1)] => Some(name.to_string()),

@@ -1,17 +1,17 @@
-//! Witnesses: control data, and a place where a quantity of theirs is looked at.
+//! Witnesses: control data, and the place at which a quantity is evaluated.
 
 use crate::certificate::Block;
 use crate::decimal::{Q, int, read_rational};
 use crate::functional::{Functional, Rules, product};
 use crate::paper::Paper;
-use crate::reject::{Checked, Reason, require};
+use crate::reject::{Checked, Reason, compare, require};
 use crate::ring::Ring;
 use crate::setting::Setting;
 use crate::value::Value;
 use num_bigint::BigInt;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-/// x_i, i = first, first + 1, …; constant beyond both ends.
+/// The points x_i, i = first, first + 1, …, which are constant beyond both ends.
 struct Polygon {
     first: i64,
     points: Vec<BigInt>,
@@ -27,7 +27,7 @@ impl Polygon {
     }
 }
 
-/// The place of an index in a list that begins with the index `first`; the nearest one there is.
+/// The position of an index, or of the nearest one, in a list that begins with the index `first`.
 fn place(i: i64, first: i64, count: usize) -> usize {
     usize::try_from(i - first).unwrap_or(0).min(count - 1)
 }
@@ -36,18 +36,18 @@ fn spread<'x>(pairs: impl Iterator<Item = [&'x BigInt; 2]>) -> BigInt {
     pairs.map(|[a, b]| (b - a).abs()).max().unwrap_or_default()
 }
 
-/// Integers.
+/// Control data. All are integers.
 enum Control {
-    /// A polygon; or two, a and b, for the net x_{i,j} = a_i + b_j.
+    /// A polygon, or the polygons a and b of the net x_{i,j} = a_i + b_j.
     Polygons(Vec<Polygon>),
-    /// A net, row by row, and the indices of its first point; every other point is where the
-    /// nearest one of these is.
+    /// The indices of the first point of a net, and the rows of the net. Every other point equals
+    /// the nearest one of these.
     Net([i64; 2], Vec<Vec<BigInt>>),
     /// A ring, and the weights of its limit.
     Ring(Vec<BigInt>, Vec<Value>),
 }
 
-/// Control data with a place.
+/// Control data and a place.
 pub struct Witness<'l> {
     control: Control,
     place: Vec<&'l str>,
@@ -98,7 +98,7 @@ impl<'l> Witness<'l> {
         Ok(Witness { control, place: block.after("at")?.split_whitespace().collect() })
     }
 
-    /// The largest differences of neighbouring points: along each index, or along the edges.
+    /// The largest differences of neighbouring points along each index, or along the edges.
     pub fn spreads(&self, setting: &Setting<'_>) -> Checked<Vec<Q>> {
         let spreads = match (&self.control, setting) {
             (Control::Polygons(polygons), Setting::Masks(rules, _))
@@ -124,7 +124,7 @@ impl<'l> Witness<'l> {
         Ok(spreads.into_iter().map(Q::from_integer).collect())
     }
 
-    /// The value of a quantity at a level, at the place, for data of such a scheme.
+    /// The value of a quantity of the data at a level and at the place.
     pub fn value(&self, setting: &Setting<'_>, quantity: &str, level: u32) -> Checked<Value> {
         let off = match (&self.control, setting) {
             (Control::Ring(points, weights), Setting::Ring(ring, earlier)) => {
@@ -140,7 +140,7 @@ impl<'l> Witness<'l> {
         Ok(off.abs(None)?)
     }
 
-    /// A product of functionals, one for each index, of the data.
+    /// The value of a product of functionals, one for each index.
     fn of(&self, functionals: &[Functional]) -> Q {
         let x = |i: i64, j: i64| match &self.control {
             Control::Polygons(polygons) => {
@@ -159,7 +159,7 @@ impl<'l> Witness<'l> {
         }
     }
 
-    /// The products of functionals of which a quantity is the difference.
+    /// Two products of functionals. The quantity is their difference.
     fn functionals(
         &self,
         rules: &[Rules<'_>],
@@ -169,7 +169,7 @@ impl<'l> Witness<'l> {
         let numbers: Option<Vec<Q>> = self.place.iter().map(|word| read_rational(word)).collect();
         let numbers = numbers.unwrap_or_default();
         let whole = quantity == "distance" || numbers.iter().all(Q::is_integer);
-        // Of a difference of a net, the last number says along which index.
+        // For a difference of a net, the last number names the index along which it is taken.
         let along = quantity == "difference" && rules.len() == 2;
         if !whole || numbers.len() != rules.len() + usize::from(along) {
             return malformed("a place");
@@ -197,7 +197,7 @@ impl<'l> Witness<'l> {
         Ok([new, old])
     }
 
-    /// The same of a ring, by refining it.
+    /// The value of a quantity of a ring. The ring is refined for it.
     fn of_ring(
         &self,
         (points, weights): (&[BigInt], &[Value]),
@@ -220,7 +220,7 @@ impl<'l> Witness<'l> {
                 ring.refined(&refined)?[a].minus(&old[a])
             }
             ("distance", &[a]) => {
-                // Around a vertex only what the interpolant keeps has its limit there.
+                // Only the points that the interpolant keeps have the limit of the ring.
                 let kept = earlier.is_none_or(|earlier| earlier.keeps(a));
                 require(kept && ring.contracts()?, Reason::NoLimit)?;
                 require(ring.is_limit(weights)?, Reason::Weights)?;
@@ -244,4 +244,15 @@ fn polygon(said: &str) -> Checked<Polygon> {
         }
         _ => malformed("polygon FIRST INTEGER…"),
     }
+}
+
+/// Makes sure that these are the two sides, and that the first one is larger.
+pub fn violated(paper: &Paper<'_>, said: &str, left: &Value, right: &Value) -> Checked<()> {
+    let said: Vec<&str> = said.split_whitespace().collect();
+    require(said.len() == 2, Reason::Malformed("two sides"))?;
+    for (said, side) in said.into_iter().zip([left, right]) {
+        let said = paper.number(said)?;
+        compare(said.equals(side)?, &said, side, Reason::Value)?;
+    }
+    compare(left.compare(right)?.is_gt(), left, right, Reason::NotViolated)
 }

@@ -1,13 +1,13 @@
-//! Rule `attained`: a constant, and the residue class that attains it.
+//! The rule `attained`: a constant and the residue class that attains it.
 
 use crate::certificate::MAX_LINE;
 use crate::formula::parse;
-use crate::reject::{Checked, Reason, require};
+use crate::reject::{Checked, Reason, Text, compare, require};
 use crate::sums::of_constant;
 use crate::table::{Read, Table};
 
-/// Checks `ROW COLUMN CLASS VALUE FORMULA`, with a reading as printed that is not the table's: what
-/// it consults says nothing of what the table's value does.
+/// Checks `ROW COLUMN CLASS VALUE FORMULA`. The reading is as printed. It is not the table's own,
+/// whose record of consulted choices must not change.
 pub fn check(table: &Table<'_>, read: &Read, said: &str) -> Checked<()> {
     let (at, said) = table.place(said)?;
     let mut words = said.splitn(3, ' ');
@@ -21,7 +21,8 @@ pub fn check(table: &Table<'_>, read: &Read, said: &str) -> Checked<()> {
     let (scope, _) = table.scope(at, read, &table.needed(at).0)?;
     let sums = of_constant(table.paper.library, &scope, &formula)?;
     let sum = class.checked_sub(sums.first).and_then(|class| sums.units.get(class));
-    let sum = sum.ok_or(Reason::Class)?.times(&sums.scale)?;
-    require(sum.equals(&value)?, Reason::Class)?;
+    let none = || Reason::Class(Text(value.to_string()), Text("undefined".to_owned()));
+    let sum = sum.ok_or_else(none)?.times(&sums.scale)?;
+    compare(sum.equals(&value)?, &value, &sum, Reason::Class)?;
     require(sums.greatest(None)?.equals(&value)?, Reason::NotLargest)
 }

@@ -1,9 +1,10 @@
-//! Rule `cell`: a printed number and its verdict.
+//! The rule `cell`: a printed number and its verdict.
 
 use super::reading::{PartRead, Reads};
 use crate::decimal::Decimal;
-use crate::reject::{Checked, Reason, Stop, require};
+use crate::reject::{Checked, Compared, Reason, Stop, Text, agree, compare, require};
 use crate::rounding::{gives, has_digits, rounding, slips, telling};
+use crate::show::shown;
 use crate::table::{Place, Read, Table};
 use crate::value::Value;
 use std::collections::{BTreeMap, BTreeSet};
@@ -20,8 +21,8 @@ pub fn check(table: &Table<'_>, reads: &Reads, place: Place, said: &str) -> Chec
         (None, Some((text, decimal))) => {
             let said = said.strip_prefix('"').and_then(|said| said.rsplit_once("\" "));
             let (found, rest) = said.ok_or(malformed.clone())?;
-            require(found == text, Reason::Printed)?;
-            (Some(decimal), rest)
+            agree(found, text, Reason::Printed)?;
+            (Some((text, decimal)), rest)
         }
         _ => return Err(Reason::Lost.into()),
     };
@@ -29,32 +30,37 @@ pub fn check(table: &Table<'_>, reads: &Reads, place: Place, said: &str) -> Chec
     let (value, verdict) = words.split_first().ok_or(malformed.clone())?;
     let (needed, exact) = table.needed(place);
     let assumed: BTreeSet<String> = assumed.split_whitespace().map(str::to_owned).collect();
-    require(assumed == needed, Reason::Assumed)?;
+    let names = |names: &BTreeSet<String>| Vec::from_iter(names.clone()).join(" ");
+    agree(&names(&assumed), &names(&needed), Reason::Assumed)?;
     let exact = match exact {
         Err(Stop::Undefined(_)) => None,
         value => Some(value?),
     };
     same(table, value, exact.as_ref())?;
-    let Some(decimal) = printed else {
+    let Some((text, decimal)) = printed else {
         require(verdict.is_empty(), malformed)?;
         return Ok(false);
     };
-    let cell = Cell { table, place, decimal, plain: needed.is_empty() };
+    let cell = Cell { table, place, text, decimal, plain: needed.is_empty() };
     cell.judge(reads, exact.as_ref(), verdict)
 }
 
 /// Makes sure that a value of the certificate is this one.
 fn same(table: &Table<'_>, said: &str, value: Option<&Value>) -> Checked<()> {
-    let equal = match value {
-        None => said == "undefined",
-        Some(value) => said != "undefined" && table.paper.number(said)?.equals(value)?,
-    };
-    require(equal, Reason::Value)
+    match value {
+        Some(value) if said != "undefined" => {
+            let equal = table.paper.number(said)?.equals(value)?;
+            compare(equal, said, value, Reason::Value)
+        }
+        _ => agree(said, &shown(value), Reason::Value),
+    }
 }
 
 struct Cell<'c> {
     table: &'c Table<'c>,
     place: Place,
+    /// The printed text.
+    text: &'c str,
     decimal: Decimal,
     /// Whether it needs no assumptions.
     plain: bool,
@@ -64,70 +70,104 @@ impl Cell<'_> {
     fn judge(&self, reads: &Reads, exact: Option<&Value>, verdict: &[&str]) -> Checked<bool> {
         let as_printed = &self.table.as_printed;
         let found = self.rounding(exact)?;
+        let not_nearest = || self.need(found != "nearest", exact, Reason::Nearest);
         match verdict {
-            ["confirmed"] => require(found == "nearest", Reason::NotNearest)?,
+            ["confirmed"] => self.need(found == "nearest", exact, Reason::NotNearest)?,
             ["rounding", way @ ("cut" | "away")] => self.rounded(exact, way)?,
             ["rounding", way @ ("down" | "nearest")] => {
                 require(self.is_depth(), Reason::Depth)?;
-                require(found != "nearest", Reason::Nearest)?;
-                require(self.is_depth_rounded(way)?, Reason::NotRounded)?;
+                not_nearest()?;
+                self.need(self.is_depth_rounded(way)?, exact, Reason::NotRounded)?;
             }
             ["misprint", slip @ ..] => {
-                require(found != "nearest", Reason::Nearest)?;
+                not_nearest()?;
                 self.slip(&slip.join(" "), exact, Some(as_printed))?;
             }
             ["other-reading", value, rest @ ..] => {
-                require(found != "nearest", Reason::Nearest)?;
+                not_nearest()?;
                 let by = rest.iter().position(|word| *word == "by");
                 let (rest, by) = rest.split_at(by.unwrap_or(rest.len()));
                 let name = by.get(1..).unwrap_or_default().join(" ");
                 let part = reads.by(self.table, self.place, &name).ok_or(Reason::NoReading)?;
-                let known = part.value(self.table, self.place)?.ok_or(Reason::NotExplained)?;
-                same(self.table, value, Some(&known))?;
-                let given = gives(&self.decimal, &known, part.read.decimals())?;
-                match (rest, part.slip()) {
-                    (["misprint", slip @ ..], Some(known)) => {
-                        require(slip.join(" ") == known, Reason::NotThisSlip)?;
-                        require(given, Reason::NotExplained)?;
-                    }
-                    (_, Some(_)) => return Err(Reason::NotThisSlip.into()),
-                    ([], None) => require(given, Reason::NotExplained)?,
-                    (["rounding", way @ ("cut" | "away")], None) => {
-                        require(found == "neither", Reason::Nearest)?;
-                        self.rounded(Some(&known), way)?;
-                        require(has_digits(&self.decimal, "rounding"), Reason::FewDigits)?;
-                    }
-                    ([word, slip @ ..], None) => {
-                        require(*word == "misprint", Reason::Depth)?;
-                        self.slip(&slip.join(" "), Some(&known), around(part))?;
-                    }
-                }
+                let known = part.value(self.table, self.place)?;
+                self.need(known.is_some(), None, Reason::NotExplained)?;
+                same(self.table, value, known.as_ref())?;
+                self.explained(part, known.as_ref(), rest, found)?;
             }
             [word @ ("refuted" | "differs")] => {
                 // Under assumptions there is no refutation, only a difference.
-                require(self.plain == (*word == "refuted"), Reason::Assumed)?;
-                require(found == "neither", Reason::Nearest)?;
+                agree(word, if self.plain { "refuted" } else { "differs" }, Reason::Assumed)?;
+                self.need(found == "neither", exact, Reason::Nearest)?;
                 self.no_slip(exact, Some(as_printed))?;
                 for way in ["down", "nearest"].iter().filter(|_| self.is_depth()) {
-                    require(!self.is_depth_rounded(way)?, Reason::Slip)?;
+                    let slip = Reason::Slip(Text(format!("rounding {way}")));
+                    require(!self.is_depth_rounded(way)?, slip)?;
                 }
-                for part in reads.of(self.table, self.place) {
-                    let Some(value) = part.value(self.table, self.place)? else { continue };
-                    let given = gives(&self.decimal, &value, part.read.decimals())?;
-                    require(!given, Reason::Explained)?;
-                    if part.slip().is_none() {
-                        let near = self.rounding(Some(&value))?;
-                        let near = ["cut", "away"].contains(&near) && !self.is_depth();
-                        let digits = has_digits(&self.decimal, "rounding");
-                        require(!near || !digits, Reason::Explained)?;
-                        self.no_slip(Some(&value), around(part))?;
-                    }
-                }
+                self.unexplained(reads)?;
                 return Ok(self.plain);
             }
             _ => return Err(Reason::Malformed("a verdict").into()),
         }
         Ok(false)
+    }
+
+    /// Makes sure that the value under a reading explains the printed number, in the way that the
+    /// words `rest` say. `found` is the rounding of the value as printed.
+    fn explained(
+        &self,
+        part: &PartRead,
+        known: Option<&Value>,
+        rest: &[&str],
+        found: &str,
+    ) -> Checked<()> {
+        let given = self.gives(part, known)?;
+        match (rest, part.slip()) {
+            (_, Some(slip)) => {
+                agree(&rest.join(" "), &format!("misprint {slip}"), Reason::NotThisSlip)?;
+                self.need(given, known, Reason::NotExplained)
+            }
+            ([], None) => self.need(given, known, Reason::NotExplained),
+            (["rounding", way @ ("cut" | "away")], None) => {
+                self.need(found == "neither", known, Reason::Nearest)?;
+                self.rounded(known, way)?;
+                self.digits("rounding")
+            }
+            ([word, slip @ ..], None) => {
+                require(*word == "misprint", Reason::Depth)?;
+                self.slip(&slip.join(" "), known, around(part))
+            }
+        }
+    }
+
+    /// Makes sure that no reading explains the printed number, by a rounding or a slip or directly.
+    fn unexplained(&self, reads: &Reads) -> Checked<()> {
+        for part in reads.of(self.table, self.place) {
+            let value = part.value(self.table, self.place)?;
+            let Some(value) = value.as_ref() else { continue };
+            let given = self.gives(part, Some(value))?;
+            self.need(!given, Some(value), Reason::Explained)?;
+            if part.slip().is_none() {
+                let near = ["cut", "away"].contains(&self.rounding(Some(value))?);
+                let near = near && !self.is_depth() && has_digits(&self.decimal, "rounding");
+                self.need(!near, Some(value), Reason::Explained)?;
+                self.no_slip(Some(value), around(part))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Makes sure of a side condition of the printed number and a value.
+    fn need(&self, holds: bool, value: Option<&Value>, otherwise: Compared) -> Checked<()> {
+        if holds { Ok(()) } else { compare(false, self.text, &shown(value), otherwise) }
+    }
+
+    /// Makes sure that the printed number has the digits that a slip needs.
+    fn digits(&self, slip: &str) -> Checked<()> {
+        require(has_digits(&self.decimal, slip), Reason::FewDigits(Text(self.text.to_string())))
+    }
+
+    fn gives(&self, part: &PartRead, value: Option<&Value>) -> Result<bool, Stop> {
+        value.map_or(Ok(false), |value| gives(&self.decimal, value, part.read.decimals()))
     }
 
     fn is_depth(&self) -> bool {
@@ -141,7 +181,7 @@ impl Cell<'_> {
     /// Makes sure that the printed number is the value, cut or rounded away.
     fn rounded(&self, value: Option<&Value>, way: &str) -> Checked<()> {
         require(!self.is_depth(), Reason::Depth)?;
-        require(self.rounding(value)? == way, Reason::NotRounded)
+        self.need(self.rounding(value)? == way, value, Reason::NotRounded)
     }
 
     /// Whether the printed number is the depth rounded in another way.
@@ -156,17 +196,21 @@ impl Cell<'_> {
     fn slip(&self, slip: &str, value: Option<&Value>, around: Option<&Read>) -> Checked<()> {
         require(!self.is_depth(), Reason::Depth)?;
         let found = self.slips(value, around)?;
-        require(found.iter().any(|known| known == slip), Reason::NotThisSlip)?;
-        require(has_digits(&self.decimal, slip), Reason::FewDigits)
+        let known = found.iter().any(|known| known == slip);
+        compare(known, slip, &found.join(", "), Reason::NotThisSlip)?;
+        self.digits(slip)
     }
 
     /// Makes sure that no slip leads from the value to the printed number.
     fn no_slip(&self, value: Option<&Value>, around: Option<&Read>) -> Checked<()> {
         let found = self.slips(value, around)?;
-        require(!found.iter().any(|slip| has_digits(&self.decimal, slip)), Reason::Slip)
+        match found.iter().find(|slip| has_digits(&self.decimal, slip)) {
+            Some(slip) => Err(Reason::Slip(Text(slip.clone())).into()),
+            None => Ok(()),
+        }
     }
 
-    /// The slips from the value, and from those of the cells around, which are read so.
+    /// The slips from the value, and from the values of the cells around under a reading.
     fn slips(&self, value: Option<&Value>, around: Option<&Read>) -> Result<Vec<String>, Stop> {
         let Some(value) = value.filter(|_| !self.is_depth()) else { return Ok(Vec::new()) };
         if self.rounding(Some(value))? != "neither" {
@@ -176,8 +220,8 @@ impl Cell<'_> {
         let steps = [(0, 1), (0, -1), (1, 0), (-1, 0)].into_iter();
         for (step, read) in steps.filter_map(|step| around.map(|read| (step, read))) {
             let Some(place) = self.table.moved(self.place, step) else { continue };
-            // What needs assumptions does not count where nothing is assumed, and the reading of one
-            // kind of cells is not about the other.
+            // Values that need assumptions do not count for a plain cell, and the reading of one
+            // kind of cells does not apply to the other.
             let plain = self.table.is_plain(place);
             let alike = plain == self.plain || plain && self.table.is_as_printed(read);
             if !alike {
@@ -188,7 +232,7 @@ impl Cell<'_> {
                 continue;
             }
             slips.push(format!("neighbour {} {}", step.0, step.1));
-            // Each of the two prints the other's value.
+            // Both cells print the value of the other.
             if let Some((_, printed)) = self.table.printed(place)
                 && rounding(&printed, &other)? == "neither"
                 && rounding(&printed, value)? != "neither"
@@ -202,7 +246,8 @@ impl Cell<'_> {
     }
 }
 
-/// How the cells around one are read: in a row or column of its own they do not count.
+/// The reading of the cells around one. The cells of a row or column with its own reading have
+/// none.
 fn around(part: &PartRead) -> Option<&Read> {
     part.is_whole().then_some(&part.read)
 }

@@ -1,13 +1,12 @@
-//! Rule `constant`: T_c or Λ_c of a scheme, where there are too many residue classes for the
-//! functions of formulas.
+//! The rule `constant`: T_c or Λ_c of a scheme with too many residue classes for the functions
+//! of formulas.
 
 use crate::certificate::Block;
 use crate::convolution::Sequence;
 use crate::decimal::{Q, int, read_rational};
 use crate::paper::Paper;
 use crate::powers::{Operator, PLACES};
-use crate::reject::{Checked, Reason, require};
-use crate::scheme::Part;
+use crate::reject::{Checked, Reason, compare, require};
 use crate::value::Value;
 use num_traits::Signed;
 
@@ -21,20 +20,19 @@ pub fn check<'a>(paper: &'a Paper<'a>, said: &str, block: &mut Block<'_>) -> Che
     let [reference, function, order, c, class, value] = words[..] else {
         return Err(malformed().into());
     };
-    let schemes = paper.library.resolve(reference, &paper.nothing())?;
+    let schemes = paper.library.resolve(reference, &paper.library.closed())?;
     let [scheme] = &schemes[..] else { return Err(malformed().into()) };
-    let part = match function {
-        "contraction" => Part::Difference,
-        "norm" => Part::Mask,
+    let rules = match function {
+        "contraction" => &scheme.difference,
+        "norm" => &scheme.mask,
         _ => return Err(malformed().into()),
     };
     let forward = order == "forward";
-    let of = Sequence { scheme, part, forward };
     require(forward || order == "adjoint", malformed())?;
     let levels = c.parse().ok().filter(|c| (1..=MAX_LEVELS).contains(c)).ok_or(malformed())?;
     let class = class.parse().map_err(|_| malformed())?;
     let exact = read_rational(value).ok_or(malformed())?;
-    // Read forwards, the sequence is that of the rules turned round.
+    // The sequence that is read forwards belongs to the reversed rules.
     let rational = |rule: &Vec<Value>| {
         let mut rule: Vec<Q> = rule.iter().map(Value::rational).collect::<Option<_>>()?;
         if forward {
@@ -42,13 +40,14 @@ pub fn check<'a>(paper: &'a Paper<'a>, said: &str, block: &mut Block<'_>) -> Che
         }
         Some(rule)
     };
-    let rational = of.rules().iter().map(rational).collect::<Option<Vec<Vec<Q>>>>();
+    let rational = rules.iter().map(rational).collect::<Option<Vec<Vec<Q>>>>();
     let rational = rational.ok_or(Reason::Malformed("rational masks"))?;
     let operator = Operator::new(paper.library.meter, &rational)?;
-    require(operator.of_class(levels, &class)? == exact, Reason::Class)?;
+    let sum = operator.of_class(levels, &class)?;
+    compare(sum == exact, &exact, &sum, Reason::Class)?;
     let said = block.after("powers")?;
     let all = said.strip_prefix("all ");
-    // Rounded upwards, so that no long number is computed with.
+    // The numbers are rounded upwards, so that they are short.
     let number = |text: &str| {
         let number = read_rational(text).filter(|number| !number.is_negative())?;
         Some((number * int(1 << PLACES)).ceil() / int(1 << PLACES))
@@ -68,6 +67,6 @@ pub fn check<'a>(paper: &'a Paper<'a>, said: &str, block: &mut Block<'_>) -> Che
     }
     let limit = &exact / operator.factor.abs().pow(levels.cast_signed());
     operator.at_most(levels, &limit, tau)?;
-    paper.library.constants.insert(of, levels, exact.into());
+    paper.library.products.show(Sequence { rules, forward }, levels, exact.into());
     Ok(())
 }

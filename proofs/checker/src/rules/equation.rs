@@ -1,4 +1,4 @@
-//! Rule `equation`: two sides, as polynomials in the symbols, in every case.
+//! The rule `equation`: two sides as polynomials in the symbols, in every case.
 
 use super::hypotheses;
 use crate::certificate::Block;
@@ -7,7 +7,7 @@ use crate::definitions::{formula, formula_of};
 use crate::evaluate::{MAX_INTEGER, Memory, Scope};
 use crate::formula::Expr;
 use crate::paper::{Axis, Paper, value};
-use crate::reject::{Checked, Reason, Stop, require};
+use crate::reject::{Checked, Reason, Stop, Text, agree, compare, require};
 use crate::toml::Toml;
 use crate::value::Value;
 use std::rc::Rc;
@@ -38,13 +38,13 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     let lefts = lefts.collect::<Result<Vec<Expr>, Stop>>()?;
     let (right, cases) = (formula_of(claim, "right")?, cases(paper, claim)?);
     if !each.is_empty() && lefts.len() != cases.len() {
-        return Err(Stop::Wrong("as many left sides as cases are needed".into()).into());
+        return Err(Stop::Wrong("the number of left sides is not that of the cases".into()).into());
     }
-    // What is said of no case supports nothing.
+    // An equation without cases states nothing.
     require(!cases.is_empty(), Reason::NoCase)?;
     let (verdict, count) = block.any()?;
     require(["holds", "fails"].contains(&verdict), Reason::Malformed("holds or fails"))?;
-    require(count == cases.len().to_string(), Reason::Cases)?;
+    agree(count, &cases.len().to_string(), Reason::Cases)?;
     let (mut listed, memory) = (0, Rc::default());
     for (case, left) in cases.iter().zip(lefts.iter().cycle()) {
         let name = case.iter().map(|(_, value)| value.to_string()).collect::<Vec<_>>().join(" ");
@@ -54,17 +54,19 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         let line = block.peek().map(|line| line.word()).filter(|(word, _)| *word == "case");
         let line = line.and_then(|(_, said)| said.split_once('='));
         let Some((_, said)) = line.filter(|(case, _)| case.trim() == name) else {
-            require(difference.is_zero(), Reason::Differ(name))?;
-            continue;
+            if difference.is_zero() {
+                continue;
+            }
+            return Err(Reason::Differ(name, Text(difference.to_string())).into());
         };
         block.after("case")?;
         let said = value(said, &scope)?;
         require(!said.is_zero(), Reason::NoDifference)?;
-        require(difference.equals(&said)?, Reason::Difference)?;
+        compare(difference.equals(&said)?, &said, &difference, Reason::Difference)?;
         listed += 1;
     }
     require(block.maybe("case").is_none(), Reason::Case)?;
-    require((listed > 0) == (verdict == "fails"), Reason::Verdict)
+    agree(verdict, if listed > 0 { "fails" } else { "holds" }, Reason::Verdict)
 }
 
 /// A scope of the symbols.
@@ -77,7 +79,7 @@ fn symbols<'a>(paper: &'a Paper<'a>, claim: &Toml) -> Scope<'a> {
     scope
 }
 
-/// The scope of a case, with what is known of the definitions from others.
+/// The scope of a case. It shares the known values of definitions with other cases.
 fn scope<'a>(
     paper: &'a Paper<'a>,
     claim: &Toml,
@@ -105,7 +107,7 @@ fn cases<'a>(paper: &'a Paper<'a>, claim: &'a Toml) -> Result<Vec<Case<'a>>, Sto
         for case in cases {
             let bounds = index.text("name").zip(index.text("from")).zip(index.text("to"));
             let (name, values): (&str, Vec<Q>) = if let Some(((name, from), to)) = bounds {
-                let mut scope = paper.nothing();
+                let mut scope = paper.library.closed();
                 let values =
                     case.iter().map(|(name, value)| ((*name).into(), value.clone().into()));
                 scope.values.extend(values);

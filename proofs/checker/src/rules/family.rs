@@ -1,12 +1,13 @@
-//! Rule `family`: no reading of a table explains more cells than the one that is given, and
-//! luck would hardly find one as good.
+//! The rule `family`: no reading of a table explains more cells than the given one, and readings
+//! of unrelated values would hardly explain as many.
 
 use super::members::{Members, explained, members, read, values};
 use super::reading::{MAX_DIFFERENCES, PartRead, Reads};
 use super::scale::{SCALES, at_best_scale, is_scale, is_simple, scale};
 use crate::certificate::Block;
 use crate::decimal::{Decimal, Q, int};
-use crate::reject::{Checked, Reason, Stop, require};
+use crate::reject::{Checked, Reason, Stop, Text, agree, compare, require};
+use crate::show::shown;
 use crate::table::{Cells, Place, Read, Table};
 use crate::value::Value;
 use num_traits::{One, Pow, Signed, Zero};
@@ -15,11 +16,11 @@ use std::collections::BTreeSet;
 /// The fewest cells that a row or column with a reading of its own explains.
 const LEAST_CELLS: usize = 2;
 
-/// The places from which the values of a row or column are taken: its own, and those around.
+/// The number of places from which the value of a cell may be taken: its own and those around.
 const SHIFTS: i64 = 5;
 
-/// Checks the lines `family`, `scale`, `values` and `member` of a table that is read
-/// otherwise or has cells that are refuted.
+/// Checks the lines `family`, `scale`, `values` and `member` of a table that has a reading or
+/// refuted cells.
 pub fn check(
     table: &Table<'_>,
     reads: &Reads,
@@ -36,7 +37,7 @@ pub fn check(
     let best: usize = best.parse().map_err(|_| Reason::Malformed("a number of cells"))?;
     let scale = scale(table, &cells)?;
     if let Some((name, _)) = scale {
-        require(block.after("scale")? == name, Reason::Scale)?;
+        agree(block.after("scale")?, name, Reason::Scale)?;
     }
     let mut listed = Listed::new(table, refuted, block)?;
     let mut members = members(table, &cells)?;
@@ -59,24 +60,25 @@ pub fn check(
         let mut found = Vec::new();
         for decimals in roundings {
             let count = explained(cells, &values, decimals)?.len();
-            require(count <= best, Reason::NotBest)?;
-            if let Some((name, base)) = scale
-                && at_best_scale(table, cells, &values, decimals, (base, best))? > best
-            {
-                require(!is_scale(table, cells, name, base, &read)?, Reason::NotBest)?;
+            require(count <= best, Reason::NotBest(best, count))?;
+            if let Some((name, base)) = scale {
+                let count = at_best_scale(table, cells, &values, decimals, (base, best))?;
+                let more = count > best && is_scale(table, cells, name, base, &read)?;
+                require(!more, Reason::NotBest(best, count))?;
             }
             found.push(count.to_string());
             family.size += 1 + scales;
         }
-        require(counts.split_whitespace().eq(found.iter().map(String::as_str)), Reason::Explains)?;
+        let same = counts.split_whitespace().eq(found.iter().map(String::as_str));
+        compare(same, counts.trim(), &found.join(" "), Reason::Explains)?;
         listed.compare(numbers, cells, &values)?;
     }
     let complete = require(members.is_empty() && listed.all_met(), Reason::Member);
     complete.and_then(|()| family.compare(reads)).map_err(|rejection| rejection.at(line))
 }
 
-/// Makes sure that the readings of cells that need assumptions are members of their family, with
-/// other values of parameters that are not stated at most.
+/// Makes sure that the readings of cells that need assumptions are members of their family. Only
+/// parameters that are not stated may have other values.
 fn assumed(table: &Table<'_>, reads: &Reads) -> Checked<()> {
     if reads.all(false).count() == 0 {
         return Ok(());
@@ -99,7 +101,7 @@ fn is_member(read: &Read, members: &Members) -> Checked<()> {
     require(members.contains(&read.differences), Reason::NotInFamily(differences))
 }
 
-/// Makes sure that a reading is of the family: one of its members, or one at a scale.
+/// Makes sure that a reading is in the family. It is a member, or a member at a scale.
 fn belongs(
     table: &Table<'_>,
     cells: &Cells,
@@ -124,13 +126,13 @@ fn belongs(
     Ok(())
 }
 
-/// What is known of a family when all of its members have been looked at.
+/// A family all of whose members have been checked.
 struct Family<'f> {
     table: &'f Table<'f>,
     cells: Cells,
-    /// No member explains more cells, at any scale.
+    /// The most cells that a member explains, at any scale.
     best: usize,
-    /// How many readings there are.
+    /// The number of readings.
     size: i64,
 }
 
@@ -143,18 +145,19 @@ impl Family<'_> {
         let printed = explained_by(&table.as_printed)?;
         let mut left: BTreeSet<Place> = cells.iter().map(|(place, _)| *place).collect();
         left.retain(|place| !printed.contains(place));
-        // What the printed text gives tells nothing for another reading.
+        // The cells that the printed text gives are no evidence for another reading.
         let others: Cells = cells.iter().filter(|(at, _)| left.contains(at)).cloned().collect();
         let lucky = |m: usize| is_luck(table, &others, m.saturating_sub(printed.len()), self.size);
         if let Some(part) = reads.all(true).find(|part| part.is_whole()) {
             let found = explained_by(&part.read)?;
-            require(found.len() == *best && *best > printed.len(), Reason::NotBest)?;
+            require(found.len() == *best, Reason::NotBest(*best, found.len()))?;
+            require(*best > printed.len(), Reason::NotBest(*best, printed.len()))?;
             require(!lucky(*best), Reason::Luck)?;
             left.retain(|place| !found.contains(place));
         } else {
             require(*best <= printed.len() || lucky(*best), Reason::NotLuck)?;
         }
-        // What rows and columns explain of what is left.
+        // Rows and columns with readings explain some of the cells that are left.
         let (rows, columns) = table.size();
         let lines = i64::try_from(rows + columns).unwrap_or(i64::MAX);
         for part in reads.all(true).filter(|part| !part.is_whole()) {
@@ -177,7 +180,7 @@ type Met = (Option<Value>, bool);
 
 /// The values that members give in the refuted cells.
 struct Listed {
-    /// Of each cell: the values.
+    /// The values of each cell.
     cells: Vec<(Place, Vec<Met>)>,
 }
 
@@ -210,9 +213,11 @@ impl Listed {
             let number: usize = number.ok_or(Reason::Malformed("the number of a value"))?;
             let value = cells.iter().zip(values).find(|((at, _), _)| at == place);
             let known = number.checked_sub(1).and_then(|i| listed.get_mut(i));
-            let (known, met) = known.ok_or(Reason::Value)?;
             let value = value.and_then(|(_, value)| value.as_ref());
-            require(same(known.as_ref(), value)?, Reason::Value)?;
+            let none = || Reason::Value(Text(format!("value {number}")), Text(shown(value)));
+            let (known, met) = known.ok_or_else(none)?;
+            let equal = same(known.as_ref(), value)?;
+            compare(equal, &shown(known.as_ref()), &shown(value), Reason::Value)?;
             *met = true;
         }
         require(numbers.next().is_none(), Reason::Malformed("the end of the line"))
@@ -223,14 +228,15 @@ impl Listed {
     }
 }
 
-/// Whether two values are equal, or both undefined.
+/// Whether two values are equal or both are undefined.
 fn same(one: Option<&Value>, other: Option<&Value>) -> Result<bool, Stop> {
     one.zip(other).map_or(Ok(one.is_none() && other.is_none()), |(one, other)| one.equals(other))
 }
 
-/// Whether it is luck: one of so many readings of unrelated values is likely enough to become m of these
-/// printed cells: readings·e_m of the likelihoods that a value becomes a cell, against 1/1000.
-/// That a cell is printed as 0 tells nothing: it is left out, and m is one less.
+/// Whether m cells may be explained by luck. It compares with 1/1000 a bound of the expected number
+/// of readings of unrelated values that give m of these cells: the number of readings times the
+/// m-th elementary symmetric polynomial of the likelihoods of the cells. A cell that is printed as
+/// 0 is no evidence; it is left out, and m is one less.
 fn is_luck(table: &Table<'_>, cells: &Cells, m: usize, readings: i64) -> bool {
     let depth = table.tolerance.is_some();
     let telling = |cell: &&(Place, Decimal)| depth || !cell.1.digits.is_zero();

@@ -1,11 +1,11 @@
-//! Rule `function`: two sides as functions of a parameter.
+//! The rule `function`: two sides as functions of a parameter.
 
 use super::pieces::Free;
 use crate::certificate::Block;
 use crate::decimal::read_rational;
 use crate::definitions::formula_of;
 use crate::paper::Paper;
-use crate::reject::{Checked, Reason, require};
+use crate::reject::{Checked, Reason, agree, compare, require};
 use crate::root::Root;
 use crate::toml::Toml;
 
@@ -19,7 +19,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         free.pieces(block, &|scope| scope.value(&sides[0])?.minus(&scope.value(&sides[1])?))?;
     let (word, said) = block.any()?;
     let equal = pieces.signs.iter().all(|sign| *sign == 0);
-    require(word == if equal { "holds" } else { "fails" }, Reason::Verdict)?;
+    agree(word, if equal { "holds" } else { "fails" }, Reason::Verdict)?;
     match said.split_whitespace().collect::<Vec<&str>>()[..] {
         [] if equal => Ok(()),
         [at, left, right] if !equal => {
@@ -28,7 +28,8 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
             let scope = free.scope([at.clone(), at])?;
             let said = [paper.number(left)?, paper.number(right)?];
             for (side, said) in sides.iter().zip(&said) {
-                require(scope.value(side)?.equals(said)?, Reason::Value)?;
+                let value = scope.value(side)?;
+                compare(value.equals(said)?, said, &value, Reason::Value)?;
             }
             require(!said[0].equals(&said[1])?, Reason::NoDifference)
         }

@@ -1,8 +1,8 @@
-//! How a formula grows with `k`, and with `beta`.
+//! The growth of a formula in `k` and `beta`.
 
 use crate::evaluate::Scope;
 use crate::formula::{Expr, Head};
-use crate::reject::{Checked, Reason, Stop, require};
+use crate::reject::Stop;
 use crate::value::Value;
 use num_integer::Integer;
 use num_traits::ToPrimitive;
@@ -16,13 +16,16 @@ const MAX_STEP: i64 = 10_000;
 /// How deep definitions and parts of a formula may be nested.
 const MAX_DEPTH: usize = 128;
 
-/// (p, q, d) with by(k + p) = q·by(k) for all k, by a multiple of beta^d.
+/// A triple (p, q, d): f(k + p) = q·f(k) for all k, and f is a multiple of beta^d.
 type Growth = (u32, Value, i64);
 
-/// The growth of a formula in a scope where `k` and `beta` are symbols: a product of powers with k
-/// in exponents only, and of beta.
-pub fn growth(scope: &Scope<'_>, expr: &Expr, depth: usize) -> Checked<Growth> {
-    require(depth < MAX_DEPTH, Reason::Stopped(Stop::Capped("the nesting of formulas")))?;
+/// The growth or slope of a formula. The error `None` says that the formula has none.
+type Known<T> = Result<T, Option<Stop>>;
+
+/// The growth of a formula in a scope where `k` and `beta` are symbols. The formula is made of
+/// beta and of powers with k in the exponent only.
+pub fn growth(scope: &Scope<'_>, expr: &Expr, depth: usize) -> Known<Growth> {
+    nested(depth)?;
     if steady(scope, expr)?.is_some() {
         return Ok((1, Value::int(1), 0));
     }
@@ -31,9 +34,9 @@ pub fn growth(scope: &Scope<'_>, expr: &Expr, depth: usize) -> Checked<Growth> {
         Expr::Name(name) => growth(scope, definition(scope, name)?, depth + 1),
         Expr::Of(Head::Minus, parts) => growth(scope, &parts[0], depth + 1),
         Expr::Of(Head::Power, parts) => {
-            let base = steady(scope, &parts[0])?.ok_or(Reason::Growth)?;
+            let base = steady(scope, &parts[0])?.ok_or(None)?;
             let (period, step) = slope(scope, &parts[1], depth + 1)?;
-            let ratio = base.power(step.integer(MAX_STEP).map_err(|_| Reason::Growth)?)?;
+            let ratio = base.power(step.integer(MAX_STEP).map_err(|_| None)?)?;
             scope.spend(ratio.cost(&ratio))?;
             Ok((period, ratio, 0))
         }
@@ -49,22 +52,22 @@ pub fn growth(scope: &Scope<'_>, expr: &Expr, depth: usize) -> Checked<Growth> {
                     '*' => (period, own.times(&other)?, whole.2 + next.2),
                     '/' => (period, own.over(&other)?, whole.2 - next.2),
                     _ => {
-                        require(own.equals(&other)? && whole.2 == next.2, Reason::Growth)?;
-                        (period, own, whole.2)
+                        let same = own.equals(&other)? && whole.2 == next.2;
+                        (period, Some(own).filter(|_| same).ok_or(None)?, whole.2)
                     }
                 };
             }
             Ok(whole)
         }
-        _ => Err(Reason::Growth.into()),
+        _ => Err(None),
     }
 }
 
-/// (p, s) with e(k + p) = e(k) + s for all k.
-fn slope(scope: &Scope<'_>, expr: &Expr, depth: usize) -> Checked<(u32, Value)> {
-    require(depth < MAX_DEPTH, Reason::Stopped(Stop::Capped("the nesting of formulas")))?;
+/// The slope (p, s) of a formula: e(k + p) = e(k) + s for all k.
+fn slope(scope: &Scope<'_>, expr: &Expr, depth: usize) -> Known<(u32, Value)> {
+    nested(depth)?;
     if let Some(line) = symbolic(scope, expr)?.and_then(|value| value.univariate("k")) {
-        require(line.len() <= 2, Reason::Growth)?;
+        let line = Some(line).filter(|line| line.len() <= 2).ok_or(None)?;
         return Ok((1, line.into_iter().nth(1).unwrap_or_default().into()));
     }
     match expr {
@@ -94,13 +97,13 @@ fn slope(scope: &Scope<'_>, expr: &Expr, depth: usize) -> Checked<(u32, Value)> 
                         varying = Some(slope(scope, part, depth + 1)?);
                         factor = if *operator == '-' { factor.negated()? } else { factor };
                     }
-                    _ => return Err(Reason::Growth.into()),
+                    _ => return Err(None),
                 }
             }
-            let (period, step) = varying.ok_or(Reason::Growth)?;
+            let (period, step) = varying.ok_or(None)?;
             Ok((period, step.times(&factor)?))
         }
-        _ => Err(Reason::Growth.into()),
+        _ => Err(None),
     }
 }
 
@@ -109,7 +112,7 @@ fn steady(scope: &Scope<'_>, expr: &Expr) -> Result<Option<Value>, Stop> {
     Ok(symbolic(scope, expr)?.filter(|value| value.number().is_ok()))
 }
 
-/// The value where `k` and `beta` are symbols; none if a formula asks what these are.
+/// The value as a polynomial in `k` and `beta`, if the formula has one.
 fn symbolic(scope: &Scope<'_>, expr: &Expr) -> Result<Option<Value>, Stop> {
     match scope.value(expr) {
         Err(stop @ Stop::Capped(_)) => Err(stop),
@@ -117,12 +120,15 @@ fn symbolic(scope: &Scope<'_>, expr: &Expr) -> Result<Option<Value>, Stop> {
     }
 }
 
-fn definition<'s>(scope: &'s Scope<'_>, name: &str) -> Checked<&'s Expr> {
+fn definition<'s>(scope: &'s Scope<'_>, name: &str) -> Known<&'s Expr> {
     let definition = scope.definitions.get(name).filter(|_| !scope.values.contains_key(name));
-    Ok(definition.ok_or(Reason::Growth)?)
+    definition.map(|definition| &**definition).ok_or(None)
 }
 
-fn within(period: u32) -> Checked<u32> {
-    require((1..=MAX_PERIOD).contains(&period), Reason::Growth)?;
-    Ok(period)
+fn within(period: u32) -> Known<u32> {
+    Some(period).filter(|period| (1..=MAX_PERIOD).contains(period)).ok_or(None)
+}
+
+fn nested(depth: usize) -> Result<(), Stop> {
+    if depth < MAX_DEPTH { Ok(()) } else { Err(Stop::Capped("the nesting of formulas")) }
 }

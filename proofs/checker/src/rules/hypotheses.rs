@@ -7,21 +7,21 @@ use crate::reject::Stop;
 use crate::toml::Toml;
 use crate::value::Value;
 
-/// A symbol, and what it equals in terms of the others.
+/// A symbol and its value in terms of the others.
 type Solved = (String, Value);
 
-/// Gives symbols the values that they have by the hypotheses of a claim: values in which none of them
-/// occurs.
+/// Gives symbols the values that the hypotheses of a claim determine. None of these symbols occurs
+/// in a value.
 pub fn suppose(claim: &Toml, scope: &mut Scope<'_>) -> Result<(), Stop> {
     let (mut solved, mut members) = (Vec::<Solved>::new(), Vec::new());
     for text in claim.list("hypotheses").iter().filter_map(Toml::as_text) {
         let (name, value) = text.split_once('=').unwrap_or((text, ""));
         let Expr::Of(Head::Member(family), positions) = formula(name.trim())? else {
-            return Err(Stop::Wrong("a hypothesis is `q[i] = …`".into()));
+            return Err(Stop::Wrong("a hypothesis does not have the form `q[i] = …`".into()));
         };
         members.push((family, positions, formula(value.trim())?));
     }
-    // A family of which all members that occur are given is no symbol itself.
+    // The families of hypotheses are symbols only while the hypotheses are solved.
     let symbols = scope.families.clone();
     scope.families.extend(members.iter().map(|(family, ..)| family.clone()));
     for (family, positions, value) in &members {
@@ -41,7 +41,7 @@ pub fn suppose(claim: &Toml, scope: &mut Scope<'_>) -> Result<(), Stop> {
     Ok(())
 }
 
-/// Adds the equation `equation` = 0, which is solved for the symbol `first` if that occurs.
+/// Adds the equation `equation` = 0. It is solved for the symbol `first` if that occurs.
 fn add(solved: &mut Vec<Solved>, first: String, equation: Value) -> Result<(), Stop> {
     let mut rest = equation;
     for (symbol, value) in &*solved {
@@ -63,7 +63,7 @@ fn add(solved: &mut Vec<Solved>, first: String, equation: Value) -> Result<(), S
     Ok(())
 }
 
-/// A linear value with another one in place of a symbol.
+/// Replaces a symbol of a linear value by another value.
 fn replaced(value: &Value, symbol: &str, by: &Value) -> Result<Value, Stop> {
     let change = by.minus(&Value::symbol(symbol))?;
     value.plus(1, &value.coefficient(symbol).times(&change)?)

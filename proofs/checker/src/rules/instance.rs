@@ -1,11 +1,11 @@
-//! An instance of a theorem: a scheme and values that it speaks of.
+//! An instance of a theorem: one scheme and one value of each parameter.
 
 use crate::certificate::Block;
 use crate::definitions::{formula, formula_of};
 use crate::evaluate::Scope;
 use crate::names::OF_THEOREMS;
 use crate::paper::Paper;
-use crate::reject::{Checked, Reason, Stop, require};
+use crate::reject::{Checked, Reason, Stop, compare, require};
 use crate::ring::Ring;
 use crate::scheme::Scheme;
 use crate::setting::Setting;
@@ -13,15 +13,15 @@ use crate::toml::Toml;
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
-/// A scheme and values that a theorem speaks of.
+/// A scheme and values of parameters for which a theorem is stated.
 pub struct Instance<'a> {
-    /// With the parameters.
+    /// The scope with the parameters.
     pub scope: Scope<'a>,
-    /// The factors of the scheme; none of a ring.
+    /// The factors of the scheme. A ring has none.
     pub schemes: Vec<Rc<Scheme>>,
     /// The offset at which masks are taken, if not their own.
     pub offset: Option<i64>,
-    /// What data are refined by.
+    /// The rules that refine control data.
     pub setting: Setting<'a>,
 }
 
@@ -34,12 +34,13 @@ impl<'a> Instance<'a> {
     ) -> Checked<Instance<'a>> {
         let reference = block.after("scheme")?;
         let known = claim.list("schemes").iter().map(Toml::as_text).chain([claim.text("scheme")]);
-        let words = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
-        let listed = known.flatten().any(|known| words(known) == words(reference));
-        require(listed, Reason::Restated("scheme"))?;
+        let known: Vec<&str> = known.flatten().collect();
+        let same = |known: &&str| known.split_whitespace().eq(reference.split_whitespace());
+        let listed = known.iter().any(same);
+        compare(listed, reference, &known.join(", "), Reason::Restated)?;
         let mut scope = paper.scope();
         scope.values.clone_from(&paper.given);
-        // What these mean is for the theorem to say, not for the paper.
+        // The theorem defines these names, whatever the paper states.
         scope.values.retain(|name, _| !OF_THEOREMS.contains(&&name[..]));
         scope.reserved = &OF_THEOREMS;
         let mut left: BTreeSet<&String> =
@@ -48,15 +49,19 @@ impl<'a> Instance<'a> {
             let (name, value) = said.split_once(' ').unwrap_or((said, ""));
             let value = paper.number(value.trim())?;
             let same = |text: &Toml| {
-                let known = paper.nothing().value(&formula(text.as_text().unwrap_or_default())?)?;
+                let known =
+                    paper.library.closed().value(&formula(text.as_text().unwrap_or_default())?)?;
                 known.equals(&value)
             };
             let values = claim.get("values").map_or(&[][..], |values| values.list(name));
             let same = values.iter().map(same).collect::<Result<Vec<bool>, Stop>>()?;
-            require(left.remove(&name.to_owned()) && same.contains(&true), Reason::NotListed)?;
+            let listed = left.remove(&name.to_owned()) && same.contains(&true);
+            require(listed, Reason::NotListed(name.to_owned()))?;
             scope.values.insert(name.to_owned(), value);
         }
-        require(left.is_empty(), Reason::NotListed)?;
+        if let Some(name) = left.first() {
+            return Err(Reason::NotListed((*name).clone()).into());
+        }
         let (mut schemes, mut offset) = (Vec::new(), None);
         let setting = if paper.library.is_ring(reference) {
             let ring = |reference: &str| Ring::new(paper.library, reference, &scope);
@@ -74,7 +79,8 @@ impl<'a> Instance<'a> {
         };
         if let Some(supposed) = claim.get("supposes") {
             let of = |key| scope.value(&formula_of(supposed, key)?);
-            require(of("value")?.compare(&of("below")?)?.is_lt(), Reason::Supposed)?;
+            let (value, below) = (of("value")?, of("below")?);
+            compare(value.compare(&below)?.is_lt(), &value, &below, Reason::Supposed)?;
         }
         Ok(Instance { scope, schemes, offset, setting })
     }

@@ -1,4 +1,5 @@
-//! Rule `levels`: a bound for one scheme, proved at all levels by finitely many (THEOREMS.md, 40).
+//! The rule `levels`: finitely many levels prove a bound for one scheme at all levels
+//! (THEOREMS.md, 40).
 
 use super::growth::{MAX_PERIOD, growth};
 use super::instance::{Instance, first_level};
@@ -7,7 +8,7 @@ use super::sound::Promised;
 use crate::certificate::Block;
 use crate::definitions::formula_of;
 use crate::paper::Paper;
-use crate::reject::{Checked, Reason, Stop, require};
+use crate::reject::{Checked, Reason, Stop, Text, compare, require};
 use crate::ring::less;
 use crate::setting::Setting;
 use crate::toml::Toml;
@@ -22,7 +23,7 @@ pub fn check<'a>(
     Instance { mut scope, schemes, offset, setting }: Instance<'a>,
 ) -> Checked<()> {
     block.look();
-    // One of several schemes or values proves nothing of the others.
+    // A proof for one of several schemes or values says nothing about the others.
     let one = ["schemes", "values"].iter().all(|key| claim.get(key).is_none());
     require(one && claim.get("scheme").is_some(), Reason::Single)?;
     let bounds = claim.text("bounds").unwrap_or_default();
@@ -32,10 +33,15 @@ pub fn check<'a>(
     for name in ["k", "beta"] {
         scope.values.insert(name.to_owned(), Value::symbol(name));
     }
-    let (period, ratio, spreads) = growth(&scope, &by, 0)?;
-    require(spreads == 1, Reason::Growth)?;
+    let said = block.peek().map_or("", |line| line.word().1);
+    let other = |found: &str| Reason::Growth(Text(said.to_string()), Text(found.to_string()));
+    let grown = growth(&scope, &by, 0);
+    let (period, ratio, spreads) =
+        grown.map_err(|stop| stop.map_or_else(|| other("none"), Reason::Stopped))?;
+    require(spreads == 1, other("not proportional to beta"))?;
     let said = block.after("grows")?.split_once(' ').unwrap_or_default();
-    require(said.0 == period.to_string() && paper.number(said.1)?.equals(&ratio)?, Reason::Growth)?;
+    let same = said.0 == period.to_string() && paper.number(said.1)?.equals(&ratio)?;
+    require(same, other(&format!("{period} {ratio}")))?;
     let times: u32 = block.after("times")?.parse().unwrap_or(0);
     let from = first_level(claim)?;
     let levels = period.checked_mul(times).filter(|levels| (1..=MAX_PERIOD).contains(levels));
@@ -50,7 +56,7 @@ pub fn check<'a>(
     match &setting {
         Setting::Masks(..) => {
             let factor = promised.constant(&Value::int(levels.into()))?;
-            require(factor.compare(&power)?.is_le(), Reason::Contraction)?;
+            compare(factor.compare(&power)?.is_le(), &factor, &power, Reason::Contraction)?;
         }
         Setting::Ring(ring, earlier) => {
             let differences = ring.differences()?;
@@ -63,14 +69,14 @@ pub fn check<'a>(
                     steps.collect::<Result<_, Stop>>()?
                 }
                 _ => {
-                    // Only of what an interpolant keeps the limit is known.
+                    // The limit is known only of the points that an interpolant keeps.
                     require(earlier.is_none(), Reason::NoLimit)?;
                     errors(paper, ring, block)?
                 }
             };
             let after = ring.functionals_before(differences, levels)?;
             flows(paper, ring, block, &after, &|cost| {
-                require(cost.compare(&power)?.is_le(), Reason::Contraction)
+                compare(cost.compare(&power)?.is_le(), cost, &power, Reason::Contraction)
             })?;
             functionals = ring.functionals_before(functionals, from)?;
         }
@@ -90,7 +96,7 @@ pub fn check<'a>(
             Setting::Ring(ring, _) => {
                 functionals = ring.functionals_before(functionals, u32::from(k > from))?;
                 flows(paper, ring, block, &functionals, &|cost| {
-                    require(cost.compare(&most)?.is_le(), Reason::TooLarge)
+                    compare(cost.compare(&most)?.is_le(), cost, &most, Reason::TooLarge)
                 })?;
             }
             Setting::Masks(rules, _) => {
@@ -104,7 +110,7 @@ pub fn check<'a>(
                     bound =
                         bound.times(if one.compare(&other)?.is_le() { &one } else { &other })?;
                 }
-                require(bound.compare(&most)?.is_le(), Reason::TooLarge)?;
+                compare(bound.compare(&most)?.is_le(), &bound, &most, Reason::TooLarge)?;
             }
         }
     }

@@ -1,4 +1,4 @@
-//! The members of the declared family of a table, and what they explain.
+//! The members of the family of a table, and the cells that they explain.
 
 use super::reading::{MAX_DIFFERENCES, choose, define};
 use crate::definitions::names;
@@ -12,7 +12,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// The most members of a family.
 const MAX_MEMBERS: usize = 4_096;
 
-/// Members: of each its differences from the printed text, `NAME=WAY` or `NAME#NUMBER`.
+/// The members, by their differences `NAME=WAY` or `NAME#NUMBER` from the printed text.
 pub type Members = BTreeSet<BTreeSet<String>>;
 
 /// Every member of the family of these cells.
@@ -68,12 +68,12 @@ pub fn read(table: &Table<'_>, member: &BTreeSet<String>) -> Checked<Read> {
     Ok(read)
 }
 
-/// The values of the cells under a reading, where they have one.
+/// The values of the cells under a reading. Some cells may have none.
 pub fn values(table: &Table<'_>, cells: &Cells, read: &Read) -> Result<Vec<Option<Value>>, Stop> {
     cells.iter().map(|(place, _)| table.read(*place, read)).collect()
 }
 
-/// The cells that these values give.
+/// The cells that these values explain.
 pub fn explained(
     cells: &Cells,
     values: &[Option<Value>],

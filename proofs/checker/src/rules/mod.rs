@@ -1,4 +1,4 @@
-//! One file for each rule of FORMAT.md.
+//! The rules of FORMAT.md. Each has a file.
 
 mod attained;
 mod cell;
@@ -16,7 +16,6 @@ mod promise;
 mod range;
 mod reading;
 mod scale;
-mod sides;
 mod sound;
 mod table;
 mod theorem;
@@ -28,11 +27,11 @@ use crate::shape::misfit;
 use crate::toml::Toml;
 use theorem::Citation;
 
-/// What a valid certificate proves of a claim.
+/// The verdict that a valid certificate proves.
 pub enum Verdict {
     /// An identity, a closed form or a range holds.
     Holds,
-    /// Something else that needs no other claim.
+    /// Another verdict that needs no other claim.
     Other,
     /// A theorem is proved or refuted by a statement of THEOREMS.md.
     Cited(Citation),
@@ -55,7 +54,7 @@ fn judge<'a>(
     claim: &'a Toml,
     block: &mut Block<'_>,
 ) -> Checked<Verdict> {
-    // What else the claim file says could change what the claim means.
+    // An unknown field could change the meaning of the claim.
     if let Some(path) = misfit(claim, kind) {
         return Err(Reason::Field(path).into());
     }

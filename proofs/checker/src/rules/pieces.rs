@@ -1,10 +1,10 @@
-//! What the rules `function` and `range` have in common: signs on pieces of a line.
+//! Signs on the pieces of a line, for the rules `function` and `range`.
 
 use crate::certificate::Block;
 use crate::evaluate::Scope;
 use crate::paper::Paper;
 use crate::piece::{Ends, MAX_CUTS, Piece};
-use crate::reject::{Checked, Reason, Stop, require};
+use crate::reject::{Checked, Reason, Stop, Text, compare, require};
 use crate::root::Root;
 use crate::toml::Toml;
 use crate::value::Value;
@@ -12,11 +12,11 @@ use crate::value::Value;
 /// The most breaks.
 const MAX_BREAKS: usize = 1_000;
 
-/// The breaks of a parameter, and signs on the pieces between and at the breaks.
+/// The breaks of a parameter, and the signs at the breaks and on the pieces between them.
 pub struct Pieces {
     /// The breaks, increasing.
     pub breaks: Vec<Root>,
-    /// The signs: of the first piece, at the first break, of the second piece, ….
+    /// The signs on the first piece, at the first break, on the second piece, and so on.
     pub signs: Vec<i8>,
 }
 
@@ -72,17 +72,16 @@ impl<'a> Free<'a> {
         for i in 0..=breaks.len() {
             let low = i.checked_sub(1).map(|i| breaks[i].clone());
             let sign = self.on_piece([low, breaks.get(i).cloned()], value)?;
-            signs.push(sign.ok_or(Reason::Signs)?);
+            let several = || {
+                Reason::Signs(Text(said.to_string()), Text(format!("{} several", words(&signs))))
+            };
+            signs.push(sign.ok_or_else(several)?);
             if let Some(at) = breaks.get(i) {
                 signs.push(self.at(at, value)?);
             }
         }
-        let words = signs.iter().map(|sign| match sign {
-            -1 => "-",
-            0 => "0",
-            _ => "+",
-        });
-        require(words.eq(said.split_whitespace()), Reason::Signs)?;
+        let same = words(&signs).split_whitespace().eq(said.split_whitespace());
+        compare(same, said, &words(&signs), Reason::Signs)?;
         Ok(Pieces { breaks, signs })
     }
 
@@ -91,13 +90,13 @@ impl<'a> Free<'a> {
         value(&scope)?.sign(scope.piece.as_ref())
     }
 
-    /// The sign on a piece and where it is cut; `None` if there is not only one.
+    /// The sign on all parts of a piece and at its cuts; `None` if there are several signs.
     fn on_piece(&self, ends: Ends, value: &Formula<'_>) -> Result<Option<i8>, Stop> {
         let (mut rest, mut sign, mut looks) = (vec![ends], None, 0);
         while let Some([low, high]) = rest.pop() {
             let scope = self.scope([low.clone(), high])?;
             let above = value(&scope).and_then(|value| value.sign(scope.piece.as_ref()));
-            // The scope has become that of the part above the last cut.
+            // The piece has become the part above its cuts. The parts below them are left.
             let cuts = scope.piece.map_or(Vec::new(), |piece| piece.cuts());
             let lower = [low].into_iter().chain(cuts.iter().cloned().map(Some));
             rest.extend(lower.zip(&cuts).map(|(low, cut)| [low, Some(cut.clone())]));
@@ -116,4 +115,14 @@ impl<'a> Free<'a> {
         }
         Ok(sign)
     }
+}
+
+/// Signs as a certificate writes them.
+fn words(signs: &[i8]) -> String {
+    let word = |sign: &i8| match sign {
+        -1 => "-",
+        0 => "0",
+        _ => "+",
+    };
+    signs.iter().map(word).collect::<Vec<&str>>().join(" ")
 }

@@ -1,24 +1,22 @@
-//! Rule `promise`: whether what a table promises of its printed numbers is true for all control
-//! data, cell by cell.
+//! The rule `promise`: whether the promise of a table about its printed numbers is kept for all
+//! control data, cell by cell.
 
-use super::sides::violated;
 use super::sound::{self, MAX_LEVEL, Promised};
 use crate::certificate::Block;
 use crate::decimal::Q;
 use crate::functional::Rules;
 use crate::paper::Paper;
-use crate::reject::{Checked, Reason, Stop, require};
+use crate::reject::{Checked, Reason, Stop, compare, require};
 use crate::ring::{Ring, less};
-use crate::scheme::Part;
 use crate::setting::Setting;
 use crate::table::Table;
 use crate::value::Value;
-use crate::witness::Witness;
+use crate::witness::{Witness, violated};
 use num_traits::{Signed, Zero};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-/// The most points of a level that are looked at.
+/// The most points of a level.
 const MAX_POINTS: i64 = 1 << 16;
 
 /// Checks the lines `witness`, and those of the cells.
@@ -59,7 +57,7 @@ pub fn check(table: &Table<'_>, block: &mut Block<'_>) -> Checked<()> {
                     let functionals = ring.functionals_before(errors, level)?;
                     let small = |cost: &Value| {
                         let bound = cost.times(&promised.spread)?;
-                        require(bound.compare(&most)?.is_le(), Reason::TooLarge)
+                        compare(bound.compare(&most)?.is_le(), &bound, &most, Reason::TooLarge)
                     };
                     flows(table.paper, ring, block, &functionals, &small)?;
                 }
@@ -78,7 +76,7 @@ pub fn check(table: &Table<'_>, block: &mut Block<'_>) -> Checked<()> {
     Ok(())
 }
 
-/// What a cell speaks of.
+/// The setting of a cell.
 fn setting<'a>(
     table: &'a Table<'a>,
     promised: &Promised<'a>,
@@ -102,8 +100,8 @@ fn setting<'a>(
     Ok(setting)
 }
 
-/// Checks `L M c`: the sound bound at level L, and how far level L is from level k, are together
-/// at most what is promised.
+/// Checks `L M c`: the sound bound at level L and the distance between the levels L and k have a
+/// sum that is at most the promised bound.
 pub fn kept(
     promised: &Promised<'_>,
     setting: &Setting<'_>,
@@ -121,7 +119,7 @@ pub fn kept(
         let change = change(promised, rules, level, later)?.times(&promised.spread)?;
         bound.add(1, &change)?;
     }
-    require(bound.compare(most)?.is_le(), Reason::TooLarge)
+    compare(bound.compare(most)?.is_le(), &bound, most, Reason::TooLarge)
 }
 
 fn values(paper: &Paper<'_>, said: &str) -> Checked<Vec<Value>> {
@@ -141,7 +139,8 @@ pub fn errors(
     Ok(errors.collect::<Result<_, Stop>>()?)
 }
 
-/// Checks a line `flow …` for each functional: the flow carries it, and its cost is small.
+/// Checks a line `flow …` for each functional. The flow carries the functional, and its cost is
+/// small.
 pub fn flows(
     paper: &Paper<'_>,
     ring: &Ring<'_>,
@@ -154,7 +153,7 @@ pub fn flows(
         require(flow.len() == ring.edges.len(), Reason::Malformed("a number for each edge"))?;
         let (cost, carried) = ring.carried(&flow)?;
         for (carried, needed) in carried.iter().zip(functional) {
-            require(carried.equals(needed)?, Reason::Flow)?;
+            compare(carried.equals(needed)?, carried, needed, Reason::Flow)?;
         }
         small(&cost)?;
     }
@@ -175,10 +174,9 @@ pub fn change(promised: &Promised<'_>, rules: &[Rules<'_>], k: u32, l: u32) -> R
         Ok(largest.into())
     };
     let [first, second] = rules else { return largest(&rules[0]) };
-    // THEOREMS.md, 32, with level l in place of the limit.
+    // This is THEOREMS.md, 32, with level l in place of the limit.
     let norm = |axis: usize, level: u32| {
-        let level = Value::int(level.into());
-        promised.class_sum(&promised.schemes[axis], Part::Mask, &level)
+        promised.class_sum(&promised.schemes[axis].mask, &Value::int(level.into()))
     };
     let (c, d) = (largest(first)?, largest(second)?);
     let one = c.times(&norm(1, l)?)?.plus(1, &d.times(&norm(0, k)?)?)?;

@@ -1,4 +1,4 @@
-//! Rule `range`: where a value keeps a limit, against the printed ends.
+//! The rule `range`: the set on which a value keeps a limit, and its printed ends.
 
 use super::pieces::{Free, Pieces};
 use crate::certificate::Block;
@@ -6,13 +6,13 @@ use crate::decimal::{Decimal, int};
 use crate::definitions::formula_of;
 use crate::paper::{Paper, printed};
 use crate::piece::Piece;
-use crate::reject::{Checked, Reason, Stop, require};
+use crate::reject::{Checked, Reason, Stop, Text, agree, compare};
 use crate::root::Root;
 use crate::rounding::rounding_on;
 use crate::toml::Toml;
 use crate::value::Value;
 
-/// An end of an interval: `None` if it is infinite, and whether it belongs to the set.
+/// An end of an interval, `None` if it is infinite, and whether the end belongs to the set.
 type End = (Option<Root>, bool);
 
 /// Checks a range.
@@ -21,12 +21,12 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     block.restates("value", claim.text("value"))?;
     let below = claim.get("below").is_some();
     if below && claim.get("at_most").is_some() {
-        return Err(Stop::Wrong("`below` and `at_most` at once".into()).into());
+        return Err(Stop::Wrong("the claim has both `below` and `at_most`".into()).into());
     }
     let (word, key) = if below { ("below", "below") } else { ("at-most", "at_most") };
     block.restates(word, claim.text(key))?;
     let value = formula_of(claim, "value")?;
-    let limit = paper.nothing().value(&formula_of(claim, key)?)?;
+    let limit = paper.library.closed().value(&formula_of(claim, key)?)?;
     let pieces = free.pieces(block, &|scope| scope.value(&value)?.minus(&limit))?;
     let set = intervals(&pieces, below);
     let mut relations = Vec::new();
@@ -38,9 +38,12 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         };
         let said = block.after("end")?;
         let (text, read) = printed(field).unwrap_or_default();
-        let decimal = Decimal::read(read).ok_or(Reason::Ends)?;
-        let said = said.strip_prefix(&format!("{name} \"{text}\" "));
-        let (exact, relation) = said.and_then(|said| said.split_once(' ')).ok_or(Reason::Ends)?;
+        let claimed = format!("{name} \"{text}\"");
+        let other = || Reason::Ends(Text(said.to_string()), Text(claimed.clone()));
+        let decimal = Decimal::read(read).ok_or_else(other)?;
+        let rest = said.strip_prefix(&claimed).and_then(|rest| rest.strip_prefix(' '));
+        let rest = rest.and_then(|rest| rest.split_once(' '));
+        let (exact, relation) = rest.ok_or_else(other)?;
         let ends = set.iter().map(|interval| &interval[side]);
         let ends = ends.filter_map(|(end, belongs)| Some((end.as_ref()?, *belongs)));
         let mut nearest: Option<(&Root, bool)> = None;
@@ -56,13 +59,14 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
             (Some((end, _)), Some(exact)) => end.compare(&exact)?.is_eq(),
             _ => false,
         };
-        require(found, Reason::ExactEnd)?;
+        let end = nearest.map_or("none".to_owned(), |(end, _)| end.to_string());
+        compare(found, exact, &end, Reason::ExactEnd)?;
         let closed = match claim.get("closed") {
             Some(Toml::Flag(closed)) => Some(*closed),
             _ => None,
         };
         let expected = self::relation(&decimal, closed, outwards, nearest, &set)?;
-        require(relation.trim() == expected, Reason::Relation)?;
+        agree(relation.trim(), expected, Reason::Relation)?;
         relations.push(expected);
     }
     let expected = match &set[..] {
@@ -70,16 +74,17 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         [_] if relations.iter().all(|word| !["belonging", "apart"].contains(word)) => "rounding",
         _ => "inexact",
     };
-    require(block.any()? == (expected, ""), Reason::Verdict)
+    let said = block.any()?;
+    compare(said == (expected, ""), &format!("{} {}", said.0, said.1), expected, Reason::Verdict)
 }
 
-/// The intervals of the set where the sign is −1, or, unless `below`, 0 too.
+/// The intervals on which the sign is −1, or 0 unless `below`.
 fn intervals(pieces: &Pieces, below: bool) -> Vec<[End; 2]> {
     let mut intervals: Vec<[End; 2]> = Vec::new();
     let inside =
         |at: usize| pieces.signs.get(at).is_some_and(|sign| *sign < 0 || *sign == 0 && !below);
     for at in (0..pieces.signs.len()).filter(|at| inside(*at)) {
-        // Odd places are breaks, and even ones the pieces between.
+        // The signs with odd indices are at breaks, the others on pieces.
         let (odd, half) = (at % 2 == 1, at / 2);
         let low = if odd { Some(half) } else { half.checked_sub(1) };
         let high = (pieces.breaks.get(half).cloned(), odd);
@@ -91,8 +96,8 @@ fn intervals(pieces: &Pieces, below: bool) -> Vec<[End; 2]> {
     intervals
 }
 
-/// How a printed end, which belongs to the set or not as it is `closed`, is related to the
-/// exact one; `outwards` is −1 for a lower end, 1 for an upper one.
+/// The relation of a printed end to the exact one. `closed` says whether the printed end belongs
+/// to the set; `outwards` is −1 for a lower end and 1 for an upper one.
 fn relation(
     printed: &Decimal,
     closed: Option<bool>,
@@ -106,7 +111,7 @@ fn relation(
         let same = closed.is_none_or(|closed| closed == belongs);
         return Ok(if same { "equal" } else { "belonging" });
     }
-    // The end as a symbol that has this value alone.
+    // The end is a symbol that has this value alone.
     let piece = Piece::new("x", [Some(end.clone()), Some(end.clone())]);
     let found = rounding_on(printed, &Value::symbol("x"), Some(&piece))?;
     if found != "neither" {

@@ -1,4 +1,4 @@
-//! Rule `read`: the reading of a table, a member of the declared family.
+//! The rule `read`: the readings of a table and of its rows and columns.
 
 use crate::certificate::Block;
 use crate::definitions::formula;
@@ -10,10 +10,10 @@ use crate::value::Value;
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
-/// The most choices and definitions that are other than printed.
+/// The most choices and definitions in which a reading differs from the printed text.
 pub const MAX_DIFFERENCES: usize = 4;
 
-/// The lines `read …` of a table; `None` when there are none.
+/// Reads the lines `read …`; gives `None` if there are none.
 fn read(table: &Table<'_>, block: &mut Block<'_>) -> Checked<Option<Read>> {
     let (mut read, mut found, mut differences) = (Read::default(), false, 0);
     let mut defined = BTreeSet::new();
@@ -42,9 +42,9 @@ fn read(table: &Table<'_>, block: &mut Block<'_>) -> Checked<Option<Read>> {
 
 /// The reading of a table, or of a row or a column.
 pub struct PartRead {
-    /// `row 2`, `column 1 from 0 1`; nothing for the table.
+    /// The name, such as `row 2` or `column 1 from 0 1`. That of the table is empty.
     name: String,
-    /// 0 for a row or 1 for a column, and its number, counted from 0.
+    /// 0 for a row or 1 for a column, and the number, counted from 0.
     line: Option<(usize, usize)>,
     /// How many rows down and columns to the right the values stand.
     shift: (isize, isize),
@@ -55,37 +55,37 @@ pub struct PartRead {
 }
 
 impl PartRead {
-    /// Whether it is about this cell.
+    /// Whether the reading applies to a cell.
     pub fn holds(&self, table: &Table<'_>, place: Place) -> bool {
         self.line.is_none_or(|(axis, number)| [place.0, place.1][axis] == number)
             && table.is_plain(place) == self.plain
     }
 
-    /// The value that should be in a cell, that of another one if it is shifted.
+    /// The value that should be in a cell. If the reading is shifted, it is that of another cell.
     pub fn value(&self, table: &Table<'_>, place: Place) -> Result<Option<Value>, Stop> {
         let moved = table.moved(place, self.shift);
         let moved = moved.filter(|place| table.is_plain(*place) == self.plain);
         moved.map_or(Ok(None), |place| table.read(place, &self.read))
     }
 
-    /// Whether it is of the whole table.
+    /// Whether the reading applies to the whole table.
     pub fn is_whole(&self) -> bool {
         self.line.is_none()
     }
 
-    /// The slip that explains a cell whose value stands elsewhere.
+    /// The slip that a shifted reading means.
     pub fn slip(&self) -> Option<String> {
         let (down, right) = self.shift;
         (self.shift != (0, 0)).then(|| format!("neighbour {down} {right}"))
     }
 }
 
-/// How a table is read, if it is not as printed, and how some rows and columns are.
+/// The readings of a table and of some of its rows and columns.
 pub struct Reads(Vec<PartRead>);
 
 impl Reads {
-    /// Reads the lines `read …` of a table, and those under `row N` and `column N`: of the cells that
-    /// need no assumptions, and behind a line `assumed` of those that do.
+    /// Reads the lines `read …` of a table, and the lines under `row N` and `column N`. After a
+    /// line `assumed` they are about the cells that need assumptions.
     pub fn new(table: &Table<'_>, block: &mut Block<'_>) -> Checked<Reads> {
         let [plain, assumed] = [true, false].map(|plain| !table.cells(plain).is_empty());
         let mut reads = Reads::of_cells(table, block, plain)?;
@@ -96,7 +96,7 @@ impl Reads {
         Ok(reads)
     }
 
-    /// Reads those of the cells that need no assumptions, or of those that do.
+    /// Reads the readings of the plain cells, or of those that need assumptions.
     fn of_cells(table: &Table<'_>, block: &mut Block<'_>, plain: bool) -> Checked<Reads> {
         let whole = |read| PartRead { name: String::new(), line: None, shift: (0, 0), plain, read };
         let mut reads: Vec<PartRead> = read(table, block)?.map(whole).into_iter().collect();
@@ -121,24 +121,24 @@ impl Reads {
         Ok(Reads(reads))
     }
 
-    /// Every reading of the cells that need no assumptions, or of those that do, that of all of them
-    /// first.
+    /// Every reading of the plain cells, or of those that need assumptions. That of the table is
+    /// the first.
     pub fn all(&self, plain: bool) -> impl Iterator<Item = &PartRead> {
         self.0.iter().filter(move |part| part.plain == plain)
     }
 
-    /// Every reading that is about a cell.
+    /// Every reading that applies to a cell.
     pub fn of(&self, table: &Table<'_>, place: Place) -> impl Iterator<Item = &PartRead> {
         self.0.iter().filter(move |part| part.holds(table, place))
     }
 
-    /// That of this name.
+    /// The reading with a name that applies to a cell.
     pub fn by(&self, table: &Table<'_>, place: Place, name: &str) -> Option<&PartRead> {
         self.of(table, place).find(|part| part.name == name)
     }
 }
 
-/// Chooses a way.
+/// Chooses a way in a reading.
 pub fn choose(read: &mut Read, name: &str, way: &str) -> Checked<()> {
     let known = CHOICES.iter().any(|choice| choice.name == name && choice.ways.contains(&way));
     let twice = read.reading.words.insert(name.to_owned(), way.to_owned()).is_some();
@@ -148,8 +148,7 @@ pub fn choose(read: &mut Read, name: &str, way: &str) -> Checked<()> {
     require(known && !twice, Reason::NotInFamily(format!("{name} {way}")))
 }
 
-/// Puts the alternative of this number, counted from 1 among those of the definition, in
-/// place of the definition.
+/// Replaces a definition by its alternative of this number, counted from 1.
 pub fn define(table: &Table<'_>, read: &mut Read, name: &str, number: &str) -> Checked<()> {
     let unknown = || Reason::NotInFamily(format!("{name} {number}"));
     let of = |other: &&Toml| other.text("of") == Some(name);

@@ -1,4 +1,4 @@
-//! The scale of a table: a parameter that all values are proportional to.
+//! The scale of a table: a parameter to which all values are proportional.
 
 use super::members::{self, explained, values};
 use crate::decimal::Q;
@@ -10,20 +10,20 @@ use crate::value::Value;
 use num_bigint::BigInt;
 use num_traits::Signed;
 
-/// The greatest numerator and denominator of a scale that someone would choose.
+/// The greatest numerator and denominator of a scale.
 const MAX_SCALE: i64 = 100;
 
-/// How many fractions in lowest terms these give.
+/// The number of fractions in lowest terms with such numerators and denominators.
 pub const SCALES: i64 = 6_087;
 
-/// Whether a scale is p/q, p, q = 1, …, 100.
+/// Whether a scale is p/q with p, q = 1, …, 100.
 pub fn is_simple(scale: &Value) -> bool {
     let simple = |part: &BigInt| part.is_positive() && *part <= MAX_SCALE.into();
     scale.rational().is_some_and(|s| simple(s.numer()) && simple(s.denom()))
 }
 
-/// The first stated parameter, by name, that is positive, and with which the values as printed grow;
-/// with its value.
+/// The first stated parameter, by name, that is positive and to which the values as printed are
+/// proportional, with its value.
 pub fn scale<'t>(table: &'t Table<'_>, cells: &Cells) -> Checked<Option<(&'t str, &'t Value)>> {
     let once = values(table, cells, &table.as_printed)?;
     if table.tolerance.is_some() || once.iter().flatten().all(Value::is_zero) {
@@ -38,8 +38,8 @@ pub fn scale<'t>(table: &'t Table<'_>, cells: &Cells) -> Checked<Option<(&'t str
     Ok(None)
 }
 
-/// Whether all values under a reading become two and three times as much when a parameter does.
-/// That a power T^k is twice as much at 2k happens.
+/// Whether all values under a reading double and triple with a parameter. Doubling alone does not
+/// suffice: a power T^k may double at 2k.
 pub fn is_scale(
     table: &Table<'_>,
     cells: &Cells,
@@ -63,8 +63,9 @@ pub fn is_scale(
     Ok(true)
 }
 
-/// How many cells the values give when they are multiplied by (p/q)/base, for p, q = 1, …, 100 that
-/// give more than `enough`; what is not more is not exact.
+/// The greatest number of cells that the values explain if they are multiplied by (p/q)/base,
+/// p, q = 1, …, 100. The search ends when more than `enough` are found, and a smaller number is
+/// not exact.
 pub fn at_best_scale(
     table: &Table<'_>,
     cells: &Cells,
@@ -79,7 +80,7 @@ pub fn at_best_scale(
         let scaled = values.iter().map(|v| v.as_ref().map(|v| v.times(&factor)).transpose());
         Ok(explained(cells, &scaled.collect::<Result<Vec<_>, Stop>>()?, decimals)?.len())
     };
-    // The p/q that may give a cell, by its |value| at 1. A value that is 0 is so at all of them.
+    // Each cell has a range of p/q that may explain it. A value 0 is 0 at all of them.
     let (mut ranges, mut zeros) = (Vec::new(), 0);
     for ((_, decimal), value) in cells.iter().zip(values) {
         let Some(value) = value else { continue };
@@ -87,7 +88,7 @@ pub fn at_best_scale(
             zeros += 1;
             continue;
         }
-        // What is printed with the other sign is given at no scale.
+        // A cell that is printed with the other sign is explained at no scale.
         if signum(&decimal.digits) == -value.sign(None)? {
             continue;
         }
@@ -95,7 +96,7 @@ pub fn at_best_scale(
         let (low, high) = interval(decimal, decimals);
         ranges.push((Value::from(low).over(&unit)?, Value::from(high).over(&unit)?));
     }
-    // No fewer than are given there.
+    // An upper bound of the number of cells that are explained at a scale.
     let covering = |s: &Value| -> Result<usize, Stop> {
         spend()?;
         let mut count = zeros;
@@ -106,8 +107,8 @@ pub fn at_best_scale(
     };
     let mut best = 0;
     for (low, high) in &ranges {
-        // The ranges that meet at some value all hold the greatest of their lower ends. What is
-        // printed as 0 tells of no scale.
+        // The ranges that meet at some value all contain the greatest of their lower ends. A cell
+        // that is printed as 0 suggests no scale.
         if low.sign(None)? <= 0 || covering(low)? <= enough {
             continue;
         }

@@ -1,18 +1,18 @@
-//! Rule `sound`: what a table promises, at a level or for a tolerance, as it is kept.
+//! The rule `sound`: a sound bound in place of the one that a table promises.
 
 use crate::convolution::Sequence;
 use crate::definitions::formula;
 use crate::displacement::{displaced, gather};
 use crate::evaluate::Scope;
 use crate::paper::Paper;
-use crate::reject::{Checked, Reason, Stop, require};
-use crate::scheme::{Part, Scheme};
+use crate::reject::{Checked, Reason, Stop, compare, require};
+use crate::scheme::Scheme;
 use crate::table::{Bounds, Place, Table};
 use crate::value::Value;
 use std::cell::RefCell;
 use std::rc::Rc;
 
-/// The most levels of a bound.
+/// The greatest level of a bound.
 pub const MAX_LEVEL: u32 = 10_000;
 
 /// The greatest offset.
@@ -21,7 +21,7 @@ const MAX_OFFSET: i64 = 10_000;
 /// The most levels whose constants are computed.
 const MAX_BLOCK: i64 = 12;
 
-/// A level that bounds are looked at.
+/// The level of a bound. It has a cap.
 pub fn level(level: i64) -> Checked<u32> {
     require(level >= 0, Reason::Malformed("a level"))?;
     let level = u32::try_from(level).ok().filter(|level| *level <= MAX_LEVEL);
@@ -37,24 +37,24 @@ pub fn check<'a>(table: &'a Table<'a>, said: &str) -> Checked<()> {
     let level = promised.level.map_or_else(|| said.integer(i64::MAX), Ok)?;
     let bound = promised.bound(level, constants)?;
     match promised.tolerance {
-        None => require(bound.equals(&said)?, Reason::Value),
-        Some(tolerance) => require(bound.compare(&tolerance)?.is_le(), Reason::TooLarge),
+        None => compare(bound.equals(&said)?, &said, &bound, Reason::Value),
+        Some(most) => compare(bound.compare(&most)?.is_le(), &bound, &most, Reason::TooLarge),
     }
 }
 
-/// What a table promises at a cell, or a theorem claims.
+/// The promise of a table at a cell, or the claim of a theorem.
 pub struct Promised<'t> {
     /// The paper.
     pub paper: &'t Paper<'t>,
-    /// What is known of the bounds.
+    /// The bounds that are known.
     pub bounds: &'t RefCell<Bounds>,
-    /// The scope, of a cell with all assumptions.
+    /// The scope. That of a cell has all assumptions.
     pub scope: Scope<'t>,
-    /// The factors of its scheme; none of a ring.
+    /// The factors of the scheme. A ring has none.
     pub schemes: Vec<Rc<Scheme>>,
-    /// The offset at which it is compared with its limit, if not its own.
+    /// The offset at which polygons are compared with the limit, if it is not the scheme's own.
     pub offset: Option<i64>,
-    /// β.
+    /// The spread β.
     pub spread: Value,
     /// The level, if the printed number is a bound.
     pub level: Option<i64>,
@@ -100,7 +100,7 @@ impl<'t> Promised<'t> {
         let place = |value: i64| usize::try_from(value).unwrap_or(0);
         let key = self.schemes.iter().map(|scheme| Rc::as_ptr(scheme) as usize).collect();
         let mut known = self.bounds.borrow_mut();
-        // U_m·d^m, which are integers for this d: they are quicker to multiply and to compare.
+        // The U_m·d^m are integers for this d. Integers are quicker to multiply and to compare.
         let upper = known.entry((key, most)).or_default();
         let rules = self.schemes.iter().flat_map(|s| s.mask.iter().chain(&s.difference));
         let d = Value::denominator(rules.flatten())?;
@@ -109,7 +109,7 @@ impl<'t> Promised<'t> {
             let constant = |c| self.constant(&Value::int(c))?.times(&d.power(c)?);
             upper.extend((0..=most).map(constant).collect::<Result<Vec<Value>, Stop>>()?);
         }
-        // (1 − U_c)·d^c
+        // rest = (1 − U_c)·d^c
         let rest = d.power(block)?.minus(&upper[place(block)])?;
         if rest.sign(None)? <= 0 {
             return Ok(None);
@@ -129,30 +129,30 @@ impl<'t> Promised<'t> {
         }
         let later = &upper[place(level)..place(level + block)];
         let sum = later.iter().try_fold(Value::int(0), |sum, u| sum.times(&d)?.plus(1, u))?;
-        // The sum is one of U_m·d^(level + block − 1).
+        // The sum is Σ_m U_m·d^(level + block − 1).
         let sum = sum.times(&d)?.over(&d.power(level)?)?;
         self.factor()?.times(&sum)?.over(&rest).map(Some)
     }
 
-    /// T_c, or the larger of the T_cΛ_c of one factor and the other.
+    /// T_c, or for two factors the larger of the products of T_c of one and Λ_c of the other.
     pub fn constant(&self, c: &Value) -> Result<Value, Stop> {
-        let of = |scheme: &Scheme, part| self.class_sum(scheme, part, c);
+        let of = |rules| self.class_sum(rules, c);
         match &self.schemes[..] {
             [first, second, ..] => {
-                let one = of(first, Part::Difference)?.times(&of(second, Part::Mask)?)?;
-                one.max(&of(second, Part::Difference)?.times(&of(first, Part::Mask)?)?, None)
+                let one = of(&first.difference)?.times(&of(&second.mask)?)?;
+                one.max(&of(&second.difference)?.times(&of(&first.mask)?)?, None)
             }
-            one => of(&one[0], Part::Difference),
+            one => of(&one[0].difference),
         }
     }
 
     /// The greatest class sum of a mask at level c.
-    pub fn class_sum(&self, scheme: &Scheme, part: Part, c: &Value) -> Result<Value, Stop> {
-        let of = Sequence { scheme, part, forward: false };
+    pub fn class_sum(&self, rules: &[Vec<Value>], c: &Value) -> Result<Value, Stop> {
+        let of = Sequence { rules, forward: false };
         self.paper.library.products.classes(of, c, None)?.greatest(None)
     }
 
-    /// σ, or of two factors the greatest ς_αλ_β + ς_β.
+    /// σ, or for two factors the greatest ς_αλ_β + ς_β.
     pub fn factor(&self) -> Result<Value, Stop> {
         let moved = |scheme: &Scheme| {
             let offset = self.offset.unwrap_or(scheme.offset);

@@ -1,4 +1,4 @@
-//! Rule `table`: what the claim says, how it is read, and every cell.
+//! The rule `table`: the readings and cells of a table, and what follows them.
 
 use super::reading::Reads;
 use super::{attained, cell, family, promise, sound};

@@ -1,9 +1,8 @@
-//! Rule `theorem`: open, refuted by control data, proved by finitely many levels, or proved or
-//! refuted by a statement of THEOREMS.md.
+//! The rule `theorem`: a theorem is open, or control data refute it, or finitely many levels prove
+//! it, or a statement of THEOREMS.md decides it.
 
 use super::instance::{Instance, first_level};
 use super::levels;
-use super::sides::violated;
 use crate::certificate::Block;
 use crate::decimal::{Q, read_rational};
 use crate::definitions::formula_of;
@@ -11,10 +10,10 @@ use crate::paper::Paper;
 use crate::reject::{Checked, Reason, require};
 use crate::toml::Toml;
 use crate::value::Value;
-use crate::witness::Witness;
+use crate::witness::{Witness, violated};
 use num_traits::Signed;
 
-/// The most levels of a witness.
+/// The greatest level of a witness.
 const MAX_LEVEL: u32 = 64;
 
 /// The statements that may be cited.
@@ -61,7 +60,7 @@ pub fn check<'a>(
     Ok(Some(Citation { statement: format!("THEOREMS.md, {number}"), uses }))
 }
 
-/// Control data for which the bound is false.
+/// Checks control data that violate the bound.
 fn refuted<'a>(
     paper: &'a Paper<'a>,
     claim: &'a Toml,
@@ -95,11 +94,11 @@ fn refuted<'a>(
     let said = block.after("sides")?;
     let by = scope.value(&formula_of(claim, "by")?)?;
     if tolerance.is_some() {
-        // The level is one that the theorem calls deep enough.
+        // The theorem calls this level deep enough.
         require(by.compare(&Value::int(level.into()))?.is_le(), Reason::Level)?;
     }
     let right = tolerance.unwrap_or(by);
-    // A bound that is negative presupposes what does not hold, such as a constant below 1.
+    // A negative bound presupposes something that does not hold, such as a constant below 1.
     require(right.sign(None)? >= 0, Reason::Negative)?;
     violated(paper, said, &left, &right)?;
     block.word("refuted")
