@@ -71,3 +71,9 @@ pub use read::{MAX_DIGITS, MAX_EXPONENT, NumberError, parse_decimal, parse_ratio
 pub use scalar::{Real, Scalar};
 pub use sturm::SturmSequence;
 pub use univariate::IntegerPolynomial;
+
+/// What only the tests of this crate look at: no part of its interface.
+#[doc(hidden)]
+pub mod internals {
+    pub use super::cyclotomic::{cosines, is_prime, pi, primes};
+}

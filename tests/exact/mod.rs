@@ -5,6 +5,7 @@ mod algebraic;
 mod arithmetic;
 mod cosine;
 mod cosine_facts;
+mod cosine_internals;
 mod cosine_polynomial;
 mod decimal;
 mod doo_sabin;

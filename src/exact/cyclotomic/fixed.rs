@@ -16,7 +16,8 @@ use crate::exact::Integer;
 /// most (k − i + 1)e; these sum to less than k²u/2. If |θ̃ − θ| ≤ δu, then c_k moves
 /// by at most k²δu, for |dC_k/dθ| ≤ k². The guard bits make k²(δ + 1)u a quarter of
 /// 2^−bits, and rounding to nearest adds a half.
-pub(super) fn cosines(n: usize, count: usize, bits: u32) -> Vec<Integer> {
+#[must_use]
+pub fn cosines(n: usize, count: usize, bits: u32) -> Vec<Integer> {
     let mut guard = 2 * (n.ilog2() + 1) + bits.ilog2() + 8;
     let theta = loop {
         let (theta, error) = twice_cosine(n, bits + guard);
@@ -66,7 +67,8 @@ fn twice_cosine(n: usize, bits: u32) -> (Integer, Integer) {
 
 /// 2^bits·π with a bound on its error: π = 16 arctan(1/5) − 4 arctan(1/239)
 /// (Machin 1706).
-fn pi(bits: u32) -> (Integer, Integer) {
+#[must_use]
+pub fn pi(bits: u32) -> (Integer, Integer) {
     let (fifth, fifth_error) = inverse_arctangent(5, bits);
     let (small, small_error) = inverse_arctangent(239, bits);
     let (four, sixteen) = (Integer::from(4), Integer::from(16));
@@ -90,37 +92,4 @@ fn inverse_arctangent(q: u32, bits: u32) -> (Integer, Integer) {
         count += 1;
     }
     (sum, Integer::from(count + 1))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{cosines, pi};
-    use crate::exact::Integer;
-
-    // 50 digits of π, from the literature.
-    #[test]
-    fn pi_is_pi() {
-        let digits = "314159265358979323846264338327950288419716939937510";
-        let digits = Integer::from_digits(digits).expect("digits");
-        for bits in [64, 128, 160] {
-            let (value, error) = pi(bits);
-            // |value/2^bits − digits/10^50| ≤ error/2^bits + 10^−50
-            let power = Integer::power_of_ten(50);
-            let off = (value * &power - digits.shifted_left(bits)).abs();
-            assert!(off <= &error * &power + Integer::one().shifted_left(bits), "{bits}");
-            assert!(error.bits() < 12, "{bits}: {error}");
-        }
-    }
-
-    #[test]
-    fn a_coarse_table_is_within_one_of_a_fine_one() {
-        for n in [5, 7, 12, 499, 2310] {
-            let (coarse, fine) = (cosines(n, n, 64), cosines(n, n, 128));
-            for (k, (coarse, fine)) in coarse.iter().zip(&fine).enumerate() {
-                let off = (coarse.shifted_left(64) - fine).abs();
-                let slack = Integer::one().shifted_left(64) + Integer::one();
-                assert!(off < slack, "cosine {k} of {n}");
-            }
-        }
-    }
 }

@@ -122,13 +122,14 @@ fn power(mut base: u64, mut exponent: u64, p: u64) -> u64 {
 }
 
 /// The primes below 2^31, from the greatest down.
-fn primes() -> impl Iterator<Item = u32> {
+pub fn primes() -> impl Iterator<Item = u32> {
     (3..1 << 31).rev().step_by(2).filter(|&candidate| is_prime(candidate))
 }
 
 /// For odd n with 61 < n < 2^32: strong probable primes to the bases 2, 7 and 61 are
 /// primes there (Jaeschke 1993).
-fn is_prime(n: u32) -> bool {
+#[must_use]
+pub fn is_prime(n: u32) -> bool {
     let n = u64::from(n);
     let twos = (n - 1).trailing_zeros();
     [2, 7, 61].into_iter().all(|base| {
@@ -144,21 +145,4 @@ fn is_prime(n: u32) -> bool {
         }
         false
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{is_prime, primes};
-
-    #[test]
-    fn primes_agree_with_trial_division() {
-        let prime = |n: u32| (2..=n.isqrt()).all(|d| !n.is_multiple_of(d));
-        assert_eq!(primes().next(), Some((1 << 31) - 1));
-        let (some, naive): (Vec<u32>, Vec<u32>) = (
-            primes().take(12).collect(),
-            (3..1 << 31).rev().step_by(2).filter(|&n| prime(n)).take(12).collect(),
-        );
-        assert_eq!(some, naive);
-        assert!((63..20_001).step_by(2).all(|n| is_prime(n) == prime(n)));
-    }
 }
