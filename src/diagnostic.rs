@@ -36,7 +36,7 @@ pub struct Diagnostic {
     /// What stands there, in a few words.
     pub label: Option<String>,
     /// Another place that it is about, and what stands there.
-    pub other: Option<(Range<usize>, String)>,
+    pub other: Option<Box<(Range<usize>, String)>>,
     /// What would be right.
     pub help: Option<String>,
 }
@@ -62,7 +62,7 @@ impl Diagnostic {
     /// The same with another place that it is about, and what stands there.
     #[must_use]
     pub fn with_place(self, span: Range<usize>, label: impl Into<String>) -> Diagnostic {
-        Diagnostic { other: Some((span, label.into())), ..self }
+        Diagnostic { other: Some(Box::new((span, label.into()))), ..self }
     }
 
     /// The same with a remedy.
@@ -88,7 +88,7 @@ impl Diagnostic {
         }
         let mut snippet =
             Snippet::source(&self.source.text).path(&self.source.name).annotation(annotation);
-        if let Some((span, label)) = &self.other {
+        if let Some((span, label)) = self.other.as_deref() {
             snippet = snippet.annotation(AnnotationKind::Context.span(span.clone()).label(label));
         }
         let mut group = Level::ERROR.primary_title(&self.message).element(snippet);

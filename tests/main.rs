@@ -4,6 +4,7 @@
 
 #![allow(missing_docs)]
 
+mod architecture;
 mod audit;
 mod bound;
 mod certificate;

@@ -1,13 +1,13 @@
 //! `subcert audit` and `subcert explain`.
 
-use super::Outcome;
 use super::arguments::{AuditArguments, ExplainArguments};
 use super::certified::Certified;
-use super::output::{Failure, show};
+use super::output::{Failure, Outcome, show};
 use super::papers::{judge_all, papers, select};
 use subcert::audit::{PaperAudit, readings};
 use subcert::claim::Paper;
-use subcert::report::{audit_json, audit_sheet, explain_sheet, readings_json, table_of};
+use subcert::report::json::{AuditReport, Explained};
+use subcert::report::{audit_sheet, explain_sheet, table_of};
 
 pub(super) fn audit(arguments: &AuditArguments) -> Outcome {
     let papers = select(papers(&arguments.files)?, arguments.paper.as_deref())?;
@@ -29,11 +29,11 @@ pub(super) fn audit(arguments: &AuditArguments) -> Outcome {
             sheet
         },
         || {
-            let mut json = audit_json(&audits);
+            let mut report = AuditReport::of(&audits);
             if let Some(certified) = &certified {
-                certified.mark(&mut json);
+                certified.mark(&mut report);
             }
-            json
+            report
         },
     )?;
     for verdict in &arguments.deny {
@@ -52,8 +52,7 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Outcome {
     let key = id.split(':').next().unwrap_or_default();
     let chosen: Vec<Paper> = papers.into_iter().filter(|paper| paper.key == key).collect();
     let audits = judge_all(&chosen, arguments.output.format)?;
-    let table = table_of(&audits, id);
-    let tried = match (audits.first(), table) {
+    let tried = match (audits.first(), table_of(&audits, id)) {
         (Some(audit), Some((finding, _))) => readings(audit.paper, finding)?,
         _ => Vec::new(),
     };
@@ -64,19 +63,7 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Outcome {
             keys.join(", ")
         )));
     };
-    let json = || {
-        let json = audit_json(&audits);
-        let claims = json["papers"].as_array().into_iter().flatten();
-        let claims = claims.flat_map(|paper| paper["claims"].as_array().into_iter().flatten());
-        let named = |claim: &&serde_json::Value| {
-            let claim = claim["id"].as_str().unwrap_or_default();
-            claim == id || claim.strip_prefix(id).is_some_and(|rest| rest.starts_with(':'))
-        };
-        let claims: Vec<&serde_json::Value> = claims.filter(named).collect();
-        let readings = table.map(|(finding, at)| readings_json(finding, &tried, at));
-        serde_json::json!({ "id": id, "claims": claims, "readings": readings })
-    };
-    show(arguments.output.format, || sheet, json)
+    show(arguments.output.format, || sheet, || Explained::of(&audits, id, &tried))
 }
 
 /// How many claims, of tables how many cells, have this verdict.

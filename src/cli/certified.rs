@@ -1,10 +1,10 @@
 //! Which claims have a valid certificate: what the checker says, and nothing else.
 
 use super::output::Failure;
-use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use subcert::audit::PaperAudit;
 use subcert::certificate::certificate;
+use subcert::report::json::{AuditReport, Certificate};
 use subcert::report::{Grid, Sheet};
 use subcert_check::{Outcome, check};
 
@@ -79,23 +79,24 @@ impl Certified {
         }
     }
 
-    /// Adds to each claim of an audit in its JSON form whether it is certified.
-    pub(super) fn mark(&self, json: &mut Value) {
-        let papers = json["papers"].as_array_mut().into_iter().flatten();
-        for (paper, checked) in papers.zip(&self.papers) {
+    /// Adds to each claim of a report whether it is certified.
+    pub(super) fn mark(&self, report: &mut AuditReport<'_>) {
+        for (paper, checked) in report.papers.iter_mut().zip(&self.papers) {
             let states: BTreeMap<&str, &State> =
                 checked.claims.iter().map(|(id, state)| (id.as_str(), state)).collect();
-            for claim in paper["claims"].as_array_mut().into_iter().flatten() {
+            for claim in &mut paper.claims {
                 // The id of a cell is `key:table:row:column`.
-                let id = claim["id"].as_str().and_then(|id| id.split(':').nth(1));
+                let id = claim.id.split(':').nth(1);
                 let state = id.and_then(|id| states.get(id).copied());
-                claim["certified"] = json!(state == Some(&State::Certified));
-                claim["certificate"] = json!(match state {
-                    Some(State::Certified) => "valid".to_owned(),
-                    Some(State::Cited(statement)) => format!("cited: {statement}"),
-                    Some(State::Rejected(why)) => format!("invalid: {why}"),
-                    Some(State::Incomplete(why)) => format!("incomplete: {why}"),
-                    None => "incomplete: no certificate".to_owned(),
+                claim.certificate = Some(Certificate {
+                    certified: state == Some(&State::Certified),
+                    certificate: match state {
+                        Some(State::Certified) => "valid".to_owned(),
+                        Some(State::Cited(statement)) => format!("cited: {statement}"),
+                        Some(State::Rejected(why)) => format!("invalid: {why}"),
+                        Some(State::Incomplete(why)) => format!("incomplete: {why}"),
+                        None => "incomplete: no certificate".to_owned(),
+                    },
                 });
             }
         }

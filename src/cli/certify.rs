@@ -1,9 +1,8 @@
 //! `subcert certify`.
 
-use super::Outcome;
 use super::arguments::CertifyArguments;
-use super::output::{Failure, positive, show};
-use serde_json::{Value, json};
+use super::json::{SCHEMA, certify as form};
+use super::output::{Failure, Outcome, positive, show};
 use std::fmt::Display;
 use subcert::exact::{Enclosed, Real, format::short};
 use subcert::float::{
@@ -32,7 +31,7 @@ pub(super) fn certify(arguments: &CertifyArguments) -> Outcome {
     show(
         arguments.output.format,
         || sheet(&arguments.scheme, &result),
-        || json_of(&arguments.scheme, &result),
+        || form_of(&arguments.scheme, &result),
     )
 }
 
@@ -45,7 +44,7 @@ fn ring_certificate(ring: &Ring, arguments: &CertifyArguments) -> Outcome {
     let result = certify_ring(ring, arguments.block.levels)
         .map_err(|error| Failure::Input(error.to_string()))?;
     let name = &arguments.scheme;
-    show(arguments.output.format, || head(name, &result.quantities), || ring_json(name, &result))
+    show(arguments.output.format, || head(name, &result.quantities), || ring_form(name, &result))
 }
 
 /// A number type that reports print.
@@ -122,53 +121,53 @@ fn depth_row(depth: &DepthDecision) -> Vec<String> {
     ]
 }
 
-fn quantities_json<V: Shown>(quantities: &[Quantity<V>]) -> Vec<Value> {
-    let json = |quantity: &Quantity<V>| {
-        json!({
-            "name": quantity.name,
-            "f64": shortest(quantity.value),
-            "exact": quantity.exact.to_string(),
-            "decimal": short(&quantity.exact, 17),
-            "error": quantity.error.as_ref().map(V::to_string),
-            "ulps": quantity.ulps.as_ref().map(|ulps| short(ulps, 6)),
-            "bound": quantity.bound.map(shortest),
-            "encloses": quantity.encloses(),
-            "tightness": quantity.tightness.and_then(exact).map(|tightness| short(&tightness, 6)),
-        })
-    };
-    quantities.iter().map(json).collect()
+fn quantity_form<V: Shown>(quantity: &Quantity<V>) -> form::Quantity<'_> {
+    let tightness = quantity.tightness.and_then(exact);
+    form::Quantity {
+        name: &quantity.name,
+        float: shortest(quantity.value),
+        exact: quantity.exact.to_string(),
+        decimal: short(&quantity.exact, 17),
+        error: quantity.error.as_ref().map(V::to_string),
+        ulps: quantity.ulps.as_ref().map(|ulps| short(ulps, 6)),
+        bound: quantity.bound.map(shortest),
+        encloses: quantity.encloses(),
+        tightness: tightness.map(|tightness| short(&tightness, 6)),
+    }
 }
 
-fn ring_json(name: &str, result: &RingCertification) -> Value {
-    json!({
-        "schema": 1,
-        "scheme": name,
-        "quantities": quantities_json(&result.quantities),
-        "bounded_up_to_block": result.tracked_block,
-    })
+fn ring_form<'a>(name: &'a str, result: &'a RingCertification) -> form::Certification<'a> {
+    form::Certification {
+        schema: SCHEMA,
+        scheme: name,
+        quantities: result.quantities.iter().map(quantity_form).collect(),
+        depths: None,
+        bounded_up_to_block: result.tracked_block,
+    }
 }
 
-fn json_of(name: &str, result: &Certification) -> Value {
-    let depths = result.depths.iter().map(|depth| {
-        json!({
-            "block": depth.block,
-            "tolerance": depth.tolerance.to_string(),
-            "logarithm": shortest(depth.logarithm),
-            "f64": depth.float,
-            "exact": depth.exact.as_ref().ok(),
-            "note": depth.exact.as_ref().err().map(ToString::to_string),
-            "agree": depth.agree,
-            "margin": depth.margin.as_ref().map(|margin| json!({
-                "at": short(&margin.at, 17),
-                "before": margin.before.as_ref().map(|before| short(before, 17)),
-            })),
-        })
-    });
-    json!({
-        "schema": 1,
-        "scheme": name,
-        "quantities": quantities_json(&result.quantities),
-        "depths": depths.collect::<Vec<Value>>(),
-        "bounded_up_to_block": result.tracked_block,
-    })
+fn form_of<'a>(name: &'a str, result: &'a Certification) -> form::Certification<'a> {
+    form::Certification {
+        schema: SCHEMA,
+        scheme: name,
+        quantities: result.quantities.iter().map(quantity_form).collect(),
+        depths: Some(result.depths.iter().map(depth_form).collect()),
+        bounded_up_to_block: result.tracked_block,
+    }
+}
+
+fn depth_form(depth: &DepthDecision) -> form::Depth {
+    form::Depth {
+        block: depth.block,
+        tolerance: depth.tolerance.to_string(),
+        logarithm: shortest(depth.logarithm),
+        float: depth.float,
+        exact: depth.exact.as_ref().ok().copied(),
+        note: depth.exact.as_ref().err().map(ToString::to_string),
+        agree: depth.agree,
+        margin: depth.margin.as_ref().map(|margin| form::Margin {
+            at: short(&margin.at, 17),
+            before: margin.before.as_ref().map(|before| short(before, 17)),
+        }),
+    }
 }

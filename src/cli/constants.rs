@@ -1,16 +1,15 @@
 //! `subcert constants`.
 
-use super::Outcome;
 use super::arguments::ConstantsArguments;
-use super::output::{Failure, show, with_decimal};
+use super::json::{SCHEMA, constants as form};
+use super::output::{Failure, Outcome, show, with_decimal};
 use super::ring_constants::ring_constants;
-use serde_json::{Value, json};
 use subcert::bound::{
     ClassCap, Constants, DeltaCondition, Order, PowerSearch, Terms, best_offset, displacement,
     surface_factor,
 };
 use subcert::exact::{Rational, format::short};
-use subcert::report::{Grid, Sheet, exact_json};
+use subcert::report::{Grid, Sheet, json::Exact};
 use subcert::scheme::{AnyScheme, Mask, Rules, Scheme, parse_any_scheme};
 
 pub(super) fn constants(arguments: &ConstantsArguments) -> Outcome {
@@ -21,7 +20,7 @@ pub(super) fn constants(arguments: &ConstantsArguments) -> Outcome {
     let levels = arguments.block.levels;
     let report = Report::of(&scheme, levels).map_err(|e| Failure::Input(e.to_string()))?;
     let name = &arguments.scheme;
-    show(arguments.output.format, || report.sheet(name), || report.json(name))
+    show(arguments.output.format, || report.sheet(name), || report.form(name))
 }
 
 /// The constants of a scheme, computed once for every format.
@@ -145,20 +144,18 @@ impl Report {
         sheet
     }
 
-    fn json(&self, name: &str) -> Value {
-        let surface = self.surface.as_ref().map(|Surface { factor, delta, constants }| {
-            json!({
-                "factor": exact_json(factor),
-                "delta": delta_json(delta),
-                "constants": constants.iter().map(exact_json).collect::<Vec<Value>>(),
-            })
-        });
-        json!({
-            "schema": 1,
-            "scheme": name,
-            "directions": self.directions.iter().map(Direction::json).collect::<Vec<Value>>(),
-            "surface": surface,
-        })
+    fn form<'a>(&'a self, name: &'a str) -> form::Constants<'a> {
+        let surface = |Surface { factor, delta, constants }: &Surface| form::Surface {
+            factor: Exact::of(factor),
+            delta: delta_form(delta),
+            constants: constants.iter().map(Exact::of).collect(),
+        };
+        form::Constants {
+            schema: SCHEMA,
+            scheme: name,
+            directions: self.directions.iter().map(Direction::form).collect(),
+            surface: self.surface.as_ref().map(surface),
+        }
     }
 }
 
@@ -167,13 +164,11 @@ fn delta_text(condition: &DeltaCondition) -> String {
     format!("{}, {holds}", with_decimal(&condition.delta))
 }
 
-fn delta_json(condition: &DeltaCondition) -> Value {
-    let mut value = exact_json(&condition.delta);
-    value["holds"] = json!(condition.holds());
-    value
+fn delta_form(condition: &DeltaCondition) -> form::Delta {
+    form::Delta { value: Exact::of(&condition.delta), holds: condition.holds() }
 }
 
-fn rows_json(rows: &[Vec<Rational>]) -> Vec<Vec<String>> {
+fn row_texts(rows: &[Vec<Rational>]) -> Vec<Vec<String>> {
     rows.iter().map(|row| row.iter().map(Rational::to_string).collect()).collect()
 }
 
@@ -202,33 +197,24 @@ impl Direction {
         }
     }
 
-    fn json(&self) -> Value {
-        let rows = self.rows().map(|(c, row)| {
+    fn form(&self) -> form::Direction<'_> {
+        let levels = self.rows().map(|(c, row)| {
             let [contraction, norm, contraction_forward, norm_forward] =
-                row.map(|value| value.map(exact_json));
-            json!({
-                "c": c,
-                "contraction": contraction,
-                "norm": norm,
-                "contraction_forward": contraction_forward,
-                "norm_forward": norm_forward,
-            })
+                row.map(|value| value.map(Exact::of));
+            form::Level { c, contraction, norm, contraction_forward, norm_forward }
         });
-        let sigma = self.sigma.iter().map(|(name, value)| {
-            let mut entry = exact_json(value);
-            entry["name"] = json!(name);
-            entry
-        });
-        json!({
-            "arity": self.mask.arity(),
-            "width": self.mask.width(),
-            "offset": self.mask.offset(),
-            "mask": rows_json(self.mask.rules().rows()),
-            "difference": rows_json(self.difference.rows()),
-            "delta": delta_json(&self.delta),
-            "displacement": sigma.collect::<Vec<Value>>(),
-            "levels": rows.collect::<Vec<Value>>(),
-        })
+        let sigma = self.sigma.iter();
+        let sigma = sigma.map(|(name, value)| form::Displacement { value: Exact::of(value), name });
+        form::Direction {
+            arity: self.mask.arity(),
+            width: self.mask.width(),
+            offset: self.mask.offset(),
+            mask: row_texts(self.mask.rules().rows()),
+            difference: row_texts(self.difference.rows()),
+            delta: delta_form(&self.delta),
+            displacement: sigma.collect(),
+            levels: levels.collect(),
+        }
     }
 }
 

@@ -1,16 +1,15 @@
 //! `subcert coverage`.
 
-use super::Outcome;
 use super::arguments::CoverageArguments;
-use super::output::{Failure, show};
+use super::output::{Failure, Outcome, show};
 use super::papers::{judge_all, papers, select};
 use subcert::audit::PaperAudit;
-use subcert::report::{coverage_json, coverage_sheet};
+use subcert::report::{coverage_sheet, json::CoverageReport};
 
 pub(super) fn coverage(arguments: &CoverageArguments) -> Outcome {
     let papers = select(papers(&arguments.files)?, arguments.paper.as_deref())?;
     let audits = judge_all(&papers, arguments.output.format)?;
-    show(arguments.output.format, || coverage_sheet(&audits), || coverage_json(&audits))?;
+    show(arguments.output.format, || coverage_sheet(&audits), || CoverageReport::of(&audits))?;
     for state in &arguments.deny {
         let items = audits.iter().flat_map(PaperAudit::coverage);
         let count = items.filter(|coverage| coverage.state().name() == state).count();

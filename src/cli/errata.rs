@@ -1,18 +1,17 @@
 //! `subcert errata`.
 
-use super::Outcome;
 use super::arguments::{ErrataArguments, Format};
-use super::output::{Failure, show};
+use super::output::{Failure, Outcome, json_text, show};
 use super::papers::{judge_all, papers, select};
 use std::path::Path;
 use subcert::audit::PaperAudit;
-use subcert::report::{errata_json, errata_sheet};
+use subcert::report::{errata_sheet, json::ErrataReport};
 
 pub(super) fn errata(arguments: &ErrataArguments) -> Outcome {
     let papers = select(papers(&arguments.files)?, arguments.paper.as_deref())?;
     let audits = judge_all(&papers, arguments.format)?;
     match &arguments.output_folder {
-        None => show(arguments.format, || errata_sheet(&audits), || errata_json(&audits)),
+        None => show(arguments.format, || errata_sheet(&audits), || ErrataReport::of(&audits)),
         Some(folder) => audits.iter().try_for_each(|audit| save(folder, arguments.format, audit)),
     }
 }
@@ -25,7 +24,7 @@ fn save(folder: &Path, format: Format, audit: &PaperAudit<'_>) -> Outcome {
             ("txt", anstream::adapter::strip_str(&errata_sheet(audits).to_text()).to_string())
         }
         Format::Markdown => ("md", errata_sheet(audits).to_markdown()),
-        Format::Json => ("json", format!("{:#}\n", errata_json(audits))),
+        Format::Json => ("json", json_text(&ErrataReport::of(audits))),
     };
     let path = folder.join(format!("{}.{extension}", audit.paper.key));
     let written = std::fs::create_dir_all(folder).and_then(|()| std::fs::write(&path, text));

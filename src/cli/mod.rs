@@ -8,6 +8,7 @@ mod constants;
 mod coverage;
 mod depth;
 mod errata;
+mod json;
 mod oracle;
 mod output;
 mod papers;
@@ -20,7 +21,6 @@ mod schemes;
 
 use arguments::{Arguments, Command};
 use clap::Parser as _;
-use output::Failure;
 use std::process::ExitCode;
 
 /// The exit code of an internal fault.
@@ -64,6 +64,3 @@ pub(crate) fn run() -> ExitCode {
         Err(failure) => failure.report(),
     }
 }
-
-/// What a command returns.
-type Outcome = Result<(), Failure>;

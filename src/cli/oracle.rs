@@ -1,8 +1,7 @@
 //! `subcert oracle`.
 
-use super::Outcome;
 use super::arguments::{BoundaryArgument, OracleArguments, OracleFormat};
-use super::output::{Failure, write};
+use super::output::{Failure, Outcome, write};
 use std::path::Path;
 use subcert::diagnostic::{Diagnostic, SourceText, read_text};
 use subcert::exact::{Rational, parse_rational};

@@ -1,6 +1,7 @@
 //! Results to the standard output, messages to the standard error.
 
 use super::arguments::Format;
+use serde::Serialize;
 use std::fmt::Display;
 use std::io::{ErrorKind, IsTerminal as _, Write as _};
 use std::process::ExitCode;
@@ -10,6 +11,9 @@ use subcert::report::Sheet;
 
 /// The exit code when a reader such as `head` has gone away: success.
 pub(super) const BROKEN_PIPE: u8 = 0;
+
+/// What a command returns.
+pub(super) type Outcome = Result<(), Failure>;
 
 /// Why a command did not do all that was asked.
 #[derive(Debug)]
@@ -64,16 +68,22 @@ pub(super) fn write(text: &str) -> Result<(), Failure> {
 }
 
 /// Writes a report in the chosen format.
-pub(super) fn show(
+pub(super) fn show<J: Serialize>(
     format: Format,
     sheet: impl FnOnce() -> Sheet,
-    json: impl FnOnce() -> serde_json::Value,
+    json: impl FnOnce() -> J,
 ) -> Result<(), Failure> {
     match format {
         Format::Text => write(&sheet().to_text()),
         Format::Markdown => write(&sheet().to_markdown()),
-        Format::Json => write(&format!("{:#}\n", json())),
+        Format::Json => write(&json_text(&json())),
     }
+}
+
+/// A report as JSON, with a line for each field.
+pub(super) fn json_text(json: &impl Serialize) -> String {
+    let text = serde_json::to_string_pretty(json).expect("keys that are texts");
+    format!("{text}\n")
 }
 
 /// An exact value with its decimal, where that is another; a long one as its decimal.

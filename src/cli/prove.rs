@@ -1,8 +1,7 @@
 //! `subcert prove`.
 
-use super::Outcome;
 use super::arguments::{Format, ProveArguments};
-use super::output::{Failure, write};
+use super::output::{Failure, Outcome, write};
 use super::papers::{judge_all, papers_or_keys};
 use std::fmt::Write as _;
 use std::fs::{File, create_dir_all, remove_file, rename};

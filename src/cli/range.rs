@@ -1,9 +1,8 @@
 //! `subcert range`.
 
-use super::Outcome;
 use super::arguments::RangeArguments;
-use super::output::{Failure, show};
-use serde_json::{Value, json};
+use super::json::{SCHEMA, range as form};
+use super::output::{Failure, Outcome, show};
 use std::ops::Bound;
 use subcert::bound::{Order, ParameterRange, RangeError, norm_function, polynomial_rules};
 use subcert::exact::{
@@ -11,7 +10,7 @@ use subcert::exact::{
     RealAlgebraic, SturmSequence,
     format::{fixed, short},
 };
-use subcert::report::{Grid, Sheet, exact_json};
+use subcert::report::{Grid, Sheet, json::Exact};
 use subcert::scheme::parse_parametric;
 
 /// The digits of a decimal in the text.
@@ -24,7 +23,7 @@ pub(super) fn range(arguments: &RangeArguments) -> Outcome {
     let mask = parse_parametric(&arguments.scheme, &arguments.param)?;
     let report =
         Report::of(arguments, &mask.difference()).map_err(|e| Failure::Input(e.to_string()))?;
-    show(arguments.output.format, || report.sheet(), || report.json())
+    show(arguments.output.format, || report.sheet(), || report.form())
 }
 
 struct Report<'a> {
@@ -133,46 +132,48 @@ impl Report<'_> {
         Grid { header, rows, left_columns: 3 }
     }
 
-    fn json(&self) -> Value {
-        let end = |end: &Bound<RealAlgebraic>| place(end).map(|end| self.number_json(end));
-        let set = |set: &IntervalSet| {
-            let interval = |interval: &Interval| json!({ "low": end(&interval.low), "high": end(&interval.high) });
-            set.intervals().iter().map(interval).collect::<Vec<Value>>()
-        };
+    fn form(&self) -> form::Range<'_> {
         let functions = self.functions.iter().map(Some).chain(std::iter::repeat(None));
         let levels = (1_u32..).zip(&self.range.levels).zip(functions);
-        let levels = levels.map(|((c, intervals), function)| {
-            json!({
-                "c": c,
-                "intervals": set(intervals),
-                "function": function.map(|function| self.function_json(function)),
-            })
+        let levels = levels.map(|((c, intervals), function)| form::Level {
+            c,
+            intervals: self.set_form(intervals),
+            function: function.map(|function| self.function_form(function)),
         });
-        json!({
-            "schema": 1,
-            "scheme": self.arguments.scheme,
-            "parameter": self.arguments.param,
-            "levels": levels.collect::<Vec<Value>>(),
-            "union": set(&self.range.union),
-        })
+        form::Range {
+            schema: SCHEMA,
+            scheme: &self.arguments.scheme,
+            parameter: &self.arguments.param,
+            levels: levels.collect(),
+            union: self.set_form(&self.range.union),
+        }
     }
 
-    fn number_json(&self, number: &RealAlgebraic) -> Value {
-        let mut value = exact_json(number);
+    fn set_form(&self, set: &IntervalSet) -> Vec<form::Interval> {
+        let end = |end: &Bound<RealAlgebraic>| place(end).map(|end| self.number_form(end));
+        let interval = |interval: &Interval| form::Interval {
+            low: end(&interval.low),
+            high: end(&interval.high),
+        };
+        set.intervals().iter().map(interval).collect()
+    }
+
+    fn number_form(&self, number: &RealAlgebraic) -> form::Number {
         let (low, high) = number.bounds();
-        value["minimal_polynomial"] = json!(self.polynomial(number));
-        value["enclosure"] = json!([low.to_string(), high.to_string()]);
-        value
+        form::Number {
+            value: Exact::of(number),
+            minimal_polynomial: self.polynomial(number),
+            enclosure: [low.to_string(), high.to_string()],
+        }
     }
 
-    fn function_json(&self, function: &PiecewisePolynomial) -> Value {
+    fn function_form(&self, function: &PiecewisePolynomial) -> form::Function {
         let param = &self.arguments.param;
-        let breaks = function.breakpoints().iter().map(|place| self.number_json(place));
-        let pieces = function.pieces().iter().map(|piece| piece.describe(param));
-        json!({
-            "breaks": breaks.collect::<Vec<Value>>(),
-            "pieces": pieces.collect::<Vec<String>>(),
-        })
+        let pieces = function.pieces().iter();
+        form::Function {
+            breaks: function.breakpoints().iter().map(|place| self.number_form(place)).collect(),
+            pieces: pieces.map(|piece| piece.describe(param)).collect(),
+        }
     }
 }
 

@@ -1,12 +1,11 @@
 //! `subcert constants` of a ring.
 
-use super::Outcome;
 use super::arguments::ConstantsArguments;
-use super::output::{Failure, show, with_decimal};
-use serde_json::{Value, json};
+use super::json::{SCHEMA, constants as form};
+use super::output::{Failure, Outcome, show, with_decimal};
 use subcert::bound::{RingConstants, Transport};
 use subcert::exact::{RealCyclotomic, format::short};
-use subcert::report::{Grid, Sheet, exact_json};
+use subcert::report::{Grid, Sheet, json::Exact};
 use subcert::scheme::Ring;
 
 /// The most weights of a row that the text shows.
@@ -23,7 +22,7 @@ pub(super) fn ring_constants(ring: &Ring, arguments: &ConstantsArguments) -> Out
         .map_err(|error| Failure::Input(error.to_string()))?;
     let report = Report { ring, constants };
     let name = &arguments.scheme;
-    show(arguments.output.format, || report.sheet(name), || report.json(name))
+    show(arguments.output.format, || report.sheet(name), || report.form(name))
 }
 
 struct Report<'a> {
@@ -92,38 +91,36 @@ impl Report<'_> {
         self.constants.contraction(1).is_some_and(|(_, found)| found.value < one)
     }
 
-    fn json(&self, name: &str) -> Value {
-        let orbit =
-            |orbit: &subcert::scheme::Orbit| json!({ "name": orbit.name, "count": orbit.count });
-        let levels = self.levels().map(|(c, (edge, found), norm)| {
-            json!({
-                "c": c,
-                "contraction": exact_json(&found.value),
-                "edge": edge,
-                "heights": found.heights,
-                "norm": exact_json(norm),
-            })
+    fn form<'a>(&'a self, name: &'a str) -> form::RingConstants<'a> {
+        let orbits = self.ring.orbits().iter();
+        let orbits = orbits.map(|orbit| form::Orbit { name: &orbit.name, count: orbit.count });
+        let levels = self.levels().map(|(c, (edge, found), norm)| form::RingLevel {
+            c,
+            contraction: Exact::of(&found.value),
+            edge: *edge,
+            heights: &found.heights,
+            norm: Exact::of(norm),
         });
         let (point, moved) = self.constants.displacement();
-        let mut displacement = exact_json(&moved.value);
-        displacement["point"] = json!(point);
-        displacement["heights"] = json!(moved.heights);
-        let mut delta = self.constants.contraction(1).map(|(_, found)| exact_json(&found.value));
-        if let Some(delta) = &mut delta {
-            delta["holds"] = json!(self.contracts());
-        }
+        let delta = |found: &Transport<RealCyclotomic>| form::Delta {
+            value: Exact::of(&found.value),
+            holds: self.contracts(),
+        };
         let texts = |a| self.ring.weights().row(a).map(ToString::to_string).collect();
-        let weights: Vec<Vec<String>> = (0..self.ring.point_count()).map(texts).collect();
-        json!({
-            "schema": 1,
-            "scheme": name,
-            "orbits": self.ring.orbits().iter().map(orbit).collect::<Vec<Value>>(),
-            "edges": self.ring.edges(),
-            "weights": weights,
-            "delta": delta,
-            "displacement": displacement,
-            "levels": levels.collect::<Vec<Value>>(),
-        })
+        form::RingConstants {
+            schema: SCHEMA,
+            scheme: name,
+            orbits: orbits.collect(),
+            edges: self.ring.edges(),
+            weights: (0..self.ring.point_count()).map(texts).collect(),
+            delta: self.constants.contraction(1).map(|(_, found)| delta(found)),
+            displacement: form::RingDisplacement {
+                value: Exact::of(&moved.value),
+                point: *point,
+                heights: &moved.heights,
+            },
+            levels: levels.collect(),
+        }
     }
 }
 

@@ -1,16 +1,15 @@
 //! `subcert schemes` and `subcert completions`.
 
-use super::Outcome;
 use super::arguments::{Arguments, SchemesArguments};
-use super::output::{show, write};
+use super::json::schemes::{Parameter, Scheme};
+use super::output::{Outcome, show, write};
 use clap::CommandFactory as _;
-use serde_json::{Value, json};
 use subcert::report::Sheet;
 use subcert::scheme::{SchemeDefinition, catalogue};
 
 pub(super) fn schemes(arguments: &SchemesArguments) -> Outcome {
     show(arguments.output.format, sheet, || {
-        Value::from(catalogue().iter().map(json).collect::<Vec<_>>())
+        catalogue().iter().map(form).collect::<Vec<Scheme<'_>>>()
     })
 }
 
@@ -33,18 +32,18 @@ fn sheet() -> Sheet {
     sheet
 }
 
-fn json(entry: &SchemeDefinition) -> Value {
+fn form(entry: &SchemeDefinition) -> Scheme<'_> {
     let parameters = entry.parameters.iter().map(|(name, spec)| {
-        let default = spec.default.as_ref().map(|formula| formula.text.clone());
-        json!({ "name": name, "default": default, "about": spec.about })
+        let default = spec.default.as_ref().map(|formula| formula.text.as_str());
+        Parameter { name, default, about: &spec.about }
     });
-    json!({
-        "name": entry.name,
-        "title": entry.title,
-        "source": entry.citation,
-        "kind": if entry.is_ring() { "ring" } else { "mask" },
-        "parameters": parameters.collect::<Vec<Value>>(),
-    })
+    Scheme {
+        name: &entry.name,
+        title: &entry.title,
+        source: &entry.citation,
+        kind: if entry.is_ring() { "ring" } else { "mask" },
+        parameters: parameters.collect(),
+    }
 }
 
 pub(super) fn completions(shell: clap_complete::Shell) -> Outcome {

@@ -3,7 +3,6 @@
 use super::reading::place;
 use super::sheet::Sheet;
 use crate::audit::{Contradiction, PaperAudit, Side, TablePart};
-use serde_json::{Value, json};
 
 /// The section on contradictions between tables, when there are any.
 pub(super) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>) {
@@ -30,30 +29,11 @@ fn line(audit: &PaperAudit<'_>, side: &Side) -> String {
     format!("{}: {}", side.says, places.join("; "))
 }
 
-fn locus(audit: &PaperAudit<'_>, at: &TablePart) -> String {
+/// Where in the paper a table or a line of it is.
+pub(super) fn locus(audit: &PaperAudit<'_>, at: &TablePart) -> String {
     let Some(table) = at.table_of(audit.paper) else { return at.table.clone() };
     match at.line {
         None => table.locus.clone(),
         Some(line) => format!("{}, {}", table.locus, place(table, line)),
     }
-}
-
-pub(super) fn contradictions_json(audit: &PaperAudit<'_>) -> Value {
-    let place = |place: &TablePart| {
-        json!({
-            "table": place.table,
-            "locus": locus(audit, place),
-            "explained": place.explained,
-            "otherwise": place.otherwise,
-        })
-    };
-    let side = |side: &Side| {
-        let places: Vec<Value> = side.places.iter().map(place).collect();
-        json!({ "says": side.says, "places": places })
-    };
-    let one = |contradiction: &Contradiction| {
-        let sides: Vec<Value> = contradiction.sides.iter().map(side).collect();
-        json!({ "about": contradiction.about, "sides": sides })
-    };
-    audit.contradictions.iter().map(one).collect()
 }

@@ -3,10 +3,6 @@
 use super::parts::mark;
 use super::sheet::{Grid, Sheet};
 use crate::audit::{ClaimVerdict, Coverage, CoverageState, PaperAudit};
-use serde_json::{Value, json};
-
-/// The version of the JSON form.
-const SCHEMA: u32 = 1;
 
 /// Each paper's numbered items, with the claims that cover them or the reason that
 /// there is none.
@@ -67,23 +63,4 @@ fn verdict(claim: &ClaimVerdict<'_>) -> String {
     let counts = claim.verdicts.iter();
     let counts = counts.map(|(verdict, count)| format!("{} {count} {verdict}", mark(verdict)));
     format!("{}: {}", claim.id, counts.collect::<Vec<String>>().join(", "))
-}
-
-/// The same in JSON.
-#[must_use]
-pub fn coverage_json(audits: &[PaperAudit<'_>]) -> Value {
-    let claim = |claim: &ClaimVerdict<'_>| json!({ "id": claim.id, "verdicts": claim.verdicts });
-    let item = |coverage: &Coverage<'_>| {
-        json!({
-            "item": coverage.item.label.to_string(),
-            "state": coverage.state().name(),
-            "claims": coverage.claims.iter().map(claim).collect::<Vec<Value>>(),
-            "reason": coverage.item.reason,
-        })
-    };
-    let paper = |audit: &PaperAudit<'_>| {
-        let items: Vec<Value> = audit.coverage().iter().map(item).collect();
-        json!({ "key": audit.paper.key, "items": items })
-    };
-    json!({ "schema": SCHEMA, "papers": audits.iter().map(paper).collect::<Vec<Value>>() })
 }

@@ -7,7 +7,6 @@ use crate::audit::{
     RangeVerdict,
 };
 use crate::exact::format::short;
-use serde_json::{Value, json};
 
 /// The sections on closed forms and on ranges; without `all`, on those where
 /// something is wrong.
@@ -136,66 +135,4 @@ pub(super) fn printed(finding: &RangeFinding<'_>) -> String {
     let from = claim.from.as_ref().map(|from| format!("{} {relation} ", from.text));
     let to = claim.to.as_ref().map(|to| format!(" {relation} {}", to.text));
     format!("{}{}{}", from.unwrap_or_default(), claim.variable, to.unwrap_or_default())
-}
-
-/// A closed form in the JSON form of an equation.
-pub(super) fn function_json(audit: &PaperAudit<'_>, finding: &FunctionFinding<'_>) -> Value {
-    let variable = &finding.claim.variable;
-    let left = &finding.claim.left.text;
-    // Where the printed form is one of the definitions, that is what is printed.
-    let printed = audit.paper.definitions.get(left).map_or(left, |definition| &definition.text);
-    let (failures, larger, smaller) = match &finding.verdict {
-        FunctionVerdict::Fails { larger, smaller, example } => {
-            let failure = json!({
-                "at": format!("{variable} = {}", example.at),
-                "left": example.left.to_string(),
-                "right": example.right.to_string(),
-                "difference": (&example.left - &example.right).to_string(),
-            });
-            (Some(vec![failure]), Some(larger.to_string()), Some(smaller.to_string()))
-        }
-        _ => (None, None, None),
-    };
-    json!({
-        "id": finding.id,
-        "locus": finding.claim.locus,
-        "kind": "equation",
-        "printed": printed,
-        "exact": null,
-        "decimal": null,
-        "verdict": finding.verdict.name(),
-        "reading": null,
-        "sound": null,
-        "note": finding.claim.note,
-        "variable": variable,
-        "failures": failures,
-        "printed_larger": larger,
-        "printed_smaller": smaller,
-    })
-}
-
-pub(super) fn range_json(finding: &RangeFinding<'_>) -> Value {
-    let end = |end: &EndFinding| {
-        json!({
-            "printed": end.printed,
-            "exact": end.exact.as_ref().map(ToString::to_string),
-            "relation": end.relation.to_string(),
-            "inside": end.inside,
-            "value": end.value.to_string(),
-        })
-    };
-    json!({
-        "id": finding.id,
-        "locus": finding.claim.locus,
-        "kind": "range",
-        "printed": printed(finding),
-        "exact": finding.exact.to_string(),
-        "decimal": null,
-        "verdict": finding.verdict.name(),
-        "reading": null,
-        "sound": { "kept": finding.kept },
-        "note": finding.claim.note,
-        "variable": finding.claim.variable,
-        "ends": finding.ends.iter().map(end).collect::<Vec<Value>>(),
-    })
 }

@@ -1,12 +1,8 @@
 //! Whether printed bounds and depths keep their promise.
 
-use super::parts::exact_json;
-use crate::audit::{
-    Broken, CellFinding, ControlData, Kept, PaperAudit, PromiseCounts, Sound, TableFinding,
-};
+use crate::audit::{Broken, CellFinding, ControlData, Kept, PromiseCounts, Sound, TableFinding};
 use crate::claim::Promise;
 use crate::exact::format::short;
-use serde_json::{Value, json};
 
 /// The longest polygon that is shown in a table's remarks.
 const MAX_SHOWN_POINTS: usize = 24;
@@ -146,51 +142,4 @@ pub(super) fn facts(cell: &CellFinding) -> Vec<(String, String)> {
         fact("at the scheme's own offset", format!("{offset}: {kept}"));
     }
     facts
-}
-
-/// `true`, `false` with the polygon, or `null` with the reason.
-pub(super) fn add_json(cell: &CellFinding, object: &mut Value) {
-    let Some(kept) = &cell.kept else { return };
-    match kept {
-        Kept::Yes => object["kept"] = json!(true),
-        Kept::Open(why) => {
-            object["kept"] = Value::Null;
-            object["open"] = json!(why);
-        }
-        Kept::No(broken) => {
-            object["kept"] = json!(false);
-            let mut data = match &broken.data {
-                ControlData::Polygon(polygon, parameter) => json!({
-                    "first": polygon.first,
-                    "points": polygon.points,
-                    "parameter": parameter.to_string(),
-                }),
-                ControlData::Net(net, first, parameters) => json!({
-                    "first": first,
-                    "net": net,
-                    "parameters": parameters.each_ref().map(ToString::to_string),
-                }),
-                ControlData::Ring(ring, point) => json!({ "ring": ring, "point": point }),
-            };
-            data["times"] = json!(broken.spread.to_string());
-            data["level"] = json!(broken.level);
-            data["distance"] = exact_json(&broken.distance);
-            data["promised"] = exact_json(&broken.most);
-            object["broken_by"] = data;
-        }
-    }
-    if let Some((offset, kept)) = &cell.kept_at_own_offset {
-        let kept = match kept {
-            Kept::Yes => Some(true),
-            Kept::No(_) => Some(false),
-            Kept::Open(_) => None,
-        };
-        object["own_offset"] = json!({ "offset": offset, "kept": kept });
-    }
-}
-
-/// The counts of a paper.
-pub(super) fn counts_json(audit: &PaperAudit<'_>) -> Value {
-    let PromiseCounts { kept, broken, open } = audit.promise_counts();
-    json!({ "kept": kept, "broken": broken, "open": open })
 }

@@ -4,7 +4,6 @@ use super::parts::mark;
 use crate::audit::{CellFinding, Explanation, Line, LineReading, MAX_DIFFERENCES, Search, Slip};
 use crate::claim::{Axis, Table};
 use crate::exact::format::short;
-use serde_json::{Value, json};
 
 /// How many equally good readings are named.
 const MAX_LISTED: usize = 3;
@@ -195,46 +194,4 @@ fn best(explanation: &Explanation, cells: usize) -> String {
     let explained = explanation.count();
     let differs = explanation.differs();
     format!("{differs}\nexplains {explained} of {cells}{}", solved.collect::<String>())
-}
-
-/// What the search covered and found.
-pub(super) fn search_json(table: &Table, search: &Search) -> Value {
-    let line = |line: &LineReading| {
-        json!({
-            "place": place(table, line.line),
-            "cells": line.cells,
-            "shift": { "rows": line.shift.0, "columns": line.shift.1 },
-            "tried": line.tried,
-            "best": explanation_json(&line.best),
-            "chance": line.chance.to_string(),
-        })
-    };
-    json!({
-        "tried": search.tried,
-        "choices": search.choices,
-        "max_differences": MAX_DIFFERENCES,
-        "cells": search.cells,
-        "as_printed": search.as_printed,
-        "most": search.most,
-        "best": search.best.iter().map(explanation_json).collect::<Vec<Value>>(),
-        "chance": search.chance.to_string(),
-        "lines": search.lines.iter().map(line).collect::<Vec<Value>>(),
-    })
-}
-
-/// A reading and how many cells it explains.
-pub(super) fn explanation_json(explanation: &Explanation) -> Value {
-    let solved = explanation.solved.iter().map(|solved| {
-        json!({
-            "name": solved.name,
-            "from": solved.between.0.to_string(),
-            "to": solved.between.1.to_string(),
-            "simplest": solved.simplest.to_string(),
-        })
-    });
-    json!({
-        "differs": explanation.differs(),
-        "explains": explanation.count(),
-        "solved": solved.collect::<Vec<Value>>(),
-    })
 }

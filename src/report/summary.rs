@@ -3,7 +3,6 @@
 use super::parts::mark;
 use super::sheet::Sheet;
 use crate::audit::{CellOutcome, CellSummary, PaperAudit, Standing};
-use serde_json::{Value, json};
 
 const STANDINGS: [Standing; 5] = [
     Standing::Confirmed,
@@ -70,17 +69,4 @@ pub(super) fn words(outcome: &CellOutcome) -> String {
         Some(cause) => format!("{} ({cause})", outcome.standing.name()),
         None => outcome.standing.name().to_owned(),
     }
-}
-
-pub(super) fn summary_json(summary: &CellSummary) -> Value {
-    let outcome = |outcome: &CellOutcome| json!({ "standing": outcome.standing.name(), "cause": outcome.cause });
-    let groups = summary.groups.iter().map(|group| {
-        json!({
-            "count": group.count,
-            "standing": group.outcome.standing.name(),
-            "cause": group.outcome.cause,
-            "if_assumed": group.if_assumed.as_ref().map(outcome),
-        })
-    });
-    json!({ "count": summary.cells(), "groups": groups.collect::<Vec<Value>>() })
 }

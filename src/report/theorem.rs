@@ -4,12 +4,10 @@ use super::parts::{definitions, mark};
 use super::sheet::Sheet;
 use super::witness;
 use crate::audit::{
-    CaseFinding, Correction, Outcome, PaperAudit, Refutation, TheoremFinding, TheoremVerdict,
-    Violation,
+    Correction, Outcome, PaperAudit, Refutation, TheoremFinding, TheoremVerdict, Violation,
 };
 use crate::claim::Statement;
 use crate::exact::{RealCyclotomic, format::short};
-use serde_json::{Value, json};
 
 /// The most digits of a decimal.
 const DIGITS: u32 = 12;
@@ -169,53 +167,4 @@ fn in_case(outcome: &Outcome) -> String {
         Outcome::Unknown(why) => format!("? {why}"),
         Outcome::Outside(why) => format!("not in question: {why}"),
     }
-}
-
-pub(super) fn theorem_json(finding: &TheoremFinding<'_>) -> Value {
-    let theorem = finding.theorem;
-    let (bounds, from) = match &theorem.statement {
-        Statement::Bound { quantity, from, .. } => (Some(quantity.name()), Some(from)),
-        Statement::Depth(_) => (Some("depth"), None),
-        Statement::Other(_) => (None, None),
-    };
-    let printed = match &theorem.statement {
-        Statement::Bound { by, .. } | Statement::Depth(by) => &by.text,
-        Statement::Other(says) => says,
-    };
-    let failing: Vec<&str> = finding.failing.iter().map(|premise| premise.id).collect();
-    json!({
-        "id": finding.id,
-        "locus": theorem.locus,
-        "kind": "theorem",
-        "printed": printed,
-        "exact": null,
-        "decimal": null,
-        "proof": finding.proof,
-        "witness": finding.refutation.as_ref().map(witness::json),
-        "cases": finding.cases.iter().map(case_json).collect::<Vec<Value>>(),
-        "repairs": finding.repairs.iter().map(|repair| json!({
-            "corrections": repair.corrections.iter().map(|i| &finding.corrections[*i].says)
-                .collect::<Vec<&String>>(),
-            "proved": repair.proved,
-        })).collect::<Vec<Value>>(),
-        "verdict": finding.verdict.name(),
-        "reading": null,
-        "sound": null,
-        "note": theorem.note,
-        "bounds": bounds,
-        "from": from,
-        "rests": theorem.rests,
-        "failing": failing,
-    })
-}
-
-fn case_json(case: &CaseFinding) -> Value {
-    let (outcome, level, why) = match &case.outcome {
-        Outcome::Refuted(violation) => ("refuted", Some(violation.level), None),
-        Outcome::Proved => ("proved", None, None),
-        Outcome::UpTo(level) => ("holds", Some(*level), None),
-        Outcome::Unknown(why) => ("unknown", None, Some(why)),
-        Outcome::Outside(why) => ("outside", None, Some(why)),
-    };
-    json!({ "case": case.label, "outcome": outcome, "level": level, "why": why })
 }

@@ -1,11 +1,9 @@
 //! The readings of a table that were tried, the best first.
 
 use super::parts::mark;
-use super::reading::explanation_json;
 use super::sheet::{Grid, Sheet};
 use crate::audit::{Explanation, TableFinding};
 use crate::exact::format::short;
-use serde_json::{Value, json};
 
 /// How many readings are shown without `--all`.
 const MAX_SHOWN: usize = 10;
@@ -15,7 +13,7 @@ pub(super) type Place = (usize, usize);
 
 /// The readings in order: of a cell, those that explain it first, and before all others
 /// that of its row or column.
-fn in_order<'r>(
+pub(super) fn in_order<'r>(
     finding: &'r TableFinding<'_>,
     readings: &'r [Explanation],
     at: Option<Place>,
@@ -72,24 +70,4 @@ pub(super) fn section(
     if more > 0 {
         sheet.text(format!("And {more} more, none of them better: `--all` shows them."));
     }
-}
-
-/// Every reading as JSON, in the same order.
-#[must_use]
-pub fn readings_json(
-    finding: &TableFinding<'_>,
-    readings: &[Explanation],
-    at: Option<(usize, usize)>,
-) -> Value {
-    let one = |reading: &Explanation| {
-        let mut object = explanation_json(reading);
-        if let Some((row, column)) = at {
-            let value = reading.values[row][column].as_ref();
-            object["exact"] = json!(value.map(ToString::to_string));
-            object["decimal"] = json!(value.map(|value| short(value, 17)));
-            object["explains_this"] = json!(reading.explained[row][column]);
-        }
-        object
-    };
-    in_order(finding, readings, at).into_iter().map(one).collect()
 }

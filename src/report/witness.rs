@@ -1,11 +1,9 @@
 //! The data that refute a theorem.
 
-use super::parts::exact_json;
 use crate::audit::{Control, Place, Refutation, Violation};
 use crate::claim::Quantity;
 use crate::exact::{RealCyclotomic, format::short};
 use crate::limit::ExtremalPolygon;
-use serde_json::{Map, Value, json};
 
 /// How many digits a decimal has.
 const DIGITS: u32 = 12;
@@ -74,7 +72,7 @@ fn value_name(violation: &Violation) -> String {
 }
 
 /// A place in a few words.
-fn name(place: &Place) -> String {
+pub(super) fn name(place: &Place) -> String {
     match place {
         Place::Parameter(t) => t.to_string(),
         Place::Parameters([s, t]) => format!("({s}, {t})"),
@@ -90,39 +88,4 @@ fn name(place: &Place) -> String {
 fn exact(value: &RealCyclotomic) -> String {
     let (text, decimal) = (value.to_string(), short(value, DIGITS));
     if text == decimal { text } else { format!("{text} = {decimal}") }
-}
-
-pub(super) fn json(refutation: &Refutation) -> Value {
-    let Refutation { case, violation, supremum, sound, .. } = refutation;
-    let control = match &violation.attained.control {
-        Control::Polygon(ExtremalPolygon { first, points }) => {
-            json!({ "first": first, "points": points })
-        }
-        Control::Net { first, rows } => json!({ "first": first, "rows": rows }),
-        Control::Points(points) => {
-            let points = points.iter().map(|(name, height)| (name.clone(), json!(height)));
-            json!({ "points": points.collect::<Map<String, Value>>() })
-        }
-    };
-    let place = match &violation.attained.place {
-        Place::Parameter(t) => json!({ "parameter": t.to_string() }),
-        Place::Parameters(both) => {
-            json!({ "parameters": both.each_ref().map(ToString::to_string) })
-        }
-        Place::Point(i) => json!({ "point": i }),
-        Place::Difference(i) => json!({ "difference": i }),
-        place => json!({ "name": name(place) }),
-    };
-    json!({
-        "case": case,
-        "control": control,
-        "level": violation.level,
-        "place": place,
-        "value": exact_json(&violation.attained.value),
-        "bound": exact_json(&violation.bound),
-        "supremum": supremum.as_ref().map(|supremum| {
-            json!({ "lower": exact_json(&supremum.lower), "upper": supremum.upper.as_ref().map(exact_json) })
-        }),
-        "sound": sound.as_ref().map(exact_json),
-    })
 }

@@ -84,11 +84,11 @@ impl Reader<'_> {
     /// name of something of a claim, which goes before it there.
     pub(super) fn roles<'f>(&self, file: &'f PaperFile) -> Result<AllRoles<'f>, Diagnostic> {
         let mut definitions = Roles::new();
-        for (name, _) in &file.define {
+        for name in file.define.keys() {
             self.add(&mut definitions, name, Role::Definition)?;
         }
         let mut common = definitions.clone();
-        for (name, _) in &file.given {
+        for name in file.given.keys() {
             self.add(&mut common, name, Role::Stated)?;
         }
         let mut claims = BTreeMap::new();
@@ -121,7 +121,7 @@ impl Reader<'_> {
         }
         for theorem in &file.theorem {
             let mut roles = common.clone();
-            for (name, _) in &theorem.values {
+            for name in theorem.values.keys() {
                 self.add(&mut roles, name, Role::Open)?;
             }
             for name in theorem.by.iter().flat_map(|by| THEOREM_NAMES.map(|name| (name, by))) {

@@ -1,12 +1,12 @@
 //! The depth by the sound bound, and as papers compute it.
 
-use serde_json::{Value, json};
+use crate::cli::json::depth as form;
 use subcert::bound::{
     ClassCap, Constants, DepthError, Operator, Order, SoundBound, SoundDepth, Terms, displacement,
     least_level, surface_displacement,
 };
 use subcert::exact::{Rational, format::short};
-use subcert::report::{Grid, exact_json};
+use subcert::report::{Grid, json::Exact};
 
 /// The most residue classes that the sound bound walks unasked.
 const SOUND_CLASSES: u64 = 1 << 12;
@@ -90,22 +90,23 @@ impl Bounds {
         Grid { header, rows: rows.collect(), left_columns: 0 }
     }
 
-    pub(super) fn sound_json(&self) -> Value {
-        match &self.sound {
-            Ok(depth) => json!({ "depth": depth.level, "block": depth.block }),
-            Err(error) => json!({ "depth": null, "note": error.to_string() }),
+    pub(super) fn sound_form(&self) -> form::Sound {
+        let (found, error) = (self.sound.as_ref().ok(), self.sound.as_ref().err());
+        form::Sound {
+            depth: found.map(|depth| depth.level),
+            block: found.map(|depth| depth.block),
+            note: error.map(ToString::to_string),
         }
     }
 
-    pub(super) fn printed_json(&self) -> Value {
-        let printed = (1..).zip(&self.printed).map(|(c, (constant, depth)): (u32, _)| {
-            json!({
-                "c": c,
-                "constant": exact_json(constant),
-                "depth": depth.as_ref().ok(),
-                "note": depth.as_ref().err().map(ToString::to_string),
-            })
-        });
+    pub(super) fn printed_forms(&self) -> Vec<form::Printed> {
+        let printed =
+            (1..).zip(&self.printed).map(|(c, (constant, depth)): (u32, _)| form::Printed {
+                c,
+                constant: Exact::of(constant),
+                depth: depth.as_ref().ok().copied(),
+                note: depth.as_ref().err().map(ToString::to_string),
+            });
         printed.collect()
     }
 }

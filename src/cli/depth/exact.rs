@@ -1,10 +1,10 @@
 //! The true depth for every control polygon of a spread.
 
-use super::interval::{interval_json, interval_text};
-use serde_json::{Value, json};
+use super::interval::{interval_form, interval_text};
+use crate::cli::json::depth as form;
 use subcert::exact::{Enclosure, Rational, format::short};
 use subcert::limit::{Comparison, Distance, Distances, LimitError, TwoSidedDepth, Witness};
-use subcert::report::exact_json;
+use subcert::report::json::Exact as ExactForm;
 use subcert::scheme::Mask;
 
 /// The longest polygon or ring that is shown in a text.
@@ -33,7 +33,7 @@ pub(super) struct Exact {
 pub(super) struct TooFar {
     pub(super) level: u32,
     pub(super) text: String,
-    pub(super) json: Value,
+    pub(super) form: form::Witness,
 }
 
 /// A distance in an interval.
@@ -105,12 +105,13 @@ impl Exact {
         facts
     }
 
-    pub(super) fn json(&self) -> Value {
-        let mut object = depth_json(self.depth);
-        object["offsets"] = json!(self.offsets);
-        object["distance"] = distance_json(&self.distance, self.depth.upper);
-        object["witness"] = json!(self.too_far.as_ref().map(|too_far| &too_far.json));
-        object
+    pub(super) fn form(&self) -> form::Exactly<'_> {
+        form::Exactly {
+            depth: depth_form(self.depth),
+            offsets: &self.offsets,
+            distance: distance_form(&self.distance, self.depth.upper),
+            witness: self.too_far.as_ref().map(|too_far| &too_far.form),
+        }
     }
 }
 
@@ -127,17 +128,18 @@ fn too_few(lower: u32) -> String {
     if lower == 0 { String::new() } else { format!("; {} are too few", lower - 1) }
 }
 
-pub(super) fn depth_json(depth: TwoSidedDepth) -> Value {
+pub(super) fn depth_form(depth: TwoSidedDepth) -> form::TwoSided {
     let TwoSidedDepth { lower, upper } = depth;
-    json!({ "lower": lower, "upper": upper, "minimal": lower == upper })
+    form::TwoSided { lower, upper, minimal: lower == upper }
 }
 
-pub(super) fn distance_json(distance: &Known, level: u32) -> Value {
-    let mut object = interval_json(&distance.enclosure);
-    object["level"] = json!(level);
-    object["within_width"] = json!(distance.narrow);
-    object["parameter"] = json!(distance.parameter.as_ref().map(Rational::to_string));
-    object
+pub(super) fn distance_form(distance: &Known, level: u32) -> form::Distance {
+    form::Distance {
+        interval: interval_form(&distance.enclosure),
+        level,
+        within_width: distance.narrow,
+        parameter: distance.parameter.as_ref().map(Rational::to_string),
+    }
 }
 
 fn too_far(witness: &Witness, spread: &Rational) -> TooFar {
@@ -149,15 +151,15 @@ fn too_far(witness: &Witness, spread: &Rational) -> TooFar {
         polygon.first,
         short(&distance, 9)
     );
-    let json = json!({
-        "level": level,
-        "first": polygon.first,
-        "points": polygon.points,
-        "times": spread.to_string(),
-        "parameter": parameter.to_string(),
-        "distance": exact_json(&distance),
-    });
-    TooFar { level: *level, text, json }
+    let form = form::Witness::Polygon {
+        level: *level,
+        first: polygon.first,
+        points: polygon.points.clone(),
+        times: spread.to_string(),
+        parameter: parameter.to_string(),
+        distance: ExactForm::of(&distance),
+    };
+    TooFar { level: *level, text, form }
 }
 
 /// Points; of many, the first ones.

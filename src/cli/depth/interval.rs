@@ -1,9 +1,9 @@
 //! Intervals in a report.
 
+use crate::cli::json::depth as form;
 use crate::cli::output::with_decimal;
-use serde_json::{Value, json};
 use subcert::exact::{Enclosure, Integer, Rational, format::short};
-use subcert::report::exact_json;
+use subcert::report::json::Exact;
 
 /// As many digits as an end of an interval can have here.
 const DIGITS: u32 = 400;
@@ -27,6 +27,6 @@ pub(super) fn interval_text(interval: &Enclosure) -> String {
     format!("{} to {}", decimal(down), decimal(up))
 }
 
-pub(super) fn interval_json(interval: &Enclosure) -> Value {
-    json!({ "lower": exact_json(interval.lower()), "upper": exact_json(interval.upper()) })
+pub(super) fn interval_form(interval: &Enclosure) -> form::Interval {
+    form::Interval { lower: Exact::of(interval.lower()), upper: Exact::of(interval.upper()) }
 }

@@ -7,15 +7,14 @@ mod polygon;
 mod ring;
 mod surface;
 
-use super::Outcome;
 use super::arguments::{BoundaryArgument, DepthArguments};
-use super::output::{Failure, positive, show};
+use super::json::{SCHEMA, depth as form};
+use super::output::{Failure, Outcome, positive, show};
 use super::polygon::read_polygon;
 use bound::Bounds;
 use exact::{Asked, Exact};
 use polygon::{OfPolygon, Points};
 use ring::ring_depth;
-use serde_json::{Value, json};
 use subcert::bound::Constants;
 use subcert::exact::{Rational, format::short};
 use subcert::limit::{Distances, Limit, LimitError};
@@ -28,7 +27,7 @@ pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
         AnyScheme::Ring(ring) => return ring_depth(&ring, arguments),
     };
     let report = Report::of(&scheme, arguments)?;
-    show(arguments.output.format, || report.sheet(arguments), || report.json(arguments))
+    show(arguments.output.format, || report.sheet(arguments), || report.form(arguments))
 }
 
 /// The answers to a question about a depth.
@@ -122,25 +121,24 @@ impl Report {
         sheet
     }
 
-    fn json(&self, arguments: &DepthArguments) -> Value {
-        let none = |why: &dyn std::fmt::Display| json!({ "none": why.to_string() });
-        let polygon = self.polygon.as_ref().map(|(points, own)| match own {
-            Ok(own) => own.json(points),
-            Err(error) => none(error),
-        });
-        json!({
-            "schema": 1,
-            "scheme": arguments.scheme,
-            "tolerance": self.tolerance.to_string(),
-            "spread": self.spread.to_string(),
-            "polygon": polygon,
-            "depth": match &self.exact {
-                Ok(exact) => exact.json(),
-                Err(why) => none(why),
+    fn form<'a>(&'a self, arguments: &'a DepthArguments) -> form::Report<'a> {
+        let polygon = |(points, own): &(Points, Result<OfPolygon, LimitError>)| match own {
+            Ok(own) => form::OrNone::Found(own.form(points)),
+            Err(error) => form::OrNone::None { none: error.to_string() },
+        };
+        form::Report {
+            schema: SCHEMA,
+            scheme: &arguments.scheme,
+            tolerance: self.tolerance.to_string(),
+            spread: self.spread.to_string(),
+            polygon: self.polygon.as_ref().map(polygon),
+            depth: match &self.exact {
+                Ok(exact) => form::OrNone::Found(exact.form()),
+                Err(why) => form::OrNone::None { none: why.clone() },
             },
-            "sound": self.bounds.sound_json(),
-            "printed_formula": self.bounds.printed_json(),
-        })
+            sound: self.bounds.sound_form(),
+            printed_formula: self.bounds.printed_forms(),
+        }
     }
 }
 

@@ -1,10 +1,10 @@
 //! The true depth of one control polygon.
 
-use super::exact::{Known, depth_json, depth_text, distance_json};
-use serde_json::{Value, json};
+use super::exact::{Known, depth_form, depth_text, distance_form};
+use crate::cli::json::depth as form;
 use subcert::exact::{Enclosure, Rational, format::short};
 use subcert::limit::{Comparison, ControlPolygon, Distances, LimitError, TwoSidedDepth};
-use subcert::report::exact_json;
+use subcert::report::json::Exact;
 
 /// A control polygon of points.
 pub(super) struct Points {
@@ -104,22 +104,24 @@ impl OfPolygon {
         facts
     }
 
-    pub(super) fn json(&self, points: &Points) -> Value {
-        let mut object = depth_json(self.depth);
-        object["points"] = json!(points.count);
-        object["coordinates"] = json!(points.coordinates.len());
-        object["closed"] = json!(points.closed);
-        object["distance"] = distance_json(&self.distance, self.depth.upper);
-        object["distance"]["coordinate"] = json!(self.coordinate + 1);
-        object["too_far"] = json!(self.too_far.as_ref().map(|too_far| {
-            json!({
-                "level": too_far.level,
-                "coordinate": too_far.coordinate + 1,
-                "parameter": too_far.parameter.to_string(),
-                "distance": exact_json(&too_far.distance),
-            })
-        }));
-        object
+    pub(super) fn form(&self, points: &Points) -> form::OfPolygon {
+        let too_far = |too_far: &TooFar| form::TooFar {
+            level: too_far.level,
+            coordinate: too_far.coordinate + 1,
+            parameter: too_far.parameter.to_string(),
+            distance: Exact::of(&too_far.distance),
+        };
+        form::OfPolygon {
+            depth: depth_form(self.depth),
+            points: points.count,
+            coordinates: points.coordinates.len(),
+            closed: points.closed,
+            distance: form::DistanceOfPolygon {
+                distance: distance_form(&self.distance, self.depth.upper),
+                coordinate: self.coordinate + 1,
+            },
+            too_far: self.too_far.as_ref().map(too_far),
+        }
     }
 }
 

@@ -1,13 +1,12 @@
 //! `subcert depth` of a ring.
 
 use super::exact::points_text;
-use crate::cli::Outcome;
 use crate::cli::arguments::DepthArguments;
-use crate::cli::output::{Failure, positive, show, with_decimal};
-use serde_json::{Value, json};
+use crate::cli::json::{SCHEMA, depth as form};
+use crate::cli::output::{Failure, Outcome, positive, show, with_decimal};
 use subcert::exact::{Rational, RealCyclotomic, format::short};
 use subcert::limit::{RingDepth, RingDistances, RingLimit, RingLimitError, RingWitness};
-use subcert::report::{Sheet, exact_json};
+use subcert::report::{Sheet, json::Exact};
 use subcert::scheme::Ring;
 
 pub(super) fn ring_depth(ring: &Ring, arguments: &DepthArguments) -> Outcome {
@@ -20,7 +19,7 @@ pub(super) fn ring_depth(ring: &Ring, arguments: &DepthArguments) -> Outcome {
     let spread = positive("--spread", &arguments.spread.spread)?;
     let depth = Depth::of(ring, &tolerance, &spread);
     let report = Report { ring, tolerance, spread, depth };
-    show(arguments.output.format, || report.sheet(arguments), || report.json(arguments))
+    show(arguments.output.format, || report.sheet(arguments), || report.form(arguments))
 }
 
 struct Report<'a> {
@@ -92,33 +91,35 @@ impl Report<'_> {
         sheet
     }
 
-    fn json(&self, arguments: &DepthArguments) -> Value {
-        let witness = |witness: &RingWitness| {
-            json!({
-                "level": witness.level,
-                "ring": witness.ring,
-                "times": self.spread.to_string(),
-                "point": self.ring.name(witness.point),
-                "distance": exact_json(&self.distance(witness)),
-            })
-        };
+    fn form<'a>(&'a self, arguments: &'a DepthArguments) -> form::RingReport<'a> {
         let depth = match &self.depth {
-            Ok(Depth { levels: depth, at, below }) => json!({
-                "lower": depth.level,
-                "upper": depth.level,
-                "minimal": true,
-                "settled": depth.settled,
-                "distance": witness(at),
-                "witness": below.as_ref().map(witness),
-            }),
-            Err(error) => json!({ "none": error.to_string() }),
+            Ok(Depth { levels: depth, at, below }) => {
+                let (lower, upper) = (depth.level, depth.level);
+                form::OrNone::Found(form::ExactlyOfRing {
+                    depth: form::TwoSided { lower, upper, minimal: true },
+                    settled: depth.settled,
+                    distance: self.witness_form(at),
+                    witness: below.as_ref().map(|witness| self.witness_form(witness)),
+                })
+            }
+            Err(error) => form::OrNone::None { none: error.to_string() },
         };
-        json!({
-            "schema": 1,
-            "scheme": arguments.scheme,
-            "tolerance": self.tolerance.to_string(),
-            "spread": self.spread.to_string(),
-            "depth": depth,
-        })
+        form::RingReport {
+            schema: SCHEMA,
+            scheme: &arguments.scheme,
+            tolerance: self.tolerance.to_string(),
+            spread: self.spread.to_string(),
+            depth,
+        }
+    }
+
+    fn witness_form<'a>(&self, witness: &'a RingWitness) -> form::RingWitness<'a> {
+        form::RingWitness {
+            level: witness.level,
+            ring: &witness.ring,
+            times: self.spread.to_string(),
+            point: self.ring.name(witness.point),
+            distance: Exact::of(&self.distance(witness)),
+        }
     }
 }

@@ -1,10 +1,10 @@
 //! The true depth of tensor product surfaces, for every control net of a spread.
 
 use super::exact::{Asked, Exact, Known, TooFar, points_text};
-use serde_json::json;
+use crate::cli::json::depth as form;
 use subcert::exact::format::short;
 use subcert::limit::{Comparison, Limit, Spreads, SurfaceDistances, SurfaceError, SurfaceWitness};
-use subcert::report::exact_json;
+use subcert::report::json::Exact as ExactForm;
 use subcert::scheme::Mask;
 
 /// The most rows of a net that are shown in a text.
@@ -41,13 +41,13 @@ fn too_far(witness: &SurfaceWitness) -> TooFar {
         rows.collect::<Vec<String>>().join(" / "),
         short(distance, 9)
     );
-    let json = json!({
-        "level": level,
-        "first": [i, j],
-        "net": net,
-        "times": unit.to_string(),
-        "parameters": [s.to_string(), t.to_string()],
-        "distance": exact_json(distance),
-    });
-    TooFar { level: *level, text, json }
+    let form = form::Witness::Net {
+        level: *level,
+        first: [*i, *j],
+        net: net.clone(),
+        times: unit.to_string(),
+        parameters: [s.to_string(), t.to_string()],
+        distance: ExactForm::of(distance),
+    };
+    TooFar { level: *level, text, form }
 }

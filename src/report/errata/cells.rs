@@ -25,7 +25,7 @@ pub(super) fn facts(cells: &CellErratum<'_, '_>) -> Vec<(String, String)> {
 }
 
 /// How the cells came about: a rounding, a reading, a slip, or not explained.
-pub(super) fn origin(cells: &CellErratum<'_, '_>) -> String {
+pub(in crate::report) fn origin(cells: &CellErratum<'_, '_>) -> String {
     let cause = cells.outcome.cause.clone().unwrap_or_default();
     match cells.outcome.standing {
         Standing::Confirmed | Standing::NotCheckable => {
@@ -80,7 +80,7 @@ fn sound(cell: &CellFinding) -> String {
 
 /// An exact value in the form of the printed number: to its last place, or, where
 /// that shows nothing, with as many digits.
-pub(super) fn correct(exact: Option<&RealCyclotomic>, printed: &Printed) -> String {
+pub(in crate::report) fn correct(exact: Option<&RealCyclotomic>, printed: &Printed) -> String {
     let Some(exact) = exact else { return "no value".to_owned() };
     let digits = u32::try_from(printed.decimal.significant_digits()).unwrap_or(1).clamp(1, 40);
     let places = u32::try_from(-printed.decimal.exponent()).unwrap_or(0);

@@ -1,15 +1,13 @@
 //! The errata of a paper, as one could send them to a journal.
 
-mod cells;
+pub(super) mod cells;
 mod claims;
-mod json;
 
 use super::parts::mark;
 use super::sheet::{Block, Grid, Sheet};
 use super::{consistency, summary, theorem};
 use crate::audit::{Consequences, Errata, Erratum, PaperAudit, Standing, Subject};
 use crate::claim::Promise;
-pub use json::errata_json;
 
 /// The errata of papers.
 #[must_use]

@@ -100,7 +100,7 @@ fn proofs(draft: &Draft, claim: &Claim, bound: &Bound) -> Vec<Block> {
             head.with_lines(&[&stated[..], &grows, rest].concat())
         };
         let probe = checked(&text, &whole(&[&with(1, &["none".to_owned()])])).unwrap_or_default();
-        let otherwise = |outcome: &Outcome| matches!(outcome, Outcome::Invalid(_, why) if why.reason == Reason::Growth);
+        let otherwise = |outcome: &Outcome| matches!(outcome, Outcome::Invalid(_, why) if matches!(why.reason, Reason::Growth(..)));
         if probe.iter().any(|(_, outcome)| otherwise(outcome)) {
             continue;
         }

@@ -1,0 +1,74 @@
+//! What `subcert certify` writes.
+
+use serde::Serialize;
+
+/// The f64 path of a scheme against the exact one.
+#[derive(Serialize)]
+pub struct Certification<'a> {
+    /// The version of this form.
+    pub schema: u32,
+    /// The scheme as it was given.
+    pub scheme: &'a str,
+    /// The constants.
+    pub quantities: Vec<Quantity<'a>>,
+    /// The depths; missing of a ring, which has none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub depths: Option<Vec<Depth>>,
+    /// The greatest block length for which an error bound is proven in advance.
+    pub bounded_up_to_block: u32,
+}
+
+/// A constant in f64.
+#[derive(Serialize)]
+pub struct Quantity<'a> {
+    /// Which constant.
+    pub name: &'a str,
+    /// Its value in f64.
+    #[serde(rename = "f64")]
+    pub float: String,
+    /// Its exact value.
+    pub exact: String,
+    /// That value as a decimal.
+    pub decimal: String,
+    /// The difference of the two; null where f64 has no number.
+    pub error: Option<String>,
+    /// That difference in units in the last place.
+    pub ulps: Option<String>,
+    /// The bound of the error that is proven in advance.
+    pub bound: Option<String>,
+    /// Whether the error is within the bound.
+    pub encloses: Option<bool>,
+    /// The error as a part of the bound.
+    pub tightness: Option<String>,
+}
+
+/// A depth in f64.
+#[derive(Serialize)]
+pub struct Depth {
+    /// The block length c.
+    pub block: u32,
+    /// The tolerance.
+    pub tolerance: String,
+    /// The formula with logarithms, before it is rounded up.
+    pub logarithm: String,
+    /// The depth that f64 gives.
+    #[serde(rename = "f64")]
+    pub float: Option<u32>,
+    /// The exact depth.
+    pub exact: Option<u32>,
+    /// Why there is no exact depth.
+    pub note: Option<String>,
+    /// Whether the two agree.
+    pub agree: Option<bool>,
+    /// How near the exact depth is to another one.
+    pub margin: Option<Margin>,
+}
+
+/// How near a depth is to another one.
+#[derive(Serialize)]
+pub struct Margin {
+    /// The bound at the depth divided by the tolerance: at most 1.
+    pub at: String,
+    /// The same at the level before it: more than 1.
+    pub before: Option<String>,
+}

@@ -1,0 +1,141 @@
+//! What `subcert constants` writes.
+
+use serde::Serialize;
+use subcert::report::json::Exact;
+
+/// The constants of a mask, or of a tensor product of two.
+#[derive(Serialize)]
+pub struct Constants<'a> {
+    /// The version of this form.
+    pub schema: u32,
+    /// The scheme as it was given.
+    pub scheme: &'a str,
+    /// The masks.
+    pub directions: Vec<Direction<'a>>,
+    /// The tensor product; null of a curve.
+    pub surface: Option<Surface>,
+}
+
+/// The constants of a mask.
+#[derive(Serialize)]
+pub struct Direction<'a> {
+    /// How many rules there are.
+    pub arity: usize,
+    /// How many coefficients a rule has.
+    pub width: usize,
+    /// The offset of the indices.
+    pub offset: i64,
+    /// The mask, rule by rule.
+    pub mask: Vec<Vec<String>>,
+    /// The difference mask.
+    pub difference: Vec<Vec<String>>,
+    /// δ = T_1.
+    pub delta: Delta,
+    /// σ at several offsets.
+    pub displacement: Vec<Displacement<'a>>,
+    /// T_c and Λ_c for c = 1, 2, …
+    pub levels: Vec<Level>,
+}
+
+/// δ.
+#[derive(Serialize)]
+pub struct Delta {
+    /// The value; its fields stand here.
+    #[serde(flatten)]
+    pub value: Exact,
+    /// Whether it is less than 1.
+    pub holds: bool,
+}
+
+/// σ at some offset.
+#[derive(Serialize)]
+pub struct Displacement<'a> {
+    /// The value; its fields stand here.
+    #[serde(flatten)]
+    pub value: Exact,
+    /// Which σ that is.
+    pub name: &'a str,
+}
+
+/// The constants for blocks of c levels; null where they are beyond reach.
+#[derive(Serialize)]
+pub struct Level {
+    /// c.
+    pub c: usize,
+    /// T_c.
+    pub contraction: Option<Exact>,
+    /// Λ_c.
+    pub norm: Option<Exact>,
+    /// T_c with the masks read forwards.
+    pub contraction_forward: Option<Exact>,
+    /// Λ_c with the masks read forwards.
+    pub norm_forward: Option<Exact>,
+}
+
+/// The constants of a tensor product.
+#[derive(Serialize)]
+pub struct Surface {
+    /// The factor σ of the surface.
+    pub factor: Exact,
+    /// δ = T_1·Λ_1.
+    pub delta: Delta,
+    /// T_c·Λ_c for c = 1, 2, …
+    pub constants: Vec<Exact>,
+}
+
+/// The constants of a ring.
+#[derive(Serialize)]
+pub struct RingConstants<'a> {
+    /// The version of this form.
+    pub schema: u32,
+    /// The scheme as it was given.
+    pub scheme: &'a str,
+    /// The kinds of points.
+    pub orbits: Vec<Orbit<'a>>,
+    /// The edges: pairs of points.
+    pub edges: &'a [(usize, usize)],
+    /// The weights of each point.
+    pub weights: Vec<Vec<String>>,
+    /// δ = T_1.
+    pub delta: Option<Delta>,
+    /// σ.
+    pub displacement: RingDisplacement<'a>,
+    /// T_c and Λ_c for c = 1, 2, …
+    pub levels: Vec<RingLevel<'a>>,
+}
+
+/// Points of a ring that are alike.
+#[derive(Serialize)]
+pub struct Orbit<'a> {
+    /// What they are called.
+    pub name: &'a str,
+    /// How many they are.
+    pub count: usize,
+}
+
+/// σ of a ring.
+#[derive(Serialize)]
+pub struct RingDisplacement<'a> {
+    /// The value; its fields stand here.
+    #[serde(flatten)]
+    pub value: Exact,
+    /// The point that attains it.
+    pub point: usize,
+    /// A control ring that attains it.
+    pub heights: &'a [i64],
+}
+
+/// The constants of a ring for blocks of c levels.
+#[derive(Serialize)]
+pub struct RingLevel<'a> {
+    /// c.
+    pub c: u32,
+    /// T_c.
+    pub contraction: Exact,
+    /// The edge that attains it.
+    pub edge: (usize, usize),
+    /// A control ring that attains it.
+    pub heights: &'a [i64],
+    /// Λ_c.
+    pub norm: Exact,
+}

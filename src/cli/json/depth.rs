@@ -1,0 +1,233 @@
+//! What `subcert depth` writes.
+
+use serde::Serialize;
+use subcert::report::json::Exact;
+
+/// The depth for a tolerance.
+#[derive(Serialize)]
+pub struct Report<'a> {
+    /// The version of this form.
+    pub schema: u32,
+    /// The scheme as it was given.
+    pub scheme: &'a str,
+    /// The tolerance ε.
+    pub tolerance: String,
+    /// The spread β.
+    pub spread: String,
+    /// The depth of the control polygon; null where none was given.
+    pub polygon: Option<OrNone<OfPolygon>>,
+    /// The true depth for every control polygon or net of the spread.
+    pub depth: OrNone<Exactly<'a>>,
+    /// The depth by the sound bound.
+    pub sound: Sound,
+    /// The depths that papers compute.
+    pub printed_formula: Vec<Printed>,
+}
+
+/// An answer, or the reason that there is none.
+#[derive(Serialize)]
+#[serde(untagged)]
+pub enum OrNone<T> {
+    /// The answer.
+    Found(T),
+    /// There is none.
+    None {
+        /// The reason.
+        none: String,
+    },
+}
+
+/// A depth from both sides.
+#[derive(Serialize)]
+pub struct TwoSided {
+    /// No lower level meets the tolerance.
+    pub lower: u32,
+    /// This level does.
+    pub upper: u32,
+    /// Whether the two are the same.
+    pub minimal: bool,
+}
+
+/// An interval that holds a number.
+#[derive(Serialize)]
+pub struct Interval {
+    /// Its lower end.
+    pub lower: Exact,
+    /// Its upper end.
+    pub upper: Exact,
+}
+
+/// A distance at a level.
+#[derive(Serialize)]
+pub struct Distance {
+    /// An interval that holds it; its fields stand here.
+    #[serde(flatten)]
+    pub interval: Interval,
+    /// The level.
+    pub level: u32,
+    /// Whether the interval is as narrow as was asked for.
+    pub within_width: bool,
+    /// A parameter at which the lower end is the value.
+    pub parameter: Option<String>,
+}
+
+/// The true depth for every control polygon or net of the spread.
+#[derive(Serialize)]
+pub struct Exactly<'a> {
+    /// The depth; its fields stand here.
+    #[serde(flatten)]
+    pub depth: TwoSided,
+    /// The offset of each direction.
+    pub offsets: &'a [i64],
+    /// The greatest distance at the upper side of the depth.
+    pub distance: Distance,
+    /// Control data that are too far from their limit at the level below the depth.
+    pub witness: Option<&'a Witness>,
+}
+
+/// Control data that are too far from their limit.
+#[derive(Serialize)]
+#[serde(untagged)]
+pub enum Witness {
+    /// A piece of a control polygon.
+    Polygon {
+        /// The level.
+        level: u32,
+        /// The index of its first point.
+        first: i64,
+        /// Its points.
+        points: Vec<i64>,
+        /// What the points are multiplied by.
+        times: String,
+        /// Where it is too far.
+        parameter: String,
+        /// How far it is there.
+        distance: Exact,
+    },
+    /// A piece of a control net.
+    Net {
+        /// The level.
+        level: u32,
+        /// The indices of its first point.
+        first: [i64; 2],
+        /// Its points, row by row.
+        net: Vec<Vec<i64>>,
+        /// What the points are multiplied by.
+        times: String,
+        /// Where it is too far.
+        parameters: [String; 2],
+        /// How far it is there.
+        distance: Exact,
+    },
+}
+
+/// The depth of a control polygon.
+#[derive(Serialize)]
+pub struct OfPolygon {
+    /// The depth; its fields stand here.
+    #[serde(flatten)]
+    pub depth: TwoSided,
+    /// How many points the polygon has.
+    pub points: usize,
+    /// How many coordinates a point has.
+    pub coordinates: usize,
+    /// Whether the last point is followed by the first.
+    pub closed: bool,
+    /// Its distance at the upper side of the depth.
+    pub distance: DistanceOfPolygon,
+    /// Where it is too far from its limit at the level below the depth.
+    pub too_far: Option<TooFar>,
+}
+
+/// The distance of a control polygon: the greatest of its coordinates.
+#[derive(Serialize)]
+pub struct DistanceOfPolygon {
+    /// The distance; its fields stand here.
+    #[serde(flatten)]
+    pub distance: Distance,
+    /// The coordinate with that distance, counted from 1.
+    pub coordinate: usize,
+}
+
+/// Where a control polygon is too far from its limit.
+#[derive(Serialize)]
+pub struct TooFar {
+    /// The level.
+    pub level: u32,
+    /// The coordinate, counted from 1.
+    pub coordinate: usize,
+    /// The parameter.
+    pub parameter: String,
+    /// How far it is there.
+    pub distance: Exact,
+}
+
+/// The depth by the sound bound.
+#[derive(Serialize)]
+pub struct Sound {
+    /// The depth; null where there is none.
+    pub depth: Option<u32>,
+    /// The block length of the bound; missing where there is no depth.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub block: Option<u32>,
+    /// Why there is no depth; missing where there is one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub note: Option<String>,
+}
+
+/// The depth by the printed formula.
+#[derive(Serialize)]
+pub struct Printed {
+    /// The block length c.
+    pub c: u32,
+    /// The constant as papers print it.
+    pub constant: Exact,
+    /// The depth.
+    pub depth: Option<u32>,
+    /// Why there is none.
+    pub note: Option<String>,
+}
+
+/// The depth of a ring.
+#[derive(Serialize)]
+pub struct RingReport<'a> {
+    /// The version of this form.
+    pub schema: u32,
+    /// The scheme as it was given.
+    pub scheme: &'a str,
+    /// The tolerance ε.
+    pub tolerance: String,
+    /// The spread β.
+    pub spread: String,
+    /// The true depth for every control ring of the spread.
+    pub depth: OrNone<ExactlyOfRing<'a>>,
+}
+
+/// The true depth for every control ring of the spread.
+#[derive(Serialize)]
+pub struct ExactlyOfRing<'a> {
+    /// The depth; its fields stand here.
+    #[serde(flatten)]
+    pub depth: TwoSided,
+    /// The level from which on the tolerance is met.
+    pub settled: u32,
+    /// The greatest distance at the depth.
+    pub distance: RingWitness<'a>,
+    /// A control ring that is too far from its limit at the level below the depth.
+    pub witness: Option<RingWitness<'a>>,
+}
+
+/// A control ring, and how far one of its points is from its limit.
+#[derive(Serialize)]
+pub struct RingWitness<'a> {
+    /// The level.
+    pub level: u32,
+    /// The points of the ring.
+    pub ring: &'a [i64],
+    /// What they are multiplied by.
+    pub times: String,
+    /// The point.
+    pub point: String,
+    /// How far it is.
+    pub distance: Exact,
+}

@@ -1,0 +1,11 @@
+//! The JSON forms of what commands about schemes write. The documentation of the types is their
+//! schema, as that of [`subcert::report::json`] is for papers.
+
+pub(super) mod certify;
+pub(super) mod constants;
+pub(super) mod depth;
+pub(super) mod range;
+pub(super) mod schemes;
+
+/// The version of the JSON form.
+pub(super) const SCHEMA: u32 = 1;

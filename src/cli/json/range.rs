@@ -1,0 +1,60 @@
+//! What `subcert range` writes.
+
+use serde::Serialize;
+use subcert::report::json::Exact;
+
+/// Where in a parameter T_c < 1.
+#[derive(Serialize)]
+pub struct Range<'a> {
+    /// The version of this form.
+    pub schema: u32,
+    /// The scheme as it was given.
+    pub scheme: &'a str,
+    /// The parameter.
+    pub parameter: &'a str,
+    /// The sets for c = 1, 2, …
+    pub levels: Vec<Level>,
+    /// The union of these sets.
+    pub union: Vec<Interval>,
+}
+
+/// Where T_c < 1.
+#[derive(Serialize)]
+pub struct Level {
+    /// c.
+    pub c: u32,
+    /// The set.
+    pub intervals: Vec<Interval>,
+    /// T_c as a function of the parameter; null where it was not asked for.
+    pub function: Option<Function>,
+}
+
+/// An open interval.
+#[derive(Serialize)]
+pub struct Interval {
+    /// Its lower end; null where it has none.
+    pub low: Option<Number>,
+    /// Its upper end; null where it has none.
+    pub high: Option<Number>,
+}
+
+/// A real algebraic number.
+#[derive(Serialize)]
+pub struct Number {
+    /// The value; its fields stand here.
+    #[serde(flatten)]
+    pub value: Exact,
+    /// A polynomial that it is a root of: the minimal one, unless it says that it may have factors.
+    pub minimal_polynomial: String,
+    /// The number is the only root between these two.
+    pub enclosure: [String; 2],
+}
+
+/// A piecewise polynomial function.
+#[derive(Serialize)]
+pub struct Function {
+    /// Where one piece ends and the next begins.
+    pub breaks: Vec<Number>,
+    /// The polynomials, one more than there are breaks.
+    pub pieces: Vec<String>,
+}

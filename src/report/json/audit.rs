@@ -1,0 +1,117 @@
+//! An audit as JSON.
+
+use super::SCHEMA;
+use super::claim::Claim;
+use super::consistency::Contradiction;
+use super::reading::Search;
+use super::summary::Summary;
+use crate::audit::{PaperAudit, PromiseCounts, TableFinding, Verdict};
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// What `subcert audit` finds.
+#[derive(Debug, Serialize)]
+pub struct AuditReport<'a> {
+    /// The version of this form.
+    pub schema: u32,
+    /// The papers.
+    pub papers: Vec<Paper<'a>>,
+}
+
+/// What an audit finds in a paper.
+#[derive(Debug, Serialize)]
+pub struct Paper<'a> {
+    /// The paper's key.
+    pub key: &'a str,
+    /// Its claims: the cells of its tables, its equations, closed forms, ranges and theorems.
+    pub claims: Vec<Claim<'a>>,
+    /// How many claims have each verdict.
+    pub summary: BTreeMap<&'static str, usize>,
+    /// Where its tables need different readings.
+    pub contradictions: Vec<Contradiction<'a>>,
+    /// Its tables.
+    pub tables: Vec<Table<'a>>,
+    /// How many cells are in each standing.
+    pub cells: Summary,
+    /// How many printed bounds and depths keep their promise.
+    pub promises: PromiseTally,
+}
+
+/// A table, with what the search for its reading covered and found.
+#[derive(Debug, Serialize)]
+pub struct Table<'a> {
+    /// Its id within the paper.
+    pub id: &'a str,
+    /// Where in the paper it is.
+    pub locus: &'a str,
+    /// The formula that its cells are said to equal.
+    pub value: &'a str,
+    /// The search for a reading that explains its cells; null where none was needed.
+    pub search: Option<Search<'a>>,
+    /// The same for the cells that need a parameter that the paper does not state; missing where
+    /// a table has only one kind of cells.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub search_of_cells_with_assumptions: Option<Search<'a>>,
+}
+
+/// How many printed bounds and depths keep their promise for all control data.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct PromiseTally {
+    /// They do.
+    pub kept: usize,
+    /// They do not.
+    pub broken: usize,
+    /// This is not decided.
+    pub open: usize,
+}
+
+impl<'a> AuditReport<'a> {
+    /// The form of these audits.
+    #[must_use]
+    pub fn of(audits: &'a [PaperAudit<'_>]) -> AuditReport<'a> {
+        AuditReport { schema: SCHEMA, papers: audits.iter().map(Paper::of).collect() }
+    }
+}
+
+impl<'a> Paper<'a> {
+    fn of(audit: &'a PaperAudit<'_>) -> Paper<'a> {
+        let cells = audit.tables.iter().flat_map(|table| table.cells.iter().flatten());
+        let claims =
+            cells.map(Claim::of_cell).chain(audit.equations.iter().map(Claim::of_equation));
+        let functions = audit.functions.iter().map(|finding| Claim::of_function(audit, finding));
+        let claims = claims.chain(functions).chain(audit.ranges.iter().map(Claim::of_range));
+        let claims = claims.chain(audit.theorems.iter().map(Claim::of_theorem)).collect();
+        let mut summary: BTreeMap<&str, usize> =
+            Verdict::NAMES.iter().map(|name| (*name, 0)).collect();
+        let counts = audit.cell_counts().into_iter().chain(audit.equation_counts());
+        for (name, count) in counts.chain(audit.range_counts()).chain(audit.theorem_counts()) {
+            *summary.entry(name).or_insert(0) += count;
+        }
+        let PromiseCounts { kept, broken, open } = audit.promise_counts();
+        Paper {
+            key: &audit.paper.key,
+            claims,
+            summary,
+            contradictions: Contradiction::all(audit),
+            tables: audit.tables.iter().map(Table::of).collect(),
+            cells: Summary::of(&audit.cell_summary()),
+            promises: PromiseTally { kept, broken, open },
+        }
+    }
+}
+
+impl<'a> Table<'a> {
+    fn of(finding: &'a TableFinding<'_>) -> Table<'a> {
+        let table = finding.table;
+        Table {
+            id: &table.id,
+            locus: &table.locus,
+            value: &table.value.text,
+            search: finding.search.as_ref().map(|search| Search::of(table, search)),
+            search_of_cells_with_assumptions: finding
+                .assumed_search
+                .as_ref()
+                .map(|search| Search::of(table, search)),
+        }
+    }
+}

@@ -1,0 +1,317 @@
+//! A claim with its verdict.
+
+use super::cell::{AsRead, CellSound};
+use super::exact::{Named, decimal};
+use super::theorem::Trial;
+use crate::audit::{
+    self, CellFinding, EndFinding, EquationFinding, EquationVerdict, FunctionFinding,
+    FunctionVerdict, PaperAudit, RangeFinding, TheoremFinding, Verdict,
+};
+use crate::claim::Statement;
+use crate::report::function::printed;
+use serde::Serialize;
+use std::borrow::Cow;
+
+/// A claim: a cell of a table, an equation, a closed form, a range or a theorem.
+#[derive(Debug, Serialize)]
+pub struct Claim<'a> {
+    /// The id: `key:table:row:column` of a cell, `key:claim` of the others.
+    pub id: &'a str,
+    /// Where in the paper it is.
+    pub locus: &'a str,
+    /// `number` of a cell, `equation` also of a closed form, `range` or `theorem`.
+    pub kind: &'static str,
+    /// What is printed; null where a cell is lost.
+    pub printed: Option<Cow<'a, str>>,
+    /// The exact value of a cell's definition, or the exact range.
+    pub exact: Option<String>,
+    /// That value as a decimal.
+    pub decimal: Option<String>,
+    /// What was tried of a theorem; its fields stand here, and are missing of other claims.
+    #[serde(flatten)]
+    pub trial: Option<Trial<'a>>,
+    /// The verdict.
+    pub verdict: &'static str,
+    /// The reading that explains a cell, where it is another one than the printed.
+    pub reading: Option<AsRead>,
+    /// What holds whatever the verdict is: of a bound, a depth or a range.
+    pub sound: Option<Sound<'a>>,
+    /// What else there is to say.
+    pub note: Option<Cow<'a, str>>,
+    /// What only claims of one kind have; its fields stand here.
+    #[serde(flatten)]
+    pub details: Details<'a>,
+    /// What the checker says of the certificate; its fields stand here, and are missing where it
+    /// was not asked.
+    #[serde(flatten)]
+    pub certificate: Option<Certificate>,
+}
+
+/// What holds whatever the verdict is.
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+pub enum Sound<'a> {
+    /// Of a cell.
+    Cell(Box<CellSound<'a>>),
+    /// Of a range.
+    Range {
+        /// Whether the condition holds in the whole printed range.
+        kept: bool,
+    },
+}
+
+/// What only claims of one kind have.
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+pub enum Details<'a> {
+    /// Of a cell.
+    Cell {
+        /// The values that were put in for parameters that the paper does not state.
+        assumed: Option<Named<String>>,
+        /// What the verdict would be if they were stated.
+        verdict_if_assumed: Option<&'static str>,
+    },
+    /// Of an equation.
+    Equation {
+        /// The cases in which the sides differ; null where there are none.
+        failures: Option<Vec<Failure<'a>>>,
+        /// Changes of one symbol with which it holds.
+        mends: Option<&'a [String]>,
+    },
+    /// Of a closed form in a free parameter.
+    Function {
+        /// The parameter.
+        variable: &'a str,
+        /// A value of the parameter at which the sides differ.
+        failures: Option<[Failure<'a>; 1]>,
+        /// Where the printed form is larger.
+        printed_larger: Option<String>,
+        /// Where it is smaller.
+        printed_smaller: Option<String>,
+    },
+    /// Of a range of a free parameter.
+    Range {
+        /// The parameter.
+        variable: &'a str,
+        /// The printed ends.
+        ends: Vec<End<'a>>,
+    },
+    /// Of a theorem.
+    Theorem {
+        /// What it bounds: `distance`, `step`, `difference` or `depth`; null where it says
+        /// something else.
+        bounds: Option<&'static str>,
+        /// The first level that it is stated for.
+        from: Option<u32>,
+        /// The ids of the claims that it rests on.
+        rests: &'a [String],
+        /// Those of them that do not hold.
+        failing: Vec<&'a str>,
+    },
+}
+
+/// A case in which two sides differ.
+#[derive(Debug, Serialize)]
+pub struct Failure<'a> {
+    /// The case in words.
+    pub at: Cow<'a, str>,
+    /// The left side.
+    pub left: String,
+    /// The right side.
+    pub right: String,
+    /// The left side less the right one.
+    pub difference: String,
+}
+
+/// An end of a printed range.
+#[derive(Debug, Serialize)]
+pub struct End<'a> {
+    /// The end as printed.
+    pub printed: &'a str,
+    /// The end of the exact range; null where it has none there.
+    pub exact: Option<String>,
+    /// How the two compare.
+    pub relation: String,
+    /// Whether the printed end is within the exact range.
+    pub inside: bool,
+    /// The value of the condition at the printed end.
+    pub value: String,
+}
+
+/// What the checker says of a claim, or of the table of a cell.
+#[derive(Clone, Debug, Serialize)]
+pub struct Certificate {
+    /// Whether there is a valid certificate.
+    pub certified: bool,
+    /// `valid`, or `cited`, `invalid` or `incomplete` with the reason.
+    pub certificate: String,
+}
+
+impl<'a> Claim<'a> {
+    pub(super) fn of_cell(cell: &'a CellFinding) -> Claim<'a> {
+        let why = match &cell.verdict {
+            Verdict::Rounding(direction) => Some(direction.to_string()),
+            Verdict::Misprint(slip) => Some(slip.to_string()),
+            Verdict::NotCheckable(missing) => Some(missing.to_string()),
+            _ => cell.undefined.clone(),
+        };
+        let assumed = cell.assumed.iter();
+        let assumed = assumed.map(|(name, value)| (name.clone(), value.to_string())).collect();
+        let sound = cell.sound.as_ref();
+        Claim {
+            id: &cell.id,
+            locus: &cell.locus,
+            kind: "number",
+            printed: cell.printed.as_deref().map(Cow::Borrowed),
+            exact: cell.exact.as_ref().map(ToString::to_string),
+            decimal: cell.exact.as_ref().map(decimal),
+            trial: None,
+            verdict: cell.verdict.name(),
+            reading: cell.as_read.as_ref().map(AsRead::of),
+            sound: sound.map(|sound| Sound::Cell(Box::new(CellSound::of(sound, cell)))),
+            note: joined(why, cell.note.as_deref()),
+            details: Details::Cell {
+                assumed: (!cell.assumed.is_empty()).then_some(Named(assumed)),
+                verdict_if_assumed: cell.verdict_if_assumed.as_ref().map(Verdict::name),
+            },
+            certificate: None,
+        }
+    }
+
+    /// A claim that has no exact value.
+    fn plain(
+        id: &'a str,
+        locus: &'a str,
+        kind: &'static str,
+        printed: impl Into<Cow<'a, str>>,
+        verdict: &'static str,
+        details: Details<'a>,
+    ) -> Claim<'a> {
+        Claim {
+            id,
+            locus,
+            kind,
+            printed: Some(printed.into()),
+            exact: None,
+            decimal: None,
+            trial: None,
+            verdict,
+            reading: None,
+            sound: None,
+            note: None,
+            details,
+            certificate: None,
+        }
+    }
+
+    pub(super) fn of_equation(finding: &'a EquationFinding<'_>) -> Claim<'a> {
+        let equation = finding.equation;
+        let (failures, mends, absent) = match &finding.verdict {
+            EquationVerdict::Fails { failures, mends, .. } => {
+                (Some(failures.iter().map(Failure::of).collect()), Some(&mends[..]), None)
+            }
+            EquationVerdict::NotCheckable(absent) => {
+                (None, None, Some(format!("missing: {absent}")))
+            }
+            EquationVerdict::Holds { .. } => (None, None, None),
+        };
+        let details = Details::Equation { failures, mends };
+        let (title, verdict) = (equation.title.as_str(), finding.verdict.name());
+        let claim = Claim::plain(&finding.id, &equation.locus, "equation", title, verdict, details);
+        Claim { note: joined(absent, equation.note.as_deref()), ..claim }
+    }
+
+    pub(super) fn of_function(
+        audit: &'a PaperAudit<'_>,
+        finding: &'a FunctionFinding<'_>,
+    ) -> Claim<'a> {
+        let claim = finding.claim;
+        let left = &claim.left.text;
+        // Where the printed form is one of the definitions, that is what is printed.
+        let definition = audit.paper.definitions.get(left);
+        let printed = definition.map_or(left, |definition| &definition.text).as_str();
+        let (failures, printed_larger, printed_smaller) = match &finding.verdict {
+            FunctionVerdict::Fails { larger, smaller, example } => {
+                let failure = Failure {
+                    at: format!("{} = {}", claim.variable, example.at).into(),
+                    left: example.left.to_string(),
+                    right: example.right.to_string(),
+                    difference: (&example.left - &example.right).to_string(),
+                };
+                (Some([failure]), Some(larger.to_string()), Some(smaller.to_string()))
+            }
+            FunctionVerdict::Holds => (None, None, None),
+        };
+        let variable = &claim.variable;
+        let details = Details::Function { variable, failures, printed_larger, printed_smaller };
+        let verdict = finding.verdict.name();
+        let plain = Claim::plain(&finding.id, &claim.locus, "equation", printed, verdict, details);
+        Claim { note: claim.note.as_deref().map(Cow::Borrowed), ..plain }
+    }
+
+    pub(super) fn of_range(finding: &'a RangeFinding<'_>) -> Claim<'a> {
+        let claim = finding.claim;
+        let ends = finding.ends.iter().map(End::of).collect();
+        let details = Details::Range { variable: &claim.variable, ends };
+        let (printed, verdict) = (printed(finding), finding.verdict.name());
+        Claim {
+            exact: Some(finding.exact.to_string()),
+            sound: Some(Sound::Range { kept: finding.kept }),
+            note: claim.note.as_deref().map(Cow::Borrowed),
+            ..Claim::plain(&finding.id, &claim.locus, "range", printed, verdict, details)
+        }
+    }
+
+    pub(super) fn of_theorem(finding: &'a TheoremFinding<'_>) -> Claim<'a> {
+        let theorem = finding.theorem;
+        let (bounds, from) = match &theorem.statement {
+            Statement::Bound { quantity, from, .. } => (Some(quantity.name()), Some(*from)),
+            Statement::Depth(_) => (Some("depth"), None),
+            Statement::Other(_) => (None, None),
+        };
+        let printed = match &theorem.statement {
+            Statement::Bound { by, .. } | Statement::Depth(by) => &by.text,
+            Statement::Other(says) => says,
+        };
+        let failing = finding.failing.iter().map(|premise| premise.id).collect();
+        let details = Details::Theorem { bounds, from, rests: &theorem.rests, failing };
+        let (printed, verdict) = (printed.as_str(), finding.verdict.name());
+        Claim {
+            trial: Some(Trial::of(finding)),
+            note: theorem.note.as_deref().map(Cow::Borrowed),
+            ..Claim::plain(&finding.id, &theorem.locus, "theorem", printed, verdict, details)
+        }
+    }
+}
+
+/// A reason and a note, as far as there are any.
+fn joined(reason: Option<String>, note: Option<&str>) -> Option<Cow<'_, str>> {
+    match (reason, note) {
+        (Some(reason), Some(note)) => Some(format!("{reason}; {note}").into()),
+        (Some(reason), None) => Some(reason.into()),
+        (None, note) => note.map(Cow::Borrowed),
+    }
+}
+
+impl<'a> Failure<'a> {
+    fn of(failure: &'a audit::Failure) -> Failure<'a> {
+        Failure {
+            at: failure.at.as_str().into(),
+            left: failure.left.to_string(),
+            right: failure.right.to_string(),
+            difference: failure.difference().to_string(),
+        }
+    }
+}
+
+impl<'a> End<'a> {
+    fn of(end: &'a EndFinding) -> End<'a> {
+        End {
+            printed: &end.printed,
+            exact: end.exact.as_ref().map(ToString::to_string),
+            relation: end.relation.to_string(),
+            inside: end.inside,
+            value: end.value.to_string(),
+        }
+    }
+}

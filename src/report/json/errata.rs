@@ -1,0 +1,228 @@
+//! Errata as JSON.
+
+use super::SCHEMA;
+use super::claim::Claim;
+use super::consistency::Contradiction;
+use super::summary::Summary;
+use crate::audit::{self, CellErratum, Errata, PaperAudit, Subject};
+use crate::report::errata::cells::{correct, origin};
+use serde::Serialize;
+
+/// What `subcert errata` finds.
+#[derive(Debug, Serialize)]
+pub struct ErrataReport<'a> {
+    /// The version of this form.
+    pub schema: u32,
+    /// The papers.
+    pub papers: Vec<PaperErrata<'a>>,
+}
+
+/// What is wrong in a paper.
+#[derive(Debug, Serialize)]
+pub struct PaperErrata<'a> {
+    /// The paper's key.
+    pub key: &'a str,
+    /// What a reader should know about the text that the claims come from.
+    pub note: Option<&'a str>,
+    /// What is wrong.
+    pub errata: Vec<Erratum<'a>>,
+    /// What could not be checked.
+    pub unchecked: Vec<Unchecked<'a>>,
+    /// Where its tables need different readings.
+    pub contradictions: Vec<Contradiction<'a>>,
+    /// Its theorems.
+    pub theorems: Vec<Claim<'a>>,
+    /// How many cells are in each standing.
+    pub cells: Summary,
+}
+
+/// Something wrong.
+#[derive(Debug, Serialize)]
+pub struct Erratum<'a> {
+    /// Its number, from 1.
+    pub number: usize,
+    /// The id of the claim or table.
+    pub id: String,
+    /// Where in the paper it is.
+    pub locus: &'a str,
+    /// The verdict.
+    pub verdict: &'static str,
+    /// The claim, or the cells of the table.
+    pub detail: Detail<'a>,
+    /// What changes with it.
+    pub changes: Changes<'a>,
+}
+
+/// What is wrong.
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+pub enum Detail<'a> {
+    /// Cells of a table.
+    Cells(WrongCells<'a>),
+    /// Any other claim.
+    Claim(Box<Claim<'a>>),
+}
+
+/// Cells of a table that are wrong for one reason.
+#[derive(Debug, Serialize)]
+pub struct WrongCells<'a> {
+    /// Their standing.
+    pub standing: &'static str,
+    /// Its cause.
+    pub cause: Option<String>,
+    /// How the cells came about.
+    pub origin: String,
+    /// The cells.
+    pub cells: Vec<WrongCell<'a>>,
+}
+
+/// A wrong cell.
+#[derive(Debug, Serialize)]
+pub struct WrongCell<'a> {
+    /// Its id.
+    pub id: &'a str,
+    /// Where in the table it is.
+    pub locus: &'a str,
+    /// What is printed.
+    pub printed: Option<&'a str>,
+    /// What the printed definition gives, in the form of the printed number.
+    pub by_definition: Option<String>,
+}
+
+/// What changes with an erratum.
+#[derive(Debug, Serialize)]
+pub struct Changes<'a> {
+    /// Whether anything does.
+    pub any: bool,
+    /// How many printed numbers are smaller than the definition's.
+    pub smaller: usize,
+    /// How many are larger.
+    pub larger: usize,
+    /// How many do not keep their promise by the printed formula.
+    pub broken_by_formula: usize,
+    /// How many keep it for all control data.
+    pub kept: usize,
+    /// How many do not.
+    pub broken: usize,
+    /// Of how many that is open.
+    pub open: usize,
+    /// What uses the claim.
+    pub used_by: Vec<&'a str>,
+    /// The ids of the theorems that rest on it.
+    pub theorems: Vec<&'a str>,
+}
+
+/// Cells of a table that could not be checked.
+#[derive(Debug, Serialize)]
+pub struct Unchecked<'a> {
+    /// The id of the table.
+    pub table: &'a str,
+    /// Where in the paper it is.
+    pub locus: &'a str,
+    /// Why they could not.
+    pub cause: Option<String>,
+    /// The ids of the cells.
+    pub cells: Vec<&'a str>,
+    /// What their outcomes are where a value is assumed for what the paper does not state.
+    pub outcomes: Summary,
+}
+
+impl<'a> ErrataReport<'a> {
+    /// The form of the errata of these papers.
+    #[must_use]
+    pub fn of(audits: &'a [PaperAudit<'_>]) -> ErrataReport<'a> {
+        let paper = |audit: &'a PaperAudit<'_>| PaperErrata::of(audit.errata());
+        ErrataReport { schema: SCHEMA, papers: audits.iter().map(paper).collect() }
+    }
+}
+
+impl<'a> PaperErrata<'a> {
+    fn of(errata: Errata<'a, 'a>) -> PaperErrata<'a> {
+        let audit = errata.audit;
+        let numbered = (1..).zip(errata.errata);
+        PaperErrata {
+            key: &audit.paper.key,
+            note: audit.paper.bibliography.note.as_deref(),
+            errata: numbered.map(|(number, one)| Erratum::of(audit, number, one)).collect(),
+            unchecked: errata.unchecked.into_iter().map(Unchecked::of).collect(),
+            contradictions: Contradiction::all(audit),
+            theorems: audit.theorems.iter().map(Claim::of_theorem).collect(),
+            cells: Summary::of(&audit.cell_summary()),
+        }
+    }
+}
+
+impl<'a> Erratum<'a> {
+    fn of(
+        audit: &'a PaperAudit<'a>,
+        number: usize,
+        erratum: audit::Erratum<'a, 'a>,
+    ) -> Erratum<'a> {
+        let audit::Erratum { subject, consequences } = erratum;
+        let changes = Changes {
+            any: consequences.any(),
+            smaller: consequences.smaller,
+            larger: consequences.larger,
+            broken_by_formula: consequences.broken_by_formula,
+            kept: consequences.kept,
+            broken: consequences.broken,
+            open: consequences.open,
+            theorems: consequences.theorems.iter().map(|theorem| theorem.id.as_str()).collect(),
+            used_by: consequences.used_by,
+        };
+        Erratum {
+            number,
+            id: format!("{}:{}", audit.paper.key, subject.id()),
+            locus: subject.locus(),
+            verdict: subject.verdict(),
+            detail: Detail::of(audit, subject),
+            changes,
+        }
+    }
+}
+
+impl<'a> Detail<'a> {
+    fn of(audit: &'a PaperAudit<'a>, subject: Subject<'a, 'a>) -> Detail<'a> {
+        let claim = match subject {
+            Subject::Cells(cells) => return Detail::Cells(WrongCells::of(&cells)),
+            Subject::Equation(finding) => Claim::of_equation(finding),
+            Subject::Function(finding) => Claim::of_function(audit, finding),
+            Subject::Range(finding) => Claim::of_range(finding),
+            Subject::Theorem(finding) => Claim::of_theorem(finding),
+        };
+        Detail::Claim(Box::new(claim))
+    }
+}
+
+impl<'a> WrongCells<'a> {
+    fn of(cells: &CellErratum<'a, 'a>) -> WrongCells<'a> {
+        let cell = |&(row, column): &(usize, usize)| {
+            let finding = &cells.finding.cells[row][column];
+            let printed = cells.finding.table.cells[row][column].printed();
+            WrongCell {
+                id: &finding.id,
+                locus: &finding.locus,
+                printed: finding.printed.as_deref(),
+                by_definition: printed.map(|printed| correct(finding.exact.as_ref(), printed)),
+            }
+        };
+        WrongCells {
+            standing: cells.outcome.standing.name(),
+            cause: cells.outcome.cause.clone(),
+            origin: origin(cells),
+            cells: cells.cells.iter().map(cell).collect(),
+        }
+    }
+}
+
+impl<'a> Unchecked<'a> {
+    fn of(group: audit::Unchecked<'a, 'a>) -> Unchecked<'a> {
+        Unchecked {
+            table: &group.finding.table.id,
+            locus: &group.finding.table.locus,
+            cells: group.findings().map(|cell| cell.id.as_str()).collect(),
+            outcomes: Summary::of(&group.if_assumed()),
+            cause: group.cause,
+        }
+    }
+}

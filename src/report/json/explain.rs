@@ -1,0 +1,42 @@
+//! One claim as JSON.
+
+use super::audit::AuditReport;
+use super::claim::Claim;
+use super::reading::Reading;
+use crate::audit::{Explanation, PaperAudit};
+use crate::report::explain::table_of;
+use serde::Serialize;
+
+/// What `subcert explain` finds.
+#[derive(Debug, Serialize)]
+pub struct Explained<'a> {
+    /// The id that was asked about.
+    pub id: &'a str,
+    /// The claim of this id; of a table, its cells.
+    pub claims: Vec<Claim<'a>>,
+    /// The readings of the table, the best first; null where the id is not that of a table or of
+    /// a cell.
+    pub readings: Option<Vec<Reading<'a>>>,
+}
+
+impl<'a> Explained<'a> {
+    /// The form of the claim or table of this id. `readings` are those of the table, from
+    /// [`crate::audit::readings`].
+    #[must_use]
+    pub fn of(
+        audits: &'a [PaperAudit<'_>],
+        id: &'a str,
+        readings: &'a [Explanation],
+    ) -> Explained<'a> {
+        let table = table_of(audits, id);
+        let claims = AuditReport::of(audits).papers.into_iter().flat_map(|paper| paper.claims);
+        let named = |claim: &Claim<'_>| {
+            claim.id == id || claim.id.strip_prefix(id).is_some_and(|rest| rest.starts_with(':'))
+        };
+        Explained {
+            id,
+            claims: claims.filter(named).collect(),
+            readings: table.map(|(finding, at)| Reading::all(finding, readings, at)),
+        }
+    }
+}

@@ -1,0 +1,37 @@
+//! Reports as JSON.
+//!
+//! The types here are the schema: a field has the same name in JSON, and an `Option` that is `None`
+//! is null there, unless its documentation says that the field is missing then.
+
+mod audit;
+mod cell;
+mod claim;
+mod consistency;
+mod coverage;
+mod errata;
+mod exact;
+mod explain;
+mod promise;
+mod reading;
+mod summary;
+mod theorem;
+mod witness;
+
+pub use audit::{AuditReport, Paper, PromiseTally, Table};
+pub use cell::{AsRead, CellSound, SoundValue};
+pub use claim::{Certificate, Claim, Details, End, Failure, Sound};
+pub use consistency::{Contradiction, Side, TablePart};
+pub use coverage::{CoverageReport, CoveredPaper, CoveringClaim, NumberedItem};
+pub use errata::{
+    Changes, Detail, ErrataReport, Erratum, PaperErrata, Unchecked, WrongCell, WrongCells,
+};
+pub use exact::{Exact, Named};
+pub use explain::Explained;
+pub use promise::{Broken, ControlData, OwnOffset, Promise};
+pub use reading::{Explanation, Line, Reading, ReadingOfCell, Search, Shift, Solved};
+pub use summary::{Group, Outcome, Summary};
+pub use theorem::{Case, Repair, Trial};
+pub use witness::{Control, Place, Supremum, Witness};
+
+/// The version of the JSON form.
+const SCHEMA: u32 = 1;

@@ -1,0 +1,124 @@
+//! Whether a printed bound or depth keeps its promise.
+
+use super::exact::Exact;
+use crate::audit::{self, CellFinding, Kept};
+use serde::Serialize;
+
+/// Whether a printed bound or depth keeps its promise for all control data.
+#[derive(Debug, Serialize)]
+pub struct Promise<'a> {
+    /// Whether it does; null where that is open.
+    pub kept: Option<bool>,
+    /// Why it is open; missing where it is not.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub open: Option<&'a str>,
+    /// Control data for which it does not; missing where there are none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub broken_by: Option<Broken<'a>>,
+    /// The same at the scheme's own offset; missing where it is kept at the paper's, or where
+    /// that is the same.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub own_offset: Option<OwnOffset>,
+}
+
+/// Control data for which a promise is not kept.
+#[derive(Debug, Serialize)]
+pub struct Broken<'a> {
+    /// The data for spread 1, and the place; their fields stand here.
+    #[serde(flatten)]
+    pub data: ControlData<'a>,
+    /// The spread that the data are multiplied by.
+    pub times: String,
+    /// The level.
+    pub level: u32,
+    /// The distance from the limit at that place and level.
+    pub distance: Exact,
+    /// What the distance was promised to be at most.
+    pub promised: Exact,
+}
+
+/// Control data of spread 1, and a place.
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+pub enum ControlData<'a> {
+    /// A piece of a control polygon.
+    Polygon {
+        /// The index of its first point.
+        first: i64,
+        /// Its points.
+        points: &'a [i64],
+        /// The parameter t of the place.
+        parameter: String,
+    },
+    /// A piece of a control net.
+    Net {
+        /// The indices of its first point.
+        first: [i64; 2],
+        /// Its points, row by row.
+        net: &'a [Vec<i64>],
+        /// The parameters s and t of the place.
+        parameters: [String; 2],
+    },
+    /// A control ring.
+    Ring {
+        /// Its points.
+        ring: &'a [i64],
+        /// The name of the point that is the place.
+        point: &'a str,
+    },
+}
+
+/// A promise at the scheme's own offset.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct OwnOffset {
+    /// That offset.
+    pub offset: i64,
+    /// Whether the promise is kept there; null where that is open.
+    pub kept: Option<bool>,
+}
+
+impl<'a> Promise<'a> {
+    pub(super) fn of(cell: &'a CellFinding) -> Option<Promise<'a>> {
+        let kept = cell.kept.as_ref()?;
+        let own = cell.kept_at_own_offset.as_ref();
+        Some(Promise {
+            kept: known(kept),
+            open: if let Kept::Open(why) = kept { Some(why) } else { None },
+            broken_by: if let Kept::No(broken) = kept { Some(Broken::of(broken)) } else { None },
+            own_offset: own.map(|(offset, kept)| OwnOffset { offset: *offset, kept: known(kept) }),
+        })
+    }
+}
+
+fn known(kept: &Kept) -> Option<bool> {
+    match kept {
+        Kept::Yes => Some(true),
+        Kept::No(_) => Some(false),
+        Kept::Open(_) => None,
+    }
+}
+
+impl<'a> Broken<'a> {
+    fn of(broken: &'a audit::Broken) -> Broken<'a> {
+        let data = match &broken.data {
+            audit::ControlData::Polygon(polygon, parameter) => ControlData::Polygon {
+                first: polygon.first,
+                points: &polygon.points,
+                parameter: parameter.to_string(),
+            },
+            audit::ControlData::Net(net, first, parameters) => ControlData::Net {
+                first: *first,
+                net,
+                parameters: parameters.each_ref().map(ToString::to_string),
+            },
+            audit::ControlData::Ring(ring, point) => ControlData::Ring { ring, point },
+        };
+        Broken {
+            data,
+            times: broken.spread.to_string(),
+            level: broken.level,
+            distance: Exact::of(&broken.distance),
+            promised: Exact::of(&broken.most),
+        }
+    }
+}

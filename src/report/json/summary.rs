@@ -1,0 +1,51 @@
+//! What the cells of a paper's tables amount to.
+
+use crate::audit::{CellOutcome, CellSummary};
+use serde::Serialize;
+
+/// How many cells are in each standing, and why.
+#[derive(Debug, Serialize)]
+pub struct Summary {
+    /// How many cells there are.
+    pub count: usize,
+    /// Those of one outcome together.
+    pub groups: Vec<Group>,
+}
+
+/// Cells of one outcome.
+#[derive(Debug, Serialize)]
+pub struct Group {
+    /// How many they are.
+    pub count: usize,
+    /// Their outcome; its fields stand here.
+    #[serde(flatten)]
+    pub outcome: Outcome,
+    /// What their outcome would be if what the paper does not state were as assumed.
+    pub if_assumed: Option<Outcome>,
+}
+
+/// The outcome of a cell.
+#[derive(Debug, Serialize)]
+pub struct Outcome {
+    /// `confirmed`, `explained`, `misprinted`, `refuted` or `not checkable`.
+    pub standing: &'static str,
+    /// Why, in words.
+    pub cause: Option<String>,
+}
+
+impl Summary {
+    pub(super) fn of(summary: &CellSummary) -> Summary {
+        let groups = summary.groups.iter().map(|group| Group {
+            count: group.count,
+            outcome: Outcome::of(&group.outcome),
+            if_assumed: group.if_assumed.as_ref().map(Outcome::of),
+        });
+        Summary { count: summary.cells(), groups: groups.collect() }
+    }
+}
+
+impl Outcome {
+    fn of(outcome: &CellOutcome) -> Outcome {
+        Outcome { standing: outcome.standing.name(), cause: outcome.cause.clone() }
+    }
+}

@@ -1,0 +1,129 @@
+//! The data that refute a theorem.
+
+use super::exact::{Exact, Named};
+use crate::audit::{self, Refutation};
+use crate::limit::ExtremalPolygon;
+use crate::report::witness::name;
+use serde::Serialize;
+
+/// Control data of spread 1, and a place where a quantity is greater than a theorem says.
+#[derive(Debug, Serialize)]
+pub struct Witness<'a> {
+    /// The scheme and the values of the parameters.
+    pub case: &'a str,
+    /// The control data.
+    pub control: Control<'a>,
+    /// The level.
+    pub level: u32,
+    /// Where the quantity has the value.
+    pub place: Place,
+    /// The value.
+    pub value: Exact,
+    /// What the theorem says that it is at most.
+    pub bound: Exact,
+    /// The best true bound at this level, as far as it is known.
+    pub supremum: Option<Supremum>,
+    /// The sound bound.
+    pub sound: Option<Exact>,
+}
+
+/// Control data of integers.
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+pub enum Control<'a> {
+    /// A piece of a control polygon.
+    Polygon {
+        /// The index of its first point.
+        first: i64,
+        /// Its points.
+        points: &'a [i64],
+    },
+    /// A piece of a control net.
+    Net {
+        /// The indices of its first point.
+        first: [i64; 2],
+        /// Its points, row by row.
+        rows: &'a [Vec<i64>],
+    },
+    /// The points of a ring.
+    Points {
+        /// Their values by their names.
+        points: Named<i64>,
+    },
+}
+
+/// Where a quantity has a value.
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+pub enum Place {
+    /// A parameter t.
+    Parameter {
+        /// t.
+        parameter: String,
+    },
+    /// Two parameters.
+    Parameters {
+        /// s and t.
+        parameters: [String; 2],
+    },
+    /// A point.
+    Point {
+        /// Its index at the next level.
+        point: i64,
+    },
+    /// A difference of neighbouring points.
+    Difference {
+        /// Its index.
+        difference: i64,
+    },
+    /// Another place.
+    Name {
+        /// The place in a few words.
+        name: String,
+    },
+}
+
+/// Bounds of a supremum.
+#[derive(Debug, Serialize)]
+pub struct Supremum {
+    /// A value that is attained.
+    pub lower: Exact,
+    /// An upper bound.
+    pub upper: Option<Exact>,
+}
+
+impl<'a> Witness<'a> {
+    pub(super) fn of(refutation: &'a Refutation) -> Witness<'a> {
+        let Refutation { case, violation, supremum, sound, .. } = refutation;
+        let attained = &violation.attained;
+        let control = match &attained.control {
+            audit::Control::Polygon(ExtremalPolygon { first, points }) => {
+                Control::Polygon { first: *first, points }
+            }
+            audit::Control::Net { first, rows } => Control::Net { first: *first, rows },
+            audit::Control::Points(points) => Control::Points { points: Named(points.clone()) },
+        };
+        let place = match &attained.place {
+            audit::Place::Parameter(t) => Place::Parameter { parameter: t.to_string() },
+            audit::Place::Parameters(both) => {
+                Place::Parameters { parameters: both.each_ref().map(ToString::to_string) }
+            }
+            audit::Place::Point(i) => Place::Point { point: *i },
+            audit::Place::Difference(i) => Place::Difference { difference: *i },
+            place => Place::Name { name: name(place) },
+        };
+        Witness {
+            case,
+            control,
+            level: violation.level,
+            place,
+            value: Exact::of(&attained.value),
+            bound: Exact::of(&violation.bound),
+            supremum: supremum.as_ref().map(|supremum| Supremum {
+                lower: Exact::of(&supremum.lower),
+                upper: supremum.upper.as_ref().map(Exact::of),
+            }),
+            sound: sound.as_ref().map(Exact::of),
+        }
+    }
+}

@@ -1,0 +1,140 @@
+//! The order of the modules: files import each other in no circle, and no module imports a higher
+//! layer.
+
+mod imports;
+
+use imports::{Imports, Module, name};
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// The crates: the folder of the sources, and the name.
+const CRATES: [(&str, &str); 2] = [("src", "subcert"), ("proofs/checker/src", "subcert_check")];
+
+/// The layers of `subcert` from below: folders or files of `src`. A module imports its own layer and
+/// those before it. A new folder gets a line here.
+const LAYERS: [&str; 19] = [
+    "diagnostic",
+    "exact",
+    "formula",
+    "scheme",
+    "bound",
+    "limit",
+    "float",
+    "oracle",
+    "claim",
+    "evaluation",
+    "finding",
+    "judge",
+    "digest",
+    "evidence",
+    "audit",
+    "certificate",
+    "report",
+    "cli",
+    "main",
+];
+
+fn imports(folder: &str, name: &str) -> Imports {
+    Imports::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join(folder), name)
+}
+
+#[test]
+fn files_import_each_other_in_no_circle() {
+    let mut wrong = Vec::new();
+    for (folder, crate_name) in CRATES {
+        let imports = imports(folder, crate_name);
+        let circles = imports.circles();
+        wrong
+            .extend(circles.iter().map(|circle| format!("{folder}: {}", imports.describe(circle))));
+    }
+    assert!(wrong.is_empty(), "circles of imports:\n{}", wrong.join("\n"));
+}
+
+#[test]
+fn no_module_imports_a_higher_layer() {
+    let layer = |module: &Module| {
+        let first = module.first().map(String::as_str);
+        LAYERS.iter().position(|layer| Some(*layer) == first)
+    };
+    let mut wrong = Vec::new();
+    for (module, imported) in imports("src", "subcert").iter() {
+        // The root only declares the modules.
+        if module.is_empty() {
+            continue;
+        }
+        let Some(own) = layer(module) else {
+            wrong.push(format!("{} is in no layer of LAYERS", name(module)));
+            continue;
+        };
+        for (other, items) in imported {
+            if layer(other).is_none_or(|other| other > own) {
+                let items: Vec<&str> = items.iter().map(String::as_str).collect();
+                let items = items.join(", ");
+                wrong.push(format!("{} imports {items} from {}", name(module), name(other)));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "imports of a higher layer:\n{}", wrong.join("\n"));
+}
+
+/// Modules with these sources.
+fn modules(sources: &[(&str, &str)]) -> Imports {
+    let path = |name: &str| -> Module {
+        name.split("::").filter(|part| !part.is_empty()).map(str::to_owned).collect()
+    };
+    let sources: BTreeMap<Module, String> =
+        sources.iter().map(|(name, source)| (path(name), (*source).to_owned())).collect();
+    Imports::of(&sources, "own")
+}
+
+/// The circles among these modules, by name.
+fn circles(sources: &[(&str, &str)]) -> Vec<Vec<String>> {
+    let circles = modules(sources).circles();
+    circles.iter().map(|circle| circle.iter().map(name).collect()).collect()
+}
+
+#[test]
+fn circles_are_found_through_every_form_of_import() {
+    let top = ("", "mod a; mod b;");
+    for (a, b) in [
+        ("use crate::b::B;", "use crate::a::{A, Other};"),
+        ("use crate::{a, b::{self, B}};", "use super::a;"),
+        ("use super::b::B as C;", "fn f() -> super::a::A { }"),
+        ("use own::b::{c::{D, E}, *};", "impl<'a> crate::a::A<'a> for B { }"),
+        ("const C: char = '\\''; use super::b;", "fn f<'a>(x: &'a str) { } use super::a;"),
+    ] {
+        assert_eq!(circles(&[top, ("a", a), ("b", b)]), [["a", "b"]], "{a} {b}");
+    }
+    let exported = [top, ("a", "pub use x::X; mod x;"), ("a::x", "use crate::b::B;")];
+    let through = [("b", "use crate::a::X;")];
+    assert_eq!(circles(&[&exported[..], &through].concat()), [["a::x", "b"]]);
+    let inside = [top, ("a", "mod x; use x::g;"), ("a::x", "use super::f;"), ("b", "")];
+    assert_eq!(circles(&inside), [["a", "a::x"]]);
+    let three = [
+        ("a", "use crate::b::{B, C};"),
+        ("b", "use crate::c;"),
+        ("c", "use crate::a::A;"),
+        ("d", "use crate::a::A;"),
+    ];
+    let imports = modules(&three);
+    assert_eq!(circles(&three), [["a", "b", "c"]]);
+    assert_eq!(
+        imports.describe(&imports.circles()[0]),
+        "a imports B, C from b; b imports * from c; c imports A from a"
+    );
+}
+
+#[test]
+fn what_is_no_import_makes_no_circle() {
+    for a in [
+        "// use crate::b::B;",
+        "/* use crate::b::B; */",
+        "const TEXT: &str = \"use crate::b::B;\";",
+        "const TEXT: &str = r#\"\"use crate::b::B;\"#;",
+        "fn f() { b::g(); x.b(); } fn g() -> impl Iterator + use<'_> { crate::f() }",
+        "use other::b::B; use std::b;",
+        "pub(in crate::b) fn f() { }",
+    ] {
+        assert!(circles(&[("", ""), ("a", a), ("b", "use crate::a::A;")]).is_empty(), "{a}");
+    }
+}
