@@ -81,8 +81,8 @@ fn choices(explained: &[Explained<'_, '_>]) -> Vec<Contradiction> {
 }
 
 /// A way in words.
-fn words(way: &Option<Difference>) -> String {
-    way.as_ref().map_or_else(|| "as printed".to_owned(), Difference::to_string)
+fn words(way: Option<&Difference>) -> String {
+    way.map_or_else(|| "as printed".to_owned(), Difference::to_string)
 }
 
 fn one_choice(explained: &[Explained<'_, '_>], name: &str) -> Option<Contradiction> {
@@ -107,7 +107,7 @@ fn one_choice(explained: &[Explained<'_, '_>], name: &str) -> Option<Contradicti
         let suited =
             |way: &Option<Difference>| left.iter().filter(|(_, need)| suits(need, way)).count();
         // Of equally good ones the first in the alphabet.
-        let way = ways.into_iter().max_by_key(|way| (suited(way), Reverse(words(way))))?;
+        let way = ways.into_iter().max_by_key(|way| (suited(way), Reverse(words(way.as_ref()))))?;
         let (here, rest): (Vec<_>, Vec<_>) =
             left.into_iter().partition(|(_, need)| suits(need, &way));
         left = rest;
@@ -124,7 +124,7 @@ fn one_choice(explained: &[Explained<'_, '_>], name: &str) -> Option<Contradicti
             let explained = need.ways.get(&way).copied().unwrap_or(0);
             place.place(explained, otherwise.copied().unwrap_or(0))
         };
-        Side { places: here.into_iter().map(place).collect(), says: words(&way) }
+        Side { places: here.into_iter().map(place).collect(), says: words(way.as_ref()) }
     };
     let sides = sides.into_iter().map(side).collect();
     Some(Contradiction { about: name.to_owned(), sides })

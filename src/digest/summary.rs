@@ -1,6 +1,6 @@
 //! What the cells of a paper's tables amount to.
 
-use crate::finding::{CellFinding, Missing, PaperAudit, Verdict};
+use crate::finding::{AsRead, CellFinding, Missing, PaperAudit, Verdict};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
@@ -104,7 +104,7 @@ impl CellFinding {
     }
 
     fn as_outcome(&self, verdict: &Verdict) -> CellOutcome {
-        let reading = || self.as_read.as_ref().map(|read| read.differs());
+        let reading = || self.as_read.as_ref().map(AsRead::differs);
         let (standing, cause) = match verdict {
             Verdict::Confirmed => (Standing::Confirmed, None),
             Verdict::Rounding(direction) => (Standing::Explained, Some(direction.to_string())),

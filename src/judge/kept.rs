@@ -15,11 +15,14 @@ use std::rc::Rc;
 /// The most cells that one comparison looks at.
 const MAX_CELLS: u32 = 1 << 13;
 
+/// A scheme, and the offset at which it is compared with its limit, if not its own.
+type SchemeAt = (Vec<Instance>, Option<i64>);
+
 /// The distances that the cells of one table ask for. Another table has its own: what is found with a
 /// limited amount of work for one must not decide what is found for the other.
 #[derive(Default)]
 pub(crate) struct DistanceMemo {
-    masks: RefCell<BTreeMap<(Vec<Instance>, Option<i64>), Rc<Remembered>>>,
+    masks: RefCell<BTreeMap<SchemeAt, Rc<Remembered>>>,
     rings: RefCell<BTreeMap<Instance, Rc<Remembered>>>,
 }
 

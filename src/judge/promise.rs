@@ -122,12 +122,12 @@ impl Evaluator<'_> {
             if finding.kept_by_sound == Some(true) {
                 finding.kept = Some(Kept::Yes);
             } else {
-                let kept = self.kept(&promised, &printed, distances);
+                let kept = Self::kept(&promised, &printed, distances);
                 if kept != Kept::Yes
                     && let Some((own, promised)) = promised.at_own_offset()
                 {
                     finding.kept_at_own_offset =
-                        Some((own, self.kept(&promised, &printed, distances)));
+                        Some((own, Self::kept(&promised, &printed, distances)));
                 }
                 finding.kept = Some(kept);
             }
@@ -197,7 +197,7 @@ impl Evaluator<'_> {
     }
 
     /// Whether the printed number keeps its promise for every control polygon.
-    fn kept(&self, promised: &Promised, printed: &Rational, distances: &DistanceMemo) -> Kept {
+    fn kept(promised: &Promised, printed: &Rational, distances: &DistanceMemo) -> Kept {
         let Promised { scheme, spread, of } = promised;
         let level = match of {
             Of::Tolerance(_) => printed.numerator().to_i64().filter(|_| printed.is_integer()),

@@ -69,6 +69,11 @@ proptest! {
     fn what_is_certified_is_true(draft in papers()) {
         settled(&draft, truth::of_claims)?;
     }
+}
+
+proptest! {
+    // Every block is checked with many others.
+    #![proptest_config(cases(12))]
 
     #[test]
     fn opposite_verdicts_exclude_each_other(draft in papers()) {

@@ -66,13 +66,14 @@ impl<'s> Space<'s> {
         findings: &[Vec<CellFinding>],
         printed: &'s PrintedCells<'s>,
     ) -> Option<Space<'s>> {
-        let cell = |(finding, printed): (&CellFinding, &Option<&Printed>)| {
+        let cell = |(finding, printed): (&CellFinding, Option<&Printed>)| {
             let names = finding.assumed.iter().filter(|_| printed.is_some());
             names.map(|(name, _)| name.clone()).collect()
         };
         let rows = findings.iter().zip(printed);
-        let needed: Vec<Vec<BTreeSet<String>>> =
-            rows.map(|(row, printed)| row.iter().zip(printed).map(cell).collect()).collect();
+        let needed: Vec<Vec<BTreeSet<String>>> = rows
+            .map(|(row, printed)| row.iter().zip(printed.iter().copied()).map(cell).collect())
+            .collect();
         let assume = needed.iter().flatten().flatten().cloned().collect();
         let settings = Settings::default();
         let (as_printed, scale, changes) = (Values::new(), None, Vec::new());

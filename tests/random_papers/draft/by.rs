@@ -20,9 +20,17 @@ fn greatest(instance: &Instance, quantity: &str, level: u32, offset: Option<i64>
     match &instance.shape {
         Shape::Curve(curve) => of_curve(curve),
         Shape::Net(Net(pair)) => {
-            let [one, other] = pair.each_ref().map(of_curve);
-            let value = if quantity == "difference" { one.0.max(other.0) } else { one.0 + other.0 };
-            (value, one.1.max(other.1))
+            let [one, other] = pair;
+            // Differences along one index fall by T_c of it, and grow by Λ_c of the other.
+            let fall = |level| {
+                let along = one.greatest_difference(level) * other.norm(level);
+                along.max(other.greatest_difference(level) * one.norm(level))
+            };
+            let value = match quantity {
+                "difference" => fall(level),
+                _ => of_curve(one).0 + of_curve(other).0,
+            };
+            (value, fall(1))
         }
         Shape::Ring(ring, earlier) => {
             let heights = ring.heights();

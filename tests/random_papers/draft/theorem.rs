@@ -4,7 +4,7 @@ use super::by::{by, depth};
 use super::shape::{Factor, Instance, Shape, environment, valence};
 use super::{Claim, Draft, Known, Mood};
 use crate::random_papers::choices::Choices;
-use crate::random_papers::formula::{Env, Tree, name, number};
+use crate::random_papers::formula::{Env, Tree, name, number, times};
 use crate::random_papers::naive::{Net, Q};
 
 /// What a theorem says of its instances.
@@ -95,7 +95,12 @@ pub fn claim(draft: &Draft, place: usize, choices: &mut Choices) -> Option<Claim
     let by = if quantity == "depth" {
         depth(choices)
     } else {
-        by(choices, &instances[0], quantity, from, offset)
+        let by = by(choices, &instances[0], quantity, from, offset);
+        // A spread that is given may be thought to be a number.
+        match draft.names.double.as_deref().and_then(|double| double.strip_suffix(" is given")) {
+            Some(spread) if spread.starts_with("beta_") => times(name(spread), by),
+            _ => by,
+        }
     };
     fields += &format!("bounds = '{quantity}'\nby = '{by}'\n");
     if quantity != "depth" {

@@ -19,19 +19,18 @@ struct Sides {
 pub fn excluded(draft: &Draft) -> Checked {
     for claim in &draft.claims {
         let text = draft.with([claim]);
-        let Some(certificate) = written(&text) else { continue };
-        let Some(own) = blocks(&certificate).pop() else { continue };
-        let mut sides = Vec::new();
-        if let Known::Bound(bound) = &claim.known {
-            sides.push(theorem::sides(draft, claim, bound, &own));
-        } else if accepts(&text, &own) {
-            let against = flipped::against(&own).into_iter();
-            let against = against.chain(promise::against(draft, claim, &own));
-            sides.push(Sides { one: vec![own], other: against.collect() });
-        }
-        for Sides { one, other } in sides {
-            both(claim, &text, &one, &other)?;
-        }
+        // What the program refuses, the other writer may certify all the same.
+        let own = written(&text).and_then(|certificate| blocks(&certificate).pop());
+        let Sides { one, other } = match (&claim.known, own) {
+            (Known::Bound(bound), own) => theorem::sides(draft, claim, bound, own),
+            (_, Some(own)) if accepts(&text, &own) => {
+                let against = flipped::against(&own).into_iter();
+                let against = against.chain(promise::against(draft, claim, &own));
+                Sides { other: against.collect(), one: vec![own] }
+            }
+            _ => continue,
+        };
+        both(claim, &text, &one, &other)?;
     }
     Ok(())
 }

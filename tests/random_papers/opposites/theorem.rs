@@ -9,11 +9,14 @@ use crate::random_papers::truth::{Witness, names};
 use num_traits::{One, Zero};
 use subcert_check::{Outcome, Reason};
 
-pub fn sides(draft: &Draft, claim: &Claim, bound: &Bound, own: &Block) -> Sides {
+pub fn sides(draft: &Draft, claim: &Claim, bound: &Bound, own: Option<Block>) -> Sides {
     let (mut one, mut other) = (proofs(draft, claim, bound), refutations(draft, claim, bound));
-    match own.verdict() {
-        "proved" => one.insert(0, own.clone()),
-        "refuted" => other.insert(0, own.clone()),
+    other.extend(
+        bound.instances.iter().flat_map(|instance| searched(draft, claim, bound, instance)),
+    );
+    match own {
+        Some(own) if own.verdict() == "proved" => one.insert(0, own),
+        Some(own) if own.verdict() == "refuted" => other.insert(0, own),
         _ => {}
     }
     Sides { one, other }
@@ -77,6 +80,74 @@ fn refutations(draft: &Draft, claim: &Claim, bound: &Bound) -> Vec<Block> {
     blocks
 }
 
+/// Steps and hats of several heights, also along one index alone, where they are worst.
+fn searched(draft: &Draft, claim: &Claim, bound: &Bound, instance: &Instance) -> Vec<Block> {
+    let indices = match &instance.shape {
+        Shape::Curve(_) => 1,
+        Shape::Net(_) => 2,
+        Shape::Ring(..) => return Vec::new(),
+    };
+    if !["difference", "step"].contains(&bound.quantity) {
+        return Vec::new();
+    }
+    let polygons = [vec![0], vec![0, 1], vec![0, 2], vec![0, 1, 0]].map(|polygon| vec![polygon]);
+    let all: Vec<Vec<Vec<i64>>> = match indices {
+        1 => polygons[1..].to_vec(),
+        _ => [[0, 1], [1, 0], [1, 2], [2, 1], [3, 3]]
+            .map(|pair| pair.map(|at: usize| polygons[at][0].clone()).to_vec())
+            .to_vec(),
+    };
+    let mut blocks = Vec::new();
+    for (level, data) in (bound.from..bound.from + 2).flat_map(|k| all.iter().map(move |x| (k, x)))
+    {
+        let window = -3_i64..=6;
+        let single = window.clone().map(|i| vec![i.to_string()]);
+        let places: Vec<Vec<String>> = if indices == 1 {
+            single.collect()
+        } else {
+            let axes: &[&str] = if bound.quantity == "difference" { &["1", "2"] } else { &[""] };
+            let pairs = window.clone().flat_map(|i| window.clone().map(move |j| [i, j]));
+            let with = |[i, j]: [i64; 2]| {
+                axes.iter().map(move |axis| {
+                    let words = [i.to_string(), j.to_string(), (*axis).to_owned()];
+                    words.into_iter().filter(|word| !word.is_empty()).collect()
+                })
+            };
+            pairs.flat_map(with).collect()
+        };
+        let value = |place: Vec<String>| {
+            let witness = Witness::of_polygons(level, data, place.clone());
+            let (value, _) = witness.value(bound, &instance.shape, &Q::zero()).ok()?;
+            Some((value, place))
+        };
+        let Some((value, place)) = places.into_iter().filter_map(value).max() else { continue };
+        let spreads = Witness::of_polygons(level, data, place.clone()).spreads(&instance.shape);
+        for right in readings(draft, instance, &spreads, level, &bound.by) {
+            let mut lines = vec![
+                format!("bounds {}", bound.quantity),
+                format!("by {}", bound.by),
+                format!("scheme {}", instance.reference),
+            ];
+            lines.extend(instance.values.iter().map(|(name, value)| format!("let {name} {value}")));
+            lines.push(format!("level {level}"));
+            for polygon in data {
+                let points: Vec<String> = polygon.iter().map(ToString::to_string).collect();
+                lines.push(format!("polygon 0 {}", points.join(" ")));
+            }
+            lines.push(format!("at {}", place.join(" ")));
+            lines.push(format!("sides {value} {right}"));
+            lines.push("refuted".to_owned());
+            blocks.push(theorem_block(claim, &lines));
+        }
+    }
+    blocks
+}
+
+fn theorem_block(claim: &Claim, lines: &[String]) -> Block {
+    let head = Block { kind: "theorem".to_owned(), id: claim.id.clone(), text: String::new() };
+    head.with_lines(lines)
+}
+
 /// All that the rule `grows` may accept, with small numbers.
 fn proofs(draft: &Draft, claim: &Claim, bound: &Bound) -> Vec<Block> {
     let [instance] = &bound.instances[..] else { return Vec::new() };
@@ -87,7 +158,6 @@ fn proofs(draft: &Draft, claim: &Claim, bound: &Bound) -> Vec<Block> {
         return Vec::new();
     }
     let text = draft.with([claim]);
-    let head = Block { kind: "theorem".to_owned(), id: claim.id.clone(), text: String::new() };
     let stated = [
         format!("bounds {}", bound.quantity),
         format!("by {}", bound.by),
@@ -97,7 +167,7 @@ fn proofs(draft: &Draft, claim: &Claim, bound: &Bound) -> Vec<Block> {
     for (period, ratio) in growths(draft, bound, instance) {
         let with = |times: u32, rest: &[String]| {
             let grows = [format!("grows {period} {ratio}"), format!("times {times}")];
-            head.with_lines(&[&stated[..], &grows, rest].concat())
+            theorem_block(claim, &[&stated[..], &grows, rest].concat())
         };
         let probe = checked(&text, &whole(&[&with(1, &["none".to_owned()])])).unwrap_or_default();
         let otherwise = |outcome: &Outcome| matches!(outcome, Outcome::Invalid(_, why) if matches!(why.reason, Reason::Growth(..)));

@@ -45,6 +45,15 @@ impl Witness {
         Some(Witness { level, first, rows, place })
     }
 
+    /// Polygons, one for each index: of a net their sums.
+    pub fn of_polygons(level: u32, polygons: &[Vec<i64>], place: Vec<String>) -> Witness {
+        let rows = match polygons {
+            [one, other] => one.iter().map(|x| other.iter().map(|y| x + y).collect()).collect(),
+            one => one.to_vec(),
+        };
+        Witness { level, first: [0, 0], rows, place }
+    }
+
     /// The spreads, along each index.
     pub fn spreads(&self, shape: &Shape) -> Vec<Q> {
         let greatest = |pairs: Vec<(i64, i64)>| {
@@ -63,7 +72,7 @@ impl Witness {
     }
 
     /// The quantity, and how far from it the exact one may be.
-    fn value(&self, bound: &Bound, shape: &Shape, much: &Q) -> Result<(Q, Q), String> {
+    pub fn value(&self, bound: &Bound, shape: &Shape, much: &Q) -> Result<(Q, Q), String> {
         match shape {
             Shape::Curve(curve) => self.of_masks(bound, &[curve.with_offset(bound.offset)], much),
             Shape::Net(Net(pair)) => {
