@@ -1,7 +1,7 @@
 //! The constants of one scheme, each computed once.
 
-use super::branch::PowerSearch;
-use super::norm::joint_norm;
+use super::branch::{JointSearch, PowerSearch};
+use super::budget::Budget;
 use super::power::{ClassCap, Order};
 use crate::exact::Rational;
 use crate::scheme::{Mask, Rules};
@@ -50,6 +50,7 @@ pub struct Constants {
     difference: Rules,
     known: RefCell<BTreeMap<Key, Rational>>,
     searches: RefCell<BTreeMap<(Operator, Order), PowerSearch>>,
+    budget: Budget,
 }
 
 impl Constants {
@@ -57,7 +58,14 @@ impl Constants {
     #[must_use]
     pub fn new(mask: Mask) -> Constants {
         let difference = mask.difference();
-        Constants { mask, difference, known: RefCell::default(), searches: RefCell::default() }
+        let (known, searches) = Default::default();
+        Constants { mask, difference, known, searches, budget: Budget::unlimited() }
+    }
+
+    /// The same with a budget, in products of words, which others may share.
+    #[must_use]
+    pub fn with_budget(self, budget: Budget) -> Constants {
+        Constants { budget, ..self }
     }
 
     /// The mask.
@@ -84,7 +92,8 @@ impl Constants {
         self.once((Some(operator), c, order), || {
             let mut searches = self.searches.borrow_mut();
             let search = searches.entry((operator, order));
-            Ok(search.or_insert_with(|| PowerSearch::new(rules, order)).norm(c)?.value)
+            let new = || PowerSearch::new(rules, order).with_budget(self.budget.clone());
+            Ok(search.or_insert_with(new).norm(c)?.value)
         })
     }
 
@@ -98,7 +107,8 @@ impl Constants {
             Suprema::Independent => Ok(self.norm(Operator::Difference, c, order)?
                 * self.norm(Operator::Scheme, c, order)?),
             Suprema::Joint => self.once((None, c, order), || {
-                Ok(joint_norm(&self.difference, self.mask.rules(), c, order)?.value)
+                let search = JointSearch::new(&self.difference, self.mask.rules(), order);
+                Ok(search.with_budget(self.budget.clone()).norm(c)?.value)
             }),
         }
     }

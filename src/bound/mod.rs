@@ -2,6 +2,7 @@
 
 mod algebraic_depth;
 mod branch;
+mod budget;
 mod constants;
 mod convolution;
 mod delta;
@@ -24,6 +25,8 @@ pub use algebraic_depth::log_level_algebraic;
 pub use branch::{
     Closed, JointSearch, Leaf, PowerSearch, SearchTree, Searched, SearchedOperator, UniformBound,
 };
+pub use budget::Budget;
+pub(crate) use budget::Share;
 pub use constants::{Constants, Operator, Suprema};
 pub use convolution::{Recursion, convolution_coefficient, convolution_window, sequence};
 pub use delta::DeltaCondition;
@@ -33,7 +36,7 @@ pub use norm::{joint_norm, power_norm};
 pub use norm_function::{joint_norm_function_on, norm_function, norm_function_on};
 pub use parameter_range::{ParameterRange, norm_below};
 pub use parametric_rows::{MAX_RANGE_WORK, RangeError, polynomial_rules};
-pub use power::{ClassCap, MAX_CLASSES, MAX_LEVELS, Order, PowerNorm};
+pub use power::{ClassCap, MAX_CLASSES, MAX_LEVELS, MAX_WORK, Order, PowerNorm};
 pub use ring::{RingConstants, RingLevel};
 pub use ring_power::{MAX_RING_WORK, RingWork};
 pub(crate) use ring_power::{displaced_rows, power_rows};

@@ -9,6 +9,10 @@ pub const MAX_CLASSES: u64 = 1 << 24;
 /// The greatest number of levels of a search.
 pub const MAX_LEVELS: u32 = 256;
 
+/// The most products of words that a search computes, for one norm or for all that share a
+/// [`Budget`](super::Budget).
+pub const MAX_WORK: u64 = 1 << 33;
+
 /// The order in which a difference mask is read as a sequence.
 ///
 /// For c = 1 the two give the same norms; for c ≥ 2 in general they do not, and
@@ -34,8 +38,9 @@ pub struct PowerNorm {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
     "the largest of {arity}^{levels} row sums is out of reach: every row is visited up to \
-     {MAX_CLASSES}, and branch and bound goes up to {MAX_LEVELS} levels and to a cap on its \
-     work; take a smaller number of levels"
+     {MAX_CLASSES}, and branch and bound goes up to {MAX_LEVELS} levels and to {MAX_WORK} products \
+     of words, for all constants of a table, a theorem or a command together; take a smaller \
+     number of levels"
 )]
 pub struct ClassCap {
     /// n.

@@ -1,6 +1,7 @@
 //! The walk over the residue classes of a power of an operator.
 
-use crate::exact::{Integer, IntegerPolynomial, Rational, Real};
+use crate::exact::{Integer, IntegerPolynomial, Rational, Real, common_denominator};
+use crate::scheme::Rules;
 
 /// What the walk asks of a number.
 pub(super) trait Kernel: Clone {
@@ -121,17 +122,35 @@ struct Transitions<T> {
     edges: Vec<Vec<Edge<T>>>,
 }
 
+/// How many entries of a row vector are kept.
+fn row_length(arity: usize, width: usize) -> usize {
+    let mut length = 1;
+    loop {
+        let reach = (arity - 1 + length - 1) / arity + width;
+        if reach <= length {
+            return length;
+        }
+        length = reach;
+    }
+}
+
+/// What a visit of all classes costs, in products of words; for at most
+/// [`MAX_CLASSES`](super::MAX_CLASSES) of them.
+pub(super) fn price(rules: &Rules, levels: u32) -> u64 {
+    let (arity, width) = (rules.arity(), rules.width());
+    let denominator = common_denominator(rules.rows().iter().flatten());
+    let scaled = |entry: &Rational| (entry.abs() * Rational::from(denominator.clone())).ceil();
+    let largest = rules.rows().iter().map(|row| row.iter().map(scaled).sum::<Integer>().bits());
+    let words = largest.max().unwrap_or(0).saturating_mul(u64::from(levels)) / 64 + 2;
+    // The rows of all levels are twice as many as those of the last.
+    let rows = 2 * (arity as u64).saturating_pow(levels);
+    rows.saturating_mul((row_length(arity, width) * width) as u64).saturating_mul(words)
+}
+
 impl<T: Kernel> Transitions<T> {
     fn new(rows: &[Vec<T>]) -> Transitions<T> {
         let (arity, width) = (rows.len(), rows[0].len());
-        let mut length = 1;
-        loop {
-            let reach = (arity - 1 + length - 1) / arity + width;
-            if reach <= length {
-                break;
-            }
-            length = reach;
-        }
+        let length = row_length(arity, width);
         let edges_of = |digit: usize| {
             let mut edges = Vec::new();
             for from in 0..length {

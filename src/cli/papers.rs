@@ -67,6 +67,6 @@ pub(super) fn select(papers: Vec<Paper>, key: Option<&str>) -> Result<Vec<Paper>
 /// Judges every claim of the papers, on all cores. For people, a bar shows how far that is.
 pub(super) fn judge_all(papers: &[Paper], format: Format) -> Result<Vec<PaperAudit<'_>>, Failure> {
     let tables = papers.iter().map(|paper| paper.tables.len()).sum();
-    let progress = Progress::new(tables, format != Format::Json);
+    let progress = Progress::of_tables(tables, format != Format::Json);
     Ok(audit_all(papers, &|| progress.step())?)
 }

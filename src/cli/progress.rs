@@ -1,13 +1,17 @@
-//! How far a long audit is, on a terminal.
+//! How far a long command is, on a terminal.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal as _;
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread::JoinHandle;
 use std::time::Duration;
+use subcert::bound::Budget;
 
-/// How long an audit takes before a bar is shown.
+/// How long a command takes before a bar is shown.
 const PATIENCE: Duration = Duration::from_secs(1);
+
+/// How often a bar is drawn again that nobody moves.
+const PERIOD: Duration = Duration::from_millis(200);
 
 /// A bar on the standard error, when that is a terminal; it is gone when this is
 /// dropped.
@@ -18,21 +22,45 @@ pub(super) struct Progress {
 }
 
 impl Progress {
-    pub(super) fn new(tables: usize, wanted: bool) -> Progress {
-        let bar =
-            ProgressBar::with_draw_target(u64::try_from(tables).ok(), ProgressDrawTarget::hidden());
+    /// Of an audit of so many tables.
+    pub(super) fn of_tables(tables: usize, wanted: bool) -> Progress {
+        let tables = u64::try_from(tables).unwrap_or(u64::MAX);
+        Progress::new(tables, "{bar:40} {pos} of {len} tables, {elapsed}", wanted, |_| {})
+    }
+
+    /// Of searches, by the steps of their budgets that are spent.
+    pub(super) fn of_steps(budgets: &[Budget], wanted: bool) -> Progress {
+        let (total, budgets) = (budgets.iter().map(Budget::total).sum(), budgets.to_vec());
+        let template =
+            "{bar:40} {percent} % of the {len} steps that the search may take, {elapsed}";
+        Progress::new(total, template, wanted, move |bar| {
+            bar.set_position(budgets.iter().map(|budget| budget.total() - budget.left()).sum());
+        })
+    }
+
+    fn new(
+        length: u64,
+        template: &str,
+        wanted: bool,
+        update: impl Fn(&ProgressBar) + Send + 'static,
+    ) -> Progress {
+        let bar = ProgressBar::with_draw_target(Some(length), ProgressDrawTarget::hidden());
         let waiting = (wanted && std::io::stderr().is_terminal()).then(|| {
-            if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos} of {len} tables") {
+            if let Ok(style) = ProgressStyle::with_template(template) {
                 bar.set_style(style);
             }
             let (sender, receiver) = channel::<()>();
             let shown = bar.clone();
             let thread = std::thread::spawn(move || {
-                if receiver.recv_timeout(PATIENCE) == Err(RecvTimeoutError::Timeout) {
-                    shown.set_draw_target(ProgressDrawTarget::stderr());
+                let mut wait = PATIENCE;
+                // Until the other end is dropped.
+                while receiver.recv_timeout(wait) == Err(RecvTimeoutError::Timeout) {
+                    if wait == PATIENCE {
+                        shown.set_draw_target(ProgressDrawTarget::stderr());
+                    }
+                    update(&shown);
                     shown.tick();
-                    // Until the other end is dropped.
-                    let _ = receiver.recv();
+                    wait = PERIOD;
                 }
             });
             (sender, thread)

@@ -8,6 +8,9 @@ use super::value::Limit;
 use crate::exact::{Integer, Rational, common_denominator};
 use crate::scheme::Rules;
 
+/// What a product of short numbers takes, in products of words.
+const OVERHEAD: u64 = 8;
+
 /// A row of a matrix, without its zeros: column and entry.
 type Sparse = Vec<(usize, Integer)>;
 
@@ -69,6 +72,8 @@ pub(super) struct Splitting {
     middles: Vec<Sparse>,
     /// s times P^∞ − P^0 at 0 and at 1.
     ends: [Sparse; 2],
+    /// The products for each column of a cell that is split.
+    products: usize,
 }
 
 impl Splitting {
@@ -100,12 +105,18 @@ impl Splitting {
             (first..=last).map(row).collect()
         };
         let middle_scale = &scale * &base;
+        let differences: Vec<Vec<Sparse>> = (0..arity).map(part).collect();
+        let middles: Vec<Sparse> =
+            middles.iter().map(|f| sparse(&mut f.terms(), &middle_scale)).collect();
+        let entries: usize = differences.iter().flatten().chain(&middles).map(Vec::len).sum();
         Ok(Splitting {
             arity,
             first,
             size,
-            differences: (0..arity).map(part).collect(),
-            middles: middles.iter().map(|f| sparse(&mut f.terms(), &middle_scale)).collect(),
+            // Besides the products, each entry of a row is looked at some times.
+            products: entries + 2 * arity * size,
+            differences,
+            middles,
             ends: ends.each_ref().map(|end| sparse(&mut end.terms(), &scale)),
             base,
             scale,
@@ -124,6 +135,17 @@ impl Splitting {
     /// [`sizes`](Splitting::sizes).
     pub(super) fn end_scale(&self) -> &Integer {
         &self.scale
+    }
+
+    /// The steps that it takes to look at cells of level 0 that are like this one.
+    pub(super) fn cost_of_roots(&self, root: &Cell, count: usize) -> u64 {
+        (2 * self.size * root.rows[0].len() * count) as u64 * (root.scale.bits() / 64 + OVERHEAD)
+    }
+
+    /// The steps that it takes to split this cell.
+    pub(super) fn cost(&self, cell: &Cell) -> u64 {
+        let columns = cell.rows[0].len();
+        (self.products * columns) as u64 * (cell.scale.bits() / 64 + OVERHEAD)
     }
 
     /// |P^∞ − P^k| at both ends, from level k on.

@@ -5,6 +5,7 @@ use super::error::LimitError;
 use super::functional::ExtremalPolygon;
 use super::polygon::ControlPolygon;
 use super::search::Goal;
+use crate::bound::Share;
 use crate::exact::{Enclosure, Rational};
 
 /// How a distance compares with a threshold.
@@ -59,14 +60,21 @@ impl Distances {
         level: u32,
         threshold: &Rational,
     ) -> Result<Comparison<Witness>, LimitError> {
-        Ok(match self.compare_among(&self.any_polygon(), level, threshold)? {
-            Comparison::Within => Comparison::Within,
-            Comparison::Undecided(enclosure) => Comparison::Undecided(enclosure),
-            Comparison::Exceeds((parameter, distance)) => {
-                let polygon = self.limit().error(level, &parameter)?.extremal_polygon();
-                Comparison::Exceeds(Witness { polygon, level, parameter, distance })
-            }
-        })
+        Ok(
+            match self.compare_among(
+                &self.any_polygon(),
+                level,
+                threshold,
+                &self.budget().share(),
+            )? {
+                Comparison::Within => Comparison::Within,
+                Comparison::Undecided(enclosure) => Comparison::Undecided(enclosure),
+                Comparison::Exceeds((parameter, distance)) => {
+                    let polygon = self.limit().error(level, &parameter)?.extremal_polygon();
+                    Comparison::Exceeds(Witness { polygon, level, parameter, distance })
+                }
+            },
+        )
     }
 
     /// The same for ‖P^∞ − P^k‖_∞ of one control polygon: what exceeds the threshold is
@@ -80,7 +88,7 @@ impl Distances {
         level: u32,
         threshold: &Rational,
     ) -> Result<Comparison<(Rational, Rational)>, LimitError> {
-        self.compare_among(&self.this_polygon(polygon)?, level, threshold)
+        self.compare_among(&self.this_polygon(polygon)?, level, threshold, &self.budget().share())
     }
 
     pub(super) fn compare_among(
@@ -88,12 +96,17 @@ impl Distances {
         among: &Polygons,
         level: u32,
         threshold: &Rational,
+        share: &Share<'_>,
     ) -> Result<Comparison<(Rational, Rational)>, LimitError> {
-        let (mut search, mut best) = self.search(among, level)?;
+        let (mut search, mut best) = self.search(among, level, share)?;
         if best.value > *threshold {
             return Ok(Comparison::Exceeds((best.parameter, best.value)));
         }
-        let bound = search.run(&Goal::Threshold(threshold.clone()), &mut best);
+        let bound = if self.looks_at_roots(among, share) {
+            search.run(&Goal::Threshold(threshold.clone()), &mut best)
+        } else {
+            self.unsearched(among, level)
+        };
         Ok(if best.value > *threshold {
             Comparison::Exceeds((best.parameter, best.value))
         } else if bound <= *threshold {

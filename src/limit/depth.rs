@@ -22,11 +22,11 @@ impl Distances {
     ///
     /// The levels are tried one by one: the distance need not fall with the level.
     /// Where C_k·spread is the tolerance itself, or too near to it to tell within the
-    /// cap on cells, the two sides can stay apart.
+    /// caps of the search, the two sides can stay apart.
     ///
     /// # Errors
     /// When the tolerance or the spread is not positive, or no level up to 128 is
-    /// shown to meet the tolerance.
+    /// shown to meet the tolerance within the caps of the search.
     ///
     /// ```
     /// use subcert::exact::Rational;
@@ -97,17 +97,8 @@ impl Distances {
         among: &[Polygons<'_>],
         threshold: &Rational,
     ) -> Result<TwoSidedDepth, LimitError> {
-        let mut undecided = None;
-        for level in 0..=MAX_LEVEL {
-            match self.compare_each(among, level, threshold)? {
-                Some(true) => {
-                    return Ok(TwoSidedDepth { lower: undecided.unwrap_or(level), upper: level });
-                }
-                Some(false) => {}
-                None => undecided = undecided.or(Some(level)),
-            }
-        }
-        Err(LimitError::TooDeep)
+        let surely = |level| among.iter().all(|own| self.unsearched(own, level) <= *threshold);
+        two_sided(|level| self.compare_each(among, level, threshold), surely, || self.caps())
     }
 
     /// Whether all of them are within the threshold at this level, where that is known.
@@ -117,9 +108,9 @@ impl Distances {
         level: u32,
         threshold: &Rational,
     ) -> Result<Option<bool>, LimitError> {
-        let mut all = Some(true);
+        let (mut all, share) = (Some(true), self.budget().share_of_depth());
         for polygons in among {
-            match self.compare_among(polygons, level, threshold)? {
+            match self.compare_among(polygons, level, threshold, &share)? {
                 Comparison::Within => {}
                 Comparison::Exceeds(_) => return Ok(Some(false)),
                 Comparison::Undecided(_) => all = None,
@@ -127,4 +118,43 @@ impl Distances {
         }
         Ok(all)
     }
+}
+
+/// The depth, by a search that tells whether a level meets the tolerance, or leaves that open.
+///
+/// Up to the first level that it leaves open, the levels are tried one by one. A level that
+/// `surely` meets it without a search is an upper side, and between both the upper side is
+/// brought down by halving: a search that has met its caps once would do so at each level.
+pub(super) fn two_sided<E: From<LimitError>>(
+    mut meets: impl FnMut(u32) -> Result<Option<bool>, E>,
+    surely: impl Fn(u32) -> bool,
+    caps: impl FnOnce() -> String,
+) -> Result<TwoSidedDepth, E> {
+    let mut lower = None;
+    for level in 0..=MAX_LEVEL {
+        match meets(level)? {
+            Some(true) => return Ok(TwoSidedDepth { lower: level, upper: level }),
+            Some(false) => {}
+            None => {
+                lower = Some(level);
+                break;
+            }
+        }
+    }
+    let Some(lower) = lower else { return Err(LimitError::TooDeep.into()) };
+    let (mut below, mut upper) = (lower, (lower..=MAX_LEVEL).find(|&level| surely(level)));
+    while let Some(middle) = between(below, upper.unwrap_or(MAX_LEVEL + 1)) {
+        if meets(middle)? == Some(true) {
+            upper = Some(middle);
+        } else {
+            below = middle;
+        }
+    }
+    let open = || LimitError::LeftOpen { lower, caps: caps() };
+    Ok(TwoSidedDepth { lower, upper: upper.ok_or_else(open)? })
+}
+
+/// The level in the middle between two that are no neighbours.
+fn between(below: u32, above: u32) -> Option<u32> {
+    (above > below + 1).then(|| below + (above - below) / 2)
 }

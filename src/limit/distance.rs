@@ -6,6 +6,7 @@ use super::polygon::ControlPolygon;
 use super::remainder::Remainders;
 use super::search::{Best, Goal, Search};
 use super::value::Limit;
+use crate::bound::{Budget, Share};
 use crate::exact::{Enclosure, Integer, Rational};
 
 /// The most cells that one question about a distance looks at.
@@ -52,6 +53,7 @@ pub struct Distances {
     remainders: Remainders,
     splitting: Splitting,
     cells: u32,
+    budget: Budget,
 }
 
 impl Distances {
@@ -76,13 +78,37 @@ impl Distances {
         let middles = (1..arity).map(middle).collect::<Result<Vec<_>, LimitError>>()?;
         let splitting = Splitting::new(limit, &middles)?;
         let remainders = Remainders::new(limit, &middles)?;
-        Ok(Distances { limit: limit.clone(), remainders, splitting, cells: MAX_CELLS })
+        let budget = Budget::unlimited();
+        Ok(Distances { limit: limit.clone(), remainders, splitting, cells: MAX_CELLS, budget })
     }
 
     /// The same with another cap on the number of cells.
     #[must_use]
     pub fn with_cells(self, cells: u32) -> Distances {
         Distances { cells, ..self }
+    }
+
+    /// The same with a budget, which others may share.
+    #[must_use]
+    pub fn with_budget(self, budget: Budget) -> Distances {
+        Distances { budget, ..self }
+    }
+
+    /// The budget.
+    #[must_use]
+    pub fn budget(&self) -> &Budget {
+        &self.budget
+    }
+
+    /// How many differences a cell depends on.
+    pub(super) fn window(&self) -> usize {
+        self.splitting.size
+    }
+
+    /// What ends a search, in words.
+    #[must_use]
+    pub fn caps(&self) -> String {
+        self.budget.caps(self.cells, "a level")
     }
 
     /// The limit.
@@ -133,8 +159,12 @@ impl Distances {
         width: &Rational,
     ) -> Result<Distance, LimitError> {
         positive("the width", width)?;
-        let (mut search, mut best) = self.search(among, level)?;
-        let mut upper = search.bound(&mut best);
+        let share = self.budget.share();
+        let (mut search, mut best) = self.search(among, level, &share)?;
+        let mut upper = self.unsearched(among, level);
+        if self.looks_at_roots(among, &share) {
+            upper = search.bound(&mut best).min(upper);
+        }
         // A first, coarse search finds a good value, which spares the next one cells.
         let mut step = &upper - &best.value;
         while &upper - &best.value > *width && step > *width && search.goes_on() {
@@ -153,6 +183,7 @@ impl Distances {
         &'a self,
         among: &'a Polygons,
         level: u32,
+        share: &'a Share<'a>,
     ) -> Result<(Search<'a>, Best), LimitError> {
         if level > MAX_LEVEL {
             return Err(LimitError::Level(level));
@@ -163,9 +194,20 @@ impl Distances {
             Some(polygon) => error.apply(|i| polygon.difference(i)).abs(),
             None => error.norm(),
         };
-        let search =
-            Search::new(&self.splitting, &self.remainders, &among.roots, level, self.cells);
+        let (splitting, remainders) = (&self.splitting, &self.remainders);
+        let search = Search::new(splitting, remainders, &among.roots, level, self.cells, share);
         Ok((search, Best { value, parameter }))
+    }
+
+    /// Whether the cells of level 0 may be looked at.
+    pub(super) fn looks_at_roots(&self, among: &Polygons, share: &Share) -> bool {
+        share.take(self.splitting.cost_of_roots(&among.roots[0], among.roots.len()))
+    }
+
+    /// A bound of the distance at level k that takes no search.
+    pub(super) fn unsearched(&self, among: &Polygons, level: u32) -> Rational {
+        let of_all = self.remainders.of_all(level);
+        among.only.map_or(of_all.clone(), |polygon| of_all * polygon.spread())
     }
 
     /// All polygons: a single cell stands for all cells, and its differences are the

@@ -101,6 +101,17 @@ pub enum LimitError {
         "no level up to {MAX_LEVEL} is shown to meet the tolerance: ask for a greater tolerance"
     )]
     TooDeep,
+    /// A level that the search leaves open comes before any that is shown to be deep enough.
+    #[error(
+        "no level below {lower} meets the tolerance, and none from there to {MAX_LEVEL} is shown \
+         to meet it within the caps of the search, {caps}: ask for a greater tolerance"
+    )]
+    LeftOpen {
+        /// No lower level meets the tolerance.
+        lower: u32,
+        /// The caps.
+        caps: String,
+    },
 }
 
 /// Refuses a value that is not positive.

@@ -120,6 +120,14 @@ impl Remainders {
         }
     }
 
+    /// A bound of |P^∞ − P^k| for all polygons with max|Δ| ≤ 1.
+    pub(super) fn of_all(&self, level: u32) -> Rational {
+        let scale = Integer::one();
+        let [spread, own, turn] = [1, 1, 2].map(Integer::from);
+        let sizes = Sizes { spread, own, turn, scale: &scale };
+        self.levels(level)[level as usize].over(&sizes).reduced()
+    }
+
     /// The bounds of |P^∞ − P^j| for j = 0, …, k.
     pub(super) fn levels(&self, level: u32) -> Vec<LevelBound> {
         let spreads = self.polygon.levels(level).expect("some T_c is below 1");

@@ -3,6 +3,7 @@
 use super::cell::{Cell, Splitting};
 use super::fraction::Fraction;
 use super::remainder::{LevelBound, Remainders};
+use crate::bound::Share;
 use crate::exact::{Integer, Rational};
 
 /// How many levels below k cells are split.
@@ -47,6 +48,8 @@ pub(super) struct Search<'a> {
     bounds: Vec<LevelBound>,
     /// How many cells may still be looked at.
     cells: u32,
+    /// How many steps this may still take.
+    share: &'a Share<'a>,
 }
 
 impl<'a> Search<'a> {
@@ -56,14 +59,15 @@ impl<'a> Search<'a> {
         roots: &'a [Cell],
         level: u32,
         cells: u32,
+        share: &'a Share<'a>,
     ) -> Search<'a> {
         let bounds = remainders.levels(level);
-        Search { splitting, remainders, roots, level, bounds, cells }
+        Search { splitting, remainders, roots, level, bounds, cells, share }
     }
 
     /// Whether more cells may be looked at.
     pub(super) fn goes_on(&self) -> bool {
-        self.cells > 0
+        self.cells > 0 && self.share.goes_on()
     }
 
     /// A bound of the supremum without splitting any cell.
@@ -79,15 +83,24 @@ impl<'a> Search<'a> {
         let mut stack = self.bounded(self.start(), None, best);
         while let Some((bound, cell)) = stack.pop() {
             let deep = cell.level >= self.level + MAX_DEEPER;
-            if deep || self.cells == 0 || goal.settles(&bound, &best.value) {
+            if deep || goal.settles(&bound, &best.value) || !self.takes(&cell) {
                 upper = upper.max(bound);
                 continue;
             }
-            self.cells -= 1;
             let parts = self.splitting.split(&cell, self.level);
             stack.extend(self.bounded(parts.into_iter(), Some(&bound), best));
         }
         upper.reduced()
+    }
+
+    /// Whether this cell may be split; if not, none may any more.
+    fn takes(&mut self, cell: &Cell) -> bool {
+        if self.cells > 0 && self.share.take(self.splitting.cost(cell)) {
+            self.cells -= 1;
+            return true;
+        }
+        self.cells = 0;
+        false
     }
 
     /// The roots, as cells of a search.

@@ -2,9 +2,9 @@
 
 use super::error::LimitError;
 use super::functional::Functional;
-use super::surface_axis::Axis;
+use super::surface_axis::{Axis, CELLS};
 use super::value::Limit;
-use crate::bound::transport_at_costs;
+use crate::bound::{Budget, transport_at_costs};
 use crate::exact::{Integer, Rational, format};
 
 /// The most points of a net that the exact norm at a parameter is computed on.
@@ -130,6 +130,7 @@ pub struct SurfaceWitness {
 #[derive(Clone, Debug)]
 pub struct SurfaceDistances {
     pub(super) axes: [Axis; 2],
+    pub(super) budget: Budget,
 }
 
 impl SurfaceDistances {
@@ -138,7 +139,26 @@ impl SurfaceDistances {
     /// # Errors
     /// As of [`Distances::new`](super::Distances::new).
     pub fn new(first: &Limit, second: &Limit) -> Result<SurfaceDistances, SurfaceError> {
-        Ok(SurfaceDistances { axes: [Axis::new(first)?, Axis::new(second)?] })
+        SurfaceDistances::within(first, second, &Budget::unlimited())
+    }
+
+    /// The same within a budget, which others may share.
+    ///
+    /// # Errors
+    /// As of [`SurfaceDistances::new`].
+    pub fn within(
+        first: &Limit,
+        second: &Limit,
+        budget: &Budget,
+    ) -> Result<SurfaceDistances, SurfaceError> {
+        let axes = [Axis::new(first, budget)?, Axis::new(second, budget)?];
+        Ok(SurfaceDistances { axes, budget: budget.clone() })
+    }
+
+    /// What ends a search, in words.
+    #[must_use]
+    pub fn caps(&self) -> String {
+        self.budget.caps(CELLS, "a level and a direction")
     }
 
     /// The greatest |P^∞(s, t) − P^k(s, t)| of all nets of these spreads, exactly, and a net

@@ -4,11 +4,11 @@ use super::distance::Distances;
 use super::error::LimitError;
 use super::search::Goal;
 use super::value::Limit;
-use crate::bound::{Order, power_norm};
+use crate::bound::{Budget, Order, Share, power_norm};
 use crate::exact::Rational;
 
 /// The cells that one question about a curve looks at.
-const CELLS: u32 = 1 << 14;
+pub(super) const CELLS: u32 = 1 << 14;
 
 /// The most intervals that [0, 1] is cut into.
 const INTERVALS: u32 = 1 << 10;
@@ -21,6 +21,9 @@ const POINTS: u32 = 1 << 12;
 
 /// To what width C_m is found where it bounds what P^m leaves.
 const REST: u32 = 10_000;
+
+/// The steps that a product of fractions takes.
+const FRACTION: u64 = 40;
 
 /// Bounds over intervals are rounded up to multiples of 1/4096, those of errors of
 /// C_k/4096: short numbers, and few different ones.
@@ -64,8 +67,8 @@ pub(super) struct Samples {
 }
 
 impl Axis {
-    pub(super) fn new(limit: &Limit) -> Result<Axis, LimitError> {
-        let distances = Distances::new(limit)?.with_cells(CELLS);
+    pub(super) fn new(limit: &Limit, budget: &Budget) -> Result<Axis, LimitError> {
+        let distances = Distances::new(limit)?.with_cells(CELLS).with_budget(budget.clone());
         let rules = limit.mask().rules();
         let averages = rules.rows().iter().flatten().all(|entry| entry.sign() >= 0);
         let arity = u32::try_from(rules.arity()).expect("the arity is capped");
@@ -73,7 +76,7 @@ impl Axis {
         if !averages {
             // |P^∞| ≤ |P^m| + |P^∞ − P^m|, and |Δ| ≤ 2 where the points are at most 1.
             let level = POINTS.ilog(arity);
-            let off = axis.constant(level, &Rational::new(1, REST))?.upper;
+            let off = axis.constant(level, &Rational::new(1, REST), &budget.share())?.upper;
             let points = power_norm(rules, level, Order::Adjoint);
             axis.norm = points.expect("2^12 classes can be walked").value + &off + &off;
         }
@@ -84,10 +87,15 @@ impl Axis {
         self.distances.limit()
     }
 
-    /// C_k to this width, or as narrow as the cap on cells allows.
-    pub(super) fn constant(&self, level: u32, width: &Rational) -> Result<Constant, LimitError> {
+    /// C_k to this width, or as narrow as the caps allow.
+    pub(super) fn constant(
+        &self,
+        level: u32,
+        width: &Rational,
+        share: &Share<'_>,
+    ) -> Result<Constant, LimitError> {
         let any = self.distances.any_polygon();
-        let (mut search, mut best) = self.distances.search(&any, level)?;
+        let (mut search, mut best) = self.distances.search(&any, level, share)?;
         let mut upper = search.bound(&mut best);
         let mut step = &upper - &best.value;
         while &upper - &best.value > *width && step > *width && search.goes_on() {
@@ -97,6 +105,12 @@ impl Axis {
         Ok(Constant { level, upper, parameter: best.parameter })
     }
 
+    /// A bound of C_k that takes no search.
+    pub(super) fn unsearched(&self, level: u32) -> Constant {
+        let upper = self.distances.unsearched(&self.distances.any_polygon(), level);
+        Constant { level, upper, parameter: Rational::zero() }
+    }
+
     /// Bounds of the norms for all t.
     pub(super) fn bounds(&self, constant: &Constant) -> Norms {
         let polygon = &self.norm + Rational::from(2) * &constant.upper;
@@ -104,17 +118,36 @@ impl Axis {
         Norms { error: constant.upper.clone(), limit: self.norm.clone(), polygon }
     }
 
+    /// The steps that the norms at these points take.
+    pub(super) fn cost(&self, constant: &Constant) -> u64 {
+        let rules = self.limit().mask().rules();
+        let Some(depth) = self.depth(constant) else { return 0 };
+        let points = rules.arity().pow(depth) as u64;
+        let window = self.distances.window() * rules.width();
+        points * window as u64 * u64::from(depth + constant.level) * FRACTION
+    }
+
+    /// The level M whose points are looked at.
+    fn depth(&self, constant: &Constant) -> Option<u32> {
+        let arity = u32::try_from(self.limit().mask().arity()).expect("the arity is capped");
+        let depth = INTERVALS.ilog(arity).min(constant.level + DEEPER);
+        (!self.averages && constant.level <= depth).then_some(depth)
+    }
+
     /// The norms at i/n^M, i = 0, …, n^M; none when no such M ≥ k is looked at, or for a
     /// scheme that averages, as they would tell nothing new.
-    pub(super) fn samples(&self, constant: &Constant) -> Result<Samples, LimitError> {
+    pub(super) fn samples(
+        &self,
+        constant: &Constant,
+        share: &Share<'_>,
+    ) -> Result<Samples, LimitError> {
         let limit = self.limit();
         let arity = u32::try_from(limit.mask().arity()).expect("the arity is capped");
-        let depth = INTERVALS.ilog(arity).min(constant.level + DEEPER);
-        if self.averages || constant.level > depth {
+        let Some(depth) = self.depth(constant) else {
             return Ok(Samples { at: Vec::new(), rest: Rational::zero() });
-        }
+        };
         let width = &constant.upper / Rational::from(STEPS);
-        let rest = self.constant(depth, &width.max(Rational::new(1, 1 << 30)))?.upper;
+        let rest = self.constant(depth, &width.max(Rational::new(1, 1 << 30)), share)?.upper;
         let minus = Rational::from(-1);
         let sample = |i: u32| {
             let t = Rational::new(i, arity.pow(depth));

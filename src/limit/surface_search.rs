@@ -1,10 +1,11 @@
 //! The greatest distance of a net from its surface, from above and below.
 
 use super::comparison::Comparison;
-use super::depth::TwoSidedDepth;
-use super::error::{LimitError, MAX_LEVEL, positive};
+use super::depth::{TwoSidedDepth, two_sided};
+use super::error::positive;
 use super::surface::{Spreads, SurfaceDistances, SurfaceError, SurfaceWitness};
 use super::surface_axis::{Constant, Norms};
+use crate::bound::Share;
 use crate::exact::{Enclosure, Rational};
 
 /// How many parameters along each index are looked at together.
@@ -12,6 +13,10 @@ const MAX_CANDIDATES: usize = 16;
 
 /// At how many pairs of parameters the exact norm is computed.
 const MAX_TRANSPORTS: usize = 32;
+
+/// The steps that a pair of intervals takes, and an exact norm, the most it does.
+const PAIR: u64 = 40;
+const TRANSPORT: u64 = 1 << 20;
 
 /// The widths of C¹_k and C²_k that are tried, as parts of the threshold.
 const WIDTHS: [u32; 3] = [16, 1 << 10, 1 << 20];
@@ -21,6 +26,22 @@ struct Known {
     curves: [Constant; 2],
     /// The net of the extremal polygons.
     best: SurfaceWitness,
+}
+
+impl Known {
+    /// The same with what is better known by another.
+    fn or(mut self, other: Option<Known>) -> Known {
+        let Some(other) = other else { return self };
+        for (own, curve) in self.curves.iter_mut().zip(other.curves) {
+            if curve.upper < own.upper {
+                *own = curve;
+            }
+        }
+        if other.best.distance > self.best.distance {
+            self.best = other.best;
+        }
+        self
+    }
 }
 
 impl SurfaceDistances {
@@ -37,8 +58,9 @@ impl SurfaceDistances {
         spreads: &Spreads,
     ) -> Result<(Enclosure, SurfaceWitness), SurfaceError> {
         positive("the width", width)?;
-        let known = self.known(level, &(width / Rational::from(2)), spreads)?;
-        let (upper, best) = self.narrowed(known, spreads, None)?;
+        let share = self.budget.share();
+        let known = self.known(level, &(width / Rational::from(2)), spreads, &share)?;
+        let (upper, best) = self.narrowed(known, spreads, None, &share)?;
         Ok((Enclosure::new(best.distance.clone(), upper), best))
     }
 
@@ -52,22 +74,33 @@ impl SurfaceDistances {
         threshold: &Rational,
         spreads: &Spreads,
     ) -> Result<Comparison<SurfaceWitness>, SurfaceError> {
+        self.compare_within(level, threshold, spreads, &self.budget.share())
+    }
+
+    fn compare_within(
+        &self,
+        level: u32,
+        threshold: &Rational,
+        spreads: &Spreads,
+        share: &Share<'_>,
+    ) -> Result<Comparison<SurfaceWitness>, SurfaceError> {
         let mut widths = WIDTHS.iter().map(|part| threshold.abs() / Rational::from(*part));
+        let mut coarse: Option<Known> = None;
         let known = loop {
             let width = widths.next().unwrap_or_else(Rational::zero).max(Rational::new(1, 1 << 30));
-            let known = self.known(level, &width, spreads)?;
+            let known = self.known(level, &width, spreads, share)?.or(coarse);
             if known.best.distance > *threshold {
                 return Ok(Comparison::Exceeds(known.best));
             }
-            let [s, t] = [0, 1].map(|axis| self.axes[axis].bounds(&known.curves[axis]));
-            if product_bound(&s, &t, spreads) <= *threshold {
+            if self.bound(&known.curves, spreads) <= *threshold {
                 return Ok(Comparison::Within);
             }
-            if widths.len() == 0 {
+            if widths.len() == 0 || !share.goes_on() {
                 break known;
             }
+            coarse = Some(known);
         };
-        let (upper, best) = self.narrowed(known, spreads, Some(threshold))?;
+        let (upper, best) = self.narrowed(known, spreads, Some(threshold), share)?;
         Ok(if best.distance > *threshold {
             Comparison::Exceeds(best)
         } else if upper <= *threshold {
@@ -100,17 +133,34 @@ impl SurfaceDistances {
         tolerance: &Rational,
     ) -> Result<TwoSidedDepth, SurfaceError> {
         positive("the tolerance", tolerance)?;
-        let mut undecided = None;
-        for level in 0..=MAX_LEVEL {
-            match self.compare(level, tolerance, spreads)? {
-                Comparison::Within => {
-                    return Ok(TwoSidedDepth { lower: undecided.unwrap_or(level), upper: level });
-                }
-                Comparison::Undecided(_) => undecided = undecided.or(Some(level)),
-                Comparison::Exceeds(_) => {}
+        let meets = |level| {
+            // Most levels are shown to be too few without a search.
+            let mut far = Rational::zero();
+            for (axis, along) in self.axes.iter().zip(0..) {
+                far += &(axis.limit().far_polygon(level)?.distance * spreads.along(along));
             }
-        }
-        Err(LimitError::TooDeep.into())
+            if far > *tolerance {
+                return Ok(Some(false));
+            }
+            let share = self.budget.share_of_depth();
+            Ok(match self.compare_within(level, tolerance, spreads, &share)? {
+                Comparison::Within => Some(true),
+                Comparison::Exceeds(_) => Some(false),
+                Comparison::Undecided(_) => None,
+            })
+        };
+        two_sided(meets, |level| self.unsearched(level, spreads) <= *tolerance, || self.caps())
+    }
+
+    /// A bound of C_k that takes no search.
+    fn unsearched(&self, level: u32, spreads: &Spreads) -> Rational {
+        self.bound(&self.axes.each_ref().map(|axis| axis.unsearched(level)), spreads)
+    }
+
+    /// A bound of C_k by bounds of both curves.
+    fn bound(&self, curves: &[Constant; 2], spreads: &Spreads) -> Rational {
+        let [s, t] = [0, 1].map(|axis| self.axes[axis].bounds(&curves[axis]));
+        product_bound(&s, &t, spreads)
     }
 
     /// C¹_k and C²_k, each times its spread to this width.
@@ -119,8 +169,10 @@ impl SurfaceDistances {
         level: u32,
         width: &Rational,
         spreads: &Spreads,
+        share: &Share<'_>,
     ) -> Result<Known, SurfaceError> {
-        let curve = |axis: usize| self.axes[axis].constant(level, &(width / spreads.along(axis)));
+        let curve =
+            |axis: usize| self.axes[axis].constant(level, &(width / spreads.along(axis)), share);
         let curves = [curve(0)?, curve(1)?];
         let parameters = curves.each_ref().map(|curve| curve.parameter.clone());
         let best = self.separable(level, parameters, spreads)?;
@@ -134,12 +186,19 @@ impl SurfaceDistances {
         known: Known,
         spreads: &Spreads,
         enough: Option<&Rational>,
+        share: &Share<'_>,
     ) -> Result<(Rational, SurfaceWitness), SurfaceError> {
         let Known { curves, mut best } = known;
-        let samples = |axis: usize| self.axes[axis].samples(&curves[axis]);
+        if !self.axes.iter().zip(&curves).all(|(axis, curve)| share.take(axis.cost(curve))) {
+            return Ok((self.bound(&curves, spreads), best));
+        }
+        let samples = |axis: usize| self.axes[axis].samples(&curves[axis], share);
         let samples = [samples(0)?, samples(1)?];
         let intervals = |axis: usize| self.axes[axis].intervals(&curves[axis], &samples[axis]);
         let [first, second] = [intervals(0), intervals(1)];
+        if !share.take((first.len() * second.len()) as u64 * PAIR) {
+            return Ok((self.bound(&curves, spreads), best));
+        }
         let bounds = pairs(&first, &second).map(|(s, t)| product_bound(s, t, spreads));
         let upper = bounds.max().unwrap_or_else(|| best.distance.clone());
         let [first, second] = samples.map(|samples| promising(samples.at));
@@ -148,7 +207,8 @@ impl SurfaceDistances {
             .collect();
         promising.sort_by(|one, other| other.0.cmp(&one.0));
         for (_, parameters) in promising.into_iter().take(MAX_TRANSPORTS) {
-            if best.distance >= upper || enough.is_some_and(|enough| best.distance > *enough) {
+            let done = best.distance >= upper || enough.is_some_and(|most| best.distance > *most);
+            if done || !share.take(TRANSPORT) {
                 break;
             }
             match self.at(best.level, &parameters, spreads) {

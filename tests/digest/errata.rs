@@ -1,6 +1,6 @@
 //! What the audit of a paper yields as a whole.
 
-use subcert::audit::{CellSummary, Erratum, PaperAudit, Standing, Subject, Verdict, audit};
+use subcert::audit::{AsRead, CellSummary, Erratum, PaperAudit, Standing, Subject, Verdict, audit};
 use subcert::claim::{Cell, Paper, embedded_papers, read_paper};
 use subcert::diagnostic::SourceText;
 
@@ -44,7 +44,7 @@ fn the_summary_adds_up() {
             let why = group.outcome.cause.as_deref();
             let read = |cell: &&subcert::audit::CellFinding| {
                 cell.verdict_if_assumed.is_none()
-                    && cell.as_read.as_ref().map(|read| read.differs()).as_deref() == why
+                    && cell.as_read.as_ref().map(AsRead::differs).as_deref() == why
             };
             assert_eq!(group.count, cells.clone().filter(read).count(), "{why:?}");
         }

@@ -3,8 +3,9 @@
 use super::growth::Growth;
 use super::problem::{Problem, threads};
 use super::search_tree::SearchTree;
-use super::searched::{MAX_WORK, Searched, either, unscaled};
-use crate::bound::power::{ClassCap, MAX_LEVELS, Order, PowerNorm, oriented};
+use super::searched::{Searched, either, unscaled};
+use crate::bound::budget::Budget;
+use crate::bound::power::{ClassCap, MAX_LEVELS, MAX_WORK, Order, PowerNorm, oriented};
 use crate::bound::walked_norm::walked_joint_norm;
 use crate::scheme::Rules;
 
@@ -27,6 +28,7 @@ pub struct JointSearch {
     /// As they are read, at offset 0.
     rules: [Rules; 2],
     growths: [Growth; 2],
+    budget: Budget,
 }
 
 impl JointSearch {
@@ -40,7 +42,14 @@ impl JointSearch {
         assert_eq!(first.width(), second.width(), "joint suprema need equal widths");
         let rules = [first, second].map(|rules| oriented(rules, order).with_offset(0));
         let growths = Growth::of(rules.each_ref());
-        JointSearch { rules, growths }
+        JointSearch { rules, growths, budget: Budget::unlimited() }
+    }
+
+    /// The same with a budget for [`norm`](JointSearch::norm), as for
+    /// [`PowerSearch::with_budget`](super::PowerSearch::with_budget).
+    #[must_use]
+    pub fn with_budget(self, budget: Budget) -> JointSearch {
+        JointSearch { budget, ..self }
     }
 
     /// The greatest product, and the least row that attains it.
@@ -50,15 +59,21 @@ impl JointSearch {
     pub fn norm(&mut self, levels: u32) -> Result<PowerNorm, ClassCap> {
         let [first, second] = self.rules.clone();
         let walk = || walked_joint_norm(&first, &second, levels, Order::Adjoint);
-        either(first.arity(), levels, walk, || Some(self.search(levels)?.norm))
+        let budget = self.budget.clone();
+        either([&first, &second], levels, &budget, walk, |work| {
+            Some(self.search_within(levels, work)?.norm)
+        })
     }
 
     /// The same by branch and bound, however few residue classes there are; `None` as for
     /// [`PowerSearch::search`](super::PowerSearch::search).
     pub fn search(&mut self, levels: u32) -> Option<Searched> {
-        let mut work = MAX_WORK;
-        let problem = self.problem(levels, &mut work)?;
-        let found = problem.greatest(&mut work)?;
+        self.search_within(levels, &mut { MAX_WORK })
+    }
+
+    fn search_within(&mut self, levels: u32, work: &mut u64) -> Option<Searched> {
+        let problem = self.problem(levels, work)?;
+        let found = problem.greatest(work)?;
         Some(unscaled(problem.operators, levels, found))
     }
 

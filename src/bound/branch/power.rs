@@ -2,8 +2,9 @@
 
 use super::growth::Growth;
 use super::search_tree::SearchTree;
-use super::searched::{MAX_WORK, Searched, either, unscaled};
-use crate::bound::power::{ClassCap, MAX_LEVELS, Order, PowerNorm, oriented};
+use super::searched::{Searched, either, unscaled};
+use crate::bound::budget::Budget;
+use crate::bound::power::{ClassCap, MAX_LEVELS, MAX_WORK, Order, PowerNorm, oriented};
 use crate::bound::walked_norm::walked_norm;
 use crate::scheme::Rules;
 
@@ -28,6 +29,7 @@ pub struct PowerSearch {
     /// As they are read.
     rules: Rules,
     growth: Growth,
+    budget: Budget,
 }
 
 impl PowerSearch {
@@ -36,21 +38,29 @@ impl PowerSearch {
     pub fn new(rules: &Rules, order: Order) -> PowerSearch {
         let rules = oriented(rules, order);
         let [growth] = Growth::of([&rules]);
-        PowerSearch { rules, growth }
+        PowerSearch { rules, growth, budget: Budget::unlimited() }
+    }
+
+    /// The same with a budget for [`norm`](PowerSearch::norm), in products of words, which others
+    /// may share.
+    #[must_use]
+    pub fn with_budget(self, budget: Budget) -> PowerSearch {
+        PowerSearch { budget, ..self }
     }
 
     /// ‖R^c‖ and the least row that attains it, as [`power_norm`](crate::bound::power_norm).
     ///
     /// # Errors
     /// When c is above [`MAX_LEVELS`], or when the search does not end within 2^33 products
-    /// and there are more than 2^24 residue classes.
+    /// and there are more than 2^24 residue classes; or when the budget does not suffice.
     pub fn norm(&mut self, levels: u32) -> Result<PowerNorm, ClassCap> {
-        let arity = self.rules.arity();
+        let (rules, growth) = (&self.rules, &mut self.growth);
         either(
-            arity,
+            [rules],
             levels,
-            || walked_norm(&self.rules, levels, Order::Adjoint),
-            || Some(found(&mut self.growth, levels, &mut { MAX_WORK })?.norm),
+            &self.budget,
+            || walked_norm(rules, levels, Order::Adjoint),
+            |work| Some(found(growth, levels, work)?.norm),
         )
     }
 

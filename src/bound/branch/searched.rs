@@ -2,11 +2,14 @@
 
 use super::problem::Greatest;
 use super::scaled::Scaled;
-use crate::bound::power::{ClassCap, PowerNorm};
+use crate::bound::budget::Budget;
+use crate::bound::power::{ClassCap, MAX_WORK, PowerNorm};
+use crate::bound::walk::price;
 use crate::exact::Rational;
+use crate::scheme::Rules;
 
-/// The most products of words that are computed for one norm.
-pub(super) const MAX_WORK: u64 = 1 << 33;
+/// A search that takes as much work as so many visits of all classes is given up for one.
+const VISITS: u64 = 8;
 
 /// Up to so many residue classes are visited one by one.
 const FEW_CLASSES: u64 = 1 << 12;
@@ -22,17 +25,28 @@ pub struct Searched {
 
 /// By visiting every class if there are few; else by the search, or if it does not end, by
 /// visiting every class if that is possible.
-pub(super) fn either(
-    arity: usize,
+pub(super) fn either<const K: usize>(
+    rules: [&Rules; K],
     levels: u32,
+    budget: &Budget,
     walk: impl Fn() -> Result<PowerNorm, ClassCap>,
-    search: impl FnOnce() -> Option<PowerNorm>,
+    search: impl FnOnce(&mut u64) -> Option<PowerNorm>,
 ) -> Result<PowerNorm, ClassCap> {
+    let arity = rules[0].arity();
     let classes = (arity as u64).checked_pow(levels);
-    if classes.is_some_and(|classes| classes <= FEW_CLASSES) {
-        return walk();
+    let visit = ClassCap::check(arity, levels).map(|()| rules.map(|one| price(one, levels)));
+    let visit = visit.map(|prices| prices.into_iter().sum::<u64>());
+    if classes.is_none_or(|classes| classes > FEW_CLASSES) {
+        let visits = visit.map_or(u64::MAX, |visit| visit.saturating_mul(VISITS));
+        let most = MAX_WORK.min(visits).min(budget.left());
+        let mut work = most;
+        let found = search(&mut work);
+        budget.take(most - work);
+        if let Some(found) = found {
+            return Ok(found);
+        }
     }
-    search().map_or_else(walk, Ok)
+    if budget.take(visit?) { walk() } else { Err(ClassCap { arity, levels }) }
 }
 
 /// From the scaled operators to their own.

@@ -27,6 +27,8 @@ pub(super) struct Exact {
     pub(super) distance: Known,
     /// Control data that are too far from their limit at the level below the depth.
     pub(super) too_far: Option<TooFar>,
+    /// The caps of the search.
+    pub(super) caps: String,
 }
 
 /// Control data that are too far from their limit at a level.
@@ -59,9 +61,9 @@ impl Known {
         }
     }
 
-    pub(super) fn text(&self) -> String {
-        let wide = if self.narrow { "" } else { ", as narrow as the cap on cells allows" };
-        format!("{}{wide}", interval_text(&self.enclosure))
+    pub(super) fn text(&self, caps: &str) -> String {
+        let text = interval_text(&self.enclosure);
+        if self.narrow { text } else { format!("{text}, as narrow as the caps allow: {caps}") }
     }
 }
 
@@ -85,7 +87,8 @@ impl Exact {
                 Comparison::Within | Comparison::Undecided(_) => None,
             },
         };
-        Ok(Exact { offsets: vec![mask.offset()], depth, distance, too_far })
+        let (offsets, caps) = (vec![mask.offset()], distances.caps());
+        Ok(Exact { offsets, depth, distance, too_far, caps })
     }
 
     pub(super) fn facts(&self) -> Vec<(String, String)> {
@@ -95,9 +98,9 @@ impl Exact {
         };
         let offsets = self.offsets.iter().map(i64::to_string).collect::<Vec<String>>();
         let mut facts = vec![
-            ("depth, exactly".to_owned(), depth_text(self.depth, whom)),
+            ("depth, exactly".to_owned(), depth_text(self.depth, whom, &self.caps)),
             ("compared at offset".to_owned(), format!("{}, {own}", offsets.join(" and "))),
-            (format!("distance C_{}·β", self.depth.upper), self.distance.text()),
+            (format!("distance C_{}·β", self.depth.upper), self.distance.text(&self.caps)),
         ];
         if let Some(TooFar { level, text, .. }) = &self.too_far {
             facts.push((format!("too far at level {level}"), text.clone()));
@@ -115,13 +118,15 @@ impl Exact {
     }
 }
 
-pub(super) fn depth_text(depth: TwoSidedDepth, whom: &str) -> String {
+pub(super) fn depth_text(depth: TwoSidedDepth, whom: &str, caps: &str) -> String {
     let TwoSidedDepth { lower, upper } = depth;
     if lower == upper {
         return format!("{upper} levels, for {whom}{}", too_few(lower));
     }
     let below = too_few(lower);
-    format!("from {lower} to {upper} levels, for {whom}{below}; the cap on cells leaves it open")
+    format!(
+        "from {lower} to {upper} levels, for {whom}{below}; the caps of the search leave it open: {caps}"
+    )
 }
 
 fn too_few(lower: u32) -> String {

@@ -7,15 +7,16 @@ mod polygon;
 mod ring;
 mod surface;
 
-use super::arguments::{BoundaryArgument, DepthArguments};
+use super::arguments::{BoundaryArgument, DepthArguments, Format};
 use super::json::{SCHEMA, depth as form};
 use super::output::{Failure, Outcome, positive, show};
 use super::polygon::read_polygon;
+use super::progress::Progress;
 use bound::Bounds;
 use exact::{Asked, Exact};
 use polygon::{OfPolygon, Points};
 use ring::ring_depth;
-use subcert::bound::Constants;
+use subcert::bound::{Budget, Constants};
 use subcert::exact::{Rational, format::short};
 use subcert::limit::{Distances, Limit, LimitError};
 use subcert::report::Sheet;
@@ -52,6 +53,12 @@ impl Report {
             Some(width) => positive("--width", width)?,
             None => &tolerance / Rational::from(1000),
         };
+        // With a polygon there are two answers.
+        let own_steps = if points.is_some() { MAX_STEPS / 2 } else { 0 };
+        let budgets = [MAX_STEPS - own_steps, own_steps].map(Budget::new);
+        let wanted = arguments.output.format != Format::Json;
+        let progress = Progress::of_steps(&budgets, wanted);
+        let [budget, own_budget] = budgets;
         let constants: Vec<Constants> =
             scheme.masks().into_iter().cloned().map(Constants::new).collect();
         let bounds = Bounds::of(&constants, arguments.block.levels, &tolerance, &spread)
@@ -60,10 +67,11 @@ impl Report {
         let mut polygon = None;
         let exact = match scheme {
             Scheme::Curve(mask) => {
-                let distances = distances(mask, points.as_ref());
+                let distances = distances(mask, &budget);
                 let of = |distances: &Distances| Exact::of(mask, distances, &asked);
                 let exact = distances.as_ref().map_err(Clone::clone).and_then(of);
                 if let Some(points) = points {
+                    let distances = distances.map(|all| all.with_budget(own_budget));
                     let of = |distances| OfPolygon::of(distances, &points, &tolerance, &width);
                     let own = distances.as_ref().map_err(Clone::clone).and_then(of);
                     if let Err(error @ LimitError::TooFew { .. }) = own {
@@ -73,10 +81,10 @@ impl Report {
                 }
                 exact.map_err(|error| error.to_string())
             }
-            Scheme::Tensor(first, second) => {
-                Exact::of_surface([first, second], &asked).map_err(|error| error.to_string())
-            }
+            Scheme::Tensor(first, second) => Exact::of_surface([first, second], &asked, &budget)
+                .map_err(|error| error.to_string()),
         };
+        drop(progress);
         Ok(Report { tolerance, spread, bounds, exact, polygon })
     }
 
@@ -142,15 +150,12 @@ impl Report {
     }
 }
 
-/// The most cells that one question about a distance looks at, and as many more for each
-/// point of a polygon.
-const MAX_CELLS: u32 = 1 << 16;
-const CELLS_OF_A_POINT: usize = 16;
+/// The steps that the exact distances of one command may take.
+const MAX_STEPS: u64 = 1_000_000_000;
 
-fn distances(mask: &Mask, points: Option<&Points>) -> Result<Distances, LimitError> {
-    let more = points.map_or(0, |points| points.count * CELLS_OF_A_POINT);
-    let cells = MAX_CELLS + u32::try_from(more).unwrap_or(MAX_CELLS);
-    Ok(Distances::new(&Limit::new(mask)?)?.with_cells(cells))
+fn distances(mask: &Mask, budget: &Budget) -> Result<Distances, LimitError> {
+    let distances = Distances::new(&Limit::new(mask)?)?;
+    Ok(distances.with_cells(u32::MAX).with_budget(budget.clone()))
 }
 
 /// The control polygon that was given.

@@ -48,6 +48,8 @@ pub(super) struct OfPolygon {
     /// The coordinate of the parameter of that distance, counted from 0.
     coordinate: usize,
     too_far: Option<TooFar>,
+    /// The caps of the search.
+    caps: String,
 }
 
 /// A coordinate that is too far from its limit at the level below the depth.
@@ -77,7 +79,7 @@ impl OfPolygon {
                 }
             }
         }
-        Ok(OfPolygon { depth, distance, coordinate, too_far })
+        Ok(OfPolygon { depth, distance, coordinate, too_far, caps: distances.caps() })
     }
 
     pub(super) fn facts(&self, points: &Points) -> Vec<(String, String)> {
@@ -88,9 +90,9 @@ impl OfPolygon {
         let place = self.distance.parameter.as_ref();
         let word = if self.distance.enclosure.width().is_zero() { "at" } else { "near" };
         let place = place.map(|t| format!(", {word} t = {t}{}", of(self.coordinate)));
-        let distance = format!("{}{}", self.distance.text(), place.unwrap_or_default());
+        let distance = format!("{}{}", self.distance.text(&self.caps), place.unwrap_or_default());
         let mut facts = vec![
-            ("depth of the polygon".to_owned(), depth_text(self.depth, "this polygon")),
+            ("depth of the polygon".to_owned(), depth_text(self.depth, "this polygon", &self.caps)),
             (format!("its distance at level {}", self.depth.upper), distance),
         ];
         if let Some(TooFar { level, coordinate, parameter, distance }) = &self.too_far {

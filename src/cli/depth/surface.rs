@@ -2,6 +2,7 @@
 
 use super::exact::{Asked, Exact, Known, TooFar, points_text};
 use crate::cli::json::depth as form;
+use subcert::bound::Budget;
 use subcert::exact::format::short;
 use subcert::limit::{Comparison, Limit, Spreads, SurfaceDistances, SurfaceError, SurfaceWitness};
 use subcert::report::json::Exact as ExactForm;
@@ -12,10 +13,15 @@ const MAX_SHOWN_ROWS: usize = 6;
 
 impl Exact {
     /// β is the largest difference along either direction.
-    pub(super) fn of_surface(masks: [&Mask; 2], asked: &Asked<'_>) -> Result<Exact, SurfaceError> {
+    pub(super) fn of_surface(
+        masks: [&Mask; 2],
+        asked: &Asked<'_>,
+        budget: &Budget,
+    ) -> Result<Exact, SurfaceError> {
         let spreads = Spreads::new(asked.spread, asked.spread)?;
         let [first, second] = masks;
-        let distances = SurfaceDistances::new(&Limit::new(first)?, &Limit::new(second)?)?;
+        let distances =
+            SurfaceDistances::within(&Limit::new(first)?, &Limit::new(second)?, budget)?;
         let depth = distances.depth(&spreads, asked.tolerance)?;
         let (enclosure, _) = distances.constant(depth.upper, asked.width, &spreads)?;
         let narrow = enclosure.width() <= *asked.width;
@@ -28,7 +34,7 @@ impl Exact {
         };
         let distance = Known { enclosure, narrow, parameter: None };
         let offsets = masks.map(Mask::offset).to_vec();
-        Ok(Exact { offsets, depth, distance, too_far })
+        Ok(Exact { offsets, depth, distance, too_far, caps: distances.caps() })
     }
 }
 

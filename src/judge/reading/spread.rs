@@ -156,10 +156,12 @@ fn square(x: &Rational, ratio: &Rational, exponent: i64) -> Integer {
 /// The root of a multiple of 2^−256, cut to 2^−128.
 fn root(square: &Integer) -> Rational {
     let half = u32::try_from(square.bits() / 2 + 1).expect("a number that fits in memory");
-    let (mut low, mut high) = (Integer::zero(), Integer::one().shifted_left(half));
-    while &high - &low > Integer::one() {
-        let middle = (&low + &high).shifted_right(1);
-        if &middle * &middle <= *square { low = middle } else { high = middle }
+    // Newton's iteration falls from any number above the root, and ends at its floor.
+    let (mut root, mut next) =
+        (Integer::one().shifted_left(half + 1), Integer::one().shifted_left(half));
+    while next < root {
+        root = next;
+        next = (&root + square.div_floor(&root)).shifted_right(1);
     }
-    Rational::new(low, Integer::one().shifted_left(DIGITS / 2))
+    Rational::new(root, Integer::one().shifted_left(DIGITS / 2))
 }
