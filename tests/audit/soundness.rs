@@ -104,6 +104,23 @@ fn an_interpolant_has_the_same_points_in_the_same_order() {
 }
 
 #[test]
+fn what_means_nothing_for_a_scheme_is_refused() {
+    let theorem = |scheme: &str, field: &str| {
+        format!(
+            "{RINGS}[[theorem]]\nid = 't'\nlocus = ''\nscheme = '{scheme}'\nbounds = 'step'\n\
+             from = '0'\nby = 'beta'\n{field}\n"
+        )
+    };
+    for (scheme, field, why) in [
+        ("chaikin", "interpolant = 'pair'", "no interpolant"),
+        ("pair", "offset = '1'", "a ring has none"),
+    ] {
+        let error = refused(&theorem(scheme, field));
+        assert!(error.message.contains(why), "{error}");
+    }
+}
+
+#[test]
 fn a_point_with_other_weights_beside_1_is_not_kept() {
     let claims = format!(
         "{RINGS}[[theorem]]\nid = 't'\nlocus = ''\nscheme = 'three'\nbounds = 'distance'\n\

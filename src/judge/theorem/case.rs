@@ -139,6 +139,10 @@ impl<'a> Case<'a> {
         let scope = self.scope(&functions, &[]);
         match self.library.resolve(&located.reference, &scope) {
             Ok(resolved) => {
+                if let Some(LocatedReference { source, span, .. }) = interpolant {
+                    let message = "masks are compared at their offset, and have no interpolant";
+                    return Err(Diagnostic::new(source, span.clone(), message));
+                }
                 let masks = resolved.constants.iter().map(|axis| axis.mask());
                 let at = |mask: &Mask| mask.with_offset(offset.unwrap_or(mask.offset()));
                 self.setting = match &masks.map(at).collect::<Vec<Mask>>()[..] {
@@ -160,6 +164,13 @@ impl<'a> Case<'a> {
             }
             Err(Unresolved::Formula(error)) => Err(in_parameters(located, &error)),
             Err(Unresolved::Scheme(SchemeError::Ring { .. })) => {
+                if offset.is_some() {
+                    let message = "this theorem has an `offset`, and a ring has none";
+                    let LocatedReference { source, span, .. } = located;
+                    return Err(Diagnostic::new(source, span.clone(), message).with_help(
+                        "leave `offset` out, or state the theorem of masks apart from that of rings",
+                    ));
+                }
                 let ring = |located: &LocatedReference| -> Result<_, Diagnostic> {
                     let failed = |error| match error {
                         Unresolved::Formula(error) => in_parameters(located, &error),

@@ -64,6 +64,7 @@ impl<'a> Instance<'a> {
         }
         let (mut schemes, mut offset) = (Vec::new(), None);
         let setting = if paper.library.is_ring(reference) {
+            require(claim.get("offset").is_none(), Reason::Malformed("no offset of a ring"))?;
             let ring = |reference: &str| Ring::new(paper.library, reference, &scope);
             let (own, earlier) =
                 (ring(reference)?, claim.text("interpolant").map(ring).transpose()?);
@@ -71,6 +72,8 @@ impl<'a> Instance<'a> {
             require(alike, Reason::Malformed("an interpolant of the same points"))?;
             Setting::Ring(Box::new(own), earlier.map(Box::new))
         } else {
+            let plain = claim.get("interpolant").is_none();
+            require(plain, Reason::Malformed("no interpolant of masks"))?;
             schemes = paper.library.resolve(reference, &scope)?;
             let said = claim.text("offset").map(|text| scope.value(&formula(text)?)).transpose()?;
             offset = said.map(|offset| offset.integer(10_000)).transpose()?;
