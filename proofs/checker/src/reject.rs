@@ -95,7 +95,7 @@ reasons! {
     NoDifference "the two sides do not differ"
     Verdict(said: Text, found: Text) "the certificate says {said}, and the verdict is {found}"
     Breaks "the breaks do not increase"
-    Signs(said: Text, found: Text) "the signs are {found}, and the certificate says {said}"
+    Signs(said: Text, found: Text) "the certificate says {said}, and the signs are {found}"
     Ends(said: Text, found: Text) "the certificate says `{said}`, and the claim file prints `{found}`"
     ExactEnd(said: Text, found: Text) "the certificate says {said}, and the exact end is {found}"
     Relation(said: Text, found: Text) "the certificate says {said}, and the printed end is {found}"

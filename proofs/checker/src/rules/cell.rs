@@ -77,7 +77,8 @@ impl Cell<'_> {
             ["rounding", way @ ("down" | "nearest")] => {
                 require(self.is_depth(), Reason::Depth)?;
                 not_nearest()?;
-                self.need(self.is_depth_rounded(way)?, exact, Reason::NotRounded)?;
+                let (equal, value) = self.depth_rounded(way)?;
+                self.need(equal, value.as_ref(), Reason::NotRounded)?;
             }
             ["misprint", slip @ ..] => {
                 not_nearest()?;
@@ -92,7 +93,7 @@ impl Cell<'_> {
                 let known = part.value(self.table, self.place)?;
                 self.need(known.is_some(), None, Reason::NotExplained)?;
                 same(self.table, value, known.as_ref())?;
-                self.explained(part, known.as_ref(), rest, found)?;
+                self.explained(part, known.as_ref(), rest, exact)?;
             }
             [word @ ("refuted" | "differs")] => {
                 // Under assumptions there is no refutation, only a difference.
@@ -101,7 +102,7 @@ impl Cell<'_> {
                 self.no_slip(exact, Some(as_printed))?;
                 for way in ["down", "nearest"].iter().filter(|_| self.is_depth()) {
                     let slip = Reason::Slip(Text(format!("rounding {way}")));
-                    require(!self.is_depth_rounded(way)?, slip)?;
+                    require(!self.depth_rounded(way)?.0, slip)?;
                 }
                 self.unexplained(reads)?;
                 return Ok(self.plain);
@@ -112,13 +113,13 @@ impl Cell<'_> {
     }
 
     /// Makes sure that the value under a reading explains the printed number, in the way that the
-    /// words `rest` say. `found` is the rounding of the value as printed.
+    /// words `rest` say. `exact` is the value as printed.
     fn explained(
         &self,
         part: &PartRead,
         known: Option<&Value>,
         rest: &[&str],
-        found: &str,
+        exact: Option<&Value>,
     ) -> Checked<()> {
         let given = self.gives(part, known)?;
         match (rest, part.slip()) {
@@ -128,7 +129,7 @@ impl Cell<'_> {
             }
             ([], None) => self.need(given, known, Reason::NotExplained),
             (["rounding", way @ ("cut" | "away")], None) => {
-                self.need(found == "neither", known, Reason::Nearest)?;
+                self.need(self.rounding(exact)? == "neither", exact, Reason::Nearest)?;
                 self.rounded(known, way)?;
                 self.digits("rounding")
             }
@@ -184,12 +185,14 @@ impl Cell<'_> {
         self.need(self.rounding(value)? == way, value, Reason::NotRounded)
     }
 
-    /// Whether the printed number is the depth rounded in another way.
-    fn is_depth_rounded(&self, way: &str) -> Result<bool, Stop> {
+    /// The depth rounded in another way, and whether it is the printed number.
+    fn depth_rounded(&self, way: &str) -> Result<(bool, Option<Value>), Stop> {
         let mut read = Read::default();
         read.reading.words = BTreeMap::from([("rounded".to_owned(), way.to_owned())]);
         let value = self.table.read(self.place, &read)?;
-        value.map_or(Ok(false), |value| value.equals(&self.decimal.value.clone().into()))
+        let printed = self.decimal.value.clone().into();
+        let equal = value.as_ref().map_or(Ok(false), |value| value.equals(&printed));
+        equal.map(|equal| (equal, value))
     }
 
     /// Makes sure that this slip leads from the value to the printed number.
