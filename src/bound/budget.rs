@@ -21,7 +21,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 ///
 /// let scheme = parse_scheme("four-point")?;
 /// let distances = Distances::new(&Limit::new(scheme.masks()[0])?)?;
-/// let budget = Budget::new(1_000);
+/// let budget = Budget::new(100_000);
 /// let hasty = distances.clone().with_budget(budget.clone());
 /// let tight = Rational::new(47, 1000);
 /// assert!(matches!(hasty.compare(2, &tight)?, Comparison::Undecided(_)));

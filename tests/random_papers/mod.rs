@@ -45,7 +45,7 @@ fn papers() -> impl Strategy<Value = Draft> {
 fn papers_are_of_all_kinds() {
     let mut runner = TestRunner::deterministic();
     let mut draft = || papers().new_tree(&mut runner).expect("a paper").current();
-    let drafts: Vec<Draft> = (0..60).map(|_| draft()).collect();
+    let drafts: Vec<Draft> = (0..100).map(|_| draft()).collect();
     let counts = variety::counts(&drafts);
     let missing: Vec<&&str> =
         variety::NEEDED.iter().filter(|what| !counts.contains_key(**what)).collect();

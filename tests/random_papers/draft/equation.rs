@@ -148,7 +148,8 @@ pub fn claim(place: usize, choices: &mut Choices) -> Claim {
         }
     }
     let (stated, hypotheses) = hypotheses(choices);
-    let doubtful = hypotheses.is_none() || !in_order(&stated);
+    // Nothing is claimed where the indices have no values.
+    let doubtful = hypotheses.is_none() || !in_order(&stated) || cases.is_empty();
     let left = match choices.below(3) {
         2 => member(number(1, 1)),
         _ => polynomial(choices, &names, 2),
