@@ -75,7 +75,7 @@ pub(crate) fn count(names: impl Iterator<Item = &'static str>) -> BTreeMap<&'sta
 }
 
 impl PaperAudit<'_> {
-    /// How many table cells have each verdict, in the order of [`Verdict::NAMES`].
+    /// How many table cells have each verdict, in the order of [`Verdict::NAMES`](crate::finding::Verdict::NAMES).
     #[must_use]
     pub fn cell_counts(&self) -> BTreeMap<&'static str, usize> {
         let cells = self.tables.iter().flat_map(|table| table.cells.iter().flatten());

@@ -15,6 +15,15 @@ pub struct Work {
     pub(super) depth: Cell<u32>,
 }
 
+impl Work {
+    /// The steps of the last evaluation: nodes visited, sums unrolled and named formulas entered, and
+    /// the squares of the sizes of their values in 512 bits.
+    #[must_use]
+    pub fn spent(&self) -> u64 {
+        self.spent.get()
+    }
+}
+
 /// What a name means.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Lookup<V> {

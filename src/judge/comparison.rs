@@ -4,8 +4,9 @@ use crate::claim::{Hypothesis, Identity, Paper};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::shape::{Coefficients, Shapes, own_shape};
 use crate::exact::{Polynomial, Rational, Scalar};
-use crate::formula::{Expr, LocatedFormula, Scope, evaluate};
+use crate::formula::{Context, Expr, LocatedFormula, Scope, Work, evaluate};
 use crate::judge::hypotheses;
+use std::cell::Cell;
 
 /// A combination of the indices.
 pub(crate) struct Case {
@@ -19,6 +20,8 @@ pub(crate) struct Comparison<'a> {
     pub(crate) paper: &'a Paper,
     pub(crate) identity: &'a Identity,
     pub(crate) shapes: Shapes<'a, Polynomial>,
+    /// The steps of all evaluations so far.
+    pub(crate) spent: Cell<u64>,
 }
 
 impl Comparison<'_> {
@@ -40,7 +43,10 @@ impl Comparison<'_> {
         };
         let functions = Coefficients { shapes: &self.shapes, own };
         let scope = self.scope(case, &functions, &member)?;
-        evaluate(expr, &scope).map_err(|error| formula.diagnostic(&error))
+        let value = evaluate(expr, &scope);
+        let spent = scope.work().map_or(0, Work::spent);
+        self.spent.set(self.spent.get().saturating_add(spent));
+        value.map_err(|error| formula.diagnostic(&error))
     }
 
     fn scope<'s>(

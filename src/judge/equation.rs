@@ -9,7 +9,11 @@ use crate::finding::{EquationFinding, EquationVerdict, Failure};
 use crate::formula::{LocatedFormula, Parameters, evaluate};
 use crate::judge::comparison::{Case, Comparison};
 use crate::judge::mend;
+use std::cell::Cell;
 use std::collections::BTreeMap;
+
+/// The most steps of formulas in all cases of an equation together.
+const MAX_WORK: u64 = 20_000_000;
 
 /// The most combinations of indices that an identity is compared in.
 pub const MAX_CASES: usize = 100_000;
@@ -34,12 +38,20 @@ fn compare(
     library: &Library<'_>,
 ) -> Result<EquationVerdict, Diagnostic> {
     let cases = cases(identity)?;
-    let comparison = Comparison { paper, identity, shapes: Shapes::new(library) };
+    let comparison =
+        Comparison { paper, identity, shapes: Shapes::new(library), spent: Cell::new(0) };
     let (mut failures, mut failing) = (Vec::new(), Vec::new());
     for (i, case) in cases.iter().enumerate() {
         let left = identity.left.formula(i);
         let left = comparison.value(left, &left.expr, case)?;
         let right = comparison.value(&identity.right, &identity.right.expr, case)?;
+        if comparison.spent.get() > MAX_WORK {
+            let (source, span) = (&identity.right.source, identity.right.span.clone());
+            let message =
+                format!("the cases take more work together than the cap of {MAX_WORK} steps");
+            return Err(Diagnostic::new(source, span, message)
+                .with_help("claim it for fewer values of the indices"));
+        }
         if left != right {
             let indices = case.values.iter().map(|(_, value)| value.clone()).collect();
             failures.push(Failure { at: case.text.clone(), indices, left, right });

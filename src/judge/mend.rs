@@ -14,6 +14,9 @@ const MAX_TRIES: usize = 2_000;
 /// The most cases in which changed formulas are compared, all of them together.
 const MAX_COMPARISONS: usize = 50_000;
 
+/// The most steps of formulas in all comparisons of changed formulas.
+const MAX_WORK: u64 = 20_000_000;
+
 /// Changes of one symbol in the right side, or in the left side if that is one
 /// formula, with which the identity holds in all cases: a sign, or an integer by 1.
 /// Empty when there is none, or more than three, or nothing is symbolic: between
@@ -34,11 +37,15 @@ pub(crate) fn search(
     }
     let order: Vec<usize> = failing.iter().copied().chain(0..cases.len()).collect();
     let mut left = MAX_COMPARISONS;
+    let most = comparison.spent.get() + MAX_WORK;
     let mut mends = Vec::new();
     for side in sides {
         for changed in variants(&side.expr).into_iter().take(MAX_TRIES) {
             let holds = order.iter().all(|&i| {
                 left = left.saturating_sub(1);
+                if comparison.spent.get() > most {
+                    left = 0;
+                }
                 left > 0 && holds(comparison, i, &cases[i], side, &changed)
             });
             if left == 0 {

@@ -186,6 +186,15 @@ fn indices_without_values_claim_nothing() {
 }
 
 #[test]
+fn the_cases_of_an_equation_share_a_cap_on_work() {
+    let error = refused(
+        "[[equation]]\nid = 'e'\nlocus = ''\nleft = 'sum(j = 1..300, j*i)'\nright = '45150*i'\n\
+         indices = [{ name = 'i', from = '1', to = '100000' }]\n",
+    );
+    assert!(error.message.contains("more work together"), "{error}");
+}
+
+#[test]
 fn a_spread_is_not_negative() {
     let error = refused(
         "[[table]]\nid = 't'\nlocus = ''\nscheme = 'chaikin'\nvalue = '1/2'\n\

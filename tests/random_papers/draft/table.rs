@@ -69,14 +69,18 @@ fn blank(id: &str, choices: &mut Choices) -> (Blank, &'static str) {
     let product = if value.starts_with("tensor") || choices.once_in(6) { " x t:w=w" } else { "" };
     let mut before = format!("id = '{id}'\nlocus = ''\nscheme = 's:w=w{product}'\n");
     let (mut stated, mut unstated) = (Vec::new(), vec![("scale", "1/3")]);
+    // A header is no other parameter.
+    let is_header = |name: &str| sides.iter().any(|(_, (header, _))| *header == name);
     let defaults = [("lev", "1"), ("spread", "1/2"), ("c", "2"), ("tol", "1/10"), ("N", "4")];
     for (name, default) in defaults {
-        if sides.iter().all(|(_, (header, _))| *header != name) || choices.once_in(8) {
+        if !is_header(name) {
             let list = if choices.once_in(6) { &mut unstated } else { &mut stated };
             list.push((name, default));
         }
     }
-    stated.push(("w", "TENSION"));
+    if !is_header("w") {
+        stated.push(("w", "TENSION"));
+    }
     let ring = choices.of(&["", "", ", ring = 'ring:N=N'", ", offset = '0'"]);
     if value.starts_with("levels") {
         before += &format!("promise = {{ tolerance = 'tol', spread = 'spread'{ring} }}\n");
