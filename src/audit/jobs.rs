@@ -73,15 +73,15 @@ impl Part {
     }
 
     fn judge<'a>(&self, paper: &'a Paper, after_table: &dyn Fn()) -> Found<'a> {
-        let library = Library::new(paper);
         match self {
-            Part::Tables(places) => match table::judge_all(paper, places, &library, after_table) {
+            Part::Tables(places) => match table::judge_all(paper, places, after_table) {
                 Ok(findings) => Found::Tables(findings),
                 Err((place, error)) => Found::Error(Place::Table(place), error),
             },
-            Part::Formulas => formulas(paper, &library)
-                .unwrap_or_else(|error| Found::Error(Place::Formulas, error)),
-            Part::Theorems => match theorem::trials(paper, &library) {
+            Part::Formulas => {
+                formulas(paper).unwrap_or_else(|error| Found::Error(Place::Formulas, error))
+            }
+            Part::Theorems => match theorem::trials(paper) {
                 Ok(findings) => Found::Theorems(findings),
                 Err(error) => Found::Error(Place::Theorems, error),
             },
@@ -89,10 +89,11 @@ impl Part {
     }
 }
 
-fn formulas<'a>(paper: &'a Paper, library: &Library<'_>) -> Result<Found<'a>, Diagnostic> {
-    let equations = paper.equations.iter().map(|claim| equation::judge(paper, claim, library));
-    let functions = paper.functions.iter().map(|claim| function::judge(paper, claim, library));
-    let ranges = paper.ranges.iter().map(|claim| range::judge(paper, claim, library));
+fn formulas(paper: &Paper) -> Result<Found<'_>, Diagnostic> {
+    let library = || Library::new(paper);
+    let equations = paper.equations.iter().map(|claim| equation::judge(paper, claim, &library()));
+    let functions = paper.functions.iter().map(|claim| function::judge(paper, claim, &library()));
+    let ranges = paper.ranges.iter().map(|claim| range::judge(paper, claim, &library()));
     Ok(Found::Formulas(
         equations.collect::<Result<_, _>>()?,
         functions.collect::<Result<_, _>>()?,

@@ -1,6 +1,8 @@
 //! The schemes that a paper's claims are about, each with its constants once.
 
-use crate::bound::{ClassCap, Constants, DepthError, Rounded, SoundBound, log_level_algebraic};
+use crate::bound::{
+    Budget, ClassCap, Constants, DepthError, Rounded, SoundBound, log_level_algebraic,
+};
 use crate::claim::{Paper, SchemeSource};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::reference::Unresolved;
@@ -21,6 +23,9 @@ const MAX_SOUND_BLOCK: u32 = 6;
 /// The most residue classes that a sound bound walks.
 const MAX_SOUND_CLASSES: u64 = 4_096;
 
+/// The most steps that searches for the constants of one claim take.
+const MAX_STEPS: u64 = 2_000_000_000;
+
 /// How deep names may stand for names.
 const MAX_ALIAS_DEPTH: usize = 8;
 
@@ -30,10 +35,13 @@ type SoundKey = (Vec<Instance>, Option<i64>);
 /// The base of a logarithm, its argument, and its rounding.
 type LogLevel = (Rational, Rational, Rounded);
 
-/// The schemes of a paper.
+/// The schemes that one claim is about: another claim has a library of its own, so that what one
+/// takes of the cap on work does not decide what the other finds.
 pub(crate) struct Library<'a> {
     paper: &'a Paper,
     constants: RefCell<BTreeMap<Instance, Rc<Constants>>>,
+    /// What searches for constants of many levels may take together.
+    budget: Budget,
     sound: RefCell<BTreeMap<SoundKey, Rc<SoundBound>>>,
     pub(crate) norms: Norms<RealCyclotomic>,
     /// The constants of masks that were asked for, if they are noted.
@@ -51,8 +59,9 @@ pub(crate) struct Resolved {
 impl<'a> Library<'a> {
     pub(crate) fn new(paper: &'a Paper) -> Library<'a> {
         let (constants, sound) = Default::default();
+        let budget = Budget::new(MAX_STEPS);
         let (norms, noted, log_levels) = Default::default();
-        Library { paper, constants, sound, norms, noted, log_levels }
+        Library { paper, constants, budget, sound, norms, noted, log_levels }
     }
 
     /// From now on, notes the constants that are asked for.
@@ -165,7 +174,7 @@ impl<'a> Library<'a> {
             return Ok(Rc::clone(known));
         }
         let mask = self.define(&instance.name)?.mask(&instance.parameters)?;
-        let constants = Rc::new(Constants::new(mask));
+        let constants = Rc::new(Constants::new(mask).with_budget(self.budget.clone()));
         self.constants.borrow_mut().insert(instance.clone(), Rc::clone(&constants));
         Ok(constants)
     }

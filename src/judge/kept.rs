@@ -8,12 +8,15 @@ use crate::limit::{
     Comparison, Distances, Limit, RingDistances, RingLimit, Spreads, SurfaceDistances,
 };
 use crate::scheme::{Instance, Mask, Ring};
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
 /// The most cells that one comparison looks at.
 const MAX_CELLS: u32 = 1 << 13;
+
+/// The most that the squares of the numbers of points of the rings of a table sum to.
+const MAX_RING_SIZE: usize = 600_000;
 
 /// A scheme, and the offset at which it is compared with its limit, if not its own.
 type SchemeAt = (Vec<Instance>, Option<i64>);
@@ -24,6 +27,8 @@ type SchemeAt = (Vec<Instance>, Option<i64>);
 pub(crate) struct DistanceMemo {
     masks: RefCell<BTreeMap<SchemeAt, Rc<Remembered>>>,
     rings: RefCell<BTreeMap<Instance, Rc<Remembered>>>,
+    /// The sum of the squares of the numbers of points of these rings.
+    ring_size: Cell<usize>,
 }
 
 impl DistanceMemo {
@@ -49,7 +54,17 @@ impl DistanceMemo {
     /// The distances from the limit of a ring.
     pub(crate) fn of_ring(&self, (instance, ring): &(Instance, Ring)) -> Rc<Remembered> {
         let mut all = self.rings.borrow_mut();
-        let new = || Rc::new(Remembered::ring(ring));
+        let new = || {
+            let size = self.ring_size.get().saturating_add(ring.point_count().pow(2));
+            self.ring_size.set(size);
+            Rc::new(if size <= MAX_RING_SIZE {
+                Remembered::ring(ring)
+            } else {
+                let why = "the rings of this table have more points than the cap: the squares of \
+                           their numbers sum to 600000 at most";
+                Remembered::new(Err(why.to_owned()))
+            })
+        };
         Rc::clone(all.entry(instance.clone()).or_insert_with(new))
     }
 }

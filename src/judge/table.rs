@@ -60,11 +60,10 @@ pub(crate) fn related(paper: &Paper) -> Vec<Vec<usize>> {
 pub(crate) fn judge_all<'a>(
     paper: &'a Paper,
     places: &[usize],
-    library: &Library<'_>,
     after_table: &dyn Fn(),
 ) -> Result<Vec<(usize, TableFinding<'a>)>, (usize, Diagnostic)> {
     let first = places.iter().map(|&place| {
-        let finding = judge(paper, &paper.tables[place], library, Vec::new());
+        let finding = judge(paper, &paper.tables[place], Vec::new());
         after_table();
         finding.map_err(|error| (place, error))
     });
@@ -72,7 +71,7 @@ pub(crate) fn judge_all<'a>(
     for (i, &place) in places.iter().enumerate() {
         let siblings = sibling::siblings(&findings[i], &findings);
         if !siblings.is_empty() {
-            let again = judge(paper, findings[i].table, library, siblings);
+            let again = judge(paper, findings[i].table, siblings);
             findings[i] = again.map_err(|error| (place, error))?;
         }
     }
@@ -83,10 +82,10 @@ pub(crate) fn judge_all<'a>(
 fn judge<'a>(
     paper: &'a Paper,
     table: &'a Table,
-    library: &Library<'_>,
     siblings: Vec<Sibling>,
 ) -> Result<TableFinding<'a>, Diagnostic> {
-    let judge = Evaluator::new(paper, table, library)?;
+    let library = Library::new(paper);
+    let judge = Evaluator::new(paper, table, &library)?;
     let mut cells = judge.cells(&DistanceMemo::default())?;
     judge.compare_with_neighbours(&mut cells);
     let (mut searches, mut needs) = (Vec::new(), Vec::new());

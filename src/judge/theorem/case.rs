@@ -12,7 +12,7 @@ use crate::judge::theorem::ring::AroundPoint;
 use crate::judge::theorem::setting::Setting;
 use crate::judge::theorem::surface::Surface;
 use crate::scheme::{Instance, Mask, Ring, SchemeError};
-use std::cell::{OnceCell, RefCell};
+use std::cell::{Cell, OnceCell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -26,7 +26,12 @@ pub(crate) struct Stage {
     curves: Kept<(Vec<Instance>, i64), Curve>,
     surfaces: Kept<(Vec<Instance>, Option<i64>), Surface>,
     rings: Kept<RingKey, AroundPoint>,
+    /// The sum of the squares of the numbers of points of these rings.
+    ring_size: Cell<usize>,
 }
+
+/// The most that this sum may be.
+const MAX_RING_SIZE: usize = 600_000;
 
 /// A ring, and the interpolant that it is compared with.
 type RingKey = (RingScheme, Option<RingScheme>);
@@ -198,6 +203,17 @@ impl<'a> Case<'a> {
                 let name = joined(&instances);
                 let (earlier, interpolant) = interpolant.transpose()?.unzip();
                 let key = (instances, earlier);
+                let size = stage.ring_size.get().saturating_add(own.point_count().pow(2));
+                if size > MAX_RING_SIZE {
+                    let message = format!(
+                        "the rings of this theorem have more points than the cap: the squares of \
+                         their numbers sum to {MAX_RING_SIZE} at most"
+                    );
+                    let LocatedReference { source, span, .. } = located;
+                    return Err(Diagnostic::new(source, span.clone(), message)
+                        .with_help("try the theorem on fewer or smaller rings"));
+                }
+                stage.ring_size.set(size);
                 let mut rings = stage.rings.borrow_mut();
                 let found =
                     rings.entry(key).or_insert_with(|| Rc::new(AroundPoint::new(own, interpolant)));

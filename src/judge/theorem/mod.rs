@@ -27,11 +27,8 @@ use crate::judge::theorem::trial::Trial;
 const PARTS: u32 = 1_000;
 
 /// Tries the theorems of a paper, each by itself.
-pub(crate) fn trials<'a>(
-    paper: &'a Paper,
-    library: &Library<'_>,
-) -> Result<Vec<TheoremFinding<'a>>, Diagnostic> {
-    let one = |theorem| one(paper, theorem, library, &Stage::default());
+pub(crate) fn trials<'a>(paper: &'a Paper) -> Result<Vec<TheoremFinding<'a>>, Diagnostic> {
+    let one = |theorem| one(paper, theorem, &Library::new(paper), &Stage::default());
     paper.theorems.iter().map(one).collect()
 }
 
