@@ -27,7 +27,7 @@ use crate::judge::theorem::trial::Trial;
 const PARTS: u32 = 1_000;
 
 /// Tries the theorems of a paper, each by itself.
-pub(crate) fn trials<'a>(paper: &'a Paper) -> Result<Vec<TheoremFinding<'a>>, Diagnostic> {
+pub(crate) fn trials(paper: &Paper) -> Result<Vec<TheoremFinding<'_>>, Diagnostic> {
     let one = |theorem| one(paper, theorem, &Library::new(paper), &Stage::default());
     paper.theorems.iter().map(one).collect()
 }
