@@ -96,12 +96,16 @@ fn in_order(stated: &[[Tree; 2]]) -> bool {
 /// Texts of the file, and what is known of them.
 fn hypotheses(choices: &mut Choices) -> (Vec<[Tree; 2]>, Option<Vec<[Tree; 2]>>) {
     let q = |i| member(number(i, 1));
-    let first = choices.of(&[name("a"), times(name("a"), name("b")), number(3, 1)]);
+    let first = choices.of(&[name("a"), times(number(2, 1), name("b")), number(3, 1)]);
     let chain = [
         [q(0), first],
         [
             q(1),
-            choices.of(&[times(q(0), q(0)), of('+', q(0), name("a")), of('-', q(2), number(1, 1))]),
+            choices.of(&[
+                times(number(3, 1), q(0)),
+                of('+', q(0), name("a")),
+                of('-', q(2), number(1, 1)),
+            ]),
         ],
         [q(2), choices.of(&[name("b"), times(number(2, 1), q(0))])],
     ];
