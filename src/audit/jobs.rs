@@ -14,7 +14,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 use std::thread::available_parallelism;
 
-/// What is judged by one thread, with a library of its own. What one part finds does not
+/// What is judged by one thread. What one part finds does not
 /// depend on the others, nor on who judges it.
 enum Part {
     /// The tables at these places, which share schemes.

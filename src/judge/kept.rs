@@ -15,8 +15,8 @@ use std::rc::Rc;
 /// The most cells that one comparison looks at.
 const MAX_CELLS: u32 = 1 << 13;
 
-/// The most that the squares of the numbers of points of the rings of a table sum to.
-const MAX_RING_SIZE: usize = 600_000;
+/// The most that the squares of the numbers of points of the rings of one claim sum to.
+pub(crate) const MAX_RING_SIZE: usize = 600_000;
 
 /// A scheme, and the offset at which it is compared with its limit, if not its own.
 type SchemeAt = (Vec<Instance>, Option<i64>);
@@ -60,9 +60,10 @@ impl DistanceMemo {
             Rc::new(if size <= MAX_RING_SIZE {
                 Remembered::ring(ring)
             } else {
-                let why = "the rings of this table have more points than the cap: the squares of \
-                           their numbers sum to 600000 at most";
-                Remembered::new(Err(why.to_owned()))
+                Remembered::new(Err(format!(
+                    "the rings of this table have more points than the cap: the squares of their \
+                     numbers sum to {MAX_RING_SIZE} at most"
+                )))
             })
         };
         Rc::clone(all.entry(instance.clone()).or_insert_with(new))

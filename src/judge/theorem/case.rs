@@ -7,6 +7,7 @@ use crate::evaluation::reference::{Unresolved, scheme_error};
 use crate::evaluation::settings::Settings;
 use crate::exact::{Rational, RealCyclotomic};
 use crate::formula::FormulaErrorKind;
+use crate::judge::kept::MAX_RING_SIZE;
 use crate::judge::theorem::curve::Curve;
 use crate::judge::theorem::ring::AroundPoint;
 use crate::judge::theorem::setting::Setting;
@@ -29,9 +30,6 @@ pub(crate) struct Stage {
     /// The sum of the squares of the numbers of points of these rings.
     ring_size: Cell<usize>,
 }
-
-/// The most that this sum may be.
-const MAX_RING_SIZE: usize = 600_000;
 
 /// A ring, and the interpolant that it is compared with.
 type RingKey = (RingScheme, Option<RingScheme>);
