@@ -43,4 +43,5 @@ pub(crate) use ring_power::{displaced_rows, power_rows};
 pub use sound::{SoundBound, SoundDepth};
 pub use surface::{surface_coefficients, surface_displacement, surface_factor};
 pub use transport::{Transport, transport, transport_at_costs};
+pub(crate) use walk::steps_of_visit;
 pub use walked_norm::{power_norm_generic, walked_joint_norm, walked_norm};

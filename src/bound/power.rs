@@ -38,15 +38,16 @@ pub struct PowerNorm {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
     "the largest of {arity}^{levels} row sums is out of reach: every row is visited up to \
-     {MAX_CLASSES}, and branch and bound goes up to {MAX_LEVELS} levels and to {MAX_WORK} products \
-     of words, for all constants of a table, a theorem or a command together; take a smaller \
-     number of levels"
+     {MAX_CLASSES}, and branch and bound goes up to {MAX_LEVELS} levels and to {work} products \
+     of words, for all constants that are asked for together; take a smaller number of levels"
 )]
 pub struct ClassCap {
     /// n.
     pub arity: usize,
     /// c.
     pub levels: u32,
+    /// The most products of words.
+    pub work: u64,
 }
 
 impl ClassCap {
@@ -58,7 +59,7 @@ impl ClassCap {
         let classes = (arity as u64).checked_pow(levels);
         match classes.filter(|&count| count <= MAX_CLASSES) {
             Some(_) => Ok(()),
-            None => Err(ClassCap { arity, levels }),
+            None => Err(ClassCap { arity, levels, work: MAX_WORK }),
         }
     }
 }

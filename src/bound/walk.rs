@@ -142,9 +142,14 @@ pub(super) fn price(rules: &Rules, levels: u32) -> u64 {
     let scaled = |entry: &Rational| (entry.abs() * Rational::from(denominator.clone())).ceil();
     let largest = rules.rows().iter().map(|row| row.iter().map(scaled).sum::<Integer>().bits());
     let words = largest.max().unwrap_or(0).saturating_mul(u64::from(levels)) / 64 + 2;
+    steps_of_visit(arity, width, levels).saturating_mul(words)
+}
+
+/// The products that a visit of all classes takes, in any arithmetic.
+pub(crate) fn steps_of_visit(arity: usize, width: usize, levels: u32) -> u64 {
     // The rows of all levels are twice as many as those of the last.
-    let rows = 2 * (arity as u64).saturating_pow(levels);
-    rows.saturating_mul((row_length(arity, width) * width) as u64).saturating_mul(words)
+    let rows = 2_u64.saturating_mul((arity as u64).saturating_pow(levels));
+    rows.saturating_mul((row_length(arity, width) * width) as u64)
 }
 
 impl<T: Kernel> Transitions<T> {

@@ -5,8 +5,8 @@ use super::json::{SCHEMA, constants as form};
 use super::output::{Failure, Outcome, show, with_decimal};
 use super::ring_constants::ring_constants;
 use subcert::bound::{
-    ClassCap, Constants, DeltaCondition, Order, PowerSearch, Terms, best_offset, displacement,
-    surface_factor,
+    Budget, ClassCap, Constants, DeltaCondition, Order, PowerSearch, Terms, best_offset,
+    displacement, surface_factor,
 };
 use subcert::exact::{Rational, format::short};
 use subcert::report::{Grid, Sheet, json::Exact};
@@ -99,11 +99,16 @@ impl Direction {
     }
 }
 
+/// The most steps for the constants of one column.
+const MAX_STEPS: u64 = 1_000_000_000;
+
 /// The norms of the powers of both operators in both orders, each up to the first that is out
-/// of reach. Each column runs on its own.
+/// of reach. Each column runs on its own, and has a budget of its own, so that it does not
+/// depend on the others how far it gets.
 fn columns(mask: &Mask, difference: &Rules, levels: u32) -> [Vec<Rational>; 4] {
     let column = |rules: &Rules, order| {
-        let mut search = PowerSearch::new(rules, order);
+        let budget = Budget::new(MAX_STEPS);
+        let mut search = PowerSearch::new(rules, order).with_budget(budget);
         (1..=levels).map_while(|c| Some(search.norm(c).ok()?.value)).collect::<Vec<Rational>>()
     };
     std::thread::scope(|scope| {

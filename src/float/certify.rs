@@ -2,15 +2,12 @@
 
 use super::apriori::Tracked;
 use super::depth::{Bound, DepthDecision};
+use super::error::{CertifyError, MAX_CERTIFIED_LEVEL};
 use super::pipeline::Outcome;
 use super::quantity::Quantity;
-use crate::bound::ClassCap;
 use crate::exact::Rational;
 use crate::scheme::{Mask, Scheme};
 use std::collections::BTreeMap;
-
-/// The greatest level k whose error bound is computed.
-pub const MAX_CERTIFIED_LEVEL: u32 = 1_000;
 
 /// The most steps, n^c·(N+2)·N, of a walk over exact values with error bounds. For
 /// greater c the f64 constants still have their exact values beside them, but no
@@ -39,26 +36,6 @@ impl Default for CertifyOptions {
             tolerances: [-2, -4, -8].map(Rational::power_of_ten).to_vec(),
         }
     }
-}
-
-/// Why nothing is certified.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
-pub enum CertifyError {
-    /// Too many residue classes.
-    #[error(transparent)]
-    Classes(#[from] ClassCap),
-    /// A spread or a tolerance that is not positive.
-    #[error("{what} must be positive, and is {value}")]
-    NotPositive {
-        /// Which of the two.
-        what: &'static str,
-        /// What it is.
-        value: Rational,
-    },
-    /// A level beyond [`MAX_CERTIFIED_LEVEL`].
-    #[error("level {0} is too high for an error bound; at most {MAX_CERTIFIED_LEVEL} is")]
-    Level(u32),
 }
 
 /// The f64 computation of a scheme, held against the exact one.
@@ -91,7 +68,8 @@ impl Certification {
 /// stands in the answer.
 ///
 /// # Errors
-/// When there are too many residue classes, a tolerance or the spread is not
+/// When there are too many residue classes, or the norms take more than [`MAX_STEPS`] steps, a
+/// tolerance or the spread is not
 /// positive, or a level is too high.
 ///
 /// ```
@@ -111,8 +89,9 @@ pub fn certify(scheme: &Scheme, options: &CertifyOptions) -> Result<Certificatio
     check(options)?;
     let CertifyOptions { max_block, levels, spread, tolerances } = options;
     let tracked_block = tracked_block(scheme, *max_block);
-    let mut ideal = Outcome::<Rational>::constants(scheme, *max_block)?;
+    // First the one that may have to refuse.
     let mut float = Outcome::<f64>::constants(scheme, *max_block)?;
+    let mut ideal = Outcome::<Rational>::constants(scheme, *max_block)?;
     let mut tracked = Outcome::<Tracked>::constants(scheme, tracked_block)?;
     // One list for all: what exists is decided by the exact values.
     let contracts: Vec<bool> = ideal.ratios.iter().map(|ratio| *ratio < Rational::one()).collect();

@@ -21,6 +21,7 @@ mod apriori;
 mod certify;
 mod convert;
 mod depth;
+mod error;
 mod hexadecimal;
 mod pipeline;
 mod quantity;
@@ -29,11 +30,10 @@ mod ring;
 mod upward;
 
 pub use apriori::Tracked;
-pub use certify::{
-    Certification, CertifyError, CertifyOptions, MAX_CERTIFIED_LEVEL, MAX_TRACKED_STEPS, certify,
-};
+pub use certify::{Certification, CertifyOptions, MAX_TRACKED_STEPS, certify};
 pub use convert::{exact, lower, nearest, shortest, ulp, ulps_between, upper};
 pub use depth::{DepthDecision, Margin, float_depth};
+pub use error::{CertifyError, MAX_CERTIFIED_LEVEL, MAX_STEPS};
 pub use hexadecimal::{HexadecimalError, hexadecimal, parse_hexadecimal};
 pub use quantity::Quantity;
 pub use ring::{RingCertification, certify_ring};

@@ -1,35 +1,60 @@
 //! The constants of a scheme, in any arithmetic: one list of named values.
 
 use super::apriori::Tracked;
+use super::error::{CertifyError, MAX_STEPS};
 use crate::bound::{
-    ClassCap, Order, Terms, displacement, power_norm, power_norm_generic, surface_factor,
+    Budget, ClassCap, Order, PowerSearch, Terms, displacement, power_norm_generic, steps_of_visit,
+    surface_factor,
 };
 use crate::exact::{Rational, Real};
 use crate::scheme::{Mask, Rules, Scheme};
 
-/// A number type with its own way to the norm of a power.
+/// A number type with its own way to the norms of powers.
 pub(super) trait Arithmetic: Real {
-    /// ‖Rᶜ‖_∞, in the adjoint order.
-    fn norm(rules: &Rules<Self>, levels: u32) -> Result<Self, ClassCap>;
+    /// ‖Rᶜ‖_∞ for c = 1, …, `levels`, in the adjoint order.
+    fn norms(rules: &Rules<Self>, levels: u32, budget: &Budget) -> Result<Vec<Self>, CertifyError>;
 }
 
 impl Arithmetic for Rational {
     /// The exact path, on integers.
-    fn norm(rules: &Rules<Rational>, levels: u32) -> Result<Rational, ClassCap> {
-        Ok(power_norm(rules, levels, Order::Adjoint)?.value)
+    fn norms(
+        rules: &Rules<Rational>,
+        levels: u32,
+        budget: &Budget,
+    ) -> Result<Vec<Rational>, CertifyError> {
+        let mut search = PowerSearch::new(rules, Order::Adjoint).with_budget(budget.clone());
+        (1..=levels).map(|c| Ok(search.norm(c)?.value)).collect()
     }
 }
 
 impl Arithmetic for f64 {
-    fn norm(rules: &Rules<f64>, levels: u32) -> Result<f64, ClassCap> {
-        power_norm_generic(rules, levels, Order::Adjoint)
+    fn norms(rules: &Rules<f64>, levels: u32, budget: &Budget) -> Result<Vec<f64>, CertifyError> {
+        walked(rules, levels, budget)
     }
 }
 
 impl Arithmetic for Tracked {
-    fn norm(rules: &Rules<Tracked>, levels: u32) -> Result<Tracked, ClassCap> {
-        power_norm_generic(rules, levels, Order::Adjoint)
+    fn norms(
+        rules: &Rules<Tracked>,
+        levels: u32,
+        budget: &Budget,
+    ) -> Result<Vec<Tracked>, CertifyError> {
+        walked(rules, levels, budget)
     }
+}
+
+/// The norms by visiting every residue class, the greatest c first: too many are refused at once.
+fn walked<S: Real>(rules: &Rules<S>, levels: u32, budget: &Budget) -> Result<Vec<S>, CertifyError> {
+    let norm = |c| {
+        ClassCap::check(rules.arity(), c)?;
+        if !budget.take(steps_of_visit(rules.arity(), rules.width(), c)) {
+            return Err(CertifyError::Walk { levels: c, steps: budget.total() });
+        }
+        Ok(power_norm_generic(rules, c, Order::Adjoint)?)
+    };
+    let mut norms = (1..=levels).rev().map(norm).collect::<Result<Vec<S>, CertifyError>>()?;
+    norms.reverse();
+    Ok(norms)
 }
 
 /// Named values, and those that a depth is computed from.
@@ -44,12 +69,13 @@ pub(super) struct Outcome<S> {
 
 impl<S: Arithmetic> Outcome<S> {
     /// The constants of `scheme` for c = 1, …, `blocks`.
-    pub(super) fn constants(scheme: &Scheme, blocks: u32) -> Result<Outcome<S>, ClassCap> {
+    pub(super) fn constants(scheme: &Scheme, blocks: u32) -> Result<Outcome<S>, CertifyError> {
+        let budget = Budget::new(MAX_STEPS);
         let mut named = Vec::new();
         match scheme {
             Scheme::Curve(mask) => {
                 let mask = mask.map(S::from_rational);
-                let along = Direction::new(&mask, blocks)?;
+                let along = Direction::new(&mask, blocks, &budget)?;
                 along.report("", &mut named);
                 for (c, (t, lambda)) in (1..).zip(along.contraction.iter().zip(&along.norm)) {
                     named.push((format!("T_{c}*Lambda_{c}"), t.times(lambda)));
@@ -59,8 +85,8 @@ impl<S: Arithmetic> Outcome<S> {
             }
             Scheme::Tensor(first, second) => {
                 let masks = [first.map(S::from_rational), second.map(S::from_rational)];
-                let first = Direction::new(&masks[0], blocks)?;
-                let second = Direction::new(&masks[1], blocks)?;
+                let first = Direction::new(&masks[0], blocks, &budget)?;
+                let second = Direction::new(&masks[1], blocks, &budget)?;
                 first.report("first ", &mut named);
                 second.report("second ", &mut named);
                 let mut ratios = Vec::new();
@@ -110,18 +136,11 @@ struct Direction<S> {
 }
 
 impl<S: Arithmetic> Direction<S> {
-    fn new(mask: &Mask<S>, blocks: u32) -> Result<Direction<S>, ClassCap> {
+    fn new(mask: &Mask<S>, blocks: u32, budget: &Budget) -> Result<Direction<S>, CertifyError> {
         let difference = mask.difference();
-        // The greatest c first, so that too many classes are refused at once.
-        let norms = |rules: &Rules<S>| {
-            let norms = (1..=blocks).rev().map(|c| S::norm(rules, c));
-            let mut norms = norms.collect::<Result<Vec<S>, ClassCap>>()?;
-            norms.reverse();
-            Ok(norms)
-        };
         Ok(Direction {
-            contraction: norms(&difference)?,
-            norm: norms(mask.rules())?,
+            contraction: S::norms(&difference, blocks, budget)?,
+            norm: S::norms(mask.rules(), blocks, budget)?,
             sigma: displacement(mask, Terms::Each),
             sigma_at_zero: displacement(&mask.with_offset(0), Terms::Each),
             difference,

@@ -227,11 +227,11 @@ fn rules_that_are_0() {
 #[test]
 fn the_caps() {
     let rules = mask("chaikin").difference();
-    let cap = ClassCap { arity: 2, levels: 257 };
+    let cap = ClassCap { arity: 2, levels: 257, work: MAX_WORK };
     assert_eq!(power_norm(&rules, 257, Order::Adjoint), Err(cap));
     assert_eq!(joint_norm(&rules, &rules, 257, Order::Forward), Err(cap));
     assert!(cap.to_string().contains("2^257 row sums is out of reach"));
-    let cap = ClassCap { arity: 2, levels: 25 };
+    let cap = ClassCap { arity: 2, levels: 25, work: MAX_WORK };
     assert_eq!(walked_norm(&rules, 25, Order::Adjoint), Err(cap));
     assert_eq!(walked_joint_norm(&rules, &rules, 25, Order::Adjoint), Err(cap));
     assert_eq!(power_norm_generic(&rules, 25, Order::Forward), Err(cap));

@@ -46,7 +46,11 @@ pub(super) fn either<const K: usize>(
             return Ok(found);
         }
     }
-    if budget.take(visit?) { walk() } else { Err(ClassCap { arity, levels }) }
+    let work = MAX_WORK.min(budget.total());
+    match visit {
+        Ok(visit) if budget.take(visit) => walk(),
+        _ => Err(ClassCap { arity, levels, work }),
+    }
 }
 
 /// From the scaled operators to their own.
