@@ -9,16 +9,16 @@ pub use crate::digest::{
 pub use crate::evaluation::{Choice, Effect, FAMILY, QUANTITIES, Way};
 pub use crate::evidence::{
     AttainedConstant, Evidence, Powers, PromiseEvidence, SearchedConstant, SoundCell, evidence,
-    promise_evidence,
+    promise_evidence, theorem_evidence,
 };
 pub use crate::finding::{
     AsRead, Assumed, Attained, Broken, CaseFinding, CellFinding, CellKind, Contradiction, Control,
-    ControlData, Correction, Difference, Direction, EndFinding, EndRelation, EquationFinding,
-    EquationVerdict, Example, Explanation, FailingPremise, Failure, FunctionFinding,
-    FunctionVerdict, Kept, Later, LevelEvidence, Levels, Line, LineReading, MAX_DIFFERENCES,
-    Missing, Need, Outcome, PaperAudit, Place, PromiseCounts, RangeFinding, RangeVerdict,
-    Refutation, Repair, Search, Sibling, Side, Slip, Solved, Sound, Supremum, TableFinding,
-    TablePart, TheoremFinding, TheoremVerdict, Verdict, Violation,
+    Correction, Difference, Direction, EndFinding, EndRelation, EquationFinding, EquationVerdict,
+    Example, Explanation, FailingPremise, Failure, FunctionFinding, FunctionVerdict, Kept, Later,
+    LevelEvidence, Levels, Line, LineReading, MAX_DIFFERENCES, Missing, Need, Outcome, PaperAudit,
+    Place, PromiseCounts, RangeFinding, RangeVerdict, Refutation, Repair, Search, Sibling, Side,
+    Slip, Solved, Sound, Supremum, TableFinding, TablePart, TheoremFinding, TheoremVerdict,
+    Verdict, Violation,
 };
 pub use crate::judge::MAX_CASES;
 

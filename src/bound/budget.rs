@@ -1,5 +1,6 @@
 //! How much work several questions may take together.
 
+use super::power::MAX_WORK;
 use std::cell::Cell;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -68,6 +69,15 @@ impl Budget {
             self.left.store(left - steps, Ordering::Relaxed);
         }
         enough
+    }
+
+    /// Takes what a search takes of the most that one search may take, and of what is left.
+    pub(crate) fn spend<T>(&self, search: impl FnOnce(&mut u64) -> T) -> T {
+        let most = MAX_WORK.min(self.left());
+        let mut work = most;
+        let found = search(&mut work);
+        self.take(most - work);
+        found
     }
 
     /// The cap on cells, where there is one, and that on steps, in words.

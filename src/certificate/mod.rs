@@ -63,7 +63,7 @@ pub fn certificate(audit: &PaperAudit<'_>) -> Certificate {
     let equations = audit.equations.iter().map(equation::block);
     let functions = audit.functions.iter().map(parametric::function);
     let ranges = audit.ranges.iter().map(parametric::range);
-    let theorems = audit.theorems.iter().map(theorem::block);
+    let theorems = audit.theorems.iter().map(|finding| theorem::block(paper, finding));
     let blocks = tables.chain(equations).chain(functions).chain(ranges).chain(theorems);
     let mut text = format!("{VERSION}\npaper {key}\n");
     text.extend(["# ", &words(&paper.bibliography.short()), "\n"]);

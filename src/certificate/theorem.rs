@@ -1,16 +1,21 @@
 //! Theorems: control data that refute them, or the statement that proves them.
 
 use super::block::{Block, closed};
+use super::constant::searched;
 use super::promise::{flows, later};
-use super::witness::{list, net, polygon, ring};
+use super::witness::{attained, list};
 use crate::audit::{
-    Control, LevelEvidence, Levels, Place, Refutation, TheoremFinding, TheoremVerdict,
+    LevelEvidence, Levels, Refutation, TheoremFinding, TheoremVerdict, theorem_evidence,
 };
-use crate::claim::{Statement, Theorem};
+use crate::claim::{Paper, Statement, Theorem};
 
-pub(super) fn block(finding: &TheoremFinding<'_>) -> Block {
+pub(super) fn block(paper: &Paper, finding: &TheoremFinding<'_>) -> Block {
     let theorem = finding.theorem;
     let mut block = Block::new("theorem", &theorem.id);
+    match theorem_evidence(paper, finding) {
+        Ok(constants) => constants.iter().for_each(|constant| searched(&mut block, constant)),
+        Err(error) => block.give_up(error.message),
+    }
     match (&finding.refutation, &theorem.by_hand) {
         (Some(refutation), _) => {
             restate(&mut block, theorem);
@@ -92,27 +97,7 @@ fn refuted(block: &mut Block, theorem: &Theorem, refutation: &Refutation) {
         block.line(format!("tolerance {bound}"));
     }
     block.line(format!("level {}", violation.level));
-    let place = &violation.attained.place;
-    match &violation.attained.control {
-        Control::Polygon(points) => polygon(block, points),
-        Control::Net { first, rows } => {
-            net(block, *first, rows, matches!(place, Place::Along(..)));
-        }
-        Control::Points(points) => {
-            let heights: Vec<i64> = points.iter().map(|(_, height)| *height).collect();
-            ring(block, &heights, limit);
-        }
-    }
-    let place = match place {
-        Place::Parameter(t) => t.to_string(),
-        Place::Parameters([s, t]) => format!("{s} {t}"),
-        Place::Point(i) | Place::Difference(i) => i.to_string(),
-        Place::Points([i, j]) => format!("{i} {j}"),
-        Place::Along([i, j], axis) => format!("{i} {j} {}", axis + 1),
-        Place::Named(name) => name.clone(),
-        Place::Edge([a, b]) => format!("{a} {b}"),
-    };
-    block.line(format!("at {place}"));
+    attained(block, &violation.attained, limit);
     block.line(format!("sides {} {bound}", closed(&violation.attained.value)));
     block.line("refuted");
 }

@@ -1,6 +1,7 @@
 //! Control data in certificates.
 
 use super::block::{Block, closed};
+use crate::audit::{Attained, Control, Place};
 use crate::exact::RealCyclotomic;
 use crate::limit::ExtremalPolygon;
 use std::fmt::Display;
@@ -11,7 +12,7 @@ pub(super) fn list<T: Display>(items: impl IntoIterator<Item = T>) -> String {
 }
 
 /// The line of a polygon.
-pub(super) fn polygon(block: &mut Block, polygon: &ExtremalPolygon) {
+fn polygon(block: &mut Block, polygon: &ExtremalPolygon) {
     points(block, polygon.first, &polygon.points);
 }
 
@@ -23,7 +24,7 @@ fn points(block: &mut Block, first: i64, points: &[i64]) {
 ///
 /// A net that changes along the one index only is looked at for a difference, which
 /// may be another one's along the other index: `flat` polygons become 0, 1.
-pub(super) fn net(block: &mut Block, first: [i64; 2], rows: &[Vec<i64>], difference: bool) {
+fn net(block: &mut Block, first: [i64; 2], rows: &[Vec<i64>], difference: bool) {
     let a: Vec<i64> = rows.iter().map(|row| row[0]).collect();
     let b: Vec<i64> = rows[0].iter().map(|x| x - rows[0][0]).collect();
     let is_sum = |(row, a): (&Vec<i64>, &i64)| row.iter().zip(&b).all(|(x, b)| *x == a + b);
@@ -41,9 +42,53 @@ pub(super) fn net(block: &mut Block, first: [i64; 2], rows: &[Vec<i64>], differe
 }
 
 /// The lines of a ring, with the weights of its limit where these are needed.
-pub(super) fn ring(block: &mut Block, points: &[i64], weights: &[RealCyclotomic]) {
+fn ring(block: &mut Block, points: &[i64], weights: &[RealCyclotomic]) {
     block.line(format!("ring {}", list(points)));
     if !weights.is_empty() {
         block.line(format!("weights {}", list(weights)));
     }
+}
+
+/// The lines of control data and of the place where they attain a value; of a ring, with the
+/// weights of its limit where these are needed.
+///
+/// Data that are all 0 were found where the value is 0 whatever they are: others, which have a
+/// spread, take their place.
+pub(super) fn attained(block: &mut Block, found: &Attained, weights: &[RealCyclotomic]) {
+    let flat = |points: &[i64]| points.iter().all(|x| *x == 0);
+    match &found.control {
+        Control::Polygon(points) => {
+            let mut points = points.clone();
+            if flat(&points.points) {
+                points.points.push(1);
+            }
+            polygon(block, &points);
+        }
+        Control::Net { first, rows } => {
+            let mut rows = rows.clone();
+            if flat(&rows.concat()) {
+                for row in &mut rows {
+                    row.push(1);
+                }
+            }
+            net(block, *first, &rows, matches!(found.place, Place::Along(..)));
+        }
+        Control::Points(points) => {
+            let mut heights: Vec<i64> = points.iter().map(|(_, height)| *height).collect();
+            if flat(&heights) {
+                heights[0] = 1;
+            }
+            ring(block, &heights, weights);
+        }
+    }
+    let place = match &found.place {
+        Place::Parameter(t) => t.to_string(),
+        Place::Parameters([s, t]) => format!("{s} {t}"),
+        Place::Point(i) | Place::Difference(i) => i.to_string(),
+        Place::Points([i, j]) => format!("{i} {j}"),
+        Place::Along([i, j], axis) => format!("{i} {j} {}", axis + 1),
+        Place::Named(name) => name.clone(),
+        Place::Edge([a, b]) => format!("{a} {b}"),
+    };
+    block.line(format!("at {place}"));
 }

@@ -1,6 +1,6 @@
 //! The constants that a table's values are computed from, and where they are attained.
 
-use crate::bound::{Constants, Operator, Order, PowerSearch};
+use crate::bound::{Budget, Constants, Operator, Order, PowerSearch};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::context::At;
 use crate::evaluation::library::Resolved;
@@ -13,6 +13,9 @@ use crate::limit::first_contraction;
 use crate::scheme::{Instance, Rules};
 use std::collections::BTreeSet;
 use std::rc::Rc;
+
+/// The most steps that searches for what the certificate of one table says take.
+pub(crate) const MAX_STEPS: u64 = 1_000_000_000;
 
 /// Of so many residue classes the T_c < 1 that shows convergence needs no line of its own.
 const MAX_CLASSES: u64 = 1 << 12;
@@ -92,8 +95,8 @@ impl NotedConstant {
     }
 
     /// What shows it by a tree; `None` beyond the caps of a search.
-    fn searched(&self) -> Option<SearchedConstant> {
-        let mut search = PowerSearch::new(self.rules(), self.order);
+    fn searched(&self, budget: &Budget) -> Option<SearchedConstant> {
+        let mut search = PowerSearch::new(self.rules(), self.order).with_budget(budget.clone());
         let found = search.search(self.levels)?.norm;
         let rests = search.tree(self.levels)?.operators.pop()?;
         let powers = match rests.uniform {
@@ -113,7 +116,7 @@ impl NotedConstant {
 }
 
 /// What shows that masks converge of which every T_c < 1 has more than 4,096 residue classes.
-pub(crate) fn convergence(scheme: &Resolved) -> Vec<SearchedConstant> {
+pub(crate) fn convergence(scheme: &Resolved, budget: &Budget) -> Vec<SearchedConstant> {
     let masks = scheme.instances.iter().zip(&scheme.constants);
     let of = |(instance, constants): (&Instance, &Rc<Constants>)| {
         let rules = constants.difference();
@@ -122,7 +125,7 @@ pub(crate) fn convergence(scheme: &Resolved) -> Vec<SearchedConstant> {
         let (operator, order, named) = (Operator::Difference, Order::Adjoint, None);
         let (instance, constants) = (instance.clone(), Rc::clone(constants));
         let constant = NotedConstant { instance, constants, operator, levels, order, named };
-        if few { None } else { constant.searched() }
+        if few { None } else { constant.searched(budget) }
     };
     masks.filter_map(of).collect()
 }
@@ -132,6 +135,7 @@ pub(crate) fn convergence(scheme: &Resolved) -> Vec<SearchedConstant> {
 pub(crate) fn constants(
     judge: &Evaluator<'_>,
     read_otherwise: bool,
+    budget: &Budget,
 ) -> Result<(Vec<AttainedConstant>, Vec<SearchedConstant>), Diagnostic> {
     let assume: BTreeSet<String> = judge.assumed.keys().cloned().collect();
     let (mut attained, mut searched) = (Vec::<AttainedConstant>::new(), Vec::new());
@@ -149,9 +153,10 @@ pub(crate) fn constants(
                     let both = orders[..asked].iter().map(|&order| (order, noted.clone()));
                     let both = both.map(|(order, noted)| NotedConstant { order, ..noted });
                     let new = both.filter(|noted| large.insert(noted.key()));
-                    searched.extend(new.filter_map(|noted| noted.searched()));
+                    searched.extend(new.filter_map(|noted| noted.searched(budget)));
                 } else if noted.levels > 0 && known.insert((noted.key(), noted.named.clone())) {
-                    let mut search = PowerSearch::new(noted.rules(), noted.order);
+                    let mut search =
+                        PowerSearch::new(noted.rules(), noted.order).with_budget(budget.clone());
                     let Ok(found) = search.norm(noted.levels) else { continue };
                     let (formula, value) = (noted.formula(), found.value.into());
                     let class = noted.class(&found.class);

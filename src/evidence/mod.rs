@@ -3,7 +3,9 @@
 mod constants;
 mod promise;
 mod table;
+mod theorem;
 
 pub use constants::{AttainedConstant, Powers, SearchedConstant};
 pub use promise::{PromiseEvidence, promise_evidence};
 pub use table::{Evidence, SoundCell, evidence};
+pub use theorem::theorem_evidence;

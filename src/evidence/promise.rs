@@ -1,6 +1,6 @@
 //! What certificates say of promises: why a printed number keeps its promise, or does not.
 
-use crate::bound::Constants;
+use crate::bound::{Budget, Constants};
 use crate::claim::{Paper, Promise};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::context::At;
@@ -10,7 +10,7 @@ use crate::evaluation::table::Evaluator;
 use crate::evidence::table::{integer, number};
 use crate::exact::{Rational, RealCyclotomic};
 use crate::finding::{Broken, CellFinding, Kept, Later, TableFinding};
-use crate::judge::kept::Remembered;
+use crate::judge::distance::{Compared, KnownDistances};
 use crate::judge::later::{change, later};
 use std::collections::BTreeSet;
 
@@ -71,15 +71,18 @@ fn of_cell<'f>(
 ) -> Result<PromiseEvidence<'f>, Diagnostic> {
     let (Promise::Depth { ring, .. } | Promise::Bound { ring, .. }) = promise;
     let ring = ring.as_ref().map(|ring| judge.ring(ring, at)).transpose()?;
-    let ring = ring.and_then(Result::ok).map(|(_, ring)| Remembered::ring(&ring));
-    let weights = ring.as_ref().and_then(|ring| Some(ring.limit_weights()?.to_vec()));
+    let ring = ring
+        .and_then(Result::ok)
+        .map(|(_, ring)| KnownDistances::new(Compared::Ring(ring), &Budget::unlimited()));
+    let ring = ring.as_ref().and_then(|ring| ring.of_ring().ok());
+    let weights = ring.map(|ring| ring.limit().weights().to_vec());
     match &cell.kept {
         Some(Kept::Yes) => {
             let kept = match ring.zip(weights) {
                 Some((ring, weights)) => {
                     let level = terms(judge, promise, at)?.map(|(level, _)| level);
                     let level = level.filter(|level| *level <= MAX_RING_LEVEL);
-                    let flows = level.and_then(|level| ring.flows(level));
+                    let flows = level.and_then(|level| ring.flows(level).ok());
                     flows.map(|flows| PromiseEvidence::KeptByFlows(weights, flows))
                 }
                 None => kept(judge, promise, at)?,

@@ -1,7 +1,7 @@
 //! What certificates say beyond the findings: the scale of a table, its constants, and the
 //! blocks of its sound bounds.
 
-use crate::bound::SoundBound;
+use crate::bound::{Budget, SoundBound};
 use crate::claim::{Paper, Promise};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::context::{At, Outcome};
@@ -60,8 +60,9 @@ pub fn evidence(
 ) -> Result<Evidence, Diagnostic> {
     let (library, table) = (Library::new(paper), finding.table);
     let judge = Evaluator::new(paper, table, &library)?;
-    let (attained, mut searched) = constants::constants(&judge, read_otherwise)?;
-    for constant in convergence(&judge, finding)? {
+    let budget = Budget::new(constants::MAX_STEPS);
+    let (attained, mut searched) = constants::constants(&judge, read_otherwise, &budget)?;
+    for constant in convergence(&judge, finding, &budget)? {
         if !searched.contains(&constant) {
             searched.push(constant);
         }
@@ -82,6 +83,7 @@ pub fn evidence(
 fn convergence(
     judge: &Evaluator<'_>,
     finding: &TableFinding<'_>,
+    budget: &Budget,
 ) -> Result<Vec<SearchedConstant>, Diagnostic> {
     let assume: BTreeSet<String> = judge.assumed.keys().cloned().collect();
     let (mut known, mut constants) = (BTreeSet::new(), Vec::new());
@@ -91,7 +93,7 @@ fn convergence(
             if let Ok(Quantities { scheme: Some(scheme), .. }) = judge.quantities(at)?
                 && known.insert(scheme.instances.clone())
             {
-                constants.extend(constants::convergence(&scheme));
+                constants.extend(constants::convergence(&scheme, budget));
             }
         }
     }

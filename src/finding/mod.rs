@@ -19,7 +19,7 @@ pub use equation::{EquationFinding, EquationVerdict, Failure};
 pub use function::{Example, FunctionFinding, FunctionVerdict};
 pub use levels::{Later, LevelEvidence, Levels};
 pub use paper::PaperAudit;
-pub use promise::{Broken, ControlData, Kept, PromiseCounts};
+pub use promise::{Broken, Kept, PromiseCounts};
 pub use range::{EndFinding, EndRelation, RangeFinding, RangeVerdict};
 pub(crate) use reading::Values;
 pub use reading::{

@@ -1,7 +1,7 @@
 //! Whether a printed bound or depth keeps its promise.
 
 use crate::exact::{Rational, RealCyclotomic};
-use crate::limit::ExtremalPolygon;
+use crate::finding::witness::Attained;
 use std::ops::Add;
 
 /// Whether a printed number keeps its promise for all control data.
@@ -18,8 +18,8 @@ pub enum Kept {
 /// Control data for which a printed number does not keep its promise.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Broken {
-    /// The data, and the place where they are too far from their limit.
-    pub data: ControlData,
+    /// Data of spread 1, and the place where they are too far from their limit.
+    pub attained: Attained,
     /// β, of the data times β.
     pub spread: Rational,
     /// k.
@@ -28,17 +28,6 @@ pub struct Broken {
     pub distance: RealCyclotomic,
     /// What it was promised to be at most.
     pub most: Rational,
-}
-
-/// Control data of spread 1, and a place.
-#[derive(Clone, Debug, PartialEq)]
-pub enum ControlData {
-    /// A piece of a control polygon, and t.
-    Polygon(ExtremalPolygon, Rational),
-    /// A piece of a control net, row by row, the indices of its first point, and s and t.
-    Net(Vec<Vec<i64>>, [i64; 2], [Rational; 2]),
-    /// A control ring, and the name of one of its points.
-    Ring(Vec<i64>, String),
 }
 
 /// How many printed bounds and depths keep their promise for every control polygon.

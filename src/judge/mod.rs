@@ -2,10 +2,10 @@
 
 mod compare;
 mod comparison;
+pub(crate) mod distance;
 pub(crate) mod equation;
 pub(crate) mod function;
 mod hypotheses;
-pub(crate) mod kept;
 pub(crate) mod later;
 mod mend;
 pub(crate) mod promise;

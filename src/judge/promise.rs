@@ -10,9 +10,10 @@ use crate::evaluation::quantity::Quantities;
 use crate::evaluation::settings::Settings;
 use crate::evaluation::table::Evaluator;
 use crate::exact::{Rational, RealCyclotomic};
-use crate::finding::{CellFinding, Kept, Sound};
+use crate::finding::{Broken, CellFinding, Kept, Sound};
 use crate::formula::LocatedFormula;
-use crate::judge::kept::{DistanceMemo, Remembered};
+use crate::judge::distance::{KnownDistances, Schemes};
+use crate::limit::Comparison;
 use std::rc::Rc;
 
 /// The highest level at which a bound is computed.
@@ -63,7 +64,7 @@ impl Promised {
 enum Compared {
     /// At the offset, or at its own.
     Masks(Resolved, Option<i64>),
-    Ring(Rc<Remembered>),
+    Ring(Rc<KnownDistances>),
 }
 
 /// What a printed number is promised of.
@@ -80,7 +81,7 @@ impl Evaluator<'_> {
         &self,
         cell: &Cell,
         at: At<'_>,
-        distances: &DistanceMemo,
+        distances: &Schemes,
         finding: &mut CellFinding,
     ) -> Result<(), Diagnostic> {
         let Some(promise) = &self.table.promise else { return Ok(()) };
@@ -140,12 +141,12 @@ impl Evaluator<'_> {
         &self,
         promise: &Promise,
         at: At<'_>,
-        distances: &DistanceMemo,
+        distances: &Schemes,
     ) -> Result<Promised, NoSound> {
         let (Promise::Depth { spread, offset, ring, .. }
         | Promise::Bound { spread, offset, ring, .. }) = promise;
         let scheme = if let Some(ring) = ring {
-            Compared::Ring(distances.of_ring(&self.ring(ring, at)??))
+            Compared::Ring(distances.of_ring(&self.ring(ring, at)??).map_err(NoSound::Because)?)
         } else {
             let Quantities { scheme, .. } = self.quantities(at)??;
             let no_scheme = || NoSound::Because("no scheme is given".to_owned());
@@ -172,7 +173,9 @@ impl Evaluator<'_> {
         let (scheme, offset) = match (scheme, of) {
             (Compared::Masks(scheme, offset), _) => (scheme, offset),
             (Compared::Ring(ring), Of::Tolerance(tolerance)) => {
-                return ring.settled(spread, tolerance).map(Sound::Least);
+                let depth = ring.of_ring()?.depth(spread, tolerance);
+                let depth = depth.map_err(|error| error.to_string())?;
+                return Ok(Sound::Least(depth.settled));
             }
             (Compared::Ring(_), Of::Level(_)) => {
                 return Err("of a ring the distances themselves are computed".to_owned());
@@ -197,7 +200,7 @@ impl Evaluator<'_> {
     }
 
     /// Whether the printed number keeps its promise for every control polygon.
-    fn kept(promised: &Promised, printed: &Rational, distances: &DistanceMemo) -> Kept {
+    fn kept(promised: &Promised, printed: &Rational, distances: &Schemes) -> Kept {
         let Promised { scheme, spread, of } = promised;
         let level = match of {
             Of::Tolerance(_) => printed.numerator().to_i64().filter(|_| printed.is_integer()),
@@ -214,7 +217,7 @@ impl Evaluator<'_> {
             Compared::Masks(scheme, offset) => distances.of(scheme, *offset),
             Compared::Ring(ring) => Rc::clone(ring),
         };
-        distances.kept(level, spread, most)
+        keeps(&distances, level, spread, most)
     }
 
     /// The value of a formula of a promise.
@@ -236,5 +239,24 @@ impl Evaluator<'_> {
             let message = format!("an integer from -10000 to 10000 is needed, and this is {value}");
             NoSound::Wrong(Diagnostic::new(&formula.source, formula.span.clone(), message))
         })
+    }
+}
+
+/// Whether all control data of spread `spread` are within `most` of their limit at a level.
+fn keeps(distances: &KnownDistances, level: u32, spread: &Rational, most: &Rational) -> Kept {
+    if spread.sign() <= 0 {
+        return Kept::Open(format!("the spread {spread} is not positive"));
+    }
+    match distances.compare(level, &(most / spread).into()) {
+        Ok(Comparison::Within) => Kept::Yes,
+        Ok(Comparison::Exceeds(attained)) => {
+            let (spread, most) = (spread.clone(), most.clone());
+            let distance = &attained.value * &RealCyclotomic::from(spread.clone());
+            Kept::No(Box::new(Broken { attained, spread, level, distance, most }))
+        }
+        Ok(Comparison::Undecided(_)) => {
+            Kept::Open("the caps of the search do not decide it".to_owned())
+        }
+        Err(why) => Kept::Open(why),
     }
 }

@@ -13,7 +13,7 @@ use crate::finding::{
     TableFinding, Values, Verdict,
 };
 use crate::judge::compare;
-use crate::judge::kept::DistanceMemo;
+use crate::judge::distance::Schemes;
 use crate::judge::reading::{search, sibling};
 use std::collections::BTreeSet;
 
@@ -86,7 +86,7 @@ fn judge<'a>(
 ) -> Result<TableFinding<'a>, Diagnostic> {
     let library = Library::new(paper);
     let judge = Evaluator::new(paper, table, &library)?;
-    let mut cells = judge.cells(&DistanceMemo::default())?;
+    let mut cells = judge.cells(&Schemes::default())?;
     judge.compare_with_neighbours(&mut cells);
     let (mut searches, mut needs) = (Vec::new(), Vec::new());
     for kind in CellKind::of(&cells) {
@@ -121,7 +121,7 @@ pub(crate) fn readings(
 }
 
 impl Evaluator<'_> {
-    fn cells(&self, distances: &DistanceMemo) -> Result<Vec<Vec<CellFinding>>, Diagnostic> {
+    fn cells(&self, distances: &Schemes) -> Result<Vec<Vec<CellFinding>>, Diagnostic> {
         let row = |(row, cells): (usize, &Vec<Cell>)| {
             (0..cells.len()).map(|column| self.cell(row, column, distances)).collect()
         };
@@ -132,7 +132,7 @@ impl Evaluator<'_> {
         &self,
         row: usize,
         column: usize,
-        distances: &DistanceMemo,
+        distances: &Schemes,
     ) -> Result<CellFinding, Diagnostic> {
         let cell = &self.table.cells[row][column];
         let (printed, note) = match cell {

@@ -2,7 +2,7 @@
 
 use super::error::{LimitError, MAX_WINDOW};
 use super::functional::{Functional, rule_at};
-use crate::bound::{Order, PowerSearch};
+use crate::bound::{Budget, Order, PowerSearch};
 use crate::exact::{Rational, solve};
 use crate::scheme::{Mask, Rules};
 
@@ -25,7 +25,7 @@ pub(super) fn contraction_constants(rules: &Rules) -> Vec<Rational> {
         let contracts = constants[1..].iter().any(|constant| *constant < one);
         if classes > if contracts { CLASSES } else { MOST_CLASSES } {
             if !contracts && fall(&constants) {
-                constants.extend(first_below_one(&mut search, c));
+                constants.extend(first_below_one(rules, c));
             }
             break;
         }
@@ -49,10 +49,12 @@ fn fall(constants: &[Rational]) -> bool {
 }
 
 /// ‖R^c‖, ‖R^{c+1}‖, … up to the first that is below 1; none if it is not soon found.
-fn first_below_one(search: &mut PowerSearch, first: u32) -> Vec<Rational> {
-    let (mut constants, mut work) = (Vec::new(), MOST_WORK);
+fn first_below_one(rules: &Rules, first: u32) -> Vec<Rational> {
+    let search = PowerSearch::new(rules, Order::Adjoint);
+    let mut search = search.with_budget(Budget::new(MOST_WORK));
+    let mut constants = Vec::new();
     for c in first.. {
-        let Some(found) = search.search_within(c, &mut work) else { return Vec::new() };
+        let Some(found) = search.search(c) else { return Vec::new() };
         constants.push(found.norm.value);
         if constants[constants.len() - 1] < Rational::one() {
             break;

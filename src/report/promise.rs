@@ -1,6 +1,7 @@
 //! Whether printed bounds and depths keep their promise.
 
-use crate::audit::{Broken, CellFinding, ControlData, Kept, PromiseCounts, Sound, TableFinding};
+use super::witness::name;
+use crate::audit::{Broken, CellFinding, Control, Kept, Place, PromiseCounts, Sound, TableFinding};
 use crate::claim::Promise;
 use crate::exact::format::short;
 
@@ -83,7 +84,7 @@ fn sentence(broken: &Broken) -> String {
         data(broken, MAX_SHOWN_POINTS),
         short(&broken.distance, 6),
         broken.level,
-        place(&broken.data),
+        place(broken),
         short(&broken.most, 6)
     )
 }
@@ -94,25 +95,29 @@ fn data(broken: &Broken, most: usize) -> String {
         let shown = points.iter().take(most).map(i64::to_string).collect::<Vec<String>>();
         format!("{}{}", shown.join(" "), if points.len() > most { " …" } else { "" })
     };
-    let (what, points, after) = match &broken.data {
-        ControlData::Polygon(polygon, _) => {
+    let (what, points, after) = match &broken.attained.control {
+        Control::Polygon(polygon) => {
             ("polygon", shown(&polygon.points), format!(" from index {}", polygon.first))
         }
-        ControlData::Net(net, [i, j], _) => {
-            let rows = net.iter().take(most).map(|row| shown(row)).collect::<Vec<String>>();
-            let more = if net.len() > most { " / …" } else { "" };
+        Control::Net { first: [i, j], rows } => {
+            let more = if rows.len() > most { " / …" } else { "" };
+            let rows = rows.iter().take(most).map(|row| shown(row)).collect::<Vec<String>>();
             ("net", format!("{}{more}", rows.join(" / ")), format!(" from index ({i}, {j})"))
         }
-        ControlData::Ring(points, _) => ("ring", shown(points), String::new()),
+        Control::Points(points) => {
+            let heights: Vec<i64> = points.iter().map(|(_, height)| *height).collect();
+            ("ring", shown(&heights), String::new())
+        }
     };
     format!("the control {what} {}·({points}){after}", broken.spread)
 }
 
-fn place(data: &ControlData) -> String {
-    match data {
-        ControlData::Polygon(_, parameter) => format!("t = {parameter}"),
-        ControlData::Net(_, _, [s, t]) => format!("(s, t) = ({s}, {t})"),
-        ControlData::Ring(_, point) => point.clone(),
+fn place(broken: &Broken) -> String {
+    let name = name(&broken.attained.place);
+    match &broken.attained.place {
+        Place::Parameter(_) => format!("t = {name}"),
+        Place::Parameters(_) => format!("(s, t) = {name}"),
+        _ => name,
     }
 }
 
@@ -128,7 +133,7 @@ pub(super) fn facts(cell: &CellFinding) -> Vec<(String, String)> {
             let Broken { level, distance, most, .. } = &**broken;
             fact("promise, exactly", "not kept".to_owned());
             fact("broken by", data(broken, usize::MAX));
-            fact("at", format!("level {level}, {}", place(&broken.data)));
+            fact("at", format!("level {level}, {}", place(broken)));
             fact("its distance there", format!("{distance} = {}", short(distance, 17)));
             fact("which is more than", format!("{most} = {}", short(most, 17)));
         }

@@ -2,7 +2,7 @@
 //! small papers made for the purpose.
 
 use subcert::audit::{
-    CellFinding, ControlData, Direction, EquationVerdict, Kept, Missing, PaperAudit, Slip, Sound,
+    CellFinding, Control, Direction, EquationVerdict, Kept, Missing, PaperAudit, Slip, Sound,
     Verdict, audit,
 };
 use subcert::claim::{Paper, embedded, embedded_papers, read_paper};
@@ -480,13 +480,15 @@ fn promises_are_kept_or_broken_by_control_data() {
         let distance = [exact(3, 4), exact(3, 16), exact(3, 4), exact(3, 4)];
         assert_eq!(broken.distance, distance[table]);
         assert_eq!(broken.spread, Rational::from(3));
-        match &broken.data {
-            ControlData::Polygon(polygon, _) => assert_eq!(polygon.points, [0, 1]),
-            ControlData::Net(net, ..) => {
+        match &broken.attained.control {
+            Control::Polygon(polygon) => assert_eq!(polygon.points, [0, 1]),
+            Control::Net { rows, .. } => {
                 let ascends = |(i, row): (i64, &Vec<i64>)| (i..).zip(row).all(|(sum, x)| sum == *x);
-                assert!((0..).zip(net).all(ascends), "{net:?}");
+                assert!((0..).zip(rows).all(ascends), "{rows:?}");
             }
-            ControlData::Ring(ring, _) => assert_eq!(*ring, [2, 1, 0, 1]),
+            Control::Points(points) => {
+                assert!(points.iter().map(|(_, height)| height).eq(&[2, 1, 0, 1]));
+            }
         }
     }
     assert!(matches!(&cells(0)[2].kept, Some(Kept::Open(why)) if why.contains("level")));

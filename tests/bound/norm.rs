@@ -4,8 +4,8 @@ use crate::common::{int, largest, mask, r, rows, rules};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 use subcert::bound::{
-    ClassCap, Order, PowerNorm, joint_norm, power_norm, power_norm_generic, walked_joint_norm,
-    walked_norm,
+    ClassCap, MAX_WORK, Order, PowerNorm, joint_norm, power_norm, power_norm_generic,
+    walked_joint_norm, walked_norm,
 };
 use subcert::exact::{Integer, Rational};
 use subcert::scheme::Rules;

@@ -282,3 +282,35 @@ fn promises_are_checked() {
         }
     }
 }
+
+/// A mask of which the first T_c < 1 has more than 4,096 residue classes: the certificate of a
+/// theorem that it refutes shows that it converges.
+#[test]
+fn a_scheme_that_converges_late_refutes_a_theorem() {
+    let claims = r#"
+        key = "late"
+        [paper]
+        authors = []
+        title = ""
+        venue = ""
+        year = ""
+        [[scheme]]
+        name = "late"
+        mask = [['3/16', '1/4', '9/16'], ['15/16', '1/3', '-13/48'], ['7/24', '0', '17/24']]
+        [[theorem]]
+        id = "deep"
+        locus = ""
+        title = ""
+        schemes = ["late"]
+        bounds = "depth"
+        by = '2'
+    "#;
+    let paper = read_paper(&SourceText::new("late.toml", claims)).unwrap();
+    let audit = audit(&paper).unwrap();
+    assert_eq!(audit.theorems[0].verdict, TheoremVerdict::Refuted);
+    let certificate = certificate(&audit).text;
+    assert!(certificate.contains("\n  constant "), "{certificate}");
+    let report = check(claims, &[&certificate]).expect("a claim file");
+    let valid = report.claims.iter().all(|(.., outcome)| matches!(outcome, Outcome::Valid));
+    assert!(valid, "{:?}", report.claims);
+}

@@ -4,7 +4,7 @@ use super::growth::Growth;
 use super::search_tree::SearchTree;
 use super::searched::{Searched, either, unscaled};
 use crate::bound::budget::Budget;
-use crate::bound::power::{ClassCap, MAX_LEVELS, MAX_WORK, Order, PowerNorm, oriented};
+use crate::bound::power::{ClassCap, MAX_LEVELS, Order, PowerNorm, oriented};
 use crate::bound::walked_norm::walked_norm;
 use crate::scheme::Rules;
 
@@ -41,8 +41,7 @@ impl PowerSearch {
         PowerSearch { rules, growth, budget: Budget::unlimited() }
     }
 
-    /// The same with a budget for [`norm`](PowerSearch::norm), in products of words, which others
-    /// may share.
+    /// The same with a budget in products of words, which others may share.
     #[must_use]
     pub fn with_budget(self, budget: Budget) -> PowerSearch {
         PowerSearch { budget, ..self }
@@ -65,21 +64,17 @@ impl PowerSearch {
     }
 
     /// The same by branch and bound, however few residue classes there are; `None` when it
-    /// does not end within 2^33 products, or c is above [`MAX_LEVELS`].
+    /// does not end within 2^33 products or the budget, or c is above [`MAX_LEVELS`].
     pub fn search(&mut self, levels: u32) -> Option<Searched> {
-        self.search_within(levels, &mut { MAX_WORK })
-    }
-
-    /// The same within so many products, less those computed.
-    pub(crate) fn search_within(&mut self, levels: u32, work: &mut u64) -> Option<Searched> {
-        found(&mut self.growth, levels, work)
+        self.budget.clone().spend(|work| found(&mut self.growth, levels, work))
     }
 
     /// A tree of bounds that shows ‖E^c‖, and what they rest on; `None` as for
     /// [`search`](PowerSearch::search). Its nodes are bounded each by its own rows, so that it
     /// may be larger than the tree of the search.
     pub fn tree(&mut self, levels: u32) -> Option<SearchTree> {
-        (levels <= MAX_LEVELS).then(|| self.growth.tree(levels, &mut { MAX_WORK }))?
+        let tree = |work: &mut u64| self.growth.tree(levels, work);
+        (levels <= MAX_LEVELS).then(|| self.budget.clone().spend(tree))?
     }
 }
 

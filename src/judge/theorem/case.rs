@@ -1,5 +1,6 @@
 //! A scheme and values that a theorem is tried on.
 
+use crate::bound::Budget;
 use crate::claim::{LocatedReference, Paper, THEOREM_NAMES, Theorem, Trial};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::library::{Library, Resolved, values};
@@ -7,13 +8,13 @@ use crate::evaluation::reference::{Unresolved, scheme_error};
 use crate::evaluation::settings::Settings;
 use crate::exact::{Rational, RealCyclotomic};
 use crate::formula::FormulaErrorKind;
-use crate::judge::kept::MAX_RING_SIZE;
+use crate::judge::distance::{MAX_RING_SIZE, MAX_STEPS, RingCap};
 use crate::judge::theorem::curve::Curve;
 use crate::judge::theorem::ring::AroundPoint;
 use crate::judge::theorem::setting::Setting;
 use crate::judge::theorem::surface::Surface;
 use crate::scheme::{Instance, Mask, Ring, SchemeError};
-use std::cell::{Cell, OnceCell, RefCell};
+use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -22,13 +23,13 @@ type Kept<K, S> = RefCell<BTreeMap<K, Rc<S>>>;
 
 /// The settings of schemes at offsets that one theorem is tried on, each of them once, with what is
 /// known there.
-#[derive(Default)]
 pub(crate) struct Stage {
     curves: Kept<(Vec<Instance>, i64), Curve>,
     surfaces: Kept<(Vec<Instance>, Option<i64>), Surface>,
     rings: Kept<RingKey, AroundPoint>,
-    /// The sum of the squares of the numbers of points of these rings.
-    ring_size: Cell<usize>,
+    ring_cap: RingCap,
+    /// Of searches for distances.
+    budget: Budget,
 }
 
 /// A ring, and the interpolant that it is compared with.
@@ -37,11 +38,18 @@ type RingKey = (RingScheme, Option<RingScheme>);
 /// The scheme that a reference to a ring names.
 type RingScheme = Vec<Instance<RealCyclotomic>>;
 
+impl Default for Stage {
+    fn default() -> Stage {
+        let (curves, surfaces, rings, ring_cap) = Default::default();
+        Stage { curves, surfaces, rings, ring_cap, budget: Budget::new(MAX_STEPS) }
+    }
+}
+
 impl Stage {
     fn curve(&self, scheme: &Resolved, mask: &Mask) -> Rc<dyn Setting> {
         let key = (scheme.instances.clone(), mask.offset());
         let mut curves = self.curves.borrow_mut();
-        let new = || Rc::new(Curve::new(mask.clone()));
+        let new = || Rc::new(Curve::new(mask.clone(), &self.budget));
         let curve: Rc<Curve> = Rc::clone(curves.entry(key).or_insert_with(new));
         curve
     }
@@ -49,7 +57,7 @@ impl Stage {
     fn surface(&self, scheme: &Resolved, offset: Option<i64>, masks: [Mask; 2]) -> Rc<dyn Setting> {
         let key = (scheme.instances.clone(), offset);
         let mut surfaces = self.surfaces.borrow_mut();
-        let new = || Rc::new(Surface::new(masks));
+        let new = || Rc::new(Surface::new(masks, &self.budget));
         let surface: Rc<Surface> = Rc::clone(surfaces.entry(key).or_insert_with(new));
         surface
     }
@@ -201,8 +209,7 @@ impl<'a> Case<'a> {
                 let name = joined(&instances);
                 let (earlier, interpolant) = interpolant.transpose()?.unzip();
                 let key = (instances, earlier);
-                let size = stage.ring_size.get().saturating_add(own.point_count().pow(2));
-                if size > MAX_RING_SIZE {
+                if !stage.ring_cap.takes(&own) {
                     let message = format!(
                         "the rings of this theorem have more points than the cap: the squares of \
                          their numbers sum to {MAX_RING_SIZE} at most"
@@ -211,10 +218,9 @@ impl<'a> Case<'a> {
                     return Err(Diagnostic::new(source, span.clone(), message)
                         .with_help("try the theorem on fewer or smaller rings"));
                 }
-                stage.ring_size.set(size);
                 let mut rings = stage.rings.borrow_mut();
-                let found =
-                    rings.entry(key).or_insert_with(|| Rc::new(AroundPoint::new(own, interpolant)));
+                let new = || Rc::new(AroundPoint::new(own, interpolant, &stage.budget));
+                let found = rings.entry(key).or_insert_with(new);
                 let found = Rc::clone(found);
                 drop(rings);
                 self.setting = Some(found);

@@ -1,14 +1,13 @@
 //! Curves as a setting.
 
-use crate::bound::{Constants, MAX_CLASSES, Operator, Order, SoundBound, best_offset};
+use crate::bound::{Budget, Constants, MAX_CLASSES, Operator, Order, SoundBound, best_offset};
 use crate::claim::Quantity;
-use crate::exact::{Rational, RealCyclotomic};
+use crate::exact::{Rational, RealCyclotomic, comparable};
 use crate::finding::{Attained, Control, LevelEvidence, Place, Supremum};
+use crate::judge::distance::{Compared, KnownDistances};
 use crate::judge::theorem::levels::sums;
 use crate::judge::theorem::setting::Setting;
-use crate::limit::{
-    Comparison, Distance, Distances, Limit, Witness, greatest_difference, greatest_step,
-};
+use crate::limit::{Comparison, greatest_difference, greatest_step};
 use crate::scheme::Mask;
 use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
@@ -25,85 +24,36 @@ const MAX_CONSTANT_CLASSES: u64 = 1 << 14;
 /// A curve scheme at an offset.
 pub(crate) struct Curve {
     constants: Constants,
-    distances: OnceCell<Result<Distances, String>>,
-    /// What is known of distances: a t at which one is attained, a value there and an
-    /// upper bound.
-    known: RefCell<BTreeMap<u32, Known>>,
-    suprema: RefCell<BTreeMap<(u32, u32), Result<Supremum, String>>>,
+    distances: KnownDistances,
     greatest: RefCell<BTreeMap<(Quantity, u32), Result<Attained, String>>>,
     /// The sound bounds of the first levels.
     sound: OnceCell<Vec<Rational>>,
     /// The same scheme at its best offset, unless this is it.
     centred: OnceCell<Option<Box<Curve>>>,
-}
-
-#[derive(Clone, Default)]
-struct Known {
-    attained: Option<Witness>,
-    upper: Option<Rational>,
+    budget: Budget,
 }
 
 impl Curve {
-    pub(crate) fn new(mask: Mask) -> Curve {
-        let (distances, known, centred) = Default::default();
-        let (suprema, greatest, sound) = Default::default();
-        let constants = Constants::new(mask);
-        Curve { constants, distances, known, suprema, greatest, sound, centred }
+    pub(crate) fn new(mask: Mask, budget: &Budget) -> Curve {
+        let distances = KnownDistances::new(Compared::Curve(mask.clone()), budget);
+        let (greatest, sound, centred) = Default::default();
+        Curve {
+            constants: Constants::new(mask),
+            distances,
+            greatest,
+            sound,
+            centred,
+            budget: budget.clone(),
+        }
     }
 
     fn mask(&self) -> &Mask {
         self.constants.mask()
     }
 
-    fn distances(&self) -> Result<&Distances, String> {
-        let distances = self.distances.get_or_init(|| {
-            let limit = Limit::new(self.mask()).map_err(|error| error.to_string())?;
-            Distances::new(&limit).map_err(|error| error.to_string())
-        });
-        distances.as_ref().map_err(Clone::clone)
-    }
-
-    fn distance(&self, level: u32, bound: &Rational) -> Result<Comparison<Attained>, String> {
-        let known = self.known.borrow().get(&level).cloned().unwrap_or_default();
-        let sound = self.sound(level).and_then(|sound| sound.as_rational().cloned());
-        if [known.upper, sound].iter().flatten().any(|upper| upper <= bound) {
-            return Ok(Comparison::Within);
-        }
-        if let Some(witness) = known.attained.filter(|witness| witness.distance > *bound) {
-            return Ok(Comparison::Exceeds(far(witness)));
-        }
-        let compared =
-            self.distances()?.compare(level, bound).map_err(|error| error.to_string())?;
-        let mut known = self.known.borrow_mut();
-        let known = known.entry(level).or_default();
-        Ok(match compared {
-            Comparison::Within => {
-                known.upper = Some(bound.clone());
-                Comparison::Within
-            }
-            Comparison::Exceeds(witness) => {
-                known.attained = Some(witness.clone());
-                Comparison::Exceeds(far(witness))
-            }
-            Comparison::Undecided(enclosure) => Comparison::Undecided(enclosure),
-        })
-    }
-
     fn sound_bound(&self) -> Option<SoundBound> {
         let block = (1..=MAX_BLOCK).take_while(|&c| self.factor(c).is_ok()).last()?;
         SoundBound::curve(&self.constants, block).ok()
-    }
-
-    /// The supremum of a distance.
-    fn enclosed(&self, level: u32, parts: u32) -> Result<Supremum, String> {
-        let distances = self.distances()?;
-        let least =
-            distances.constant(level, &Rational::one()).map_err(|error| error.to_string())?;
-        let width = least.enclosure.upper() * &Rational::new(1, parts);
-        let finer = if width.is_zero() { Ok(least) } else { distances.constant(level, &width) };
-        let Distance { enclosure, .. } = finer.map_err(|error| error.to_string())?;
-        let (lower, upper) = (enclosure.lower().clone(), enclosure.upper().clone());
-        Ok(Supremum { lower: lower.into(), upper: Some(upper.into()) })
     }
 
     /// The exact supremum of a step or a difference, where it is attained.
@@ -129,14 +79,6 @@ impl Curve {
     }
 }
 
-fn far(Witness { polygon, parameter, distance, .. }: Witness) -> Attained {
-    Attained {
-        control: Control::Polygon(polygon),
-        place: Place::Parameter(parameter),
-        value: distance.into(),
-    }
-}
-
 impl Setting for Curve {
     fn compare(
         &self,
@@ -145,8 +87,10 @@ impl Setting for Curve {
         bound: &RealCyclotomic,
     ) -> Result<Comparison<Attained>, String> {
         if quantity == Quantity::Distance {
-            let irrational = || format!("the bound of a curve is rational, not {bound}");
-            return self.distance(level, bound.as_rational().ok_or_else(irrational)?);
+            if self.sound(level).is_some_and(|sound| comparable(&sound, bound) && sound <= *bound) {
+                return Ok(Comparison::Within);
+            }
+            return self.distances.compare(level, bound);
         }
         let found = self.greatest(quantity, level)?;
         Ok(if found.value > *bound { Comparison::Exceeds(found) } else { Comparison::Within })
@@ -157,9 +101,7 @@ impl Setting for Curve {
             let value = self.greatest(quantity, level)?.value;
             return Ok(Supremum { lower: value.clone(), upper: Some(value) });
         }
-        let mut known = self.suprema.borrow_mut();
-        let enclosed = || self.enclosed(level, parts);
-        known.entry((level, parts)).or_insert_with(enclosed).clone()
+        self.distances.supremum(level, parts)
     }
 
     fn factor(&self, c: u32) -> Result<RealCyclotomic, String> {
@@ -192,7 +134,7 @@ impl Setting for Curve {
         let centred = self.centred.get_or_init(|| {
             let (offset, _) = best_offset(self.mask());
             let other = offset != self.mask().offset();
-            other.then(|| Box::new(Curve::new(self.mask().with_offset(offset))))
+            other.then(|| Box::new(Curve::new(self.mask().with_offset(offset), &self.budget)))
         });
         centred.as_deref().map(|curve| curve as &dyn Setting)
     }

@@ -13,7 +13,7 @@ mod trial;
 
 use crate::claim::{Paper, Quantity, Statement, Theorem};
 use crate::diagnostic::Diagnostic;
-use crate::evaluation::library::Library;
+use crate::evaluation::library::{Library, Resolved};
 use crate::finding::{
     CaseFinding, Control, Correction, Outcome, Refutation, Repair, TheoremFinding, TheoremVerdict,
     Violation,
@@ -30,6 +30,17 @@ const PARTS: u32 = 1_000;
 pub(crate) fn trials(paper: &Paper) -> Result<Vec<TheoremFinding<'_>>, Diagnostic> {
     let one = |theorem| one(paper, theorem, &Library::new(paper), &Stage::default());
     paper.theorems.iter().map(one).collect()
+}
+
+/// The masks of the case that refutes a theorem; `None` for a ring.
+pub(crate) fn refuted_scheme(
+    paper: &Paper,
+    theorem: &Theorem,
+    refutation: &Refutation,
+) -> Result<Option<Resolved>, Diagnostic> {
+    let (library, stage) = (Library::new(paper), Stage::default());
+    let cases = Case::all(paper, theorem, &library, &stage)?;
+    Ok(cases.into_iter().find(|case| case.label == refutation.case).and_then(|case| case.resolved))
 }
 
 fn one<'a>(

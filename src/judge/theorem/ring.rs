@@ -1,13 +1,14 @@
 //! Rings as a setting.
 
-use crate::bound::RingConstants;
+use crate::bound::{Budget, RingConstants};
 use crate::claim::Quantity;
 use crate::exact::{Enclosed, Rational, RealCyclotomic, comparable};
-use crate::finding::{Attained, Control, LevelEvidence, Place, Supremum};
+use crate::finding::{Attained, LevelEvidence, Place, Supremum};
+use crate::judge::distance::{Compared, KnownDistances, at_point, points};
 use crate::judge::theorem::setting::Setting;
-use crate::limit::{Comparison, RingDistances, RingLimit, RingWitness, least_flows, minus, unit};
+use crate::limit::{Comparison, RingDistances, RingWitness, least_flows, minus, unit};
 use crate::scheme::Ring;
-use std::cell::{OnceCell, RefCell};
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 /// The points around an extraordinary vertex or on a face. Those of two levels are
@@ -16,34 +17,19 @@ use std::collections::BTreeMap;
 pub(crate) struct AroundPoint {
     ring: Ring,
     interpolant: Option<Ring>,
-    distances: OnceCell<Result<RingDistances, String>>,
+    distances: KnownDistances,
+    /// Suprema, but for distances without an interpolant.
     known: RefCell<BTreeMap<(&'static str, u32), Attained>>,
 }
 
 impl AroundPoint {
-    pub(crate) fn new(ring: Ring, interpolant: Option<Ring>) -> AroundPoint {
-        let (distances, known) = Default::default();
-        AroundPoint { ring, interpolant, distances, known }
+    pub(crate) fn new(ring: Ring, interpolant: Option<Ring>, budget: &Budget) -> AroundPoint {
+        let distances = KnownDistances::new(Compared::Ring(ring.clone()), budget);
+        AroundPoint { ring, interpolant, distances, known: RefCell::default() }
     }
 
     fn distances(&self) -> Result<&RingDistances, String> {
-        let distances = self.distances.get_or_init(|| {
-            let limit = RingLimit::new(&self.ring).map_err(|error| error.to_string())?;
-            Ok(RingDistances::new(limit))
-        });
-        distances.as_ref().map_err(Clone::clone)
-    }
-
-    fn points(&self, heights: &[i64]) -> Control {
-        Control::Points((0..).zip(heights).map(|(a, x)| (self.ring.name(a), *x)).collect())
-    }
-
-    fn at_point(&self, witness: RingWitness) -> Attained {
-        Attained {
-            control: self.points(&witness.ring),
-            place: Place::Named(self.ring.name(witness.point)),
-            value: witness.distance,
-        }
+        self.distances.of_ring()
     }
 
     fn difference(&self, level: u32) -> Result<Attained, String> {
@@ -54,7 +40,7 @@ impl AroundPoint {
             let mut heights = vec![0; self.ring.point_count()];
             heights[zeroth.0] = 1;
             return Ok(Attained {
-                control: self.points(&heights),
+                control: points(&self.ring, &heights),
                 place: self.edge(zeroth.0, zeroth.1),
                 value: Rational::one().into(),
             });
@@ -62,7 +48,7 @@ impl AroundPoint {
             power.contraction(level).ok_or("no constant of this level")?
         };
         Ok(Attained {
-            control: self.points(&transport.heights),
+            control: points(&self.ring, &transport.heights),
             place: self.edge(*a, *b),
             value: transport.value.clone(),
         })
@@ -105,13 +91,14 @@ impl AroundPoint {
         if let Some(known) = self.known.borrow().get(&key) {
             return Ok(known.clone());
         }
-        let far = |found: Result<RingWitness, _>| found.map(|witness| self.at_point(witness));
+        let far =
+            |found: Result<RingWitness, _>| found.map(|witness| at_point(&self.ring, witness));
         let found = match quantity {
             Quantity::Difference => self.difference(level),
-            Quantity::Distance => match self.kept() {
-                None => far(self.distances()?.constant(level)).map_err(text),
-                Some(point) => far(self.distances()?.at_point(point?, level)).map_err(text),
-            },
+            Quantity::Distance => {
+                let kept = self.kept().ok_or("there is no interpolant")??;
+                far(self.distances()?.at_point(kept, level)).map_err(text)
+            }
             Quantity::Step => match &self.interpolant {
                 None => far(self.distances()?.step(level)).map_err(text),
                 Some(earlier) => far(self.distances()?.step_from(earlier, level)).map_err(text),
@@ -133,22 +120,28 @@ impl Setting for AroundPoint {
         level: u32,
         bound: &RealCyclotomic,
     ) -> Result<Comparison<Attained>, String> {
+        if quantity == Quantity::Distance && self.interpolant.is_none() {
+            return self.distances.compare(level, bound);
+        }
         let found = self.greatest(quantity, level)?;
         if !comparable(&found.value, bound) {
             return Err(format!("no field holds the bound {bound} and the distances"));
         }
         Ok(if found.value > *bound {
             Comparison::Exceeds(found)
-        } else if quantity == Quantity::Distance && self.interpolant.is_some() {
+        } else if quantity == Quantity::Distance {
             Comparison::Undecided(Box::new(found.value.enclosure(0)))
         } else {
             Comparison::Within
         })
     }
 
-    fn supremum(&self, quantity: Quantity, level: u32, _: u32) -> Result<Supremum, String> {
+    fn supremum(&self, quantity: Quantity, level: u32, parts: u32) -> Result<Supremum, String> {
+        if quantity == Quantity::Distance && self.interpolant.is_none() {
+            return self.distances.supremum(level, parts);
+        }
         let value = self.greatest(quantity, level)?.value;
-        let exact = quantity != Quantity::Distance || self.interpolant.is_none();
+        let exact = quantity != Quantity::Distance;
         Ok(Supremum { upper: exact.then(|| value.clone()), lower: value })
     }
 

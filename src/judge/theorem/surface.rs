@@ -1,15 +1,13 @@
 //! Tensor product surfaces as a setting.
 
-use crate::bound::{Constants, MAX_CLASSES, SoundBound, surface_factor};
+use crate::bound::{Budget, Constants, MAX_CLASSES, SoundBound, surface_factor};
 use crate::claim::Quantity;
-use crate::exact::{Enclosure, Rational, RealCyclotomic, Scalar};
+use crate::exact::{Enclosure, Rational, RealCyclotomic, Scalar, comparable};
 use crate::finding::{Attained, Control, LevelEvidence, Place, Supremum};
+use crate::judge::distance::{Compared, KnownDistances};
 use crate::judge::theorem::levels::sums;
 use crate::judge::theorem::setting::Setting;
-use crate::limit::{
-    Comparison, Limit, Spreads, SurfaceDistances, SurfaceWitness, greatest_difference,
-    greatest_step,
-};
+use crate::limit::{Comparison, greatest_difference, greatest_step};
 use crate::scheme::Mask;
 use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
@@ -24,18 +22,13 @@ const MAX_SOUND_LEVEL: u32 = 64;
 /// The longest block of a sound bound.
 const MAX_BLOCK: u32 = 6;
 
-/// What is known of a distance: a witness, and an upper bound.
-type Bounds = (Option<SurfaceWitness>, Option<Rational>);
-
 /// Two curve schemes, one for each index of the nets, at offsets. Both spreads are 1.
 pub(crate) struct Surface {
     axes: [Constants; 2],
-    distances: OnceCell<Result<SurfaceDistances, String>>,
+    distances: KnownDistances,
     /// The sound bounds of the first levels.
     sound: OnceCell<Vec<Rational>>,
     attained: RefCell<BTreeMap<(Quantity, u32), Result<Attained, String>>>,
-    /// Distances that are attained, and bounds of them.
-    known: RefCell<BTreeMap<u32, Bounds>>,
 }
 
 fn text(error: impl Display) -> String {
@@ -43,17 +36,10 @@ fn text(error: impl Display) -> String {
 }
 
 impl Surface {
-    pub(crate) fn new(masks: [Mask; 2]) -> Surface {
-        let (distances, sound, attained, known) = Default::default();
-        Surface { axes: masks.map(Constants::new), distances, sound, attained, known }
-    }
-
-    fn distances(&self) -> Result<&SurfaceDistances, String> {
-        let distances = self.distances.get_or_init(|| {
-            let limit = |axis: usize| Limit::new(self.axes[axis].mask()).map_err(text);
-            SurfaceDistances::new(&limit(0)?, &limit(1)?).map_err(text)
-        });
-        distances.as_ref().map_err(Clone::clone)
+    pub(crate) fn new(masks: [Mask; 2], budget: &Budget) -> Surface {
+        let distances = KnownDistances::new(Compared::Surface(masks.clone()), budget);
+        let (sound, attained) = Default::default();
+        Surface { axes: masks.map(Constants::new), distances, sound, attained }
     }
 
     /// A net that changes along one index only has the differences of a curve, and the
@@ -100,29 +86,6 @@ impl Surface {
         })
     }
 
-    fn distance(&self, level: u32, bound: &Rational) -> Result<Comparison<Attained>, String> {
-        let mut known = self.known.borrow_mut();
-        let (attained, upper) = known.entry(level).or_default();
-        if upper.as_ref().is_some_and(|upper| upper <= bound) {
-            return Ok(Comparison::Within);
-        }
-        if let Some(witness) = attained.as_ref().filter(|witness| witness.distance > *bound) {
-            return Ok(Comparison::Exceeds(far(witness.clone())));
-        }
-        let compared = self.distances()?.compare(level, bound, &Spreads::one()).map_err(text)?;
-        Ok(match compared {
-            Comparison::Within => {
-                *upper = Some(bound.clone());
-                Comparison::Within
-            }
-            Comparison::Exceeds(witness) => {
-                *attained = Some(witness.clone());
-                Comparison::Exceeds(far(witness))
-            }
-            Comparison::Undecided(enclosure) => Comparison::Undecided(enclosure),
-        })
-    }
-
     fn sound_bound(&self) -> Option<SoundBound> {
         let [first, second] = &self.axes;
         let block = (1..=MAX_BLOCK).take_while(|&c| self.factor(c).is_ok()).last()?;
@@ -144,14 +107,6 @@ impl Surface {
     }
 }
 
-fn far(SurfaceWitness { first, net, parameters, distance, .. }: SurfaceWitness) -> Attained {
-    Attained {
-        control: Control::Net { first, rows: net },
-        place: Place::Parameters(parameters),
-        value: distance.into(),
-    }
-}
-
 impl Setting for Surface {
     fn compare(
         &self,
@@ -159,13 +114,11 @@ impl Setting for Surface {
         level: u32,
         bound: &RealCyclotomic,
     ) -> Result<Comparison<Attained>, String> {
-        let irrational = || format!("the bound of a surface is rational, not {bound}");
-        let threshold = bound.as_rational().ok_or_else(irrational)?;
         if quantity == Quantity::Distance {
-            if self.sound(level).is_some_and(|sound| sound <= *bound) {
+            if self.sound(level).is_some_and(|sound| comparable(&sound, bound) && sound <= *bound) {
                 return Ok(Comparison::Within);
             }
-            return self.distance(level, threshold);
+            return self.distances.compare(level, bound);
         }
         let attained = self.attained(quantity, level)?;
         if attained.value > *bound {
@@ -186,17 +139,7 @@ impl Setting for Surface {
             let lower = self.attained(quantity, level)?.value;
             return Ok(Supremum { lower, upper: Some(self.upper(quantity, level)?) });
         }
-        let distances = self.distances()?;
-        let ones = Spreads::one();
-        let (coarse, _) = distances.constant(level, &Rational::one(), &ones).map_err(text)?;
-        let width = coarse.upper() / &Rational::from(parts);
-        let (enclosure, _) = if width.is_zero() {
-            return Ok(Supremum { lower: Rational::zero().into(), upper: None });
-        } else {
-            distances.constant(level, &width, &ones).map_err(text)?
-        };
-        let (lower, upper) = (enclosure.lower().clone(), enclosure.upper().clone());
-        Ok(Supremum { lower: lower.into(), upper: Some(upper.into()) })
+        self.distances.supremum(level, parts)
     }
 
     fn factor(&self, c: u32) -> Result<RealCyclotomic, String> {

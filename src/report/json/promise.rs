@@ -2,6 +2,7 @@
 
 use super::exact::Exact;
 use crate::audit::{self, CellFinding, Kept};
+use crate::report::witness::name;
 use serde::Serialize;
 
 /// Whether a printed bound or depth keeps its promise for all control data.
@@ -62,9 +63,9 @@ pub enum ControlData<'a> {
     /// A control ring.
     Ring {
         /// Its points.
-        ring: &'a [i64],
+        ring: Vec<i64>,
         /// The name of the point that is the place.
-        point: &'a str,
+        point: String,
     },
 }
 
@@ -100,18 +101,25 @@ fn known(kept: &Kept) -> Option<bool> {
 
 impl<'a> Broken<'a> {
     fn of(broken: &'a audit::Broken) -> Broken<'a> {
-        let data = match &broken.data {
-            audit::ControlData::Polygon(polygon, parameter) => ControlData::Polygon {
+        let audit::Attained { control, place, .. } = &broken.attained;
+        let data = match control {
+            audit::Control::Polygon(polygon) => ControlData::Polygon {
                 first: polygon.first,
                 points: &polygon.points,
-                parameter: parameter.to_string(),
+                parameter: name(place),
             },
-            audit::ControlData::Net(net, first, parameters) => ControlData::Net {
+            audit::Control::Net { first, rows } => ControlData::Net {
                 first: *first,
-                net,
-                parameters: parameters.each_ref().map(ToString::to_string),
+                net: rows,
+                parameters: match place {
+                    audit::Place::Parameters(both) => both.each_ref().map(ToString::to_string),
+                    place => [name(place), String::new()],
+                },
             },
-            audit::ControlData::Ring(ring, point) => ControlData::Ring { ring, point },
+            audit::Control::Points(points) => ControlData::Ring {
+                ring: points.iter().map(|(_, height)| *height).collect(),
+                point: name(place),
+            },
         };
         Broken {
             data,

@@ -158,8 +158,9 @@ impl Curve {
     /// and T_{i+c} ≤ T_cT_i, the sum is at most σ(U_k + … + U_{k+c−1})/(1 − T_c), where U_i ≥ T_i is
     /// T_i itself or, where that is over too many classes, T_cU_{i−c}.
     pub fn remainder(&self, level: u32) -> Option<Q> {
-        let most = self.levels_within(250);
-        let c = (1..=most).find(|c| self.greatest_difference(*c) < Q::one())?;
+        let contracts = |most| (1..=most).find(|c| self.greatest_difference(*c) < Q::one());
+        let within = [250, 20_000].map(|classes| self.levels_within(classes));
+        let (most, c) = within.into_iter().find_map(|most| Some((most, contracts(most)?)))?;
         let factor = self.greatest_difference(c);
         let upper = |level: u32| {
             let blocks = if level > most { (level - most).div_ceil(c) } else { 0 };

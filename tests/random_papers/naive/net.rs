@@ -2,7 +2,6 @@
 
 use super::curve::{Curve, Row, at_clamped};
 use super::{Q, int};
-use num_traits::One;
 
 #[derive(Clone, Debug)]
 pub struct Net(pub [Curve; 2]);
@@ -18,25 +17,20 @@ impl Net {
         rows[0].iter().map(|(i, a)| a * inner(*i)).sum()
     }
 
-    /// A bound of ‖P^∞ − P^level‖ where both spreads are 1.
+    /// A bound of ‖P^∞ − P^level‖ where both spreads are 1, and some T_c < 1 of each mask.
     ///
-    /// At a point of the next level, the step is ((S − I)⊗R + I⊗(R − J))x with the rules S and R and the
-    /// linear interpolations I and J: at most σ_1Λ_2 times the differences along the first index and
-    /// σ_2 times those along the second. These are, i levels later, at most T_iΛ'_i and T'_iΛ_i, each of
-    /// which a block of c levels multiplies by its value for i = c.
+    /// P^∞ and P^level are products of the functionals of the masks: P⊗Q − p⊗q =
+    /// (P − p)⊗Q + p⊗(Q − q). The first is at most the remainder of the first mask times ‖Q‖, the
+    /// second ‖p‖ times the remainder of the second. Both norms are at most that of a level plus
+    /// twice its remainder, since differences are at most twice the points; for p take the sum of
+    /// two remainders.
     pub fn remainder(&self, level: u32) -> Option<Q> {
         let [first, second] = &self.0;
-        let along = |one: &Curve, other: &Curve| {
-            let product = |c| one.greatest_difference(c) * other.norm(c);
-            let most = one.levels_within(130).min(other.levels_within(130));
-            let c = (1..=most).find(|c| product(*c) < Q::one())?;
-            let upper = |level: u32| {
-                let blocks = if level > most { (level - most).div_ceil(c) } else { 0 };
-                product(level - blocks * c) * num_traits::pow(product(c), blocks as usize)
-            };
-            Some((level..level + c).map(upper).sum::<Q>() / (Q::one() - product(c)))
+        let norm = |one: &Curve| {
+            let known = one.levels_within(130);
+            Some(one.norm(known) + one.remainder(known)? * int(2))
         };
-        let step = first.greatest_step(0) * second.norm(1);
-        Some(step * along(first, second)? + second.greatest_step(0) * along(second, first)?)
+        let (p, q) = (first.remainder(level)?, second.remainder(level)?);
+        Some(&p * norm(second)? + (norm(first)? + &p * int(2)) * q)
     }
 }

@@ -1,0 +1,25 @@
+//! What certificates say of theorems beyond the findings.
+
+use crate::bound::Budget;
+use crate::claim::{Paper, Quantity};
+use crate::diagnostic::Diagnostic;
+use crate::evidence::constants::{MAX_STEPS, SearchedConstant, convergence};
+use crate::finding::TheoremFinding;
+use crate::judge::theorem::refuted_scheme;
+
+/// What shows that the masks converge whose control data are too far from their limit: constants
+/// of many residue classes, where there is none below 1 of few.
+///
+/// # Errors
+/// When a formula of the claim file is wrong.
+pub fn theorem_evidence(
+    paper: &Paper,
+    finding: &TheoremFinding<'_>,
+) -> Result<Vec<SearchedConstant>, Diagnostic> {
+    let refutation = finding.refutation.as_ref();
+    let far = refutation.filter(|found| found.violation.quantity == Quantity::Distance);
+    let Some(refutation) = far else { return Ok(Vec::new()) };
+    let scheme = refuted_scheme(paper, finding.theorem, refutation)?;
+    let budget = Budget::new(MAX_STEPS);
+    Ok(scheme.map_or_else(Vec::new, |scheme| convergence(&scheme, &budget)))
+}

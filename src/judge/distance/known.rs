@@ -1,0 +1,267 @@
+//! What is known of the distances of one scheme from its limit.
+
+use crate::bound::Budget;
+use crate::exact::{Rational, RealCyclotomic, comparable};
+use crate::finding::{Attained, Control, Place, Supremum};
+use crate::limit::{
+    Comparison, Distances, Limit, RingDistances, RingLimit, RingWitness, Spreads, SurfaceDistances,
+    SurfaceWitness, Witness,
+};
+use crate::scheme::{Mask, Ring};
+use std::cell::{OnceCell, RefCell};
+use std::collections::BTreeMap;
+
+/// The most cells that one comparison looks at.
+const MAX_CELLS: u32 = 1 << 13;
+
+/// What is compared with its limit.
+#[derive(Clone)]
+pub(crate) enum Compared {
+    /// A curve scheme at its offset.
+    Curve(Mask),
+    /// The tensor product of two at theirs.
+    Surface([Mask; 2]),
+    /// The points around a vertex or on a face.
+    Ring(Ring),
+}
+
+/// The distances of a scheme from its limit for control data of spread 1, with what was found
+/// of them. Promises of tables and theorems ask the same questions.
+///
+/// Errors are texts that say why there is no answer.
+pub(crate) struct KnownDistances {
+    compared: Compared,
+    budget: Budget,
+    distances: OnceCell<Result<Of, String>>,
+    levels: RefCell<BTreeMap<u32, Known>>,
+    suprema: RefCell<BTreeMap<(u32, u32), Result<Supremum, String>>>,
+}
+
+/// Of what they are distances.
+enum Of {
+    Curve(Box<Distances>),
+    Surface(Box<(SurfaceDistances, [Limit; 2])>),
+    Ring(Box<RingDistances>),
+}
+
+/// What is known of the distance constant of a level.
+#[derive(Default)]
+struct Known {
+    at_most: Option<RealCyclotomic>,
+    /// The greatest distance found.
+    found: Option<Attained>,
+    /// The bounds of which it is not decided whether they hold.
+    open: Vec<(RealCyclotomic, Comparison<Attained>)>,
+}
+
+impl KnownDistances {
+    /// The distances of this scheme, found within a budget that others may share.
+    pub(crate) fn new(compared: Compared, budget: &Budget) -> KnownDistances {
+        let (distances, levels, suprema) = Default::default();
+        KnownDistances { compared, budget: budget.clone(), distances, levels, suprema }
+    }
+
+    fn of(&self) -> Result<&Of, String> {
+        let of = self.distances.get_or_init(|| Of::new(&self.compared, &self.budget));
+        of.as_ref().map_err(Clone::clone)
+    }
+
+    /// Compares the distance constant of a level, the supremum over all control data of spread
+    /// 1, with a bound; what exceeds it is a distance that is attained.
+    pub(crate) fn compare(
+        &self,
+        level: u32,
+        bound: &RealCyclotomic,
+    ) -> Result<Comparison<Attained>, String> {
+        let of = self.of()?;
+        let mut levels = self.levels.borrow_mut();
+        let known = levels.entry(level).or_default();
+        let within = |most: &RealCyclotomic| comparable(most, bound) && most <= bound;
+        if known.at_most.as_ref().is_some_and(within) {
+            return Ok(Comparison::Within);
+        }
+        let exceeds = |found: &&Attained| comparable(&found.value, bound) && found.value > *bound;
+        if let Some(found) = known.found.as_ref().filter(exceeds) {
+            return Ok(Comparison::Exceeds(found.clone()));
+        }
+        if let Some((_, undecided)) = known.open.iter().find(|(open, _)| open == bound) {
+            return Ok(undecided.clone());
+        }
+        let compared = of.compare(level, bound)?;
+        match &compared {
+            Comparison::Within => known.at_most = Some(bound.clone()),
+            Comparison::Exceeds(found) => known.found = Some(found.clone()),
+            Comparison::Undecided(_) => known.open.push((bound.clone(), compared.clone())),
+        }
+        Ok(compared)
+    }
+
+    /// The distance constant of a level, enclosed up to one of so many parts of it.
+    pub(crate) fn supremum(&self, level: u32, parts: u32) -> Result<Supremum, String> {
+        let of = self.of()?;
+        let mut known = self.suprema.borrow_mut();
+        known.entry((level, parts)).or_insert_with(|| of.supremum(level, parts)).clone()
+    }
+
+    /// The distances of a ring.
+    pub(crate) fn of_ring(&self) -> Result<&RingDistances, String> {
+        match self.of()? {
+            Of::Ring(distances) => Ok(distances),
+            Of::Curve(_) | Of::Surface(_) => Err("this is no ring".to_owned()),
+        }
+    }
+}
+
+impl Of {
+    fn new(compared: &Compared, budget: &Budget) -> Result<Of, String> {
+        let limit = |mask: &Mask| Limit::new(mask).map_err(text);
+        Ok(match compared {
+            Compared::Curve(mask) => {
+                let distances = Distances::new(&limit(mask)?).map_err(text)?;
+                let distances = distances.with_cells(MAX_CELLS).with_budget(budget.clone());
+                Of::Curve(Box::new(distances))
+            }
+            Compared::Surface([first, second]) => {
+                let limits = [limit(first)?, limit(second)?];
+                let distances = SurfaceDistances::within(&limits[0], &limits[1], budget);
+                Of::Surface(Box::new((distances.map_err(text)?, limits)))
+            }
+            Compared::Ring(ring) => {
+                let limit = RingLimit::new(ring).map_err(text)?;
+                Of::Ring(Box::new(RingDistances::new(limit)))
+            }
+        })
+    }
+
+    fn compare(&self, level: u32, bound: &RealCyclotomic) -> Result<Comparison<Attained>, String> {
+        let rational = || {
+            let irrational = || format!("the bound of a curve or a net is rational, not {bound}");
+            bound.as_rational().ok_or_else(irrational)
+        };
+        match self {
+            Of::Curve(distances) => curve(distances, level, rational()?),
+            Of::Surface(surface) => {
+                let (distances, limits) = &**surface;
+                net(distances, limits, level, rational()?)
+            }
+            Of::Ring(distances) => {
+                let found =
+                    at_point(distances.limit().ring(), distances.constant(level).map_err(text)?);
+                if !comparable(&found.value, bound) {
+                    return Err(format!("no field holds the bound {bound} and the distances"));
+                }
+                let exceeds = found.value > *bound;
+                Ok(if exceeds { Comparison::Exceeds(found) } else { Comparison::Within })
+            }
+        }
+    }
+
+    fn supremum(&self, level: u32, parts: u32) -> Result<Supremum, String> {
+        let (one, parts) = (Rational::one(), Rational::from(parts));
+        let enclosure = match self {
+            Of::Curve(distances) => {
+                let coarse = distances.constant(level, &one).map_err(text)?;
+                let width = coarse.enclosure.upper() / &parts;
+                let finer =
+                    if width.is_zero() { Ok(coarse) } else { distances.constant(level, &width) };
+                finer.map_err(text)?.enclosure
+            }
+            Of::Surface(surface) => {
+                let (distances, ones) = (&surface.0, Spreads::one());
+                let (coarse, _) = distances.constant(level, &one, &ones).map_err(text)?;
+                let width = coarse.upper() / &parts;
+                let finer = || distances.constant(level, &width, &ones).map_err(text);
+                if width.is_zero() { coarse } else { finer()?.0 }
+            }
+            Of::Ring(distances) => {
+                let value = distances.constant(level).map_err(text)?.distance;
+                return Ok(Supremum { lower: value.clone(), upper: Some(value) });
+            }
+        };
+        let (lower, upper) = (enclosure.lower().clone(), enclosure.upper().clone());
+        Ok(Supremum { lower: lower.into(), upper: Some(upper.into()) })
+    }
+}
+
+fn text(error: impl std::fmt::Display) -> String {
+    error.to_string()
+}
+
+/// What a search leaves open may be decided by a polygon that is far from its limit.
+fn curve(
+    distances: &Distances,
+    level: u32,
+    bound: &Rational,
+) -> Result<Comparison<Attained>, String> {
+    Ok(match distances.compare(level, bound).map_err(text)? {
+        Comparison::Within => Comparison::Within,
+        Comparison::Exceeds(Witness { polygon, parameter, distance, .. }) => {
+            Comparison::Exceeds(far_curve(polygon, parameter, distance))
+        }
+        Comparison::Undecided(enclosure) => match distances.limit().far_polygon(level) {
+            Ok(far) if far.distance > *bound => {
+                Comparison::Exceeds(far_curve(far.polygon, far.parameter, far.distance))
+            }
+            _ => Comparison::Undecided(enclosure),
+        },
+    })
+}
+
+fn far_curve(polygon: crate::limit::ExtremalPolygon, t: Rational, distance: Rational) -> Attained {
+    let (control, place) = (Control::Polygon(polygon), Place::Parameter(t));
+    Attained { control, place, value: distance.into() }
+}
+
+fn net(
+    distances: &SurfaceDistances,
+    limits: &[Limit; 2],
+    level: u32,
+    bound: &Rational,
+) -> Result<Comparison<Attained>, String> {
+    // The search takes longer, and at high levels much longer.
+    if let Some(found) = far_net(limits, level, bound) {
+        return Ok(Comparison::Exceeds(found));
+    }
+    let compared = distances.compare(level, bound, &Spreads::one()).map_err(text)?;
+    Ok(match compared {
+        Comparison::Within => Comparison::Within,
+        Comparison::Undecided(enclosure) => Comparison::Undecided(enclosure),
+        Comparison::Exceeds(SurfaceWitness { first, net, parameters, distance, .. }) => {
+            let control = Control::Net { first, rows: net };
+            let place = Place::Parameters(parameters);
+            Comparison::Exceeds(Attained { control, place, value: distance.into() })
+        }
+    })
+}
+
+/// The sum of polygons that are far from their limits along both directions, when its distance,
+/// which is the sum of theirs, is above the bound.
+fn far_net(limits: &[Limit; 2], level: u32, bound: &Rational) -> Option<Attained> {
+    let [x, y] = limits.each_ref().map(|limit| limit.far_polygon(level).ok());
+    let (x, y) = (x?, y?);
+    let distance = x.distance + y.distance;
+    let (rows, columns) = (x.polygon, y.polygon);
+    let row = |x: &i64| columns.points.iter().map(|y| x + y).collect();
+    (distance > *bound).then(|| Attained {
+        control: Control::Net {
+            first: [rows.first, columns.first],
+            rows: rows.points.iter().map(row).collect(),
+        },
+        place: Place::Parameters([x.parameter, y.parameter]),
+        value: distance.into(),
+    })
+}
+
+/// The points of a ring, and the one that is far from its limit.
+pub(crate) fn at_point(ring: &Ring, witness: RingWitness) -> Attained {
+    Attained {
+        control: points(ring, &witness.ring),
+        place: Place::Named(ring.name(witness.point)),
+        value: witness.distance,
+    }
+}
+
+/// Points of a ring with their names.
+pub(crate) fn points(ring: &Ring, heights: &[i64]) -> Control {
+    Control::Points((0..).zip(heights).map(|(a, x)| (ring.name(a), *x)).collect())
+}

@@ -1,0 +1,8 @@
+//! How far control data are from their limit: one oracle for the promises of tables and for
+//! theorems.
+
+mod known;
+mod schemes;
+
+pub(crate) use known::{Compared, KnownDistances, at_point, points};
+pub(crate) use schemes::{MAX_RING_SIZE, MAX_STEPS, RingCap, Schemes};

@@ -1,0 +1,91 @@
+//! The schemes whose distances one claim asks for.
+
+use crate::bound::Budget;
+use crate::evaluation::library::Resolved;
+use crate::judge::distance::known::{Compared, KnownDistances};
+use crate::scheme::{Instance, Mask, Ring};
+use std::cell::{Cell, RefCell};
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+/// The most steps that searches for the distances of one claim take.
+pub(crate) const MAX_STEPS: u64 = 1_000_000_000;
+
+/// The most that the squares of the numbers of points of the rings of one claim sum to.
+pub(crate) const MAX_RING_SIZE: usize = 600_000;
+
+/// A scheme, and the offset at which it is compared with its limit, if not its own.
+type SchemeAt = (Vec<Instance>, Option<i64>);
+
+/// The distances that the cells of one table, or the cases of one theorem, ask for. Another claim
+/// has its own: what is found with a limited amount of work for one must not decide what is
+/// found for the other.
+pub(crate) struct Schemes {
+    budget: Budget,
+    masks: RefCell<BTreeMap<SchemeAt, Rc<KnownDistances>>>,
+    rings: RefCell<BTreeMap<Instance, Result<Rc<KnownDistances>, String>>>,
+    rings_left: RingCap,
+}
+
+impl Default for Schemes {
+    fn default() -> Schemes {
+        let (masks, rings, rings_left) = Default::default();
+        Schemes { budget: Budget::new(MAX_STEPS), masks, rings, rings_left }
+    }
+}
+
+/// The sum of the squares of the numbers of points of the rings so far.
+#[derive(Default)]
+pub(crate) struct RingCap(Cell<usize>);
+
+impl RingCap {
+    /// Whether one more ring is within [`MAX_RING_SIZE`]; if so, it counts.
+    pub(crate) fn takes<S>(&self, ring: &Ring<S>) -> bool {
+        let size = self.0.get().saturating_add(ring.point_count().pow(2));
+        let fits = size <= MAX_RING_SIZE;
+        if fits {
+            self.0.set(size);
+        }
+        fits
+    }
+}
+
+impl Schemes {
+    /// The distances of a scheme, at its own offset or at another.
+    pub(crate) fn of(&self, scheme: &Resolved, offset: Option<i64>) -> Rc<KnownDistances> {
+        let key = (scheme.instances.clone(), offset);
+        let mut all = self.masks.borrow_mut();
+        let known = all.entry(key).or_insert_with(|| {
+            let at = |mask: &Mask| mask.with_offset(offset.unwrap_or(mask.offset()));
+            let masks: Vec<Mask> = scheme.constants.iter().map(|axis| at(axis.mask())).collect();
+            let compared = match &masks[..] {
+                [curve] => Compared::Curve(curve.clone()),
+                [first, second, ..] => Compared::Surface([first.clone(), second.clone()]),
+                [] => unreachable!("a scheme has one mask or two"),
+            };
+            Rc::new(KnownDistances::new(compared, &self.budget))
+        });
+        Rc::clone(known)
+    }
+
+    /// The distances of a ring.
+    ///
+    /// # Errors
+    /// When the rings of the claim have too many points.
+    pub(crate) fn of_ring(
+        &self,
+        (instance, ring): &(Instance, Ring),
+    ) -> Result<Rc<KnownDistances>, String> {
+        let mut all = self.rings.borrow_mut();
+        let new = || {
+            if !self.rings_left.takes(ring) {
+                return Err(format!(
+                    "the rings of this table have more points than the cap: the squares of their \
+                     numbers sum to {MAX_RING_SIZE} at most"
+                ));
+            }
+            Ok(Rc::new(KnownDistances::new(Compared::Ring(ring.clone()), &self.budget)))
+        };
+        all.entry(instance.clone()).or_insert_with(new).clone()
+    }
+}
