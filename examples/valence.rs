@@ -4,8 +4,8 @@
 //! scheme up to its valence, such as `catmull-clark:N=`, and the first and last valence.
 
 use std::time::{Duration, Instant};
-use subcert::bound::RingConstants;
-use subcert::scheme::parse_ring;
+use subcert::bound::LocalConstants;
+use subcert::scheme::parse_local_rules;
 
 const LEVELS: u32 = 5;
 
@@ -19,7 +19,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (start, mut slowest) = (Instant::now(), (Duration::ZERO, first));
     for valence in first..=last {
         let start = Instant::now();
-        let constants = RingConstants::new(&parse_ring(&format!("{scheme}{valence}"))?, LEVELS)?;
+        let constants =
+            LocalConstants::new(&parse_local_rules(&format!("{scheme}{valence}"))?, LEVELS)?;
         assert_eq!(constants.levels.len(), LEVELS as usize, "all levels");
         slowest = slowest.max((start.elapsed(), valence));
     }

@@ -29,11 +29,11 @@
 //! | t_{nu+β} = b_{β,N−1−u} or b_{β,u} | [`Order`](bound::Order) |
 //! | σ, γ | [`displacement`](bound::displacement) |
 //! | η, ν | [`surface_coefficients`](bound::surface_coefficients) |
-//! | ω_{i,j}; (1) of the rules around a vertex | weights of a [`Ring`](scheme::Ring) |
-//! | T_c of a ring | [`RingConstants`](bound::RingConstants), by [`transport`](bound::transport()) |
+//! | ω_{i,j}; (1) of the rules around a vertex | weights of a [`LocalRules`](scheme::LocalRules) |
+//! | T_c of a ring | [`LocalConstants`](bound::LocalConstants), by [`transport`](bound::transport()) |
 //! | β, τ, ϑ | spread: the largest difference of neighbouring control points |
 //! | sup ‖P^∞ − P^k‖ for spread 1 | distance constant, [`Distances`](limit::Distances) |
-//! | the same of a surface, of a ring | [`SurfaceDistances`](limit::SurfaceDistances), [`RingDistances`](limit::RingDistances) |
+//! | the same of a surface, of a ring | [`SurfaceDistances`](limit::SurfaceDistances), [`LocalDistances`](limit::LocalDistances) |
 //! | k ≥ log_T(…) | [`log_level`](bound::log_level), [`least_level`](bound::least_level) |
 //!
 //! # Modules

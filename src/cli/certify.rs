@@ -6,16 +6,16 @@ use super::output::{Failure, Outcome, positive, show};
 use std::fmt::Display;
 use subcert::exact::{Enclosed, Real, format::short};
 use subcert::float::{
-    Certification, CertifyError, CertifyOptions, DepthDecision, Quantity, RingCertification,
-    certify as compare, certify_ring, exact, shortest,
+    Certification, CertifyError, CertifyOptions, DepthDecision, LocalCertification, Quantity,
+    certify as compare, certify_local_rules, exact, shortest,
 };
 use subcert::report::{Grid, Sheet};
-use subcert::scheme::{AnyScheme, Ring, parse_any_scheme};
+use subcert::scheme::{AnyScheme, LocalRules, parse_any_scheme};
 
 pub(super) fn certify(arguments: &CertifyArguments) -> Outcome {
     let scheme = match parse_any_scheme(&arguments.scheme)? {
         AnyScheme::Uniform(scheme) => scheme,
-        AnyScheme::Ring(ring) => return ring_certificate(&ring, arguments),
+        AnyScheme::LocalRules(ring) => return ring_certificate(&ring, arguments),
     };
     let mut options = CertifyOptions {
         max_block: arguments.block.levels,
@@ -36,12 +36,12 @@ pub(super) fn certify(arguments: &CertifyArguments) -> Outcome {
 }
 
 /// A ring has constants, and no depths.
-fn ring_certificate(ring: &Ring, arguments: &CertifyArguments) -> Outcome {
+fn ring_certificate(ring: &LocalRules, arguments: &CertifyArguments) -> Outcome {
     if arguments.spread.is_some() || !arguments.tolerance.is_empty() {
         let message = "--tolerance and --spread ask for depths, which a ring does not have";
         return Err(Failure::Input(message.to_owned()));
     }
-    let result = certify_ring(ring, arguments.block.levels)
+    let result = certify_local_rules(ring, arguments.block.levels)
         .map_err(|error| Failure::Input(error.to_string()))?;
     let name = &arguments.scheme;
     show(arguments.output.format, || head(name, &result.quantities), || ring_form(name, &result))
@@ -136,7 +136,7 @@ fn quantity_form<V: Shown>(quantity: &Quantity<V>) -> form::Quantity<'_> {
     }
 }
 
-fn ring_form<'a>(name: &'a str, result: &'a RingCertification) -> form::Certification<'a> {
+fn ring_form<'a>(name: &'a str, result: &'a LocalCertification) -> form::Certification<'a> {
     form::Certification {
         schema: SCHEMA,
         scheme: name,

@@ -2,8 +2,8 @@
 
 use super::arguments::ConstantsArguments;
 use super::json::{SCHEMA, constants as form};
+use super::local_constants::local_constants;
 use super::output::{Failure, Outcome, show, with_decimal};
-use super::ring_constants::ring_constants;
 use subcert::bound::{
     Budget, ClassCap, Constants, DeltaCondition, Order, PowerSearch, Terms, best_offset,
     displacement, surface_factor,
@@ -15,7 +15,7 @@ use subcert::scheme::{AnyScheme, Mask, Rules, Scheme, parse_any_scheme};
 pub(super) fn constants(arguments: &ConstantsArguments) -> Outcome {
     let scheme = match parse_any_scheme(&arguments.scheme)? {
         AnyScheme::Uniform(scheme) => scheme,
-        AnyScheme::Ring(ring) => return ring_constants(&ring, arguments),
+        AnyScheme::LocalRules(ring) => return local_constants(&ring, arguments),
     };
     let levels = arguments.block.levels;
     let report = Report::of(&scheme, levels).map_err(|e| Failure::Input(e.to_string()))?;

@@ -9,6 +9,7 @@ mod coverage;
 mod depth;
 mod errata;
 mod json;
+mod local_constants;
 mod oracle;
 mod output;
 mod papers;
@@ -16,7 +17,6 @@ mod polygon;
 mod progress;
 mod prove;
 mod range;
-mod ring_constants;
 mod schemes;
 
 use arguments::{Arguments, Command};

@@ -6,10 +6,10 @@ use std::path::Path;
 use subcert::diagnostic::{Diagnostic, SourceText, read_text};
 use subcert::exact::{Rational, parse_rational};
 use subcert::oracle::{
-    Boundary, Control, OracleError, OracleRequest, OracleValues, RingRequest, reference_values,
+    Boundary, Control, LocalRequest, OracleError, OracleRequest, OracleValues, reference_values,
     ring_reference_values, to_csv, to_json,
 };
-use subcert::scheme::{AnyScheme, Ring, Scheme, parse_any_scheme};
+use subcert::scheme::{AnyScheme, LocalRules, Scheme, parse_any_scheme};
 
 /// The largest control polygon file that is read, in bytes.
 const MAX_POLYGON_BYTES: u64 = 16 << 20;
@@ -20,7 +20,7 @@ const SEEDED_POINTS: usize = 8;
 pub(super) fn oracle(arguments: &OracleArguments) -> Outcome {
     let values = match parse_any_scheme(&arguments.scheme)? {
         AnyScheme::Uniform(scheme) => uniform(&scheme, arguments)?,
-        AnyScheme::Ring(ring) => of_ring(&ring, arguments)?,
+        AnyScheme::LocalRules(ring) => of_ring(&ring, arguments)?,
     };
     write(&match arguments.format {
         OracleFormat::Json => to_json(&values),
@@ -46,14 +46,14 @@ fn uniform(scheme: &Scheme, arguments: &OracleArguments) -> Result<OracleValues,
     reference_values(scheme, &request).map_err(|error| refused(&error))
 }
 
-fn of_ring(ring: &Ring, arguments: &OracleArguments) -> Result<OracleValues, Failure> {
+fn of_ring(ring: &LocalRules, arguments: &OracleArguments) -> Result<OracleValues, Failure> {
     let points = ring.point_count();
     if arguments.points.is_some() || arguments.boundary.is_some() {
         return Err(Failure::Input(format!(
             "--points and --boundary are for polygons; this ring has {points} points, and no ends"
         )));
     }
-    let request = RingRequest {
+    let request = LocalRequest {
         scheme: arguments.scheme.clone(),
         max_block: arguments.block.levels,
         control: match &arguments.polygon {

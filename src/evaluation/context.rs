@@ -9,7 +9,7 @@ use crate::evaluation::reference::{Unresolved, scheme_error};
 use crate::evaluation::settings::Settings;
 use crate::exact::{Rational, RealCyclotomic, parse_decimal};
 use crate::formula::{FormulaError, FormulaErrorKind, LocatedFormula, Node, Scope, evaluate};
-use crate::scheme::{Instance, Ring};
+use crate::scheme::{Instance, LocalRules};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Values of definitions that are known already.
@@ -165,7 +165,7 @@ impl<'a> TableContext<'a> {
         &self,
         located: &LocatedReference,
         at: At<'_>,
-    ) -> Result<Result<(Instance, Ring), Outcome>, Diagnostic> {
+    ) -> Result<Result<(Instance, LocalRules), Outcome>, Diagnostic> {
         let quantities = match self.quantities(at)? {
             Ok(quantities) => quantities,
             Err(outcome) => return Ok(Err(outcome)),

@@ -11,7 +11,7 @@ use crate::evaluation::trace::{NotedConstant, NotedNorm};
 use crate::exact::{Rational, RealCyclotomic};
 use crate::formula::{Context, LocatedFormula, Parameters, Value, evaluate};
 use crate::scheme::{
-    Instance, Mask, Reference, Ring, SchemeDefinition, SchemeError, find_in_catalogue,
+    Instance, LocalRules, Mask, Reference, SchemeDefinition, SchemeError, find_in_catalogue,
 };
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -98,7 +98,10 @@ impl<'a> Library<'a> {
     }
 
     /// The ring of this scheme, one name with parameters.
-    pub(crate) fn ring(&self, scheme: &[Instance<RealCyclotomic>]) -> Result<Ring, SchemeError> {
+    pub(crate) fn ring(
+        &self,
+        scheme: &[Instance<RealCyclotomic>],
+    ) -> Result<LocalRules, SchemeError> {
         match scheme {
             [instance] => self.define(&instance.name)?.ring(&instance.parameters),
             _ => Err(SchemeError::NotRing { scheme: "a tensor product".to_owned() }),
@@ -229,7 +232,7 @@ impl<'a> Library<'a> {
         &self,
         reference: &Reference,
         context: &dyn Context<RealCyclotomic>,
-    ) -> Result<(Instance, Ring), Unresolved> {
+    ) -> Result<(Instance, LocalRules), Unresolved> {
         let instances = self.instances(reference, context)?;
         let ring = self.ring(&instances).map_err(Unresolved::Scheme)?;
         let instance = instances.into_iter().next().expect("a ring has one name");

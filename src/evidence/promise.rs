@@ -18,7 +18,7 @@ use std::collections::BTreeSet;
 const MAX_LEVEL: u32 = 10_000;
 
 /// The deepest level of a ring for which flows are computed.
-const MAX_RING_LEVEL: u32 = 1_000;
+const MAX_LOCAL_LEVEL: u32 = 1_000;
 
 /// The most levels by which a bound is taken later than at the level that is promised.
 const MAX_LATER: u32 = 8;
@@ -73,7 +73,7 @@ fn of_cell<'f>(
     let ring = ring.as_ref().map(|ring| judge.ring(ring, at)).transpose()?;
     let ring = ring
         .and_then(Result::ok)
-        .map(|(_, ring)| KnownDistances::new(Compared::Ring(ring), &Budget::unlimited()));
+        .map(|(_, ring)| KnownDistances::new(Compared::LocalRules(ring), &Budget::unlimited()));
     let ring = ring.as_ref().and_then(|ring| ring.of_ring().ok());
     let weights = ring.map(|ring| ring.limit().weights().to_vec());
     match &cell.kept {
@@ -81,7 +81,7 @@ fn of_cell<'f>(
             let kept = match ring.zip(weights) {
                 Some((ring, weights)) => {
                     let level = terms(judge, promise, at)?.map(|(level, _)| level);
-                    let level = level.filter(|level| *level <= MAX_RING_LEVEL);
+                    let level = level.filter(|level| *level <= MAX_LOCAL_LEVEL);
                     let flows = level.and_then(|level| ring.flows(level).ok());
                     flows.map(|flows| PromiseEvidence::KeptByFlows(weights, flows))
                 }

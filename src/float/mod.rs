@@ -11,7 +11,7 @@
 //! | [`shortest`], [`hexadecimal`], [`parse_hexadecimal`] | f64 as text |
 //! | `f64` as [`Real`](crate::exact::Real) | the arithmetic of the machine |
 //! | [`Tracked`] | an exact value with a proven bound on the error of the f64 computation |
-//! | [`certify`], [`certify_ring`] | every constant of a scheme in f64, exactly, and with that bound |
+//! | [`certify`], [`certify_local_rules`] | every constant of a scheme in f64, exactly, and with that bound |
 //!
 //! The f64 operations +, −, ·, / are those of IEEE 754, rounded to nearest, one
 //! by one: Rust neither reorders nor fuses them. (The one exception is the legacy
@@ -23,10 +23,10 @@ mod convert;
 mod depth;
 mod error;
 mod hexadecimal;
+mod local_rules;
 mod pipeline;
 mod quantity;
 mod real;
-mod ring;
 mod upward;
 
 pub use apriori::Tracked;
@@ -35,5 +35,5 @@ pub use convert::{exact, lower, nearest, shortest, ulp, ulps_between, upper};
 pub use depth::{DepthDecision, Margin, float_depth};
 pub use error::{CertifyError, MAX_CERTIFIED_LEVEL, MAX_STEPS};
 pub use hexadecimal::{HexadecimalError, hexadecimal, parse_hexadecimal};
+pub use local_rules::{LocalCertification, certify_local_rules};
 pub use quantity::Quantity;
-pub use ring::{RingCertification, certify_ring};

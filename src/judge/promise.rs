@@ -64,7 +64,7 @@ impl Promised {
 enum Compared {
     /// At the offset, or at its own.
     Masks(Resolved, Option<i64>),
-    Ring(Rc<KnownDistances>),
+    LocalRules(Rc<KnownDistances>),
 }
 
 /// What a printed number is promised of.
@@ -146,7 +146,9 @@ impl Evaluator<'_> {
         let (Promise::Depth { spread, offset, ring, .. }
         | Promise::Bound { spread, offset, ring, .. }) = promise;
         let scheme = if let Some(ring) = ring {
-            Compared::Ring(distances.of_ring(&self.ring(ring, at)??).map_err(NoSound::Because)?)
+            Compared::LocalRules(
+                distances.of_ring(&self.ring(ring, at)??).map_err(NoSound::Because)?,
+            )
         } else {
             let Quantities { scheme, .. } = self.quantities(at)??;
             let no_scheme = || NoSound::Because("no scheme is given".to_owned());
@@ -172,12 +174,12 @@ impl Evaluator<'_> {
         let Promised { scheme, spread, of } = promised;
         let (scheme, offset) = match (scheme, of) {
             (Compared::Masks(scheme, offset), _) => (scheme, offset),
-            (Compared::Ring(ring), Of::Tolerance(tolerance)) => {
+            (Compared::LocalRules(ring), Of::Tolerance(tolerance)) => {
                 let depth = ring.of_ring()?.depth(spread, tolerance);
                 let depth = depth.map_err(|error| error.to_string())?;
                 return Ok(Sound::Least(depth.settled));
             }
-            (Compared::Ring(_), Of::Level(_)) => {
+            (Compared::LocalRules(_), Of::Level(_)) => {
                 return Err("of a ring the distances themselves are computed".to_owned());
             }
         };
@@ -215,7 +217,7 @@ impl Evaluator<'_> {
         };
         let distances = match scheme {
             Compared::Masks(scheme, offset) => distances.of(scheme, *offset),
-            Compared::Ring(ring) => Rc::clone(ring),
+            Compared::LocalRules(ring) => Rc::clone(ring),
         };
         keeps(&distances, level, spread, most)
     }

@@ -14,7 +14,7 @@ pub struct Header {
     pub masks: Vec<MaskShape>,
     /// The shape of a ring.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub ring: Option<RingShape>,
+    pub ring: Option<LocalShape>,
     /// The greatest c of T_c and Λ_c.
     pub max_block: u32,
     /// How often the control polygon was refined.
@@ -45,7 +45,7 @@ pub struct MaskShape {
 
 /// The points and edges of a ring.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct RingShape {
+pub struct LocalShape {
     /// The name of every point, in the order of their numbers.
     pub points: Vec<String>,
     /// The edges, as pairs of numbers of points.

@@ -8,7 +8,7 @@
 //! | item | what it is |
 //! |---|---|
 //! | [`reference_values`], [`OracleRequest`], [`OracleValues`] | all values of a scheme, as plain data |
-//! | [`ring_reference_values`], [`RingRequest`] | the same of a ring |
+//! | [`ring_reference_values`], [`LocalRequest`] | the same of a ring |
 //! | [`to_json`], [`to_csv`], [`write_json`], [`write_csv`] | the same as a file |
 //! | [`refine_polygon`], [`refine_grid`], [`refine_ring`], [`Control`] | exact refinement |
 //! | [`check_within_ulps`], [`check_slice_within_ulps`], [`check_within`] | an f64 against an exact value |
@@ -17,20 +17,20 @@
 mod check;
 mod control;
 mod header;
+mod local_rules;
 mod macros;
 mod mismatch;
 mod refine;
-mod ring;
 mod values;
 mod write;
 
 pub use check::{check_slice_within_ulps, check_within, check_within_ulps};
 pub use control::{Control, SplitMix64};
-pub use header::{Header, MaskShape, RingShape};
+pub use header::{Header, LocalShape, MaskShape};
+pub use local_rules::{LocalRequest, refine_ring, ring_reference_values};
 pub use mismatch::{Deviation, Mismatch, Tolerance};
 pub use refine::{
     Boundary, MAX_REFINED_LEVEL, MAX_VALUES, OracleError, refine_grid, refine_polygon,
 };
-pub use ring::{RingRequest, refine_ring, ring_reference_values};
 pub use values::{Group, OracleRequest, OracleValues, Value, reference_values};
 pub use write::{to_csv, to_json, write_csv, write_json};

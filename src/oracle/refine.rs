@@ -1,6 +1,6 @@
 //! Exact refinement of polygons and grids over several levels.
 
-use crate::bound::{ClassCap, RingWork};
+use crate::bound::{ClassCap, LocalWork};
 use crate::exact::{CommonDenominator, Integer, Rational, Scalar, common_denominator};
 use crate::scheme::Rules;
 
@@ -29,10 +29,10 @@ pub enum OracleError {
     Classes(#[from] ClassCap),
     /// Too large powers of a ring.
     #[error(transparent)]
-    Ring(#[from] RingWork),
+    LocalRules(#[from] LocalWork),
     /// A control ring of another number of points than the ring has.
     #[error("{found} control points for a ring of {expected}: {names}")]
-    RingPoints {
+    LocalPoints {
         /// How many were given.
         found: usize,
         /// v.

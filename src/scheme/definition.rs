@@ -1,8 +1,8 @@
 //! Schemes as written: formulas over parameters, and the masks they give.
 
+use super::local_formulas::LocalFormulas;
 use super::mask::{Mask, MaskError};
 use super::reference::SchemeError;
-use super::ring_formulas::RingFormulas;
 use super::rules::{MAX_ARITY, MAX_WIDTH, RulesError};
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::{Rational, common_conductor};
@@ -45,7 +45,7 @@ pub(super) enum Coefficients {
     /// One formula for all, in α (`alpha`) and j (`r`).
     Rule(Box<RuleFormulas>),
     /// Formulas for the weights between orbits of points: not a mask.
-    Ring(Box<RingFormulas>),
+    LocalRules(Box<LocalFormulas>),
 }
 
 /// The formulas of [`Coefficients::Rule`].
@@ -91,8 +91,8 @@ impl SchemeDefinition {
                     .map(|alpha| (0..width).map(|r| coefficient(alpha, r)).collect())
                     .collect::<Result<Vec<Vec<V>>, SchemeError>>()?
             }
-            Coefficients::Ring(_) => {
-                return Err(SchemeError::Ring { scheme: self.name.clone() });
+            Coefficients::LocalRules(_) => {
+                return Err(SchemeError::LocalRules { scheme: self.name.clone() });
             }
         };
         self.check_common_field(rows.iter().flatten())?;
@@ -194,7 +194,7 @@ impl SchemeDefinition {
         match &self.coefficients {
             Coefficients::Rule(rule) => (&rule.entry.source, rule.entry.span.clone()),
             Coefficients::Listed(rows) => (&rows[0][0].source, extent(rows)),
-            Coefficients::Ring(ring) => ring.whole(),
+            Coefficients::LocalRules(ring) => ring.whole(),
         }
     }
 }

@@ -2,8 +2,8 @@
 
 use super::definition::{Coefficients, ParameterSpec, RuleFormulas, SchemeDefinition};
 use super::fields::{definitions, formula, from_toml, identifier};
-use super::ring_file::{EdgeTable, OrbitTable, WeightTable, ring};
-use super::ring_formulas::{NEW_INDEX, OLD_INDEX, RingFormulas};
+use super::local_file::{EdgeTable, OrbitTable, WeightTable, ring};
+use super::local_formulas::{LocalFormulas, NEW_INDEX, OLD_INDEX};
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::formula::LocatedFormula;
 use serde::Deserialize;
@@ -119,7 +119,7 @@ impl SchemeTable {
             .with_help("write `name` and `use` only, or the scheme's own mask"));
         }
         if self.is_ring() {
-            return self.ring(source).map(|formulas| Coefficients::Ring(Box::new(formulas)));
+            return self.ring(source).map(|formulas| Coefficients::LocalRules(Box::new(formulas)));
         }
         match (&self.mask, &self.arity, &self.width, &self.entry) {
             (Some(mask), None, None, None) => listed(source, mask).map(Coefficients::Listed),
@@ -145,7 +145,7 @@ impl SchemeTable {
 }
 
 impl SchemeTable {
-    fn ring(&self, source: &Arc<SourceText>) -> Result<RingFormulas, Diagnostic> {
+    fn ring(&self, source: &Arc<SourceText>) -> Result<LocalFormulas, Diagnostic> {
         let at_name = |message: &str| Diagnostic::new(source, self.name.span(), message);
         let of_mask = [&self.offset, &self.arity, &self.width, &self.entry];
         if self.mask.is_some() || of_mask.iter().any(|field| field.is_some()) {

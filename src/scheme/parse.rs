@@ -4,9 +4,9 @@ use super::Scheme;
 use super::catalogue;
 use super::definition::SchemeDefinition;
 use super::file::read_scheme;
+use super::local_rules::LocalRules;
 use super::mask::Mask;
 use super::reference::{Instance, Reference, ReferenceError, SchemeError};
-use super::ring::Ring;
 use crate::diagnostic::SourceText;
 use crate::exact::{Polynomial, Rational, RealCyclotomic};
 use crate::formula::{Parameters, Value, is_identifier};
@@ -22,7 +22,7 @@ pub enum AnyScheme {
     /// A scheme with the same rules everywhere: one mask, or two for a tensor product.
     Uniform(Scheme<Rational>),
     /// Rules around one extraordinary vertex or face.
-    Ring(Ring<RealCyclotomic>),
+    LocalRules(LocalRules<RealCyclotomic>),
 }
 
 /// The exact scheme that SCHEME names: a catalogue entry such as
@@ -53,34 +53,34 @@ pub fn parse_scheme(text: &str) -> Result<Scheme<Rational>, SchemeError> {
 /// not one.
 ///
 /// ```
-/// use subcert::scheme::parse_ring;
+/// use subcert::scheme::parse_local_rules;
 ///
-/// let ring = parse_ring("catmull-clark:N=5")?;
+/// let ring = parse_local_rules("catmull-clark:N=5")?;
 /// assert_eq!(ring.point_count(), 11);
 /// assert_eq!(ring.weights().entry(0, 0).to_string(), "13/20");
 /// # Ok::<(), subcert::scheme::SchemeError>(())
 /// ```
-pub fn parse_ring(text: &str) -> Result<Ring<RealCyclotomic>, SchemeError> {
+pub fn parse_local_rules(text: &str) -> Result<LocalRules<RealCyclotomic>, SchemeError> {
     Named::read(text)?.ring()
 }
 
 /// The scheme or the ring that SCHEME names.
 ///
 /// # Errors
-/// As of [`parse_scheme`] and [`parse_ring`].
+/// As of [`parse_scheme`] and [`parse_local_rules`].
 ///
 /// ```
 /// use subcert::scheme::{AnyScheme, parse_any_scheme};
 ///
 /// assert!(matches!(parse_any_scheme("chaikin")?, AnyScheme::Uniform(_)));
-/// assert!(matches!(parse_any_scheme("doo-sabin:n=5")?, AnyScheme::Ring(_)));
+/// assert!(matches!(parse_any_scheme("doo-sabin:n=5")?, AnyScheme::LocalRules(_)));
 /// # Ok::<(), subcert::scheme::SchemeError>(())
 /// ```
 pub fn parse_any_scheme(text: &str) -> Result<AnyScheme, SchemeError> {
     let named = Named::read(text)?;
     let names: Vec<&str> = named.reference.names().collect();
     match names[..] {
-        [name] if named.definition(name)?.is_ring() => named.ring().map(AnyScheme::Ring),
+        [name] if named.definition(name)?.is_ring() => named.ring().map(AnyScheme::LocalRules),
         _ => named.scheme().map(AnyScheme::Uniform),
     }
 }
@@ -177,7 +177,7 @@ impl Named<'_> {
         Ok(Scheme::of(instances.map(mask).collect::<Result<Vec<Mask>, SchemeError>>()?))
     }
 
-    fn ring(&self) -> Result<Ring<RealCyclotomic>, SchemeError> {
+    fn ring(&self) -> Result<LocalRules<RealCyclotomic>, SchemeError> {
         match &self.instances()?[..] {
             [instance] => self.definition(&instance.name)?.ring(&instance.parameters),
             _ => Err(SchemeError::NotRing { scheme: self.text.trim().to_owned() }),

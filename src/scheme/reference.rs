@@ -82,7 +82,7 @@ pub enum SchemeError {
         "`{scheme}` is a ring of points around an extraordinary vertex or face, and this needs a \
          mask; by itself, `subcert constants`, `depth`, `certify` and `oracle` take it"
     )]
-    Ring {
+    LocalRules {
         /// The scheme.
         scheme: String,
     },

@@ -4,7 +4,7 @@
 
 use proptest::prelude::*;
 use subcert::exact::Rational;
-use subcert::scheme::{Mask, Orbit, Ring, Rules, Scheme, parse_ring, parse_scheme};
+use subcert::scheme::{LocalRules, Mask, Orbit, Rules, Scheme, parse_local_rules, parse_scheme};
 
 pub fn r(p: i64, q: i64) -> Rational {
     Rational::new(p, q)
@@ -92,8 +92,8 @@ pub fn largest(values: &[Rational]) -> Rational {
 }
 
 /// The ring of a scheme.
-pub fn ring(scheme: &str) -> Ring {
-    parse_ring(scheme).unwrap_or_else(|error| panic!("{error}"))
+pub fn ring(scheme: &str) -> LocalRules {
+    parse_local_rules(scheme).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// A connected mesh of 2 to `most` points: each is joined to an earlier one, and some
@@ -111,7 +111,7 @@ pub fn mesh(most: usize) -> impl Strategy<Value = (usize, Vec<(usize, usize)>)> 
 }
 
 /// Any ring of up to `most` points: one weight of each row makes its sum 1.
-pub fn any_ring(most: usize) -> impl Strategy<Value = Ring<Rational>> {
+pub fn any_ring(most: usize) -> impl Strategy<Value = LocalRules<Rational>> {
     mesh(most).prop_flat_map(|(count, edges)| {
         let rows = prop::collection::vec(prop::collection::vec(rational(), count), count);
         rows.prop_map(move |mut rows| {
@@ -120,7 +120,7 @@ pub fn any_ring(most: usize) -> impl Strategy<Value = Ring<Rational>> {
                 row[a] += &(Rational::one() - rest);
             }
             let orbits = vec![Orbit { name: "p".to_owned(), count }];
-            Ring::new(orbits, rows, edges.clone()).expect("an affine ring")
+            LocalRules::new(orbits, rows, edges.clone()).expect("an affine ring")
         })
     })
 }

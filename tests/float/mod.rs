@@ -5,5 +5,5 @@ mod apriori;
 mod certify;
 mod convert;
 mod hexadecimal;
-mod ring;
+mod local_rules;
 mod strategy;

@@ -10,7 +10,7 @@ use subcert::bound::{Constants, SoundBound};
 use subcert::claim::{Paper, Quantity, embedded, read_paper};
 use subcert::diagnostic::SourceText;
 use subcert::exact::{Rational, RealCyclotomic};
-use subcert::scheme::{Mask, parse_ring, parse_scheme};
+use subcert::scheme::{Mask, parse_local_rules, parse_scheme};
 
 fn q(p: i64, q: i64) -> Rational {
     Rational::new(p, q)
@@ -123,7 +123,7 @@ fn check_curve(finding: &TheoremFinding<'_>, refutation: &Refutation) {
 fn check_face(finding: &TheoremFinding<'_>, refutation: &Refutation) {
     let violation = &refutation.violation;
     let Control::Points(heights) = &violation.attained.control else { return };
-    let ring = parse_ring(refutation.case.split(", ").next().unwrap()).unwrap();
+    let ring = parse_local_rules(refutation.case.split(", ").next().unwrap()).unwrap();
     for (a, b) in ring.edges() {
         assert!((heights[*a].1 - heights[*b].1).abs() <= 1);
     }

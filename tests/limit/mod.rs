@@ -4,8 +4,8 @@
 mod changes;
 mod distances;
 mod far;
+mod local_rules;
 mod polygons;
 mod refused;
-mod rings;
 mod surfaces;
 mod values;

@@ -1,6 +1,6 @@
 //! Reference values and checks for other programs' tests.
 
 mod check;
+mod local_rules;
 mod refine;
-mod ring;
 mod values;

@@ -25,12 +25,12 @@ pub const NEEDED: [&str; 26] = [
     "theorem difference Curve proved",
     "theorem difference Curve refuted",
     "theorem difference Net refuted",
-    "theorem difference Ring proved",
-    "theorem difference Ring refuted",
+    "theorem difference LocalRules proved",
+    "theorem difference LocalRules refuted",
     "theorem step Curve refuted",
-    "theorem step Ring proved",
+    "theorem step LocalRules proved",
     "theorem distance Curve refuted",
-    "theorem distance Ring refuted",
+    "theorem distance LocalRules refuted",
     "theorem depth Curve refuted",
 ];
 

@@ -3,6 +3,6 @@
 mod catalogue;
 mod difference;
 mod files;
+mod local_rules;
 mod mask;
 mod reference;
-mod rings;

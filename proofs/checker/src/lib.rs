@@ -43,10 +43,10 @@ mod convolution;
 mod displacement;
 mod functional;
 mod library;
+mod local_rules;
 mod orbits;
 mod powers;
 mod products;
-mod ring;
 
 // The functions that formulas call.
 mod call;

@@ -3,8 +3,8 @@
 use crate::convolution::Sequence;
 use crate::functional::Rules;
 use crate::library::Library;
+use crate::local_rules::LocalRules;
 use crate::reject::{Checked, Reason, Stop, require};
-use crate::ring::Ring;
 use crate::scheme::Scheme;
 use crate::value::Value;
 use std::rc::Rc;
@@ -17,7 +17,7 @@ pub enum Setting<'a> {
     /// One mask, or one for each index of a net, and whether all are shown to converge.
     Masks(Vec<Rules<'a>>, bool),
     /// A ring, and perhaps the interpolant with whose points the next level is compared.
-    Ring(Box<Ring<'a>>, Option<Box<Ring<'a>>>),
+    LocalRules(Box<LocalRules<'a>>, Option<Box<LocalRules<'a>>>),
 }
 
 impl<'a> Setting<'a> {

@@ -3,9 +3,9 @@
 use crate::certificate::Block;
 use crate::decimal::{Q, int, read_rational};
 use crate::functional::{Functional, Rules, product};
+use crate::local_rules::LocalRules;
 use crate::paper::Paper;
 use crate::reject::{Checked, Reason, compare, require};
-use crate::ring::Ring;
 use crate::setting::Setting;
 use crate::value::Value;
 use num_bigint::BigInt;
@@ -44,7 +44,7 @@ enum Control {
     /// the nearest one of these.
     Net([i64; 2], Vec<Vec<BigInt>>),
     /// A ring, and the weights of its limit.
-    Ring(Vec<BigInt>, Vec<Value>),
+    LocalRules(Vec<BigInt>, Vec<Value>),
 }
 
 /// Control data and a place.
@@ -73,7 +73,7 @@ impl<'l> Witness<'l> {
             let points = integers(said).ok_or(Reason::Malformed("ring INTEGER…"))?;
             let words = block.maybe("weights").unwrap_or_default().split_whitespace();
             let weights = words.map(|word| paper.number(word)).collect::<Checked<Vec<Value>>>()?;
-            Control::Ring(points, weights)
+            Control::LocalRules(points, weights)
         } else if let Some(said) = block.maybe("net") {
             let first: Option<Vec<i64>> =
                 integers(said).unwrap_or_default().iter().map(index).collect();
@@ -114,7 +114,7 @@ impl<'l> Witness<'l> {
                     spread(along.map(|pair| [&pair[0], &pair[1]])),
                 ]
             }
-            (Control::Ring(points, _), Setting::Ring(ring, _))
+            (Control::LocalRules(points, _), Setting::LocalRules(ring, _))
                 if points.len() == ring.names.len() =>
             {
                 vec![spread(ring.edges.iter().map(|&[a, b]| [&points[a], &points[b]]))]
@@ -127,7 +127,7 @@ impl<'l> Witness<'l> {
     /// The value of a quantity of the data at a level and at the place.
     pub fn value(&self, setting: &Setting<'_>, quantity: &str, level: u32) -> Checked<Value> {
         let off = match (&self.control, setting) {
-            (Control::Ring(points, weights), Setting::Ring(ring, earlier)) => {
+            (Control::LocalRules(points, weights), Setting::LocalRules(ring, earlier)) => {
                 self.of_ring((points, weights), (ring, earlier.as_deref()), quantity, level)?
             }
             (_, Setting::Masks(rules, converge)) => {
@@ -150,7 +150,7 @@ impl<'l> Witness<'l> {
                 let row = &rows[place(i, first[0], rows.len())];
                 row[place(j, first[1], row.len())].clone()
             }
-            Control::Ring(..) => BigInt::zero(),
+            Control::LocalRules(..) => BigInt::zero(),
         };
         match functionals {
             [f, g] => product(f, g, x),
@@ -201,7 +201,7 @@ impl<'l> Witness<'l> {
     fn of_ring(
         &self,
         (points, weights): (&[BigInt], &[Value]),
-        (ring, earlier): (&Ring<'_>, Option<&Ring<'_>>),
+        (ring, earlier): (&LocalRules<'_>, Option<&LocalRules<'_>>),
         quantity: &str,
         level: u32,
     ) -> Checked<Value> {

@@ -3,8 +3,8 @@
 mod bound;
 mod exact;
 mod interval;
+mod local_rules;
 mod polygon;
-mod ring;
 mod surface;
 
 use super::arguments::{BoundaryArgument, DepthArguments, Format};
@@ -14,8 +14,8 @@ use super::polygon::read_polygon;
 use super::progress::Progress;
 use bound::Bounds;
 use exact::{Asked, Exact};
+use local_rules::ring_depth;
 use polygon::{OfPolygon, Points};
-use ring::ring_depth;
 use subcert::bound::{Budget, Constants};
 use subcert::exact::{Rational, format::short};
 use subcert::limit::{Distances, Limit, LimitError};
@@ -25,7 +25,7 @@ use subcert::scheme::{AnyScheme, Mask, Scheme, parse_any_scheme};
 pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
     let scheme = match parse_any_scheme(&arguments.scheme)? {
         AnyScheme::Uniform(scheme) => scheme,
-        AnyScheme::Ring(ring) => return ring_depth(&ring, arguments),
+        AnyScheme::LocalRules(ring) => return ring_depth(&ring, arguments),
     };
     let report = Report::of(&scheme, arguments)?;
     show(arguments.output.format, || report.sheet(arguments), || report.form(arguments))

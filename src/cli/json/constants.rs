@@ -85,7 +85,7 @@ pub struct Surface {
 
 /// The constants of a ring.
 #[derive(Serialize)]
-pub struct RingConstants<'a> {
+pub struct LocalConstants<'a> {
     /// The version of this form.
     pub schema: u32,
     /// The scheme as it was given.
@@ -99,9 +99,9 @@ pub struct RingConstants<'a> {
     /// δ = T_1.
     pub delta: Option<Delta>,
     /// σ.
-    pub displacement: RingDisplacement<'a>,
+    pub displacement: LocalDisplacement<'a>,
     /// T_c and Λ_c for c = 1, 2, …
-    pub levels: Vec<RingLevel<'a>>,
+    pub levels: Vec<LocalLevel<'a>>,
 }
 
 /// Points of a ring that are alike.
@@ -115,7 +115,7 @@ pub struct Orbit<'a> {
 
 /// σ of a ring.
 #[derive(Serialize)]
-pub struct RingDisplacement<'a> {
+pub struct LocalDisplacement<'a> {
     /// The value; its fields stand here.
     #[serde(flatten)]
     pub value: Exact,
@@ -127,7 +127,7 @@ pub struct RingDisplacement<'a> {
 
 /// The constants of a ring for blocks of c levels.
 #[derive(Serialize)]
-pub struct RingLevel<'a> {
+pub struct LocalLevel<'a> {
     /// c.
     pub c: u32,
     /// T_c.

@@ -190,7 +190,7 @@ pub struct Printed {
 
 /// The depth of a ring.
 #[derive(Serialize)]
-pub struct RingReport<'a> {
+pub struct LocalReport<'a> {
     /// The version of this form.
     pub schema: u32,
     /// The scheme as it was given.
@@ -212,14 +212,14 @@ pub struct ExactlyOfRing<'a> {
     /// The level from which on the tolerance is met.
     pub settled: u32,
     /// The greatest distance at the depth.
-    pub distance: RingWitness<'a>,
+    pub distance: LocalWitness<'a>,
     /// A control ring that is too far from its limit at the level below the depth.
-    pub witness: Option<RingWitness<'a>>,
+    pub witness: Option<LocalWitness<'a>>,
 }
 
 /// A control ring, and how far one of its points is from its limit.
 #[derive(Serialize)]
-pub struct RingWitness<'a> {
+pub struct LocalWitness<'a> {
     /// The level.
     pub level: u32,
     /// The points of the ring.

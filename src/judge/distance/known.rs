@@ -4,10 +4,10 @@ use crate::bound::Budget;
 use crate::exact::{Rational, RealCyclotomic, comparable};
 use crate::finding::{Attained, Control, Place, Supremum};
 use crate::limit::{
-    Comparison, Distances, Limit, RingDistances, RingLimit, RingWitness, Spreads, SurfaceDistances,
-    SurfaceWitness, Witness,
+    Comparison, Distances, Limit, LocalDistances, LocalLimit, LocalWitness, Spreads,
+    SurfaceDistances, SurfaceWitness, Witness,
 };
-use crate::scheme::{Mask, Ring};
+use crate::scheme::{LocalRules, Mask};
 use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
 
@@ -22,7 +22,7 @@ pub(crate) enum Compared {
     /// The tensor product of two at theirs.
     Surface([Mask; 2]),
     /// The points around a vertex or on a face.
-    Ring(Ring),
+    LocalRules(LocalRules),
 }
 
 /// The distances of a scheme from its limit for control data of spread 1, with what was found
@@ -41,7 +41,7 @@ pub(crate) struct KnownDistances {
 enum Of {
     Curve(Box<Distances>),
     Surface(Box<(SurfaceDistances, [Limit; 2])>),
-    Ring(Box<RingDistances>),
+    LocalRules(Box<LocalDistances>),
 }
 
 /// What is known of the distance constant of a level.
@@ -104,9 +104,9 @@ impl KnownDistances {
     }
 
     /// The distances of a ring.
-    pub(crate) fn of_ring(&self) -> Result<&RingDistances, String> {
+    pub(crate) fn of_ring(&self) -> Result<&LocalDistances, String> {
         match self.of()? {
-            Of::Ring(distances) => Ok(distances),
+            Of::LocalRules(distances) => Ok(distances),
             Of::Curve(_) | Of::Surface(_) => Err("this is no ring".to_owned()),
         }
     }
@@ -126,9 +126,9 @@ impl Of {
                 let distances = SurfaceDistances::within(&limits[0], &limits[1], budget);
                 Of::Surface(Box::new((distances.map_err(text)?, limits)))
             }
-            Compared::Ring(ring) => {
-                let limit = RingLimit::new(ring).map_err(text)?;
-                Of::Ring(Box::new(RingDistances::new(limit)))
+            Compared::LocalRules(ring) => {
+                let limit = LocalLimit::new(ring).map_err(text)?;
+                Of::LocalRules(Box::new(LocalDistances::new(limit)))
             }
         })
     }
@@ -144,7 +144,7 @@ impl Of {
                 let (distances, limits) = &**surface;
                 net(distances, limits, level, rational()?)
             }
-            Of::Ring(distances) => {
+            Of::LocalRules(distances) => {
                 let found =
                     at_point(distances.limit().ring(), distances.constant(level).map_err(text)?);
                 if !comparable(&found.value, bound) {
@@ -173,7 +173,7 @@ impl Of {
                 let finer = || distances.constant(level, &width, &ones).map_err(text);
                 if width.is_zero() { coarse } else { finer()?.0 }
             }
-            Of::Ring(distances) => {
+            Of::LocalRules(distances) => {
                 let value = distances.constant(level).map_err(text)?.distance;
                 return Ok(Supremum { lower: value.clone(), upper: Some(value) });
             }
@@ -253,7 +253,7 @@ fn far_net(limits: &[Limit; 2], level: u32, bound: &Rational) -> Option<Attained
 }
 
 /// The points of a ring, and the one that is far from its limit.
-pub(crate) fn at_point(ring: &Ring, witness: RingWitness) -> Attained {
+pub(crate) fn at_point(ring: &LocalRules, witness: LocalWitness) -> Attained {
     Attained {
         control: points(ring, &witness.ring),
         place: Place::Named(ring.name(witness.point)),
@@ -262,6 +262,6 @@ pub(crate) fn at_point(ring: &Ring, witness: RingWitness) -> Attained {
 }
 
 /// Points of a ring with their names.
-pub(crate) fn points(ring: &Ring, heights: &[i64]) -> Control {
+pub(crate) fn points(ring: &LocalRules, heights: &[i64]) -> Control {
     Control::Points((0..).zip(heights).map(|(a, x)| (ring.name(a), *x)).collect())
 }

@@ -3,7 +3,7 @@
 use crate::bound::Budget;
 use crate::evaluation::library::Resolved;
 use crate::judge::distance::known::{Compared, KnownDistances};
-use crate::scheme::{Instance, Mask, Ring};
+use crate::scheme::{Instance, LocalRules, Mask};
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -12,7 +12,7 @@ use std::rc::Rc;
 pub(crate) const MAX_STEPS: u64 = 1_000_000_000;
 
 /// The most that the squares of the numbers of points of the rings of one claim sum to.
-pub(crate) const MAX_RING_SIZE: usize = 600_000;
+pub(crate) const MAX_LOCAL_SIZE: usize = 600_000;
 
 /// A scheme, and the offset at which it is compared with its limit, if not its own.
 type SchemeAt = (Vec<Instance>, Option<i64>);
@@ -24,7 +24,7 @@ pub(crate) struct Schemes {
     budget: Budget,
     masks: RefCell<BTreeMap<SchemeAt, Rc<KnownDistances>>>,
     rings: RefCell<BTreeMap<Instance, Result<Rc<KnownDistances>, String>>>,
-    rings_left: RingCap,
+    rings_left: LocalCap,
 }
 
 impl Default for Schemes {
@@ -36,13 +36,13 @@ impl Default for Schemes {
 
 /// The sum of the squares of the numbers of points of the rings so far.
 #[derive(Default)]
-pub(crate) struct RingCap(Cell<usize>);
+pub(crate) struct LocalCap(Cell<usize>);
 
-impl RingCap {
-    /// Whether one more ring is within [`MAX_RING_SIZE`]; if so, it counts.
-    pub(crate) fn takes<S>(&self, ring: &Ring<S>) -> bool {
+impl LocalCap {
+    /// Whether one more ring is within [`MAX_LOCAL_SIZE`]; if so, it counts.
+    pub(crate) fn takes<S>(&self, ring: &LocalRules<S>) -> bool {
         let size = self.0.get().saturating_add(ring.point_count().pow(2));
-        let fits = size <= MAX_RING_SIZE;
+        let fits = size <= MAX_LOCAL_SIZE;
         if fits {
             self.0.set(size);
         }
@@ -74,17 +74,17 @@ impl Schemes {
     /// When the rings of the claim have too many points.
     pub(crate) fn of_ring(
         &self,
-        (instance, ring): &(Instance, Ring),
+        (instance, ring): &(Instance, LocalRules),
     ) -> Result<Rc<KnownDistances>, String> {
         let mut all = self.rings.borrow_mut();
         let new = || {
             if !self.rings_left.takes(ring) {
                 return Err(format!(
                     "the rings of this table have more points than the cap: the squares of their \
-                     numbers sum to {MAX_RING_SIZE} at most"
+                     numbers sum to {MAX_LOCAL_SIZE} at most"
                 ));
             }
-            Ok(Rc::new(KnownDistances::new(Compared::Ring(ring.clone()), &self.budget)))
+            Ok(Rc::new(KnownDistances::new(Compared::LocalRules(ring.clone()), &self.budget)))
         };
         all.entry(instance.clone()).or_insert_with(new).clone()
     }

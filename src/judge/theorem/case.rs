@@ -8,12 +8,12 @@ use crate::evaluation::reference::{Unresolved, scheme_error};
 use crate::evaluation::settings::Settings;
 use crate::exact::{Rational, RealCyclotomic};
 use crate::formula::FormulaErrorKind;
-use crate::judge::distance::{MAX_RING_SIZE, MAX_STEPS, RingCap};
+use crate::judge::distance::{LocalCap, MAX_LOCAL_SIZE, MAX_STEPS};
 use crate::judge::theorem::curve::Curve;
-use crate::judge::theorem::ring::AroundPoint;
+use crate::judge::theorem::local_rules::AroundPoint;
 use crate::judge::theorem::setting::Setting;
 use crate::judge::theorem::surface::Surface;
-use crate::scheme::{Instance, Mask, Ring, SchemeError};
+use crate::scheme::{Instance, LocalRules, Mask, SchemeError};
 use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -26,17 +26,17 @@ type Kept<K, S> = RefCell<BTreeMap<K, Rc<S>>>;
 pub(crate) struct Stage {
     curves: Kept<(Vec<Instance>, i64), Curve>,
     surfaces: Kept<(Vec<Instance>, Option<i64>), Surface>,
-    rings: Kept<RingKey, AroundPoint>,
-    ring_cap: RingCap,
+    rings: Kept<LocalKey, AroundPoint>,
+    ring_cap: LocalCap,
     /// Of searches for distances.
     budget: Budget,
 }
 
 /// A ring, and the interpolant that it is compared with.
-type RingKey = (RingScheme, Option<RingScheme>);
+type LocalKey = (LocalScheme, Option<LocalScheme>);
 
 /// The scheme that a reference to a ring names.
-type RingScheme = Vec<Instance<RealCyclotomic>>;
+type LocalScheme = Vec<Instance<RealCyclotomic>>;
 
 impl Default for Stage {
     fn default() -> Stage {
@@ -174,7 +174,7 @@ impl<'a> Case<'a> {
                 Err(in_parameters(located, &error))
             }
             Err(Unresolved::Formula(error)) => Err(in_parameters(located, &error)),
-            Err(Unresolved::Scheme(SchemeError::Ring { .. })) => {
+            Err(Unresolved::Scheme(SchemeError::LocalRules { .. })) => {
                 if offset.is_some() {
                     let message = "this theorem has an `offset`, and a ring has none";
                     let LocatedReference { source, span, .. } = located;
@@ -195,7 +195,7 @@ impl<'a> Case<'a> {
                 let (instances, own) = ring(located)?;
                 let interpolant = interpolant.map(|located| {
                     let (instances, interpolant) = ring(located)?;
-                    let names = |ring: &Ring<_>| {
+                    let names = |ring: &LocalRules<_>| {
                         (0..ring.point_count()).map(|a| ring.name(a)).collect::<Vec<String>>()
                     };
                     if names(&interpolant) == names(&own) {
@@ -212,7 +212,7 @@ impl<'a> Case<'a> {
                 if !stage.ring_cap.takes(&own) {
                     let message = format!(
                         "the rings of this theorem have more points than the cap: the squares of \
-                         their numbers sum to {MAX_RING_SIZE} at most"
+                         their numbers sum to {MAX_LOCAL_SIZE} at most"
                     );
                     let LocatedReference { source, span, .. } = located;
                     return Err(Diagnostic::new(source, span.clone(), message)

@@ -6,7 +6,7 @@ mod curve;
 mod evaluate;
 mod growth;
 mod levels;
-mod ring;
+mod local_rules;
 mod setting;
 mod surface;
 mod trial;

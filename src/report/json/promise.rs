@@ -61,7 +61,7 @@ pub enum ControlData<'a> {
         parameters: [String; 2],
     },
     /// A control ring.
-    Ring {
+    LocalRules {
         /// Its points.
         ring: Vec<i64>,
         /// The name of the point that is the place.
@@ -116,7 +116,7 @@ impl<'a> Broken<'a> {
                     place => [name(place), String::new()],
                 },
             },
-            audit::Control::Points(points) => ControlData::Ring {
+            audit::Control::Points(points) => ControlData::LocalRules {
                 ring: points.iter().map(|(_, height)| *height).collect(),
                 point: name(place),
             },

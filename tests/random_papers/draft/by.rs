@@ -3,7 +3,7 @@
 use super::shape::{Instance, Shape};
 use crate::random_papers::choices::Choices;
 use crate::random_papers::formula::{Tree, call, name, number, of, times};
-use crate::random_papers::naive::{Curve, Net, Q, Ring};
+use crate::random_papers::naive::{Curve, LocalRules, Net, Q};
 use num_traits::{One, Zero};
 
 /// The greatest value of a quantity at a level, at least, and of the differences after one level.
@@ -32,14 +32,17 @@ fn greatest(instance: &Instance, quantity: &str, level: u32, offset: Option<i64>
             };
             (value, fall(1))
         }
-        Shape::Ring(ring, earlier) => {
+        Shape::LocalRules(ring, earlier) => {
             let heights = ring.heights();
             let rows = if quantity == "difference" {
                 ring.differences(level)
             } else {
                 ring.steps(level, earlier.as_ref())
             };
-            (Ring::greatest(&rows, &heights), Ring::greatest(&ring.differences(1), &heights))
+            (
+                LocalRules::greatest(&rows, &heights),
+                LocalRules::greatest(&ring.differences(1), &heights),
+            )
         }
     }
 }
@@ -63,7 +66,7 @@ pub fn by(
     from: u32,
     offset: Option<i64>,
 ) -> Tree {
-    let ring = matches!(instance.shape, Shape::Ring(..));
+    let ring = matches!(instance.shape, Shape::LocalRules(..));
     let spread = match &instance.shape {
         Shape::Net(_) if choices.once_in(2) => choices.of(&[
             name("beta_1"),

@@ -2,9 +2,9 @@
 
 mod by;
 mod equation;
+mod local_rules;
 mod names;
 mod parametric;
-mod ring;
 mod scheme;
 mod shape;
 mod table;
@@ -17,7 +17,7 @@ pub use shape::{Instance, Shape, environment};
 pub use theorem::Bound;
 
 use crate::random_papers::choices::Choices;
-use ring::RingFamily;
+use local_rules::LocalFamily;
 use scheme::Family;
 use std::fmt;
 
@@ -47,7 +47,7 @@ pub enum Known {
 pub struct Draft {
     pub names: Names,
     pub families: Vec<Family>,
-    pub rings: Vec<RingFamily>,
+    pub rings: Vec<LocalFamily>,
     pub claims: Vec<Claim>,
 }
 
@@ -63,7 +63,7 @@ impl Draft {
         let mut head = Choices::new(head);
         let names = Names::new(&mut head);
         let families = ["s", "t"].map(|name| Family::new(name, &mut head)).into();
-        let ring = RingFamily::new("ring", &mut head);
+        let ring = LocalFamily::new("ring", &mut head);
         let interpolants = ["flat", "bent"].map(|name| ring.interpolant(name, &mut head));
         let rings = std::iter::once(ring).chain(interpolants).collect();
         let mut draft = Draft { names, families, rings, claims: Vec::new() };
@@ -84,7 +84,7 @@ impl Draft {
     pub fn head(&self) -> String {
         let bibliography = "[paper]\nauthors = []\ntitle = ''\nvenue = ''\nyear = ''\n";
         let families: String = self.families.iter().map(Family::text).collect();
-        let rings: String = self.rings.iter().map(RingFamily::text).collect();
+        let rings: String = self.rings.iter().map(LocalFamily::text).collect();
         let other = "[[scheme]]\nname = 'alias'\nuse = 's:w=w'\n";
         format!("key = 'random'\n{bibliography}{}{families}{rings}{other}", self.names.text())
     }

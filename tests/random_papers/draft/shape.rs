@@ -5,7 +5,7 @@ use super::scheme::{CATALOGUE, catalogue};
 use crate::random_papers::choices::Choices;
 use crate::random_papers::formula::Env;
 use crate::random_papers::formula::Tree;
-use crate::random_papers::naive::{Curve, Net, Q, Ring};
+use crate::random_papers::naive::{Curve, LocalRules, Net, Q};
 use num_traits::ToPrimitive;
 use std::collections::BTreeMap;
 
@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 pub enum Shape {
     Curve(Curve),
     Net(Net),
-    Ring(Ring, Option<Ring>),
+    LocalRules(LocalRules, Option<LocalRules>),
 }
 
 impl Shape {
@@ -27,7 +27,7 @@ impl Shape {
         match self {
             Shape::Curve(curve) => wide(curve),
             Shape::Net(Net(pair)) => pair.iter().any(wide),
-            Shape::Ring(..) => false,
+            Shape::LocalRules(..) => false,
         }
     }
 }

@@ -46,7 +46,7 @@ pub fn claim(draft: &Draft, place: usize, choices: &mut Choices) -> Option<Claim
         if let Some(place) = interpolant {
             fields += &format!("interpolant = '{}:N={parameter}'\n", draft.rings[place].name);
         }
-        (vec![Reference::Ring(parameter.clone(), interpolant)], None)
+        (vec![Reference::LocalRules(parameter.clone(), interpolant)], None)
     } else {
         let several = if choices.once_in(4) { 2 } else { 1 };
         let mut reference = |_| {
@@ -109,7 +109,7 @@ pub fn claim(draft: &Draft, place: usize, choices: &mut Choices) -> Option<Claim
     let id = format!("theorem-{place}");
     let text = format!("[[theorem]]\nid = '{id}'\nlocus = ''\n{fields}");
     let turned = instances.iter().any(|instance| match &instance.shape {
-        Shape::Ring(ring, Some(earlier)) => ring.names != earlier.names,
+        Shape::LocalRules(ring, Some(earlier)) => ring.names != earlier.names,
         _ => false,
     });
     let bound = Bound { quantity, by, from, instances, offset, supposes };
@@ -125,7 +125,7 @@ pub fn claim(draft: &Draft, place: usize, choices: &mut Choices) -> Option<Claim
 enum Reference {
     Masks(Vec<Factor>),
     /// The valence, and the place of the interpolant.
-    Ring(Tree, Option<usize>),
+    LocalRules(Tree, Option<usize>),
 }
 
 impl Reference {
@@ -134,7 +134,7 @@ impl Reference {
             Reference::Masks(factors) => {
                 factors.iter().map(|factor| factor.text(draft)).collect::<Vec<_>>().join(" x ")
             }
-            Reference::Ring(valence, _) => format!("ring:N={valence}"),
+            Reference::LocalRules(valence, _) => format!("ring:N={valence}"),
         }
     }
 
@@ -148,10 +148,10 @@ impl Reference {
                     Err(mut one) => Shape::Curve(one.pop()?),
                 }
             }
-            Reference::Ring(formula, interpolant) => {
+            Reference::LocalRules(formula, interpolant) => {
                 let valence = valence(env, formula)?;
                 let earlier = interpolant.map(|place| draft.rings[place].at(valence));
-                Shape::Ring(draft.rings[0].at(valence), earlier)
+                Shape::LocalRules(draft.rings[0].at(valence), earlier)
             }
         })
     }

@@ -3,12 +3,12 @@
 //! All of it follows from x'_{ni+α} = Σ_j a_{α,j} x_{i+o+j}: nothing of the program is used.
 
 mod curve;
+mod local_rules;
 mod net;
-mod ring;
 
 pub use curve::{Curve, Row};
+pub use local_rules::LocalRules;
 pub use net::Net;
-pub use ring::Ring;
 
 use num_bigint::BigInt;
 

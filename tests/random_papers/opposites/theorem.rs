@@ -85,7 +85,7 @@ fn searched(draft: &Draft, claim: &Claim, bound: &Bound, instance: &Instance) ->
     let indices = match &instance.shape {
         Shape::Curve(_) => 1,
         Shape::Net(_) => 2,
-        Shape::Ring(..) => return Vec::new(),
+        Shape::LocalRules(..) => return Vec::new(),
     };
     if !["difference", "step"].contains(&bound.quantity) {
         return Vec::new();
@@ -218,7 +218,7 @@ fn levels(
         lines.chain(["proved".to_owned()]).collect::<Vec<String>>()
     };
     match (&instance.shape, bound.quantity) {
-        (Shape::Ring(..), _) => {
+        (Shape::LocalRules(..), _) => {
             let by = format!("1000000*({})", bound.by);
             let Some(twin) = twin(draft, claim, bound, &by, bound.from) else { return Vec::new() };
             let all = twin.lines();

@@ -23,7 +23,7 @@ pub fn names<'d>(
     let mut env = environment(draft, &instance.values);
     env.scheme = match &instance.shape {
         Shape::Curve(curve) | Shape::Net(Net([curve, _])) => Some(curve),
-        Shape::Ring(..) => None,
+        Shape::LocalRules(..) => None,
     };
     let mut name = |name: &str, value: Q| env.values.insert(name.to_owned(), value);
     name("beta", spreads.iter().max().cloned().unwrap_or_default());

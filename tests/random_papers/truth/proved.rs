@@ -2,7 +2,7 @@
 
 use super::{names, supposed};
 use crate::random_papers::draft::{Bound, Draft, Instance, Shape};
-use crate::random_papers::naive::{Curve, Net, Q, Ring, int};
+use crate::random_papers::naive::{Curve, LocalRules, Net, Q, int};
 
 /// How many levels are looked at.
 const LEVELS: u32 = 24;
@@ -40,7 +40,7 @@ pub fn holds(draft: &Draft, bound: &Bound) -> Result<(), String> {
                 within(draft, bound, instance, level, &second, &[zero, unit])?;
             }
         }
-        Shape::Ring(ring, earlier) => {
+        Shape::LocalRules(ring, earlier) => {
             let earlier = match earlier {
                 None => None,
                 Some(earlier) => {
@@ -54,7 +54,7 @@ pub fn holds(draft: &Draft, bound: &Bound) -> Result<(), String> {
                     "step" => ring.steps(level, earlier.as_ref()),
                     _ => away(ring, level),
                 };
-                let mut value = Ring::greatest(&rows, &heights);
+                let mut value = LocalRules::greatest(&rows, &heights);
                 if bound.quantity == "distance" {
                     value -=
                         ring.remainder(level + LEVELS, &heights).ok_or("no limit is near: ")?;
@@ -67,9 +67,9 @@ pub fn holds(draft: &Draft, bound: &Bound) -> Result<(), String> {
 }
 
 /// The points of a level less those of a much later one.
-fn away(ring: &Ring, level: u32) -> Vec<Vec<Q>> {
+fn away(ring: &LocalRules, level: u32) -> Vec<Vec<Q>> {
     let (now, later) = (ring.rows(level), ring.rows(level + LEVELS));
-    now.iter().zip(&later).map(|(now, later)| Ring::less(now, later)).collect()
+    now.iter().zip(&later).map(|(now, later)| LocalRules::less(now, later)).collect()
 }
 
 fn within(

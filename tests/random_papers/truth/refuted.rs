@@ -2,7 +2,7 @@
 
 use super::{names, supposed};
 use crate::random_papers::draft::{Bound, Draft, Instance, Shape};
-use crate::random_papers::naive::{Curve, Net, Q, Ring, Row, int};
+use crate::random_papers::naive::{Curve, LocalRules, Net, Q, Row, int};
 use crate::random_papers::program::Block;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
@@ -67,7 +67,7 @@ impl Witness {
                 let down = down.flat_map(|two| two[0].iter().copied().zip(two[1].iter().copied()));
                 vec![greatest(down.collect()), greatest(along.collect())]
             }
-            Shape::Ring(ring, _) => vec![int(ring.spread(&self.rows[0]))],
+            Shape::LocalRules(ring, _) => vec![int(ring.spread(&self.rows[0]))],
         }
     }
 
@@ -79,7 +79,7 @@ impl Witness {
                 let pair = pair.each_ref().map(|curve| curve.with_offset(bound.offset));
                 self.of_masks(bound, &pair, much)
             }
-            Shape::Ring(ring, earlier) => self.of_ring(bound, ring, earlier.as_ref(), much),
+            Shape::LocalRules(ring, earlier) => self.of_ring(bound, ring, earlier.as_ref(), much),
         }
     }
 
@@ -152,8 +152,8 @@ impl Witness {
     fn of_ring(
         &self,
         bound: &Bound,
-        ring: &Ring,
-        earlier: Option<&Ring>,
+        ring: &LocalRules,
+        earlier: Option<&LocalRules>,
         much: &Q,
     ) -> Result<(Q, Q), String> {
         let points = &self.rows[0];
@@ -172,9 +172,9 @@ impl Witness {
                 if ring.edges.contains(&(a, b)) || ring.edges.contains(&(b, a)) =>
             {
                 let rows = ring.rows(self.level);
-                Ring::of(&Ring::less(&rows[a], &rows[b]), points)
+                LocalRules::of(&LocalRules::less(&rows[a], &rows[b]), points)
             }
-            ("step", &[a]) => Ring::of(&ring.steps(self.level, earlier.as_ref())[a], points),
+            ("step", &[a]) => LocalRules::of(&ring.steps(self.level, earlier.as_ref())[a], points),
             ("distance", &[a]) => {
                 let own =
                     |row: &[Q]| row[a].is_one() && row.iter().filter(|x| !x.is_zero()).count() == 1;
@@ -188,8 +188,8 @@ impl Witness {
                     let rest =
                         ring.remainder(later, &heights).ok_or("no limit is near: ")? * &spread;
                     if rest < *much || later == self.level + 4 * MAX_LATER {
-                        let limit = Ring::of(&ring.rows(later)[a], points);
-                        let value = Ring::of(&ring.rows(self.level)[a], points) - limit;
+                        let limit = LocalRules::of(&ring.rows(later)[a], points);
+                        let value = LocalRules::of(&ring.rows(self.level)[a], points) - limit;
                         return Ok((value.abs(), rest));
                     }
                     later += 4;

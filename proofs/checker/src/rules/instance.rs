@@ -3,10 +3,10 @@
 use crate::certificate::Block;
 use crate::definitions::{formula, formula_of};
 use crate::evaluate::Scope;
+use crate::local_rules::LocalRules;
 use crate::names::OF_THEOREMS;
 use crate::paper::Paper;
 use crate::reject::{Checked, Reason, Stop, compare, require};
-use crate::ring::Ring;
 use crate::scheme::Scheme;
 use crate::setting::Setting;
 use crate::toml::Toml;
@@ -65,12 +65,12 @@ impl<'a> Instance<'a> {
         let (mut schemes, mut offset) = (Vec::new(), None);
         let setting = if paper.library.is_ring(reference) {
             require(claim.get("offset").is_none(), Reason::Malformed("no offset of a ring"))?;
-            let ring = |reference: &str| Ring::new(paper.library, reference, &scope);
+            let ring = |reference: &str| LocalRules::new(paper.library, reference, &scope);
             let (own, earlier) =
                 (ring(reference)?, claim.text("interpolant").map(ring).transpose()?);
             let alike = earlier.as_ref().is_none_or(|earlier| earlier.names == own.names);
             require(alike, Reason::Malformed("an interpolant of the same points"))?;
-            Setting::Ring(Box::new(own), earlier.map(Box::new))
+            Setting::LocalRules(Box::new(own), earlier.map(Box::new))
         } else {
             let plain = claim.get("interpolant").is_none();
             require(plain, Reason::Malformed("no interpolant of masks"))?;

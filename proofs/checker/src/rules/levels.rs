@@ -7,9 +7,9 @@ use super::promise::{change, errors, flows, kept};
 use super::sound::Promised;
 use crate::certificate::Block;
 use crate::definitions::formula_of;
+use crate::local_rules::less;
 use crate::paper::Paper;
 use crate::reject::{Checked, Reason, Stop, Text, compare, require};
-use crate::ring::less;
 use crate::setting::Setting;
 use crate::toml::Toml;
 use crate::value::Value;
@@ -58,7 +58,7 @@ pub fn check<'a>(
             let factor = promised.constant(&Value::int(levels.into()))?;
             compare(factor.compare(&power)?.is_le(), &factor, &power, Reason::Contraction)?;
         }
-        Setting::Ring(ring, earlier) => {
+        Setting::LocalRules(ring, earlier) => {
             let differences = ring.differences()?;
             functionals = match bounds {
                 "difference" => differences.clone(),
@@ -93,7 +93,7 @@ pub fn check<'a>(
         }
         require(evidence.is_empty(), Reason::Malformed("level K"))?;
         match &setting {
-            Setting::Ring(ring, _) => {
+            Setting::LocalRules(ring, _) => {
                 functionals = ring.functionals_before(functionals, u32::from(k > from))?;
                 flows(paper, ring, block, &functionals, &|cost| {
                     compare(cost.compare(&most)?.is_le(), cost, &most, Reason::TooLarge)

@@ -5,9 +5,9 @@ use super::sound::{self, MAX_LEVEL, Promised};
 use crate::certificate::Block;
 use crate::decimal::Q;
 use crate::functional::Rules;
+use crate::local_rules::{LocalRules, less};
 use crate::paper::Paper;
 use crate::reject::{Checked, Reason, Stop, compare, require};
-use crate::ring::{Ring, less};
 use crate::setting::Setting;
 use crate::table::Table;
 use crate::value::Value;
@@ -51,7 +51,7 @@ pub fn check(table: &Table<'_>, block: &mut Block<'_>) -> Checked<()> {
         let setting = setting(table, &promised, &mut settings)?;
         if verdict == "kept" {
             match &*setting {
-                Setting::Ring(ring, _) => {
+                Setting::LocalRules(ring, _) => {
                     require(said.is_empty(), Reason::Malformed("ROW COLUMN"))?;
                     let errors = errors(table.paper, ring, block)?;
                     let functionals = ring.functionals_before(errors, level)?;
@@ -93,7 +93,7 @@ fn setting<'a>(
         return Ok(Rc::clone(known));
     }
     let setting = Rc::new(match ring {
-        Some(ring) => Setting::Ring(Box::new(Ring::new(library, ring, scope)?), None),
+        Some(ring) => Setting::LocalRules(Box::new(LocalRules::new(library, ring, scope)?), None),
         None => Setting::masks(library, schemes, *offset)?,
     });
     known.insert(key, Rc::clone(&setting));
@@ -129,7 +129,7 @@ fn values(paper: &Paper<'_>, said: &str) -> Checked<Vec<Value>> {
 /// Checks `weights …`, and gives e_a − w for every point.
 pub fn errors(
     paper: &Paper<'_>,
-    ring: &Ring<'_>,
+    ring: &LocalRules<'_>,
     block: &mut Block<'_>,
 ) -> Checked<Vec<Vec<Value>>> {
     let weights = values(paper, block.after("weights")?)?;
@@ -143,7 +143,7 @@ pub fn errors(
 /// small.
 pub fn flows(
     paper: &Paper<'_>,
-    ring: &Ring<'_>,
+    ring: &LocalRules<'_>,
     block: &mut Block<'_>,
     functionals: &[Vec<Value>],
     small: &dyn Fn(&Value) -> Checked<()>,

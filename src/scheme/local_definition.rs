@@ -1,9 +1,9 @@
 //! The ring that formulas over parameters and indices give.
 
 use super::definition::{Coefficients, SchemeDefinition};
+use super::local_formulas::{End, LocalFormulas, NEW_INDEX, OLD_INDEX};
+use super::local_rules::{LocalError, LocalRules, MAX_LOCAL_POINTS, Orbit, point_name};
 use super::reference::SchemeError;
-use super::ring::{MAX_RING_POINTS, Orbit, Ring, RingError, point_name};
-use super::ring_formulas::{End, NEW_INDEX, OLD_INDEX, RingFormulas};
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Matrix, Naming};
 use crate::formula::{Dependence, IndexPair, LocatedFormula, Value};
@@ -57,7 +57,7 @@ impl SchemeDefinition {
     /// Whether this is a ring, and has no mask.
     #[must_use]
     pub fn is_ring(&self) -> bool {
-        matches!(self.coefficients, Coefficients::Ring(_))
+        matches!(self.coefficients, Coefficients::LocalRules(_))
     }
 
     /// The ring at these parameter values, over any [`Value`]; weights with cosines need
@@ -70,23 +70,23 @@ impl SchemeDefinition {
     pub fn ring<V: Value + Eq + Hash>(
         &self,
         values: &BTreeMap<String, V>,
-    ) -> Result<Ring<V>, SchemeError> {
-        let Coefficients::Ring(formulas) = &self.coefficients else {
+    ) -> Result<LocalRules<V>, SchemeError> {
+        let Coefficients::LocalRules(formulas) = &self.coefficients else {
             return Err(SchemeError::NotRing { scheme: self.name.clone() });
         };
         let parameters = self.complete(values)?;
         let orbits = self.orbits(formulas, &parameters)?;
         let weights = self.weights(formulas, &orbits, &parameters)?;
         let edges = self.edges(formulas, &orbits, &parameters)?;
-        Ring::with_weights(orbits, weights, edges).map_err(|error| formulas.refusal(&error))
+        LocalRules::with_weights(orbits, weights, edges).map_err(|error| formulas.refusal(&error))
     }
 
     fn orbits<V: Value>(
         &self,
-        formulas: &RingFormulas,
+        formulas: &LocalFormulas,
         parameters: &Parameters<V>,
     ) -> Result<Vec<Orbit>, SchemeError> {
-        let range = 1..i64::try_from(MAX_RING_POINTS).expect("a small cap") + 1;
+        let range = 1..i64::try_from(MAX_LOCAL_POINTS).expect("a small cap") + 1;
         let mut points = 0;
         let mut orbits = Vec::with_capacity(formulas.orbits.len());
         for (name, formula) in &formulas.orbits {
@@ -94,8 +94,8 @@ impl SchemeDefinition {
             let count = self.integer(formula, parameters, &[], &what, range.clone())?;
             let count = usize::try_from(count).expect("in the range");
             points += count;
-            if points > MAX_RING_POINTS {
-                return Err(at_formula(formula, &RingError::Points(points)));
+            if points > MAX_LOCAL_POINTS {
+                return Err(at_formula(formula, &LocalError::Points(points)));
             }
             orbits.push(Orbit { name: name.clone(), count });
         }
@@ -105,7 +105,7 @@ impl SchemeDefinition {
     /// Each formula is evaluated once for all places that look the same to it.
     fn weights<V: Value + Eq + Hash>(
         &self,
-        formulas: &RingFormulas,
+        formulas: &LocalFormulas,
         orbits: &[Orbit],
         parameters: &Parameters<V>,
     ) -> Result<Matrix<V>, SchemeError> {
@@ -143,7 +143,7 @@ impl SchemeDefinition {
     /// The edges of every family, i running over the indices of its larger orbit.
     fn edges<V: Value>(
         &self,
-        formulas: &RingFormulas,
+        formulas: &LocalFormulas,
         orbits: &[Orbit],
         parameters: &Parameters<V>,
     ) -> Result<Vec<(usize, usize)>, SchemeError> {
@@ -169,7 +169,7 @@ impl SchemeDefinition {
                 let [a, b] = &family.ends;
                 let (a, b) = (point(a, i)?, point(b, i)?);
                 if a == b {
-                    let error = RingError::Loop(point_name(orbits, a));
+                    let error = LocalError::Loop(point_name(orbits, a));
                     return Err(family.refusal(&error.to_string(), None));
                 }
                 edges.push((a, b));
@@ -187,7 +187,7 @@ fn index(i: usize) -> i64 {
     i64::try_from(i).expect("a small cap")
 }
 
-fn at_formula(formula: &LocatedFormula, error: &RingError) -> SchemeError {
+fn at_formula(formula: &LocatedFormula, error: &LocalError) -> SchemeError {
     let span = formula.span.clone();
     SchemeError::File(Box::new(Diagnostic::new(&formula.source, span, error.to_string())))
 }

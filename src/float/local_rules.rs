@@ -4,20 +4,20 @@ use super::apriori::Tracked;
 use super::certify::MAX_TRACKED_STEPS;
 use super::convert::nearest;
 use super::quantity::Quantity;
-use crate::bound::{RingConstants, RingWork, displaced_rows, power_rows};
+use crate::bound::{LocalConstants, LocalWork, displaced_rows, power_rows};
 use crate::exact::{Rational, Real, RealCyclotomic};
-use crate::scheme::{Representatives, Ring};
+use crate::scheme::{LocalRules, Representatives};
 
 /// The f64 computation of a ring, held against the exact one.
 #[derive(Clone, Debug, PartialEq)]
-pub struct RingCertification {
+pub struct LocalCertification {
     /// The weights of one new point of each class, T_c, Λ_c and σ.
     pub quantities: Vec<Quantity<RealCyclotomic>>,
     /// The greatest c that has a bound in advance.
     pub tracked_block: u32,
 }
 
-impl RingCertification {
+impl LocalCertification {
     /// The quantity of this name.
     #[must_use]
     pub fn quantity(&self, name: &str) -> Option<&Quantity<RealCyclotomic>> {
@@ -37,19 +37,22 @@ impl RingCertification {
 /// When the powers of M are too much work.
 ///
 /// ```
-/// use subcert::float::certify_ring;
-/// use subcert::scheme::parse_ring;
+/// use subcert::float::certify_local_rules;
+/// use subcert::scheme::parse_local_rules;
 ///
-/// let found = certify_ring(&parse_ring("doo-sabin:n=5")?, 2)?;
+/// let found = certify_local_rules(&parse_local_rules("doo-sabin:n=5")?, 2)?;
 /// let t = found.quantity("T_1").unwrap();
 /// assert_eq!(t.exact.to_string(), "9/20 + 3/10*cos(2*pi/5)");
 /// assert_eq!(t.encloses(), Some(true));
 /// assert!(t.bound.unwrap() < 1e-14);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn certify_ring(ring: &Ring, max_block: u32) -> Result<RingCertification, RingWork> {
+pub fn certify_local_rules(
+    ring: &LocalRules,
+    max_block: u32,
+) -> Result<LocalCertification, LocalWork> {
     let chosen = ring.representatives();
-    let exact = RingConstants::new(ring, max_block)?;
+    let exact = LocalConstants::new(ring, max_block)?;
     let tracked_block = tracked_block(ring, &chosen, max_block);
     let float = Constants::along(&exact, &ring.map(nearest), &chosen, max_block);
     let tracked = ring.map(|weight| Tracked::nearest(weight.clone()));
@@ -64,7 +67,7 @@ pub fn certify_ring(ring: &Ring, max_block: u32) -> Result<RingCertification, Ri
         let bound = bounds.get(&name).copied();
         Quantity::new(name, value, exact, bound)
     });
-    Ok(RingCertification { quantities: quantities.collect(), tracked_block })
+    Ok(LocalCertification { quantities: quantities.collect(), tracked_block })
 }
 
 /// The constants in some arithmetic.
@@ -78,8 +81,8 @@ struct Constants<S> {
 impl Constants<RealCyclotomic> {
     /// What the exact path has found.
     fn known(
-        exact: &RingConstants,
-        ring: &Ring,
+        exact: &LocalConstants,
+        ring: &LocalRules,
         chosen: &Representatives,
     ) -> Constants<RealCyclotomic> {
         let contraction = exact.levels.iter().map(|level| level.contraction().1.value.clone());
@@ -95,8 +98,8 @@ impl Constants<RealCyclotomic> {
 impl<S: Real> Constants<S> {
     /// The constants of a ring in this arithmetic, with the heights of the exact path.
     fn along(
-        exact: &RingConstants,
-        ring: &Ring<S>,
+        exact: &LocalConstants,
+        ring: &LocalRules<S>,
         chosen: &Representatives,
         blocks: u32,
     ) -> Constants<S> {
@@ -123,7 +126,7 @@ impl<S: Real> Constants<S> {
 }
 
 /// The names of [`Constants::listed`].
-fn names(ring: &Ring, chosen: &Representatives, blocks: u32) -> Vec<String> {
+fn names(ring: &LocalRules, chosen: &Representatives, blocks: u32) -> Vec<String> {
     let columns = 0..ring.point_count();
     let weights = chosen.points.iter().flat_map(|&a| {
         columns.clone().map(move |b| format!("m[{}][{}]", ring.name(a), ring.name(b)))
@@ -133,7 +136,7 @@ fn names(ring: &Ring, chosen: &Representatives, blocks: u32) -> Vec<String> {
     weights.chain(constants).chain(["sigma".to_owned()]).collect()
 }
 
-fn weights<S: Clone>(ring: &Ring<S>, chosen: &Representatives) -> Vec<S> {
+fn weights<S: Clone>(ring: &LocalRules<S>, chosen: &Representatives) -> Vec<S> {
     chosen.points.iter().flat_map(|&a| ring.weights().row(a).cloned()).collect()
 }
 
@@ -148,7 +151,7 @@ fn greatest<'a, S: Real>(functionals: &[Vec<S>], heights: impl Iterator<Item = &
 }
 
 /// The greatest c up to `max_block` whose products stay within [`MAX_TRACKED_STEPS`].
-fn tracked_block(ring: &Ring, chosen: &Representatives, max_block: u32) -> u32 {
+fn tracked_block(ring: &LocalRules, chosen: &Representatives, max_block: u32) -> u32 {
     let rows = (chosen.points.len() + 2 * chosen.edges.len()) as u64;
     let steps = rows.saturating_mul(ring.product_count() as u64);
     (1..=max_block).take_while(|&c| steps * u64::from(c) <= MAX_TRACKED_STEPS).last().unwrap_or(0)

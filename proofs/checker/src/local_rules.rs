@@ -13,7 +13,7 @@ use std::cell::OnceCell;
 const MAX_BLOCK: usize = 32;
 
 /// A linear map of the points of a ring to the points of the next level.
-pub struct Ring<'a> {
+pub struct LocalRules<'a> {
     meter: &'a Meter,
     /// The names `vertex`, `edge[0]`, `edge[1]`, … of the points.
     pub names: Vec<String>,
@@ -24,13 +24,13 @@ pub struct Ring<'a> {
     contracts: OnceCell<Result<bool, Stop>>,
 }
 
-impl<'a> Ring<'a> {
+impl<'a> LocalRules<'a> {
     /// The ring that a reference such as `doo-sabin:n=5` names.
     pub fn new(
         library: &'a Library<'a>,
         reference: &str,
         scope: &Scope<'_>,
-    ) -> Result<Ring<'a>, Stop> {
+    ) -> Result<LocalRules<'a>, Stop> {
         let (name, table, parameters) = library.entry(reference, scope)?;
         let definitions = formulas(table.entries("let"))?;
         let mut inner = library.scope(&definitions);
@@ -38,7 +38,8 @@ impl<'a> Ring<'a> {
         let orbits = Orbits::read(table, &inner)?;
         let edges = orbits.edges(table, &inner)?;
         let (names, weights) = (orbits.names(), orbits.weights(table, &inner)?);
-        let ring = Ring { meter: library.meter, names, weights, edges, contracts: OnceCell::new() };
+        let ring =
+            LocalRules { meter: library.meter, names, weights, edges, contracts: OnceCell::new() };
         for row in &ring.weights {
             if Value::total(row)? != Value::int(1) {
                 return Err(wrong("the weights of a point do not sum to 1"));

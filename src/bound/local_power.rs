@@ -2,21 +2,21 @@
 
 use crate::exact::{Rational, Real, Scalar};
 use crate::formula::Value;
-use crate::scheme::{Representatives, Ring};
+use crate::scheme::{LocalRules, Representatives};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The most work of the powers of a ring: r·p·(c−1)·s, when r rows are multiplied c − 1
 /// times by a matrix of p weights other than 0, and a product costs up to s, as
 /// [`row_product_size`](Value::row_product_size) counts.
-pub const MAX_RING_WORK: u64 = 1 << 32;
+pub const MAX_LOCAL_WORK: u64 = 1 << 32;
 
-/// The powers of a ring are beyond [`MAX_RING_WORK`].
+/// The powers of a ring are beyond [`MAX_LOCAL_WORK`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
     "{levels} levels of this ring of {points} points are too much work, {work} where at most \
-     {MAX_RING_WORK} is done: take a smaller number of levels or a smaller valence"
+     {MAX_LOCAL_WORK} is done: take a smaller number of levels or a smaller valence"
 )]
-pub struct RingWork {
+pub struct LocalWork {
     /// v.
     pub points: usize,
     /// c.
@@ -25,22 +25,26 @@ pub struct RingWork {
     pub work: u64,
 }
 
-impl RingWork {
+impl LocalWork {
     /// Whether the products of `rows` rows with the matrix of `ring`, for c up to
     /// `levels`, are few enough.
     ///
     /// # Errors
-    /// When they are more work than [`MAX_RING_WORK`].
-    pub fn check<S: Value>(ring: &Ring<S>, rows: usize, levels: u32) -> Result<(), RingWork> {
+    /// When they are more work than [`MAX_LOCAL_WORK`].
+    pub fn check<S: Value>(
+        ring: &LocalRules<S>,
+        rows: usize,
+        levels: u32,
+    ) -> Result<(), LocalWork> {
         let weights = ring.weights().values().iter();
         let size = weights.map(|weight| weight.row_product_size(levels)).max();
         let work = ((rows * ring.product_count()) as u64)
             .saturating_mul(u64::from(levels.saturating_sub(1)))
             .saturating_mul(size.unwrap_or(1));
-        if work <= MAX_RING_WORK {
+        if work <= MAX_LOCAL_WORK {
             return Ok(());
         }
-        Err(RingWork { points: ring.point_count(), levels, work })
+        Err(LocalWork { points: ring.point_count(), levels, work })
     }
 }
 
@@ -58,7 +62,7 @@ pub(super) fn rows_of(chosen: &Representatives) -> BTreeSet<usize> {
 
 /// [`PowerRows`] for c = 1, …, `levels`, each from the one before.
 pub(crate) fn power_rows<'a, S: Scalar>(
-    ring: &'a Ring<S>,
+    ring: &'a LocalRules<S>,
     chosen: &Representatives,
     levels: u32,
 ) -> impl Iterator<Item = PowerRows<S>> + use<'a, S> {
@@ -75,7 +79,7 @@ impl<S: Scalar> PowerRows<S> {
     /// The same for c = 1, …, `levels`, where only the rows of the chosen points are
     /// multiplied: the others follow by the rotation, which takes a power of M to itself.
     pub(super) fn turned(
-        ring: &Ring<S>,
+        ring: &LocalRules<S>,
         chosen: &Representatives,
         levels: u32,
     ) -> impl Iterator<Item = PowerRows<S>> {
@@ -121,7 +125,10 @@ impl<S: Real> PowerRows<S> {
 }
 
 /// e_aᵀ(M − I) of each chosen point.
-pub(crate) fn displaced_rows<S: Scalar>(ring: &Ring<S>, chosen: &Representatives) -> Vec<Vec<S>> {
+pub(crate) fn displaced_rows<S: Scalar>(
+    ring: &LocalRules<S>,
+    chosen: &Representatives,
+) -> Vec<Vec<S>> {
     let one = S::from_rational(&Rational::one());
     let displaced = |&a: &usize| {
         let mut row: Vec<S> = ring.weights().row(a).cloned().collect();

@@ -6,7 +6,7 @@ use std::fmt::Display;
 use std::hash::Hash;
 
 /// The most points of a ring.
-pub const MAX_RING_POINTS: usize = 600;
+pub const MAX_LOCAL_POINTS: usize = 600;
 
 /// The points of one kind, such as the N edge points around a vertex.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -24,11 +24,11 @@ pub struct Orbit {
 ///
 /// The points are numbered orbit by orbit. The edges of their mesh, which is
 /// connected, say which differences x_a − x_b the constants of
-/// [`RingConstants`](crate::bound::RingConstants) are about.
+/// [`LocalConstants`](crate::bound::LocalConstants) are about.
 ///
 /// Source of the setting: Doo and Sabin 1978; Catmull and Clark 1978.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Ring<S = RealCyclotomic> {
+pub struct LocalRules<S = RealCyclotomic> {
     orbits: Vec<Orbit>,
     weights: Matrix<S>,
     edges: Vec<(usize, usize)>,
@@ -37,9 +37,9 @@ pub struct Ring<S = RealCyclotomic> {
 /// Why a table of numbers is not a ring.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
-pub enum RingError {
-    /// Fewer than 2 or more than [`MAX_RING_POINTS`] points.
-    #[error("a ring of {0} points; there must be from 2 to {MAX_RING_POINTS}")]
+pub enum LocalError {
+    /// Fewer than 2 or more than [`MAX_LOCAL_POINTS`] points.
+    #[error("a ring of {0} points; there must be from 2 to {MAX_LOCAL_POINTS}")]
     Points(usize),
     /// The weights are not a square of as many rows as there are points.
     #[error("the weights of a ring of {points} points must be {points} rows of {points}")]
@@ -84,7 +84,7 @@ pub enum RingError {
     },
 }
 
-impl<S: Scalar + Eq + Hash + Display> Ring<S> {
+impl<S: Scalar + Eq + Hash + Display> LocalRules<S> {
     /// The ring of these orbits, with one row of weights for each new point and these
     /// edges. Of several edges between two points the first is kept.
     ///
@@ -94,50 +94,50 @@ impl<S: Scalar + Eq + Hash + Display> Ring<S> {
     ///
     /// ```
     /// use subcert::exact::Rational;
-    /// use subcert::scheme::{Orbit, Ring};
+    /// use subcert::scheme::{Orbit, LocalRules};
     ///
     /// // Each new corner of a triangle is 1/2 old corner, 1/4 of each of the others.
     /// let (half, quarter) = (Rational::new(1, 2), Rational::new(1, 4));
     /// let row = |a: usize| (0..3).map(|b| if a == b { &half } else { &quarter }.clone()).collect();
     /// let corner = Orbit { name: "corner".to_owned(), count: 3 };
-    /// let ring = Ring::new(vec![corner], (0..3).map(row).collect(), vec![(0, 1), (1, 2), (2, 0)])?;
+    /// let ring = LocalRules::new(vec![corner], (0..3).map(row).collect(), vec![(0, 1), (1, 2), (2, 0)])?;
     /// assert_eq!(ring.refine(&[4, 0, 0].map(Rational::from)), [2, 1, 1].map(Rational::from));
     /// assert_eq!(ring.name(2), "corner[2]");
-    /// # Ok::<(), subcert::scheme::RingError>(())
+    /// # Ok::<(), subcert::scheme::LocalError>(())
     /// ```
     pub fn new(
         orbits: Vec<Orbit>,
         weights: Vec<Vec<S>>,
         edges: Vec<(usize, usize)>,
-    ) -> Result<Ring<S>, RingError> {
+    ) -> Result<LocalRules<S>, LocalError> {
         let points = check_count(&orbits)?;
         if weights.len() != points || weights.iter().any(|row| row.len() != points) {
-            return Err(RingError::Shape { points });
+            return Err(LocalError::Shape { points });
         }
-        Ring::with_weights(orbits, Matrix::from_rows(weights), edges)
+        LocalRules::with_weights(orbits, Matrix::from_rows(weights), edges)
     }
 
-    /// [`Ring::new`] with the weights as a matrix.
+    /// [`LocalRules::new`] with the weights as a matrix.
     ///
     /// # Errors
-    /// As of [`Ring::new`].
+    /// As of [`LocalRules::new`].
     pub fn with_weights(
         orbits: Vec<Orbit>,
         weights: Matrix<S>,
         edges: Vec<(usize, usize)>,
-    ) -> Result<Ring<S>, RingError> {
+    ) -> Result<LocalRules<S>, LocalError> {
         let points = check_count(&orbits)?;
         if weights.row_count() != points || weights.names().iter().any(|row| row.len() != points) {
-            return Err(RingError::Shape { points });
+            return Err(LocalError::Shape { points });
         }
-        let ring = Ring { orbits, weights, edges: without_repetition(edges) };
+        let ring = LocalRules { orbits, weights, edges: without_repetition(edges) };
         ring.check_sums()?;
         ring.check_edges()?;
         Ok(ring)
     }
 
     /// Rows of the same weights, each as often, have the same sum.
-    fn check_sums(&self) -> Result<(), RingError> {
+    fn check_sums(&self) -> Result<(), LocalError> {
         let (one, mut seen) = (S::from_rational(&Rational::one()), HashSet::new());
         for (point, names) in self.weights.names().iter().enumerate() {
             let mut counts = vec![0_u32; self.weights.values().len()];
@@ -152,7 +152,7 @@ impl<S: Scalar + Eq + Hash + Display> Ring<S> {
             let sum = S::total(&terms.collect::<Vec<S>>());
             if sum != one {
                 let (point, excess) = (self.name(point), sum.minus(&one).to_string());
-                return Err(RingError::NotAffine { point, sum: sum.to_string(), excess });
+                return Err(LocalError::NotAffine { point, sum: sum.to_string(), excess });
             }
         }
         Ok(())
@@ -160,15 +160,15 @@ impl<S: Scalar + Eq + Hash + Display> Ring<S> {
 }
 
 /// v, within its range.
-fn check_count(orbits: &[Orbit]) -> Result<usize, RingError> {
+fn check_count(orbits: &[Orbit]) -> Result<usize, LocalError> {
     let points = orbits.iter().fold(0_usize, |sum, orbit| sum.saturating_add(orbit.count));
-    if !(2..=MAX_RING_POINTS).contains(&points) {
-        return Err(RingError::Points(points));
+    if !(2..=MAX_LOCAL_POINTS).contains(&points) {
+        return Err(LocalError::Points(points));
     }
     Ok(points)
 }
 
-impl<S> Ring<S> {
+impl<S> LocalRules<S> {
     /// The kinds of points, in the order in which the points are numbered.
     #[must_use]
     pub fn orbits(&self) -> &[Orbit] {
@@ -211,20 +211,20 @@ impl<S> Ring<S> {
     /// The weights in another arithmetic, which may round, and takes 0 to 0: their sums
     /// are not checked again.
     #[must_use]
-    pub fn map<T>(&self, map: impl FnMut(&S) -> T) -> Ring<T> {
+    pub fn map<T>(&self, map: impl FnMut(&S) -> T) -> LocalRules<T> {
         let (orbits, edges) = (self.orbits.clone(), self.edges.clone());
-        Ring { orbits, weights: self.weights.map(map), edges }
+        LocalRules { orbits, weights: self.weights.map(map), edges }
     }
 
-    fn check_edges(&self) -> Result<(), RingError> {
+    fn check_edges(&self) -> Result<(), LocalError> {
         let count = self.point_count();
         let mut neighbours = vec![Vec::new(); count];
         for &(a, b) in &self.edges {
             if a.max(b) >= count {
-                return Err(RingError::NoPoint { point: a.max(b), last: count - 1 });
+                return Err(LocalError::NoPoint { point: a.max(b), last: count - 1 });
             }
             if a == b {
-                return Err(RingError::Loop(self.name(a)));
+                return Err(LocalError::Loop(self.name(a)));
             }
             neighbours[a].push(b);
             neighbours[b].push(a);
@@ -241,14 +241,14 @@ impl<S> Ring<S> {
         }
         match reached.iter().position(|reached| !reached) {
             Some(point) => {
-                Err(RingError::Disconnected { first: self.name(0), point: self.name(point) })
+                Err(LocalError::Disconnected { first: self.name(0), point: self.name(point) })
             }
             None => Ok(()),
         }
     }
 }
 
-impl<S: Scalar> Ring<S> {
+impl<S: Scalar> LocalRules<S> {
     /// M x: the new points x'_a = Σ_b m_{a,b} x_b.
     ///
     /// # Panics
@@ -271,7 +271,7 @@ impl<S: Scalar> Ring<S> {
     }
 }
 
-/// [`Ring::name`] of a point of these orbits.
+/// [`LocalRules::name`] of a point of these orbits.
 pub(super) fn point_name(orbits: &[Orbit], point: usize) -> String {
     let mut index = point;
     for Orbit { name, count } in orbits {

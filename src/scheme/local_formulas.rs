@@ -1,7 +1,7 @@
 //! The formulas of a ring, and their places in the file.
 
+use super::local_rules::{LocalError, Orbit};
 use super::reference::SchemeError;
-use super::ring::{Orbit, RingError};
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::formula::LocatedFormula;
 use std::ops::Range;
@@ -15,7 +15,7 @@ pub(super) const OLD_INDEX: &str = "j";
 
 /// The formulas of a ring.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct RingFormulas {
+pub(super) struct LocalFormulas {
     /// The orbits, and how many points each has.
     pub(super) orbits: Vec<(String, LocatedFormula)>,
     /// For each orbit of new points, for each of old ones, the weight in i and j; 0 where
@@ -57,22 +57,22 @@ impl EdgeFormulas {
     }
 }
 
-impl RingFormulas {
+impl LocalFormulas {
     /// The place of all the weights.
     pub(super) fn whole(&self) -> (&Arc<SourceText>, Range<usize>) {
         extent(self.weights.iter().flatten().flatten())
     }
 
     /// Why these formulas do not give a ring, at their place in the file.
-    pub(super) fn refusal(&self, error: &RingError) -> SchemeError {
+    pub(super) fn refusal(&self, error: &LocalError) -> SchemeError {
         let (source, span) = match error {
-            RingError::NotAffine { point, .. } => {
+            LocalError::NotAffine { point, .. } => {
                 let orbit = point.split('[').next().unwrap_or_default();
                 let rows = self.orbits.iter().zip(&self.weights);
                 let rows = rows.filter(|((name, _), _)| name == orbit).map(|(_, row)| row);
                 extent(rows.flatten().flatten())
             }
-            RingError::Disconnected { .. } => {
+            LocalError::Disconnected { .. } => {
                 let (first, last) = (&self.edges[0], &self.edges[self.edges.len() - 1]);
                 (&first.source, first.span.start..last.span.end)
             }

@@ -5,11 +5,11 @@ use crate::cli::arguments::DepthArguments;
 use crate::cli::json::{SCHEMA, depth as form};
 use crate::cli::output::{Failure, Outcome, positive, show, with_decimal};
 use subcert::exact::{Rational, RealCyclotomic, format::short};
-use subcert::limit::{RingDepth, RingDistances, RingLimit, RingLimitError, RingWitness};
+use subcert::limit::{LocalDepth, LocalDistances, LocalLimit, LocalLimitError, LocalWitness};
 use subcert::report::{Sheet, json::Exact};
-use subcert::scheme::Ring;
+use subcert::scheme::LocalRules;
 
-pub(super) fn ring_depth(ring: &Ring, arguments: &DepthArguments) -> Outcome {
+pub(super) fn ring_depth(ring: &LocalRules, arguments: &DepthArguments) -> Outcome {
     if arguments.polygon.is_some() || arguments.width.is_some() {
         return Err(Failure::Input(
             "--polygon and --width are for curves; distances of rings are exact".to_owned(),
@@ -23,22 +23,26 @@ pub(super) fn ring_depth(ring: &Ring, arguments: &DepthArguments) -> Outcome {
 }
 
 struct Report<'a> {
-    ring: &'a Ring,
+    ring: &'a LocalRules,
     tolerance: Rational,
     spread: Rational,
-    depth: Result<Depth, RingLimitError>,
+    depth: Result<Depth, LocalLimitError>,
 }
 
 struct Depth {
-    levels: RingDepth,
+    levels: LocalDepth,
     /// The distances at the depth and at the level below it, of spread 1.
-    at: RingWitness,
-    below: Option<RingWitness>,
+    at: LocalWitness,
+    below: Option<LocalWitness>,
 }
 
 impl Depth {
-    fn of(ring: &Ring, tolerance: &Rational, spread: &Rational) -> Result<Depth, RingLimitError> {
-        let distances = RingDistances::new(RingLimit::new(ring)?);
+    fn of(
+        ring: &LocalRules,
+        tolerance: &Rational,
+        spread: &Rational,
+    ) -> Result<Depth, LocalLimitError> {
+        let distances = LocalDistances::new(LocalLimit::new(ring)?);
         let depth = distances.depth(spread, tolerance)?;
         let at = distances.constant(depth.level)?;
         let below =
@@ -48,7 +52,7 @@ impl Depth {
 }
 
 impl Report<'_> {
-    fn distance(&self, witness: &RingWitness) -> RealCyclotomic {
+    fn distance(&self, witness: &LocalWitness) -> RealCyclotomic {
         &witness.distance * &RealCyclotomic::from(self.spread.clone())
     }
 
@@ -91,7 +95,7 @@ impl Report<'_> {
         sheet
     }
 
-    fn form<'a>(&'a self, arguments: &'a DepthArguments) -> form::RingReport<'a> {
+    fn form<'a>(&'a self, arguments: &'a DepthArguments) -> form::LocalReport<'a> {
         let depth = match &self.depth {
             Ok(Depth { levels: depth, at, below }) => {
                 let (lower, upper) = (depth.level, depth.level);
@@ -104,7 +108,7 @@ impl Report<'_> {
             }
             Err(error) => form::OrNone::None { none: error.to_string() },
         };
-        form::RingReport {
+        form::LocalReport {
             schema: SCHEMA,
             scheme: &arguments.scheme,
             tolerance: self.tolerance.to_string(),
@@ -113,8 +117,8 @@ impl Report<'_> {
         }
     }
 
-    fn witness_form<'a>(&self, witness: &'a RingWitness) -> form::RingWitness<'a> {
-        form::RingWitness {
+    fn witness_form<'a>(&self, witness: &'a LocalWitness) -> form::LocalWitness<'a> {
+        form::LocalWitness {
             level: witness.level,
             ring: &witness.ring,
             times: self.spread.to_string(),

@@ -1,12 +1,12 @@
 //! Rings around a vertex of valence N, and what their points may be compared with.
 
 use crate::random_papers::choices::Choices;
-use crate::random_papers::naive::{Q, Ring, int};
+use crate::random_papers::naive::{LocalRules, Q, int};
 use num_traits::{One, Zero};
 
 /// A ring with the orbits `v`, one point, and `e`, N points. Every weight is rational.
 #[derive(Clone, Debug)]
-pub struct RingFamily {
+pub struct LocalFamily {
     pub name: String,
     /// Whether the orbit `e` stands first.
     turned: bool,
@@ -22,26 +22,26 @@ fn eighths(parts: usize) -> Q {
     Q::new(parts.into(), 8.into())
 }
 
-impl RingFamily {
-    pub fn new(name: &str, choices: &mut Choices) -> RingFamily {
+impl LocalFamily {
+    pub fn new(name: &str, choices: &mut Choices) -> LocalFamily {
         let inward = Q::new(choices.of(&[1, 0, 2, 3]).into(), 16.into());
         let around = [choices.of(&[3, 4, 2, 6]), choices.below(3), choices.below(3)];
         let around = around.map(|parts: usize| eighths(parts));
         let (turned, rim) = (false, choices.once_in(2));
-        RingFamily { name: name.to_owned(), turned, inward, around, rim }
+        LocalFamily { name: name.to_owned(), turned, inward, around, rim }
     }
 
     /// A ring of the same points that keeps the vertex, and perhaps others.
-    pub fn interpolant(&self, name: &str, choices: &mut Choices) -> RingFamily {
+    pub fn interpolant(&self, name: &str, choices: &mut Choices) -> LocalFamily {
         let around =
             [choices.of(&[4, 8, 0]), choices.below(2), 0].map(|parts: usize| eighths(parts));
         let turned = choices.once_in(4);
         let inward = if choices.once_in(6) { eighths(1) } else { Q::zero() };
-        RingFamily { name: name.to_owned(), turned, inward, around, rim: self.rim }
+        LocalFamily { name: name.to_owned(), turned, inward, around, rim: self.rim }
     }
 
     pub fn text(&self) -> String {
-        let RingFamily { name, turned, inward, around: [own, next, last], rim } = self;
+        let LocalFamily { name, turned, inward, around: [own, next, last], rim } = self;
         let orbits = if *turned { "e = 'N', v = '1'" } else { "v = '1', e = 'N'" };
         let rim = if *rim { ", ['e[i]', 'e[i + 1]']" } else { "" };
         let rest = Q::one() - own - next - last;
@@ -53,8 +53,8 @@ impl RingFamily {
         )
     }
 
-    pub fn at(&self, valence: usize) -> Ring {
-        let RingFamily { turned, inward, around: [own, next, last], rim, .. } = self;
+    pub fn at(&self, valence: usize) -> LocalRules {
+        let LocalFamily { turned, inward, around: [own, next, last], rim, .. } = self;
         let edge = |i: usize| 1 + i % valence;
         let mut weights = vec![vec![Q::zero(); valence + 1]; valence + 1];
         weights[0] = vec![inward.clone(); valence + 1];
@@ -71,7 +71,7 @@ impl RingFamily {
         let spokes = (0..valence).map(|i| (0, edge(i)));
         let around = (0..valence).filter(|_| *rim).map(|i| (edge(i), edge(i + 1)));
         let edges = spokes.chain(around).collect();
-        let ring = Ring { names, weights, edges };
+        let ring = LocalRules { names, weights, edges };
         assert!(ring.is_affine());
         if !turned {
             return ring;
@@ -80,6 +80,6 @@ impl RingFamily {
         other.names.rotate_left(1);
         let places = |a: usize| (a + valence) % (valence + 1);
         let edges = ring.edges.iter().map(|&(a, b)| (places(a), places(b))).collect();
-        Ring { edges, ..ring.ordered_as(&other).expect("the same points") }
+        LocalRules { edges, ..ring.ordered_as(&other).expect("the same points") }
     }
 }

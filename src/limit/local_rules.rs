@@ -1,10 +1,10 @@
 //! The limit of a ring: the point that all its points tend to.
 
 use super::error::MAX_LEVEL;
-use crate::bound::{MAX_RING_WORK, RingWork, Transport, transport};
+use crate::bound::{LocalWork, MAX_LOCAL_WORK, Transport, transport};
 use crate::exact::{Rational, Real, RealCyclotomic, format};
 use crate::formula::Value;
-use crate::scheme::Ring;
+use crate::scheme::LocalRules;
 use std::iter::successors;
 
 /// The highest c up to which a T_c below 1 is looked for.
@@ -13,7 +13,7 @@ const MAX_BLOCK: u32 = 32;
 /// Why a ring has no limit, or no depth.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
-pub enum RingLimitError {
+pub enum LocalLimitError {
     /// 1 is not a simple eigenvalue of the matrix of the ring.
     #[error("the ring has no limit: 1 is a multiple eigenvalue of its matrix")]
     NoLimit,
@@ -28,18 +28,18 @@ pub enum RingLimitError {
         /// The least T_c.
         least: String,
     },
-    /// A system of equations beyond [`MAX_RING_WORK`].
+    /// A system of equations beyond [`MAX_LOCAL_WORK`].
     #[error(
         "the limit of the ring takes the solution of {unknowns} equations, which is too much \
-         work: at most {MAX_RING_WORK} is done"
+         work: at most {MAX_LOCAL_WORK} is done"
     )]
     Unknowns {
         /// How many equations.
         unknowns: usize,
     },
-    /// Powers beyond [`MAX_RING_WORK`].
+    /// Powers beyond [`MAX_LOCAL_WORK`].
     #[error(transparent)]
-    Work(#[from] RingWork),
+    Work(#[from] LocalWork),
     /// A level beyond [`MAX_LEVEL`].
     #[error("level {0} is too high; at most {MAX_LEVEL} is")]
     Level(u32),
@@ -56,49 +56,49 @@ pub enum RingLimitError {
     TooDeep,
 }
 
-/// The limit of a [`Ring`] x' = Mx, exactly: where T_c < 1 for some c, all its points
+/// The limit of a [`LocalRules`] x' = Mx, exactly: where T_c < 1 for some c, all its points
 /// tend to one, Σ_b w_b x_b, with the only w for which wᵀM = wᵀ and Σ_b w_b = 1.
 ///
 /// Source: `proofs/THEOREMS.md`, 20.
 ///
 /// ```
 /// use subcert::exact::Rational;
-/// use subcert::limit::RingLimit;
-/// use subcert::scheme::parse_ring;
+/// use subcert::limit::LocalLimit;
+/// use subcert::scheme::parse_local_rules;
 ///
 /// // A vertex of valence 4 is regular: (16, 4, 1)/36.
-/// let limit = RingLimit::new(&parse_ring("catmull-clark:N=4")?)?;
+/// let limit = LocalLimit::new(&parse_local_rules("catmull-clark:N=4")?)?;
 /// let weights = [16, 4, 4, 4, 4, 1, 1, 1, 1].map(|p| Rational::new(p, 36).into());
 /// assert_eq!(limit.weights(), weights);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct RingLimit<S = RealCyclotomic> {
-    ring: Ring<S>,
+pub struct LocalLimit<S = RealCyclotomic> {
+    ring: LocalRules<S>,
     weights: Vec<S>,
     contraction: Vec<S>,
 }
 
-impl<S: Real + Ord + Value> RingLimit<S> {
+impl<S: Real + Ord + Value> LocalLimit<S> {
     /// The limit of this ring.
     ///
     /// The equations are solved for one point of each class under the
-    /// [rotation](Ring::rotation) of the ring. T_c is computed until one is below 1, for
+    /// [rotation](LocalRules::rotation) of the ring. T_c is computed until one is below 1, for
     /// c up to 32.
     ///
     /// # Errors
     /// When 1 is a multiple eigenvalue of M, so that there is no limit; when no computed
     /// T_c is below 1; when the powers of M or the equations are more work than
-    /// [`MAX_RING_WORK`].
-    pub fn new(ring: &Ring<S>) -> Result<RingLimit<S>, RingLimitError> {
+    /// [`MAX_LOCAL_WORK`].
+    pub fn new(ring: &LocalRules<S>) -> Result<LocalLimit<S>, LocalLimitError> {
         let weights = left_eigenvector(ring)?;
         let contraction = contraction_constants(ring)?;
-        Ok(RingLimit { ring: ring.clone(), weights, contraction })
+        Ok(LocalLimit { ring: ring.clone(), weights, contraction })
     }
 
     /// The ring.
     #[must_use]
-    pub fn ring(&self) -> &Ring<S> {
+    pub fn ring(&self) -> &LocalRules<S> {
         &self.ring
     }
 
@@ -132,7 +132,7 @@ pub(super) type Labelled<S, L> = (L, Vec<S>);
 
 /// The functionals fᵀ, fᵀM, fᵀM², ….
 pub(super) fn pulled_back<S: Real, L: Copy>(
-    ring: &Ring<S>,
+    ring: &LocalRules<S>,
     functionals: Vec<Labelled<S, L>>,
 ) -> impl Iterator<Item = Vec<Labelled<S, L>>> {
     let next = |now: &Vec<Labelled<S, L>>| {
@@ -143,7 +143,7 @@ pub(super) fn pulled_back<S: Real, L: Copy>(
 
 /// The first of the functionals of the greatest norm ‖·‖_*.
 pub(super) fn greatest<S: Real + Ord, L: Copy>(
-    ring: &Ring<S>,
+    ring: &LocalRules<S>,
     functionals: &[Labelled<S, L>],
 ) -> (L, Transport<S>) {
     let norm = |(label, f): &Labelled<S, L>| {
@@ -158,7 +158,7 @@ pub(super) fn greatest<S: Real + Ord, L: Copy>(
 
 /// e_a − e_b for the edges (a, b), up to the rotation.
 pub(super) fn edge_differences<S: Real + PartialEq>(
-    ring: &Ring<S>,
+    ring: &LocalRules<S>,
 ) -> Vec<Labelled<S, (usize, usize)>> {
     let one = S::from_rational(&Rational::one());
     let edge = |(a, b): (usize, usize)| {
@@ -169,7 +169,9 @@ pub(super) fn edge_differences<S: Real + PartialEq>(
     ring.representatives().edges.into_iter().map(edge).collect()
 }
 
-fn contraction_constants<S: Real + Ord + Value>(ring: &Ring<S>) -> Result<Vec<S>, RingLimitError> {
+fn contraction_constants<S: Real + Ord + Value>(
+    ring: &LocalRules<S>,
+) -> Result<Vec<S>, LocalLimitError> {
     let one = S::from_rational(&Rational::one());
     let edges = edge_differences(ring);
     let mut constants = vec![one.clone()];
@@ -177,7 +179,7 @@ fn contraction_constants<S: Real + Ord + Value>(ring: &Ring<S>) -> Result<Vec<S>
     let mut powers = pulled_back(ring, edges).skip(1);
     for c in 1..=MAX_BLOCK {
         // The row of c − 1 levels times M.
-        RingWork::check(ring, count, c + 1)?;
+        LocalWork::check(ring, count, c + 1)?;
         let differences = powers.next().expect("there is no last power");
         constants.push(greatest(ring, &differences).1.value);
         if constants[c as usize] < one {
@@ -186,13 +188,15 @@ fn contraction_constants<S: Real + Ord + Value>(ring: &Ring<S>) -> Result<Vec<S>
     }
     let least = constants.into_iter().skip(1).min().unwrap_or(one);
     let least = least.as_rational().map_or_else(|| "above 1".to_owned(), |q| format::short(&q, 6));
-    Err(RingLimitError::NotShown { blocks: MAX_BLOCK, least })
+    Err(LocalLimitError::NotShown { blocks: MAX_BLOCK, least })
 }
 
 /// The w with wᵀM = wᵀ and Σ w_b = 1, if there is only one; it does not change under the
 /// rotation, so that one unknown for each class is enough. One of the equations follows
 /// from the others, since the rows of M sum to 1, and Σ w_b = 1 takes its place.
-fn left_eigenvector<S: Real + Ord + Value>(ring: &Ring<S>) -> Result<Vec<S>, RingLimitError> {
+fn left_eigenvector<S: Real + Ord + Value>(
+    ring: &LocalRules<S>,
+) -> Result<Vec<S>, LocalLimitError> {
     let representatives = ring.representatives().points;
     let classes = classes(ring, &representatives);
     let unknowns = representatives.len();
@@ -201,8 +205,8 @@ fn left_eigenvector<S: Real + Ord + Value>(ring: &Ring<S>) -> Result<Vec<S>, Rin
     let field = entries.clone().map(|m| u64::from(m.conductor()).pow(2)).max().unwrap_or(1);
     let size = entries.map(|m| m.product_size(m)).max().unwrap_or(1).max(field);
     let work = (unknowns as u64).saturating_pow(4).saturating_mul(size);
-    if work > MAX_RING_WORK {
-        return Err(RingLimitError::Unknowns { unknowns });
+    if work > MAX_LOCAL_WORK {
+        return Err(LocalLimitError::Unknowns { unknowns });
     }
     let one = S::from_rational(&Rational::one());
     let mut rows = vec![vec![S::zero(); unknowns + 1]; unknowns];
@@ -216,12 +220,12 @@ fn left_eigenvector<S: Real + Ord + Value>(ring: &Ring<S>) -> Result<Vec<S>, Rin
         }
         rows[d][d] = rows[d][d].minus(&one);
     }
-    let solution = eliminate(rows).ok_or(RingLimitError::NoLimit)?;
+    let solution = eliminate(rows).ok_or(LocalLimitError::NoLimit)?;
     Ok(classes.into_iter().map(|class| solution[class].clone()).collect())
 }
 
 /// For each point the index of its representative.
-fn classes<S>(ring: &Ring<S>, representatives: &[usize]) -> Vec<usize> {
+fn classes<S>(ring: &LocalRules<S>, representatives: &[usize]) -> Vec<usize> {
     let image = ring.rotation().unwrap_or_else(|| (0..ring.point_count()).collect());
     let mut classes = vec![0; ring.point_count()];
     for (class, &first) in representatives.iter().enumerate() {
@@ -257,12 +261,12 @@ fn eliminate<S: Real + PartialEq>(mut rows: Vec<Vec<S>>) -> Option<Vec<S>> {
 
 /// Refuses a level beyond [`MAX_LEVEL`], and powers that are too much work.
 pub(super) fn check_level<S: Value + Real>(
-    ring: &Ring<S>,
+    ring: &LocalRules<S>,
     rows: usize,
     level: u32,
-) -> Result<(), RingLimitError> {
+) -> Result<(), LocalLimitError> {
     if level > MAX_LEVEL {
-        return Err(RingLimitError::Level(level));
+        return Err(LocalLimitError::Level(level));
     }
-    Ok(RingWork::check(ring, rows, level + 1)?)
+    Ok(LocalWork::check(ring, rows, level + 1)?)
 }

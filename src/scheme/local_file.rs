@@ -1,7 +1,7 @@
 //! Reading the orbits, weights and edges of a ring from TOML.
 
 use super::fields::{formula, identifier};
-use super::ring_formulas::{EdgeFormulas, End, RingFormulas};
+use super::local_formulas::{EdgeFormulas, End, LocalFormulas};
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::formula::{LocatedFormula, Node};
 use std::collections::BTreeMap;
@@ -26,7 +26,7 @@ pub(super) fn ring(
     orbits: &OrbitTable,
     weights: &WeightTable,
     edges: &EdgeTable,
-) -> Result<RingFormulas, Diagnostic> {
+) -> Result<LocalFormulas, Diagnostic> {
     let mut entries: Vec<_> = orbits.get_ref().iter().collect();
     entries.sort_by_key(|(name, _)| name.span().start);
     if entries.is_empty() {
@@ -43,7 +43,7 @@ pub(super) fn ring(
         return Err(Diagnostic::new(source, edges.span(), "a ring needs edges").with_help(EDGES));
     }
     let edges = edges.get_ref().iter().map(|edge| reader.edge(edge)).collect::<Result<_, _>>()?;
-    Ok(RingFormulas { orbits, weights, edges })
+    Ok(LocalFormulas { orbits, weights, edges })
 }
 
 const EDGES: &str = "write edges = [['vertex', 'edge[i]'], ['edge[i]', 'face[i]']]: pairs of \

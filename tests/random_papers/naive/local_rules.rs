@@ -4,14 +4,14 @@ use super::{Q, int};
 use num_traits::{One, Signed, Zero};
 
 #[derive(Clone, Debug)]
-pub struct Ring {
+pub struct LocalRules {
     pub names: Vec<String>,
     /// The weights of each new point.
     pub weights: Vec<Vec<Q>>,
     pub edges: Vec<(usize, usize)>,
 }
 
-impl Ring {
+impl LocalRules {
     fn times(&self, rows: &[Vec<Q>]) -> Vec<Vec<Q>> {
         let entry = |row: &Vec<Q>, j: usize| {
             row.iter().enumerate().map(|(b, value)| value * &self.weights[b][j]).sum()
@@ -31,12 +31,12 @@ impl Ring {
     }
 
     /// This ring with its points in the order of another one; none if the points are others.
-    pub fn ordered_as(&self, other: &Ring) -> Option<Ring> {
+    pub fn ordered_as(&self, other: &LocalRules) -> Option<LocalRules> {
         let order: Option<Vec<usize>> = other.names.iter().map(|name| self.place(name)).collect();
         let order = order.filter(|order| order.len() == self.names.len())?;
         let row = |a: &usize| order.iter().map(|b| self.weights[*a][*b].clone()).collect();
         let weights = order.iter().map(row).collect();
-        Some(Ring { names: other.names.clone(), weights, edges: other.edges.clone() })
+        Some(LocalRules { names: other.names.clone(), weights, edges: other.edges.clone() })
     }
 
     pub fn spread(&self, points: &[i64]) -> i64 {
@@ -81,7 +81,8 @@ impl Ring {
 
     /// The greatest value of functionals for these heights.
     pub fn greatest(rows: &[Vec<Q>], heights: &[Vec<i64>]) -> Q {
-        let values = rows.iter().flat_map(|row| heights.iter().map(|x| Ring::of(row, x).abs()));
+        let values =
+            rows.iter().flat_map(|row| heights.iter().map(|x| LocalRules::of(row, x).abs()));
         values.max().unwrap_or_default()
     }
 
@@ -92,12 +93,12 @@ impl Ring {
     /// The differences along the edges at a level.
     pub fn differences(&self, level: u32) -> Vec<Vec<Q>> {
         let rows = self.rows(level);
-        self.edges.iter().map(|(a, b)| Ring::less(&rows[*a], &rows[*b])).collect()
+        self.edges.iter().map(|(a, b)| LocalRules::less(&rows[*a], &rows[*b])).collect()
     }
 
     /// What each point of the next level is away from what `earlier` makes of this level, or from the
     /// point of the same name.
-    pub fn steps(&self, level: u32, earlier: Option<&Ring>) -> Vec<Vec<Q>> {
+    pub fn steps(&self, level: u32, earlier: Option<&LocalRules>) -> Vec<Vec<Q>> {
         let rows = self.rows(level);
         let product = |weights: &Vec<Q>, j: usize| -> Q {
             weights.iter().zip(&rows).map(|(weight, row)| weight * &row[j]).sum()
@@ -110,14 +111,14 @@ impl Ring {
             }
         };
         let new = self.times(&rows);
-        new.iter().zip(&old).map(|(new, old)| Ring::less(new, old)).collect()
+        new.iter().zip(&old).map(|(new, old)| LocalRules::less(new, old)).collect()
     }
 
     /// A bound of the distance of the points of a level to the limit, for the spread 1, as for curves.
     pub fn remainder(&self, level: u32, heights: &[Vec<i64>]) -> Option<Q> {
         let most = 6;
         let known: Vec<Q> =
-            (0..=most).map(|c| Ring::greatest(&self.differences(c), heights)).collect();
+            (0..=most).map(|c| LocalRules::greatest(&self.differences(c), heights)).collect();
         let c = (1..=most).find(|c| known[*c as usize] < Q::one())?;
         let upper = |level: u32| {
             let blocks = if level > most { (level - most).div_ceil(c) } else { 0 };
@@ -125,7 +126,7 @@ impl Ring {
             &known[(level - blocks * c) as usize] * power
         };
         let sum: Q = (level..level + c).map(upper).sum();
-        let step = Ring::greatest(&self.steps(0, None), heights);
+        let step = LocalRules::greatest(&self.steps(0, None), heights);
         Some(step * sum / (Q::one() - &known[c as usize]))
     }
 

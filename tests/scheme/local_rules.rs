@@ -6,8 +6,8 @@ use subcert::diagnostic::{Diagnostic, SourceText};
 use subcert::exact::{Rational, RealCyclotomic, Scalar as _};
 use subcert::formula::{Parameters, evaluate, parse};
 use subcert::scheme::{
-    AnyScheme, Orbit, Ring, RingError, SchemeError, find, parse_any_scheme, parse_ring,
-    parse_scheme, read_scheme,
+    AnyScheme, LocalError, LocalRules, Orbit, SchemeError, find, parse_any_scheme,
+    parse_local_rules, parse_scheme, read_scheme,
 };
 
 const TRIANGLE: &str = "\
@@ -35,7 +35,7 @@ fn a_file_is_a_ring_with_parameters() {
     let source = SourceText::new("corner.toml", TRIANGLE);
     let definition = read_scheme(&source).unwrap();
     assert!(definition.is_ring());
-    let ring: Ring<Rational> = definition.ring(&[].into()).unwrap();
+    let ring: LocalRules<Rational> = definition.ring(&[].into()).unwrap();
     let names: Vec<String> = (0..5).map(|point| ring.name(point)).collect();
     assert_eq!(names, ["tip", "corner[0]", "corner[1]", "corner[2]", "corner[3]"]);
     let row = |a| ring.weights().row(a).cloned().collect::<Vec<Rational>>();
@@ -65,19 +65,19 @@ fn rings_of_the_catalogue() {
 
 #[test]
 fn masks_and_rings_are_told_apart() {
-    assert!(matches!(parse_any_scheme("doo-sabin:n=3"), Ok(AnyScheme::Ring(_))));
+    assert!(matches!(parse_any_scheme("doo-sabin:n=3"), Ok(AnyScheme::LocalRules(_))));
     assert!(matches!(parse_any_scheme("chaikin x chaikin"), Ok(AnyScheme::Uniform(_))));
-    let error = parse_ring("chaikin").unwrap_err().to_string();
+    let error = parse_local_rules("chaikin").unwrap_err().to_string();
     assert!(error.contains("`chaikin` is no ring"), "{error}");
     for scheme in ["doo-sabin:n=5", "chaikin x doo-sabin:n=5", "bajaj:N=5"] {
         let error = parse_scheme(scheme).unwrap_err();
-        assert!(matches!(&error, SchemeError::Ring { .. }), "{error}");
+        assert!(matches!(&error, SchemeError::LocalRules { .. }), "{error}");
         assert!(
             error.to_string().contains("`constants`") || error.to_string().contains("constants")
         );
     }
-    assert!(matches!(parse_ring("bajaj:N=5 x bajaj:N=5"), Err(SchemeError::NotRing { .. })));
-    let error = parse_ring("bajaj").unwrap_err().to_string();
+    assert!(matches!(parse_local_rules("bajaj:N=5 x bajaj:N=5"), Err(SchemeError::NotRing { .. })));
+    let error = parse_local_rules("bajaj").unwrap_err().to_string();
     assert_eq!(error, "`bajaj` needs its parameter `N`: write `bajaj:N=…`");
     // Cosines need numbers that have them.
     let rational = find("doo-sabin").unwrap().ring(&[("n".to_owned(), r(5, 1))].into());
@@ -238,17 +238,18 @@ fn what_is_no_ring() {
             .map(|a| (0..count).map(|b| Rational::from(i64::from(a == b))).collect())
             .collect()
     };
-    let ring =
-        |count, rows, edges: &[(usize, usize)]| Ring::new(orbits(count), rows, edges.to_vec());
-    assert_eq!(ring(1, identity(1), &[]).unwrap_err(), RingError::Points(1));
-    assert_eq!(ring(601, Vec::new(), &[]).unwrap_err(), RingError::Points(601));
-    assert_eq!(ring(3, identity(2), &[]).unwrap_err(), RingError::Shape { points: 3 });
-    let no_point = RingError::NoPoint { point: 2, last: 1 };
+    let ring = |count, rows, edges: &[(usize, usize)]| {
+        LocalRules::new(orbits(count), rows, edges.to_vec())
+    };
+    assert_eq!(ring(1, identity(1), &[]).unwrap_err(), LocalError::Points(1));
+    assert_eq!(ring(601, Vec::new(), &[]).unwrap_err(), LocalError::Points(601));
+    assert_eq!(ring(3, identity(2), &[]).unwrap_err(), LocalError::Shape { points: 3 });
+    let no_point = LocalError::NoPoint { point: 2, last: 1 };
     assert_eq!(ring(2, identity(2), &[(0, 2)]).unwrap_err(), no_point);
-    assert_eq!(ring(2, identity(2), &[(1, 1)]).unwrap_err(), RingError::Loop("p[1]".to_owned()));
+    assert_eq!(ring(2, identity(2), &[(1, 1)]).unwrap_err(), LocalError::Loop("p[1]".to_owned()));
     let (first, point) = ("p[0]".to_owned(), "p[2]".to_owned());
     let apart = ring(3, identity(3), &[(0, 1)]).unwrap_err();
-    assert_eq!(apart, RingError::Disconnected { first, point });
+    assert_eq!(apart, LocalError::Disconnected { first, point });
     let ring = ring(2, identity(2), &[(0, 1), (1, 0), (0, 1)]).unwrap();
     assert_eq!(ring.edges(), [(0, 1)]);
 }
@@ -307,7 +308,7 @@ proptest! {
         );
         let definition = read_scheme(&SourceText::new("ring.toml", text)).unwrap();
         let count = RealCyclotomic::from(int(n));
-        let ring: Ring = definition.ring(&[("N".to_owned(), count.clone())].into()).unwrap();
+        let ring: LocalRules = definition.ring(&[("N".to_owned(), count.clone())].into()).unwrap();
         let formula = parse(&weight.replace("turn", "mod(j - i, N)")).unwrap();
         let naive = |i: usize, j: usize| {
             let [i, j] = [i, j].map(|index| RealCyclotomic::from(int(index)));
@@ -330,15 +331,15 @@ fn rotations() {
     let mean = vec![vec![r(1, 8); 8]; 8];
     let mut edges: Vec<(usize, usize)> = (0..6).map(|i| (2 + i, 2 + (i + 1) % 6)).collect();
     edges.extend([(0, 2), (1, 5)]);
-    let ring = Ring::new(orbits.clone(), mean.clone(), edges.clone()).unwrap();
+    let ring = LocalRules::new(orbits.clone(), mean.clone(), edges.clone()).unwrap();
     assert_eq!(ring.rotation(), Some(vec![1, 0, 5, 6, 7, 2, 3, 4]));
     let chosen = ring.representatives();
     assert_eq!(chosen.points, [0, 2, 3, 4]);
     assert_eq!(chosen.edges, [(2, 3), (3, 4), (4, 5), (0, 2)]);
     let mut uneven = mean.clone();
     uneven[0] = (0..8).map(|b| Rational::from(i64::from(b == 0))).collect();
-    assert_eq!(Ring::new(orbits.clone(), uneven, edges.clone()).unwrap().rotation(), None);
+    assert_eq!(LocalRules::new(orbits.clone(), uneven, edges.clone()).unwrap().rotation(), None);
     edges.pop();
     edges.push((1, 4));
-    assert_eq!(Ring::new(orbits, mean, edges).unwrap().rotation(), None);
+    assert_eq!(LocalRules::new(orbits, mean, edges).unwrap().rotation(), None);
 }

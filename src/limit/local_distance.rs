@@ -2,17 +2,17 @@
 
 use super::comparison::Comparison;
 use super::error::MAX_LEVEL;
-use super::ring::{
-    Labelled, RingLimit, RingLimitError, check_level, edge_differences, greatest, pulled_back,
+use super::local_rules::{
+    Labelled, LocalLimit, LocalLimitError, check_level, edge_differences, greatest, pulled_back,
 };
 use crate::bound::transport;
 use crate::exact::{Rational, Real, RealCyclotomic, format};
 use crate::formula::Value;
-use crate::scheme::Ring;
+use crate::scheme::LocalRules;
 
 /// A distance of a ring, and what attains it.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct RingWitness<S = RealCyclotomic> {
+pub struct LocalWitness<S = RealCyclotomic> {
     /// A control ring of integers, neighbours of which differ by at most 1.
     pub ring: Vec<i64>,
     /// k.
@@ -25,7 +25,7 @@ pub struct RingWitness<S = RealCyclotomic> {
 
 /// The depth of a ring.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct RingDepth {
+pub struct LocalDepth {
     /// The least level that meets the tolerance.
     pub level: u32,
     /// The least level from which on all meet it.
@@ -43,7 +43,7 @@ pub struct RingDepth {
 /// On a face all points tend to the limit at its centre, and the papers compare the
 /// points of a level with those of the next one by their names: C_k is what they bound.
 /// Around a vertex only the vertex stays where it is; there
-/// [`at_point`](RingDistances::at_point) of the vertex is the distance of mesh and limit
+/// [`at_point`](LocalDistances::at_point) of the vertex is the distance of mesh and limit
 /// surface, and a lower bound of their greatest distance. That of other points is from
 /// the limit of the vertex, not from that at their own parameter.
 ///
@@ -51,10 +51,10 @@ pub struct RingDepth {
 ///
 /// ```
 /// use subcert::exact::Rational;
-/// use subcert::limit::{RingDistances, RingLimit};
-/// use subcert::scheme::parse_ring;
+/// use subcert::limit::{LocalDistances, LocalLimit};
+/// use subcert::scheme::parse_local_rules;
 ///
-/// let distances = RingDistances::new(RingLimit::new(&parse_ring("doo-sabin:n=4")?)?);
+/// let distances = LocalDistances::new(LocalLimit::new(&parse_local_rules("doo-sabin:n=4")?)?);
 /// // A square face is biquadratic: its corners halve their distance from the centroid.
 /// let worst = distances.constant(2)?;
 /// assert_eq!(worst.distance, Rational::new(1, 4).into());
@@ -64,24 +64,24 @@ pub struct RingDepth {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct RingDistances<S = RealCyclotomic> {
-    limit: RingLimit<S>,
+pub struct LocalDistances<S = RealCyclotomic> {
+    limit: LocalLimit<S>,
     /// e_a − w, for the points a up to the rotation.
     errors: Vec<Labelled<S, usize>>,
 }
 
-impl<S: Real + Ord + Value> RingDistances<S> {
+impl<S: Real + Ord + Value> LocalDistances<S> {
     /// The distances from this limit.
     #[must_use]
-    pub fn new(limit: RingLimit<S>) -> RingDistances<S> {
+    pub fn new(limit: LocalLimit<S>) -> LocalDistances<S> {
         let points = limit.ring().representatives().points;
         let errors = points.into_iter().map(|a| (a, limit.error(a))).collect();
-        RingDistances { limit, errors }
+        LocalDistances { limit, errors }
     }
 
     /// The limit.
     #[must_use]
-    pub fn limit(&self) -> &RingLimit<S> {
+    pub fn limit(&self) -> &LocalLimit<S> {
         &self.limit
     }
 
@@ -89,29 +89,29 @@ impl<S: Real + Ord + Value> RingDistances<S> {
     ///
     /// # Errors
     /// When k is above 128, or M^k is more work than
-    /// [`MAX_RING_WORK`](crate::bound::MAX_RING_WORK).
-    pub fn constant(&self, level: u32) -> Result<RingWitness<S>, RingLimitError> {
+    /// [`MAX_LOCAL_WORK`](crate::bound::MAX_LOCAL_WORK).
+    pub fn constant(&self, level: u32) -> Result<LocalWitness<S>, LocalLimitError> {
         self.at_level(self.errors.clone(), level)
     }
 
-    /// For every point a, a flow along the [edges](Ring::edges) that carries e_aᵀM^k − wᵀ and
+    /// For every point a, a flow along the [edges](LocalRules::edges) that carries e_aᵀM^k − wᵀ and
     /// costs C_k at most: Σ_e |f_e| ≥ |x^k_a − Σ_b w_b x_b| for each ring of differences of 1 at
     /// most.
     ///
     /// # Errors
-    /// As of [`RingDistances::constant`].
-    pub fn flows(&self, level: u32) -> Result<Vec<Vec<S>>, RingLimitError> {
+    /// As of [`LocalDistances::constant`].
+    pub fn flows(&self, level: u32) -> Result<Vec<Vec<S>>, LocalLimitError> {
         least_flows(self.limit.ring(), self.limit.errors(), level)
     }
 
     /// ‖e_aᵀM^k − wᵀ‖_*, of the point a alone.
     ///
     /// # Errors
-    /// As of [`RingDistances::constant`].
+    /// As of [`LocalDistances::constant`].
     ///
     /// # Panics
     /// When there is no such point.
-    pub fn at_point(&self, point: usize, level: u32) -> Result<RingWitness<S>, RingLimitError> {
+    pub fn at_point(&self, point: usize, level: u32) -> Result<LocalWitness<S>, LocalLimitError> {
         self.at_level(vec![(point, self.limit.error(point))], level)
     }
 
@@ -119,8 +119,8 @@ impl<S: Real + Ord + Value> RingDistances<S> {
     /// that times β, for all points a and control rings x.
     ///
     /// # Errors
-    /// As of [`RingDistances::constant`].
-    pub fn step(&self, level: u32) -> Result<RingWitness<S>, RingLimitError> {
+    /// As of [`LocalDistances::constant`].
+    pub fn step(&self, level: u32) -> Result<LocalWitness<S>, LocalLimitError> {
         self.at_level(self.steps(), level)
     }
 
@@ -129,15 +129,15 @@ impl<S: Real + Ord + Value> RingDistances<S> {
     /// of faces: max_a ‖(e_aᵀM − e_aᵀL)M^k‖_*.
     ///
     /// # Errors
-    /// As of [`RingDistances::constant`].
+    /// As of [`LocalDistances::constant`].
     ///
     /// # Panics
     /// When the rings do not have as many points.
     pub fn step_from(
         &self,
-        interpolant: &Ring<S>,
+        interpolant: &LocalRules<S>,
         level: u32,
-    ) -> Result<RingWitness<S>, RingLimitError> {
+    ) -> Result<LocalWitness<S>, LocalLimitError> {
         let rows = self.limit.ring().weights();
         let points = rows.row_count();
         assert_eq!(points, interpolant.point_count(), "an interpolant of as many points");
@@ -148,12 +148,12 @@ impl<S: Real + Ord + Value> RingDistances<S> {
     /// Compares C_k with a threshold.
     ///
     /// # Errors
-    /// As of [`RingDistances::constant`].
+    /// As of [`LocalDistances::constant`].
     pub fn compare(
         &self,
         level: u32,
         threshold: &S,
-    ) -> Result<Comparison<RingWitness<S>>, RingLimitError> {
+    ) -> Result<Comparison<LocalWitness<S>>, LocalLimitError> {
         let worst = self.constant(level)?;
         Ok(if worst.distance <= *threshold {
             Comparison::Within
@@ -168,14 +168,14 @@ impl<S: Real + Ord + Value> RingDistances<S> {
     /// neither that nor a level that exceeds it is found for c and k up to `last`.
     ///
     /// # Errors
-    /// As of [`RingDistances::constant`] for k = `last`.
+    /// As of [`LocalDistances::constant`] for k = `last`.
     ///
     /// ```
     /// use subcert::exact::Rational;
-    /// use subcert::limit::{Comparison, RingDistances, RingLimit};
-    /// use subcert::scheme::parse_ring;
+    /// use subcert::limit::{Comparison, LocalDistances, LocalLimit};
+    /// use subcert::scheme::parse_local_rules;
     ///
-    /// let distances = RingDistances::new(RingLimit::new(&parse_ring("doo-sabin:n=3")?)?);
+    /// let distances = LocalDistances::new(LocalLimit::new(&parse_local_rules("doo-sabin:n=3")?)?);
     /// // The corners of a triangle halve their distance from the centroid.
     /// let [half, third] = [(1, 2), (1, 3)].map(|(p, q)| Rational::new(p, q).into());
     /// let one = Rational::one().into();
@@ -191,21 +191,21 @@ impl<S: Real + Ord + Value> RingDistances<S> {
         factor: &S,
         ratio: &S,
         last: u32,
-    ) -> Result<Option<Comparison<RingWitness<S>>>, RingLimitError> {
+    ) -> Result<Option<Comparison<LocalWitness<S>>>, LocalLimitError> {
         self.all_levels(self.errors.clone(), factor, ratio, last)
     }
 
-    /// The same for the [steps](RingDistances::step): whether that of level k is at most
+    /// The same for the [steps](LocalDistances::step): whether that of level k is at most
     /// A q^k for all k.
     ///
     /// # Errors
-    /// As of [`RingDistances::geometric`].
+    /// As of [`LocalDistances::geometric`].
     pub fn geometric_step(
         &self,
         factor: &S,
         ratio: &S,
         last: u32,
-    ) -> Result<Option<Comparison<RingWitness<S>>>, RingLimitError> {
+    ) -> Result<Option<Comparison<LocalWitness<S>>>, LocalLimitError> {
         self.all_levels(self.steps(), factor, ratio, last)
     }
 
@@ -215,7 +215,7 @@ impl<S: Real + Ord + Value> RingDistances<S> {
         factor: &S,
         ratio: &S,
         last: u32,
-    ) -> Result<Option<Comparison<RingWitness<S>>>, RingLimitError> {
+    ) -> Result<Option<Comparison<LocalWitness<S>>>, LocalLimitError> {
         let ring = self.limit.ring();
         let edges = edge_differences(ring);
         check_level(ring, functionals.len() + edges.len(), last)?;
@@ -241,16 +241,16 @@ impl<S: Real + Ord + Value> RingDistances<S> {
     ///
     /// # Errors
     /// When the tolerance or the spread is not positive, or no level up to 128 meets the
-    /// tolerance; as of [`RingDistances::constant`].
+    /// tolerance; as of [`LocalDistances::constant`].
     pub fn depth(
         &self,
         spread: &Rational,
         tolerance: &Rational,
-    ) -> Result<RingDepth, RingLimitError> {
+    ) -> Result<LocalDepth, LocalLimitError> {
         for (what, value) in [("the tolerance", tolerance), ("the spread", spread)] {
             if value.sign() <= 0 {
                 let value = format::short(value, 6);
-                return Err(RingLimitError::NotPositive { what, value });
+                return Err(LocalLimitError::NotPositive { what, value });
             }
         }
         let ring = self.limit.ring();
@@ -267,10 +267,10 @@ impl<S: Real + Ord + Value> RingDistances<S> {
             }
             let (first, start) = (*first.get_or_insert(level), *start.get_or_insert(level));
             if level + 1 - start >= run {
-                return Ok(RingDepth { level: first, settled: start });
+                return Ok(LocalDepth { level: first, settled: start });
             }
         }
-        Err(RingLimitError::TooDeep)
+        Err(LocalLimitError::TooDeep)
     }
 
     /// The first c with T_c < 1, and T_c.
@@ -292,7 +292,7 @@ impl<S: Real + Ord + Value> RingDistances<S> {
         &self,
         functionals: Vec<Labelled<S, usize>>,
         level: u32,
-    ) -> Result<RingWitness<S>, RingLimitError> {
+    ) -> Result<LocalWitness<S>, LocalLimitError> {
         let ring = self.limit.ring();
         check_level(ring, functionals.len(), level)?;
         let mut levels = pulled_back(ring, functionals).skip(level as usize);
@@ -301,19 +301,19 @@ impl<S: Real + Ord + Value> RingDistances<S> {
 }
 
 fn witness<S: Real + Ord>(
-    ring: &Ring<S>,
+    ring: &LocalRules<S>,
     functionals: &[Labelled<S, usize>],
     level: u32,
-) -> RingWitness<S> {
+) -> LocalWitness<S> {
     let (point, found) = greatest(ring, functionals);
-    RingWitness { ring: found.heights, level, point, distance: found.value }
+    LocalWitness { ring: found.heights, level, point, distance: found.value }
 }
 
-/// For each functional f of which the coefficients sum to 0, a flow along the [edges](Ring::edges)
+/// For each functional f of which the coefficients sum to 0, a flow along the [edges](LocalRules::edges)
 /// that carries fᵀM^k at the least cost, ‖fᵀM^k‖_*.
 ///
 /// # Errors
-/// As of [`RingDistances::constant`].
+/// As of [`LocalDistances::constant`].
 ///
 /// # Panics
 /// When a functional is another one.
@@ -321,21 +321,21 @@ fn witness<S: Real + Ord>(
 /// ```
 /// use subcert::exact::{Rational, RealCyclotomic};
 /// use subcert::limit::least_flows;
-/// use subcert::scheme::parse_ring;
+/// use subcert::scheme::parse_local_rules;
 ///
 /// // Two levels later the difference along an edge of a square is at most 5/32 + 3/32 of
 /// // those along this one and the opposite one.
-/// let square = parse_ring("doo-sabin:n=4")?;
+/// let square = parse_local_rules("doo-sabin:n=4")?;
 /// let difference = [1, -1, 0, 0].map(RealCyclotomic::from).to_vec();
 /// let flow = [5, 0, -3, 0].map(|p| Rational::new(p, 32).into());
 /// assert_eq!(least_flows(&square, vec![difference], 2)?, [flow]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn least_flows<S: Real + Ord + Value>(
-    ring: &Ring<S>,
+    ring: &LocalRules<S>,
     functionals: Vec<Vec<S>>,
     level: u32,
-) -> Result<Vec<Vec<S>>, RingLimitError> {
+) -> Result<Vec<Vec<S>>, LocalLimitError> {
     check_level(ring, functionals.len(), level)?;
     let functionals = functionals.into_iter().map(|f| ((), f)).collect();
     let after = pulled_back(ring, functionals).nth(level as usize);
@@ -345,7 +345,7 @@ pub fn least_flows<S: Real + Ord + Value>(
     Ok(after.expect("there is no last level").iter().map(flow).collect())
 }
 
-impl<S: Real + Ord + Value> RingLimit<S> {
+impl<S: Real + Ord + Value> LocalLimit<S> {
     /// e_a − w for every point a.
     pub(crate) fn errors(&self) -> Vec<Vec<S>> {
         (0..self.weights().len()).map(|a| self.error(a)).collect()

@@ -3,10 +3,10 @@
 use super::arguments::ConstantsArguments;
 use super::json::{SCHEMA, constants as form};
 use super::output::{Failure, Outcome, show, with_decimal};
-use subcert::bound::{RingConstants, Transport};
+use subcert::bound::{LocalConstants, Transport};
 use subcert::exact::{RealCyclotomic, format::short};
 use subcert::report::{Grid, Sheet, json::Exact};
-use subcert::scheme::Ring;
+use subcert::scheme::LocalRules;
 
 /// The most weights of a row that the text shows.
 const SHOWN_WEIGHTS: usize = 12;
@@ -17,8 +17,8 @@ const SHOWN_LENGTH: usize = 24;
 /// The largest ring whose extremal control ring the text shows.
 const SHOWN_POINTS: usize = 30;
 
-pub(super) fn ring_constants(ring: &Ring, arguments: &ConstantsArguments) -> Outcome {
-    let constants = RingConstants::new(ring, arguments.block.levels)
+pub(super) fn local_constants(ring: &LocalRules, arguments: &ConstantsArguments) -> Outcome {
+    let constants = LocalConstants::new(ring, arguments.block.levels)
         .map_err(|error| Failure::Input(error.to_string()))?;
     let report = Report { ring, constants };
     let name = &arguments.scheme;
@@ -26,8 +26,8 @@ pub(super) fn ring_constants(ring: &Ring, arguments: &ConstantsArguments) -> Out
 }
 
 struct Report<'a> {
-    ring: &'a Ring,
-    constants: RingConstants,
+    ring: &'a LocalRules,
+    constants: LocalConstants,
 }
 
 type Contraction = ((usize, usize), Transport<RealCyclotomic>);
@@ -91,10 +91,10 @@ impl Report<'_> {
         self.constants.contraction(1).is_some_and(|(_, found)| found.value < one)
     }
 
-    fn form<'a>(&'a self, name: &'a str) -> form::RingConstants<'a> {
+    fn form<'a>(&'a self, name: &'a str) -> form::LocalConstants<'a> {
         let orbits = self.ring.orbits().iter();
         let orbits = orbits.map(|orbit| form::Orbit { name: &orbit.name, count: orbit.count });
-        let levels = self.levels().map(|(c, (edge, found), norm)| form::RingLevel {
+        let levels = self.levels().map(|(c, (edge, found), norm)| form::LocalLevel {
             c,
             contraction: Exact::of(&found.value),
             edge: *edge,
@@ -107,14 +107,14 @@ impl Report<'_> {
             holds: self.contracts(),
         };
         let texts = |a| self.ring.weights().row(a).map(ToString::to_string).collect();
-        form::RingConstants {
+        form::LocalConstants {
             schema: SCHEMA,
             scheme: name,
             orbits: orbits.collect(),
             edges: self.ring.edges(),
             weights: (0..self.ring.point_count()).map(texts).collect(),
             delta: self.constants.contraction(1).map(|(_, found)| delta(found)),
-            displacement: form::RingDisplacement {
+            displacement: form::LocalDisplacement {
                 value: Exact::of(&moved.value),
                 point: *point,
                 heights: &moved.heights,

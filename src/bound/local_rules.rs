@@ -1,14 +1,14 @@
 //! The constants of a ring: T_c, Λ_c and σ.
 
-use super::ring_power::{PowerRows, RingWork, displaced_rows};
+use super::local_power::{LocalWork, PowerRows, displaced_rows};
 use super::transport::{Transport, transport};
 use crate::exact::{Real, RealCyclotomic};
 use crate::formula::Value;
-use crate::scheme::Ring;
+use crate::scheme::LocalRules;
 
 /// T_c and Λ_c of a ring.
 #[derive(Clone, Debug, PartialEq)]
-pub struct RingLevel<S = RealCyclotomic> {
+pub struct LocalLevel<S = RealCyclotomic> {
     /// ‖e_aᵀM^c − e_bᵀM^c‖_* for the edges (a, b).
     pub differences: Vec<((usize, usize), Transport<S>)>,
     /// Λ_c = max_a Σ_b |(M^c)_{a,b}|.
@@ -26,40 +26,40 @@ pub struct RingLevel<S = RealCyclotomic> {
 ///
 /// ‖·‖_* is the norm of [`transport()`], dual to β, so that all of these are attained: no
 /// smaller numbers do. Edges and points are one of each class under the
-/// [rotation](Ring::rotation) of the ring, where it has one.
+/// [rotation](LocalRules::rotation) of the ring, where it has one.
 ///
 /// ```
-/// use subcert::bound::RingConstants;
+/// use subcert::bound::LocalConstants;
 /// use subcert::exact::Rational;
-/// use subcert::scheme::parse_ring;
+/// use subcert::scheme::parse_local_rules;
 ///
 /// // A square face is biquadratic: x'_0 − x'_1 = 3/8 (x_0 − x_1) + 1/8 (x_3 − x_2).
-/// let constants = RingConstants::new(&parse_ring("doo-sabin:n=4")?, 2)?;
+/// let constants = LocalConstants::new(&parse_local_rules("doo-sabin:n=4")?, 2)?;
 /// assert_eq!(constants.contraction(1).unwrap().1.value, Rational::new(1, 2).into());
 /// assert_eq!(constants.contraction(2).unwrap().1.value, Rational::new(1, 4).into());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct RingConstants<S = RealCyclotomic> {
+pub struct LocalConstants<S = RealCyclotomic> {
     /// ‖e_aᵀ(M − I)‖_* for the points a.
     pub displacements: Vec<(usize, Transport<S>)>,
     /// T_c and Λ_c, from c = 1.
-    pub levels: Vec<RingLevel<S>>,
+    pub levels: Vec<LocalLevel<S>>,
 }
 
-impl<S: Real + Ord + Value> RingConstants<S> {
+impl<S: Real + Ord + Value> LocalConstants<S> {
     /// The constants for c = 1, …, `levels`.
     ///
     /// # Errors
     /// When the powers of M are more work than
-    /// [`MAX_RING_WORK`](super::MAX_RING_WORK).
+    /// [`MAX_LOCAL_WORK`](super::MAX_LOCAL_WORK).
     ///
     /// # Panics
     /// Never: the weights of a ring sum to 1, so that their differences sum to 0, and
     /// its mesh is connected.
-    pub fn new(ring: &Ring<S>, levels: u32) -> Result<RingConstants<S>, RingWork> {
+    pub fn new(ring: &LocalRules<S>, levels: u32) -> Result<LocalConstants<S>, LocalWork> {
         let chosen = ring.representatives();
-        RingWork::check(ring, chosen.points.len(), levels)?;
+        LocalWork::check(ring, chosen.points.len(), levels)?;
         let norm = |w: Vec<S>| {
             transport(&w, ring.edges()).expect("differences of affine combinations sum to 0")
         };
@@ -68,16 +68,16 @@ impl<S: Real + Ord + Value> RingConstants<S> {
         let level = |rows: PowerRows<S>| {
             let edges = chosen.edges.iter().copied();
             let differences = edges.zip(rows.differences(&chosen).into_iter().map(norm));
-            RingLevel { differences: differences.collect(), norm: rows.norm(&chosen) }
+            LocalLevel { differences: differences.collect(), norm: rows.norm(&chosen) }
         };
-        Ok(RingConstants {
+        Ok(LocalConstants {
             displacements: displacements.collect(),
             levels: PowerRows::turned(ring, &chosen, levels).map(level).collect(),
         })
     }
 }
 
-impl<S: Ord> RingLevel<S> {
+impl<S: Ord> LocalLevel<S> {
     /// T_c, with an edge and a control ring that attain it.
     ///
     /// # Panics
@@ -88,13 +88,13 @@ impl<S: Ord> RingLevel<S> {
     }
 }
 
-impl<S: Ord> RingConstants<S> {
+impl<S: Ord> LocalConstants<S> {
     /// T_c, with an edge and a control ring that attain it; `None` when c was not asked
     /// for.
     #[must_use]
     pub fn contraction(&self, c: u32) -> Option<&((usize, usize), Transport<S>)> {
         let at = (c as usize).checked_sub(1)?;
-        self.levels.get(at).map(RingLevel::contraction)
+        self.levels.get(at).map(LocalLevel::contraction)
     }
 
     /// σ, with a point and a control ring that attain it.

@@ -1,6 +1,6 @@
 //! The rotation of a ring, and what it leaves to compute.
 
-use super::ring::Ring;
+use super::local_rules::LocalRules;
 use std::collections::BTreeSet;
 
 /// Points and edges of a ring, one of each class of those that a rotation takes into
@@ -13,7 +13,7 @@ pub struct Representatives {
     pub edges: Vec<(usize, usize)>,
 }
 
-impl<S> Ring<S> {
+impl<S> LocalRules<S> {
     /// The rotation ρ that takes point i of each orbit to i + m/g mod m, where m is the
     /// count of the orbit and g the greatest common divisor of the counts above 1; if
     /// it is a symmetry: m_{ρa,ρb} = m_{a,b}, and edges go to edges. As the image of each

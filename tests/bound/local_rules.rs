@@ -2,19 +2,19 @@
 
 use crate::common::{any_ring, mask, r, rational, ring};
 use proptest::prelude::*;
-use subcert::bound::{MAX_RING_WORK, RingConstants, RingWork, transport};
+use subcert::bound::{LocalConstants, LocalWork, MAX_LOCAL_WORK, transport};
 use subcert::exact::{Rational, RealCyclotomic, Scalar as _};
-use subcert::scheme::Ring;
+use subcert::scheme::LocalRules;
 
 const LEVELS: u32 = 3;
 
 /// max |x_a − x_b| over the edges.
-fn spread(ring: &Ring<Rational>, points: &[Rational]) -> Rational {
+fn spread(ring: &LocalRules<Rational>, points: &[Rational]) -> Rational {
     let differences = ring.edges().iter().map(|&(a, b)| (&points[a] - &points[b]).abs());
     differences.max().expect("a ring has edges")
 }
 
-fn refined(ring: &Ring<Rational>, points: &[Rational], levels: u32) -> Vec<Rational> {
+fn refined(ring: &LocalRules<Rational>, points: &[Rational], levels: u32) -> Vec<Rational> {
     (0..levels).fold(points.to_vec(), |points, _| ring.refine(&points))
 }
 
@@ -36,7 +36,7 @@ proptest! {
             (Just(ring), prop::collection::vec(rational(), count))
         })
     ) {
-        let constants = RingConstants::new(&ring, LEVELS).unwrap();
+        let constants = LocalConstants::new(&ring, LEVELS).unwrap();
         let before = spread(&ring, &points);
         for c in 1..=LEVELS {
             let (edge, found) = constants.contraction(c).unwrap();
@@ -69,7 +69,7 @@ fn representatives_are_enough() {
         let chosen = ring.representatives();
         assert_eq!(chosen.points.len(), ring.orbits().len(), "{scheme}");
         assert_eq!(chosen.edges.len() * ring.orbits().last().unwrap().count, ring.edges().len());
-        let constants = RingConstants::new(&ring, 1).unwrap();
+        let constants = LocalConstants::new(&ring, 1).unwrap();
         let row = |a: usize| ring.weights().row(a);
         let norm = |(a, b): &(usize, usize)| {
             let w: Vec<_> = row(*a).zip(row(*b)).map(|(x, y)| x - y).collect();
@@ -81,7 +81,7 @@ fn representatives_are_enough() {
 }
 
 fn first_constant(scheme: &str) -> RealCyclotomic {
-    RingConstants::new(&ring(scheme), 1).unwrap().contraction(1).unwrap().1.value.clone()
+    LocalConstants::new(&ring(scheme), 1).unwrap().contraction(1).unwrap().1.value.clone()
 }
 
 // x'_vertex − x'_edge[0] of the ring with 0 at the vertex, −1 at edge[0] and its two
@@ -138,7 +138,7 @@ fn spectrum_of_doo_sabin() {
 #[test]
 fn large_faces_by_the_spectrum() {
     for n in [105_i64, 128, 210] {
-        let found = RingConstants::new(&ring(&format!("doo-sabin:n={n}")), 3).unwrap();
+        let found = LocalConstants::new(&ring(&format!("doo-sabin:n={n}")), 3).unwrap();
         for c in 1..=3 {
             let [half, quarter] = [2, 4].map(|d| Rational::from(d).pow(-c));
             let row = |j: i64| {
@@ -193,7 +193,9 @@ fn valence_four_is_bicubic() {
 #[test]
 fn too_much_work_is_refused() {
     let ring = ring("doo-sabin:n=97");
-    let Err(error) = RingConstants::new(&ring, 1_000) else { panic!("too much") };
-    assert!(matches!(error, RingWork { points: 97, levels: 1_000, work } if work > MAX_RING_WORK));
-    assert!(RingWork::check(&ring, 2, 2).is_ok());
+    let Err(error) = LocalConstants::new(&ring, 1_000) else { panic!("too much") };
+    assert!(
+        matches!(error, LocalWork { points: 97, levels: 1_000, work } if work > MAX_LOCAL_WORK)
+    );
+    assert!(LocalWork::check(&ring, 2, 2).is_ok());
 }

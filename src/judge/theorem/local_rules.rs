@@ -1,13 +1,13 @@
 //! Rings as a setting.
 
-use crate::bound::{Budget, RingConstants};
+use crate::bound::{Budget, LocalConstants};
 use crate::claim::Quantity;
 use crate::exact::{Enclosed, Rational, RealCyclotomic, comparable};
 use crate::finding::{Attained, LevelEvidence, Place, Supremum};
 use crate::judge::distance::{Compared, KnownDistances, at_point, points};
 use crate::judge::theorem::setting::Setting;
-use crate::limit::{Comparison, RingDistances, RingWitness, least_flows, minus, unit};
-use crate::scheme::Ring;
+use crate::limit::{Comparison, LocalDistances, LocalWitness, least_flows, minus, unit};
+use crate::scheme::LocalRules;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
@@ -15,26 +15,30 @@ use std::collections::BTreeMap;
 /// compared by their names, or with what an interpolant makes of the earlier ones; then
 /// the distance from the limit is known only at points that the interpolant keeps.
 pub(crate) struct AroundPoint {
-    ring: Ring,
-    interpolant: Option<Ring>,
+    ring: LocalRules,
+    interpolant: Option<LocalRules>,
     distances: KnownDistances,
     /// Suprema, but for distances without an interpolant.
     known: RefCell<BTreeMap<(&'static str, u32), Attained>>,
 }
 
 impl AroundPoint {
-    pub(crate) fn new(ring: Ring, interpolant: Option<Ring>, budget: &Budget) -> AroundPoint {
-        let distances = KnownDistances::new(Compared::Ring(ring.clone()), budget);
+    pub(crate) fn new(
+        ring: LocalRules,
+        interpolant: Option<LocalRules>,
+        budget: &Budget,
+    ) -> AroundPoint {
+        let distances = KnownDistances::new(Compared::LocalRules(ring.clone()), budget);
         AroundPoint { ring, interpolant, distances, known: RefCell::default() }
     }
 
-    fn distances(&self) -> Result<&RingDistances, String> {
+    fn distances(&self) -> Result<&LocalDistances, String> {
         self.distances.of_ring()
     }
 
     fn difference(&self, level: u32) -> Result<Attained, String> {
         let power =
-            RingConstants::new(&self.ring, level.max(1)).map_err(|error| error.to_string())?;
+            LocalConstants::new(&self.ring, level.max(1)).map_err(|error| error.to_string())?;
         let ((a, b), transport) = if level == 0 {
             let zeroth = self.ring.edges()[0];
             let mut heights = vec![0; self.ring.point_count()];
@@ -92,7 +96,7 @@ impl AroundPoint {
             return Ok(known.clone());
         }
         let far =
-            |found: Result<RingWitness, _>| found.map(|witness| at_point(&self.ring, witness));
+            |found: Result<LocalWitness, _>| found.map(|witness| at_point(&self.ring, witness));
         let found = match quantity {
             Quantity::Difference => self.difference(level),
             Quantity::Distance => {

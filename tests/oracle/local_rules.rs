@@ -1,23 +1,23 @@
 //! Reference values of rings.
 
-use subcert::bound::RingConstants;
+use subcert::bound::LocalConstants;
 use subcert::exact::{Rational, RealCyclotomic};
 use subcert::oracle::{
-    Control, OracleError, RingRequest, check_slice_within_ulps, check_within_ulps, refine_ring,
+    Control, LocalRequest, OracleError, check_slice_within_ulps, check_within_ulps, refine_ring,
     ring_reference_values, to_csv, to_json,
 };
-use subcert::scheme::parse_ring;
+use subcert::scheme::parse_local_rules;
 use subcert::{assert_slice_within_ulps, assert_within_ulps};
 
-fn request(scheme: &str, control: Control, level: u32) -> RingRequest {
-    RingRequest { scheme: scheme.to_owned(), max_block: 2, control, level }
+fn request(scheme: &str, control: Control, level: u32) -> LocalRequest {
+    LocalRequest { scheme: scheme.to_owned(), max_block: 2, control, level }
 }
 
 // The face of n vertices on a circle shrinks by 1/2 about its centre.
 #[test]
 fn a_regular_face_is_halved() {
     for n in [3, 5, 8] {
-        let face = parse_ring(&format!("doo-sabin:n={n}")).unwrap();
+        let face = parse_local_rules(&format!("doo-sabin:n={n}")).unwrap();
         let x: Vec<RealCyclotomic> =
             (0..n).map(|j| RealCyclotomic::cosine(&Rational::new(j, n)).unwrap()).collect();
         let eighth = RealCyclotomic::from(Rational::new(1, 8));
@@ -35,7 +35,7 @@ fn a_regular_face_is_halved() {
 
 #[test]
 fn values_are_those_of_the_library() {
-    let ring = parse_ring("doo-sabin:n=5").unwrap();
+    let ring = parse_local_rules("doo-sabin:n=5").unwrap();
     let control = Control::seeded_polygon(3, 5);
     let values = ring_reference_values(&ring, &request("a face", control.clone(), 2)).unwrap();
     let exact = |quantity: &str| -> Vec<String> {
@@ -44,7 +44,7 @@ fn values_are_those_of_the_library() {
     let points: Vec<RealCyclotomic> = control.values().iter().map(Into::into).collect();
     let refined = refine_ring(&ring, &points, 2).unwrap();
     assert_eq!(exact("refined"), refined.iter().map(ToString::to_string).collect::<Vec<_>>());
-    let constants = RingConstants::new(&ring, 2).unwrap();
+    let constants = LocalConstants::new(&ring, 2).unwrap();
     let t = |c| constants.contraction(c).unwrap().1.value.to_string();
     assert_eq!(exact("contraction-constant"), [t(1), t(2)]);
     assert_eq!(values.group("weights").unwrap().shape, [5, 5]);
@@ -68,7 +68,7 @@ fn values_are_those_of_the_library() {
 
 #[test]
 fn what_is_refused() {
-    let ring = parse_ring("catmull-clark:N=3").unwrap();
+    let ring = parse_local_rules("catmull-clark:N=3").unwrap();
     let refuse = |points, level| {
         let control = Control::seeded_polygon(1, points);
         ring_reference_values(&ring, &request("", control, level)).unwrap_err()

@@ -5,27 +5,27 @@ use crate::common::{any_ring, int, r, rational, ring};
 use proptest::prelude::*;
 use subcert::exact::{Rational, RealCyclotomic, Scalar as _};
 use subcert::limit::{
-    Comparison, RingDepth, RingDistances, RingLimit, RingLimitError, RingWitness,
+    Comparison, LocalDepth, LocalDistances, LocalLimit, LocalLimitError, LocalWitness,
 };
-use subcert::scheme::{Orbit, Ring};
+use subcert::scheme::{LocalRules, Orbit};
 
 /// Rings with some negative weights of which the differences contract.
-fn convergent(most: usize) -> impl Strategy<Value = RingLimit<Rational>> {
+fn convergent(most: usize) -> impl Strategy<Value = LocalLimit<Rational>> {
     any_ring(most).prop_filter_map("no contraction", |ring| {
         let even = r(1, int(ring.point_count()));
         let mix = |x: &Rational| x * r(1, 12) + &even * r(11, 12);
         let points = 0..ring.point_count();
         let rows = points.map(|a| ring.weights().row(a).map(mix).collect()).collect();
-        let ring = Ring::new(ring.orbits().to_vec(), rows, ring.edges().to_vec()).unwrap();
-        RingLimit::new(&ring).ok()
+        let ring = LocalRules::new(ring.orbits().to_vec(), rows, ring.edges().to_vec()).unwrap();
+        LocalLimit::new(&ring).ok()
     })
 }
 
-fn refined(ring: &Ring<Rational>, points: &[Rational], levels: u32) -> Vec<Rational> {
+fn refined(ring: &LocalRules<Rational>, points: &[Rational], levels: u32) -> Vec<Rational> {
     (0..levels).fold(points.to_vec(), |points, _| ring.refine(&points))
 }
 
-fn spread(ring: &Ring<Rational>, points: &[Rational]) -> Rational {
+fn spread(ring: &LocalRules<Rational>, points: &[Rational]) -> Rational {
     let differences = ring.edges().iter().map(|&(a, b)| (&points[a] - &points[b]).abs());
     differences.max().unwrap()
 }
@@ -41,7 +41,7 @@ fn integers(heights: &[i64]) -> Vec<Rational> {
 
 /// The greatest distance from the limit after `levels` of all integer rings of spread 1 that
 /// are 0 at the first point.
-fn brute(limit: &RingLimit<Rational>, levels: u32) -> Rational {
+fn brute(limit: &LocalLimit<Rational>, levels: u32) -> Rational {
     let count = limit.ring().point_count();
     let most = int(count) - 1;
     let choices = (2 * most + 1).pow(u32::try_from(most).unwrap());
@@ -62,7 +62,7 @@ fn brute(limit: &RingLimit<Rational>, levels: u32) -> Rational {
 }
 
 /// A witness is of spread 1, and as far from its limit as it says.
-fn check(limit: &RingLimit<Rational>, witness: &RingWitness<Rational>) {
+fn check(limit: &LocalLimit<Rational>, witness: &LocalWitness<Rational>) {
     let points = integers(&witness.ring);
     assert!(spread(limit.ring(), &points) <= Rational::one());
     let moved = refined(limit.ring(), &points, witness.level);
@@ -79,7 +79,7 @@ proptest! {
             (Just(limit), prop::collection::vec(rational(), count))
         })
     ) {
-        let distances = RingDistances::new(limit.clone());
+        let distances = LocalDistances::new(limit.clone());
         let at = limit.of(&points);
         prop_assert_eq!(limit.of(&limit.ring().refine(&points)), at.clone());
         let beta = spread(limit.ring(), &points);
@@ -111,14 +111,14 @@ proptest! {
 
     #[test]
     fn all_integer_rings(limit in convergent(5), k in 0_u32..3) {
-        let distances = RingDistances::new(limit.clone());
+        let distances = LocalDistances::new(limit.clone());
         prop_assert_eq!(distances.constant(k).unwrap().distance, brute(&limit, k));
     }
 
     // Level by level.
     #[test]
     fn depths_are_least(limit in convergent(5), digits in 1_i32..3) {
-        let distances = RingDistances::new(limit.clone());
+        let distances = LocalDistances::new(limit.clone());
         let tolerance = Rational::power_of_ten(-digits);
         // Slow ones take long.
         prop_assume!(*limit.contraction().last().unwrap() < r(3, 4));
@@ -134,7 +134,7 @@ proptest! {
     // A bound A q^k that is the constant itself at one level.
     #[test]
     fn geometric_bounds(limit in convergent(4), k in 0_u32..4, quotient in 2_i64..20) {
-        let distances = RingDistances::new(limit.clone());
+        let distances = LocalDistances::new(limit.clone());
         let ratio = r(quotient, 21);
         let factor = distances.constant(k).unwrap().distance * ratio.pow(-k.cast_signed());
         let levels = |last| {
@@ -161,22 +161,23 @@ fn a_distance_that_rises() {
     let rows =
         [[r(1, 1), r(0, 1), r(0, 1)], [r(1, 1), r(-2, 1), r(2, 1)], [r(7, 8), r(-15, 8), r(2, 1)]];
     let orbit = Orbit { name: "end".to_owned(), count: 3 };
-    let path = Ring::new(vec![orbit], rows.map(|row| row.to_vec()).to_vec(), vec![(0, 1), (1, 2)]);
-    let distances = RingDistances::new(RingLimit::new(&path.unwrap()).unwrap());
+    let path =
+        LocalRules::new(vec![orbit], rows.map(|row| row.to_vec()).to_vec(), vec![(0, 1), (1, 2)]);
+    let distances = LocalDistances::new(LocalLimit::new(&path.unwrap()).unwrap());
     let found = [0, 1, 2, 3].map(|k| distances.constant(k).unwrap().distance);
     assert_eq!(found, [r(2, 1), r(17, 8), r(1, 2), r(17, 32)]);
     let depth = |tolerance: Rational| distances.depth(&r(1, 1), &tolerance).unwrap();
-    assert_eq!(depth(r(2, 1)), RingDepth { level: 0, settled: 2 });
-    assert_eq!(depth(r(17, 8)), RingDepth { level: 0, settled: 0 });
-    assert_eq!(depth(r(51, 100)), RingDepth { level: 2, settled: 4 });
+    assert_eq!(depth(r(2, 1)), LocalDepth { level: 0, settled: 2 });
+    assert_eq!(depth(r(17, 8)), LocalDepth { level: 0, settled: 0 });
+    assert_eq!(depth(r(51, 100)), LocalDepth { level: 2, settled: 4 });
 }
 
 fn cosine(p: i64, q: i64) -> RealCyclotomic {
     RealCyclotomic::cosine(&r(p, q)).unwrap()
 }
 
-fn distances(scheme: &str) -> RingDistances {
-    RingDistances::new(RingLimit::new(&ring(scheme)).unwrap_or_else(|e| panic!("{scheme}: {e}")))
+fn distances(scheme: &str) -> LocalDistances {
+    LocalDistances::new(LocalLimit::new(&ring(scheme)).unwrap_or_else(|e| panic!("{scheme}: {e}")))
 }
 
 // M^k − 11ᵀ/n has the rows 2^−k c + 4^−k (e_0 − 1/n − c), c_j = (2/n)cos(2πj/n): the
@@ -233,7 +234,7 @@ fn limits_around_a_vertex() {
             ("bajaj", [r(4, 9), r(4, 9 * n), r(1, 9 * n)]),
             ("catmull-clark", [r(n, n + 5), r(4, n * (n + 5)), r(1, n * (n + 5))]),
         ] {
-            let limit = RingLimit::new(&ring(&format!("{scheme}:N={n}"))).unwrap();
+            let limit = LocalLimit::new(&ring(&format!("{scheme}:N={n}"))).unwrap();
             let wanted = [vec![vertex], vec![edge; count], vec![face; count]].concat();
             let wanted: Vec<RealCyclotomic> = wanted.into_iter().map(Into::into).collect();
             assert_eq!(limit.weights(), wanted, "{scheme}, N = {n}");
@@ -277,31 +278,31 @@ fn from_the_bilinear_interpolant() {
     let rows = [row(&[(0, &Rational::one())])].into_iter();
     let rows = rows.chain((0..n).map(edge)).chain((0..n).map(face)).collect();
     let bajaj = ring("bajaj:N=5");
-    let bilinear = Ring::new(bajaj.orbits().to_vec(), rows, bajaj.edges().to_vec()).unwrap();
-    let distances = RingDistances::new(RingLimit::new(&bajaj).unwrap());
+    let bilinear = LocalRules::new(bajaj.orbits().to_vec(), rows, bajaj.edges().to_vec()).unwrap();
+    let distances = LocalDistances::new(LocalLimit::new(&bajaj).unwrap());
     // (13) is sharp: 7/16 + 1/16 of the vertex, and (17) gives less for edge points.
     let step = distances.step_from(&bilinear, 0).unwrap();
     assert_eq!((step.point, step.distance), (0, r(1, 2).into()));
     assert_eq!(distances.step_from(&bajaj, 3).unwrap().distance, RealCyclotomic::from(0));
 }
 
-fn two_points(weights: [[i64; 2]; 2]) -> Result<RingLimit<Rational>, RingLimitError> {
+fn two_points(weights: [[i64; 2]; 2]) -> Result<LocalLimit<Rational>, LocalLimitError> {
     let orbit = Orbit { name: "end".to_owned(), count: 2 };
     let rows = weights.map(|row| row.map(Rational::from).to_vec()).to_vec();
-    RingLimit::new(&Ring::new(vec![orbit], rows, vec![(0, 1)]).unwrap())
+    LocalLimit::new(&LocalRules::new(vec![orbit], rows, vec![(0, 1)]).unwrap())
 }
 
 #[test]
 fn rings_without_a_limit() {
     assert_eq!(
         two_points([[1, 0], [0, 1]]),
-        Err(RingLimitError::NotShown { blocks: 32, least: "1".to_owned() })
+        Err(LocalLimitError::NotShown { blocks: 32, least: "1".to_owned() })
     );
-    assert_eq!(two_points([[2, -1], [1, 0]]), Err(RingLimitError::NoLimit));
+    assert_eq!(two_points([[2, -1], [1, 0]]), Err(LocalLimitError::NoLimit));
     // They change places for ever, or run apart.
     let error = two_points([[0, 1], [1, 0]]).unwrap_err();
     assert!(error.to_string().starts_with("the points of the ring are not shown"), "{error}");
-    assert!(matches!(two_points([[2, -1], [-1, 2]]), Err(RingLimitError::NotShown { .. })));
+    assert!(matches!(two_points([[2, -1], [-1, 2]]), Err(LocalLimitError::NotShown { .. })));
     // Eigenvalues 1 and 0.
     assert!(two_points([[1, 0], [1, 0]]).is_ok());
 }
@@ -309,12 +310,12 @@ fn rings_without_a_limit() {
 #[test]
 fn questions_without_an_answer() {
     let distances = distances("doo-sabin:n=5");
-    assert_eq!(distances.constant(129), Err(RingLimitError::Level(129)));
+    assert_eq!(distances.constant(129), Err(LocalLimitError::Level(129)));
     for (spread, tolerance) in [(r(0, 1), r(1, 2)), (r(1, 2), r(-1, 2))] {
         let error = distances.depth(&spread, &tolerance).unwrap_err();
-        assert!(matches!(error, RingLimitError::NotPositive { .. }), "{error}");
+        assert!(matches!(error, LocalLimitError::NotPositive { .. }), "{error}");
     }
     let deep = distances.depth(&r(1, 1), &r(2, 1).pow(-200));
-    assert_eq!(deep, Err(RingLimitError::TooDeep));
-    assert_eq!(distances.depth(&r(1, 1), &r(9, 1)), Ok(RingDepth { level: 0, settled: 0 }));
+    assert_eq!(deep, Err(LocalLimitError::TooDeep));
+    assert_eq!(distances.depth(&r(1, 1), &r(9, 1)), Ok(LocalDepth { level: 0, settled: 0 }));
 }

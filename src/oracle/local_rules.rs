@@ -1,16 +1,16 @@
 //! Reference values of a ring.
 
 use super::control::Control;
-use super::header::{COLUMNS, Header, RingShape, program};
+use super::header::{COLUMNS, Header, LocalShape, program};
 use super::refine::{MAX_REFINED_LEVEL, OracleError};
 use super::values::{CONTRACTION, CONTROL, Group, NORM, OracleValues, REFINED, group};
-use crate::bound::{RingConstants, RingWork};
+use crate::bound::{LocalConstants, LocalWork};
 use crate::exact::RealCyclotomic;
-use crate::scheme::Ring;
+use crate::scheme::LocalRules;
 
 /// What [`ring_reference_values`] computes.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct RingRequest {
+pub struct LocalRequest {
     /// What the ring is called in the header, such as `doo-sabin:n=5`.
     pub scheme: String,
     /// The greatest c of T_c and Λ_c.
@@ -38,9 +38,9 @@ const SIGMA: &str = "sigma: the largest distance of a new point x'[a] from the o
 /// use subcert::assert_within_ulps;
 /// use subcert::exact::RealCyclotomic;
 /// use subcert::oracle::refine_ring;
-/// use subcert::scheme::parse_ring;
+/// use subcert::scheme::parse_local_rules;
 ///
-/// let ring = parse_ring("doo-sabin:n=5")?;
+/// let ring = parse_local_rules("doo-sabin:n=5")?;
 /// let face = [1, 0, 0, 0, 0].map(RealCyclotomic::from);
 /// let refined = refine_ring(&ring, &face, 1)?;
 /// assert_eq!(refined[1].to_string(), "3/20 + 1/10*cos(2*pi/5)");
@@ -48,7 +48,7 @@ const SIGMA: &str = "sigma: the largest distance of a new point x'[a] from the o
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn refine_ring(
-    ring: &Ring,
+    ring: &LocalRules,
     points: &[RealCyclotomic],
     level: u32,
 ) -> Result<Vec<RealCyclotomic>, OracleError> {
@@ -57,14 +57,14 @@ pub fn refine_ring(
     }
     if points.len() != ring.point_count() {
         let counts = ring.orbits().iter().map(|orbit| format!("{} {}", orbit.count, orbit.name));
-        return Err(OracleError::RingPoints {
+        return Err(OracleError::LocalPoints {
             found: points.len(),
             expected: ring.point_count(),
             names: counts.collect::<Vec<String>>().join(", "),
         });
     }
     // As many products as the powers of one row take.
-    RingWork::check(ring, 1, level.saturating_add(1))?;
+    LocalWork::check(ring, 1, level.saturating_add(1))?;
     Ok((0..level).fold(points.to_vec(), |points, _| ring.refine(&points)))
 }
 
@@ -75,28 +75,28 @@ pub fn refine_ring(
 /// As of [`refine_ring`], and when the powers of the ring are too much work.
 ///
 /// ```
-/// use subcert::oracle::{Control, RingRequest, ring_reference_values};
-/// use subcert::scheme::parse_ring;
+/// use subcert::oracle::{Control, LocalRequest, ring_reference_values};
+/// use subcert::scheme::parse_local_rules;
 ///
-/// let request = RingRequest {
+/// let request = LocalRequest {
 ///     scheme: "catmull-clark:N=3".to_owned(),
 ///     max_block: 2,
 ///     control: Control::seeded_polygon(1, 7),
 ///     level: 3,
 /// };
-/// let values = ring_reference_values(&parse_ring(&request.scheme)?, &request)?;
+/// let values = ring_reference_values(&parse_local_rules(&request.scheme)?, &request)?;
 /// assert_eq!(values.group("weights").unwrap().values[0].exact, "5/12");
 /// assert_eq!(values.group("refined").unwrap().values.len(), 7);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn ring_reference_values(
-    ring: &Ring,
-    request: &RingRequest,
+    ring: &LocalRules,
+    request: &LocalRequest,
 ) -> Result<OracleValues, OracleError> {
     let control = request.control.values();
     let points: Vec<RealCyclotomic> = control.iter().map(RealCyclotomic::from).collect();
     let refined = refine_ring(ring, &points, request.level)?;
-    let constants = RingConstants::new(ring, request.max_block)?;
+    let constants = LocalConstants::new(ring, request.max_block)?;
     let count = ring.point_count();
     let levels = constants.levels.iter();
     let contraction: Vec<_> = levels.clone().map(|l| l.contraction().1.value.clone()).collect();
@@ -114,13 +114,13 @@ pub fn ring_reference_values(
     Ok(OracleValues { header: header(ring, request), groups })
 }
 
-fn header(ring: &Ring, request: &RingRequest) -> Header {
+fn header(ring: &LocalRules, request: &LocalRequest) -> Header {
     let points = (0..ring.point_count()).map(|point| ring.name(point)).collect();
     Header {
         program: program(),
         scheme: request.scheme.clone(),
         masks: Vec::new(),
-        ring: Some(RingShape { points, edges: ring.edges().to_vec() }),
+        ring: Some(LocalShape { points, edges: ring.edges().to_vec() }),
         max_block: request.max_block,
         level: request.level,
         boundary: None,
