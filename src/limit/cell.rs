@@ -14,7 +14,9 @@ const OVERHEAD: u64 = 8;
 /// A row of a matrix, without its zeros: column and entry.
 type Sparse = Vec<(usize, Integer)>;
 
-/// The parameters from i/n^M to (i+1)/n^M, with what P^∞ and P^k depend on there.
+/// The parameters from (i + φ)/n^M to (i + 1 + φ)/n^M, with what P^∞ and P^k depend on there.
+/// At level k the ends belong to points: φ is the part {s} of the shift s. The later φ are the parts
+/// of the n^{M−k}s, the earlier ones {s}/n^{k−M}.
 ///
 /// All is a linear function of the data at the root, level 0: either of the
 /// differences Δ^0 of its window, one column each, or of one column that holds their
@@ -26,6 +28,8 @@ pub(super) struct Cell {
     pub(super) level: u32,
     /// i.
     pub(super) index: Integer,
+    /// From level k on, which of the [`Phase`]s.
+    phase: usize,
     /// The differences Δ^M of the window, times `scale`.
     rows: Vec<Vec<Integer>>,
     scale: Integer,
@@ -37,7 +41,7 @@ pub(super) struct Cell {
 impl Cell {
     /// The interval from `index` to `index` + 1, with the differences of its window.
     pub(super) fn root(index: Integer, rows: Vec<Vec<Integer>>, scale: Integer) -> Cell {
-        Cell { level: 0, index, rows, scale, ends: None }
+        Cell { level: 0, index, phase: 0, rows, scale, ends: None }
     }
 }
 
@@ -64,26 +68,51 @@ pub(super) struct Splitting {
     pub(super) size: usize,
     /// q, a multiple of n: what a level multiplies the scale of a cell by.
     base: Integer,
-    /// For each part α the rows of qD.
-    differences: Vec<Vec<Sparse>>,
+    /// For each part α the rows of qD, up to level k.
+    coarse: Vec<Vec<Sparse>>,
+    /// From level k on.
+    phases: Vec<Phase>,
     /// s: what the ends have in their scale beyond that of the cell.
     scale: Integer,
-    /// sq times the distance of P^∞ from its chord at α/n, for α = 1, …, n − 1.
-    middles: Vec<Sparse>,
     /// s times P^∞ − P^0 at 0 and at 1.
     ends: [Sparse; 2],
     /// The products for each column of a cell that is split.
     products: usize,
 }
 
+/// How a cell splits whose ends are φ beyond the points of its level.
+#[derive(Clone, Debug)]
+struct Phase {
+    /// φ.
+    part: Rational,
+    /// ⌊nφ⌋: the index of part α of cell i is ni + ⌊nφ⌋ + α.
+    carry: i64,
+    /// The phase of the parts, of {nφ}.
+    next: usize,
+    /// For each part α the rows of qD.
+    differences: Vec<Vec<Sparse>>,
+    /// sq times the distance of P^∞ from its chord at φ + α/n, for α = 1, …, n − 1.
+    middles: Vec<Sparse>,
+}
+
 impl Splitting {
-    /// From the distances of P^∞ from its chord between 0 and 1 at α/n, α = 1, …, n − 1, as
-    /// functionals of Δ.
-    pub(super) fn new(limit: &Limit, middles: &[Functional]) -> Result<Splitting, LimitError> {
+    /// From the shift s, and what [`middles`] gives for it.
+    pub(super) fn new(
+        limit: &Limit,
+        shift: &Rational,
+        middles: &[Middles],
+    ) -> Result<Splitting, LimitError> {
         let difference = limit.difference();
-        let at_zero = limit.error(0, &Rational::zero())?;
-        let ends = [at_zero.shifted(0), at_zero.shifted(1)];
-        let (first, last) = window(difference, middles.iter().chain(&ends))?;
+        // The point at the left end of a cell of level k.
+        let node = shift - Rational::from(shift.floor());
+        let at_node = limit.error_from(0, &node, shift)?;
+        let ends = [at_node.shifted(0), at_node.shifted(1)];
+        let all = || middles.iter().flat_map(|phase| &phase.functionals);
+        let carry = middles
+            .iter()
+            .map(|phase| (&phase.part * Rational::from(limit.mask().arity())).floor());
+        let carry = carry.max().and_then(|carry| carry.to_i64()).unwrap_or(0);
+        let (first, last) = window(difference, all().chain(&ends), carry)?;
         let size = usize::try_from(last - first + 1).expect("the window holds 0");
         let denominator = |functionals: &[Functional]| {
             common_denominator(functionals.iter().flat_map(|f| f.terms().map(|(_, c)| c)))
@@ -91,7 +120,7 @@ impl Splitting {
         let arity = difference.arity();
         let entries = difference.rows().iter().flatten();
         let base = common_denominator(entries).lcm(&Integer::from(arity));
-        let scale = denominator(middles).lcm(&denominator(&ends));
+        let scale = denominator(&all().cloned().collect::<Vec<_>>()).lcm(&denominator(&ends));
         let sparse = |terms: &mut dyn Iterator<Item = (i64, &Rational)>, scale: &Integer| {
             let entry = |(i, c): (i64, &Rational)| {
                 let column = usize::try_from(i - first).expect("the window is closed");
@@ -99,24 +128,46 @@ impl Splitting {
             };
             terms.filter(|(_, c)| !c.is_zero()).map(entry).collect::<Sparse>()
         };
-        let part = |alpha: usize| {
-            let alpha = i64::try_from(alpha).expect("the arity is capped");
-            let row = |l: i64| sparse(&mut rule_at(difference, alpha + l), &base);
-            (first..=last).map(row).collect()
+        let parts = |carry: i64| {
+            let part = |alpha: i64| {
+                let row = |l: i64| sparse(&mut rule_at(difference, carry + alpha + l), &base);
+                (first..=last).map(row).collect()
+            };
+            let parts = 0..i64::try_from(arity).expect("the arity is capped");
+            parts.map(part).collect::<Vec<Vec<Sparse>>>()
         };
         let middle_scale = &scale * &base;
-        let differences: Vec<Vec<Sparse>> = (0..arity).map(part).collect();
-        let middles: Vec<Sparse> =
-            middles.iter().map(|f| sparse(&mut f.terms(), &middle_scale)).collect();
-        let entries: usize = differences.iter().flatten().chain(&middles).map(Vec::len).sum();
+        let coarse = parts(0);
+        let phase = |own: &Middles| {
+            let nth = &own.part * Rational::from(arity);
+            let next = &nth - Rational::from(nth.floor());
+            let next = middles.iter().position(|other| other.part == next);
+            let carry = nth.floor().to_i64().expect("below the arity");
+            Phase {
+                part: own.part.clone(),
+                carry,
+                next: next.expect("the parts repeat"),
+                differences: parts(carry),
+                middles: own
+                    .functionals
+                    .iter()
+                    .map(|f| sparse(&mut f.terms(), &middle_scale))
+                    .collect(),
+            }
+        };
+        let phases: Vec<Phase> = middles.iter().map(phase).collect();
+        let entries = |phase: &Phase| -> usize {
+            phase.differences.iter().flatten().chain(&phase.middles).map(Vec::len).sum()
+        };
+        let entries = phases.iter().map(entries).max().expect("there is a phase");
         Ok(Splitting {
             arity,
             first,
             size,
             // Besides the products, each entry of a row is looked at some times.
             products: entries + 2 * arity * size,
-            differences,
-            middles,
+            coarse,
+            phases,
             ends: ends.each_ref().map(|end| sparse(&mut end.terms(), &scale)),
             base,
             scale,
@@ -129,6 +180,13 @@ impl Splitting {
             cell.ends = Some(self.ends.each_ref().map(|end| combine(end, &cell.rows)));
         }
         cell
+    }
+
+    /// The parameter of an end of a cell of level k or a later one.
+    pub(super) fn parameter(&self, cell: &Cell, end: i64) -> Rational {
+        let points = Integer::from(self.arity).pow(cell.level);
+        let at = Rational::from(&cell.index + Integer::from(end)) + &self.phases[cell.phase].part;
+        at / Rational::from(points)
     }
 
     /// What the denominators of [`distances`](Splitting::distances) have beyond those of
@@ -183,11 +241,19 @@ impl Splitting {
     /// The n parts of a cell, for the distance from P^k.
     pub(super) fn split(&self, cell: &Cell, level: u32) -> Vec<Cell> {
         let nodes = cell.ends.as_ref().map(|ends| self.nodes(cell, ends));
+        let phase = &self.phases[cell.phase];
+        let (differences, carry, next) = if cell.level < level {
+            (&self.coarse, 0, 0)
+        } else {
+            (&phase.differences, phase.carry, phase.next)
+        };
         let part = |alpha: usize| {
-            let rows = self.differences[alpha].iter().map(|row| combine(row, &cell.rows));
+            let rows = differences[alpha].iter().map(|row| combine(row, &cell.rows));
+            let first = &cell.index * Integer::from(self.arity) + Integer::from(carry);
             let part = Cell {
                 level: cell.level + 1,
-                index: &cell.index * Integer::from(self.arity) + Integer::from(alpha),
+                index: first + Integer::from(alpha),
+                phase: next,
                 rows: rows.collect(),
                 scale: &cell.scale * &self.base,
                 ends: nodes.as_ref().map(|nodes| [nodes[alpha].clone(), nodes[alpha + 1].clone()]),
@@ -206,7 +272,8 @@ impl Splitting {
             let mut node: Vec<Integer> =
                 left.iter().zip(right).map(|(x, y)| x * &near + y * &far).collect();
             if (1..self.arity).contains(&alpha) {
-                add_combination(&mut node, &self.middles[alpha - 1], &cell.rows);
+                let middles = &self.phases[cell.phase].middles;
+                add_combination(&mut node, &middles[alpha - 1], &cell.rows);
             }
             node
         };
@@ -214,11 +281,43 @@ impl Splitting {
     }
 }
 
+/// The distances of P^∞ from its chord from φ to φ + 1 at φ + α/n, α = 1, …, n − 1, as functionals
+/// of Δ.
+pub(super) struct Middles {
+    /// φ.
+    pub(super) part: Rational,
+    pub(super) functionals: Vec<Functional>,
+}
+
+/// For the part φ of the shift s, and of n^m s for every m.
+pub(super) fn middles(limit: &Limit, shift: &Rational) -> Result<Vec<Middles>, LimitError> {
+    let arity = limit.mask().arity();
+    let mut part = shift - Rational::from(shift.floor());
+    let mut all: Vec<Middles> = Vec::new();
+    while all.iter().all(|known| known.part != part) {
+        let left = limit.at(&part)?;
+        let right = left.shifted(1);
+        let middle = |alpha: usize| {
+            let u = Rational::new(alpha, arity);
+            let value = limit.at(&(&part + &u))?;
+            let off = value.plus(&(&u - Rational::one()), &left).plus(&-u, &right);
+            Ok(off.on_differences().expect("both are affine combinations"))
+        };
+        let functionals = (1..arity).map(middle).collect::<Result<_, LimitError>>()?;
+        let nth = &part * Rational::from(arity);
+        let next = &nth - Rational::from(nth.floor());
+        all.push(Middles { part, functionals });
+        part = next;
+    }
+    Ok(all)
+}
+
 /// The least window that holds Δ_0 and what these functionals need, and with Δ^{M+1} at
-/// i + l, for each part i of a cell, also the Δ^M that it comes from.
+/// i + ⌊nφ⌋ + l, for each part i of a cell, also the Δ^M that it comes from.
 fn window<'a>(
     difference: &Rules,
     functionals: impl Iterator<Item = &'a Functional>,
+    carry: i64,
 ) -> Result<(i64, i64), LimitError> {
     let ends = functionals.filter_map(Functional::support);
     let (mut first, mut last) =
@@ -230,7 +329,7 @@ fn window<'a>(
             return Err(LimitError::Window(size));
         }
         let (mut from, mut to) = (first, last);
-        for i in first..last + parts {
+        for i in first..last + parts + carry {
             let used = rule_at(difference, i).filter(|(_, c)| !c.is_zero());
             for (column, _) in used {
                 (from, to) = (from.min(column), to.max(column));

@@ -70,7 +70,7 @@ impl Distances {
                 Comparison::Within => Comparison::Within,
                 Comparison::Undecided(enclosure) => Comparison::Undecided(enclosure),
                 Comparison::Exceeds((parameter, distance)) => {
-                    let polygon = self.limit().error(level, &parameter)?.extremal_polygon();
+                    let polygon = self.error(level, &parameter)?.extremal_polygon();
                     Comparison::Exceeds(Witness { polygon, level, parameter, distance })
                 }
             },

@@ -1,9 +1,10 @@
 //! Whether a scheme converges, and its limit at 0.
 
-use super::error::{LimitError, MAX_WINDOW};
+use super::error::{LimitError, MAX_PERIOD, MAX_WINDOW};
 use super::functional::{Functional, rule_at};
+use super::parameter::Parameter;
 use crate::bound::{Budget, Order, PowerSearch};
-use crate::exact::{Rational, solve};
+use crate::exact::{Rational, format, solve};
 use crate::scheme::{Mask, Rules};
 
 /// The residue classes up to which ‖Rᶜ‖ is computed in any case.
@@ -91,4 +92,48 @@ pub(super) fn limit_at_zero(mask: &Mask) -> Result<Functional, LimitError> {
     equations[0] = vec![Rational::one(); size + 1];
     let weights = solve(&equations).ok_or(LimitError::NoLimit { first, last })?;
     Ok(Functional::new(first, weights))
+}
+
+/// P^∞(t) as a functional of the control points, for a t from 0 to below 1 whose digits repeat from
+/// the first on.
+///
+/// With l ≤ ⌊l/n⌋ + o and ⌊(h + n − 1)/n⌋ + o + N − 1 ≤ h, the points l, …, h of each level around
+/// n^k t are determined by those of the level before. After a period they have the same functional
+/// again: w with w = wB and Σ w_i = 1, the only one where the scheme converges.
+///
+/// Source: `proofs/THEOREMS.md`, «Natural parameter».
+pub(super) fn limit_at_repeating(mask: &Mask, t: &Rational) -> Result<Functional, LimitError> {
+    let arity = mask.arity();
+    let refused = || LimitError::Parameter { parameter: format::short(t, 12), arity };
+    let period = Parameter::period(t, arity, MAX_PERIOD).ok_or_else(refused)?;
+    let (first, last) = window(mask)?;
+    let size = usize::try_from(last - first + 1).expect("the window holds 0");
+    let at = |i: i64| usize::try_from(i - first).expect("the window is invariant");
+    let mut equations = vec![vec![Rational::zero(); size + 1]; size];
+    for i in first..=last {
+        let point = Functional::new(i, [Rational::one()]);
+        for (column, coefficient) in period.pull_back(&point, mask.rules()).terms() {
+            equations[at(column)][at(i)] += coefficient;
+        }
+        equations[at(i)][at(i)] -= &Rational::one();
+    }
+    // The equations sum to 0, as the rows of B sum to 1.
+    equations[0] = vec![Rational::one(); size + 1];
+    let weights = solve(&equations).ok_or(LimitError::NoLimit { first, last })?;
+    Ok(Functional::new(first, weights))
+}
+
+/// l and h, the nearest to 0.
+fn window(mask: &Mask) -> Result<(i64, i64), LimitError> {
+    let arity = i64::try_from(mask.arity()).expect("the arity is capped");
+    let width = i64::try_from(mask.width()).expect("the width is capped");
+    let (mut first, mut last) = (0_i64, 0_i64);
+    while first > first.div_euclid(arity) + mask.offset() {
+        first -= 1;
+    }
+    while (last + arity - 1).div_euclid(arity) + mask.offset() + width - 1 > last {
+        last += 1;
+    }
+    let size = usize::try_from(last - first + 1).expect("the window holds 0");
+    if size > MAX_WINDOW { Err(LimitError::Window(size)) } else { Ok((first, last)) }
 }

@@ -6,23 +6,25 @@ use super::error::{LimitError, MAX_LEVEL, positive};
 use super::polygon::ControlPolygon;
 use crate::exact::Rational;
 
-/// A subdivision depth: the least level k at which the distance from the limit meets
-/// the tolerance.
+/// A subdivision depth: the least level k such that the distance from the limit meets the
+/// tolerance at level k and at every later one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TwoSidedDepth {
-    /// No lower level meets the tolerance.
+    /// The level before this one does not meet the tolerance; at 0 there is none.
     pub lower: u32,
-    /// This level does. It is the depth when both are equal.
+    /// This level and all later ones do. It is the depth when both are equal.
     pub upper: u32,
 }
 
 impl Distances {
-    /// The least k at which every control polygon with max|Δ| ≤ `spread` is within
-    /// `tolerance` of its limit: C_k·spread ≤ tolerance.
+    /// The least k from which on every control polygon with max|Δ| ≤ `spread` is within
+    /// `tolerance` of its limit: C_m·spread ≤ tolerance for all m ≥ k.
     ///
-    /// The levels are tried one by one: the distance need not fall with the level.
-    /// Where C_k·spread is the tolerance itself, or too near to it to tell within the
+    /// The distance need not fall with the level. Where T_c ≤ 1, C_{m+c} ≤ C_m, and after c
+    /// levels that meet the tolerance all later ones do. Where C_k·spread is the tolerance itself, or too near to it to tell within the
     /// caps of the search, the two sides can stay apart.
+    ///
+    /// Source: `proofs/THEOREMS.md`, 9.
     ///
     /// # Errors
     /// When the tolerance or the spread is not positive, or no level up to 128 is
@@ -49,7 +51,7 @@ impl Distances {
         self.least_level(&[self.any_polygon()], &(tolerance / spread))
     }
 
-    /// The least k at which this control polygon is within `tolerance` of its limit.
+    /// The least k from which on this control polygon is within `tolerance` of its limit.
     ///
     /// # Errors
     /// As of [`Distances::depth`], and when the polygon is too short.
@@ -61,7 +63,7 @@ impl Distances {
         self.depth_of_points(std::slice::from_ref(polygon), tolerance)
     }
 
-    /// The least k at which a control polygon of points is within `tolerance` of its
+    /// The least k from which on a control polygon of points is within `tolerance` of its
     /// limit in every coordinate: one [`ControlPolygon`] for each. Since a distance need
     /// not fall with the level, it can be greater than the depth of each coordinate.
     ///
@@ -98,7 +100,19 @@ impl Distances {
         threshold: &Rational,
     ) -> Result<TwoSidedDepth, LimitError> {
         let surely = |level| among.iter().all(|own| self.unsearched(own, level) <= *threshold);
-        two_sided(|level| self.compare_each(among, level, threshold), surely, || self.caps())
+        // What holds for all polygons at a level holds for the refined ones at a later level; what
+        // holds for one polygon need not.
+        let all = among.iter().all(|own| own.only.is_none());
+        let lasting = if all { self.lasting() } else { None };
+        let meets = |level| self.compare_each(among, level, threshold);
+        two_sided(meets, surely, lasting, || self.caps())
+    }
+
+    /// The least c with T_c ≤ 1.
+    fn lasting(&self) -> Option<u32> {
+        let constants = self.limit().contraction();
+        let c = constants.iter().skip(1).position(|constant| *constant <= Rational::one())?;
+        u32::try_from(c + 1).ok()
     }
 
     /// Whether all of them are within the threshold at this level, where that is known.
@@ -122,39 +136,42 @@ impl Distances {
 
 /// The depth, by a search that tells whether a level meets the tolerance, or leaves that open.
 ///
-/// Up to the first level that it leaves open, the levels are tried one by one. A level that
-/// `surely` meets it without a search is an upper side, and between both the upper side is
-/// brought down by halving: a search that has met its caps once would do so at each level.
+/// A level that `surely` meets it without a search is one from which on all do. Where `lasting`
+/// is some c, all do after c levels in a row that meet it. Up to the first level that the search
+/// leaves open, levels are tried upwards; from there on downwards from one that surely meets it.
 pub(super) fn two_sided<E: From<LimitError>>(
     mut meets: impl FnMut(u32) -> Result<Option<bool>, E>,
     surely: impl Fn(u32) -> bool,
+    lasting: Option<u32>,
     caps: impl FnOnce() -> String,
 ) -> Result<TwoSidedDepth, E> {
-    let mut lower = None;
+    let sure = (0..=MAX_LEVEL).find(|&level| surely(level));
+    let (mut lower, mut start) = (0, None);
     for level in 0..=MAX_LEVEL {
+        if sure == Some(level) {
+            return Ok(TwoSidedDepth { lower, upper: start.unwrap_or(level) });
+        }
         match meets(level)? {
-            Some(true) => return Ok(TwoSidedDepth { lower: level, upper: level }),
-            Some(false) => {}
+            Some(true) => {
+                let start = *start.get_or_insert(level);
+                if lasting.is_some_and(|levels| level + 1 - start >= levels) {
+                    return Ok(TwoSidedDepth { lower, upper: start });
+                }
+            }
+            Some(false) => (lower, start) = (level + 1, None),
             None => {
-                lower = Some(level);
-                break;
+                let open = LimitError::LeftOpen { lower, caps: caps() };
+                let mut upper = sure.ok_or(open)?;
+                while upper > level + 1 {
+                    match meets(upper - 1)? {
+                        Some(true) => upper -= 1,
+                        Some(false) => return Ok(TwoSidedDepth { lower: upper, upper }),
+                        None => break,
+                    }
+                }
+                return Ok(TwoSidedDepth { lower, upper });
             }
         }
     }
-    let Some(lower) = lower else { return Err(LimitError::TooDeep.into()) };
-    let (mut below, mut upper) = (lower, (lower..=MAX_LEVEL).find(|&level| surely(level)));
-    while let Some(middle) = between(below, upper.unwrap_or(MAX_LEVEL + 1)) {
-        if meets(middle)? == Some(true) {
-            upper = Some(middle);
-        } else {
-            below = middle;
-        }
-    }
-    let open = || LimitError::LeftOpen { lower, caps: caps() };
-    Ok(TwoSidedDepth { lower, upper: upper.ok_or_else(open)? })
-}
-
-/// The level in the middle between two that are no neighbours.
-fn between(below: u32, above: u32) -> Option<u32> {
-    (above > below + 1).then(|| below + (above - below) / 2)
+    Err(LimitError::TooDeep.into())
 }

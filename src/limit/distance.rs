@@ -1,7 +1,9 @@
 //! The distance of a polygon from its limit, from above and below.
 
-use super::cell::{Cell, Splitting};
+use super::cell::{Cell, Splitting, middles};
 use super::error::{LimitError, MAX_LEVEL, positive};
+use super::functional::Functional;
+use super::natural::natural_shift;
 use super::polygon::ControlPolygon;
 use super::remainder::Remainders;
 use super::search::{Best, Goal, Search};
@@ -50,6 +52,7 @@ pub struct Distance {
 #[derive(Clone, Debug)]
 pub struct Distances {
     limit: Limit,
+    shift: Rational,
     remainders: Remainders,
     splitting: Splitting,
     cells: u32,
@@ -57,29 +60,50 @@ pub struct Distances {
 }
 
 impl Distances {
-    /// The distances from this limit, found with at most [`MAX_CELLS`] cells each.
+    /// The distances from this limit of the polygons with x^k_i at i/n^k, found with at most
+    /// [`MAX_CELLS`] cells each.
     ///
     /// # Errors
     /// When the window of differences that determines P^∞ − P^0 between two points is
     /// wider than [`MAX_WINDOW`](super::MAX_WINDOW).
-    ///
-    /// # Panics
-    /// Never: the coefficients of all values of the limit sum to 1.
     pub fn new(limit: &Limit) -> Result<Distances, LimitError> {
-        let arity = limit.mask().arity();
-        let zero = limit.at(&Rational::zero())?;
-        let one = zero.shifted(1);
-        // P^∞(α/n) − ((1 − α/n) P^∞(0) + (α/n) P^∞(1)).
-        let middle = |alpha: usize| {
-            let t = Rational::new(alpha, arity);
-            let off = limit.at(&t)?.plus(&(&t - Rational::one()), &zero).plus(&-t, &one);
-            Ok(off.on_differences().expect("both are affine combinations"))
-        };
-        let middles = (1..arity).map(middle).collect::<Result<Vec<_>, LimitError>>()?;
-        let splitting = Splitting::new(limit, &middles)?;
-        let remainders = Remainders::new(limit, &middles)?;
-        let budget = Budget::unlimited();
-        Ok(Distances { limit: limit.clone(), remainders, splitting, cells: MAX_CELLS, budget })
+        Distances::shifted(limit, &Rational::zero())
+    }
+
+    /// The same of the polygons with x^k_i at its natural parameter (i + s)/n^k, s as of
+    /// [`natural_shift`].
+    ///
+    /// # Errors
+    /// As of [`Distances::shifted`].
+    ///
+    /// ```
+    /// use subcert::exact::{Enclosure, Rational};
+    /// use subcert::limit::{Distances, Limit};
+    /// use subcert::scheme::parse_scheme;
+    ///
+    /// let scheme = parse_scheme("chaikin")?;
+    /// let distances = Distances::natural(&Limit::new(scheme.masks()[0])?)?;
+    /// // The quadratic B-spline curve is within 4^−(k+1) of its polygons, and no nearer.
+    /// let constant = distances.constant(2, &Rational::new(1, 10_000))?;
+    /// assert_eq!(constant.enclosure, Enclosure::exact(Rational::new(1, 64)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn natural(limit: &Limit) -> Result<Distances, LimitError> {
+        Distances::shifted(limit, &natural_shift(limit.mask()).shift)
+    }
+
+    /// The same of the polygons with x^k_i at (i + shift)/n^k.
+    ///
+    /// # Errors
+    /// As of [`Distances::new`], and when the digits of the shift do not repeat soon enough for
+    /// [`Limit::at`].
+    pub fn shifted(limit: &Limit, shift: &Rational) -> Result<Distances, LimitError> {
+        let middles = middles(limit, shift)?;
+        let splitting = Splitting::new(limit, shift, &middles)?;
+        let remainders = Remainders::new(limit, shift, &middles)?;
+        let (limit, shift) = (limit.clone(), shift.clone());
+        let (cells, budget) = (MAX_CELLS, Budget::unlimited());
+        Ok(Distances { limit, shift, remainders, splitting, cells, budget })
     }
 
     /// The same with another cap on the number of cells.
@@ -115,6 +139,20 @@ impl Distances {
     #[must_use]
     pub fn limit(&self) -> &Limit {
         &self.limit
+    }
+
+    /// s, of the points at (i + s)/n^k.
+    #[must_use]
+    pub fn shift(&self) -> &Rational {
+        &self.shift
+    }
+
+    /// P^∞(t) − P^k(t) as a functional of Δ.
+    ///
+    /// # Errors
+    /// As of [`Limit::error`].
+    pub fn error(&self, level: u32, t: &Rational) -> Result<Functional, LimitError> {
+        self.limit.error_from(level, t, &self.shift)
     }
 
     /// C_k in an interval of at most this width.
@@ -188,8 +226,11 @@ impl Distances {
         if level > MAX_LEVEL {
             return Err(LimitError::Level(level));
         }
-        let parameter = Rational::from(among.roots[0].index.clone());
-        let error = self.limit.error(level, &parameter)?;
+        // A point of the polygon, and the place of one where it has an index of its own.
+        let points = Rational::from(self.limit.mask().arity()).pow(level.cast_signed());
+        let node = (&self.shift - Rational::from(self.shift.floor())) / points;
+        let parameter = Rational::from(among.roots[0].index.clone()) + node;
+        let error = self.error(level, &parameter)?;
         let value = match among.only {
             Some(polygon) => error.apply(|i| polygon.difference(i)).abs(),
             None => error.norm(),

@@ -14,6 +14,9 @@ pub const MAX_LEVEL: u32 = 128;
 /// The most n-adic digits of a parameter.
 pub const MAX_PARAMETER_DIGITS: u32 = 256;
 
+/// The most n-adic digits of a parameter after which they repeat.
+pub const MAX_PERIOD: u32 = 64;
+
 /// Why there is no limit, or no distance.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
@@ -49,10 +52,10 @@ pub enum LimitError {
          worked on: take a scheme of fewer coefficients, or of an offset nearer to its centre"
     )]
     Window(usize),
-    /// A parameter that is not i/n^m, or too large.
+    /// A parameter with too many digits, or too large.
     #[error(
-        "the parameter {parameter} is not i/{arity}^m with m up to {MAX_PARAMETER_DIGITS}, \
-         or 2^60 or more in absolute value"
+        "the parameter {parameter} is 2^60 or more in absolute value, or its digits in base {arity} \
+         repeat neither after {MAX_PARAMETER_DIGITS} of them nor with a period of {MAX_PERIOD}"
     )]
     Parameter {
         /// The parameter.
@@ -103,11 +106,12 @@ pub enum LimitError {
     TooDeep,
     /// A level that the search leaves open comes before any that is shown to be deep enough.
     #[error(
-        "no level below {lower} meets the tolerance, and none from there to {MAX_LEVEL} is shown \
-         to meet it within the caps of the search, {caps}: ask for a greater tolerance"
+        "the depth is at least {lower}, and of no level up to {MAX_LEVEL} it is shown within the \
+         caps of the search, {caps}, that it and all later ones meet the tolerance: ask for a \
+         greater tolerance"
     )]
     LeftOpen {
-        /// No lower level meets the tolerance.
+        /// The level before this one does not meet the tolerance.
         lower: u32,
         /// The caps.
         caps: String,

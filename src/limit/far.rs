@@ -57,18 +57,31 @@ impl Limit {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn far_polygon(&self, level: u32) -> Result<FarPolygon, LimitError> {
+        self.far_polygon_from(level, &Rational::zero())
+    }
+
+    /// The same of the polygons with x^k_i at (i + shift)/n^k.
+    ///
+    /// # Errors
+    /// As of [`Limit::far_polygon`], and when the digits of the shift do not repeat soon enough for
+    /// [`Limit::at`].
+    ///
+    /// # Panics
+    /// Never: there are places.
+    pub fn far_polygon_from(&self, level: u32, shift: &Rational) -> Result<FarPolygon, LimitError> {
         if level > MAX_LEVEL {
             return Err(LimitError::Level(level));
         }
         let refinement = Refinement::of(self.difference());
         let arity = self.mask().arity();
         let at = |level: u32, parameter: Rational| -> Result<Place, LimitError> {
-            let (row, denominator) = Row::of(&self.error(level, &parameter)?);
+            let (row, denominator) = Row::of(&self.error_from(level, &parameter, shift)?);
             Ok(Place::new(parameter, row, denominator))
         };
-        let mut best = at(0, Rational::zero())?;
+        let node = shift - Rational::from(shift.floor());
+        let mut best = at(0, node.clone())?;
         for digit in 0..arity {
-            best = farther(at(0, Rational::new(digit, arity))?, best);
+            best = farther(at(0, &node + Rational::new(digit, arity))?, best);
         }
         for k in 1..=level {
             let mut next = at(k, best.parameter.clone())?;

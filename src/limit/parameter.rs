@@ -1,15 +1,17 @@
-//! The parameters i/n^m, by their n-adic digits.
+//! Rational parameters, by their n-adic digits.
 
 use super::error::{LimitError, MAX_PARAMETER_DIGITS};
 use super::functional::Functional;
 use super::row::{Refinement, Row};
-use crate::exact::{Rational, format};
+use crate::exact::{Integer, Rational, format};
 use crate::scheme::Rules;
 
-/// t = whole + Σ_m d_m/n^m, m = 1, 2, …, with digits d_m from 0 to n − 1.
+/// t = whole + Σ_m d_m/n^m + rest/n^M, m = 1, …, M, with digits d_m from 0 to n − 1.
 pub(super) struct Parameter {
     whole: i64,
     digits: Vec<i64>,
+    /// From 0 to below 1: what is left when the digits that follow repeat from the first on.
+    pub(super) rest: Rational,
 }
 
 impl Parameter {
@@ -21,28 +23,47 @@ impl Parameter {
         let near = whole.bits() <= 60;
         let mut rest = t - Rational::from(whole.clone());
         let mut digits = Vec::new();
-        while !rest.is_zero() {
+        let common = Integer::from(arity);
+        while rest.denominator().gcd(&common) != Integer::one() {
             if digits.len() == MAX_PARAMETER_DIGITS as usize {
                 return Err(refused());
             }
-            rest = rest * Rational::from(arity);
-            let digit = rest.floor();
-            rest -= &Rational::from(digit.clone());
-            digits.push(digit.to_i64().ok_or_else(refused)?);
+            digits.push(next_digit(&mut rest, arity).ok_or_else(refused)?);
         }
         let whole = whole.to_i64().filter(|_| near).ok_or_else(refused)?;
-        Ok(Parameter { whole, digits })
+        Ok(Parameter { whole, digits, rest })
     }
 
     /// The first `level` digits, as a parameter, and what is left of n^level·t: the
     /// place of t between two neighbouring points of that level, from 0 to 1.
     pub(super) fn split(&self, level: u32, arity: usize) -> (Parameter, Rational) {
         let level = level as usize;
-        let digits = (0..level).map(|m| self.digits.get(m).copied().unwrap_or(0)).collect();
-        let rest = self.digits.iter().skip(level).rev().fold(Rational::zero(), |rest, digit| {
-            (rest + Rational::from(*digit)) / Rational::from(arity)
-        });
-        (Parameter { whole: self.whole, digits }, rest)
+        let mut rest = self.rest.clone();
+        let beyond = level.saturating_sub(self.digits.len());
+        let repeated = (0..beyond).filter_map(|_| next_digit(&mut rest, arity)).collect::<Vec<_>>();
+        let digits = self.digits.iter().copied().take(level).chain(repeated).collect();
+        let rest = self
+            .digits
+            .iter()
+            .skip(level)
+            .rev()
+            .fold(rest, |rest, digit| (rest + Rational::from(*digit)) / Rational::from(arity));
+        (Parameter { whole: self.whole, digits, rest: Rational::zero() }, rest)
+    }
+
+    /// The digits of a number from 0 to below 1 up to where they repeat, which they do from the
+    /// first on; `None` when these are more than so many.
+    pub(super) fn period(rest: &Rational, arity: usize, most: u32) -> Option<Parameter> {
+        let (mut digits, mut left) = (Vec::new(), rest.clone());
+        loop {
+            digits.push(next_digit(&mut left, arity)?);
+            if left == *rest {
+                return Some(Parameter { whole: 0, digits, rest: Rational::zero() });
+            }
+            if digits.len() >= most as usize {
+                return None;
+            }
+        }
     }
 
     /// A functional of the sequence of level m = the number of digits, whose index 0
@@ -60,4 +81,12 @@ impl Parameter {
         let multiple = denominator * refinement.denominator().pow(levels);
         coarse.functional(&multiple).shifted(self.whole)
     }
+}
+
+/// The first n-adic digit of a number from 0 to below 1, which becomes what is left of n times it.
+fn next_digit(rest: &mut Rational, arity: usize) -> Option<i64> {
+    let scaled = &*rest * Rational::from(arity);
+    let digit = scaled.floor();
+    *rest = scaled - Rational::from(digit.clone());
+    digit.to_i64()
 }

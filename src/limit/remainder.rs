@@ -1,6 +1,6 @@
 //! What bounds the limit where it has not been computed.
 
-use super::cell::Sizes;
+use super::cell::{Middles, Sizes};
 use super::convergence::contraction_constants;
 use super::error::LimitError;
 use super::fraction::Fraction;
@@ -73,20 +73,25 @@ impl LevelBound {
 }
 
 impl Remainders {
-    /// `middles` are the distances of P^∞ from its chord between 0 and 1 at α/n,
-    /// α = 1, …, n − 1, as functionals of Δ.
-    pub(super) fn new(limit: &Limit, middles: &[Functional]) -> Result<Remainders, LimitError> {
-        let displaced = displacements(limit)?;
+    /// From the shift s, and what [`middles`](super::cell::middles) gives for it.
+    pub(super) fn new(
+        limit: &Limit,
+        shift: &Rational,
+        middles: &[Middles],
+    ) -> Result<Remainders, LimitError> {
+        let displaced = displacements(limit, shift)?;
         let constants = limit.contraction();
-        let chord = series(greatest(norms(middles)), constants).expect("some T_c is below 1");
+        let chord = middles.iter().flat_map(|phase| norms(&phase.functionals));
+        let chord = series(greatest(chord), constants).expect("some T_c is below 1");
         let polygon = SoundBound::of(greatest(norms(&displaced)), constants.to_vec());
         let chord = Fraction::from(&chord);
         let mut remainders =
             Remainders { polygon, smooth_polygon: None, chord, smooth_chord: None };
         if let Some(scaled) = second_contraction_constants(limit) {
-            remainders.smooth_polygon = SmoothBound::new(limit, &displaced, &scaled);
+            remainders.smooth_polygon = SmoothBound::new(limit, shift, &displaced, &scaled);
             let arity = limit.mask().arity();
-            let slopes = (1..).zip(middles).map(|(alpha, middle)| {
+            let middles = middles.iter().flat_map(|phase| (1..).zip(&phase.functionals));
+            let slopes = middles.map(|(alpha, middle)| {
                 second_norm(middle) * Rational::new(arity, alpha.min(arity - alpha))
             });
             remainders.smooth_chord =
@@ -140,12 +145,21 @@ impl Remainders {
 }
 
 impl SmoothBound {
-    /// From the displacements and from ‖(nD_2)^c‖; `None` when these leave it infinite.
-    fn new(limit: &Limit, displaced: &[Functional], scaled: &[Rational]) -> Option<SmoothBound> {
+    /// From the displacements and from ‖(nD_2)^c‖; `None` when these leave it infinite, and for a
+    /// shift that is neither 0 nor takes lines to themselves.
+    fn new(
+        limit: &Limit,
+        shift: &Rational,
+        displaced: &[Functional],
+        scaled: &[Rational],
+    ) -> Option<SmoothBound> {
         let arity = Rational::from(limit.mask().arity());
         let at_zero = |c: Rational| Functional::new(0, [c]);
         // ε, the same for every displacement.
         let step = displaced[0].apply(|_| Rational::one());
+        if !shift.is_zero() && !step.is_zero() {
+            return None;
+        }
         let straight = at_zero(step.clone());
         let last = displaced[0].shifted(1);
         let rests = displaced.iter().chain([&last]).map(|f| f.plus(&Rational::from(-1), &straight));
@@ -174,15 +188,19 @@ impl SmoothBound {
     }
 }
 
-/// x'_α − P^0(α/n), α = 0, …, n − 1, as functionals of Δ.
-fn displacements(limit: &Limit) -> Result<Vec<Functional>, LimitError> {
-    let arity = limit.mask().arity();
-    let at = |alpha: usize| {
-        let t = Rational::new(alpha, arity);
-        let moved = limit.polygon_at(1, &t)?.plus(&Rational::from(-1), &limit.polygon_at(0, &t)?);
+/// P^1 − P^0 at the points of both, (α + s)/n, α = 0, …, n − 1, and s, as functionals of Δ.
+fn displacements(limit: &Limit, shift: &Rational) -> Result<Vec<Functional>, LimitError> {
+    let arity = Rational::from(limit.mask().arity());
+    let at = |t: Rational| {
+        let new = limit.polygon_from(1, &t, shift)?;
+        let moved = new.plus(&Rational::from(-1), &limit.polygon_from(0, &t, shift)?);
         Ok(moved.on_differences().expect("both are affine combinations"))
     };
-    (0..arity).map(at).collect()
+    let fine = (0..limit.mask().arity()).map(|alpha| (shift + Rational::from(alpha)) / &arity);
+    // The points of level 0 are among those of level 1 where (n − 1)s is an integer.
+    let aligned = ((&arity - Rational::one()) * shift).is_integer();
+    let coarse = (!aligned).then(|| shift.clone());
+    fine.chain(coarse).map(at).collect()
 }
 
 /// ‖(nD_2)^c‖ for c = 0, 1, …, where D_2 takes ∇Δ to the next level. It exists when

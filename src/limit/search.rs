@@ -4,7 +4,7 @@ use super::cell::{Cell, Splitting};
 use super::fraction::Fraction;
 use super::remainder::{LevelBound, Remainders};
 use crate::bound::Share;
-use crate::exact::{Integer, Rational};
+use crate::exact::Rational;
 
 /// How many levels below k cells are split.
 const MAX_DEEPER: u32 = 96;
@@ -136,8 +136,7 @@ impl<'a> Search<'a> {
         let by_ends = self.splitting.distances(cell).map(|ends| {
             for (end, value) in (0..).zip(&ends) {
                 if *value > Fraction::from(&best.value) {
-                    let points = Integer::from(self.splitting.arity).pow(cell.level);
-                    let parameter = Rational::new(&cell.index + Integer::from(end), points);
+                    let parameter = self.splitting.parameter(cell, end);
                     *best = Best { value: value.clone().reduced(), parameter };
                 }
             }

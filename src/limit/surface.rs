@@ -1,5 +1,6 @@
 //! Tensor product surfaces: how far a net is from its limit at one parameter.
 
+use super::distance::Distances;
 use super::error::LimitError;
 use super::functional::Functional;
 use super::surface_axis::{Axis, CELLS};
@@ -151,8 +152,32 @@ impl SurfaceDistances {
         second: &Limit,
         budget: &Budget,
     ) -> Result<SurfaceDistances, SurfaceError> {
+        SurfaceDistances::of([Distances::new(first)?, Distances::new(second)?], budget)
+    }
+
+    /// The same with the points at their natural parameters along both directions, as
+    /// [`Distances::natural`].
+    ///
+    /// # Errors
+    /// As of [`Distances::natural`].
+    pub fn natural(
+        first: &Limit,
+        second: &Limit,
+        budget: &Budget,
+    ) -> Result<SurfaceDistances, SurfaceError> {
+        SurfaceDistances::of([Distances::natural(first)?, Distances::natural(second)?], budget)
+    }
+
+    fn of(distances: [Distances; 2], budget: &Budget) -> Result<SurfaceDistances, SurfaceError> {
+        let [first, second] = distances;
         let axes = [Axis::new(first, budget)?, Axis::new(second, budget)?];
         Ok(SurfaceDistances { axes, budget: budget.clone() })
+    }
+
+    /// The shifts along both directions.
+    #[must_use]
+    pub fn shifts(&self) -> [&Rational; 2] {
+        self.axes.each_ref().map(|axis| axis.distances().shift())
     }
 
     /// What ends a search, in words.
@@ -178,8 +203,8 @@ impl SurfaceDistances {
     ) -> Result<SurfaceWitness, SurfaceError> {
         let mut pairs = Vec::with_capacity(2);
         for (axis, t) in self.axes.iter().zip(parameters) {
-            let limit = axis.limit();
-            pairs.push([limit.at(t)?, limit.polygon_at(level, t)?]);
+            let (limit, shift) = (axis.limit(), axis.distances().shift());
+            pairs.push([limit.at(t)?, limit.polygon_from(level, t, shift)?]);
         }
         let ranges = [span(&pairs[0]), span(&pairs[1])];
         let [rows, columns] = ranges.map(|(from, to)| usize::try_from(to - from + 1).unwrap_or(0));
@@ -217,7 +242,7 @@ impl SurfaceDistances {
         let mut polygons = Vec::with_capacity(2);
         let mut distance = Rational::zero();
         for (axis, t) in parameters.iter().enumerate() {
-            let error = self.axes[axis].limit().error(level, t)?;
+            let error = self.axes[axis].distances().error(level, t)?;
             distance += &(error.norm() * spreads.along(axis));
             let polygon = error.extremal_polygon();
             let cost = i64::from(spreads.costs[axis]);

@@ -67,8 +67,10 @@ pub(super) struct Samples {
 }
 
 impl Axis {
-    pub(super) fn new(limit: &Limit, budget: &Budget) -> Result<Axis, LimitError> {
-        let distances = Distances::new(limit)?.with_cells(CELLS).with_budget(budget.clone());
+    /// From the distances in either parametrisation.
+    pub(super) fn new(distances: Distances, budget: &Budget) -> Result<Axis, LimitError> {
+        let distances = distances.with_cells(CELLS).with_budget(budget.clone());
+        let limit = distances.limit().clone();
         let rules = limit.mask().rules();
         let averages = rules.rows().iter().flatten().all(|entry| entry.sign() >= 0);
         let arity = u32::try_from(rules.arity()).expect("the arity is capped");
@@ -83,8 +85,17 @@ impl Axis {
         Ok(axis)
     }
 
+    pub(super) fn distances(&self) -> &Distances {
+        &self.distances
+    }
+
     pub(super) fn limit(&self) -> &Limit {
         self.distances.limit()
+    }
+
+    /// Whether no coefficient of the mask is negative.
+    pub(super) fn averages(&self) -> bool {
+        self.averages
     }
 
     /// C_k to this width, or as narrow as the caps allow.
@@ -134,8 +145,11 @@ impl Axis {
         (!self.averages && constant.level <= depth).then_some(depth)
     }
 
-    /// The norms at i/n^M, i = 0, …, n^M; none when no such M ≥ k is looked at, or for a
-    /// scheme that averages, as they would tell nothing new.
+    /// The norms at (i + n^{M−k}s)/n^M, i = 0, …, n^M; none when no such M ≥ k is looked at, or
+    /// for a scheme that averages, as they would tell nothing new.
+    ///
+    /// Points of P^k are among these. P^M stands for P^∞ with its points at them too: with a
+    /// shift σ = n^{M−k}s up to an integer, which moves it by |σ − s| T_M at most.
     pub(super) fn samples(
         &self,
         constant: &Constant,
@@ -148,11 +162,19 @@ impl Axis {
         };
         let width = &constant.upper / Rational::from(STEPS);
         let rest = self.constant(depth, &width.max(Rational::new(1, 1 << 30)), share)?.upper;
+        let shift = self.distances.shift();
+        let finer = Rational::from(arity).pow((depth - constant.level).cast_signed());
+        let moved = (&finer - Rational::one()) * shift;
+        let nearest = Rational::from((&moved + Rational::new(1, 2)).floor());
+        let aligned = shift + &moved - &nearest;
+        // n^M is at most the number of classes over which every limit has its constants.
+        let differences = &limit.contraction()[depth as usize];
+        let rest = rest + (&aligned - shift).abs() * differences;
         let minus = Rational::from(-1);
         let sample = |i: u32| {
-            let t = Rational::new(i, arity.pow(depth));
-            let fine = limit.polygon_at(depth, &t)?;
-            let polygon = limit.polygon_at(constant.level, &t)?;
+            let t = (Rational::from(i) + &aligned) / Rational::from(arity.pow(depth));
+            let fine = limit.polygon_from(depth, &t, &aligned)?;
+            let polygon = limit.polygon_from(constant.level, &t, shift)?;
             let error = fine.plus(&minus, &polygon).on_differences();
             let error = error.expect("both are affine combinations").norm();
             Ok((t, Norms { error, limit: fine.norm(), polygon: polygon.norm() }))

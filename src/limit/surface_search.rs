@@ -110,7 +110,7 @@ impl SurfaceDistances {
         })
     }
 
-    /// The least k at which every net of these spreads is within `tolerance` of its limit.
+    /// The least k from which on every net of these spreads is within `tolerance` of its limit.
     ///
     /// # Errors
     /// When the tolerance is not positive, or no level up to 128 is shown to meet it.
@@ -137,7 +137,9 @@ impl SurfaceDistances {
             // Most levels are shown to be too few without a search.
             let mut far = Rational::zero();
             for (axis, along) in self.axes.iter().zip(0..) {
-                far += &(axis.limit().far_polygon(level)?.distance * spreads.along(along));
+                let shift = axis.distances().shift();
+                let distance = axis.limit().far_polygon_from(level, shift)?.distance;
+                far += &(distance * spreads.along(along));
             }
             if far > *tolerance {
                 return Ok(Some(false));
@@ -149,7 +151,19 @@ impl SurfaceDistances {
                 Comparison::Undecided(_) => None,
             })
         };
-        two_sided(meets, |level| self.unsearched(level, spreads) <= *tolerance, || self.caps())
+        let surely = |level| self.unsearched(level, spreads) <= *tolerance;
+        two_sided(meets, surely, self.lasting(), || self.caps())
+    }
+
+    /// A c such that after c levels that meet a tolerance all later ones do, where one is known:
+    /// spreads do not grow over c levels where T_c ≤ 1 along both directions, and no coefficient
+    /// is negative.
+    fn lasting(&self) -> Option<u32> {
+        let [first, second] = self.axes.each_ref();
+        let one = Rational::one();
+        let both = first.limit().contraction().iter().zip(second.limit().contraction());
+        let c = both.skip(1).position(|(t, u)| *t <= one && *u <= one)?;
+        (first.averages() && second.averages()).then(|| u32::try_from(c + 1).ok())?
     }
 
     /// A bound of C_k that takes no search.

@@ -1,18 +1,19 @@
-//! Values of the limit at n-adic parameters.
+//! Values of the limit at rational parameters.
 
-use super::convergence::{contraction_constants, limit_at_zero};
+use super::convergence::{contraction_constants, limit_at_repeating, limit_at_zero};
 use super::error::{LimitError, MAX_LEVEL, MAX_OFFSET};
 use super::functional::Functional;
 use super::parameter::Parameter;
 use crate::exact::{Rational, format};
 use crate::scheme::{Mask, Rules};
 
-/// The limit P^∞ of a convergent scheme at the parameters i/n^m, exactly.
+/// The limit P^∞ of a convergent scheme at rational parameters, exactly.
 ///
 /// With P^k the piecewise linear interpolant of the points x^k_i of level k at the
 /// parameters i/n^k, P^∞ = lim P^k. Its values are linear functionals of the control
 /// points x^0: at 0 the left eigenvector for 1 of the scheme on its invariant window,
-/// and elsewhere that of the refined points.
+/// at parameters whose digits repeat that of a product of its blocks, and elsewhere that of
+/// refined points.
 ///
 /// Hypotheses: an affine mask for which some T_c < 1, which is decided here.
 ///
@@ -29,7 +30,8 @@ use crate::scheme::{Mask, Rules};
 /// assert_eq!(limit.at(&Rational::zero())?, Functional::new(-1, weights));
 /// let half = [1, 23, 23, 1].map(|p| Rational::new(p, 48));
 /// assert_eq!(limit.at(&Rational::new(1, 2))?, Functional::new(-1, half));
-/// assert!(limit.at(&Rational::new(1, 3)).is_err());
+/// let third = [8, 93, 60, 1].map(|p| Rational::new(p, 162));
+/// assert_eq!(limit.at(&Rational::new(1, 3))?, Functional::new(-1, third));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
@@ -82,13 +84,19 @@ impl Limit {
         &self.contraction
     }
 
-    /// P^∞(t) as a functional of the control points, for t = i/n^m, m ≤ 256.
+    /// P^∞(t) as a functional of the control points, for a t whose n-adic digits repeat after at
+    /// most [`MAX_PARAMETER_DIGITS`](super::MAX_PARAMETER_DIGITS), with a period of at most
+    /// [`MAX_PERIOD`](super::MAX_PERIOD).
     ///
     /// # Errors
     /// When t is not such a parameter, or |t| is 2^60 or more.
     pub fn at(&self, t: &Rational) -> Result<Functional, LimitError> {
         let parameter = Parameter::new(t, self.mask.arity())?;
-        Ok(parameter.pull_back(&self.at_zero, self.mask.rules()))
+        let rules = self.mask.rules();
+        if parameter.rest.is_zero() {
+            return Ok(parameter.pull_back(&self.at_zero, rules));
+        }
+        Ok(parameter.pull_back(&limit_at_repeating(&self.mask, &parameter.rest)?, rules))
     }
 
     /// P^k(t) as a functional of the control points.
@@ -96,8 +104,21 @@ impl Limit {
     /// # Errors
     /// As of [`Limit::at`], and when the level k is above 128.
     pub fn polygon_at(&self, level: u32, t: &Rational) -> Result<Functional, LimitError> {
+        self.polygon_from(level, t, &Rational::zero())
+    }
+
+    /// The same of the polygon with x^k_i at the parameter (i + shift)/n^k.
+    ///
+    /// # Errors
+    /// As of [`Limit::polygon_at`].
+    pub fn polygon_from(
+        &self,
+        level: u32,
+        t: &Rational,
+        shift: &Rational,
+    ) -> Result<Functional, LimitError> {
         let (parameter, rest) = self.split(level, t)?;
-        Ok(parameter.pull_back(&linear(&rest), self.mask.rules()))
+        Ok(parameter.pull_back(&linear(&(rest - shift)), self.mask.rules()))
     }
 
     /// P^∞(t) − P^k(t) as a functional of the differences Δ_i = x_{i+1} − x_i of the
@@ -127,8 +148,38 @@ impl Limit {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn error(&self, level: u32, t: &Rational) -> Result<Functional, LimitError> {
+        self.error_from(level, t, &Rational::zero())
+    }
+
+    /// The same of the polygon with x^k_i at the parameter (i + shift)/n^k.
+    ///
+    /// # Errors
+    /// As of [`Limit::polygon_at`].
+    ///
+    /// # Panics
+    /// Never: the coefficients of both values sum to 1.
+    ///
+    /// ```
+    /// use subcert::exact::Rational;
+    /// use subcert::limit::{Limit, natural_shift};
+    /// use subcert::scheme::parse_scheme;
+    ///
+    /// let scheme = parse_scheme("chaikin")?;
+    /// let limit = Limit::new(scheme.masks()[0])?;
+    /// let natural = natural_shift(limit.mask()).shift;
+    /// let error = limit.error_from(1, &Rational::new(1, 4), &natural)?;
+    /// assert_eq!(error.norm(), Rational::new(1, 16));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn error_from(
+        &self,
+        level: u32,
+        t: &Rational,
+        shift: &Rational,
+    ) -> Result<Functional, LimitError> {
         let (parameter, rest) = self.split(level, t)?;
-        let error = self.at(&rest)?.plus(&Rational::from(-1), &linear(&rest));
+        let polygon = linear(&(&rest - shift));
+        let error = self.at(&rest)?.plus(&Rational::from(-1), &polygon);
         let error = error.on_differences().expect("both values are affine combinations");
         Ok(parameter.pull_back(&error, &self.difference))
     }
@@ -142,7 +193,10 @@ impl Limit {
     }
 }
 
-/// (1 − s) y_0 + s y_1.
-fn linear(s: &Rational) -> Functional {
-    Functional::new(0, [Rational::one() - s, s.clone()])
+/// (1 − s) y_i + s y_{i+1} at u = i + s, 0 ≤ s < 1.
+fn linear(u: &Rational) -> Functional {
+    let whole = u.floor();
+    let part = u - Rational::from(whole.clone());
+    let index = whole.to_i64().expect("shifts are capped with the offsets");
+    Functional::new(index, [Rational::one() - &part, part])
 }

@@ -302,8 +302,9 @@ fn a_scheme_that_converges_late_refutes_a_theorem() {
         locus = ""
         title = ""
         schemes = ["late"]
-        bounds = "depth"
-        by = '2'
+        bounds = "distance"
+        by = 'beta/100'
+        from = '1'
     "#;
     let paper = read_paper(&SourceText::new("late.toml", claims)).unwrap();
     let audit = audit(&paper).unwrap();

@@ -5,6 +5,7 @@ mod changes;
 mod distances;
 mod far;
 mod local_rules;
+mod natural;
 mod polygons;
 mod refused;
 mod surfaces;

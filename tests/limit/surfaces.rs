@@ -4,6 +4,7 @@
 use super::values::{convergent, limit};
 use crate::common::{int, mask, polygon, r, refine};
 use proptest::prelude::*;
+use subcert::bound::Budget;
 use subcert::exact::{Enclosure, Rational};
 use subcert::limit::{
     Comparison, Distances, Functional, Limit, LimitError, Spreads, SurfaceDistances, SurfaceError,
@@ -258,7 +259,7 @@ fn questions_without_an_answer() {
     let level = SurfaceError::Limit(LimitError::Level(129));
     assert_eq!(distances.compare(129, &r(1, 2), &ones), Err(level.clone()));
     assert_eq!(distances.at(129, &[r(1, 2), r(1, 2)], &ones), Err(level));
-    let error = distances.at(0, &[r(1, 2), r(1, 3)], &ones).unwrap_err();
+    let error = distances.at(0, &[r(1, 2), r(1, 101)], &ones).unwrap_err();
     assert!(matches!(error, SurfaceError::Limit(LimitError::Parameter { .. })), "{error}");
     assert!(distances.depth(&ones, &Rational::zero()).is_err());
     assert!(distances.constant(0, &Rational::zero(), &ones).is_err());
@@ -271,4 +272,33 @@ fn questions_without_an_answer() {
     // 21 and 21 points.
     let wide = of("b-spline:degree=21").at(0, &[r(0, 1), r(0, 1)], &ones);
     assert_eq!(wide, Err(SurfaceError::Net(441)));
+}
+
+/// In the natural parametrisation: without negative coefficients the constant is the sum of those
+/// of the curves; with them, no sampled value is above it.
+#[test]
+fn natural_constants_of_surfaces() {
+    let natural = |first: &str, second: &str| {
+        let [first, second] = [first, second].map(|scheme| limit(&mask(scheme)));
+        SurfaceDistances::natural(&first, &second, &Budget::unlimited()).unwrap()
+    };
+    let ones = Spreads::one();
+    let chaikin = natural("chaikin", "chaikin");
+    for k in 0..4 {
+        let (enclosure, _) = chaikin.constant(k, &r(1, 100_000), &ones).unwrap();
+        let expected = r(2, 1) * r(1, 4).pow(k.cast_signed() + 1);
+        assert!(enclosure.contains(&expected), "{k}: {enclosure:?}");
+    }
+    let depth = chaikin.depth(&ones, &r(1, 1000)).unwrap();
+    assert_eq!((depth.lower, depth.upper), (4, 4));
+    let mixed = natural("ternary-four-point-approximating", "ternary-four-point-approximating");
+    for k in 0..3 {
+        let (enclosure, witness) = mixed.constant(k, &r(1, 1_000), &ones).unwrap();
+        assert_eq!(*enclosure.lower(), witness.distance);
+        for (i, j) in [(0, 0), (1, 0), (3, 2), (4, 7)] {
+            let at = [r(i, 12), r(j, 12)];
+            let found = mixed.at(k, &at, &ones).unwrap();
+            assert!(found.distance <= *enclosure.upper(), "{k} {at:?}");
+        }
+    }
 }

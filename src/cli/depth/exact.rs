@@ -1,6 +1,7 @@
 //! The true depth for every control polygon of a spread.
 
 use super::interval::{interval_form, interval_text};
+use super::place::{Parametrisation, Place};
 use crate::cli::json::depth as form;
 use subcert::exact::{Enclosure, Rational, format::short};
 use subcert::limit::{Comparison, Distance, Distances, LimitError, TwoSidedDepth, Witness};
@@ -20,8 +21,7 @@ pub(super) struct Asked<'a> {
 
 /// The true depth, its level's distance constant, and what shows that less is too little.
 pub(super) struct Exact {
-    /// For each direction.
-    pub(super) offsets: Vec<i64>,
+    pub(super) place: Place,
     pub(super) depth: TwoSidedDepth,
     /// C_k·β at the upper side k of the depth.
     pub(super) distance: Known,
@@ -70,6 +70,7 @@ impl Known {
 impl Exact {
     pub(super) fn of(
         mask: &Mask,
+        parametrisation: Parametrisation,
         distances: &Distances,
         asked: &Asked<'_>,
     ) -> Result<Exact, LimitError> {
@@ -87,19 +88,17 @@ impl Exact {
                 Comparison::Within | Comparison::Undecided(_) => None,
             },
         };
-        let (offsets, caps) = (vec![mask.offset()], distances.caps());
-        Ok(Exact { offsets, depth, distance, too_far, caps })
+        let (shifts, caps) = (vec![distances.shift().clone()], distances.caps());
+        let place = Place::of(&[mask], parametrisation, shifts);
+        Ok(Exact { place, depth, distance, too_far, caps })
     }
 
+    /// The whole answer.
     pub(super) fn facts(&self) -> Vec<(String, String)> {
-        let (whom, own) = match self.offsets[..] {
-            [_] => ("every control polygon", "the scheme's own"),
-            _ => ("every control net", "the schemes' own"),
-        };
-        let offsets = self.offsets.iter().map(i64::to_string).collect::<Vec<String>>();
+        let whom = self.place.whom();
         let mut facts = vec![
             ("depth, exactly".to_owned(), depth_text(self.depth, whom, &self.caps)),
-            ("compared at offset".to_owned(), format!("{}, {own}", offsets.join(" and "))),
+            ("points of level k at".to_owned(), self.place.text()),
             (format!("distance C_{}·β", self.depth.upper), self.distance.text(&self.caps)),
         ];
         if let Some(TooFar { level, text, .. }) = &self.too_far {
@@ -108,10 +107,18 @@ impl Exact {
         facts
     }
 
+    /// The depth, where the points are, and the distance.
+    pub(super) fn short(&self) -> String {
+        let depth = depth_text(self.depth, self.place.whom(), &self.caps);
+        format!("{depth}; points of level k at {}", self.place.text())
+    }
+
     pub(super) fn form(&self) -> form::Exactly<'_> {
         form::Exactly {
             depth: depth_form(self.depth),
-            offsets: &self.offsets,
+            offsets: &self.place.offsets,
+            shifts: self.place.shifts.iter().map(Rational::to_string).collect(),
+            keeps_lines: &self.place.keeps_lines,
             distance: distance_form(&self.distance, self.depth.upper),
             witness: self.too_far.as_ref().map(|too_far| &too_far.form),
         }
@@ -135,7 +142,7 @@ fn too_few(lower: u32) -> String {
 
 pub(super) fn depth_form(depth: TwoSidedDepth) -> form::TwoSided {
     let TwoSidedDepth { lower, upper } = depth;
-    form::TwoSided { lower, upper, minimal: lower == upper }
+    form::TwoSided { level: upper, lower, upper, minimal: lower == upper }
 }
 
 pub(super) fn distance_form(distance: &Known, level: u32) -> form::Distance {

@@ -44,9 +44,9 @@ impl Depth {
     ) -> Result<Depth, LocalLimitError> {
         let distances = LocalDistances::new(LocalLimit::new(ring)?);
         let depth = distances.depth(spread, tolerance)?;
-        let at = distances.constant(depth.level)?;
+        let at = distances.constant(depth.settled)?;
         let below =
-            depth.level.checked_sub(1).map(|level| distances.constant(level)).transpose()?;
+            depth.settled.checked_sub(1).map(|level| distances.constant(level)).transpose()?;
         Ok(Depth { levels: depth, at, below })
     }
 }
@@ -67,13 +67,15 @@ impl Report<'_> {
                 return sheet;
             }
         };
-        let few = match depth.level {
+        let few = match depth.settled {
             0 => String::new(),
             level => format!("; {} are too few", level - 1),
         };
-        let mut facts = vec![("depth, exactly".to_owned(), format!("{} levels{few}", depth.level))];
+        let mut facts =
+            vec![("depth, exactly".to_owned(), format!("{} levels{few}", depth.settled))];
         if depth.settled > depth.level {
-            facts.push(("for good from".to_owned(), format!("level {}", depth.settled)));
+            let text = format!("level {}, but not all later ones", depth.level);
+            facts.push(("first met at".to_owned(), text));
         }
         let distance = with_decimal(&self.distance(at));
         facts.push((format!("distance C_{}·β", at.level), distance));
@@ -88,7 +90,7 @@ impl Report<'_> {
         }
         sheet.facts(facts);
         sheet.text(
-            "The depth is the least level at which, for every control ring of this spread, all \
+            "The depth is the least level from which on, for every control ring of this spread, all \
              points are within the tolerance of the one that they tend to. Around a vertex that \
              is not the distance from the limit surface, but at the vertex.",
         );
@@ -98,10 +100,10 @@ impl Report<'_> {
     fn form<'a>(&'a self, arguments: &'a DepthArguments) -> form::LocalReport<'a> {
         let depth = match &self.depth {
             Ok(Depth { levels: depth, at, below }) => {
-                let (lower, upper) = (depth.level, depth.level);
+                let level = depth.settled;
                 form::OrNone::Found(form::ExactlyOfRing {
-                    depth: form::TwoSided { lower, upper, minimal: true },
-                    settled: depth.settled,
+                    depth: form::TwoSided { level, lower: level, upper: level, minimal: true },
+                    first: depth.level,
                     distance: self.witness_form(at),
                     witness: below.as_ref().map(|witness| self.witness_form(witness)),
                 })

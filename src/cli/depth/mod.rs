@@ -4,6 +4,7 @@ mod bound;
 mod exact;
 mod interval;
 mod local_rules;
+mod place;
 mod polygon;
 mod surface;
 
@@ -15,10 +16,11 @@ use super::progress::Progress;
 use bound::Bounds;
 use exact::{Asked, Exact};
 use local_rules::ring_depth;
+use place::Parametrisation;
 use polygon::{OfPolygon, Points};
 use subcert::bound::{Budget, Constants};
 use subcert::exact::{Rational, format::short};
-use subcert::limit::{Distances, Limit, LimitError};
+use subcert::limit::{Distances, Limit, LimitError, natural_shift};
 use subcert::report::Sheet;
 use subcert::scheme::{AnyScheme, Mask, Scheme, parse_any_scheme};
 
@@ -36,9 +38,15 @@ struct Report {
     tolerance: Rational,
     spread: Rational,
     bounds: Bounds,
-    /// Where no limit is shown to exist, the reason.
+    answers: Vec<Answer>,
+    points: Option<Points>,
+}
+
+/// The answers in one parametrisation; where no limit is shown to exist, the reason.
+struct Answer {
     exact: Result<Exact, String>,
-    polygon: Option<(Points, Result<OfPolygon, LimitError>)>,
+    /// For the control polygon.
+    polygon: Option<Result<OfPolygon, String>>,
 }
 
 impl Report {
@@ -53,109 +61,172 @@ impl Report {
             Some(width) => positive("--width", width)?,
             None => &tolerance / Rational::from(1000),
         };
-        // With a polygon there are two answers.
-        let own_steps = if points.is_some() { MAX_STEPS / 2 } else { 0 };
-        let budgets = [MAX_STEPS - own_steps, own_steps].map(Budget::new);
-        let wanted = arguments.output.format != Format::Json;
-        let progress = Progress::of_steps(&budgets, wanted);
-        let [budget, own_budget] = budgets;
+        // Where no point is shifted, both parametrisations are one.
+        let natural = scheme.masks().into_iter().all(|mask| natural_shift(mask).shift.is_zero());
+        let wanted: &[Parametrisation] = match natural {
+            true => &[Parametrisation::Natural],
+            false => &[Parametrisation::Natural, Parametrisation::Indexed],
+        };
+        let count = wanted.len() * if points.is_some() { 2 } else { 1 };
+        let budget = || Budget::new(MAX_STEPS / count as u64);
+        let budgets: Vec<Budget> = (0..count).map(|_| budget()).collect();
+        let progress = Progress::of_steps(&budgets, arguments.output.format != Format::Json);
         let constants: Vec<Constants> =
             scheme.masks().into_iter().cloned().map(Constants::new).collect();
         let bounds = Bounds::of(&constants, arguments.block.levels, &tolerance, &spread)
             .map_err(|error| Failure::Input(error.to_string()))?;
         let asked = Asked { tolerance: &tolerance, spread: &spread, width: &width };
-        let mut polygon = None;
-        let exact = match scheme {
-            Scheme::Curve(mask) => {
-                let distances = distances(mask, &budget);
-                let of = |distances: &Distances| Exact::of(mask, distances, &asked);
-                let exact = distances.as_ref().map_err(Clone::clone).and_then(of);
-                if let Some(points) = points {
-                    let distances = distances.map(|all| all.with_budget(own_budget));
-                    let of = |distances| OfPolygon::of(distances, &points, &tolerance, &width);
-                    let own = distances.as_ref().map_err(Clone::clone).and_then(of);
-                    if let Err(error @ LimitError::TooFew { .. }) = own {
-                        return Err(Failure::Input(format!("--polygon: {error}")));
-                    }
-                    polygon = Some((points, own));
-                }
-                exact.map_err(|error| error.to_string())
-            }
-            Scheme::Tensor(first, second) => Exact::of_surface([first, second], &asked, &budget)
-                .map_err(|error| error.to_string()),
+        let answer = |(&parametrisation, budgets): (&Parametrisation, &[Budget])| {
+            Answer::of(scheme, parametrisation, points.as_ref(), &asked, budgets)
         };
+        let answers = wanted.iter().zip(budgets.chunks(count / wanted.len())).map(answer);
+        let answers = answers.collect::<Result<Vec<Answer>, Failure>>()?;
         drop(progress);
-        Ok(Report { tolerance, spread, bounds, exact, polygon })
+        Ok(Report { tolerance, spread, bounds, answers, points })
+    }
+
+    /// With the points at their natural parameters.
+    fn natural(&self) -> &Answer {
+        &self.answers[0]
+    }
+
+    /// With the points at i/n^k.
+    fn indexed(&self) -> &Answer {
+        &self.answers[self.answers.len() - 1]
     }
 
     fn sheet(&self, arguments: &DepthArguments) -> Sheet {
         let mut sheet = Sheet::default();
         let (name, tolerance) = (&arguments.scheme, &arguments.tolerance);
-        let spread = match &self.polygon {
+        let spread = match &self.points {
             Some(_) => short(&self.spread, 9),
             None => arguments.spread.spread.clone(),
         };
         sheet.heading(1, format!("{name}, ε = {tolerance}, β = {spread}"));
-        if let Some((points, own)) = &self.polygon {
+        let (natural, indexed) = (self.natural(), self.answers.get(1));
+        if let (Some(points), Some(own)) = (&self.points, &natural.polygon) {
             let mut facts = vec![("control polygon".to_owned(), points.text())];
             match own {
                 Ok(own) => facts.extend(own.facts(points)),
-                Err(error) => {
-                    facts.push(("depth of the polygon".to_owned(), format!("none: {error}")));
-                }
+                Err(why) => facts.push(("depth of the polygon".to_owned(), format!("none: {why}"))),
+            }
+            if let Some(Some(Ok(own))) = indexed.map(|indexed| &indexed.polygon) {
+                facts.push(("as papers count".to_owned(), own.depth_text()));
             }
             sheet.facts(facts);
         }
-        let mut facts = match &self.exact {
+        let mut facts = match &natural.exact {
             Ok(exact) => exact.facts(),
             Err(why) => vec![("depth, exactly".to_owned(), format!("none: {why}"))],
         };
+        if let Some(Ok(exact)) = indexed.map(|indexed| &indexed.exact) {
+            facts.push(("as papers count".to_owned(), exact.short()));
+        }
         facts.extend(self.bounds.facts());
         sheet.facts(facts);
         sheet.grid(self.bounds.grid());
-        if self.polygon.as_ref().is_some_and(|(points, _)| points.coordinates.len() > 1) {
+        if self.points.as_ref().is_some_and(|points| points.coordinates.len() > 1) {
             sheet.text(
                 "β, the distance and the depth of a polygon of points are the greatest of their \
                  coordinates.",
             );
         }
         sheet.text(
-            "The exact depth is the least level that meets the tolerance for every control \
-             polygon or net of this spread; the sound bound promises it too, the later the cruder it is. \
-             Both compare at the scheme's own offset. The printed formula, σβT^k/(1 − T) with one \
-             power of the constant for each level, |Σ| in place of σ and offset 0, does not \
-             promise it.",
+            "The exact depth is the least level from which on every control polygon or net of this \
+             spread meets the tolerance. The sound bound promises it too, the later the cruder it \
+             is; it compares the points at i/n^k, at the scheme's own offset, as papers do. The \
+             printed formula, σβT^k/(1 − T) with one power of the constant for each level, |Σ| in \
+             place of σ and offset 0, does not promise it.",
         );
         sheet
     }
 
     fn form<'a>(&'a self, arguments: &'a DepthArguments) -> form::Report<'a> {
-        let polygon = |(points, own): &(Points, Result<OfPolygon, LimitError>)| match own {
-            Ok(own) => form::OrNone::Found(own.form(points)),
-            Err(error) => form::OrNone::None { none: error.to_string() },
+        let exact = |answer: &'a Answer| or_none(&answer.exact, Exact::form);
+        let own = |answer: &Answer| {
+            let missing = Err("no polygon".to_owned());
+            or_none(answer.polygon.as_ref().unwrap_or(&missing), OfPolygon::form)
+        };
+        let polygon = |points: &Points| form::Polygon {
+            points: points.count,
+            coordinates: points.coordinates.len(),
+            closed: points.closed,
+            natural: own(self.natural()),
+            indexed: own(self.indexed()),
         };
         form::Report {
             schema: SCHEMA,
             scheme: &arguments.scheme,
             tolerance: self.tolerance.to_string(),
             spread: self.spread.to_string(),
-            polygon: self.polygon.as_ref().map(polygon),
-            depth: match &self.exact {
-                Ok(exact) => form::OrNone::Found(exact.form()),
-                Err(why) => form::OrNone::None { none: why.clone() },
-            },
+            polygon: self.points.as_ref().map(polygon),
+            natural: exact(self.natural()),
+            indexed: exact(self.indexed()),
             sound: self.bounds.sound_form(),
             printed_formula: self.bounds.printed_forms(),
         }
     }
 }
 
+/// An answer in JSON, or the reason that there is none.
+fn or_none<'a, T, F>(answer: &'a Result<T, String>, form: impl Fn(&'a T) -> F) -> form::OrNone<F> {
+    match answer {
+        Ok(answer) => form::OrNone::Found(form(answer)),
+        Err(why) => form::OrNone::None { none: why.clone() },
+    }
+}
+
+impl Answer {
+    /// With a budget for all data, and another one for the polygon.
+    fn of(
+        scheme: &Scheme,
+        parametrisation: Parametrisation,
+        points: Option<&Points>,
+        asked: &Asked<'_>,
+        budgets: &[Budget],
+    ) -> Result<Answer, Failure> {
+        let mask = match scheme {
+            Scheme::Curve(mask) => mask,
+            Scheme::Tensor(first, second) => {
+                let masks = [first, second];
+                let exact = Exact::of_surface(masks, parametrisation, asked, &budgets[0]);
+                return Ok(Answer { exact: exact.map_err(|e| e.to_string()), polygon: None });
+            }
+        };
+        let distances = match distances(mask, parametrisation) {
+            Ok(distances) => distances,
+            Err(error) => {
+                let why = Err(error.to_string());
+                let polygon = points.map(|_| Err(error.to_string()));
+                return Ok(Answer { exact: why, polygon });
+            }
+        };
+        let all = distances.clone().with_budget(budgets[0].clone());
+        let exact = Exact::of(mask, parametrisation, &all, asked);
+        let own = |points: &Points| {
+            let distances = distances.clone().with_budget(budgets[1].clone());
+            match OfPolygon::of(&distances, points, asked.tolerance, asked.width) {
+                Err(error @ LimitError::TooFew { .. }) => {
+                    Err(Failure::Input(format!("--polygon: {error}")))
+                }
+                own => Ok(own.map_err(|error| error.to_string())),
+            }
+        };
+        let polygon = points.map(own).transpose()?;
+        Ok(Answer { exact: exact.map_err(|error| error.to_string()), polygon })
+    }
+}
+
 /// The steps that the exact distances of one command may take.
 const MAX_STEPS: u64 = 1_000_000_000;
 
-fn distances(mask: &Mask, budget: &Budget) -> Result<Distances, LimitError> {
-    let distances = Distances::new(&Limit::new(mask)?)?;
-    Ok(distances.with_cells(u32::MAX).with_budget(budget.clone()))
+fn distances(mask: &Mask, parametrisation: Parametrisation) -> Result<Distances, LimitError> {
+    let limit = Limit::new(mask)?;
+    let distances = match parametrisation {
+        Parametrisation::Natural => Distances::natural(&limit)?,
+        Parametrisation::Indexed => Distances::new(&limit)?,
+    };
+    Ok(distances.with_cells(u32::MAX))
 }
 
 /// The control polygon that was given.

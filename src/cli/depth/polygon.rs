@@ -106,7 +106,12 @@ impl OfPolygon {
         facts
     }
 
-    pub(super) fn form(&self, points: &Points) -> form::OfPolygon {
+    /// The depth alone.
+    pub(super) fn depth_text(&self) -> String {
+        depth_text(self.depth, "this polygon", &self.caps)
+    }
+
+    pub(super) fn form(&self) -> form::OfPolygon {
         let too_far = |too_far: &TooFar| form::TooFar {
             level: too_far.level,
             coordinate: too_far.coordinate + 1,
@@ -115,9 +120,6 @@ impl OfPolygon {
         };
         form::OfPolygon {
             depth: depth_form(self.depth),
-            points: points.count,
-            coordinates: points.coordinates.len(),
-            closed: points.closed,
             distance: form::DistanceOfPolygon {
                 distance: distance_form(&self.distance, self.depth.upper),
                 coordinate: self.coordinate + 1,

@@ -1,6 +1,7 @@
 //! The true depth of tensor product surfaces, for every control net of a spread.
 
 use super::exact::{Asked, Exact, Known, TooFar, points_text};
+use super::place::{Parametrisation, Place};
 use crate::cli::json::depth as form;
 use subcert::bound::Budget;
 use subcert::exact::format::short;
@@ -15,13 +16,16 @@ impl Exact {
     /// β is the largest difference along either direction.
     pub(super) fn of_surface(
         masks: [&Mask; 2],
+        parametrisation: Parametrisation,
         asked: &Asked<'_>,
         budget: &Budget,
     ) -> Result<Exact, SurfaceError> {
         let spreads = Spreads::new(asked.spread, asked.spread)?;
-        let [first, second] = masks;
-        let distances =
-            SurfaceDistances::within(&Limit::new(first)?, &Limit::new(second)?, budget)?;
+        let [first, second] = [Limit::new(masks[0])?, Limit::new(masks[1])?];
+        let distances = match parametrisation {
+            Parametrisation::Natural => SurfaceDistances::natural(&first, &second, budget)?,
+            Parametrisation::Indexed => SurfaceDistances::within(&first, &second, budget)?,
+        };
         let depth = distances.depth(&spreads, asked.tolerance)?;
         let (enclosure, _) = distances.constant(depth.upper, asked.width, &spreads)?;
         let narrow = enclosure.width() <= *asked.width;
@@ -33,8 +37,9 @@ impl Exact {
             },
         };
         let distance = Known { enclosure, narrow, parameter: None };
-        let offsets = masks.map(Mask::offset).to_vec();
-        Ok(Exact { offsets, depth, distance, too_far, caps: distances.caps() })
+        let shifts = distances.shifts().map(Clone::clone).to_vec();
+        let place = Place::of(&masks, parametrisation, shifts);
+        Ok(Exact { place, depth, distance, too_far, caps: distances.caps() })
     }
 }
 

@@ -14,10 +14,13 @@ pub struct Report<'a> {
     pub tolerance: String,
     /// The spread β.
     pub spread: String,
-    /// The depth of the control polygon; null where none was given.
-    pub polygon: Option<OrNone<OfPolygon>>,
-    /// The true depth for every control polygon or net of the spread.
-    pub depth: OrNone<Exactly<'a>>,
+    /// The control polygon; null where none was given.
+    pub polygon: Option<Polygon>,
+    /// The true depth for every control polygon or net of the spread, each point of level k at its
+    /// natural parameter (i + s)/n^k.
+    pub natural: OrNone<Exactly<'a>>,
+    /// The same with each point of level k at i/n^k, as papers count.
+    pub indexed: OrNone<Exactly<'a>>,
     /// The depth by the sound bound.
     pub sound: Sound,
     /// The depths that papers compute.
@@ -37,12 +40,14 @@ pub enum OrNone<T> {
     },
 }
 
-/// A depth from both sides.
+/// A depth from both sides: the least level that meets the tolerance with all later ones.
 #[derive(Serialize)]
 pub struct TwoSided {
-    /// No lower level meets the tolerance.
+    /// A level that meets the tolerance with all later ones: the upper side.
+    pub level: u32,
+    /// The level before this one does not meet the tolerance.
     pub lower: u32,
-    /// This level does.
+    /// This level does, and all later ones.
     pub upper: u32,
     /// Whether the two are the same.
     pub minimal: bool,
@@ -79,6 +84,11 @@ pub struct Exactly<'a> {
     pub depth: TwoSided,
     /// The offset of each direction.
     pub offsets: &'a [i64],
+    /// s for each direction.
+    pub shifts: Vec<String>,
+    /// Whether the scheme takes lines to lines, along each direction: the natural shift keeps them
+    /// where they are. Where it does not, the shift is the best in the mean.
+    pub keeps_lines: &'a [bool],
     /// The greatest distance at the upper side of the depth.
     pub distance: Distance,
     /// Control data that are too far from their limit at the level below the depth.
@@ -121,18 +131,27 @@ pub enum Witness {
     },
 }
 
-/// The depth of a control polygon.
+/// A control polygon.
 #[derive(Serialize)]
-pub struct OfPolygon {
-    /// The depth; its fields stand here.
-    #[serde(flatten)]
-    pub depth: TwoSided,
+pub struct Polygon {
     /// How many points the polygon has.
     pub points: usize,
     /// How many coordinates a point has.
     pub coordinates: usize,
     /// Whether the last point is followed by the first.
     pub closed: bool,
+    /// Its depth with each point of level k at its natural parameter.
+    pub natural: OrNone<OfPolygon>,
+    /// The same with each point of level k at i/n^k.
+    pub indexed: OrNone<OfPolygon>,
+}
+
+/// The depth of a control polygon.
+#[derive(Serialize)]
+pub struct OfPolygon {
+    /// The depth; its fields stand here.
+    #[serde(flatten)]
+    pub depth: TwoSided,
     /// Its distance at the upper side of the depth.
     pub distance: DistanceOfPolygon,
     /// Where it is too far from its limit at the level below the depth.
@@ -209,8 +228,8 @@ pub struct ExactlyOfRing<'a> {
     /// The depth; its fields stand here.
     #[serde(flatten)]
     pub depth: TwoSided,
-    /// The level from which on the tolerance is met.
-    pub settled: u32,
+    /// The least level that meets the tolerance; a later one need not.
+    pub first: u32,
     /// The greatest distance at the depth.
     pub distance: LocalWitness<'a>,
     /// A control ring that is too far from its limit at the level below the depth.

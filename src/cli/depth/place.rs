@@ -1,0 +1,66 @@
+//! Where the points of a level are compared with the limit.
+
+use subcert::exact::Rational;
+use subcert::limit::natural_shift;
+use subcert::scheme::Mask;
+
+/// At which parameters.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Parametrisation {
+    /// Each at its natural parameter (i + s)/n^k.
+    Natural,
+    /// Each at i/n^k, as papers count.
+    Indexed,
+}
+
+/// The parameters of the points, for each direction.
+pub(super) struct Place {
+    parametrisation: Parametrisation,
+    pub(super) offsets: Vec<i64>,
+    /// s.
+    pub(super) shifts: Vec<Rational>,
+    pub(super) keeps_lines: Vec<bool>,
+    arities: Vec<usize>,
+}
+
+impl Place {
+    pub(super) fn of(
+        masks: &[&Mask],
+        parametrisation: Parametrisation,
+        shifts: Vec<Rational>,
+    ) -> Place {
+        Place {
+            parametrisation,
+            offsets: masks.iter().map(|mask| mask.offset()).collect(),
+            shifts,
+            keeps_lines: masks.iter().map(|mask| natural_shift(mask).keeps_lines).collect(),
+            arities: masks.iter().map(|mask| mask.arity()).collect(),
+        }
+    }
+
+    /// Of whom the depth is.
+    pub(super) fn whom(&self) -> &'static str {
+        if self.arities.len() == 1 { "every control polygon" } else { "every control net" }
+    }
+
+    /// `(i − 1/2)/2^k, where they keep lines`.
+    pub(super) fn text(&self) -> String {
+        let at = |(shift, (arity, index)): (&Rational, (&usize, &str))| match shift.sign() {
+            0 => format!("{index}/{arity}^k"),
+            1 => format!("({index} + {shift})/{arity}^k"),
+            _ => format!("({index} − {})/{arity}^k", shift.abs()),
+        };
+        let places = self.shifts.iter().zip(self.arities.iter().zip(["i", "j"])).map(at);
+        let places = places.collect::<Vec<String>>().join(" and ");
+        let why = match self.parametrisation {
+            Parametrisation::Indexed => "as papers count",
+            Parametrisation::Natural if self.keeps_lines.iter().all(|keeps| *keeps) => {
+                "where lines stay where they are"
+            }
+            Parametrisation::Natural => {
+                "the best place in the mean: the scheme does not take lines to lines"
+            }
+        };
+        format!("{places}, {why}")
+    }
+}

@@ -1,0 +1,47 @@
+//! The parameter that a point of a polygon belongs to.
+
+use crate::exact::Rational;
+use crate::scheme::Mask;
+
+/// Where the points of a polygon belong: x^k_i at the parameter (i + s)/n^k.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NaturalShift {
+    /// s.
+    pub shift: Rational,
+    /// Whether the scheme takes lines to lines; then s is the only shift with which it reproduces
+    /// them. Otherwise s is the centre of mass of its basic limit function.
+    pub keeps_lines: bool,
+}
+
+/// The natural shift s of a scheme.
+///
+/// With m_α = Σ_j j a_{α,j} and s_α = (α − n(m_α + o))/(n − 1), the scheme takes lines to lines if
+/// and only if all s_α are one number, which is s. Otherwise s is their mean.
+///
+/// Source: `proofs/THEOREMS.md`, «Natural parameter».
+///
+/// ```
+/// use subcert::exact::Rational;
+/// use subcert::limit::natural_shift;
+/// use subcert::scheme::parse_scheme;
+///
+/// let chaikin = natural_shift(parse_scheme("chaikin")?.masks()[0]);
+/// assert_eq!((chaikin.shift, chaikin.keeps_lines), (Rational::new(-1, 2), true));
+/// let cubic = natural_shift(parse_scheme("b-spline:degree=3")?.masks()[0]);
+/// assert!(cubic.shift.is_zero());
+/// # Ok::<(), subcert::scheme::ReferenceError>(())
+/// ```
+#[must_use]
+pub fn natural_shift(mask: &Mask) -> NaturalShift {
+    let n = Rational::from(mask.arity());
+    let offset = Rational::from(mask.offset());
+    let shift = |(alpha, row): (usize, &Vec<Rational>)| {
+        let weighted = row.iter().enumerate().map(|(j, entry)| entry * Rational::from(j));
+        let mean: Rational = weighted.sum();
+        (Rational::from(alpha) - &n * (mean + &offset)) / (&n - Rational::one())
+    };
+    let shifts: Vec<Rational> = mask.rules().rows().iter().enumerate().map(shift).collect();
+    let keeps_lines = shifts.iter().all(|shift| *shift == shifts[0]);
+    let shift = shifts.into_iter().sum::<Rational>() / n;
+    NaturalShift { shift, keeps_lines }
+}
