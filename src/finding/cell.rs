@@ -232,9 +232,9 @@ pub struct CellFinding {
     pub kept_by_sound: Option<bool>,
     /// Whether it keeps it for all control data.
     pub kept: Option<Kept>,
-    /// Of a curve, where it does not at the paper's offset: the scheme's own, and whether
-    /// it does there.
-    pub kept_at_own_offset: Option<(i64, Kept)>,
+    /// Of curves and nets, where it does not with the points at i/n^k: whether it does with each at
+    /// its natural parameter.
+    pub kept_naturally: Option<Kept>,
 }
 
 impl CellFinding {

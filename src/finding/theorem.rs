@@ -106,6 +106,25 @@ pub struct Refutation {
     pub supremum: Option<Supremum>,
     /// The sound block bound of the distance, at this level.
     pub sound: Option<RealCyclotomic>,
+    /// What is so with each point at its natural parameter; `None` where the points of all cases
+    /// are there, as those of rings.
+    pub natural: Option<Naturally>,
+}
+
+/// What a refuted theorem is with each point at its natural parameter.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Naturally {
+    /// It is false there too.
+    Refuted {
+        /// The scheme and the values, in a few words.
+        case: String,
+        /// The data.
+        violation: Box<Violation>,
+    },
+    /// Nothing that it was tried on exceeds the bound: it holds at the levels that were looked at.
+    Holds,
+    /// Neither is known.
+    Open,
 }
 
 /// Corrections with which nothing refutes a theorem.

@@ -13,7 +13,7 @@ use crate::exact::{Rational, RealCyclotomic};
 use crate::finding::{Broken, CellFinding, Kept, Sound};
 use crate::formula::LocatedFormula;
 use crate::judge::distance::{KnownDistances, Schemes};
-use crate::limit::Comparison;
+use crate::limit::{Comparison, Parametrisation};
 use std::rc::Rc;
 
 /// The highest level at which a bound is computed.
@@ -48,17 +48,7 @@ struct Promised {
     of: Of,
 }
 
-impl Promised {
-    /// The same at the own offset of a scheme for curves, where that is another.
-    fn at_own_offset(&self) -> Option<(i64, Promised)> {
-        let Compared::Masks(scheme, Some(offset)) = &self.scheme else { return None };
-        let [curve] = &scheme.constants[..] else { return None };
-        let own = curve.mask().offset();
-        let scheme = Compared::Masks(scheme.clone(), None);
-        let (spread, of) = (self.spread.clone(), self.of.clone());
-        (own != *offset).then_some((own, Promised { scheme, spread, of }))
-    }
-}
+impl Promised {}
 
 /// What is compared with its limit.
 enum Compared {
@@ -123,14 +113,12 @@ impl Evaluator<'_> {
             if finding.kept_by_sound == Some(true) {
                 finding.kept = Some(Kept::Yes);
             } else {
-                let kept = Self::kept(&promised, &printed, distances);
-                if kept != Kept::Yes
-                    && let Some((own, promised)) = promised.at_own_offset()
-                {
-                    finding.kept_at_own_offset =
-                        Some((own, Self::kept(&promised, &printed, distances)));
+                let kept = Self::kept(&promised, &printed, distances, Parametrisation::Indexed);
+                if kept.as_ref() != Some(&Kept::Yes) {
+                    let natural = Parametrisation::Natural;
+                    finding.kept_naturally = Self::kept(&promised, &printed, distances, natural);
                 }
-                finding.kept = Some(kept);
+                finding.kept = kept;
             }
         }
         finding.sound = Some(sound);
@@ -201,25 +189,38 @@ impl Evaluator<'_> {
         }
     }
 
-    /// Whether the printed number keeps its promise for every control polygon.
-    fn kept(promised: &Promised, printed: &Rational, distances: &Schemes) -> Kept {
+    /// Whether the printed number keeps its promise for every control polygon; `None` where the points
+    /// are at their natural parameters already.
+    fn kept(
+        promised: &Promised,
+        printed: &Rational,
+        schemes: &Schemes,
+        parametrisation: Parametrisation,
+    ) -> Option<Kept> {
         let Promised { scheme, spread, of } = promised;
         let level = match of {
             Of::Tolerance(_) => printed.numerator().to_i64().filter(|_| printed.is_integer()),
             Of::Level(level) => Some(*level),
         };
         let Some(level) = level.and_then(|level| u32::try_from(level).ok()) else {
-            return Kept::Open("what is said to be a level is none".to_owned());
+            return Some(Kept::Open("what is said to be a level is none".to_owned()));
         };
         let most = match of {
             Of::Tolerance(tolerance) => tolerance,
             Of::Level(_) => printed,
         };
-        let distances = match scheme {
-            Compared::Masks(scheme, offset) => distances.of(scheme, *offset),
-            Compared::LocalRules(ring) => Rc::clone(ring),
+        let distances = match (scheme, parametrisation) {
+            (Compared::Masks(scheme, offset), Parametrisation::Indexed) => {
+                schemes.of(scheme, *offset)
+            }
+            (Compared::Masks(scheme, offset), Parametrisation::Natural) => {
+                schemes.naturally(scheme, *offset)?
+            }
+            (Compared::LocalRules(ring), Parametrisation::Indexed) => Rc::clone(ring),
+            (Compared::LocalRules(_), Parametrisation::Natural) => return None,
         };
-        keeps(&distances, level, spread, most)
+        let lasting = matches!(of, Of::Tolerance(_));
+        Some(keeps(&distances, lasting, level, spread, most))
     }
 
     /// The value of a formula of a promise.
@@ -244,14 +245,27 @@ impl Evaluator<'_> {
     }
 }
 
-/// Whether all control data of spread `spread` are within `most` of their limit at a level.
-fn keeps(distances: &KnownDistances, level: u32, spread: &Rational, most: &Rational) -> Kept {
+/// Whether all control data of spread `spread` are within `most` of their limit at a level, and,
+/// if it is to last, at all later ones.
+fn keeps(
+    distances: &KnownDistances,
+    lasting: bool,
+    level: u32,
+    spread: &Rational,
+    most: &Rational,
+) -> Kept {
     if spread.sign() <= 0 {
         return Kept::Open(format!("the spread {spread} is not positive"));
     }
-    match distances.compare(level, &(most / spread).into()) {
+    let bound = (most / spread).into();
+    let compared = if lasting {
+        distances.compare_from(level, &bound)
+    } else {
+        distances.compare(level, &bound).map(|compared| compared.map(|found| (level, found)))
+    };
+    match compared {
         Ok(Comparison::Within) => Kept::Yes,
-        Ok(Comparison::Exceeds(attained)) => {
+        Ok(Comparison::Exceeds((level, attained))) => {
             let (spread, most) = (spread.clone(), most.clone());
             let distance = &attained.value * &RealCyclotomic::from(spread.clone());
             Kept::No(Box::new(Broken { attained, spread, level, distance, most }))

@@ -154,7 +154,7 @@ impl Evaluator<'_> {
             kept_by_formula: None,
             kept_by_sound: None,
             kept: None,
-            kept_at_own_offset: None,
+            kept_naturally: None,
         };
         // Parameters are assumed one by one, so that those that the value needs
         // are known.

@@ -19,6 +19,17 @@ pub enum Comparison<W> {
     Undecided(Box<Enclosure>),
 }
 
+impl<W> Comparison<W> {
+    /// The same with another witness.
+    pub fn map<V>(self, witness: impl FnOnce(W) -> V) -> Comparison<V> {
+        match self {
+            Comparison::Within => Comparison::Within,
+            Comparison::Exceeds(found) => Comparison::Exceeds(witness(found)),
+            Comparison::Undecided(enclosure) => Comparison::Undecided(enclosure),
+        }
+    }
+}
+
 /// A control polygon of spread 1 and a place where it is far from its limit.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Witness {

@@ -108,8 +108,8 @@ impl Distances {
         two_sided(meets, surely, lasting, || self.caps())
     }
 
-    /// The least c with T_c ≤ 1.
-    fn lasting(&self) -> Option<u32> {
+    /// The least c with T_c ≤ 1: after c levels within a bound all later ones are.
+    pub(crate) fn lasting(&self) -> Option<u32> {
         let constants = self.limit().contraction();
         let c = constants.iter().skip(1).position(|constant| *constant <= Rational::one())?;
         u32::try_from(c + 1).ok()

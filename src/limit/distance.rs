@@ -245,6 +245,11 @@ impl Distances {
         share.take(self.splitting.cost_of_roots(&among.roots[0], among.roots.len()))
     }
 
+    /// A bound of C_k that takes no search. It does not grow with the level.
+    pub(crate) fn at_most(&self, level: u32) -> Rational {
+        self.remainders.of_all(level)
+    }
+
     /// A bound of the distance at level k that takes no search.
     pub(super) fn unsearched(&self, among: &Polygons, level: u32) -> Rational {
         let of_all = self.remainders.of_all(level);

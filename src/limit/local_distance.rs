@@ -255,9 +255,7 @@ impl<S: Real + Ord + Value> LocalDistances<S> {
         }
         let ring = self.limit.ring();
         let threshold = S::from_rational(&(tolerance / spread));
-        let zero = S::zero();
-        let averages = ring.weights().values().iter().all(|weight| *weight >= zero);
-        let run = if averages { 1 } else { self.block().0 };
+        let run = self.lasting();
         let (mut first, mut start) = (None, None);
         for (level, errors) in (0..=MAX_LEVEL).zip(pulled_back(ring, self.errors.clone())) {
             check_level(ring, self.errors.len(), level)?;
@@ -271,6 +269,13 @@ impl<S: Real + Ord + Value> LocalDistances<S> {
             }
         }
         Err(LocalLimitError::TooDeep)
+    }
+
+    /// A c such that after c levels within a bound all later ones are.
+    pub(crate) fn lasting(&self) -> u32 {
+        let zero = S::zero();
+        let averages = self.limit.ring().weights().values().iter().all(|weight| *weight >= zero);
+        if averages { 1 } else { self.block().0 }
     }
 
     /// The first c with T_c < 1, and T_c.

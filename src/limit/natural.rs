@@ -3,20 +3,44 @@
 use crate::exact::Rational;
 use crate::scheme::Mask;
 
+/// At which parameters the points of a level are compared with the limit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Parametrisation {
+    /// x^k_i at i/n^k, as papers count.
+    Indexed,
+    /// x^k_i at its natural parameter (i + s)/n^k.
+    Natural,
+}
+
+impl Parametrisation {
+    /// s for this mask.
+    #[must_use]
+    pub fn shift(self, mask: &Mask) -> Rational {
+        match self {
+            Parametrisation::Indexed => Rational::zero(),
+            Parametrisation::Natural => natural_shift(mask).shift,
+        }
+    }
+}
+
 /// Where the points of a polygon belong: x^k_i at the parameter (i + s)/n^k.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NaturalShift {
     /// s.
     pub shift: Rational,
     /// Whether the scheme takes lines to lines; then s is the only shift with which it reproduces
-    /// them. Otherwise s is the centre of mass of its basic limit function.
+    /// them. Otherwise s is near the centre of mass of its basic limit function.
     pub keeps_lines: bool,
 }
+
+/// Where lines are not kept, s is rounded to a multiple of 1/((n − 1)n^m), n^m at least this: its digits
+/// then repeat soon.
+const PARTS: usize = 1 << 10;
 
 /// The natural shift s of a scheme.
 ///
 /// With m_α = Σ_j j a_{α,j} and s_α = (α − n(m_α + o))/(n − 1), the scheme takes lines to lines if
-/// and only if all s_α are one number, which is s. Otherwise s is their mean.
+/// and only if all s_α are one number, which is s. Otherwise s is their mean, up to 1/2000.
 ///
 /// Source: `proofs/THEOREMS.md`, «Natural parameter».
 ///
@@ -42,6 +66,12 @@ pub fn natural_shift(mask: &Mask) -> NaturalShift {
     };
     let shifts: Vec<Rational> = mask.rules().rows().iter().enumerate().map(shift).collect();
     let keeps_lines = shifts.iter().all(|shift| *shift == shifts[0]);
-    let shift = shifts.into_iter().sum::<Rational>() / n;
-    NaturalShift { shift, keeps_lines }
+    let mean = shifts.into_iter().sum::<Rational>() / &n;
+    if keeps_lines {
+        return NaturalShift { shift: mean, keeps_lines };
+    }
+    let power = (1..).map(|m| mask.arity().pow(m)).find(|parts| *parts >= PARTS);
+    let parts = Rational::from(power.expect("powers grow")) * (&n - Rational::one());
+    let nearest = (mean * &parts + Rational::new(1, 2)).floor();
+    NaturalShift { shift: Rational::from(nearest) / parts, keeps_lines }
 }

@@ -46,12 +46,28 @@ pub struct Attained {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn greatest_step(mask: &Mask, level: u32) -> Result<Attained, LimitError> {
+    greatest_step_from(mask, level, &Rational::zero())
+}
+
+/// The same of the polygons with x^k_i at (i + shift)/n^k, at the points of level k + 1. Where
+/// (n − 1)·shift is no integer, it can be more at the points of level k.
+///
+/// # Errors
+/// As of [`greatest_step`].
+///
+/// # Panics
+/// Never: the rules of a mask sum to 1.
+pub fn greatest_step_from(
+    mask: &Mask,
+    level: u32,
+    shift: &Rational,
+) -> Result<Attained, LimitError> {
     let arity = i64::try_from(mask.arity()).expect("the arity is capped");
     let step = |alpha: i64| {
         let point: Functional =
             rule_at(mask.rules(), alpha).map(|(i, weight)| (i, weight.clone())).collect();
-        let part = Rational::new(alpha, arity);
-        let before = Functional::new(0, [Rational::one() - &part, part]);
+        let u = (Rational::from(alpha) + shift) / Rational::from(arity) - shift;
+        let before = Functional::on_line(&u);
         let off = point.plus(&Rational::from(-1), &before);
         (alpha, off.on_differences().expect("both are affine combinations"))
     };

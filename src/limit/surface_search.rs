@@ -151,14 +151,14 @@ impl SurfaceDistances {
                 Comparison::Undecided(_) => None,
             })
         };
-        let surely = |level| self.unsearched(level, spreads) <= *tolerance;
+        let surely = |level| self.at_most(level, spreads) <= *tolerance;
         two_sided(meets, surely, self.lasting(), || self.caps())
     }
 
     /// A c such that after c levels that meet a tolerance all later ones do, where one is known:
     /// spreads do not grow over c levels where T_c ≤ 1 along both directions, and no coefficient
     /// is negative.
-    fn lasting(&self) -> Option<u32> {
+    pub(crate) fn lasting(&self) -> Option<u32> {
         let [first, second] = self.axes.each_ref();
         let one = Rational::one();
         let both = first.limit().contraction().iter().zip(second.limit().contraction());
@@ -166,8 +166,8 @@ impl SurfaceDistances {
         (first.averages() && second.averages()).then(|| u32::try_from(c + 1).ok())?
     }
 
-    /// A bound of C_k that takes no search.
-    fn unsearched(&self, level: u32, spreads: &Spreads) -> Rational {
+    /// A bound of C_k that takes no search. It does not grow with the level.
+    pub(crate) fn at_most(&self, level: u32, spreads: &Spreads) -> Rational {
         self.bound(&self.axes.each_ref().map(|axis| axis.unsearched(level)), spreads)
     }
 

@@ -6,6 +6,8 @@ use super::functional::Functional;
 use super::parameter::Parameter;
 use crate::exact::{Rational, format};
 use crate::scheme::{Mask, Rules};
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// The limit P^∞ of a convergent scheme at rational parameters, exactly.
 ///
@@ -40,6 +42,8 @@ pub struct Limit {
     difference: Rules,
     contraction: Vec<Rational>,
     at_zero: Functional,
+    /// Limits at parameters whose digits repeat from the first on, once they were asked for.
+    repeating: Arc<Mutex<BTreeMap<Rational, Functional>>>,
 }
 
 impl Limit {
@@ -63,7 +67,8 @@ impl Limit {
             let blocks = u32::try_from(contraction.len() - 1).unwrap_or(u32::MAX);
             return Err(LimitError::NotShown { blocks, least: format::short(least, 6) });
         }
-        Ok(Limit { mask: mask.clone(), difference, contraction, at_zero })
+        let (mask, repeating) = (mask.clone(), Arc::default());
+        Ok(Limit { mask, difference, contraction, at_zero, repeating })
     }
 
     /// The mask.
@@ -96,7 +101,18 @@ impl Limit {
         if parameter.rest.is_zero() {
             return Ok(parameter.pull_back(&self.at_zero, rules));
         }
-        Ok(parameter.pull_back(&limit_at_repeating(&self.mask, &parameter.rest)?, rules))
+        Ok(parameter.pull_back(&self.at_repeating(&parameter.rest)?, rules))
+    }
+
+    fn at_repeating(&self, rest: &Rational) -> Result<Functional, LimitError> {
+        // What a thread that panicked has left is whole: it is written in one step.
+        let known = || self.repeating.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(limit) = known().get(rest) {
+            return Ok(limit.clone());
+        }
+        let limit = limit_at_repeating(&self.mask, rest)?;
+        known().insert(rest.clone(), limit.clone());
+        Ok(limit)
     }
 
     /// P^k(t) as a functional of the control points.
@@ -118,7 +134,7 @@ impl Limit {
         shift: &Rational,
     ) -> Result<Functional, LimitError> {
         let (parameter, rest) = self.split(level, t)?;
-        Ok(parameter.pull_back(&linear(&(rest - shift)), self.mask.rules()))
+        Ok(parameter.pull_back(&Functional::on_line(&(rest - shift)), self.mask.rules()))
     }
 
     /// P^∞(t) − P^k(t) as a functional of the differences Δ_i = x_{i+1} − x_i of the
@@ -178,7 +194,7 @@ impl Limit {
         shift: &Rational,
     ) -> Result<Functional, LimitError> {
         let (parameter, rest) = self.split(level, t)?;
-        let polygon = linear(&(&rest - shift));
+        let polygon = Functional::on_line(&(&rest - shift));
         let error = self.at(&rest)?.plus(&Rational::from(-1), &polygon);
         let error = error.on_differences().expect("both values are affine combinations");
         Ok(parameter.pull_back(&error, &self.difference))
@@ -191,12 +207,4 @@ impl Limit {
         let arity = self.mask.arity();
         Ok(Parameter::new(t, arity)?.split(level, arity))
     }
-}
-
-/// (1 − s) y_i + s y_{i+1} at u = i + s, 0 ≤ s < 1.
-fn linear(u: &Rational) -> Functional {
-    let whole = u.floor();
-    let part = u - Rational::from(whole.clone());
-    let index = whole.to_i64().expect("shifts are capped with the offsets");
-    Functional::new(index, [Rational::one() - &part, part])
 }

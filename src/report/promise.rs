@@ -57,14 +57,29 @@ pub(super) fn remarks(finding: &TableFinding<'_>) -> Vec<String> {
     let parts = parts.iter().filter(|(count, _)| *count > 0);
     let parts: Vec<String> = parts.map(|(count, what)| format!("{count} {what}")).collect();
     let exactly = format!("Exactly, {}.", parts.join(", "));
+    // Data that are too far from their limit wherever the points are come first.
+    let natural_example = cells().find_map(|cell| match &cell.kept_naturally {
+        Some(Kept::No(broken)) => Some((cell, broken)),
+        _ => None,
+    });
+    let naturally = natural_example.map(|(cell, broken)| {
+        let sentence = sentence(broken);
+        format!("Broken at the natural parameters too at {}: {sentence}.", cell.locus)
+    });
     let broken = cells().find_map(|cell| match &cell.kept {
         Some(Kept::No(broken)) => Some((cell, broken)),
         _ => None,
     });
-    let own = cells().filter_map(|cell| cell.kept_at_own_offset.as_ref());
-    let elsewhere = own.clone().next().map(|(offset, _)| {
-        let (all, kept) = (own.clone().count(), own.filter(|(_, kept)| *kept == Kept::Yes).count());
-        format!("At the scheme's own offset {offset}, {kept} of the other {all} would.")
+    let natural: Vec<&Kept> = cells().filter_map(|cell| cell.kept_naturally.as_ref()).collect();
+    let elsewhere = (!natural.is_empty()).then(|| {
+        let count = |of: fn(&Kept) -> bool| natural.iter().filter(|kept| of(kept)).count();
+        let kept = count(|kept| *kept == Kept::Yes);
+        let broken = count(|kept| matches!(kept, Kept::No(_)));
+        format!(
+            "With each point at its natural parameter, {kept} of the other {} keep it, and {broken} \
+             do not either.",
+            natural.len()
+        )
     });
     let text = [Some(by_formula), Some(exactly), elsewhere];
     let text = text.into_iter().flatten().collect::<Vec<String>>().join(" ");
@@ -74,7 +89,7 @@ pub(super) fn remarks(finding: &TableFinding<'_>) -> Vec<String> {
     });
     let example =
         broken.map(|(cell, broken)| format!("Broken at {}: {}.", cell.locus, sentence(broken)));
-    [Some(text), example, open].into_iter().flatten().collect()
+    [Some(text), naturally, example, open].into_iter().flatten().collect()
 }
 
 /// The data, their distance and the promise.
@@ -138,13 +153,21 @@ pub(super) fn facts(cell: &CellFinding) -> Vec<(String, String)> {
             fact("which is more than", format!("{most} = {}", short(most, 17)));
         }
     }
-    if let Some((offset, kept)) = &cell.kept_at_own_offset {
-        let kept = match kept {
-            Kept::Yes => "kept",
-            Kept::No(_) => "not kept",
-            Kept::Open(_) => "open",
-        };
-        fact("at the scheme's own offset", format!("{offset}: {kept}"));
+    match &cell.kept_naturally {
+        None => {}
+        Some(Kept::Yes) => fact("at natural parameters", "kept".to_owned()),
+        Some(Kept::Open(why)) => fact("at natural parameters", format!("open: {why}")),
+        Some(Kept::No(broken)) => {
+            let Broken { level, distance, most, .. } = &**broken;
+            let text = format!(
+                "not kept: {} is {} > {} from its limit at level {level}, {}",
+                data(broken, usize::MAX),
+                short(distance, 17),
+                short(most, 17),
+                place(broken)
+            );
+            fact("at natural parameters", text);
+        }
     }
     facts
 }

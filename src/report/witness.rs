@@ -1,6 +1,6 @@
 //! The data that refute a theorem.
 
-use crate::audit::{Control, Place, Refutation, Violation};
+use crate::audit::{Control, Naturally, Place, Refutation, Violation};
 use crate::claim::Quantity;
 use crate::exact::{RealCyclotomic, format::short};
 use crate::limit::ExtremalPolygon;
@@ -10,10 +10,28 @@ const DIGITS: u32 = 12;
 
 /// What it takes to check the refutation by hand.
 pub(super) fn facts(refutation: &Refutation) -> Vec<(String, String)> {
-    let Refutation { case, violation, supremum, sound, .. } = refutation;
+    let Refutation { case, violation, supremum, sound, natural, .. } = refutation;
     let mut facts = Vec::new();
     let mut fact = |name: &str, value: String| facts.push((name.to_owned(), value));
-    fact("refuted for", case.clone());
+    // What does not depend on where the points are comes first.
+    match natural {
+        None => {}
+        Some(Naturally::Refuted { case, violation }) => {
+            fact("at natural parameters", format!("refuted too, for {case}"));
+            fact("control data", control(&violation.attained.control));
+            fact(&value_name(violation), exact(&violation.attained.value));
+            fact("claimed at most", exact(&violation.bound));
+        }
+        Some(Naturally::Holds) => {
+            let text = "not refuted: there it holds at the levels that were looked at";
+            fact("at natural parameters", text.to_owned());
+        }
+        Some(Naturally::Open) => {
+            fact("at natural parameters", "open: not refuted, and not shown".to_owned());
+        }
+    }
+    let place = if natural.is_some() { "with points at i/n^k" } else { "refuted for" };
+    fact(place, if natural.is_some() { format!("refuted for {case}") } else { case.clone() });
     fact("control data", control(&violation.attained.control));
     fact(&value_name(violation), exact(&violation.attained.value));
     fact("claimed at most", exact(&violation.bound));

@@ -1,10 +1,12 @@
 //! The true depth for every control polygon of a spread.
 
 use super::interval::{interval_form, interval_text};
-use super::place::{Parametrisation, Place};
+use super::place::Place;
 use crate::cli::json::depth as form;
 use subcert::exact::{Enclosure, Rational, format::short};
-use subcert::limit::{Comparison, Distance, Distances, LimitError, TwoSidedDepth, Witness};
+use subcert::limit::{
+    Comparison, Distance, Distances, LimitError, Parametrisation, TwoSidedDepth, Witness,
+};
 use subcert::report::json::Exact as ExactForm;
 use subcert::scheme::Mask;
 
@@ -110,7 +112,7 @@ impl Exact {
     /// The depth, where the points are, and the distance.
     pub(super) fn short(&self) -> String {
         let depth = depth_text(self.depth, self.place.whom(), &self.caps);
-        format!("{depth}; points of level k at {}", self.place.text())
+        format!("with the points at {}, {depth}", self.place.parameters())
     }
 
     pub(super) fn form(&self) -> form::Exactly<'_> {

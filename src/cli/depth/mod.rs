@@ -16,11 +16,10 @@ use super::progress::Progress;
 use bound::Bounds;
 use exact::{Asked, Exact};
 use local_rules::ring_depth;
-use place::Parametrisation;
 use polygon::{OfPolygon, Points};
 use subcert::bound::{Budget, Constants};
 use subcert::exact::{Rational, format::short};
-use subcert::limit::{Distances, Limit, LimitError, natural_shift};
+use subcert::limit::{Distances, Limit, LimitError, Parametrisation, natural_shift};
 use subcert::report::Sheet;
 use subcert::scheme::{AnyScheme, Mask, Scheme, parse_any_scheme};
 

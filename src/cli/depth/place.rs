@@ -1,17 +1,8 @@
 //! Where the points of a level are compared with the limit.
 
 use subcert::exact::Rational;
-use subcert::limit::natural_shift;
+use subcert::limit::{Parametrisation, natural_shift};
 use subcert::scheme::Mask;
-
-/// At which parameters.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Parametrisation {
-    /// Each at its natural parameter (i + s)/n^k.
-    Natural,
-    /// Each at i/n^k, as papers count.
-    Indexed,
-}
 
 /// The parameters of the points, for each direction.
 pub(super) struct Place {
@@ -43,15 +34,19 @@ impl Place {
         if self.arities.len() == 1 { "every control polygon" } else { "every control net" }
     }
 
-    /// `(i − 1/2)/2^k, where they keep lines`.
-    pub(super) fn text(&self) -> String {
+    /// `(i − 1/2)/2^k`.
+    pub(super) fn parameters(&self) -> String {
         let at = |(shift, (arity, index)): (&Rational, (&usize, &str))| match shift.sign() {
             0 => format!("{index}/{arity}^k"),
             1 => format!("({index} + {shift})/{arity}^k"),
             _ => format!("({index} − {})/{arity}^k", shift.abs()),
         };
         let places = self.shifts.iter().zip(self.arities.iter().zip(["i", "j"])).map(at);
-        let places = places.collect::<Vec<String>>().join(" and ");
+        places.collect::<Vec<String>>().join(" and ")
+    }
+
+    /// `(i − 1/2)/2^k, where lines stay where they are`.
+    pub(super) fn text(&self) -> String {
         let why = match self.parametrisation {
             Parametrisation::Indexed => "as papers count",
             Parametrisation::Natural if self.keeps_lines.iter().all(|keeps| *keeps) => {
@@ -61,6 +56,6 @@ impl Place {
                 "the best place in the mean: the scheme does not take lines to lines"
             }
         };
-        format!("{places}, {why}")
+        format!("{}, {why}", self.parameters())
     }
 }

@@ -1,11 +1,13 @@
 //! The true depth of tensor product surfaces, for every control net of a spread.
 
 use super::exact::{Asked, Exact, Known, TooFar, points_text};
-use super::place::{Parametrisation, Place};
+use super::place::Place;
 use crate::cli::json::depth as form;
 use subcert::bound::Budget;
 use subcert::exact::format::short;
-use subcert::limit::{Comparison, Limit, Spreads, SurfaceDistances, SurfaceError, SurfaceWitness};
+use subcert::limit::{
+    Comparison, Limit, Parametrisation, Spreads, SurfaceDistances, SurfaceError, SurfaceWitness,
+};
 use subcert::report::json::Exact as ExactForm;
 use subcert::scheme::Mask;
 

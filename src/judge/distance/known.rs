@@ -4,12 +4,15 @@ use crate::bound::Budget;
 use crate::exact::{Rational, RealCyclotomic, comparable};
 use crate::finding::{Attained, Control, Place, Supremum};
 use crate::limit::{
-    Comparison, Distances, Limit, LocalDistances, LocalLimit, LocalWitness, Spreads,
-    SurfaceDistances, SurfaceWitness, Witness,
+    Comparison, Distances, Limit, LocalDistances, LocalLimit, LocalWitness, Parametrisation,
+    Spreads, SurfaceDistances, SurfaceWitness, Witness, natural_shift,
 };
 use crate::scheme::{LocalRules, Mask};
 use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
+
+/// How many levels are looked at where all later ones are asked for.
+const MAX_LATER: u32 = 24;
 
 /// The most cells that one comparison looks at.
 const MAX_CELLS: u32 = 1 << 13;
@@ -31,6 +34,7 @@ pub(crate) enum Compared {
 /// Errors are texts that say why there is no answer.
 pub(crate) struct KnownDistances {
     compared: Compared,
+    parametrisation: Parametrisation,
     budget: Budget,
     distances: OnceCell<Result<Of, String>>,
     levels: RefCell<BTreeMap<u32, Known>>,
@@ -55,14 +59,42 @@ struct Known {
 }
 
 impl KnownDistances {
-    /// The distances of this scheme, found within a budget that others may share.
+    /// The distances of this scheme with points at i/n^k, found within a budget that others may
+    /// share.
     pub(crate) fn new(compared: Compared, budget: &Budget) -> KnownDistances {
+        KnownDistances::placed(compared, Parametrisation::Indexed, budget)
+    }
+
+    /// The same in either parametrisation.
+    pub(crate) fn placed(
+        compared: Compared,
+        parametrisation: Parametrisation,
+        budget: &Budget,
+    ) -> KnownDistances {
+        let budget = budget.clone();
         let (distances, levels, suprema) = Default::default();
-        KnownDistances { compared, budget: budget.clone(), distances, levels, suprema }
+        KnownDistances { compared, parametrisation, budget, distances, levels, suprema }
+    }
+
+    /// The distances of the same scheme with the points at their natural parameters; `None` for
+    /// a ring, and where the points are there already.
+    pub(crate) fn natural(&self) -> Option<KnownDistances> {
+        let shifted = |mask: &Mask| !natural_shift(mask).shift.is_zero();
+        let moved = match &self.compared {
+            Compared::Curve(mask) => shifted(mask),
+            Compared::Surface(masks) => masks.iter().any(shifted),
+            Compared::LocalRules(_) => false,
+        };
+        let other = moved && self.parametrisation == Parametrisation::Indexed;
+        other.then(|| {
+            KnownDistances::placed(self.compared.clone(), Parametrisation::Natural, &self.budget)
+        })
     }
 
     fn of(&self) -> Result<&Of, String> {
-        let of = self.distances.get_or_init(|| Of::new(&self.compared, &self.budget));
+        let of = self
+            .distances
+            .get_or_init(|| Of::new(&self.compared, self.parametrisation, &self.budget));
         of.as_ref().map_err(Clone::clone)
     }
 
@@ -96,6 +128,33 @@ impl KnownDistances {
         Ok(compared)
     }
 
+    /// Compares the distance constants of a level and of all later ones with a bound; of what
+    /// exceeds it, with its level.
+    pub(crate) fn compare_from(
+        &self,
+        level: u32,
+        bound: &RealCyclotomic,
+    ) -> Result<Comparison<(u32, Attained)>, String> {
+        let lasting = self.of()?.lasting();
+        let mut undecided = None;
+        for later in level..level.saturating_add(MAX_LATER) {
+            if self.of()?.surely(later, bound) {
+                return Ok(undecided.map_or(Comparison::Within, Comparison::Undecided));
+            }
+            match self.compare(later, bound)? {
+                Comparison::Within => {}
+                Comparison::Exceeds(found) => return Ok(Comparison::Exceeds((later, found))),
+                Comparison::Undecided(enclosure) => {
+                    undecided.get_or_insert(enclosure);
+                }
+            }
+            if lasting.is_some_and(|levels| later + 1 - level >= levels) {
+                return Ok(undecided.map_or(Comparison::Within, Comparison::Undecided));
+            }
+        }
+        Err(format!("not shown at all levels from {level} on"))
+    }
+
     /// The distance constant of a level, enclosed up to one of so many parts of it.
     pub(crate) fn supremum(&self, level: u32, parts: u32) -> Result<Supremum, String> {
         let of = self.of()?;
@@ -113,17 +172,29 @@ impl KnownDistances {
 }
 
 impl Of {
-    fn new(compared: &Compared, budget: &Budget) -> Result<Of, String> {
+    fn new(
+        compared: &Compared,
+        parametrisation: Parametrisation,
+        budget: &Budget,
+    ) -> Result<Of, String> {
         let limit = |mask: &Mask| Limit::new(mask).map_err(text);
         Ok(match compared {
             Compared::Curve(mask) => {
-                let distances = Distances::new(&limit(mask)?).map_err(text)?;
+                let shift = parametrisation.shift(mask);
+                let distances = Distances::shifted(&limit(mask)?, &shift).map_err(text)?;
                 let distances = distances.with_cells(MAX_CELLS).with_budget(budget.clone());
                 Of::Curve(Box::new(distances))
             }
             Compared::Surface([first, second]) => {
                 let limits = [limit(first)?, limit(second)?];
-                let distances = SurfaceDistances::within(&limits[0], &limits[1], budget);
+                let distances = match parametrisation {
+                    Parametrisation::Indexed => {
+                        SurfaceDistances::within(&limits[0], &limits[1], budget)
+                    }
+                    Parametrisation::Natural => {
+                        SurfaceDistances::natural(&limits[0], &limits[1], budget)
+                    }
+                };
                 Of::Surface(Box::new((distances.map_err(text)?, limits)))
             }
             Compared::LocalRules(ring) => {
@@ -131,6 +202,27 @@ impl Of {
                 Of::LocalRules(Box::new(LocalDistances::new(limit)))
             }
         })
+    }
+
+    /// Whether a bound that takes no search shows that a level and all later ones are within a
+    /// bound.
+    fn surely(&self, level: u32, bound: &RealCyclotomic) -> bool {
+        let Some(bound) = bound.as_rational() else { return false };
+        match self {
+            Of::Curve(distances) => distances.at_most(level) <= *bound,
+            Of::Surface(surface) => surface.0.at_most(level, &Spreads::one()) <= *bound,
+            Of::LocalRules(_) => false,
+        }
+    }
+
+    /// A c such that after c levels that are within a bound all later ones are; `None` where none
+    /// is known.
+    fn lasting(&self) -> Option<u32> {
+        match self {
+            Of::Curve(distances) => distances.lasting(),
+            Of::Surface(surface) => surface.0.lasting(),
+            Of::LocalRules(distances) => Some(distances.lasting()),
+        }
     }
 
     fn compare(&self, level: u32, bound: &RealCyclotomic) -> Result<Comparison<Attained>, String> {
@@ -198,12 +290,14 @@ fn curve(
         Comparison::Exceeds(Witness { polygon, parameter, distance, .. }) => {
             Comparison::Exceeds(far_curve(polygon, parameter, distance))
         }
-        Comparison::Undecided(enclosure) => match distances.limit().far_polygon(level) {
-            Ok(far) if far.distance > *bound => {
-                Comparison::Exceeds(far_curve(far.polygon, far.parameter, far.distance))
+        Comparison::Undecided(enclosure) => {
+            match distances.limit().far_polygon_from(level, distances.shift()) {
+                Ok(far) if far.distance > *bound => {
+                    Comparison::Exceeds(far_curve(far.polygon, far.parameter, far.distance))
+                }
+                _ => Comparison::Undecided(enclosure),
             }
-            _ => Comparison::Undecided(enclosure),
-        },
+        }
     })
 }
 
@@ -219,7 +313,7 @@ fn net(
     bound: &Rational,
 ) -> Result<Comparison<Attained>, String> {
     // The search takes longer, and at high levels much longer.
-    if let Some(found) = far_net(limits, level, bound) {
+    if let Some(found) = far_net(limits, distances.shifts(), level, bound) {
         return Ok(Comparison::Exceeds(found));
     }
     let compared = distances.compare(level, bound, &Spreads::one()).map_err(text)?;
@@ -236,9 +330,14 @@ fn net(
 
 /// The sum of polygons that are far from their limits along both directions, when its distance,
 /// which is the sum of theirs, is above the bound.
-fn far_net(limits: &[Limit; 2], level: u32, bound: &Rational) -> Option<Attained> {
-    let [x, y] = limits.each_ref().map(|limit| limit.far_polygon(level).ok());
-    let (x, y) = (x?, y?);
+fn far_net(
+    limits: &[Limit; 2],
+    shifts: [&Rational; 2],
+    level: u32,
+    bound: &Rational,
+) -> Option<Attained> {
+    let far = |axis: usize| limits[axis].far_polygon_from(level, shifts[axis]).ok();
+    let (x, y) = (far(0)?, far(1)?);
     let distance = x.distance + y.distance;
     let (rows, columns) = (x.polygon, y.polygon);
     let row = |x: &i64| columns.points.iter().map(|y| x + y).collect();

@@ -23,14 +23,16 @@ type SchemeAt = (Vec<Instance>, Option<i64>);
 pub(crate) struct Schemes {
     budget: Budget,
     masks: RefCell<BTreeMap<SchemeAt, Rc<KnownDistances>>>,
+    /// With the points at their natural parameters, where these are others.
+    natural: RefCell<BTreeMap<SchemeAt, Option<Rc<KnownDistances>>>>,
     rings: RefCell<BTreeMap<Instance, Result<Rc<KnownDistances>, String>>>,
     rings_left: LocalCap,
 }
 
 impl Default for Schemes {
     fn default() -> Schemes {
-        let (masks, rings, rings_left) = Default::default();
-        Schemes { budget: Budget::new(MAX_STEPS), masks, rings, rings_left }
+        let (masks, natural, rings, rings_left) = Default::default();
+        Schemes { budget: Budget::new(MAX_STEPS), masks, natural, rings, rings_left }
     }
 }
 
@@ -66,6 +68,17 @@ impl Schemes {
             Rc::new(KnownDistances::new(compared, &self.budget))
         });
         Rc::clone(known)
+    }
+
+    /// The same with the points at their natural parameters; `None` where these are i/n^k.
+    pub(crate) fn naturally(
+        &self,
+        scheme: &Resolved,
+        offset: Option<i64>,
+    ) -> Option<Rc<KnownDistances>> {
+        let natural = || Some(Rc::new(self.of(scheme, offset).natural()?));
+        let key = (scheme.instances.clone(), offset);
+        self.natural.borrow_mut().entry(key).or_insert_with(natural).clone()
     }
 
     /// The distances of a ring.

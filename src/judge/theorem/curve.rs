@@ -2,12 +2,12 @@
 
 use crate::bound::{Budget, Constants, MAX_CLASSES, Operator, Order, SoundBound, best_offset};
 use crate::claim::Quantity;
-use crate::exact::{Rational, RealCyclotomic, comparable};
+use crate::exact::{Enclosed, Rational, RealCyclotomic, comparable};
 use crate::finding::{Attained, Control, LevelEvidence, Place, Supremum};
 use crate::judge::distance::{Compared, KnownDistances};
 use crate::judge::theorem::levels::sums;
 use crate::judge::theorem::setting::Setting;
-use crate::limit::{Comparison, greatest_difference, greatest_step};
+use crate::limit::{Comparison, Parametrisation, greatest_difference, greatest_step_from};
 use crate::scheme::Mask;
 use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
@@ -30,21 +30,37 @@ pub(crate) struct Curve {
     sound: OnceCell<Vec<Rational>>,
     /// The same scheme at its best offset, unless this is it.
     centred: OnceCell<Option<Box<Curve>>>,
+    /// Where the points are: x^k_i at (i + shift)/n^k.
+    shift: Rational,
+    /// The same scheme with the points at their natural parameters, unless this is it.
+    natural: OnceCell<Option<Box<Curve>>>,
     budget: Budget,
 }
 
 impl Curve {
     pub(crate) fn new(mask: Mask, budget: &Budget) -> Curve {
-        let distances = KnownDistances::new(Compared::Curve(mask.clone()), budget);
-        let (greatest, sound, centred) = Default::default();
+        Curve::placed(mask, Parametrisation::Indexed, budget)
+    }
+
+    fn placed(mask: Mask, parametrisation: Parametrisation, budget: &Budget) -> Curve {
+        let compared = Compared::Curve(mask.clone());
+        let (greatest, sound, centred, natural) = Default::default();
         Curve {
+            distances: KnownDistances::placed(compared, parametrisation, budget),
+            shift: parametrisation.shift(&mask),
             constants: Constants::new(mask),
-            distances,
             greatest,
             sound,
             centred,
+            natural,
             budget: budget.clone(),
         }
+    }
+
+    /// Whether the steps at the points of level k + 1 are the greatest.
+    fn aligned(&self) -> bool {
+        let steps = Rational::from(self.mask().arity()) - Rational::one();
+        (steps * &self.shift).is_integer()
     }
 
     fn mask(&self) -> &Mask {
@@ -67,7 +83,7 @@ impl Curve {
 
     fn find_greatest(&self, quantity: Quantity, level: u32) -> Result<Attained, String> {
         let found = match quantity {
-            Quantity::Step => greatest_step(self.mask(), level),
+            Quantity::Step => greatest_step_from(self.mask(), level, &self.shift),
             _ => greatest_difference(self.mask(), level),
         };
         let found = found.map_err(|error| error.to_string())?;
@@ -93,13 +109,20 @@ impl Setting for Curve {
             return self.distances.compare(level, bound);
         }
         let found = self.greatest(quantity, level)?;
-        Ok(if found.value > *bound { Comparison::Exceeds(found) } else { Comparison::Within })
+        Ok(if found.value > *bound {
+            Comparison::Exceeds(found)
+        } else if quantity == Quantity::Difference || self.aligned() {
+            Comparison::Within
+        } else {
+            Comparison::Undecided(Box::new(found.value.enclosure(0)))
+        })
     }
 
     fn supremum(&self, quantity: Quantity, level: u32, parts: u32) -> Result<Supremum, String> {
         if quantity != Quantity::Distance {
             let value = self.greatest(quantity, level)?.value;
-            return Ok(Supremum { lower: value.clone(), upper: Some(value) });
+            let known = quantity == Quantity::Difference || self.aligned();
+            return Ok(Supremum { lower: value.clone(), upper: known.then_some(value) });
         }
         self.distances.supremum(level, parts)
     }
@@ -125,6 +148,9 @@ impl Setting for Curve {
     }
 
     fn sound(&self, level: u32) -> Option<RealCyclotomic> {
+        if !self.shift.is_zero() {
+            return None;
+        }
         let levels = || self.sound_bound()?.levels(MAX_SOUND_LEVEL);
         let bounds = self.sound.get_or_init(|| levels().unwrap_or_default());
         bounds.get(level as usize).cloned().map(RealCyclotomic::from)
@@ -137,5 +163,16 @@ impl Setting for Curve {
             other.then(|| Box::new(Curve::new(self.mask().with_offset(offset), &self.budget)))
         });
         centred.as_deref().map(|curve| curve as &dyn Setting)
+    }
+
+    fn natural(&self) -> Option<&dyn Setting> {
+        let natural = self.natural.get_or_init(|| {
+            let shift = Parametrisation::Natural.shift(self.mask());
+            (shift != self.shift).then(|| {
+                let (mask, natural) = (self.mask().clone(), Parametrisation::Natural);
+                Box::new(Curve::placed(mask, natural, &self.budget))
+            })
+        });
+        natural.as_deref().map(|curve| curve as &dyn Setting)
     }
 }

@@ -185,6 +185,10 @@ impl Setting for AroundPoint {
         None
     }
 
+    fn natural(&self) -> Option<&dyn Setting> {
+        None
+    }
+
     fn limit(&self) -> Option<&[RealCyclotomic]> {
         self.distances().ok().map(|distances| distances.limit().weights())
     }

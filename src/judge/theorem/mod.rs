@@ -15,13 +15,14 @@ use crate::claim::{Paper, Quantity, Statement, Theorem};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::library::{Library, Resolved};
 use crate::finding::{
-    CaseFinding, Control, Correction, Outcome, Refutation, Repair, TheoremFinding, TheoremVerdict,
-    Violation,
+    CaseFinding, Control, Correction, Naturally, Outcome, Refutation, Repair, TheoremFinding,
+    TheoremVerdict, Violation,
 };
 use crate::judge::theorem::case::{Case, Stage};
 use crate::judge::theorem::correction::{corrections, subsets};
 use crate::judge::theorem::setting::Setting;
 use crate::judge::theorem::trial::Trial;
+use crate::limit::Parametrisation;
 
 /// How exactly the supremum beside a false bound is enclosed, in parts of it.
 const PARTS: u32 = 1_000;
@@ -70,7 +71,8 @@ fn one<'a>(
         return Ok(finding);
     }
     let cases = Case::all(paper, theorem, library, stage)?;
-    let as_printed = Trial { paper, theorem, corrections: &[] };
+    let parametrisation = Parametrisation::Indexed;
+    let as_printed = Trial { paper, theorem, corrections: &[], parametrisation };
     for case in &cases {
         let outcome = as_printed.of(case)?;
         finding.cases.push(CaseFinding { label: case.label.clone(), outcome });
@@ -96,6 +98,7 @@ fn one<'a>(
                 Quantity::Distance => setting.and_then(|setting| setting.sound(level)),
                 _ => None,
             },
+            natural: naturally(paper, theorem, &cases)?,
         });
         (finding.verdict, finding.proof) = (TheoremVerdict::Refuted, None);
         finding.corrections = corrections(paper, theorem, &cases)?;
@@ -109,6 +112,35 @@ fn one<'a>(
         }
     }
     Ok(finding)
+}
+
+/// What a theorem is with each point at its natural parameter; `None` where that is the same.
+fn naturally(
+    paper: &Paper,
+    theorem: &Theorem,
+    cases: &[Case<'_>],
+) -> Result<Option<Naturally>, Diagnostic> {
+    let moves =
+        |case: &Case<'_>| case.setting.as_deref().is_some_and(|own| own.natural().is_some());
+    if !cases.iter().any(moves) {
+        return Ok(None);
+    }
+    let trial =
+        Trial { paper, theorem, corrections: &[], parametrisation: Parametrisation::Natural };
+    let (mut refuted, mut known) = (Vec::new(), true);
+    for case in cases {
+        match trial.of(case)? {
+            Outcome::Refuted(violation) => refuted.push((case.label.clone(), violation)),
+            Outcome::Proved | Outcome::UpTo(_) | Outcome::Outside(_) => {}
+            Outcome::Unknown(_) => known = false,
+        }
+    }
+    let least = refuted.into_iter().min_by_key(|(_, violation)| size(violation));
+    Ok(Some(match least {
+        Some((case, violation)) => Naturally::Refuted { case, violation },
+        None if known => Naturally::Holds,
+        None => Naturally::Open,
+    }))
 }
 
 /// Whether a theorem is about the single case that it is tried on.
@@ -148,7 +180,8 @@ fn repairs(
         if repairs.iter().any(larger) {
             continue;
         }
-        let trial = Trial { paper, theorem, corrections: &set };
+        let parametrisation = Parametrisation::Indexed;
+        let trial = Trial { paper, theorem, corrections: &set, parametrisation };
         let (mut saved, mut proved) = (true, true);
         for case in order.iter().map(|&i| &cases[i]) {
             match trial.of(case)? {

@@ -44,6 +44,10 @@ pub(crate) trait Setting {
     /// where it is already so, or there are no offsets.
     fn centred(&self) -> Option<&dyn Setting>;
 
+    /// The same scheme with the points at their natural parameters; `None` where they are there
+    /// already, and for a ring.
+    fn natural(&self) -> Option<&dyn Setting>;
+
     /// Of a ring, the weights of its limit.
     fn limit(&self) -> Option<&[RealCyclotomic]> {
         None

@@ -2,12 +2,12 @@
 
 use crate::bound::{Budget, Constants, MAX_CLASSES, SoundBound, surface_factor};
 use crate::claim::Quantity;
-use crate::exact::{Enclosure, Rational, RealCyclotomic, Scalar, comparable};
+use crate::exact::{Enclosed, Enclosure, Rational, RealCyclotomic, Scalar, comparable};
 use crate::finding::{Attained, Control, LevelEvidence, Place, Supremum};
 use crate::judge::distance::{Compared, KnownDistances};
 use crate::judge::theorem::levels::sums;
 use crate::judge::theorem::setting::Setting;
-use crate::limit::{Comparison, greatest_difference, greatest_step};
+use crate::limit::{Comparison, Parametrisation, greatest_difference, greatest_step_from};
 use crate::scheme::Mask;
 use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
@@ -29,6 +29,10 @@ pub(crate) struct Surface {
     /// The sound bounds of the first levels.
     sound: OnceCell<Vec<Rational>>,
     attained: RefCell<BTreeMap<(Quantity, u32), Result<Attained, String>>>,
+    parametrisation: Parametrisation,
+    /// The same scheme with the points at their natural parameters, unless this is it.
+    natural: OnceCell<Option<Box<Surface>>>,
+    budget: Budget,
 }
 
 fn text(error: impl Display) -> String {
@@ -37,9 +41,21 @@ fn text(error: impl Display) -> String {
 
 impl Surface {
     pub(crate) fn new(masks: [Mask; 2], budget: &Budget) -> Surface {
-        let distances = KnownDistances::new(Compared::Surface(masks.clone()), budget);
-        let (sound, attained) = Default::default();
-        Surface { axes: masks.map(Constants::new), distances, sound, attained }
+        Surface::placed(masks, Parametrisation::Indexed, budget)
+    }
+
+    fn placed(masks: [Mask; 2], parametrisation: Parametrisation, budget: &Budget) -> Surface {
+        let compared = Compared::Surface(masks.clone());
+        let (sound, attained, natural) = Default::default();
+        Surface {
+            axes: masks.map(Constants::new),
+            distances: KnownDistances::placed(compared, parametrisation, budget),
+            sound,
+            attained,
+            parametrisation,
+            natural,
+            budget: budget.clone(),
+        }
     }
 
     /// A net that changes along one index only has the differences of a curve, and the
@@ -55,7 +71,9 @@ impl Surface {
         let of = |axis: usize| {
             let mask = self.axes[axis].mask();
             match quantity {
-                Quantity::Step => greatest_step(mask, level),
+                Quantity::Step => {
+                    greatest_step_from(mask, level, &self.parametrisation.shift(mask))
+                }
                 _ => greatest_difference(mask, level),
             }
             .map_err(text)
@@ -124,6 +142,9 @@ impl Setting for Surface {
         if attained.value > *bound {
             return Ok(Comparison::Exceeds(attained));
         }
+        if quantity == Quantity::Step && self.parametrisation == Parametrisation::Natural {
+            return Ok(Comparison::Undecided(Box::new(attained.value.enclosure(0))));
+        }
         let upper = self.upper(quantity, level)?;
         if upper <= *bound {
             return Ok(Comparison::Within);
@@ -166,6 +187,9 @@ impl Setting for Surface {
     }
 
     fn sound(&self, level: u32) -> Option<RealCyclotomic> {
+        if self.parametrisation == Parametrisation::Natural {
+            return None;
+        }
         let levels = || self.sound_bound()?.levels(MAX_SOUND_LEVEL);
         let bounds = self.sound.get_or_init(|| levels().unwrap_or_default());
         bounds.get(level as usize).cloned().map(RealCyclotomic::from)
@@ -177,5 +201,16 @@ impl Setting for Surface {
 
     fn centred(&self) -> Option<&dyn Setting> {
         None
+    }
+
+    fn natural(&self) -> Option<&dyn Setting> {
+        let natural = self.natural.get_or_init(|| {
+            let masks = self.axes.each_ref().map(|axis| axis.mask().clone());
+            let shifted = |mask: &Mask| !Parametrisation::Natural.shift(mask).is_zero();
+            let other = self.parametrisation == Parametrisation::Indexed;
+            let place = || Surface::placed(masks.clone(), Parametrisation::Natural, &self.budget);
+            (other && masks.iter().any(shifted)).then(|| Box::new(place()))
+        });
+        natural.as_deref().map(|surface| surface as &dyn Setting)
     }
 }

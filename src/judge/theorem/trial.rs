@@ -11,13 +11,15 @@ use crate::judge::theorem::correction::settings;
 use crate::judge::theorem::evaluate::{LEVEL, TOLERANCE};
 use crate::judge::theorem::growth::{Growth, growth};
 use crate::judge::theorem::setting::Setting;
-use crate::limit::Comparison;
+use crate::limit::{Comparison, Parametrisation};
 
 /// A theorem with corrections, to be tried.
 pub(crate) struct Trial<'a> {
     pub(crate) paper: &'a Paper,
     pub(crate) theorem: &'a Theorem,
     pub(crate) corrections: &'a [&'a Correction],
+    /// Where the points of a level are.
+    pub(crate) parametrisation: Parametrisation,
 }
 
 impl Trial<'_> {
@@ -30,8 +32,13 @@ impl Trial<'_> {
             let why = "the program has no exact limits of this kind of scheme";
             return Ok(Outcome::Unknown(why.to_owned()));
         };
+        let natural = match self.parametrisation {
+            Parametrisation::Indexed => None,
+            Parametrisation::Natural => setting.natural(),
+        };
+        let setting = natural.unwrap_or(&**setting);
         let centred = self.corrected(&Change::Centred).then(|| setting.centred()).flatten();
-        let setting = centred.unwrap_or(&**setting);
+        let setting = centred.unwrap_or(setting);
         let settings = settings(self.paper, self.theorem, self.corrections);
         if let Some((value, below)) = &self.theorem.tried.supposes {
             let (value, below) =

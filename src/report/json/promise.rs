@@ -16,10 +16,10 @@ pub struct Promise<'a> {
     /// Control data for which it does not; missing where there are none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub broken_by: Option<Broken<'a>>,
-    /// The same at the scheme's own offset; missing where it is kept at the paper's, or where
-    /// that is the same.
+    /// The same with each point at its natural parameter; missing where it is kept with the points
+    /// at i/n^k, or where that is the same.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub own_offset: Option<OwnOffset>,
+    pub natural: Option<Natural<'a>>,
 }
 
 /// Control data for which a promise is not kept.
@@ -69,24 +69,29 @@ pub enum ControlData<'a> {
     },
 }
 
-/// A promise at the scheme's own offset.
-#[derive(Clone, Copy, Debug, Serialize)]
-pub struct OwnOffset {
-    /// That offset.
-    pub offset: i64,
-    /// Whether the promise is kept there; null where that is open.
+/// A promise with each point at its natural parameter.
+#[derive(Debug, Serialize)]
+pub struct Natural<'a> {
+    /// Whether it is kept; null where that is open.
     pub kept: Option<bool>,
+    /// Control data for which it is not; missing where there are none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub broken_by: Option<Broken<'a>>,
 }
 
 impl<'a> Promise<'a> {
     pub(super) fn of(cell: &'a CellFinding) -> Option<Promise<'a>> {
         let kept = cell.kept.as_ref()?;
-        let own = cell.kept_at_own_offset.as_ref();
+        let broken = |kept: &'a Kept| match kept {
+            Kept::No(broken) => Some(Broken::of(broken)),
+            _ => None,
+        };
+        let natural = |kept| Natural { kept: known(kept), broken_by: broken(kept) };
         Some(Promise {
             kept: known(kept),
             open: if let Kept::Open(why) = kept { Some(why) } else { None },
-            broken_by: if let Kept::No(broken) = kept { Some(Broken::of(broken)) } else { None },
-            own_offset: own.map(|(offset, kept)| OwnOffset { offset: *offset, kept: known(kept) }),
+            broken_by: broken(kept),
+            natural: cell.kept_naturally.as_ref().map(natural),
         })
     }
 }

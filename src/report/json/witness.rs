@@ -1,7 +1,7 @@
 //! The data that refute a theorem.
 
 use super::exact::{Exact, Named};
-use crate::audit::{self, Refutation};
+use crate::audit::{self, Attained, Naturally, Refutation};
 use crate::limit::ExtremalPolygon;
 use crate::report::witness::name;
 use serde::Serialize;
@@ -25,6 +25,35 @@ pub struct Witness<'a> {
     pub supremum: Option<Supremum>,
     /// The sound bound.
     pub sound: Option<Exact>,
+    /// What the theorem is with each point at its natural parameter; null where that is the same.
+    pub natural: Option<Natural<'a>>,
+}
+
+/// What a refuted theorem is with each point at its natural parameter.
+#[derive(Debug, Serialize)]
+pub struct Natural<'a> {
+    /// Whether it is false there too; null where that is open.
+    pub refuted: Option<bool>,
+    /// What shows that it is; missing where it is not. Its fields stand here.
+    #[serde(flatten)]
+    pub by: Option<NaturalWitness<'a>>,
+}
+
+/// Control data that refute a theorem with each point at its natural parameter.
+#[derive(Debug, Serialize)]
+pub struct NaturalWitness<'a> {
+    /// The scheme and the values of the parameters.
+    pub case: &'a str,
+    /// The control data.
+    pub control: Control<'a>,
+    /// The level.
+    pub level: u32,
+    /// Where the quantity has the value.
+    pub place: Place,
+    /// The value.
+    pub value: Exact,
+    /// What the theorem says that it is at most.
+    pub bound: Exact,
 }
 
 /// Control data of integers.
@@ -94,36 +123,58 @@ pub struct Supremum {
 
 impl<'a> Witness<'a> {
     pub(super) fn of(refutation: &'a Refutation) -> Witness<'a> {
-        let Refutation { case, violation, supremum, sound, .. } = refutation;
-        let attained = &violation.attained;
-        let control = match &attained.control {
-            audit::Control::Polygon(ExtremalPolygon { first, points }) => {
-                Control::Polygon { first: *first, points }
-            }
-            audit::Control::Net { first, rows } => Control::Net { first: *first, rows },
-            audit::Control::Points(points) => Control::Points { points: Named(points.clone()) },
-        };
-        let place = match &attained.place {
-            audit::Place::Parameter(t) => Place::Parameter { parameter: t.to_string() },
-            audit::Place::Parameters(both) => {
-                Place::Parameters { parameters: both.each_ref().map(ToString::to_string) }
-            }
-            audit::Place::Point(i) => Place::Point { point: *i },
-            audit::Place::Difference(i) => Place::Difference { difference: *i },
-            place => Place::Name { name: name(place) },
-        };
+        let Refutation { case, violation, supremum, sound, natural, .. } = refutation;
+        let (control, place) = data(&violation.attained);
         Witness {
             case,
             control,
             level: violation.level,
             place,
-            value: Exact::of(&attained.value),
+            value: Exact::of(&violation.attained.value),
             bound: Exact::of(&violation.bound),
             supremum: supremum.as_ref().map(|supremum| Supremum {
                 lower: Exact::of(&supremum.lower),
                 upper: supremum.upper.as_ref().map(Exact::of),
             }),
             sound: sound.as_ref().map(Exact::of),
+            natural: natural.as_ref().map(Natural::of),
         }
     }
+}
+
+impl<'a> Natural<'a> {
+    fn of(natural: &'a Naturally) -> Natural<'a> {
+        match natural {
+            Naturally::Refuted { case, violation } => {
+                let (control, place) = data(&violation.attained);
+                let (value, bound) = (&violation.attained.value, &violation.bound);
+                let (value, bound) = (Exact::of(value), Exact::of(bound));
+                let level = violation.level;
+                let by = NaturalWitness { case, control, level, place, value, bound };
+                Natural { refuted: Some(true), by: Some(by) }
+            }
+            Naturally::Holds => Natural { refuted: Some(false), by: None },
+            Naturally::Open => Natural { refuted: None, by: None },
+        }
+    }
+}
+
+fn data(attained: &Attained) -> (Control<'_>, Place) {
+    let control = match &attained.control {
+        audit::Control::Polygon(ExtremalPolygon { first, points }) => {
+            Control::Polygon { first: *first, points }
+        }
+        audit::Control::Net { first, rows } => Control::Net { first: *first, rows },
+        audit::Control::Points(points) => Control::Points { points: Named(points.clone()) },
+    };
+    let place = match &attained.place {
+        audit::Place::Parameter(t) => Place::Parameter { parameter: t.to_string() },
+        audit::Place::Parameters(both) => {
+            Place::Parameters { parameters: both.each_ref().map(ToString::to_string) }
+        }
+        audit::Place::Point(i) => Place::Point { point: *i },
+        audit::Place::Difference(i) => Place::Difference { difference: *i },
+        place => Place::Name { name: name(place) },
+    };
+    (control, place)
 }
