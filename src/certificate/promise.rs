@@ -5,11 +5,20 @@ use super::witness::{attained, list};
 use crate::audit::{Attained, Broken, Control, Later, Place, PromiseEvidence};
 use crate::exact::RealCyclotomic;
 
-/// The lines about the promises of a table, row by row.
-pub(super) fn lines(block: &mut Block, evidence: &[Vec<Option<PromiseEvidence<'_>>>]) {
+/// The lines about the promises of a table, row by row; `printed` is the depth that a cell prints, if it is one.
+pub(super) fn lines(
+    block: &mut Block,
+    evidence: &[Vec<Option<PromiseEvidence<'_>>>],
+    printed: impl Fn(usize, usize) -> Option<u32>,
+) {
     let mut witnesses: Vec<(&Control, &Place)> = Vec::new();
     for evidence in evidence.iter().flatten().flatten() {
-        if let PromiseEvidence::Broken(Broken { attained: found, .. }, weights) = evidence {
+        let (broken, weights) = match evidence {
+            PromiseEvidence::Broken(broken, weights) => (vec![*broken], &weights[..]),
+            PromiseEvidence::BrokenNaturally(broken, natural) => (vec![*broken, *natural], &[][..]),
+            _ => continue,
+        };
+        for Broken { attained: found, .. } in broken {
             let Attained { control, place, .. } = found;
             if !witnesses.contains(&(control, place)) {
                 witnesses.push((control, place));
@@ -18,6 +27,13 @@ pub(super) fn lines(block: &mut Block, evidence: &[Vec<Option<PromiseEvidence<'_
             }
         }
     }
+    let broken = |Broken { attained, level, distance, most, .. }: &Broken, printed: Option<u32>| {
+        let of = (&attained.control, &attained.place);
+        let name = witnesses.iter().position(|known| *known == of).map_or(0, |i| i + 1);
+        let later = printed.filter(|printed| level > printed);
+        let later = later.map_or_else(String::new, |_| format!(" level {level}"));
+        format!("{name} {} {most}{later}", closed(distance))
+    };
     for (row, evidence) in evidence.iter().enumerate() {
         for (column, evidence) in evidence.iter().enumerate() {
             let place = format!("{} {}", row + 1, column + 1);
@@ -32,13 +48,13 @@ pub(super) fn lines(block: &mut Block, evidence: &[Vec<Option<PromiseEvidence<'_
                     block.line(format!("weights {}", list(weights)));
                     self::flows(block, flows);
                 }
-                Some(PromiseEvidence::Broken(
-                    Broken { attained: found, distance, most, .. },
-                    _,
-                )) => {
-                    let of = (&found.control, &found.place);
-                    let name = witnesses.iter().position(|known| *known == of).map_or(0, |i| i + 1);
-                    block.line(format!("broken {place} {name} {} {most}", closed(distance)));
+                Some(PromiseEvidence::Broken(found, _)) => {
+                    block.line(format!("broken {place} {}", broken(found, printed(row, column))));
+                }
+                Some(PromiseEvidence::BrokenNaturally(found, natural)) => {
+                    let printed = printed(row, column);
+                    block.line(format!("broken {place} {}", broken(found, printed)));
+                    block.line(format!("naturally {place} {}", broken(natural, printed)));
                 }
             }
         }

@@ -7,7 +7,7 @@ use crate::audit::{
     CellFinding, Direction, Missing, Slip, SoundCell, TableFinding, Verdict, evidence,
     promise_evidence, readings,
 };
-use crate::claim::Paper;
+use crate::claim::{Cell, Paper, Promise};
 
 pub(super) fn block(paper: &Paper, finding: &TableFinding<'_>) -> Block {
     let table = finding.table;
@@ -36,7 +36,17 @@ pub(super) fn block(paper: &Paper, finding: &TableFinding<'_>) -> Block {
     evidence.attained.iter().for_each(|constant| block.line(constant::attained(constant)));
     evidence.sound.iter().for_each(|cell| block.line(sound(cell)));
     match promise_evidence(paper, finding) {
-        Ok(evidence) => promise::lines(&mut block, &evidence),
+        Ok(evidence) => {
+            let is_depth = matches!(table.promise, Some(Promise::Depth { .. }));
+            let printed = |row: usize, column: usize| match &table.cells[row][column] {
+                Cell::Printed(printed) if is_depth => {
+                    let level = printed.decimal.value().numerator().to_i64();
+                    level.and_then(|level| u32::try_from(level).ok())
+                }
+                _ => None,
+            };
+            promise::lines(&mut block, &evidence, printed);
+        }
         Err(error) => block.give_up(error.message),
     }
     family(&mut block, paper, finding, (&readings, &refuted), evidence.scale.as_deref());

@@ -5,9 +5,11 @@ use super::constant::searched;
 use super::promise::{flows, later};
 use super::witness::{attained, list};
 use crate::audit::{
-    LevelEvidence, Levels, Refutation, TheoremFinding, TheoremVerdict, theorem_evidence,
+    LevelEvidence, Levels, Naturally, Refutation, TheoremFinding, TheoremVerdict, Violation,
+    theorem_evidence,
 };
 use crate::claim::{Paper, Statement, Theorem};
+use crate::exact::{Rational, RealCyclotomic};
 
 pub(super) fn block(paper: &Paper, finding: &TheoremFinding<'_>) -> Block {
     let theorem = finding.theorem;
@@ -87,7 +89,23 @@ fn restate(block: &mut Block, theorem: &Theorem) {
 }
 
 fn refuted(block: &mut Block, theorem: &Theorem, refutation: &Refutation) {
-    let Refutation { scheme, values, limit, violation, .. } = refutation;
+    let Refutation { scheme, values, limit, violation, natural, .. } = refutation;
+    data(block, theorem, (scheme, values), limit, violation);
+    if let Some(Naturally::Refuted { scheme, values, violation, certifiable: true, .. }) = natural {
+        block.line("naturally");
+        data(block, theorem, (scheme, values), &[], violation);
+    }
+    block.line("refuted");
+}
+
+/// A case, control data, and both sides.
+fn data(
+    block: &mut Block,
+    theorem: &Theorem,
+    (scheme, values): (&str, &[(String, Rational)]),
+    limit: &[RealCyclotomic],
+    violation: &Violation,
+) {
     block.restate("scheme", scheme);
     for (name, value) in values {
         block.line(format!("let {name} {value}"));
@@ -99,5 +117,4 @@ fn refuted(block: &mut Block, theorem: &Theorem, refutation: &Refutation) {
     block.line(format!("level {}", violation.level));
     attained(block, &violation.attained, limit);
     block.line(format!("sides {} {bound}", closed(&violation.attained.value)));
-    block.line("refuted");
 }

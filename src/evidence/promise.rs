@@ -10,8 +10,9 @@ use crate::evaluation::table::Evaluator;
 use crate::evidence::table::{integer, number};
 use crate::exact::{Rational, RealCyclotomic};
 use crate::finding::{Broken, CellFinding, Kept, Later, TableFinding};
-use crate::judge::distance::{Compared, KnownDistances};
+use crate::judge::distance::{Compared, KnownDistances, has_words};
 use crate::judge::later::{change, later};
+use crate::scheme::Mask;
 use std::collections::BTreeSet;
 
 /// The deepest level that a certificate speaks of.
@@ -34,6 +35,8 @@ pub enum PromiseEvidence<'f> {
     KeptByFlows(Vec<RealCyclotomic>, Vec<Vec<RealCyclotomic>>),
     /// It does not for these data; of a ring, with the weights of its limit.
     Broken(&'f Broken, Vec<RealCyclotomic>),
+    /// It does not for these data, nor with the points at their natural parameters for those.
+    BrokenNaturally(&'f Broken, &'f Broken),
     /// Neither is shown.
     Undecided,
 }
@@ -82,6 +85,9 @@ fn of_cell<'f>(
                 Some((ring, weights)) => {
                     let level = terms(judge, promise, at)?.map(|(level, _)| level);
                     let level = level.filter(|level| *level <= MAX_LOCAL_LEVEL);
+                    // A depth is promised for later levels too: averages are no farther away.
+                    let lasts = matches!(promise, Promise::Bound { .. }) || ring.averages();
+                    let level = level.filter(|_| lasts);
                     let flows = level.and_then(|level| ring.flows(level).ok());
                     flows.map(|flows| PromiseEvidence::KeptByFlows(weights, flows))
                 }
@@ -89,9 +95,23 @@ fn of_cell<'f>(
             };
             Ok(kept.unwrap_or(PromiseEvidence::Undecided))
         }
-        Some(Kept::No(broken)) => Ok(PromiseEvidence::Broken(broken, weights.unwrap_or_default())),
+        Some(Kept::No(broken)) => match &cell.kept_naturally {
+            Some(Kept::No(natural)) if certifiable(judge, natural, at)? => {
+                Ok(PromiseEvidence::BrokenNaturally(broken, natural))
+            }
+            _ => Ok(PromiseEvidence::Broken(broken, weights.unwrap_or_default())),
+        },
         Some(Kept::Open(_)) | None => Ok(PromiseEvidence::Undecided),
     }
+}
+
+/// Whether certificates have words for data that are too far with the points at their natural
+/// parameters: the masks take lines to lines, and the place is i/n^m.
+fn certifiable(judge: &Evaluator<'_>, broken: &Broken, at: At<'_>) -> Result<bool, Diagnostic> {
+    let Ok(quantities) = judge.quantities(at)? else { return Ok(false) };
+    let Some(scheme) = quantities.scheme else { return Ok(false) };
+    let masks: Vec<&Mask> = scheme.constants.iter().map(|axis| axis.mask()).collect();
+    Ok(has_words(&masks, &broken.attained))
 }
 
 /// The first level whose sound bound shows that a promise is kept.
@@ -110,7 +130,12 @@ fn kept<'f>(
     let Some((level, most)) = terms else { return Ok(None) };
     let Ok(bound) = judge.library.sound_bound(&scheme, offset) else { return Ok(None) };
     let axes: Vec<&Constants> = scheme.constants.iter().map(|axis| &**axis).collect();
-    let change = |later| change(&axes, offset, level, later);
+    // A depth is promised for all later levels too.
+    let last = |later| if matches!(promise, Promise::Depth { .. }) { later } else { level };
+    let change = |later| {
+        let changes = (level..=last(later)).map(|level| change(&axes, offset, level, later));
+        changes.collect::<Option<Vec<Rational>>>()?.into_iter().max()
+    };
     let later = later(&bound, level, MAX_LATER, change, |sum| sum * &spread <= most);
     Ok(later.map(PromiseEvidence::Kept))
 }

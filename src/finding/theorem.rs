@@ -118,8 +118,14 @@ pub enum Naturally {
     Refuted {
         /// The scheme and the values, in a few words.
         case: String,
+        /// The scheme, as the claim refers to it.
+        scheme: String,
+        /// The values of the names that the theorem leaves open.
+        values: Vec<(String, Rational)>,
         /// The data.
         violation: Box<Violation>,
+        /// Whether certificates have words for it.
+        certifiable: bool,
     },
     /// Nothing that it was tried on exceeds the bound: it holds at the levels that were looked at.
     Holds,

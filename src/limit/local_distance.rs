@@ -273,9 +273,13 @@ impl<S: Real + Ord + Value> LocalDistances<S> {
 
     /// A c such that after c levels within a bound all later ones are.
     pub(crate) fn lasting(&self) -> u32 {
+        if self.averages() { 1 } else { self.block().0 }
+    }
+
+    /// Whether no weight is negative.
+    pub(crate) fn averages(&self) -> bool {
         let zero = S::zero();
-        let averages = self.limit.ring().weights().values().iter().all(|weight| *weight >= zero);
-        if averages { 1 } else { self.block().0 }
+        self.limit.ring().weights().values().iter().all(|weight| *weight >= zero)
     }
 
     /// The first c with T_c < 1, and T_c.

@@ -38,6 +38,7 @@ pub use local_distance::{LocalDepth, LocalDistances, LocalWitness, least_flows};
 pub(crate) use local_distance::{minus, unit};
 pub use local_rules::{LocalLimit, LocalLimitError};
 pub use natural::{NaturalShift, Parametrisation, natural_shift};
+pub(crate) use parameter::is_fraction;
 pub use polygon::ControlPolygon;
 pub use step::{Attained, greatest_change, greatest_difference, greatest_step, greatest_step_from};
 pub use surface::{MAX_NET_POINTS, Spreads, SurfaceDistances, SurfaceError, SurfaceWitness};

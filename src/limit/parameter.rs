@@ -83,6 +83,19 @@ impl Parameter {
     }
 }
 
+/// Whether t is i/n^m for some m.
+pub(crate) fn is_fraction(t: &Rational, arity: usize) -> bool {
+    let (mut rest, n) = (t.denominator(), Integer::from(arity));
+    while rest != Integer::one() {
+        let common = rest.gcd(&n);
+        if common == Integer::one() {
+            return false;
+        }
+        rest = rest.div_floor(&common);
+    }
+    true
+}
+
 /// The first n-adic digit of a number from 0 to below 1, which becomes what is left of n times it.
 fn next_digit(rest: &mut Rational, arity: usize) -> Option<i64> {
     let scaled = &*rest * Rational::from(arity);

@@ -16,7 +16,7 @@ pub(super) fn facts(refutation: &Refutation) -> Vec<(String, String)> {
     // What does not depend on where the points are comes first.
     match natural {
         None => {}
-        Some(Naturally::Refuted { case, violation }) => {
+        Some(Naturally::Refuted { case, violation, .. }) => {
             fact("at natural parameters", format!("refuted too, for {case}"));
             fact("control data", control(&violation.attained.control));
             fact(&value_name(violation), exact(&violation.attained.value));

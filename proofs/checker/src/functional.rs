@@ -130,9 +130,22 @@ impl<'a> Rules<'a> {
         self.of_level(k, u.floor().to_integer(), Functional::at(&(u - u.floor())))
     }
 
-    /// The functional P^k(t), where P^k is piecewise linear and P^k(i/n^k) = x^k_i.
-    pub fn polygon(&self, k: u32, t: &Q) -> Result<Functional, Stop> {
-        self.at(k, &(t * int(self.arity()).pow(k.min(MAX_LEVEL).cast_signed())))
+    /// The functional P^k(t), where P^k is piecewise linear and P^k((i + s)/n^k) = x^k_i.
+    pub fn polygon(&self, k: u32, t: &Q, s: &Q) -> Result<Functional, Stop> {
+        self.at(k, &(t * int(self.arity()).pow(k.min(MAX_LEVEL).cast_signed()) - s))
+    }
+
+    /// The s with which the points i + s of a line have the points (i + s)/n at the next level;
+    /// `None` if there is none.
+    pub fn natural_shift(&self) -> Option<Q> {
+        let n = int(self.arity());
+        let mut shifts = (0..).zip(&self.rows).map(|(alpha, row)| {
+            let moments = (0..).zip(row).map(|(j, a)| a * BigInt::from(j)).sum::<BigInt>();
+            let mean = Q::new(moments, self.over.clone()) + int(self.offset);
+            (int(alpha) - &n * mean) / (&n - Q::one())
+        });
+        let shift = shifts.next()?;
+        shifts.all(|other| other == shift).then_some(shift)
     }
 
     /// The functional P^∞(t) of a scheme that converges. It is `None` if tn^m is an integer for no

@@ -98,6 +98,17 @@ impl<'a> LocalRules<'a> {
         Value::total(&pairs.map(term).collect::<Result<Vec<Value>, Stop>>()?)
     }
 
+    /// Whether no weight is negative.
+    pub fn averages(&self) -> Result<bool, Stop> {
+        let zero = Value::int(0);
+        for weight in self.weights.iter().flatten() {
+            if weight.compare(&zero)?.is_lt() {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
     /// Whether an edge joins these points.
     pub fn has_edge(&self, a: usize, b: usize) -> bool {
         self.edges.contains(&[a, b]) || self.edges.contains(&[b, a])

@@ -119,6 +119,8 @@ reasons! {
     Single "the claim does not speak of one scheme alone"
     Growth(said: Text, found: Text) "the certificate says {said}, and the growth of the bound is {found}"
     Contraction(factor: Text, claimed: Text) "the differences fall by {factor}, and the bound falls by {claimed}"
+    NoLines "the scheme does not take lines to lines"
+    Grows "a weight is negative: one level shows nothing of the later ones"
     NoLimit "the scheme is not shown to converge"
     NegativeSpread "the spread of the data is negative"
     Negative "the bound is negative: it presupposes something that does not hold"

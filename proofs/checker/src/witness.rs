@@ -47,6 +47,15 @@ enum Control {
     LocalRules(Vec<BigInt>, Vec<Value>),
 }
 
+/// Where the points of a level are.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Points {
+    /// x^k_i at i/n^k.
+    Indexed,
+    /// x^k_i at (i + s)/n^k, where the masks take lines to lines.
+    Natural,
+}
+
 /// Control data and a place.
 pub struct Witness<'l> {
     control: Control,
@@ -125,14 +134,20 @@ impl<'l> Witness<'l> {
     }
 
     /// The value of a quantity of the data at a level and at the place.
-    pub fn value(&self, setting: &Setting<'_>, quantity: &str, level: u32) -> Checked<Value> {
+    pub fn value(
+        &self,
+        setting: &Setting<'_>,
+        quantity: &str,
+        (level, at): (u32, Points),
+    ) -> Checked<Value> {
         let off = match (&self.control, setting) {
             (Control::LocalRules(points, weights), Setting::LocalRules(ring, earlier)) => {
+                require(at == Points::Indexed, Reason::Malformed("masks"))?;
                 self.of_ring((points, weights), (ring, earlier.as_deref()), quantity, level)?
             }
             (_, Setting::Masks(rules, converge)) => {
                 require(quantity != "distance" || *converge, Reason::NoLimit)?;
-                let [f, g] = self.functionals(rules, quantity, level)?;
+                let [f, g] = self.functionals(rules, quantity, (level, at))?;
                 Value::from(self.of(&f) - self.of(&g))
             }
             _ => return malformed("data of such a scheme"),
@@ -164,7 +179,7 @@ impl<'l> Witness<'l> {
         &self,
         rules: &[Rules<'_>],
         quantity: &str,
-        level: u32,
+        (level, points): (u32, Points),
     ) -> Checked<[Vec<Functional>; 2]> {
         let numbers: Option<Vec<Q>> = self.place.iter().map(|word| read_rational(word)).collect();
         let numbers = numbers.unwrap_or_default();
@@ -179,15 +194,22 @@ impl<'l> Witness<'l> {
         let [mut new, mut old] = [Vec::new(), Vec::new()];
         for (rules, (place, at)) in rules.iter().zip([int(1), int(2)].iter().zip(&numbers)) {
             let arity = int(rules.arity());
+            let shift = match points {
+                Points::Indexed => Q::zero(),
+                Points::Natural => rules.natural_shift().ok_or(Reason::NoLines)?,
+            };
             let (after, before) = match quantity {
                 "difference" if place == axis => {
                     (rules.at(level, &(at + Q::one()))?, rules.at(level, at)?)
                 }
                 "difference" => (rules.at(level, at)?, rules.at(level, at)?),
-                "step" => (rules.at(level + 1, at)?, rules.at(level, &(at / arity))?),
+                "step" => {
+                    let before = (at + &shift) / arity - &shift;
+                    (rules.at(level + 1, at)?, rules.at(level, &before)?)
+                }
                 "distance" => {
                     let limit = rules.limit(at)?.ok_or(Reason::Malformed("an n-adic number"))?;
-                    (limit, rules.polygon(level, at)?)
+                    (limit, rules.polygon(level, at, &shift)?)
                 }
                 _ => return malformed("a theorem about a bound"),
             };

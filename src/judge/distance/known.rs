@@ -5,7 +5,7 @@ use crate::exact::{Rational, RealCyclotomic, comparable};
 use crate::finding::{Attained, Control, Place, Supremum};
 use crate::limit::{
     Comparison, Distances, Limit, LocalDistances, LocalLimit, LocalWitness, Parametrisation,
-    Spreads, SurfaceDistances, SurfaceWitness, Witness, natural_shift,
+    Spreads, SurfaceDistances, SurfaceWitness, Witness, is_fraction, natural_shift,
 };
 use crate::scheme::{LocalRules, Mask};
 use std::cell::{OnceCell, RefCell};
@@ -13,6 +13,9 @@ use std::collections::BTreeMap;
 
 /// How many levels are looked at where all later ones are asked for.
 const MAX_LATER: u32 = 24;
+
+/// How many levels deeper a place i/n^m is looked for near another one.
+const MAX_FINER: u32 = 20;
 
 /// The most cells that one comparison looks at.
 const MAX_CELLS: u32 = 1 << 13;
@@ -288,16 +291,48 @@ fn curve(
     Ok(match distances.compare(level, bound).map_err(text)? {
         Comparison::Within => Comparison::Within,
         Comparison::Exceeds(Witness { polygon, parameter, distance, .. }) => {
-            Comparison::Exceeds(far_curve(polygon, parameter, distance))
+            let found = far_curve(polygon, parameter, distance);
+            Comparison::Exceeds(at_fraction(distances, level, bound, found))
         }
         Comparison::Undecided(enclosure) => {
             match distances.limit().far_polygon_from(level, distances.shift()) {
                 Ok(far) if far.distance > *bound => {
-                    Comparison::Exceeds(far_curve(far.polygon, far.parameter, far.distance))
+                    let found = far_curve(far.polygon, far.parameter, far.distance);
+                    Comparison::Exceeds(at_fraction(distances, level, bound, found))
                 }
                 _ => Comparison::Undecided(enclosure),
             }
         }
+    })
+}
+
+/// The same at a place i/n^m near by, of which certificates speak; itself where none is soon
+/// found whose distance is above the bound.
+fn at_fraction(distances: &Distances, level: u32, bound: &Rational, found: Attained) -> Attained {
+    let Place::Parameter(t) = &found.place else { return found };
+    let error = |t: &Rational| distances.error(level, t).ok();
+    let arity = distances.limit().mask().arity();
+    let near = fractions([(t, arity)], level).find_map(|[t]| {
+        let error = error(&t)?;
+        let distance = error.norm();
+        (distance > *bound).then(|| far_curve(error.extremal_polygon(), t, distance))
+    });
+    near.unwrap_or(found)
+}
+
+/// Places i/n^m, of growing m, near those that are no such fractions; none if all are.
+fn fractions<const K: usize>(
+    places: [(&Rational, usize); K],
+    level: u32,
+) -> impl Iterator<Item = [Rational; K]> {
+    let others = places.iter().any(|(t, arity)| !is_fraction(t, *arity));
+    let last = if others { level + MAX_FINER } else { level };
+    (level..last).map(move |m| {
+        places.map(|(t, arity)| {
+            let points = Rational::from(arity).pow(m.cast_signed());
+            let nearest = (t * &points + Rational::new(1, 2)).floor();
+            if is_fraction(t, arity) { t.clone() } else { Rational::from(nearest) / points }
+        })
     })
 }
 
@@ -314,7 +349,7 @@ fn net(
 ) -> Result<Comparison<Attained>, String> {
     // The search takes longer, and at high levels much longer.
     if let Some(found) = far_net(limits, distances.shifts(), level, bound) {
-        return Ok(Comparison::Exceeds(found));
+        return Ok(Comparison::Exceeds(net_at_fraction(distances, limits, level, bound, found)));
     }
     let compared = distances.compare(level, bound, &Spreads::one()).map_err(text)?;
     Ok(match compared {
@@ -323,9 +358,32 @@ fn net(
         Comparison::Exceeds(SurfaceWitness { first, net, parameters, distance, .. }) => {
             let control = Control::Net { first, rows: net };
             let place = Place::Parameters(parameters);
-            Comparison::Exceeds(Attained { control, place, value: distance.into() })
+            let found = Attained { control, place, value: distance.into() };
+            Comparison::Exceeds(net_at_fraction(distances, limits, level, bound, found))
         }
     })
+}
+
+/// As [`at_fraction`], of a net.
+fn net_at_fraction(
+    distances: &SurfaceDistances,
+    limits: &[Limit; 2],
+    level: u32,
+    bound: &Rational,
+    found: Attained,
+) -> Attained {
+    let Place::Parameters([s, t]) = &found.place else { return found };
+    let arity = |axis: usize| limits[axis].mask().arity();
+    let near = fractions([(s, arity(0)), (t, arity(1))], level).find_map(|places| {
+        let SurfaceWitness { first, net, parameters, distance, .. } =
+            distances.at(level, &places, &Spreads::one()).ok()?;
+        (distance > *bound).then(|| Attained {
+            control: Control::Net { first, rows: net },
+            place: Place::Parameters(parameters),
+            value: distance.into(),
+        })
+    });
+    near.unwrap_or(found)
 }
 
 /// The sum of polygons that are far from their limits along both directions, when its distance,
@@ -363,4 +421,18 @@ pub(crate) fn at_point(ring: &LocalRules, witness: LocalWitness) -> Attained {
 /// Points of a ring with their names.
 pub(crate) fn points(ring: &LocalRules, heights: &[i64]) -> Control {
     Control::Points((0..).zip(heights).map(|(a, x)| (ring.name(a), *x)).collect())
+}
+
+/// Whether certificates have words for what masks attain with the points at their natural parameters:
+/// they take lines to lines, and the place is i/n^m.
+pub(crate) fn has_words(masks: &[&Mask], attained: &Attained) -> bool {
+    let places = match &attained.place {
+        Place::Parameter(t) => std::slice::from_ref(t),
+        Place::Parameters(both) => &both[..],
+        _ => return masks.iter().all(|mask| natural_shift(mask).keeps_lines),
+    };
+    let good = |(mask, t): (&&Mask, &Rational)| {
+        natural_shift(mask).keeps_lines && is_fraction(t, mask.arity())
+    };
+    masks.len() == places.len() && masks.iter().zip(places).all(good)
 }

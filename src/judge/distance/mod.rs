@@ -4,5 +4,5 @@
 mod known;
 mod schemes;
 
-pub(crate) use known::{Compared, KnownDistances, at_point, points};
+pub(crate) use known::{Compared, KnownDistances, at_point, has_words, points};
 pub(crate) use schemes::{LocalCap, MAX_LOCAL_SIZE, MAX_STEPS, Schemes};

@@ -18,11 +18,13 @@ use crate::finding::{
     CaseFinding, Control, Correction, Naturally, Outcome, Refutation, Repair, TheoremFinding,
     TheoremVerdict, Violation,
 };
+use crate::judge::distance::has_words;
 use crate::judge::theorem::case::{Case, Stage};
 use crate::judge::theorem::correction::{corrections, subsets};
 use crate::judge::theorem::setting::Setting;
 use crate::judge::theorem::trial::Trial;
 use crate::limit::Parametrisation;
+use crate::scheme::Mask;
 
 /// How exactly the supremum beside a false bound is enclosed, in parts of it.
 const PARTS: u32 = 1_000;
@@ -130,14 +132,24 @@ fn naturally(
     let (mut refuted, mut known) = (Vec::new(), true);
     for case in cases {
         match trial.of(case)? {
-            Outcome::Refuted(violation) => refuted.push((case.label.clone(), violation)),
+            Outcome::Refuted(violation) => refuted.push((case, violation)),
             Outcome::Proved | Outcome::UpTo(_) | Outcome::Outside(_) => {}
             Outcome::Unknown(_) => known = false,
         }
     }
     let least = refuted.into_iter().min_by_key(|(_, violation)| size(violation));
     Ok(Some(match least {
-        Some((case, violation)) => Naturally::Refuted { case, violation },
+        Some((case, violation)) => {
+            let resolved = case.resolved.iter().flat_map(|scheme| &scheme.constants);
+            let masks: Vec<&Mask> = resolved.map(|axis| axis.mask()).collect();
+            Naturally::Refuted {
+                case: case.label.clone(),
+                scheme: case.scheme.clone(),
+                values: case.chosen.clone(),
+                certifiable: has_words(&masks, &violation.attained),
+                violation,
+            }
+        }
         None if known => Naturally::Holds,
         None => Naturally::Open,
     }))

@@ -145,7 +145,7 @@ impl<'a> Witness<'a> {
 impl<'a> Natural<'a> {
     fn of(natural: &'a Naturally) -> Natural<'a> {
         match natural {
-            Naturally::Refuted { case, violation } => {
+            Naturally::Refuted { case, violation, .. } => {
                 let (control, place) = data(&violation.attained);
                 let (value, bound) = (&violation.attained.value, &violation.bound);
                 let (value, bound) = (Exact::of(value), Exact::of(bound));

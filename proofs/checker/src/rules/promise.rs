@@ -11,7 +11,7 @@ use crate::reject::{Checked, Reason, Stop, compare, require};
 use crate::setting::Setting;
 use crate::table::Table;
 use crate::value::Value;
-use crate::witness::{Witness, violated};
+use crate::witness::{Points, Witness, violated};
 use num_traits::{Signed, Zero};
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -53,6 +53,9 @@ pub fn check(table: &Table<'_>, block: &mut Block<'_>) -> Checked<()> {
             match &*setting {
                 Setting::LocalRules(ring, _) => {
                     require(said.is_empty(), Reason::Malformed("ROW COLUMN"))?;
+                    // A depth is promised for later levels too: averages are no farther away.
+                    let lasts = promised.tolerance.is_none() || ring.averages()?;
+                    require(lasts, Reason::Grows)?;
                     let errors = errors(table.paper, ring, block)?;
                     let functionals = ring.functionals_before(errors, level)?;
                     let small = |cost: &Value| {
@@ -65,13 +68,28 @@ pub fn check(table: &Table<'_>, block: &mut Block<'_>) -> Checked<()> {
             }
             continue;
         }
-        let (name, sides) = said.split_once(' ').unwrap_or((said, ""));
-        let witness = witnesses.get(name).ok_or(Reason::NoWitness)?;
-        let spread = witness.spreads(&setting)?.into_iter().max().filter(Q::is_positive);
-        let spread = spread.ok_or(Reason::Malformed("data that are not all equal"))?;
-        let distance = witness.value(&setting, "distance", level)?;
-        let left = distance.times(&promised.spread)?.over(&spread.into())?;
-        violated(table.paper, sides, &left, &most)?;
+        let broken = |said: &str, points: Points| -> Checked<()> {
+            let (name, sides) = said.split_once(' ').unwrap_or((said, ""));
+            let witness = witnesses.get(name).ok_or(Reason::NoWitness)?;
+            let spread = witness.spreads(&setting)?.into_iter().max().filter(Q::is_positive);
+            let spread = spread.ok_or(Reason::Malformed("data that are not all equal"))?;
+            // A depth is promised for later levels too.
+            let (sides, later) = sides.split_once(" level ").unwrap_or((sides, ""));
+            let at = match later.parse::<u32>() {
+                _ if later.is_empty() => level,
+                Ok(later) if promised.tolerance.is_some() && later > level => later,
+                _ => return Err(Reason::Malformed("a later level").into()),
+            };
+            let distance = witness.value(&setting, "distance", (at, points))?;
+            let left = distance.times(&promised.spread)?.over(&spread.into())?;
+            violated(table.paper, sides, &left, &most)
+        };
+        broken(said, Points::Indexed)?;
+        if let Some(said) = block.maybe("naturally") {
+            let (found, said) = table.place(said)?;
+            require(found == at, Reason::Promises)?;
+            broken(said, Points::Natural)?;
+        }
     }
     Ok(())
 }
@@ -101,7 +119,7 @@ fn setting<'a>(
 }
 
 /// Checks `L M c`: the sound bound at level L and the distance between the levels L and k have a
-/// sum that is at most the promised bound.
+/// sum that is at most the promised bound; of a depth also for the levels between.
 pub fn kept(
     promised: &Promised<'_>,
     setting: &Setting<'_>,
@@ -114,12 +132,19 @@ pub fn kept(
     let (Some(later), Setting::Masks(rules, _)) = (later, setting) else {
         return Err(malformed.into());
     };
-    let mut bound = promised.bound(later.into(), constants)?;
-    if later > level {
-        let change = change(promised, rules, level, later)?.times(&promised.spread)?;
-        bound.add(1, &change)?;
+    let bound = promised.bound(later.into(), constants)?;
+    // The sound bound at level L is one of all later levels, and a depth is promised for those
+    // between too.
+    let last = if promised.tolerance.is_some() { later } else { level };
+    for level in level..=last {
+        let mut bound = bound.clone();
+        if later > level {
+            let change = change(promised, rules, level, later)?.times(&promised.spread)?;
+            bound.add(1, &change)?;
+        }
+        compare(bound.compare(most)?.is_le(), &bound, most, Reason::TooLarge)?;
     }
-    compare(bound.compare(most)?.is_le(), &bound, most, Reason::TooLarge)
+    Ok(())
 }
 
 fn values(paper: &Paper<'_>, said: &str) -> Checked<Vec<Value>> {
@@ -168,7 +193,7 @@ pub fn change(promised: &Promised<'_>, rules: &[Rules<'_>], k: u32, l: u32) -> R
         let mut largest = Q::zero();
         for i in 0..count {
             let new = rules.at(l, &Q::from_integer(i.into()))?;
-            let old = rules.polygon(k, &Q::new(i.into(), count.into()))?;
+            let old = rules.polygon(k, &Q::new(i.into(), count.into()), &Q::zero())?;
             largest = largest.max(new.minus(&old).norm_on_differences());
         }
         Ok(largest.into())

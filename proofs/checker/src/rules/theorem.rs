@@ -10,7 +10,7 @@ use crate::paper::Paper;
 use crate::reject::{Checked, Reason, require};
 use crate::toml::Toml;
 use crate::value::Value;
-use crate::witness::{Witness, violated};
+use crate::witness::{Points, Witness, violated};
 use num_traits::Signed;
 
 /// The greatest level of a witness.
@@ -45,8 +45,17 @@ pub fn check<'a>(
         "refuted-by" => ("refuted-by", claim.text("refuted_by"), "refuted"),
         _ => {
             let instance = Instance::read(paper, claim, block)?;
-            let rule = if block.next_word() == "grows" { levels::check } else { refuted };
-            return rule(paper, claim, block, instance).map(|()| None);
+            if block.next_word() == "grows" {
+                return levels::check(paper, claim, block, instance).map(|()| None);
+            }
+            refuted(paper, claim, block, instance, Points::Indexed)?;
+            if block.next_word() == "naturally" {
+                block.word("naturally")?;
+                let instance = Instance::read(paper, claim, block)?;
+                refuted(paper, claim, block, instance, Points::Natural)?;
+            }
+            block.word("refuted")?;
+            return Ok(None);
         }
     };
     block.restates(word, text)?;
@@ -60,12 +69,13 @@ pub fn check<'a>(
     Ok(Some(Citation { statement: format!("THEOREMS.md, {number}"), uses }))
 }
 
-/// Checks control data that violate the bound.
+/// Checks control data that violate the bound, with the points there.
 fn refuted<'a>(
     paper: &'a Paper<'a>,
     claim: &'a Toml,
     block: &mut Block<'_>,
     Instance { mut scope, setting, .. }: Instance<'a>,
+    points: Points,
 ) -> Checked<()> {
     let (bounds, mut tolerance) = (claim.text("bounds").unwrap_or_default(), None);
     if bounds == "depth" {
@@ -79,7 +89,7 @@ fn refuted<'a>(
     let witness = Witness::read(paper, block)?;
     let spreads = witness.spreads(&setting)?;
     let quantity = if tolerance.is_some() { "distance" } else { bounds };
-    let left = witness.value(&setting, quantity, level)?;
+    let left = witness.value(&setting, quantity, (level, points))?;
     let mut name = |name: &str, value: Value| scope.values.insert(name.to_owned(), value);
     name("beta", spreads.iter().max().cloned().unwrap_or_default().into());
     if let [first, second] = &spreads[..] {
@@ -100,6 +110,5 @@ fn refuted<'a>(
     let right = tolerance.unwrap_or(by);
     // A negative bound presupposes something that does not hold, such as a constant below 1.
     require(right.sign(None)? >= 0, Reason::Negative)?;
-    violated(paper, said, &left, &right)?;
-    block.word("refuted")
+    violated(paper, said, &left, &right)
 }
