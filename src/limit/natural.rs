@@ -53,7 +53,7 @@ const PARTS: usize = 1 << 10;
 /// assert_eq!((chaikin.shift, chaikin.keeps_lines), (Rational::new(-1, 2), true));
 /// let cubic = natural_shift(parse_scheme("b-spline:degree=3")?.masks()[0]);
 /// assert!(cubic.shift.is_zero());
-/// # Ok::<(), subcert::scheme::ReferenceError>(())
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[must_use]
 pub fn natural_shift(mask: &Mask) -> NaturalShift {

@@ -47,6 +47,27 @@ impl Block {
         self.lines().last().copied().unwrap_or_default()
     }
 
+    /// The lines about points at i/n^k, and those about points at their natural parameters, if there
+    /// are such, as blocks of their own.
+    pub fn parts(&self) -> Vec<Block> {
+        let lines = self.lines();
+        let parts = lines.split(|line| *line == "naturally");
+        let owned = |part: &[&str]| part.iter().map(|line| (*line).to_owned()).collect::<Vec<_>>();
+        parts.map(|part| self.with_lines(&owned(part))).collect()
+    }
+
+    /// The same block without what it says of points at their natural parameters.
+    pub fn indexed(&self) -> Block {
+        let lines = self.lines();
+        let (Some(end), Some(verdict)) =
+            (lines.iter().position(|line| *line == "naturally"), lines.last())
+        else {
+            return self.clone();
+        };
+        let kept = lines[..end].iter().chain([verdict]);
+        self.with_lines(&kept.map(|line| (*line).to_owned()).collect::<Vec<String>>())
+    }
+
     /// The same head with other lines.
     pub fn with_lines(&self, lines: &[String]) -> Block {
         let head = format!("{} {}\n", self.kind, self.id);

@@ -58,8 +58,8 @@ fn harmless(original: &Block, altered: &Block) -> Option<&'static str> {
     }
     let unnamed = |block: &Block| -> Vec<String> {
         let line = |line: &String| match line.split_whitespace().collect::<Vec<&str>>()[..] {
-            ["broken", row, column, _, distance, most] => {
-                format!("broken {row} {column} {distance} {most}")
+            [word @ ("broken" | "naturally"), row, column, _, distance, most] => {
+                format!("{word} {row} {column} {distance} {most}")
             }
             _ => line.clone(),
         };
@@ -67,6 +67,12 @@ fn harmless(original: &Block, altered: &Block) -> Option<&'static str> {
     };
     if unnamed(original) == unnamed(altered) {
         return Some("another of the witnesses, with the same distance");
+    }
+    let is_natural: fn(&str) -> bool = |line| line.starts_with("naturally ");
+    if without(original, is_natural) == without(altered, is_natural)
+        && altered.lines.iter().all(|line| original.lines.contains(line))
+    {
+        return Some("nothing about the natural parameters of a cell");
     }
     let promises: fn(&str) -> bool =
         |line| ["kept ", "broken ", "undecided "].iter().any(|word| line.starts_with(word));

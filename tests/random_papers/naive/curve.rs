@@ -1,7 +1,7 @@
 //! Curves: points as functionals of the control polygon.
 
 use super::{Q, int};
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Signed, ToPrimitive, Zero};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
@@ -93,6 +93,26 @@ impl Curve {
             (i.div_euclid(parts), i.rem_euclid(parts))
         };
         let right = Q::new(part.into(), parts.into());
+        combine(&self.row(level, whole), &(Q::one() - &right), &self.row(level, whole + 1), &right)
+    }
+
+    /// The s with which x^k_i at (i + s)/n^k stays on every line; `None` if there is none.
+    pub fn natural_shift(&self) -> Option<Q> {
+        let n = int(self.arity());
+        let shifts: Vec<Q> = (0..self.arity())
+            .map(|alpha| {
+                // Of x_i = i, x^1_α is to be (α + s)/n − s.
+                let line: Q = self.row(1, alpha).iter().map(|(i, weight)| weight * int(*i)).sum();
+                (int(alpha) - &n * line) / (&n - Q::one())
+            })
+            .collect();
+        shifts.iter().all(|shift| *shift == shifts[0]).then(|| shifts[0].clone())
+    }
+
+    /// Between the points of a level: u is an index, and between two of them.
+    pub fn between(&self, level: u32, u: &Q) -> Row {
+        let whole = u.floor().to_integer().to_i64().expect("near");
+        let right = u - u.floor();
         combine(&self.row(level, whole), &(Q::one() - &right), &self.row(level, whole + 1), &right)
     }
 

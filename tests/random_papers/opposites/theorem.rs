@@ -54,7 +54,9 @@ fn refutations(draft: &Draft, claim: &Claim, bound: &Bound) -> Vec<Block> {
             break;
         }
         let Some(twin) = twin(draft, claim, bound, "beta*0", from) else { continue };
-        let Some(witness) = (twin.verdict() == "refuted").then(|| Witness::read(&twin)).flatten()
+        let twin = twin.indexed();
+        let Some(witness) =
+            (twin.verdict() == "refuted").then(|| Witness::read(&twin, false)).flatten()
         else {
             continue;
         };

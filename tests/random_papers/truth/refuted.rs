@@ -14,6 +14,8 @@ pub struct Witness {
     /// The points of a polygon are one row, and those of a ring too.
     rows: Vec<Vec<i64>>,
     place: Vec<String>,
+    /// Whether the points of a level are at their natural parameters.
+    natural: bool,
 }
 
 /// How many levels later than a witness its limit is approached, at most.
@@ -24,7 +26,7 @@ fn integers(text: &str) -> Option<Vec<i64>> {
 }
 
 impl Witness {
-    pub fn read(block: &Block) -> Option<Witness> {
+    pub fn read(block: &Block, natural: bool) -> Option<Witness> {
         let level = block.after("level")?.parse().ok()?;
         let place = block.after("at")?.split_whitespace().map(str::to_owned).collect();
         let all = |word: &str| -> Option<Vec<Vec<i64>>> {
@@ -42,7 +44,7 @@ impl Witness {
                 None => ([0, 0], all("ring ")?),
             },
         };
-        Some(Witness { level, first, rows, place })
+        Some(Witness { level, first, rows, place, natural })
     }
 
     /// Polygons, one for each index: of a net their sums.
@@ -51,7 +53,7 @@ impl Witness {
             [one, other] => one.iter().map(|x| other.iter().map(|y| x + y).collect()).collect(),
             one => one.to_vec(),
         };
-        Witness { level, first: [0, 0], rows, place }
+        Witness { level, first: [0, 0], rows, place, natural: false }
     }
 
     /// The spreads, along each index.
@@ -101,6 +103,9 @@ impl Witness {
             let (mut new, mut old) = (Vec::new(), Vec::new());
             for (at, curve) in curves.iter().enumerate() {
                 let (i, finer) = place(at)?;
+                let shift = if self.natural { curve.natural_shift() } else { Some(Q::zero()) };
+                let shift = shift.ok_or("lines are not kept: ")?;
+                let n = int(curve.arity());
                 let own = axis.as_ref().is_none_or(|axis| *axis == (at + 1).to_string());
                 let level = self.level;
                 new.push(match bound.quantity {
@@ -110,8 +115,11 @@ impl Witness {
                 });
                 old.push(match bound.quantity {
                     "difference" => curve.row(level, i),
-                    "step" => curve.at(level, i, level + 1),
-                    _ => curve.at(level, i, finer),
+                    "step" => curve.between(level, &((int(i) + &shift) / n - &shift)),
+                    _ => {
+                        let t = int(i) / num_traits::pow(n.clone(), finer as usize);
+                        curve.between(level, &(t * num_traits::pow(n, level as usize) - shift))
+                    }
                 });
             }
             Ok([new, old])
@@ -201,9 +209,18 @@ impl Witness {
     }
 }
 
-/// The sides of the witness are those of the bound, and the first one is larger.
+/// The sides of the witness are those of the bound, and the first one is larger; also with the points
+/// at their natural parameters, if the block says so.
 pub fn violates(draft: &Draft, bound: &Bound, block: &Block) -> Result<(), String> {
-    let witness = Witness::read(block).ok_or("its witness is not read: ")?;
+    block
+        .parts()
+        .iter()
+        .enumerate()
+        .try_for_each(|(at, part)| one_violates(draft, bound, part, at > 0))
+}
+
+fn one_violates(draft: &Draft, bound: &Bound, block: &Block, natural: bool) -> Result<(), String> {
+    let witness = Witness::read(block, natural).ok_or("its witness is not read: ")?;
     let lets: Vec<(&str, Q)> = block
         .lines()
         .iter()

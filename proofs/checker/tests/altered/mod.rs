@@ -103,7 +103,7 @@ const WORDS: [&[&str]; 21] = [
     &["proved", "refuted", "open"],
     &["proved-by", "refuted-by", "says"],
     &["difference", "step", "distance", "depth"],
-    &["kept", "broken", "undecided"],
+    &["kept", "broken", "undecided", "naturally"],
     &["polygon", "net", "row", "ring", "weights"],
     &["level", "tolerance", "at", "let"],
     &["grows", "times", "flow", "weights", "level"],
