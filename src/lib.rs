@@ -46,7 +46,7 @@
 //! | [`formula`] | the expression language of masks and claims |
 //! | [`scheme`] | masks, difference masks, tensor products, rings, the catalogue |
 //! | [`bound`] | contraction constants, also of rings, displacement, error bounds, depth |
-//! | [`limit`] | limits at n-adic parameters, distances of polygons from them |
+//! | [`limit`] | limits at rational parameters, distances of polygons from them in both parametrisations |
 //! | [`float`] | the same in f64, certified against the exact path |
 //! | [`oracle`] | reference values and checks for other programs' tests |
 //! | [`claim`] | what a paper asserts |

@@ -68,7 +68,7 @@ impl Certification {
 /// stands in the answer.
 ///
 /// # Errors
-/// When there are too many residue classes, or the norms take more than [`MAX_STEPS`] steps, a
+/// When there are too many residue classes, or the norms take more than [`MAX_STEPS`](super::MAX_STEPS) steps, a
 /// tolerance or the spread is not
 /// positive, or a level is too high.
 ///

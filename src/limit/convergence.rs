@@ -101,7 +101,7 @@ pub(super) fn limit_at_zero(mask: &Mask) -> Result<Functional, LimitError> {
 /// n^k t are determined by those of the level before. After a period they have the same functional
 /// again: w with w = wB and Σ w_i = 1, the only one where the scheme converges.
 ///
-/// Source: `proofs/THEOREMS.md`, «Natural parameter».
+/// Source: `proofs/THEOREMS.md`, 82.
 pub(super) fn limit_at_repeating(mask: &Mask, t: &Rational) -> Result<Functional, LimitError> {
     let arity = mask.arity();
     let refused = || LimitError::Parameter { parameter: format::short(t, 12), arity };

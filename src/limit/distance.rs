@@ -35,7 +35,7 @@ pub struct Distance {
 /// P^∞ does between them from above. Only intervals that may hold the supremum are
 /// split.
 ///
-/// Source: `proofs/THEOREMS.md`, 5–9.
+/// Source: `proofs/THEOREMS.md`, 5–9, 81 and 88.
 ///
 /// ```
 /// use subcert::exact::{Enclosure, Rational};

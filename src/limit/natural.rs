@@ -42,7 +42,7 @@ const PARTS: usize = 1 << 10;
 /// With m_α = Σ_j j a_{α,j} and s_α = (α − n(m_α + o))/(n − 1), the scheme takes lines to lines if
 /// and only if all s_α are one number, which is s. Otherwise s is their mean, up to 1/2000.
 ///
-/// Source: `proofs/THEOREMS.md`, «Natural parameter».
+/// Source: `proofs/THEOREMS.md`, 80 and 87.
 ///
 /// ```
 /// use subcert::exact::Rational;
@@ -70,8 +70,8 @@ pub fn natural_shift(mask: &Mask) -> NaturalShift {
     if keeps_lines {
         return NaturalShift { shift: mean, keeps_lines };
     }
-    let power = (1..).map(|m| mask.arity().pow(m)).find(|parts| *parts >= PARTS);
-    let parts = Rational::from(power.expect("powers grow")) * (&n - Rational::one());
+    let power = mask.arity().pow(PARTS.ilog(mask.arity()) + 1);
+    let parts = Rational::from(power) * (&n - Rational::one());
     let nearest = (mean * &parts + Rational::new(1, 2)).floor();
     NaturalShift { shift: Rational::from(nearest) / parts, keeps_lines }
 }

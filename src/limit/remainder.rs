@@ -13,7 +13,7 @@ use crate::scheme::Mask;
 /// Bounds on a cell, per unit of the differences Δ of its window and of their own
 /// differences ∇Δ.
 ///
-/// Source: `proofs/THEOREMS.md`, 2, 6 and 7.
+/// Source: `proofs/THEOREMS.md`, 2, 6, 7 and 88.
 #[derive(Clone, Debug)]
 pub(super) struct Remainders {
     /// Of |P^∞ − P^j|, by max|Δ|.

@@ -38,7 +38,7 @@ impl Goal {
 /// and the part with the greatest bound first. A cell whose bound settles the goal is
 /// dropped.
 ///
-/// Source: `proofs/THEOREMS.md`, 8.
+/// Source: `proofs/THEOREMS.md`, 8 and 88.
 pub(super) struct Search<'a> {
     splitting: &'a Splitting,
     remainders: &'a Remainders,

@@ -19,7 +19,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 ///
 /// Hypotheses: an affine mask for which some T_c < 1, which is decided here.
 ///
-/// Source: `proofs/THEOREMS.md`, 2–4.
+/// Source: `proofs/THEOREMS.md`, 2–4 and 82.
 ///
 /// ```
 /// use subcert::exact::Rational;

@@ -105,3 +105,19 @@ fn theorems_mention_their_own_names_where_these_mean_something() {
         assert!(error.message.ends_with("has no meaning here"), "{error}");
     }
 }
+
+/// Reports name alternatives of a definition by their labels.
+#[test]
+fn alternatives_of_one_definition_have_different_labels() {
+    let alternatives = |second: &str, label: &str| {
+        format!(
+            "[define]\nx = '1'\ny = '1'\n[[alternative]]\nof = 'x'\nlabel = 'other'\nvalue = '2'\n\
+             [[alternative]]\nof = '{second}'\nlabel = '{label}'\nvalue = '3'\n"
+        )
+    };
+    let error = read(&alternatives("x", "other")).expect_err("one label");
+    assert_eq!(error.message, "two alternatives of `x` have the label `other`");
+    assert!(error.other.is_some());
+    assert!(read(&alternatives("x", "third")).is_ok());
+    assert!(read(&alternatives("y", "other")).is_ok());
+}

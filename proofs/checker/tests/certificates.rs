@@ -68,10 +68,7 @@ fn harmless(original: &Block, altered: &Block) -> Option<&'static str> {
     if unnamed(original) == unnamed(altered) {
         return Some("another of the witnesses, with the same distance");
     }
-    let is_natural: fn(&str) -> bool = |line| line.starts_with("naturally ");
-    if without(original, is_natural) == without(altered, is_natural)
-        && altered.lines.iter().all(|line| original.lines.contains(line))
-    {
+    if silent_of_natural_parameters(original, altered) {
         return Some("nothing about the natural parameters of a cell");
     }
     let promises: fn(&str) -> bool =
@@ -149,6 +146,13 @@ fn unordered(line: &str) -> String {
 fn unsigned(block: &Block) -> Vec<Vec<&str>> {
     let word = |word| if word == "-0" { "0" } else { word };
     block.lines.iter().map(|line| line.split_whitespace().map(word).collect()).collect()
+}
+
+/// Whether only lines about the natural parameters of cells are left out, or repeated.
+fn silent_of_natural_parameters(original: &Block, altered: &Block) -> bool {
+    let is_natural: fn(&str) -> bool = |line| line.starts_with("naturally ");
+    without(original, is_natural) == without(altered, is_natural)
+        && altered.lines.iter().all(|line| original.lines.contains(line))
 }
 
 /// Whether a line shows by some constants, and a later level, that a bound is kept.

@@ -58,7 +58,7 @@ pub(super) struct BibliographyTable {
 #[serde(deny_unknown_fields)]
 pub(super) struct AlternativeTable {
     pub(super) of: Spanned<String>,
-    pub(super) label: String,
+    pub(super) label: Spanned<String>,
     pub(super) value: Spanned<String>,
 }
 

@@ -31,7 +31,7 @@ pub fn read_paper(source: &Arc<SourceText>) -> Result<Paper, Diagnostic> {
         contents: reader.contents(&file.paper.numbered, file.claims(), &file.unclaimed)?,
         schemes: reader.schemes(&file.scheme)?,
         definitions: definitions(source, &file.define)?,
-        alternatives: all(&file.alternative, |other| reader.alternative(other, &file.define))?,
+        alternatives: reader.alternatives(&file.alternative, &file.define)?,
         given: definitions(source, &file.given)?,
         tables: all(&file.table, |table| reader.table(table))?,
         equations: all(&file.equation, |equation| reader.equation(equation))?,
@@ -76,6 +76,26 @@ impl Reader<'_> {
         Ok(ids)
     }
 
+    /// Those of one definition have different labels: reports tell them apart by these.
+    fn alternatives(
+        &self,
+        tables: &[AlternativeTable],
+        define: &Formulas,
+    ) -> Result<Vec<Alternative>, Diagnostic> {
+        let mut labels = BTreeMap::new();
+        for table in tables {
+            let (name, label) = (table.of.get_ref(), table.label.get_ref());
+            if let Some(first) = labels.insert((name, label), table.label.span()) {
+                let message = format!("two alternatives of `{name}` have the label `{label}`");
+                return Err(self
+                    .error(table.label.span(), message)
+                    .with_place(first, "the other one is here")
+                    .with_help("give each a label of its own: reports name them by it"));
+            }
+        }
+        all(tables, |table| self.alternative(table, define))
+    }
+
     fn alternative(
         &self,
         table: &AlternativeTable,
@@ -88,7 +108,7 @@ impl Reader<'_> {
             return Err(self.error(table.of.span(), message));
         }
         let value = formula(self.source, &table.value)?;
-        Ok(Alternative { of: name.clone(), label: table.label.clone(), value })
+        Ok(Alternative { of: name.clone(), label: table.label.get_ref().clone(), value })
     }
 
     fn schemes(

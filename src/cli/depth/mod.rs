@@ -62,9 +62,10 @@ impl Report {
         };
         // Where no point is shifted, both parametrisations are one.
         let natural = scheme.masks().into_iter().all(|mask| natural_shift(mask).shift.is_zero());
-        let wanted: &[Parametrisation] = match natural {
-            true => &[Parametrisation::Natural],
-            false => &[Parametrisation::Natural, Parametrisation::Indexed],
+        let wanted: &[Parametrisation] = if natural {
+            &[Parametrisation::Natural]
+        } else {
+            &[Parametrisation::Natural, Parametrisation::Indexed]
         };
         let count = wanted.len() * if points.is_some() { 2 } else { 1 };
         let budget = || Budget::new(MAX_STEPS / count as u64);
