@@ -93,9 +93,13 @@ impl Axis {
         self.distances.limit()
     }
 
-    /// Whether no coefficient of the mask is negative.
-    pub(super) fn averages(&self) -> bool {
-        self.averages
+    /// Λ_c, for few residue classes.
+    pub(super) fn growth(&self, c: u32) -> Rational {
+        if self.averages {
+            return Rational::one();
+        }
+        let norm = power_norm(self.limit().mask().rules(), c, Order::Adjoint);
+        norm.expect("few classes can be walked").value
     }
 
     /// C_k to this width, or as narrow as the caps allow.

@@ -4,7 +4,7 @@ use super::comparison::Comparison;
 use super::depth::{TwoSidedDepth, two_sided};
 use super::error::positive;
 use super::surface::{Spreads, SurfaceDistances, SurfaceError, SurfaceWitness};
-use super::surface_axis::{Constant, Norms};
+use super::surface_axis::{Axis, Constant, Norms};
 use crate::bound::Share;
 use crate::exact::{Enclosure, Rational};
 
@@ -17,6 +17,10 @@ const MAX_TRANSPORTS: usize = 32;
 /// The steps that a pair of intervals takes, and an exact norm, the most it does.
 const PAIR: u64 = 40;
 const TRANSPORT: u64 = 1 << 20;
+
+/// The most levels after which the spreads are looked at, and the residue classes of these.
+const MAX_LASTING: u32 = 6;
+const POINTS: u64 = 1 << 10;
 
 /// The widths of C¹_k and C²_k that are tried, as parts of the threshold.
 const WIDTHS: [u32; 3] = [16, 1 << 10, 1 << 20];
@@ -155,15 +159,25 @@ impl SurfaceDistances {
         two_sided(meets, surely, self.lasting(), || self.caps())
     }
 
-    /// A c such that after c levels that meet a tolerance all later ones do, where one is known:
-    /// spreads do not grow over c levels where T_c ≤ 1 along both directions, and no coefficient
-    /// is negative.
+    /// A c such that after c levels that meet a tolerance all later ones do, where a small one is
+    /// known: over c levels the spreads grow at most by T¹_cΛ²_c and T²_cΛ¹_c.
     pub(crate) fn lasting(&self) -> Option<u32> {
         let [first, second] = self.axes.each_ref();
         let one = Rational::one();
-        let both = first.limit().contraction().iter().zip(second.limit().contraction());
-        let c = both.skip(1).position(|(t, u)| *t <= one && *u <= one)?;
-        (first.averages() && second.averages()).then(|| u32::try_from(c + 1).ok())?
+        let few = |c: u32| {
+            let classes = |axis: &Axis| (axis.limit().mask().arity() as u64).checked_pow(c);
+            [first, second].iter().all(|axis| classes(axis).is_some_and(|n| n <= POINTS))
+        };
+        let falls = |c: &u32| {
+            let along = |axis: &Axis, other: &Axis| {
+                axis.limit()
+                    .contraction()
+                    .get(*c as usize)
+                    .is_some_and(|t| t * other.growth(*c) <= one)
+            };
+            along(first, second) && along(second, first)
+        };
+        (1..=MAX_LASTING).take_while(|c| few(*c)).find(falls)
     }
 
     /// A bound of C_k that takes no search. It does not grow with the level.
