@@ -2,10 +2,12 @@
 
 use crate::bound::Budget;
 use crate::exact::{Rational, RealCyclotomic, comparable};
-use crate::finding::{Attained, Control, Place, Supremum};
+use crate::finding::{Attained, Supremum};
+use crate::judge::distance::attained::at_point;
+use crate::judge::distance::compare::{curve, net};
 use crate::limit::{
-    Comparison, Distances, Limit, LocalDistances, LocalLimit, LocalWitness, Parametrisation,
-    Spreads, SurfaceDistances, SurfaceWitness, Witness, is_fraction, natural_shift,
+    Comparison, Distances, Limit, LocalDistances, LocalLimit, Parametrisation, Spreads,
+    SurfaceDistances, natural_shift,
 };
 use crate::scheme::{LocalRules, Mask};
 use std::cell::{OnceCell, RefCell};
@@ -13,9 +15,6 @@ use std::collections::BTreeMap;
 
 /// How many levels are looked at where all later ones are asked for.
 const MAX_LATER: u32 = 24;
-
-/// How many levels deeper a place i/n^m is looked for near another one.
-const MAX_FINER: u32 = 20;
 
 /// The most cells that one comparison looks at.
 const MAX_CELLS: u32 = 1 << 13;
@@ -280,159 +279,4 @@ impl Of {
 
 fn text(error: impl std::fmt::Display) -> String {
     error.to_string()
-}
-
-/// What a search leaves open may be decided by a polygon that is far from its limit.
-fn curve(
-    distances: &Distances,
-    level: u32,
-    bound: &Rational,
-) -> Result<Comparison<Attained>, String> {
-    Ok(match distances.compare(level, bound).map_err(text)? {
-        Comparison::Within => Comparison::Within,
-        Comparison::Exceeds(Witness { polygon, parameter, distance, .. }) => {
-            let found = far_curve(polygon, parameter, distance);
-            Comparison::Exceeds(at_fraction(distances, level, bound, found))
-        }
-        Comparison::Undecided(enclosure) => {
-            match distances.limit().far_polygon_from(level, distances.shift()) {
-                Ok(far) if far.distance > *bound => {
-                    let found = far_curve(far.polygon, far.parameter, far.distance);
-                    Comparison::Exceeds(at_fraction(distances, level, bound, found))
-                }
-                _ => Comparison::Undecided(enclosure),
-            }
-        }
-    })
-}
-
-/// The same at a place i/n^m near by, of which certificates speak; itself where none is soon
-/// found whose distance is above the bound.
-fn at_fraction(distances: &Distances, level: u32, bound: &Rational, found: Attained) -> Attained {
-    let Place::Parameter(t) = &found.place else { return found };
-    let error = |t: &Rational| distances.error(level, t).ok();
-    let arity = distances.limit().mask().arity();
-    let near = fractions([(t, arity)], level).find_map(|[t]| {
-        let error = error(&t)?;
-        let distance = error.norm();
-        (distance > *bound).then(|| far_curve(error.extremal_polygon(), t, distance))
-    });
-    near.unwrap_or(found)
-}
-
-/// Places i/n^m, of growing m, near those that are no such fractions; none if all are.
-fn fractions<const K: usize>(
-    places: [(&Rational, usize); K],
-    level: u32,
-) -> impl Iterator<Item = [Rational; K]> {
-    let others = places.iter().any(|(t, arity)| !is_fraction(t, *arity));
-    let last = if others { level + MAX_FINER } else { level };
-    (level..last).map(move |m| {
-        places.map(|(t, arity)| {
-            let points = Rational::from(arity).pow(m.cast_signed());
-            let nearest = (t * &points + Rational::new(1, 2)).floor();
-            if is_fraction(t, arity) { t.clone() } else { Rational::from(nearest) / points }
-        })
-    })
-}
-
-fn far_curve(polygon: crate::limit::ExtremalPolygon, t: Rational, distance: Rational) -> Attained {
-    let (control, place) = (Control::Polygon(polygon), Place::Parameter(t));
-    Attained { control, place, value: distance.into() }
-}
-
-fn net(
-    distances: &SurfaceDistances,
-    limits: &[Limit; 2],
-    level: u32,
-    bound: &Rational,
-) -> Result<Comparison<Attained>, String> {
-    // The search takes longer, and at high levels much longer.
-    if let Some(found) = far_net(limits, distances.shifts(), level, bound) {
-        return Ok(Comparison::Exceeds(net_at_fraction(distances, limits, level, bound, found)));
-    }
-    let compared = distances.compare(level, bound, &Spreads::one()).map_err(text)?;
-    Ok(match compared {
-        Comparison::Within => Comparison::Within,
-        Comparison::Undecided(enclosure) => Comparison::Undecided(enclosure),
-        Comparison::Exceeds(SurfaceWitness { first, net, parameters, distance, .. }) => {
-            let control = Control::Net { first, rows: net };
-            let place = Place::Parameters(parameters);
-            let found = Attained { control, place, value: distance.into() };
-            Comparison::Exceeds(net_at_fraction(distances, limits, level, bound, found))
-        }
-    })
-}
-
-/// As [`at_fraction`], of a net.
-fn net_at_fraction(
-    distances: &SurfaceDistances,
-    limits: &[Limit; 2],
-    level: u32,
-    bound: &Rational,
-    found: Attained,
-) -> Attained {
-    let Place::Parameters([s, t]) = &found.place else { return found };
-    let arity = |axis: usize| limits[axis].mask().arity();
-    let near = fractions([(s, arity(0)), (t, arity(1))], level).find_map(|places| {
-        let SurfaceWitness { first, net, parameters, distance, .. } =
-            distances.at(level, &places, &Spreads::one()).ok()?;
-        (distance > *bound).then(|| Attained {
-            control: Control::Net { first, rows: net },
-            place: Place::Parameters(parameters),
-            value: distance.into(),
-        })
-    });
-    near.unwrap_or(found)
-}
-
-/// The sum of polygons that are far from their limits along both directions, when its distance,
-/// which is the sum of theirs, is above the bound.
-fn far_net(
-    limits: &[Limit; 2],
-    shifts: [&Rational; 2],
-    level: u32,
-    bound: &Rational,
-) -> Option<Attained> {
-    let far = |axis: usize| limits[axis].far_polygon_from(level, shifts[axis]).ok();
-    let (x, y) = (far(0)?, far(1)?);
-    let distance = x.distance + y.distance;
-    let (rows, columns) = (x.polygon, y.polygon);
-    let row = |x: &i64| columns.points.iter().map(|y| x + y).collect();
-    (distance > *bound).then(|| Attained {
-        control: Control::Net {
-            first: [rows.first, columns.first],
-            rows: rows.points.iter().map(row).collect(),
-        },
-        place: Place::Parameters([x.parameter, y.parameter]),
-        value: distance.into(),
-    })
-}
-
-/// The points of a ring, and the one that is far from its limit.
-pub(crate) fn at_point(ring: &LocalRules, witness: LocalWitness) -> Attained {
-    Attained {
-        control: points(ring, &witness.ring),
-        place: Place::Named(ring.name(witness.point)),
-        value: witness.distance,
-    }
-}
-
-/// Points of a ring with their names.
-pub(crate) fn points(ring: &LocalRules, heights: &[i64]) -> Control {
-    Control::Points((0..).zip(heights).map(|(a, x)| (ring.name(a), *x)).collect())
-}
-
-/// Whether certificates have words for what masks attain with the points at their natural parameters:
-/// they take lines to lines, and the place is i/n^m.
-pub(crate) fn has_words(masks: &[&Mask], attained: &Attained) -> bool {
-    let places = match &attained.place {
-        Place::Parameter(t) => std::slice::from_ref(t),
-        Place::Parameters(both) => &both[..],
-        _ => return masks.iter().all(|mask| natural_shift(mask).keeps_lines),
-    };
-    let good = |(mask, t): (&&Mask, &Rational)| {
-        natural_shift(mask).keeps_lines && is_fraction(t, mask.arity())
-    };
-    masks.len() == places.len() && masks.iter().zip(places).all(good)
 }

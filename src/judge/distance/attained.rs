@@ -1,0 +1,34 @@
+//! What control data attain: of rings, and in the words of certificates.
+
+use crate::exact::Rational;
+use crate::finding::{Attained, Control, Place};
+use crate::limit::{LocalWitness, is_fraction, natural_shift};
+use crate::scheme::{LocalRules, Mask};
+
+/// The points of a ring, and the one that is far from its limit.
+pub(crate) fn at_point(ring: &LocalRules, witness: LocalWitness) -> Attained {
+    Attained {
+        control: points(ring, &witness.ring),
+        place: Place::Named(ring.name(witness.point)),
+        value: witness.distance,
+    }
+}
+
+/// Points of a ring with their names.
+pub(crate) fn points(ring: &LocalRules, heights: &[i64]) -> Control {
+    Control::Points((0..).zip(heights).map(|(a, x)| (ring.name(a), *x)).collect())
+}
+
+/// Whether certificates have words for what masks attain with the points at their natural parameters:
+/// they take lines to lines, and the place is i/n^m.
+pub(crate) fn has_words(masks: &[&Mask], attained: &Attained) -> bool {
+    let places = match &attained.place {
+        Place::Parameter(t) => std::slice::from_ref(t),
+        Place::Parameters(both) => &both[..],
+        _ => return masks.iter().all(|mask| natural_shift(mask).keeps_lines),
+    };
+    let good = |(mask, t): (&&Mask, &Rational)| {
+        natural_shift(mask).keeps_lines && is_fraction(t, mask.arity())
+    };
+    masks.len() == places.len() && masks.iter().zip(places).all(good)
+}
