@@ -30,6 +30,9 @@ pub(super) fn facts(refutation: &Refutation) -> Vec<(String, String)> {
             fact("at natural parameters", "open: not refuted, and not shown".to_owned());
         }
     }
+    if let Some(text) = compared(violation) {
+        fact("compared", text.to_owned());
+    }
     let place = if natural.is_some() { "with points at i/n^k" } else { "refuted for" };
     fact(place, if natural.is_some() { format!("refuted for {case}") } else { case.clone() });
     fact("control data", control(&violation.attained.control));
@@ -71,6 +74,18 @@ fn control(control: &Control) -> String {
             list.join(", ")
         }
     }
+}
+
+/// Of points around a vertex or on a face, what is compared with what.
+fn compared(violation: &Violation) -> Option<&'static str> {
+    let Control::Points(_) = violation.attained.control else { return None };
+    Some(match violation.quantity {
+        Quantity::Distance => "a point of level k with the one point that all of them tend to",
+        Quantity::Step => {
+            "a point of level k + 1 with the one of its name, or of the interpolant, at level k"
+        }
+        Quantity::Difference => "two neighbouring points of level k",
+    })
 }
 
 /// The quantity at its place: `|P^∞(t) − P^2(t)| at t = 3/8`.
