@@ -1,6 +1,5 @@
 //! How much work several questions may take together.
 
-use super::power::MAX_WORK;
 use std::cell::Cell;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -71,9 +70,9 @@ impl Budget {
         enough
     }
 
-    /// Takes what a search takes of the most that one search may take, and of what is left.
-    pub(crate) fn spend<T>(&self, search: impl FnOnce(&mut u64) -> T) -> T {
-        let most = MAX_WORK.min(self.left());
+    /// Takes what a search takes, which is at most so much, and what is left.
+    pub(crate) fn spend<T>(&self, most: u64, search: impl FnOnce(&mut u64) -> T) -> T {
+        let most = most.min(self.left());
         let mut work = most;
         let found = search(&mut work);
         self.take(most - work);

@@ -16,7 +16,10 @@ pub(super) fn block(paper: &Paper, finding: &TheoremFinding<'_>) -> Block {
     let mut block = Block::new("theorem", &theorem.id);
     match theorem_evidence(paper, finding) {
         Ok(constants) => constants.iter().for_each(|constant| searched(&mut block, constant)),
-        Err(error) => block.give_up(error.message),
+        Err(error) => {
+            block.give_up(error.message);
+            return block;
+        }
     }
     match (&finding.refutation, &theorem.by_hand) {
         (Some(refutation), _) => {

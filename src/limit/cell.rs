@@ -3,6 +3,7 @@
 use super::error::{LimitError, MAX_WINDOW};
 use super::fraction::Fraction;
 use super::functional::{Functional, rule_at};
+use super::parameter::next_digit;
 use super::row::magnitude;
 use super::value::Limit;
 use crate::exact::{Integer, Rational, common_denominator};
@@ -104,14 +105,11 @@ impl Splitting {
     ) -> Result<Splitting, LimitError> {
         let difference = limit.difference();
         // The point at the left end of a cell of level k.
-        let node = shift - Rational::from(shift.floor());
+        let node = shift.fract();
         let at_node = limit.error_from(0, &node, shift)?;
         let ends = [at_node.shifted(0), at_node.shifted(1)];
         let all = || middles.iter().flat_map(|phase| &phase.functionals);
-        let carry = middles
-            .iter()
-            .map(|phase| (&phase.part * Rational::from(limit.mask().arity())).floor());
-        let carry = carry.max().and_then(|carry| carry.to_i64()).unwrap_or(0);
+        let carry = middles.iter().map(|phase| phase.carry).max().unwrap_or(0);
         let (first, last) = window(difference, all().chain(&ends), carry)?;
         let size = usize::try_from(last - first + 1).expect("the window holds 0");
         let denominator = |functionals: &[Functional]| {
@@ -139,15 +137,12 @@ impl Splitting {
         let middle_scale = &scale * &base;
         let coarse = parts(0);
         let phase = |own: &Middles| {
-            let nth = &own.part * Rational::from(arity);
-            let next = &nth - Rational::from(nth.floor());
-            let next = middles.iter().position(|other| other.part == next);
-            let carry = nth.floor().to_i64().expect("below the arity");
+            let next = middles.iter().position(|other| other.part == own.next);
             Phase {
                 part: own.part.clone(),
-                carry,
+                carry: own.carry,
                 next: next.expect("the parts repeat"),
-                differences: parts(carry),
+                differences: parts(own.carry),
                 middles: own
                     .functionals
                     .iter()
@@ -285,14 +280,18 @@ impl Splitting {
 /// of Δ.
 pub(super) struct Middles {
     /// φ.
-    pub(super) part: Rational,
+    part: Rational,
+    /// ⌊nφ⌋.
+    carry: i64,
+    /// {nφ}.
+    next: Rational,
     pub(super) functionals: Vec<Functional>,
 }
 
 /// For the part φ of the shift s, and of n^m s for every m.
 pub(super) fn middles(limit: &Limit, shift: &Rational) -> Result<Vec<Middles>, LimitError> {
     let arity = limit.mask().arity();
-    let mut part = shift - Rational::from(shift.floor());
+    let mut part = shift.fract();
     let mut all: Vec<Middles> = Vec::new();
     while all.iter().all(|known| known.part != part) {
         let left = limit.at(&part)?;
@@ -304,9 +303,9 @@ pub(super) fn middles(limit: &Limit, shift: &Rational) -> Result<Vec<Middles>, L
             Ok(off.on_differences().expect("both are affine combinations"))
         };
         let functionals = (1..arity).map(middle).collect::<Result<_, LimitError>>()?;
-        let nth = &part * Rational::from(arity);
-        let next = &nth - Rational::from(nth.floor());
-        all.push(Middles { part, functionals });
+        let mut next = part.clone();
+        let carry = next_digit(&mut next, arity).expect("a digit is below the arity");
+        all.push(Middles { part, carry, next: next.clone(), functionals });
         part = next;
     }
     Ok(all)

@@ -3,7 +3,7 @@
 use super::cell::{Cell, Splitting, middles};
 use super::error::{LimitError, MAX_LEVEL, positive};
 use super::functional::Functional;
-use super::natural::natural_shift;
+use super::natural::Parametrisation;
 use super::polygon::ControlPolygon;
 use super::remainder::Remainders;
 use super::search::{Best, Goal, Search};
@@ -67,11 +67,11 @@ impl Distances {
     /// When the window of differences that determines P^∞ − P^0 between two points is
     /// wider than [`MAX_WINDOW`](super::MAX_WINDOW).
     pub fn new(limit: &Limit) -> Result<Distances, LimitError> {
-        Distances::shifted(limit, &Rational::zero())
+        Distances::placed(limit, Parametrisation::Indexed)
     }
 
     /// The same of the polygons with x^k_i at its natural parameter (i + s)/n^k, s as of
-    /// [`natural_shift`].
+    /// [`natural_shift`](super::natural_shift).
     ///
     /// # Errors
     /// As of [`Distances::shifted`].
@@ -89,7 +89,18 @@ impl Distances {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn natural(limit: &Limit) -> Result<Distances, LimitError> {
-        Distances::shifted(limit, &natural_shift(limit.mask()).shift)
+        Distances::placed(limit, Parametrisation::Natural)
+    }
+
+    /// The same in either parametrisation.
+    ///
+    /// # Errors
+    /// As of [`Distances::shifted`].
+    pub fn placed(
+        limit: &Limit,
+        parametrisation: Parametrisation,
+    ) -> Result<Distances, LimitError> {
+        Distances::shifted(limit, &parametrisation.shift(limit.mask()))
     }
 
     /// The same of the polygons with x^k_i at (i + shift)/n^k.
@@ -228,7 +239,7 @@ impl Distances {
         }
         // A point of the polygon, and the place of one where it has an index of its own.
         let points = Rational::from(self.limit.mask().arity()).pow(level.cast_signed());
-        let node = (&self.shift - Rational::from(self.shift.floor())) / points;
+        let node = self.shift.fract() / points;
         let parameter = Rational::from(among.roots[0].index.clone()) + node;
         let error = self.error(level, &parameter)?;
         let value = match among.only {

@@ -78,7 +78,7 @@ impl Limit {
             let (row, denominator) = Row::of(&self.error_from(level, &parameter, shift)?);
             Ok(Place::new(parameter, row, denominator))
         };
-        let node = shift - Rational::from(shift.floor());
+        let node = shift.fract();
         let mut best = at(0, node.clone())?;
         for digit in 0..arity {
             best = farther(at(0, &node + Rational::new(digit, arity))?, best);

@@ -34,9 +34,8 @@ impl Functional {
 
     /// (1 − s) y_i + s y_{i+1} for u = i + s, 0 ≤ s < 1: the piecewise linear function at u.
     pub(super) fn on_line(u: &Rational) -> Functional {
-        let whole = u.floor();
-        let part = u - Rational::from(whole.clone());
-        let index = whole.to_i64().expect("shifts are capped with the offsets");
+        let part = u.fract();
+        let index = u.floor().to_i64().expect("shifts are capped with the offsets");
         Functional::new(index, [Rational::one() - &part, part])
     }
 

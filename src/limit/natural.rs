@@ -21,6 +21,12 @@ impl Parametrisation {
             Parametrisation::Natural => natural_shift(mask).shift,
         }
     }
+
+    /// Whether this puts the points of any of these schemes elsewhere than at i/n^k.
+    #[must_use]
+    pub fn moves<'m>(self, masks: impl IntoIterator<Item = &'m Mask>) -> bool {
+        masks.into_iter().any(|mask| !self.shift(mask).is_zero())
+    }
 }
 
 /// Where the points of a polygon belong: x^k_i at the parameter (i + s)/n^k.

@@ -97,9 +97,8 @@ pub(crate) fn is_fraction(t: &Rational, arity: usize) -> bool {
 }
 
 /// The first n-adic digit of a number from 0 to below 1, which becomes what is left of n times it.
-fn next_digit(rest: &mut Rational, arity: usize) -> Option<i64> {
+pub(super) fn next_digit(rest: &mut Rational, arity: usize) -> Option<i64> {
     let scaled = &*rest * Rational::from(arity);
-    let digit = scaled.floor();
-    *rest = scaled - Rational::from(digit.clone());
-    digit.to_i64()
+    *rest = scaled.fract();
+    scaled.floor().to_i64()
 }

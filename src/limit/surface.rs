@@ -3,6 +3,7 @@
 use super::distance::Distances;
 use super::error::LimitError;
 use super::functional::Functional;
+use super::natural::Parametrisation;
 use super::surface_axis::{Axis, CELLS};
 use super::value::Limit;
 use crate::bound::{Budget, transport_at_costs};
@@ -152,26 +153,21 @@ impl SurfaceDistances {
         second: &Limit,
         budget: &Budget,
     ) -> Result<SurfaceDistances, SurfaceError> {
-        SurfaceDistances::of([Distances::new(first)?, Distances::new(second)?], budget)
+        SurfaceDistances::placed(first, second, Parametrisation::Indexed, budget)
     }
 
-    /// The same with the points at their natural parameters along both directions, as
-    /// [`Distances::natural`].
+    /// The same in either parametrisation, along both directions.
     ///
     /// # Errors
-    /// As of [`Distances::natural`].
-    pub fn natural(
+    /// As of [`Distances::placed`].
+    pub fn placed(
         first: &Limit,
         second: &Limit,
+        parametrisation: Parametrisation,
         budget: &Budget,
     ) -> Result<SurfaceDistances, SurfaceError> {
-        SurfaceDistances::of([Distances::natural(first)?, Distances::natural(second)?], budget)
-    }
-
-    fn of(distances: [Distances; 2], budget: &Budget) -> Result<SurfaceDistances, SurfaceError> {
-        let [first, second] = distances;
-        let axes = [Axis::new(first, budget)?, Axis::new(second, budget)?];
-        Ok(SurfaceDistances { axes, budget: budget.clone() })
+        let axis = |limit: &Limit| Axis::new(Distances::placed(limit, parametrisation)?, budget);
+        Ok(SurfaceDistances { axes: [axis(first)?, axis(second)?], budget: budget.clone() })
     }
 
     /// The shifts along both directions.

@@ -7,8 +7,8 @@ use proptest::prelude::*;
 use subcert::bound::Budget;
 use subcert::exact::{Enclosure, Rational};
 use subcert::limit::{
-    Comparison, Distances, Functional, Limit, LimitError, Spreads, SurfaceDistances, SurfaceError,
-    SurfaceWitness, TwoSidedDepth,
+    Comparison, Distances, Functional, Limit, LimitError, Parametrisation, Spreads,
+    SurfaceDistances, SurfaceError, SurfaceWitness, TwoSidedDepth,
 };
 
 /// A net that closes in both directions: rows i, columns j.
@@ -280,7 +280,8 @@ fn questions_without_an_answer() {
 fn natural_constants_of_surfaces() {
     let natural = |first: &str, second: &str| {
         let [first, second] = [first, second].map(|scheme| limit(&mask(scheme)));
-        SurfaceDistances::natural(&first, &second, &Budget::unlimited()).unwrap()
+        SurfaceDistances::placed(&first, &second, Parametrisation::Natural, &Budget::unlimited())
+            .unwrap()
     };
     let ones = Spreads::one();
     let chaikin = natural("chaikin", "chaikin");

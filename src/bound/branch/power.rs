@@ -4,7 +4,7 @@ use super::growth::Growth;
 use super::search_tree::SearchTree;
 use super::searched::{Searched, either, unscaled};
 use crate::bound::budget::Budget;
-use crate::bound::power::{ClassCap, MAX_LEVELS, Order, PowerNorm, oriented};
+use crate::bound::power::{ClassCap, MAX_LEVELS, MAX_WORK, Order, PowerNorm, oriented};
 use crate::bound::walked_norm::walked_norm;
 use crate::scheme::Rules;
 
@@ -66,7 +66,7 @@ impl PowerSearch {
     /// The same by branch and bound, however few residue classes there are; `None` when it
     /// does not end within 2^33 products or the budget, or c is above [`MAX_LEVELS`].
     pub fn search(&mut self, levels: u32) -> Option<Searched> {
-        self.budget.clone().spend(|work| found(&mut self.growth, levels, work))
+        self.budget.clone().spend(MAX_WORK, |work| found(&mut self.growth, levels, work))
     }
 
     /// A tree of bounds that shows ‖E^c‖, and what they rest on; `None` as for
@@ -74,7 +74,7 @@ impl PowerSearch {
     /// may be larger than the tree of the search.
     pub fn tree(&mut self, levels: u32) -> Option<SearchTree> {
         let tree = |work: &mut u64| self.growth.tree(levels, work);
-        (levels <= MAX_LEVELS).then(|| self.budget.clone().spend(tree))?
+        (levels <= MAX_LEVELS).then(|| self.budget.clone().spend(MAX_WORK, tree))?
     }
 }
 

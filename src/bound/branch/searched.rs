@@ -38,11 +38,7 @@ pub(super) fn either<const K: usize>(
     let visit = visit.map(|prices| prices.into_iter().sum::<u64>());
     if classes.is_none_or(|classes| classes > FEW_CLASSES) {
         let visits = visit.map_or(u64::MAX, |visit| visit.saturating_mul(VISITS));
-        let most = MAX_WORK.min(visits).min(budget.left());
-        let mut work = most;
-        let found = search(&mut work);
-        budget.take(most - work);
-        if let Some(found) = found {
+        if let Some(found) = budget.spend(MAX_WORK.min(visits), search) {
             return Ok(found);
         }
     }

@@ -109,7 +109,7 @@ impl Exact {
         facts
     }
 
-    /// The depth, where the points are, and the distance.
+    /// The depth, and where the points are.
     pub(super) fn short(&self) -> String {
         let depth = depth_text(self.depth, self.place.whom(), &self.caps);
         format!("with the points at {}, {depth}", self.place.parameters())

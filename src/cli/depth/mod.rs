@@ -19,7 +19,7 @@ use local_rules::ring_depth;
 use polygon::{OfPolygon, Points};
 use subcert::bound::{Budget, Constants};
 use subcert::exact::{Rational, format::short};
-use subcert::limit::{Distances, Limit, LimitError, Parametrisation, natural_shift};
+use subcert::limit::{Distances, Limit, LimitError, Parametrisation};
 use subcert::report::Sheet;
 use subcert::scheme::{AnyScheme, Mask, Scheme, parse_any_scheme};
 
@@ -61,11 +61,10 @@ impl Report {
             None => &tolerance / Rational::from(1000),
         };
         // Where no point is shifted, both parametrisations are one.
-        let natural = scheme.masks().into_iter().all(|mask| natural_shift(mask).shift.is_zero());
-        let wanted: &[Parametrisation] = if natural {
-            &[Parametrisation::Natural]
-        } else {
+        let wanted: &[Parametrisation] = if Parametrisation::Natural.moves(scheme.masks()) {
             &[Parametrisation::Natural, Parametrisation::Indexed]
+        } else {
+            &[Parametrisation::Natural]
         };
         let count = wanted.len() * if points.is_some() { 2 } else { 1 };
         let budget = || Budget::new(MAX_STEPS / count as u64);
@@ -221,11 +220,7 @@ impl Answer {
 const MAX_STEPS: u64 = 1_000_000_000;
 
 fn distances(mask: &Mask, parametrisation: Parametrisation) -> Result<Distances, LimitError> {
-    let limit = Limit::new(mask)?;
-    let distances = match parametrisation {
-        Parametrisation::Natural => Distances::natural(&limit)?,
-        Parametrisation::Indexed => Distances::new(&limit)?,
-    };
+    let distances = Distances::placed(&Limit::new(mask)?, parametrisation)?;
     Ok(distances.with_cells(u32::MAX))
 }
 

@@ -24,10 +24,7 @@ impl Exact {
     ) -> Result<Exact, SurfaceError> {
         let spreads = Spreads::new(asked.spread, asked.spread)?;
         let [first, second] = [Limit::new(masks[0])?, Limit::new(masks[1])?];
-        let distances = match parametrisation {
-            Parametrisation::Natural => SurfaceDistances::natural(&first, &second, budget)?,
-            Parametrisation::Indexed => SurfaceDistances::within(&first, &second, budget)?,
-        };
+        let distances = SurfaceDistances::placed(&first, &second, parametrisation, budget)?;
         let depth = distances.depth(&spreads, asked.tolerance)?;
         let (enclosure, _) = distances.constant(depth.upper, asked.width, &spreads)?;
         let narrow = enclosure.width() <= *asked.width;

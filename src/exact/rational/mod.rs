@@ -154,6 +154,12 @@ impl Rational {
         }
     }
 
+    /// This less its [`floor`](Rational::floor): from 0 to below 1.
+    #[must_use]
+    pub fn fract(&self) -> Rational {
+        self - Rational::from(self.floor())
+    }
+
     /// The least integer that is not below this.
     #[must_use]
     pub fn ceil(&self) -> Integer {

@@ -7,7 +7,7 @@ use crate::judge::distance::attained::at_point;
 use crate::judge::distance::compare::{curve, net};
 use crate::limit::{
     Comparison, Distances, Limit, LocalDistances, LocalLimit, Parametrisation, Spreads,
-    SurfaceDistances, natural_shift,
+    SurfaceDistances,
 };
 use crate::scheme::{LocalRules, Mask};
 use std::cell::{OnceCell, RefCell};
@@ -81,13 +81,13 @@ impl KnownDistances {
     /// The distances of the same scheme with the points at their natural parameters; `None` for
     /// a ring, and where the points are there already.
     pub(crate) fn natural(&self) -> Option<KnownDistances> {
-        let shifted = |mask: &Mask| !natural_shift(mask).shift.is_zero();
-        let moved = match &self.compared {
-            Compared::Curve(mask) => shifted(mask),
-            Compared::Surface(masks) => masks.iter().any(shifted),
-            Compared::LocalRules(_) => false,
+        let masks = match &self.compared {
+            Compared::Curve(mask) => std::slice::from_ref(mask),
+            Compared::Surface(masks) => &masks[..],
+            Compared::LocalRules(_) => &[],
         };
-        let other = moved && self.parametrisation == Parametrisation::Indexed;
+        let other = self.parametrisation == Parametrisation::Indexed
+            && Parametrisation::Natural.moves(masks);
         other.then(|| {
             KnownDistances::placed(self.compared.clone(), Parametrisation::Natural, &self.budget)
         })
@@ -182,21 +182,14 @@ impl Of {
         let limit = |mask: &Mask| Limit::new(mask).map_err(text);
         Ok(match compared {
             Compared::Curve(mask) => {
-                let shift = parametrisation.shift(mask);
-                let distances = Distances::shifted(&limit(mask)?, &shift).map_err(text)?;
+                let distances = Distances::placed(&limit(mask)?, parametrisation).map_err(text)?;
                 let distances = distances.with_cells(MAX_CELLS).with_budget(budget.clone());
                 Of::Curve(Box::new(distances))
             }
             Compared::Surface([first, second]) => {
                 let limits = [limit(first)?, limit(second)?];
-                let distances = match parametrisation {
-                    Parametrisation::Indexed => {
-                        SurfaceDistances::within(&limits[0], &limits[1], budget)
-                    }
-                    Parametrisation::Natural => {
-                        SurfaceDistances::natural(&limits[0], &limits[1], budget)
-                    }
-                };
+                let distances =
+                    SurfaceDistances::placed(&limits[0], &limits[1], parametrisation, budget);
                 Of::Surface(Box::new((distances.map_err(text)?, limits)))
             }
             Compared::LocalRules(ring) => {

@@ -2,7 +2,7 @@
 
 use crate::bound::{Budget, Constants, MAX_CLASSES, Operator, Order, SoundBound, best_offset};
 use crate::claim::Quantity;
-use crate::exact::{Enclosed, Rational, RealCyclotomic, comparable};
+use crate::exact::{Enclosed, Rational, RealCyclotomic};
 use crate::finding::{Attained, Control, LevelEvidence, Place, Supremum};
 use crate::judge::distance::{Compared, KnownDistances};
 use crate::judge::theorem::levels::sums;
@@ -103,7 +103,7 @@ impl Setting for Curve {
         bound: &RealCyclotomic,
     ) -> Result<Comparison<Attained>, String> {
         if quantity == Quantity::Distance {
-            if self.sound(level).is_some_and(|sound| comparable(&sound, bound) && sound <= *bound) {
+            if self.soundly_within(level, bound) {
                 return Ok(Comparison::Within);
             }
             return self.distances.compare(level, bound);

@@ -1,7 +1,7 @@
 //! Where a theorem is tried: a scheme with the exact suprema of what theorems bound.
 
 use crate::claim::Quantity;
-use crate::exact::RealCyclotomic;
+use crate::exact::{RealCyclotomic, comparable};
 use crate::finding::{Attained, LevelEvidence, Supremum};
 use crate::limit::Comparison;
 
@@ -34,6 +34,11 @@ pub(crate) trait Setting {
 
     /// The sound block bound of the distance.
     fn sound(&self, level: u32) -> Option<RealCyclotomic>;
+
+    /// Whether that shows that the distance is within a bound.
+    fn soundly_within(&self, level: u32, bound: &RealCyclotomic) -> bool {
+        self.sound(level).is_some_and(|sound| comparable(&sound, bound) && sound <= *bound)
+    }
 
     /// How many levels are compared.
     fn levels(&self) -> u32 {

@@ -2,7 +2,7 @@
 
 use crate::bound::{Budget, Constants, MAX_CLASSES, SoundBound, surface_factor};
 use crate::claim::Quantity;
-use crate::exact::{Enclosed, Enclosure, Rational, RealCyclotomic, Scalar, comparable};
+use crate::exact::{Enclosed, Enclosure, Rational, RealCyclotomic, Scalar};
 use crate::finding::{Attained, Control, LevelEvidence, Place, Supremum};
 use crate::judge::distance::{Compared, KnownDistances};
 use crate::judge::theorem::levels::sums;
@@ -133,7 +133,7 @@ impl Setting for Surface {
         bound: &RealCyclotomic,
     ) -> Result<Comparison<Attained>, String> {
         if quantity == Quantity::Distance {
-            if self.sound(level).is_some_and(|sound| comparable(&sound, bound) && sound <= *bound) {
+            if self.soundly_within(level, bound) {
                 return Ok(Comparison::Within);
             }
             return self.distances.compare(level, bound);
@@ -206,10 +206,9 @@ impl Setting for Surface {
     fn natural(&self) -> Option<&dyn Setting> {
         let natural = self.natural.get_or_init(|| {
             let masks = self.axes.each_ref().map(|axis| axis.mask().clone());
-            let shifted = |mask: &Mask| !Parametrisation::Natural.shift(mask).is_zero();
             let other = self.parametrisation == Parametrisation::Indexed;
             let place = || Surface::placed(masks.clone(), Parametrisation::Natural, &self.budget);
-            (other && masks.iter().any(shifted)).then(|| Box::new(place()))
+            (other && Parametrisation::Natural.moves(&masks)).then(|| Box::new(place()))
         });
         natural.as_deref().map(|surface| surface as &dyn Setting)
     }

@@ -31,7 +31,7 @@ pub use promise::{Broken, ControlData, Natural as NaturalPromise, Promise};
 pub use reading::{Explanation, Line, Reading, ReadingOfCell, Search, Shift, Solved};
 pub use summary::{Group, Outcome, Summary};
 pub use theorem::{Case, Repair, Trial};
-pub use witness::{Control, Natural as NaturalTheorem, NaturalWitness, Place, Supremum, Witness};
+pub use witness::{Control, Exceeding, Natural as NaturalTheorem, Place, Supremum, Witness};
 
 /// The version of the JSON form.
 const SCHEMA: u32 = 1;

@@ -1,26 +1,17 @@
 //! The data that refute a theorem.
 
 use super::exact::{Exact, Named};
-use crate::audit::{self, Attained, Naturally, Refutation};
+use crate::audit::{self, Attained, Naturally, Refutation, Violation};
 use crate::limit::ExtremalPolygon;
 use crate::report::witness::name;
 use serde::Serialize;
 
-/// Control data of spread 1, and a place where a quantity is greater than a theorem says.
+/// What refutes a theorem.
 #[derive(Debug, Serialize)]
 pub struct Witness<'a> {
-    /// The scheme and the values of the parameters.
-    pub case: &'a str,
-    /// The control data.
-    pub control: Control<'a>,
-    /// The level.
-    pub level: u32,
-    /// Where the quantity has the value.
-    pub place: Place,
-    /// The value.
-    pub value: Exact,
-    /// What the theorem says that it is at most.
-    pub bound: Exact,
+    /// The data; their fields stand here.
+    #[serde(flatten)]
+    pub exceeding: Exceeding<'a>,
     /// The best true bound at this level, as far as it is known.
     pub supremum: Option<Supremum>,
     /// The sound bound.
@@ -36,12 +27,12 @@ pub struct Natural<'a> {
     pub refuted: Option<bool>,
     /// What shows that it is; missing where it is not. Its fields stand here.
     #[serde(flatten)]
-    pub by: Option<NaturalWitness<'a>>,
+    pub by: Option<Exceeding<'a>>,
 }
 
-/// Control data that refute a theorem with each point at its natural parameter.
+/// Control data of spread 1, and a place where a quantity is greater than a theorem says.
 #[derive(Debug, Serialize)]
-pub struct NaturalWitness<'a> {
+pub struct Exceeding<'a> {
     /// The scheme and the values of the parameters.
     pub case: &'a str,
     /// The control data.
@@ -124,14 +115,8 @@ pub struct Supremum {
 impl<'a> Witness<'a> {
     pub(super) fn of(refutation: &'a Refutation) -> Witness<'a> {
         let Refutation { case, violation, supremum, sound, natural, .. } = refutation;
-        let (control, place) = data(&violation.attained);
         Witness {
-            case,
-            control,
-            level: violation.level,
-            place,
-            value: Exact::of(&violation.attained.value),
-            bound: Exact::of(&violation.bound),
+            exceeding: Exceeding::of(case, violation),
             supremum: supremum.as_ref().map(|supremum| Supremum {
                 lower: Exact::of(&supremum.lower),
                 upper: supremum.upper.as_ref().map(Exact::of),
@@ -146,15 +131,24 @@ impl<'a> Natural<'a> {
     fn of(natural: &'a Naturally) -> Natural<'a> {
         match natural {
             Naturally::Refuted { case, violation, .. } => {
-                let (control, place) = data(&violation.attained);
-                let (value, bound) = (&violation.attained.value, &violation.bound);
-                let (value, bound) = (Exact::of(value), Exact::of(bound));
-                let level = violation.level;
-                let by = NaturalWitness { case, control, level, place, value, bound };
-                Natural { refuted: Some(true), by: Some(by) }
+                Natural { refuted: Some(true), by: Some(Exceeding::of(case, violation)) }
             }
             Naturally::Holds => Natural { refuted: Some(false), by: None },
             Naturally::Open => Natural { refuted: None, by: None },
+        }
+    }
+}
+
+impl<'a> Exceeding<'a> {
+    fn of(case: &'a str, violation: &'a Violation) -> Exceeding<'a> {
+        let (control, place) = data(&violation.attained);
+        Exceeding {
+            case,
+            control,
+            level: violation.level,
+            place,
+            value: Exact::of(&violation.attained.value),
+            bound: Exact::of(&violation.bound),
         }
     }
 }
