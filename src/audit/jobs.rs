@@ -7,7 +7,7 @@ use crate::evaluation::library::Library;
 use crate::finding::{
     EquationFinding, FunctionFinding, PaperAudit, RangeFinding, TableFinding, TheoremFinding,
 };
-use crate::judge::{equation, function, range, table, theorem};
+use crate::judge::{equation, function, range, related, theorem};
 use std::cmp::Reverse;
 use std::num::NonZero;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -47,7 +47,7 @@ pub(crate) fn judge<'a>(
 ) -> Result<Vec<PaperAudit<'a>>, Diagnostic> {
     let mut jobs: Vec<(usize, Part)> = Vec::new();
     for (at, paper) in papers.iter().enumerate() {
-        let tables = table::related(paper).into_iter().map(Part::Tables);
+        let tables = related::related(paper).into_iter().map(Part::Tables);
         jobs.extend(tables.chain([Part::Theorems, Part::Formulas]).map(|part| (at, part)));
     }
     // The longest first, so that they end together.
@@ -74,7 +74,7 @@ impl Part {
 
     fn judge<'a>(&self, paper: &'a Paper, after_table: &dyn Fn()) -> Found<'a> {
         match self {
-            Part::Tables(places) => match table::judge_all(paper, places, after_table) {
+            Part::Tables(places) => match related::judge_all(paper, places, after_table) {
                 Ok(findings) => Found::Tables(findings),
                 Err((place, error)) => Found::Error(Place::Table(place), error),
             },
@@ -129,6 +129,7 @@ fn together<'a>(paper: &'a Paper, parts: Vec<Found<'a>>) -> Result<PaperAudit<'a
     }
     tables.sort_by_key(|(place, _)| *place);
     audit.tables = tables.into_iter().map(|(_, finding)| finding).collect();
+    related::borrow(paper, &mut audit.tables)?;
     audit.contradictions = consistency::judge(paper, &audit.tables, &Library::new(paper))?;
     premises::premises(&mut audit);
     Ok(audit)

@@ -3,8 +3,8 @@
 mod jobs;
 
 pub use crate::digest::{
-    CellErratum, CellGroup, CellOutcome, CellSummary, ClaimVerdict, Consequences, Coverage,
-    CoverageState, Errata, Erratum, Standing, Subject, Unchecked,
+    Cause, CellErratum, CellGroup, CellOutcome, CellSummary, ClaimVerdict, Consequences, Coverage,
+    CoverageState, Errata, Erratum, HowRead, Standing, Subject, Unchecked,
 };
 pub use crate::evaluation::{Choice, Effect, FAMILY, QUANTITIES, Way};
 pub use crate::evidence::{
@@ -16,9 +16,9 @@ pub use crate::finding::{
     Correction, Difference, Direction, EndFinding, EndRelation, EquationFinding, EquationVerdict,
     Example, Explanation, FailingPremise, Failure, FunctionFinding, FunctionVerdict, Kept, Later,
     LevelEvidence, Levels, Line, LineReading, MAX_DIFFERENCES, Missing, Naturally, Need, Outcome,
-    PaperAudit, Place, PromiseCounts, RangeFinding, RangeVerdict, Refutation, Repair, Search,
-    Sibling, Side, Slip, Solved, Sound, Supremum, TableFinding, TablePart, TheoremFinding,
-    TheoremVerdict, Verdict, Violation,
+    PaperAudit, Place, PromiseCounts, RangeFinding, RangeVerdict, Recovered, RecoveredFrom,
+    Refutation, Repair, Search, Side, Slip, Solved, Sound, Supremum, TableFinding, TablePart,
+    TheoremFinding, TheoremVerdict, Verdict, Violation,
 };
 pub use crate::judge::MAX_CASES;
 
@@ -61,11 +61,15 @@ pub fn audit_all<'a>(
     jobs::judge(papers, after_table)
 }
 
-/// Every reading of a table that the search compares, with what it explains, the best
+/// Every reading of the cells of a kind that the search compares, with what it explains, the best
 /// first; empty where nothing is printed.
 ///
 /// # Errors
 /// As [`audit`].
-pub fn readings(paper: &Paper, finding: &TableFinding<'_>) -> Result<Vec<Explanation>, Diagnostic> {
-    crate::judge::table::readings(paper, finding, &Library::new(paper))
+pub fn readings(
+    paper: &Paper,
+    finding: &TableFinding<'_>,
+    kind: CellKind,
+) -> Result<Vec<Explanation>, Diagnostic> {
+    crate::judge::table::readings(paper, finding, kind, &Library::new(paper))
 }

@@ -2,8 +2,7 @@
 
 use super::block::Block;
 use crate::audit::{
-    AsRead, Difference, Direction, Explanation, Line, LineReading, Search, Sibling, Slip,
-    TableFinding,
+    AsRead, Difference, Direction, Explanation, Line, LineReading, Search, Slip, TableFinding,
 };
 
 /// The readings of a table, and of its rows and columns.
@@ -139,10 +138,7 @@ fn lines(reading: &Explanation) -> impl Iterator<Item = String> {
     let differences = rest.map(|difference| match difference {
         Difference::Way(choice, way) => format!("read choice {} {}", choice.key, way.word),
         Difference::Alternative { of, number, .. } => format!("read definition {of} {number}"),
-        Difference::Scale { name, value, .. }
-        | Difference::Sibling(Sibling { name, value, .. }) => {
-            format!("read parameter {name} {value}")
-        }
+        Difference::Scale { name, value, .. } => format!("read parameter {name} {value}"),
     });
     let parameters = solved
         .iter()
@@ -155,6 +151,6 @@ pub(super) fn member(difference: &Difference) -> Option<String> {
     match difference {
         Difference::Way(choice, way) => Some(format!("{}={}", choice.key, way.word)),
         Difference::Alternative { of, number, .. } => Some(format!("{of}#{number}")),
-        Difference::Scale { .. } | Difference::Sibling(_) => None,
+        Difference::Scale { .. } => None,
     }
 }

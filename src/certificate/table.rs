@@ -4,8 +4,8 @@ use super::block::{Block, closed};
 use super::reading::Readings;
 use super::{constant, family, promise};
 use crate::audit::{
-    CellFinding, Direction, Missing, Slip, SoundCell, TableFinding, Verdict, evidence,
-    promise_evidence, readings,
+    CellFinding, CellKind, Direction, Missing, RecoveredFrom, Search, Slip, SoundCell,
+    TableFinding, Verdict, evidence, promise_evidence, readings,
 };
 use crate::claim::{Cell, Paper, Promise};
 
@@ -14,7 +14,8 @@ pub(super) fn block(paper: &Paper, finding: &TableFinding<'_>) -> Block {
     let mut block = Block::new("table", &table.id);
     let readings = Readings::of(finding);
     let refuted = refuted(finding);
-    let evidence = match evidence(paper, finding, !refuted.is_empty() || !readings.is_empty()) {
+    let otherwise = !refuted.is_empty() || !readings.is_empty() || !finding.recovered.is_empty();
+    let evidence = match evidence(paper, finding, otherwise) {
         Ok(evidence) => evidence,
         Err(error) => {
             block.give_up(error.message);
@@ -26,6 +27,13 @@ pub(super) fn block(paper: &Paper, finding: &TableFinding<'_>) -> Block {
         block.restate("scheme", &scheme.reference.to_string());
     }
     block.restate("value", &table.value.text);
+    for (name, recovered) in &finding.recovered {
+        let from = match &recovered.from {
+            RecoveredFrom::Table { id, .. } => format!(" from {id}"),
+            RecoveredFrom::Solved(..) | RecoveredFrom::Tried => String::new(),
+        };
+        block.line(format!("recovered {name} {}{from}", recovered.value));
+    }
     readings.write(&mut block);
     for (row, cells) in finding.cells.iter().enumerate() {
         for (column, cell) in cells.iter().enumerate() {
@@ -49,7 +57,7 @@ pub(super) fn block(paper: &Paper, finding: &TableFinding<'_>) -> Block {
         }
         Err(error) => block.give_up(error.message),
     }
-    family(&mut block, paper, finding, (&readings, &refuted), evidence.scale.as_deref());
+    families(&mut block, paper, finding, (&readings, &refuted), evidence.scale.as_deref());
     block
 }
 
@@ -67,23 +75,30 @@ fn sound(cell: &SoundCell) -> String {
     format!("sound {} {} {levels} {block} {value}", row + 1, column + 1)
 }
 
-/// What makes cells refuted, and a reading better than luck: the whole family.
-fn family(
+/// What makes cells refuted, and a reading better than luck: the whole family, of the cells whose
+/// parameters are all stated and of those that are reproduced.
+fn families(
     block: &mut Block,
     paper: &Paper,
     finding: &TableFinding<'_>,
     (read, refuted): (&Readings<'_>, &[(usize, usize)]),
     scale: Option<&str>,
 ) {
-    let mut printed = finding.cells.iter().flatten().filter(|cell| cell.printed.is_some());
-    let plain = printed.any(|cell| cell.assumed.is_empty());
-    if !plain || refuted.is_empty() && read.is_empty() {
-        return;
+    let cells = || finding.cells.iter().flatten();
+    let plain = cells().any(|cell| cell.printed.is_some() && cell.is_plain());
+    let mut family = |kind, search: Option<&Search>, scale, refuted| {
+        let best = search.and_then(|search| search.best.first());
+        match readings(paper, finding, kind) {
+            Ok(readings) => family::lines(block, &readings, best, scale, refuted),
+            Err(error) => block.give_up(error.message),
+        }
+    };
+    if plain && !(refuted.is_empty() && read.is_empty()) {
+        family(CellKind::Plain, finding.search.as_ref(), scale, refuted);
     }
-    let best = finding.search.as_ref().and_then(|search| search.best.first());
-    match readings(paper, finding) {
-        Ok(readings) => family::lines(block, &readings, best, scale, refuted),
-        Err(error) => block.give_up(error.message),
+    if cells().any(|cell| cell.verdict == Verdict::Reproduced) {
+        let search = if plain { &finding.assumed_search } else { &finding.search };
+        family(CellKind::Assumed, search.as_ref(), None, &[]);
     }
 }
 
@@ -95,9 +110,10 @@ fn line(cell: &CellFinding, readings: &Readings<'_>, at: (usize, usize)) -> Resu
         None => format!("lost {value}"),
         Some(printed) => format!("\"{printed}\" {value} {}", verdict(cell, judged, readings, at)?),
     };
-    if !cell.assumed.is_empty() {
+    if !cell.is_plain() {
         line.push_str(" assuming");
-        cell.assumed.iter().for_each(|(name, _)| line.extend([" ", name]));
+        let names = cell.assumed.iter().map(|(name, _)| name).chain(&cell.unknown);
+        names.for_each(|name| line.extend([" ", name]));
     }
     Ok(line)
 }
@@ -120,8 +136,16 @@ fn verdict(
         Verdict::Misprint(slip) if cell.as_read.is_some() => read(Some(slip))?,
         Verdict::Misprint(slip) => format!("misprint {}", name(slip)),
         Verdict::OtherReading => read(None)?,
+        Verdict::Reproduced => match &cell.as_read {
+            None => "reproduced".to_owned(),
+            Some(read) => {
+                let (_, by) = readings.by(read, None, at)?;
+                format!("reproduced {}{by}", closed(&read.value))
+            }
+        },
         Verdict::Refuted if cell.verdict_if_assumed.is_some() => "differs".to_owned(),
         Verdict::Refuted => "refuted".to_owned(),
+        Verdict::NotCheckable(_) if cell.unknown.is_some() => "unknown".to_owned(),
         Verdict::NotCheckable(Missing::Capacity(why)) => return Err(why.clone()),
         Verdict::NotCheckable(missing) => return Err(format!("a cell is not judged: {missing}")),
     })

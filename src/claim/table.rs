@@ -31,9 +31,10 @@ pub struct Table {
     pub cells: Vec<Vec<Cell>>,
     /// Values that the paper states for parameters of this table.
     pub given: BTreeMap<String, LocatedFormula>,
-    /// Parameters that the paper does not state, each with the value at which the
-    /// program shows what the formula gives; the cells stay not checkable.
-    pub unstated: BTreeMap<String, LocatedFormula>,
+    /// Parameters that the paper does not state. The program recovers them from the printed
+    /// numbers where it can. With a value to assume, it shows what the formula gives there, and
+    /// the cells stay not checkable.
+    pub unstated: BTreeMap<String, Option<LocatedFormula>>,
     /// What a reader should know.
     pub note: Option<String>,
 }

@@ -53,7 +53,11 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Outcome {
     let chosen: Vec<Paper> = papers.into_iter().filter(|paper| paper.key == key).collect();
     let audits = judge_all(&chosen, arguments.output.format)?;
     let tried = match (audits.first(), table_of(&audits, id)) {
-        (Some(audit), Some((finding, _))) => readings(audit.paper, finding)?,
+        (Some(audit), Some((finding, at))) => {
+            let kind = at.map(|(row, column)| finding.cells[row][column].kind());
+            let kind = kind.or_else(|| finding.kinds().first().copied());
+            kind.map_or(Ok(Vec::new()), |kind| readings(audit.paper, finding, kind))?
+        }
         _ => Vec::new(),
     };
     let Some(sheet) = explain_sheet(&audits, id, &tried, arguments.all) else {

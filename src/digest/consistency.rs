@@ -7,7 +7,8 @@ use crate::evaluation::library::Library;
 use crate::evaluation::table::Evaluator;
 use crate::exact::Rational;
 use crate::finding::{
-    Contradiction, Difference, Explanation, Line, Need, Side, TableFinding, TablePart,
+    CellFinding, Contradiction, Difference, Explanation, Line, Need, Recovered, RecoveredFrom,
+    Side, TableFinding, TablePart,
 };
 use crate::judge::reading::tried;
 use std::cmp::Reverse;
@@ -42,7 +43,8 @@ pub(crate) fn judge(
 fn places<'f, 'a>(finding: &'f TableFinding<'a>) -> Vec<Explained<'f, 'a>> {
     let whole = |by| Explained { finding, line: None, by, needs: &finding.needs };
     if finding.searches().next().is_none() {
-        let printed = finding.cells.iter().flatten().any(|cell| cell.printed.is_some());
+        let valued = |cell: &CellFinding| cell.printed.is_some() && cell.unknown.is_none();
+        let printed = finding.cells.iter().flatten().any(valued);
         return printed.then(|| whole(None)).into_iter().collect();
     }
     let parts = finding.searches().flat_map(|search| {
@@ -138,12 +140,15 @@ fn parameters(
     library: &Library<'_>,
 ) -> Result<Vec<Contradiction>, Diagnostic> {
     let solved = explained.iter().filter_map(|place| place.by).flat_map(|by| &by.solved);
-    let names: BTreeSet<&str> = solved.map(|solved| solved.name.as_str()).collect();
+    let solved = solved.map(|solved| solved.name.as_str());
+    let recovered = explained.iter().flat_map(|place| place.finding.recovered.keys());
+    let names: BTreeSet<&str> = solved.chain(recovered.map(String::as_str)).collect();
     let mut found = Vec::new();
     for name in names {
         let mut valued = Vec::new();
         for place in explained {
-            let judge = Evaluator::new(paper, place.finding.table, library)?;
+            let judge =
+                Evaluator::new(paper, place.finding.table, library, &place.finding.values())?;
             let value = own_value(place, &judge, name);
             valued.extend(value.map(|value| (place, judge, value)));
         }
@@ -178,23 +183,26 @@ fn parameters(
     Ok(found)
 }
 
-/// The value of a parameter at which a place is explained: solved for, stated or
+/// The value of a parameter at which a place is explained: read otherwise, recovered, stated or
 /// assumed.
 fn own_value(place: &Explained<'_, '_>, judge: &Evaluator<'_>, name: &str) -> Option<Rational> {
     let solved = place.by.and_then(|by| by.solved.iter().find(|solved| solved.name == name));
     let solved = solved.map(|solved| &solved.simplest);
-    let differences = place.by.into_iter().flat_map(|by| &by.differences);
-    let mut named = differences.filter(|difference| difference.about() == name);
-    let sibling = named.find_map(|difference| difference.value());
-    let value = solved.or(sibling).or_else(|| judge.assumed.get(name));
+    let value = solved.or_else(|| judge.assumed.get(name));
     value.or_else(|| judge.given.get(name)).cloned()
 }
 
 /// Whether two places that were solved for a parameter have a value in common.
 fn overlap(first: &Explained<'_, '_>, second: &Explained<'_, '_>, name: &str) -> bool {
-    let between = |place: &Explained<'_, '_>| {
-        let solved = place.by?.solved.iter().find(|solved| solved.name == name)?;
-        Some(solved.between.clone())
+    let between = |place: &Explained<'_, '_>| match place.finding.recovered.get(name) {
+        Some(Recovered { from: RecoveredFrom::Solved(low, high), .. }) => {
+            Some((low.clone(), high.clone()))
+        }
+        Some(_) => None,
+        None => {
+            let solved = place.by?.solved.iter().find(|solved| solved.name == name)?;
+            Some(solved.between.clone())
+        }
     };
     match (between(first), between(second)) {
         (Some(first), Some(second)) => first.0 <= second.1 && second.0 <= first.1,

@@ -1,6 +1,7 @@
 //! What follows from findings: how claims stand, a summary of cells, what is covered, contradictions
 //! between tables, and errata.
 
+mod cause;
 pub(crate) mod claims;
 pub(crate) mod consistency;
 mod coverage;
@@ -8,6 +9,7 @@ mod errata;
 pub(crate) mod premises;
 mod summary;
 
+pub use cause::{Cause, HowRead};
 pub use claims::ClaimVerdict;
 pub use coverage::{Coverage, CoverageState};
 pub use errata::{CellErratum, Consequences, Errata, Erratum, Subject, Unchecked};

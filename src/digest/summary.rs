@@ -1,6 +1,7 @@
 //! What the cells of a paper's tables amount to.
 
-use crate::finding::{AsRead, CellFinding, Missing, PaperAudit, Verdict};
+use crate::digest::cause::Cause;
+use crate::finding::{CellFinding, Missing, PaperAudit, Verdict};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
@@ -9,6 +10,8 @@ use std::collections::BTreeMap;
 pub enum Standing {
     /// As printed.
     Confirmed,
+    /// As printed, or by another reading, at values that were recovered.
+    Reproduced,
     /// Rounded otherwise, or by another reading.
     Explained,
     /// One slip away from the value as printed, or under a reading.
@@ -25,6 +28,7 @@ impl Standing {
     pub fn name(self) -> &'static str {
         match self {
             Standing::Confirmed => "confirmed",
+            Standing::Reproduced => "reproduced",
             Standing::Explained => "explained",
             Standing::Misprinted => "misprinted",
             Standing::Refuted => "refuted",
@@ -39,8 +43,8 @@ impl Standing {
 pub struct CellOutcome {
     /// What became of it.
     pub standing: Standing,
-    /// Why, in words; `None` where there is nothing to say.
-    pub cause: Option<String>,
+    /// Why; `None` where there is nothing to say.
+    pub cause: Option<Cause>,
 }
 
 /// Cells that have one outcome.
@@ -104,20 +108,20 @@ impl CellFinding {
     }
 
     fn as_outcome(&self, verdict: &Verdict) -> CellOutcome {
-        let reading = || self.as_read.as_ref().map(AsRead::differs);
+        let read = || self.as_read.as_ref();
         let (standing, cause) = match verdict {
             Verdict::Confirmed => (Standing::Confirmed, None),
-            Verdict::Rounding(direction) => (Standing::Explained, Some(direction.to_string())),
-            Verdict::OtherReading => (Standing::Explained, reading()),
-            Verdict::Misprint(_) => (
-                Standing::Misprinted,
-                Some(reading().map_or("as printed".to_owned(), |read| format!("read as: {read}"))),
-            ),
-            Verdict::Refuted => (Standing::Refuted, self.undefined.clone()),
+            Verdict::Reproduced => {
+                (Standing::Reproduced, Some(Cause::recovered(&self.assumed, read())))
+            }
+            Verdict::Rounding(direction) => (Standing::Explained, Some(Cause::Rounded(*direction))),
+            Verdict::OtherReading => (Standing::Explained, read().map(Cause::read)),
+            Verdict::Misprint(_) => (Standing::Misprinted, Some(Cause::slip(read()))),
+            Verdict::Refuted => (Standing::Refuted, self.undefined.clone().map(Cause::Undefined)),
             Verdict::NotCheckable(missing) => {
                 // Of a lost cell, nothing else matters.
                 let missing = self.printed.as_ref().map_or(&Missing::Cell, |_| missing);
-                (Standing::NotCheckable, Some(missing.to_string()))
+                (Standing::NotCheckable, Some(Cause::Missing(missing.clone())))
             }
         };
         CellOutcome { standing, cause }

@@ -28,7 +28,7 @@ pub(crate) enum Outcome {
 pub(crate) struct At<'n> {
     pub(crate) row: usize,
     pub(crate) column: usize,
-    /// The unstated parameters that get their assumed values.
+    /// The unstated parameters that get their values, where these are known.
     pub(crate) assume: &'n BTreeSet<String>,
     /// How the formula is read.
     pub(crate) settings: &'n Settings,
@@ -41,7 +41,7 @@ pub(crate) struct TableContext<'a> {
     pub(crate) library: &'a Library<'a>,
     /// The values that are stated, for the paper or for the table.
     pub(crate) given: BTreeMap<String, Rational>,
-    /// Those of parameters that are not stated, where they are assumed.
+    /// Those of parameters that are not stated, where they are assumed or recovered.
     pub(crate) assumed: BTreeMap<String, Rational>,
 }
 
@@ -50,13 +50,17 @@ impl<'a> TableContext<'a> {
         paper: &'a Paper,
         table: &'a Table,
         library: &'a Library<'a>,
+        recovered: &BTreeMap<String, Rational>,
     ) -> Result<TableContext<'a>, Diagnostic> {
         let mut given = values(&paper.given)?;
         given.extend(values(&table.given)?);
-        let assumed = values(&table.unstated)?;
+        let unstated = table.unstated.iter();
+        let stated = unstated.filter_map(|(name, value)| Some((name, value.as_ref()?)));
+        let mut assumed = values(stated)?;
+        assumed.extend(recovered.iter().map(|(name, value)| (name.clone(), value.clone())));
         let axes = || table.rows.iter().chain([&table.columns]);
         let header = |name: &String| axes().any(|axis| axis.name == *name);
-        given.retain(|name, _| !assumed.contains_key(name) && !header(name));
+        given.retain(|name, _| !table.unstated.contains_key(name) && !header(name));
         Ok(TableContext { paper, table, library, given, assumed })
     }
 
@@ -72,12 +76,11 @@ impl<'a> TableContext<'a> {
             let value = at.settings.parameters.get(name).unwrap_or(value);
             scope = scope.with(name, value.clone().into());
         }
-        for (name, value) in &self.assumed {
-            let value = at.settings.parameters.get(name).unwrap_or(value);
-            scope = if at.assume.contains(name) {
-                scope.with(name, value.clone().into())
-            } else {
-                scope.with_unstated(name)
+        for name in self.table.unstated.keys() {
+            let value = at.settings.parameters.get(name).or_else(|| self.assumed.get(name));
+            scope = match value.filter(|_| at.assume.contains(name)) {
+                Some(value) => scope.with(name, value.clone().into()),
+                None => scope.with_unstated(name),
             };
         }
         for (name, value) in known {

@@ -262,12 +262,12 @@ fn block_length(masks: &[&Mask]) -> u32 {
 }
 
 /// The values of formulas without parameters.
-pub(crate) fn values(
-    formulas: &BTreeMap<String, LocatedFormula>,
+pub(crate) fn values<'f>(
+    formulas: impl IntoIterator<Item = (&'f String, &'f LocatedFormula)>,
 ) -> Result<BTreeMap<String, Rational>, Diagnostic> {
     let value = |(name, formula): (&String, &LocatedFormula)| {
         let value = evaluate(&formula.expr, &Parameters::<Rational>::default());
         value.map(|value| (name.clone(), value)).map_err(|error| formula.diagnostic(&error))
     };
-    formulas.iter().map(value).collect()
+    formulas.into_iter().map(value).collect()
 }

@@ -6,8 +6,9 @@ use crate::evaluation::context::{At, Outcome, TableContext};
 use crate::evaluation::library::Library;
 use crate::evaluation::row::RowDefinitions;
 use crate::evaluation::trace::LevelCall;
-use crate::exact::RealCyclotomic;
+use crate::exact::{Rational, RealCyclotomic};
 use crate::formula::LocatedFormula;
+use std::collections::BTreeMap;
 use std::ops::Deref;
 
 /// The context of a table, and the values of definitions that are the same in a whole row.
@@ -24,12 +25,14 @@ impl<'a> Deref for Evaluator<'a> {
 }
 
 impl<'a> Evaluator<'a> {
+    /// With values of parameters that the claim file gives no value for.
     pub(crate) fn new(
         paper: &'a Paper,
         table: &'a Table,
         library: &'a Library<'a>,
+        recovered: &BTreeMap<String, Rational>,
     ) -> Result<Evaluator<'a>, Diagnostic> {
-        let context = TableContext::new(paper, table, library)?;
+        let context = TableContext::new(paper, table, library, recovered)?;
         let rows = RowDefinitions::new(&context);
         Ok(Evaluator { context, rows })
     }

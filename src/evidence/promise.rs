@@ -50,7 +50,7 @@ pub fn promise_evidence<'f>(
     finding: &'f TableFinding<'_>,
 ) -> Result<Vec<Vec<Option<PromiseEvidence<'f>>>>, Diagnostic> {
     let library = Library::new(paper);
-    let judge = Evaluator::new(paper, finding.table, &library)?;
+    let judge = Evaluator::new(paper, finding.table, &library, &finding.values())?;
     let assume: BTreeSet<String> = judge.assumed.keys().cloned().collect();
     let mut rows = Vec::new();
     for (row, cells) in finding.cells.iter().enumerate() {

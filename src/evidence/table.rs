@@ -59,7 +59,7 @@ pub fn evidence(
     read_otherwise: bool,
 ) -> Result<Evidence, Diagnostic> {
     let (library, table) = (Library::new(paper), finding.table);
-    let judge = Evaluator::new(paper, table, &library)?;
+    let judge = Evaluator::new(paper, table, &library, &finding.values())?;
     let budget = Budget::new(constants::MAX_STEPS);
     let (attained, mut searched) = constants::constants(&judge, read_otherwise, &budget)?;
     for constant in convergence(&judge, finding, &budget)? {

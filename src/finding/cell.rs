@@ -16,6 +16,9 @@ pub enum Verdict {
     Rounding(Direction),
     /// One local slip away from the exact value.
     Misprint(Slip),
+    /// What the printed definition, or the reading of it that [`CellFinding::as_read`] names, gives
+    /// at values of parameters that the paper does not state and that were recovered from it.
+    Reproduced,
     /// Not the printed definition, but what another reading of it gives, which
     /// [`CellFinding::as_read`] names.
     OtherReading,
@@ -27,14 +30,22 @@ pub enum Verdict {
 
 impl Verdict {
     /// The names of the verdicts of numbers, best first.
-    pub const NAMES: [&'static str; 6] =
-        ["confirmed", "rounding", "misprint", "other-reading", "refuted", "not-checkable"];
+    pub const NAMES: [&'static str; 7] = [
+        "confirmed",
+        "reproduced",
+        "rounding",
+        "misprint",
+        "other-reading",
+        "refuted",
+        "not-checkable",
+    ];
 
     /// The verdict's name.
     #[must_use]
     pub fn name(&self) -> &'static str {
         match self {
             Verdict::Confirmed => "confirmed",
+            Verdict::Reproduced => "reproduced",
             Verdict::Rounding(_) => "rounding",
             Verdict::Misprint(_) => "misprint",
             Verdict::OtherReading => "other-reading",
@@ -45,7 +56,7 @@ impl Verdict {
 }
 
 /// How a printed number was rounded, when not to the nearest (a depth: not up).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Direction {
     /// A decimal cut towards zero.
     Cut,
@@ -126,7 +137,7 @@ impl fmt::Display for Slip {
 }
 
 /// Why a number cannot be checked.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum Missing {
     /// The source at hand has lost the cell.
@@ -219,10 +230,13 @@ pub struct CellFinding {
     pub as_read: Option<AsRead>,
     /// Why it has none.
     pub undefined: Option<String>,
-    /// The values at which `exact` and `sound` were computed though the paper
-    /// does not state them; empty when all are stated.
+    /// The values, assumed or recovered, at which `exact` and `sound` were computed though the
+    /// paper does not state them; empty when all are stated.
     pub assumed: Assumed,
-    /// What the verdict would be if the assumed values were stated.
+    /// A parameter that it needs, and of which no value is known.
+    pub unknown: Option<String>,
+    /// What the verdict would be if these values were stated; `None` where all are, or the cell is
+    /// reproduced.
     pub verdict_if_assumed: Option<Verdict>,
     /// The sound value, for a bound or a depth.
     pub sound: Option<Sound>,
@@ -249,6 +263,18 @@ impl CellFinding {
         }
     }
 
+    /// Whether every parameter that its value needs is stated.
+    #[must_use]
+    pub fn is_plain(&self) -> bool {
+        self.assumed.is_empty() && self.unknown.is_none()
+    }
+
+    /// Which cells of its table it is read with.
+    #[must_use]
+    pub fn kind(&self) -> CellKind {
+        if self.is_plain() { CellKind::Plain } else { CellKind::Assumed }
+    }
+
     /// Whether it makes a promise of which it is not known that it keeps it.
     #[must_use]
     pub fn may_break_promise(&self) -> bool {
@@ -267,7 +293,7 @@ pub enum CellKind {
 
 impl CellKind {
     pub(crate) fn holds(self, finding: &CellFinding) -> bool {
-        finding.assumed.is_empty() == (self == CellKind::Plain)
+        finding.kind() == self
     }
 
     /// The kinds of the printed cells of a table.

@@ -9,6 +9,7 @@ mod paper;
 mod promise;
 mod range;
 mod reading;
+mod recovered;
 mod table;
 mod theorem;
 mod witness;
@@ -23,8 +24,9 @@ pub use promise::{Broken, Kept, PromiseCounts};
 pub use range::{EndFinding, EndRelation, RangeFinding, RangeVerdict};
 pub(crate) use reading::Values;
 pub use reading::{
-    Difference, Explanation, Line, LineReading, MAX_DIFFERENCES, Need, Search, Sibling, Solved,
+    Difference, Explanation, Line, LineReading, MAX_DIFFERENCES, Need, Search, Solved,
 };
+pub use recovered::{Recovered, RecoveredFrom};
 pub use table::TableFinding;
 pub(crate) use theorem::Change;
 pub use theorem::{

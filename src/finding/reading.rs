@@ -83,8 +83,7 @@ pub struct Solved {
     /// The values with which every explained cell is consistent lie between these,
     /// up to 2^−60 of them.
     pub between: (Rational, Rational),
-    /// The simplest number among them; of a spread, the assumed one where it is among
-    /// them.
+    /// The plainest number among them.
     pub simplest: Rational,
 }
 
@@ -114,8 +113,6 @@ pub enum Difference {
         /// The value that is stated.
         stated: Rational,
     },
-    /// A parameter that is not stated is as another table has it.
-    Sibling(Sibling),
 }
 
 impl Difference {
@@ -124,9 +121,7 @@ impl Difference {
     pub fn about(&self) -> &str {
         match self {
             Difference::Way(choice, _) => choice.name,
-            Difference::Alternative { of: name, .. }
-            | Difference::Scale { name, .. }
-            | Difference::Sibling(Sibling { name, .. }) => name,
+            Difference::Alternative { of: name, .. } | Difference::Scale { name, .. } => name,
         }
     }
 
@@ -134,9 +129,7 @@ impl Difference {
     #[must_use]
     pub fn value(&self) -> Option<&Rational> {
         match self {
-            Difference::Scale { value, .. } | Difference::Sibling(Sibling { value, .. }) => {
-                Some(value)
-            }
+            Difference::Scale { value, .. } => Some(value),
             Difference::Way(..) | Difference::Alternative { .. } => None,
         }
     }
@@ -150,7 +143,6 @@ impl fmt::Display for Difference {
             Difference::Scale { name, value, stated } => {
                 write!(f, "{name} = {value}, where {stated} is stated")
             }
-            Difference::Sibling(sibling) => sibling.fmt(f),
         }
     }
 }
@@ -200,31 +192,16 @@ pub struct Search {
     pub as_printed: usize,
     /// How many cells the best of the readings explain, be it by luck.
     pub most: usize,
-    /// The readings that explain most cells, with the fewest differences; empty when
-    /// none explains more than the printed definition, or luck could.
+    /// The readings that explain most cells, with the fewest differences; empty when luck
+    /// could, and, of cells whose parameters are all stated, when none explains more than the
+    /// printed definition. Of cells with recovered parameters the printed definition is a reading
+    /// like others.
     pub best: Vec<Explanation>,
     /// How many readings would do as well as those that explain most on unrelated
     /// numbers, at most.
     pub chance: Rational,
     /// The readings of rows and columns for the cells that `best` leaves.
     pub lines: Vec<LineReading>,
-}
-
-/// A parameter of a scheme as another table of the paper was computed with it.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Sibling {
-    /// The parameter.
-    pub name: String,
-    /// Its value.
-    pub value: Rational,
-    /// Where the other table stands.
-    pub locus: String,
-}
-
-impl fmt::Display for Sibling {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} = {}, as in {}", self.name, self.value, self.locus)
-    }
 }
 
 /// How a reading differs from the printed text, in words.

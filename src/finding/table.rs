@@ -1,9 +1,12 @@
 //! What the audit says of a table.
 
 use crate::claim::Table;
-use crate::finding::cell::CellFinding;
+use crate::exact::Rational;
+use crate::finding::cell::{CellFinding, CellKind};
 use crate::finding::promise::{Kept, PromiseCounts};
-use crate::finding::reading::{Need, Search, Sibling};
+use crate::finding::reading::{Need, Search};
+use crate::finding::recovered::Recovered;
+use std::collections::BTreeMap;
 
 impl TableFinding<'_> {
     /// How many of its printed bounds and depths keep their promise.
@@ -36,11 +39,24 @@ pub struct TableFinding<'a> {
     pub assumed_search: Option<Search>,
     /// How many cells each way of each choice explains.
     pub needs: Vec<Need>,
-    /// What other tables gave away of its parameters.
-    pub(crate) siblings: Vec<Sibling>,
+    /// The parameters that the paper does not state and that were recovered, by name.
+    pub recovered: BTreeMap<String, Recovered>,
 }
 
 impl TableFinding<'_> {
+    /// The values of the parameters that were recovered.
+    pub(crate) fn values(&self) -> BTreeMap<String, Rational> {
+        let value =
+            |(name, recovered): (&String, &Recovered)| (name.clone(), recovered.value.clone());
+        self.recovered.iter().map(value).collect()
+    }
+
+    /// The kinds of its printed cells.
+    #[must_use]
+    pub fn kinds(&self) -> Vec<CellKind> {
+        CellKind::of(&self.cells)
+    }
+
     /// The searches for readings.
     pub fn searches(&self) -> impl Iterator<Item = &Search> {
         self.search.iter().chain(&self.assumed_search)

@@ -11,6 +11,7 @@ mod mend;
 pub(crate) mod promise;
 pub(crate) mod range;
 pub(crate) mod reading;
+pub(crate) mod related;
 pub(crate) mod table;
 pub(crate) mod theorem;
 

@@ -1,21 +1,23 @@
 //! Judging a table.
 
-use crate::claim::{Cell, Paper, Printed, Promise, Table};
+use crate::claim::{Cell, Paper, Printed, Table};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::choices::DEPTH_ROUNDING;
 use crate::evaluation::context::{At, Outcome};
 use crate::evaluation::library::Library;
 use crate::evaluation::settings::Settings;
 use crate::evaluation::table::Evaluator;
-use crate::exact::{Decimal, RealCyclotomic};
+use crate::exact::{Decimal, Integer, RealCyclotomic};
 use crate::finding::{
-    AsRead, Assumed, CellFinding, CellKind, Direction, Explanation, Missing, Sibling, Slip,
-    TableFinding, Values, Verdict,
+    AsRead, Assumed, CellFinding, CellKind, Direction, Explanation, Missing, Recovered,
+    RecoveredFrom, Slip, TableFinding, Values, Verdict,
 };
 use crate::judge::compare;
 use crate::judge::distance::Schemes;
-use crate::judge::reading::{search, sibling};
-use std::collections::BTreeSet;
+use crate::judge::reading::plain::as_plain;
+use crate::judge::reading::search::{self, Candidates};
+use crate::judge::reading::space::needed;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What a reading is of.
 #[derive(Clone, Copy)]
@@ -27,74 +29,31 @@ enum Part {
     Line((i32, i32)),
 }
 
-/// The places of a paper's tables in groups: tables about a scheme of the same name are
-/// judged together, since one can give away a parameter of the other.
-pub(crate) fn related(paper: &Paper) -> Vec<Vec<usize>> {
-    let mut groups: Vec<(Vec<usize>, BTreeSet<&str>)> = Vec::new();
-    for (place, table) in paper.tables.iter().enumerate() {
-        let ring = table.promise.as_ref().and_then(Promise::ring);
-        let references = table.scheme.iter().chain(ring);
-        let names: BTreeSet<&str> = references.flat_map(|one| one.reference.names()).collect();
-        let (same, others) = groups
-            .into_iter()
-            .partition(|(_, others): &(_, BTreeSet<&str>)| !others.is_disjoint(&names));
-        groups = others;
-        groups.push(same.into_iter().fold((vec![place], names), |mut group, (places, names)| {
-            group.0.extend(places);
-            group.1.extend(names);
-            group
-        }));
-    }
-    let sorted = |(mut places, _): (Vec<usize>, _)| {
-        places.sort_unstable();
-        places
-    };
-    groups.into_iter().map(sorted).collect()
-}
-
-/// Judges related tables, with their places; those that no reading explains, once more
-/// with what the others say of their parameters.
-///
-/// # Errors
-/// The first, with the place of its table.
-pub(crate) fn judge_all<'a>(
-    paper: &'a Paper,
-    places: &[usize],
-    after_table: &dyn Fn(),
-) -> Result<Vec<(usize, TableFinding<'a>)>, (usize, Diagnostic)> {
-    let first = places.iter().map(|&place| {
-        let finding = judge(paper, &paper.tables[place], Vec::new());
-        after_table();
-        finding.map_err(|error| (place, error))
-    });
-    let mut findings = first.collect::<Result<Vec<TableFinding<'a>>, _>>()?;
-    for (i, &place) in places.iter().enumerate() {
-        let siblings = sibling::siblings(&findings[i], &findings);
-        if !siblings.is_empty() {
-            let again = judge(paper, findings[i].table, siblings);
-            findings[i] = again.map_err(|error| (place, error))?;
-        }
-    }
-    Ok(places.iter().copied().zip(findings).collect())
-}
-
-/// Judges every cell of a table.
-fn judge<'a>(
+/// Judges every cell of a table, with these values of parameters that were recovered; its promises
+/// apart.
+pub(crate) fn judge<'a>(
     paper: &'a Paper,
     table: &'a Table,
-    siblings: Vec<Sibling>,
+    recovered: BTreeMap<String, Recovered>,
 ) -> Result<TableFinding<'a>, Diagnostic> {
     let library = Library::new(paper);
-    let judge = Evaluator::new(paper, table, &library)?;
-    let mut cells = judge.cells(&Schemes::default())?;
+    let (cells, needs) = (Vec::new(), Vec::new());
+    let mut finding =
+        TableFinding { table, cells, search: None, assumed_search: None, needs, recovered };
+    let judge = Evaluator::new(paper, table, &library, &finding.values())?;
+    let mut cells = judge.cells()?;
     judge.compare_with_neighbours(&mut cells);
-    let (mut searches, mut needs) = (Vec::new(), Vec::new());
+    let candidates = candidates(paper, &finding.recovered);
     for kind in CellKind::of(&cells) {
-        let (search, needed) = search::search(&judge, &siblings, &cells, kind).unwrap_or_default();
-        searches.push(search);
-        needs.extend(needed);
+        let (search, needs) = search::search(&judge, &cells, kind, &candidates).unwrap_or_default();
+        finding.needs.extend(needs);
+        if kind == CellKind::Plain || CellKind::of(&cells).len() == 1 {
+            finding.search = search;
+        } else {
+            finding.assumed_search = search;
+        }
     }
-    for search in searches.iter().flatten() {
+    for search in finding.searches() {
         if let Some(best) = search.best.first() {
             judge.read_as(best, Part::Table, &mut cells);
         }
@@ -102,38 +61,100 @@ fn judge<'a>(
             judge.read_as(&line.best, Part::Line(line.shift), &mut cells);
         }
     }
-    let mut searches = searches.into_iter();
-    let (search, assumed_search) = (searches.next().flatten(), searches.next().flatten());
-    Ok(TableFinding { table, cells, search, assumed_search, needs, siblings })
+    finding.cells = cells;
+    finding.reproduce();
+    Ok(finding)
 }
 
-/// Every reading of a table with what it explains, the best first: of the cells that need no
-/// assumptions, if there are any.
+/// From how many values each was taken: those that are as plain, or those that tables of the paper
+/// may have.
+fn candidates(paper: &Paper, recovered: &BTreeMap<String, Recovered>) -> Candidates {
+    let count = |(name, recovered): (&String, &Recovered)| {
+        let open = |table: &&Table| table.unstated.get(name).is_some_and(Option::is_none);
+        let count = match &recovered.from {
+            RecoveredFrom::Solved(..) | RecoveredFrom::Tried => as_plain(&recovered.value),
+            RecoveredFrom::Table { .. } => Integer::from(paper.tables.iter().filter(open).count()),
+        };
+        (name.clone(), count)
+    };
+    recovered.iter().map(count).collect()
+}
+
+impl TableFinding<'_> {
+    /// The cells that were given at recovered values, by what is no luck, are reproduced.
+    fn reproduce(&mut self) {
+        let search = match CellKind::of(&self.cells)[..] {
+            [CellKind::Plain, CellKind::Assumed] => self.assumed_search.as_ref(),
+            [CellKind::Assumed] => self.search.as_ref(),
+            _ => None,
+        };
+        let table = self.table;
+        let recovered = |name: &String| table.unstated[name].is_none();
+        for (row, cells) in self.cells.iter_mut().enumerate() {
+            for (column, cell) in cells.iter_mut().enumerate() {
+                if !cell.assumed.iter().any(|(name, _)| recovered(name)) || cell.unknown.is_some() {
+                    continue;
+                }
+                let Some(search) = search else { continue };
+                let lines = search.lines.iter().filter(|line| line.shift == (0, 0));
+                let readings = search.best.first().into_iter().chain(lines.map(|line| &line.best));
+                let mut by = readings.filter(|reading| reading.explained[row][column]);
+                let Some(reading) = by.next() else { continue };
+                if let Some(value) = &reading.values[row][column] {
+                    let differences = reading.differences.clone();
+                    let as_read = AsRead {
+                        differences,
+                        solved: Vec::new(),
+                        rounded: None,
+                        value: value.clone(),
+                    };
+                    cell.as_read = (!reading.differences.is_empty()).then_some(as_read);
+                    cell.verdict = Verdict::Reproduced;
+                    cell.verdict_if_assumed = None;
+                }
+            }
+        }
+    }
+}
+
+/// Judges the promises of a table.
+pub(crate) fn judge_promises(
+    paper: &Paper,
+    finding: &mut TableFinding<'_>,
+) -> Result<(), Diagnostic> {
+    let (library, table) = (Library::new(paper), finding.table);
+    let judge = Evaluator::new(paper, table, &library, &finding.values())?;
+    let (distances, settings) = (Schemes::default(), Settings::default());
+    let needed = needed(&finding.cells);
+    for (row, cells) in finding.cells.iter_mut().enumerate() {
+        for (column, cell) in cells.iter_mut().enumerate() {
+            let at = At { row, column, assume: &needed[row][column], settings: &settings };
+            judge.judge_promise(&table.cells[row][column], at, &distances, cell)?;
+        }
+    }
+    Ok(())
+}
+
+/// Every reading of the cells of a kind with what it explains, the best first.
 pub(crate) fn readings(
     paper: &Paper,
     finding: &TableFinding<'_>,
+    kind: CellKind,
     library: &Library<'_>,
 ) -> Result<Vec<Explanation>, Diagnostic> {
-    let judge = Evaluator::new(paper, finding.table, library)?;
-    let kinds = CellKind::of(&finding.cells);
-    let kind = kinds.first().copied().unwrap_or(CellKind::Plain);
-    Ok(search::readings(&judge, &finding.siblings, &finding.cells, kind))
+    let judge = Evaluator::new(paper, finding.table, library, &finding.values())?;
+    Ok(search::readings(&judge, &finding.cells, kind))
 }
 
 impl Evaluator<'_> {
-    fn cells(&self, distances: &Schemes) -> Result<Vec<Vec<CellFinding>>, Diagnostic> {
+    fn cells(&self) -> Result<Vec<Vec<CellFinding>>, Diagnostic> {
         let row = |(row, cells): (usize, &Vec<Cell>)| {
-            (0..cells.len()).map(|column| self.cell(row, column, distances)).collect()
+            (0..cells.len()).map(|column| self.cell(row, column)).collect()
         };
         self.table.cells.iter().enumerate().map(row).collect()
     }
 
-    fn cell(
-        &self,
-        row: usize,
-        column: usize,
-        distances: &Schemes,
-    ) -> Result<CellFinding, Diagnostic> {
+    fn cell(&self, row: usize, column: usize) -> Result<CellFinding, Diagnostic> {
         let cell = &self.table.cells[row][column];
         let (printed, note) = match cell {
             Cell::Lost => (None, None),
@@ -149,6 +170,7 @@ impl Evaluator<'_> {
             undefined: None,
             as_read: None,
             assumed: Assumed::new(),
+            unknown: None,
             verdict_if_assumed: None,
             sound: None,
             kept_by_formula: None,
@@ -176,18 +198,14 @@ impl Evaluator<'_> {
                 finding.undefined = Some(why.clone());
                 beyond_caps = Some(Verdict::NotCheckable(Missing::Capacity(why)));
             }
-            Outcome::Unstated(name) => {
-                let formula = &self.table.value;
-                let message = format!("`{name}` has no value, not even an assumed one");
-                return Err(Diagnostic::new(&formula.source, formula.span.clone(), message));
-            }
+            Outcome::Unstated(name) => finding.unknown = Some(name),
         }
         if !needed.is_empty() {
             let names = needed.iter().cloned().collect();
             finding.verdict = Verdict::NotCheckable(Missing::Parameters(names));
         }
         let at = At { row, column, assume: &needed, settings: &settings };
-        if let Cell::Printed(printed) = cell {
+        if let (Cell::Printed(printed), None) = (cell, &finding.unknown) {
             let verdict = match beyond_caps {
                 Some(verdict) => verdict,
                 None => self.verdict(printed, finding.exact.as_ref(), at)?,
@@ -198,7 +216,6 @@ impl Evaluator<'_> {
                 finding.verdict_if_assumed = Some(verdict);
             }
         }
-        self.judge_promise(cell, at, distances, &mut finding)?;
         Ok(finding)
     }
 
@@ -293,12 +310,12 @@ impl Evaluator<'_> {
             cells.iter().map(|row| row.iter().map(value).collect()).collect()
         };
         // What needs assumptions does not count where nothing is assumed.
-        let plain = values(|cell| cell.assumed.is_empty());
+        let plain = values(CellFinding::is_plain);
         let all = values(|_| true);
         for (row, findings) in cells.iter_mut().enumerate() {
             for (column, finding) in findings.iter_mut().enumerate() {
                 let Cell::Printed(printed) = &self.table.cells[row][column] else { continue };
-                let exact = if finding.assumed.is_empty() { &plain } else { &all };
+                let exact = if finding.is_plain() { &plain } else { &all };
                 let verdict = finding.verdict_if_assumed.as_mut().unwrap_or(&mut finding.verdict);
                 if *verdict == Verdict::Refuted {
                     *verdict = self.slip(&printed.decimal, exact, row, column);

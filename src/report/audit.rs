@@ -160,6 +160,7 @@ pub(super) fn remarks(finding: &TableFinding<'_>) -> Vec<String> {
         Verdict::Rounding(direction) => Some(format!("{} ({direction})", cell.printed.as_deref()?)),
         _ => None,
     }));
+    lines.extend(reading::recovered(finding));
     for search in finding.searches() {
         lines.push(reading::remark(search));
         lines.extend(reading::line_remarks(finding.table, search));

@@ -8,6 +8,7 @@ use crate::formula::LocatedFormula;
 pub fn mark(verdict: &str) -> &'static str {
     match verdict {
         "confirmed" | "holds" | "exact" | "proved" | "kept" => "✓",
+        "reproduced" => "=",
         "rounding" => "≈",
         "misprint" => "±",
         "other-reading" => "⇄",

@@ -1,9 +1,12 @@
 //! The report of what a search for readings has found.
 
 use super::parts::mark;
-use crate::audit::{CellFinding, Explanation, Line, LineReading, MAX_DIFFERENCES, Search, Slip};
+use crate::audit::{
+    CellFinding, Explanation, Line, LineReading, MAX_DIFFERENCES, Recovered, RecoveredFrom, Search,
+    Slip, TableFinding,
+};
 use crate::claim::{Axis, Table};
-use crate::exact::format::short;
+use crate::exact::{Rational, format::short};
 
 /// How many equally good readings are named.
 const MAX_LISTED: usize = 3;
@@ -23,9 +26,12 @@ pub(super) fn remark(search: &Search) -> String {
         return format!("Readings: {found} {}", differ_in(search));
     };
     let others = search.best[1..].iter().take(MAX_LISTED - 1);
-    let others = others.map(|other| format!(" Or: {}.", other.differs()));
-    let mark = mark("other-reading");
-    let mut text = format!("{mark} Read otherwise: {}.", first.differs());
+    let others = others.map(|other| format!(" Or: {}.", named(other)));
+    let mut text = if first.differences.is_empty() {
+        format!("{} As printed.", mark("reproduced"))
+    } else {
+        format!("{} Read otherwise: {}.", mark("other-reading"), first.differs())
+    };
     text.extend(others);
     text.push_str(" That explains ");
     text.push_str(&strength(search));
@@ -50,12 +56,33 @@ pub(super) fn line_remarks(table: &Table, search: &Search) -> Vec<String> {
     search.lines.iter().map(remark).collect()
 }
 
-/// How a line is read: its reading, and where its values stand.
-pub(super) fn line_differs(line: &LineReading) -> String {
-    let differs = match line.best.differs() {
+/// The parameters that were recovered, a sentence each.
+pub(super) fn recovered(finding: &TableFinding<'_>) -> Vec<String> {
+    let sentence = |(name, recovered): (&String, &Recovered)| {
+        let value = &recovered.value;
+        let from = match &recovered.from {
+            RecoveredFrom::Solved(low, high) => {
+                format!("its numbers fit every value from {} to {}", short(low, 8), short(high, 8))
+            }
+            RecoveredFrom::Table { locus, .. } => format!("as {locus} gives it"),
+            RecoveredFrom::Tried => "the plainest value that fits its numbers".to_owned(),
+        };
+        format!("The paper does not state {name}; {name} = {value} was recovered: {from}.")
+    };
+    finding.recovered.iter().map(sentence).collect()
+}
+
+/// A reading in words.
+fn named(reading: &Explanation) -> String {
+    match reading.differs() {
         nothing if nothing.is_empty() => "as printed".to_owned(),
         differs => differs,
-    };
+    }
+}
+
+/// How a line is read: its reading, and where its values stand.
+pub(super) fn line_differs(line: &LineReading) -> String {
+    let differs = named(&line.best);
     match line.shift {
         (0, 0) => differs,
         (rows, columns) => format!("{differs}; {} throughout", Slip::Neighbour(rows, columns)),
@@ -86,11 +113,7 @@ fn capital(text: &str) -> String {
 fn by_luck(search: &Search) -> Option<String> {
     let Search { cells, as_printed, most, chance, .. } = search;
     (search.best.is_empty() && most > as_printed).then(|| {
-        format!(
-            "explains {most} of {cells} cells, {as_printed} are as printed; luck would find {} that \
-             do.",
-            short(chance, 1)
-        )
+        format!("explains {most} of {cells} cells, {as_printed} are as printed. {}", luck(chance))
     })
 }
 
@@ -129,10 +152,10 @@ pub(super) fn evidence<'c>(
 fn strength(search: &Search) -> String {
     let Search { tried, cells, as_printed, chance, .. } = search;
     format!(
-        "{} of {cells} cells, {as_printed} as printed; of {} readings, luck would find {} that do.",
+        "{} of {cells} cells, {as_printed} as printed; {} readings were compared. {}",
         search.best.first().map_or(0, Explanation::count),
         grouped(*tried),
-        short(chance, 1),
+        luck(chance),
     )
 }
 
@@ -145,10 +168,28 @@ fn line_strength(line: &LineReading) -> String {
         format!("{explained} of {cells} cells")
     };
     format!(
-        "{of} left there; of {} readings over all rows and columns, luck would find {} that do.",
+        "{of} left there; {} readings were compared over all rows and columns. {}",
         grouped(*tried),
-        short(chance, 1)
+        luck(chance)
     )
+}
+
+/// How likely luck is, in a sentence.
+fn luck(chance: &Rational) -> String {
+    // Beyond this, only the number of digits is told.
+    const MANY: u32 = 9;
+    if *chance >= Rational::one() {
+        return "Unrelated numbers would do as well.".to_owned();
+    }
+    let often = chance.recip().floor().to_string();
+    let places = u32::try_from(often.len() - 1).unwrap_or(u32::MAX);
+    let rounded = format!("{}{}", &often[..1], "0".repeat(often.len() - 1));
+    let often = match rounded.parse() {
+        Ok(number) if places < MANY => grouped(number),
+        _ => format!("10^{places}"),
+    };
+    let by_luck = if *chance <= Rational::new(1, 1_000) { "" } else { ", so that it may be luck" };
+    format!("Of tables of unrelated numbers, at most 1 in {often} would do as well{by_luck}.")
 }
 
 /// `280,048`.
@@ -176,8 +217,7 @@ pub(super) fn facts(table: &Table, search: &Search) -> Vec<(String, String)> {
         facts.push(("best reading".to_owned(), best(explanation, search.cells)));
     }
     if !search.best.is_empty() {
-        facts
-            .push(("as good by luck".to_owned(), format!("{} readings", short(&search.chance, 2))));
+        facts.push(("by luck".to_owned(), luck(&search.chance)));
     }
     for line in &search.lines {
         let lines = [line_differs(line), line_strength(line)].join("\n");

@@ -2,10 +2,11 @@
 
 use super::parts::mark;
 use super::sheet::Sheet;
-use crate::audit::{CellOutcome, CellSummary, PaperAudit, Standing};
+use crate::audit::{Cause, CellOutcome, CellSummary, PaperAudit, Standing};
 
-const STANDINGS: [Standing; 5] = [
+const STANDINGS: [Standing; 6] = [
     Standing::Confirmed,
+    Standing::Reproduced,
     Standing::Explained,
     Standing::Misprinted,
     Standing::Refuted,
@@ -32,6 +33,7 @@ pub(super) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>) {
 pub(super) fn standing_mark(standing: Standing) -> &'static str {
     mark(match standing {
         Standing::Confirmed => "confirmed",
+        Standing::Reproduced => "reproduced",
         Standing::Explained => "other-reading",
         Standing::Misprinted => "misprint",
         Standing::Refuted => "refuted",
@@ -42,10 +44,10 @@ pub(super) fn standing_mark(standing: Standing) -> &'static str {
 /// The number of cells, and then each cause with its own.
 fn lines(summary: &CellSummary, standing: Standing) -> Vec<String> {
     let groups = || summary.groups.iter().filter(|group| group.outcome.standing == standing);
-    let mut causes: Vec<&Option<String>> = groups().map(|group| &group.outcome.cause).collect();
+    let mut causes: Vec<&Option<Cause>> = groups().map(|group| &group.outcome.cause).collect();
     causes.sort_unstable();
     causes.dedup();
-    let count = |cause: &&Option<String>| -> usize {
+    let count = |cause: &&Option<Cause>| -> usize {
         groups().filter(|group| group.outcome.cause == **cause).map(|group| group.count).sum()
     };
     causes.sort_by_key(|cause| std::cmp::Reverse(count(cause)));

@@ -68,7 +68,7 @@ use meter::Meter;
 use paper::Paper;
 use reject::Checked;
 pub use reject::{Reason, Rejection, Stop, Text};
-use rules::Verdict;
+use rules::{Given, Recovered, Verdict};
 use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZero;
 use std::panic::resume_unwind;
@@ -150,9 +150,16 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
     }
     let mut outcomes: BTreeMap<(&str, &str), Outcome> = BTreeMap::new();
     let (mut holding, mut cited) = (BTreeSet::new(), Vec::new());
+    let mut given: Vec<(&str, Given)> = Vec::new();
+    let mut borrowed: Vec<(&Task<'_>, (Given, String))> = Vec::new();
     for (task, verdict) in tasks.iter().zip(verdicts(&file, &known, &tasks)) {
         let outcome = match verdict {
             Ok(Verdict::Other) => Outcome::Valid,
+            Ok(Verdict::Recovers(Recovered { own, from })) => {
+                given.extend(own.into_iter().map(|given| (task.id, given)));
+                borrowed.extend(from.into_iter().map(|from| (task, from)));
+                Outcome::Valid
+            }
             Ok(Verdict::Holds) => {
                 holding.insert(task.id);
                 Outcome::Valid
@@ -168,6 +175,16 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
             let twice = task.block.head.reject(Reason::Twice);
             outcomes.insert((task.kind, task.id), Outcome::Invalid(task.place, twice));
         }
+    }
+    // Another table, which is valid, has to give the value, from its own numbers.
+    let lacks = |given: &[(&str, Given)], (value, other): &(Given, String)| {
+        !given.iter().any(|(id, known)| id == other && known == value)
+    };
+    while let Some(place) = borrowed.iter().position(|(_, from)| lacks(&given, from)) {
+        let (task, ((name, _), _)) = borrowed.swap_remove(place);
+        let rejection = task.block.head.reject(Reason::Recovered(name));
+        outcomes.insert((task.kind, task.id), Outcome::Invalid(task.place, rejection));
+        given.retain(|(id, _)| *id != task.id);
     }
     for (id, head, uses) in cited {
         if let Some(other) = uses.into_iter().find(|other| !holding.contains(&other[..])) {

@@ -38,7 +38,8 @@ fn own<'a>(kind: &str, claim: &'a Toml) -> Vec<&'a str> {
     match kind {
         "table" => {
             let axes = ["rows", "columns"].iter().filter_map(|key| claim.get(key)).filter_map(name);
-            axes.chain(keys("given")).chain(keys("unstated")).collect()
+            let open = claim.list("unstated").iter().filter_map(Toml::as_text);
+            axes.chain(keys("given")).chain(keys("unstated")).chain(open).collect()
         }
         "equation" => {
             let symbols = claim.list("symbols").iter().filter_map(Toml::as_text);

@@ -68,6 +68,8 @@ reasons! {
     Printed(said: Text, found: Text) "the certificate says `{said}`, and the claim file prints `{found}`"
     Lost "a lost cell has a verdict, or a printed cell is called lost"
     Assumed(said: Text, found: Text) "the assumptions do not fit: the certificate says {said}, and it is {found}"
+    NotRecovered "the cell is not reproduced: its parameters are stated, or not recovered, or the reading does not give it as it stands"
+    Recovered(name: String) "this parameter is stated, or recovered twice, or no other table gives this value of it: {name}"
     NotNearest(printed: Text, value: Text) "the printed {printed} is not the correctly rounded value of {value}"
     Nearest(printed: Text, value: Text) "the printed {printed} is a rounded value of {value}"
     NotRounded(printed: Text, value: Text) "the printed {printed} is not {value} under this rounding"

@@ -1,6 +1,6 @@
 //! A table of a claim file, and the values of its cells.
 
-use crate::decimal::Decimal;
+use crate::decimal::{Decimal, Q};
 use crate::definitions::{Definitions, formula_of};
 use crate::evaluate::{Memory, Scope};
 use crate::formula::Expr;
@@ -28,8 +28,12 @@ pub struct Table<'a> {
     pub axes: [Option<Axis<'a>>; 2],
     /// The parameters that are stated.
     pub given: BTreeMap<String, Value>,
-    /// The parameters that are not stated, with the values that may be assumed.
-    pub unstated: BTreeMap<String, Value>,
+    /// The parameters that are not stated.
+    pub unstated: BTreeSet<String>,
+    /// Their values that may be assumed, or that were recovered.
+    pub assumed: BTreeMap<String, Value>,
+    /// How many values each was recovered from, for those that were.
+    pub recovered: BTreeMap<String, Q>,
     /// The name of the tolerance, if the cells are depths.
     pub tolerance: Option<&'a str>,
     /// The reading of the table as printed.
@@ -80,12 +84,14 @@ impl<'a> Table<'a> {
     pub fn new(paper: &'a Paper<'a>, claim: &'a Toml) -> Result<Table<'a>, Stop> {
         let columns = claim.get("columns").ok_or(Stop::Wrong("`columns` is missing".into()))?;
         let rows = claim.get("rows").map(Axis::read).transpose()?;
-        let unstated = paper.constants(claim.entries("unstated"))?;
+        let assumed = paper.constants(claim.entries("unstated"))?;
+        let open = claim.list("unstated").iter().filter_map(Toml::as_text).map(str::to_owned);
+        let unstated: BTreeSet<String> = assumed.keys().cloned().chain(open).collect();
         let mut given = paper.given.clone();
         given.extend(paper.constants(claim.entries("given"))?);
         let axes = [rows, Some(Axis::read(columns)?)];
         let header = |name: &str| axes.iter().flatten().any(|axis| axis.name == name);
-        given.retain(|name, _| !unstated.contains_key(name) && !header(name));
+        given.retain(|name, _| !unstated.contains(name) && !header(name));
         let promise = claim.get("promise");
         let table = Table {
             paper,
@@ -94,6 +100,8 @@ impl<'a> Table<'a> {
             axes,
             given,
             unstated,
+            assumed,
+            recovered: BTreeMap::new(),
             tolerance: promise.and_then(|promise| promise.text("tolerance")).map(str::trim),
             as_printed: Read::default(),
             known: RefCell::default(),
@@ -157,14 +165,13 @@ impl<'a> Table<'a> {
         let definitions = read.definitions.as_ref().unwrap_or(&self.paper.definitions);
         let mut scope = Scope::new(definitions, self.paper.library, &read.reading);
         scope.memory = Rc::clone(&read.memory);
-        let stated = self.given.iter();
-        let (assumed, missing): (Vec<_>, Vec<_>) =
-            self.unstated.iter().partition(|(name, _)| assumed.contains(*name));
-        for (name, value) in stated.chain(assumed) {
+        let known = self.assumed.iter().filter(|(name, _)| assumed.contains(*name));
+        for (name, value) in self.given.iter().chain(known) {
             let value = read.parameters.get(name).unwrap_or(value);
             scope.values.insert(name.clone(), value.clone());
         }
-        scope.unstated = missing.into_iter().map(|(name, _)| name.clone()).collect();
+        let missing = self.unstated.iter().filter(|name| !scope.values.contains_key(*name));
+        scope.unstated = missing.cloned().collect();
         for (axis, place) in self.axes.iter().zip([row, column]) {
             let Some(axis) = axis else { continue };
             let (text, value) = &axis.entries[place];

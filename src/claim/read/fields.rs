@@ -1,12 +1,54 @@
 //! What the tables of a claim file have in common, as TOML gives it.
 
 use serde::Deserialize;
-use serde::de::{MapAccess, Visitor};
+use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
+use serde::de::{MapAccess, SeqAccess, Visitor};
 use std::collections::BTreeMap;
 use std::fmt;
 use toml::Spanned;
 
 pub(super) type Formulas = BTreeMap<Spanned<String>, Spanned<String>>;
+
+/// `["w", "tau"]`: parameters that are not stated; or `{ w = '1/16' }`: with values to assume.
+#[derive(Debug)]
+pub(super) enum Unstated {
+    Names(Vec<Spanned<String>>),
+    Assumed(Formulas),
+}
+
+impl Default for Unstated {
+    fn default() -> Unstated {
+        Unstated::Names(Vec::new())
+    }
+}
+
+impl Unstated {
+    pub(super) fn names(&self) -> Vec<&Spanned<String>> {
+        match self {
+            Unstated::Names(names) => names.iter().collect(),
+            Unstated::Assumed(values) => values.keys().collect(),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Unstated {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Unstated, D::Error> {
+        struct Either;
+        impl<'de> Visitor<'de> for Either {
+            type Value = Unstated;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("names such as [\"w\"], or values to assume such as { w = '1/16' }")
+            }
+            fn visit_seq<S: SeqAccess<'de>>(self, names: S) -> Result<Unstated, S::Error> {
+                Vec::deserialize(SeqAccessDeserializer::new(names)).map(Unstated::Names)
+            }
+            fn visit_map<M: MapAccess<'de>>(self, values: M) -> Result<Unstated, M::Error> {
+                Formulas::deserialize(MapAccessDeserializer::new(values)).map(Unstated::Assumed)
+            }
+        }
+        deserializer.deserialize_any(Either)
+    }
+}
 
 /// The fields of every claim.
 #[derive(Clone, Copy)]
@@ -76,7 +118,7 @@ impl<'de> Deserialize<'de> for NumberField {
                 Ok(NumberField { printed: text.to_owned(), read: None, note: None })
             }
             fn visit_map<M: MapAccess<'de>>(self, map: M) -> Result<NumberField, M::Error> {
-                let fields = serde::de::value::MapAccessDeserializer::new(map);
+                let fields = MapAccessDeserializer::new(map);
                 let Corrected { printed, read, note } = Corrected::deserialize(fields)?;
                 Ok(NumberField { printed, read: Some(read), note: Some(note) })
             }

@@ -1,7 +1,6 @@
 //! What names mean in each claim: one thing each (`proofs/FORMAT.md`, Names).
 
 use super::axis::AxisTable;
-use super::fields::Formulas;
 use super::file::PaperFile;
 use super::reader::Reader;
 use crate::claim::THEOREM_NAMES;
@@ -94,8 +93,12 @@ impl Reader<'_> {
         let mut claims = BTreeMap::new();
         for table in &file.table {
             let mut roles = common.clone();
-            self.add_all(&mut roles, &table.given, Role::Given)?;
-            self.add_all(&mut roles, &table.unstated, Role::Unstated)?;
+            for name in table.given.keys() {
+                self.add(&mut roles, name, Role::Given)?;
+            }
+            for name in table.unstated.names() {
+                self.add(&mut roles, name, Role::Unstated)?;
+            }
             for AxisTable { name, .. } in table.rows.iter().chain([&table.columns]) {
                 self.add(&mut roles, name, Role::Header)?;
             }
@@ -131,15 +134,6 @@ impl Reader<'_> {
             claims.insert(theorem.common().id.get_ref().as_str(), roles);
         }
         Ok(AllRoles { definitions, claims })
-    }
-
-    fn add_all<'f>(
-        &self,
-        roles: &mut Roles<'f>,
-        names: &'f Formulas,
-        role: Role,
-    ) -> Result<(), Diagnostic> {
-        names.keys().try_for_each(|name| self.add(roles, name, role))
     }
 
     fn add<'f>(

@@ -1,13 +1,15 @@
 //! Reading tables.
 
 use super::axis::AxisTable;
-use super::fields::{Formulas, NumberField, claim_table};
+use super::fields::{Formulas, NumberField, Unstated, claim_table};
 use super::reader::{Head, Reader};
 use crate::claim::{Cell, Promise, Table};
 use crate::diagnostic::Diagnostic;
-use crate::scheme::{definitions, formula};
+use crate::formula::LocatedFormula;
+use crate::scheme::{definitions, formula, identifier};
 use serde::Deserialize;
 use serde::de::Visitor;
+use std::collections::BTreeMap;
 use std::fmt;
 use toml::Spanned;
 
@@ -20,7 +22,7 @@ claim_table!(TableTable {
     #[serde(default)]
     pub(super) given: Formulas,
     #[serde(default)]
-    pub(super) unstated: Formulas,
+    pub(super) unstated: Unstated,
 });
 
 #[derive(Debug, Deserialize)]
@@ -83,9 +85,24 @@ impl Reader<'_> {
             rows,
             columns,
             given: definitions(self.source, &table.given)?,
-            unstated: definitions(self.source, &table.unstated)?,
+            unstated: self.unstated(&table.unstated)?,
             note,
         })
+    }
+
+    fn unstated(
+        &self,
+        table: &Unstated,
+    ) -> Result<BTreeMap<String, Option<LocatedFormula>>, Diagnostic> {
+        match table {
+            Unstated::Names(names) => {
+                names.iter().map(|name| Ok((identifier(self.source, name)?, None))).collect()
+            }
+            Unstated::Assumed(values) => {
+                let values = definitions(self.source, values)?.into_iter();
+                Ok(values.map(|(name, value)| (name, Some(value))).collect())
+            }
+        }
     }
 
     fn promise(&self, table: &Spanned<PromiseTable>) -> Result<Promise, Diagnostic> {

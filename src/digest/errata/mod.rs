@@ -5,6 +5,7 @@ mod consequence;
 pub use consequence::Consequences;
 
 use crate::claim::Promise;
+use crate::digest::cause::Cause;
 use crate::digest::summary::{CellOutcome, CellSummary, Standing};
 use crate::finding::{
     CellFinding, EquationFinding, EquationVerdict, FunctionFinding, FunctionVerdict, PaperAudit,
@@ -66,7 +67,7 @@ pub struct Unchecked<'e, 'a> {
     /// The table.
     pub finding: &'e TableFinding<'a>,
     /// What is absent.
-    pub cause: Option<String>,
+    pub cause: Option<Cause>,
     /// Their places: row and column, counted from 0.
     pub cells: Vec<(usize, usize)>,
 }

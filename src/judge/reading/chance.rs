@@ -12,15 +12,13 @@ const MOST_LUCK: i64 = 1_000;
 const LIKELY_DEPTHS: i64 = 4;
 
 /// An upper bound on how many readings of unrelated values would explain `m` of these
-/// cells: candidates · e_m(p_1, …, p_n), where the candidates are the readings, and for
-/// a parameter of the scheme that is solved for the tables that differ in print, of
-/// those that it gives where one cell is as printed; p_i is how likely an unrelated value
+/// cells: candidates · e_m(p_1, …, p_n), where the candidates are the readings, each with every
+/// value of a recovered parameter that is as plain as its own; p_i is how likely an unrelated value
 /// becomes the i-th printed number, and e_m the elementary symmetric polynomial, which
 /// bounds how likely m of n independent events happen (`proofs/THEOREMS.md`, 51).
 ///
-/// m is the number of cells that are explained beyond those that are as printed anyway
-/// and those that solving for parameters takes up. Cells that are certain, p_i = 1, are
-/// left out, and m is less by their number.
+/// m is the number of cells that are explained beyond those that are as printed anyway. Cells that
+/// are certain, p_i = 1, are left out, and m is less by their number.
 pub(crate) fn chance(likelihoods: &[Rational], m: usize, candidates: Integer) -> Rational {
     let one = Rational::one();
     let telling: Vec<&Rational> = likelihoods.iter().filter(|p| **p != one).collect();

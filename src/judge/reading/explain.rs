@@ -29,15 +29,15 @@ impl Space<'_> {
         }
     }
 
-    /// The parameter that every value is proportional to: the only assumed one, or,
-    /// where nothing is assumed, a stated one.
+    /// The parameter that every value is proportional to: the one that is solved for, or,
+    /// where every parameter is stated, a stated one.
     pub(crate) fn find_scale(&self) -> Option<Scale> {
-        let (given, assumed) = (&self.judge.given, &self.judge.assumed);
-        let (stated, from) = if self.assume.is_empty() { (true, given) } else { (false, assumed) };
-        if self.is_depth() || self.assume.len() > 1 {
+        let stated = self.unknown.is_none();
+        let from = if stated { &self.judge.given } else { &self.judge.assumed };
+        if self.is_depth() || stated && !self.assume.is_empty() {
             return None;
         }
-        let candidates = from.iter().filter(|(name, _)| stated || self.assume.contains(*name));
+        let candidates = from.iter().filter(|(name, _)| stated || self.unknown == Some(name));
         let mut scales =
             candidates.map(|(name, base)| Scale { name: name.clone(), base: base.clone(), stated });
         let printed = Settings::default();
@@ -145,7 +145,6 @@ impl Space<'_> {
                 let number = alternatives[..=*i].iter().filter(|other| other.of == *of).count();
                 Difference::Alternative { of: of.clone(), number, label: label.clone() }
             }
-            Change::Sibling(i) => Difference::Sibling(self.siblings[*i].clone()),
         }
     }
 

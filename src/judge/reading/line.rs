@@ -27,12 +27,13 @@ type Cells = Vec<Vec<bool>>;
 
 /// Readings for the cells that are `left`, each for a row or a column: the one that
 /// explains most first, and then others for what it leaves. Luck is counted over all
-/// rows, columns, shifts and readings.
+/// rows, columns, shifts, readings, and so many values of parameters that were recovered.
 pub(crate) fn search(
     space: &Space<'_>,
     all: &[Evaluated],
     likelihoods: &[Vec<Option<Rational>>],
     mut left: Cells,
+    values: &Integer,
 ) -> Vec<LineReading> {
     let rows = left.len();
     let columns = left.iter().map(Vec::len).max().unwrap_or(0);
@@ -44,8 +45,9 @@ pub(crate) fn search(
     let lines: Vec<Line> = lines(rows, Line::Row).chain(lines(columns, Line::Column)).collect();
     let mut found = Vec::new();
     while found.len() < MAX_LINES {
+        let sizes = (lines.len(), values);
         let readings =
-            lines.iter().filter_map(|&line| one(space, all, likelihoods, &left, line, lines.len()));
+            lines.iter().filter_map(|&line| one(space, all, likelihoods, &left, line, sizes));
         // Of equally good ones the first: rows before columns.
         let best = readings.fold(None, |best: Option<LineReading>, next| match best {
             Some(best) if best.best.count() >= next.best.count() => Some(best),
@@ -69,7 +71,7 @@ fn one(
     likelihoods: &[Vec<Option<Rational>>],
     left: &Cells,
     line: Line,
-    lines: usize,
+    (lines, recovered): (usize, &Integer),
 ) -> Option<LineReading> {
     let inside = |row: usize, column: usize| left[row][column] && line.holds(row, column);
     let mut of_line = Vec::new();
@@ -77,9 +79,10 @@ fn one(
         let here = cells.iter().enumerate().filter(|(column, _)| inside(row, *column));
         of_line.extend(here.filter_map(|(_, likelihood)| likelihood.clone()));
     }
-    let least = all.len() * lines * SHIFTS.len();
+    let factor = Integer::from(SHIFTS.len() * lines) * recovered;
+    let least = Integer::from(all.len()) * &factor;
     // Where even all of them would be luck, there is nothing to look for.
-    if of_line.is_empty() || !is_small(&chance(&of_line, of_line.len(), Integer::from(least))) {
+    if of_line.is_empty() || !is_small(&chance(&of_line, of_line.len(), least)) {
         return None;
     }
     let mut best_so_far = None::<(Explanation, (i32, i32), Vec<Need>)>;
@@ -95,9 +98,8 @@ fn one(
     if best.count() < LEAST_CELLS {
         return None;
     }
+    let chance = chance(&of_line, best.count(), Integer::from(space.count(all)) * factor);
     let tried = space.count(all) * SHIFTS.len() * lines;
-    let beyond = best.count().saturating_sub(space.free(&best));
-    let chance = chance(&of_line, beyond, Integer::from(tried));
     let cells = of_line.len();
     is_small(&chance).then_some(LineReading { line, cells, shift, tried, best, chance, needs })
 }

@@ -10,14 +10,14 @@
 mod chance;
 mod consistent;
 mod explain;
-mod found;
 mod line;
 mod needs;
 mod parameter;
+pub(crate) mod plain;
+pub(crate) mod recover;
 mod scale;
 pub(crate) mod search;
-pub(crate) mod sibling;
 mod solve;
-mod space;
+pub(crate) mod space;
 mod spread;
 pub(crate) mod tried;

@@ -14,8 +14,7 @@ use crate::exact::{
 };
 use crate::finding::{Explanation, Solved};
 use crate::judge::reading::consistent::DecimalRounding;
-use crate::judge::reading::found::Found;
-use crate::judge::reading::scale::simplest_between;
+use crate::judge::reading::plain::{height, plainest_between};
 use crate::judge::reading::space::{Change, Space};
 use std::ops::Bound;
 
@@ -25,36 +24,30 @@ pub(crate) const RANGE: i64 = 10;
 /// The most intervals that are followed from one cell under one reading.
 const MAX_INTERVALS: usize = 64;
 
-/// The parameters that can be solved for: those that have to be assumed, where the
-/// table is no one of depths and they are no scale.
-pub(crate) fn unknowns<'s>(space: &'s Space<'_>) -> impl Iterator<Item = &'s String> {
+/// Solves for the unknown parameter under each reading, with the others at their values; of no
+/// table of depths, and of no scale.
+pub(crate) fn search(
+    space: &Space<'_>,
+    readings: &[Vec<Change>],
+    least: usize,
+) -> Vec<Explanation> {
+    let mut found = Vec::new();
     let solvable = !space.is_depth() && space.scale.is_none();
-    space.assume.iter().filter(move |_| solvable)
-}
-
-/// Solves for each unknown, under each reading, with the others at their assumed
-/// values.
-pub(crate) fn search(space: &Space<'_>, readings: &[Vec<Change>], least: usize) -> Found {
-    let mut found = Found { explanations: Vec::new(), tried: 0, candidates: Integer::zero() };
-    for name in unknowns(space) {
-        for reading in readings {
-            let settings = space.settings(reading);
-            let unknown = Unknown::new(space, &settings, name);
-            for rounding in space.roundings(reading) {
-                found.tried += 1;
-                let (solutions, candidates) = unknown.solutions(rounding, least);
-                found.candidates += &candidates;
-                let explanations = solutions
-                    .iter()
-                    .filter_map(|interval| unknown.explanation(interval, reading, rounding));
-                found.explanations.extend(explanations);
-            }
+    let Some(name) = space.unknown.filter(|_| solvable) else { return found };
+    for reading in readings {
+        let settings = space.settings(reading);
+        let unknown = Unknown::new(space, &settings, name);
+        for rounding in space.roundings(reading) {
+            let solutions = unknown.solutions(rounding, least);
+            let explanations =
+                solutions.iter().filter_map(|one| unknown.explanation(one, reading, rounding));
+            found.extend(explanations);
         }
     }
-    let most = found.explanations.iter().map(Explanation::count).max();
-    found.explanations.retain(|explanation| Some(explanation.count()) == most);
-    let least = found.explanations.iter().map(cost).min();
-    found.explanations.retain(|explanation| Some(cost(explanation)) == least);
+    let most = found.iter().map(Explanation::count).max();
+    found.retain(|explanation| Some(explanation.count()) == most);
+    let least = found.iter().map(cost).min();
+    found.retain(|explanation| Some(cost(explanation)) == least);
     found
 }
 
@@ -122,22 +115,20 @@ impl<'s> Unknown<'s> {
     }
 
     /// The intervals of the parameter on which most cells round to what is printed, at
-    /// least `least`; and how many candidates there were.
-    fn solutions(&self, rounding: DecimalRounding, least: usize) -> (Vec<Interval>, Integer) {
+    /// least `least`.
+    fn solutions(&self, rounding: DecimalRounding, least: usize) -> Vec<Interval> {
         let range = Interval {
             low: Bound::Included(Rational::from(-RANGE).into()),
             high: Bound::Included(Rational::from(RANGE).into()),
         };
         let range = IntervalSet::from(range);
-        let (mut best, mut most, mut candidates) = (Vec::new(), least, Integer::zero());
+        let (mut best, mut most) = (Vec::new(), least);
         for (seed, function) in self.first.iter().enumerate() {
             let Some(function) = function else { continue };
             let cell = &self.cells[seed];
             let set = range.intersection(&consistent(function, cell.printed, rounding));
             for interval in set.intervals().iter().take(MAX_INTERVALS) {
-                let (possible, distinct) = self.possible(seed, interval);
-                candidates += &distinct;
-                if possible < most {
+                if self.possible(seed, interval) < most {
                     continue;
                 }
                 for (interval, count) in self.agreeing(seed, interval.clone(), rounding, most) {
@@ -151,27 +142,23 @@ impl<'s> Unknown<'s> {
                 }
             }
         }
-        (best, candidates)
+        best
     }
 
-    /// How many cells may round to what is printed somewhere in a short interval, and
-    /// how many different tables it gives: by their values at its ends.
-    fn possible(&self, seed: usize, interval: &Interval) -> (usize, Integer) {
+    /// How many cells may round to what is printed somewhere in a short interval: by their values
+    /// at its ends.
+    fn possible(&self, seed: usize, interval: &Interval) -> usize {
         let (low, high) = bounds(interval);
-        let (mut possible, mut distinct) = (0, Integer::one());
+        let mut possible = 0;
         for (place, cell) in self.cells.iter().enumerate() {
             let values = [&low, &high].map(|end| self.value(cell, end));
             let [Some(a), Some(b)] = values else { continue };
-            let (unit, off) = (cell.printed.decimal.unit(), (&a - &b).abs());
-            let slack = &off + &unit;
+            let slack = (&a - &b).abs() + cell.printed.decimal.unit();
             let shown = cell.printed.decimal.value();
             let near = (&a - &shown).abs().min((&b - &shown).abs()) <= slack;
             possible += usize::from(place == seed || near);
-            if place != seed {
-                distinct += &(off / unit).ceil();
-            }
         }
-        (possible, distinct)
+        possible
     }
 
     /// The value of a cell at one value of the parameter.
@@ -214,14 +201,14 @@ impl<'s> Unknown<'s> {
         found
     }
 
-    /// The reading with the parameter at the simplest number of the interval.
+    /// The reading with the parameter at the plainest number of the interval.
     fn explanation(
         &self,
         interval: &Interval,
         reading: &[Change],
         rounding: DecimalRounding,
     ) -> Option<Explanation> {
-        let simplest = simplest_in(interval)?;
+        let simplest = plainest_in(interval)?;
         let settings = self.settings.with_parameter(self.name, &simplest);
         let values = self.space.values(&settings);
         let explained = self.space.explained(&values, rounding);
@@ -271,10 +258,8 @@ fn consistent(
     below.intersection(&above)
 }
 
-/// The fraction of least denominator in an interval, and of these the least in
-/// absolute value; `None` for one irrational number.
-fn simplest_in(interval: &Interval) -> Option<Rational> {
-    let size = |value: &Rational| (value.denominator(), value.numerator().abs());
+/// The plainest number in an interval; `None` for one irrational number.
+fn plainest_in(interval: &Interval) -> Option<Rational> {
     let own = [&interval.low, &interval.high].into_iter().filter_map(|bound| match bound {
         Bound::Included(end) => end.as_rational().cloned(),
         _ => None,
@@ -282,10 +267,6 @@ fn simplest_in(interval: &Interval) -> Option<Rational> {
     // Bounds inside, for irrational ends.
     let low = end(&interval.low).map(|end| end.enclosure(0).upper().clone())?;
     let high = end(&interval.high).map(|end| end.enclosure(0).lower().clone())?;
-    let inside = (low < high).then(|| match (low.sign(), high.sign()) {
-        (-1, 1) => Rational::zero(),
-        (-1, _) => -simplest_between(&-&high, &-&low),
-        _ => simplest_between(&low, &high),
-    });
-    own.chain(inside).min_by_key(size)
+    let inside = (low < high).then(|| plainest_between(&low, &high));
+    own.chain(inside).min_by_key(height)
 }

@@ -6,7 +6,7 @@ use crate::evaluation::context::At;
 use crate::evaluation::settings::Settings;
 use crate::evaluation::table::Evaluator;
 use crate::evaluation::{Choice, Effect, Way};
-use crate::finding::{CellFinding, CellKind, MAX_DIFFERENCES, Sibling, Values};
+use crate::finding::{CellFinding, CellKind, MAX_DIFFERENCES, Values};
 use crate::judge::reading::scale::Scale;
 use std::collections::BTreeSet;
 
@@ -30,6 +30,18 @@ const MAX_READINGS: usize = 4_096;
 /// The cells of a table; `None` where one is lost.
 pub(crate) type PrintedCells<'a> = Vec<Vec<Option<&'a Printed>>>;
 
+/// The parameters that are not stated and that each cell needs, row by row.
+pub(crate) type Needed = Vec<Vec<BTreeSet<String>>>;
+
+/// Those of the cells with these findings.
+pub(crate) fn needed(findings: &[Vec<CellFinding>]) -> Needed {
+    let names = |finding: &CellFinding| {
+        let names = finding.assumed.iter().map(|(name, _)| name.clone());
+        names.chain(finding.unknown.clone()).collect()
+    };
+    findings.iter().map(|row| row.iter().map(names).collect()).collect()
+}
+
 /// A way of a choice other than the printed one.
 #[derive(Clone)]
 pub(crate) enum Change {
@@ -37,20 +49,18 @@ pub(crate) enum Change {
     Way(&'static Choice, &'static Way),
     /// One of the claim file's alternatives, by its place.
     Definition(usize),
-    /// A parameter as another table has it, by its place.
-    Sibling(usize),
 }
 
 /// The readings of one table.
 pub(crate) struct Space<'s> {
     pub(crate) judge: &'s Evaluator<'s>,
-    /// What other tables say of parameters that are not stated.
-    pub(crate) siblings: &'s [Sibling],
     pub(crate) printed: &'s PrintedCells<'s>,
-    /// The parameters that have to be assumed for some cell.
+    /// The parameters that are not stated and that some cell needs.
     pub(crate) assume: BTreeSet<String>,
     /// Those of each cell, row by row.
-    needed: Vec<Vec<BTreeSet<String>>>,
+    needed: Needed,
+    /// The one of them that is solved for, if one is.
+    pub(crate) unknown: Option<&'s str>,
     /// The values by the printed definition.
     pub(crate) as_printed: Values,
     /// The parameter that the values are proportional to.
@@ -62,23 +72,17 @@ pub(crate) struct Space<'s> {
 impl<'s> Space<'s> {
     pub(crate) fn new(
         judge: &'s Evaluator<'s>,
-        siblings: &'s [Sibling],
-        findings: &[Vec<CellFinding>],
+        needed: Needed,
         printed: &'s PrintedCells<'s>,
+        unknown: Option<&'s str>,
     ) -> Option<Space<'s>> {
-        let cell = |(finding, printed): (&CellFinding, Option<&Printed>)| {
-            let names = finding.assumed.iter().filter(|_| printed.is_some());
-            names.map(|(name, _)| name.clone()).collect()
-        };
-        let rows = findings.iter().zip(printed);
-        let needed: Vec<Vec<BTreeSet<String>>> = rows
-            .map(|(row, printed)| row.iter().zip(printed.iter().copied()).map(cell).collect())
-            .collect();
-        let assume = needed.iter().flatten().flatten().cloned().collect();
+        let of_printed = needed.iter().flatten().zip(printed.iter().flatten());
+        let of_printed = of_printed.filter(|(_, printed)| printed.is_some());
+        let assume = of_printed.flat_map(|(names, _)| names).cloned().collect();
         let settings = Settings::default();
         let (as_printed, scale, changes) = (Values::new(), None, Vec::new());
         let mut space =
-            Space { judge, siblings, printed, assume, needed, as_printed, scale, changes };
+            Space { judge, printed, assume, needed, unknown, as_printed, scale, changes };
         space.as_printed = space.values(&settings);
         let mut consulted = settings.consulted();
         consulted.extend(judge.rows.choices.clone());
@@ -107,14 +111,6 @@ impl<'s> Space<'s> {
             let ways = (0..alternatives.len()).filter(|&i| alternatives[i].of == *name);
             space.changes.push(ways.map(Change::Definition).collect());
         }
-        let others = (0..siblings.len()).filter(|&i| {
-            let Sibling { name, value, .. } = &siblings[i];
-            space.assume.contains(name) && judge.assumed.get(name) != Some(value)
-        });
-        let others: Vec<Change> = others.map(Change::Sibling).collect();
-        if !others.is_empty() {
-            space.changes.push(others);
-        }
         space.scale = space.find_scale();
         printed.iter().flatten().any(Option::is_some).then_some(space)
     }
@@ -133,7 +129,6 @@ impl<'s> Space<'s> {
         let name = |ways: &Vec<Change>| match ways.first()? {
             Change::Way(choice, _) => Some(choice.name.to_owned()),
             Change::Definition(i) => Some(self.judge.paper.alternatives[*i].of.clone()),
-            Change::Sibling(i) => Some(self.siblings[*i].name.clone()),
         };
         let mut names: Vec<String> = self.changes.iter().filter_map(name).collect();
         if !self.is_depth() {
@@ -164,17 +159,13 @@ impl<'s> Space<'s> {
     pub(crate) fn settings(&self, reading: &[Change]) -> Settings {
         let words = reading.iter().filter_map(|change| match change {
             Change::Way(choice, way) => Some((choice.key, way.word)),
-            Change::Definition(_) | Change::Sibling(_) => None,
+            Change::Definition(_) => None,
         });
         let mut settings = Settings::new(words.collect());
         let paper = self.judge.paper;
         for change in reading {
             if let Change::Definition(i) = change {
                 settings.replace(&paper.definitions, *i, &paper.alternatives[*i]);
-            }
-            if let Change::Sibling(i) = change {
-                let Sibling { name, value, .. } = &self.siblings[*i];
-                settings.parameters.insert(name.clone(), value.clone());
             }
         }
         settings

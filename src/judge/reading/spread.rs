@@ -3,28 +3,29 @@
 //! A depth is a logarithm of x to the base r, rounded; x is inversely proportional to
 //! the spread. Each printed depth k bounds the spread between two numbers.
 
-use crate::bound::{Rounded, log_level_algebraic};
+use crate::bound::Rounded;
 use crate::evaluation::trace::LevelCall;
 use crate::exact::{Enclosed, Integer, Rational, RealCyclotomic};
 use crate::finding::{Explanation, Solved};
+use crate::judge::reading::chance::of_depth;
 use crate::judge::reading::consistent::DecimalRounding;
-use crate::judge::reading::scale::{is_simple, simplest_between};
+use crate::judge::reading::plain::{as_plain, height, plainest_between};
 use crate::judge::reading::space::Space;
 use crate::judge::reading::tried::Evaluated;
 
 /// The greatest depth from which a bound is derived.
 const MAX_DEPTH: i64 = 5_000;
 
+/// How many cells a plainer value may give less.
+const MAX_LOST: u32 = 2;
+
 /// The binary digits of squares of scales.
 const DIGITS: u32 = 256;
 
-/// The unstated parameter that every x of the levels is inversely proportional to.
-pub(crate) fn unknown<'s>(space: &'s Space<'_>) -> Option<&'s str> {
-    if !space.is_depth() {
-        return None;
-    }
-    let names = space.assume.iter().filter(|name| space.judge.assumed[*name].sign() > 0);
-    names.map(String::as_str).find(|name| is_spread(space, name))
+/// The unknown parameter, where every x of the levels is inversely proportional to it.
+pub(crate) fn unknown<'s>(space: &Space<'s>) -> Option<&'s str> {
+    let name = space.unknown.filter(|_| space.is_depth())?;
+    is_spread(space, name).then_some(name)
 }
 
 /// Whether the printed definition takes x to x/2 and x/3, and the ratio to itself, when
@@ -65,28 +66,6 @@ pub(crate) fn search(
     readings.iter().filter_map(|one| solved(space, name, one, least)).collect()
 }
 
-/// How many tables the spreads give that differ in their printed form, where one cell
-/// is as printed, at most: while the level of this one stays, each other's changes at
-/// most as often as powers of the greatest ratio are needed for the least.
-pub(crate) fn candidates(space: &Space<'_>) -> Integer {
-    let settings = space.settings(&[]);
-    let (mut ratios, mut cells) = (Vec::new(), 0);
-    for (row, line) in space.printed.iter().enumerate() {
-        for column in (0..line.len()).filter(|&column| line[column].is_some()) {
-            let call = space.judge.level_call(space.at(row, column, &settings));
-            ratios.extend(call.map(|call| call.ratio));
-            cells += 1;
-        }
-    }
-    let one = RealCyclotomic::from(1);
-    let inside = |ratio: &&RealCyclotomic| ratio.sign() > 0 && **ratio < one;
-    let (least, greatest) =
-        (ratios.iter().filter(inside).min(), ratios.iter().filter(inside).max());
-    let (Some(least), Some(greatest)) = (least, greatest) else { return Integer::from(cells) };
-    let changes = log_level_algebraic(greatest, least, Rounded::Up).unwrap_or(u32::MAX);
-    Integer::from(cells) * (Integer::one() + Integer::from(cells) * Integer::from(changes))
-}
-
 fn solved(space: &Space<'_>, name: &str, one: &Evaluated, least: usize) -> Option<Explanation> {
     let Evaluated { reading, levels, .. } = one;
     let mut intervals = Vec::new();
@@ -99,23 +78,28 @@ fn solved(space: &Space<'_>, name: &str, one: &Evaluated, least: usize) -> Optio
         return None;
     }
     // The greatest number of intervals meets right of the lower end of one of them.
-    let covering = |place: &Integer| {
-        intervals.iter().filter(|(low, high)| low <= place && place < high).count()
+    let meeting = |place: &Integer| -> Vec<&Integer> {
+        let holding = intervals.iter().filter(|(low, high)| low <= place && place < high);
+        holding.map(|(_, high)| high).collect()
     };
-    let (count, place) = intervals.iter().map(|(low, _)| (covering(low), low)).max()?;
-    if count < least {
+    let most = intervals.iter().map(|(low, _)| meeting(low).len()).max()?;
+    if most < least {
         return None;
     }
-    let meeting = intervals.iter().filter(|(low, high)| low <= place && place < high);
-    let high = meeting.map(|(_, high)| high).min()?;
     let base = &space.judge.assumed[name];
-    let between = (root(place) * base, root(high) * base);
-    // The assumed value, where it does as well.
-    let simplest = if between.0 <= *base && *base < between.1 {
-        base.clone()
-    } else {
-        Some(simplest_between(&between.0, &between.1)).filter(is_simple)?
+    let value = |(place, _): &(Integer, Integer)| {
+        let ends = meeting(place);
+        let between = (root(place) * base, root(ends.iter().min()?) * base);
+        // The lower end belongs to it.
+        let inside = plainest_between(&between.0, &between.1);
+        let simplest = [between.0.clone(), inside].into_iter().min_by_key(height)?;
+        // A cell more is worth a value that is fewer times as plain.
+        let lost = u32::try_from(most - ends.len()).ok().filter(|lost| *lost <= MAX_LOST)?;
+        let cost = Rational::from(as_plain(&simplest)) / of_depth().pow(lost.cast_signed());
+        Some((cost, simplest, between))
     };
+    let values = intervals.iter().filter_map(value);
+    let (_, simplest, between) = values.min_by(|one, other| one.0.cmp(&other.0))?;
     let settings = space.settings(reading).with_parameter(name, &simplest);
     let values = space.values(&settings);
     let explained = space.explained(&values, DecimalRounding::Nearest);

@@ -6,7 +6,7 @@ use crate::exact::Rational;
 use crate::finding::{CellKind, Difference, Explanation, TableFinding, Values};
 use crate::judge::reading::consistent::DecimalRounding;
 use crate::judge::reading::scale::{SIMPLE_NUMBERS, Scale};
-use crate::judge::reading::space::{Change, Space, printed};
+use crate::judge::reading::space::{Change, Space, needed, printed};
 use std::cell::OnceCell;
 
 /// The most values of cells under all readings together; of a larger table, fewer
@@ -60,12 +60,6 @@ impl Space<'_> {
         all.iter().map(|one| scales * self.roundings(&one.reading).len()).sum()
     }
 
-    /// How many cells solving for parameters takes up. Each scale is a reading of its own.
-    pub(crate) fn free(&self, explanation: &Explanation) -> usize {
-        let is_scale = |name: &str| self.scale.as_ref().is_some_and(|scale| scale.name == name);
-        explanation.solved.iter().filter(|solved| !is_scale(&solved.name)).count()
-    }
-
     /// What each reading explains, by each rounding of the decimals, when these are
     /// its values.
     pub(crate) fn explanations<'v>(
@@ -95,10 +89,10 @@ pub(crate) fn remaining(
     name: &str,
     value: &Rational,
 ) -> usize {
-    let TableFinding { cells, siblings, .. } = finding;
+    let cells = &finding.cells;
     let left = CellKind::of(cells).into_iter().map(|kind| {
         let printed = printed(judge, cells, kind);
-        Space::new(judge, siblings, cells, &printed)
+        Space::new(judge, needed(cells), &printed, None)
             .map_or(0, |space| of_cells(&space, by, name, value))
     });
     left.sum()

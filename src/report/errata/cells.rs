@@ -1,6 +1,8 @@
 //! Wrong cells, and those that could not be checked.
 
-use crate::audit::{CellErratum, CellFinding, Errata, Sound, Standing, TableFinding, Verdict};
+use crate::audit::{
+    Cause, CellErratum, CellFinding, Errata, Sound, Standing, TableFinding, Verdict,
+};
 use crate::claim::{Printed, Table};
 use crate::exact::{
     RealCyclotomic,
@@ -26,7 +28,7 @@ pub(super) fn facts(cells: &CellErratum<'_, '_>) -> Vec<(String, String)> {
 
 /// How the cells came about: a rounding, a reading, a slip, or not explained.
 pub(in crate::report) fn origin(cells: &CellErratum<'_, '_>) -> String {
-    let cause = cells.outcome.cause.clone().unwrap_or_default();
+    let cause = cells.outcome.cause.as_ref().map(Cause::to_string).unwrap_or_default();
     match cells.outcome.standing {
         Standing::Confirmed | Standing::NotCheckable => {
             let rounded_down = |cell: &CellFinding| cell.kept_by_formula == Some(false);
@@ -36,6 +38,7 @@ pub(in crate::report) fn origin(cells: &CellErratum<'_, '_>) -> String {
                 "as defined, but the definition's value is not enough".to_owned()
             }
         }
+        Standing::Reproduced => reproduced(cells),
         Standing::Explained if cells.findings().any(|cell| cell.as_read.is_some()) => {
             let table = cells.finding.table;
             let evidence = |search| reading::evidence(table, search, &cells.findings());
@@ -59,6 +62,17 @@ pub(in crate::report) fn origin(cells: &CellErratum<'_, '_>) -> String {
             format!("not explained.{undefined} {covered}")
         }
     }
+}
+
+/// At what the cells are reproduced, and how good that is.
+fn reproduced(cells: &CellErratum<'_, '_>) -> String {
+    let cause = cells.outcome.cause.as_ref().map(Cause::to_string).unwrap_or_default();
+    let table = cells.finding.table;
+    let evidence = |search| reading::evidence(table, search, &cells.findings());
+    let evidence = cells.finding.searches().map(evidence).filter(|text| !text.is_empty());
+    let from = reading::recovered(cells.finding);
+    let lines = std::iter::once(format!("reproduced {cause}")).chain(from).chain(evidence);
+    lines.collect::<Vec<String>>().join("\n")
 }
 
 /// The cells in the shape of their table: printed and correct.
@@ -137,7 +151,7 @@ pub(super) fn unchecked(sheet: &mut Sheet, errata: &Errata<'_, '_>) {
     );
     for group in &errata.unchecked {
         let table = group.finding.table;
-        let cause = group.cause.as_deref().unwrap_or("");
+        let cause = group.cause.as_ref().map(Cause::to_string).unwrap_or_default();
         sheet.heading(3, format!("{} · {} {cause}", table.locus, mark("not-checkable")));
         let value = spelled_out(errata.audit, &table.value.text);
         let mut facts = vec![

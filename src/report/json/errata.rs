@@ -4,7 +4,7 @@ use super::SCHEMA;
 use super::claim::Claim;
 use super::consistency::Contradiction;
 use super::summary::Summary;
-use crate::audit::{self, CellErratum, Errata, PaperAudit, Subject};
+use crate::audit::{self, Cause, CellErratum, Errata, PaperAudit, Subject};
 use crate::report::errata::cells::{correct, origin};
 use serde::Serialize;
 
@@ -208,7 +208,7 @@ impl<'a> WrongCells<'a> {
         };
         WrongCells {
             standing: cells.outcome.standing.name(),
-            cause: cells.outcome.cause.clone(),
+            cause: cells.outcome.cause.as_ref().map(Cause::to_string),
             origin: origin(cells),
             cells: cells.cells.iter().map(cell).collect(),
         }
@@ -222,7 +222,7 @@ impl<'a> Unchecked<'a> {
             locus: &group.finding.table.locus,
             cells: group.findings().map(|cell| cell.id.as_str()).collect(),
             outcomes: Summary::of(&group.if_assumed()),
-            cause: group.cause,
+            cause: group.cause.as_ref().map(Cause::to_string),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! What the cells of a paper's tables amount to.
 
-use crate::audit::{CellOutcome, CellSummary};
+use crate::audit::{Cause, CellOutcome, CellSummary};
 use serde::Serialize;
 
 /// How many cells are in each standing, and why.
@@ -46,6 +46,9 @@ impl Summary {
 
 impl Outcome {
     fn of(outcome: &CellOutcome) -> Outcome {
-        Outcome { standing: outcome.standing.name(), cause: outcome.cause.clone() }
+        Outcome {
+            standing: outcome.standing.name(),
+            cause: outcome.cause.as_ref().map(Cause::to_string),
+        }
     }
 }

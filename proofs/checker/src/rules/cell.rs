@@ -9,9 +9,21 @@ use crate::table::{Place, Read, Table};
 use crate::value::Value;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Checks a cell: `ROW COLUMN "PRINTED" VALUE VERDICT … [assuming NAMES]`. Gives whether
-/// the verdict is `refuted`.
-pub fn check(table: &Table<'_>, reads: &Reads, place: Place, said: &str) -> Checked<bool> {
+/// What a verdict needs of the family.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// The cell is refuted.
+    Refuted,
+    /// The cell is reproduced by the printed text.
+    AsPrinted,
+    /// The cell is reproduced by another reading.
+    Reproduced,
+    /// It needs nothing.
+    Other,
+}
+
+/// Checks a cell: `ROW COLUMN "PRINTED" VALUE VERDICT … [assuming NAMES]`.
+pub fn check(table: &Table<'_>, reads: &Reads, place: Place, said: &str) -> Checked<Kind> {
     let malformed = Reason::Malformed("cell ROW COLUMN \"PRINTED\" VALUE VERDICT");
     let position = format!("{} {} ", place.0 + 1, place.1 + 1);
     let said = said.strip_prefix(&position).ok_or(Reason::Cell)?;
@@ -32,15 +44,20 @@ pub fn check(table: &Table<'_>, reads: &Reads, place: Place, said: &str) -> Chec
     let assumed: BTreeSet<String> = assumed.split_whitespace().map(str::to_owned).collect();
     let names = |names: &BTreeSet<String>| Vec::from_iter(names.clone()).join(" ");
     agree(&names(&assumed), &names(&needed), Reason::Assumed)?;
+    let unknown = matches!(exact, Err(Stop::Unstated(_)));
     let exact = match exact {
-        Err(Stop::Undefined(_)) => None,
+        Err(Stop::Undefined(_) | Stop::Unstated(_)) => None,
         value => Some(value?),
     };
     same(table, value, exact.as_ref())?;
     let Some((text, decimal)) = printed else {
         require(verdict.is_empty(), malformed)?;
-        return Ok(false);
+        return Ok(Kind::Other);
     };
+    if unknown || verdict == ["unknown"] {
+        agree(&verdict.join(" "), if unknown { "unknown" } else { "a value" }, Reason::Assumed)?;
+        return Ok(Kind::Other);
+    }
     let cell = Cell { table, place, text, decimal, plain: needed.is_empty() };
     cell.judge(reads, exact.as_ref(), verdict)
 }
@@ -67,7 +84,7 @@ struct Cell<'c> {
 }
 
 impl Cell<'_> {
-    fn judge(&self, reads: &Reads, exact: Option<&Value>, verdict: &[&str]) -> Checked<bool> {
+    fn judge(&self, reads: &Reads, exact: Option<&Value>, verdict: &[&str]) -> Checked<Kind> {
         let as_printed = &self.table.as_printed;
         let found = self.rounding(exact)?;
         let not_nearest = || self.need(found != "nearest", exact, Reason::Nearest);
@@ -84,8 +101,20 @@ impl Cell<'_> {
                 not_nearest()?;
                 self.slip(&slip.join(" "), exact, Some(as_printed))?;
             }
-            ["other-reading", value, rest @ ..] => {
-                not_nearest()?;
+            ["reproduced"] => {
+                self.recovered()?;
+                self.need(found == "nearest", exact, Reason::NotNearest)?;
+                let read = reads.by(self.table, self.place, "");
+                require(read.is_none(), Reason::NoReading)?;
+                return Ok(Kind::AsPrinted);
+            }
+            [word @ ("other-reading" | "reproduced"), value, rest @ ..] => {
+                let reproduced = *word == "reproduced";
+                if reproduced {
+                    self.recovered()?
+                } else {
+                    not_nearest()?
+                }
                 let by = rest.iter().position(|word| *word == "by");
                 let (rest, by) = rest.split_at(by.unwrap_or(rest.len()));
                 let name = by.get(1..).unwrap_or_default().join(" ");
@@ -93,6 +122,15 @@ impl Cell<'_> {
                 let known = part.value(self.table, self.place)?;
                 self.need(known.is_some(), None, Reason::NotExplained)?;
                 same(self.table, value, known.as_ref())?;
+                if reproduced {
+                    require(rest.is_empty() && part.slip().is_none(), Reason::NotRecovered)?;
+                    self.need(
+                        self.gives(part, known.as_ref())?,
+                        known.as_ref(),
+                        Reason::NotExplained,
+                    )?;
+                    return Ok(Kind::Reproduced);
+                }
                 self.explained(part, known.as_ref(), rest, exact)?;
             }
             [word @ ("refuted" | "differs")] => {
@@ -105,11 +143,18 @@ impl Cell<'_> {
                     require(!self.depth_rounded(way)?.0, slip)?;
                 }
                 self.unexplained(reads)?;
-                return Ok(self.plain);
+                return Ok(if self.plain { Kind::Refuted } else { Kind::Other });
             }
             _ => return Err(Reason::Malformed("a verdict").into()),
         }
-        Ok(false)
+        Ok(Kind::Other)
+    }
+
+    /// Makes sure that some parameter is not stated, and that all these were recovered.
+    fn recovered(&self) -> Checked<()> {
+        let (needed, _) = self.table.needed(self.place);
+        let known = needed.iter().all(|name| self.table.recovered.contains_key(name));
+        require(known && !self.plain, Reason::NotRecovered)
     }
 
     /// Makes sure that the value under a reading explains the printed number, in the way that the

@@ -1,6 +1,7 @@
 //! The rule `family`: no reading of a table explains more cells than the given one, and readings
 //! of unrelated values would hardly explain as many.
 
+use super::cell::Kind;
 use super::members::{Members, explained, members, read, values};
 use super::reading::{MAX_DIFFERENCES, PartRead, Reads};
 use super::scale::{SCALES, at_best_scale, is_scale, is_simple, scale};
@@ -19,34 +20,55 @@ const LEAST_CELLS: usize = 2;
 /// The number of places from which the value of a cell may be taken: its own and those around.
 const SHIFTS: i64 = 5;
 
-/// Checks the lines `family`, `scale`, `values` and `member` of a table that has a reading or
-/// refuted cells.
+/// Checks the lines `family`, `scale`, `values` and `member` of a table that has a reading, or
+/// refuted or reproduced cells.
 pub fn check(
     table: &Table<'_>,
     reads: &Reads,
-    refuted: &[Place],
+    kinds: &[(Place, Kind)],
     block: &mut Block<'_>,
 ) -> Checked<()> {
     assumed(table, reads)?;
-    let cells = table.cells(true);
-    if refuted.is_empty() && reads.all(true).count() == 0 {
-        return Ok(());
+    let of = |wanted: Kind| kinds.iter().filter(move |(_, kind)| *kind == wanted);
+    let refuted: Vec<Place> = of(Kind::Refuted).map(|(place, _)| *place).collect();
+    if !refuted.is_empty() || reads.all(true).count() > 0 {
+        let whole = reads.all(true).find(|part| part.is_whole()).map(|part| &part.read);
+        family(table, reads, &refuted, (true, whole), block)?;
     }
+    let as_printed = of(Kind::AsPrinted).count() > 0;
+    if as_printed || of(Kind::Reproduced).count() > 0 {
+        let whole = reads.all(false).find(|part| part.is_whole()).map(|part| &part.read);
+        let whole = whole.or(as_printed.then_some(&table.as_printed));
+        family(table, reads, &[], (false, whole), block)?;
+    }
+    Ok(())
+}
+
+/// Checks the family of the cells whose parameters are stated, or of the others. `whole` is the
+/// reading of all of them.
+fn family(
+    table: &Table<'_>,
+    reads: &Reads,
+    refuted: &[Place],
+    (plain, whole): (bool, Option<&Read>),
+    block: &mut Block<'_>,
+) -> Checked<()> {
+    let cells = table.cells(plain);
     let best = block.after("family").map_err(|_| Reason::NoFamily)?;
     let line = block.at;
     let best: usize = best.parse().map_err(|_| Reason::Malformed("a number of cells"))?;
-    let scale = scale(table, &cells)?;
+    let scale = if plain { scale(table, &cells)? } else { None };
     if let Some((name, _)) = scale {
         agree(block.after("scale")?, name, Reason::Scale)?;
     }
     let mut listed = Listed::new(table, refuted, block)?;
     let mut members = members(table, &cells)?;
-    for part in reads.all(true) {
+    for part in reads.all(plain) {
         belongs(table, &cells, &part.read, &members, scale)?;
     }
     // Each scale gives another reading.
     let scales = if scale.is_some() { SCALES } else { 0 };
-    let mut family = Family { table, cells, best, size: 0 };
+    let mut family = Family { table, cells, plain, best, size: 0 };
     let cells = &family.cells;
     while let Some(said) = block.maybe("member") {
         let (differences, said) = said.split_once(':').ok_or(Reason::Malformed("`:`"))?;
@@ -74,11 +96,10 @@ pub fn check(
         listed.compare(numbers, cells, &values)?;
     }
     let complete = require(members.is_empty() && listed.all_met(), Reason::Member);
-    complete.and_then(|()| family.compare(reads)).map_err(|rejection| rejection.at(line))
+    complete.and_then(|()| family.compare(reads, whole)).map_err(|rejection| rejection.at(line))
 }
 
-/// Makes sure that the readings of cells that need assumptions are members of their family. Only
-/// parameters that are not stated may have other values.
+/// Makes sure that the readings of cells that need assumptions are members of their family.
 fn assumed(table: &Table<'_>, reads: &Reads) -> Checked<()> {
     if reads.all(false).count() == 0 {
         return Ok(());
@@ -86,9 +107,7 @@ fn assumed(table: &Table<'_>, reads: &Reads) -> Checked<()> {
     let members = members(table, &table.cells(false))?;
     for PartRead { read, .. } in reads.all(false) {
         is_member(read, &members)?;
-        let mut names = read.parameters.keys();
-        let stated = names.find(|name| !table.unstated.contains_key(*name));
-        if let Some(name) = stated {
+        if let Some(name) = read.parameters.keys().next() {
             return Err(Reason::NotInFamily(name.clone()).into());
         }
     }
@@ -130,6 +149,8 @@ fn belongs(
 struct Family<'f> {
     table: &'f Table<'f>,
     cells: Cells,
+    /// Whether their parameters are all stated.
+    plain: bool,
     /// The most cells that a member explains, at any scale.
     best: usize,
     /// The number of readings.
@@ -138,40 +159,59 @@ struct Family<'f> {
 
 impl Family<'_> {
     /// Compares the readings that are given with the family, and with luck.
-    fn compare(&self, reads: &Reads) -> Checked<()> {
-        let Family { table, cells, best, .. } = self;
+    fn compare(&self, reads: &Reads, whole: Option<&Read>) -> Checked<()> {
+        let Family { table, cells, plain, best, .. } = self;
         let explained_by =
             |read: &Read| explained(cells, &values(table, cells, read)?, read.decimals());
         let printed = explained_by(&table.as_printed)?;
         let mut left: BTreeSet<Place> = cells.iter().map(|(place, _)| *place).collect();
         left.retain(|place| !printed.contains(place));
-        // The cells that the printed text gives are no evidence for another reading.
-        let others: Cells = cells.iter().filter(|(at, _)| left.contains(at)).cloned().collect();
-        let lucky = |m: usize| is_luck(table, &others, m.saturating_sub(printed.len()), self.size);
-        if let Some(part) = reads.all(true).find(|part| part.is_whole()) {
-            let found = explained_by(&part.read)?;
+        // The cells that the printed text gives are no evidence for another reading. At recovered
+        // values the printed text is a reading like the others.
+        let given = if *plain { printed.len() } else { 0 };
+        let counts = |at: &Place| !plain || left.contains(at);
+        let others: Cells = cells.iter().filter(|(at, _)| counts(at)).cloned().collect();
+        let size = self.readings()?;
+        let lucky = |m: usize| is_luck(table, &others, m.saturating_sub(given), &size);
+        if let Some(read) = whole {
+            let found = explained_by(read)?;
             require(found.len() == *best, Reason::NotBest(*best, found.len()))?;
-            require(*best > printed.len(), Reason::NotBest(*best, printed.len()))?;
+            require(*best > given, Reason::NotBest(*best, given))?;
             require(!lucky(*best), Reason::Luck)?;
             left.retain(|place| !found.contains(place));
-        } else {
-            require(*best <= printed.len() || lucky(*best), Reason::NotLuck)?;
+        } else if *plain {
+            require(*best <= given || lucky(*best), Reason::NotLuck)?;
         }
         // Rows and columns with readings explain some of the cells that are left.
         let (rows, columns) = table.size();
         let lines = i64::try_from(rows + columns).unwrap_or(i64::MAX);
-        for part in reads.all(true).filter(|part| !part.is_whole()) {
+        for part in reads.all(*plain).filter(|part| !part.is_whole()) {
             let inside = |at: &Place| left.contains(at) && part.holds(table, *at);
             let cells = cells.iter().filter(|(at, _)| inside(at));
             let cells: Cells = cells.cloned().collect();
             let values = cells.iter().map(|(place, _)| part.value(table, *place));
             let values = values.collect::<Result<Vec<_>, Stop>>()?;
             let found = explained(&cells, &values, part.read.decimals())?;
-            let lucky = is_luck(table, &cells, found.len(), self.size * SHIFTS * lines);
+            let size = &size * int(SHIFTS) * int(lines);
+            let lucky = is_luck(table, &cells, found.len(), &size);
             require(found.len() >= LEAST_CELLS && !lucky, Reason::Luck)?;
             left.retain(|place| !found.contains(place));
         }
         Ok(())
+    }
+
+    /// The number of readings, with every value that the recovered parameters may have been taken
+    /// from.
+    fn readings(&self) -> Checked<Q> {
+        let mut size = int(self.size);
+        if !self.plain {
+            let needed = self.cells.iter().map(|(place, _)| self.table.needed(*place).0);
+            for name in needed.reduce(|one, other| &one | &other).unwrap_or_default() {
+                let count = self.table.recovered.get(&name);
+                size *= count.ok_or_else(|| Reason::Recovered(name.clone()))?;
+            }
+        }
+        Ok(size)
     }
 }
 
@@ -237,7 +277,7 @@ fn same(one: Option<&Value>, other: Option<&Value>) -> Result<bool, Stop> {
 /// of readings of unrelated values that give m of these cells: the number of readings times the
 /// m-th elementary symmetric polynomial of the likelihoods of the cells. A cell that is printed as
 /// 0 is no evidence; it is left out, and m is one less.
-fn is_luck(table: &Table<'_>, cells: &Cells, m: usize, readings: i64) -> bool {
+fn is_luck(table: &Table<'_>, cells: &Cells, m: usize, readings: &Q) -> bool {
     let depth = table.tolerance.is_some();
     let telling = |cell: &&(Place, Decimal)| depth || !cell.1.digits.is_zero();
     let m = m.saturating_sub(cells.len() - cells.iter().filter(telling).count());
@@ -252,5 +292,5 @@ fn is_luck(table: &Table<'_>, cells: &Cells, m: usize, readings: i64) -> bool {
             symmetric[k] += more;
         }
     }
-    &symmetric[m] * int(readings) > int(1_000).recip()
+    &symmetric[m] * readings > int(1_000).recip()
 }

@@ -15,6 +15,7 @@ mod pieces;
 mod promise;
 mod range;
 mod reading;
+mod recovered;
 mod scale;
 mod sound;
 mod table;
@@ -25,6 +26,7 @@ use crate::paper::Paper;
 use crate::reject::{Checked, Reason};
 use crate::shape::misfit;
 use crate::toml::Toml;
+pub use recovered::{Given, Recovered};
 use theorem::Citation;
 
 /// The verdict that a valid certificate proves.
@@ -35,6 +37,8 @@ pub enum Verdict {
     Other,
     /// A theorem is proved or refuted by a statement of THEOREMS.md.
     Cited(Citation),
+    /// A table rests on recovered values, or gives them to others.
+    Recovers(Recovered),
 }
 
 /// Checks a block that is about a claim.
@@ -61,9 +65,9 @@ fn judge<'a>(
     while let Some(said) = block.maybe("constant") {
         constant::check(paper, said, block)?;
     }
-    let mut cited = None;
+    let (mut cited, mut recovered) = (None, None);
     match kind {
-        "table" => table::check(paper, claim, block)?,
+        "table" => recovered = Some(table::check(paper, claim, block)?),
         "equation" => equation::check(paper, claim, block)?,
         "function" => function::check(paper, claim, block)?,
         "range" => range::check(paper, claim, block)?,
@@ -72,6 +76,7 @@ fn judge<'a>(
     }
     block.finished()?;
     let holds = ["holds", "exact"].contains(&block.last().word().0);
-    let other = cited.map_or(Verdict::Other, Verdict::Cited);
+    let table = recovered.map(Verdict::Recovers);
+    let other = cited.map(Verdict::Cited).or(table).unwrap_or(Verdict::Other);
     Ok(if holds { Verdict::Holds } else { other })
 }

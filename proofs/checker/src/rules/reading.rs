@@ -26,7 +26,7 @@ fn read(table: &Table<'_>, block: &mut Block<'_>) -> Checked<Option<Read>> {
                 define(table, &mut read, name, number)?;
             }
             ["parameter", name, value] => {
-                let known = table.given.contains_key(name) || table.unstated.contains_key(name);
+                let known = table.given.contains_key(name);
                 let value = table.paper.number(value)?;
                 let twice = read.parameters.insert(name.to_owned(), value).is_some();
                 require(known && !twice, Reason::NotInFamily(name.to_owned()))?;

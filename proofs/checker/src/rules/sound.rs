@@ -67,8 +67,7 @@ impl<'t> Promised<'t> {
     pub fn new(table: &'t Table<'t>, at: Place) -> Checked<Promised<'t>> {
         let promise = table.claim.get("promise").ok_or(Reason::NoPromise)?;
         // The promise may need parameters that the value does not.
-        let assumed = table.unstated.keys().cloned().collect();
-        let (scope, schemes) = table.scope(at, &table.as_printed, &assumed)?;
+        let (scope, schemes) = table.scope(at, &table.as_printed, &table.unstated)?;
         let of = |key: &str| promise.text(key).map(|text| scope.value(&formula(text)?)).transpose();
         let integer = |key, most| of(key)?.map(|value: Value| value.integer(most)).transpose();
         let (offset, level) = (integer("offset", MAX_OFFSET)?, integer("level", i64::MAX)?);

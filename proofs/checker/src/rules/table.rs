@@ -1,6 +1,8 @@
 //! The rule `table`: the readings and cells of a table, and what follows them.
 
+use super::cell::Kind;
 use super::reading::Reads;
+use super::recovered::{self, Recovered};
 use super::{attained, cell, family, promise, sound};
 use crate::certificate::Block;
 use crate::paper::Paper;
@@ -8,20 +10,24 @@ use crate::reject::{Checked, Reason, require};
 use crate::table::{Read, Table};
 use crate::toml::Toml;
 
-/// Checks a table.
-pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<()> {
-    let table = Table::new(paper, claim)?;
+/// Checks a table; gives the values of parameters that it rests on, and those that it gives to
+/// others, if its numbers bear them out.
+pub fn check<'a>(
+    paper: &'a Paper<'a>,
+    claim: &'a Toml,
+    block: &mut Block<'_>,
+) -> Checked<Recovered> {
+    let mut table = Table::new(paper, claim)?;
     if claim.text("scheme").is_some() {
         block.restates("scheme", claim.text("scheme"))?;
     }
     block.restates("value", claim.text("value"))?;
+    let mut recovered = recovered::read(&mut table, block)?;
     let reads = Reads::new(&table, block)?;
-    let (mut places, mut refuted) = (table.places(), Vec::new());
+    let (mut places, mut kinds) = (table.places(), Vec::new());
     while let Some(said) = block.maybe("cell") {
         let place = places.next().ok_or(Reason::Cell)?;
-        if cell::check(&table, &reads, place, said)? {
-            refuted.push(place);
-        }
+        kinds.push((place, cell::check(&table, &reads, place, said)?));
     }
     block.look();
     require(places.next().is_none(), Reason::CellsMissing)?;
@@ -33,5 +39,9 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         sound::check(&table, said)?;
     }
     promise::check(&table, block)?;
-    family::check(&table, &reads, &refuted, block)
+    family::check(&table, &reads, &kinds, block)?;
+    if !kinds.iter().any(|(_, kind)| matches!(kind, Kind::AsPrinted | Kind::Reproduced)) {
+        recovered.own.clear();
+    }
+    Ok(recovered)
 }

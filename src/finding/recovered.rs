@@ -1,0 +1,36 @@
+//! Parameters that a paper does not state, as its printed numbers give them.
+
+use crate::exact::Rational;
+
+/// The value of a parameter that the paper does not state, recovered from printed numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Recovered {
+    /// The plainest value with which a reading gives most cells.
+    pub value: Rational,
+    /// Where it comes from.
+    pub from: RecoveredFrom,
+}
+
+impl Recovered {
+    /// Whether the table's own numbers give it.
+    pub(crate) fn is_own(&self) -> bool {
+        !matches!(self.from, RecoveredFrom::Table { .. })
+    }
+}
+
+/// Where the value of a parameter comes from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum RecoveredFrom {
+    /// From the numbers of the table itself, which are consistent with the values between these,
+    /// up to 2^−60 of them.
+    Solved(Rational, Rational),
+    /// Another table of the paper, which was solved for it.
+    Table {
+        /// Its id.
+        id: String,
+        /// Its locus.
+        locus: String,
+    },
+    /// It is one of the simplest numbers, which were tried in turn.
+    Tried,
+}

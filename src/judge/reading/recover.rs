@@ -1,0 +1,91 @@
+//! Recovering a parameter that the paper does not state from the printed numbers of a table.
+
+use crate::claim::{Cell, Paper, Table};
+use crate::evaluation::context::{At, Outcome};
+use crate::evaluation::library::Library;
+use crate::evaluation::settings::Settings;
+use crate::evaluation::table::Evaluator;
+use crate::exact::{Integer, Rational};
+use crate::finding::{Explanation, Recovered, RecoveredFrom};
+use crate::judge::reading::chance::{of_decimal, of_depth};
+use crate::judge::reading::plain::as_plain;
+use crate::judge::reading::space::{Needed, Space};
+use crate::judge::reading::{solve, tried};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Where the search for a value starts. What the values of the other cells are proportional to, or
+/// levels to the logarithm of, may start anywhere; a parameter of a scheme starts where most
+/// schemes converge.
+const START: (i64, i64) = (1, 100);
+
+/// The value of an unstated parameter with which some reading gives most of the cells that need it,
+/// with the other unstated parameters at these values. `None` where no reading depends on it in a
+/// way that can be solved.
+pub(crate) fn solved(
+    paper: &Paper,
+    table: &Table,
+    library: &Library<'_>,
+    others: &BTreeMap<String, Rational>,
+    name: &str,
+) -> Option<Recovered> {
+    let mut values = others.clone();
+    values.insert(name.to_owned(), Rational::new(START.0, START.1));
+    let judge = Evaluator::new(paper, table, library, &values).ok()?;
+    let needed = needed(&judge)?;
+    let printed = table.cells.iter().zip(&needed).map(|(row, needed)| {
+        let cells = row.iter().zip(needed);
+        cells.map(|(cell, needed)| cell.printed().filter(|_| !needed.is_empty())).collect()
+    });
+    let printed = printed.collect();
+    let space = Space::new(&judge, needed, &printed, Some(name))?;
+    let all = space.evaluated();
+    let mut explanations: Vec<Explanation> =
+        space.explanations(&all, |one| one.values.clone()).collect();
+    explanations.extend(solve::solve(&space, &all, &tried::best(&explanations)));
+    explanations.retain(|explanation| explanation.solved.iter().any(|one| one.name == name));
+    // Of equally telling ones the first.
+    let best = explanations.iter().rev().max_by_key(|one| telling(&space, one))?;
+    let solved = best.solved.iter().find(|solved| solved.name == name)?;
+    let (low, high) = solved.between.clone();
+    let from = RecoveredFrom::Solved(low, high);
+    Some(Recovered { value: solved.simplest.clone(), from })
+}
+
+/// How much an explanation tells: unrelated values would give the cells that it explains once in so
+/// many times, over the number of values that are as plain as what was solved for, and over ten for
+/// each difference from the printed text.
+fn telling(space: &Space<'_>, explanation: &Explanation) -> Rational {
+    let mut told = Rational::one();
+    for (printed, explained) in
+        space.printed.iter().flatten().zip(explanation.explained.iter().flatten())
+    {
+        if let Some(printed) = printed.filter(|_| *explained) {
+            let likely = if space.is_depth() { of_depth() } else { of_decimal(printed) };
+            told = told / likely;
+        }
+    }
+    for solved in &explanation.solved {
+        told = told / Rational::from(as_plain(&solved.simplest));
+    }
+    let differences = u32::try_from(explanation.differences.len()).unwrap_or(u32::MAX);
+    told / Rational::from(Integer::power_of_ten(differences))
+}
+
+/// The unstated parameters that each cell needs, as the evaluation meets them.
+fn needed(judge: &Evaluator<'_>) -> Option<Needed> {
+    let settings = Settings::default();
+    let of_cell = |row: usize, column: usize| {
+        let mut needed = BTreeSet::new();
+        loop {
+            let at = At { row, column, assume: &needed, settings: &settings };
+            match judge.evaluate(&judge.table.value, at).ok()? {
+                Outcome::Unstated(name) if needed.insert(name.clone()) => {}
+                _ => return Some(needed),
+            }
+        }
+    };
+    let row = |(row, cells): (usize, &Vec<Cell>)| {
+        (0..cells.len()).map(|column| of_cell(row, column)).collect()
+    };
+    judge.table.cells.iter().enumerate().map(row).collect()
+}

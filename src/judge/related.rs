@@ -1,0 +1,289 @@
+//! Tables that are judged together, since one can give away what another leaves open.
+
+use crate::claim::{Paper, Promise, Table};
+use crate::diagnostic::Diagnostic;
+use crate::evaluation::library::Library;
+use crate::exact::Rational;
+use crate::finding::{Recovered, RecoveredFrom, TableFinding, Verdict};
+use crate::judge::reading::plain::plain_numbers;
+use crate::judge::reading::recover::solved;
+use crate::judge::table::{judge, judge_promises};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// An error with the place of its table.
+type Placed<T> = Result<T, (usize, Diagnostic)>;
+
+/// Recovered parameters by name.
+type Values = BTreeMap<String, Recovered>;
+
+/// The places of a paper's tables in groups: tables about a scheme of the same name are
+/// judged together, since one can give away a parameter of the other.
+pub(crate) fn related(paper: &Paper) -> Vec<Vec<usize>> {
+    let mut groups: Vec<(Vec<usize>, BTreeSet<&str>)> = Vec::new();
+    for (place, table) in paper.tables.iter().enumerate() {
+        let ring = table.promise.as_ref().and_then(Promise::ring);
+        let references = table.scheme.iter().chain(ring);
+        let names: BTreeSet<&str> = references.flat_map(|one| one.reference.names()).collect();
+        let (same, others) = groups
+            .into_iter()
+            .partition(|(_, others): &(_, BTreeSet<&str>)| !others.is_disjoint(&names));
+        groups = others;
+        groups.push(same.into_iter().fold((vec![place], names), |mut group, (places, names)| {
+            group.0.extend(places);
+            group.1.extend(names);
+            group
+        }));
+    }
+    let sorted = |(mut places, _): (Vec<usize>, _)| {
+        places.sort_unstable();
+        places
+    };
+    groups.into_iter().map(sorted).collect()
+}
+
+/// Judges related tables, with their places. Parameters that the paper does not state are recovered:
+/// first in tables that leave one open, then, with what these gave away, in others.
+///
+/// # Errors
+/// The first, with the place of its table.
+pub(crate) fn judge_all<'a>(
+    paper: &'a Paper,
+    places: &[usize],
+    after_table: &dyn Fn(),
+) -> Placed<Vec<(usize, TableFinding<'a>)>> {
+    let judged = places.iter().map(|&place| {
+        let finding = judge(paper, &paper.tables[place], Values::new());
+        finding.map_err(|error| (place, error))
+    });
+    let mut findings = judged.collect::<Placed<Vec<TableFinding<'a>>>>()?;
+    // What one pass recovers may help the next one.
+    loop {
+        let mut more = false;
+        for i in 0..findings.len() {
+            if missing(&findings[i]).is_empty() {
+                continue;
+            }
+            let found = recover(paper, &findings[i], &findings);
+            if let Some(found) = found.map_err(|error| (places[i], error))? {
+                (findings[i], more) = (found, true);
+            }
+        }
+        if !more {
+            break;
+        }
+    }
+    for (finding, &place) in findings.iter_mut().zip(places) {
+        judge_promises(paper, finding).map_err(|error| (place, error))?;
+        after_table();
+    }
+    Ok(places.iter().copied().zip(findings).collect())
+}
+
+/// Puts into tables whose own numbers do not give a parameter the value that another table of the
+/// paper gives for the same name, and judges them there. Where the value that most tables
+/// have suits a table as well as its own, it gets that one.
+///
+/// # Errors
+/// When a formula of the claim file is wrong.
+pub(crate) fn borrow<'a>(
+    paper: &'a Paper,
+    findings: &mut [TableFinding<'a>],
+) -> Result<(), Diagnostic> {
+    for i in 0..findings.len() {
+        agree(paper, findings, i)?;
+    }
+    for i in 0..findings.len() {
+        let mut values = findings[i].recovered.clone();
+        for name in missing(&findings[i]) {
+            let others = offered(&findings[i], findings, &name, |_| true);
+            values.extend(others.into_iter().next().map(|value| (name, value)));
+        }
+        if values.len() > findings[i].recovered.len() {
+            findings[i] = judge(paper, findings[i].table, values)?;
+            judge_promises(paper, &mut findings[i])?;
+        }
+    }
+    Ok(())
+}
+
+/// How many cells a table may lose where it gets a value that others have: one, which may be a
+/// slip.
+const MAX_LOST: usize = 1;
+
+/// Takes the value that most tables were solved for in place of a table's own, where it gives as
+/// many cells, or one less.
+fn agree<'a>(
+    paper: &'a Paper,
+    findings: &mut [TableFinding<'a>],
+    i: usize,
+) -> Result<(), Diagnostic> {
+    for (name, own) in findings[i].recovered.clone() {
+        let has = |value: &Rational| {
+            let same = |finding: &&TableFinding<'_>| {
+                let known = finding.recovered.get(&name);
+                known.is_some_and(|known| known.is_own() && known.value == *value)
+            };
+            findings.iter().filter(same).count()
+        };
+        let offers = offered(&findings[i], findings, &name, |_| true);
+        let most = offers.into_iter().max_by_key(|offer| has(&offer.value));
+        let Some(most) = most.filter(|most| own.is_own() && has(&most.value) > has(&own.value))
+        else {
+            continue;
+        };
+        let mut values = findings[i].recovered.clone();
+        values.insert(name, most);
+        let mut found = judge(paper, findings[i].table, values)?;
+        if reproduced(&found) + MAX_LOST >= reproduced(&findings[i]) {
+            judge_promises(paper, &mut found)?;
+            findings[i] = found;
+        }
+    }
+    Ok(())
+}
+
+/// How many cells of a table are reproduced.
+fn reproduced(finding: &TableFinding<'_>) -> usize {
+    let cells = finding.cells.iter().flatten();
+    cells.filter(|cell| cell.verdict == Verdict::Reproduced).count()
+}
+
+/// The parameters that a table leaves open and that were not recovered.
+fn missing(finding: &TableFinding<'_>) -> Vec<String> {
+    let unstated = finding.table.unstated.iter().filter(|(_, assumed)| assumed.is_none());
+    let names = unstated.map(|(name, _)| name);
+    names.filter(|name| !finding.recovered.contains_key(*name)).cloned().collect()
+}
+
+/// The values that suitable other tables gave away of a parameter, of several tables with one value
+/// the first.
+fn offered(
+    finding: &TableFinding<'_>,
+    all: &[TableFinding<'_>],
+    name: &str,
+    suitable: impl Fn(&Table) -> bool,
+) -> Vec<Recovered> {
+    let mut found: Vec<Recovered> = Vec::new();
+    for other in all.iter().filter(|other| suitable(other.table)) {
+        let Some(recovered) = other.recovered.get(name) else { continue };
+        let known = found.iter().any(|known| known.value == recovered.value);
+        if recovered.is_own() && !known && other.table.id != finding.table.id {
+            let (id, locus) = (other.table.id.clone(), other.table.locus.clone());
+            let from = RecoveredFrom::Table { id, locus };
+            found.push(Recovered { value: recovered.value.clone(), from });
+        }
+    }
+    found
+}
+
+/// A table judged at values of its open parameters with which a reading gives most of its cells,
+/// so many that it is no luck; `None` where there are none.
+fn recover<'a>(
+    paper: &'a Paper,
+    finding: &TableFinding<'a>,
+    all: &[TableFinding<'_>],
+) -> Result<Option<TableFinding<'a>>, Diagnostic> {
+    let table = finding.table;
+    let names = missing(finding);
+    let cells = finding.cells.iter().flatten().filter(|cell| cell.printed.is_some()).count();
+    let offers: Vec<(String, Vec<Recovered>)> = names
+        .iter()
+        .map(|name| (name.clone(), offered(finding, all, name, |other| same_scheme(table, other))))
+        .collect();
+    if cells == 0 {
+        // Nothing can be solved for, and nothing contradicts what another table says.
+        let values = combinations(&offers).into_iter().next();
+        return values.map(|values| judge(paper, table, values)).transpose();
+    }
+    let mut recovery = Recovery { paper, table, library: Library::new(paper), best: None };
+    for name in &names {
+        let others: Vec<_> = offers.iter().filter(|(other, _)| other != name).cloned().collect();
+        for others in combinations(&others) {
+            recovery.solve(name, others)?;
+        }
+    }
+    for values in combinations(&offers) {
+        recovery.attempt(values)?;
+    }
+    if let [first, second] = &names[..] {
+        for value in plain_numbers() {
+            if recovery.count() * 2 >= cells {
+                break;
+            }
+            for (name, other) in [(first, second), (second, first)] {
+                let tried = Recovered { value: value.clone(), from: RecoveredFrom::Tried };
+                recovery.solve(name, Values::from([(other.clone(), tried)]))?;
+            }
+        }
+    }
+    Ok(recovery.best.map(|(_, finding)| finding))
+}
+
+/// The best values so far.
+struct Recovery<'a> {
+    paper: &'a Paper,
+    table: &'a Table,
+    library: Library<'a>,
+    /// How many cells are reproduced, and the table judged there.
+    best: Option<(usize, TableFinding<'a>)>,
+}
+
+impl Recovery<'_> {
+    fn count(&self) -> usize {
+        self.best.as_ref().map_or(0, |(count, _)| *count)
+    }
+
+    /// Solves for one parameter with the others at these values.
+    fn solve(&mut self, name: &str, mut others: Values) -> Result<(), Diagnostic> {
+        let values = plain_values(&others);
+        if let Some(recovered) = solved(self.paper, self.table, &self.library, &values, name) {
+            others.insert(name.to_owned(), recovered);
+            self.attempt(others)?;
+        }
+        Ok(())
+    }
+
+    fn attempt(&mut self, values: Values) -> Result<(), Diagnostic> {
+        let found = judge(self.paper, self.table, values)?;
+        let count = reproduced(&found);
+        if count > self.count() {
+            self.best = Some((count, found));
+        }
+        Ok(())
+    }
+}
+
+fn plain_values(values: &Values) -> BTreeMap<String, Rational> {
+    values.iter().map(|(name, recovered)| (name.clone(), recovered.value.clone())).collect()
+}
+
+/// The most ways to take what other tables offer.
+const MAX_COMBINATIONS: usize = 8;
+
+/// Every way to take one value of each parameter; none where one has no value, unless there is no
+/// parameter.
+fn combinations(offers: &[(String, Vec<Recovered>)]) -> Vec<Values> {
+    let mut all = vec![Values::new()];
+    for (name, values) in offers {
+        let with = |known: &Values, value: &Recovered| {
+            let mut values = known.clone();
+            values.insert(name.clone(), value.clone());
+            values
+        };
+        let longer =
+            all.iter().flat_map(|known| values.iter().map(move |value| with(known, value)));
+        all = longer.take(MAX_COMBINATIONS).collect();
+    }
+    all
+}
+
+/// Whether another table is about schemes of this one.
+fn same_scheme(one: &Table, other: &Table) -> bool {
+    match (&one.scheme, &other.scheme) {
+        (Some(one), Some(other)) => {
+            let names: Vec<&str> = one.reference.names().collect();
+            other.reference.names().all(|name| names.contains(&name))
+        }
+        _ => false,
+    }
+}
