@@ -1,6 +1,8 @@
 //! What the audit of a paper yields as a whole.
 
-use subcert::audit::{AsRead, CellSummary, Erratum, PaperAudit, Standing, Subject, Verdict, audit};
+use subcert::audit::{
+    AsRead, Cause, CellGroup, CellSummary, Erratum, PaperAudit, Standing, Subject, Verdict, audit,
+};
 use subcert::claim::{Cell, Paper, embedded_papers, read_paper};
 use subcert::diagnostic::SourceText;
 
@@ -15,9 +17,10 @@ fn judged(paper: &Paper) -> PaperAudit<'_> {
 }
 
 /// The causes of a standing, with their numbers of cells.
-fn causes(summary: &CellSummary, standing: Standing) -> Vec<(&str, usize)> {
+fn causes(summary: &CellSummary, standing: Standing) -> Vec<(String, usize)> {
     let groups = summary.groups.iter().filter(|group| group.outcome.standing == standing);
-    groups.map(|group| (group.outcome.cause.as_deref().unwrap_or(""), group.count)).collect()
+    let cause = |group: &CellGroup| group.outcome.cause.as_ref().map(Cause::to_string);
+    groups.map(|group| (cause(group).unwrap_or_default(), group.count)).collect()
 }
 
 /// Every cell of every table is in one group, and in the right one.
@@ -41,10 +44,10 @@ fn the_summary_adds_up() {
         assert_eq!(summary.count(Standing::Refuted), count(&["refuted"]));
         assert_eq!(summary.count(Standing::NotCheckable), count(&["not-checkable"]));
         for group in summary.groups.iter().filter(|g| g.outcome.standing == Standing::Explained) {
-            let why = group.outcome.cause.as_deref();
+            let why = group.outcome.cause.as_ref().map(Cause::to_string);
             let read = |cell: &&subcert::audit::CellFinding| {
                 cell.verdict_if_assumed.is_none()
-                    && cell.as_read.as_ref().map(AsRead::differs).as_deref() == why
+                    && cell.as_read.as_ref().map(AsRead::differs) == why
             };
             assert_eq!(group.count, cells.clone().filter(read).count(), "{why:?}");
         }
@@ -74,13 +77,13 @@ fn every_standing_is_counted() {
     let summary = judged(&paper).cell_summary();
     assert_eq!(summary.cells(), 10);
     assert_eq!(summary.count(Standing::Confirmed), 1);
-    assert_eq!(causes(&summary, Standing::Explained), [("cut, not rounded", 1)]);
-    assert_eq!(causes(&summary, Standing::Misprinted), [("as printed", 1)]);
+    assert_eq!(causes(&summary, Standing::Explained), [("cut, not rounded".to_owned(), 1)]);
+    assert_eq!(causes(&summary, Standing::Misprinted), [("as printed".to_owned(), 1)]);
     assert_eq!(summary.count(Standing::Refuted), 2);
-    let unstated = "the paper does not state y";
+    let (lost, unstated) = ("the cell is lost".to_owned(), "the paper does not state y".to_owned());
     assert_eq!(
         causes(&summary, Standing::NotCheckable),
-        [("the cell is lost", 2), (unstated, 2), (unstated, 1)]
+        [(lost, 2), (unstated.clone(), 2), (unstated, 1)]
     );
 }
 

@@ -127,7 +127,7 @@ fn about(contradictions: &[Contradiction]) -> Vec<(&str, Vec<&str>)> {
 #[test]
 fn tables_that_contradict_each_other_and_tables_that_agree() {
     let value = "contraction(c, order = adjoint)*r*beta";
-    let rest = "unstated = { beta = '1' }";
+    let rest = "unstated = ['beta']";
     let scaled = |order: Order, beta: &Rational| -> Vec<Vec<String>> {
         let cell = |r: i64, c: u32| fixed(&(contraction(c, order) * Rational::from(r) * beta), 7);
         (1..=3).map(|r| (1..=4).map(|c| cell(r, c)).collect()).collect()

@@ -2,7 +2,9 @@
 
 use crate::common::r;
 use proptest::prelude::*;
-use subcert::audit::{FAMILY, PaperAudit, Search, Slip, Solved, Verdict, audit};
+use subcert::audit::{
+    CellFinding, FAMILY, PaperAudit, Recovered, RecoveredFrom, Search, Slip, Verdict, audit,
+};
 use subcert::bound::{Constants, Suprema};
 use subcert::bound::{Operator, Order, Rounded, Terms, displacement, log_level};
 use subcert::claim::{Paper, embedded_papers, read_paper};
@@ -136,7 +138,7 @@ proptest! {
         let paper = paper(
             &mask,
             "displacement(terms = total, offset = 0)*contraction(c, order = forward)*beta",
-            "unstated = { beta = '1' }",
+            "unstated = ['beta']",
             "'1', '2', '3', '4', '5'",
             &cells,
         );
@@ -152,13 +154,11 @@ proptest! {
         prop_assert!(says(search).iter().any(|differences| {
             differences.iter().any(|says| says == "masks read backwards")
         }), "{:?}", says(search));
-        for solved in search.best.iter().flat_map(|best| &best.solved) {
-            let (low, high) = &solved.between;
-            prop_assert!(*low <= solved.simplest && solved.simplest <= *high);
-        }
+        let (low, high) = between(&table.recovered["beta"]);
+        let value = &table.recovered["beta"].value;
+        prop_assert!(low <= value && value <= high);
         for cell in table.cells.iter().flatten() {
-            let verdict = cell.verdict_if_assumed.as_ref().unwrap();
-            prop_assert!(matches!(verdict, Verdict::OtherReading | Verdict::Confirmed));
+            prop_assert_eq!(&cell.verdict, &Verdict::Reproduced);
         }
     }
 
@@ -213,19 +213,16 @@ proptest! {
             cells[at].replace_range(point + 4..point + 5, &((digit + up) % 10).to_string());
         }
         let columns = "'1', '2', '3', '4', '5'";
-        let paper = family.paper("tensor(c)", "unstated = { w = '1/7' }", columns, &cells);
+        let paper = family.paper("tensor(c)", "unstated = ['w']", columns, &cells);
         let audit = judged(&paper);
         let search = audit.tables[0].search.as_ref().expect("a search");
         let best = search.best.first().expect("a reading");
         prop_assert!(best.count() >= 4 + usize::from(at.is_none()), "{:?}", says(search));
-        let solved: Vec<_> = search.best.iter().flat_map(|best| &best.solved).collect();
-        // Other values may do as well; this one is among those that do, or simpler
-        // ones are shown.
-        let holds = |solved: &&&Solved| solved.between.0 <= w && w <= solved.between.1;
-        let simpler = best.solved.first().is_some_and(|solved| {
-            solved.simplest.denominator() <= w.denominator()
-        });
-        prop_assert!(solved.iter().any(|solved| holds(&solved)) || simpler, "{:?}", solved);
+        // Other values may do as well; this one is among those that do, or a simpler one is shown.
+        let recovered = &audit.tables[0].recovered["w"];
+        let (low, high) = between(recovered);
+        let simpler = recovered.value.denominator() <= w.denominator();
+        prop_assert!(*low <= w && w <= *high || simpler, "{:?}", recovered);
         // A reading that explains the other cells as well may have another value in this
         // one, of which the printed one is no slip.
         if let (Some(at), [only], 4) = (at, &search.best[..], best.count()) {
@@ -258,7 +255,7 @@ proptest! {
         let paper = paper(
             &mask,
             "levels(contraction(2), c*(1 - contraction(2))/(displacement()*tau), rounded = up)",
-            "unstated = { tau = '1/1000' }\npromise = { tolerance = \"c\", spread = \"tau\" }",
+            "unstated = ['tau']\npromise = { tolerance = \"c\", spread = \"tau\" }",
             &columns.join(", "),
             &cells,
         );
@@ -266,9 +263,11 @@ proptest! {
         let search = audit.tables[0].search.as_ref().expect("a search");
         let best = search.best.first().expect("a reading");
         prop_assert_eq!(best.count(), 20, "{:?}", says(search));
-        let solved = search.best.iter().flat_map(|best| &best.solved);
-        let inside = solved.filter(|solved| solved.between.0 <= spread && spread <= solved.between.1);
-        prop_assert!(inside.count() > 0, "{:?}", search.best[0].solved);
+        let recovered = &audit.tables[0].recovered["tau"];
+        let (low, high) = between(recovered);
+        prop_assert!(*low <= spread && spread <= *high, "{:?}", recovered);
+        let reproduced = |cell: &CellFinding| cell.verdict == Verdict::Reproduced;
+        prop_assert!(audit.tables[0].cells.iter().flatten().all(reproduced));
     }
 
     /// Random digits are explained by nothing, whatever the parameter.
@@ -278,9 +277,8 @@ proptest! {
     ) {
         let cells: Vec<String> = digits.iter().map(|digits| format!("0.{digits}")).collect();
         let columns = "'1', '2', '3', '4', '5'";
-        let paper = family.paper("tensor(c)", "unstated = { w = '1/7' }", columns, &cells);
-        let search = judged(&paper).tables[0].search.clone().expect("a search");
-        prop_assert!(search.best.is_empty(), "{:?}", says(&search));
+        let paper = family.paper("tensor(c)", "unstated = ['w']", columns, &cells);
+        prop_assert!(nothing_is_recovered(&judged(&paper)));
     }
 
     /// Random digits are explained by nothing.
@@ -291,10 +289,26 @@ proptest! {
         let cells: Vec<String> = digits.iter().map(|digits| format!("0.{digits}")).collect();
         let value = "displacement(terms = total, offset = 0)*tensor(c, order = forward)*beta";
         let columns = "'1', '2', '3', '4', '5'";
-        let paper = paper(&mask, value, "unstated = { beta = '1/10' }", columns, &cells);
-        let search = judged(&paper).tables[0].search.clone().expect("a search");
+        let assumed = paper(&mask, value, "unstated = { beta = '1/10' }", columns, &cells);
+        let search = judged(&assumed).tables[0].search.clone().expect("a search");
         prop_assert!(search.tried > 20 && search.best.is_empty(), "{:?}", says(&search));
+        let open = paper(&mask, value, "unstated = ['beta']", columns, &cells);
+        prop_assert!(nothing_is_recovered(&judged(&open)));
     }
+}
+
+/// The values of a parameter that the numbers of its table fit.
+fn between(recovered: &Recovered) -> (&Rational, &Rational) {
+    match &recovered.from {
+        RecoveredFrom::Solved(low, high) => (low, high),
+        other => panic!("{other:?}"),
+    }
+}
+
+fn nothing_is_recovered(audit: &PaperAudit<'_>) -> bool {
+    let table = &audit.tables[0];
+    let missing = |cell: &CellFinding| matches!(cell.verdict, Verdict::NotCheckable(_));
+    table.recovered.is_empty() && table.cells.iter().flatten().all(missing)
 }
 
 /// A table of a·w, a = 0, 1, 2, 3, where w = 0.12345 is stated, with an alternative.
@@ -443,10 +457,15 @@ fn tables_of_the_papers() {
         let paper = papers.iter().find(|paper| paper.key == "mustafa2020-nary").unwrap();
         let audit = judged(paper);
         let finding = audit.tables.iter().find(|finding| finding.table.id == table).unwrap();
-        finding.search.clone().unwrap().best[0].solved[0].simplest.clone()
+        let recovered = finding.recovered.values().map(|one| one.value.clone());
+        recovered.collect::<Vec<_>>()
     };
-    assert_eq!(solved("table-3"), r(3, 400));
-    assert_eq!(solved("table-11"), r(6, 5));
+    assert_eq!(solved("table-1"), [r(39, 2000)]);
+    assert_eq!(solved("table-3"), [r(3, 400)]);
+    assert_eq!(solved("table-11"), [r(6, 5)]);
+    // μ and τ, ξ and w in the order of their names.
+    assert_eq!(solved("table-10"), [r(0, 1), r(1, 10)]);
+    assert_eq!(solved("table-4"), [r(3, 400), r(1, 10)]);
     assert_eq!(explained("mustafa2020-nary:table-6"), whole(28, &[nearest]));
     assert_eq!(explained("mustafa2020-nary:table-15"), whole(4, &["masks read forwards"]));
     assert_eq!(

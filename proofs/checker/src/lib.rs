@@ -181,8 +181,9 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
         !given.iter().any(|(id, known)| id == other && known == value)
     };
     while let Some(place) = borrowed.iter().position(|(_, from)| lacks(&given, from)) {
-        let (task, ((name, _), _)) = borrowed.swap_remove(place);
-        let rejection = task.block.head.reject(Reason::Recovered(name));
+        let (task, ((name, value), table)) = borrowed.swap_remove(place);
+        let reason = Reason::NotGiven(name, Text(value.to_string()), table);
+        let rejection = task.block.head.reject(reason);
         outcomes.insert((task.kind, task.id), Outcome::Invalid(task.place, rejection));
         given.retain(|(id, _)| *id != task.id);
     }
