@@ -1,19 +1,21 @@
 //! The data that refute a theorem.
 
-use crate::audit::{Control, Naturally, Place, Refutation, Violation};
+use crate::audit::{Control, EveryShift, Naturally, Place, Refutation, Unshiftable, Violation};
 use crate::claim::Quantity;
+use crate::exact::Rational;
 use crate::exact::{RealCyclotomic, format::short};
-use crate::limit::ExtremalPolygon;
+use crate::limit::{ExtremalPolygon, Overshoot, Shown};
 
 /// How many digits a decimal has.
 const DIGITS: u32 = 12;
 
 /// What it takes to check the refutation by hand.
 pub(super) fn facts(refutation: &Refutation) -> Vec<(String, String)> {
-    let Refutation { case, violation, supremum, sound, natural, .. } = refutation;
+    let Refutation { case, violation, supremum, sound, natural, every_shift, .. } = refutation;
     let mut facts = Vec::new();
     let mut fact = |name: &str, value: String| facts.push((name.to_owned(), value));
     // What does not depend on where the points are comes first.
+    every_shift.iter().for_each(|found| in_every_shift(found, &mut fact));
     match natural {
         None => {}
         Some(Naturally::Refuted { case, violation, .. }) => {
@@ -53,14 +55,63 @@ pub(super) fn facts(refutation: &Refutation) -> Vec<(String, String)> {
     facts
 }
 
+/// Whether the theorem is refuted in every shift, and the two greatest values that show it.
+fn in_every_shift(found: &EveryShift, fact: &mut impl FnMut(&str, String)) {
+    let name = "in every shift (i + s)/n^k";
+    let (case, data) = match found {
+        EveryShift::Refuted { case, data, .. } => (case, &**data),
+        EveryShift::Holds => {
+            return fact(name, "not refuted: there is a shift, the next one here".to_owned());
+        }
+        EveryShift::Open => return fact(name, "open: not refuted, and not shown".to_owned()),
+    };
+    let Unshiftable { quantity, level: k, overshoot, bound } = data;
+    let Overshoot { polygons, greatest, later, shown } = overshoot;
+    let rational = |value: &Rational| exact(&value.clone().into());
+    let name_of = |net: &str, curve: &str| {
+        if polygons.len() == 2 { net.to_owned() } else { curve.to_owned() }
+    };
+    fact(name, format!("refuted for {case}, by one and the same data"));
+    for (polygon, letter) in polygons.iter().zip(["a", "b"]) {
+        let letter = if polygons.len() == 2 { letter } else { "x" };
+        fact("control data", points(letter, polygon));
+    }
+    if polygons.len() == 2 {
+        fact("", "of the net a_i + b_j".to_owned());
+    }
+    fact(&format!("greatest point of level {k}"), rational(greatest));
+    let (what, how) = match shown {
+        Shown::Points => (format!("greatest point of level {}", k + 1), String::new()),
+        Shown::AtMost(levels) => {
+            let levels: Vec<String> = levels.iter().map(ToString::to_string).collect();
+            let by = levels.join(" and ");
+            (
+                name_of("greatest value of P^∞(s, t)", "greatest value of P^∞(t)"),
+                format!("at most, by level {by}, "),
+            )
+        }
+        Shown::AtLeast(places) => {
+            let places: Vec<String> = places.iter().map(ToString::to_string).collect();
+            let at = places.join(", ");
+            (
+                name_of("greatest value of P^∞(s, t)", "greatest value of P^∞(t)"),
+                format!("at least, by that at {at}, "),
+            )
+        }
+    };
+    fact(&what, format!("{how}{}", rational(later)));
+    let of = match quantity {
+        Quantity::Step => "step",
+        Quantity::Distance | Quantity::Difference => "distance",
+    };
+    fact(&format!("{of} in every shift"), format!("at least {}", rational(&overshoot.gap())));
+    fact("claimed at most", exact(bound));
+}
+
 /// `x_-2, …, x_1 = 0, 1, 2, 1`.
 fn control(control: &Control) -> String {
     match control {
-        Control::Polygon(ExtremalPolygon { first, points }) => {
-            let list: Vec<String> = points.iter().map(ToString::to_string).collect();
-            let last = first + i64::try_from(points.len()).unwrap_or(1) - 1;
-            format!("x_{first}, …, x_{last} = {}", list.join(", "))
-        }
+        Control::Polygon(polygon) => points("x", polygon),
         Control::Net { first: [i, j], rows } => {
             let row = |row: &Vec<i64>| {
                 row.iter().map(ToString::to_string).collect::<Vec<String>>().join(", ")
@@ -74,6 +125,12 @@ fn control(control: &Control) -> String {
             list.join(", ")
         }
     }
+}
+
+fn points(letter: &str, ExtremalPolygon { first, points }: &ExtremalPolygon) -> String {
+    let list: Vec<String> = points.iter().map(ToString::to_string).collect();
+    let last = first + i64::try_from(points.len()).unwrap_or(1) - 1;
+    format!("{letter}_{first}, …, {letter}_{last} = {}", list.join(", "))
 }
 
 /// Of points around a vertex or on a face, what is compared with what.

@@ -16,6 +16,8 @@ mod promise;
 mod range;
 mod reading;
 mod scale;
+mod shift;
+mod sides;
 mod sound;
 mod table;
 mod theorem;
