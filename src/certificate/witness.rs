@@ -98,7 +98,9 @@ pub(super) fn unshiftable(block: &mut Block, data: &Unshiftable) {
     let Unshiftable { level, overshoot, bound, .. } = data;
     let Overshoot { polygons, later, shown, .. } = overshoot;
     block.line(format!("level {level}"));
-    polygons.iter().for_each(|points| polygon(block, points));
+    for points in polygons {
+        polygon(block, points);
+    }
     match shown {
         Shown::Points => {}
         Shown::AtMost(levels) => {

@@ -151,6 +151,8 @@ pub enum Naturally {
         /// Whether certificates have words for it.
         certifiable: bool,
     },
+    /// It is false there, by the data that show it for every shift; others are not known.
+    AsInEveryShift,
     /// Nothing that it was tried on exceeds the bound: it holds at the levels that were looked at.
     Holds,
     /// Neither is known.

@@ -67,7 +67,7 @@ fn refuted(name: &str, refutation: &Refutation) -> Vec<String> {
                 "not known whether in every shift".to_owned(),
             ]
         }
-        (_, Some(Naturally::Open)) => vec![
+        (_, Some(Naturally::AsInEveryShift | Naturally::Open)) => vec![
             format!("{name} with points at i/n^k · {printed}"),
             "not known whether at natural parameters".to_owned(),
         ],
@@ -173,7 +173,7 @@ pub(super) fn explain(audit: &PaperAudit<'_>, id: &str) -> Option<Sheet> {
     }
     let verdict = format!("{} {}", mark(finding.verdict.name()), outcome(finding));
     facts.push(("verdict".to_owned(), verdict));
-    facts.extend(finding.refutation.as_ref().map(witness::facts).unwrap_or_default());
+    facts.extend(witness::facts(finding));
     facts.extend(corrections(finding));
     facts.extend(finding.cases.iter().map(|case| (case.label.clone(), in_case(&case.outcome))));
     facts.extend(theorem.note.clone().map(|note| ("note".to_owned(), note)));

@@ -1,21 +1,21 @@
 //! The data that refute a theorem.
 
-use crate::audit::{Control, EveryShift, Naturally, Place, Refutation, Unshiftable, Violation};
+use super::numbers::{DIGITS, exact, points};
+use super::shift;
+use crate::audit::{Control, Naturally, Place, Refutation, TheoremFinding, Violation};
 use crate::claim::Quantity;
-use crate::exact::Rational;
-use crate::exact::{RealCyclotomic, format::short};
-use crate::limit::{ExtremalPolygon, Overshoot, Shown};
-
-/// How many digits a decimal has.
-const DIGITS: u32 = 12;
+use crate::exact::format::short;
 
 /// What it takes to check the refutation by hand.
-pub(super) fn facts(refutation: &Refutation) -> Vec<(String, String)> {
+pub(super) fn facts(finding: &TheoremFinding<'_>) -> Vec<(String, String)> {
+    let Some(refutation) = &finding.refutation else { return Vec::new() };
     let Refutation { case, violation, supremum, sound, natural, every_shift, .. } = refutation;
     let mut facts = Vec::new();
     let mut fact = |name: &str, value: String| facts.push((name.to_owned(), value));
     // What does not depend on where the points are comes first.
-    every_shift.iter().for_each(|found| in_every_shift(found, &mut fact));
+    if let Some(found) = every_shift {
+        shift::facts(found, &mut fact);
+    }
     match natural {
         None => {}
         Some(Naturally::Refuted { case, violation, .. }) => {
@@ -23,6 +23,9 @@ pub(super) fn facts(refutation: &Refutation) -> Vec<(String, String)> {
             fact("control data", control(&violation.attained.control));
             fact(&value_name(violation), exact(&violation.attained.value));
             fact("claimed at most", exact(&violation.bound));
+        }
+        Some(Naturally::AsInEveryShift) => {
+            fact("at natural parameters", "refuted too, by these data".to_owned());
         }
         Some(Naturally::Holds) => {
             let text = "not refuted: there it holds at the levels that were looked at";
@@ -32,7 +35,7 @@ pub(super) fn facts(refutation: &Refutation) -> Vec<(String, String)> {
             fact("at natural parameters", "open: not refuted, and not shown".to_owned());
         }
     }
-    if let Some(text) = compared(violation) {
+    if let Some(text) = compared(finding) {
         fact("compared", text.to_owned());
     }
     let place = if natural.is_some() { "with points at i/n^k" } else { "refuted for" };
@@ -55,59 +58,6 @@ pub(super) fn facts(refutation: &Refutation) -> Vec<(String, String)> {
     facts
 }
 
-/// Whether the theorem is refuted in every shift, and the two greatest values that show it.
-fn in_every_shift(found: &EveryShift, fact: &mut impl FnMut(&str, String)) {
-    let name = "in every shift (i + s)/n^k";
-    let (case, data) = match found {
-        EveryShift::Refuted { case, data, .. } => (case, &**data),
-        EveryShift::Holds => {
-            return fact(name, "not refuted: there is a shift, the next one here".to_owned());
-        }
-        EveryShift::Open => return fact(name, "open: not refuted, and not shown".to_owned()),
-    };
-    let Unshiftable { quantity, level: k, overshoot, bound } = data;
-    let Overshoot { polygons, greatest, later, shown } = overshoot;
-    let rational = |value: &Rational| exact(&value.clone().into());
-    let name_of = |net: &str, curve: &str| {
-        if polygons.len() == 2 { net.to_owned() } else { curve.to_owned() }
-    };
-    fact(name, format!("refuted for {case}, by one and the same data"));
-    for (polygon, letter) in polygons.iter().zip(["a", "b"]) {
-        let letter = if polygons.len() == 2 { letter } else { "x" };
-        fact("control data", points(letter, polygon));
-    }
-    if polygons.len() == 2 {
-        fact("", "of the net a_i + b_j".to_owned());
-    }
-    fact(&format!("greatest point of level {k}"), rational(greatest));
-    let (what, how) = match shown {
-        Shown::Points => (format!("greatest point of level {}", k + 1), String::new()),
-        Shown::AtMost(levels) => {
-            let levels: Vec<String> = levels.iter().map(ToString::to_string).collect();
-            let by = levels.join(" and ");
-            (
-                name_of("greatest value of P^∞(s, t)", "greatest value of P^∞(t)"),
-                format!("at most, by level {by}, "),
-            )
-        }
-        Shown::AtLeast(places) => {
-            let places: Vec<String> = places.iter().map(ToString::to_string).collect();
-            let at = places.join(", ");
-            (
-                name_of("greatest value of P^∞(s, t)", "greatest value of P^∞(t)"),
-                format!("at least, by that at {at}, "),
-            )
-        }
-    };
-    fact(&what, format!("{how}{}", rational(later)));
-    let of = match quantity {
-        Quantity::Step => "step",
-        Quantity::Distance | Quantity::Difference => "distance",
-    };
-    fact(&format!("{of} in every shift"), format!("at least {}", rational(&overshoot.gap())));
-    fact("claimed at most", exact(bound));
-}
-
 /// `x_-2, …, x_1 = 0, 1, 2, 1`.
 fn control(control: &Control) -> String {
     match control {
@@ -127,21 +77,23 @@ fn control(control: &Control) -> String {
     }
 }
 
-fn points(letter: &str, ExtremalPolygon { first, points }: &ExtremalPolygon) -> String {
-    let list: Vec<String> = points.iter().map(ToString::to_string).collect();
-    let last = first + i64::try_from(points.len()).unwrap_or(1) - 1;
-    format!("{letter}_{first}, …, {letter}_{last} = {}", list.join(", "))
-}
-
 /// Of points around a vertex or on a face, what is compared with what.
-fn compared(violation: &Violation) -> Option<&'static str> {
+///
+/// The distance of a point from its limit is at most the sum of its steps, which proofs telescope:
+/// what is above a bound of the distance refutes the same bound of that sum.
+pub(super) fn compared(finding: &TheoremFinding<'_>) -> Option<&'static str> {
+    let violation = &finding.refutation.as_ref()?.violation;
     let Control::Points(_) = violation.attained.control else { return None };
-    Some(match violation.quantity {
-        Quantity::Distance => "a point of level k with the one point that all of them tend to",
-        Quantity::Step => {
-            "a point of level k + 1 with the one of its name, or of the interpolant, at level k"
+    Some(match (violation.quantity, &finding.theorem.tried.interpolant) {
+        (Quantity::Distance, _) => {
+            "a point of level k with the one point that all of them tend to; the steps of this point from \
+             level k on, which the proof adds up, sum to this distance at least"
         }
-        Quantity::Difference => "two neighbouring points of level k",
+        (Quantity::Step, None) => "a point of level k + 1 with the one of its name at level k",
+        (Quantity::Step, Some(_)) => {
+            "a point of level k + 1 with the one of its name of the interpolant of level k"
+        }
+        (Quantity::Difference, _) => "two neighbouring points of level k",
     })
 }
 
@@ -173,9 +125,4 @@ pub(super) fn name(place: &Place) -> String {
         Place::Named(name) => name.clone(),
         Place::Edge([a, b]) => format!("{a} – {b}"),
     }
-}
-
-fn exact(value: &RealCyclotomic) -> String {
-    let (text, decimal) = (value.to_string(), short(value, DIGITS));
-    if text == decimal { text } else { format!("{text} = {decimal}") }
 }

@@ -96,6 +96,7 @@ fn one<'a>(
     if let Some((violation, case)) = violations.min_by_key(|(violation, _)| size(violation)) {
         let setting = case.setting.as_deref();
         let natural = outcomes(paper, theorem, &cases, &finding.cases)?;
+        let every_shift = every_shift(theorem, &cases, &natural)?;
         let Violation { quantity, level, .. } = **violation;
         finding.refutation = Some(Refutation {
             case: case.label.clone(),
@@ -111,8 +112,8 @@ fn one<'a>(
                 Quantity::Distance => setting.and_then(|setting| setting.sound(level)),
                 _ => None,
             },
-            natural: moves(&cases).then(|| naturally(&cases, &natural)),
-            every_shift: every_shift(theorem, &cases, &natural)?,
+            natural: moves(&cases).then(|| naturally(&cases, &natural, every_shift.as_ref())),
+            every_shift,
         });
         (finding.verdict, finding.proof) = (TheoremVerdict::Refuted, None);
         finding.corrections = corrections(paper, theorem, &cases)?;

@@ -2,7 +2,7 @@
 
 use crate::claim::{Paper, Theorem};
 use crate::diagnostic::Diagnostic;
-use crate::finding::{CaseFinding, Control, Naturally, Outcome, Violation};
+use crate::finding::{CaseFinding, Control, EveryShift, Naturally, Outcome, Violation};
 use crate::judge::distance::has_words;
 use crate::judge::theorem::case::Case;
 use crate::judge::theorem::trial::Trial;
@@ -41,7 +41,11 @@ pub(crate) fn refutes(outcome: &Outcome) -> Option<bool> {
 }
 
 /// What it is in all of them.
-pub(crate) fn naturally(cases: &[Case<'_>], outcomes: &[Outcome]) -> Naturally {
+pub(crate) fn naturally(
+    cases: &[Case<'_>],
+    outcomes: &[Outcome],
+    every_shift: Option<&EveryShift>,
+) -> Naturally {
     let refuted = cases.iter().zip(outcomes).filter_map(|(case, outcome)| match outcome {
         Outcome::Refuted(violation) => Some((case, violation)),
         _ => None,
@@ -57,6 +61,9 @@ pub(crate) fn naturally(cases: &[Case<'_>], outcomes: &[Outcome]) -> Naturally {
                 certifiable: has_words(&masks, &violation.attained),
                 violation: violation.clone(),
             }
+        }
+        None if matches!(every_shift, Some(EveryShift::Refuted { .. })) => {
+            Naturally::AsInEveryShift
         }
         None if outcomes.iter().all(|outcome| refutes(outcome) == Some(false)) => Naturally::Holds,
         None => Naturally::Open,

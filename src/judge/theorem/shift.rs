@@ -21,17 +21,19 @@ pub(crate) fn every_shift(
     cases: &[Case<'_>],
     natural: &[Outcome],
 ) -> Result<Option<EveryShift>, Diagnostic> {
-    let quantity = match &theorem.statement {
-        Statement::Bound { quantity, .. } => *quantity,
-        Statement::Depth(_) => Quantity::Distance,
+    let (quantity, from) = match &theorem.statement {
+        Statement::Bound { quantity, from, .. } => (*quantity, *from),
+        Statement::Depth(_) => (Quantity::Distance, 0),
         Statement::Other(_) => return Ok(None),
     };
     if later(quantity).is_none() || cases.iter().any(|case| case.resolved.is_none()) {
         return Ok(None);
     }
-    // What exceeds the bound in every shift does so at the natural parameters.
+    // What exceeds the bound in every shift does so at the natural parameters, though it may not
+    // have been found there.
     let refuted = cases.iter().zip(natural).filter_map(|(case, outcome)| match outcome {
         Outcome::Refuted(violation) => Some((case, violation.level)),
+        Outcome::Unknown(_) => Some((case, from)),
         _ => None,
     });
     let mut tries: Vec<(u32, &Case<'_>)> = refuted
@@ -63,6 +65,14 @@ fn exceeding(
     quantity: Quantity,
     level: u32,
 ) -> Result<Option<Unshiftable>, Diagnostic> {
+    if let Some((value, below)) = &theorem.tried.supposes {
+        let settings = Settings::default();
+        let sides = (case.evaluate(value, &[], &settings)?, case.evaluate(below, &[], &settings)?);
+        let (Ok(value), Ok(below)) = sides else { return Ok(None) };
+        if !comparable(&value, &below) || value >= below {
+            return Ok(None);
+        }
+    }
     let found = case.setting.as_ref().and_then(|setting| setting.overshoot(quantity, level));
     let Some(overshoot) = found else { return Ok(None) };
     let gap = overshoot.gap();

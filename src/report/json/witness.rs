@@ -28,7 +28,7 @@ pub struct Witness<'a> {
 pub struct Natural<'a> {
     /// Whether it is false there too; null where that is open.
     pub refuted: Option<bool>,
-    /// What shows that it is; missing where it is not. Its fields stand here.
+    /// What shows that it is; missing where it is not, and where what shows it for every shift does. Its fields stand here.
     #[serde(flatten)]
     pub by: Option<Exceeding<'a>>,
 }
@@ -137,6 +137,7 @@ impl<'a> Natural<'a> {
             Naturally::Refuted { case, violation, .. } => {
                 Natural { refuted: Some(true), by: Some(Exceeding::of(case, violation)) }
             }
+            Naturally::AsInEveryShift => Natural { refuted: Some(true), by: None },
             Naturally::Holds => Natural { refuted: Some(false), by: None },
             Naturally::Open => Natural { refuted: None, by: None },
         }
