@@ -233,14 +233,14 @@ fn steps_depths_and_nets() {
     check("chaikin", None, data(&step));
     // New points lie on the old polygon there: only an old corner is off.
     assert_eq!(step.natural, Some(Naturally::AsInEveryShift));
-    let held = of("scheme = 'chaikin'\nbounds = 'step'\nby = 'beta/4/2^k'\nfrom = '0'");
+    let held = of("scheme = 'chaikin'\nbounds = 'step'\nby = '3*beta/10/3^k'\nfrom = '0'");
     assert_eq!(held.every_shift, Some(EveryShift::Holds));
     let depth = of("scheme = 'chaikin'\nbounds = 'depth'\nby = 'levels(1/2, 6*epsilon/beta)'");
     check("chaikin", None, data(&depth));
     let net =
         "scheme = 'chaikin x b-spline:degree=3'\nbounds = 'distance'\nby = 'beta/2'\nfrom = '0'";
     check("chaikin x b-spline:degree=3", None, data(&of(net)));
-    let net = "scheme = 'chaikin x chaikin'\nbounds = 'step'\nby = 'beta/2/2^k'\nfrom = '0'";
+    let net = "scheme = 'chaikin x chaikin'\nbounds = 'step'\nby = '3*beta/5/3^k'\nfrom = '0'";
     assert_eq!(of(net).every_shift, Some(EveryShift::Holds));
 }
 
