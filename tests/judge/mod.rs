@@ -3,6 +3,7 @@
 mod every_shift;
 mod functions_and_ranges;
 mod lines;
+mod proportional;
 mod readings;
 mod theorem_verdicts;
 mod theorems;

@@ -3,6 +3,7 @@
 mod attained;
 mod cell;
 mod constant;
+mod degree;
 mod equation;
 mod family;
 mod function;
