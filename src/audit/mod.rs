@@ -14,11 +14,11 @@ pub use crate::evidence::{
 pub use crate::finding::{
     AsRead, Assumed, Attained, Broken, CaseFinding, CellFinding, CellKind, Contradiction, Control,
     Correction, Difference, Direction, EndFinding, EndRelation, EquationFinding, EquationVerdict,
-    Example, Explanation, FailingPremise, Failure, FunctionFinding, FunctionVerdict, Kept, Later,
-    LevelEvidence, Levels, Line, LineReading, MAX_DIFFERENCES, Missing, Naturally, Need, Outcome,
-    PaperAudit, Place, PromiseCounts, RangeFinding, RangeVerdict, Recovered, RecoveredFrom,
-    Refutation, Repair, Search, Side, Slip, Solved, Sound, Supremum, TableFinding, TablePart,
-    TheoremFinding, TheoremVerdict, Verdict, Violation,
+    EveryShift, Example, Explanation, FailingPremise, Failure, FunctionFinding, FunctionVerdict,
+    Kept, Later, LevelEvidence, Levels, Line, LineReading, MAX_DIFFERENCES, Missing, Naturally,
+    Need, Outcome, PaperAudit, Place, PromiseCounts, RangeFinding, RangeVerdict, Recovered,
+    RecoveredFrom, Refutation, Repair, Search, Side, Slip, Solved, Sound, Supremum, TableFinding,
+    TablePart, TheoremFinding, TheoremVerdict, Unshiftable, Verdict, Violation,
 };
 pub use crate::judge::MAX_CASES;
 

@@ -3,10 +3,10 @@
 use super::block::{Block, closed};
 use super::constant::searched;
 use super::promise::{flows, later};
-use super::witness::{attained, list};
+use super::witness::{attained, list, unshiftable};
 use crate::audit::{
-    LevelEvidence, Levels, Naturally, Refutation, TheoremFinding, TheoremVerdict, Violation,
-    theorem_evidence,
+    EveryShift, LevelEvidence, Levels, Naturally, Refutation, TheoremFinding, TheoremVerdict,
+    Violation, theorem_evidence,
 };
 use crate::claim::{Paper, Statement, Theorem};
 use crate::exact::{Rational, RealCyclotomic};
@@ -92,27 +92,39 @@ fn restate(block: &mut Block, theorem: &Theorem) {
 }
 
 fn refuted(block: &mut Block, theorem: &Theorem, refutation: &Refutation) {
-    let Refutation { scheme, values, limit, violation, natural, .. } = refutation;
+    let Refutation { scheme, values, limit, violation, natural, every_shift, .. } = refutation;
     data(block, theorem, (scheme, values), limit, violation);
     if let Some(Naturally::Refuted { scheme, values, violation, certifiable: true, .. }) = natural {
         block.line("naturally");
         data(block, theorem, (scheme, values), &[], violation);
     }
+    if let Some(EveryShift::Refuted { scheme, values, data, .. }) = every_shift {
+        block.line("in-every-shift");
+        case(block, (scheme, values));
+        if matches!(theorem.statement, Statement::Depth(_)) {
+            block.line(format!("tolerance {}", closed(&data.bound)));
+        }
+        unshiftable(block, data);
+    }
     block.line("refuted");
+}
+
+fn case(block: &mut Block, (scheme, values): (&str, &[(String, Rational)])) {
+    block.restate("scheme", scheme);
+    for (name, value) in values {
+        block.line(format!("let {name} {value}"));
+    }
 }
 
 /// A case, control data, and both sides.
 fn data(
     block: &mut Block,
     theorem: &Theorem,
-    (scheme, values): (&str, &[(String, Rational)]),
+    of: (&str, &[(String, Rational)]),
     limit: &[RealCyclotomic],
     violation: &Violation,
 ) {
-    block.restate("scheme", scheme);
-    for (name, value) in values {
-        block.line(format!("let {name} {value}"));
-    }
+    case(block, of);
     let bound = closed(&violation.bound);
     if matches!(theorem.statement, Statement::Depth(_)) {
         block.line(format!("tolerance {bound}"));

@@ -1,9 +1,9 @@
 //! Control data in certificates.
 
 use super::block::{Block, closed};
-use crate::audit::{Attained, Control, Place};
+use crate::audit::{Attained, Control, Place, Unshiftable};
 use crate::exact::RealCyclotomic;
-use crate::limit::ExtremalPolygon;
+use crate::limit::{ExtremalPolygon, Overshoot, Shown};
 use std::fmt::Display;
 
 /// Numbers with blanks between them.
@@ -91,4 +91,24 @@ pub(super) fn attained(block: &mut Block, found: &Attained, weights: &[RealCyclo
         Place::Edge([a, b]) => format!("{a} {b}"),
     };
     block.line(format!("at {place}"));
+}
+
+/// The lines of data that exceed a bound in every shift, from their level on.
+pub(super) fn unshiftable(block: &mut Block, data: &Unshiftable) {
+    let Unshiftable { level, overshoot, bound, .. } = data;
+    let Overshoot { polygons, later, shown, .. } = overshoot;
+    block.line(format!("level {level}"));
+    for points in polygons {
+        polygon(block, points);
+    }
+    match shown {
+        Shown::Points => {}
+        Shown::AtMost(levels) => {
+            block.line(format!("limit at-most {later} {}", list(levels)));
+        }
+        Shown::AtLeast(places) => {
+            block.line(format!("limit at-least {later} {}", list(places)));
+        }
+    }
+    block.line(format!("sides {} {}", overshoot.gap(), closed(bound)));
 }

@@ -4,8 +4,9 @@ use crate::bound::Budget;
 use crate::claim::{Paper, Quantity};
 use crate::diagnostic::Diagnostic;
 use crate::evidence::constants::{MAX_STEPS, SearchedConstant, convergence};
-use crate::finding::TheoremFinding;
-use crate::judge::theorem::refuted_scheme;
+use crate::finding::{EveryShift, Naturally, TheoremFinding};
+use crate::judge::theorem::schemes_of;
+use std::collections::BTreeSet;
 
 /// What shows that the masks converge whose control data are too far from their limit: constants
 /// of many residue classes, where there is none below 1 of few.
@@ -19,7 +20,14 @@ pub fn theorem_evidence(
     let refutation = finding.refutation.as_ref();
     let far = refutation.filter(|found| found.violation.quantity == Quantity::Distance);
     let Some(refutation) = far else { return Ok(Vec::new()) };
-    let scheme = refuted_scheme(paper, finding.theorem, refutation)?;
+    let mut labels = BTreeSet::from([&refutation.case[..]]);
+    if let Some(Naturally::Refuted { case, .. }) = &refutation.natural {
+        labels.insert(case);
+    }
+    if let Some(EveryShift::Refuted { case, .. }) = &refutation.every_shift {
+        labels.insert(case);
+    }
+    let schemes = schemes_of(paper, finding.theorem, &labels)?;
     let budget = Budget::new(MAX_STEPS);
-    Ok(scheme.map_or_else(Vec::new, |scheme| convergence(&scheme, &budget)))
+    Ok(schemes.iter().flat_map(|scheme| convergence(scheme, &budget)).collect())
 }

@@ -30,7 +30,7 @@ pub use recovered::{Recovered, RecoveredFrom};
 pub use table::TableFinding;
 pub(crate) use theorem::Change;
 pub use theorem::{
-    CaseFinding, Correction, FailingPremise, Naturally, Outcome, Refutation, Repair,
+    CaseFinding, Correction, EveryShift, FailingPremise, Naturally, Outcome, Refutation, Repair,
     TheoremFinding, TheoremVerdict,
 };
-pub use witness::{Attained, Control, Place, Supremum, Violation};
+pub use witness::{Attained, Control, Place, Supremum, Unshiftable, Violation};

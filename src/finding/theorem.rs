@@ -3,7 +3,7 @@
 use crate::claim::Theorem;
 use crate::exact::{Rational, RealCyclotomic};
 use crate::finding::levels::Levels;
-use crate::finding::witness::{Supremum, Violation};
+use crate::finding::witness::{Supremum, Unshiftable, Violation};
 
 /// One correction.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -109,6 +109,30 @@ pub struct Refutation {
     /// What is so with each point at its natural parameter; `None` where the points of all cases
     /// are there, as those of rings.
     pub natural: Option<Naturally>,
+    /// What is so in every shift of the parameter; `None` for differences and for rings, where there is
+    /// no parameter.
+    pub every_shift: Option<EveryShift>,
+}
+
+/// Whether a theorem is refuted in every shift s of the parameter: with x^k_i at (i + s)/n^k,
+/// for every real number s, of nets for every pair of them.
+#[derive(Clone, Debug, PartialEq)]
+pub enum EveryShift {
+    /// It is, by the same data in all of them.
+    Refuted {
+        /// The scheme and the values, in a few words.
+        case: String,
+        /// The scheme, as the claim refers to it.
+        scheme: String,
+        /// The values of the names that the theorem leaves open.
+        values: Vec<(String, Rational)>,
+        /// The data.
+        data: Box<Unshiftable>,
+    },
+    /// It is not: at the natural parameters it holds at the levels that were looked at.
+    Holds,
+    /// Neither is known.
+    Open,
 }
 
 /// What a refuted theorem is with each point at its natural parameter.
@@ -127,6 +151,8 @@ pub enum Naturally {
         /// Whether certificates have words for it.
         certifiable: bool,
     },
+    /// It is false there, by the data that show it for every shift; others are not known.
+    AsInEveryShift,
     /// Nothing that it was tried on exceeds the bound: it holds at the levels that were looked at.
     Holds,
     /// Neither is known.

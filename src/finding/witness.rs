@@ -2,7 +2,7 @@
 
 use crate::claim::Quantity;
 use crate::exact::{Rational, RealCyclotomic};
-use crate::limit::ExtremalPolygon;
+use crate::limit::{ExtremalPolygon, Overshoot};
 
 /// Control data of spread 1 and a place where a quantity is greater than claimed.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,6 +14,19 @@ pub struct Violation {
     /// The control data, and where they attain the value.
     pub attained: Attained,
     /// What the theorem says that the value is at most, for β = 1.
+    pub bound: RealCyclotomic,
+}
+
+/// Control data of spread 1 that exceed a bound in every shift of the parameter.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unshiftable {
+    /// What is bounded.
+    pub quantity: Quantity,
+    /// k.
+    pub level: u32,
+    /// The data, and the two greatest values whose difference is above the bound.
+    pub overshoot: Overshoot,
+    /// What the theorem says that the quantity is at most, for β = 1.
     pub bound: RealCyclotomic,
 }
 

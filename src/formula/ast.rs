@@ -91,7 +91,7 @@ impl Expr {
     }
 
     /// The expressions that this one is made of.
-    pub(super) fn parts(&self) -> Vec<&Expr> {
+    pub(crate) fn parts(&self) -> Vec<&Expr> {
         match &self.node {
             Node::Number(_) | Node::Name(_) => Vec::new(),
             Node::Indexed { indices: parts, .. } | Node::Call { arguments: parts, .. } => {

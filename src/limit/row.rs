@@ -54,15 +54,40 @@ impl Refinement {
         self.arity
     }
 
+    /// N.
+    pub(super) fn width(&self) -> usize {
+        self.common.numerators[0].len()
+    }
+
     /// The denominator of the rules.
     pub(super) fn denominator(&self) -> &Integer {
         &self.common.denominator
     }
 
+    /// The points of the next level, times the denominator of the rules, with the index of the first:
+    /// all that may differ from the ends of these points, which stay where they are beyond them.
+    pub(super) fn refine(&self, first: i64, points: &[Integer]) -> (i64, Vec<Integer>) {
+        let width = self.width();
+        let last = points.len() - 1;
+        let rule = |start: usize, rule: &Vec<Integer>| {
+            // Point j of a window that begins width − 1 places before the first point.
+            let place = |j: usize| (start + j).saturating_sub(width - 1).min(last);
+            (0..).zip(rule).fold(Integer::zero(), |mut sum, (j, entry)| {
+                sum += &(entry * &points[place(j)]);
+                sum
+            })
+        };
+        let windows = 0..last + width;
+        let refined = windows
+            .flat_map(|start| self.common.numerators.iter().map(move |row| rule(start, row)));
+        let before = first - self.offset - i64::try_from(width - 1).expect("masks are capped");
+        (self.arity * before, refined.collect())
+    }
+
     /// x ↦ the value of a row, shifted, at y, where y_{ni+α} = Σ_j r_{α,j} x_{i+o+j}; times
     /// the denominator of the rules.
     pub(super) fn pull_back(&self, row: &Row, shift: i64) -> Row {
-        let width = self.common.numerators[0].len();
+        let width = self.width();
         let first = (row.first + shift).div_euclid(self.arity);
         let last = row.coefficients.len().saturating_sub(1);
         let last =

@@ -74,6 +74,26 @@ pub fn greatest_step_from(
     greatest(&(0..arity).map(step).collect::<Vec<_>>(), arity, &mask.difference(), level)
 }
 
+/// sup ‖P^{k+1} − P^k‖_∞ of the polygons with x^k_i at (i + shift)/n^k, over the control
+/// polygons with max|Δ| ≤ 1.
+///
+/// Source: `proofs/THEOREMS.md`, 90.
+///
+/// # Errors
+/// As of [`greatest_step`].
+pub(crate) fn step_supremum(
+    mask: &Mask,
+    level: u32,
+    shift: &Rational,
+) -> Result<Rational, LimitError> {
+    let at_points = greatest_step_from(mask, level, shift)?.value;
+    let arity = Rational::from(mask.arity());
+    let node = Functional::on_line(&((arity - Rational::one()) * shift)).after(mask.rules());
+    let off = node.plus(&Rational::from(-1), &Functional::new(0, [Rational::one()]));
+    let off = off.on_differences().expect("both are affine combinations");
+    Ok(at_points.max(greatest(&[(0, off)], 1, &mask.difference(), level)?.value))
+}
+
 /// sup max|Δ^k| = T_k over the control polygons with max|Δ| ≤ 1. It is attained at the
 /// difference Δ^k_i with the `index` i.
 ///

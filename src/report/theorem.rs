@@ -4,7 +4,8 @@ use super::parts::{definitions, mark};
 use super::sheet::Sheet;
 use super::witness;
 use crate::audit::{
-    Correction, Outcome, PaperAudit, Refutation, TheoremFinding, TheoremVerdict, Violation,
+    Correction, EveryShift, Naturally, Outcome, PaperAudit, Refutation, TheoremFinding,
+    TheoremVerdict, Unshiftable, Violation,
 };
 use crate::claim::Statement;
 use crate::exact::{RealCyclotomic, format::short};
@@ -28,22 +29,56 @@ pub(super) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>) {
 /// The verdict, why, what would save a false theorem, and what of its proof fails.
 pub(super) fn outcome(finding: &TheoremFinding<'_>) -> String {
     let name = finding.verdict.name();
-    let mut lines = vec![match (&finding.refutation, &finding.proof) {
-        (Some(refutation), _) => format!("{name} · {}", exceeded(refutation)),
-        (None, Some(proof)) => format!("{name} · {proof}"),
-        (None, None) => format!("{name}{}", tried(finding)),
-    }];
+    let mut lines = match (&finding.refutation, &finding.proof) {
+        (Some(refutation), _) => refuted(name, refutation),
+        (None, Some(proof)) => vec![format!("{name} · {proof}")],
+        (None, None) => vec![format!("{name}{}", tried(finding))],
+    };
     lines.extend(repairs(finding));
     lines.extend(premises(finding));
     let separator = if lines.len() > 1 && finding.refutation.is_some() { "\n" } else { " · " };
     lines.join(separator)
 }
 
+/// In which parametrisation a theorem is refuted, beginning with what survives every shift.
+fn refuted(name: &str, refutation: &Refutation) -> Vec<String> {
+    let Refutation { case, violation, natural, every_shift, .. } = refutation;
+    let Violation { level, attained, bound, .. } = violation;
+    let printed = exceeded(case, *level, &attained.value, bound);
+    match (every_shift, natural) {
+        (Some(EveryShift::Refuted { case, data, .. }), _) => {
+            let Unshiftable { level, overshoot, bound, .. } = &**data;
+            let survives = exceeded(case, *level, &overshoot.gap().into(), bound);
+            vec![
+                format!("{name} in every shift of the parameter · {survives}"),
+                format!("with points at i/n^k · {printed}"),
+            ]
+        }
+        (_, Some(Naturally::Holds)) => vec![
+            format!("{name} with points at i/n^k · {printed}"),
+            "not refuted at natural parameters".to_owned(),
+        ],
+        (_, Some(Naturally::Refuted { case, violation, .. })) => {
+            let Violation { level, attained, bound, .. } = &**violation;
+            let natural = exceeded(case, *level, &attained.value, bound);
+            vec![
+                format!("{name} with points at i/n^k · {printed}"),
+                format!("refuted at natural parameters too · {natural}"),
+                "not known whether in every shift".to_owned(),
+            ]
+        }
+        (_, Some(Naturally::AsInEveryShift | Naturally::Open)) => vec![
+            format!("{name} with points at i/n^k · {printed}"),
+            "not known whether at natural parameters".to_owned(),
+        ],
+        (_, None) => vec![format!("{name} · {printed}")],
+    }
+}
+
 /// `six-point:w=3/256, c = 2 · k = 1: 2.34 > 1.41`.
-fn exceeded(refutation: &Refutation) -> String {
-    let Violation { level, attained, bound, .. } = &refutation.violation;
-    let (value, bound) = apart(&attained.value, bound);
-    format!("{} · k = {level}: {value} > {bound}", refutation.case)
+fn exceeded(case: &str, level: u32, value: &RealCyclotomic, bound: &RealCyclotomic) -> String {
+    let (value, bound) = apart(value, bound);
+    format!("{case} · k = {level}: {value} > {bound}")
 }
 
 /// Two different numbers with as many digits as it takes to tell them apart.
@@ -138,7 +173,7 @@ pub(super) fn explain(audit: &PaperAudit<'_>, id: &str) -> Option<Sheet> {
     }
     let verdict = format!("{} {}", mark(finding.verdict.name()), outcome(finding));
     facts.push(("verdict".to_owned(), verdict));
-    facts.extend(finding.refutation.as_ref().map(witness::facts).unwrap_or_default());
+    facts.extend(witness::facts(finding));
     facts.extend(corrections(finding));
     facts.extend(finding.cases.iter().map(|case| (case.label.clone(), in_case(&case.outcome))));
     facts.extend(theorem.note.clone().map(|note| ("note".to_owned(), note)));

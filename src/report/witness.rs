@@ -1,19 +1,21 @@
 //! The data that refute a theorem.
 
-use crate::audit::{Control, Naturally, Place, Refutation, Violation};
+use super::numbers::{DIGITS, exact, points};
+use super::shift;
+use crate::audit::{Control, Naturally, Place, Refutation, TheoremFinding, Violation};
 use crate::claim::Quantity;
-use crate::exact::{RealCyclotomic, format::short};
-use crate::limit::ExtremalPolygon;
-
-/// How many digits a decimal has.
-const DIGITS: u32 = 12;
+use crate::exact::format::short;
 
 /// What it takes to check the refutation by hand.
-pub(super) fn facts(refutation: &Refutation) -> Vec<(String, String)> {
-    let Refutation { case, violation, supremum, sound, natural, .. } = refutation;
+pub(super) fn facts(finding: &TheoremFinding<'_>) -> Vec<(String, String)> {
+    let Some(refutation) = &finding.refutation else { return Vec::new() };
+    let Refutation { case, violation, supremum, sound, natural, every_shift, .. } = refutation;
     let mut facts = Vec::new();
     let mut fact = |name: &str, value: String| facts.push((name.to_owned(), value));
     // What does not depend on where the points are comes first.
+    if let Some(found) = every_shift {
+        shift::facts(found, &mut fact);
+    }
     match natural {
         None => {}
         Some(Naturally::Refuted { case, violation, .. }) => {
@@ -21,6 +23,9 @@ pub(super) fn facts(refutation: &Refutation) -> Vec<(String, String)> {
             fact("control data", control(&violation.attained.control));
             fact(&value_name(violation), exact(&violation.attained.value));
             fact("claimed at most", exact(&violation.bound));
+        }
+        Some(Naturally::AsInEveryShift) => {
+            fact("at natural parameters", "refuted too, by these data".to_owned());
         }
         Some(Naturally::Holds) => {
             let text = "not refuted: there it holds at the levels that were looked at";
@@ -30,7 +35,7 @@ pub(super) fn facts(refutation: &Refutation) -> Vec<(String, String)> {
             fact("at natural parameters", "open: not refuted, and not shown".to_owned());
         }
     }
-    if let Some(text) = compared(violation) {
+    if let Some(text) = compared(finding) {
         fact("compared", text.to_owned());
     }
     let place = if natural.is_some() { "with points at i/n^k" } else { "refuted for" };
@@ -56,11 +61,7 @@ pub(super) fn facts(refutation: &Refutation) -> Vec<(String, String)> {
 /// `x_-2, …, x_1 = 0, 1, 2, 1`.
 fn control(control: &Control) -> String {
     match control {
-        Control::Polygon(ExtremalPolygon { first, points }) => {
-            let list: Vec<String> = points.iter().map(ToString::to_string).collect();
-            let last = first + i64::try_from(points.len()).unwrap_or(1) - 1;
-            format!("x_{first}, …, x_{last} = {}", list.join(", "))
-        }
+        Control::Polygon(polygon) => points("x", polygon),
         Control::Net { first: [i, j], rows } => {
             let row = |row: &Vec<i64>| {
                 row.iter().map(ToString::to_string).collect::<Vec<String>>().join(", ")
@@ -77,14 +78,22 @@ fn control(control: &Control) -> String {
 }
 
 /// Of points around a vertex or on a face, what is compared with what.
-fn compared(violation: &Violation) -> Option<&'static str> {
+///
+/// The distance of a point from its limit is at most the sum of its steps, which proofs telescope:
+/// what is above a bound of the distance refutes the same bound of that sum.
+pub(super) fn compared(finding: &TheoremFinding<'_>) -> Option<&'static str> {
+    let violation = &finding.refutation.as_ref()?.violation;
     let Control::Points(_) = violation.attained.control else { return None };
-    Some(match violation.quantity {
-        Quantity::Distance => "a point of level k with the one point that all of them tend to",
-        Quantity::Step => {
-            "a point of level k + 1 with the one of its name, or of the interpolant, at level k"
+    Some(match (violation.quantity, &finding.theorem.tried.interpolant) {
+        (Quantity::Distance, _) => {
+            "a point of level k with the one point that all of them tend to; the steps of this point from \
+             level k on, which the proof adds up, sum to this distance at least"
         }
-        Quantity::Difference => "two neighbouring points of level k",
+        (Quantity::Step, None) => "a point of level k + 1 with the one of its name at level k",
+        (Quantity::Step, Some(_)) => {
+            "a point of level k + 1 with the one of its name of the interpolant of level k"
+        }
+        (Quantity::Difference, _) => "two neighbouring points of level k",
     })
 }
 
@@ -116,9 +125,4 @@ pub(super) fn name(place: &Place) -> String {
         Place::Named(name) => name.clone(),
         Place::Edge([a, b]) => format!("{a} – {b}"),
     }
-}
-
-fn exact(value: &RealCyclotomic) -> String {
-    let (text, decimal) = (value.to_string(), short(value, DIGITS));
-    if text == decimal { text } else { format!("{text} = {decimal}") }
 }

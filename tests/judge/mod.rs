@@ -1,7 +1,9 @@
 //! Judging tables, functions, ranges and theorems.
 
+mod every_shift;
 mod functions_and_ranges;
 mod lines;
+mod proportional;
 mod readings;
 mod theorem_verdicts;
 mod theorems;

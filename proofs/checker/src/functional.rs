@@ -3,6 +3,7 @@
 use crate::decimal::{Q, int, over_one_denominator};
 use crate::linear::solve;
 use crate::meter::Meter;
+use crate::polygon::Polygon;
 use crate::reject::Stop;
 use crate::scheme::Scheme;
 use crate::value::Value;
@@ -20,6 +21,9 @@ const MAX_INDEX: i64 = 1 << 40;
 
 /// The highest level.
 const MAX_LEVEL: u32 = 1_000;
+
+/// The most points of a refined polygon.
+const MAX_POINTS: i64 = 1 << 16;
 
 /// A functional Σ_i f_i x_i with integers f_i over one denominator.
 #[derive(Clone, Debug)]
@@ -42,6 +46,11 @@ impl Functional {
         let by = by.ok_or(Stop::Capped("the parameters of control data"))?;
         let weights = self.weights.into_iter().map(|(i, weight)| (i + by, weight)).collect();
         Ok(Functional { weights, ..self })
+    }
+
+    /// The value at a polygon.
+    pub fn of(&self, x: &Polygon) -> Q {
+        Q::new(self.weights.iter().map(|(i, weight)| weight * x.at(*i)).sum(), self.over.clone())
     }
 
     /// The functional x_0.
@@ -98,6 +107,28 @@ impl<'a> Rules<'a> {
     /// The arity n.
     pub fn arity(&self) -> i64 {
         size(&self.rows)
+    }
+
+    /// A polygon over a denominator, refined once: x'_{ni+α} = Σ_j a_{α,j} x_{i+o+j} for all i where
+    /// not all x_{i+o+j} are one end.
+    pub fn refined(&self, (x, over): (&Polygon, &BigInt)) -> Result<(Polygon, BigInt), Stop> {
+        let (n, width) = (self.arity(), size(&self.rows[0]));
+        let from = x.first - self.offset - width;
+        let to = x.first + size(&x.points) - self.offset;
+        if (to - from + 1) * n > MAX_POINTS {
+            return Err(Stop::Capped("the points of a refined polygon"));
+        }
+        self.meter.spend(((to - from + 1) * n * width).cast_unsigned())?;
+        let point = |i: i64, rule: &Vec<BigInt>| {
+            (i + self.offset..).zip(rule).map(|(at, a)| a * x.at(at)).sum::<BigInt>()
+        };
+        let points = (from..=to).flat_map(|i| self.rows.iter().map(move |rule| point(i, rule)));
+        Ok((Polygon { first: n * from, points: points.collect() }, over * &self.over))
+    }
+
+    /// Whether no weight is negative.
+    pub fn averages(&self) -> bool {
+        self.rows.iter().flatten().all(|a| !a.is_negative())
     }
 
     /// f applied to the refined x', as a functional of x; x'_{ni+α} = Σ_j a_{α,j} x_{i+o+j}.

@@ -22,6 +22,7 @@ mod field;
 mod linear;
 mod number;
 mod piece;
+mod polygon;
 mod polynomial;
 mod root;
 mod rounding;

@@ -10,7 +10,7 @@ use crate::value::Value;
 use std::rc::Rc;
 
 /// The most residue classes of a constant that shows convergence.
-const MAX_CLASSES: usize = 1 << 12;
+pub const MAX_CLASSES: usize = 1 << 12;
 
 /// The rules that refine control data.
 pub enum Setting<'a> {

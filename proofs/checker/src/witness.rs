@@ -5,36 +5,12 @@ use crate::decimal::{Q, int, read_rational};
 use crate::functional::{Functional, Rules, product};
 use crate::local_rules::LocalRules;
 use crate::paper::Paper;
+use crate::polygon::{Polygon, index, integers, place, spread};
 use crate::reject::{Checked, Reason, compare, require};
 use crate::setting::Setting;
 use crate::value::Value;
 use num_bigint::BigInt;
-use num_traits::{One, Signed, ToPrimitive, Zero};
-
-/// The points x_i, i = first, first + 1, …, which are constant beyond both ends.
-struct Polygon {
-    first: i64,
-    points: Vec<BigInt>,
-}
-
-impl Polygon {
-    fn at(&self, i: i64) -> &BigInt {
-        &self.points[place(i, self.first, self.points.len())]
-    }
-
-    fn spread(&self) -> BigInt {
-        spread(self.points.windows(2).map(|pair| [&pair[0], &pair[1]]))
-    }
-}
-
-/// The position of an index, or of the nearest one, in a list that begins with the index `first`.
-fn place(i: i64, first: i64, count: usize) -> usize {
-    usize::try_from(i - first).unwrap_or(0).min(count - 1)
-}
-
-fn spread<'x>(pairs: impl Iterator<Item = [&'x BigInt; 2]>) -> BigInt {
-    pairs.map(|[a, b]| (b - a).abs()).max().unwrap_or_default()
-}
+use num_traits::{One, Zero};
 
 /// Control data. All are integers.
 enum Control {
@@ -60,15 +36,6 @@ pub enum Points {
 pub struct Witness<'l> {
     control: Control,
     place: Vec<&'l str>,
-}
-
-fn integers(text: &str) -> Option<Vec<BigInt>> {
-    let integer = |word| read_rational(word).filter(Q::is_integer).map(|value| value.to_integer());
-    text.split_whitespace().map(integer).collect()
-}
-
-fn index(value: &BigInt) -> Option<i64> {
-    value.to_i64().filter(|index| index.abs() <= 1_000_000)
 }
 
 fn malformed<T>(expected: &'static str) -> Checked<T> {
@@ -98,9 +65,9 @@ impl<'l> Witness<'l> {
             require(!rows.is_empty(), Reason::Malformed("the rows of a net"))?;
             Control::Net([i, j], rows)
         } else {
-            let mut polygons = vec![polygon(block.after("polygon")?)?];
+            let mut polygons = vec![Polygon::read(block.after("polygon")?)?];
             while let Some(said) = block.maybe("polygon") {
-                polygons.push(polygon(said)?);
+                polygons.push(Polygon::read(said)?);
             }
             Control::Polygons(polygons)
         };
@@ -254,17 +221,6 @@ impl<'l> Witness<'l> {
             _ => return malformed("a point, or an edge"),
         };
         Ok(off?)
-    }
-}
-
-fn polygon(said: &str) -> Checked<Polygon> {
-    let numbers = integers(said).unwrap_or_default();
-    match &numbers[..] {
-        [first, points @ ..] if !points.is_empty() => {
-            let first = index(first).ok_or(Reason::Malformed("an index"))?;
-            Ok(Polygon { first, points: points.to_vec() })
-        }
-        _ => malformed("polygon FIRST INTEGER…"),
     }
 }
 

@@ -47,20 +47,20 @@ impl Space<'_> {
         })
     }
 
-    /// Whether the values of a reading become two and three times as much when the scale
-    /// does. A power, T^k, may be twice as much at 2k, but then it is not three times as much
-    /// at 3k.
+    /// Whether the values of a reading are proportional to the scale: by the form of the value, and
+    /// they become two and three times as much when it does.
     pub(crate) fn is_scale(&self, scale: &Scale, values: &Values, settings: &Settings) -> bool {
-        [2, 3].map(Rational::from).iter().all(|times| {
-            let settings = settings.with_parameter(&scale.name, &(&scale.base * times));
-            let (scaled, times) = (self.values(&settings), RealCyclotomic::from(times.clone()));
-            let mut pairs = values.iter().flatten().zip(scaled.iter().flatten());
-            pairs.all(|pair| match pair {
-                (Some(once), Some(scaled)) => once * &times == *scaled,
-                (None, None) => true,
-                _ => false,
+        self.is_proportional(&scale.name, settings)
+            && [2, 3].map(Rational::from).iter().all(|times| {
+                let settings = settings.with_parameter(&scale.name, &(&scale.base * times));
+                let (scaled, times) = (self.values(&settings), RealCyclotomic::from(times.clone()));
+                let mut pairs = values.iter().flatten().zip(scaled.iter().flatten());
+                pairs.all(|pair| match pair {
+                    (Some(once), Some(scaled)) => once * &times == *scaled,
+                    (None, None) => true,
+                    _ => false,
+                })
             })
-        })
     }
 
     /// Which cells the printed definition explains.

@@ -9,6 +9,7 @@
 
 mod chance;
 mod consistent;
+mod degree;
 mod explain;
 mod line;
 mod needs;

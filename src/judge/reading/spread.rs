@@ -29,8 +29,11 @@ pub(crate) fn unknown<'s>(space: &Space<'s>) -> Option<&'s str> {
 }
 
 /// Whether the printed definition takes x to x/2 and x/3, and the ratio to itself, when
-/// the parameter becomes two and three times as much: of powers, one at most holds.
+/// the parameter becomes two and three times as much, and its form shows it for all others.
 fn is_spread(space: &Space<'_>, name: &str) -> bool {
+    if !space.is_inverse(name) {
+        return false;
+    }
     let settings = space.settings(&[]);
     let base = &space.judge.assumed[name];
     let mut seen = false;

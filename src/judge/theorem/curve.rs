@@ -4,10 +4,12 @@ use crate::bound::{Budget, Constants, MAX_CLASSES, Operator, Order, SoundBound, 
 use crate::claim::Quantity;
 use crate::exact::{Enclosed, Rational, RealCyclotomic};
 use crate::finding::{Attained, Control, LevelEvidence, Place, Supremum};
-use crate::judge::distance::{Compared, KnownDistances};
+use crate::judge::distance::{Compared, KnownDistances, KnownOvershoots};
 use crate::judge::theorem::levels::sums;
-use crate::judge::theorem::setting::Setting;
-use crate::limit::{Comparison, Parametrisation, greatest_difference, greatest_step_from};
+use crate::judge::theorem::setting::{Setting, later};
+use crate::limit::{
+    Comparison, Overshoot, Parametrisation, greatest_difference, greatest_step_from, step_supremum,
+};
 use crate::scheme::Mask;
 use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
@@ -34,6 +36,7 @@ pub(crate) struct Curve {
     shift: Rational,
     /// The same scheme with the points at their natural parameters, unless this is it.
     natural: OnceCell<Option<Box<Curve>>>,
+    overshoots: KnownOvershoots,
     budget: Budget,
 }
 
@@ -44,7 +47,7 @@ impl Curve {
 
     fn placed(mask: Mask, parametrisation: Parametrisation, budget: &Budget) -> Curve {
         let compared = Compared::Curve(mask.clone());
-        let (greatest, sound, centred, natural) = Default::default();
+        let (greatest, sound, centred, natural, overshoots) = Default::default();
         Curve {
             distances: KnownDistances::placed(compared, parametrisation, budget),
             shift: parametrisation.shift(&mask),
@@ -53,14 +56,18 @@ impl Curve {
             sound,
             centred,
             natural,
+            overshoots,
             budget: budget.clone(),
         }
     }
 
-    /// Whether the steps at the points of level k + 1 are the greatest.
-    fn aligned(&self) -> bool {
-        let steps = Rational::from(self.mask().arity()) - Rational::one();
-        (steps * &self.shift).is_integer()
+    /// The supremum of a step or a difference.
+    fn most(&self, quantity: Quantity, level: u32) -> Result<RealCyclotomic, String> {
+        if quantity == Quantity::Difference || self.shift.is_zero() {
+            return Ok(self.greatest(quantity, level)?.value);
+        }
+        let most = step_supremum(self.mask(), level, &self.shift);
+        most.map(RealCyclotomic::from).map_err(|error| error.to_string())
     }
 
     fn mask(&self) -> &Mask {
@@ -109,20 +116,22 @@ impl Setting for Curve {
             return self.distances.compare(level, bound);
         }
         let found = self.greatest(quantity, level)?;
-        Ok(if found.value > *bound {
-            Comparison::Exceeds(found)
-        } else if quantity == Quantity::Difference || self.aligned() {
+        if found.value > *bound {
+            return Ok(Comparison::Exceeds(found));
+        }
+        let most = self.most(quantity, level)?;
+        // Where the greatest step is at a point of level k, certificates have no word for its place.
+        Ok(if most <= *bound {
             Comparison::Within
         } else {
-            Comparison::Undecided(Box::new(found.value.enclosure(0)))
+            Comparison::Undecided(Box::new(most.enclosure(0)))
         })
     }
 
     fn supremum(&self, quantity: Quantity, level: u32, parts: u32) -> Result<Supremum, String> {
         if quantity != Quantity::Distance {
-            let value = self.greatest(quantity, level)?.value;
-            let known = quantity == Quantity::Difference || self.aligned();
-            return Ok(Supremum { lower: value.clone(), upper: known.then_some(value) });
+            let most = self.most(quantity, level)?;
+            return Ok(Supremum { lower: most.clone(), upper: Some(most) });
         }
         self.distances.supremum(level, parts)
     }
@@ -163,6 +172,10 @@ impl Setting for Curve {
             other.then(|| Box::new(Curve::new(self.mask().with_offset(offset), &self.budget)))
         });
         centred.as_deref().map(|curve| curve as &dyn Setting)
+    }
+
+    fn overshoot(&self, quantity: Quantity, level: u32) -> Option<Overshoot> {
+        self.overshoots.greatest(&[self.mask()], level, later(quantity)?)
     }
 
     fn natural(&self) -> Option<&dyn Setting> {

@@ -7,7 +7,10 @@ mod evaluate;
 mod growth;
 mod levels;
 mod local_rules;
+mod natural;
 mod setting;
+mod shift;
+mod simplest;
 mod surface;
 mod trial;
 
@@ -15,16 +18,16 @@ use crate::claim::{Paper, Quantity, Statement, Theorem};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::library::{Library, Resolved};
 use crate::finding::{
-    CaseFinding, Control, Correction, Naturally, Outcome, Refutation, Repair, TheoremFinding,
-    TheoremVerdict, Violation,
+    CaseFinding, Correction, Outcome, Refutation, Repair, TheoremFinding, TheoremVerdict, Violation,
 };
-use crate::judge::distance::has_words;
 use crate::judge::theorem::case::{Case, Stage};
 use crate::judge::theorem::correction::{corrections, subsets};
+use crate::judge::theorem::natural::{moves, naturally, outcomes, size};
 use crate::judge::theorem::setting::Setting;
+use crate::judge::theorem::shift::every_shift;
 use crate::judge::theorem::trial::Trial;
 use crate::limit::Parametrisation;
-use crate::scheme::Mask;
+use std::collections::BTreeSet;
 
 /// How exactly the supremum beside a false bound is enclosed, in parts of it.
 const PARTS: u32 = 1_000;
@@ -35,15 +38,22 @@ pub(crate) fn trials(paper: &Paper) -> Result<Vec<TheoremFinding<'_>>, Diagnosti
     paper.theorems.iter().map(one).collect()
 }
 
-/// The masks of the case that refutes a theorem; `None` for a ring.
-pub(crate) fn refuted_scheme(
+/// The masks of the cases of these labels, each once; none of a ring.
+pub(crate) fn schemes_of(
     paper: &Paper,
     theorem: &Theorem,
-    refutation: &Refutation,
-) -> Result<Option<Resolved>, Diagnostic> {
+    labels: &BTreeSet<&str>,
+) -> Result<Vec<Resolved>, Diagnostic> {
     let (library, stage) = (Library::new(paper), Stage::default());
-    let cases = Case::all(paper, theorem, &library, &stage)?;
-    Ok(cases.into_iter().find(|case| case.label == refutation.case).and_then(|case| case.resolved))
+    let cases = Case::all(paper, theorem, &library, &stage)?.into_iter();
+    let named = cases.filter(|case| labels.contains(&case.label[..]));
+    let mut found: Vec<Resolved> = Vec::new();
+    for resolved in named.filter_map(|case| case.resolved) {
+        if found.iter().all(|other| other.instances != resolved.instances) {
+            found.push(resolved);
+        }
+    }
+    Ok(found)
 }
 
 fn one<'a>(
@@ -85,6 +95,8 @@ fn one<'a>(
     });
     if let Some((violation, case)) = violations.min_by_key(|(violation, _)| size(violation)) {
         let setting = case.setting.as_deref();
+        let natural = outcomes(paper, theorem, &cases, &finding.cases)?;
+        let every_shift = every_shift(theorem, &cases, &natural)?;
         let Violation { quantity, level, .. } = **violation;
         finding.refutation = Some(Refutation {
             case: case.label.clone(),
@@ -100,7 +112,8 @@ fn one<'a>(
                 Quantity::Distance => setting.and_then(|setting| setting.sound(level)),
                 _ => None,
             },
-            natural: naturally(paper, theorem, &cases)?,
+            natural: moves(&cases).then(|| naturally(&cases, &natural, every_shift.as_ref())),
+            every_shift,
         });
         (finding.verdict, finding.proof) = (TheoremVerdict::Refuted, None);
         finding.corrections = corrections(paper, theorem, &cases)?;
@@ -116,59 +129,9 @@ fn one<'a>(
     Ok(finding)
 }
 
-/// What a theorem is with each point at its natural parameter; `None` where that is the same.
-fn naturally(
-    paper: &Paper,
-    theorem: &Theorem,
-    cases: &[Case<'_>],
-) -> Result<Option<Naturally>, Diagnostic> {
-    let moves =
-        |case: &Case<'_>| case.setting.as_deref().is_some_and(|own| own.natural().is_some());
-    if !cases.iter().any(moves) {
-        return Ok(None);
-    }
-    let trial =
-        Trial { paper, theorem, corrections: &[], parametrisation: Parametrisation::Natural };
-    let (mut refuted, mut known) = (Vec::new(), true);
-    for case in cases {
-        match trial.of(case)? {
-            Outcome::Refuted(violation) => refuted.push((case, violation)),
-            Outcome::Proved | Outcome::UpTo(_) | Outcome::Outside(_) => {}
-            Outcome::Unknown(_) => known = false,
-        }
-    }
-    let least = refuted.into_iter().min_by_key(|(_, violation)| size(violation));
-    Ok(Some(match least {
-        Some((case, violation)) => {
-            let resolved = case.resolved.iter().flat_map(|scheme| &scheme.constants);
-            let masks: Vec<&Mask> = resolved.map(|axis| axis.mask()).collect();
-            Naturally::Refuted {
-                case: case.label.clone(),
-                scheme: case.scheme.clone(),
-                values: case.chosen.clone(),
-                certifiable: has_words(&masks, &violation.attained),
-                violation,
-            }
-        }
-        None if known => Naturally::Holds,
-        None => Naturally::Open,
-    }))
-}
-
 /// Whether a theorem is about the single case that it is tried on.
 fn closed(theorem: &Theorem) -> bool {
     theorem.scheme.is_some() && theorem.tried.values.is_empty()
-}
-
-/// How much there is to check: the level, the number of points, the length of numbers.
-fn size(violation: &Violation) -> (u32, usize, usize) {
-    let points = match &violation.attained.control {
-        Control::Polygon(polygon) => polygon.points.len(),
-        Control::Net { rows, .. } => rows.iter().map(Vec::len).sum(),
-        Control::Points(points) => points.len(),
-    };
-    let text = format!("{}{}", violation.attained.value, violation.bound);
-    (violation.level, points, text.len())
 }
 
 /// The smallest sets of corrections with which nothing refutes a theorem.

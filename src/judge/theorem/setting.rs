@@ -3,7 +3,7 @@
 use crate::claim::Quantity;
 use crate::exact::{RealCyclotomic, comparable};
 use crate::finding::{Attained, LevelEvidence, Supremum};
-use crate::limit::Comparison;
+use crate::limit::{Comparison, Later, Overshoot};
 
 /// The suprema of a scheme, over all control data of spread 1, at level k.
 ///
@@ -53,8 +53,23 @@ pub(crate) trait Setting {
     /// already, and for a ring.
     fn natural(&self) -> Option<&dyn Setting>;
 
+    /// The data that are found to exceed most in every shift of the parameter, for a step or a
+    /// distance; `None` where there are none, and for a ring.
+    fn overshoot(&self, _: Quantity, _: u32) -> Option<Overshoot> {
+        None
+    }
+
     /// Of a ring, the weights of its limit.
     fn limit(&self) -> Option<&[RealCyclotomic]> {
         None
+    }
+}
+
+/// What a level is compared with, in a step or a distance.
+pub(crate) fn later(quantity: Quantity) -> Option<Later> {
+    match quantity {
+        Quantity::Difference => None,
+        Quantity::Step => Some(Later::Points),
+        Quantity::Distance => Some(Later::Limit),
     }
 }

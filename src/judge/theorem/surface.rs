@@ -1,13 +1,15 @@
 //! Tensor product surfaces as a setting.
 
-use crate::bound::{Budget, Constants, MAX_CLASSES, SoundBound, surface_factor};
+use crate::bound::{Budget, Constants, MAX_CLASSES, Operator, Order, SoundBound, surface_factor};
 use crate::claim::Quantity;
-use crate::exact::{Enclosed, Enclosure, Rational, RealCyclotomic, Scalar};
+use crate::exact::{Enclosure, Rational, RealCyclotomic, Scalar};
 use crate::finding::{Attained, Control, LevelEvidence, Place, Supremum};
-use crate::judge::distance::{Compared, KnownDistances};
+use crate::judge::distance::{Compared, KnownDistances, KnownOvershoots};
 use crate::judge::theorem::levels::sums;
-use crate::judge::theorem::setting::Setting;
-use crate::limit::{Comparison, Parametrisation, greatest_difference, greatest_step_from};
+use crate::judge::theorem::setting::{Setting, later};
+use crate::limit::{
+    Comparison, Overshoot, Parametrisation, greatest_difference, greatest_step_from, step_supremum,
+};
 use crate::scheme::Mask;
 use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
@@ -32,6 +34,7 @@ pub(crate) struct Surface {
     parametrisation: Parametrisation,
     /// The same scheme with the points at their natural parameters, unless this is it.
     natural: OnceCell<Option<Box<Surface>>>,
+    overshoots: KnownOvershoots,
     budget: Budget,
 }
 
@@ -46,7 +49,7 @@ impl Surface {
 
     fn placed(masks: [Mask; 2], parametrisation: Parametrisation, budget: &Budget) -> Surface {
         let compared = Compared::Surface(masks.clone());
-        let (sound, attained, natural) = Default::default();
+        let (sound, attained, natural, overshoots) = Default::default();
         Surface {
             axes: masks.map(Constants::new),
             distances: KnownDistances::placed(compared, parametrisation, budget),
@@ -54,6 +57,7 @@ impl Surface {
             attained,
             parametrisation,
             natural,
+            overshoots,
             budget: budget.clone(),
         }
     }
@@ -112,6 +116,9 @@ impl Surface {
 
     /// An upper bound of a step or a difference.
     fn upper(&self, quantity: Quantity, level: u32) -> Result<RealCyclotomic, String> {
+        if quantity == Quantity::Step && self.parametrisation == Parametrisation::Natural {
+            return self.natural_step(level);
+        }
         let differences = self.factor(level)?;
         Ok(match quantity {
             Quantity::Step => {
@@ -122,6 +129,25 @@ impl Surface {
             }
             _ => differences,
         })
+    }
+}
+
+impl Surface {
+    /// An upper bound of a step with the points at their natural parameters.
+    ///
+    /// Source: `proofs/THEOREMS.md`, 90.
+    fn natural_step(&self, level: u32) -> Result<RealCyclotomic, String> {
+        let of = |axis: &Constants| -> Result<[Rational; 3], String> {
+            let shift = self.parametrisation.shift(axis.mask());
+            let step = step_supremum(axis.mask(), level, &shift).map_err(text)?;
+            let norm = |level| axis.norm(Operator::Scheme, level, Order::Adjoint).map_err(text);
+            Ok([step, norm(level)?, norm(level + 1)?])
+        };
+        let [[step, norm, next], [other_step, other_norm, other_next]] =
+            [of(&self.axes[0])?, of(&self.axes[1])?];
+        let one = &step * &other_next + &norm * &other_step;
+        let other = &other_step * &next + &other_norm * &step;
+        Ok(one.min(other).into())
     }
 }
 
@@ -141,9 +167,6 @@ impl Setting for Surface {
         let attained = self.attained(quantity, level)?;
         if attained.value > *bound {
             return Ok(Comparison::Exceeds(attained));
-        }
-        if quantity == Quantity::Step && self.parametrisation == Parametrisation::Natural {
-            return Ok(Comparison::Undecided(Box::new(attained.value.enclosure(0))));
         }
         let upper = self.upper(quantity, level)?;
         if upper <= *bound {
@@ -201,6 +224,11 @@ impl Setting for Surface {
 
     fn centred(&self) -> Option<&dyn Setting> {
         None
+    }
+
+    fn overshoot(&self, quantity: Quantity, level: u32) -> Option<Overshoot> {
+        let masks = self.axes.each_ref().map(Constants::mask);
+        self.overshoots.greatest(&masks, level, later(quantity)?)
     }
 
     fn natural(&self) -> Option<&dyn Setting> {

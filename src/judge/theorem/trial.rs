@@ -3,7 +3,7 @@
 use crate::claim::{Paper, Quantity, Statement, Theorem};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::settings::Settings;
-use crate::exact::{Enclosed, Integer, Rational, RealCyclotomic, Scalar, comparable};
+use crate::exact::{Enclosed, Rational, RealCyclotomic, Scalar, comparable};
 use crate::finding::{Change, Correction, Levels, Outcome, Violation};
 use crate::formula::LocatedFormula;
 use crate::judge::theorem::case::Case;
@@ -11,6 +11,7 @@ use crate::judge::theorem::correction::settings;
 use crate::judge::theorem::evaluate::{LEVEL, TOLERANCE};
 use crate::judge::theorem::growth::{Growth, growth};
 use crate::judge::theorem::setting::Setting;
+use crate::judge::theorem::simplest::slightly_less;
 use crate::limit::{Comparison, Parametrisation};
 
 /// A theorem with corrections, to be tried.
@@ -292,43 +293,3 @@ impl Bound<'_> {
 /// How exactly a distance is enclosed where a tolerance below it is looked for, step by
 /// step, in parts of it.
 const PARTS: [u32; 3] = [4, 32, 256];
-
-/// The simplest rational number within 1/256 below a positive number.
-fn slightly_less(value: &RealCyclotomic) -> Option<Rational> {
-    let upper = value.enclosure(0).lower().clone();
-    if upper.sign() <= 0 {
-        return None;
-    }
-    let lower = &upper * &Rational::new(255, 256);
-    Some(simplest(&lower, &upper))
-}
-
-/// The rational number of least denominator from `low` to below `high`, 0 < low < high.
-fn simplest(low: &Rational, high: &Rational) -> Rational {
-    let whole = Rational::from(low.ceil());
-    if whole < *high {
-        return whole;
-    }
-    let floor = Rational::from(low.floor());
-    let (low, high) = (low - &floor, high - &floor);
-    // Here 0 < low < high ≤ 1.
-    let inverse = simplest_above(&high.recip(), &low.recip());
-    floor + inverse.recip()
-}
-
-/// The same above `low` and up to `high`.
-fn simplest_above(low: &Rational, high: &Rational) -> Rational {
-    let whole = Rational::from(low.floor() + Integer::one());
-    if whole <= *high {
-        return whole;
-    }
-    let floor = Rational::from(low.floor());
-    let (low, high) = (low - &floor, high - &floor);
-    if low.is_zero() {
-        // No whole number is above a whole `low` and at most `high` < low + 1.
-        let inverse = Rational::from(high.recip().ceil());
-        return floor + inverse.recip();
-    }
-    let inverse = simplest(&high.recip(), &low.recip());
-    floor + inverse.recip()
-}

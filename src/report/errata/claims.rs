@@ -5,6 +5,7 @@ use crate::audit::{
 };
 use crate::claim::{EquationBody, Left};
 use crate::report::theorem as theorems;
+use crate::report::witness::compared;
 use crate::report::{equation, function};
 
 /// How many cases of a failing equation are listed.
@@ -67,10 +68,11 @@ pub(super) fn range(finding: &RangeFinding<'_>) -> Described {
 
 pub(super) fn theorem(finding: &TheoremFinding<'_>) -> Described {
     let theorem = finding.theorem;
-    let facts = vec![
+    let mut facts = vec![
         fact("states", theorems::statement(&theorem.statement)),
         fact("verdict", theorems::outcome(finding)),
     ];
+    facts.extend(compared(finding).map(|text| fact("compared", text)));
     (Some(theorem.title.clone()), facts, stated(theorem.note.as_slice()))
 }
 

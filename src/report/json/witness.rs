@@ -1,6 +1,7 @@
 //! The data that refute a theorem.
 
 use super::exact::{Exact, Named};
+use super::shift::EveryShift;
 use crate::audit::{self, Attained, Naturally, Refutation, Violation};
 use crate::limit::ExtremalPolygon;
 use crate::report::witness::name;
@@ -18,6 +19,8 @@ pub struct Witness<'a> {
     pub sound: Option<Exact>,
     /// What the theorem is with each point at its natural parameter; null where that is the same.
     pub natural: Option<Natural<'a>>,
+    /// What it is in every shift of the parameter; null for differences and for rings.
+    pub every_shift: Option<EveryShift<'a>>,
 }
 
 /// What a refuted theorem is with each point at its natural parameter.
@@ -25,7 +28,7 @@ pub struct Witness<'a> {
 pub struct Natural<'a> {
     /// Whether it is false there too; null where that is open.
     pub refuted: Option<bool>,
-    /// What shows that it is; missing where it is not. Its fields stand here.
+    /// What shows that it is; missing where it is not, and where what shows it for every shift does. Its fields stand here.
     #[serde(flatten)]
     pub by: Option<Exceeding<'a>>,
 }
@@ -114,7 +117,7 @@ pub struct Supremum {
 
 impl<'a> Witness<'a> {
     pub(super) fn of(refutation: &'a Refutation) -> Witness<'a> {
-        let Refutation { case, violation, supremum, sound, natural, .. } = refutation;
+        let Refutation { case, violation, supremum, sound, natural, every_shift, .. } = refutation;
         Witness {
             exceeding: Exceeding::of(case, violation),
             supremum: supremum.as_ref().map(|supremum| Supremum {
@@ -123,6 +126,7 @@ impl<'a> Witness<'a> {
             }),
             sound: sound.as_ref().map(Exact::of),
             natural: natural.as_ref().map(Natural::of),
+            every_shift: every_shift.as_ref().map(EveryShift::of),
         }
     }
 }
@@ -133,6 +137,7 @@ impl<'a> Natural<'a> {
             Naturally::Refuted { case, violation, .. } => {
                 Natural { refuted: Some(true), by: Some(Exceeding::of(case, violation)) }
             }
+            Naturally::AsInEveryShift => Natural { refuted: Some(true), by: None },
             Naturally::Holds => Natural { refuted: Some(false), by: None },
             Naturally::Open => Natural { refuted: None, by: None },
         }

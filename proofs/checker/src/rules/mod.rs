@@ -3,6 +3,7 @@
 mod attained;
 mod cell;
 mod constant;
+mod degree;
 mod equation;
 mod family;
 mod function;
@@ -17,6 +18,8 @@ mod range;
 mod reading;
 mod recovered;
 mod scale;
+mod shift;
+mod sides;
 mod sound;
 mod table;
 mod theorem;

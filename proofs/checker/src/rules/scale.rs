@@ -1,5 +1,6 @@
 //! The scale of a table: a parameter to which all values are proportional.
 
+use super::degree::is_linear;
 use super::members::{self, explained, values};
 use crate::decimal::Q;
 use crate::polynomial::signum;
@@ -38,8 +39,8 @@ pub fn scale<'t>(table: &'t Table<'_>, cells: &Cells) -> Checked<Option<(&'t str
     Ok(None)
 }
 
-/// Whether all values under a reading double and triple with a parameter. Doubling alone does not
-/// suffice: a power T^k may double at 2k.
+/// Whether all values under a reading are proportional to a parameter: the value has the degree 1 in
+/// it, and the values double and triple with it.
 pub fn is_scale(
     table: &Table<'_>,
     cells: &Cells,
@@ -47,6 +48,9 @@ pub fn is_scale(
     base: &Value,
     read: &Read,
 ) -> Checked<bool> {
+    if !is_linear(table, name, read) {
+        return Ok(false);
+    }
     let once = values(table, cells, read)?;
     for times in [2, 3] {
         let mut scaled = members::read(table, &read.differences)?;

@@ -1,20 +1,14 @@
 //! The rule `theorem`: a theorem is open, or control data refute it, or finitely many levels prove
 //! it, or a statement of THEOREMS.md decides it.
 
-use super::instance::{Instance, first_level};
-use super::levels;
+use super::instance::Instance;
+use super::sides::Stated;
+use super::{levels, shift};
 use crate::certificate::Block;
-use crate::decimal::{Q, read_rational};
-use crate::definitions::formula_of;
 use crate::paper::Paper;
 use crate::reject::{Checked, Reason, require};
 use crate::toml::Toml;
-use crate::value::Value;
-use crate::witness::{Points, Witness, violated};
-use num_traits::Signed;
-
-/// The greatest level of a witness.
-const MAX_LEVEL: u32 = 64;
+use crate::witness::{Points, Witness};
 
 /// The statements that may be cited.
 const THEOREMS: &str = include_str!("../../../THEOREMS.md");
@@ -54,6 +48,11 @@ pub fn check<'a>(
                 let instance = Instance::read(paper, claim, block)?;
                 refuted(paper, claim, block, instance, Points::Natural)?;
             }
+            if block.next_word() == "in-every-shift" {
+                block.word("in-every-shift")?;
+                let instance = Instance::read(paper, claim, block)?;
+                shift::check(paper, claim, block, instance)?;
+            }
             block.word("refuted")?;
             return Ok(None);
         }
@@ -74,41 +73,12 @@ fn refuted<'a>(
     paper: &'a Paper<'a>,
     claim: &'a Toml,
     block: &mut Block<'_>,
-    Instance { mut scope, setting, .. }: Instance<'a>,
+    Instance { scope, setting, .. }: Instance<'a>,
     points: Points,
 ) -> Checked<()> {
-    let (bounds, mut tolerance) = (claim.text("bounds").unwrap_or_default(), None);
-    if bounds == "depth" {
-        let number = read_rational(block.after("tolerance")?).filter(Q::is_positive);
-        tolerance = Some(Value::from(number.ok_or(Reason::Malformed("a positive number"))?));
-    }
-    let said = block.after("level")?;
-    let from = first_level(claim)?;
-    let level: u32 = said.parse().map_err(|_| Reason::Malformed("a level"))?;
-    require((from..=MAX_LEVEL).contains(&level), Reason::Level)?;
+    let stated = Stated::read(claim, block)?;
     let witness = Witness::read(paper, block)?;
     let spreads = witness.spreads(&setting)?;
-    let quantity = if tolerance.is_some() { "distance" } else { bounds };
-    let left = witness.value(&setting, quantity, (level, points))?;
-    let mut name = |name: &str, value: Value| scope.values.insert(name.to_owned(), value);
-    name("beta", spreads.iter().max().cloned().unwrap_or_default().into());
-    if let [first, second] = &spreads[..] {
-        name("beta_1", first.clone().into());
-        name("beta_2", second.clone().into());
-        name("beta_3", first.clone().into());
-    }
-    match &tolerance {
-        Some(tolerance) => name("epsilon", tolerance.clone()),
-        None => name("k", Value::int(level.into())),
-    };
-    let said = block.after("sides")?;
-    let by = scope.value(&formula_of(claim, "by")?)?;
-    if tolerance.is_some() {
-        // The theorem calls this level deep enough.
-        require(by.compare(&Value::int(level.into()))?.is_le(), Reason::Level)?;
-    }
-    let right = tolerance.unwrap_or(by);
-    // A negative bound presupposes something that does not hold, such as a constant below 1.
-    require(right.sign(None)? >= 0, Reason::Negative)?;
-    violated(paper, said, &left, &right)
+    let left = witness.value(&setting, stated.quantity, (stated.level, points))?;
+    stated.violated((paper, claim), scope, block, &spreads, &left)
 }

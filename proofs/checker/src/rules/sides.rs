@@ -1,0 +1,75 @@
+//! The two sides of a refuted theorem: a quantity of control data, and the bound.
+
+use super::instance::first_level;
+use crate::certificate::Block;
+use crate::decimal::{Q, read_rational};
+use crate::definitions::formula_of;
+use crate::evaluate::Scope;
+use crate::paper::Paper;
+use crate::reject::{Checked, Reason, require};
+use crate::toml::Toml;
+use crate::value::Value;
+use crate::witness::violated;
+use num_traits::Signed;
+
+/// The greatest level of a witness.
+pub const MAX_LEVEL: u32 = 64;
+
+/// What a theorem bounds, and the level at which it is looked at.
+pub struct Stated<'a> {
+    /// `difference`, `step` or `distance`.
+    pub quantity: &'a str,
+    /// The level.
+    pub level: u32,
+    /// ε, if the theorem bounds the depth.
+    tolerance: Option<Value>,
+}
+
+impl<'a> Stated<'a> {
+    /// Reads `tolerance …`, if the theorem bounds the depth, and `level …`.
+    pub fn read(claim: &'a Toml, block: &mut Block<'_>) -> Checked<Stated<'a>> {
+        let (bounds, mut tolerance) = (claim.text("bounds").unwrap_or_default(), None);
+        if bounds == "depth" {
+            let number = read_rational(block.after("tolerance")?).filter(Q::is_positive);
+            tolerance = Some(Value::from(number.ok_or(Reason::Malformed("a positive number"))?));
+        }
+        let said = block.after("level")?;
+        let from = first_level(claim)?;
+        let level: u32 = said.parse().map_err(|_| Reason::Malformed("a level"))?;
+        require((from..=MAX_LEVEL).contains(&level), Reason::Level)?;
+        let quantity = if tolerance.is_some() { "distance" } else { bounds };
+        Ok(Stated { quantity, level, tolerance })
+    }
+
+    /// Reads `sides …`, and makes sure that this quantity of data of these spreads violates the bound.
+    pub fn violated(
+        self,
+        (paper, claim): (&Paper<'_>, &Toml),
+        mut scope: Scope<'_>,
+        block: &mut Block<'_>,
+        spreads: &[Q],
+        left: &Value,
+    ) -> Checked<()> {
+        let mut name = |name: &str, value: Value| scope.values.insert(name.to_owned(), value);
+        name("beta", spreads.iter().max().cloned().unwrap_or_default().into());
+        if let [first, second] = spreads {
+            name("beta_1", first.clone().into());
+            name("beta_2", second.clone().into());
+            name("beta_3", first.clone().into());
+        }
+        match &self.tolerance {
+            Some(tolerance) => name("epsilon", tolerance.clone()),
+            None => name("k", Value::int(self.level.into())),
+        };
+        let said = block.after("sides")?;
+        let by = scope.value(&formula_of(claim, "by")?)?;
+        if self.tolerance.is_some() {
+            // The theorem calls this level deep enough.
+            require(by.compare(&Value::int(self.level.into()))?.is_le(), Reason::Level)?;
+        }
+        let right = self.tolerance.unwrap_or(by);
+        // A negative bound presupposes something that does not hold, such as a constant below 1.
+        require(right.sign(None)? >= 0, Reason::Negative)?;
+        violated(paper, said, left, &right)
+    }
+}

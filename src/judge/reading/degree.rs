@@ -1,0 +1,194 @@
+//! Degrees of formulas in a parameter.
+//!
+//! Values at some places do not show that a formula is proportional to a parameter: w + (w − 1)(w − 2)(w − 3)
+//! is 1, 2 and 3 at these. Its form does.
+
+use crate::claim::{LocatedReference, Paper, SchemeSource};
+use crate::evaluation::settings::Settings;
+use crate::formula::{Expr, LocatedFormula, Node, Operator, OptionWord};
+use crate::judge::reading::space::Space;
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// How deep definitions and parts of a formula are looked at.
+const MAX_DEPTH: usize = 200;
+
+/// The functions of the language; all others are of schemes.
+const LANGUAGE: [&str; 9] =
+    ["abs", "min", "max", "floor", "ceil", "mod", "kronecker", "binomial", "cos"];
+
+/// f is c·p^d, where p > 0 is a parameter on which c does not depend.
+///
+/// The rules are those of `proofs/FORMAT.md`.
+pub(crate) struct Degrees<'a> {
+    definitions: &'a BTreeMap<String, LocatedFormula>,
+    name: &'a str,
+    /// Whether the schemes may depend on the parameter.
+    schemes_vary: bool,
+    known: RefCell<BTreeMap<&'a str, Option<i64>>>,
+}
+
+impl<'a> Degrees<'a> {
+    fn new(
+        paper: &'a Paper,
+        definitions: &'a BTreeMap<String, LocatedFormula>,
+        scheme: Option<&LocatedReference>,
+        name: &'a str,
+    ) -> Degrees<'a> {
+        let known = RefCell::default();
+        let mut degrees = Degrees { definitions, name, schemes_vary: false, known };
+        let aliases = paper.schemes.values().filter_map(|source| match source {
+            SchemeSource::Alias(other) => Some(other),
+            SchemeSource::Own(_) => None,
+        });
+        degrees.schemes_vary =
+            scheme.map(|own| &own.reference).into_iter().chain(aliases).any(|reference| {
+                let text = reference.to_string();
+                let mut words = text.split(|c: char| !c.is_alphanumeric() && c != '_');
+                words.any(|word| !degrees.is_free_name(word))
+            });
+        degrees
+    }
+
+    fn is_free_name(&self, name: &str) -> bool {
+        name != self.name
+            && self.definitions.get(name).is_none_or(|definition| self.is_free(&definition.expr))
+    }
+
+    /// Whether the parameter does not occur in a formula, nor in what it leads to.
+    fn is_free(&self, expr: &Expr) -> bool {
+        let (mut met, mut waiting) = (BTreeSet::new(), vec![expr]);
+        while let Some(expr) = waiting.pop() {
+            if self.schemes_vary && expr.functions().iter().any(|name| !LANGUAGE.contains(name)) {
+                return false;
+            }
+            for name in expr.names() {
+                if name == self.name {
+                    return false;
+                }
+                if let Some((name, definition)) = self.definitions.get_key_value(name)
+                    && met.insert(name)
+                {
+                    waiting.push(&definition.expr);
+                }
+            }
+        }
+        true
+    }
+
+    /// The degree of a formula; `None` where none is known.
+    pub(crate) fn of(&self, expr: &'a Expr) -> Option<i64> {
+        self.within(expr, 0)
+    }
+
+    fn within(&self, expr: &'a Expr, depth: usize) -> Option<i64> {
+        if self.is_free(expr) {
+            return Some(0);
+        }
+        let of = |part: &'a Expr| self.within(part, depth + 1);
+        let common = |parts: &'a [Expr]| {
+            let first = of(parts.first()?)?;
+            parts.iter().all(|part| of(part) == Some(first)).then_some(first)
+        };
+        if depth > MAX_DEPTH {
+            return None;
+        }
+        match &expr.node {
+            Node::Name(name) if name == self.name => Some(1),
+            Node::Name(name) => {
+                let (name, definition) = self.definitions.get_key_value(name)?;
+                if let Some(known) = self.known.borrow().get(&name[..]) {
+                    return *known;
+                }
+                let degree = of(&definition.expr);
+                self.known.borrow_mut().insert(name, degree);
+                degree
+            }
+            Node::Negate(operand) => of(operand),
+            Node::Chain(first, rest) => {
+                rest.iter().try_fold(of(first)?, |degree, (operator, operand)| match operator {
+                    Operator::Multiply => degree.checked_add(of(operand)?),
+                    Operator::Divide => degree.checked_sub(of(operand)?),
+                    Operator::Add | Operator::Subtract => {
+                        (of(operand)? == degree).then_some(degree)
+                    }
+                })
+            }
+            Node::Power(base, exponent) => of(base)?.checked_mul(written(exponent)?),
+            Node::Call { function, arguments, .. } => match &function[..] {
+                "abs" | "min" | "max" => common(arguments),
+                "surface_displacement" if !self.schemes_vary => common(arguments),
+                _ => None,
+            },
+            Node::Fold { index, from, to, body, .. } => {
+                let free = index != self.name && self.is_free(from) && self.is_free(to);
+                if free { of(body) } else { None }
+            }
+            Node::Number(_) | Node::Indexed { .. } => None,
+        }
+    }
+
+    /// The calls of `levels` that a formula leads to.
+    fn levels(&self, expr: &'a Expr) -> Vec<&'a [Expr]> {
+        let (mut found, mut met, mut waiting) = (Vec::new(), BTreeSet::new(), vec![expr]);
+        while let Some(expr) = waiting.pop() {
+            let mut names: Vec<&'a str> = Vec::new();
+            match &expr.node {
+                Node::Name(name) => names.push(name),
+                Node::Call { function, arguments, options } => {
+                    if function == "levels" {
+                        found.push(&arguments[..]);
+                    }
+                    names.extend(options.iter().filter_map(OptionWord::definition));
+                }
+                _ => {}
+            }
+            waiting.extend(expr.parts());
+            for name in names {
+                if let Some(definition) = self.definitions.get(name)
+                    && met.insert(name)
+                {
+                    waiting.push(&definition.expr);
+                }
+            }
+        }
+        found
+    }
+}
+
+/// An integer that is written.
+fn written(exponent: &Expr) -> Option<i64> {
+    match &exponent.node {
+        Node::Number(value) => value.numerator().to_i64().filter(|_| value.is_integer()),
+        Node::Negate(operand) => written(operand)?.checked_neg(),
+        _ => None,
+    }
+}
+
+impl Space<'_> {
+    /// Whether the form of the value shows, under a reading, that it is proportional to a parameter.
+    pub(crate) fn is_proportional(&self, name: &str, settings: &Settings) -> bool {
+        let table = self.judge.table;
+        let paper = self.judge.paper;
+        let definitions = settings.definitions.as_ref().unwrap_or(&paper.definitions);
+        let degrees = Degrees::new(paper, definitions, table.scheme.as_ref(), name);
+        degrees.of(&table.value.expr) == Some(1)
+    }
+
+    /// Whether the form of all levels that the value leads to shows that what they are the logarithm
+    /// of is inversely proportional to a parameter, on which their ratio does not depend.
+    pub(crate) fn is_inverse(&self, name: &str) -> bool {
+        let (table, paper) = (self.judge.table, self.judge.paper);
+        let degrees = Degrees::new(paper, &paper.definitions, table.scheme.as_ref(), name);
+        let calls = degrees.levels(&table.value.expr);
+        let any = !calls.is_empty();
+        any && calls.into_iter().all(|call| match call {
+            [ratio, of, rest @ ..] => {
+                degrees.is_free(ratio)
+                    && degrees.of(of) == Some(-1)
+                    && rest.iter().all(|part| degrees.is_free(part))
+            }
+            _ => false,
+        })
+    }
+}
