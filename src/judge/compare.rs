@@ -3,24 +3,21 @@
 use crate::exact::{Decimal, Enclosed, Integer, Rational, RealCyclotomic, Rounding};
 use crate::finding::{Direction, Slip, Values, Verdict};
 
-/// The digits that a slip needs before it is more than luck: with fewer, a number
-/// of random digits would be one slip away from the exact value more than once in
-/// a thousand times. A digit can change in 9d ways, towards the value rounded or
-/// cut; a pair can be exchanged in d−1; the point can be off by 3 places at most
-/// either way; a sign has one other; there are four neighbours. Zeros at the end
-/// do not count: 0.1600 for 0.1400 says no more than 0.16 for 0.14.
-const DIGITS_FOR_DIGIT: usize = 5;
+/// The digits that a slip needs before it is more than luck: a number of d random digits is any
+/// slip away from the exact value, all kinds together, at most once in a thousand times. There are
+/// 9·10^(d−1) such numbers. The sign leads to 2 of them, as rounded up or down; the point, off by up
+/// to 3 places either way, to 6; four neighbours to 8; another digit that is not the last to
+/// 9d − 10 of the value rounded to the nearest, and as many of it cut; two digits exchanged to d − 1
+/// each. With d = 5 these are 2 + 6 + 8 + 35 + 4 = 55 of 90,000 without the cut value, and with
+/// d = 6, 16 + 2·(44 + 5) = 114 of 900,000. Zeros at the end do not count: 0.1600 for 0.1400 says no
+/// more than 0.16 for 0.14.
+const DIGITS_FOR_SLIP: usize = 5;
 
-const DIGITS_FOR_SWAP: usize = 5;
-
-const DIGITS_FOR_EXPONENT: usize = 4;
-
-const DIGITS_FOR_SIGN: usize = 4;
-
-const DIGITS_FOR_NEIGHBOUR: usize = 4;
+/// The digits for another digit, or two exchanged, of the value cut.
+const DIGITS_FOR_CUT: usize = 6;
 
 /// The digits that two exchanged numbers need together, each of them one at least:
-/// with four neighbours, luck finds such a pair once in 20 000 times.
+/// with four neighbours, luck finds such a pair once in 5,000 times.
 const DIGITS_FOR_EXCHANGED: usize = 5;
 
 /// The digits that a number needs to be explained by another reading in all places but
@@ -105,37 +102,38 @@ fn find_slip(
     neighbours: &[((i32, i32), &RealCyclotomic)],
 ) -> Option<Slip> {
     let digits = telling_digits(printed);
-    if digits >= DIGITS_FOR_SIGN && matches(printed, &-exact) {
+    if digits < DIGITS_FOR_SLIP {
+        return None;
+    }
+    if matches(printed, &-exact) {
         return Some(Slip::Sign);
     }
-    if digits >= DIGITS_FOR_EXPONENT {
-        let places = (1..=MAX_EXPONENT_SLIP).flat_map(|places| [places, -places]);
-        let moved = |places: i32| exact * &RealCyclotomic::from(Rational::power_of_ten(places));
-        if let Some(places) = places.into_iter().find(|&places| {
-            matches!(printed.rounding_of(&moved(places)), Rounding::Exact | Rounding::Nearest)
-        }) {
-            return Some(Slip::Exponent(places));
-        }
+    let places = (1..=MAX_EXPONENT_SLIP).flat_map(|places| [places, -places]);
+    let moved = |places: i32| exact * &RealCyclotomic::from(Rational::power_of_ten(places));
+    if let Some(places) = places.into_iter().find(|&places| {
+        matches!(printed.rounding_of(&moved(places)), Rounding::Exact | Rounding::Nearest)
+    }) {
+        return Some(Slip::Exponent(places));
     }
-    if digits >= DIGITS_FOR_NEIGHBOUR {
-        let same = neighbours.iter().find(|(_, value)| *value != exact && matches(printed, value));
-        if let Some(((rows, columns), _)) = same {
-            return Some(Slip::Neighbour(*rows, *columns));
-        }
+    let same = neighbours.iter().find(|(_, value)| *value != exact && matches(printed, value));
+    if let Some(((rows, columns), _)) = same {
+        return Some(Slip::Neighbour(*rows, *columns));
     }
-    if digits < DIGITS_FOR_DIGIT.min(DIGITS_FOR_SWAP) || printed.value().sign() != exact.sign() {
+    if printed.value().sign() != exact.sign() {
         return None;
     }
     let unit = RealCyclotomic::from(printed.unit().recip());
     let scaled = (exact * &unit).abs();
-    [scaled.step(Rational::round_half_even), scaled.floor()]
+    let cut = (digits >= DIGITS_FOR_CUT).then(|| scaled.floor());
+    [Some(scaled.step(Rational::round_half_even)), cut]
         .iter()
-        .find_map(|correct| digit_slip(&printed.mantissa().abs(), correct, digits))
+        .flatten()
+        .find_map(|correct| digit_slip(&printed.mantissa().abs(), correct))
 }
 
 /// One digit changed, or two neighbours exchanged, between two integers of the
 /// same length. A last digit that differs is no slip: inexact computing gives it too.
-fn digit_slip(printed: &Integer, correct: &Integer, digits: usize) -> Option<Slip> {
+fn digit_slip(printed: &Integer, correct: &Integer) -> Option<Slip> {
     let printed: Vec<char> = printed.to_string().chars().collect();
     let correct: Vec<char> = correct.to_string().chars().collect();
     if printed.len() != correct.len() {
@@ -143,15 +141,10 @@ fn digit_slip(printed: &Integer, correct: &Integer, digits: usize) -> Option<Sli
     }
     let differing: Vec<usize> = (0..printed.len()).filter(|&i| printed[i] != correct[i]).collect();
     match differing[..] {
-        [i] if digits >= DIGITS_FOR_DIGIT && i + 1 < printed.len() => {
+        [i] if i + 1 < printed.len() => {
             Some(Slip::Digit { position: i + 1, printed: printed[i], correct: correct[i] })
         }
-        [i, j]
-            if digits >= DIGITS_FOR_SWAP
-                && j == i + 1
-                && printed[i] == correct[j]
-                && printed[j] == correct[i] =>
-        {
+        [i, j] if j == i + 1 && printed[i] == correct[j] && printed[j] == correct[i] => {
             Some(Slip::Swap(i + 1))
         }
         _ => None,

@@ -7,6 +7,7 @@ mod equation;
 mod errata;
 mod explain;
 mod function;
+mod headline;
 pub mod json;
 mod numbers;
 mod overview;

@@ -1,5 +1,6 @@
 //! The head of an audit's report: what each paper's claims come to.
 
+use super::headline::headline;
 use super::parts::mark;
 use super::sheet::{Grid, Sheet};
 use crate::audit::{PaperAudit, Verdict};
@@ -21,9 +22,12 @@ const KINDS: [Kind; 4] = [
     ("theorems\n✓ proved ✗ refuted ? open", |audit| audit.theorem_counts()),
 ];
 
-/// The cells of the papers' tables by verdict, and then their other claims; of these
+/// A sentence for each paper, the cells of the papers' tables by verdict, and then their other claims; of these
 /// the kinds that there are.
 pub(super) fn overview(sheet: &mut Sheet, audits: &[PaperAudit<'_>]) {
+    for audit in audits {
+        sheet.text(headline(audit));
+    }
     if audits.iter().any(|audit| !audit.tables.is_empty()) {
         sheet.grid(cells(audits));
     }

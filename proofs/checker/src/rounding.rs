@@ -53,17 +53,20 @@ pub fn telling(decimal: &Decimal) -> usize {
 /// the table does not have.
 pub fn has_digits(decimal: &Decimal, slip: &str) -> bool {
     let needed = match slip.split(' ').next() {
-        Some("digit" | "swap") => 5,
         Some("rounding") => 3,
         // The slip itself has a condition on the digits of both numbers.
         Some("exchanged") => 1,
-        _ => 4,
+        _ => 5,
     };
     telling(decimal) >= needed
 }
 
+/// The digits that a number needs for a slip from the value cut.
+const DIGITS_FOR_CUT: usize = 6;
+
 /// The slips `sign`, `exponent p`, `digit i` and `swap i` that lead from `value` to `decimal`, if
-/// the rounding is `neither`. The number of digits does not matter here.
+/// the rounding is `neither`. The number of digits matters here only for the value
+/// cut.
 pub fn slips(decimal: &Decimal, value: &Value) -> Result<Vec<String>, Stop> {
     let mut slips = Vec::new();
     if rounding(decimal, &value.negated()?)? != "neither" {
@@ -80,8 +83,10 @@ pub fn slips(decimal: &Decimal, value: &Value) -> Result<Vec<String>, Stop> {
     }
     let scaled = value.over(&Value::from(decimal.unit.clone()))?.abs(None)?;
     let cut = scaled.floor()?;
-    for correct in [nearest(&scaled, &cut)?, cut] {
-        slips.extend(digit_slip(&decimal.digits.abs(), &correct));
+    slips.extend(digit_slip(&decimal.digits.abs(), &nearest(&scaled, &cut)?));
+    // With fewer digits, luck finds a digit of the cut value too often.
+    if telling(decimal) >= DIGITS_FOR_CUT {
+        slips.extend(digit_slip(&decimal.digits.abs(), &cut));
     }
     slips.dedup();
     Ok(slips)

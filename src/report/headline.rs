@@ -1,0 +1,103 @@
+//! What an audit found, in a sentence or two for each paper.
+
+use crate::audit::{CellFinding, PaperAudit, Verdict};
+use std::collections::BTreeMap;
+
+/// What the cells of a paper, their promises, and the other claims come to.
+pub(super) fn headline(audit: &PaperAudit<'_>) -> String {
+    let sentences = [cells(audit), promises(audit), claims(audit)];
+    let sentences: Vec<String> = sentences.into_iter().flatten().collect();
+    let said = if sentences.is_empty() { "nothing to check.".to_owned() } else { sentences.join(" ") };
+    format!("{}: {said}", audit.paper.key)
+}
+
+/// `229 of 240 cells are reproduced with w = 39/2000, which the paper does not state; 5 are
+/// confirmed. 12 are lost.`
+fn cells(audit: &PaperAudit<'_>) -> Option<String> {
+    let all = || audit.tables.iter().flat_map(|table| table.cells.iter().flatten());
+    let printed: Vec<&CellFinding> = all().filter(|cell| cell.printed.is_some()).collect();
+    let lost = all().count() - printed.len();
+    let lost = (lost > 0).then(|| format!("{} lost.", are(lost)));
+    if printed.is_empty() {
+        return lost.map(|lost| format!("of the cells, {lost}"));
+    }
+    let count = |name: &str| printed.iter().filter(|cell| cell.verdict.name() == name).count();
+    let with = recovered(audit);
+    let mut parts = Vec::new();
+    for (name, said) in [
+        ("confirmed", "confirmed"),
+        ("reproduced", "reproduced"),
+        ("rounding", "rounded otherwise"),
+        ("other-reading", "given by another reading"),
+        ("misprint", "a slip away"),
+        ("refuted", "refuted"),
+        ("not-checkable", "not checkable"),
+    ] {
+        let with = if name == "reproduced" { with.as_str() } else { "" };
+        parts.extend(Some(count(name)).filter(|count| *count > 0).map(|count| (count, said, with)));
+    }
+    // The largest part comes first.
+    parts.sort_by_key(|(count, ..)| std::cmp::Reverse(*count));
+    let mut words = parts.into_iter().map(|(count, said, with)| (count, format!("{said}{with}")));
+    let (first, said) = words.next()?;
+    let is = if printed.len() == 1 { "cell is" } else { "cells are" };
+    let first = format!("{first} of {} {is} {said}", printed.len());
+    let rest = words.map(|(count, said)| format!("{} {said}", are(count)));
+    let sentence = std::iter::once(first).chain(rest).collect::<Vec<String>>().join("; ");
+    Some([Some(format!("{sentence}.")), lost].into_iter().flatten().collect::<Vec<_>>().join(" "))
+}
+
+/// `5 are`, or `1 is`.
+fn are(count: usize) -> String {
+    format!("{count} {}", if count == 1 { "is" } else { "are" })
+}
+
+/// ` with w = 39/2000 or 3/400, which the paper does not state`: the values at which cells are
+/// reproduced, those of most cells first.
+fn recovered(audit: &PaperAudit<'_>) -> String {
+    let mut values: BTreeMap<&str, BTreeMap<String, usize>> = BTreeMap::new();
+    for table in &audit.tables {
+        let cells = table.cells.iter().flatten();
+        let count = cells.filter(|cell| cell.verdict == Verdict::Reproduced).count();
+        for (name, recovered) in table.recovered.iter().filter(|_| count > 0) {
+            let value = recovered.value.to_string();
+            *values.entry(name).or_default().entry(value).or_default() += count;
+        }
+    }
+    if values.is_empty() {
+        return String::new();
+    }
+    let named = values.into_iter().map(|(name, values)| {
+        let mut values: Vec<(String, usize)> = values.into_iter().collect();
+        values.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+        let values: Vec<String> = values.into_iter().map(|(value, _)| value).collect();
+        format!("{name} = {}", values.join(" or "))
+    });
+    let named: Vec<String> = named.collect();
+    format!(" with {}, which the paper does not state", named.join(", "))
+}
+
+/// `157 of 220 promises are broken.`
+fn promises(audit: &PaperAudit<'_>) -> Option<String> {
+    let counts = audit.promise_counts();
+    let open = if counts.open > 0 { format!(", {} open", are(counts.open)) } else { String::new() };
+    (counts.all() > 0)
+        .then(|| format!("Of {} promises, {} broken{open}.", counts.all(), are(counts.broken)))
+}
+
+/// `15 of 43 equations fail, 8 of 10 theorems are refuted.`
+fn claims(audit: &PaperAudit<'_>) -> Option<String> {
+    let share = |counts: BTreeMap<&'static str, usize>, what: &str, wrong: &[&str], is: [&str; 2]| {
+        let all: usize = counts.values().sum();
+        let wrong: usize = wrong.iter().filter_map(|name| counts.get(name)).sum();
+        let is = is[usize::from(wrong != 1)];
+        (all > 0).then(|| format!("{wrong} of {all} {what} {is}"))
+    };
+    let parts = [
+        share(audit.equation_counts(), "equations", &["fails"], ["fails", "fail"]),
+        share(audit.range_counts(), "ranges", &["inexact"], ["is wrong", "are wrong"]),
+        share(audit.theorem_counts(), "theorems", &["refuted"], ["is refuted", "are refuted"]),
+    ];
+    let parts: Vec<String> = parts.into_iter().flatten().collect();
+    (!parts.is_empty()).then(|| format!("{}.", parts.join(", ")))
+}
