@@ -1,13 +1,12 @@
-//! `subcert audit` and `subcert explain`.
+//! `subcert audit`.
 
-use super::arguments::{AuditArguments, ExplainArguments};
+use super::arguments::AuditArguments;
 use super::certified::Certified;
 use super::output::{Failure, Outcome, show};
 use super::papers::{judge_all, papers, select};
-use subcert::audit::{PaperAudit, readings};
-use subcert::claim::Paper;
-use subcert::report::json::{AuditReport, Explained};
-use subcert::report::{audit_sheet, explain_sheet, table_of};
+use subcert::audit::PaperAudit;
+use subcert::report::audit_sheet;
+use subcert::report::json::AuditReport;
 
 pub(super) fn audit(arguments: &AuditArguments) -> Outcome {
     let papers = select(papers(&arguments.files)?, arguments.paper.as_deref())?;
@@ -21,7 +20,7 @@ pub(super) fn audit(arguments: &AuditArguments) -> Outcome {
                 "✓ confirmed  ≈ rounded otherwise  ± misprint  ⇄ another reading  ✗ refuted  ? not checkable, or \
                  open. Under a cell: the exact value of the printed definition, and the sound \
                  value where the printed one is not shown to keep its promise. `--all` shows \
-                 every table, `subcert explain ID` one claim.",
+                 every table, `subcert explain KEY:ID` one claim, whose ID ends its heading.",
             );
             if let Some(certified) = &certified {
                 certified.section(&mut sheet);
@@ -43,27 +42,6 @@ pub(super) fn audit(arguments: &AuditArguments) -> Outcome {
         }
     }
     Ok(())
-}
-
-pub(super) fn explain(arguments: &ExplainArguments) -> Outcome {
-    let id = &arguments.id;
-    let papers = papers(&arguments.files)?;
-    let keys: Vec<String> = papers.iter().map(|paper| paper.key.clone()).collect();
-    let key = id.split(':').next().unwrap_or_default();
-    let chosen: Vec<Paper> = papers.into_iter().filter(|paper| paper.key == key).collect();
-    let audits = judge_all(&chosen, arguments.output.format)?;
-    let tried = match (audits.first(), table_of(&audits, id)) {
-        (Some(audit), Some((finding, _))) => readings(audit.paper, finding)?,
-        _ => Vec::new(),
-    };
-    let Some(sheet) = explain_sheet(&audits, id, &tried, arguments.all) else {
-        return Err(Failure::Input(format!(
-            "no claim has the id `{id}`; an id is `KEY:table-1`, `KEY:table-1:ROW:COLUMN`, \
-             `KEY:EQUATION` or `KEY:THEOREM`, with KEY one of {}",
-            keys.join(", ")
-        )));
-    };
-    show(arguments.output.format, || sheet, || Explained::of(&audits, id, &tried))
 }
 
 /// How many claims, of tables how many cells, have this verdict.

@@ -16,6 +16,13 @@ pub fn mark(verdict: &str) -> &'static str {
     }
 }
 
+/// Parts with points between them, the empty ones left out: a claim's title, and its id, by which
+/// `subcert explain` finds it.
+pub(super) fn titled(parts: &[&str]) -> String {
+    let parts: Vec<&str> = parts.iter().copied().filter(|part| !part.is_empty()).collect();
+    parts.join(" · ")
+}
+
 /// The definitions that a formula uses.
 pub(super) fn definitions(
     audit: &PaperAudit<'_>,
