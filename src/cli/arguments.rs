@@ -126,7 +126,8 @@ fn verdicts() -> PossibleValuesParser {
 
 #[derive(Debug, Args)]
 pub(super) struct ExplainArguments {
-    /// The id: `key:table-1`, `key:table-1:2:3` (row, column), `key:eq-3.8` or `key:theorem-1`
+    /// The id: `key:table-1`, `key:table-1:2:3` (row, column), `key:eq-3.8` or `key:theorem-1`;
+    /// a key alone lists the claims of its paper
     pub(super) id: String,
     /// Claim files; without any, the embedded papers
     pub(super) files: Vec<PathBuf>,

@@ -3,6 +3,7 @@
 use super::arguments::ConstantsArguments;
 use super::json::{SCHEMA, constants as form};
 use super::local_constants::local_constants;
+use super::offset::BetterOffset;
 use super::output::{Failure, Outcome, show, with_decimal};
 use subcert::bound::{
     Budget, ClassCap, Constants, DeltaCondition, Order, PowerSearch, Terms, best_offset,
@@ -18,8 +19,9 @@ pub(super) fn constants(arguments: &ConstantsArguments) -> Outcome {
         AnyScheme::LocalRules(ring) => return local_constants(&ring, arguments),
     };
     let levels = arguments.block.levels;
-    let report = Report::of(&scheme, levels).map_err(|e| Failure::Input(e.to_string()))?;
+    let mut report = Report::of(&scheme, levels).map_err(|e| Failure::Input(e.to_string()))?;
     let name = &arguments.scheme;
+    report.better_offsets = BetterOffset::all_of(name, &scheme)?;
     show(arguments.output.format, || report.sheet(name), || report.form(name))
 }
 
@@ -27,6 +29,7 @@ pub(super) fn constants(arguments: &ConstantsArguments) -> Outcome {
 struct Report {
     directions: Vec<Direction>,
     surface: Option<Surface>,
+    better_offsets: Vec<BetterOffset>,
 }
 
 /// A tensor product: the factor, δ, and C_c for each c.
@@ -70,7 +73,7 @@ impl Report {
             }
             _ => None,
         };
-        Ok(Report { directions, surface })
+        Ok(Report { directions, surface, better_offsets: Vec::new() })
     }
 }
 
@@ -146,6 +149,7 @@ impl Report {
             );
             sheet.facts(facts);
         }
+        self.better_offsets.iter().for_each(|better| better.write(&mut sheet));
         sheet
     }
 
@@ -160,6 +164,7 @@ impl Report {
             scheme: name,
             directions: self.directions.iter().map(Direction::form).collect(),
             surface: self.surface.as_ref().map(surface),
+            better_offsets: self.better_offsets.iter().map(BetterOffset::form).collect(),
         }
     }
 }

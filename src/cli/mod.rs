@@ -8,8 +8,11 @@ mod constants;
 mod coverage;
 mod depth;
 mod errata;
+mod explain;
 mod json;
+mod listing;
 mod local_constants;
+mod offset;
 mod oracle;
 mod output;
 mod papers;
@@ -47,7 +50,7 @@ pub(crate) fn run() -> ExitCode {
     };
     let result = match arguments.command {
         Command::Audit(command) => audit::audit(&command),
-        Command::Explain(command) => audit::explain(&command),
+        Command::Explain(command) => explain::explain(&command),
         Command::Errata(command) => errata::errata(&command),
         Command::Coverage(command) => coverage::coverage(&command),
         Command::Constants(command) => constants::constants(&command),

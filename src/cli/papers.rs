@@ -6,6 +6,7 @@ use super::progress::Progress;
 use std::path::{Path, PathBuf};
 use subcert::audit::{PaperAudit, audit_all};
 use subcert::claim::{Paper, embedded_papers, read_paper_file};
+use subcert::suggestion::known as names;
 
 /// The papers of claim files; without any, the embedded ones.
 pub(super) fn papers(files: &[PathBuf]) -> Result<Vec<Paper>, Failure> {
@@ -31,9 +32,8 @@ pub(super) fn papers_or_keys(what: &[String]) -> Result<Vec<Paper>, Failure> {
         }
         let path = Path::new(word);
         if !path.exists() {
-            let keys: Vec<&str> = embedded.iter().map(|paper| paper.key.as_str()).collect();
-            let keys = keys.join(", ");
-            let message = format!("`{word}` is no claim file, and none of the keys {keys}");
+            let keys = names(word, embedded.iter().map(|paper| paper.key.as_str()));
+            let message = format!("`{word}` is no claim file, and no key of a paper{keys}");
             return Err(Failure::Input(message));
         }
         Ok(read_paper_file(path).map_err(Failure::Input)??)
@@ -58,8 +58,8 @@ pub(super) fn select(papers: Vec<Paper>, key: Option<&str>) -> Result<Vec<Paper>
     let known: Vec<String> = papers.iter().map(|paper| paper.key.clone()).collect();
     let papers: Vec<Paper> = papers.into_iter().filter(|paper| paper.key == key).collect();
     if papers.is_empty() {
-        let known = known.join(", ");
-        return Err(Failure::Input(format!("no paper has the key `{key}`; known: {known}")));
+        let known = names(key, known.iter().map(String::as_str));
+        return Err(Failure::Input(format!("no paper has the key `{key}`{known}")));
     }
     Ok(papers)
 }

@@ -10,6 +10,7 @@ mod surface;
 
 use super::arguments::{BoundaryArgument, DepthArguments, Format};
 use super::json::{SCHEMA, depth as form};
+use super::offset::BetterOffset;
 use super::output::{Failure, Outcome, positive, show};
 use super::polygon::read_polygon;
 use super::progress::Progress;
@@ -39,6 +40,7 @@ struct Report {
     bounds: Bounds,
     answers: Vec<Answer>,
     points: Option<Points>,
+    better_offsets: Vec<BetterOffset>,
 }
 
 /// The answers in one parametrisation; where no limit is shown to exist, the reason.
@@ -81,7 +83,8 @@ impl Report {
         let answers = wanted.iter().zip(budgets.chunks(count / wanted.len())).map(answer);
         let answers = answers.collect::<Result<Vec<Answer>, Failure>>()?;
         drop(progress);
-        Ok(Report { tolerance, spread, bounds, answers, points })
+        let better_offsets = BetterOffset::all_of(&arguments.scheme, scheme)?;
+        Ok(Report { tolerance, spread, bounds, answers, points, better_offsets })
     }
 
     /// With the points at their natural parameters.
@@ -137,6 +140,7 @@ impl Report {
              printed formula, σβT^k/(1 − T) with one power of the constant for each level, |Σ| in \
              place of σ and offset 0, does not promise it.",
         );
+        self.better_offsets.iter().for_each(|better| better.write(&mut sheet));
         sheet
     }
 
@@ -163,6 +167,7 @@ impl Report {
             indexed: exact(self.indexed()),
             sound: self.bounds.sound_form(),
             printed_formula: self.bounds.printed_forms(),
+            better_offsets: self.better_offsets.iter().map(BetterOffset::form).collect(),
         }
     }
 }
