@@ -43,6 +43,8 @@ pub(super) enum Command {
     Certify(CertifyArguments),
     /// Write certificates of the verdicts, for subcert-check
     Prove(ProveArguments),
+    /// Write a claim file to start from, with comments
+    New(NewArguments),
     /// Reference values for other programs' tests
     Oracle(OracleArguments),
     /// List the schemes of the catalogue
@@ -100,7 +102,7 @@ pub(super) struct Spread {
 
 #[derive(Debug, Args)]
 pub(super) struct AuditArguments {
-    /// Claim files; without any, the embedded papers
+    /// Claim files, `-` for the standard input; without any, the embedded papers
     pub(super) files: Vec<PathBuf>,
     /// Only the paper of this key
     #[arg(long, value_name = "KEY")]
@@ -111,16 +113,19 @@ pub(super) struct AuditArguments {
     /// Say of each claim whether its certificate is valid
     #[arg(long)]
     pub(super) certified: bool,
-    /// Exit with code 1 when a claim has this verdict (may be repeated)
-    #[arg(long, value_name = "VERDICT", value_parser = verdicts())]
+    /// Exit with code 1 when a claim has one of these verdicts, or a promise is `broken`
+    #[arg(long, value_name = "VERDICT,…", value_delimiter = ',', value_parser = verdicts())]
     pub(super) deny: Vec<String>,
     #[command(flatten)]
     pub(super) output: Output,
 }
 
-/// The verdicts of numbers, then those of equations, ranges and theorems.
+/// The value of `--deny` for promises of tables that are not kept.
+pub(super) const BROKEN: &str = "broken";
+
+/// The verdicts of numbers, then those of equations, ranges and theorems, and of promises.
 fn verdicts() -> PossibleValuesParser {
-    let others = ["holds", "fails", "exact", "inexact", "open"];
+    let others = ["holds", "fails", "exact", "inexact", "proved", "open", BROKEN];
     PossibleValuesParser::new(Verdict::NAMES.into_iter().chain(others))
 }
 
@@ -129,7 +134,7 @@ pub(super) struct ExplainArguments {
     /// The id: `key:table-1`, `key:table-1:2:3` (row, column), `key:eq-3.8` or `key:theorem-1`;
     /// a key alone lists the claims of its paper
     pub(super) id: String,
-    /// Claim files; without any, the embedded papers
+    /// Claim files, `-` for the standard input; without any, the embedded papers
     pub(super) files: Vec<PathBuf>,
     /// Show every reading that was tried
     #[arg(long)]
@@ -140,7 +145,7 @@ pub(super) struct ExplainArguments {
 
 #[derive(Debug, Args)]
 pub(super) struct ErrataArguments {
-    /// Claim files; without any, the embedded papers
+    /// Claim files, `-` for the standard input; without any, the embedded papers
     pub(super) files: Vec<PathBuf>,
     /// Only the paper of this key
     #[arg(long, value_name = "KEY")]
@@ -155,21 +160,33 @@ pub(super) struct ErrataArguments {
 
 #[derive(Debug, Args)]
 pub(super) struct CoverageArguments {
-    /// Claim files; without any, the embedded papers
+    /// Claim files, `-` for the standard input; without any, the embedded papers
     pub(super) files: Vec<PathBuf>,
     /// Only the paper of this key
     #[arg(long, value_name = "KEY")]
     pub(super) paper: Option<String>,
-    /// Exit with code 1 when an item is in this state (may be repeated)
-    #[arg(long, value_name = "STATE", value_parser = ["missing", "unclaimed"])]
+    /// Exit with code 1 when an item is in one of these states
+    #[arg(long, value_name = "STATE,…", value_delimiter = ',', value_parser = ["missing", "unclaimed"])]
     pub(super) deny: Vec<String>,
     #[command(flatten)]
     pub(super) output: Output,
 }
 
 #[derive(Debug, Args)]
+pub(super) struct NewArguments {
+    /// The key of the paper, such as doe2026-corner: the ids of its claims begin with it
+    #[arg(value_name = "KEY")]
+    pub(super) key: String,
+    /// The file to write, which must not be there yet; `-` for the standard output
+    /// [default: KEY.toml]
+    #[arg(short = 'o', long, value_name = "FILE")]
+    pub(super) output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
 pub(super) struct ProveArguments {
-    /// Keys of embedded papers, and claim files; without any, every embedded paper
+    /// Keys of embedded papers, and claim files, `-` for the standard input; without any, every
+    /// embedded paper
     #[arg(value_name = "KEY|FILE")]
     pub(super) what: Vec<String>,
     /// The folder for the certificates KEY.cert; `-` for one paper to the standard output

@@ -1,8 +1,8 @@
 //! `subcert audit`.
 
-use super::arguments::AuditArguments;
+use super::arguments::{AuditArguments, BROKEN};
 use super::certified::Certified;
-use super::output::{Failure, Outcome, show};
+use super::output::{Outcome, denied, show};
 use super::papers::{judge_all, papers, select};
 use subcert::audit::PaperAudit;
 use subcert::report::audit_sheet;
@@ -35,16 +35,16 @@ pub(super) fn audit(arguments: &AuditArguments) -> Outcome {
             report
         },
     )?;
-    for verdict in &arguments.deny {
-        let count = audits.iter().map(|audit| count(audit, verdict)).sum::<usize>();
-        if count > 0 {
-            return Err(Failure::Expectation(format!("{count} claims are {verdict}")));
-        }
-    }
-    Ok(())
+    denied(&arguments.deny, |verdict| {
+        let count = audits.iter().map(|audit| count(audit, verdict)).sum();
+        (count, if verdict == BROKEN { ["promise", "promises"] } else { ["claim", "claims"] })
+    })
 }
 
-/// How many claims, of tables how many cells, have this verdict.
+/// How many claims, of tables how many cells, have this verdict; how many promises are broken.
 fn count(audit: &PaperAudit<'_>, verdict: &str) -> usize {
+    if verdict == BROKEN {
+        return audit.promise_counts().broken;
+    }
     audit.claims().iter().filter_map(|claim| claim.verdicts.get(verdict)).sum()
 }

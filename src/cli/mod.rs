@@ -12,6 +12,7 @@ mod explain;
 mod json;
 mod listing;
 mod local_constants;
+mod new;
 mod offset;
 mod oracle;
 mod output;
@@ -58,6 +59,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Range(command) => range::range(&command),
         Command::Certify(command) => certify::certify(&command),
         Command::Prove(command) => prove::prove(&command),
+        Command::New(command) => new::new(&command),
         Command::Oracle(command) => oracle::oracle(&command),
         Command::Schemes(command) => schemes::schemes(&command),
         Command::Completions { shell } => schemes::completions(shell),

@@ -61,6 +61,23 @@ impl Failure {
     }
 }
 
+/// Fails when there is something of what is denied: `count` says how much, and what one of it and
+/// several are called.
+pub(super) fn denied(
+    denied: &[String],
+    count: impl Fn(&str) -> (usize, [&'static str; 2]),
+) -> Outcome {
+    let words: Vec<String> = denied
+        .iter()
+        .filter_map(|word| match count(word) {
+            (0, _) => None,
+            (1, [one, _]) => Some(format!("1 {one} is {word}")),
+            (count, [_, several]) => Some(format!("{count} {several} are {word}")),
+        })
+        .collect();
+    if words.is_empty() { Ok(()) } else { Err(Failure::Expectation(words.join(", "))) }
+}
+
 /// Writes a text to the standard output; styles only to a terminal.
 pub(super) fn write(text: &str) -> Result<(), Failure> {
     let mut out = anstream::stdout().lock();

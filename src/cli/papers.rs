@@ -5,7 +5,8 @@ use super::output::Failure;
 use super::progress::Progress;
 use std::path::{Path, PathBuf};
 use subcert::audit::{PaperAudit, audit_all};
-use subcert::claim::{Paper, embedded_papers, read_paper_file};
+use subcert::claim::{MAX_CLAIM_FILE_BYTES, Paper, embedded_papers, read_paper, read_paper_file};
+use subcert::diagnostic::{SourceText, read_text_from};
 use subcert::suggestion::known as names;
 
 /// The papers of claim files; without any, the embedded ones.
@@ -13,10 +14,7 @@ pub(super) fn papers(files: &[PathBuf]) -> Result<Vec<Paper>, Failure> {
     if files.is_empty() {
         return Ok(embedded_papers()?);
     }
-    let read = |path: &PathBuf| -> Result<Paper, Failure> {
-        Ok(read_paper_file(path).map_err(Failure::Input)??)
-    };
-    distinct(files.iter().map(read).collect::<Result<Vec<Paper>, Failure>>()?)
+    distinct(files.iter().map(|path| read(path)).collect::<Result<Vec<Paper>, Failure>>()?)
 }
 
 /// The embedded papers of these keys, and those of claim files; without any, the
@@ -31,14 +29,31 @@ pub(super) fn papers_or_keys(what: &[String]) -> Result<Vec<Paper>, Failure> {
             return Ok(paper.clone());
         }
         let path = Path::new(word);
-        if !path.exists() {
+        if path.as_os_str() != STANDARD_INPUT && !path.exists() {
             let keys = names(word, embedded.iter().map(|paper| paper.key.as_str()));
             let message = format!("`{word}` is no claim file, and no key of a paper{keys}");
             return Err(Failure::Input(message));
         }
-        Ok(read_paper_file(path).map_err(Failure::Input)??)
+        read(path)
     };
     distinct(what.iter().map(paper).collect::<Result<Vec<Paper>, Failure>>()?)
+}
+
+/// What stands for the standard input in place of a claim file.
+const STANDARD_INPUT: &str = "-";
+
+/// The paper of a claim file.
+fn read(path: &Path) -> Result<Paper, Failure> {
+    if path.as_os_str() != STANDARD_INPUT {
+        return Ok(read_paper_file(path).map_err(Failure::Input)??);
+    }
+    let text = read_text_from(std::io::stdin().lock(), MAX_CLAIM_FILE_BYTES)
+        .map_err(|reason| Failure::Input(format!("cannot read the standard input: {reason}")))?;
+    if text.trim().is_empty() {
+        let message = "the standard input, for which `-` stands, is empty or was read before";
+        return Err(Failure::Input(message.to_owned()));
+    }
+    Ok(read_paper(&SourceText::new("standard input", text))?)
 }
 
 /// Papers with keys of their own.

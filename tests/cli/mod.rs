@@ -2,6 +2,7 @@
 
 mod bad_input;
 mod names;
+mod new;
 mod offset;
 mod output;
 

@@ -18,3 +18,4 @@ mod theorem;
 mod trial;
 
 pub use paper::{MAX_CLAIM_FILE_BYTES, read_paper, read_paper_file};
+pub use reader::is_id;
