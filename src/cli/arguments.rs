@@ -299,8 +299,9 @@ pub(super) struct OracleArguments {
     pub(super) level: u32,
     #[command(flatten)]
     pub(super) block: Block,
-    /// A file of exact numbers, separated by commas or white space; for a surface,
-    /// one line for each row; for a ring, one for each of its points
+    /// A control polygon: a file with one point on a line, its coordinates separated by commas or
+    /// white space, or a JSON array of numbers or of points, as `depth` reads it; for a surface, a
+    /// grid of numbers, one row on a line; for a ring, one line for each of its points
     #[arg(long, value_name = "FILE", conflicts_with_all = ["seed", "points"])]
     pub(super) polygon: Option<std::path::PathBuf>,
     /// The seed of a control polygon of small integers

@@ -43,7 +43,8 @@ pub struct Group {
     /// `mask`, `difference-mask`, `contraction-constant`, `scheme-norm`,
     /// `displacement`, `control`, `refined`; for a tensor product the first five
     /// begin with `first-` or `second-`, and `surface-factor` is added. A ring has
-    /// `weights` in place of the two masks.
+    /// `weights` in place of the two masks. Of control points with several coordinates, there are
+    /// `control-1`, `refined-1`, `control-2`, and so on.
     pub quantity: String,
     /// Its formula, and what its indices are.
     pub about: &'static str,
@@ -136,9 +137,11 @@ pub fn reference_values(
         if control.is_grid() { vec![count / columns, columns] } else { vec![count] }
     };
     let given = shape(control.values().len(), control.columns());
-    groups.push(group("control", CONTROL, &given, 0, control.values()));
-    let (refined, columns) = refined;
-    groups.push(group("refined", REFINED, &shape(refined.len(), columns), 0, &refined));
+    for ((number, values), (refined, columns)) in control.named_coordinates().zip(&refined) {
+        groups.push(group(&format!("control{number}"), CONTROL, &given, 0, values));
+        let shape = shape(refined.len(), *columns);
+        groups.push(group(&format!("refined{number}"), REFINED, &shape, 0, refined));
+    }
     Ok(OracleValues { header: header(scheme, request), groups })
 }
 
@@ -208,19 +211,24 @@ pub(super) fn group(
     Group { quantity: quantity.to_owned(), about, shape: shape.to_vec(), values }
 }
 
-/// The refined values, and how many columns they have.
-fn refine(scheme: &Scheme, request: &OracleRequest) -> Result<(Vec<Rational>, usize), OracleError> {
+/// The refined values of each coordinate, and how many columns they have.
+fn refine(
+    scheme: &Scheme,
+    request: &OracleRequest,
+) -> Result<Vec<(Vec<Rational>, usize)>, OracleError> {
     let OracleRequest { control, level, boundary, .. } = request;
     let shape = |found, scheme, expected| Err(OracleError::Shape { found, scheme, expected });
     match scheme {
         Scheme::Curve(_) if control.is_grid() => shape("grid", "scheme for curves", "polygon"),
         Scheme::Tensor(..) if !control.is_grid() => shape("polygon", "tensor product", "grid"),
-        Scheme::Curve(mask) => {
-            Ok((refine_polygon(mask.rules(), control.values(), *level, *boundary)?, 1))
-        }
+        Scheme::Curve(mask) => control
+            .coordinates()
+            .map(|values| Ok((refine_polygon(mask.rules(), values, *level, *boundary)?, 1)))
+            .collect(),
         Scheme::Tensor(first, second) => {
             let rules = [first.rules(), second.rules()];
-            refine_grid(rules, control.values(), control.columns(), *level, *boundary)
+            let grid = control.values();
+            Ok(vec![refine_grid(rules, grid, control.columns(), *level, *boundary)?])
         }
     }
 }

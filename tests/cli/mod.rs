@@ -5,6 +5,7 @@ mod names;
 mod new;
 mod offset;
 mod output;
+mod polygons;
 
 use snapbox::cmd::{Command, cargo_bin};
 

@@ -12,7 +12,7 @@ use super::arguments::{BoundaryArgument, DepthArguments, Format};
 use super::json::{SCHEMA, depth as form};
 use super::offset::BetterOffset;
 use super::output::{Failure, Outcome, positive, show};
-use super::polygon::read_polygon;
+use super::polygon::{Caps, read_polygon};
 use super::progress::Progress;
 use bound::Bounds;
 use exact::{Asked, Exact};
@@ -229,6 +229,9 @@ fn distances(mask: &Mask, parametrisation: Parametrisation) -> Result<Distances,
     Ok(distances.with_cells(u32::MAX))
 }
 
+/// The largest control polygon whose depth is asked for.
+const CAPS: Caps = Caps { bytes: 1 << 20, points: 10_000, bits: 4_096 };
+
 /// The control polygon that was given.
 fn points(scheme: &Scheme, arguments: &DepthArguments) -> Result<Option<Points>, Failure> {
     let Some(path) = &arguments.polygon else { return Ok(None) };
@@ -237,7 +240,7 @@ fn points(scheme: &Scheme, arguments: &DepthArguments) -> Result<Option<Points>,
         return Err(Failure::Input(message.to_owned()));
     }
     let closed = arguments.boundary != Some(BoundaryArgument::Open);
-    let points = Points::new(&read_polygon(path)?, closed);
+    let points = Points::new(&read_polygon(path, &CAPS)?, closed);
     if points.spread().is_zero() {
         let message = "--polygon: all points are the same, and so is the limit at every level";
         return Err(Failure::Input(message.to_owned()));
