@@ -1,18 +1,19 @@
 //! `subcert audit`.
 
-use super::arguments::{AuditArguments, BROKEN};
+use super::arguments::{AuditArguments, BROKEN, TableFormat};
 use super::certified::Certified;
-use super::output::{Outcome, denied, show};
+use super::output::{Outcome, denied, show_table};
 use super::papers::{judge_all, papers, select};
+use super::{csv, terminal};
 use subcert::audit::PaperAudit;
-use subcert::report::audit_sheet;
 use subcert::report::json::AuditReport;
+use subcert::report::{Sheet, audit_sheet, overview_sheet};
 
 pub(super) fn audit(arguments: &AuditArguments) -> Outcome {
     let papers = select(papers(&arguments.files)?, arguments.paper.as_deref())?;
-    let audits = judge_all(&papers, arguments.output.format)?;
+    let audits = judge_all(&papers, arguments.output.format != TableFormat::Json)?;
     let certified = if arguments.certified { Some(Certified::of(&audits)?) } else { None };
-    show(
+    show_table(
         arguments.output.format,
         || {
             let mut sheet = audit_sheet(&audits, arguments.all);
@@ -25,6 +26,11 @@ pub(super) fn audit(arguments: &AuditArguments) -> Outcome {
             if let Some(certified) = &certified {
                 certified.section(&mut sheet);
             }
+            if arguments.output.format == TableFormat::Text && is_longer_than_a_screen(&sheet) {
+                // What scrolled away stands where the reader is.
+                sheet.heading(1, "All papers");
+                sheet.blocks.extend(overview_sheet(&audits).blocks);
+            }
             sheet
         },
         || {
@@ -34,11 +40,16 @@ pub(super) fn audit(arguments: &AuditArguments) -> Outcome {
             }
             report
         },
+        || csv::cells(&audits),
     )?;
     denied(&arguments.deny, |verdict| {
         let count = audits.iter().map(|audit| count(audit, verdict)).sum();
         (count, if verdict == BROKEN { ["promise", "promises"] } else { ["claim", "claims"] })
     })
+}
+
+fn is_longer_than_a_screen(sheet: &Sheet) -> bool {
+    sheet.to_text(terminal::width()).lines().count() > terminal::height()
 }
 
 /// How many claims, of tables how many cells, have this verdict; how many promises are broken.

@@ -1,10 +1,11 @@
 //! `subcert constants`.
 
 use super::arguments::ConstantsArguments;
+use super::csv;
 use super::json::{SCHEMA, constants as form};
 use super::local_constants::local_constants;
 use super::offset::BetterOffset;
-use super::output::{Failure, Outcome, show, with_decimal};
+use super::output::{Failure, Outcome, show_table, with_decimal};
 use subcert::bound::{
     Budget, ClassCap, Constants, DeltaCondition, Order, PowerSearch, Terms, best_offset,
     displacement, surface_factor,
@@ -22,7 +23,12 @@ pub(super) fn constants(arguments: &ConstantsArguments) -> Outcome {
     let mut report = Report::of(&scheme, levels).map_err(|e| Failure::Input(e.to_string()))?;
     let name = &arguments.scheme;
     report.better_offsets = BetterOffset::all_of(name, &scheme)?;
-    show(arguments.output.format, || report.sheet(name), || report.form(name))
+    show_table(
+        arguments.output.format,
+        || report.sheet(name),
+        || report.form(name),
+        || csv::constants(&report.form(name)),
+    )
 }
 
 /// The constants of a scheme, computed once for every format.

@@ -1,6 +1,6 @@
 //! `subcert explain`.
 
-use super::arguments::ExplainArguments;
+use super::arguments::{ExplainArguments, Format};
 use super::listing::{Listed, listing};
 use super::output::{Failure, Outcome, show};
 use super::papers::{judge_all, papers, select};
@@ -22,7 +22,7 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Outcome {
         return listing(paper, arguments.output.format);
     }
     check(paper, claim)?;
-    let audits = judge_all(&chosen, arguments.output.format)?;
+    let audits = judge_all(&chosen, arguments.output.format != Format::Json)?;
     let tried = match (audits.first(), table_of(&audits, id)) {
         (Some(audit), Some((finding, _))) => readings(audit.paper, finding)?,
         _ => Vec::new(),

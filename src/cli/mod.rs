@@ -6,12 +6,14 @@ mod certified;
 mod certify;
 mod constants;
 mod coverage;
+mod csv;
 mod depth;
 mod errata;
 mod explain;
 mod json;
 mod listing;
 mod local_constants;
+mod man;
 mod new;
 mod offset;
 mod oracle;
@@ -22,9 +24,10 @@ mod progress;
 mod prove;
 mod range;
 mod schemes;
+mod terminal;
 
 use arguments::{Arguments, Command};
-use clap::Parser as _;
+use clap::{CommandFactory as _, FromArgMatches as _};
 use std::process::ExitCode;
 
 /// The exit code of an internal fault.
@@ -38,7 +41,9 @@ pub(crate) fn run() -> ExitCode {
         report(panic);
         std::process::exit(FAULT);
     }));
-    let arguments = match Arguments::try_parse() {
+    let command = Arguments::command().color(terminal::early_color(std::env::args_os()));
+    let parsed = command.try_get_matches().and_then(|found| Arguments::from_arg_matches(&found));
+    let arguments = match parsed {
         Ok(arguments) => arguments,
         Err(error) => {
             // Help and version come this way too, with exit code 0.
@@ -49,6 +54,7 @@ pub(crate) fn run() -> ExitCode {
             };
         }
     };
+    terminal::set(arguments.color, arguments.quiet);
     let result = match arguments.command {
         Command::Audit(command) => audit::audit(&command),
         Command::Explain(command) => explain::explain(&command),
@@ -62,7 +68,8 @@ pub(crate) fn run() -> ExitCode {
         Command::New(command) => new::new(&command),
         Command::Oracle(command) => oracle::oracle(&command),
         Command::Schemes(command) => schemes::schemes(&command),
-        Command::Completions { shell } => schemes::completions(shell),
+        Command::Man { folder } => man::man(&folder),
+        Command::Completions { shell } => man::completions(shell),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -1,7 +1,7 @@
 //! `subcert new`.
 
 use super::arguments::NewArguments;
-use super::output::{Failure, Outcome, write};
+use super::output::{Failure, Outcome, write, write_results};
 use std::fs::File;
 use std::io::{ErrorKind, Write as _};
 use std::path::{Path, PathBuf};
@@ -24,7 +24,7 @@ pub(super) fn new(arguments: &NewArguments) -> Outcome {
     }
     save(&path, &text)?;
     let path = path.display();
-    write(&format!(
+    write_results(&format!(
         "{path}: a claim file to start from; `subcert audit {path}` judges its claims\n"
     ))
 }

@@ -1,7 +1,7 @@
 //! `subcert oracle`.
 
 use super::arguments::{BoundaryArgument, OracleArguments, OracleFormat};
-use super::output::{Failure, Outcome, write};
+use super::output::{Failure, Outcome, write_results};
 use super::polygon::{Caps, read_grid, read_polygon};
 use std::path::Path;
 use subcert::oracle::{
@@ -21,7 +21,7 @@ pub(super) fn oracle(arguments: &OracleArguments) -> Outcome {
         AnyScheme::Uniform(scheme) => uniform(&scheme, arguments)?,
         AnyScheme::LocalRules(ring) => of_ring(&ring, arguments)?,
     };
-    write(&match arguments.format {
+    write_results(&match arguments.format {
         OracleFormat::Json => to_json(&values),
         OracleFormat::Csv => to_csv(&values),
     })

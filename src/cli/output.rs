@@ -1,9 +1,10 @@
 //! Results to the standard output, messages to the standard error.
 
-use super::arguments::Format;
+use super::arguments::{Format, TableFormat};
+use super::terminal;
 use serde::Serialize;
 use std::fmt::Display;
-use std::io::{ErrorKind, IsTerminal as _, Write as _};
+use std::io::{ErrorKind, Write as _};
 use std::process::ExitCode;
 use subcert::diagnostic::Diagnostic;
 use subcert::exact::{Enclosed, Rational, format::short, parse_rational};
@@ -49,7 +50,7 @@ impl Failure {
         let (message, code) = match self {
             Failure::Expectation(message) => (format!("subcert: {message}"), 1),
             Failure::Input(message) => (format!("error: {message}"), 2),
-            Failure::File(diagnostic) => (diagnostic.render(std::io::stderr().is_terminal()), 2),
+            Failure::File(diagnostic) => (diagnostic.render(true), 2),
             Failure::Output(error) if error.kind() == ErrorKind::BrokenPipe => {
                 return ExitCode::from(BROKEN_PIPE);
             }
@@ -84,6 +85,11 @@ pub(super) fn write(text: &str) -> Result<(), Failure> {
     out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(Failure::Output)
 }
 
+/// Writes results to the standard output, unless only the exit code is asked for.
+pub(super) fn write_results(text: &str) -> Outcome {
+    if terminal::is_quiet() { Ok(()) } else { write(text) }
+}
+
 /// Writes a report in the chosen format.
 pub(super) fn show<J: Serialize>(
     format: Format,
@@ -91,9 +97,25 @@ pub(super) fn show<J: Serialize>(
     json: impl FnOnce() -> J,
 ) -> Result<(), Failure> {
     match format {
-        Format::Text => write(&sheet().to_text()),
-        Format::Markdown => write(&sheet().to_markdown()),
-        Format::Json => write(&json_text(&json())),
+        Format::Text => write_results(&sheet().to_text(terminal::width())),
+        Format::Markdown => write_results(&sheet().to_markdown()),
+        Format::Json => write_results(&json_text(&json())),
+    }
+}
+
+/// Writes a report that is a table in the chosen format.
+pub(super) fn show_table<J: Serialize>(
+    format: TableFormat,
+    sheet: impl FnOnce() -> Sheet,
+    json: impl FnOnce() -> J,
+    csv: impl FnOnce() -> String,
+) -> Outcome {
+    match format {
+        TableFormat::Text => show(Format::Text, sheet, json),
+        TableFormat::Markdown => show(Format::Markdown, sheet, json),
+        TableFormat::Json => show(Format::Json, sheet, json),
+        TableFormat::Latex => write_results(&sheet().to_latex()),
+        TableFormat::Csv => write_results(&csv()),
     }
 }
 

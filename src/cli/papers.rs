@@ -1,6 +1,5 @@
 //! The papers that a command is about.
 
-use super::arguments::Format;
 use super::output::Failure;
 use super::progress::Progress;
 use std::path::{Path, PathBuf};
@@ -79,9 +78,9 @@ pub(super) fn select(papers: Vec<Paper>, key: Option<&str>) -> Result<Vec<Paper>
     Ok(papers)
 }
 
-/// Judges every claim of the papers, on all cores. For people, a bar shows how far that is.
-pub(super) fn judge_all(papers: &[Paper], format: Format) -> Result<Vec<PaperAudit<'_>>, Failure> {
+/// Judges every claim of the papers, on all cores. With `bar`, a bar shows how far that is.
+pub(super) fn judge_all(papers: &[Paper], bar: bool) -> Result<Vec<PaperAudit<'_>>, Failure> {
     let tables = papers.iter().map(|paper| paper.tables.len()).sum();
-    let progress = Progress::of_tables(tables, format != Format::Json);
+    let progress = Progress::of_tables(tables, bar);
     Ok(audit_all(papers, &|| progress.step())?)
 }

@@ -1,7 +1,7 @@
 //! Reference values of a ring.
 
 use super::control::Control;
-use super::header::{COLUMNS, Header, LocalShape, program};
+use super::header::{COLUMNS, Header, LocalShape, SCHEMA, program};
 use super::refine::{MAX_REFINED_LEVEL, OracleError};
 use super::values::{CONTRACTION, CONTROL, Group, NORM, OracleValues, REFINED, group};
 use crate::bound::{LocalConstants, LocalWork};
@@ -118,7 +118,7 @@ pub fn ring_reference_values(
         groups.push(group(&format!("control{number}"), CONTROL, &[count], 0, control));
         groups.push(group(&format!("refined{number}"), REFINED, &[count], 0, &refined));
     }
-    Ok(OracleValues { header: header(ring, request), groups })
+    Ok(OracleValues { schema: SCHEMA, header: header(ring, request), groups })
 }
 
 fn header(ring: &LocalRules, request: &LocalRequest) -> Header {

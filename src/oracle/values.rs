@@ -1,7 +1,7 @@
 //! All reference values of a scheme, as plain data.
 
 use super::control::Control;
-use super::header::{COLUMNS, Header, MaskShape, program};
+use super::header::{COLUMNS, Header, MaskShape, SCHEMA, program};
 use super::refine::{Boundary, OracleError, refine_grid, refine_polygon};
 use crate::bound::{Constants, Operator, Order, Terms, displacement, surface_factor};
 use crate::exact::{Enclosed, Integer, Rational, format};
@@ -31,6 +31,8 @@ pub struct OracleRequest {
 /// Reference values, and what they are.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct OracleValues {
+    /// The version of this form.
+    pub schema: u32,
     /// What was computed.
     pub header: Header,
     /// The values, one group for each quantity.
@@ -142,7 +144,7 @@ pub fn reference_values(
         let shape = shape(refined.len(), *columns);
         groups.push(group(&format!("refined{number}"), REFINED, &shape, 0, refined));
     }
-    Ok(OracleValues { header: header(scheme, request), groups })
+    Ok(OracleValues { schema: SCHEMA, header: header(scheme, request), groups })
 }
 
 const MASK: &str = "a[alpha][j]: x'[n*i+alpha] = sum over j of a[alpha][j]*x[i+offset+j]";

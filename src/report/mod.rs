@@ -1,4 +1,4 @@
-//! Findings as text, Markdown and JSON.
+//! Findings as text, Markdown, LaTeX and JSON.
 
 mod audit;
 mod consistency;
@@ -6,8 +6,10 @@ mod coverage;
 mod equation;
 mod errata;
 mod explain;
+mod fit;
 mod function;
 pub mod json;
+mod latex;
 mod overview;
 mod parts;
 mod promise;
@@ -23,5 +25,6 @@ pub use audit::{audit_sheet, table_values};
 pub use coverage::coverage_sheet;
 pub use errata::errata_sheet;
 pub use explain::{explain_sheet, table_of};
+pub use overview::overview_sheet;
 pub use parts::mark;
 pub use sheet::{Block, Grid, Sheet};

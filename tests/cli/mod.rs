@@ -6,6 +6,8 @@ mod new;
 mod offset;
 mod output;
 mod polygons;
+mod tables;
+mod terminal;
 
 use snapbox::cmd::{Command, cargo_bin};
 
@@ -15,6 +17,8 @@ fn subcert<'a>(arguments: impl IntoIterator<Item = &'a str>) -> Command {
         .current_dir(env!("CARGO_MANIFEST_DIR"))
         .env_remove("CLICOLOR_FORCE")
         .env_remove("NO_COLOR")
+        .env_remove("COLUMNS")
+        .env_remove("LINES")
         .args(arguments)
 }
 

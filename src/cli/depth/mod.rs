@@ -119,7 +119,7 @@ impl Report {
         }
         let mut facts = match &natural.exact {
             Ok(exact) => exact.facts(),
-            Err(why) => vec![("depth, exactly".to_owned(), format!("none: {why}"))],
+            Err(why) => vec![("exact depth".to_owned(), format!("none: {why}"))],
         };
         if let Some(Ok(exact)) = indexed.map(|indexed| &indexed.exact) {
             facts.push(("as papers count".to_owned(), exact.short()));
