@@ -6,7 +6,7 @@ use serde::Serialize;
 use std::fmt::Display;
 use std::io::{ErrorKind, Write as _};
 use std::process::ExitCode;
-use subcert::diagnostic::Diagnostic;
+use subcert::diagnostic::{Diagnostic, Errors};
 use subcert::exact::{Enclosed, Rational, format::short, parse_rational};
 use subcert::report::Sheet;
 
@@ -23,22 +23,28 @@ pub(super) enum Failure {
     Expectation(String),
     /// Bad usage or input: exit code 2.
     Input(String),
-    /// An error in a file: exit code 2.
-    File(Box<Diagnostic>),
+    /// Errors in a file: exit code 2.
+    File(Errors),
     /// The results cannot be written: exit code 2.
     Output(std::io::Error),
 }
 
 impl From<Diagnostic> for Failure {
     fn from(diagnostic: Diagnostic) -> Failure {
-        Failure::File(Box::new(diagnostic))
+        Failure::File(diagnostic.into())
+    }
+}
+
+impl From<Errors> for Failure {
+    fn from(errors: Errors) -> Failure {
+        Failure::File(errors)
     }
 }
 
 impl From<subcert::scheme::SchemeError> for Failure {
     fn from(error: subcert::scheme::SchemeError) -> Failure {
         match error {
-            subcert::scheme::SchemeError::File(diagnostic) => Failure::File(diagnostic),
+            subcert::scheme::SchemeError::File(diagnostic) => Failure::from(*diagnostic),
             other => Failure::Input(other.to_string()),
         }
     }
@@ -50,7 +56,7 @@ impl Failure {
         let (message, code) = match self {
             Failure::Expectation(message) => (format!("subcert: {message}"), 1),
             Failure::Input(message) => (format!("error: {message}"), 2),
-            Failure::File(diagnostic) => (diagnostic.render(true), 2),
+            Failure::File(errors) => (drawn(&errors), 2),
             Failure::Output(error) if error.kind() == ErrorKind::BrokenPipe => {
                 return ExitCode::from(BROKEN_PIPE);
             }
@@ -77,6 +83,22 @@ pub(super) fn denied(
         })
         .collect();
     if words.is_empty() { Ok(()) } else { Err(Failure::Expectation(words.join(", "))) }
+}
+
+/// The most errors of a file that are shown.
+const MAX_SHOWN: usize = 20;
+
+fn drawn(errors: &Errors) -> String {
+    let all = errors.all();
+    let mut drawn: Vec<String> =
+        all.iter().take(MAX_SHOWN).map(|error| error.render(true)).collect();
+    if all.len() > 1 {
+        let shown = all.len().min(MAX_SHOWN);
+        let more =
+            if shown < all.len() { format!(", of which {shown} are shown") } else { String::new() };
+        drawn.push(format!("{} errors{more}", all.len()));
+    }
+    drawn.join("\n\n")
 }
 
 /// Writes a text to the standard output; styles only to a terminal.

@@ -3,8 +3,10 @@
 use super::output::Failure;
 use super::progress::Progress;
 use std::path::{Path, PathBuf};
-use subcert::audit::{PaperAudit, audit_all};
-use subcert::claim::{MAX_CLAIM_FILE_BYTES, Paper, embedded_papers, read_paper, read_paper_file};
+use subcert::audit::{PaperAudit, audit_whole};
+use subcert::claim::{
+    MAX_CLAIM_FILE_BYTES, Paper, embedded_papers, read_paper_file, read_whole_paper,
+};
 use subcert::diagnostic::{SourceText, read_text_from};
 use subcert::suggestion::known as names;
 
@@ -52,7 +54,7 @@ fn read(path: &Path) -> Result<Paper, Failure> {
         let message = "the standard input, for which `-` stands, is empty or was read before";
         return Err(Failure::Input(message.to_owned()));
     }
-    Ok(read_paper(&SourceText::new("standard input", text))?)
+    Ok(read_whole_paper(&SourceText::new("standard input", text))?)
 }
 
 /// Papers with keys of their own.
@@ -82,5 +84,5 @@ pub(super) fn select(papers: Vec<Paper>, key: Option<&str>) -> Result<Vec<Paper>
 pub(super) fn judge_all(papers: &[Paper], bar: bool) -> Result<Vec<PaperAudit<'_>>, Failure> {
     let tables = papers.iter().map(|paper| paper.tables.len()).sum();
     let progress = Progress::of_tables(tables, bar);
-    Ok(audit_all(papers, &|| progress.step())?)
+    Ok(audit_whole(papers, &|| progress.step())?)
 }

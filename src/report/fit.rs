@@ -6,6 +6,9 @@ use super::sheet::Grid;
 /// How many characters stand around the texts of a column, with one to the next column.
 const AROUND: usize = 3;
 
+/// How many lines more a table of texts may take for a row before records are easier to read.
+const MAX_WRAPPED: usize = 2;
+
 /// A table as it fits.
 pub(super) enum Fitted {
     /// As tables, one below the other, each with the first column.
@@ -99,7 +102,18 @@ impl Grid {
         }
         tables.push(chosen);
         let of = |chosen: &Vec<usize>| self.narrowed(chosen, &natural, &least, room);
-        Fitted::Tables(tables.iter().map(of).collect())
+        let tables: Vec<Grid> = tables.iter().map(of).collect();
+        let squeezed = tables.iter().any(|table| table.height() > self.height() + MAX_WRAPPED);
+        if squeezed && self.left_columns > 1 {
+            return Fitted::Records(self.records());
+        }
+        Fitted::Tables(tables)
+    }
+
+    /// The most lines of a row.
+    fn height(&self) -> usize {
+        let cells = self.rows.iter().flatten();
+        cells.map(|cell| cell.split('\n').count()).max().unwrap_or(0)
     }
 
     /// The widest piece of a column.

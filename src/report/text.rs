@@ -105,7 +105,8 @@ impl Lines {
         };
         match grid.fitted(width - INDENT.len()) {
             Fitted::Tables(tables) => {
-                tables.iter().for_each(|table| out.push_str(&table.to_text()));
+                let tables: Vec<String> = tables.iter().map(Grid::to_text).collect();
+                out.push_str(&tables.join("\n"));
             }
             Fitted::Records(records) => {
                 for (title, fields) in records {

@@ -29,8 +29,8 @@ fn a_file_that_is_there_stays() {
     std::fs::create_dir_all(&folder).expect("a folder");
     let program = snapbox::cmd::cargo_bin!("subcert");
     let new = || {
-        let command = std::process::Command::new(program).args(["new", "k"]).current_dir(&folder);
-        command.output().expect("the program runs")
+        let mut command = std::process::Command::new(program);
+        command.args(["new", "k"]).current_dir(&folder).output().expect("the program runs")
     };
     assert!(new().status.success());
     let first = std::fs::read_to_string(folder.join("k.toml")).expect("a file");

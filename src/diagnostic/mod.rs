@@ -1,5 +1,10 @@
 //! Errors that point at a place in a file.
 
+mod errors;
+
+pub(crate) use errors::Collected;
+pub use errors::Errors;
+
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use std::fmt;
 use std::ops::Range;
