@@ -16,7 +16,7 @@ fn the_template_audits_cleanly() {
         serde_json::from_slice(&assert.get_output().stdout).expect("JSON");
     let claims = json["papers"][0]["claims"].as_array().expect("claims");
     let kinds: BTreeSet<&str> = claims.iter().filter_map(|claim| claim["kind"].as_str()).collect();
-    assert_eq!(kinds, BTreeSet::from(["cell", "equation", "theorem"]));
+    assert_eq!(kinds, BTreeSet::from(["equation", "number", "theorem"]));
     assert!(claims.iter().all(|claim| claim["certified"] == true), "{claims:?}");
     assert_eq!(json["papers"][0]["promises"]["kept"], 3);
     let coverage = ["coverage", "-", "--deny", "missing"];
