@@ -17,7 +17,7 @@ use num_traits::Signed;
 const MAX_LEVEL: u32 = 64;
 
 /// The statements that may be cited.
-const THEOREMS: &str = include_str!("../../../THEOREMS.md");
+const THEOREMS: &str = include_str!("../../THEOREMS.md");
 
 /// A statement of THEOREMS.md that decides a theorem, if some claims hold.
 pub struct Citation {
