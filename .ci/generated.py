@@ -12,6 +12,7 @@ holds what that command writes; `head=N` before the command keeps N lines. The f
 of FILES, and proofs/errata, hold what their command writes, and nothing else.
 """
 
+import os
 import re
 import subprocess
 import sys
@@ -31,7 +32,11 @@ FILES = {"proofs/COVERAGE.md": "coverage --format markdown"} | {
 def output(command: str, head: str | None = None) -> str:
     program = ROOT / "target" / "release" / "subcert"
     words = [word.strip("'") for word in re.findall(r"'[^']*'|\S+", command)]
-    done = subprocess.run([program, *words], cwd=ROOT, capture_output=True, text=True, check=True)
+    # A width that the shell exports would lay the tables out otherwise.
+    env = {name: value for name, value in os.environ.items() if name not in ("COLUMNS", "LINES")}
+    done = subprocess.run(
+        [program, *words], cwd=ROOT, capture_output=True, text=True, check=True, env=env
+    )
     lines = done.stdout.splitlines()
     if head and len(lines) > int(head):
         lines = lines[: int(head)] + ["…"]

@@ -59,7 +59,8 @@
 //! | [`certificate`] | verdicts as certificates, for a checker that trusts nothing of this |
 //! | `report` | findings as text, Markdown and JSON (feature `cli`) |
 //!
-//! [`diagnostic`] serves them all: errors that point at a place in a file.
+//! [`diagnostic`] serves them all: errors that point at a place in a file. So does [`suggestion`]: what a
+//! misspelt name may have meant.
 
 pub mod audit;
 pub mod bound;
@@ -79,6 +80,7 @@ pub mod oracle;
 #[cfg(feature = "cli")]
 pub mod report;
 pub mod scheme;
+pub mod suggestion;
 
 /// The examples of README.md, run as tests.
 #[cfg(doctest)]

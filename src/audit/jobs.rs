@@ -1,7 +1,7 @@
 //! The parts of papers that are judged apart from each other, on all cores.
 
 use crate::claim::Paper;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Collected, Diagnostic, Errors};
 use crate::digest::{consistency, premises};
 use crate::evaluation::library::Library;
 use crate::finding::{
@@ -23,20 +23,12 @@ enum Part {
     Theorems,
 }
 
-/// What a part finds, or the first error in it, with the place of its table.
+/// What a part finds, or the errors in it: of related tables and of theorems the first.
 enum Found<'a> {
     Tables(Vec<(usize, TableFinding<'a>)>),
     Formulas(Vec<EquationFinding<'a>>, Vec<FunctionFinding<'a>>, Vec<RangeFinding<'a>>),
     Theorems(Vec<TheoremFinding<'a>>),
-    Error(Place, Diagnostic),
-}
-
-/// Where an error stands: in a table, or after all tables.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Place {
-    Table(usize),
-    Formulas,
-    Theorems,
+    Errors(Collected),
 }
 
 /// Judges every claim of these papers, on all cores; `after_table` is called when a table
@@ -44,7 +36,7 @@ enum Place {
 pub(crate) fn judge<'a>(
     papers: &'a [Paper],
     after_table: &(dyn Fn() + Sync),
-) -> Result<Vec<PaperAudit<'a>>, Diagnostic> {
+) -> Result<Vec<PaperAudit<'a>>, Errors> {
     let mut jobs: Vec<(usize, Part)> = Vec::new();
     for (at, paper) in papers.iter().enumerate() {
         let tables = related::related(paper).into_iter().map(Part::Tables);
@@ -76,34 +68,39 @@ impl Part {
         match self {
             Part::Tables(places) => match related::judge_all(paper, places, after_table) {
                 Ok(findings) => Found::Tables(findings),
-                Err((place, error)) => Found::Error(Place::Table(place), error),
+                Err((_, error)) => Found::error(error),
             },
-            Part::Formulas => {
-                formulas(paper).unwrap_or_else(|error| Found::Error(Place::Formulas, error))
-            }
-            Part::Theorems => match theorem::trials(paper) {
-                Ok(findings) => Found::Theorems(findings),
-                Err(error) => Found::Error(Place::Theorems, error),
-            },
+            Part::Formulas => formulas(paper),
+            Part::Theorems => theorem::trials(paper).map_or_else(Found::error, Found::Theorems),
         }
     }
 }
 
-fn formulas(paper: &Paper) -> Result<Found<'_>, Diagnostic> {
-    let library = || Library::new(paper);
-    let equations = paper.equations.iter().map(|claim| equation::judge(paper, claim, &library()));
-    let functions = paper.functions.iter().map(|claim| function::judge(paper, claim, &library()));
-    let ranges = paper.ranges.iter().map(|claim| range::judge(paper, claim, &library()));
-    Ok(Found::Formulas(
-        equations.collect::<Result<_, _>>()?,
-        functions.collect::<Result<_, _>>()?,
-        ranges.collect::<Result<_, _>>()?,
-    ))
+impl Found<'_> {
+    fn error(error: Diagnostic) -> Self {
+        let mut errors = Collected::default();
+        errors.add(error);
+        Found::Errors(errors)
+    }
 }
 
-/// What the parts of a paper found, and what follows from it all; the first error of the
-/// paper, if there is one.
-fn together<'a>(paper: &'a Paper, parts: Vec<Found<'a>>) -> Result<PaperAudit<'a>, Diagnostic> {
+/// Each equation, function and range is judged by itself.
+fn formulas(paper: &Paper) -> Found<'_> {
+    let library = || Library::new(paper);
+    let mut errors = Collected::default();
+    let equations = errors.all(&paper.equations, |claim| equation::judge(paper, claim, &library()));
+    let functions = errors.all(&paper.functions, |claim| function::judge(paper, claim, &library()));
+    let ranges = errors.all(&paper.ranges, |claim| range::judge(paper, claim, &library()));
+    if errors.is_empty() {
+        Found::Formulas(equations, functions, ranges)
+    } else {
+        Found::Errors(errors)
+    }
+}
+
+/// What the parts of a paper found, and what follows from it all; the errors of the paper, if there
+/// are some.
+fn together<'a>(paper: &'a Paper, parts: Vec<Found<'a>>) -> Result<PaperAudit<'a>, Errors> {
     let mut audit = PaperAudit {
         paper,
         tables: Vec::new(),
@@ -113,7 +110,7 @@ fn together<'a>(paper: &'a Paper, parts: Vec<Found<'a>>) -> Result<PaperAudit<'a
         theorems: Vec::new(),
         contradictions: Vec::new(),
     };
-    let (mut tables, mut errors) = (Vec::new(), Vec::new());
+    let (mut tables, mut errors) = (Vec::new(), Collected::default());
     for part in parts {
         match part {
             Found::Tables(findings) => tables.extend(findings),
@@ -121,12 +118,10 @@ fn together<'a>(paper: &'a Paper, parts: Vec<Found<'a>>) -> Result<PaperAudit<'a
                 (audit.equations, audit.functions, audit.ranges) = (equations, functions, ranges);
             }
             Found::Theorems(theorems) => audit.theorems = theorems,
-            Found::Error(place, error) => errors.push((place, error)),
+            Found::Errors(others) => errors.append(others),
         }
     }
-    if let Some((_, error)) = errors.into_iter().min_by_key(|(place, _)| *place) {
-        return Err(error);
-    }
+    errors.none()?;
     tables.sort_by_key(|(place, _)| *place);
     audit.tables = tables.into_iter().map(|(_, finding)| finding).collect();
     related::borrow(paper, &mut audit.tables)?;

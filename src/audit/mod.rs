@@ -23,7 +23,7 @@ pub use crate::finding::{
 pub use crate::judge::MAX_CASES;
 
 use crate::claim::Paper;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Errors};
 use crate::evaluation::library::Library;
 
 /// Judges every claim of a paper.
@@ -58,6 +58,18 @@ pub fn audit_all<'a>(
     papers: &'a [Paper],
     after_table: &(dyn Fn() + Sync),
 ) -> Result<Vec<PaperAudit<'a>>, Diagnostic> {
+    audit_whole(papers, after_table).map_err(Errors::first)
+}
+
+/// As [`audit_all`], with all errors of the first paper that has some, as far as they do not follow
+/// from each other.
+///
+/// # Errors
+/// As [`audit`].
+pub fn audit_whole<'a>(
+    papers: &'a [Paper],
+    after_table: &(dyn Fn() + Sync),
+) -> Result<Vec<PaperAudit<'a>>, Errors> {
     jobs::judge(papers, after_table)
 }
 

@@ -35,10 +35,11 @@ pub(super) fn certify(arguments: &CertifyArguments) -> Outcome {
     )
 }
 
-/// A ring has constants, and no depths.
+/// A ring has constants, and no formula for depths.
 fn ring_certificate(ring: &LocalRules, arguments: &CertifyArguments) -> Outcome {
     if arguments.spread.is_some() || !arguments.tolerance.is_empty() {
-        let message = "--tolerance and --spread ask for depths, which a ring does not have";
+        let message = "--tolerance and --spread ask for depths by a formula for masks; of a ring, \
+                       `subcert depth` gives the exact depth";
         return Err(Failure::Input(message.to_owned()));
     }
     let result = certify_local_rules(ring, arguments.block.levels)
@@ -70,13 +71,14 @@ fn head<V: Shown>(name: &str, quantities: &[Quantity<V>]) -> Sheet {
 
 fn sheet(name: &str, result: &Certification) -> Sheet {
     let mut sheet = head(name, &result.quantities);
-    let header = ["c", "tolerance", "by logarithms", "f64 depth", "exact depth", "", "margin"];
+    let header = ["c", "tolerance", "by logarithms", "k in f64", "k, exactly", "", "margin"];
     let rows = result.depths.iter().map(depth_row).collect();
-    sheet.heading(2, "Depths σβC^k/(1 − C) ≤ ε, one power of C = T_c for each k");
+    sheet.heading(2, "The least k with σβC^k/(1 − C) ≤ ε, C = T_c");
     sheet.grid(Grid { header: header.map(str::to_owned).to_vec(), rows, left_columns: 0 });
     sheet.text(
         "Margin: bound(k)/ε, at most 1, and bound(k−1)/ε, above 1; the nearer to 1, the nearer \
-         the depth is to another.",
+         k is to another. This k is the depth by a formula; `subcert depth` says how many levels it \
+         takes indeed.",
     );
     sheet
 }

@@ -1,9 +1,11 @@
 //! `subcert constants`.
 
 use super::arguments::ConstantsArguments;
+use super::csv;
 use super::json::{SCHEMA, constants as form};
 use super::local_constants::local_constants;
-use super::output::{Failure, Outcome, show, with_decimal};
+use super::offset::BetterOffset;
+use super::output::{Failure, Outcome, show_table, with_decimal};
 use subcert::bound::{
     Budget, ClassCap, Constants, DeltaCondition, Order, PowerSearch, Terms, best_offset,
     displacement, surface_factor,
@@ -18,15 +20,22 @@ pub(super) fn constants(arguments: &ConstantsArguments) -> Outcome {
         AnyScheme::LocalRules(ring) => return local_constants(&ring, arguments),
     };
     let levels = arguments.block.levels;
-    let report = Report::of(&scheme, levels).map_err(|e| Failure::Input(e.to_string()))?;
+    let mut report = Report::of(&scheme, levels).map_err(|e| Failure::Input(e.to_string()))?;
     let name = &arguments.scheme;
-    show(arguments.output.format, || report.sheet(name), || report.form(name))
+    report.better_offsets = BetterOffset::all_of(name, &scheme)?;
+    show_table(
+        arguments.output.format,
+        || report.sheet(name),
+        || report.form(name),
+        || csv::constants(&report.form(name)),
+    )
 }
 
 /// The constants of a scheme, computed once for every format.
 struct Report {
     directions: Vec<Direction>,
     surface: Option<Surface>,
+    better_offsets: Vec<BetterOffset>,
 }
 
 /// A tensor product: the factor, δ, and C_c for each c.
@@ -70,7 +79,7 @@ impl Report {
             }
             _ => None,
         };
-        Ok(Report { directions, surface })
+        Ok(Report { directions, surface, better_offsets: Vec::new() })
     }
 }
 
@@ -146,6 +155,7 @@ impl Report {
             );
             sheet.facts(facts);
         }
+        self.better_offsets.iter().for_each(|better| better.write(&mut sheet));
         sheet
     }
 
@@ -160,6 +170,7 @@ impl Report {
             scheme: name,
             directions: self.directions.iter().map(Direction::form).collect(),
             surface: self.surface.as_ref().map(surface),
+            better_offsets: self.better_offsets.iter().map(BetterOffset::form).collect(),
         }
     }
 }

@@ -1,21 +1,18 @@
 //! `subcert coverage`.
 
-use super::arguments::CoverageArguments;
-use super::output::{Failure, Outcome, show};
+use super::arguments::{CoverageArguments, Format};
+use super::output::{Outcome, denied, show};
 use super::papers::{judge_all, papers, select};
 use subcert::audit::PaperAudit;
 use subcert::report::{coverage_sheet, json::CoverageReport};
 
 pub(super) fn coverage(arguments: &CoverageArguments) -> Outcome {
     let papers = select(papers(&arguments.files)?, arguments.paper.as_deref())?;
-    let audits = judge_all(&papers, arguments.output.format)?;
+    let audits = judge_all(&papers, arguments.output.format != Format::Json)?;
     show(arguments.output.format, || coverage_sheet(&audits), || CoverageReport::of(&audits))?;
-    for state in &arguments.deny {
+    denied(&arguments.deny, |state| {
         let items = audits.iter().flat_map(PaperAudit::coverage);
         let count = items.filter(|coverage| coverage.state().name() == state).count();
-        if count > 0 {
-            return Err(Failure::Expectation(format!("{count} numbered items are {state}")));
-        }
-    }
-    Ok(())
+        (count, ["numbered item", "numbered items"])
+    })
 }

@@ -9,7 +9,7 @@ use subcert::report::{errata_sheet, json::ErrataReport};
 
 pub(super) fn errata(arguments: &ErrataArguments) -> Outcome {
     let papers = select(papers(&arguments.files)?, arguments.paper.as_deref())?;
-    let audits = judge_all(&papers, arguments.format)?;
+    let audits = judge_all(&papers, arguments.format != Format::Json)?;
     match &arguments.output_folder {
         None => show(arguments.format, || errata_sheet(&audits), || ErrataReport::of(&audits)),
         Some(folder) => audits.iter().try_for_each(|audit| save(folder, arguments.format, audit)),
@@ -21,7 +21,7 @@ fn save(folder: &Path, format: Format, audit: &PaperAudit<'_>) -> Outcome {
     let audits = std::slice::from_ref(audit);
     let (extension, text) = match format {
         Format::Text => {
-            ("txt", anstream::adapter::strip_str(&errata_sheet(audits).to_text()).to_string())
+            ("txt", anstream::adapter::strip_str(&errata_sheet(audits).to_text(None)).to_string())
         }
         Format::Markdown => ("md", errata_sheet(audits).to_markdown()),
         Format::Json => ("json", json_text(&ErrataReport::of(audits))),

@@ -1,8 +1,9 @@
 //! `subcert constants` of a ring.
 
 use super::arguments::ConstantsArguments;
+use super::csv;
 use super::json::{SCHEMA, constants as form};
-use super::output::{Failure, Outcome, show, with_decimal};
+use super::output::{Failure, Outcome, show_table, with_decimal};
 use subcert::bound::{LocalConstants, Transport};
 use subcert::exact::{RealCyclotomic, format::short};
 use subcert::report::{Grid, Sheet, json::Exact};
@@ -22,7 +23,12 @@ pub(super) fn local_constants(ring: &LocalRules, arguments: &ConstantsArguments)
         .map_err(|error| Failure::Input(error.to_string()))?;
     let report = Report { ring, constants };
     let name = &arguments.scheme;
-    show(arguments.output.format, || report.sheet(name), || report.form(name))
+    show_table(
+        arguments.output.format,
+        || report.sheet(name),
+        || report.form(name),
+        || csv::local_constants(&report.form(name)),
+    )
 }
 
 struct Report<'a> {

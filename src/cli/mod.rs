@@ -6,10 +6,16 @@ mod certified;
 mod certify;
 mod constants;
 mod coverage;
+mod csv;
 mod depth;
 mod errata;
+mod explain;
 mod json;
+mod listing;
 mod local_constants;
+mod man;
+mod new;
+mod offset;
 mod oracle;
 mod output;
 mod papers;
@@ -18,9 +24,10 @@ mod progress;
 mod prove;
 mod range;
 mod schemes;
+mod terminal;
 
 use arguments::{Arguments, Command};
-use clap::Parser as _;
+use clap::{CommandFactory as _, FromArgMatches as _};
 use std::process::ExitCode;
 
 /// The exit code of an internal fault.
@@ -34,7 +41,9 @@ pub(crate) fn run() -> ExitCode {
         report(panic);
         std::process::exit(FAULT);
     }));
-    let arguments = match Arguments::try_parse() {
+    let command = Arguments::command().color(terminal::early_color(std::env::args_os()));
+    let parsed = command.try_get_matches().and_then(|found| Arguments::from_arg_matches(&found));
+    let arguments = match parsed {
         Ok(arguments) => arguments,
         Err(error) => {
             // Help and version come this way too, with exit code 0.
@@ -45,9 +54,10 @@ pub(crate) fn run() -> ExitCode {
             };
         }
     };
+    terminal::set(arguments.color, arguments.quiet);
     let result = match arguments.command {
         Command::Audit(command) => audit::audit(&command),
-        Command::Explain(command) => audit::explain(&command),
+        Command::Explain(command) => explain::explain(&command),
         Command::Errata(command) => errata::errata(&command),
         Command::Coverage(command) => coverage::coverage(&command),
         Command::Constants(command) => constants::constants(&command),
@@ -55,9 +65,11 @@ pub(crate) fn run() -> ExitCode {
         Command::Range(command) => range::range(&command),
         Command::Certify(command) => certify::certify(&command),
         Command::Prove(command) => prove::prove(&command),
+        Command::New(command) => new::new(&command),
         Command::Oracle(command) => oracle::oracle(&command),
         Command::Schemes(command) => schemes::schemes(&command),
-        Command::Completions { shell } => schemes::completions(shell),
+        Command::Man { folder } => man::man(&folder),
+        Command::Completions { shell } => man::completions(shell),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -1,18 +1,17 @@
 //! `subcert oracle`.
 
 use super::arguments::{BoundaryArgument, OracleArguments, OracleFormat};
-use super::output::{Failure, Outcome, write};
+use super::output::{Failure, Outcome, write_results};
+use super::polygon::{Caps, read_grid, read_polygon};
 use std::path::Path;
-use subcert::diagnostic::{Diagnostic, SourceText, read_text};
-use subcert::exact::{Rational, parse_rational};
 use subcert::oracle::{
-    Boundary, Control, LocalRequest, OracleError, OracleRequest, OracleValues, reference_values,
-    ring_reference_values, to_csv, to_json,
+    Boundary, Control, LocalRequest, MAX_VALUES, OracleError, OracleRequest, OracleValues,
+    reference_values, ring_reference_values, to_csv, to_json,
 };
 use subcert::scheme::{AnyScheme, LocalRules, Scheme, parse_any_scheme};
 
-/// The largest control polygon file that is read, in bytes.
-const MAX_POLYGON_BYTES: u64 = 16 << 20;
+/// The largest control polygon that is read.
+const CAPS: Caps = Caps { bytes: 16 << 20, points: MAX_VALUES, bits: u64::MAX };
 
 /// How many points a seeded polygon has, when nobody says.
 const SEEDED_POINTS: usize = 8;
@@ -22,7 +21,7 @@ pub(super) fn oracle(arguments: &OracleArguments) -> Outcome {
         AnyScheme::Uniform(scheme) => uniform(&scheme, arguments)?,
         AnyScheme::LocalRules(ring) => of_ring(&ring, arguments)?,
     };
-    write(&match arguments.format {
+    write_results(&match arguments.format {
         OracleFormat::Json => to_json(&values),
         OracleFormat::Csv => to_csv(&values),
     })
@@ -79,51 +78,13 @@ fn control(arguments: &OracleArguments, scheme: &Scheme) -> Result<Control, Fail
     })
 }
 
-/// Reads exact numbers separated by commas or white space; `#` begins a comment.
-/// For a surface, each line is a row.
+/// The control polygon or grid in a file.
 fn read_control(path: &Path, surface: bool) -> Result<Control, Failure> {
-    let name = path.display().to_string();
-    let text = read_text(path, MAX_POLYGON_BYTES)
-        .map_err(|reason| Failure::Input(format!("cannot read `{name}`: {reason}")))?;
-    let source = SourceText::new(name, text);
-    let mut rows: Vec<Vec<Rational>> = Vec::new();
-    let mut start = 0;
-    for line in source.text.split_inclusive('\n') {
-        let numbers = line.split('#').next().unwrap_or_default();
-        let mut row = Vec::new();
-        let mut at = start;
-        for piece in numbers.split(|c: char| c == ',' || c.is_whitespace()) {
-            if !piece.is_empty() {
-                let span = at..at + piece.len();
-                row.push(parse_rational(piece).map_err(|error| {
-                    Failure::from(Diagnostic::new(&source, span, error.to_string()))
-                })?);
-            }
-            at += piece.len() + 1;
-        }
-        start += line.len();
-        if row.is_empty() {
-            continue;
-        }
-        if surface && rows.first().is_some_and(|first| first.len() != row.len()) {
-            let span = start - line.len()..start;
-            let message =
-                format!("{} numbers in this row, and {} in the first", row.len(), rows[0].len());
-            return Err(Failure::from(Diagnostic::new(&source, span, message)));
-        }
-        rows.push(row);
-    }
-    let columns = rows.first().map_or(0, Vec::len);
-    let values: Vec<Rational> = rows.into_iter().flatten().collect();
-    if values.is_empty() {
-        return Err(Failure::from(
-            Diagnostic::new(&source, 0..source.text.len(), "there is no number in this file")
-                .with_help("write exact numbers such as 3, 0.25 or 1/3, separated by commas"),
-        ));
-    }
     if !surface {
-        return Ok(Control::polygon(values));
+        return Ok(Control::points(read_polygon(path, &CAPS)?));
     }
+    let rows = read_grid(path, &CAPS)?;
+    let columns = rows.first().map_or(0, Vec::len);
     let ragged = || Failure::Input("the rows have different lengths".to_owned());
-    Control::grid(values, columns).ok_or_else(ragged)
+    Control::grid(rows.concat(), columns).ok_or_else(ragged)
 }

@@ -1,11 +1,12 @@
 //! Results to the standard output, messages to the standard error.
 
-use super::arguments::Format;
+use super::arguments::{Format, TableFormat};
+use super::terminal;
 use serde::Serialize;
 use std::fmt::Display;
-use std::io::{ErrorKind, IsTerminal as _, Write as _};
+use std::io::{ErrorKind, Write as _};
 use std::process::ExitCode;
-use subcert::diagnostic::Diagnostic;
+use subcert::diagnostic::{Diagnostic, Errors};
 use subcert::exact::{Enclosed, Rational, format::short, parse_rational};
 use subcert::report::Sheet;
 
@@ -22,22 +23,28 @@ pub(super) enum Failure {
     Expectation(String),
     /// Bad usage or input: exit code 2.
     Input(String),
-    /// An error in a file: exit code 2.
-    File(Box<Diagnostic>),
+    /// Errors in a file: exit code 2.
+    File(Errors),
     /// The results cannot be written: exit code 2.
     Output(std::io::Error),
 }
 
 impl From<Diagnostic> for Failure {
     fn from(diagnostic: Diagnostic) -> Failure {
-        Failure::File(Box::new(diagnostic))
+        Failure::File(diagnostic.into())
+    }
+}
+
+impl From<Errors> for Failure {
+    fn from(errors: Errors) -> Failure {
+        Failure::File(errors)
     }
 }
 
 impl From<subcert::scheme::SchemeError> for Failure {
     fn from(error: subcert::scheme::SchemeError) -> Failure {
         match error {
-            subcert::scheme::SchemeError::File(diagnostic) => Failure::File(diagnostic),
+            subcert::scheme::SchemeError::File(diagnostic) => Failure::from(*diagnostic),
             other => Failure::Input(other.to_string()),
         }
     }
@@ -49,7 +56,7 @@ impl Failure {
         let (message, code) = match self {
             Failure::Expectation(message) => (format!("subcert: {message}"), 1),
             Failure::Input(message) => (format!("error: {message}"), 2),
-            Failure::File(diagnostic) => (diagnostic.render(std::io::stderr().is_terminal()), 2),
+            Failure::File(errors) => (drawn(&errors), 2),
             Failure::Output(error) if error.kind() == ErrorKind::BrokenPipe => {
                 return ExitCode::from(BROKEN_PIPE);
             }
@@ -61,10 +68,48 @@ impl Failure {
     }
 }
 
+/// Fails when there is something of what is denied: `count` says how much, and what one of it and
+/// several are called.
+pub(super) fn denied(
+    denied: &[String],
+    count: impl Fn(&str) -> (usize, [&'static str; 2]),
+) -> Outcome {
+    let words: Vec<String> = denied
+        .iter()
+        .filter_map(|word| match count(word) {
+            (0, _) => None,
+            (1, [one, _]) => Some(format!("1 {one} is {word}")),
+            (count, [_, several]) => Some(format!("{count} {several} are {word}")),
+        })
+        .collect();
+    if words.is_empty() { Ok(()) } else { Err(Failure::Expectation(words.join(", "))) }
+}
+
+/// The most errors of a file that are shown.
+const MAX_SHOWN: usize = 20;
+
+fn drawn(errors: &Errors) -> String {
+    let all = errors.all();
+    let mut drawn: Vec<String> =
+        all.iter().take(MAX_SHOWN).map(|error| error.render(true)).collect();
+    if all.len() > 1 {
+        let shown = all.len().min(MAX_SHOWN);
+        let more =
+            if shown < all.len() { format!(", of which {shown} are shown") } else { String::new() };
+        drawn.push(format!("{} errors{more}", all.len()));
+    }
+    drawn.join("\n\n")
+}
+
 /// Writes a text to the standard output; styles only to a terminal.
 pub(super) fn write(text: &str) -> Result<(), Failure> {
     let mut out = anstream::stdout().lock();
     out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(Failure::Output)
+}
+
+/// Writes results to the standard output, unless only the exit code is asked for.
+pub(super) fn write_results(text: &str) -> Outcome {
+    if terminal::is_quiet() { Ok(()) } else { write(text) }
 }
 
 /// Writes a report in the chosen format.
@@ -74,9 +119,25 @@ pub(super) fn show<J: Serialize>(
     json: impl FnOnce() -> J,
 ) -> Result<(), Failure> {
     match format {
-        Format::Text => write(&sheet().to_text()),
-        Format::Markdown => write(&sheet().to_markdown()),
-        Format::Json => write(&json_text(&json())),
+        Format::Text => write_results(&sheet().to_text(terminal::width())),
+        Format::Markdown => write_results(&sheet().to_markdown()),
+        Format::Json => write_results(&json_text(&json())),
+    }
+}
+
+/// Writes a report that is a table in the chosen format.
+pub(super) fn show_table<J: Serialize>(
+    format: TableFormat,
+    sheet: impl FnOnce() -> Sheet,
+    json: impl FnOnce() -> J,
+    csv: impl FnOnce() -> String,
+) -> Outcome {
+    match format {
+        TableFormat::Text => show(Format::Text, sheet, json),
+        TableFormat::Markdown => show(Format::Markdown, sheet, json),
+        TableFormat::Json => show(Format::Json, sheet, json),
+        TableFormat::Latex => write_results(&sheet().to_latex()),
+        TableFormat::Csv => write_results(&csv()),
     }
 }
 

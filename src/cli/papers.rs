@@ -1,21 +1,21 @@
 //! The papers that a command is about.
 
-use super::arguments::Format;
 use super::output::Failure;
 use super::progress::Progress;
 use std::path::{Path, PathBuf};
-use subcert::audit::{PaperAudit, audit_all};
-use subcert::claim::{Paper, embedded_papers, read_paper_file};
+use subcert::audit::{PaperAudit, audit_whole};
+use subcert::claim::{
+    MAX_CLAIM_FILE_BYTES, Paper, embedded_papers, read_paper_file, read_whole_paper,
+};
+use subcert::diagnostic::{SourceText, read_text_from};
+use subcert::suggestion::known as names;
 
 /// The papers of claim files; without any, the embedded ones.
 pub(super) fn papers(files: &[PathBuf]) -> Result<Vec<Paper>, Failure> {
     if files.is_empty() {
         return Ok(embedded_papers()?);
     }
-    let read = |path: &PathBuf| -> Result<Paper, Failure> {
-        Ok(read_paper_file(path).map_err(Failure::Input)??)
-    };
-    distinct(files.iter().map(read).collect::<Result<Vec<Paper>, Failure>>()?)
+    distinct(files.iter().map(|path| read(path)).collect::<Result<Vec<Paper>, Failure>>()?)
 }
 
 /// The embedded papers of these keys, and those of claim files; without any, the
@@ -30,15 +30,31 @@ pub(super) fn papers_or_keys(what: &[String]) -> Result<Vec<Paper>, Failure> {
             return Ok(paper.clone());
         }
         let path = Path::new(word);
-        if !path.exists() {
-            let keys: Vec<&str> = embedded.iter().map(|paper| paper.key.as_str()).collect();
-            let keys = keys.join(", ");
-            let message = format!("`{word}` is no claim file, and none of the keys {keys}");
+        if path.as_os_str() != STANDARD_INPUT && !path.exists() {
+            let keys = names(word, embedded.iter().map(|paper| paper.key.as_str()));
+            let message = format!("`{word}` is no claim file, and no key of a paper{keys}");
             return Err(Failure::Input(message));
         }
-        Ok(read_paper_file(path).map_err(Failure::Input)??)
+        read(path)
     };
     distinct(what.iter().map(paper).collect::<Result<Vec<Paper>, Failure>>()?)
+}
+
+/// What stands for the standard input in place of a claim file.
+const STANDARD_INPUT: &str = "-";
+
+/// The paper of a claim file.
+fn read(path: &Path) -> Result<Paper, Failure> {
+    if path.as_os_str() != STANDARD_INPUT {
+        return Ok(read_paper_file(path).map_err(Failure::Input)??);
+    }
+    let text = read_text_from(std::io::stdin().lock(), MAX_CLAIM_FILE_BYTES)
+        .map_err(|reason| Failure::Input(format!("cannot read the standard input: {reason}")))?;
+    if text.trim().is_empty() {
+        let message = "the standard input, for which `-` stands, is empty or was read before";
+        return Err(Failure::Input(message.to_owned()));
+    }
+    Ok(read_whole_paper(&SourceText::new("standard input", text))?)
 }
 
 /// Papers with keys of their own.
@@ -58,15 +74,15 @@ pub(super) fn select(papers: Vec<Paper>, key: Option<&str>) -> Result<Vec<Paper>
     let known: Vec<String> = papers.iter().map(|paper| paper.key.clone()).collect();
     let papers: Vec<Paper> = papers.into_iter().filter(|paper| paper.key == key).collect();
     if papers.is_empty() {
-        let known = known.join(", ");
-        return Err(Failure::Input(format!("no paper has the key `{key}`; known: {known}")));
+        let known = names(key, known.iter().map(String::as_str));
+        return Err(Failure::Input(format!("no paper has the key `{key}`{known}")));
     }
     Ok(papers)
 }
 
-/// Judges every claim of the papers, on all cores. For people, a bar shows how far that is.
-pub(super) fn judge_all(papers: &[Paper], format: Format) -> Result<Vec<PaperAudit<'_>>, Failure> {
+/// Judges every claim of the papers, on all cores. With `bar`, a bar shows how far that is.
+pub(super) fn judge_all(papers: &[Paper], bar: bool) -> Result<Vec<PaperAudit<'_>>, Failure> {
     let tables = papers.iter().map(|paper| paper.tables.len()).sum();
-    let progress = Progress::of_tables(tables, format != Format::Json);
-    Ok(audit_all(papers, &|| progress.step())?)
+    let progress = Progress::of_tables(tables, bar);
+    Ok(audit_whole(papers, &|| progress.step())?)
 }

@@ -1,4 +1,4 @@
-//! Control polygons in files.
+//! Control polygons and grids in files: one reader for `depth` and `oracle`.
 
 use super::output::Failure;
 use serde_json::value::RawValue;
@@ -8,15 +8,18 @@ use std::sync::Arc;
 use subcert::diagnostic::{Diagnostic, SourceText, read_text};
 use subcert::exact::{Integer, Rational, parse_rational};
 
-/// The largest file that is read, in bytes.
-const MAX_BYTES: u64 = 1 << 20;
+/// How much a file may hold.
+pub(super) struct Caps {
+    /// The largest file that is read, in bytes.
+    pub(super) bytes: u64,
+    /// The most points.
+    pub(super) points: usize,
+    /// The most binary digits of a numerator, and of the common denominator of a coordinate.
+    pub(super) bits: u64,
+}
 
-/// The most points, and the most coordinates of each.
-const MAX_POINTS: usize = 10_000;
+/// The most coordinates of a point.
 const MAX_COORDINATES: usize = 16;
-
-/// The most binary digits of a numerator, and of the common denominator of a coordinate.
-const MAX_BITS: u64 = 4_096;
 
 /// A coordinate with its place in the file.
 type Placed = (Rational, Range<usize>);
@@ -27,14 +30,50 @@ type Placed = (Rational, Range<usize>);
 /// JSON number, which is read from its text, or a string such as "1/3". Any other has one
 /// point on a line, its coordinates separated by commas or white space; `#` begins a
 /// comment.
-pub(super) fn read_polygon(path: &Path) -> Result<Vec<Vec<Rational>>, Failure> {
+pub(super) fn read_polygon(path: &Path, caps: &Caps) -> Result<Vec<Vec<Rational>>, Failure> {
+    let source = source(path, caps)?;
+    Ok(coordinates(&source, entries(&source)?, caps)?)
+}
+
+/// The control grid in a file: its rows, all of one length. Its form is that of a polygon, with a
+/// row in place of a point.
+pub(super) fn read_grid(path: &Path, caps: &Caps) -> Result<Vec<Vec<Rational>>, Failure> {
+    let source = source(path, caps)?;
+    let rows = entries(&source)?;
+    let columns = rows.first().map_or(0, Vec::len);
+    if columns == 0 {
+        let whole = 0..source.text.len();
+        let error = Diagnostic::new(&source, whole, "there is no number in this file");
+        return Err(error
+            .with_help("write one row of the grid on a line, such as `1/3, 0.25`")
+            .into());
+    }
+    if let Some(row) = rows.iter().find(|row| row.len() != columns) {
+        let message = format!("{} numbers in this row, and {columns} in the first", row.len());
+        return Err(Diagnostic::new(&source, extent(&source, row), message).into());
+    }
+    Ok(rows.into_iter().map(|row| row.into_iter().map(|(value, _)| value).collect()).collect())
+}
+
+fn source(path: &Path, caps: &Caps) -> Result<Arc<SourceText>, Failure> {
     let name = path.display().to_string();
-    let text = read_text(path, MAX_BYTES)
+    let text = read_text(path, caps.bytes)
         .map_err(|reason| Failure::Input(format!("cannot read `{name}`: {reason}")))?;
-    let source = SourceText::new(name, text);
+    Ok(SourceText::new(name, text))
+}
+
+/// The numbers of each point, or of each row of a grid.
+fn entries(source: &Arc<SourceText>) -> Result<Vec<Vec<Placed>>, Diagnostic> {
     let json = source.text.trim_start().starts_with('[');
-    let points = if json { json_points(&source) } else { lines(&source) }?;
-    Ok(coordinates(&source, points)?)
+    if json { json_points(source) } else { lines(source) }
+}
+
+/// Where these numbers stand.
+fn extent(source: &Arc<SourceText>, numbers: &[Placed]) -> Range<usize> {
+    match (numbers.first(), numbers.last()) {
+        (Some(first), Some(last)) => first.1.start..last.1.end,
+        _ => 0..source.text.len(),
+    }
 }
 
 fn lines(source: &Arc<SourceText>) -> Result<Vec<Vec<Placed>>, Diagnostic> {
@@ -127,34 +166,34 @@ fn json_number(source: &Arc<SourceText>, raw: &RawValue) -> Result<Placed, Diagn
 fn coordinates(
     source: &Arc<SourceText>,
     points: Vec<Vec<Placed>>,
+    caps: &Caps,
 ) -> Result<Vec<Vec<Rational>>, Diagnostic> {
     let whole = 0..source.text.len();
     let count = points.first().map_or(0, Vec::len);
-    if points.len() < 2 || points.len() > MAX_POINTS {
-        let found = points.len();
-        let message = format!("a polygon has from 2 to {MAX_POINTS} points; there are {found}");
+    if points.len() < 2 || points.len() > caps.points {
+        let (found, most) = (points.len(), caps.points);
+        let message = format!("a polygon has from 2 to {most} points; there are {found}");
         return Err(Diagnostic::new(source, whole, message)
             .with_help("write one point on a line, or a JSON array of them"));
     }
     let mut coordinates = vec![Vec::with_capacity(points.len()); count];
     let mut common = vec![Integer::one(); count];
     for point in points {
-        let span = point.first().map_or(whole.start, |first| first.1.start)
-            ..point.last().map_or(whole.end, |last| last.1.end);
         if point.len() != count || !(1..=MAX_COORDINATES).contains(&count) {
             let message = format!(
                 "{} coordinates here, and {count} of the first point; all have the same number of \
                  them, from 1 to {MAX_COORDINATES}",
                 point.len()
             );
-            return Err(Diagnostic::new(source, span, message));
+            return Err(Diagnostic::new(source, extent(source, &point), message));
         }
         for (j, (value, span)) in point.into_iter().enumerate() {
             common[j] = common[j].lcm(&value.denominator());
-            if common[j].bits().max(value.numerator().bits()) > MAX_BITS {
+            if common[j].bits().max(value.numerator().bits()) > caps.bits {
                 let message = format!(
                     "with this number a numerator or the common denominator has more than \
-                     {MAX_BITS} binary digits"
+                     {} binary digits",
+                    caps.bits
                 );
                 return Err(Diagnostic::new(source, span, message).with_help("round the numbers"));
             }

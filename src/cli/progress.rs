@@ -1,5 +1,6 @@
 //! How far a long command is, on a terminal.
 
+use super::terminal;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal as _;
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
@@ -45,26 +46,27 @@ impl Progress {
         update: impl Fn(&ProgressBar) + Send + 'static,
     ) -> Progress {
         let bar = ProgressBar::with_draw_target(Some(length), ProgressDrawTarget::hidden());
-        let waiting = (wanted && std::io::stderr().is_terminal()).then(|| {
-            if let Ok(style) = ProgressStyle::with_template(template) {
-                bar.set_style(style);
-            }
-            let (sender, receiver) = channel::<()>();
-            let shown = bar.clone();
-            let thread = std::thread::spawn(move || {
-                let mut wait = PATIENCE;
-                // Until the other end is dropped.
-                while receiver.recv_timeout(wait) == Err(RecvTimeoutError::Timeout) {
-                    if wait == PATIENCE {
-                        shown.set_draw_target(ProgressDrawTarget::stderr());
-                    }
-                    update(&shown);
-                    shown.tick();
-                    wait = PERIOD;
+        let waiting =
+            (wanted && !terminal::is_quiet() && std::io::stderr().is_terminal()).then(|| {
+                if let Ok(style) = ProgressStyle::with_template(template) {
+                    bar.set_style(style);
                 }
+                let (sender, receiver) = channel::<()>();
+                let shown = bar.clone();
+                let thread = std::thread::spawn(move || {
+                    let mut wait = PATIENCE;
+                    // Until the other end is dropped.
+                    while receiver.recv_timeout(wait) == Err(RecvTimeoutError::Timeout) {
+                        if wait == PATIENCE {
+                            shown.set_draw_target(ProgressDrawTarget::stderr());
+                        }
+                        update(&shown);
+                        shown.tick();
+                        wait = PERIOD;
+                    }
+                });
+                (sender, thread)
             });
-            (sender, thread)
-        });
         Progress { bar, waiting }
     }
 

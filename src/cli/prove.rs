@@ -1,7 +1,7 @@
 //! `subcert prove`.
 
-use super::arguments::{Format, ProveArguments};
-use super::output::{Failure, Outcome, write};
+use super::arguments::ProveArguments;
+use super::output::{Failure, Outcome, write, write_results};
 use super::papers::{judge_all, papers_or_keys};
 use std::fmt::Write as _;
 use std::fs::{File, create_dir_all, remove_file, rename};
@@ -12,7 +12,7 @@ use subcert::certificate::{Certificate, certificate};
 pub(super) fn prove(arguments: &ProveArguments) -> Outcome {
     let papers = papers_or_keys(&arguments.what)?;
     let certificates: Vec<Certificate> =
-        judge_all(&papers, Format::Text)?.iter().map(certificate).collect();
+        judge_all(&papers, true)?.iter().map(certificate).collect();
     let folder = &arguments.output;
     if folder.as_os_str() == "-" {
         let [only] = &certificates[..] else {
@@ -33,7 +33,7 @@ pub(super) fn prove(arguments: &ProveArguments) -> Outcome {
             let _ = writeln!(said, "  without {}: {}", omission.id, omission.why);
         }
     }
-    write(&said)
+    write_results(&said)
 }
 
 /// Writes a file that is there either as it was before or whole.

@@ -1,15 +1,16 @@
-//! `subcert schemes` and `subcert completions`.
+//! `subcert schemes`.
 
-use super::arguments::{Arguments, SchemesArguments};
-use super::json::schemes::{Parameter, Scheme};
-use super::output::{Outcome, show, write};
-use clap::CommandFactory as _;
+use super::arguments::SchemesArguments;
+use super::json::SCHEMA;
+use super::json::schemes::{Catalogue, Parameter, Scheme};
+use super::output::{Outcome, show};
 use subcert::report::Sheet;
 use subcert::scheme::{SchemeDefinition, catalogue};
 
 pub(super) fn schemes(arguments: &SchemesArguments) -> Outcome {
-    show(arguments.output.format, sheet, || {
-        catalogue().iter().map(form).collect::<Vec<Scheme<'_>>>()
+    show(arguments.output.format, sheet, || Catalogue {
+        schema: SCHEMA,
+        schemes: catalogue().iter().map(form).collect(),
     })
 }
 
@@ -27,7 +28,7 @@ fn sheet() -> Sheet {
     sheet.facts(catalogue().iter().map(fact).collect());
     sheet.text(
         "Write parameters as `six-point:w=3/256` or `newton:j=1,n=3`. Schemes around a vertex or on \
-         a face are rings: `constants`, `certify` and `oracle` take them.",
+         a face are rings: `constants`, `depth`, `certify` and `oracle` take them.",
     );
     sheet
 }
@@ -44,10 +45,4 @@ fn form(entry: &SchemeDefinition) -> Scheme<'_> {
         kind: if entry.is_ring() { "ring" } else { "mask" },
         parameters: parameters.collect(),
     }
-}
-
-pub(super) fn completions(shell: clap_complete::Shell) -> Outcome {
-    let mut script = Vec::new();
-    clap_complete::generate(shell, &mut Arguments::command(), "subcert", &mut script);
-    write(&String::from_utf8_lossy(&script))
 }

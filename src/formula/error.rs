@@ -2,6 +2,7 @@
 
 use super::ast::Span;
 use crate::diagnostic::Diagnostic;
+use crate::suggestion::known as names;
 
 /// The longest formula that is read, in bytes.
 pub const MAX_FORMULA_LENGTH: usize = 4_096;
@@ -38,7 +39,7 @@ pub enum FormulaErrorKind {
     #[error("nested more than {MAX_NESTING} deep")]
     TooDeep,
     /// A name that the context does not know.
-    #[error("unknown name `{name}`{}", known_here(.known))]
+    #[error("unknown name `{name}`{}", names(.name, .known.iter().map(String::as_str)))]
     UnknownName {
         /// The name.
         name: String,
@@ -49,7 +50,7 @@ pub enum FormulaErrorKind {
     #[error("`{0}` has no value")]
     Unstated(String),
     /// A function that neither the language nor the context has.
-    #[error("unknown function `{name}`{}", known_here(.known))]
+    #[error("unknown function `{name}`{}", names(.name, .known.iter().map(String::as_str)))]
     UnknownFunction {
         /// The name.
         name: String,
@@ -96,10 +97,6 @@ pub enum FormulaErrorKind {
         /// The cap.
         cap: u64,
     },
-}
-
-fn known_here(names: &[String]) -> String {
-    if names.is_empty() { String::new() } else { format!("; known here: {}", names.join(", ")) }
 }
 
 /// Why a context's function gives no value; the evaluator adds the place.

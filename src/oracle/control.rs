@@ -3,8 +3,8 @@
 use super::refine::MAX_VALUES;
 use crate::exact::Rational;
 
-/// A control polygon of numbers x_0, …, x_{m−1}, or a control grid x_{i,j} of them,
-/// row by row. For points, refine each coordinate by itself.
+/// A control polygon of numbers x_0, …, x_{m−1} or of points, or a control grid x_{i,j} of numbers,
+/// row by row.
 ///
 /// ```
 /// use subcert::oracle::Control;
@@ -17,6 +17,8 @@ use crate::exact::Rational;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Control {
     values: Vec<Rational>,
+    /// The coordinates of points after the first, which are the values.
+    others: Vec<Vec<Rational>>,
     columns: usize,
     seed: Option<u64>,
     grid: bool,
@@ -26,7 +28,28 @@ impl Control {
     /// The polygon with these values.
     #[must_use]
     pub fn polygon(values: Vec<Rational>) -> Control {
-        Control { values, columns: 1, seed: None, grid: false }
+        Control::points(vec![values])
+    }
+
+    /// The polygon of points with these coordinates: all x, then all y, and so on, of each as many.
+    ///
+    /// # Panics
+    /// When the coordinates are not of one length.
+    ///
+    /// ```
+    /// use subcert::oracle::Control;
+    ///
+    /// let [x, y] = [[0, 4, 4], [0, 0, 5]].map(|row| row.map(Into::into).to_vec());
+    /// let control = Control::points(vec![x, y]);
+    /// assert_eq!((control.rows(), control.coordinates().count()), (3, 2));
+    /// ```
+    #[must_use]
+    pub fn points(mut coordinates: Vec<Vec<Rational>>) -> Control {
+        let others = coordinates.split_off(coordinates.len().min(1));
+        let values = coordinates.pop().unwrap_or_default();
+        let same = others.iter().all(|other| other.len() == values.len());
+        assert!(same, "each point has as many coordinates as the others");
+        Control { values, others, columns: 1, seed: None, grid: false }
     }
 
     /// The grid with these values, row by row, of `columns` each; `None` when that
@@ -34,7 +57,8 @@ impl Control {
     #[must_use]
     pub fn grid(values: Vec<Rational>, columns: usize) -> Option<Control> {
         let whole = columns > 0 && values.len().is_multiple_of(columns);
-        whole.then_some(Control { values, columns, seed: None, grid: true })
+        let others = Vec::new();
+        whole.then_some(Control { values, others, columns, seed: None, grid: true })
     }
 
     /// The polygon of `count` integers from −100 to 100 that [`SplitMix64`] gives
@@ -50,13 +74,26 @@ impl Control {
     #[must_use]
     pub fn seeded_grid(seed: u64, rows: usize, columns: usize) -> Control {
         let values = SplitMix64::new(seed).small_integers(rows.saturating_mul(columns));
-        Control { values, columns, seed: Some(seed), grid: true }
+        Control { values, others: Vec::new(), columns, seed: Some(seed), grid: true }
     }
 
-    /// The values, row by row.
+    /// The values, row by row; of points, their first coordinates.
     #[must_use]
     pub fn values(&self) -> &[Rational] {
         &self.values
+    }
+
+    /// The values of each coordinate; of numbers, there is one.
+    pub fn coordinates(&self) -> impl Iterator<Item = &[Rational]> {
+        std::iter::once(&self.values).chain(&self.others).map(Vec::as_slice)
+    }
+
+    /// The coordinates, each with what its groups are called by: `-1`, `-2`, …; nothing where
+    /// there is only one.
+    pub(super) fn named_coordinates(&self) -> impl Iterator<Item = (String, &[Rational])> {
+        let several = !self.others.is_empty();
+        let name = move |number: usize| if several { format!("-{number}") } else { String::new() };
+        (1..).map(name).zip(self.coordinates())
     }
 
     /// How many rows there are: of a polygon, its length.

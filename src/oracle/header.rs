@@ -52,6 +52,9 @@ pub struct LocalShape {
     pub edges: Vec<(usize, usize)>,
 }
 
+/// The version of the form in JSON.
+pub(super) const SCHEMA: u32 = 1;
+
 /// How the columns of [`Value`](super::Value) are rounded.
 pub(super) const COLUMNS: &str = "exact: p/q or a sum of cosines; decimal: 17 significant digits, \
                                   nearest, half to even; f64: nearest, half to even, as the \

@@ -1,11 +1,11 @@
 //! Reference values of a ring.
 
 use super::control::Control;
-use super::header::{COLUMNS, Header, LocalShape, program};
+use super::header::{COLUMNS, Header, LocalShape, SCHEMA, program};
 use super::refine::{MAX_REFINED_LEVEL, OracleError};
 use super::values::{CONTRACTION, CONTROL, Group, NORM, OracleValues, REFINED, group};
 use crate::bound::{LocalConstants, LocalWork};
-use crate::exact::RealCyclotomic;
+use crate::exact::{Rational, RealCyclotomic};
 use crate::scheme::LocalRules;
 
 /// What [`ring_reference_values`] computes.
@@ -15,7 +15,8 @@ pub struct LocalRequest {
     pub scheme: String,
     /// The greatest c of T_c and Λ_c.
     pub max_block: u32,
-    /// One number for each point: [`Control::polygon`] or [`Control::seeded_polygon`].
+    /// One number or point for each point of the ring: [`Control::polygon`],
+    /// [`Control::points`] or [`Control::seeded_polygon`].
     pub control: Control,
     /// How often it is refined.
     pub level: u32,
@@ -93,9 +94,13 @@ pub fn ring_reference_values(
     ring: &LocalRules,
     request: &LocalRequest,
 ) -> Result<OracleValues, OracleError> {
-    let control = request.control.values();
-    let points: Vec<RealCyclotomic> = control.iter().map(RealCyclotomic::from).collect();
-    let refined = refine_ring(ring, &points, request.level)?;
+    let refine = |(number, control)| {
+        let control: &[Rational] = control;
+        let points: Vec<RealCyclotomic> = control.iter().map(RealCyclotomic::from).collect();
+        Ok((number, control, refine_ring(ring, &points, request.level)?))
+    };
+    let refined: Vec<(String, &[Rational], Vec<RealCyclotomic>)> =
+        request.control.named_coordinates().map(refine).collect::<Result<_, OracleError>>()?;
     let constants = LocalConstants::new(ring, request.max_block)?;
     let count = ring.point_count();
     let levels = constants.levels.iter();
@@ -103,15 +108,17 @@ pub fn ring_reference_values(
     let norm: Vec<_> = levels.map(|level| level.norm.clone()).collect();
     let sigma = constants.displacement().1.value.clone();
     let weights: Vec<_> = (0..count).flat_map(|a| ring.weights().row(a).cloned()).collect();
-    let groups: Vec<Group> = vec![
+    let mut groups: Vec<Group> = vec![
         group("weights", WEIGHTS, &[count, count], 0, &weights),
         group("contraction-constant", CONTRACTION, &[contraction.len()], 1, &contraction),
         group("scheme-norm", NORM, &[norm.len()], 1, &norm),
         group("displacement", SIGMA, &[], 0, &[sigma]),
-        group("control", CONTROL, &[count], 0, control),
-        group("refined", REFINED, &[count], 0, &refined),
     ];
-    Ok(OracleValues { header: header(ring, request), groups })
+    for (number, control, refined) in refined {
+        groups.push(group(&format!("control{number}"), CONTROL, &[count], 0, control));
+        groups.push(group(&format!("refined{number}"), REFINED, &[count], 0, &refined));
+    }
+    Ok(OracleValues { schema: SCHEMA, header: header(ring, request), groups })
 }
 
 fn header(ring: &LocalRules, request: &LocalRequest) -> Header {

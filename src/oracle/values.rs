@@ -1,7 +1,7 @@
 //! All reference values of a scheme, as plain data.
 
 use super::control::Control;
-use super::header::{COLUMNS, Header, MaskShape, program};
+use super::header::{COLUMNS, Header, MaskShape, SCHEMA, program};
 use super::refine::{Boundary, OracleError, refine_grid, refine_polygon};
 use crate::bound::{Constants, Operator, Order, Terms, displacement, surface_factor};
 use crate::exact::{Enclosed, Integer, Rational, format};
@@ -31,6 +31,8 @@ pub struct OracleRequest {
 /// Reference values, and what they are.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct OracleValues {
+    /// The version of this form.
+    pub schema: u32,
     /// What was computed.
     pub header: Header,
     /// The values, one group for each quantity.
@@ -43,7 +45,8 @@ pub struct Group {
     /// `mask`, `difference-mask`, `contraction-constant`, `scheme-norm`,
     /// `displacement`, `control`, `refined`; for a tensor product the first five
     /// begin with `first-` or `second-`, and `surface-factor` is added. A ring has
-    /// `weights` in place of the two masks.
+    /// `weights` in place of the two masks. Of control points with several coordinates, there are
+    /// `control-1`, `refined-1`, `control-2`, and so on.
     pub quantity: String,
     /// Its formula, and what its indices are.
     pub about: &'static str,
@@ -136,10 +139,12 @@ pub fn reference_values(
         if control.is_grid() { vec![count / columns, columns] } else { vec![count] }
     };
     let given = shape(control.values().len(), control.columns());
-    groups.push(group("control", CONTROL, &given, 0, control.values()));
-    let (refined, columns) = refined;
-    groups.push(group("refined", REFINED, &shape(refined.len(), columns), 0, &refined));
-    Ok(OracleValues { header: header(scheme, request), groups })
+    for ((number, values), (refined, columns)) in control.named_coordinates().zip(&refined) {
+        groups.push(group(&format!("control{number}"), CONTROL, &given, 0, values));
+        let shape = shape(refined.len(), *columns);
+        groups.push(group(&format!("refined{number}"), REFINED, &shape, 0, refined));
+    }
+    Ok(OracleValues { schema: SCHEMA, header: header(scheme, request), groups })
 }
 
 const MASK: &str = "a[alpha][j]: x'[n*i+alpha] = sum over j of a[alpha][j]*x[i+offset+j]";
@@ -208,19 +213,24 @@ pub(super) fn group(
     Group { quantity: quantity.to_owned(), about, shape: shape.to_vec(), values }
 }
 
-/// The refined values, and how many columns they have.
-fn refine(scheme: &Scheme, request: &OracleRequest) -> Result<(Vec<Rational>, usize), OracleError> {
+/// The refined values of each coordinate, and how many columns they have.
+fn refine(
+    scheme: &Scheme,
+    request: &OracleRequest,
+) -> Result<Vec<(Vec<Rational>, usize)>, OracleError> {
     let OracleRequest { control, level, boundary, .. } = request;
     let shape = |found, scheme, expected| Err(OracleError::Shape { found, scheme, expected });
     match scheme {
         Scheme::Curve(_) if control.is_grid() => shape("grid", "scheme for curves", "polygon"),
         Scheme::Tensor(..) if !control.is_grid() => shape("polygon", "tensor product", "grid"),
-        Scheme::Curve(mask) => {
-            Ok((refine_polygon(mask.rules(), control.values(), *level, *boundary)?, 1))
-        }
+        Scheme::Curve(mask) => control
+            .coordinates()
+            .map(|values| Ok((refine_polygon(mask.rules(), values, *level, *boundary)?, 1)))
+            .collect(),
         Scheme::Tensor(first, second) => {
             let rules = [first.rules(), second.rules()];
-            refine_grid(rules, control.values(), control.columns(), *level, *boundary)
+            let grid = control.values();
+            Ok(vec![refine_grid(rules, grid, control.columns(), *level, *boundary)?])
         }
     }
 }

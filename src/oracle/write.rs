@@ -4,7 +4,7 @@ use super::header::Header;
 use super::values::OracleValues;
 use std::io::{self, Write};
 
-/// The values as indented JSON: an object of `header` and `groups`, its keys in the
+/// The values as indented JSON: an object of `schema`, `header` and `groups`, its keys in the
 /// order of the fields of [`OracleValues`]. Every exact value is a text.
 ///
 /// # Panics

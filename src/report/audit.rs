@@ -4,7 +4,7 @@ use super::consistency;
 use super::equation::equations;
 use super::function;
 use super::overview::overview;
-use super::parts::mark;
+use super::parts::{mark, titled};
 use super::promise;
 use super::reading;
 use super::sheet::{Grid, Sheet};
@@ -74,9 +74,7 @@ fn cells<'t>(table: &'t TableFinding<'_>) -> impl Iterator<Item = &'t CellFindin
 
 fn one_table(sheet: &mut Sheet, audit: &PaperAudit<'_>, finding: &TableFinding<'_>) {
     let table = finding.table;
-    let parts = [table.locus.as_str(), table.title.as_str()];
-    let parts: Vec<&str> = parts.into_iter().filter(|part| !part.is_empty()).collect();
-    sheet.heading(2, parts.join(" · "));
+    sheet.heading(2, titled(&[&table.locus, &table.title, &table.id]));
     let mut facts = Vec::new();
     if let Some(scheme) = &table.scheme {
         facts.push(("scheme".to_owned(), scheme.reference.to_string()));
@@ -253,7 +251,8 @@ fn unclear_grid(tables: &[&TableFinding<'_>]) -> Grid {
         };
         let at = if shown.is_empty() { "·".to_owned() } else { shown };
         let missing = missing.join("; ");
-        vec![finding.table.locus.clone(), count.to_string(), missing, at, comparison, kept]
+        let table = titled(&[&finding.table.locus, &finding.table.id]);
+        vec![table, count.to_string(), missing, at, comparison, kept]
     });
     let header = ["table", "cells", "missing", "shown at", "printed against exact", "promise"];
     Grid { header: header.map(str::to_owned).to_vec(), rows: rows.collect(), left_columns: 5 }

@@ -1,6 +1,6 @@
 //! The report of equations.
 
-use super::parts::mark;
+use super::parts::{mark, titled};
 use super::sheet::Sheet;
 use crate::audit::{EquationFinding, EquationVerdict};
 use crate::claim::{Identity, Left};
@@ -17,8 +17,9 @@ pub(super) fn equations(sheet: &mut Sheet, findings: &[EquationFinding<'_>], all
     sheet.heading(2, "Equations");
     let fact = |finding: &EquationFinding<'_>| {
         let mark = mark(finding.verdict.name());
-        let lines = [finding.equation.title.clone(), outcome(finding)].join("\n");
-        (format!("{mark} {}", finding.equation.locus), lines)
+        let equation = finding.equation;
+        let lines = [titled(&[&equation.title, &equation.id]), outcome(finding)].join("\n");
+        (format!("{mark} {}", equation.locus), lines)
     };
     sheet.facts(shown.into_iter().map(fact).collect());
 }

@@ -1,6 +1,6 @@
 //! Findings about a free parameter.
 
-use super::parts::{definitions, mark};
+use super::parts::{definitions, mark, titled};
 use super::sheet::Sheet;
 use crate::audit::{
     EndFinding, EndRelation, FunctionFinding, FunctionVerdict, PaperAudit, RangeFinding,
@@ -13,16 +13,18 @@ use crate::exact::format::short;
 pub(super) fn sections(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {
     let wrong = |finding: &&FunctionFinding<'_>| all || finding.verdict != FunctionVerdict::Holds;
     let facts = audit.functions.iter().filter(wrong).map(|finding| {
-        let lines =
-            lines(&finding.claim.title, function_outcome(finding), finding.claim.note.as_deref());
-        (format!("{} {}", mark(finding.verdict.name()), finding.claim.locus), lines)
+        let claim = finding.claim;
+        let title = titled(&[&claim.title, &claim.id]);
+        let lines = lines(title, function_outcome(finding), claim.note.as_deref());
+        (format!("{} {}", mark(finding.verdict.name()), claim.locus), lines)
     });
     section(sheet, "Functions of a parameter", facts.collect());
     let wrong = |finding: &&RangeFinding<'_>| all || finding.verdict != RangeVerdict::Exact;
     let facts = audit.ranges.iter().filter(wrong).map(|finding| {
-        let lines =
-            lines(&finding.claim.title, range_outcome(finding), finding.claim.note.as_deref());
-        (format!("{} {}", mark(finding.verdict.name()), finding.claim.locus), lines)
+        let claim = finding.claim;
+        let title = titled(&[&claim.title, &claim.id]);
+        let lines = lines(title, range_outcome(finding), claim.note.as_deref());
+        (format!("{} {}", mark(finding.verdict.name()), claim.locus), lines)
     });
     section(sheet, "Parameter ranges", facts.collect());
 }
@@ -34,10 +36,8 @@ fn section(sheet: &mut Sheet, heading: &str, facts: Vec<(String, String)>) {
     }
 }
 
-fn lines(title: &str, outcome: Vec<String>, note: Option<&str>) -> String {
-    let title = Some(title.to_owned()).filter(|title| !title.is_empty());
-    title
-        .into_iter()
+fn lines(title: String, outcome: Vec<String>, note: Option<&str>) -> String {
+    std::iter::once(title)
         .chain(outcome)
         .chain(note.map(str::to_owned))
         .collect::<Vec<String>>()

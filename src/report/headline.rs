@@ -7,7 +7,8 @@ use std::collections::BTreeMap;
 pub(super) fn headline(audit: &PaperAudit<'_>) -> String {
     let sentences = [cells(audit), promises(audit), claims(audit)];
     let sentences: Vec<String> = sentences.into_iter().flatten().collect();
-    let said = if sentences.is_empty() { "nothing to check.".to_owned() } else { sentences.join(" ") };
+    let said =
+        if sentences.is_empty() { "nothing to check.".to_owned() } else { sentences.join(" ") };
     format!("{}: {said}", audit.paper.key)
 }
 
@@ -87,12 +88,13 @@ fn promises(audit: &PaperAudit<'_>) -> Option<String> {
 
 /// `15 of 43 equations fail, 8 of 10 theorems are refuted.`
 fn claims(audit: &PaperAudit<'_>) -> Option<String> {
-    let share = |counts: BTreeMap<&'static str, usize>, what: &str, wrong: &[&str], is: [&str; 2]| {
-        let all: usize = counts.values().sum();
-        let wrong: usize = wrong.iter().filter_map(|name| counts.get(name)).sum();
-        let is = is[usize::from(wrong != 1)];
-        (all > 0).then(|| format!("{wrong} of {all} {what} {is}"))
-    };
+    let share =
+        |counts: BTreeMap<&'static str, usize>, what: &str, wrong: &[&str], is: [&str; 2]| {
+            let all: usize = counts.values().sum();
+            let wrong: usize = wrong.iter().filter_map(|name| counts.get(name)).sum();
+            let is = is[usize::from(wrong != 1)];
+            (all > 0).then(|| format!("{wrong} of {all} {what} {is}"))
+        };
     let parts = [
         share(audit.equation_counts(), "equations", &["fails"], ["fails", "fail"]),
         share(audit.range_counts(), "ranges", &["inexact"], ["is wrong", "are wrong"]),

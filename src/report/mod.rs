@@ -1,4 +1,4 @@
-//! Findings as text, Markdown and JSON.
+//! Findings as text, Markdown, LaTeX and JSON.
 
 mod audit;
 mod consistency;
@@ -6,9 +6,11 @@ mod coverage;
 mod equation;
 mod errata;
 mod explain;
+mod fit;
 mod function;
 mod headline;
 pub mod json;
+mod latex;
 mod numbers;
 mod overview;
 mod parts;
@@ -26,5 +28,6 @@ pub use audit::{audit_sheet, table_values};
 pub use coverage::coverage_sheet;
 pub use errata::errata_sheet;
 pub use explain::{explain_sheet, table_of};
+pub use overview::overview_sheet;
 pub use parts::mark;
 pub use sheet::{Block, Grid, Sheet};

@@ -22,6 +22,14 @@ const KINDS: [Kind; 4] = [
     ("theorems\n✓ proved ✗ refuted ? open", |audit| audit.theorem_counts()),
 ];
 
+/// The head of an audit's report by itself.
+#[must_use]
+pub fn overview_sheet(audits: &[PaperAudit<'_>]) -> Sheet {
+    let mut sheet = Sheet::default();
+    overview(&mut sheet, audits);
+    sheet
+}
+
 /// A sentence for each paper, the cells of the papers' tables by verdict, and then their other claims; of these
 /// the kinds that there are.
 pub(super) fn overview(sheet: &mut Sheet, audits: &[PaperAudit<'_>]) {

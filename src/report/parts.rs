@@ -17,6 +17,18 @@ pub fn mark(verdict: &str) -> &'static str {
     }
 }
 
+/// Whether a word is the mark of a verdict.
+pub(super) fn is_mark(word: &str) -> bool {
+    matches!(word, "✓" | "≈" | "±" | "⇄" | "✗" | "?")
+}
+
+/// Parts with points between them, the empty ones left out: a claim's title, and its id, by which
+/// `subcert explain` finds it.
+pub(super) fn titled(parts: &[&str]) -> String {
+    let parts: Vec<&str> = parts.iter().copied().filter(|part| !part.is_empty()).collect();
+    parts.join(" · ")
+}
+
 /// The definitions that a formula uses.
 pub(super) fn definitions(
     audit: &PaperAudit<'_>,

@@ -1,5 +1,6 @@
 //! A report for the terminal.
 
+use super::fit::{Fitted, width_of, wrapped};
 use super::sheet::{Block, Grid, Sheet};
 use anstyle::{AnsiColor, Style};
 use comfy_table::{CellAlignment, LineStyle, Table, presets};
@@ -14,11 +15,22 @@ const FAINT: Style = Style::new().dimmed();
 /// The marks, and how they look; put on after the layout, which counts columns.
 const MARKS: [(&str, Style); 5] = [("✓", GOOD), ("≈", FAIR), ("±", FAIR), ("✗", BAD), ("?", FAINT)];
 
+/// The widest line of running text.
+const WIDTH: usize = 100;
+
+/// The narrowest terminal that is written for.
+const NARROWEST: usize = 30;
+
+/// What stands before names and tables.
+const INDENT: &str = "  ";
+
 impl Sheet {
     /// The report for a terminal, with ANSI styles; a writer that is no terminal
-    /// has to strip them.
+    /// has to strip them. No line is wider than `width`; without it, running text has lines of 100
+    /// characters, and tables are as wide as they are.
     #[must_use]
-    pub fn to_text(&self) -> String {
+    pub fn to_text(&self, width: Option<usize>) -> String {
+        let lines = Lines { width: width.map(|width| width.max(NARROWEST)) };
         let mut out = String::new();
         for (i, block) in self.blocks.iter().enumerate() {
             let after_heading =
@@ -27,52 +39,85 @@ impl Sheet {
                 out.push('\n');
             }
             match block {
-                Block::Heading(level, text) => {
-                    let _ = writeln!(out, "{TITLE}{text}{TITLE:#}");
-                    if *level == 1 {
-                        let _ = writeln!(out, "{}", "─".repeat(text.chars().count()));
-                    }
-                }
+                Block::Heading(level, text) => lines.heading(&mut out, *level, text),
                 Block::Text(text) => {
-                    let _ = writeln!(out, "{}", coloured(&wrapped(text, "")));
+                    let text = lines.wrapped(text, 0).join("\n");
+                    let _ = writeln!(out, "{}", coloured(&text));
                 }
-                Block::Facts(facts) => {
-                    let width = facts.iter().map(|(name, _)| name.chars().count()).max();
-                    let width = width.unwrap_or(0);
-                    for (name, value) in facts {
-                        let value = wrapped(value, &" ".repeat(width + 4));
-                        let _ = writeln!(out, "  {name:width$}  {}", coloured(&value));
-                    }
-                }
-                Block::Grid(grid) => out.push_str(&grid.to_text()),
+                Block::Facts(facts) => lines.facts(&mut out, INDENT, facts),
+                Block::Grid(grid) => lines.grid(&mut out, grid),
             }
         }
         out
     }
 }
 
-/// The widest line of running text.
-const WIDTH: usize = 100;
+/// How lines are laid out.
+struct Lines {
+    /// The widest line, where there is one.
+    width: Option<usize>,
+}
 
-/// The text with lines of at most [`WIDTH`] characters, all but the first
-/// indented; a longer word has a line of its own.
-fn wrapped(text: &str, indent: &str) -> String {
-    let mut lines: Vec<String> = Vec::new();
-    for paragraph in text.split('\n') {
-        let mut line = String::new();
-        for word in paragraph.split(' ') {
-            let width = indent.len() + line.chars().count() + 1 + word.chars().count();
-            if !line.is_empty() && width > WIDTH {
-                lines.push(std::mem::take(&mut line));
-            }
-            if !line.is_empty() {
-                line.push(' ');
-            }
-            line.push_str(word);
-        }
-        lines.push(line);
+impl Lines {
+    fn wrapped(&self, text: &str, indent: usize) -> Vec<String> {
+        let width = self.width.map_or(WIDTH, |width| width.min(WIDTH));
+        wrapped(text, width, indent, self.width.is_some())
     }
-    lines.join(&format!("\n{indent}"))
+
+    fn heading(&self, out: &mut String, level: u8, text: &str) {
+        let lines = match self.width {
+            None => vec![text.to_owned()],
+            Some(width) => wrapped(text, width, 0, true),
+        };
+        for line in &lines {
+            let _ = writeln!(out, "{TITLE}{line}{TITLE:#}");
+        }
+        if level == 1 {
+            let longest = lines.iter().map(|line| width_of(line)).max().unwrap_or(0);
+            let _ = writeln!(out, "{}", "─".repeat(longest));
+        }
+    }
+
+    /// Names with values beside them, or below them where names leave less than half of the width.
+    fn facts(&self, out: &mut String, indent: &str, facts: &[(String, String)]) {
+        let names = facts.iter().map(|(name, _)| width_of(name)).max().unwrap_or(0);
+        let column = indent.len() + names + INDENT.len();
+        let below = self.width.is_some_and(|width| 2 * column > width);
+        for (name, value) in facts {
+            if below {
+                for line in self.wrapped(name, indent.len()) {
+                    let _ = writeln!(out, "{indent}{}", coloured(&line));
+                }
+                for line in self.wrapped(value, indent.len() + INDENT.len()) {
+                    let _ = writeln!(out, "{indent}{INDENT}{}", coloured(&line));
+                }
+            } else {
+                let lines = self.wrapped(value, column).join(&format!("\n{}", " ".repeat(column)));
+                let _ = writeln!(out, "{indent}{name:names$}{INDENT}{}", coloured(&lines));
+            }
+        }
+    }
+
+    fn grid(&self, out: &mut String, grid: &Grid) {
+        let Some(width) = self.width else {
+            out.push_str(&grid.to_text());
+            return;
+        };
+        match grid.fitted(width - INDENT.len()) {
+            Fitted::Tables(tables) => {
+                let tables: Vec<String> = tables.iter().map(Grid::to_text).collect();
+                out.push_str(&tables.join("\n"));
+            }
+            Fitted::Records(records) => {
+                for (title, fields) in records {
+                    for line in self.wrapped(&title, INDENT.len()) {
+                        let _ = writeln!(out, "{INDENT}{}", coloured(&line));
+                    }
+                    self.facts(out, &INDENT.repeat(2), &fields);
+                }
+            }
+        }
+    }
 }
 
 fn coloured(text: &str) -> String {
@@ -105,7 +150,7 @@ impl Grid {
             });
         }
         let drawn = table.to_string();
-        let lines = drawn.lines().map(|line| format!("  {}\n", line.trim_end()));
+        let lines = drawn.lines().map(|line| format!("{INDENT}{}\n", line.trim_end()));
         coloured(&lines.collect::<String>())
     }
 }

@@ -1,6 +1,6 @@
 //! Findings about theorems.
 
-use super::parts::{definitions, mark};
+use super::parts::{definitions, mark, titled};
 use super::sheet::Sheet;
 use super::witness;
 use crate::audit::{
@@ -21,7 +21,8 @@ pub(super) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>) {
     sheet.heading(2, "Theorems");
     let fact = |finding: &TheoremFinding<'_>| {
         let name = format!("{} {}", mark(finding.verdict.name()), finding.theorem.locus);
-        (name, format!("{}\n{}", finding.theorem.title, outcome(finding)))
+        let title = titled(&[&finding.theorem.title, &finding.theorem.id]);
+        (name, format!("{title}\n{}", outcome(finding)))
     };
     sheet.facts(audit.theorems.iter().map(fact).collect());
 }

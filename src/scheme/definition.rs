@@ -16,6 +16,8 @@ use std::sync::Arc;
 pub struct ParameterSpec {
     /// Its value when none is given; `None` when one must be.
     pub default: Option<LocatedFormula>,
+    /// Its least value, such as a valence of 3.
+    pub least: Option<LocatedFormula>,
     /// What it is.
     pub about: String,
 }
@@ -96,7 +98,15 @@ impl SchemeDefinition {
             }
         };
         self.check_common_field(rows.iter().flatten())?;
-        Mask::new(rows, offset).map_err(|error| SchemeError::File(Box::new(self.refusal(&error))))
+        Mask::new(rows, offset).map_err(|error| {
+            let refusal = self.refusal(&error);
+            SchemeError::File(Box::new(at_values(refusal, &parameters)))
+        })
+    }
+
+    /// Whether this is a mask whose offset is not stated, and therefore 0.
+    pub(super) fn leaves_offset_out(&self) -> bool {
+        self.offset.is_none() && !matches!(self.coefficients, Coefficients::LocalRules(_))
     }
 
     /// Makes sure that some field holds all these coefficients.
@@ -125,6 +135,7 @@ impl SchemeDefinition {
         }
         let mut complete = values.clone();
         for (name, spec) in &self.parameters {
+            self.check_least(name, spec, values)?;
             if complete.contains_key(name) {
                 continue;
             }
@@ -138,6 +149,27 @@ impl SchemeDefinition {
             complete.insert(name.clone(), value);
         }
         Ok(complete)
+    }
+
+    /// Makes sure that a parameter is not below its least value, where both are rational.
+    fn check_least<V: Value>(
+        &self,
+        name: &str,
+        spec: &ParameterSpec,
+        values: &BTreeMap<String, V>,
+    ) -> Result<(), SchemeError> {
+        let (Some(formula), Some(value)) = (&spec.least, values.get(name)) else { return Ok(()) };
+        let least: V = self.value(formula, &BTreeMap::new(), &[])?;
+        match (least.as_rational(), value.as_rational()) {
+            (Some(least), Some(rational)) if rational < least => Err(SchemeError::TooSmall {
+                scheme: self.name.clone(),
+                parameter: name.to_owned(),
+                least: least.to_string(),
+                value: value.to_string(),
+                about: spec.about.clone(),
+            }),
+            _ => Ok(()),
+        }
     }
 
     pub(super) fn value<V: Value>(
@@ -197,6 +229,18 @@ impl SchemeDefinition {
             Coefficients::LocalRules(ring) => ring.whole(),
         }
     }
+}
+
+/// The same error, with the values of the parameters at which it stands.
+pub(super) fn at_values<V: Value>(
+    error: Diagnostic,
+    parameters: &BTreeMap<String, V>,
+) -> Diagnostic {
+    // A parameter that is left open has no value, but its name.
+    let stated = parameters.iter().map(|(name, value)| (name, value.to_string()));
+    let stated = stated.filter(|(name, value)| *name != value);
+    let stated: Vec<String> = stated.map(|(name, value)| format!("{name} = {value}")).collect();
+    if stated.is_empty() { error } else { error.with_label(format!("at {}", stated.join(", "))) }
 }
 
 fn cap(max: usize) -> i64 {

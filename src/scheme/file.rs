@@ -44,6 +44,7 @@ pub(crate) struct SchemeTable {
 #[serde(deny_unknown_fields)]
 struct ParameterTable {
     default: Option<Spanned<String>>,
+    least: Option<Spanned<String>>,
     #[serde(default)]
     about: String,
 }
@@ -91,7 +92,8 @@ impl SchemeTable {
         let mut parameters = BTreeMap::new();
         for (name, table) in &self.parameters {
             let default = table.default.as_ref().map(|text| formula(source, text)).transpose()?;
-            let spec = ParameterSpec { default, about: table.about.clone() };
+            let least = table.least.as_ref().map(|text| formula(source, text)).transpose()?;
+            let spec = ParameterSpec { default, least, about: table.about.clone() };
             parameters.insert(identifier(source, name)?, spec);
         }
         Ok(SchemeDefinition {

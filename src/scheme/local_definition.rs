@@ -1,6 +1,6 @@
 //! The ring that formulas over parameters and indices give.
 
-use super::definition::{Coefficients, SchemeDefinition};
+use super::definition::{Coefficients, SchemeDefinition, at_values};
 use super::local_formulas::{End, LocalFormulas, NEW_INDEX, OLD_INDEX};
 use super::local_rules::{LocalError, LocalRules, MAX_LOCAL_POINTS, Orbit, point_name};
 use super::reference::SchemeError;
@@ -78,7 +78,8 @@ impl SchemeDefinition {
         let orbits = self.orbits(formulas, &parameters)?;
         let weights = self.weights(formulas, &orbits, &parameters)?;
         let edges = self.edges(formulas, &orbits, &parameters)?;
-        LocalRules::with_weights(orbits, weights, edges).map_err(|error| formulas.refusal(&error))
+        LocalRules::with_weights(orbits, weights, edges)
+            .map_err(|error| formulas.refusal(&error, |error| at_values(error, &parameters)))
     }
 
     fn orbits<V: Value>(

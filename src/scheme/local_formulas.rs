@@ -63,8 +63,13 @@ impl LocalFormulas {
         extent(self.weights.iter().flatten().flatten())
     }
 
-    /// Why these formulas do not give a ring, at their place in the file.
-    pub(super) fn refusal(&self, error: &LocalError) -> SchemeError {
+    /// Why these formulas do not give a ring, at their place in the file; `at` adds what else is
+    /// known.
+    pub(super) fn refusal(
+        &self,
+        error: &LocalError,
+        at: impl FnOnce(Diagnostic) -> Diagnostic,
+    ) -> SchemeError {
         let (source, span) = match error {
             LocalError::NotAffine { point, .. } => {
                 let orbit = point.split('[').next().unwrap_or_default();
@@ -78,7 +83,7 @@ impl LocalFormulas {
             }
             _ => self.whole(),
         };
-        SchemeError::File(Box::new(Diagnostic::new(source, span, error.to_string())))
+        SchemeError::File(Box::new(at(Diagnostic::new(source, span, error.to_string()))))
     }
 }
 

@@ -31,7 +31,10 @@ pub use local_rules::{LocalError, LocalRules, MAX_LOCAL_POINTS, Orbit};
 pub use local_symmetry::Representatives;
 pub use mask::{Mask, MaskError};
 pub(crate) use parse::find_in_catalogue;
-pub use parse::{AnyScheme, parse_any_scheme, parse_local_rules, parse_parametric, parse_scheme};
+pub use parse::{
+    AnyScheme, files_without_offset, parse_any_scheme, parse_local_rules, parse_parametric,
+    parse_scheme,
+};
 pub use reference::{Instance, Reference, ReferenceError, SchemeError};
 pub use rules::{MAX_ARITY, MAX_WIDTH, Rules, RulesError};
 pub use tensor::Scheme;

@@ -128,6 +128,20 @@ pub fn parse_parametric(text: &str, parameter: &str) -> Result<Mask<Polynomial>,
     Err(independent(text.trim(), definition.parameters.keys().cloned().collect()))
 }
 
+/// For each factor of SCHEME the path of its file, where that states no offset for a mask, so that
+/// the offset is 0; `None` for a scheme of the catalogue, for a ring, and where an offset is stated.
+///
+/// # Errors
+/// When SCHEME is no reference, or a file cannot be read.
+pub fn files_without_offset(text: &str) -> Result<Vec<Option<String>>, SchemeError> {
+    let named = Named::read(text)?;
+    let without = |name: &str| {
+        let definition = named.files.get(name)?;
+        definition.leaves_offset_out().then(|| name.to_owned())
+    };
+    Ok(named.reference.names().map(without).collect())
+}
+
 /// The catalogue entry of this name.
 pub(crate) fn find_in_catalogue(name: &str) -> Result<&'static SchemeDefinition, SchemeError> {
     catalogue::find(name).ok_or_else(|| SchemeError::Unknown {
@@ -154,7 +168,10 @@ impl Named<'_> {
     }
 
     fn definition(&self, name: &str) -> Result<&SchemeDefinition, SchemeError> {
-        self.files.get(name).map_or_else(|| find_in_catalogue(name), Ok)
+        match self.files.get(name) {
+            Some(definition) => Ok(definition),
+            None => find_in_catalogue(name).map_err(|error| other_file(name).unwrap_or(error)),
+        }
     }
 
     fn instances<V: Value>(&self) -> Result<Vec<Instance<V>>, SchemeError> {
@@ -187,6 +204,18 @@ impl Named<'_> {
 
 fn is_file(name: &str) -> bool {
     Path::new(name).extension().is_some_and(|extension| extension == "toml")
+}
+
+/// Why something that exists at this path is no scheme.
+fn other_file(path: &str) -> Option<SchemeError> {
+    let found = std::fs::metadata(path).ok()?;
+    let extension = Path::new(path).extension().unwrap_or_default();
+    let what = match (found.is_dir(), extension.to_str()) {
+        (true, _) => "a directory",
+        (false, Some("csv" | "json" | "txt")) => "a file of points or of results",
+        _ => "a file that does not end in .toml",
+    };
+    Some(SchemeError::OtherFile { path: path.to_owned(), what })
 }
 
 fn read_file(path: &str) -> Result<SchemeDefinition, SchemeError> {

@@ -3,6 +3,7 @@
 use crate::diagnostic::Diagnostic;
 use crate::exact::Rational;
 use crate::formula::{Context, Expr, FormulaError, Value, evaluate, is_identifier, parse};
+use crate::suggestion::known as names;
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -42,7 +43,10 @@ pub enum SchemeError {
     #[error(transparent)]
     Reference(#[from] ReferenceError),
     /// There is no scheme of this name.
-    #[error("unknown scheme `{name}`; known: {}; or give the path of a .toml file", .known.join(", "))]
+    #[error(
+        "unknown scheme `{name}`{}; or give the path of a .toml file",
+        names(.name, .known.iter().map(String::as_str))
+    )]
     Unknown {
         /// The name.
         name: String,
@@ -111,6 +115,30 @@ pub enum SchemeError {
         /// The scheme.
         scheme: String,
     },
+    /// A directory or a file that is no scheme.
+    #[error(
+        "`{path}` is {what}, and no scheme: write the path of a .toml file, or a name of the catalogue"
+    )]
+    OtherFile {
+        /// The path.
+        path: String,
+        /// What is there.
+        what: &'static str,
+    },
+    /// A parameter below its least value.
+    #[error("`{scheme}` needs {parameter} >= {least}, and {parameter} is {value}{}", which_is(.about))]
+    TooSmall {
+        /// The scheme.
+        scheme: String,
+        /// The parameter.
+        parameter: String,
+        /// Its least value.
+        least: String,
+        /// Its value.
+        value: String,
+        /// What the parameter is.
+        about: String,
+    },
     /// A file that cannot be read.
     #[error("cannot read `{path}`: {reason}")]
     Unreadable {
@@ -130,6 +158,10 @@ fn parameters(known: &[String]) -> String {
     } else {
         format!("; it has: {}", known.join(", "))
     }
+}
+
+fn which_is(text: &str) -> String {
+    if text.is_empty() { String::new() } else { format!(": it is {text}") }
 }
 
 /// A scheme reference: one name with parameter formulas, or two for a tensor

@@ -12,8 +12,9 @@ const CRATES: [(&str, &str); 2] = [("src", "subcert"), ("proofs/checker/src", "s
 
 /// The layers of `subcert` from below: folders or files of `src`. A module imports its own layer and
 /// those before it. A new folder gets a line here.
-const LAYERS: [&str; 19] = [
+const LAYERS: [&str; 20] = [
     "diagnostic",
+    "suggestion",
     "exact",
     "formula",
     "scheme",

@@ -1,7 +1,14 @@
 //! The program as a person runs it: real output, exit codes, bad input.
 
 mod bad_input;
+mod errors;
+mod names;
+mod new;
+mod offset;
 mod output;
+mod polygons;
+mod tables;
+mod terminal;
 
 use snapbox::cmd::{Command, cargo_bin};
 
@@ -11,5 +18,49 @@ fn subcert<'a>(arguments: impl IntoIterator<Item = &'a str>) -> Command {
         .current_dir(env!("CARGO_MANIFEST_DIR"))
         .env_remove("CLICOLOR_FORCE")
         .env_remove("NO_COLOR")
+        .env_remove("COLUMNS")
+        .env_remove("LINES")
         .args(arguments)
+}
+
+/// Runs the program on bad input and gives its message.
+fn refused<'a>(arguments: impl IntoIterator<Item = &'a str>) -> String {
+    let assert = subcert(arguments).assert().code(2);
+    let output = assert.get_output();
+    let out = String::from_utf8_lossy(&output.stdout);
+    assert!(out.is_empty(), "half-written: {out}");
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+/// What the program writes to the standard output when it succeeds.
+fn written<'a>(arguments: impl IntoIterator<Item = &'a str>) -> String {
+    let assert = subcert(arguments).assert().success();
+    String::from_utf8_lossy(&assert.get_output().stdout).into_owned()
+}
+
+fn assert_parts(message: &str, parts: &[&str]) {
+    for part in parts {
+        assert!(message.contains(part), "no `{part}` in: {message}");
+    }
+}
+
+/// A file with this text, which is gone when this is dropped.
+struct TemporaryFile(std::path::PathBuf);
+
+impl TemporaryFile {
+    fn new(name: &str, text: &str) -> TemporaryFile {
+        let path = std::env::temp_dir().join(format!("subcert-{}-{name}", std::process::id()));
+        std::fs::write(&path, text).expect("a temporary file");
+        TemporaryFile(path)
+    }
+
+    fn path(&self) -> &str {
+        self.0.to_str().expect("a UTF-8 path")
+    }
+}
+
+impl Drop for TemporaryFile {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_file(&self.0);
+    }
 }

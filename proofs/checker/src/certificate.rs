@@ -95,6 +95,11 @@ impl<'a> Block<'a> {
         require(rest.is_empty(), Reason::Malformed(word))
     }
 
+    /// All lines.
+    pub fn lines(&self) -> &[Line<'a>] {
+        &self.lines
+    }
+
     /// The last line.
     pub fn last(&self) -> Line<'a> {
         self.lines.last().copied().unwrap_or(self.head)

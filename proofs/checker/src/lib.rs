@@ -58,6 +58,7 @@ mod sums;
 // Claim files, and the rules by which certificates prove claims.
 mod paper;
 mod rules;
+mod said;
 mod setting;
 mod table;
 mod witness;
@@ -101,6 +102,9 @@ pub struct Report {
     pub key: String,
     /// The kind, id and outcome of every claim, in the order of the file.
     pub claims: Vec<(&'static str, String, Outcome)>,
+    /// What the valid and the cited certificates say of each claim, by its id, in a few words such as
+    /// `refuted: 15/16 > 125/144`.
+    pub verdicts: BTreeMap<String, String>,
     /// The rejections of whole certificates, with the indices of the certificates.
     pub broken: Vec<(usize, Rejection)>,
 }
@@ -153,6 +157,7 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
     let (mut holding, mut cited) = (BTreeSet::new(), Vec::new());
     let mut given: Vec<(&str, Given)> = Vec::new();
     let mut borrowed: Vec<(&Task<'_>, (Given, String))> = Vec::new();
+    let mut verdicts_said = BTreeMap::new();
     for (task, verdict) in tasks.iter().zip(verdicts(&file, &known, &tasks)) {
         let outcome = match verdict {
             Ok(Verdict::Other) => Outcome::Valid,
@@ -172,6 +177,9 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
             Err(rejection) if rejection.given_up() => Outcome::Incomplete(Some(rejection)),
             Err(rejection) => Outcome::Invalid(task.place, rejection),
         };
+        if matches!(outcome, Outcome::Valid | Outcome::Cited(_)) {
+            verdicts_said.insert(task.id.to_owned(), said::verdict(task.kind, &task.block));
+        }
         if outcomes.insert((task.kind, task.id), outcome).is_some() {
             let twice = task.block.head.reject(Reason::Twice);
             outcomes.insert((task.kind, task.id), Outcome::Invalid(task.place, twice));
@@ -197,7 +205,7 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
     let claims = paper.claims().into_iter().map(|(kind, id)| {
         (kind, id.to_owned(), outcomes.remove(&(kind, id)).unwrap_or(Outcome::Incomplete(None)))
     });
-    Ok(Report { key, claims: claims.collect(), broken })
+    Ok(Report { key, claims: claims.collect(), verdicts: verdicts_said, broken })
 }
 
 /// Whether a text can be the id of a claim or the key of a file. It has to fit in one line.

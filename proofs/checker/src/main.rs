@@ -3,60 +3,103 @@
 
 use std::io::Write;
 use std::process::ExitCode;
-use subcert_check::{Outcome, Reason, check};
+use subcert_check::{Outcome, Reason, Report, check};
 
 const USAGE: &str = "usage: subcert-check [--only KIND-OR-ID]… [--accept WHAT]… CLAIMS CERTIFICATE…
 
 Checks certificates against their claim file. It checks all claims, or with --only the claims of
-a kind (table, equation, function, range, theorem) or with an id.
-Valid claims pass. With --accept cited, claims pass that a statement of THEOREMS.md decides; with
---accept open, theorems pass that a certificate calls open. They are listed as such.
-The exit code is 0 if all these claims pass, 1 if one does not, and 2 if a file cannot be read.";
+a kind (table, equation, function, range, theorem) or with an id (theorem-1 or KEY:theorem-1).
+Certified claims pass: their verdict is shown, which may be that they are wrong. With --accept
+cited, claims pass that a statement of THEOREMS.md decides; with --accept open, theorems pass
+that a certificate calls open. They are listed as such.
+The exit code is 0 if all these claims pass, 1 if one does not, and 2 if the arguments are wrong or
+a file cannot be read. --help shows this, --version the version.";
 
-/// Removes an option from the arguments and gives its values.
-fn values(arguments: &mut Vec<String>, option: &str) -> Vec<String> {
-    let mut values = Vec::new();
-    while let Some(at) = arguments.iter().position(|argument| argument == option) {
-        values.extend(arguments.drain(at..arguments.len().min(at + 2)).skip(1));
-    }
-    values
+/// What is asked for.
+#[derive(Default)]
+struct Arguments {
+    only: Vec<String>,
+    accept: Vec<String>,
+    files: Vec<String>,
 }
 
-fn main() -> ExitCode {
-    let mut arguments: Vec<String> = std::env::args().skip(1).collect();
-    let only = values(&mut arguments, "--only");
-    let accept = values(&mut arguments, "--accept");
-    let files = arguments;
-    let read = |path: &String| {
-        std::fs::read_to_string(path).map_err(|error| format!("cannot read `{path}`: {error}"))
-    };
-    let run = || -> Result<bool, String> {
-        let [claims, certificates @ ..] = &files[..] else { return Err(USAGE.to_owned()) };
-        let accepts = |what: &str| accept.iter().any(|accepted| accepted == what);
-        let known = accept.iter().all(|what| what == "cited" || what == "open");
-        if !known || files.iter().any(|file| file.starts_with('-')) {
+impl Arguments {
+    fn read(mut arguments: impl Iterator<Item = String>) -> Result<Arguments, String> {
+        let mut read = Arguments::default();
+        while let Some(argument) = arguments.next() {
+            let values = match &argument[..] {
+                "--only" => &mut read.only,
+                "--accept" => &mut read.accept,
+                _ if argument.starts_with('-') => {
+                    return Err(format!("`{argument}` is no option\n{USAGE}"));
+                }
+                _ => {
+                    read.files.push(argument);
+                    continue;
+                }
+            };
+            let value = arguments.next().filter(|value| !value.starts_with('-'));
+            values.push(value.ok_or(format!("`{argument}` needs a value\n{USAGE}"))?);
+        }
+        if read.files.is_empty() {
             return Err(USAGE.to_owned());
         }
+        match read.accept.iter().find(|what| !["cited", "open"].contains(&&what[..])) {
+            Some(what) => Err(format!("`--accept {what}`: only cited or open\n{USAGE}")),
+            None => Ok(read),
+        }
+    }
+
+    fn accepts(&self, what: &str) -> bool {
+        self.accept.iter().any(|accepted| accepted == what)
+    }
+
+    /// Checks the certificates and prints the outcomes; whether all claims pass.
+    fn run(&self) -> Result<bool, String> {
+        let read = |path: &String| {
+            std::fs::read_to_string(path).map_err(|error| format!("cannot read `{path}`: {error}"))
+        };
+        let (claims, certificates) = (&self.files[0], &self.files[1..]);
         let claim_text = read(claims)?;
         let texts = certificates.iter().map(read).collect::<Result<Vec<String>, String>>()?;
         let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
         let report = check(&claim_text, &texts).map_err(|error| format!("`{claims}`: {error}"))?;
+        self.check_selection(&report)?;
+        Ok(self.show(&report))
+    }
+
+    /// Makes sure that every `--only` names something.
+    fn check_selection(&self, report: &Report) -> Result<(), String> {
+        let names = |name: &&String| {
+            report.claims.iter().any(|(kind, id, _)| is_named(name, &report.key, kind, id))
+        };
+        match self.only.iter().find(|name| !names(name)) {
+            Some(name) => {
+                Err(format!("`--only {name}`: no claim of `{}` is so called", report.key))
+            }
+            None => Ok(()),
+        }
+    }
+
+    fn show(&self, report: &Report) -> bool {
         let (mut lines, mut counts, mut open) = (Vec::new(), [0; 4], 0);
         for (place, rejection) in &report.broken {
-            let path = &certificates[*place];
+            let path = &self.files[place + 1];
             lines.push(format!("invalid     {path}:{}: {}", rejection.line, rejection.reason));
             counts[2] += 1;
         }
         for (kind, id, outcome) in &report.claims {
-            if !only.is_empty() && !only.iter().any(|name| name == kind || name == id) {
+            let asked = |name: &String| is_named(name, &report.key, kind, id);
+            if !self.only.is_empty() && !self.only.iter().any(asked) {
                 continue;
             }
             let name = format!("{}:{id}", report.key);
+            let verdict = report.verdicts.get(id).map_or("", String::as_str);
             let (place, line) = match outcome {
-                Outcome::Valid => (0, format!("valid       {name}")),
-                Outcome::Cited(statement) => (1, format!("cited       {name}: {statement}")),
+                Outcome::Valid => (0, format!("certified   {name}: {verdict}")),
+                Outcome::Cited(by) => (1, format!("cited       {name}: {verdict}, says {by}")),
                 Outcome::Invalid(at, rejection) => {
-                    let (path, line) = (&certificates[*at], rejection.line);
+                    let (path, line) = (&self.files[at + 1], rejection.line);
                     (2, format!("invalid     {name}: {path}:{line}: {}", rejection.reason))
                 }
                 Outcome::Incomplete(Some(rejection)) => {
@@ -68,18 +111,40 @@ fn main() -> ExitCode {
             lines.push(line);
             counts[place] += 1;
         }
-        let [valid, cited, invalid, incomplete] = counts;
+        let [certified, cited, invalid, incomplete] = counts;
         lines.push(format!(
-            "{valid} valid, {cited} cited, {invalid} invalid, {incomplete} incomplete"
+            "{certified} certified, {cited} cited, {invalid} invalid, {incomplete} incomplete"
         ));
         // A closed pipe is no failure of the check.
         let _ = writeln!(std::io::stdout(), "{}", lines.join("\n"));
         let mut left = invalid + incomplete;
-        left += if accepts("cited") { 0 } else { cited };
-        left -= if accepts("open") { open } else { 0 };
-        Ok(valid + cited > 0 && left == 0)
+        left += if self.accepts("cited") { 0 } else { cited };
+        left -= if self.accepts("open") { open } else { 0 };
+        certified + cited > 0 && left == 0
+    }
+}
+
+/// Whether a claim is called so: by its kind, by its id, or as the lines print it.
+fn is_named(name: &str, key: &str, kind: &str, id: &str) -> bool {
+    let own = |rest: &str| rest.strip_prefix(':') == Some(id);
+    name == kind || name == id || name.strip_prefix(key).is_some_and(own)
+}
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let has = |flags: [&str; 2]| arguments.iter().any(|argument| flags.contains(&&argument[..]));
+    let asked = match () {
+        () if has(["-h", "--help"]) => Some(USAGE),
+        () if has(["-V", "--version"]) => {
+            Some(concat!("subcert-check ", env!("CARGO_PKG_VERSION")))
+        }
+        () => None,
     };
-    match run() {
+    if let Some(text) = asked {
+        let _ = writeln!(std::io::stdout(), "{text}");
+        return ExitCode::SUCCESS;
+    }
+    match Arguments::read(arguments.into_iter()).and_then(|arguments| arguments.run()) {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::from(1),
         Err(message) => {

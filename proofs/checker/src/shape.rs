@@ -13,7 +13,7 @@ file: key=text paper=any define=%text given=%text alternative=*alternative schem
 alternative: of=text label=text value=text
 scheme: name=text title=text source=text parameters=%parameter let=%text offset=text arity=text \
  width=text entry=text mask=**text orbits=%text weights=%%text edges=**text use=text
-parameter: default=text about=text
+parameter: default=text least=text about=text
 claim: id=text locus=text title=text scheme=text note=text
 table: value=text promise=promise rows=axis columns=axis cells=text|**number given=%text \
  unstated=%text|*text

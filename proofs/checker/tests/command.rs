@@ -1,9 +1,18 @@
 //! What the program says by its exit code.
 
-use std::process::Command;
+use std::process::{Command, Output};
 
 /// The exit code for a certificate of the rules' claims.
 fn code(arguments: &[&str], certificate: &str) -> Option<i32> {
+    run(arguments, certificate).status.code()
+}
+
+fn text(output: &[u8]) -> String {
+    String::from_utf8_lossy(output).into_owned()
+}
+
+/// What the program does with a certificate of the rules' claims.
+fn run(arguments: &[&str], certificate: &str) -> Output {
     let rules = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/rules");
     Command::new(env!("CARGO_BIN_EXE_subcert-check"))
         .args(arguments)
@@ -11,8 +20,6 @@ fn code(arguments: &[&str], certificate: &str) -> Option<i32> {
         .arg(format!("{rules}/{certificate}.cert"))
         .output()
         .expect("the program runs")
-        .status
-        .code()
 }
 
 /// What is cited or open passes only where that is accepted.
@@ -28,4 +35,51 @@ fn exit_codes() {
     assert_eq!(code(&["--accept", "cited", "--accept", "open"], invalid), Some(1));
     assert_eq!(code(&["--accept", "all"], cited), Some(2));
     assert_eq!(code(&counted, "accepted/no-such-file"), Some(2));
+}
+
+/// What is certified is the verdict, not that the claim is right.
+#[test]
+fn verdicts_are_shown_with_both_sides() {
+    let refuted = run(&["--only", "rules:distance"], "accepted/theorem-distance");
+    assert_eq!(
+        text(&refuted.stdout),
+        "certified   rules:distance: refuted: 1/16 > 1/28\n1 certified, 0 cited, 0 invalid, 0 incomplete\n"
+    );
+    let table = run(&["--only", "plain"], "accepted/table-plain");
+    assert_eq!(
+        text(&table.stdout),
+        "certified   rules:plain: 1 confirmed, 2 rounding\n1 certified, 0 cited, 0 invalid, 0 incomplete\n"
+    );
+    let unequal = text(&run(&["--only", "unequal"], "accepted/function-unequal").stdout);
+    assert!(unequal.contains(": fails: ") && unequal.contains(" is not "), "{unequal}");
+    let cited = text(&run(&["--only", "counted"], "accepted/theorem-cited").stdout);
+    assert!(cited.contains(", says THEOREMS.md, "), "{cited}");
+}
+
+/// `--only` takes the names that are printed, and nothing that is no name.
+#[test]
+fn selections() {
+    let cited = "accepted/theorem-cited";
+    let shown = text(&run(&[], cited).stdout);
+    let line = shown.lines().find(|line| line.starts_with("cited")).expect("a cited claim");
+    let name = line.split_whitespace().nth(1).expect("a name").trim_end_matches(':');
+    assert!(name.contains(':'), "{name}");
+    assert_eq!(code(&["--only", name, "--accept", "cited"], cited), Some(0));
+    for wrong in [&["--only", "no-such-claim"][..], &["--only", "--accept"], &["--frobnicate"]] {
+        let output = run(wrong, cited);
+        assert_eq!(output.status.code(), Some(2), "{wrong:?}");
+        assert!(output.stdout.is_empty() && !output.stderr.is_empty(), "{wrong:?}");
+    }
+}
+
+#[test]
+fn help_and_version_are_answers() {
+    for (flag, begins) in [("--help", "usage: subcert-check"), ("-V", "subcert-check 0.")] {
+        let output = Command::new(env!("CARGO_BIN_EXE_subcert-check")).arg(flag).output();
+        let output = output.expect("the program runs");
+        assert_eq!(output.status.code(), Some(0));
+        assert!(text(&output.stdout).starts_with(begins) && output.stderr.is_empty());
+    }
+    let nothing = Command::new(env!("CARGO_BIN_EXE_subcert-check")).output();
+    assert_eq!(nothing.expect("the program runs").status.code(), Some(2));
 }

@@ -17,4 +17,5 @@ mod table;
 mod theorem;
 mod trial;
 
-pub use paper::{MAX_CLAIM_FILE_BYTES, read_paper, read_paper_file};
+pub use paper::{MAX_CLAIM_FILE_BYTES, read_paper, read_paper_file, read_whole_paper};
+pub use reader::is_id;

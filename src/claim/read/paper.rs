@@ -4,8 +4,9 @@ use super::fields::{CommonFields, Formulas};
 use super::file::{AlternativeTable, PaperFile};
 use super::reader::Reader;
 use crate::claim::{Alternative, Paper, SchemeSource};
-use crate::diagnostic::{Diagnostic, SourceText, read_text};
-use crate::scheme::{SchemeTable, definitions, formula, from_toml};
+use crate::diagnostic::{Collected, Diagnostic, Errors, SourceText, read_text};
+use crate::formula::LocatedFormula;
+use crate::scheme::{SchemeTable, formula, from_toml, identifier};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::Arc;
@@ -18,47 +19,82 @@ pub const MAX_CLAIM_FILE_BYTES: u64 = 4 << 20;
 /// # Errors
 /// When it is not TOML, a key is unknown or missing, a table is ragged, an id is
 /// used twice, a name has two meanings, or a formula or number is not one: with the place and
-/// a remedy.
+/// a remedy. Of several errors the first; [`read_whole_paper`] gives all.
 pub fn read_paper(source: &Arc<SourceText>) -> Result<Paper, Diagnostic> {
-    let file: PaperFile = from_toml(source)?;
+    read_whole_paper(source).map_err(Errors::first)
+}
+
+/// Reads a claim file, and on from what is wrong: each table, equation, theorem, scheme and
+/// definition is read by itself.
+///
+/// # Errors
+/// As of [`read_paper`]: all errors that do not follow from each other. What is not TOML, or has
+/// fields of other types, is read up to the first error only.
+///
+/// ```
+/// use subcert::claim::read_whole_paper;
+/// use subcert::diagnostic::SourceText;
+///
+/// let text = r#"
+/// key = "k"
+/// define = { a = "1 +", b = "2", c = "*" }
+/// paper = { authors = ["A"], title = "t", venue = "v", year = "2026" }
+/// "#;
+/// let errors = read_whole_paper(&SourceText::new("k.toml", text)).unwrap_err();
+/// assert_eq!(errors.all().len(), 2);
+/// ```
+pub fn read_whole_paper(source: &Arc<SourceText>) -> Result<Paper, Errors> {
+    let file: PaperFile = from_toml(source).map_err(Errors::from)?;
     let reader = Reader { source };
-    reader.id(&file.key)?;
-    let ids = reader.ids(&file)?;
-    let roles = reader.roles(&file)?;
+    let mut errors = Collected::default();
+    errors.take(reader.id(&file.key));
+    errors.take(reader.ids(&file));
+    let ids = file.claims().map(|claim| claim.id.get_ref().as_str()).collect();
+    let roles = errors.take(reader.roles(&file));
+    let contents = reader.contents(&file.paper.numbered, file.claims(), &file.unclaimed);
     let paper = Paper {
         key: file.key.get_ref().clone(),
         bibliography: file.paper.bibliography(),
-        contents: reader.contents(&file.paper.numbered, file.claims(), &file.unclaimed)?,
-        schemes: reader.schemes(&file.scheme)?,
-        definitions: definitions(source, &file.define)?,
-        alternatives: reader.alternatives(&file.alternative, &file.define)?,
-        given: definitions(source, &file.given)?,
-        tables: all(&file.table, |table| reader.table(table))?,
-        equations: all(&file.equation, |equation| reader.equation(equation))?,
-        functions: all(&file.function, |function| reader.function(function))?,
-        ranges: all(&file.range, |range| reader.range(range))?,
-        theorems: all(&file.theorem, |theorem| reader.theorem(theorem, &ids))?,
+        contents: errors.take(contents).unwrap_or_default(),
+        schemes: reader.schemes(&file.scheme, &mut errors),
+        definitions: formulas(source, &file.define, &mut errors),
+        alternatives: errors
+            .take(reader.alternatives(&file.alternative, &file.define))
+            .unwrap_or_default(),
+        given: formulas(source, &file.given, &mut errors),
+        tables: errors.all(&file.table, |table| reader.table(table)),
+        equations: errors.all(&file.equation, |equation| reader.equation(equation)),
+        functions: errors.all(&file.function, |function| reader.function(function)),
+        ranges: errors.all(&file.range, |range| reader.range(range)),
+        theorems: errors.all(&file.theorem, |theorem| reader.theorem(theorem, &ids)),
         source: Arc::clone(source),
     };
-    reader.formulas(&paper, &roles)?;
+    // What names lead to is looked at where all of them have a meaning.
+    match (roles, errors.none()) {
+        (Some(roles), Ok(())) => reader.formulas(&paper, &roles).map_err(Errors::from)?,
+        (_, none) => none?,
+    }
     Ok(paper)
 }
 
-fn all<T, C>(
-    tables: &[T],
-    read: impl Fn(&T) -> Result<C, Diagnostic>,
-) -> Result<Vec<C>, Diagnostic> {
-    tables.iter().map(read).collect()
+/// Named formulas, each read by itself.
+fn formulas(
+    source: &Arc<SourceText>,
+    table: &Formulas,
+    errors: &mut Collected,
+) -> BTreeMap<String, LocatedFormula> {
+    let read = |name, text| Ok((identifier(source, name)?, formula(source, text)?));
+    table.iter().filter_map(|(name, text)| errors.take(read(name, text))).collect()
 }
 
 /// Reads the claim file at `path`.
 ///
 /// # Errors
 /// When the file cannot be read (the inner text says why), or is not a claim file.
-pub fn read_paper_file(path: &Path) -> Result<Result<Paper, Diagnostic>, String> {
+pub fn read_paper_file(path: &Path) -> Result<Result<Paper, Errors>, String> {
     let text = read_text(path, MAX_CLAIM_FILE_BYTES)
         .map_err(|reason| format!("cannot read `{}`: {reason}", path.display()))?;
-    Ok(read_paper(&SourceText::new(path.display().to_string(), text)))
+    Ok(read_whole_paper(&SourceText::new(path.display().to_string(), text)))
 }
 
 impl Reader<'_> {
@@ -93,7 +129,7 @@ impl Reader<'_> {
                     .with_help("give each a label of its own: reports name them by it"));
             }
         }
-        all(tables, |table| self.alternative(table, define))
+        tables.iter().map(|table| self.alternative(table, define)).collect()
     }
 
     fn alternative(
@@ -111,22 +147,28 @@ impl Reader<'_> {
         Ok(Alternative { of: name.clone(), label: table.label.get_ref().clone(), value })
     }
 
+    /// Each scheme is read by itself.
     fn schemes(
         &self,
         tables: &[SchemeTable],
-    ) -> Result<BTreeMap<String, SchemeSource>, Diagnostic> {
+        errors: &mut Collected,
+    ) -> BTreeMap<String, SchemeSource> {
         let mut schemes = BTreeMap::new();
         for table in tables {
             let name = table.name.get_ref();
-            let scheme = match table.alias() {
-                Some(other) => SchemeSource::Alias(self.reference(other)?),
-                None => SchemeSource::Own(Box::new(table.define(self.source)?)),
-            };
+            let Some(scheme) = errors.take(self.scheme(table)) else { continue };
             if schemes.insert(name.clone(), scheme).is_some() {
                 let message = format!("the scheme `{name}` is defined twice");
-                return Err(self.error(table.name.span(), message));
+                errors.add(self.error(table.name.span(), message));
             }
         }
-        Ok(schemes)
+        schemes
+    }
+
+    fn scheme(&self, table: &SchemeTable) -> Result<SchemeSource, Diagnostic> {
+        Ok(match table.alias() {
+            Some(other) => SchemeSource::Alias(self.reference(other)?),
+            None => SchemeSource::Own(Box::new(table.define(self.source)?)),
+        })
     }
 }

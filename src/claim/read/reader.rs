@@ -24,14 +24,20 @@ pub(super) struct Head {
     pub(super) note: Option<String>,
 }
 
+/// Whether a text can be the key of a paper or the id of a claim.
+#[must_use]
+pub fn is_id(text: &str) -> bool {
+    let fits = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
+    !text.is_empty() && text.chars().all(fits)
+}
+
 impl Reader<'_> {
     pub(super) fn error(&self, span: Range<usize>, message: impl Into<String>) -> Diagnostic {
         Diagnostic::new(self.source, span, message)
     }
 
     pub(super) fn id(&self, id: &Spanned<String>) -> Result<(), Diagnostic> {
-        let fits = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
-        if !id.get_ref().is_empty() && id.get_ref().chars().all(fits) {
+        if is_id(id.get_ref()) {
             return Ok(());
         }
         Err(self

@@ -6,6 +6,7 @@ use super::trial::{RewritingTable, SupposesTable, TrialFields};
 use crate::claim::{ByHand, Quantity, Statement, Theorem};
 use crate::diagnostic::Diagnostic;
 use crate::scheme::formula;
+use crate::suggestion::did_you_mean;
 use std::collections::{BTreeMap, BTreeSet};
 use toml::Spanned;
 
@@ -79,7 +80,9 @@ impl Reader<'_> {
             name == id || !ids.contains(name)
         };
         let Some(name) = named.iter().find(unknown) else { return Ok(()) };
-        let message = format!("`{}` is no other claim of this file", name.get_ref());
+        let others = ids.iter().copied().filter(|other| *other != id);
+        let meant = did_you_mean(name.get_ref(), others);
+        let message = format!("`{}` is no other claim of this file{meant}", name.get_ref());
         let help = format!("`{field}` lists ids of this file, such as 'eq-18'");
         Err(self.error(name.span(), message).with_help(help))
     }

@@ -99,7 +99,7 @@ impl Exact {
     pub(super) fn facts(&self) -> Vec<(String, String)> {
         let whom = self.place.whom();
         let mut facts = vec![
-            ("depth, exactly".to_owned(), depth_text(self.depth, whom, &self.caps)),
+            ("exact depth".to_owned(), depth_text(self.depth, whom, &self.caps)),
             ("points of level k at".to_owned(), self.place.text()),
             (format!("distance C_{}·β", self.depth.upper), self.distance.text(&self.caps)),
         ];

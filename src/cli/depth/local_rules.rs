@@ -63,7 +63,7 @@ impl Report<'_> {
         let Depth { levels: depth, at, below } = match &self.depth {
             Ok(depth) => depth,
             Err(error) => {
-                sheet.facts(vec![("depth, exactly".to_owned(), format!("none: {error}"))]);
+                sheet.facts(vec![("exact depth".to_owned(), format!("none: {error}"))]);
                 return sheet;
             }
         };
@@ -71,8 +71,7 @@ impl Report<'_> {
             0 => String::new(),
             level => format!("; {} are too few", level - 1),
         };
-        let mut facts =
-            vec![("depth, exactly".to_owned(), format!("{} levels{few}", depth.settled))];
+        let mut facts = vec![("exact depth".to_owned(), format!("{} levels{few}", depth.settled))];
         if depth.settled > depth.level {
             let text = format!("level {}, but not all later ones", depth.level);
             facts.push(("first met at".to_owned(), text));

@@ -10,8 +10,9 @@ mod surface;
 
 use super::arguments::{BoundaryArgument, DepthArguments, Format};
 use super::json::{SCHEMA, depth as form};
+use super::offset::BetterOffset;
 use super::output::{Failure, Outcome, positive, show};
-use super::polygon::read_polygon;
+use super::polygon::{Caps, read_polygon};
 use super::progress::Progress;
 use bound::Bounds;
 use exact::{Asked, Exact};
@@ -39,6 +40,7 @@ struct Report {
     bounds: Bounds,
     answers: Vec<Answer>,
     points: Option<Points>,
+    better_offsets: Vec<BetterOffset>,
 }
 
 /// The answers in one parametrisation; where no limit is shown to exist, the reason.
@@ -81,7 +83,8 @@ impl Report {
         let answers = wanted.iter().zip(budgets.chunks(count / wanted.len())).map(answer);
         let answers = answers.collect::<Result<Vec<Answer>, Failure>>()?;
         drop(progress);
-        Ok(Report { tolerance, spread, bounds, answers, points })
+        let better_offsets = BetterOffset::all_of(&arguments.scheme, scheme)?;
+        Ok(Report { tolerance, spread, bounds, answers, points, better_offsets })
     }
 
     /// With the points at their natural parameters.
@@ -116,7 +119,7 @@ impl Report {
         }
         let mut facts = match &natural.exact {
             Ok(exact) => exact.facts(),
-            Err(why) => vec![("depth, exactly".to_owned(), format!("none: {why}"))],
+            Err(why) => vec![("exact depth".to_owned(), format!("none: {why}"))],
         };
         if let Some(Ok(exact)) = indexed.map(|indexed| &indexed.exact) {
             facts.push(("as papers count".to_owned(), exact.short()));
@@ -137,6 +140,7 @@ impl Report {
              printed formula, σβT^k/(1 − T) with one power of the constant for each level, |Σ| in \
              place of σ and offset 0, does not promise it.",
         );
+        self.better_offsets.iter().for_each(|better| better.write(&mut sheet));
         sheet
     }
 
@@ -163,6 +167,7 @@ impl Report {
             indexed: exact(self.indexed()),
             sound: self.bounds.sound_form(),
             printed_formula: self.bounds.printed_forms(),
+            better_offsets: self.better_offsets.iter().map(BetterOffset::form).collect(),
         }
     }
 }
@@ -224,6 +229,9 @@ fn distances(mask: &Mask, parametrisation: Parametrisation) -> Result<Distances,
     Ok(distances.with_cells(u32::MAX))
 }
 
+/// The largest control polygon whose depth is asked for.
+const CAPS: Caps = Caps { bytes: 1 << 20, points: 10_000, bits: 4_096 };
+
 /// The control polygon that was given.
 fn points(scheme: &Scheme, arguments: &DepthArguments) -> Result<Option<Points>, Failure> {
     let Some(path) = &arguments.polygon else { return Ok(None) };
@@ -232,7 +240,7 @@ fn points(scheme: &Scheme, arguments: &DepthArguments) -> Result<Option<Points>,
         return Err(Failure::Input(message.to_owned()));
     }
     let closed = arguments.boundary != Some(BoundaryArgument::Open);
-    let points = Points::new(&read_polygon(path)?, closed);
+    let points = Points::new(&read_polygon(path, &CAPS)?, closed);
     if points.spread().is_zero() {
         let message = "--polygon: all points are the same, and so is the limit at every level";
         return Err(Failure::Input(message.to_owned()));

@@ -11,7 +11,7 @@ pub struct Certification<'a> {
     pub scheme: &'a str,
     /// The constants.
     pub quantities: Vec<Quantity<'a>>,
-    /// The depths; missing of a ring, which has none.
+    /// The depths by the formula; missing of a ring, for which there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub depths: Option<Vec<Depth>>,
     /// The greatest block length for which an error bound is proven in advance.
@@ -42,7 +42,8 @@ pub struct Quantity<'a> {
     pub tightness: Option<String>,
 }
 
-/// A depth in f64.
+/// The least k with σβC^k/(1 − C) ≤ ε, C = T_c, in f64 and exactly: a depth by a formula, not the
+/// exact depth that `subcert depth` gives.
 #[derive(Serialize)]
 pub struct Depth {
     /// The block length c.
@@ -51,23 +52,23 @@ pub struct Depth {
     pub tolerance: String,
     /// The formula with logarithms, before it is rounded up.
     pub logarithm: String,
-    /// The depth that f64 gives.
+    /// The k that f64 gives.
     #[serde(rename = "f64")]
     pub float: Option<u32>,
-    /// The exact depth.
+    /// The k, exactly.
     pub exact: Option<u32>,
-    /// Why there is no exact depth.
+    /// Why there is none.
     pub note: Option<String>,
     /// Whether the two agree.
     pub agree: Option<bool>,
-    /// How near the exact depth is to another one.
+    /// How near k is to another one.
     pub margin: Option<Margin>,
 }
 
-/// How near a depth is to another one.
+/// How near k is to another one.
 #[derive(Serialize)]
 pub struct Margin {
-    /// The bound at the depth divided by the tolerance: at most 1.
+    /// The bound at k divided by the tolerance: at most 1.
     pub at: String,
     /// The same at the level before it: more than 1.
     pub before: Option<String>,

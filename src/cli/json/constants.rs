@@ -1,5 +1,6 @@
 //! What `subcert constants` writes.
 
+use super::offset::BetterOffset;
 use serde::Serialize;
 use subcert::report::json::Exact;
 
@@ -14,6 +15,9 @@ pub struct Constants<'a> {
     pub directions: Vec<Direction<'a>>,
     /// The tensor product; null of a curve.
     pub surface: Option<Surface>,
+    /// The better offsets of files that state none; missing where there are none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub better_offsets: Vec<BetterOffset<'a>>,
 }
 
 /// The constants of a mask.

@@ -1,5 +1,6 @@
 //! What `subcert depth` writes.
 
+use super::offset::BetterOffset;
 use serde::Serialize;
 use subcert::report::json::Exact;
 
@@ -25,6 +26,9 @@ pub struct Report<'a> {
     pub sound: Sound,
     /// The depths that papers compute.
     pub printed_formula: Vec<Printed>,
+    /// The better offsets of files that state none; missing where there are none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub better_offsets: Vec<BetterOffset<'a>>,
 }
 
 /// An answer, or the reason that there is none.

@@ -4,6 +4,8 @@
 pub(super) mod certify;
 pub(super) mod constants;
 pub(super) mod depth;
+pub(super) mod listing;
+pub(super) mod offset;
 pub(super) mod range;
 pub(super) mod schemes;
 

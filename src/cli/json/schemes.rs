@@ -2,6 +2,15 @@
 
 use serde::Serialize;
 
+/// The catalogue.
+#[derive(Serialize)]
+pub struct Catalogue<'a> {
+    /// The version of this form.
+    pub schema: u32,
+    /// Its schemes.
+    pub schemes: Vec<Scheme<'a>>,
+}
+
 /// A scheme of the catalogue.
 #[derive(Serialize)]
 pub struct Scheme<'a> {

@@ -1,5 +1,6 @@
 //! One claim as JSON.
 
+use super::SCHEMA;
 use super::audit::AuditReport;
 use super::claim::Claim;
 use super::reading::Reading;
@@ -10,6 +11,8 @@ use serde::Serialize;
 /// What `subcert explain` finds.
 #[derive(Debug, Serialize)]
 pub struct Explained<'a> {
+    /// The version of this form.
+    pub schema: u32,
     /// The id that was asked about.
     pub id: &'a str,
     /// The claim of this id; of a table, its cells.
@@ -34,6 +37,7 @@ impl<'a> Explained<'a> {
             claim.id == id || claim.id.strip_prefix(id).is_some_and(|rest| rest.starts_with(':'))
         };
         Explained {
+            schema: SCHEMA,
             id,
             claims: claims.filter(named).collect(),
             readings: table.map(|(finding, at)| Reading::all(finding, readings, at)),

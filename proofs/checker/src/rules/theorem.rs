@@ -11,7 +11,7 @@ use crate::toml::Toml;
 use crate::witness::{Points, Witness};
 
 /// The statements that may be cited.
-const THEOREMS: &str = include_str!("../../../THEOREMS.md");
+const THEOREMS: &str = include_str!("../../THEOREMS.md");
 
 /// A statement of THEOREMS.md that decides a theorem, if some claims hold.
 pub struct Citation {

@@ -1,5 +1,10 @@
 //! Errors that point at a place in a file.
 
+mod errors;
+
+pub(crate) use errors::Collected;
+pub use errors::Errors;
+
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use std::fmt;
 use std::ops::Range;
@@ -113,12 +118,20 @@ impl std::error::Error for Diagnostic {}
 /// # Errors
 /// When it cannot be read, is larger, or is not UTF-8; the message says which.
 pub fn read_text(path: &std::path::Path, max_bytes: u64) -> Result<String, String> {
-    use std::io::Read as _;
     let file = std::fs::File::open(path).map_err(|error| error.to_string())?;
+    read_text_from(file, max_bytes)
+}
+
+/// The text that a reader gives, of at most `max_bytes`.
+///
+/// # Errors
+/// As of [`read_text`].
+pub fn read_text_from(reader: impl std::io::Read, max_bytes: u64) -> Result<String, String> {
+    use std::io::Read as _;
     let mut bytes = Vec::new();
-    // One byte more than is allowed tells a file that is too large, even one
+    // One byte more than is allowed tells a text that is too large, even one
     // whose size the system does not know.
-    file.take(max_bytes + 1).read_to_end(&mut bytes).map_err(|error| error.to_string())?;
+    reader.take(max_bytes + 1).read_to_end(&mut bytes).map_err(|error| error.to_string())?;
     if bytes.len() as u64 > max_bytes {
         return Err(format!("it is larger than {max_bytes} bytes"));
     }

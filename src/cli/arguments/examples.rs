@@ -1,0 +1,77 @@
+//! What `--help` shows after the arguments of each command.
+
+pub(super) const AUDIT: &str = "\
+Examples:
+  subcert audit
+  subcert audit --paper khan2019-newton --all
+  subcert audit examples/my-paper.toml --certified --deny refuted,broken";
+
+pub(super) const EXPLAIN: &str = "\
+Examples:
+  subcert explain khan2019-newton
+  subcert explain mustafa2020-nary:table-2:4:7
+  subcert explain doe2026-corner:eq-3 examples/my-paper.toml";
+
+pub(super) const ERRATA: &str = "\
+Examples:
+  subcert errata --paper khan2019-newton
+  subcert errata examples/my-paper.toml --format text
+  subcert errata -o errata";
+
+pub(super) const COVERAGE: &str = "\
+Examples:
+  subcert coverage
+  subcert coverage examples/my-paper.toml --deny missing";
+
+pub(super) const CONSTANTS: &str = "\
+Examples:
+  subcert constants chaikin
+  subcert constants six-point:w=3/256 -c 8 --format csv
+  subcert constants 'four-point x chaikin' -c 2";
+
+pub(super) const DEPTH: &str = "\
+Examples:
+  subcert depth six-point:w=3/256 --tolerance 1/1000 --spread 1/10
+  subcert depth chaikin --tolerance 0.01 --polygon examples/polygon.csv
+  subcert depth doo-sabin:n=5 --tolerance 1/1000";
+
+pub(super) const RANGE: &str = "\
+Examples:
+  subcert range six-point --param w -c 5
+  subcert range four-point --param w -c 2 --function";
+
+pub(super) const CERTIFY: &str = "\
+Examples:
+  subcert certify quinary-three-point -c 2
+  subcert certify chaikin --tolerance 1e-3 --tolerance 1e-6";
+
+pub(super) const PROVE: &str = "\
+Examples:
+  subcert prove examples/my-paper.toml -o -
+  subcert prove khan2019-newton -o certificates";
+
+pub(super) const NEW: &str = "\
+Examples:
+  subcert new doe2026-corner
+  subcert new doe2026-corner -o -";
+
+pub(super) const ORACLE: &str = "\
+Examples:
+  subcert oracle chaikin --level 3
+  subcert oracle four-point:w=1/17 --polygon examples/polygon.csv --format csv
+  subcert oracle 'chaikin x chaikin' --points 4 --boundary open";
+
+pub(super) const SCHEMES: &str = "\
+Examples:
+  subcert schemes
+  subcert schemes --format json";
+
+pub(super) const COMPLETIONS: &str = "\
+Examples:
+  subcert completions bash
+  subcert completions zsh";
+
+pub(super) const MAN: &str = "\
+Examples:
+  subcert man man/man1
+  subcert man ~/.local/share/man/man1";

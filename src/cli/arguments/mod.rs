@@ -1,0 +1,146 @@
+//! The arguments.
+
+mod examples;
+mod papers;
+mod schemes;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+pub(super) use papers::{
+    AuditArguments, BROKEN, CoverageArguments, ErrataArguments, ExplainArguments, NewArguments,
+    ProveArguments,
+};
+pub(super) use schemes::{
+    BoundaryArgument, CertifyArguments, ConstantsArguments, DepthArguments, OracleArguments,
+    OracleFormat, RangeArguments, SchemesArguments,
+};
+use std::path::PathBuf;
+
+const AFTER_HELP: &str = "\
+SCHEME is a catalogue name with parameters (`six-point:w=3/256`, `newton:j=1,n=3`,
+`doo-sabin:n=5`), the path of a TOML file (`mine.toml:w=1/16`), or two of these with
+` x ` between them for their tensor product. `subcert schemes` lists the catalogue;
+`range` needs a mask, the other commands also take the rings around an extraordinary
+vertex or face.
+
+Exit codes: 0 done (findings are no failures), 1 a stated expectation failed,
+2 bad usage or input, 3 an internal fault.";
+
+/// Exact constants of subdivision schemes, and audits of the papers that publish them.
+#[derive(Debug, Parser)]
+#[command(name = "subcert", version, after_help = AFTER_HELP, arg_required_else_help = true)]
+pub(super) struct Arguments {
+    #[command(subcommand)]
+    pub(super) command: Command,
+    /// When to write colours; `auto` is to terminals
+    #[arg(long, global = true, value_enum, default_value_t = Colour::Auto, value_name = "WHEN")]
+    pub(super) color: Colour,
+    /// Write no results to the standard output and show no progress: only errors, files and the exit
+    /// code
+    #[arg(short, long, global = true)]
+    pub(super) quiet: bool,
+}
+
+#[derive(Debug, Subcommand)]
+pub(super) enum Command {
+    /// Judge every claim of papers: the embedded ones, or claim files
+    #[command(after_help = examples::AUDIT)]
+    Audit(AuditArguments),
+    /// Show one claim, table or equation in full
+    #[command(after_help = examples::EXPLAIN)]
+    Explain(ExplainArguments),
+    /// What is wrong in papers, as one could send it to a journal
+    #[command(after_help = examples::ERRATA)]
+    Errata(ErrataArguments),
+    /// What papers number, and the claims that cover it
+    #[command(after_help = examples::COVERAGE)]
+    Coverage(CoverageArguments),
+    /// The exact constants of a scheme: difference mask, T_c, Λ_c, σ
+    #[command(after_help = examples::CONSTANTS)]
+    Constants(ConstantsArguments),
+    /// The subdivision depth for a tolerance: exactly, soundly, and as papers compute it
+    #[command(after_help = examples::DEPTH)]
+    Depth(DepthArguments),
+    /// Where in a parameter of the mask T_c < 1
+    #[command(after_help = examples::RANGE)]
+    Range(RangeArguments),
+    /// The f64 path of a scheme against the exact one
+    #[command(after_help = examples::CERTIFY)]
+    Certify(CertifyArguments),
+    /// Write certificates of the verdicts, for subcert-check
+    #[command(after_help = examples::PROVE)]
+    Prove(ProveArguments),
+    /// Write a claim file to start from, with comments
+    #[command(after_help = examples::NEW)]
+    New(NewArguments),
+    /// Reference values for other programs' tests
+    #[command(after_help = examples::ORACLE)]
+    Oracle(OracleArguments),
+    /// List the schemes of the catalogue
+    #[command(after_help = examples::SCHEMES)]
+    Schemes(SchemesArguments),
+    /// Write a completion script for a shell
+    #[command(after_help = examples::COMPLETIONS)]
+    Completions {
+        /// The shell
+        shell: clap_complete::Shell,
+    },
+    /// Write man pages
+    #[command(after_help = examples::MAN)]
+    Man {
+        /// The folder for subcert.1 and the pages of the commands, made if it is missing
+        #[arg(value_name = "DIR")]
+        folder: PathBuf,
+    },
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Format {
+    /// For people
+    Text,
+    /// For programs
+    Json,
+    /// For pasting into a report
+    Markdown,
+}
+
+/// When to write colours.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Colour {
+    /// To terminals
+    Auto,
+    /// Also to files and pipes
+    Always,
+    /// Not at all
+    Never,
+}
+
+/// The formats of tables.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum TableFormat {
+    /// For people
+    Text,
+    /// For programs
+    Json,
+    /// For pasting into a report
+    Markdown,
+    /// One row for each number
+    Csv,
+    /// Tables for a paper, with the packages amssymb and booktabs
+    Latex,
+}
+
+/// How tables are written.
+#[derive(Debug, Args)]
+pub(super) struct TableOutput {
+    /// Output format
+    #[arg(long, value_enum, default_value_t = TableFormat::Text)]
+    pub(super) format: TableFormat,
+}
+
+/// How results are written.
+#[derive(Debug, Args)]
+pub(super) struct Output {
+    /// Output format
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(super) format: Format,
+}

@@ -1,0 +1,101 @@
+//! The arguments of the commands about papers.
+
+use super::{Format, Output, TableOutput};
+use clap::Args;
+use clap::builder::PossibleValuesParser;
+use std::path::PathBuf;
+use subcert::audit::Verdict;
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct AuditArguments {
+    /// Claim files, `-` for the standard input; without any, the embedded papers
+    pub(in crate::cli) files: Vec<PathBuf>,
+    /// Only the paper of this key
+    #[arg(long, value_name = "KEY")]
+    pub(in crate::cli) paper: Option<String>,
+    /// Show every table and equation, also those where nothing is wrong
+    #[arg(long)]
+    pub(in crate::cli) all: bool,
+    /// Say of each claim whether its certificate is valid
+    #[arg(long)]
+    pub(in crate::cli) certified: bool,
+    /// Exit with code 1 when a claim has one of these verdicts, or a promise is `broken`
+    #[arg(long, value_name = "VERDICT,…", value_delimiter = ',', value_parser = verdicts())]
+    pub(in crate::cli) deny: Vec<String>,
+    #[command(flatten)]
+    pub(in crate::cli) output: TableOutput,
+}
+
+/// The value of `--deny` for promises of tables that are not kept.
+pub(in crate::cli) const BROKEN: &str = "broken";
+
+/// The verdicts of numbers, then those of equations, ranges and theorems, and of promises.
+fn verdicts() -> PossibleValuesParser {
+    let others = ["holds", "fails", "exact", "inexact", "proved", "open", BROKEN];
+    PossibleValuesParser::new(Verdict::NAMES.into_iter().chain(others))
+}
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct ExplainArguments {
+    /// The id: `key:table-1`, `key:table-1:2:3` (row, column), `key:eq-3.8` or `key:theorem-1`;
+    /// a key alone lists the claims of its paper
+    pub(in crate::cli) id: String,
+    /// Claim files, `-` for the standard input; without any, the embedded papers
+    pub(in crate::cli) files: Vec<PathBuf>,
+    /// Show every reading that was tried
+    #[arg(long)]
+    pub(in crate::cli) all: bool,
+    #[command(flatten)]
+    pub(in crate::cli) output: Output,
+}
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct ErrataArguments {
+    /// Claim files, `-` for the standard input; without any, the embedded papers
+    pub(in crate::cli) files: Vec<PathBuf>,
+    /// Only the paper of this key
+    #[arg(long, value_name = "KEY")]
+    pub(in crate::cli) paper: Option<String>,
+    /// Write one file for each paper into this folder, named by its key
+    #[arg(short = 'o', long, value_name = "DIR")]
+    pub(in crate::cli) output_folder: Option<PathBuf>,
+    /// Output format
+    #[arg(long, value_enum, default_value_t = Format::Markdown)]
+    pub(in crate::cli) format: Format,
+}
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct CoverageArguments {
+    /// Claim files, `-` for the standard input; without any, the embedded papers
+    pub(in crate::cli) files: Vec<PathBuf>,
+    /// Only the paper of this key
+    #[arg(long, value_name = "KEY")]
+    pub(in crate::cli) paper: Option<String>,
+    /// Exit with code 1 when an item is in one of these states
+    #[arg(long, value_name = "STATE,…", value_delimiter = ',', value_parser = ["missing", "unclaimed"])]
+    pub(in crate::cli) deny: Vec<String>,
+    #[command(flatten)]
+    pub(in crate::cli) output: Output,
+}
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct ProveArguments {
+    /// Keys of embedded papers, and claim files, `-` for the standard input; without any, every
+    /// embedded paper
+    #[arg(value_name = "KEY|FILE")]
+    pub(in crate::cli) what: Vec<String>,
+    /// The folder for the certificates KEY.cert; `-` for one paper to the standard output
+    #[arg(short = 'o', long = "output", value_name = "DIR")]
+    pub(in crate::cli) output: PathBuf,
+}
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct NewArguments {
+    /// The key of the paper, such as doe2026-corner: the ids of its claims begin with it
+    #[arg(value_name = "KEY")]
+    pub(in crate::cli) key: String,
+    /// The file to write, which must not be there yet; `-` for the standard output
+    /// [default: KEY.toml]
+    #[arg(short = 'o', long, value_name = "FILE")]
+    pub(in crate::cli) output: Option<PathBuf>,
+}

@@ -1,0 +1,156 @@
+//! The arguments of the commands about schemes.
+
+use super::{Output, TableOutput};
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+
+/// How many levels at a time.
+#[derive(Debug, Args)]
+pub(in crate::cli) struct Block {
+    /// The greatest number of levels c
+    #[arg(short = 'c', long = "levels", value_name = "MAX", default_value_t = 4,
+          value_parser = clap::value_parser!(u32).range(1..=24))]
+    pub(in crate::cli) levels: u32,
+}
+
+/// How many levels at a time, where branch and bound finds the constants.
+#[derive(Debug, Args)]
+pub(in crate::cli) struct DeepBlock {
+    /// The greatest number of levels c
+    #[arg(short = 'c', long = "levels", value_name = "MAX", default_value_t = 4,
+          value_parser = clap::value_parser!(u32).range(1..=256))]
+    pub(in crate::cli) levels: u32,
+}
+
+/// How far neighbouring control points are apart.
+#[derive(Debug, Args)]
+pub(in crate::cli) struct Spread {
+    /// The spread β: the largest difference of neighbouring control points
+    #[arg(long, value_name = "B", default_value = "1", allow_hyphen_values = true)]
+    pub(in crate::cli) spread: String,
+}
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct ConstantsArguments {
+    /// The scheme
+    #[arg(value_name = "SCHEME")]
+    pub(in crate::cli) scheme: String,
+    #[command(flatten)]
+    pub(in crate::cli) block: DeepBlock,
+    #[command(flatten)]
+    pub(in crate::cli) output: TableOutput,
+}
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct DepthArguments {
+    /// The scheme
+    #[arg(value_name = "SCHEME")]
+    pub(in crate::cli) scheme: String,
+    /// The tolerance ε, an exact number such as 1/1000 or 4.35e-5
+    #[arg(long, value_name = "E", allow_hyphen_values = true)]
+    pub(in crate::cli) tolerance: String,
+    #[command(flatten)]
+    pub(in crate::cli) spread: Spread,
+    /// A control polygon, for the depth that it needs: a file with one point on a line, its
+    /// coordinates separated by commas or white space, or a JSON array of numbers or of
+    /// points. β is its largest difference
+    #[arg(long, value_name = "FILE", conflicts_with = "spread")]
+    pub(in crate::cli) polygon: Option<PathBuf>,
+    /// What happens at its ends [default: closed]
+    #[arg(long, value_enum, requires = "polygon")]
+    pub(in crate::cli) boundary: Option<BoundaryArgument>,
+    /// How narrow the intervals around exact distances are [default: ε/1000]
+    #[arg(long, value_name = "W", allow_hyphen_values = true)]
+    pub(in crate::cli) width: Option<String>,
+    #[command(flatten)]
+    pub(in crate::cli) block: Block,
+    #[command(flatten)]
+    pub(in crate::cli) output: Output,
+}
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct RangeArguments {
+    /// The scheme, without a value for the parameter
+    #[arg(value_name = "SCHEME")]
+    pub(in crate::cli) scheme: String,
+    /// The parameter, in which the mask is polynomial
+    #[arg(long, value_name = "NAME")]
+    pub(in crate::cli) param: String,
+    #[command(flatten)]
+    pub(in crate::cli) block: Block,
+    /// Show T_c itself, a piecewise polynomial function of the parameter
+    #[arg(long)]
+    pub(in crate::cli) function: bool,
+    #[command(flatten)]
+    pub(in crate::cli) output: Output,
+}
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct CertifyArguments {
+    /// The scheme
+    #[arg(value_name = "SCHEME")]
+    pub(in crate::cli) scheme: String,
+    #[command(flatten)]
+    pub(in crate::cli) block: Block,
+    /// A tolerance ε for the depth by a formula, the least k with σβC^k/(1 − C) ≤ ε (may be repeated)
+    #[arg(long, value_name = "E", allow_hyphen_values = true)]
+    pub(in crate::cli) tolerance: Vec<String>,
+    /// The spread β in that formula: the largest difference of neighbouring control points
+    /// [default: 1]
+    #[arg(long, value_name = "B", allow_hyphen_values = true)]
+    pub(in crate::cli) spread: Option<String>,
+    #[command(flatten)]
+    pub(in crate::cli) output: Output,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum OracleFormat {
+    /// With a header object
+    Json,
+    /// With header lines that begin with `#`
+    Csv,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum BoundaryArgument {
+    /// The last point is followed by the first
+    Closed,
+    /// Only rules whose points all exist are applied
+    Open,
+}
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct OracleArguments {
+    /// The scheme
+    #[arg(value_name = "SCHEME")]
+    pub(in crate::cli) scheme: String,
+    /// How many times the control polygon is refined
+    #[arg(long, value_name = "K", default_value_t = 2)]
+    pub(in crate::cli) level: u32,
+    #[command(flatten)]
+    pub(in crate::cli) block: Block,
+    /// A control polygon: a file with one point on a line, its coordinates separated by commas or
+    /// white space, or a JSON array of numbers or of points, as `depth` reads it; for a surface, a
+    /// grid of numbers, one row on a line; for a ring, one line for each of its points
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["seed", "points"])]
+    pub(in crate::cli) polygon: Option<std::path::PathBuf>,
+    /// The seed of a control polygon of small integers
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    pub(in crate::cli) seed: u64,
+    /// How many points that polygon has; a surface, in each direction; not of a ring
+    /// [default: 8]
+    #[arg(long, value_name = "M")]
+    pub(in crate::cli) points: Option<usize>,
+    /// What happens at the ends; not of a ring [default: closed]
+    #[arg(long, value_enum)]
+    pub(in crate::cli) boundary: Option<BoundaryArgument>,
+    /// Output format
+    #[arg(long, value_enum, default_value_t = OracleFormat::Json)]
+    pub(in crate::cli) format: OracleFormat,
+}
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct SchemesArguments {
+    #[command(flatten)]
+    pub(in crate::cli) output: Output,
+}

@@ -1,0 +1,72 @@
+//! What is known of the terminal, and what the flags for all commands say of it.
+
+use super::arguments::Colour;
+use anstream::ColorChoice;
+use std::ffi::OsString;
+use std::io::IsTerminal as _;
+use std::sync::OnceLock;
+
+/// The height of a screen that nobody knows, in lines.
+const HEIGHT: usize = 50;
+
+static QUIET: OnceLock<bool> = OnceLock::new();
+
+/// Sets what the flags say, for the whole run.
+pub(super) fn set(color: Colour, quiet: bool) {
+    choice(color).write_global();
+    let _ = QUIET.set(quiet);
+}
+
+/// Whether only errors, files and the exit code are asked for.
+pub(super) fn is_quiet() -> bool {
+    QUIET.get().copied().unwrap_or(false)
+}
+
+/// How wide lines may be: what COLUMNS says, or the terminal; nothing for files and pipes.
+pub(super) fn width() -> Option<usize> {
+    number_in("COLUMNS").or_else(|| Some(usize::from(size()?.0.0)))
+}
+
+/// How many lines a screen has: what LINES says, or the terminal.
+pub(super) fn height() -> usize {
+    let own = || size().map(|(_, height)| usize::from(height.0));
+    number_in("LINES").or_else(own).unwrap_or(HEIGHT)
+}
+
+fn number_in(variable: &str) -> Option<usize> {
+    let text = std::env::var(variable).ok()?;
+    text.trim().parse().ok().filter(|number| *number > 0)
+}
+
+fn size() -> Option<(terminal_size::Width, terminal_size::Height)> {
+    let out = std::io::stdout();
+    if out.is_terminal() { terminal_size::terminal_size_of(out) } else { None }
+}
+
+fn choice(color: Colour) -> ColorChoice {
+    match color {
+        Colour::Auto => ColorChoice::Auto,
+        Colour::Always => ColorChoice::AlwaysAnsi,
+        Colour::Never => ColorChoice::Never,
+    }
+}
+
+/// What `--color` says, before the arguments are read: errors about them have colours too.
+pub(super) fn early_color(arguments: impl Iterator<Item = OsString>) -> clap::ColorChoice {
+    let mut arguments = arguments.skip(1);
+    let mut color = clap::ColorChoice::Auto;
+    while let Some(argument) = arguments.next() {
+        let value = match argument.to_str() {
+            Some("--") => break,
+            Some("--color") => arguments.next(),
+            Some(text) => text.strip_prefix("--color=").map(OsString::from),
+            None => None,
+        };
+        color = match value.as_ref().and_then(|value| value.to_str()) {
+            Some("always") => clap::ColorChoice::Always,
+            Some("never") => clap::ColorChoice::Never,
+            _ => color,
+        };
+    }
+    color
+}

@@ -1,0 +1,58 @@
+//! What somebody may have meant by a name that does not exist.
+
+/// How alike a name has to be, from 0 to 1.
+const ALIKE: f64 = 0.6;
+
+/// The known name that is most like `word`, if one is alike enough: the distance of Damerau and
+/// Levenshtein, as a part of the longer length, or a name that begins with the word.
+///
+/// ```
+/// use subcert::suggestion::nearest;
+///
+/// assert_eq!(nearest("six-pont", ["chaikin", "six-point"]), Some("six-point"));
+/// assert_eq!(nearest("khan2019", ["khan2019-newton"]), Some("khan2019-newton"));
+/// assert_eq!(nearest("loop", ["chaikin", "six-point"]), None);
+/// ```
+pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let word = word.to_lowercase();
+    let likeness = |name: &str| {
+        let name = name.to_lowercase();
+        let begins = word.len() >= 3 && name.starts_with(&word);
+        let likeness = strsim::normalized_damerau_levenshtein(&word, &name);
+        if begins { likeness.max(ALIKE) } else { likeness }
+    };
+    let alike = known.into_iter().map(|name| (likeness(name), name));
+    let alike = alike.filter(|(likeness, _)| *likeness >= ALIKE);
+    // Of equally good ones the first.
+    alike.reduce(|best, next| if next.0 > best.0 { next } else { best }).map(|(_, name)| name)
+}
+
+/// What follows an unknown name in a message: the one that may be meant, and those that there are.
+///
+/// ```
+/// use subcert::suggestion::known;
+///
+/// assert_eq!(known("taw", ["tau", "c"]), "; did you mean `tau`? Known: tau, c");
+/// assert_eq!(known("gamma", ["tau", "c"]), "; known: tau, c");
+/// ```
+pub fn known<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> String {
+    let names: Vec<&str> = names.into_iter().collect();
+    let all = names.join(", ");
+    match (nearest(word, names), all.is_empty()) {
+        (Some(name), _) => format!("; did you mean `{name}`? Known: {all}"),
+        (None, false) => format!("; known: {all}"),
+        (None, true) => String::new(),
+    }
+}
+
+/// `; did you mean …?`, or nothing.
+///
+/// ```
+/// use subcert::suggestion::did_you_mean;
+///
+/// assert_eq!(did_you_mean("table-9", ["table-1", "eq-2"]), "; did you mean `table-1`?");
+/// assert_eq!(did_you_mean("gamma", ["tau", "c"]), "");
+/// ```
+pub fn did_you_mean<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> String {
+    nearest(word, names).map(|name| format!("; did you mean `{name}`?")).unwrap_or_default()
+}

@@ -1,0 +1,178 @@
+//! Widths, colours, quiet runs, and what every command says of itself.
+
+use super::{subcert, written};
+
+/// Commands whose answers are wide: exact numbers, tables of many columns, long titles.
+const WIDE: [&[&str]; 10] = [
+    &["audit", "examples/my-paper.toml", "--all", "--certified"],
+    &["explain", "khan2019-newton"],
+    &["explain", "mustafa2007-bajaj:theorem-2"],
+    &["errata", "examples/my-paper.toml", "--format", "text"],
+    &["coverage"],
+    &["constants", "newton:j=1,n=3"],
+    &["constants", "catmull-clark:N=7", "-c", "2"],
+    &["depth", "four-point", "--tolerance", "1/100", "--polygon", "examples/polygon.csv"],
+    &["certify", "quinary-three-point", "-c", "2"],
+    &["schemes"],
+];
+
+#[test]
+fn nothing_is_wider_than_the_terminal() {
+    for arguments in WIDE {
+        for width in [60, 80, 120] {
+            let command = subcert(arguments.iter().copied()).env("COLUMNS", width.to_string());
+            let output = command.assert().success();
+            let text = String::from_utf8_lossy(&output.get_output().stdout).into_owned();
+            for line in text.lines() {
+                let wide = line.chars().count();
+                assert!(wide <= width, "{arguments:?}: {wide} characters, not {width}: {line}");
+            }
+        }
+    }
+}
+
+/// A table that is split or stacked still has every number.
+#[test]
+fn narrow_tables_lose_nothing() {
+    let arguments = ["certify", "quinary-three-point", "-c", "2"];
+    let wide = written(arguments);
+    for width in ["30", "60", "80"] {
+        let output = subcert(arguments).env("COLUMNS", width).assert().success();
+        let narrow = String::from_utf8_lossy(&output.get_output().stdout).into_owned();
+        let letters = |text: &str| text.split_whitespace().collect::<String>();
+        let flat = letters(&narrow);
+        let numbers =
+            wide.split_whitespace().filter(|word| word.contains(|c: char| c.is_ascii_digit()));
+        for number in numbers {
+            assert!(flat.contains(number), "{number} at width {width}: {narrow}");
+        }
+    }
+}
+
+#[test]
+fn a_long_audit_ends_as_it_begins() {
+    let short = written(["audit", "examples/my-paper.toml"]);
+    let audit = ["audit", "examples/my-paper.toml"];
+    let on_screen = |lines: &str| {
+        let output = subcert(audit).env("LINES", lines).assert().success();
+        String::from_utf8_lossy(&output.get_output().stdout).into_owned()
+    };
+    let (low, high) = (on_screen("10"), on_screen("1000"));
+    assert!(!high.contains("All papers") && short.contains("All papers"));
+    let (before, after) = low.split_once("All papers\n").expect("a summary at the end");
+    let head: Vec<&str> = after.lines().skip(1).collect();
+    assert!(before.starts_with(&head.join("\n")), "{after}");
+}
+
+#[test]
+fn colours_follow_the_flag() {
+    let has_colour = |arguments: &[&str], variable: &str| {
+        let output = subcert(arguments.iter().copied()).env(variable, "1").assert();
+        let output = output.get_output();
+        [&output.stdout, &output.stderr].map(|text| text.contains(&0x1b))
+    };
+    let audit = |flag| ["audit", "examples/my-paper.toml", "--color", flag];
+    assert!(has_colour(&audit("always"), "NO_COLOR")[0]);
+    assert!(!has_colour(&audit("never"), "CLICOLOR_FORCE")[0]);
+    assert!(has_colour(&audit("auto"), "CLICOLOR_FORCE")[0]);
+    for wrong in [&["audit", "Cargo.toml"][..], &["audit", "--frobnicate"]] {
+        let with = |flag| [&["--color", flag], wrong].concat();
+        assert_eq!(has_colour(&with("always"), "NO_COLOR"), [false, true], "{wrong:?}");
+        assert_eq!(has_colour(&with("never"), "CLICOLOR_FORCE"), [false, false], "{wrong:?}");
+    }
+}
+
+#[test]
+fn quiet_leaves_errors_files_and_the_exit_code() {
+    for arguments in WIDE.into_iter().chain([&["oracle", "chaikin"][..]]) {
+        subcert(arguments.iter().copied().chain(["--quiet"])).assert().success().stdout_eq("");
+    }
+    let denied = ["-q", "audit", "examples/my-paper.toml", "--deny", "refuted"];
+    let output = subcert(denied).assert().code(1).stdout_eq("");
+    let message = String::from_utf8_lossy(&output.get_output().stderr).into_owned();
+    assert_eq!(message, "subcert: 1 claim is refuted\n");
+    assert!(!written(["new", "k", "-o", "-", "--quiet"]).is_empty());
+}
+
+const COMMANDS: [&str; 14] = [
+    "audit",
+    "explain",
+    "errata",
+    "coverage",
+    "constants",
+    "depth",
+    "range",
+    "certify",
+    "prove",
+    "new",
+    "oracle",
+    "schemes",
+    "completions",
+    "man",
+];
+
+/// The examples of every help text run, those that write files apart.
+#[test]
+fn examples_of_the_help_run() {
+    for command in COMMANDS {
+        let help = written([command, "--help"]);
+        let (_, examples) = help.split_once("Examples:\n").unwrap_or_else(|| panic!("{help}"));
+        let examples: Vec<&str> = examples.lines().map(str::trim).collect();
+        assert!((2..=3).contains(&examples.len()), "{help}");
+        for example in examples {
+            let line = example.strip_prefix("subcert ").expect("a command");
+            let folder = line.contains("-o ") && !line.ends_with("-o -");
+            if folder || ["man", "new"].contains(&command) || line.starts_with("audit") {
+                continue;
+            }
+            // Only schemes with ` x ` are in quotes.
+            let words: Vec<&str> = match line.split('\'').collect::<Vec<&str>>()[..] {
+                [before, quoted, after] => {
+                    let (before, after) = (before.split_whitespace(), after.split_whitespace());
+                    before.chain([quoted]).chain(after).collect()
+                }
+                _ => line.split_whitespace().collect(),
+            };
+            assert!(!written(words).is_empty(), "{example}");
+        }
+    }
+}
+
+#[test]
+fn man_pages_of_every_command() {
+    let folder = std::env::temp_dir().join(format!("subcert-{}-man", std::process::id()));
+    written(["man", folder.to_str().expect("a UTF-8 path")]);
+    let page = |name: &str| std::fs::read_to_string(folder.join(name));
+    let whole = page("subcert.1").expect("a page");
+    assert!(COMMANDS.iter().all(|command| whole.contains(command)), "{whole}");
+    for command in COMMANDS {
+        let page = page(&format!("subcert-{command}.1")).expect(command);
+        assert!(page.contains("Examples:"), "{page}");
+    }
+    std::fs::remove_dir_all(&folder).expect("the folder is still there");
+}
+
+#[test]
+fn every_json_answer_has_a_version() {
+    let file = "examples/my-paper.toml";
+    let commands: [&[&str]; 13] = [
+        &["audit", file],
+        &["explain", "doe2026-corner", file],
+        &["explain", "doe2026-corner:table-1", file],
+        &["errata", file],
+        &["coverage", file],
+        &["constants", "chaikin", "-c", "1"],
+        &["constants", "doo-sabin:n=3", "-c", "1"],
+        &["depth", "chaikin", "--tolerance", "1"],
+        &["depth", "doo-sabin:n=3", "--tolerance", "1"],
+        &["range", "four-point", "--param", "w", "-c", "1"],
+        &["certify", "chaikin", "-c", "1"],
+        &["oracle", "chaikin"],
+        &["schemes"],
+    ];
+    for command in commands {
+        let text = written(command.iter().copied().chain(["--format", "json"]));
+        let json: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+        assert_eq!(json["schema"], 1, "{command:?}");
+    }
+}
