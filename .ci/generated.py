@@ -14,6 +14,7 @@ file, and one under `<!-- part of: PATH -->` some lines of it.
 The files of FILES, and proofs/errata, hold what their command writes, and nothing else.
 """
 
+import os
 import re
 import subprocess
 import sys
@@ -35,7 +36,11 @@ FILES = {"proofs/COVERAGE.md": "coverage --format markdown"} | {
 def output(command: str) -> str:
     program = ROOT / "target" / "release" / "subcert"
     words = [word.strip("'") for word in re.findall(r"'[^']*'|\S+", command)]
-    done = subprocess.run([program, *words], cwd=ROOT, capture_output=True, text=True, check=True)
+    # Lines follow the width of the terminal where these are set.
+    environment = {key: value for key, value in os.environ.items() if key not in ("COLUMNS", "LINES")}
+    done = subprocess.run(
+        [program, *words], cwd=ROOT, env=environment, capture_output=True, text=True, check=True
+    )
     return "\n".join(line.rstrip() for line in done.stdout.splitlines()) + "\n"
 
 
