@@ -100,7 +100,7 @@ impl<'a> Rules<'a> {
         size(&self.rows)
     }
 
-    /// f applied to the refined x', as a functional of x; x'_{ni+α} = Σ_j a_{α,j} x_{i+o+j}.
+    /// f applied to the refined x', as a functional of x; `x'_{ni+α} = Σ_j a_{α,j} x_{i+o+j}`.
     fn before(&self, f: &Functional) -> Result<Functional, Stop> {
         let mut weights = BTreeMap::new();
         for (at, weight) in &f.weights {
