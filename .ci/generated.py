@@ -1,15 +1,17 @@
 #!/usr/bin/env python3
 """Regenerates what the program writes into the repository, or checks it.
 
-In README.md, a block
+In README.md and docs/*.md, a block
 
     <!-- run: subcert constants chaikin -->
     ```text
     ...
     ```
 
-holds what that command writes; `head=N` before the command keeps N lines. The files
-of FILES, and proofs/errata, hold what their command writes, and nothing else.
+holds what that command writes. Before the colon, `from=WORD` begins at the first line that
+begins with WORD, and `head=N` keeps N lines. A block under `<!-- file: PATH -->` holds that
+file, and one under `<!-- part of: PATH -->` some lines of it.
+The files of FILES, and proofs/errata, hold what their command writes, and nothing else.
 """
 
 import os
@@ -20,37 +22,50 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 BLOCK = re.compile(
-    r"(<!-- run(?: head=(?P<head>\d+))?: subcert (?P<command>[^\n]*?) -->\n```\w*\n)(?P<text>.*?)(```\n)",
+    r"(?P<before><!-- (?P<kind>run|file|part of)(?: from=(?P<start>\S+))?(?: head=(?P<head>\d+))?:"
+    r" (?P<what>[^\n]*?) -->\n```\w*\n)(?P<text>.*?)(?P<after>```\n)",
     re.DOTALL,
 )
+PAGES = ["README.md", *(f"docs/{page.name}" for page in sorted((ROOT / "docs").glob("*.md")))]
 FILES = {"proofs/COVERAGE.md": "coverage --format markdown"} | {
     f"proofs/certificates/{claims.stem}.cert": f"prove {claims.stem} -o -"
     for claims in sorted((ROOT / "proofs" / "claims").glob("*.toml"))
 }
 
 
-def output(command: str, head: str | None = None) -> str:
+def output(command: str) -> str:
     program = ROOT / "target" / "release" / "subcert"
     words = [word.strip("'") for word in re.findall(r"'[^']*'|\S+", command)]
-    # A width that the shell exports would lay the tables out otherwise.
-    env = {name: value for name, value in os.environ.items() if name not in ("COLUMNS", "LINES")}
+    # Lines follow the width of the terminal where these are set.
+    environment = {key: value for key, value in os.environ.items() if key not in ("COLUMNS", "LINES")}
     done = subprocess.run(
-        [program, *words], cwd=ROOT, capture_output=True, text=True, check=True, env=env
+        [program, *words], cwd=ROOT, env=environment, capture_output=True, text=True, check=True
     )
-    lines = done.stdout.splitlines()
+    return "\n".join(line.rstrip() for line in done.stdout.splitlines()) + "\n"
+
+
+def excerpt(text: str, start: str | None, head: str | None) -> str:
+    lines = text.splitlines()
+    if start:
+        lines = lines[next(i for i, line in enumerate(lines) if line.startswith(start)) :]
     if head and len(lines) > int(head):
-        lines = lines[: int(head)] + ["…"]
-    return "\n".join(line.rstrip() for line in lines) + "\n"
+        lines = [*lines[: int(head)], "…"]
+    return "\n".join(lines) + "\n"
 
 
-def with_blocks(text: str) -> str:
-    return BLOCK.sub(
-        lambda match: match[1] + output(match["command"], match["head"]) + match[5], text
-    )
+def block(match: re.Match) -> str:
+    what, text = match["what"], match["text"]
+    if match["kind"] == "run":
+        text = excerpt(output(what.removeprefix("subcert ")), match["start"], match["head"])
+    elif match["kind"] == "file":
+        text = (ROOT / what).read_text()
+    elif text not in (ROOT / what).read_text():
+        sys.exit(f"{what} does not contain these lines of a page:\n{text}")
+    return match["before"] + text + match["after"]
 
 
 def main() -> int:
-    generated = {"README.md": with_blocks((ROOT / "README.md").read_text())}
+    generated = {page: BLOCK.sub(block, (ROOT / page).read_text()) for page in PAGES}
     generated |= {name: output(command) for name, command in FILES.items()}
     for claims in sorted((ROOT / "proofs" / "claims").glob("*.toml")):
         key = claims.stem

@@ -9,7 +9,7 @@ use crate::scheme::Rules;
 pub enum Recursion {
     /// E^c_{l,f} = Σ_e E^1_{l,e} E^{c−1}_{e,f}: what c convolutions give.
     Derived,
-    /// E^c_{l,f} = Σ_e E^{c−1}_{l,e} E^{c−1}_{e,f}, as some papers print; for c ≥ 3 it
+    /// `E^c_{l,f} = Σ_e E^{c−1}_{l,e} E^{c−1}_{e,f}`, as some papers print; for c ≥ 3 it
     /// stands for 2^{c−1} convolutions.
     Printed,
 }

@@ -23,9 +23,9 @@ impl Terms {
     }
 }
 
-/// The displacement σ = max_α Σ_m |ã_{α,m}| of a scheme at the offset o of its mask,
-/// where x'_{ni+α} − ((1−α/n) x_i + (α/n) x_{i+1}) = Σ_m ã_{α,m} Δ_{i+m}, so that
-/// ‖P^{k+1} − P^k‖_∞ ≤ σ max|Δ^k| for the piecewise linear interpolants P^k of
+/// The displacement `σ = max_α Σ_m |ã_{α,m}|` of a scheme at the offset o of its mask,
+/// where `x'_{ni+α} − ((1−α/n) x_i + (α/n) x_{i+1}) = Σ_m ã_{α,m} Δ_{i+m}`, so that
+/// `‖P^{k+1} − P^k‖_∞ ≤ σ max|Δ^k|` for the piecewise linear interpolants P^k of
 /// level k at the parameters i/n^k. With [`Terms::Total`], |Σ ã| in place of Σ|ã|.
 ///
 /// At o = 0: ã_{α,0} = Σ_{h≥1} a_{α,h} − α/n and ã_{α,m} = Σ_{h>m} a_{α,h} for m ≥ 1.

@@ -15,7 +15,7 @@ pub struct LocalLevel<S = RealCyclotomic> {
     pub norm: S,
 }
 
-/// The constants of a ring x'_a = Σ_b m_{a,b} x_b with β = max |x_a − x_b| over the edges
+/// The constants of a ring `x'_a = Σ_b m_{a,b} x_b` with β = max |x_a − x_b| over the edges
 /// (a, b) of its mesh:
 ///
 /// - T_c = max over the edges of ‖e_aᵀM^c − e_bᵀM^c‖_*, the least number such that c

@@ -4,7 +4,7 @@ use super::branch::{JointSearch, PowerSearch};
 use super::power::{ClassCap, Order, PowerNorm};
 use crate::scheme::Rules;
 
-/// ‖Rᶜ‖_∞ = max_r Σ_s |(Rᶜ)_{r,s}| for the operator (Rx)_{ni+β} = Σ_j r_{β,j} x_{i+o+j},
+/// `‖Rᶜ‖_∞ = max_r Σ_s |(Rᶜ)_{r,s}|` for the operator `(Rx)_{ni+β} = Σ_j r_{β,j} x_{i+o+j}`,
 /// over the n^c residue classes r mod n^c. It does not depend on the offset o.
 ///
 /// With the difference mask this is the contraction constant T_c, with the mask
@@ -34,7 +34,7 @@ pub fn power_norm(rules: &Rules, levels: u32, order: Order) -> Result<PowerNorm,
     PowerSearch::new(rules, order).norm(levels)
 }
 
-/// max_r Σ_s |(Rᶜ)_{r,s}| · Σ_s |(Sᶜ)_{r,s}|: the two norms with one supremum over
+/// `max_r Σ_s |(Rᶜ)_{r,s}| · Σ_s |(Sᶜ)_{r,s}|`: the two norms with one supremum over
 /// the same row, as some papers compute the constants of a tensor product. It is
 /// at most the product of the norms, and does not bound the differences.
 ///

@@ -10,10 +10,10 @@ use std::collections::VecDeque;
 
 /// The sound block bound of a scheme, per unit of β = max|Δ^0|.
 ///
-/// Level by level, ‖P^∞ − P^k‖_∞ ≤ σβ Σ_{m≥k} C_m, where C_m = T_m for a curve and
+/// Level by level, `‖P^∞ − P^k‖_∞ ≤ σβ Σ_{m≥k} C_m`, where C_m = T_m for a curve and
 /// T_m Λ_m for a tensor product. C is submultiplicative, so wherever C_c < 1
 ///
-/// ‖P^∞ − P^k‖_∞ ≤ σβ (U_k + … + U_{k+c−1}) / (1 − C_c),
+/// `‖P^∞ − P^k‖_∞ ≤ σβ (U_k + … + U_{k+c−1}) / (1 − C_c)`,
 ///
 /// with U_m = C_m up to the greatest level computed, and beyond it the least
 /// C_j U_{m−j} over the computed j ≥ 1. The least of these over c is taken.

@@ -52,7 +52,7 @@ pub(super) struct Sizes<'c> {
     pub(super) spread: Integer,
     /// |Δ_i|, of the cell from i to i + 1, times `scale`.
     pub(super) own: Integer,
-    /// max|∇Δ|, where (∇Δ)_i = Δ_{i+1} − Δ_i, times `scale`.
+    /// max|∇Δ|, where `(∇Δ)_i = Δ_{i+1} − Δ_i`, times `scale`.
     pub(super) turn: Integer,
     pub(super) scale: &'c Integer,
 }

@@ -26,8 +26,8 @@ pub struct Distance {
 
 /// The true distances of polygons from their limits.
 ///
-/// The distance constant is C_k = sup ‖P^∞ − P^k‖_∞ over the control polygons with
-/// max|Δ| ≤ 1: the least number for which ‖P^∞ − P^k‖_∞ ≤ C_k max|Δ| always.
+/// The distance constant is `C_k = sup ‖P^∞ − P^k‖_∞` over the control polygons with
+/// max|Δ| ≤ 1: the least number for which `‖P^∞ − P^k‖_∞ ≤ C_k max|Δ|` always.
 ///
 /// It is the supremum over t of the norm of the functional P^∞(t) − P^k(t) of Δ. The
 /// intervals between neighbouring points of a level are split, to deeper and deeper

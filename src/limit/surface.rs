@@ -101,9 +101,9 @@ pub struct SurfaceWitness {
 
 /// The true distances of control nets from the limit surface of a tensor product.
 ///
-/// x^{k+1}_{ni+α,mj+β} = Σ_r Σ_s a_{α,r} b_{β,s} x^k_{i+o+r,j+p+s}. P^k is the piecewise
+/// `x^{k+1}_{ni+α,mj+β} = Σ_r Σ_s a_{α,r} b_{β,s} x^k_{i+o+r,j+p+s}`. P^k is the piecewise
 /// bilinear interpolant of the points of level k at (i/n^k, j/m^k), and C_k = sup
-/// ‖P^∞ − P^k‖_∞ over the nets of spreads at most β_1, β_2.
+/// `‖P^∞ − P^k‖_∞` over the nets of spreads at most β_1, β_2.
 ///
 /// P^∞(s, t) is the product of the two curve functionals, and so is P^k(s, t): their
 /// difference is a functional of the net, and its greatest value is a problem of

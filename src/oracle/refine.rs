@@ -118,7 +118,7 @@ pub fn refine_polygon(
 }
 
 /// The grid of level `level` and its number of columns, when `grid` is that of
-/// level 0, row by row: p'_{ni+α, mj+β} = Σ_{r,s} a_{α,r} a'_{β,s} p_{i+o+r, j+o'+s}, the
+/// level 0, row by row: `p'_{ni+α, mj+β} = Σ_{r,s} a_{α,r} a'_{β,s} p_{i+o+r, j+o'+s}`, the
 /// first rules along the columns of the grid (over i), the second along its rows.
 ///
 /// # Errors

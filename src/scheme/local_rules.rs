@@ -20,7 +20,7 @@ pub struct Orbit {
 /// The v points around an extraordinary vertex or face, and the v points of the same
 /// topology that one refinement puts in their place:
 ///
-/// x'_a = Σ_b m_{a,b} x_b, Σ_b m_{a,b} = 1, a, b = 0, …, v−1.
+/// `x'_a = Σ_b m_{a,b} x_b`, `Σ_b m_{a,b} = 1`, a, b = 0, …, v−1.
 ///
 /// The points are numbered orbit by orbit. The edges of their mesh, which is
 /// connected, say which differences x_a − x_b the constants of
@@ -249,7 +249,7 @@ impl<S> LocalRules<S> {
 }
 
 impl<S: Scalar> LocalRules<S> {
-    /// M x: the new points x'_a = Σ_b m_{a,b} x_b.
+    /// M x: the new points `x'_a = Σ_b m_{a,b} x_b`.
     ///
     /// # Panics
     /// When there are not v points.
@@ -259,7 +259,7 @@ impl<S: Scalar> LocalRules<S> {
         self.weights.product(points)
     }
 
-    /// wᵀM, with (wᵀM)_b = Σ_a w_a m_{a,b}: the functional w of the new points, as one
+    /// wᵀM, with `(wᵀM)_b = Σ_a w_a m_{a,b}`: the functional w of the new points, as one
     /// of the old points.
     ///
     /// # Panics

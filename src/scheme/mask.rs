@@ -98,7 +98,7 @@ impl<S: Scalar> Mask<S> {
         Mask { rules: self.rules.map(map) }
     }
 
-    /// The difference mask b, with Δ'_{ni+β} = Σ_j b_{β,j} Δ_{i+o+j} for
+    /// The difference mask b, with `Δ'_{ni+β} = Σ_j b_{β,j} Δ_{i+o+j}` for
     /// Δ_i = x_{i+1} − x_i:
     ///
     /// b_{β,j} = Σ_{h≤j} (a_{β,h} − a_{β+1,h}) for β = 0, …, n−2, and

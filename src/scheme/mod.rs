@@ -1,6 +1,6 @@
 //! Subdivision schemes: masks, difference masks, tensor products, rings, the catalogue.
 //!
-//! A scheme of arity n refines x'_{ni+α} = Σ_j a_{α,j} x_{i+o+j}, with
+//! A scheme of arity n refines `x'_{ni+α} = Σ_j a_{α,j} x_{i+o+j}`, with
 //! α = 0, …, n−1, j = 0, …, N−1, an index offset o, and Σ_j a_{α,j} = 1. Around an
 //! extraordinary vertex or face the rules depend on the valence: there a [`LocalRules`] of v
 //! points is refined by a v×v matrix.

@@ -14,7 +14,7 @@ pub fn gather(piece: Option<&Piece>, values: &[Value], terms: usize) -> Result<V
     values.iter().try_fold(Value::int(0), |sum, value| sum.plus(1, &value.abs(piece)?))
 }
 
-/// ã_{α,m} of x'_{ni+α} − ((1−α/n)x_i + (α/n)x_{i+1}) = Σ_m ã_{α,m} Δ_{i+m}, in the order
+/// ã_{α,m} of `x'_{ni+α} − ((1−α/n)x_i + (α/n)x_{i+1}) = Σ_m ã_{α,m} Δ_{i+m}`, in the order
 /// of m, from m = min(0, o) on.
 pub fn displaced(scheme: &Scheme, alpha: usize, offset: i64) -> Result<Vec<Value>, Stop> {
     let row = &scheme.mask[alpha];

@@ -109,7 +109,7 @@ impl<'a> Rules<'a> {
         size(&self.rows)
     }
 
-    /// A polygon over a denominator, refined once: x'_{ni+α} = Σ_j a_{α,j} x_{i+o+j} for all i where
+    /// A polygon over a denominator, refined once: `x'_{ni+α} = Σ_j a_{α,j} x_{i+o+j}` for all i where
     /// not all x_{i+o+j} are one end.
     pub fn refined(&self, (x, over): (&Polygon, &BigInt)) -> Result<(Polygon, BigInt), Stop> {
         let (n, width) = (self.arity(), size(&self.rows[0]));
@@ -131,7 +131,7 @@ impl<'a> Rules<'a> {
         self.rows.iter().flatten().all(|a| !a.is_negative())
     }
 
-    /// f applied to the refined x', as a functional of x; x'_{ni+α} = Σ_j a_{α,j} x_{i+o+j}.
+    /// f applied to the refined x', as a functional of x; `x'_{ni+α} = Σ_j a_{α,j} x_{i+o+j}`.
     fn before(&self, f: &Functional) -> Result<Functional, Stop> {
         let mut weights = BTreeMap::new();
         for (at, weight) in &f.weights {

@@ -17,7 +17,7 @@ pub struct LocalRules<'a> {
     meter: &'a Meter,
     /// The names `vertex`, `edge[0]`, `edge[1]`, … of the points.
     pub names: Vec<String>,
-    /// The matrix M of the m_{a,b} with x'_a = Σ_b m_{a,b} x_b.
+    /// The matrix M of the m_{a,b} with `x'_a = Σ_b m_{a,b} x_b`.
     pub weights: Vec<Vec<Value>>,
     /// The edges of the mesh.
     pub edges: Vec<[usize; 2]>,

@@ -17,7 +17,7 @@ pub const PLACES: u32 = 32;
 /// The rows of q^l·E^l at the positions of the window around an index, in its columns.
 type Rows = Vec<Vec<BigInt>>;
 
-/// The operator R = sE with (Rx)_{ni+β} = Σ_j r_{β,j} x_{i+o+j}. If all rules r_β have the same
+/// The operator R = sE with `(Rx)_{ni+β} = Σ_j r_{β,j} x_{i+o+j}`. If all rules r_β have the same
 /// sum and it is not 0, s is that sum. Otherwise s is 1.
 pub struct Operator<'a> {
     meter: &'a Meter,

@@ -9,7 +9,7 @@ use crate::bound::power::{ClassCap, MAX_LEVELS, MAX_WORK, Order, PowerNorm, orie
 use crate::bound::walked_norm::walked_joint_norm;
 use crate::scheme::Rules;
 
-/// max_r Σ_s |(R^c)_{r,s}| · Σ_s |(S^c)_{r,s}| for several c, as
+/// `max_r Σ_s |(R^c)_{r,s}| · Σ_s |(S^c)_{r,s}|` for several c, as
 /// [`joint_norm`](super::super::joint_norm): what one search finds out about R and S serves the
 /// next ones.
 ///
