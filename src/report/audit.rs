@@ -182,8 +182,12 @@ pub(super) fn remarks(finding: &TableFinding<'_>) -> Vec<String> {
 }
 
 fn assumption(finding: &TableFinding<'_>) -> Option<String> {
-    let cell = cells(finding).find(|cell| !cell.assumed.is_empty())?;
+    let unclear = |cell: &&CellFinding| matches!(cell.verdict, Verdict::NotCheckable(_));
+    let cell = cells(finding).filter(unclear).find(|cell| !cell.is_plain())?;
     let Verdict::NotCheckable(missing) = &cell.verdict else { return None };
+    if let Some(name) = &cell.unknown {
+        return Some(format!("? {missing}, and no table gives {name}."));
+    }
     let comparison = comparison(finding).map(|text| format!(": {text}")).unwrap_or_default();
     Some(format!("? {missing}. Shown at {}{comparison}.", assumed(cell)))
 }
@@ -228,8 +232,10 @@ fn unclear_grid(tables: &[&TableFinding<'_>]) -> Grid {
     let rows = tables.iter().map(|finding| {
         let count = cells(finding).count();
         let first = cells(finding).next();
-        let names = first.into_iter().flat_map(|cell| &cell.assumed);
-        let names = names.map(|(name, _)| name.clone()).collect::<Vec<String>>().join(", ");
+        let names = first.into_iter().flat_map(|cell| {
+            cell.assumed.iter().map(|(name, _)| name.as_str()).chain(cell.unknown.as_deref())
+        });
+        let names = names.collect::<Vec<&str>>().join(", ");
         let mut missing = Vec::new();
         if !names.is_empty() {
             missing.push(format!("{names} not stated"));

@@ -3,7 +3,7 @@
 use super::parts::mark;
 use crate::audit::{
     CellFinding, Explanation, Line, LineReading, MAX_DIFFERENCES, Recovered, RecoveredFrom, Search,
-    Slip, TableFinding,
+    Slip, TableFinding, Verdict,
 };
 use crate::claim::{Axis, Table};
 use crate::exact::{Rational, format::short};
@@ -62,12 +62,17 @@ pub(super) fn recovered(finding: &TableFinding<'_>) -> Vec<String> {
         let value = &recovered.value;
         let from = match &recovered.from {
             RecoveredFrom::Solved(low, high) => {
-                format!("its numbers fit every value from {} to {}", short(low, 8), short(high, 8))
+                let (low, high) = (short(low, 8), short(high, 8));
+                format!(
+                    "These numbers give {name} = {value}: every value from {low} to {high} fits."
+                )
             }
-            RecoveredFrom::Table { locus, .. } => format!("as {locus} gives it"),
-            RecoveredFrom::Tried => "the plainest value that fits its numbers".to_owned(),
+            RecoveredFrom::Table { locus, .. } => format!("{locus} gives {name} = {value}."),
+            RecoveredFrom::Tried => {
+                format!("{name} = {value} is the plainest value that fits these numbers.")
+            }
         };
-        format!("The paper does not state {name}; {name} = {value} was recovered: {from}.")
+        format!("The paper does not state {name}. {from}")
     };
     finding.recovered.iter().map(sentence).collect()
 }
@@ -141,7 +146,13 @@ pub(super) fn evidence<'c>(
     let read = |reading: &Explanation| {
         cells.clone().any(|cell| cell.as_read.as_ref().is_some_and(|read| read.is(reading)))
     };
-    let whole = search.best.first().filter(|best| read(best));
+    // Cells that are reproduced as printed have no other reading.
+    let as_printed =
+        |cell: &CellFinding| cell.verdict == Verdict::Reproduced && cell.as_read.is_none();
+    let named = |best: &Explanation| {
+        read(best) || best.differences.is_empty() && cells.clone().any(as_printed)
+    };
+    let whole = search.best.first().filter(|best| named(best));
     let whole = whole.map(|_| format!("That explains {}", strength(search)));
     let lines = search.lines.iter().filter(|line| read(&line.best));
     let lines =
