@@ -106,8 +106,8 @@ pub struct Refutation {
     pub supremum: Option<Supremum>,
     /// The sound block bound of the distance, at this level.
     pub sound: Option<RealCyclotomic>,
-    /// What is so with each point at its natural parameter; `None` where the points of all cases
-    /// are there, as those of rings.
+    /// What is so with each point at its natural parameter; `None` for differences, and where the
+    /// points of all cases are there, as those of rings.
     pub natural: Option<Naturally>,
     /// What is so in every shift of the parameter; `None` for differences and for rings, where there is
     /// no parameter.

@@ -65,12 +65,16 @@ fn refuted(name: &str, refutation: &Refutation) -> Vec<String> {
             vec![
                 format!("{name} with points at i/n^k · {printed}"),
                 format!("refuted at natural parameters too · {natural}"),
-                "not known whether in every shift".to_owned(),
+                "not known whether in every shift of the parameter".to_owned(),
             ]
         }
         (_, Some(Naturally::AsInEveryShift | Naturally::Open)) => vec![
             format!("{name} with points at i/n^k · {printed}"),
             "not known whether at natural parameters".to_owned(),
+        ],
+        (Some(EveryShift::Open), None) => vec![
+            format!("{name} · {printed}"),
+            "not known whether in every shift of the parameter".to_owned(),
         ],
         (_, None) => vec![format!("{name} · {printed}")],
     }

@@ -247,7 +247,7 @@ fn steps_depths_and_nets() {
 #[test]
 fn where_there_is_no_parameter() {
     let difference = of("scheme = 'chaikin'\nbounds = 'difference'\nby = 'beta/3^k'\nfrom = '0'");
-    assert_eq!(difference.every_shift, None);
+    assert_eq!((difference.every_shift, difference.natural), (None, None));
     let ring = of("scheme = 'doo-sabin:n=5'\nbounds = 'distance'\nby = 'beta/4^k'\nfrom = '1'");
     assert_eq!((ring.every_shift, ring.natural), (None, None));
 }

@@ -31,6 +31,9 @@ pub struct Block {
     pub text: String,
 }
 
+/// The lines under which points are elsewhere than at i/n^k.
+const PLACES: [&str; 2] = ["naturally", "in-every-shift"];
+
 impl Block {
     /// The lines under the head, without the blanks before them.
     pub fn lines(&self) -> Vec<&str> {
@@ -47,20 +50,28 @@ impl Block {
         self.lines().last().copied().unwrap_or_default()
     }
 
-    /// The lines about points at i/n^k, and those about points at their natural parameters, if there
-    /// are such, as blocks of their own.
-    pub fn parts(&self) -> Vec<Block> {
-        let lines = self.lines();
-        let parts = lines.split(|line| *line == "naturally");
-        let owned = |part: &[&str]| part.iter().map(|line| (*line).to_owned()).collect::<Vec<_>>();
-        parts.map(|part| self.with_lines(&owned(part))).collect()
+    /// The lines about points at i/n^k, and those about points at their natural parameters and in every
+    /// shift, if there are such, as blocks of their own; with the lines that they stand under.
+    pub fn parts(&self) -> Vec<(&'static str, Block)> {
+        let (mut parts, mut part, mut own) = (Vec::new(), Vec::new(), "");
+        for line in self.lines() {
+            match PLACES.iter().find(|word| **word == line) {
+                Some(word) => {
+                    parts.push((own, std::mem::take(&mut part)));
+                    own = word;
+                }
+                None => part.push(line.to_owned()),
+            }
+        }
+        parts.push((own, part));
+        parts.into_iter().map(|(own, part)| (own, self.with_lines(&part))).collect()
     }
 
-    /// The same block without what it says of points at their natural parameters.
+    /// The same block without what it says of points elsewhere.
     pub fn indexed(&self) -> Block {
         let lines = self.lines();
         let (Some(end), Some(verdict)) =
-            (lines.iter().position(|line| *line == "naturally"), lines.last())
+            (lines.iter().position(|line| PLACES.contains(line)), lines.last())
         else {
             return self.clone();
         };

@@ -22,7 +22,7 @@ use crate::finding::{
 };
 use crate::judge::theorem::case::{Case, Stage};
 use crate::judge::theorem::correction::{corrections, subsets};
-use crate::judge::theorem::natural::{moves, naturally, outcomes, size};
+use crate::judge::theorem::natural::{naturally, outcomes, placed, size};
 use crate::judge::theorem::setting::Setting;
 use crate::judge::theorem::shift::every_shift;
 use crate::judge::theorem::trial::Trial;
@@ -112,7 +112,8 @@ fn one<'a>(
                 Quantity::Distance => setting.and_then(|setting| setting.sound(level)),
                 _ => None,
             },
-            natural: moves(&cases).then(|| naturally(&cases, &natural, every_shift.as_ref())),
+            natural: placed(theorem, &cases)
+                .then(|| naturally(&cases, &natural, every_shift.as_ref())),
             every_shift,
         });
         (finding.verdict, finding.proof) = (TheoremVerdict::Refuted, None);

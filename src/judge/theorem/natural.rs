@@ -1,6 +1,6 @@
 //! What a refuted theorem is with each point at its natural parameter.
 
-use crate::claim::{Paper, Theorem};
+use crate::claim::{Paper, Quantity, Statement, Theorem};
 use crate::diagnostic::Diagnostic;
 use crate::finding::{CaseFinding, Control, EveryShift, Naturally, Outcome, Violation};
 use crate::judge::distance::has_words;
@@ -10,10 +10,17 @@ use crate::limit::Parametrisation;
 use crate::scheme::Mask;
 
 /// Whether the natural parameters of any case are others than i/n^k.
-pub(crate) fn moves(cases: &[Case<'_>]) -> bool {
+fn moves(cases: &[Case<'_>]) -> bool {
     let moves =
         |case: &Case<'_>| case.setting.as_deref().is_some_and(|own| own.natural().is_some());
     cases.iter().any(moves)
+}
+
+/// Whether it matters to a theorem where the points are: to one about differences it does not.
+pub(crate) fn placed(theorem: &Theorem, cases: &[Case<'_>]) -> bool {
+    let differences =
+        matches!(theorem.statement, Statement::Bound { quantity: Quantity::Difference, .. });
+    !differences && moves(cases)
 }
 
 /// What a theorem is in each case at its natural parameters.
@@ -23,7 +30,7 @@ pub(crate) fn outcomes(
     cases: &[Case<'_>],
     indexed: &[CaseFinding],
 ) -> Result<Vec<Outcome>, Diagnostic> {
-    if !moves(cases) {
+    if !placed(theorem, cases) {
         return Ok(indexed.iter().map(|case| case.outcome.clone()).collect());
     }
     let trial =

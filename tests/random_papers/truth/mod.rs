@@ -3,6 +3,7 @@
 mod formulas;
 mod proved;
 mod refuted;
+mod shift;
 
 pub use refuted::Witness;
 

@@ -1,6 +1,6 @@
 //! Witnesses, recomputed.
 
-use super::{names, supposed};
+use super::{names, shift, supposed};
 use crate::random_papers::draft::{Bound, Draft, Instance, Shape};
 use crate::random_papers::naive::{Curve, LocalRules, Net, Q, Row, int};
 use crate::random_papers::program::Block;
@@ -45,6 +45,14 @@ impl Witness {
             },
         };
         Some(Witness { level, first, rows, place, natural })
+    }
+
+    /// The polygons of a block, at no place.
+    fn read_polygons(block: &Block) -> Option<Witness> {
+        let level = block.after("level")?.parse().ok()?;
+        let polygons = shift::polygons(block)?;
+        let points: Vec<Vec<i64>> = polygons.iter().map(|row| row[1..].to_vec()).collect();
+        Some(Witness::of_polygons(level, &points, Vec::new()))
     }
 
     /// Polygons, one for each index: of a net their sums.
@@ -212,15 +220,17 @@ impl Witness {
 /// The sides of the witness are those of the bound, and the first one is larger; also with the points
 /// at their natural parameters, if the block says so.
 pub fn violates(draft: &Draft, bound: &Bound, block: &Block) -> Result<(), String> {
-    block
-        .parts()
-        .iter()
-        .enumerate()
-        .try_for_each(|(at, part)| one_violates(draft, bound, part, at > 0))
+    block.parts().iter().try_for_each(|(place, part)| one_violates(draft, bound, part, place))
 }
 
-fn one_violates(draft: &Draft, bound: &Bound, block: &Block, natural: bool) -> Result<(), String> {
-    let witness = Witness::read(block, natural).ok_or("its witness is not read: ")?;
+fn one_violates(draft: &Draft, bound: &Bound, block: &Block, place: &str) -> Result<(), String> {
+    let everywhere = place == "in-every-shift";
+    let witness = if everywhere {
+        Witness::read_polygons(block)
+    } else {
+        Witness::read(block, place == "naturally")
+    };
+    let witness = witness.ok_or("its witness is not read: ")?;
     let lets: Vec<(&str, Q)> = block
         .lines()
         .iter()
@@ -264,6 +274,10 @@ fn one_violates(draft: &Draft, bound: &Bound, block: &Block, natural: bool) -> R
             let by = by.map_or("nothing".to_owned(), |by| by.to_string());
             return Err(format!("the bound is another one: {by}, not {right}"));
         }
+    }
+    if everywhere {
+        let polygons = shift::polygons(block).ok_or("there are no polygons: ")?;
+        return shift::apart(bound, &instance.shape, witness.level, &polygons, block, left);
     }
     let (value, rest) = witness.value(bound, &instance.shape, &((left - right) / int(2)))?;
     if (&value - left).abs() > rest {

@@ -79,7 +79,7 @@ pub fn accepted(paper: &Paper, block: &Block) -> bool {
 }
 
 /// Words of the format that may stand in each other's place.
-const WORDS: [&[&str]; 21] = [
+const WORDS: [&[&str]; 22] = [
     &["confirmed", "refuted", "differs", "undefined", "lost"],
     &["confirmed", "rounding cut", "rounding away", "rounding down", "rounding nearest"],
     &[
@@ -99,7 +99,8 @@ const WORDS: [&[&str]; 21] = [
     &["contraction-terms", "displacement-terms", "order", "suprema", "recursion", "offset"],
     &["derived", "printed"],
     &["exact", "less", "more"],
-    &["below", "at-most"],
+    &["below", "at-most", "at-least"],
+    &["naturally", "in-every-shift"],
     &["proved", "refuted", "open"],
     &["proved-by", "refuted-by", "says"],
     &["difference", "step", "distance", "depth"],
