@@ -1,7 +1,7 @@
 //! What somebody may have meant by a name that does not exist.
 
 /// How alike a name has to be, from 0 to 1.
-const ALIKE: f64 = 0.6;
+const ALIKE: f64 = 0.66;
 
 /// The known name that is most like `word`, if one is alike enough: the distance of Damerau and
 /// Levenshtein, as a part of the longer length, or a name that begins with the word.
@@ -36,11 +36,31 @@ pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
 /// assert_eq!(known("gamma", ["tau", "c"]), "; known: tau, c");
 /// ```
 pub fn known<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> String {
+    listed(word, names, ["known", "Known"])
+}
+
+/// As [`known`], where a name has a meaning at one place only.
+///
+/// ```
+/// use subcert::suggestion::known_here;
+///
+/// assert_eq!(known_here("gamma", ["tau", "c"]), "; known here: tau, c");
+/// ```
+pub fn known_here<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> String {
+    listed(word, names, ["known here", "Known here"])
+}
+
+/// The names after a label, which begins a sentence or does not.
+fn listed<'a>(
+    word: &str,
+    names: impl IntoIterator<Item = &'a str>,
+    [within, first]: [&str; 2],
+) -> String {
     let names: Vec<&str> = names.into_iter().collect();
     let all = names.join(", ");
     match (nearest(word, names), all.is_empty()) {
-        (Some(name), _) => format!("; did you mean `{name}`? Known: {all}"),
-        (None, false) => format!("; known: {all}"),
+        (Some(name), _) => format!("; did you mean `{name}`? {first}: {all}"),
+        (None, false) => format!("; {within}: {all}"),
         (None, true) => String::new(),
     }
 }

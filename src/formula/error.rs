@@ -2,7 +2,7 @@
 
 use super::ast::Span;
 use crate::diagnostic::Diagnostic;
-use crate::suggestion::known as names;
+use crate::suggestion::known_here as names;
 
 /// The longest formula that is read, in bytes.
 pub const MAX_FORMULA_LENGTH: usize = 4_096;

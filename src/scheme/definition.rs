@@ -1,8 +1,8 @@
 //! Schemes as written: formulas over parameters, and the masks they give.
 
+use super::error::SchemeError;
 use super::local_formulas::LocalFormulas;
 use super::mask::{Mask, MaskError};
-use super::reference::SchemeError;
 use super::rules::{MAX_ARITY, MAX_WIDTH, RulesError};
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::{Rational, common_conductor};

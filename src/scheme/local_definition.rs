@@ -1,9 +1,9 @@
 //! The ring that formulas over parameters and indices give.
 
 use super::definition::{Coefficients, SchemeDefinition, at_values};
+use super::error::SchemeError;
 use super::local_formulas::{End, LocalFormulas, NEW_INDEX, OLD_INDEX};
 use super::local_rules::{LocalError, LocalRules, MAX_LOCAL_POINTS, Orbit, point_name};
-use super::reference::SchemeError;
 use crate::diagnostic::Diagnostic;
 use crate::exact::{Matrix, Naming};
 use crate::formula::{Dependence, IndexPair, LocatedFormula, Value};

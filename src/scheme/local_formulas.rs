@@ -1,7 +1,7 @@
 //! The formulas of a ring, and their places in the file.
 
+use super::error::SchemeError;
 use super::local_rules::{LocalError, Orbit};
-use super::reference::SchemeError;
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::formula::LocatedFormula;
 use std::ops::Range;

@@ -7,6 +7,7 @@
 
 mod catalogue;
 mod definition;
+mod error;
 mod fields;
 mod file;
 mod interpolation;
@@ -23,6 +24,7 @@ mod tensor;
 
 pub use catalogue::{Entry, catalogue, find};
 pub use definition::{ParameterSpec, SchemeDefinition};
+pub use error::{ReferenceError, SchemeError};
 pub(crate) use fields::{definitions, formula, from_toml, identifier};
 pub(crate) use file::SchemeTable;
 pub use file::read_scheme;
@@ -35,6 +37,6 @@ pub use parse::{
     AnyScheme, files_without_offset, parse_any_scheme, parse_local_rules, parse_parametric,
     parse_scheme,
 };
-pub use reference::{Instance, Reference, ReferenceError, SchemeError};
+pub use reference::{Instance, Reference};
 pub use rules::{MAX_ARITY, MAX_WIDTH, Rules, RulesError};
 pub use tensor::Scheme;

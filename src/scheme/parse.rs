@@ -3,10 +3,11 @@
 use super::Scheme;
 use super::catalogue;
 use super::definition::SchemeDefinition;
+use super::error::{ReferenceError, SchemeError};
 use super::file::read_scheme;
 use super::local_rules::LocalRules;
 use super::mask::Mask;
-use super::reference::{Instance, Reference, ReferenceError, SchemeError};
+use super::reference::{Instance, Reference};
 use crate::diagnostic::SourceText;
 use crate::exact::{Polynomial, Rational, RealCyclotomic};
 use crate::formula::{Parameters, Value, is_identifier};

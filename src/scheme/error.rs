@@ -1,0 +1,159 @@
+//! Why a text gives no scheme.
+
+use crate::diagnostic::Diagnostic;
+use crate::formula::FormulaError;
+use crate::suggestion::known as names;
+
+/// Why a text is not a scheme reference.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ReferenceError {
+    /// It does not have the form `name:parameter=value,…`.
+    #[error(
+        "`{text}` is not a scheme: {reason}; write `six-point:w=3/256`, `newton:j=1,n=3`, or \
+             two of these with ` x ` between them for a tensor product"
+    )]
+    Form {
+        /// The text.
+        text: String,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// A parameter's value is not a formula.
+    #[error("in `{text}`: {error}")]
+    Formula {
+        /// The value's text.
+        text: String,
+        /// What is wrong with it.
+        error: FormulaError,
+    },
+}
+
+/// Why a reference gives no scheme.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SchemeError {
+    /// It is not a reference.
+    #[error(transparent)]
+    Reference(#[from] ReferenceError),
+    /// There is no scheme of this name.
+    #[error(
+        "unknown scheme `{name}`{}; or give the path of a .toml file",
+        names(.name, .known.iter().map(String::as_str))
+    )]
+    Unknown {
+        /// The name.
+        name: String,
+        /// The names that exist.
+        known: Vec<String>,
+    },
+    /// A parameter has neither a value nor a default.
+    #[error("`{scheme}` needs its parameter `{parameter}`: write `{scheme}:{parameter}=…`")]
+    MissingParameter {
+        /// The scheme.
+        scheme: String,
+        /// The parameter.
+        parameter: String,
+    },
+    /// A parameter that the scheme does not have.
+    #[error("`{scheme}` has no parameter `{parameter}`{}", parameters(.known))]
+    UnknownParameter {
+        /// The scheme.
+        scheme: String,
+        /// The parameter.
+        parameter: String,
+        /// Those it has.
+        known: Vec<String>,
+    },
+    /// A parameter that is irrational where only rational ones are computed with.
+    #[error("`{scheme}` is computed for rational `{parameter}` only here, and not for {value}")]
+    IrrationalParameter {
+        /// The scheme.
+        scheme: String,
+        /// The parameter.
+        parameter: String,
+        /// Its value.
+        value: String,
+    },
+    /// A ring, where a mask is needed.
+    #[error(
+        "`{scheme}` is a ring of points around an extraordinary vertex or face, and this needs a \
+         mask; by itself, `subcert constants`, `depth`, `certify` and `oracle` take it"
+    )]
+    LocalRules {
+        /// The scheme.
+        scheme: String,
+    },
+    /// A mask, where a ring is needed.
+    #[error("`{scheme}` is no ring of points; `doo-sabin:n=5` and `catmull-clark:N=5` are")]
+    NotRing {
+        /// The scheme.
+        scheme: String,
+    },
+    /// A mask without the parameter that is left open.
+    #[error(
+        "the mask of `{scheme}` does not depend on `{parameter}`: name a parameter of the scheme \
+         that it gives no value{}", parameters(.known)
+    )]
+    Independent {
+        /// The scheme.
+        scheme: String,
+        /// The parameter.
+        parameter: String,
+        /// Those it has.
+        known: Vec<String>,
+    },
+    /// A tensor product, where one mask is needed.
+    #[error("`{scheme}` is a tensor product, and this needs the mask of one of its factors")]
+    TensorProduct {
+        /// The scheme.
+        scheme: String,
+    },
+    /// A directory or a file that is no scheme.
+    #[error(
+        "`{path}` is {what}, and no scheme: write the path of a .toml file, or a name of the catalogue"
+    )]
+    OtherFile {
+        /// The path.
+        path: String,
+        /// What is there.
+        what: &'static str,
+    },
+    /// A parameter below its least value.
+    #[error("`{scheme}` needs {parameter} >= {least}, and {parameter} is {value}{}", which_is(.about))]
+    TooSmall {
+        /// The scheme.
+        scheme: String,
+        /// The parameter.
+        parameter: String,
+        /// Its least value.
+        least: String,
+        /// Its value.
+        value: String,
+        /// What the parameter is.
+        about: String,
+    },
+    /// A file that cannot be read.
+    #[error("cannot read `{path}`: {reason}")]
+    Unreadable {
+        /// The path.
+        path: String,
+        /// What the system said.
+        reason: String,
+    },
+    /// An error in the scheme's file.
+    #[error("{0}")]
+    File(Box<Diagnostic>),
+}
+
+fn parameters(known: &[String]) -> String {
+    if known.is_empty() {
+        "; it has none".to_owned()
+    } else {
+        format!("; it has: {}", known.join(", "))
+    }
+}
+
+fn which_is(text: &str) -> String {
+    if text.is_empty() { String::new() } else { format!(": it is {text}") }
+}
