@@ -3,7 +3,8 @@
 use super::parts::{mark, titled};
 use super::sheet::Sheet;
 use crate::audit::{EquationFinding, EquationVerdict};
-use crate::claim::{Identity, Left};
+use crate::claim::{AxisEntry, EquationBody, Identity, Index, Left};
+use crate::exact::Rational;
 
 /// The equations that fail or cannot be checked; with `all`, every one.
 pub(super) fn equations(sheet: &mut Sheet, findings: &[EquationFinding<'_>], all: bool) {
@@ -31,8 +32,10 @@ const MAX_FAILURES: usize = 2;
 #[must_use]
 pub(super) fn outcome(finding: &EquationFinding<'_>) -> String {
     match &finding.verdict {
-        EquationVerdict::Holds { cases: 1 } => "holds".to_owned(),
-        EquationVerdict::Holds { cases } => format!("holds in all {cases} cases"),
+        EquationVerdict::Holds { cases: 1 } => format!("holds{}", compared(finding)),
+        EquationVerdict::Holds { cases } => {
+            format!("holds in all {cases} cases{}", compared(finding))
+        }
         EquationVerdict::NotCheckable(absent) => format!("not checkable without {absent}"),
         EquationVerdict::Fails { cases, failures, mends } => {
             let mut lines = vec![match cases {
@@ -48,6 +51,27 @@ pub(super) fn outcome(finding: &EquationFinding<'_>) -> String {
             lines.extend(finding.equation.note.clone());
             lines.join("\n")
         }
+    }
+}
+
+/// `, N = 3…10, i = 2…N-1`: the values of the indices that an equation was compared at; nothing is
+/// said of others.
+fn compared(finding: &EquationFinding<'_>) -> String {
+    let EquationBody::Identity(identity) = &finding.equation.body else { return String::new() };
+    let index = |index: &Index| match index {
+        Index::Range { label, from, to, .. } => format!(", {label} = {}…{}", from.text, to.text),
+        Index::Listed(axis) => format!(", {} = {}", axis.label, listed(&axis.entries)),
+    };
+    identity.indices.iter().map(index).collect()
+}
+
+/// `3…10`, or `1, 3, 7`.
+fn listed(entries: &[AxisEntry]) -> String {
+    let one = Rational::one();
+    let consecutive = entries.windows(2).all(|pair| &pair[0].value + &one == pair[1].value);
+    match entries {
+        [first, _, .., last] if consecutive => format!("{}…{}", first.printed, last.printed),
+        _ => entries.iter().map(|entry| entry.printed.as_str()).collect::<Vec<&str>>().join(", "),
     }
 }
 

@@ -4,6 +4,7 @@ use super::SCHEMA;
 use super::claim::Claim;
 use super::consistency::Contradiction;
 use super::reading::Search;
+use super::recovered::Recovered;
 use super::summary::Summary;
 use crate::audit::{PaperAudit, PromiseCounts, TableFinding, Verdict};
 use serde::Serialize;
@@ -46,6 +47,10 @@ pub struct Table<'a> {
     pub locus: &'a str,
     /// The formula that its cells are said to equal.
     pub value: &'a str,
+    /// The parameters that the paper does not state and that were recovered; missing where there
+    /// are none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub recovered: Vec<Recovered<'a>>,
     /// The search for a reading that explains its cells; null where none was needed.
     pub search: Option<Search<'a>>,
     /// The same for the cells that need a parameter that the paper does not state; missing where
@@ -107,6 +112,7 @@ impl<'a> Table<'a> {
             id: &table.id,
             locus: &table.locus,
             value: &table.value.text,
+            recovered: finding.recovered.iter().map(Recovered::of).collect(),
             search: finding.search.as_ref().map(|search| Search::of(table, search)),
             search_of_cells_with_assumptions: finding
                 .assumed_search

@@ -1,0 +1,32 @@
+//! Parameters that a paper does not state.
+
+use crate::audit::{self, RecoveredFrom};
+use serde::Serialize;
+
+/// The value of a parameter that the paper does not state.
+#[derive(Debug, Serialize)]
+pub struct Recovered<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// Its value.
+    pub value: String,
+    /// The least value that the numbers of the table fit; null where they were not solved for it.
+    pub from: Option<String>,
+    /// The greatest one.
+    pub to: Option<String>,
+    /// The id of the table that gives the value; null where this one does.
+    pub table: Option<&'a str>,
+}
+
+impl<'a> Recovered<'a> {
+    pub(super) fn of((name, recovered): (&'a String, &'a audit::Recovered)) -> Recovered<'a> {
+        let (from, to, table) = match &recovered.from {
+            RecoveredFrom::Solved(low, high) => {
+                (Some(low.to_string()), Some(high.to_string()), None)
+            }
+            RecoveredFrom::Table { id, .. } => (None, None, Some(id.as_str())),
+            RecoveredFrom::Tried => (None, None, None),
+        };
+        Recovered { name, value: recovered.value.to_string(), from, to, table }
+    }
+}
