@@ -16,7 +16,7 @@ pub use crate::finding::{
     Correction, Difference, Direction, EndFinding, EndRelation, EquationFinding, EquationVerdict,
     EveryShift, Example, Explanation, FailingPremise, Failure, FunctionFinding, FunctionVerdict,
     Kept, Later, LevelEvidence, Levels, Line, LineReading, MAX_DIFFERENCES, Missing, Naturally,
-    Need, Outcome, PaperAudit, Place, PromiseCounts, RangeFinding, RangeVerdict, Recovered,
+    Need, Needed, Outcome, PaperAudit, Place, PromiseCounts, RangeFinding, RangeVerdict, Recovered,
     RecoveredFrom, Refutation, Repair, Search, Side, Slip, Solved, Sound, Supremum, TableFinding,
     TablePart, TheoremFinding, TheoremVerdict, Unshiftable, Verdict, Violation,
 };

@@ -7,11 +7,10 @@ use crate::evaluation::library::Library;
 use crate::evaluation::table::Evaluator;
 use crate::exact::Rational;
 use crate::finding::{
-    CellFinding, Contradiction, Difference, Explanation, Line, Need, Recovered, RecoveredFrom,
-    Side, TableFinding, TablePart,
+    CellFinding, Contradiction, Difference, Explanation, Line, Need, Needed, Recovered,
+    RecoveredFrom, Side, TableFinding, TablePart,
 };
 use crate::judge::reading::tried;
-use std::cmp::Reverse;
 use std::collections::BTreeSet;
 
 /// How many cells a table may lose under a reading that still suits it: one, which may
@@ -82,11 +81,6 @@ fn choices(explained: &[Explained<'_, '_>]) -> Vec<Contradiction> {
     names.into_iter().filter_map(|name| one_choice(explained, name)).collect()
 }
 
-/// A way in words.
-fn words(way: Option<&Difference>) -> String {
-    way.map_or_else(|| "as printed".to_owned(), Difference::to_string)
-}
-
 fn one_choice(explained: &[Explained<'_, '_>], name: &str) -> Option<Contradiction> {
     let need =
         |place: &Explained<'_, '_>| place.needs.iter().find(|need| need.about == name).cloned();
@@ -108,8 +102,8 @@ fn one_choice(explained: &[Explained<'_, '_>], name: &str) -> Option<Contradicti
             |need: &Need, way: &Option<Difference>| need.suitable(MAX_LOST).contains(&way.as_ref());
         let suited =
             |way: &Option<Difference>| left.iter().filter(|(_, need)| suits(need, way)).count();
-        // Of equally good ones the first in the alphabet.
-        let way = ways.into_iter().max_by_key(|way| (suited(way), Reverse(words(way.as_ref()))))?;
+        // Of equally good ones the first.
+        let way = ways.into_iter().rev().max_by_key(|way| suited(way))?;
         let (here, rest): (Vec<_>, Vec<_>) =
             left.into_iter().partition(|(_, need)| suits(need, &way));
         left = rest;
@@ -126,7 +120,8 @@ fn one_choice(explained: &[Explained<'_, '_>], name: &str) -> Option<Contradicti
             let explained = need.ways.get(&way).copied().unwrap_or(0);
             place.place(explained, otherwise.copied().unwrap_or(0))
         };
-        Side { places: here.into_iter().map(place).collect(), says: words(way.as_ref()) }
+        let places = here.into_iter().map(place).collect();
+        Side { places, needs: way.clone().map_or(Needed::AsPrinted, Needed::Difference) }
     };
     let sides = sides.into_iter().map(side).collect();
     Some(Contradiction { about: name.to_owned(), sides })
@@ -174,7 +169,7 @@ fn parameters(
                 None => sides.push((value.clone(), vec![place])),
             }
         }
-        let side = |(value, places)| Side { says: format!("{name} = {value}"), places };
+        let side = |(value, places)| Side { needs: Needed::Value(name.to_owned(), value), places };
         if sides.len() > 1 {
             let sides = sides.into_iter().map(side).collect();
             found.push(Contradiction { about: name.to_owned(), sides });

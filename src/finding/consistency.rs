@@ -1,7 +1,9 @@
 //! Tables of one paper that contradict each other.
 
 use crate::claim::{Paper, Table};
-use crate::finding::reading::Line;
+use crate::exact::Rational;
+use crate::finding::reading::{Difference, Line};
+use std::fmt;
 
 /// A choice or a parameter of which tables, rows or columns need different values.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,10 +17,31 @@ pub struct Contradiction {
 /// One side of a contradiction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Side {
-    /// What is needed, in words.
-    pub says: String,
+    /// What is needed.
+    pub needs: Needed,
     /// Where.
     pub places: Vec<TablePart>,
+}
+
+/// What places of tables need.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Needed {
+    /// A definition or a tolerance as printed.
+    AsPrinted,
+    /// A way of a choice, or an alternative of a definition.
+    Difference(Difference),
+    /// A value of a parameter.
+    Value(String, Rational),
+}
+
+impl fmt::Display for Needed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Needed::AsPrinted => f.write_str("as printed"),
+            Needed::Difference(difference) => difference.fmt(f),
+            Needed::Value(name, value) => write!(f, "{name} = {value}"),
+        }
+    }
 }
 
 /// A table, or a row or column of one, that needs something.

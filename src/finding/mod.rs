@@ -15,7 +15,7 @@ mod theorem;
 mod witness;
 
 pub use cell::{AsRead, Assumed, CellFinding, CellKind, Direction, Missing, Slip, Sound, Verdict};
-pub use consistency::{Contradiction, Side, TablePart};
+pub use consistency::{Contradiction, Needed, Side, TablePart};
 pub use equation::{EquationFinding, EquationVerdict, Failure};
 pub use function::{Example, FunctionFinding, FunctionVerdict};
 pub use levels::{Later, LevelEvidence, Levels};
@@ -28,7 +28,6 @@ pub use reading::{
 };
 pub use recovered::{Recovered, RecoveredFrom};
 pub use table::TableFinding;
-pub(crate) use theorem::Change;
 pub use theorem::{
     CaseFinding, Correction, EveryShift, FailingPremise, Naturally, Outcome, Refutation, Repair,
     TheoremFinding, TheoremVerdict,

@@ -1,32 +1,54 @@
 //! What the audit says of a theorem.
 
 use crate::claim::Theorem;
+use crate::evaluation::{Choice, Way};
 use crate::exact::{Rational, RealCyclotomic};
 use crate::finding::levels::Levels;
 use crate::finding::witness::{Supremum, Unshiftable, Violation};
+use std::fmt;
 
-/// One correction.
+/// How a reader may try to save a theorem that is refuted.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Correction {
-    /// What holds instead of the printed text.
-    pub says: String,
-    pub(crate) change: Change,
-}
-
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Change {
-    /// A sound word for a choice that the formula depends on.
-    Word(&'static str, &'static str),
-    /// One of the claim file's alternatives, by its place.
-    Alternative(usize),
-    /// One of the theorem's rewritings, by its place.
-    Rewriting(usize),
+pub enum Correction {
+    /// A sound way of a choice that the formula depends on.
+    Way(&'static Choice, &'static Way),
+    /// One of the claim file's alternatives for a definition.
+    Alternative {
+        /// Its place among them.
+        place: usize,
+        /// What the claim file calls it.
+        label: String,
+    },
+    /// One of the theorem's own corrections.
+    Rewriting {
+        /// Its place among them.
+        place: usize,
+        /// What the claim file says of it.
+        label: String,
+    },
     /// A power of the constant for each block of levels.
     Block,
-    /// The sum, or the greatest, of what the levels of a block contribute.
-    Within,
+    /// Of a distance, the steps of all levels of a block.
+    AllSteps,
+    /// The greatest of what the levels of a block contribute.
+    Greatest,
     /// Polygon and limit compared at the offset that serves the scheme best.
     Centred,
+}
+
+impl fmt::Display for Correction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Correction::Way(_, way) => way.says,
+            Correction::Alternative { label, .. } | Correction::Rewriting { label, .. } => label,
+            Correction::Block => {
+                "a power of the constant for each block of levels, not for each level"
+            }
+            Correction::AllSteps => "the steps of all levels of a block, not of one",
+            Correction::Greatest => "the greatest of the levels of a block",
+            Correction::Centred => "polygon and limit compared at the best offset",
+        })
+    }
 }
 
 /// What the audit says of a theorem.

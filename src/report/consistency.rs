@@ -26,7 +26,7 @@ fn line(audit: &PaperAudit<'_>, side: &Side) -> String {
         format!("{} ({}, {})", locus(audit, place), place.explained, place.otherwise)
     };
     let places: Vec<String> = side.places.iter().map(one).collect();
-    format!("{}: {}", side.says, places.join("; "))
+    format!("{}: {}", side.needs, places.join("; "))
 }
 
 /// Where in the paper a table or a line of it is.

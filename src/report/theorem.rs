@@ -117,8 +117,8 @@ fn repairs(finding: &TheoremFinding<'_>) -> Option<String> {
         .repairs
         .iter()
         .map(|repair| {
-            let says: Vec<&str> =
-                repair.corrections.iter().map(|i| finding.corrections[*i].says.as_str()).collect();
+            let says: Vec<String> =
+                repair.corrections.iter().map(|i| finding.corrections[*i].to_string()).collect();
             let how = if repair.proved { " (then true in all cases tried)" } else { "" };
             format!("{}{how}", says.join(", and "))
         })
@@ -191,7 +191,7 @@ fn corrections(finding: &TheoremFinding<'_>) -> Vec<(String, String)> {
     let alone = |i: usize| finding.repairs.iter().any(|repair| repair.corrections == [i]);
     let says = |(i, correction): (usize, &Correction)| {
         let still = if alone(i) { "no longer refuted" } else { "still false" };
-        ("corrected".to_owned(), format!("{}: {still}", correction.says))
+        ("corrected".to_owned(), format!("{correction}: {still}"))
     };
     finding.corrections.iter().enumerate().map(says).collect()
 }

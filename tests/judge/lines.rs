@@ -116,11 +116,15 @@ fn a_shifted_row_and_an_exchanged_pair() {
     assert_eq!(*verdict(3, 2), Verdict::Misprint(Slip::Exchanged(0, -1)));
 }
 
-fn about(contradictions: &[Contradiction]) -> Vec<(&str, Vec<&str>)> {
+fn about(contradictions: &[Contradiction]) -> Vec<(&str, Vec<String>)> {
     contradictions
         .iter()
-        .map(|one| (one.about.as_str(), one.sides.iter().map(|s| s.says.as_str()).collect()))
+        .map(|one| (one.about.as_str(), one.sides.iter().map(|s| s.needs.to_string()).collect()))
         .collect()
+}
+
+fn says(words: [&str; 2]) -> Vec<String> {
+    words.map(str::to_owned).to_vec()
 }
 
 /// One table needs the masks forwards and β = 1/5, the other backwards and β = 3/7.
@@ -142,8 +146,8 @@ fn tables_that_contradict_each_other_and_tables_that_agree() {
     assert_eq!(
         about(&audit.contradictions),
         [
-            ("order", vec!["masks read backwards", "masks read forwards"]),
-            ("beta", vec!["beta = 1/5", "beta = 3/7"]),
+            ("order", says(["masks read backwards", "masks read forwards"])),
+            ("beta", says(["beta = 1/5", "beta = 3/7"])),
         ]
     );
     let place = &audit.contradictions[0].sides[1].places[0];

@@ -4,7 +4,8 @@
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 use subcert::audit::{
-    Control, Outcome, PaperAudit, Place, Refutation, TheoremFinding, TheoremVerdict, audit,
+    Control, Correction, Outcome, PaperAudit, Place, Refutation, TheoremFinding, TheoremVerdict,
+    audit,
 };
 use subcert::bound::{Constants, SoundBound};
 use subcert::claim::{Paper, Quantity, embedded, read_paper};
@@ -191,7 +192,9 @@ fn the_exponent_of_mustafa_2020() {
     assert!(finding.repairs.iter().all(|repair| repair.corrections.len() >= 2));
     let proved = |repair: &&subcert::audit::Repair| {
         repair.proved
-            && repair.corrections.iter().all(|i| finding.corrections[*i].says.contains("block"))
+            && repair.corrections.iter().all(|i| {
+                matches!(finding.corrections[*i], Correction::Block | Correction::AllSteps)
+            })
     };
     assert_eq!(finding.repairs.iter().filter(proved).count(), 1);
     // With c = 1 the theorem is true of every scheme tried.

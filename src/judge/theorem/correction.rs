@@ -5,7 +5,7 @@ use crate::diagnostic::Diagnostic;
 use crate::evaluation::choices::FAMILY;
 use crate::evaluation::settings::Settings;
 use crate::exact::Rational;
-use crate::finding::{Change, Correction};
+use crate::finding::Correction;
 use crate::judge::theorem::case::Case;
 use std::collections::BTreeMap;
 
@@ -38,41 +38,39 @@ pub(crate) fn corrections(
         consulted.extend(settings.consulted());
     }
     let mut found = Vec::new();
-    let mut push = |says: String, change| found.push(Correction { says, change });
     for (key, word) in SOUND {
         let Some(printed) = consulted.get(key) else { continue };
         let choice = FAMILY.iter().find(|choice| choice.key == key);
         let way = choice.and_then(|choice| choice.ways.iter().find(|way| way.word == word));
-        if let Some(way) = way.filter(|way| way.word != printed) {
-            push(way.says.to_owned(), Change::Word(key, way.word));
+        if let Some((choice, way)) = choice.zip(way).filter(|(_, way)| way.word != printed) {
+            found.push(Correction::Way(choice, way));
         }
     }
     let used = paper.definitions_in(by);
     for (place, alternative) in paper.alternatives.iter().enumerate() {
         if used.contains_key(alternative.of.as_str()) {
-            push(alternative.label.clone(), Change::Alternative(place));
+            let label = alternative.label.clone();
+            found.push(Correction::Alternative { place, label });
         }
     }
     for (place, rewriting) in theorem.tried.rewritings.iter().enumerate() {
-        push(rewriting.says.clone(), Change::Rewriting(place));
+        found.push(Correction::Rewriting { place, label: rewriting.says.clone() });
     }
     if theorem.tried.block.is_some() {
-        let says = "a power of the constant for each block of levels, not for each level";
-        push(says.to_owned(), Change::Block);
-        let says = match &theorem.statement {
+        found.push(Correction::Block);
+        found.push(match &theorem.statement {
             Statement::Bound { quantity: Quantity::Distance, .. } | Statement::Depth(_) => {
-                "the steps of all levels of a block, not of one"
+                Correction::AllSteps
             }
-            _ => "the greatest of the levels of a block",
-        };
-        push(says.to_owned(), Change::Within);
+            _ => Correction::Greatest,
+        });
     }
     let mut settings = cases.iter().filter_map(|case| case.setting.as_ref());
     let moves = settings.any(|setting| setting.centred().is_some());
     if moves
         && !matches!(&theorem.statement, Statement::Bound { quantity, .. } if *quantity == Quantity::Difference)
     {
-        push("polygon and limit compared at the best offset".to_owned(), Change::Centred);
+        found.push(Correction::Centred);
     }
     found.truncate(MAX_CORRECTIONS);
     Ok(found)
@@ -80,19 +78,19 @@ pub(crate) fn corrections(
 
 /// The reading with these corrections.
 pub(crate) fn settings(paper: &Paper, theorem: &Theorem, corrections: &[&Correction]) -> Settings {
-    let words = corrections.iter().filter_map(|correction| match correction.change {
-        Change::Word(name, word) => Some((name, word)),
+    let words = corrections.iter().filter_map(|correction| match correction {
+        Correction::Way(choice, way) => Some((choice.key, way.word)),
         _ => None,
     });
     let mut settings = Settings::new(words.collect());
     for correction in corrections {
-        let (of, value) = match correction.change {
-            Change::Alternative(place) => {
-                let alternative = &paper.alternatives[place];
+        let (of, value) = match correction {
+            Correction::Alternative { place, .. } => {
+                let alternative = &paper.alternatives[*place];
                 (&alternative.of, &alternative.value)
             }
-            Change::Rewriting(place) => {
-                let rewriting = &theorem.tried.rewritings[place];
+            Correction::Rewriting { place, .. } => {
+                let rewriting = &theorem.tried.rewritings[*place];
                 (&rewriting.of, &rewriting.value)
             }
             _ => continue,

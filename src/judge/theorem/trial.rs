@@ -4,7 +4,7 @@ use crate::claim::{Paper, Quantity, Statement, Theorem};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::settings::Settings;
 use crate::exact::{Enclosed, Rational, RealCyclotomic, Scalar, comparable};
-use crate::finding::{Change, Correction, Levels, Outcome, Violation};
+use crate::finding::{Correction, Levels, Outcome, Violation};
 use crate::formula::LocatedFormula;
 use crate::judge::theorem::case::Case;
 use crate::judge::theorem::correction::settings;
@@ -24,8 +24,8 @@ pub(crate) struct Trial<'a> {
 }
 
 impl Trial<'_> {
-    fn corrected(&self, change: &Change) -> bool {
-        self.corrections.iter().any(|correction| correction.change == *change)
+    fn corrected(&self, by: &Correction) -> bool {
+        self.corrections.contains(&by)
     }
 
     pub(crate) fn of(&self, case: &Case<'_>) -> Result<Outcome, Diagnostic> {
@@ -38,7 +38,7 @@ impl Trial<'_> {
             Parametrisation::Natural => setting.natural(),
         };
         let setting = natural.unwrap_or(&**setting);
-        let centred = self.corrected(&Change::Centred).then(|| setting.centred()).flatten();
+        let centred = self.corrected(&Correction::Centred).then(|| setting.centred()).flatten();
         let setting = centred.unwrap_or(setting);
         let settings = settings(self.paper, self.theorem, self.corrections);
         if let Some((value, below)) = &self.theorem.tried.supposes {
@@ -112,7 +112,8 @@ impl Bound<'_> {
     /// What the steps of a block amount to, in units of its first one.
     fn contribution(&self, quantity: Quantity) -> Result<RealCyclotomic, String> {
         let one = RealCyclotomic::from(Rational::one());
-        if !self.trial.corrected(&Change::Within) {
+        let within = [Correction::AllSteps, Correction::Greatest];
+        if !within.iter().any(|by| self.trial.corrected(by)) {
             return Ok(one);
         }
         let levels =
@@ -126,7 +127,7 @@ impl Bound<'_> {
 
     /// Levels for each level of the printed formula.
     fn stretch(&self) -> u32 {
-        if self.trial.corrected(&Change::Block) { self.block } else { 1 }
+        if self.trial.corrected(&Correction::Block) { self.block } else { 1 }
     }
 
     fn of_quantity(

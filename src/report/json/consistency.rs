@@ -17,7 +17,7 @@ pub struct Contradiction<'a> {
 #[derive(Debug, Serialize)]
 pub struct Side<'a> {
     /// What they say.
-    pub says: &'a str,
+    pub says: String,
     /// Those tables, rows and columns.
     pub places: Vec<TablePart<'a>>,
 }
@@ -45,7 +45,7 @@ impl<'a> Contradiction<'a> {
             otherwise: part.otherwise,
         };
         let side = |side: &'a audit::Side| Side {
-            says: &side.says,
+            says: side.needs.to_string(),
             places: side.places.iter().map(part).collect(),
         };
         let one = |contradiction: &'a audit::Contradiction| Contradiction {

@@ -144,7 +144,7 @@ impl<'a> PaperErrata<'a> {
             key: &audit.paper.key,
             note: audit.paper.bibliography.note.as_deref(),
             errata: numbered.map(|(number, one)| Erratum::of(audit, number, one)).collect(),
-            unchecked: errata.unchecked.into_iter().map(Unchecked::of).collect(),
+            unchecked: errata.unchecked.iter().map(Unchecked::of).collect(),
             contradictions: Contradiction::all(audit),
             theorems: audit.theorems.iter().map(Claim::of_theorem).collect(),
             cells: Summary::of(&audit.cell_summary()),
@@ -216,7 +216,7 @@ impl<'a> WrongCells<'a> {
 }
 
 impl<'a> Unchecked<'a> {
-    fn of(group: audit::Unchecked<'a, 'a>) -> Unchecked<'a> {
+    fn of(group: &audit::Unchecked<'a, 'a>) -> Unchecked<'a> {
         Unchecked {
             table: &group.finding.table.id,
             locus: &group.finding.table.locus,

@@ -14,7 +14,7 @@ pub struct Trial<'a> {
     /// The cases that it was tried on.
     pub cases: Vec<Case<'a>>,
     /// Sets of corrections with which it is not refuted.
-    pub repairs: Vec<Repair<'a>>,
+    pub repairs: Vec<Repair>,
 }
 
 /// A case that a theorem was tried on.
@@ -33,16 +33,16 @@ pub struct Case<'a> {
 
 /// Corrections with which a theorem is not refuted.
 #[derive(Debug, Serialize)]
-pub struct Repair<'a> {
+pub struct Repair {
     /// What each of them says.
-    pub corrections: Vec<&'a str>,
+    pub corrections: Vec<String>,
     /// Whether the theorem is then true in all cases tried.
     pub proved: bool,
 }
 
 impl<'a> Trial<'a> {
     pub(super) fn of(finding: &'a TheoremFinding<'_>) -> Trial<'a> {
-        let says = |i: &usize| finding.corrections[*i].says.as_str();
+        let says = |i: &usize| finding.corrections[*i].to_string();
         let repair = |repair: &audit::Repair| Repair {
             corrections: repair.corrections.iter().map(says).collect(),
             proved: repair.proved,

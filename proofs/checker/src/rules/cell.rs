@@ -111,9 +111,9 @@ impl Cell<'_> {
             [word @ ("other-reading" | "reproduced"), value, rest @ ..] => {
                 let reproduced = *word == "reproduced";
                 if reproduced {
-                    self.recovered()?
+                    self.recovered()?;
                 } else {
-                    not_nearest()?
+                    not_nearest()?;
                 }
                 let by = rest.iter().position(|word| *word == "by");
                 let (rest, by) = rest.split_at(by.unwrap_or(rest.len()));
