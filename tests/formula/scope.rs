@@ -122,5 +122,5 @@ fn functions_of_the_context() {
     assert_eq!(value("1 + pair(5, 3)").unwrap_err().span, 4..14);
     assert!(matches!(value("h()").unwrap_err().kind, FormulaErrorKind::Undefined(_)));
     let error = value("parr(1)").unwrap_err().to_string();
-    assert!(error.contains("known here: pair, h, abs"), "{error}");
+    assert!(error.contains("did you mean `pair`? Known here: pair, h, abs"), "{error}");
 }

@@ -49,7 +49,7 @@ fn a_file_is_a_ring_with_parameters() {
 #[test]
 fn rings_of_the_catalogue() {
     for (name, parameter, valences) in
-        [("doo-sabin", "n", 2..=12), ("catmull-clark", "N", 2..=12), ("bajaj", "N", 2..=12)]
+        [("doo-sabin", "n", 3..=12), ("catmull-clark", "N", 3..=12), ("bajaj", "N", 3..=12)]
     {
         for valence in valences.chain([24]) {
             let ring = ring(&format!("{name}:{parameter}={valence}"));
@@ -60,6 +60,8 @@ fn rings_of_the_catalogue() {
             }
             assert!(ring.rotation().is_some(), "{name} {valence}");
         }
+        let small = parse_local_rules(&format!("{name}:{parameter}=2")).unwrap_err();
+        assert!(matches!(small, SchemeError::TooSmall { .. }), "{small}");
     }
 }
 
