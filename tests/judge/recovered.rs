@@ -1,0 +1,126 @@
+//! Parameters that a paper does not state, recovered from its tables.
+
+use proptest::prelude::*;
+use subcert::audit::{CellKind, PaperAudit, RecoveredFrom, Verdict, audit, readings};
+use subcert::claim::{Paper, read_paper};
+use subcert::diagnostic::SourceText;
+use subcert::exact::{Integer, Rational};
+
+fn paper(tables: &str) -> Paper {
+    let head = "key = 'k'\n[paper]\nauthors = []\ntitle = ''\nvenue = ''\nyear = ''\n\
+                [define]\nhalf = 'x/2'\n[[alternative]]\nof = 'half'\nlabel = 'a third'\n\
+                value = 'x/3'\n";
+    let source = SourceText::new("k.toml", format!("{head}{tables}"));
+    read_paper(&source).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn judged(paper: &Paper) -> PaperAudit<'_> {
+    audit(paper).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// A table of one row over x.
+fn table(id: &str, value: &str, unstated: &str, x: &[&str], cells: &[&str]) -> String {
+    let list = |texts: &[&str]| {
+        texts.iter().map(|text| format!("'{text}'")).collect::<Vec<_>>().join(", ")
+    };
+    format!(
+        "[[table]]\nid = '{id}'\nlocus = '{id}'\nvalue = '{value}'\nunstated = {unstated}\n\
+         columns = {{ name = 'x', values = [{}] }}\ncells = [[{}]]\n",
+        list(x),
+        list(cells)
+    )
+}
+
+fn verdicts(audit: &PaperAudit<'_>, table: usize) -> Vec<&'static str> {
+    audit.tables[table].cells.iter().flatten().map(|cell| cell.verdict.name()).collect()
+}
+
+/// τ = 7/20 by hand: 1.2345·τ = 0.432075, 2.3457·τ = 0.820995 and 3.4561·τ = 1.209635.
+#[test]
+fn values_are_solved_for_lent_and_left_open() {
+    let x = ["1.2345", "2.3457", "3.4561", "4.1"];
+    let text = [
+        table("own", "x*tau", "['tau']", &x, &["0.432075", "0.820995", "1.209635", "9.99999"]),
+        // With x/3 in place of x/2: 0.144025, 0.273665 and 0.4032116….
+        table("read", "half*tau", "['tau']", &x[..3], &["0.144025", "0.273665", "0.403212"]),
+        table("lent", "floor(x + tau)", "['tau']", &["1", "2"], &["1", "2"]),
+        table("open", "x*rho", "['rho']", &["1", "2"], &["0.71", "1.4"]),
+        table("assumed", "x*tau", "{ tau = '7/20' }", &["1.2345"], &["0.432075"]),
+    ];
+    let paper = paper(&text.concat());
+    let audit = judged(&paper);
+    let recovered = |table: usize, name: &str| audit.tables[table].recovered.get(name).cloned();
+    let tau = Rational::new(7, 20);
+    let own = recovered(0, "tau").expect("a value");
+    assert_eq!(own.value, tau);
+    let RecoveredFrom::Solved(low, high) = &own.from else { panic!("{own:?}") };
+    // 0.820995 ± 5e-7 over 2.3457 is the least of the intervals but for that of 3.4561.
+    assert!(*low < tau && tau < *high && high - low < Rational::new(1, 1_000_000));
+    let reproduced = ["reproduced"; 3];
+    assert_eq!(verdicts(&audit, 0), [&reproduced[..], &["not-checkable"]].concat());
+    let last = &audit.tables[0].cells[0][3];
+    assert_eq!(last.verdict_if_assumed, Some(Verdict::Refuted));
+    // The same value, under another reading or another value as printed; both are 3 of 3.
+    assert_eq!(verdicts(&audit, 1), reproduced);
+    let read = recovered(1, "tau").expect("a value");
+    let by = audit.tables[1].cells[0][0].as_read.as_ref().map(|read| read.differs());
+    match by.as_deref() {
+        Some("a third") => assert_eq!(read.value, tau),
+        None => assert_eq!(read.value, Rational::new(7, 30)),
+        other => panic!("{other:?}"),
+    }
+    let lent = recovered(2, "tau").expect("a value");
+    assert!(matches!(lent.from, RecoveredFrom::Table { .. }), "{lent:?}");
+    // Two small integers say nothing of τ.
+    assert_eq!(verdicts(&audit, 2), ["not-checkable"; 2]);
+    let [first, _] = &audit.tables[2].cells[0][..] else { panic!("two cells") };
+    assert_eq!(first.verdict_if_assumed, Some(Verdict::Confirmed));
+    assert_eq!(recovered(3, "rho"), None);
+    let cell = &audit.tables[3].cells[0][0];
+    assert_eq!((&cell.exact, cell.unknown.as_deref()), (&None, Some("rho")));
+    assert_eq!(verdicts(&audit, 4), ["not-checkable"]);
+    assert!(audit.tables[4].recovered.is_empty());
+    // The printed text is one of the readings at the recovered value.
+    let all = readings(&paper, &audit.tables[0], CellKind::Assumed).expect("readings");
+    assert!(all.iter().any(|reading| reading.differences.is_empty() && reading.count() == 3));
+}
+
+/// min(10^e, q²): how many decimal places, or how large a denominator, a number needs.
+fn cost(value: &Rational) -> Integer {
+    let square = value.denominator().pow(2);
+    let places = (0..30).find(|e| (value * Rational::power_of_ten(*e)).is_integer());
+    places.map_or(square.clone(), |e| Rational::power_of_ten(e).numerator().min(square))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(40))]
+
+    /// Of a hidden factor, with a few digits or a small denominator, what is recovered is at
+    /// least as plain, and no number between the ends is plainer: none was found by trying all.
+    #[test]
+    fn the_plainest_factor_is_recovered(p in 1_i64..90, q in 1_i64..90, decimal in any::<bool>()) {
+        let hidden = if decimal { Rational::new(p, 100) } else { Rational::new(p, q) };
+        let x = ["1.2345", "2.3457", "3.4561", "7.7713"];
+        let cell = |x: &&str| {
+            let x: Rational = x.replace('.', "").parse::<i64>().expect("digits").into();
+            let value = x * &hidden / Rational::from(10_000);
+            subcert::exact::format::fixed(&value, 7)
+        };
+        let cells: Vec<String> = x.iter().map(cell).collect();
+        let cells: Vec<&str> = cells.iter().map(String::as_str).collect();
+        let paper = paper(&table("t", "x*tau", "['tau']", &x, &cells));
+        let audit = judged(&paper);
+        prop_assert_eq!(verdicts(&audit, 0), ["reproduced"; 4]);
+        let recovered = &audit.tables[0].recovered["tau"];
+        let RecoveredFrom::Solved(low, high) = &recovered.from else { panic!("{recovered:?}") };
+        prop_assert!(cost(&recovered.value) <= cost(&hidden), "{:?} for {}", recovered, hidden);
+        for d in 1..100_i64 {
+            let over = Rational::from(d);
+            let first = (low * &over).floor() + Integer::one();
+            let inside = Rational::from(first) / &over;
+            if inside < *high && Integer::from(d * d) < cost(&recovered.value) {
+                prop_assert!(cost(&inside) >= cost(&recovered.value), "{}", inside);
+            }
+        }
+    }
+}
