@@ -11,7 +11,9 @@ mod mend;
 pub(crate) mod promise;
 pub(crate) mod range;
 pub(crate) mod reading;
+mod recovery;
 pub(crate) mod related;
+mod slips;
 pub(crate) mod table;
 pub(crate) mod theorem;
 

@@ -2,19 +2,14 @@
 
 use crate::claim::{Paper, Promise, Table};
 use crate::diagnostic::Diagnostic;
-use crate::evaluation::library::Library;
 use crate::exact::Rational;
-use crate::finding::{Recovered, RecoveredFrom, TableFinding, Verdict};
-use crate::judge::reading::plain::plain_numbers;
-use crate::judge::reading::recover::solved;
+use crate::finding::{Recovered, RecoveredFrom, TableFinding};
+use crate::judge::recovery::{self, Values, combinations, reproduced};
 use crate::judge::table::{judge, judge_promises};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 /// An error with the place of its table.
 type Placed<T> = Result<T, (usize, Diagnostic)>;
-
-/// Recovered parameters by name.
-type Values = BTreeMap<String, Recovered>;
 
 /// The places of a paper's tables in groups: tables about a scheme of the same name are
 /// judged together, since one can give away a parameter of the other.
@@ -142,12 +137,6 @@ fn agree<'a>(
     Ok(())
 }
 
-/// How many cells of a table are reproduced.
-fn reproduced(finding: &TableFinding<'_>) -> usize {
-    let cells = finding.cells.iter().flatten();
-    cells.filter(|cell| cell.verdict == Verdict::Reproduced).count()
-}
-
 /// The parameters that a table leaves open and that were not recovered.
 fn missing(finding: &TableFinding<'_>) -> Vec<String> {
     let unstated = finding.table.unstated.iter().filter(|(_, assumed)| assumed.is_none());
@@ -176,105 +165,25 @@ fn offered(
     found
 }
 
-/// A table judged at values of its open parameters with which a reading gives most of its cells,
-/// so many that it is no luck; `None` where there are none.
+/// A table judged at recovered values; `None` where there are none.
 fn recover<'a>(
     paper: &'a Paper,
     finding: &TableFinding<'a>,
     all: &[TableFinding<'_>],
 ) -> Result<Option<TableFinding<'a>>, Diagnostic> {
     let table = finding.table;
-    let names = missing(finding);
-    let cells = finding.cells.iter().flatten().filter(|cell| cell.printed.is_some()).count();
-    let offers: Vec<(String, Vec<Recovered>)> = names
-        .iter()
-        .map(|name| (name.clone(), offered(finding, all, name, |other| same_scheme(table, other))))
-        .collect();
-    if cells == 0 {
+    let suitable = |other: &Table| same_scheme(table, other);
+    let offers = missing(finding).into_iter().map(|name| {
+        let values = offered(finding, all, &name, suitable);
+        (name, values)
+    });
+    let offers: Vec<(String, Vec<Recovered>)> = offers.collect();
+    if finding.cells.iter().flatten().all(|cell| cell.printed.is_none()) {
         // Nothing can be solved for, and nothing contradicts what another table says.
         let values = combinations(&offers).into_iter().next();
         return values.map(|values| judge(paper, table, values)).transpose();
     }
-    let mut recovery = Recovery { paper, table, library: Library::new(paper), best: None };
-    for name in &names {
-        let others: Vec<_> = offers.iter().filter(|(other, _)| other != name).cloned().collect();
-        for others in combinations(&others) {
-            recovery.solve(name, others)?;
-        }
-    }
-    for values in combinations(&offers) {
-        recovery.attempt(values)?;
-    }
-    if let [first, second] = &names[..] {
-        for value in plain_numbers() {
-            if recovery.count() * 2 >= cells {
-                break;
-            }
-            for (name, other) in [(first, second), (second, first)] {
-                let tried = Recovered { value: value.clone(), from: RecoveredFrom::Tried };
-                recovery.solve(name, Values::from([(other.clone(), tried)]))?;
-            }
-        }
-    }
-    Ok(recovery.best.map(|(_, finding)| finding))
-}
-
-/// The best values so far.
-struct Recovery<'a> {
-    paper: &'a Paper,
-    table: &'a Table,
-    library: Library<'a>,
-    /// How many cells are reproduced, and the table judged there.
-    best: Option<(usize, TableFinding<'a>)>,
-}
-
-impl Recovery<'_> {
-    fn count(&self) -> usize {
-        self.best.as_ref().map_or(0, |(count, _)| *count)
-    }
-
-    /// Solves for one parameter with the others at these values.
-    fn solve(&mut self, name: &str, mut others: Values) -> Result<(), Diagnostic> {
-        let values = plain_values(&others);
-        if let Some(recovered) = solved(self.paper, self.table, &self.library, &values, name) {
-            others.insert(name.to_owned(), recovered);
-            self.attempt(others)?;
-        }
-        Ok(())
-    }
-
-    fn attempt(&mut self, values: Values) -> Result<(), Diagnostic> {
-        let found = judge(self.paper, self.table, values)?;
-        let count = reproduced(&found);
-        if count > self.count() {
-            self.best = Some((count, found));
-        }
-        Ok(())
-    }
-}
-
-fn plain_values(values: &Values) -> BTreeMap<String, Rational> {
-    values.iter().map(|(name, recovered)| (name.clone(), recovered.value.clone())).collect()
-}
-
-/// The most ways to take what other tables offer.
-const MAX_COMBINATIONS: usize = 8;
-
-/// Every way to take one value of each parameter; none where one has no value, unless there is no
-/// parameter.
-fn combinations(offers: &[(String, Vec<Recovered>)]) -> Vec<Values> {
-    let mut all = vec![Values::new()];
-    for (name, values) in offers {
-        let with = |known: &Values, value: &Recovered| {
-            let mut values = known.clone();
-            values.insert(name.clone(), value.clone());
-            values
-        };
-        let longer =
-            all.iter().flat_map(|known| values.iter().map(move |value| with(known, value)));
-        all = longer.take(MAX_COMBINATIONS).collect();
-    }
-    all
+    recovery::recover(paper, table, &offers)
 }
 
 /// Whether another table is about schemes of this one.

@@ -7,27 +7,18 @@ use crate::evaluation::context::{At, Outcome};
 use crate::evaluation::library::Library;
 use crate::evaluation::settings::Settings;
 use crate::evaluation::table::Evaluator;
-use crate::exact::{Decimal, Integer, RealCyclotomic};
+use crate::exact::{Integer, RealCyclotomic};
 use crate::finding::{
     AsRead, Assumed, CellFinding, CellKind, Direction, Explanation, Missing, Recovered,
-    RecoveredFrom, Slip, TableFinding, Values, Verdict,
+    RecoveredFrom, TableFinding, Verdict,
 };
 use crate::judge::compare;
 use crate::judge::distance::Schemes;
 use crate::judge::reading::plain::as_plain;
 use crate::judge::reading::search::{self, Candidates};
 use crate::judge::reading::space::needed;
+use crate::judge::slips::Part;
 use std::collections::{BTreeMap, BTreeSet};
-
-/// What a reading is of.
-#[derive(Clone, Copy)]
-enum Part {
-    /// The whole table.
-    Table,
-    /// A row or column, of which the values stand so many rows down and columns to the
-    /// right. The cells around it are read otherwise.
-    Line((i32, i32)),
-}
 
 /// Judges every cell of a table, with these values of parameters that were recovered; its promises
 /// apart.
@@ -248,92 +239,5 @@ impl Evaluator<'_> {
             }
         }
         Ok(Verdict::Refuted)
-    }
-
-    /// What a reading makes of the cells that are not as printed: explained, or a
-    /// slip away from its value.
-    fn read_as(&self, reading: &Explanation, part: Part, cells: &mut [Vec<CellFinding>]) {
-        let shift = if let Part::Line(shift) = part { shift } else { (0, 0) };
-        for (row, findings) in cells.iter_mut().enumerate() {
-            for (column, finding) in findings.iter_mut().enumerate() {
-                let Cell::Printed(printed) = &self.table.cells[row][column] else { continue };
-                let Some(value) = reading.values[row][column].clone() else { continue };
-                let verdict = finding.verdict_if_assumed.as_mut().unwrap_or(&mut finding.verdict);
-                let explained = reading.explained[row][column];
-                let read = match verdict {
-                    Verdict::Refuted if explained && shift != (0, 0) => {
-                        Verdict::Misprint(Slip::Neighbour(shift.0, shift.1))
-                    }
-                    Verdict::Refuted | Verdict::Rounding(_) | Verdict::Misprint(_)
-                        if explained && shift == (0, 0) =>
-                    {
-                        Verdict::OtherReading
-                    }
-                    Verdict::Refuted if !self.is_depth() && shift == (0, 0) => match part {
-                        Part::Table => self.slip(&printed.decimal, &reading.values, row, column),
-                        Part::Line(_) => compare::judge(&printed.decimal, &value, &[]),
-                    },
-                    _ => continue,
-                };
-                let mut rounded = None;
-                *verdict = match read {
-                    Verdict::OtherReading | Verdict::Misprint(_) => read,
-                    Verdict::Rounding(direction) if compare::says_enough(&printed.decimal) => {
-                        rounded = Some(direction);
-                        Verdict::OtherReading
-                    }
-                    _ => continue,
-                };
-                let (differences, solved) = (reading.differences.clone(), reading.solved.clone());
-                finding.as_read = Some(AsRead { differences, solved, rounded, value });
-            }
-        }
-    }
-
-    /// The verdict on a cell for these values of the table, its neighbours regarded.
-    fn slip(&self, printed: &Decimal, values: &Values, row: usize, column: usize) -> Verdict {
-        let Some(value) = &values[row][column] else { return Verdict::Refuted };
-        match self.exchanged(values, row, column) {
-            Some(slip) => Verdict::Misprint(slip),
-            None => compare::judge(printed, value, &compare::around(values, row, column)),
-        }
-    }
-
-    /// Numbers that are no depths may have been copied from a neighbouring cell, or
-    /// exchanged with one.
-    fn compare_with_neighbours(&self, cells: &mut [Vec<CellFinding>]) {
-        if self.is_depth() {
-            return;
-        }
-        let values = |counts: fn(&CellFinding) -> bool| -> Values {
-            let value = |cell: &CellFinding| cell.exact.clone().filter(|_| counts(cell));
-            cells.iter().map(|row| row.iter().map(value).collect()).collect()
-        };
-        // What needs assumptions does not count where nothing is assumed.
-        let plain = values(CellFinding::is_plain);
-        let all = values(|_| true);
-        for (row, findings) in cells.iter_mut().enumerate() {
-            for (column, finding) in findings.iter_mut().enumerate() {
-                let Cell::Printed(printed) = &self.table.cells[row][column] else { continue };
-                let exact = if finding.is_plain() { &plain } else { &all };
-                let verdict = finding.verdict_if_assumed.as_mut().unwrap_or(&mut finding.verdict);
-                if *verdict == Verdict::Refuted {
-                    *verdict = self.slip(&printed.decimal, exact, row, column);
-                }
-            }
-        }
-    }
-
-    /// The neighbour that this cell is exchanged with: each prints the other's value.
-    fn exchanged(&self, values: &Values, row: usize, column: usize) -> Option<Slip> {
-        let printed = |row: usize, column: usize| {
-            Some(&self.table.cells.get(row)?.get(column)?.printed()?.decimal)
-        };
-        let (here, own) = (printed(row, column)?, values.get(row)?.get(column)?.as_ref()?);
-        compare::around(values, row, column).into_iter().find_map(|((rows, columns), other)| {
-            let (row, column) = compare::moved(row, column, (rows, columns))?;
-            compare::exchanged(here, own, printed(row, column)?, other)
-                .then_some(Slip::Exchanged(rows, columns))
-        })
     }
 }

@@ -1,7 +1,7 @@
 //! Parameters that a paper does not state, recovered from its tables.
 
 use proptest::prelude::*;
-use subcert::audit::{CellKind, PaperAudit, RecoveredFrom, Verdict, audit, readings};
+use subcert::audit::{AsRead, CellKind, PaperAudit, RecoveredFrom, Verdict, audit, readings};
 use subcert::claim::{Paper, read_paper};
 use subcert::diagnostic::SourceText;
 use subcert::exact::{Integer, Rational};
@@ -63,7 +63,7 @@ fn values_are_solved_for_lent_and_left_open() {
     // The same value, under another reading or another value as printed; both are 3 of 3.
     assert_eq!(verdicts(&audit, 1), reproduced);
     let read = recovered(1, "tau").expect("a value");
-    let by = audit.tables[1].cells[0][0].as_read.as_ref().map(|read| read.differs());
+    let by = audit.tables[1].cells[0][0].as_read.as_ref().map(AsRead::differs);
     match by.as_deref() {
         Some("a third") => assert_eq!(read.value, tau),
         None => assert_eq!(read.value, Rational::new(7, 30)),

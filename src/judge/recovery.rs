@@ -1,0 +1,111 @@
+//! The values of the open parameters of a table with which a reading gives most of its cells.
+
+use crate::claim::{Paper, Table};
+use crate::diagnostic::Diagnostic;
+use crate::evaluation::library::Library;
+use crate::exact::Rational;
+use crate::finding::{Recovered, RecoveredFrom, TableFinding, Verdict};
+use crate::judge::reading::plain::plain_numbers;
+use crate::judge::reading::recover::solved;
+use crate::judge::table::judge;
+use std::collections::BTreeMap;
+
+/// Recovered parameters by name.
+pub(crate) type Values = BTreeMap<String, Recovered>;
+
+/// A table judged at values of its open parameters with which a reading gives most of its cells,
+/// so many that it is no luck; `None` where there are none. Each parameter comes with the values
+/// that other tables offer.
+pub(crate) fn recover<'a>(
+    paper: &'a Paper,
+    table: &'a Table,
+    offers: &[(String, Vec<Recovered>)],
+) -> Result<Option<TableFinding<'a>>, Diagnostic> {
+    let mut recovery = Recovery { paper, table, library: Library::new(paper), best: None };
+    for (name, _) in offers {
+        let others: Vec<_> = offers.iter().filter(|(other, _)| other != name).cloned().collect();
+        for others in combinations(&others) {
+            recovery.solve(name, others)?;
+        }
+    }
+    for values in combinations(offers) {
+        recovery.attempt(values)?;
+    }
+    if let [(first, _), (second, _)] = offers {
+        let cells = table.cells.iter().flatten().filter(|cell| cell.printed().is_some()).count();
+        for value in plain_numbers() {
+            if recovery.count() * 2 >= cells {
+                break;
+            }
+            for (name, other) in [(first, second), (second, first)] {
+                let tried = Recovered { value: value.clone(), from: RecoveredFrom::Tried };
+                recovery.solve(name, Values::from([(other.clone(), tried)]))?;
+            }
+        }
+    }
+    Ok(recovery.best.map(|(_, finding)| finding))
+}
+
+/// How many cells of a table are reproduced.
+pub(crate) fn reproduced(finding: &TableFinding<'_>) -> usize {
+    let cells = finding.cells.iter().flatten();
+    cells.filter(|cell| cell.verdict == Verdict::Reproduced).count()
+}
+
+/// The best values so far.
+struct Recovery<'a> {
+    paper: &'a Paper,
+    table: &'a Table,
+    library: Library<'a>,
+    /// How many cells are reproduced, and the table judged there.
+    best: Option<(usize, TableFinding<'a>)>,
+}
+
+impl Recovery<'_> {
+    fn count(&self) -> usize {
+        self.best.as_ref().map_or(0, |(count, _)| *count)
+    }
+
+    /// Solves for one parameter with the others at these values.
+    fn solve(&mut self, name: &str, mut others: Values) -> Result<(), Diagnostic> {
+        let values = plain_values(&others);
+        if let Some(recovered) = solved(self.paper, self.table, &self.library, &values, name) {
+            others.insert(name.to_owned(), recovered);
+            self.attempt(others)?;
+        }
+        Ok(())
+    }
+
+    fn attempt(&mut self, values: Values) -> Result<(), Diagnostic> {
+        let found = judge(self.paper, self.table, values)?;
+        let count = reproduced(&found);
+        if count > self.count() {
+            self.best = Some((count, found));
+        }
+        Ok(())
+    }
+}
+
+fn plain_values(values: &Values) -> BTreeMap<String, Rational> {
+    values.iter().map(|(name, recovered)| (name.clone(), recovered.value.clone())).collect()
+}
+
+/// The most ways to take what other tables offer.
+const MAX_COMBINATIONS: usize = 8;
+
+/// Every way to take one value of each parameter; none where one has no value, unless there is no
+/// parameter.
+pub(crate) fn combinations(offers: &[(String, Vec<Recovered>)]) -> Vec<Values> {
+    let mut all = vec![Values::new()];
+    for (name, values) in offers {
+        let with = |known: &Values, value: &Recovered| {
+            let mut values = known.clone();
+            values.insert(name.clone(), value.clone());
+            values
+        };
+        let longer =
+            all.iter().flat_map(|known| values.iter().map(move |value| with(known, value)));
+        all = longer.take(MAX_COMBINATIONS).collect();
+    }
+    all
+}
