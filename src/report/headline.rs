@@ -78,28 +78,44 @@ fn recovered(audit: &PaperAudit<'_>) -> String {
     format!(" with {}, which the paper does not state", named.join(", "))
 }
 
-/// `157 of 220 promises are broken.`
+/// `Of 220 promises, 157 are broken, 1 is open.`
 fn promises(audit: &PaperAudit<'_>) -> Option<String> {
     let counts = audit.promise_counts();
     let open = if counts.open > 0 { format!(", {} open", are(counts.open)) } else { String::new() };
-    (counts.all() > 0)
-        .then(|| format!("Of {} promises, {} broken{open}.", counts.all(), are(counts.broken)))
+    let broken = match counts.broken {
+        0 => "none is".to_owned(),
+        count => are(count),
+    };
+    (counts.all() > 0).then(|| format!("Of {} promises, {broken} broken{open}.", counts.all()))
 }
+
+/// A kind of claim: its counts, what several of them are, what one is, the verdict of a wrong one,
+/// and what that is in words, of one and of several.
+type Kind =
+    (BTreeMap<&'static str, usize>, &'static str, &'static str, &'static str, [&'static str; 2]);
 
 /// `15 of 43 equations fail, 8 of 10 theorems are refuted.`
 fn claims(audit: &PaperAudit<'_>) -> Option<String> {
-    let share =
-        |counts: BTreeMap<&'static str, usize>, what: &str, wrong: &[&str], is: [&str; 2]| {
-            let all: usize = counts.values().sum();
-            let wrong: usize = wrong.iter().filter_map(|name| counts.get(name)).sum();
-            let is = is[usize::from(wrong != 1)];
-            (all > 0).then(|| format!("{wrong} of {all} {what} {is}"))
-        };
-    let parts = [
-        share(audit.equation_counts(), "equations", &["fails"], ["fails", "fail"]),
-        share(audit.range_counts(), "ranges", &["inexact"], ["is wrong", "are wrong"]),
-        share(audit.theorem_counts(), "theorems", &["refuted"], ["is refuted", "are refuted"]),
+    let kinds: [Kind; 3] = [
+        (audit.equation_counts(), "equations", "equation", "fails", ["fails", "fail"]),
+        (audit.range_counts(), "ranges", "range", "inexact", ["is wrong", "are wrong"]),
+        (audit.theorem_counts(), "theorems", "theorem", "refuted", ["is refuted", "are refuted"]),
     ];
-    let parts: Vec<String> = parts.into_iter().flatten().collect();
-    (!parts.is_empty()).then(|| format!("{}.", parts.join(", ")))
+    let (mut wrong, mut right) = (Vec::new(), Vec::new());
+    for (counts, several, one, verdict, is) in kinds {
+        let all: usize = counts.values().sum();
+        match counts.get(verdict).copied().unwrap_or(0) {
+            _ if all == 0 => {}
+            0 => right.push(one),
+            count => {
+                let is = is[usize::from(count != 1)];
+                wrong.push(format!("{count} of {all} {several} {is}"));
+            }
+        }
+    }
+    match (wrong.is_empty(), right.is_empty()) {
+        (false, _) => Some(format!("{}.", wrong.join(", "))),
+        (true, false) => Some(format!("No {} was found to be wrong.", right.join(", no "))),
+        (true, true) => None,
+    }
 }

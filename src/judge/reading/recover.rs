@@ -7,10 +7,10 @@ use crate::evaluation::settings::Settings;
 use crate::evaluation::table::Evaluator;
 use crate::exact::{Integer, Rational};
 use crate::finding::{Explanation, Recovered, RecoveredFrom};
-use crate::judge::reading::chance::{of_decimal, of_depth};
 use crate::judge::reading::plain::as_plain;
 use crate::judge::reading::space::{Needed, Space};
 use crate::judge::reading::{solve, tried};
+use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Where the search for a value starts. What the values of the other cells are proportional to, or
@@ -43,32 +43,21 @@ pub(crate) fn solved(
         space.explanations(&all, |one| one.values.clone()).collect();
     explanations.extend(solve::solve(&space, &all, &tried::best(&explanations)));
     explanations.retain(|explanation| explanation.solved.iter().any(|one| one.name == name));
-    // Of equally telling ones the first.
-    let best = explanations.iter().rev().max_by_key(|one| telling(&space, one))?;
+    // Of equally good ones the first.
+    let best = explanations.iter().rev().max_by_key(|one| rank(one))?;
     let solved = best.solved.iter().find(|solved| solved.name == name)?;
     let (low, high) = solved.between.clone();
     let from = RecoveredFrom::Solved(low, high);
     Some(Recovered { value: solved.simplest.clone(), from })
 }
 
-/// How much an explanation tells: unrelated values would give the cells that it explains once in so
-/// many times, over the number of values that are as plain as what was solved for, and over ten for
-/// each difference from the printed text.
-fn telling(space: &Space<'_>, explanation: &Explanation) -> Rational {
-    let mut told = Rational::one();
-    for (printed, explained) in
-        space.printed.iter().flatten().zip(explanation.explained.iter().flatten())
-    {
-        if let Some(printed) = printed.filter(|_| *explained) {
-            let likely = if space.is_depth() { of_depth() } else { of_decimal(printed) };
-            told = told / likely;
-        }
-    }
-    for solved in &explanation.solved {
-        told = told / Rational::from(as_plain(&solved.simplest));
-    }
+/// The better, the more cells an explanation gives; of these, the fewer values are as plain as what
+/// was solved for, each difference from the printed text counted as ten.
+fn rank(explanation: &Explanation) -> (usize, Reverse<Integer>) {
     let differences = u32::try_from(explanation.differences.len()).unwrap_or(u32::MAX);
-    told / Rational::from(Integer::power_of_ten(differences))
+    let values = explanation.solved.iter().map(|solved| as_plain(&solved.simplest));
+    let cost = values.fold(Integer::power_of_ten(differences), |cost, values| cost * values);
+    (explanation.count(), Reverse(cost))
 }
 
 /// The unstated parameters that each cell needs, as the evaluation meets them.

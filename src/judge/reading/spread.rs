@@ -7,17 +7,13 @@ use crate::bound::Rounded;
 use crate::evaluation::trace::LevelCall;
 use crate::exact::{Enclosed, Integer, Rational, RealCyclotomic};
 use crate::finding::{Explanation, Solved};
-use crate::judge::reading::chance::of_depth;
 use crate::judge::reading::consistent::DecimalRounding;
-use crate::judge::reading::plain::{as_plain, height, plainest_between};
+use crate::judge::reading::plain::{height, plainest_between};
 use crate::judge::reading::space::Space;
 use crate::judge::reading::tried::Evaluated;
 
 /// The greatest depth from which a bound is derived.
 const MAX_DEPTH: i64 = 5_000;
-
-/// How many cells a plainer value may give less.
-const MAX_LOST: u32 = 2;
 
 /// The binary digits of squares of scales.
 const DIGITS: u32 = 256;
@@ -96,13 +92,10 @@ fn solved(space: &Space<'_>, name: &str, one: &Evaluated, least: usize) -> Optio
         // The lower end belongs to it.
         let inside = plainest_between(&between.0, &between.1);
         let simplest = [between.0.clone(), inside].into_iter().min_by_key(height)?;
-        // A cell more is worth a value that is fewer times as plain.
-        let lost = u32::try_from(most - ends.len()).ok().filter(|lost| *lost <= MAX_LOST)?;
-        let cost = Rational::from(as_plain(&simplest)) / of_depth().pow(lost.cast_signed());
-        Some((cost, simplest, between))
+        (ends.len() == most).then_some((simplest, between))
     };
     let values = intervals.iter().filter_map(value);
-    let (_, simplest, between) = values.min_by(|one, other| one.0.cmp(&other.0))?;
+    let (simplest, between) = values.min_by_key(|(simplest, _)| height(simplest))?;
     let settings = space.settings(reading).with_parameter(name, &simplest);
     let values = space.values(&settings);
     let explained = space.explained(&values, DecimalRounding::Nearest);
