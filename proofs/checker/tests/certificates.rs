@@ -227,16 +227,16 @@ const LEVELS: [&str; 11] = [
     include_str!("rules/accepted/levels-vertex-step.cert"),
 ];
 
-/// Tables with depths, sound bounds, solved parameters, readings of rows and columns, and
+/// Tables with depths, sound bounds, recovered parameters, readings of rows and columns, and
 /// refuted cells, of whose alterations some are tried.
 const LARGE: [(&str, &str); 8] = [
     ("khan2019-newton", "table-1"),
     ("khan2019-newton", "table-3"),
     ("khan2022-doo-sabin", "table-1"),
-    ("khan2022-doo-sabin", "table-2-1"),
+    ("khan2022-doo-sabin", "table-2-2"),
     ("khan2022-doo-sabin", "table-2-3"),
-    ("khan2022-doo-sabin", "table-4"),
-    ("mustafa2020-nary", "table-12"),
+    ("mustafa2020-nary", "table-3"),
+    ("mustafa2020-nary", "table-8"),
     ("mustafa2020-nary", "table-14"),
 ];
 
