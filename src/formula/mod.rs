@@ -59,6 +59,7 @@ pub use context::{Call, Context, Lookup, Parameters, Work};
 pub use dependence::{Dependence, IndexPair};
 pub use error::{CallError, FormulaError, FormulaErrorKind, MAX_FORMULA_LENGTH, MAX_NESTING};
 pub use evaluate::evaluate;
+pub(crate) use evaluate::evaluate_with;
 pub use free::FreeNames;
 pub use located::LocatedFormula;
 pub use parse::parse;

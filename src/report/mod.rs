@@ -8,6 +8,7 @@ mod errata;
 mod explain;
 mod fit;
 mod function;
+mod headers;
 mod headline;
 pub mod json;
 mod latex;

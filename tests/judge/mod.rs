@@ -5,5 +5,6 @@ mod functions_and_ranges;
 mod lines;
 mod proportional;
 mod readings;
+mod scheme_headers;
 mod theorem_verdicts;
 mod theorems;
