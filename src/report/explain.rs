@@ -11,7 +11,7 @@ use super::sheet::Sheet;
 use super::theorem;
 use super::tried;
 use crate::audit::{
-    CellFinding, EquationVerdict, Explanation, Failure, PaperAudit, Sound, TableFinding,
+    ByHand, CellFinding, EquationVerdict, Explanation, Failure, PaperAudit, Sound, TableFinding,
     Verdict,
 };
 use crate::claim::{EquationBody, Table};
@@ -26,11 +26,12 @@ pub fn explain_sheet(
     audits: &[PaperAudit<'_>],
     id: &str,
     readings: &[Explanation],
+    hand: Option<&ByHand>,
     all: bool,
 ) -> Option<Sheet> {
     let (key, rest) = id.split_once(':')?;
     let audit = audits.iter().find(|audit| audit.paper.key == key)?;
-    let other = function::explain(audit, id).or_else(|| theorem::explain(audit, id));
+    let other = function::explain(audit, id).or_else(|| theorem::explain(audit, id, hand));
     if let Some(sheet) = other {
         return Some(sheet);
     }

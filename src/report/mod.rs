@@ -1,8 +1,10 @@
 //! Findings as text, Markdown, LaTeX and JSON.
 
 mod audit;
+mod by_hand;
 mod consistency;
 mod coverage;
+mod data;
 mod equation;
 mod errata;
 mod explain;
