@@ -8,17 +8,18 @@ pub use crate::digest::{
 };
 pub use crate::evaluation::{Choice, Effect, FAMILY, QUANTITIES, Way};
 pub use crate::evidence::{
-    AttainedConstant, Evidence, Powers, PromiseEvidence, SearchedConstant, SoundCell, evidence,
-    promise_evidence, theorem_evidence,
+    AttainedConstant, Evidence, Powers, PromiseEvidence, SearchedConstant, SoundCell, by_hand,
+    evidence, promise_evidence, theorem_evidence,
 };
 pub use crate::finding::{
-    AsRead, Assumed, Attained, Broken, CaseFinding, CellFinding, CellKind, Contradiction, Control,
-    Correction, Difference, Direction, EndFinding, EndRelation, EquationFinding, EquationVerdict,
-    EveryShift, Example, Explanation, FailingPremise, Failure, FunctionFinding, FunctionVerdict,
-    Kept, Later, LevelEvidence, Levels, Line, LineReading, MAX_DIFFERENCES, Missing, Naturally,
-    Need, Needed, Outcome, PaperAudit, Place, PromiseCounts, RangeFinding, RangeVerdict, Recovered,
-    RecoveredFrom, Refutation, Repair, Search, Side, Slip, Solved, Sound, Supremum, TableFinding,
-    TablePart, TheoremFinding, TheoremVerdict, Unshiftable, Verdict, Violation,
+    AsRead, Assumed, Attained, Broken, ByHand, CaseFinding, CellFinding, CellKind, Contradiction,
+    Control, Correction, Difference, Direction, EndFinding, EndRelation, EquationFinding,
+    EquationVerdict, EveryShift, Example, Explanation, FailingPremise, Failure, FunctionFinding,
+    FunctionVerdict, HandCell, HandConstant, Kept, Later, LeftOut, LevelEvidence, Levels, Line,
+    LineReading, MAX_DIFFERENCES, Missing, Naturally, Need, Needed, Outcome, PaperAudit, Place,
+    PromiseCounts, RangeFinding, RangeVerdict, Recovered, RecoveredFrom, Refutation, Repair,
+    Search, Side, Slip, Solved, Sound, Supremum, TableFinding, TablePart, TheoremFinding,
+    TheoremVerdict, Unshiftable, Verdict, Violation,
 };
 pub use crate::judge::MAX_CASES;
 

@@ -1,6 +1,7 @@
 //! Equations between formulas.
 
-use super::table::{Axis, LocatedReference};
+use super::table::LocatedReference;
+use crate::exact::Rational;
 use crate::formula::{LocatedFormula, Node};
 
 /// An equation, or a list of equations with indices.
@@ -72,7 +73,14 @@ impl Left {
 #[derive(Clone, Debug)]
 pub enum Index {
     /// Its values, listed.
-    Listed(Axis),
+    Listed {
+        /// Its name in formulas.
+        name: String,
+        /// What the paper prints for it.
+        label: String,
+        /// The values, each with what is printed.
+        values: Vec<(Rational, String)>,
+    },
     /// All integers from one formula to another, in the indices before it.
     Range {
         /// Its name in formulas.

@@ -17,7 +17,8 @@ pub struct Table {
     pub locus: String,
     /// What it shows.
     pub title: String,
-    /// The scheme its functions are about; parameters may depend on the cell.
+    /// The scheme its functions are about, where no headers are schemes; parameters may depend on
+    /// the cell.
     pub scheme: Option<LocatedReference>,
     /// What each cell is said to equal.
     pub value: LocatedFormula,
@@ -44,6 +45,23 @@ impl Table {
     #[must_use]
     pub fn cell_count(&self) -> usize {
         self.cells.iter().map(Vec::len).sum()
+    }
+
+    /// The axes: that of the rows, if there is one, and that of the columns.
+    pub fn axes(&self) -> impl Iterator<Item = &Axis> {
+        self.rows.iter().chain([&self.columns])
+    }
+
+    /// The scheme of a cell: that of its row, of its column, or of the table.
+    #[must_use]
+    pub fn scheme_at(&self, row: usize, column: usize) -> Option<&LocatedReference> {
+        let of_row = self.rows.as_ref().and_then(|axis| axis.schemes().get(row));
+        of_row.or_else(|| self.columns.schemes().get(column)).or(self.scheme.as_ref())
+    }
+
+    /// Every scheme that a cell may have.
+    pub fn schemes(&self) -> impl Iterator<Item = &LocatedReference> {
+        self.scheme.iter().chain(self.axes().flat_map(Axis::schemes))
     }
 }
 
@@ -97,15 +115,15 @@ impl Promise {
     }
 }
 
-/// The headers of the rows or of the columns: the values of one parameter.
+/// The headers of the rows or of the columns.
 #[derive(Clone, Debug)]
 pub struct Axis {
-    /// The parameter's name in formulas.
-    pub name: String,
-    /// What the paper prints for it.
+    /// What the paper prints for them all.
     pub label: String,
     /// The headers.
     pub entries: Vec<AxisEntry>,
+    /// What they mean, one by one.
+    pub headers: Headers,
 }
 
 /// One header.
@@ -113,10 +131,51 @@ pub struct Axis {
 pub struct AxisEntry {
     /// As printed.
     pub printed: String,
-    /// Its value.
-    pub value: Rational,
-    /// Why the value is not what is printed, when it is not.
+    /// What a reader should know: of a number, why its value is not what is printed.
     pub note: Option<String>,
+}
+
+/// What headers mean, in their order.
+#[derive(Clone, Debug)]
+pub enum Headers {
+    /// The values of one parameter.
+    Values {
+        /// Its name in formulas.
+        name: String,
+        /// The values.
+        values: Vec<Rational>,
+    },
+    /// The schemes that the cells are about; parameters may depend on the cell.
+    Schemes(Vec<LocatedReference>),
+}
+
+impl Axis {
+    /// The parameter's name in formulas; schemes have none.
+    #[must_use]
+    pub fn name(&self) -> Option<&str> {
+        match &self.headers {
+            Headers::Values { name, .. } => Some(name),
+            Headers::Schemes(_) => None,
+        }
+    }
+
+    /// The parameter's name, and its value at a header; schemes have none.
+    #[must_use]
+    pub fn value(&self, place: usize) -> Option<(&str, &Rational)> {
+        match &self.headers {
+            Headers::Values { name, values } => Some((name, values.get(place)?)),
+            Headers::Schemes(_) => None,
+        }
+    }
+
+    /// The schemes; none where the headers are numbers.
+    #[must_use]
+    pub fn schemes(&self) -> &[LocatedReference] {
+        match &self.headers {
+            Headers::Values { .. } => &[],
+            Headers::Schemes(schemes) => schemes,
+        }
+    }
 }
 
 /// A cell.

@@ -4,7 +4,7 @@ use super::arguments::{ExplainArguments, Format};
 use super::listing::{Listed, listing};
 use super::output::{Failure, Outcome, show};
 use super::papers::{judge_all, papers, select};
-use subcert::audit::readings;
+use subcert::audit::{by_hand, readings};
 use subcert::claim::{Paper, Table};
 use subcert::report::json::Explained;
 use subcert::report::{explain_sheet, table_of};
@@ -31,9 +31,15 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Outcome {
         }
         _ => Vec::new(),
     };
-    let sheet = explain_sheet(&audits, id, &tried, arguments.all)
+    let theorems = audits.iter().flat_map(|audit| audit.theorems.iter().map(move |it| (audit, it)));
+    let hand = match { theorems }.find(|(_, finding)| finding.id == *id) {
+        Some((audit, finding)) => by_hand(audit, finding)?,
+        None => None,
+    };
+    let hand = hand.as_ref();
+    let sheet = explain_sheet(&audits, id, &tried, hand, arguments.all)
         .ok_or_else(|| Failure::Input(format!("no claim has the id `{id}`")))?;
-    show(arguments.output.format, || sheet, || Explained::of(&audits, id, &tried))
+    show(arguments.output.format, || sheet, || Explained::of(&audits, id, &tried, hand))
 }
 
 /// Makes sure that the paper has this claim, before all of its claims are judged.

@@ -58,8 +58,7 @@ impl<'a> TableContext<'a> {
         let stated = unstated.filter_map(|(name, value)| Some((name, value.as_ref()?)));
         let mut assumed = values(stated)?;
         assumed.extend(recovered.iter().map(|(name, value)| (name.clone(), value.clone())));
-        let axes = || table.rows.iter().chain([&table.columns]);
-        let header = |name: &String| axes().any(|axis| axis.name == *name);
+        let header = |name: &String| table.axes().any(|axis| axis.name() == Some(name));
         given.retain(|name, _| !table.unstated.contains_key(name) && !header(name));
         Ok(TableContext { paper, table, library, given, assumed })
     }
@@ -86,10 +85,21 @@ impl<'a> TableContext<'a> {
         for (name, value) in known {
             scope = scope.with(name, value.clone());
         }
-        for (axis, entry) in self.headers(at.row, at.column) {
-            scope = scope.with(&axis.name, self.header(axis, entry, at.settings).into());
+        for (name, value) in self.header_values(at) {
+            scope = scope.with(name, value.into());
         }
         scope
+    }
+
+    /// The parameters that the headers of a cell give values to. A header that is a scheme gives
+    /// none.
+    pub(crate) fn header_values(&self, at: At<'_>) -> impl Iterator<Item = (&'a str, Rational)> {
+        let rows = self.table.rows.as_ref().map(|axis| (axis, at.row));
+        let axes = rows.into_iter().chain([(&self.table.columns, at.column)]);
+        axes.filter_map(move |(axis, place)| {
+            let (name, value) = axis.value(place)?;
+            Some((name, self.header(axis, &axis.entries[place], value, at.settings)))
+        })
     }
 
     pub(crate) fn headers(
@@ -104,13 +114,18 @@ impl<'a> TableContext<'a> {
 
     /// The value of a header: a tolerance may stand for either end of its rounding
     /// interval.
-    pub(crate) fn header(&self, axis: &Axis, entry: &AxisEntry, settings: &Settings) -> Rational {
-        let value = entry.value.clone();
-        let Some(word) = settings.word(&HEADER) else { return value };
+    fn header(
+        &self,
+        axis: &Axis,
+        entry: &AxisEntry,
+        value: &Rational,
+        settings: &Settings,
+    ) -> Rational {
+        let Some(word) = settings.word(&HEADER) else { return value.clone() };
         let Some(decimal) =
             self.tolerance(axis).then(|| parse_decimal(&entry.printed).ok()).flatten()
         else {
-            return value;
+            return value.clone();
         };
         let (low, high) = decimal.interval();
         if word == "less" { low } else { high }
@@ -124,12 +139,12 @@ impl<'a> TableContext<'a> {
     /// Whether the axis gives the tolerances of a table of depths.
     pub(crate) fn tolerance(&self, axis: &Axis) -> bool {
         let Some(Promise::Depth { tolerance, .. }) = &self.table.promise else { return false };
-        matches!(&tolerance.expr.node, Node::Name(name) if *name == axis.name)
+        matches!(&tolerance.expr.node, Node::Name(name) if axis.name() == Some(name))
     }
 
     /// Whether an axis gives tolerances.
     pub(crate) fn has_tolerance_headers(&self) -> bool {
-        self.table.rows.iter().chain([&self.table.columns]).any(|axis| self.tolerance(axis))
+        self.table.axes().any(|axis| self.tolerance(axis))
     }
 
     /// The value of what is printed in a cell.
@@ -152,7 +167,8 @@ impl<'a> TableContext<'a> {
             beyond_caps: std::cell::Cell::new(false),
             last_levels: std::cell::RefCell::new(None),
         };
-        let Some(located) = &self.table.scheme else { return Ok(Ok(quantities)) };
+        let located = self.table.scheme_at(at.row, at.column);
+        let Some(located) = located else { return Ok(Ok(quantities)) };
         let scope = self.scope(at, &quantities, &Known::new());
         match self.library.resolve(&located.reference, &scope) {
             Ok(scheme) => {

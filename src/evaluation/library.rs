@@ -124,39 +124,58 @@ impl<'a> Library<'a> {
         reference: &Reference,
         context: &dyn Context<V>,
     ) -> Result<Vec<Instance<V>>, Unresolved> {
-        self.followed(reference, context, 0)
+        self.followed(reference, context, &[], 0)
     }
 
     /// The schemes behind the names: a name of the claim file may stand for
-    /// another scheme, whose parameters are evaluated where the name is used.
+    /// another scheme, whose parameters are evaluated where the name is used. The parameters of
+    /// the name have their `values` there.
     fn followed<V: Value>(
         &self,
         reference: &Reference,
         context: &dyn Context<V>,
+        values: &[(String, V)],
         depth: usize,
     ) -> Result<Vec<Instance<V>>, Unresolved> {
         let mut instances = Vec::new();
-        for instance in reference.instances(context).map_err(Unresolved::Formula)? {
+        let named = reference.instances_with(context, values).map_err(Unresolved::Formula)?;
+        for instance in named {
             match self.paper.schemes.get(&instance.name) {
                 Some(SchemeSource::Alias(other)) => {
-                    if let Some(parameter) = instance.parameters.keys().next() {
-                        return Err(Unresolved::Scheme(SchemeError::UnknownParameter {
-                            scheme: instance.name,
-                            parameter: parameter.clone(),
-                            known: Vec::new(),
-                        }));
-                    }
+                    self.check_handed_on(&instance, other).map_err(Unresolved::Scheme)?;
                     if depth >= MAX_ALIAS_DEPTH {
                         let known = Vec::new();
                         let name = instance.name;
                         return Err(Unresolved::Scheme(SchemeError::Unknown { name, known }));
                     }
-                    instances.extend(self.followed(other, context, depth + 1)?);
+                    let inner = instance.parameters.into_iter().chain(values.iter().cloned());
+                    let inner: Vec<(String, V)> = inner.collect();
+                    instances.extend(self.followed(other, context, &inner, depth + 1)?);
                 }
                 _ => instances.push(instance),
             }
         }
         Ok(instances)
+    }
+
+    /// Makes sure that a name hands on the parameters that it is given: those that have a place in
+    /// the formulas of what it stands for.
+    fn check_handed_on<V>(
+        &self,
+        instance: &Instance<V>,
+        stands_for: &Reference,
+    ) -> Result<(), SchemeError> {
+        let mut known = stands_for.parameters();
+        known.retain(|name| !self.paper.definitions.contains_key(name));
+        match instance.parameters.keys().find(|name| !known.contains(*name)) {
+            None => Ok(()),
+            Some(parameter) => Err(SchemeError::NotHandedOn {
+                scheme: instance.name.clone(),
+                stands_for: stands_for.to_string(),
+                parameter: parameter.clone(),
+                known: known.into_iter().collect(),
+            }),
+        }
     }
 
     fn define(&self, name: &str) -> Result<&SchemeDefinition, SchemeError> {

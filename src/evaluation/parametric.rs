@@ -93,7 +93,7 @@ pub(crate) fn of_cell(
         Constants { coefficients, settings: Some(at.settings), window: Some(window) }
     };
     let none = constants(None);
-    let own = match &table.scheme {
+    let own = match table.scheme_at(at.row, at.column) {
         None => None,
         Some(located) => {
             let scope = cell_scope(judge, at, parameter, &none);
@@ -117,9 +117,8 @@ fn cell_scope<'s>(
         let value = at.settings.parameters.get(name).unwrap_or(value);
         scope = scope.with(name, Parametric::from_rational(value));
     }
-    for (axis, entry) in judge.headers(at.row, at.column) {
-        let value = judge.header(axis, entry, at.settings);
-        scope = scope.with(&axis.name, Parametric::from_rational(&value));
+    for (name, value) in judge.header_values(at) {
+        scope = scope.with(name, Parametric::from_rational(&value));
     }
     scope.with(parameter, Parametric::variable())
 }

@@ -36,8 +36,8 @@ impl RowDefinitions {
         let TableContext { paper, table, given, assumed, .. } = context;
         let fixed = |name: &String| {
             // The headers of the columns go before what is stated or assumed elsewhere.
-            table.columns.name != *name
-                && (table.rows.as_ref().is_some_and(|axis| axis.name == *name)
+            table.columns.name() != Some(name)
+                && (table.rows.as_ref().is_some_and(|axis| axis.name() == Some(name))
                     || given.contains_key(name)
                     || assumed.contains_key(name))
         };
@@ -88,9 +88,12 @@ impl RowDefinitions {
         let (settings, assume) = (Settings::default(), context.assumed.keys().cloned().collect());
         let rows = context.table.cells.len();
         for row in 0..if self.names.is_empty() { 0 } else { rows } {
-            let at = At { row, column: 0, assume: &assume, settings: &settings };
-            if let Ok(Ok(quantities)) = &context.quantities(at) {
-                self.compute(context, at, quantities);
+            // Where the columns are schemes, each has values of its own.
+            for column in 0..context.table.columns.schemes().len().max(1) {
+                let at = At { row, column, assume: &assume, settings: &settings };
+                if let Ok(Ok(quantities)) = &context.quantities(at) {
+                    self.compute(context, at, quantities);
+                }
             }
         }
         self.choices = settings.consulted();

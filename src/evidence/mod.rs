@@ -1,10 +1,12 @@
 //! Evidence: what certificates need beyond the findings, computed when they are written.
 
+mod by_hand;
 mod constants;
 mod promise;
 mod table;
 mod theorem;
 
+pub use by_hand::by_hand;
 pub use constants::{AttainedConstant, Powers, SearchedConstant};
 pub use promise::{PromiseEvidence, promise_evidence};
 pub use table::{Evidence, SoundCell, evidence};

@@ -1,5 +1,6 @@
 //! Findings: what the audit says of claims, as plain data.
 
+mod by_hand;
 mod cell;
 mod consistency;
 mod equation;
@@ -14,6 +15,7 @@ mod table;
 mod theorem;
 mod witness;
 
+pub use by_hand::{ByHand, HandCell, HandConstant, LeftOut};
 pub use cell::{AsRead, Assumed, CellFinding, CellKind, Direction, Missing, Slip, Sound, Verdict};
 pub use consistency::{Contradiction, Needed, Side, TablePart};
 pub use equation::{EquationFinding, EquationVerdict, Failure};

@@ -9,6 +9,11 @@ use crate::exact::{Integer, Rational, common_conductor};
 pub(super) const NAMES: [&str; 10] =
     ["abs", "min", "max", "floor", "ceil", "mod", "kronecker", "binomial", "sum", COSINE];
 
+/// Whether the language itself has a function of this name.
+pub(crate) fn is_builtin(name: &str) -> bool {
+    NAMES.contains(&name)
+}
+
 /// The function whose argument is an angle; the evaluator calls it.
 pub(super) const COSINE: &str = "cos";
 

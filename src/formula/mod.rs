@@ -55,10 +55,12 @@ mod value;
 
 pub use angle::PI;
 pub use ast::{Expr, Fold, Node, Operator, OptionWord, SEQUENCE_INDEX, Span};
+pub(crate) use builtin::is_builtin;
 pub use context::{Call, Context, Lookup, Parameters, Work};
 pub use dependence::{Dependence, IndexPair};
 pub use error::{CallError, FormulaError, FormulaErrorKind, MAX_FORMULA_LENGTH, MAX_NESTING};
 pub use evaluate::evaluate;
+pub(crate) use evaluate::evaluate_with;
 pub use free::FreeNames;
 pub use located::LocatedFormula;
 pub use parse::parse;

@@ -72,12 +72,7 @@ fn cases(identity: &Identity) -> Result<Vec<Case>, Diagnostic> {
         let mut longer = Vec::new();
         for case in cases {
             let (name, label, entries) = match index {
-                Index::Listed(axis) => {
-                    let entry = |entry: &crate::claim::AxisEntry| {
-                        (entry.value.clone(), entry.printed.clone())
-                    };
-                    (&axis.name, &axis.label, axis.entries.iter().map(entry).collect())
-                }
+                Index::Listed { name, label, values } => (name, label, values.clone()),
                 Index::Range { name, label, from, to } => {
                     let (from, to) = (bound(from, &case)?, bound(to, &case)?);
                     let entry = |value: i64| (Rational::from(value), value.to_string());

@@ -17,7 +17,7 @@ pub(crate) fn related(paper: &Paper) -> Vec<Vec<usize>> {
     let mut groups: Vec<(Vec<usize>, BTreeSet<&str>)> = Vec::new();
     for (place, table) in paper.tables.iter().enumerate() {
         let ring = table.promise.as_ref().and_then(Promise::ring);
-        let references = table.scheme.iter().chain(ring);
+        let references = table.schemes().chain(ring);
         let names: BTreeSet<&str> = references.flat_map(|one| one.reference.names()).collect();
         let (same, others) = groups
             .into_iter()
@@ -188,11 +188,9 @@ fn recover<'a>(
 
 /// Whether another table is about schemes of this one.
 fn same_scheme(one: &Table, other: &Table) -> bool {
-    match (&one.scheme, &other.scheme) {
-        (Some(one), Some(other)) => {
-            let names: Vec<&str> = one.reference.names().collect();
-            other.reference.names().all(|name| names.contains(&name))
-        }
-        _ => false,
+    fn names(table: &Table) -> BTreeSet<&str> {
+        table.schemes().flat_map(|located| located.reference.names()).collect()
     }
+    let (here, there) = (names(one), names(other));
+    !there.is_empty() && there.is_subset(&here)
 }

@@ -3,6 +3,7 @@
 use super::consistency;
 use super::equation::equations;
 use super::function;
+use super::headers;
 use super::overview::overview;
 use super::parts::{mark, titled};
 use super::promise;
@@ -76,9 +77,7 @@ fn one_table(sheet: &mut Sheet, audit: &PaperAudit<'_>, finding: &TableFinding<'
     let table = finding.table;
     sheet.heading(2, titled(&[&table.locus, &table.title, &table.id]));
     let mut facts = Vec::new();
-    if let Some(scheme) = &table.scheme {
-        facts.push(("scheme".to_owned(), scheme.reference.to_string()));
-    }
+    facts.extend(headers::schemes(table));
     facts.push(("said to equal".to_owned(), spelled_out(audit, &table.value.text)));
     sheet.facts(facts);
     sheet.grid(table_values(finding));
@@ -163,11 +162,7 @@ pub(super) fn remarks(finding: &TableFinding<'_>) -> Vec<String> {
         lines.push(reading::remark(search));
         lines.extend(reading::line_remarks(finding.table, search));
     }
-    let axes = finding.table.rows.iter().chain([&finding.table.columns]);
-    lines.extend(axes.flat_map(|axis| &axis.entries).filter_map(|entry| {
-        let (printed, value, note) = (&entry.printed, short(&entry.value, 12), &entry.note);
-        note.as_ref().map(|note| format!("The header {printed} is read as {value}: {note}."))
-    }));
+    lines.extend(finding.table.axes().flat_map(headers::notes));
     lines.extend(cells(finding).filter_map(|cell| {
         let (printed, note) = (cell.printed.as_ref()?, cell.note.as_ref()?);
         Some(format!("The cell {printed}: {note}."))

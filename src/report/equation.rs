@@ -3,7 +3,7 @@
 use super::parts::{mark, titled};
 use super::sheet::Sheet;
 use crate::audit::{EquationFinding, EquationVerdict};
-use crate::claim::{AxisEntry, EquationBody, Identity, Index, Left};
+use crate::claim::{EquationBody, Identity, Index, Left};
 use crate::exact::Rational;
 
 /// The equations that fail or cannot be checked; with `all`, every one.
@@ -60,18 +60,18 @@ fn compared(finding: &EquationFinding<'_>) -> String {
     let EquationBody::Identity(identity) = &finding.equation.body else { return String::new() };
     let index = |index: &Index| match index {
         Index::Range { label, from, to, .. } => format!(", {label} = {}…{}", from.text, to.text),
-        Index::Listed(axis) => format!(", {} = {}", axis.label, listed(&axis.entries)),
+        Index::Listed { label, values, .. } => format!(", {label} = {}", listed(values)),
     };
     identity.indices.iter().map(index).collect()
 }
 
 /// `3…10`, or `1, 3, 7`.
-fn listed(entries: &[AxisEntry]) -> String {
+fn listed(values: &[(Rational, String)]) -> String {
     let one = Rational::one();
-    let consecutive = entries.windows(2).all(|pair| &pair[0].value + &one == pair[1].value);
-    match entries {
-        [first, _, .., last] if consecutive => format!("{}…{}", first.printed, last.printed),
-        _ => entries.iter().map(|entry| entry.printed.as_str()).collect::<Vec<&str>>().join(", "),
+    let consecutive = values.windows(2).all(|pair| &pair[0].0 + &one == pair[1].0);
+    match values {
+        [(_, first), _, .., (_, last)] if consecutive => format!("{first}…{last}"),
+        _ => values.iter().map(|(_, printed)| printed.as_str()).collect::<Vec<&str>>().join(", "),
     }
 }
 

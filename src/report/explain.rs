@@ -3,6 +3,7 @@
 use super::audit::{assumed, remarks, table_values};
 use super::equation::{outcome, sides};
 use super::function;
+use super::headers;
 use super::parts::{definitions, mark};
 use super::promise;
 use super::reading;
@@ -10,7 +11,8 @@ use super::sheet::Sheet;
 use super::theorem;
 use super::tried;
 use crate::audit::{
-    CellFinding, EquationVerdict, Explanation, Failure, PaperAudit, Sound, TableFinding, Verdict,
+    ByHand, CellFinding, EquationVerdict, Explanation, Failure, PaperAudit, Sound, TableFinding,
+    Verdict,
 };
 use crate::claim::{EquationBody, Table};
 use crate::exact::format::short;
@@ -18,17 +20,18 @@ use crate::exact::format::short;
 /// The claim, table or equation of this id (`key:table-1`, `key:table-1:2:3`,
 /// `key:eq-3.8`, `key:range-1`, `key:theorem-1`) in full; `None` when there is none.
 /// `readings` are those of the table, from [`crate::audit::readings`]; with `all`, every
-/// one is shown.
+/// one is shown. `hand` is what [`crate::audit::by_hand`] says of a theorem.
 #[must_use]
 pub fn explain_sheet(
     audits: &[PaperAudit<'_>],
     id: &str,
     readings: &[Explanation],
+    hand: Option<&ByHand>,
     all: bool,
 ) -> Option<Sheet> {
     let (key, rest) = id.split_once(':')?;
     let audit = audits.iter().find(|audit| audit.paper.key == key)?;
-    let other = function::explain(audit, id).or_else(|| theorem::explain(audit, id));
+    let other = function::explain(audit, id).or_else(|| theorem::explain(audit, id, hand));
     if let Some(sheet) = other {
         return Some(sheet);
     }
@@ -56,7 +59,7 @@ pub fn explain_sheet(
     let finding = audit.tables.iter().find(|finding| finding.table.id == table_id)?;
     if table_id == rest {
         sheet.heading(1, format!("{id} · {}", finding.table.title));
-        definition(&mut sheet, audit, finding);
+        definition(&mut sheet, audit, finding, headers::schemes(finding.table));
         sheet.grid(table_values(finding));
         for line in remarks(finding).into_iter().chain(finding.table.note.clone()) {
             sheet.text(line);
@@ -70,7 +73,9 @@ pub fn explain_sheet(
     let cell = finding.cells.iter().flatten().find(|cell| cell.id == id)?;
     sheet.heading(1, format!("{id} · {}", cell.locus));
     sheet.text(finding.table.title.clone());
-    definition(&mut sheet, audit, finding);
+    let place = place_of(id);
+    let scheme = place.and_then(|place| headers::scheme_at(finding.table, place));
+    definition(&mut sheet, audit, finding, scheme);
     sheet.facts(facts(cell));
     let at = cell_place(finding.table, id);
     if at.is_some() {
@@ -93,20 +98,27 @@ pub fn table_of<'e, 'a>(
     Some((finding, cell_place(finding.table, id)))
 }
 
-/// The place of the cell of this id.
-fn cell_place(table: &Table, id: &str) -> Option<(usize, usize)> {
+/// The place that an id names, counted from 0.
+fn place_of(id: &str) -> Option<(usize, usize)> {
     let mut parts = id.split(':').skip(2);
     let mut place = || parts.next()?.parse::<usize>().ok()?.checked_sub(1);
-    let at = (place()?, place()?);
+    Some((place()?, place()?))
+}
+
+/// The place of the printed cell of this id.
+fn cell_place(table: &Table, id: &str) -> Option<(usize, usize)> {
+    let at = place_of(id)?;
     table.cells.get(at.0)?.get(at.1)?.printed()?;
     Some(at)
 }
 
-fn definition(sheet: &mut Sheet, audit: &PaperAudit<'_>, finding: &TableFinding<'_>) {
-    let mut facts = Vec::new();
-    if let Some(scheme) = &finding.table.scheme {
-        facts.push(("scheme".to_owned(), scheme.reference.to_string()));
-    }
+fn definition(
+    sheet: &mut Sheet,
+    audit: &PaperAudit<'_>,
+    finding: &TableFinding<'_>,
+    scheme: Option<(String, String)>,
+) {
+    let mut facts = Vec::from_iter(scheme);
     facts.push(("said to equal".to_owned(), finding.table.value.text.clone()));
     facts.extend(definitions(audit, &finding.table.value));
     sheet.facts(facts);

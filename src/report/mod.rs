@@ -1,13 +1,16 @@
 //! Findings as text, Markdown, LaTeX and JSON.
 
 mod audit;
+mod by_hand;
 mod consistency;
 mod coverage;
+mod data;
 mod equation;
 mod errata;
 mod explain;
 mod fit;
 mod function;
+mod headers;
 mod headline;
 pub mod json;
 mod latex;

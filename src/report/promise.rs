@@ -1,6 +1,6 @@
 //! Whether printed bounds and depths keep their promise.
 
-use super::witness::name;
+use super::data::name;
 use crate::audit::{Broken, CellFinding, Control, Kept, Place, PromiseCounts, Sound, TableFinding};
 use crate::claim::Promise;
 use crate::exact::format::short;

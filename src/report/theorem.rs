@@ -4,7 +4,7 @@ use super::parts::{definitions, mark, titled};
 use super::sheet::Sheet;
 use super::witness;
 use crate::audit::{
-    Correction, EveryShift, Naturally, Outcome, PaperAudit, Refutation, TheoremFinding,
+    ByHand, Correction, EveryShift, Naturally, Outcome, PaperAudit, Refutation, TheoremFinding,
     TheoremVerdict, Unshiftable, Violation,
 };
 use crate::claim::Statement;
@@ -161,7 +161,7 @@ pub(super) fn statement(statement: &Statement) -> String {
 }
 
 /// The theorem of this id in full, if it is one.
-pub(super) fn explain(audit: &PaperAudit<'_>, id: &str) -> Option<Sheet> {
+pub(super) fn explain(audit: &PaperAudit<'_>, id: &str, hand: Option<&ByHand>) -> Option<Sheet> {
     let finding = audit.theorems.iter().find(|finding| finding.id == id)?;
     let theorem = finding.theorem;
     let mut sheet = Sheet::default();
@@ -178,7 +178,7 @@ pub(super) fn explain(audit: &PaperAudit<'_>, id: &str) -> Option<Sheet> {
     }
     let verdict = format!("{} {}", mark(finding.verdict.name()), outcome(finding));
     facts.push(("verdict".to_owned(), verdict));
-    facts.extend(witness::facts(finding));
+    facts.extend(witness::facts(finding, hand));
     facts.extend(corrections(finding));
     facts.extend(finding.cases.iter().map(|case| (case.label.clone(), in_case(&case.outcome))));
     facts.extend(theorem.note.clone().map(|note| ("note".to_owned(), note)));

@@ -1,13 +1,15 @@
 //! The data that refute a theorem.
 
-use super::numbers::{DIGITS, exact, points};
+use super::by_hand;
+use super::data::{control, value_name};
+use super::numbers::{DIGITS, exact};
 use super::shift;
-use crate::audit::{Control, Naturally, Place, Refutation, TheoremFinding, Violation};
+use crate::audit::{ByHand, Control, Naturally, Refutation, TheoremFinding};
 use crate::claim::Quantity;
 use crate::exact::format::short;
 
 /// What it takes to check the refutation by hand.
-pub(super) fn facts(finding: &TheoremFinding<'_>) -> Vec<(String, String)> {
+pub(super) fn facts(finding: &TheoremFinding<'_>, hand: Option<&ByHand>) -> Vec<(String, String)> {
     let Some(refutation) = &finding.refutation else { return Vec::new() };
     let Refutation { case, violation, supremum, sound, natural, every_shift, .. } = refutation;
     let mut facts = Vec::new();
@@ -40,9 +42,13 @@ pub(super) fn facts(finding: &TheoremFinding<'_>) -> Vec<(String, String)> {
     }
     let place = if natural.is_some() { "with points at i/n^k" } else { "refuted for" };
     fact(place, if natural.is_some() { format!("refuted for {case}") } else { case.clone() });
-    fact("control data", control(&violation.attained.control));
-    fact(&value_name(violation), exact(&violation.attained.value));
-    fact("claimed at most", exact(&violation.bound));
+    if let Some(hand) = hand {
+        by_hand::facts(finding, refutation, hand, &mut fact);
+    } else {
+        fact("control data", control(&violation.attained.control));
+        fact(&value_name(violation), exact(&violation.attained.value));
+        fact("claimed at most", exact(&violation.bound));
+    }
     if let Some(supremum) = supremum {
         let lower = &supremum.lower;
         let known = match &supremum.upper {
@@ -56,25 +62,6 @@ pub(super) fn facts(finding: &TheoremFinding<'_>) -> Vec<(String, String)> {
         fact("sound block bound", short(sound, DIGITS));
     }
     facts
-}
-
-/// `x_-2, …, x_1 = 0, 1, 2, 1`.
-fn control(control: &Control) -> String {
-    match control {
-        Control::Polygon(polygon) => points("x", polygon),
-        Control::Net { first: [i, j], rows } => {
-            let row = |row: &Vec<i64>| {
-                row.iter().map(ToString::to_string).collect::<Vec<String>>().join(", ")
-            };
-            let rows: Vec<String> = rows.iter().map(row).collect();
-            format!("from x_{i},{j} on, row by row: {}", rows.join(" | "))
-        }
-        Control::Points(points) => {
-            let list: Vec<String> =
-                points.iter().map(|(name, height)| format!("{name} = {height}")).collect();
-            list.join(", ")
-        }
-    }
 }
 
 /// Of points around a vertex or on a face, what is compared with what.
@@ -95,34 +82,4 @@ pub(super) fn compared(finding: &TheoremFinding<'_>) -> Option<&'static str> {
         }
         (Quantity::Difference, _) => "two neighbouring points of level k",
     })
-}
-
-/// The quantity at its place: `|P^∞(t) − P^2(t)| at t = 3/8`.
-fn value_name(violation: &Violation) -> String {
-    let k = violation.level;
-    match (&violation.attained.place, violation.quantity) {
-        (Place::Parameter(t), _) => format!("|P^∞(t) − P^{k}(t)| at t = {t}"),
-        (Place::Parameters([s, t]), _) => {
-            format!("|P^∞(s, t) − P^{k}(s, t)| at s = {s}, t = {t}")
-        }
-        (Place::Point(i), _) => format!("step to the point {i} of level {}", k + 1),
-        (Place::Difference(i), _) => format!("|Δ^{k}_i| at i = {i}"),
-        (place, Quantity::Distance) => format!("distance of {} at level {k}", name(place)),
-        (place, Quantity::Step) => format!("step of {} after level {k}", name(place)),
-        (place, Quantity::Difference) => format!("difference {} at level {k}", name(place)),
-    }
-}
-
-/// A place in a few words.
-pub(super) fn name(place: &Place) -> String {
-    match place {
-        Place::Parameter(t) => t.to_string(),
-        Place::Parameters([s, t]) => format!("({s}, {t})"),
-        Place::Point(i) | Place::Difference(i) => i.to_string(),
-        Place::Points([i, j]) => format!("({i}, {j})"),
-        Place::Along([i, j], 0) => format!("({i}, {j}), first index"),
-        Place::Along([i, j], _) => format!("({i}, {j}), second index"),
-        Place::Named(name) => name.clone(),
-        Place::Edge([a, b]) => format!("{a} – {b}"),
-    }
 }

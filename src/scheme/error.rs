@@ -65,6 +65,22 @@ pub enum SchemeError {
         /// Those it has.
         known: Vec<String>,
     },
+    /// A parameter that another name for a scheme does not hand on.
+    #[error(
+        "`{scheme}` stands for `{stands_for}`, and hands on no parameter `{parameter}`{}; a \
+         parameter is a name in what it stands for, such as w in `use = \"six-point:w=w\"`",
+        parameters(.known)
+    )]
+    NotHandedOn {
+        /// The name.
+        scheme: String,
+        /// The scheme, with its parameters, that the name stands for.
+        stands_for: String,
+        /// The parameter.
+        parameter: String,
+        /// Those it has.
+        known: Vec<String>,
+    },
     /// A parameter that is irrational where only rational ones are computed with.
     #[error("`{scheme}` is computed for rational `{parameter}` only here, and not for {value}")]
     IrrationalParameter {

@@ -2,8 +2,10 @@
 
 use super::error::ReferenceError;
 use crate::exact::Rational;
-use crate::formula::{Context, Expr, FormulaError, Value, evaluate, is_identifier, parse};
-use std::collections::BTreeMap;
+use crate::formula::{
+    Context, Expr, FormulaError, FreeNames, Value, evaluate_with, is_identifier, parse,
+};
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
 /// The longest SCHEME that is read, in bytes.
@@ -78,6 +80,18 @@ impl Reference {
         Ok(Reference { text: text.trim().to_owned(), parts })
     }
 
+    /// The names in the formulas of its parameters, but for indices of sums.
+    pub(crate) fn parameters(&self) -> BTreeSet<String> {
+        let none = BTreeMap::new();
+        let mut free = FreeNames::new(&none);
+        let of = |expr: &Expr| {
+            let names = expr.names();
+            let free = free.of(expr).into_iter();
+            free.filter(|name| names.contains(&name[..])).collect::<BTreeSet<String>>()
+        };
+        self.formulas().flat_map(of).collect()
+    }
+
     /// The names of the schemes that this refers to, one per factor.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         self.parts.iter().map(|part| part.name.as_str())
@@ -92,9 +106,19 @@ impl Reference {
         &self,
         context: &dyn Context<V>,
     ) -> Result<Vec<Instance<V>>, FormulaError> {
+        self.instances_with(context, &[])
+    }
+
+    /// The same, where names have these values; the first one of a name counts.
+    pub(crate) fn instances_with<V: Value>(
+        &self,
+        context: &dyn Context<V>,
+        values: &[(String, V)],
+    ) -> Result<Vec<Instance<V>>, FormulaError> {
         let instance = |part: &Part| {
-            let value =
-                |(name, expr): (&String, &Expr)| Ok((name.clone(), evaluate(expr, context)?));
+            let value = |(name, expr): (&String, &Expr)| {
+                Ok((name.clone(), evaluate_with(expr, context, values)?))
+            };
             let parameters = part.parameters.iter().map(value).collect::<Result<_, _>>()?;
             Ok(Instance { name: part.name.clone(), parameters })
         };

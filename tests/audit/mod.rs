@@ -1,5 +1,6 @@
 //! The five papers, and claim files that were judged wrongly once.
 
+mod by_hand;
 mod ledger;
 mod papers;
 mod soundness;

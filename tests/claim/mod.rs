@@ -1,4 +1,5 @@
 //! Reading claim files.
 
+mod axes;
 mod embedded;
 mod names;

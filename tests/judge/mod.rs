@@ -6,5 +6,6 @@ mod lines;
 mod proportional;
 mod readings;
 mod recovered;
+mod scheme_headers;
 mod theorem_verdicts;
 mod theorems;

@@ -48,3 +48,24 @@ pub fn names(expr: &Expr, definitions: &Definitions) -> BTreeSet<String> {
     }
     names
 }
+
+/// The names in a formula that stand for numbers, without the indices of sums.
+pub fn free(expr: &Expr) -> BTreeSet<String> {
+    match expr {
+        Expr::Number(_) => BTreeSet::new(),
+        Expr::Name(name) => Some(name.clone()).filter(|name| name != "pi").into_iter().collect(),
+        Expr::Of(head, parts) => {
+            let mut names = parts.iter().map(free);
+            let ends: BTreeSet<String> = match head {
+                Head::Over(..) => names.by_ref().take(2).flatten().collect(),
+                _ => BTreeSet::new(),
+            };
+            let mut names: BTreeSet<String> = names.flatten().collect();
+            if let Head::Over(_, index) = head {
+                names.remove(index);
+            }
+            names.extend(ends);
+            names
+        }
+    }
+}

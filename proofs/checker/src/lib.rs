@@ -56,6 +56,7 @@ mod functions;
 mod sums;
 
 // Claim files, and the rules by which certificates prove claims.
+mod headers;
 mod paper;
 mod rules;
 mod said;

@@ -1,7 +1,7 @@
 //! The library of the schemes that a claim file may name.
 
-use crate::definitions::{Definitions, formula, formulas};
-use crate::evaluate::Scope;
+use crate::definitions::{Definitions, formula, formulas, free};
+use crate::evaluate::{Indices, Scope};
 use crate::meter::Meter;
 use crate::products::Products;
 use crate::reading::Reading;
@@ -10,7 +10,7 @@ use crate::scheme::{MAX_ARITY, MAX_WIDTH, Scheme};
 use crate::toml::Toml;
 use crate::value::Value;
 use std::cell::RefCell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 /// The greatest length of a chain of names that stand for names.
@@ -28,6 +28,9 @@ pub struct Library<'a> {
     nothing: Definitions,
     as_printed: Reading,
 }
+
+/// The name of a scheme, its table, and its parameters.
+pub type Entry<'a> = (&'a str, &'a Toml, BTreeMap<String, Value>);
 
 fn wrong<T>(of: &str, what: &str) -> Result<T, Stop> {
     Err(Stop::Wrong(format!("`{of}`: {what}")))
@@ -61,16 +64,28 @@ impl<'a> Library<'a> {
     /// The schemes of a reference such as `six-point:w=w`, one for each factor of a tensor
     /// product. The parameters are evaluated in the scope.
     pub fn resolve(&self, reference: &str, scope: &Scope<'_>) -> Result<Vec<Rc<Scheme>>, Stop> {
-        self.follow(reference, scope, 0)
+        let entries = self.follow(reference, (scope, &mut Indices::new()), 0)?.into_iter();
+        entries.map(|(name, table, parameters)| self.scheme(name, table, parameters)).collect()
     }
 
+    /// The name and the table of the one scheme that a reference names, with its parameters.
+    pub fn entry(&self, reference: &str, scope: &Scope<'_>) -> Result<Entry<'a>, Stop> {
+        let mut entries = self.follow(reference, (scope, &mut Indices::new()), 0)?;
+        match (entries.pop(), entries.is_empty()) {
+            (Some(entry), true) => Ok(entry),
+            _ => wrong(reference, "it is a tensor product"),
+        }
+    }
+
+    /// The schemes behind the names of a reference. In the formulas of a `use`, the parameters that
+    /// are given with its name have their values.
     fn follow(
         &self,
         reference: &str,
-        scope: &Scope<'_>,
+        (scope, values): (&Scope<'_>, &mut Indices),
         depth: usize,
-    ) -> Result<Vec<Rc<Scheme>>, Stop> {
-        let mut schemes = Vec::new();
+    ) -> Result<Vec<Entry<'a>>, Stop> {
+        let mut entries = Vec::new();
         let factors: Vec<&str> = reference.split(" x ").collect();
         if factors.len() > 2 || depth > MAX_ALIASES {
             return wrong(
@@ -79,16 +94,23 @@ impl<'a> Library<'a> {
             );
         }
         for factor in factors {
-            let (name, table, parameters) = self.entry(factor, scope)?;
-            match table.text("use") {
-                Some(_) if !parameters.is_empty() => {
-                    return wrong(reference, "it has no parameters");
-                }
-                Some(other) => schemes.extend(self.follow(other, scope, depth + 1)?),
-                None => schemes.push(self.scheme(name, table, parameters)?),
+            let (name, table, parameters) = self.named_with(factor, scope, values)?;
+            let Some(other) = table.text("use") else {
+                entries.push((name, table, parameters));
+                continue;
+            };
+            let known = parameters_of(other)?;
+            let place =
+                |name: &String| known.contains(name) && !scope.definitions.contains_key(name);
+            if !parameters.keys().all(place) {
+                return wrong(reference, "its `use` has no such parameter");
             }
+            let outer = values.len();
+            values.extend(parameters);
+            entries.extend(self.follow(other, (scope, values), depth + 1)?);
+            values.truncate(outer);
         }
-        Ok(schemes)
+        Ok(entries)
     }
 
     fn named(&self, name: &str) -> Option<&'a Toml> {
@@ -98,29 +120,35 @@ impl<'a> Library<'a> {
 
     /// Whether a reference names a ring.
     pub fn is_ring(&self, reference: &str) -> bool {
-        let (name, _) = reference.split_once(':').unwrap_or((reference, ""));
-        self.named(name.trim()).is_some_and(|table| table.get("orbits").is_some())
+        let table = |reference: &str| self.named(split(reference).0);
+        let mut found = table(reference);
+        for _ in 0..MAX_ALIASES {
+            let Some(other) = found.and_then(|table| table.text("use")) else { break };
+            found = table(other);
+        }
+        found.is_some_and(|table| table.get("orbits").is_some())
     }
 
-    /// The table of the scheme that a reference names, with its parameters.
-    pub fn entry<'r>(
+    /// The table that a reference names, with the parameters that are given there.
+    fn named_with(
         &self,
-        reference: &'r str,
+        reference: &str,
         scope: &Scope<'_>,
-    ) -> Result<(&'r str, &'a Toml, BTreeMap<String, Value>), Stop> {
-        let (name, arguments) = reference.trim().split_once(':').unwrap_or((reference.trim(), ""));
+        values: &mut Indices,
+    ) -> Result<Entry<'a>, Stop> {
+        let (name, arguments) = split(reference);
         let mut parameters = BTreeMap::new();
         for argument in arguments_of(arguments) {
             let Some((parameter, value)) = argument.split_once('=') else {
                 return wrong(reference, "a parameter has the form name=value");
             };
-            let value = scope.value(&formula(value.trim())?)?;
+            let value = scope.evaluate(&formula(value.trim())?, values)?;
             if parameters.insert(parameter.trim().to_owned(), value).is_some() {
                 return wrong(reference, "a parameter is given twice");
             }
         }
-        match self.named(name) {
-            Some(table) => Ok((name, table, parameters)),
+        match self.named(name).and_then(|table| Some((table.text("name")?, table))) {
+            Some((name, table)) => Ok((name, table, parameters)),
             None => wrong(reference, "there is no such scheme"),
         }
     }
@@ -184,6 +212,22 @@ impl<'a> Library<'a> {
         self.schemes.borrow_mut().insert(key, Rc::clone(&scheme));
         Ok(scheme)
     }
+}
+
+/// The name and the parameters of a reference.
+fn split(reference: &str) -> (&str, &str) {
+    reference.trim().split_once(':').unwrap_or((reference.trim(), ""))
+}
+
+/// The names in the formulas of the parameters of a reference.
+fn parameters_of(reference: &str) -> Result<BTreeSet<String>, Stop> {
+    let mut names = BTreeSet::new();
+    for factor in reference.split(" x ") {
+        for (_, value) in arguments_of(split(factor).1).iter().filter_map(|it| it.split_once('=')) {
+            names.extend(free(&formula(value.trim())?));
+        }
+    }
+    Ok(names)
 }
 
 /// The arguments between commas outside of parentheses, without blank ones.

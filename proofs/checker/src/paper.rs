@@ -1,10 +1,10 @@
 //! A claim file and the scopes of its formulas.
 
 use crate::certificate::MAX_LINE;
-use crate::decimal::{Q, read_rational};
+use crate::decimal::read_rational;
 use crate::definitions::{Definitions, formulas};
 use crate::evaluate::Scope;
-use crate::formula::{is_name, parse};
+use crate::formula::parse;
 use crate::library::Library;
 use crate::reject::{Checked, Reason, Stop};
 use crate::shape::KINDS;
@@ -72,29 +72,4 @@ pub fn value(text: &str, scope: &Scope<'_>) -> Checked<Value> {
 pub fn printed(field: &Toml) -> Option<(&str, &str)> {
     let text = field.as_text().or_else(|| field.text("printed"))?;
     Some((text, field.text("read").unwrap_or(text)))
-}
-
-/// The headers of a table, or an index with listed values.
-pub struct Axis<'a> {
-    /// The name of the parameter.
-    pub name: &'a str,
-    /// The headers as read, with their values.
-    pub entries: Vec<(&'a str, Q)>,
-}
-
-impl<'a> Axis<'a> {
-    /// Reads an axis.
-    pub fn read(table: &'a Toml) -> Result<Axis<'a>, Stop> {
-        let entry = |field: &'a Toml| {
-            let (_, read) = printed(field)?;
-            Some((read, read_rational(read)?))
-        };
-        let entries: Option<Vec<(&str, Q)>> = table.list("values").iter().map(entry).collect();
-        match (table.text("name"), entries) {
-            (Some(name), Some(entries)) if is_name(name) && !entries.is_empty() => {
-                Ok(Axis { name, entries })
-            }
-            _ => Err(Stop::Wrong("`name` and `values` of headers are missing".into())),
-        }
-    }
 }

@@ -24,7 +24,8 @@ theorem: bounds=text by=text from=text says=text rests=*text schemes=*text value
  offset=text interpolant=text supposes=supposes block=text corrections=*correction \
  proved_by=text refuted_by=text proof_uses=*text
 promise: tolerance=text level=text spread=text offset=text ring=text
-axis: name=text label=text values=*number from=text to=text
+axis: name=text label=text values=*number schemes=*header from=text to=text
+header: printed=text scheme=text note=text
 number: printed=text read=text note=text
 supposes: value=text below=text
 correction: of=text says=text value=text
@@ -59,7 +60,7 @@ fn path(value: &Toml, of: &str) -> Option<String> {
         (Toml::Table(table), None, None) if !["text", "flag", "any"].contains(&of) => {
             table.iter().find_map(|entry| nested(entry, field(of, &entry.0).unwrap_or("none")))
         }
-        (Toml::Text(_), ..) if ["text", "number"].contains(&of) => None,
+        (Toml::Text(_), ..) if ["text", "number", "header"].contains(&of) => None,
         (Toml::Flag(_), ..) if of == "flag" => None,
         _ if of == "any" => None,
         _ => Some(String::new()),

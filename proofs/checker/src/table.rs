@@ -4,7 +4,8 @@ use crate::decimal::{Decimal, Q};
 use crate::definitions::{Definitions, formula_of};
 use crate::evaluate::{Memory, Scope};
 use crate::formula::Expr;
-use crate::paper::{Axis, Paper, printed};
+use crate::headers::Headers;
+use crate::paper::{Paper, printed};
 use crate::reading::Reading;
 use crate::reject::{Checked, Reason, Stop};
 use crate::rounding::interval;
@@ -25,7 +26,7 @@ pub struct Table<'a> {
     /// The formula that every cell should equal.
     pub value: Expr,
     /// The headers of the rows, if there are any, and of the columns.
-    pub axes: [Option<Axis<'a>>; 2],
+    pub axes: [Option<Headers<'a>>; 2],
     /// The parameters that are stated.
     pub given: BTreeMap<String, Value>,
     /// The parameters that are not stated.
@@ -83,14 +84,15 @@ impl<'a> Table<'a> {
     /// Reads a table.
     pub fn new(paper: &'a Paper<'a>, claim: &'a Toml) -> Result<Table<'a>, Stop> {
         let columns = claim.get("columns").ok_or(Stop::Wrong("`columns` is missing".into()))?;
-        let rows = claim.get("rows").map(Axis::read).transpose()?;
+        let rows = claim.get("rows").map(Headers::read).transpose()?;
         let assumed = paper.constants(claim.entries("unstated"))?;
         let open = claim.list("unstated").iter().filter_map(Toml::as_text).map(str::to_owned);
         let unstated: BTreeSet<String> = assumed.keys().cloned().chain(open).collect();
         let mut given = paper.given.clone();
         given.extend(paper.constants(claim.entries("given"))?);
-        let axes = [rows, Some(Axis::read(columns)?)];
-        let header = |name: &str| axes.iter().flatten().any(|axis| axis.name == name);
+        let axes = [rows, Some(Headers::read(columns)?)];
+        let named = axes.iter().flatten().filter_map(Headers::axis).map(|axis| axis.name);
+        let header = |name: &str| named.clone().any(|known| known == name);
         given.retain(|name, _| !unstated.contains(name) && !header(name));
         let promise = claim.get("promise");
         let table = Table {
@@ -107,6 +109,10 @@ impl<'a> Table<'a> {
             known: RefCell::default(),
             bounds: RefCell::default(),
         };
+        let of_axes = table.axes.iter().flatten().filter(|axis| !axis.schemes().is_empty());
+        if of_axes.count() + usize::from(claim.get("scheme").is_some()) > 1 {
+            return Err(Stop::Wrong("its cells have two schemes".into()));
+        }
         let (rows, columns) = table.size();
         let cells = claim.list("cells");
         let even = cells.len() == rows && cells.iter().all(|row| row.as_list().len() == columns);
@@ -120,7 +126,7 @@ impl<'a> Table<'a> {
 
     /// The number of rows and columns.
     pub fn size(&self) -> (usize, usize) {
-        let count = |axis: &Option<Axis>| axis.as_ref().map_or(1, |axis| axis.entries.len());
+        let count = |axis: &Option<Headers>| axis.as_ref().map_or(1, Headers::count);
         (count(&self.axes[0]), count(&self.axes[1]))
     }
 
@@ -155,6 +161,21 @@ impl<'a> Table<'a> {
         Some((text, Decimal::read(read)?))
     }
 
+    /// The reference to the scheme of a cell: that of its row, of its column, or of the table.
+    fn scheme(&self, (row, column): Place) -> Option<&'a str> {
+        let of = |axis: &Option<Headers<'a>>, place: usize| {
+            axis.as_ref().and_then(|axis| axis.schemes().get(place).copied())
+        };
+        let headers = of(&self.axes[0], row).or_else(|| of(&self.axes[1], column));
+        headers.or_else(|| self.claim.text("scheme"))
+    }
+
+    /// Every reference to a scheme of a cell.
+    pub fn schemes(&self) -> Vec<&'a str> {
+        let headers = self.axes.iter().flatten().flat_map(|axis| axis.schemes().iter().copied());
+        self.claim.text("scheme").into_iter().chain(headers).collect()
+    }
+
     /// The scope of a cell under some assumed parameters, and the factors of its scheme.
     pub fn scope<'s>(
         &'s self,
@@ -173,7 +194,7 @@ impl<'a> Table<'a> {
         let missing = self.unstated.iter().filter(|name| !scope.values.contains_key(*name));
         scope.unstated = missing.cloned().collect();
         for (axis, place) in self.axes.iter().zip([row, column]) {
-            let Some(axis) = axis else { continue };
+            let Some(axis) = axis.as_ref().and_then(Headers::axis) else { continue };
             let (text, value) = &axis.entries[place];
             let value = match (read.reading.words.get("tolerance"), Decimal::read(text)) {
                 (Some(word), Some(decimal)) if self.tolerance == Some(axis.name) => {
@@ -187,7 +208,7 @@ impl<'a> Table<'a> {
             scope.values.insert(axis.name.to_owned(), value.into());
         }
         let mut schemes = Vec::new();
-        if let Some(reference) = self.claim.text("scheme") {
+        if let Some(reference) = self.scheme((row, column)) {
             schemes = self.paper.library.resolve(reference, &scope)?;
         }
         scope.scheme = schemes.first().cloned();

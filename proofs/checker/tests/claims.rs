@@ -167,3 +167,80 @@ fn a_definition_is_read_once() {
     let twice = reason("  read definition twice 1\n  read definition twice 2\n");
     assert_eq!(twice, Reason::NotInFamily("twice".to_owned()));
 }
+
+/// A table in which every cell says that its value is 1/2.
+fn of_schemes(fields: &str, before: &str) -> (String, &'static str) {
+    let claims = format!(
+        "key = \"claims\"\n{before}[[table]]\nid = \"t\"\nvalue = 'contraction(1)'\n{fields}\n\
+         cells = [['0.5']]\n"
+    );
+    (
+        claims,
+        "subcert-certificate 2\npaper claims\ntable t\n value contraction(1)\n \
+              cell 1 1 \"0.5\" 1/2 confirmed\nend 1\n",
+    )
+}
+
+#[test]
+fn headers_that_are_schemes_are_these_alone() {
+    let accepted = |fields: &str| {
+        let (claims, certificate) = of_schemes(fields, "");
+        shown(&claims, certificate) == Some(1)
+    };
+    for fields in [
+        "columns = { schemes = ['chaikin'] }",
+        "rows = { label = 'scheme', schemes = ['chaikin'] }\ncolumns = { name = 'w', values = ['1'] }",
+        "columns = { schemes = [{ printed = 'Ch.', scheme = 'chaikin', note = 'so called' }] }",
+    ] {
+        assert!(accepted(fields), "{fields}");
+    }
+    for fields in [
+        // Two schemes, or none.
+        "scheme = 'chaikin'\ncolumns = { schemes = ['chaikin'] }",
+        "rows = { schemes = ['chaikin'] }\ncolumns = { schemes = ['chaikin'] }",
+        "columns = { schemes = [] }",
+        // Numbers as well, or a name.
+        "columns = { name = 'w', schemes = ['chaikin'] }",
+        "columns = { name = 'w', values = ['1'], schemes = ['chaikin'] }",
+        "columns = { values = ['1'], schemes = ['chaikin'] }",
+        // Other fields, and none.
+        "columns = { schemes = [{ printed = 'Ch.' }] }",
+        "columns = { schemes = [{ printed = 'Ch.', scheme = 'chaikin', read = 'chaikin' }] }",
+        "columns = { schemes = ['nowhere'] }",
+    ] {
+        assert!(!accepted(fields), "{fields}");
+    }
+}
+
+#[test]
+fn a_name_hands_on_the_parameters_that_have_a_place_in_its_use() {
+    let schemes = "define = { half = 'w/2' }\n\
+                   [[scheme]]\nname = 'corner'\nparameters.w = {}\n\
+                   mask = [['1 - w', 'w'], ['w', '1 - w']]\n\
+                   [[scheme]]\nname = 'mine'\nuse = 'corner:w=v'\n\
+                   [[scheme]]\nname = 'yours'\nuse = 'mine:v=2*u'\n\
+                   [[scheme]]\nname = 'fixed'\nuse = 'corner:w=1/4'\n\
+                   [[scheme]]\nname = 'halved'\nuse = 'corner:w=half'\n\
+                   [[scheme]]\nname = 'summed'\nuse = 'corner:w=sum(t = 1..2, t)/12'\n";
+    let accepted = |reference: &str| {
+        let fields = format!("columns = {{ schemes = ['{reference}'] }}");
+        let (claims, certificate) = of_schemes(&fields, schemes);
+        shown(&claims, certificate) == Some(1)
+    };
+    for reference in ["mine:v=1/4", "yours:u=1/8", "fixed", "summed"] {
+        assert!(accepted(reference), "{reference}");
+    }
+    for reference in [
+        "mine",
+        "mine:w=1/4",
+        "yours:v=1/4",
+        "yours:u=1/4",
+        "fixed:w=1/4",
+        "halved:half=1/4",
+        "summed:t=1",
+        "mine:v=1/4,w=1/4",
+        "mine:v=1/4,v=1/4",
+    ] {
+        assert!(!accepted(reference), "{reference}");
+    }
+}

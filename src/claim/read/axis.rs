@@ -1,10 +1,10 @@
 //! Reading headers and indices.
 
-use super::fields::NumberField;
+use super::fields::{NumberField, SchemeField};
 use super::reader::Reader;
-use crate::claim::{Axis, AxisEntry, Index};
+use crate::claim::{Axis, AxisEntry, Headers, Index, LocatedReference};
 use crate::diagnostic::Diagnostic;
-use crate::exact::parse_rational;
+use crate::exact::{Rational, parse_rational};
 use crate::scheme::{formula, identifier};
 use serde::Deserialize;
 use toml::Spanned;
@@ -12,50 +12,121 @@ use toml::Spanned;
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct AxisTable {
-    pub(super) name: Spanned<String>,
+    pub(super) name: Option<Spanned<String>>,
     label: Option<String>,
     values: Option<Spanned<Vec<Spanned<NumberField>>>>,
+    pub(super) schemes: Option<Spanned<Vec<Spanned<SchemeField>>>>,
     from: Option<Spanned<String>>,
     to: Option<Spanned<String>>,
 }
 
+/// A listed value with its header.
+type Number = (AxisEntry, Rational);
+
+/// What reports call headers that are schemes, unless the file says it.
+const SCHEMES: &str = "scheme";
+
+/// How headers are written.
+const HELP: &str = "{ name = \"c\", values = ['1', '2'] }, where c has these values in formulas, or \
+                    { schemes = [\"chaikin\", \"four-point:w=1/16\"] }";
+
 impl Reader<'_> {
-    pub(super) fn axis(&self, table: &AxisTable) -> Result<Axis, Diagnostic> {
-        let name = identifier(self.source, &table.name)?;
-        let (Some(values), None, None) = (&table.values, &table.from, &table.to) else {
-            return Err(self.error(table.name.span(), "headers are given by `values`"));
-        };
-        if values.get_ref().is_empty() {
-            return Err(self.error(values.span(), "at least one header is needed"));
+    pub(super) fn axis(&self, table: &Spanned<AxisTable>) -> Result<Axis, Diagnostic> {
+        let axis = table.get_ref();
+        match axis {
+            AxisTable { values: Some(_), schemes: None, from: None, to: None, .. } => {
+                let (name, label, values) = self.values(table)?;
+                let (entries, values) = values.into_iter().unzip();
+                Ok(Axis { label, entries, headers: Headers::Values { name, values } })
+            }
+            AxisTable { values: None, schemes: Some(schemes), from: None, to: None, .. } => {
+                if let Some(name) = &axis.name {
+                    return Err(self
+                        .error(name.span(), "headers that are schemes have no name in formulas")
+                        .with_help(
+                            "leave `name` out: the functions of a cell are about its scheme; \
+                             `label` is what reports call these headers",
+                        ));
+                }
+                let label = axis.label.clone().unwrap_or_else(|| SCHEMES.to_owned());
+                let (entries, schemes) = self.scheme_headers(schemes)?.into_iter().unzip();
+                Ok(Axis { label, entries, headers: Headers::Schemes(schemes) })
+            }
+            _ => Err(self
+                .error(table.span(), "headers are given either by `values` or by `schemes`")
+                .with_help(HELP)),
         }
+    }
+
+    /// The name, the label, and the listed values of a parameter.
+    fn values(
+        &self,
+        table: &Spanned<AxisTable>,
+    ) -> Result<(String, String, Vec<Number>), Diagnostic> {
+        let AxisTable { label, values, .. } = table.get_ref();
+        let name = self.name(table)?;
+        let fields = values.as_ref().filter(|fields| !fields.get_ref().is_empty());
+        let Some(fields) = fields else {
+            let span = values.as_ref().map_or(table.span(), Spanned::span);
+            return Err(self.error(span, "at least one header is needed"));
+        };
         let entry = |field: &Spanned<NumberField>| {
             let NumberField { printed, read, note } = field.get_ref();
             let text = read.as_ref().unwrap_or(printed);
             let value = parse_rational(text).map_err(|error| self.damaged(field, &error))?;
-            Ok(AxisEntry { printed: printed.clone(), value, note: note.clone() })
+            Ok((AxisEntry { printed: printed.clone(), note: note.clone() }, value))
         };
-        Ok(Axis {
-            label: table.label.clone().unwrap_or_else(|| name.clone()),
-            name,
-            entries: values.get_ref().iter().map(entry).collect::<Result<_, Diagnostic>>()?,
-        })
+        let values = fields.get_ref().iter().map(entry).collect::<Result<_, Diagnostic>>()?;
+        Ok((name.clone(), label.clone().unwrap_or(name), values))
     }
 
-    pub(super) fn index(&self, table: &AxisTable) -> Result<Index, Diagnostic> {
-        let (Some(from), Some(to), None) = (&table.from, &table.to, &table.values) else {
-            if table.from.is_some() || table.to.is_some() {
-                return Err(self
-                    .error(table.name.span(), "an index needs either `values`, or `from` and `to`")
-                    .with_help("{ name = \"i\", from = '2', to = 'N - 1' }"));
-            }
-            return self.axis(table).map(Index::Listed);
+    fn scheme_headers(
+        &self,
+        fields: &Spanned<Vec<Spanned<SchemeField>>>,
+    ) -> Result<Vec<(AxisEntry, LocatedReference)>, Diagnostic> {
+        if fields.get_ref().is_empty() {
+            return Err(self.error(fields.span(), "at least one header is needed"));
+        }
+        let entry = |field: &Spanned<SchemeField>| {
+            let SchemeField { printed, scheme, note } = field.get_ref();
+            let scheme = match scheme {
+                Some(text) => self.located(text)?,
+                None => self.located(&Spanned::new(field.span(), printed.clone()))?,
+            };
+            Ok((AxisEntry { printed: printed.clone(), note: note.clone() }, scheme))
         };
-        let name = identifier(self.source, &table.name)?;
-        Ok(Index::Range {
-            label: table.label.clone().unwrap_or_else(|| name.clone()),
-            name,
-            from: Box::new(formula(self.source, from)?),
-            to: Box::new(formula(self.source, to)?),
-        })
+        fields.get_ref().iter().map(entry).collect()
+    }
+
+    fn name(&self, table: &Spanned<AxisTable>) -> Result<String, Diagnostic> {
+        let Some(name) = &table.get_ref().name else {
+            return Err(self
+                .error(table.span(), "numbers need the `name` that has these values in formulas")
+                .with_help("{ name = \"c\", values = ['1', '2'] }"));
+        };
+        identifier(self.source, name)
+    }
+
+    pub(super) fn index(&self, table: &Spanned<AxisTable>) -> Result<Index, Diagnostic> {
+        let AxisTable { label, values, schemes, from, to, .. } = table.get_ref();
+        match (values, schemes, from, to) {
+            (Some(_), None, None, None) => {
+                let (name, label, values) = self.values(table)?;
+                let values = values.into_iter().map(|(entry, value)| (value, entry.printed));
+                Ok(Index::Listed { name, label, values: values.collect() })
+            }
+            (None, None, Some(from), Some(to)) => {
+                let name = self.name(table)?;
+                Ok(Index::Range {
+                    label: label.clone().unwrap_or_else(|| name.clone()),
+                    name,
+                    from: Box::new(formula(self.source, from)?),
+                    to: Box::new(formula(self.source, to)?),
+                })
+            }
+            _ => Err(self
+                .error(table.span(), "an index needs either `values`, or `from` and `to`")
+                .with_help("{ name = \"i\", from = '2', to = 'N - 1' }")),
+        }
     }
 }

@@ -18,7 +18,7 @@ claim_table!(EquationTable {
     #[serde(default)]
     hypotheses: Vec<Spanned<String>>,
     #[serde(default)]
-    pub(super) indices: Vec<AxisTable>,
+    pub(super) indices: Vec<Spanned<AxisTable>>,
     left: Option<Spanned<LeftField>>,
     right: Option<Spanned<String>>,
     absent: Option<String>,
@@ -104,12 +104,12 @@ impl Reader<'_> {
         };
         let mut count = 1_usize;
         for index in indices {
-            let Index::Listed(axis) = index else {
+            let Index::Listed { values, .. } = index else {
                 return Err(self
                     .error(left.span(), "a list of left sides needs indices with `values`")
                     .with_help("write one formula for all combinations"));
             };
-            count = count.saturating_mul(axis.entries.len());
+            count = count.saturating_mul(values.len());
         }
         if formulas.len() != count {
             let found = formulas.len();

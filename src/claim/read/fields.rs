@@ -126,3 +126,40 @@ impl<'de> Deserialize<'de> for NumberField {
         deserializer.deserialize_any(Either)
     }
 }
+
+/// `"chaikin"`, or `{ printed = "Chaikin", scheme = "chaikin", note = "…" }` with or without `note`.
+#[derive(Debug)]
+pub(super) struct SchemeField {
+    pub(super) printed: String,
+    /// The reference, where it is not what is printed.
+    pub(super) scheme: Option<Spanned<String>>,
+    pub(super) note: Option<String>,
+}
+
+impl<'de> Deserialize<'de> for SchemeField {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<SchemeField, D::Error> {
+        #[derive(Deserialize)]
+        #[serde(deny_unknown_fields)]
+        struct Named {
+            printed: String,
+            scheme: Spanned<String>,
+            note: Option<String>,
+        }
+        struct Either;
+        impl<'de> Visitor<'de> for Either {
+            type Value = SchemeField;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a scheme such as \"six-point:w=w\", or { printed = …, scheme = … }")
+            }
+            fn visit_str<E>(self, text: &str) -> Result<SchemeField, E> {
+                Ok(SchemeField { printed: text.to_owned(), scheme: None, note: None })
+            }
+            fn visit_map<M: MapAccess<'de>>(self, map: M) -> Result<SchemeField, M::Error> {
+                let fields = MapAccessDeserializer::new(map);
+                let Named { printed, scheme, note } = Named::deserialize(fields)?;
+                Ok(SchemeField { printed, scheme: Some(scheme), note })
+            }
+        }
+        deserializer.deserialize_any(Either)
+    }
+}

@@ -131,7 +131,7 @@ fn of_reference(located: &LocatedReference) -> impl Iterator<Item = Placed<'_>> 
 
 fn of_table(table: &Table) -> Vec<Placed<'_>> {
     let mut formulas = vec![placed(&table.value)];
-    formulas.extend(table.scheme.iter().flat_map(of_reference));
+    formulas.extend(table.schemes().flat_map(of_reference));
     if let Some(promise) = &table.promise {
         let (Promise::Depth { tolerance: first, spread, offset, ring }
         | Promise::Bound { level: first, spread, offset, ring }) = promise;

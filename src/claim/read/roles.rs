@@ -1,6 +1,5 @@
 //! What names mean in each claim: one thing each (`proofs/FORMAT.md`, Names).
 
-use super::axis::AxisTable;
 use super::file::PaperFile;
 use super::reader::Reader;
 use crate::claim::THEOREM_NAMES;
@@ -21,7 +20,7 @@ pub(super) enum Role {
     Given,
     /// A key of the table's `unstated`.
     Unstated,
-    /// The name of `rows`, or of `columns`.
+    /// The name of `rows`, or of `columns`, where the headers are numbers.
     Header,
     /// One of an equation's `symbols`.
     Symbol,
@@ -99,7 +98,8 @@ impl Reader<'_> {
             for name in table.unstated.names() {
                 self.add(&mut roles, name, Role::Unstated)?;
             }
-            for AxisTable { name, .. } in table.rows.iter().chain([&table.columns]) {
+            let axes = table.rows.iter().chain([&table.columns]);
+            for name in axes.filter_map(|axis| axis.get_ref().name.as_ref()) {
                 self.add(&mut roles, name, Role::Header)?;
             }
             claims.insert(table.common().id.get_ref().as_str(), roles);
@@ -110,7 +110,7 @@ impl Reader<'_> {
             for symbol in &equation.symbols {
                 self.add(&mut roles, symbol, Role::Symbol)?;
             }
-            for AxisTable { name, .. } in &equation.indices {
+            for name in equation.indices.iter().filter_map(|axis| axis.get_ref().name.as_ref()) {
                 self.add(&mut roles, name, Role::Index)?;
             }
             claims.insert(equation.common().id.get_ref().as_str(), roles);

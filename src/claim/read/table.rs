@@ -16,8 +16,8 @@ use toml::Spanned;
 claim_table!(TableTable {
     value: Spanned<String>,
     promise: Option<Spanned<PromiseTable>>,
-    pub(super) rows: Option<AxisTable>,
-    pub(super) columns: AxisTable,
+    pub(super) rows: Option<Spanned<AxisTable>>,
+    pub(super) columns: Spanned<AxisTable>,
     cells: Spanned<CellsField>,
     #[serde(default)]
     pub(super) given: Formulas,
@@ -72,6 +72,7 @@ impl Reader<'_> {
     pub(super) fn table(&self, table: &TableTable) -> Result<Table, Diagnostic> {
         let rows = table.rows.as_ref().map(|rows| self.axis(rows)).transpose()?;
         let columns = self.axis(&table.columns)?;
+        self.one_scheme(table)?;
         let shape = (rows.as_ref().map_or(1, |rows| rows.entries.len()), columns.entries.len());
         let Head { id, locus, title, scheme, note } = self.head(table.common())?;
         Ok(Table {
@@ -88,6 +89,20 @@ impl Reader<'_> {
             unstated: self.unstated(&table.unstated)?,
             note,
         })
+    }
+
+    /// Makes sure that no cell has two schemes.
+    fn one_scheme(&self, table: &TableTable) -> Result<(), Diagnostic> {
+        let axes = table.rows.iter().chain([&table.columns]);
+        let headers = axes.filter_map(|axis| Some(axis.get_ref().schemes.as_ref()?.span()));
+        let mut places = table.scheme.iter().map(Spanned::span).chain(headers);
+        let (Some(first), Some(second)) = (places.next(), places.next()) else { return Ok(()) };
+        Err(self
+            .error(second, "each cell of this table has two schemes")
+            .with_place(first, "the other one is here")
+            .with_help(
+                "name them in `scheme`, in `rows` or in `columns`, and leave out the others",
+            ))
     }
 
     fn unstated(

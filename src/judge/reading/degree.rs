@@ -3,7 +3,7 @@
 //! Values at some places do not show that a formula is proportional to a parameter: w + (w − 1)(w − 2)(w − 3)
 //! is 1, 2 and 3 at these. Its form does.
 
-use crate::claim::{LocatedReference, Paper, SchemeSource};
+use crate::claim::{Paper, SchemeSource, Table};
 use crate::evaluation::settings::Settings;
 use crate::formula::{Expr, LocatedFormula, Node, Operator, OptionWord};
 use crate::judge::reading::space::Space;
@@ -32,7 +32,7 @@ impl<'a> Degrees<'a> {
     fn new(
         paper: &'a Paper,
         definitions: &'a BTreeMap<String, LocatedFormula>,
-        scheme: Option<&LocatedReference>,
+        table: &Table,
         name: &'a str,
     ) -> Degrees<'a> {
         let known = RefCell::default();
@@ -42,7 +42,7 @@ impl<'a> Degrees<'a> {
             SchemeSource::Own(_) => None,
         });
         degrees.schemes_vary =
-            scheme.map(|own| &own.reference).into_iter().chain(aliases).any(|reference| {
+            table.schemes().map(|own| &own.reference).chain(aliases).any(|reference| {
                 let text = reference.to_string();
                 let mut words = text.split(|c: char| !c.is_alphanumeric() && c != '_');
                 words.any(|word| !degrees.is_free_name(word))
@@ -171,7 +171,7 @@ impl Space<'_> {
         let table = self.judge.table;
         let paper = self.judge.paper;
         let definitions = settings.definitions.as_ref().unwrap_or(&paper.definitions);
-        let degrees = Degrees::new(paper, definitions, table.scheme.as_ref(), name);
+        let degrees = Degrees::new(paper, definitions, table, name);
         degrees.of(&table.value.expr) == Some(1)
     }
 
@@ -179,7 +179,7 @@ impl Space<'_> {
     /// of is inversely proportional to a parameter, on which their ratio does not depend.
     pub(crate) fn is_inverse(&self, name: &str) -> bool {
         let (table, paper) = (self.judge.table, self.judge.paper);
-        let degrees = Degrees::new(paper, &paper.definitions, table.scheme.as_ref(), name);
+        let degrees = Degrees::new(paper, &paper.definitions, table, name);
         let calls = degrees.levels(&table.value.expr);
         let any = !calls.is_empty();
         any && calls.into_iter().all(|call| match call {

@@ -5,6 +5,7 @@ mod correction;
 mod curve;
 mod evaluate;
 mod growth;
+mod instance;
 mod levels;
 mod local_rules;
 mod natural;
@@ -13,6 +14,8 @@ mod shift;
 mod simplest;
 mod surface;
 mod trial;
+
+pub(crate) use instance::{Instance, instance};
 
 use crate::claim::{Paper, Quantity, Statement, Theorem};
 use crate::diagnostic::Diagnostic;

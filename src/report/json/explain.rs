@@ -2,9 +2,10 @@
 
 use super::SCHEMA;
 use super::audit::AuditReport;
+use super::by_hand::ByHand;
 use super::claim::Claim;
 use super::reading::Reading;
-use crate::audit::{Explanation, PaperAudit};
+use crate::audit::{self, Explanation, PaperAudit};
 use crate::report::explain::table_of;
 use serde::Serialize;
 
@@ -20,16 +21,19 @@ pub struct Explained<'a> {
     /// The readings of the table, the best first; null where the id is not that of a table or of
     /// a cell.
     pub readings: Option<Vec<Reading<'a>>>,
+    /// Of a theorem that data refute, the computation behind them; null of anything else.
+    pub by_hand: Option<ByHand<'a>>,
 }
 
 impl<'a> Explained<'a> {
     /// The form of the claim or table of this id. `readings` are those of the table, from
-    /// [`crate::audit::readings`].
+    /// [`crate::audit::readings`], and `hand` is what [`crate::audit::by_hand`] says of a theorem.
     #[must_use]
     pub fn of(
         audits: &'a [PaperAudit<'_>],
         id: &'a str,
         readings: &'a [Explanation],
+        hand: Option<&'a audit::ByHand>,
     ) -> Explained<'a> {
         let table = table_of(audits, id);
         let claims = AuditReport::of(audits).papers.into_iter().flat_map(|paper| paper.claims);
@@ -41,6 +45,7 @@ impl<'a> Explained<'a> {
             id,
             claims: claims.filter(named).collect(),
             readings: table.map(|(finding, at)| Reading::all(finding, readings, at)),
+            by_hand: hand.map(ByHand::of),
         }
     }
 }

@@ -4,6 +4,7 @@
 //! is null there, unless its documentation says that the field is missing then.
 
 mod audit;
+mod by_hand;
 mod cell;
 mod claim;
 mod consistency;
@@ -20,6 +21,7 @@ mod theorem;
 mod witness;
 
 pub use audit::{AuditReport, Paper, PromiseTally, Table};
+pub use by_hand::{ByHand, Constant, HandMask, Level, Point, Side as HandSide, Weights};
 pub use cell::{AsRead, CellSound, SoundValue};
 pub use claim::{Certificate, Claim, Details, End, Failure, Sound};
 pub use consistency::{Contradiction, Side, TablePart};

@@ -2,7 +2,7 @@
 
 use super::exact::Exact;
 use crate::audit::{self, CellFinding, Kept};
-use crate::report::witness::name;
+use crate::report::data::name;
 use serde::Serialize;
 
 /// Whether a printed bound or depth keeps its promise for all control data.

@@ -4,7 +4,7 @@ use super::exact::{Exact, Named};
 use super::shift::EveryShift;
 use crate::audit::{self, Attained, Naturally, Refutation, Violation};
 use crate::limit::ExtremalPolygon;
-use crate::report::witness::name;
+use crate::report::data::name;
 use serde::Serialize;
 
 /// What refutes a theorem.

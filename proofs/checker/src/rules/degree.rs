@@ -2,9 +2,7 @@
 
 use crate::definitions::Definitions;
 use crate::formula::{Expr, Head};
-use crate::paper::Paper;
 use crate::table::{Read, Table};
-use crate::toml::Toml;
 use num_traits::ToPrimitive;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
@@ -20,7 +18,7 @@ const OF_NUMBERS: [&str; 9] =
 pub fn is_linear(table: &Table<'_>, name: &str, read: &Read) -> bool {
     let definitions = read.definitions.as_ref().unwrap_or(&table.paper.definitions);
     let mut form = Form { definitions, name, schemes: false, known: RefCell::default() };
-    form.schemes = form.in_references(table.paper, table.claim);
+    form.schemes = form.in_references(table);
     form.degree(&table.value, 0) == Some(1)
 }
 
@@ -34,10 +32,11 @@ struct Form<'f> {
 }
 
 impl Form<'_> {
-    /// Whether the parameter is met in a reference to a scheme: that of the claim, or a `use`.
-    fn in_references(&self, paper: &Paper<'_>, claim: &Toml) -> bool {
-        let uses = paper.file.list("scheme").iter().filter_map(|scheme| scheme.text("use"));
-        claim.text("scheme").into_iter().chain(uses).any(|reference| {
+    /// Whether the parameter is met in a reference to a scheme: one of the table, or a `use`.
+    fn in_references(&self, table: &Table<'_>) -> bool {
+        let named = table.paper.file.list("scheme").iter();
+        let uses = named.filter_map(|scheme| scheme.text("use"));
+        table.schemes().into_iter().chain(uses).any(|reference| {
             let mut words = reference.split(|c: char| !c.is_alphanumeric() && c != '_');
             words.any(|word| self.meets(&Expr::Name(word.to_owned())))
         })

@@ -2,6 +2,7 @@
 
 use super::reading::{MAX_DIFFERENCES, choose, define};
 use crate::definitions::names;
+use crate::headers::Headers;
 use crate::reading::CHOICES;
 use crate::reject::{Checked, Stop};
 use crate::rounding::gives;
@@ -20,7 +21,8 @@ pub fn members(table: &Table<'_>, cells: &Cells) -> Result<Members, Stop> {
     let printed = Read::default();
     values(table, cells, &printed)?;
     let consulted = printed.reading.consulted.borrow();
-    let tolerance = table.axes.iter().flatten().any(|axis| table.tolerance == Some(axis.name));
+    let mut axes = table.axes.iter().flatten().filter_map(Headers::axis);
+    let tolerance = axes.any(|axis| table.tolerance == Some(axis.name));
     let mut changes: Vec<Vec<String>> = Vec::new();
     for choice in &CHOICES {
         let printed = match (consulted.get(choice.name), choice.name) {

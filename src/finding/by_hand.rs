@@ -1,0 +1,75 @@
+//! What it takes to check a refutation with paper and pencil.
+
+use crate::exact::{Rational, RealCyclotomic};
+use crate::limit::{Combination, LimitWeights};
+use crate::scheme::Mask;
+
+/// The computation behind the data that refute a theorem with points at i/n^k, in the order in which
+/// one would check it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ByHand {
+    /// The mask, or those of both factors of a tensor product, at the offsets at which they are
+    /// compared with their limit; none of a ring.
+    pub masks: Vec<Mask>,
+    /// The constants in the bound.
+    pub constants: Vec<HandConstant>,
+    /// The bound with all numbers put in.
+    pub bound: String,
+    /// c and T_c < 1 of a curve, so that its polygons converge.
+    pub contraction: Option<(u32, Rational)>,
+    /// How limit values of a curve come about, where it is about a distance.
+    pub weights: Option<LimitWeights>,
+    /// The refined points of a curve that matter, by levels from 1 on.
+    pub refined: Vec<(u32, Vec<(i64, Rational)>)>,
+    /// Of a curve, the two values whose difference is bounded.
+    pub sides: Option<[Combination; 2]>,
+    /// What is not here.
+    pub left_out: Option<LeftOut>,
+}
+
+/// A constant in a bound.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HandConstant {
+    /// Its name, or the call of a function.
+    pub name: String,
+    /// The formula that it stands for.
+    pub formula: String,
+    /// Its value.
+    pub value: RealCyclotomic,
+    /// The cell of a table of the paper that prints it, and is confirmed.
+    pub cell: Option<HandCell>,
+}
+
+/// A confirmed cell.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct HandCell {
+    /// Its id.
+    pub id: String,
+    /// Where it stands.
+    pub locus: String,
+    /// What is printed.
+    pub printed: String,
+}
+
+/// What would be too long.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LeftOut {
+    /// The refined points of a net, and its limit.
+    Net,
+    /// The refined points of a ring.
+    Ring,
+    /// The refined points of a curve: there are too many, or its limit is at none of them.
+    Points,
+}
+
+impl LeftOut {
+    /// Its name.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            LeftOut::Net => "net",
+            LeftOut::Ring => "ring",
+            LeftOut::Points => "points",
+        }
+    }
+}

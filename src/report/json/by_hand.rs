@@ -1,0 +1,150 @@
+//! A refutation as one checks it with paper and pencil.
+
+use super::exact::Exact;
+use crate::audit::{self, HandCell, HandConstant};
+use crate::exact::Rational;
+use crate::limit::{Combination, LimitWeights};
+use crate::scheme::Mask;
+use serde::Serialize;
+
+/// The computation behind the data that refute a theorem with points at i/n^k.
+#[derive(Debug, Serialize)]
+pub struct ByHand<'a> {
+    /// The masks at their offsets; none of a ring.
+    pub masks: Vec<HandMask>,
+    /// The constants in the bound.
+    pub constants: Vec<Constant<'a>>,
+    /// The bound with all numbers put in.
+    pub bound: &'a str,
+    /// The refined points of a curve that matter, level by level.
+    pub refined: Vec<Level>,
+    /// Of a distance of a curve: the limit at 0, as weights of points.
+    pub limit: Option<Weights>,
+    /// Of a curve, the two values whose difference is bounded.
+    pub sides: Option<[Side; 2]>,
+    /// `net`, `ring` or `points`, where refined points and limits are left out.
+    pub left_out: Option<&'static str>,
+}
+
+/// A mask.
+#[derive(Debug, Serialize)]
+pub struct HandMask {
+    /// The rules, one for each α.
+    pub rules: Vec<Vec<String>>,
+    /// The offset o.
+    pub offset: i64,
+}
+
+/// A constant in a bound.
+#[derive(Debug, Serialize)]
+pub struct Constant<'a> {
+    /// Its name, or the call of a function.
+    pub name: &'a str,
+    /// What it stands for.
+    pub formula: &'a str,
+    /// Its value; its fields stand here.
+    #[serde(flatten)]
+    pub value: Exact,
+    /// The id of a confirmed cell of the paper that prints it.
+    pub cell: Option<&'a str>,
+    /// What is printed there.
+    pub printed: Option<&'a str>,
+}
+
+/// Points of a level.
+#[derive(Debug, Serialize)]
+pub struct Level {
+    /// The level.
+    pub level: u32,
+    /// The points.
+    pub points: Vec<Point>,
+}
+
+/// A point, or the coefficient of one.
+#[derive(Debug, Serialize)]
+pub struct Point {
+    /// Its index.
+    pub index: i64,
+    /// Its value.
+    pub value: String,
+}
+
+/// Weights of points, with which refined points have the same sum as the points before.
+#[derive(Debug, Serialize)]
+pub struct Weights {
+    /// The weights, which sum to 1.
+    pub weights: Vec<Point>,
+    /// The refined points of the same indices: their coefficients.
+    pub rules: Vec<Vec<Point>>,
+    /// The number of levels after which differences are known to fall, and their constant.
+    pub contraction: Option<(u32, String)>,
+}
+
+/// A value as a sum over points of a level.
+#[derive(Debug, Serialize)]
+pub struct Side {
+    /// The level.
+    pub level: u32,
+    /// The coefficients.
+    pub coefficients: Vec<Point>,
+    /// The value.
+    pub value: Exact,
+}
+
+impl<'a> ByHand<'a> {
+    pub(super) fn of(hand: &'a audit::ByHand) -> ByHand<'a> {
+        let level = |(level, points): &(u32, Vec<(i64, Rational)>)| Level {
+            level: *level,
+            points: list(points),
+        };
+        let limit = |LimitWeights { weights, rules }: &LimitWeights| Weights {
+            weights: list(weights),
+            rules: rules.iter().map(|rule| list(rule)).collect(),
+            contraction: hand.contraction.as_ref().map(|(c, norm)| (*c, norm.to_string())),
+        };
+        ByHand {
+            masks: hand.masks.iter().map(HandMask::of).collect(),
+            constants: hand.constants.iter().map(Constant::of).collect(),
+            bound: &hand.bound,
+            refined: hand.refined.iter().map(level).collect(),
+            limit: hand.weights.as_ref().map(limit),
+            sides: hand.sides.as_ref().map(|sides| sides.each_ref().map(Side::of)),
+            left_out: hand.left_out.map(audit::LeftOut::name),
+        }
+    }
+}
+
+fn list(points: &[(i64, Rational)]) -> Vec<Point> {
+    points.iter().map(|(index, value)| Point { index: *index, value: value.to_string() }).collect()
+}
+
+impl HandMask {
+    fn of(mask: &Mask) -> HandMask {
+        let row = |row: &Vec<Rational>| row.iter().map(ToString::to_string).collect();
+        HandMask { rules: mask.rules().rows().iter().map(row).collect(), offset: mask.offset() }
+    }
+}
+
+impl<'a> Constant<'a> {
+    fn of(HandConstant { name, formula, value, cell }: &'a HandConstant) -> Constant<'a> {
+        let (id, printed) = match cell {
+            Some(HandCell { id, printed, .. }) => (Some(&id[..]), Some(&printed[..])),
+            None => (None, None),
+        };
+        Constant { name, formula, value: Exact::of(value), cell: id, printed }
+    }
+}
+
+impl Side {
+    fn of(side: &Combination) -> Side {
+        let coefficient = |(index, coefficient, _): &(i64, Rational, Rational)| Point {
+            index: *index,
+            value: coefficient.to_string(),
+        };
+        Side {
+            level: side.level,
+            coefficients: side.terms.iter().map(coefficient).collect(),
+            value: Exact::of(&side.value),
+        }
+    }
+}
