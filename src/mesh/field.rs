@@ -6,10 +6,14 @@ use super::point::Point;
 use super::scheme::MeshScheme;
 use super::{MAX_POINTS, MAX_VALENCE};
 use crate::exact::{RealCyclotomic, common_conductor};
-use num_integer::gcd;
+use num_integer::{gcd, lcm};
+use std::collections::BTreeMap;
 
 /// The most rational coefficients of all points together, for each coordinate.
 const MAX_COEFFICIENTS: usize = 4_000_000;
+
+/// The most work for normals: Σ D³ over the vertices, where D is the degree of the field of a normal.
+const MAX_NORMAL_WORK: usize = 1 << 25;
 
 /// Checks that the scheme has rules for every face and every vertex.
 ///
@@ -99,6 +103,30 @@ pub(super) fn check_field(
             "{count} points whose coordinates are sums of up to {degree} cosines; at most \
              {MAX_COEFFICIENTS} terms of a coordinate are worked on, for all points together: take a \
              lower level or fewer valences, or for triangles loop-warren, whose weights are rational"
+        );
+        return Err(MeshError::TooMuch { reason });
+    }
+    if tangents { check_normals(connectivity, points) } else { Ok(()) }
+}
+
+/// Checks that the normals are not too much work: each is divided by its length in the field of
+/// its point and of the cosines of its valence.
+fn check_normals(
+    connectivity: &Connectivity,
+    points: &[Point<RealCyclotomic>],
+) -> Result<(), MeshError> {
+    let common = points.iter().flatten().fold(1, |n, x| lcm(n, x.conductor()));
+    let mut degrees = BTreeMap::new();
+    let mut work = 0_usize;
+    for (_, n) in inner_valences(connectivity) {
+        let of_field = || degree(lcm(common, cosine_conductor(n)));
+        work = work.saturating_add(degrees.entry(n).or_insert_with(of_field).pow(3));
+    }
+    if work > MAX_NORMAL_WORK {
+        let reason = format!(
+            "normals of too large valences: the cubes of the degrees of their fields have the sum \
+             {work}, and at most {MAX_NORMAL_WORK} is worked on; take a smaller mesh, or `subcert \
+             refine`, which has no normals"
         );
         return Err(MeshError::TooMuch { reason });
     }

@@ -41,7 +41,7 @@ fn cube() -> Mesh {
 
 fn tetrahedron() -> Mesh {
     let points = [[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]];
-    mesh(&points, &[&[0, 2, 1], &[0, 1, 3], &[0, 3, 2], &[1, 2, 3]])
+    mesh(&points, &[&[0, 1, 2], &[0, 3, 1], &[0, 2, 3], &[1, 3, 2]])
 }
 
 fn octahedron() -> Mesh {

@@ -10,7 +10,7 @@ fn json_is_json_and_exact() {
     let json: serde_json::Value = serde_json::from_str(&text).expect("JSON");
     assert_eq!(json["points"][0]["exact"], serde_json::json!(["1", "1", "1"]));
     assert_eq!(json["points"][0]["f64"], serde_json::json!(["1.0", "1.0", "1.0"]));
-    assert_eq!(json["faces"][0], serde_json::json!([0, 2, 1]));
+    assert_eq!(json["faces"][0], serde_json::json!([0, 1, 2]));
     assert_eq!(json["limits"][0]["position"]["exact"], serde_json::json!(["1/5", "1/5", "1/5"]));
     let unit = "0.5773502691896257";
     assert_eq!(json["limits"][0]["normal"]["unit_f64"], serde_json::json!([unit, unit, unit]));
@@ -22,7 +22,7 @@ fn normals_stand_in_obj_where_all_vertices_have_one() {
     let text = to_obj(&tetrahedron(), "t", &loops).expect("finite");
     assert!(text.contains("\nvn 0.5773502691896257 "), "{text}");
     assert!(
-        text.ends_with("f 1//1 3//3 2//2\nf 1//1 2//2 4//4\nf 1//1 4//4 3//3\nf 2//2 3//3 4//4\n")
+        text.ends_with("f 1//1 2//2 3//3\nf 1//1 4//4 2//2\nf 1//1 3//3 4//4\nf 2//2 4//4 3//3\n")
     );
     let flat = grid(3, 3, false);
     let limits = limit_points(&flat, MeshScheme::CatmullClark).expect("small");

@@ -49,9 +49,9 @@ fn a_file_is_a_ring_with_parameters() {
 #[test]
 fn rings_of_the_catalogue() {
     for (name, parameter, valences) in [
-        ("doo-sabin", "n", 2..=12),
-        ("catmull-clark", "N", 2..=12),
-        ("bajaj", "N", 2..=12),
+        ("doo-sabin", "n", 3..=12),
+        ("catmull-clark", "N", 3..=12),
+        ("bajaj", "N", 3..=12),
         ("loop", "N", 3..=12),
         ("loop-warren", "N", 3..=12),
     ] {

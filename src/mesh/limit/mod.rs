@@ -48,7 +48,7 @@ pub struct LimitPoint {
 /// // A tetrahedron: ω = 1/(3 + 2), and the other three points sum to −v.
 /// let points = [[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]];
 /// let points = points.map(|point| point.map(RealCyclotomic::from)).to_vec();
-/// let faces = vec![vec![0, 2, 1], vec![0, 1, 3], vec![0, 3, 2], vec![1, 2, 3]];
+/// let faces = vec![vec![0, 1, 2], vec![0, 3, 1], vec![0, 2, 3], vec![1, 3, 2]];
 /// let mesh = PolygonMesh::new(points, faces)?;
 /// let limit = limit_points(&mesh, MeshScheme::Loop)?;
 /// let x = &limit[0].as_ref().unwrap().position[0];
