@@ -48,6 +48,7 @@
 //! | [`bound`] | contraction constants, also of rings, displacement, error bounds, depth |
 //! | [`limit`] | limits at rational parameters, distances of polygons from them in both parametrisations |
 //! | [`float`] | the same in f64, certified against the exact path |
+//! | [`mesh`] | polygon meshes: files, refinement, limit points and normals |
 //! | [`oracle`] | reference values and checks for other programs' tests |
 //! | [`claim`] | what a paper asserts |
 //! | `evaluation` | from the formulas of claims to values, under a reading |
@@ -76,6 +77,7 @@ pub mod float;
 pub mod formula;
 mod judge;
 pub mod limit;
+pub mod mesh;
 pub mod oracle;
 #[cfg(feature = "cli")]
 pub mod report;

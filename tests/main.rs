@@ -19,6 +19,7 @@ mod formula;
 mod fuzz;
 mod judge;
 mod limit;
+mod mesh;
 mod oracle;
 mod random_papers;
 mod scheme;

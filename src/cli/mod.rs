@@ -14,6 +14,7 @@ mod json;
 mod listing;
 mod local_constants;
 mod man;
+mod mesh;
 mod new;
 mod offset;
 mod oracle;
@@ -23,6 +24,7 @@ mod polygon;
 mod progress;
 mod prove;
 mod range;
+mod save;
 mod schemes;
 mod terminal;
 
@@ -67,6 +69,8 @@ pub(crate) fn run() -> ExitCode {
         Command::Prove(command) => prove::prove(&command),
         Command::New(command) => new::new(&command),
         Command::Oracle(command) => oracle::oracle(&command),
+        Command::Refine(command) => mesh::refine(&command),
+        Command::Limit(command) => mesh::limit(&command),
         Command::Schemes(command) => schemes::schemes(&command),
         Command::Man { folder } => man::man(&folder),
         Command::Completions { shell } => man::completions(shell),

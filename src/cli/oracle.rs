@@ -1,6 +1,7 @@
 //! `subcert oracle`.
 
 use super::arguments::{BoundaryArgument, OracleArguments, OracleFormat};
+use super::mesh;
 use super::output::{Failure, Outcome, write_results};
 use super::polygon::{Caps, read_grid, read_polygon};
 use std::path::Path;
@@ -17,6 +18,13 @@ const CAPS: Caps = Caps { bytes: 16 << 20, points: MAX_VALUES, bits: u64::MAX };
 const SEEDED_POINTS: usize = 8;
 
 pub(super) fn oracle(arguments: &OracleArguments) -> Outcome {
+    if let Some(path) = &arguments.mesh {
+        if arguments.format != OracleFormat::Json {
+            let message = "--mesh writes JSON only; `subcert refine` writes OBJ and PLY too";
+            return Err(Failure::Input(message.to_owned()));
+        }
+        return mesh::reference_values(&arguments.scheme, path, arguments.level);
+    }
     let values = match parse_any_scheme(&arguments.scheme)? {
         AnyScheme::Uniform(scheme) => uniform(&scheme, arguments)?,
         AnyScheme::LocalRules(ring) => of_ring(&ring, arguments)?,

@@ -3,10 +3,8 @@
 use super::arguments::ProveArguments;
 use super::output::{Failure, Outcome, write, write_results};
 use super::papers::{judge_all, papers_or_keys};
+use super::save::save;
 use std::fmt::Write as _;
-use std::fs::{File, create_dir_all, remove_file, rename};
-use std::io::{self, Write as _};
-use std::path::Path;
 use subcert::certificate::{Certificate, certificate};
 
 pub(super) fn prove(arguments: &ProveArguments) -> Outcome {
@@ -34,21 +32,4 @@ pub(super) fn prove(arguments: &ProveArguments) -> Outcome {
         }
     }
     write_results(&said)
-}
-
-/// Writes a file that is there either as it was before or whole.
-fn save(path: &Path, text: &str) -> io::Result<()> {
-    let folder = path.parent().unwrap_or(Path::new("."));
-    create_dir_all(folder)?;
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let draft = folder.join(format!(".{name}.{}", std::process::id()));
-    let mut file = File::create_new(&draft)?;
-    let written = file.write_all(text.as_bytes()).and_then(|()| file.sync_all());
-    drop(file);
-    let done = written.and_then(|()| rename(&draft, path));
-    if done.is_err() {
-        // The first error is the one to be told.
-        let _ = remove_file(&draft);
-    }
-    done
 }

@@ -12,7 +12,7 @@ const CRATES: [(&str, &str); 2] = [("src", "subcert"), ("proofs/checker/src", "s
 
 /// The layers of `subcert` from below: folders or files of `src`. A module imports its own layer and
 /// those before it. A new folder gets a line here.
-const LAYERS: [&str; 20] = [
+const LAYERS: [&str; 21] = [
     "diagnostic",
     "suggestion",
     "exact",
@@ -21,6 +21,7 @@ const LAYERS: [&str; 20] = [
     "bound",
     "limit",
     "float",
+    "mesh",
     "oracle",
     "claim",
     "evaluation",

@@ -2,6 +2,7 @@
 
 mod bad_input;
 mod errors;
+mod meshes;
 mod names;
 mod new;
 mod offset;

@@ -48,9 +48,13 @@ fn a_file_is_a_ring_with_parameters() {
 
 #[test]
 fn rings_of_the_catalogue() {
-    for (name, parameter, valences) in
-        [("doo-sabin", "n", 3..=12), ("catmull-clark", "N", 3..=12), ("bajaj", "N", 3..=12)]
-    {
+    for (name, parameter, valences) in [
+        ("doo-sabin", "n", 3..=12),
+        ("catmull-clark", "N", 3..=12),
+        ("bajaj", "N", 3..=12),
+        ("loop", "N", 3..=12),
+        ("loop-warren", "N", 3..=12),
+    ] {
         for valence in valences.chain([24]) {
             let ring = ring(&format!("{name}:{parameter}={valence}"));
             for row in (0..ring.point_count()).map(|a| ring.weights().row(a)) {

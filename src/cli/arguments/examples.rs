@@ -59,7 +59,19 @@ pub(super) const ORACLE: &str = "\
 Examples:
   subcert oracle chaikin --level 3
   subcert oracle four-point:w=1/17 --polygon examples/polygon.csv --format csv
-  subcert oracle 'chaikin x chaikin' --points 4 --boundary open";
+  subcert oracle 'chaikin x chaikin' --points 4 --boundary open
+  subcert oracle catmull-clark --mesh examples/cube.obj --level 2";
+
+pub(super) const REFINE: &str = "\
+Examples:
+  subcert refine catmull-clark --mesh examples/cube.obj --level 2 -o cube2.obj
+  subcert refine doo-sabin --mesh examples/cube.obj --format json
+  subcert refine loop --mesh triangles.ply --level 3 -o refined.ply";
+
+pub(super) const LIMIT: &str = "\
+Examples:
+  subcert limit catmull-clark --mesh examples/cube.obj
+  subcert limit loop --mesh triangles.ply --level 2 -o limit.obj";
 
 pub(super) const SCHEMES: &str = "\
 Examples:

@@ -1,10 +1,12 @@
 //! The arguments.
 
 mod examples;
+mod meshes;
 mod papers;
 mod schemes;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+pub(super) use meshes::{LimitArguments, MeshOutput, MeshOutputFormat, RefineArguments};
 pub(super) use papers::{
     AuditArguments, BROKEN, CoverageArguments, ErrataArguments, ExplainArguments, NewArguments,
     ProveArguments,
@@ -75,6 +77,12 @@ pub(super) enum Command {
     /// Reference values for other programs' tests
     #[command(after_help = examples::ORACLE)]
     Oracle(OracleArguments),
+    /// Refine a polygon mesh exactly
+    #[command(after_help = examples::REFINE)]
+    Refine(RefineArguments),
+    /// Where the vertices of a polygon mesh go, and the normals of the limit surface there
+    #[command(after_help = examples::LIMIT)]
+    Limit(LimitArguments),
     /// List the schemes of the catalogue
     #[command(after_help = examples::SCHEMES)]
     Schemes(SchemesArguments),

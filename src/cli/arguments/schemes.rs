@@ -134,6 +134,10 @@ pub(in crate::cli) struct OracleArguments {
     /// grid of numbers, one row on a line; for a ring, one line for each of its points
     #[arg(long, value_name = "FILE", conflicts_with_all = ["seed", "points"])]
     pub(in crate::cli) polygon: Option<std::path::PathBuf>,
+    /// A polygon mesh in place of a polygon, as OBJ, OFF or PLY: its refinement, and limit points and
+    /// normals, as JSON
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["polygon", "seed", "points", "boundary"])]
+    pub(in crate::cli) mesh: Option<PathBuf>,
     /// The seed of a control polygon of small integers
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub(in crate::cli) seed: u64,

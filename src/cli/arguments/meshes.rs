@@ -1,0 +1,56 @@
+//! The arguments of the commands about meshes.
+
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+
+/// The forms in which meshes are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum MeshOutputFormat {
+    /// The nearest f64 of each coordinate, as shortest decimals
+    Obj,
+    /// The same
+    Ply,
+    /// Exact numbers and the nearest f64
+    Json,
+}
+
+/// Where and how a mesh is written.
+#[derive(Debug, Args)]
+pub(in crate::cli) struct MeshOutput {
+    /// The file; without it, the standard output
+    #[arg(short = 'o', long = "output", value_name = "FILE")]
+    pub(in crate::cli) file: Option<PathBuf>,
+    /// Output format [default: by the extension of FILE, or obj]
+    #[arg(long, value_enum)]
+    pub(in crate::cli) format: Option<MeshOutputFormat>,
+}
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct RefineArguments {
+    /// The scheme: catmull-clark, doo-sabin, loop, or loop-warren
+    #[arg(value_name = "SCHEME")]
+    pub(in crate::cli) scheme: String,
+    /// The control mesh as OBJ, OFF or PLY (ascii), `-` for the standard input
+    #[arg(long, value_name = "FILE")]
+    pub(in crate::cli) mesh: PathBuf,
+    /// How many times it is refined
+    #[arg(long, value_name = "K", default_value_t = 1)]
+    pub(in crate::cli) level: u32,
+    #[command(flatten)]
+    pub(in crate::cli) output: MeshOutput,
+}
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct LimitArguments {
+    /// The scheme: catmull-clark, doo-sabin, loop, or loop-warren
+    #[arg(value_name = "SCHEME")]
+    pub(in crate::cli) scheme: String,
+    /// The control mesh as OBJ, OFF or PLY (ascii), `-` for the standard input
+    #[arg(long, value_name = "FILE")]
+    pub(in crate::cli) mesh: PathBuf,
+    /// How many times it is refined before
+    #[arg(long, value_name = "K", default_value_t = 0)]
+    pub(in crate::cli) level: u32,
+    #[command(flatten)]
+    pub(in crate::cli) output: MeshOutput,
+}

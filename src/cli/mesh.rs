@@ -1,0 +1,149 @@
+//! `subcert refine` and `subcert limit`, and `subcert oracle --mesh`.
+
+use super::arguments::{LimitArguments, MeshOutput, MeshOutputFormat, RefineArguments};
+use super::json::SCHEMA;
+use super::output::{Failure, Outcome, write_results};
+use super::save::save;
+use std::path::Path;
+use subcert::diagnostic::{SourceText, read_text, read_text_from};
+use subcert::exact::RealCyclotomic;
+use subcert::mesh::{
+    LimitPoint, MAX_FILE_BYTES, MeshError, MeshFile, MeshFormat, MeshScheme, PolygonMesh,
+    limit_points, read_mesh, refine_mesh, to_json, to_obj, to_ply,
+};
+
+type Mesh = PolygonMesh<RealCyclotomic>;
+
+pub(super) fn refine(arguments: &RefineArguments) -> Outcome {
+    let work = Work::new(&arguments.scheme, &arguments.mesh, arguments.level)?;
+    let mesh = work.refined()?;
+    let title = work.title("refined");
+    let text = match chosen(&arguments.output) {
+        MeshOutputFormat::Obj => to_obj(&mesh, &title, &[]).map_err(|e| input(&e))?,
+        MeshOutputFormat::Ply => to_ply(&mesh, &title).map_err(|e| input(&e))?,
+        MeshOutputFormat::Json => to_json(&mesh, &work.head(), None),
+    };
+    deliver(&arguments.output, &text)
+}
+
+pub(super) fn limit(arguments: &LimitArguments) -> Outcome {
+    let work = Work::new(&arguments.scheme, &arguments.mesh, arguments.level)?;
+    let mesh = work.refined()?;
+    let limits = work.limits(&mesh)?;
+    let title = work.title("limit points of its vertices");
+    let text = match chosen(&arguments.output) {
+        MeshOutputFormat::Obj => {
+            to_obj(&at_limit(&mesh, &limits)?, &title, &limits).map_err(|e| input(&e))?
+        }
+        MeshOutputFormat::Ply => {
+            to_ply(&at_limit(&mesh, &limits)?, &title).map_err(|e| input(&e))?
+        }
+        MeshOutputFormat::Json => to_json(&mesh, &work.head(), Some(&limits)),
+    };
+    deliver(&arguments.output, &text)
+}
+
+/// What `subcert oracle --mesh` writes.
+pub(super) fn reference_values(scheme: &str, path: &Path, level: u32) -> Outcome {
+    let work = Work::new(scheme, path, level)?;
+    let mesh = work.refined()?;
+    let limits = work.limits(&mesh)?;
+    write_results(&to_json(&mesh, &work.head(), Some(&limits)))
+}
+
+/// A mesh, its scheme and its level.
+struct Work {
+    scheme: MeshScheme,
+    level: u32,
+    name: String,
+    file: MeshFile,
+}
+
+impl Work {
+    fn new(scheme: &str, path: &Path, level: u32) -> Result<Work, Failure> {
+        let scheme = MeshScheme::parse(scheme).map_err(Failure::Input)?;
+        let standard = path.as_os_str() == "-";
+        let name = if standard { "standard input".to_owned() } else { path.display().to_string() };
+        let text = if standard {
+            read_text_from(std::io::stdin().lock(), MAX_FILE_BYTES)
+        } else {
+            read_text(path, MAX_FILE_BYTES)
+        };
+        let text = text.map_err(|reason| {
+            let hint = if reason.contains("UTF-8") { "; save it in an ascii form" } else { "" };
+            Failure::Input(format!("cannot read `{name}`: {reason}{hint}"))
+        })?;
+        let format = MeshFormat::of(path, &text);
+        let file = read_mesh(&SourceText::new(name.clone(), text), format)?;
+        Ok(Work { scheme, level, name, file })
+    }
+
+    fn refined(&self) -> Result<Mesh, Failure> {
+        let control = self.file.mesh().map(|x| x.clone().into());
+        refine_mesh(&control, self.scheme, self.level).map_err(|error| self.failure(&error))
+    }
+
+    fn limits(&self, mesh: &Mesh) -> Result<Vec<Option<LimitPoint>>, Failure> {
+        limit_points(mesh, self.scheme).map_err(|error| self.failure(&error))
+    }
+
+    /// What the rules refuse, they refuse at level 0: it has a place in the file.
+    fn failure(&self, error: &MeshError) -> Failure {
+        if error.face().is_some() || error.point().is_some() {
+            self.file.diagnostic(error).into()
+        } else {
+            let help = error.help().map(|help| format!("; {help}")).unwrap_or_default();
+            Failure::Input(format!("{error}{help}"))
+        }
+    }
+
+    fn title(&self, what: &str) -> String {
+        let Work { scheme, level, name, .. } = self;
+        format!("{name}, {}, level {level}: {what}", scheme.name())
+    }
+
+    fn head(&self) -> [(&'static str, String); 4] {
+        let text = |text: &str| serde_json::Value::from(text).to_string();
+        [
+            ("schema", SCHEMA.to_string()),
+            ("scheme", text(self.scheme.name())),
+            ("mesh", text(&self.name)),
+            ("level", self.level.to_string()),
+        ]
+    }
+}
+
+/// The mesh with its vertices at their limits.
+fn at_limit(mesh: &Mesh, limits: &[Option<LimitPoint>]) -> Result<Mesh, Failure> {
+    let position = |limit: &Option<LimitPoint>| Some(limit.as_ref()?.position.clone());
+    if let Some(points) = limits.iter().map(position).collect::<Option<Vec<_>>>() {
+        return Ok(mesh.with_points(points));
+    }
+    let missing = limits.iter().filter(|limit| limit.is_none()).count();
+    Err(Failure::Input(format!(
+        "{missing} vertices at the boundary have no limit point: the scheme has no rules for the \
+         boundary, and the surface ends before it; --format json writes the others"
+    )))
+}
+
+fn input(error: &impl ToString) -> Failure {
+    Failure::Input(error.to_string())
+}
+
+fn chosen(output: &MeshOutput) -> MeshOutputFormat {
+    let extension = output.file.as_ref().and_then(|path| path.extension()).unwrap_or_default();
+    output.format.unwrap_or(match extension.to_ascii_lowercase().to_str() {
+        Some("ply") => MeshOutputFormat::Ply,
+        Some("json") => MeshOutputFormat::Json,
+        _ => MeshOutputFormat::Obj,
+    })
+}
+
+/// Writes the text to the file, whole or not at all, or to the standard output.
+fn deliver(output: &MeshOutput, text: &str) -> Outcome {
+    match output.file.as_deref() {
+        Some(path) if path.as_os_str() != "-" => save(path, text)
+            .map_err(|error| Failure::Input(format!("cannot write `{}`: {error}", path.display()))),
+        _ => write_results(text),
+    }
+}

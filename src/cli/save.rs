@@ -1,0 +1,22 @@
+//! Files that are written whole or not at all.
+
+use std::fs::{File, create_dir_all, remove_file, rename};
+use std::io::{self, Write as _};
+use std::path::Path;
+
+/// Writes a file that is there either as it was before or whole.
+pub(super) fn save(path: &Path, text: &str) -> io::Result<()> {
+    let folder = path.parent().unwrap_or(Path::new("."));
+    create_dir_all(folder)?;
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let draft = folder.join(format!(".{name}.{}", std::process::id()));
+    let mut file = File::create_new(&draft)?;
+    let written = file.write_all(text.as_bytes()).and_then(|()| file.sync_all());
+    drop(file);
+    let done = written.and_then(|()| rename(&draft, path));
+    if done.is_err() {
+        // The first error is the one to be told.
+        let _ = remove_file(&draft);
+    }
+    done
+}

@@ -1,0 +1,239 @@
+//! Which faces, edges and vertices of a mesh meet.
+
+use super::MAX_POINTS;
+use super::error::MeshError;
+use super::star::Star;
+use std::collections::HashMap;
+
+/// An edge.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Edge {
+    /// Its ends, in the order in which its first face has them.
+    pub ends: [usize; 2],
+    /// Its first face, and which edge of that face it is: from vertex i to vertex i + 1.
+    pub face: (usize, usize),
+    /// The same of the other face; `None` at the boundary.
+    pub other: Option<(usize, usize)>,
+}
+
+/// The faces of a mesh on the points 0, …, n−1, and what follows from them: an oriented
+/// surface, with or without boundary, in one piece or several.
+///
+/// ```
+/// use subcert::mesh::Connectivity;
+///
+/// // Two triangles of a square.
+/// let square = Connectivity::new(4, vec![vec![0, 1, 2], vec![0, 2, 3]])?;
+/// assert_eq!(square.edges().len(), 5);
+/// let star = square.star(0);
+/// assert_eq!((star.neighbours, star.faces, star.boundary), (vec![1, 2, 3], vec![0, 1], true));
+/// assert!(Connectivity::new(4, vec![vec![0, 1, 2], vec![0, 3, 2], vec![0, 2, 1]]).is_err());
+/// # Ok::<(), subcert::mesh::MeshError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Connectivity {
+    faces: Vec<Vec<usize>>,
+    edges: Vec<Edge>,
+    /// The edge from vertex i to vertex i + 1, for each face and i.
+    face_edges: Vec<Vec<usize>>,
+    /// For each point a face and which vertex of it the point is: the first of a fan.
+    starts: Vec<(usize, usize)>,
+}
+
+impl Connectivity {
+    /// The surface of these faces, each with its vertices counter-clockwise.
+    ///
+    /// # Errors
+    /// When there is no face, or there are more than [`MAX_POINTS`] points; when a face is
+    /// degenerate or has a vertex that does not exist; when an edge has three faces, or two of
+    /// opposite orientation; when the faces of a vertex are not one disc or one fan; when a
+    /// point is in no face.
+    pub fn new(points: usize, faces: Vec<Vec<usize>>) -> Result<Connectivity, MeshError> {
+        if points > MAX_POINTS {
+            return Err(MeshError::TooManyPoints { points });
+        }
+        if faces.is_empty() {
+            return Err(MeshError::Empty);
+        }
+        for (face, vertices) in faces.iter().enumerate() {
+            check_face(face, vertices, points)?;
+        }
+        let (edges, face_edges) = edges(&faces)?;
+        let starts = vec![(usize::MAX, 0); points];
+        let mut connectivity = Connectivity { faces, edges, face_edges, starts };
+        connectivity.find_starts()?;
+        Ok(connectivity)
+    }
+
+    /// The faces, each with its vertices counter-clockwise.
+    #[must_use]
+    pub fn faces(&self) -> &[Vec<usize>] {
+        &self.faces
+    }
+
+    /// The edges, in the order in which the faces have them first.
+    #[must_use]
+    pub fn edges(&self) -> &[Edge] {
+        &self.edges
+    }
+
+    /// The edges of a face: edge i is from its vertex i to its vertex i + 1.
+    ///
+    /// # Panics
+    /// When there is no such face.
+    #[must_use]
+    pub fn face_edges(&self, face: usize) -> &[usize] {
+        &self.face_edges[face]
+    }
+
+    /// The number of points.
+    #[must_use]
+    pub fn point_count(&self) -> usize {
+        self.starts.len()
+    }
+
+    /// The number of vertices of all faces together.
+    #[must_use]
+    pub fn corner_count(&self) -> usize {
+        self.faces.iter().map(Vec::len).sum()
+    }
+
+    /// The faces around a point, counter-clockwise.
+    ///
+    /// # Panics
+    /// When there is no such point.
+    #[must_use]
+    pub fn star(&self, point: usize) -> Star {
+        let start = self.starts[point];
+        let mut star = Star {
+            neighbours: Vec::new(),
+            edges: Vec::new(),
+            faces: Vec::new(),
+            corners: Vec::new(),
+            boundary: false,
+        };
+        let mut at = start;
+        loop {
+            let (face, corner) = at;
+            let vertices = &self.faces[face];
+            star.neighbours.push(vertices[(corner + 1) % vertices.len()]);
+            star.edges.push(self.face_edges[face][corner]);
+            star.faces.push(face);
+            star.corners.push(corner);
+            match self.next(at) {
+                Some(next) if next == start => return star,
+                Some(next) => at = next,
+                None => {
+                    let before = (corner + vertices.len() - 1) % vertices.len();
+                    star.neighbours.push(vertices[before]);
+                    star.edges.push(self.face_edges[face][before]);
+                    star.boundary = true;
+                    return star;
+                }
+            }
+        }
+    }
+
+    /// The next face around a vertex of a face, counter-clockwise.
+    fn next(&self, (face, corner): (usize, usize)) -> Option<(usize, usize)> {
+        let count = self.faces[face].len();
+        self.across(face, (corner + count - 1) % count)
+    }
+
+    /// The next face clockwise.
+    fn before(&self, (face, corner): (usize, usize)) -> Option<(usize, usize)> {
+        let (other, edge) = self.across(face, corner)?;
+        Some((other, (edge + 1) % self.faces[other].len()))
+    }
+
+    /// The other face at edge i of a face, and which edge of that face it is.
+    fn across(&self, face: usize, i: usize) -> Option<(usize, usize)> {
+        let edge = &self.edges[self.face_edges[face][i]];
+        if edge.face == (face, i) { edge.other } else { Some(edge.face) }
+    }
+
+    /// Finds the first face of each point, and checks that its fan has all faces of the point.
+    fn find_starts(&mut self) -> Result<(), MeshError> {
+        let mut counts = vec![0_usize; self.starts.len()];
+        for (face, vertices) in self.faces.iter().enumerate() {
+            for (corner, &point) in vertices.iter().enumerate() {
+                counts[point] += 1;
+                if self.starts[point].0 == usize::MAX {
+                    self.starts[point] = (face, corner);
+                }
+            }
+        }
+        for (point, count) in counts.into_iter().enumerate() {
+            if count == 0 {
+                return Err(MeshError::Isolated { point });
+            }
+            let first = self.starts[point];
+            let mut at = first;
+            while let Some(before) = self.before(at) {
+                at = before;
+                if at == first {
+                    break;
+                }
+            }
+            self.starts[point] = at;
+            let star = self.star(point);
+            if star.faces.len() != count {
+                return Err(self.loose_face(point, &star));
+            }
+        }
+        Ok(())
+    }
+
+    /// A face at the point that is not in the star.
+    fn loose_face(&self, point: usize, star: &Star) -> MeshError {
+        let loose = |face: &usize| self.faces[*face].contains(&point) && !star.faces.contains(face);
+        let face = (0..self.faces.len()).find(loose).unwrap_or(0);
+        MeshError::NonManifoldVertex { point, face }
+    }
+}
+
+fn check_face(face: usize, vertices: &[usize], points: usize) -> Result<(), MeshError> {
+    if vertices.len() < 3 {
+        return Err(MeshError::FewVertices { face, count: vertices.len() });
+    }
+    if let Some(&point) = vertices.iter().find(|point| **point >= points) {
+        return Err(MeshError::NoPoint { face, point, count: points });
+    }
+    let mut sorted = vertices.to_vec();
+    sorted.sort_unstable();
+    match sorted.windows(2).find(|pair| pair[0] == pair[1]) {
+        Some(pair) => Err(MeshError::Twice { face, point: pair[0] }),
+        None => Ok(()),
+    }
+}
+
+/// The edges, and those of each face.
+fn edges(faces: &[Vec<usize>]) -> Result<(Vec<Edge>, Vec<Vec<usize>>), MeshError> {
+    let mut edges: Vec<Edge> = Vec::new();
+    let mut known: HashMap<(usize, usize), usize> = HashMap::new();
+    let mut face_edges = Vec::with_capacity(faces.len());
+    for (face, vertices) in faces.iter().enumerate() {
+        let mut own = Vec::with_capacity(vertices.len());
+        for (i, &from) in vertices.iter().enumerate() {
+            let to = vertices[(i + 1) % vertices.len()];
+            let next = edges.len();
+            let index = *known.entry((from.min(to), from.max(to))).or_insert(next);
+            if index == next {
+                edges.push(Edge { ends: [from, to], face: (face, i), other: None });
+            } else {
+                let (ends, edge) = ([from, to], &mut edges[index]);
+                let first = edge.face.0;
+                if edge.other.is_some() {
+                    return Err(MeshError::NonManifoldEdge { ends, face, first });
+                }
+                if edge.ends == ends {
+                    return Err(MeshError::Orientation { ends, face, first });
+                }
+                edge.other = Some((face, i));
+            }
+            own.push(index);
+        }
+        face_edges.push(own);
+    }
+    Ok((edges, face_edges))
+}

@@ -1,0 +1,136 @@
+//! Lines of words, with their places.
+
+use super::super::point::Point;
+use crate::diagnostic::{Diagnostic, SourceText};
+use crate::exact::{Rational, parse_rational};
+use std::borrow::Cow;
+use std::ops::Range;
+use std::sync::Arc;
+
+/// A word of a line.
+#[derive(Clone, Copy)]
+pub(super) struct Word<'a> {
+    pub(super) text: &'a str,
+    /// Its first byte in the file.
+    pub(super) at: usize,
+}
+
+impl Word<'_> {
+    pub(super) fn place(&self) -> Range<usize> {
+        self.at..self.at + self.text.len()
+    }
+}
+
+/// The lines that have words.
+pub(super) struct Lines<'a> {
+    source: &'a Arc<SourceText>,
+    at: usize,
+    comments: bool,
+}
+
+/// The words of a line.
+pub(super) type Line<'a> = Vec<Word<'a>>;
+
+/// From the first word to the last.
+pub(super) fn extent(line: &[Word<'_>]) -> Range<usize> {
+    match (line.first(), line.last()) {
+        (Some(first), Some(last)) => first.at..last.at + last.text.len(),
+        _ => 0..0,
+    }
+}
+
+impl<'a> Lines<'a> {
+    /// The lines of a file; where there are `comments`, `#` begins one.
+    pub(super) fn new(source: &'a Arc<SourceText>, comments: bool) -> Lines<'a> {
+        // A byte order mark is no text.
+        let at = if source.text.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
+        Lines { source, at, comments }
+    }
+
+    /// An error about the file at a place.
+    pub(super) fn wrong(&self, place: Range<usize>, message: impl Into<String>) -> Diagnostic {
+        Diagnostic::new(self.source, place, message)
+    }
+
+    /// The file ends, and should go on.
+    pub(super) fn cut_off(&self, missing: &str) -> Diagnostic {
+        let end = self.source.text.trim_end().len();
+        self.wrong(end..end, format!("the file ends here, and {missing}"))
+            .with_help("the file is cut off, or its counts are wrong")
+    }
+
+    /// A coordinate.
+    pub(super) fn number(&self, word: Word<'_>) -> Result<Rational, Diagnostic> {
+        parse_rational(&usual_form(word.text)).map_err(|error| {
+            let help = "write a decimal such as -0.25 or 2.5e-3, or a fraction such as 1/3";
+            self.wrong(word.place(), error.to_string()).with_help(help)
+        })
+    }
+
+    /// The first three words of these as a point.
+    pub(super) fn point(&self, words: &[Word<'_>]) -> Result<Point<Rational>, Diagnostic> {
+        let [x, y, z, ..] = words else {
+            let message = format!("{} coordinates; a point has x, y and z", words.len());
+            return Err(self.wrong(extent(words), message));
+        };
+        Ok([self.number(*x)?, self.number(*y)?, self.number(*z)?])
+    }
+
+    /// A count or an index that is not negative.
+    pub(super) fn natural(&self, word: Word<'_>, what: &str) -> Result<usize, Diagnostic> {
+        word.text.parse().map_err(|_| {
+            let digits = !word.text.is_empty() && word.text.bytes().all(|b| b.is_ascii_digit());
+            let reason = if digits { "too large" } else { "no natural number" };
+            self.wrong(word.place(), format!("{what} is {reason}"))
+        })
+    }
+}
+
+impl<'a> Iterator for Lines<'a> {
+    type Item = Line<'a>;
+
+    fn next(&mut self) -> Option<Line<'a>> {
+        loop {
+            let rest = &self.source.text[self.at..];
+            if rest.is_empty() {
+                return None;
+            }
+            // Old Macintosh files end their lines with \r alone.
+            let end = rest.find(['\n', '\r']).map_or(rest.len(), |end| end + 1);
+            let (line, start) = (&rest[..end], self.at);
+            self.at += end;
+            let text =
+                if self.comments { line.split('#').next().unwrap_or_default() } else { line };
+            let words: Line<'a> = words(text, start);
+            if !words.is_empty() {
+                return Some(words);
+            }
+        }
+    }
+}
+
+fn words(text: &str, start: usize) -> Vec<Word<'_>> {
+    let place = |word: &str| word.as_ptr().addr() - text.as_ptr().addr() + start;
+    text.split_whitespace().map(|text| Word { text, at: place(text) }).collect()
+}
+
+/// Programs write `+1`, `.5` and `5.` too.
+fn usual_form(text: &str) -> Cow<'_, str> {
+    let (sign, rest) = match text.strip_prefix('+') {
+        Some(rest) if !rest.starts_with('-') => ("", rest),
+        Some(_) => return Cow::Borrowed(text),
+        None => text.split_at(usize::from(text.starts_with('-'))),
+    };
+    let digits = rest.bytes().take_while(u8::is_ascii_digit).count();
+    let (whole, fraction) = rest.split_at(digits);
+    let Some(after) = fraction.strip_prefix('.') else {
+        return Cow::Owned(format!("{sign}{rest}"));
+    };
+    let decimals = after.bytes().take_while(u8::is_ascii_digit).count();
+    match (digits, decimals) {
+        (0, 0) => Cow::Borrowed(text),
+        (0, _) => Cow::Owned(format!("{sign}0{rest}")),
+        (_, 0) => Cow::Owned(format!("{sign}{whole}{after}")),
+        _ => Cow::Owned(format!("{sign}{rest}")),
+    }
+}

@@ -1,0 +1,70 @@
+//! Catmull–Clark.
+
+use super::super::connectivity::Edge;
+use super::super::error::MeshError;
+use super::super::point::{Point, combination, sum};
+use super::super::polygon::PolygonMesh;
+use super::super::stencil::Stencils;
+use super::triangles::{boundary_vertex, midpoint};
+use crate::exact::{Rational, RealCyclotomic, Scalar};
+
+/// One level: the points of vertices, edges and faces in this order, and a quadrilateral for
+/// each vertex of each face.
+pub(super) fn step(
+    mesh: &PolygonMesh<RealCyclotomic>,
+    stencils: &Stencils,
+) -> Result<PolygonMesh<RealCyclotomic>, MeshError> {
+    let connectivity = mesh.connectivity();
+    let (vertices, edges) = (connectivity.point_count(), connectivity.edges().len());
+    let centres: Vec<Point<RealCyclotomic>> =
+        mesh.faces().iter().map(|face| mean(face.iter().map(|&v| &mesh.points()[v]))).collect();
+    let mut points = Vec::with_capacity(vertices + edges + centres.len());
+    points.extend((0..vertices).map(|vertex| vertex_point(mesh, &centres, stencils, vertex)));
+    points.extend(connectivity.edges().iter().map(|edge| edge_point(mesh, &centres, edge)));
+    points.extend(centres);
+    let mut faces = Vec::with_capacity(connectivity.corner_count());
+    for (face, corners) in mesh.faces().iter().enumerate() {
+        let own = connectivity.face_edges(face);
+        for (i, &vertex) in corners.iter().enumerate() {
+            let before = own[(i + own.len() - 1) % own.len()];
+            let face = vertices + edges + face;
+            faces.push(vec![vertex, vertices + own[i], face, vertices + before]);
+        }
+    }
+    PolygonMesh::new(points, faces)
+}
+
+fn mean<'a>(
+    points: impl ExactSizeIterator<Item = &'a Point<RealCyclotomic>>,
+) -> Point<RealCyclotomic> {
+    let share = RealCyclotomic::from(Rational::new(1, points.len()));
+    sum(points).map(|x| x.times(&share))
+}
+
+fn edge_point(
+    mesh: &PolygonMesh<RealCyclotomic>,
+    centres: &[Point<RealCyclotomic>],
+    edge: &Edge,
+) -> Point<RealCyclotomic> {
+    let [p, q] = edge.ends.map(|end| &mesh.points()[end]);
+    match edge.other {
+        Some((other, _)) => mean([p, q, &centres[edge.face.0], &centres[other]].into_iter()),
+        None => midpoint(p, q),
+    }
+}
+
+fn vertex_point(
+    mesh: &PolygonMesh<RealCyclotomic>,
+    centres: &[Point<RealCyclotomic>],
+    stencils: &Stencils,
+    vertex: usize,
+) -> Point<RealCyclotomic> {
+    let star = mesh.connectivity().star(vertex);
+    if star.boundary {
+        return boundary_vertex(mesh, vertex, &star);
+    }
+    let weights = stencils.of(star.valence());
+    let neighbours = sum(star.neighbours.iter().map(|&v| &mesh.points()[v]));
+    let faces = sum(star.faces.iter().map(|&face| &centres[face]));
+    combination(weights.iter().zip([&mesh.points()[vertex], &neighbours, &faces]))
+}

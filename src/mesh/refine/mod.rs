@@ -1,0 +1,136 @@
+//! Refinement of whole meshes.
+
+mod catmull_clark;
+mod doo_sabin;
+mod triangles;
+
+use super::MAX_POINTS;
+use super::connectivity::Connectivity;
+use super::error::MeshError;
+use super::field::{check_field, check_rules, inner_valences};
+use super::polygon::PolygonMesh;
+use super::scheme::MeshScheme;
+use super::stencil::Stencils;
+use crate::exact::RealCyclotomic;
+use std::borrow::Cow;
+
+/// The most levels of refinement.
+pub const MAX_MESH_LEVEL: u32 = 24;
+
+/// The most binary digits of all coordinates together, as far as the first level tells.
+const MAX_BITS: u64 = 1 << 32;
+
+/// The mesh refined `level` times.
+///
+/// | scheme | inside | boundary |
+/// |---|---|---|
+/// | Catmull–Clark | face points are means; an edge point is the mean of two vertices and two face points; vertices by the rules of the catalogue | the cubic B-spline of the boundary polygon: (1, 1)/2 and (1, 6, 1)/8, also at corners |
+/// | Doo–Sabin | every face by the rules of the catalogue; a new face for each face, each inner edge and each inner vertex | none: the mesh shrinks, as an open net of biquadratic B-splines does |
+/// | Loop | an edge point is (3, 3, 1, 1)/8; vertices by the rules of the catalogue | as of Catmull–Clark |
+///
+/// Points of Catmull–Clark are numbered vertices first, then edges, then faces; of Loop, vertices,
+/// then edges; of Doo–Sabin, the vertices of the first face, of the second face, and so on.
+///
+/// # Errors
+/// When the scheme has no rules for a face or a vertex, the level is beyond [`MAX_MESH_LEVEL`], or
+/// the mesh would have more than [`MAX_POINTS`] points or too large numbers.
+///
+/// # Panics
+/// Never.
+///
+/// ```
+/// use subcert::exact::{Rational, RealCyclotomic};
+/// use subcert::mesh::{MeshScheme, PolygonMesh, refine_mesh};
+///
+/// let points = [[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]];
+/// let points = points.map(|point| point.map(RealCyclotomic::from));
+/// let square = PolygonMesh::new(points.to_vec(), vec![vec![0, 1, 2, 3]])?;
+/// let refined = refine_mesh(&square, MeshScheme::CatmullClark, 1)?;
+/// assert_eq!((refined.points().len(), refined.faces().len()), (9, 4));
+/// let half = RealCyclotomic::from(Rational::new(1, 2));
+/// assert_eq!(refined.points()[0], [half.clone(), half, RealCyclotomic::from(0)]);
+/// # Ok::<(), subcert::mesh::MeshError>(())
+/// ```
+pub fn refine_mesh(
+    mesh: &PolygonMesh<RealCyclotomic>,
+    scheme: MeshScheme,
+    level: u32,
+) -> Result<PolygonMesh<RealCyclotomic>, MeshError> {
+    if level > MAX_MESH_LEVEL {
+        let reason = format!("level {level} is too high; at most {MAX_MESH_LEVEL} is");
+        return Err(MeshError::TooMuch { reason });
+    }
+    check_rules(mesh.connectivity(), scheme)?;
+    let points = counts(mesh.connectivity(), scheme, level);
+    if points > MAX_POINTS {
+        return Err(MeshError::TooManyPoints { points });
+    }
+    let mut refined = Cow::Borrowed(mesh);
+    for _ in 0..level {
+        refined = Cow::Owned(step(&refined, scheme)?);
+    }
+    Ok(refined.into_owned())
+}
+
+/// The number of points after `level` levels; of Doo–Sabin on a mesh with boundary, which
+/// shrinks, it is not known before, and 0 here.
+fn counts(connectivity: &Connectivity, scheme: MeshScheme, level: u32) -> usize {
+    let (mut points, mut edges) = (connectivity.point_count(), connectivity.edges().len());
+    let (mut faces, mut corners) = (connectivity.faces().len(), connectivity.corner_count());
+    if scheme == MeshScheme::DooSabin && connectivity.edges().iter().any(|e| e.other.is_none()) {
+        return 0;
+    }
+    // Each number grows at most by a factor of 4, so that 24 levels of 2^23 do not overflow.
+    for _ in 0..level {
+        (points, edges, faces) = match scheme {
+            MeshScheme::CatmullClark => (points + edges + faces, 2 * edges + corners, corners),
+            MeshScheme::DooSabin => (corners, 2 * corners, points + edges + faces),
+            MeshScheme::Loop | MeshScheme::LoopWarren => {
+                (points + edges, 2 * edges + 3 * faces, 4 * faces)
+            }
+        };
+        corners *= 4;
+    }
+    points
+}
+
+/// One level.
+fn step(
+    mesh: &PolygonMesh<RealCyclotomic>,
+    scheme: MeshScheme,
+) -> Result<PolygonMesh<RealCyclotomic>, MeshError> {
+    let connectivity = mesh.connectivity();
+    let (vertices, edges) = (connectivity.point_count(), connectivity.edges().len());
+    let (faces, corners) = (connectivity.faces().len(), connectivity.corner_count());
+    let count = match scheme {
+        MeshScheme::CatmullClark => vertices + edges + faces,
+        MeshScheme::DooSabin => corners,
+        MeshScheme::Loop | MeshScheme::LoopWarren => vertices + edges,
+    };
+    check_field(connectivity, mesh.points(), scheme, false, count)?;
+    check_bits(mesh, count)?;
+    let valences: Vec<usize> = match scheme {
+        MeshScheme::DooSabin => connectivity.faces().iter().map(Vec::len).collect(),
+        _ => inner_valences(connectivity).map(|(_, valence)| valence).collect(),
+    };
+    let stencils = Stencils::new(scheme, valences);
+    match scheme {
+        MeshScheme::CatmullClark => catmull_clark::step(mesh, &stencils),
+        MeshScheme::DooSabin => doo_sabin::step(mesh, &stencils),
+        MeshScheme::Loop | MeshScheme::LoopWarren => triangles::step(mesh, &stencils),
+    }
+}
+
+/// Refuses points of too long numbers: `count` of them, each as long as the longest.
+fn check_bits(mesh: &PolygonMesh<RealCyclotomic>, count: usize) -> Result<(), MeshError> {
+    let longest = mesh.points().iter().flatten().map(RealCyclotomic::bits).max().unwrap_or(0);
+    let count = u64::try_from(count.min(MAX_POINTS)).unwrap_or(u64::MAX);
+    if longest.saturating_mul(3 * count) > MAX_BITS {
+        let reason = format!(
+            "{count} points with coordinates of up to {longest} binary digits are too many; take a \
+             lower level, or round the coordinates"
+        );
+        return Err(MeshError::TooMuch { reason });
+    }
+    Ok(())
+}

@@ -1,0 +1,58 @@
+//! The schemes that whole meshes are refined by.
+
+use crate::suggestion::known;
+
+/// A scheme for polygon meshes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum MeshScheme {
+    /// Catmull and Clark 1978. Faces of any number of vertices become quadrilaterals.
+    CatmullClark,
+    /// Doo and Sabin 1978, without rules for the boundary: the mesh shrinks there.
+    DooSabin,
+    /// Loop 1987, on triangles.
+    Loop,
+    /// The same with the rational weights of Warren 1995: β = 3/16 for valence 3, else 3/(8N).
+    LoopWarren,
+}
+
+impl MeshScheme {
+    /// All of them.
+    pub const ALL: [MeshScheme; 4] =
+        [MeshScheme::CatmullClark, MeshScheme::DooSabin, MeshScheme::Loop, MeshScheme::LoopWarren];
+
+    /// The name, which is that of the rules in the catalogue.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            MeshScheme::CatmullClark => "catmull-clark",
+            MeshScheme::DooSabin => "doo-sabin",
+            MeshScheme::Loop => "loop",
+            MeshScheme::LoopWarren => "loop-warren",
+        }
+    }
+
+    /// The scheme of this name.
+    ///
+    /// # Errors
+    /// When there is none; the message has those that there are.
+    ///
+    /// ```
+    /// use subcert::mesh::MeshScheme;
+    ///
+    /// assert_eq!(MeshScheme::parse("loop"), Ok(MeshScheme::Loop));
+    /// assert!(MeshScheme::parse("catmul-clark").unwrap_err().contains("did you mean `catmull-clark`?"));
+    /// ```
+    pub fn parse(text: &str) -> Result<MeshScheme, String> {
+        let names = MeshScheme::ALL.map(MeshScheme::name);
+        let found = MeshScheme::ALL.into_iter().find(|scheme| scheme.name() == text);
+        found.ok_or_else(|| {
+            let valence = match text.split_once(':') {
+                Some((name, _)) if names.contains(&name) => {
+                    format!("; a mesh has its own valences: write `{name}`")
+                }
+                _ => known(text, names),
+            };
+            format!("no scheme for meshes is called `{text}`{valence}")
+        })
+    }
+}

@@ -1,0 +1,68 @@
+//! Weights by valence, from the rules of the catalogue.
+
+use super::scheme::MeshScheme;
+use crate::exact::{Rational, RealCyclotomic, Scalar};
+use crate::scheme::{LocalRules, parse_local_rules};
+use std::collections::BTreeMap;
+
+/// The weights of a scheme for all valences of a mesh.
+pub(super) struct Stencils {
+    rows: BTreeMap<usize, Vec<RealCyclotomic>>,
+}
+
+impl Stencils {
+    /// The weights of these valences, from 3 to [`MAX_VALENCE`](super::MAX_VALENCE).
+    ///
+    /// | scheme | weights |
+    /// |---|---|
+    /// | Catmull–Clark | new vertex: of the old vertex, each neighbour, and the new point of each face |
+    /// | Doo–Sabin | new vertex i of a face: of its old vertex i + j, j = 0, …, n−1 |
+    /// | Loop | new vertex: of the old vertex and each neighbour |
+    ///
+    /// # Panics
+    /// When the catalogue has no rules for a valence.
+    pub(super) fn new(scheme: MeshScheme, valences: impl IntoIterator<Item = usize>) -> Stencils {
+        let mut rows = BTreeMap::new();
+        for n in valences {
+            rows.entry(n).or_insert_with(|| row(scheme, n));
+        }
+        Stencils { rows }
+    }
+
+    /// The weights of a valence.
+    ///
+    /// # Panics
+    /// When it was not asked for.
+    pub(super) fn of(&self, valence: usize) -> &[RealCyclotomic] {
+        &self.rows[&valence]
+    }
+}
+
+fn row(scheme: MeshScheme, n: usize) -> Vec<RealCyclotomic> {
+    let parameter = if scheme == MeshScheme::DooSabin { "n" } else { "N" };
+    let ring: LocalRules = parse_local_rules(&format!("{}:{parameter}={n}", scheme.name()))
+        .expect("the catalogue has rules for every valence");
+    let weights: Vec<RealCyclotomic> = ring.weights().row(0).cloned().collect();
+    match scheme {
+        MeshScheme::DooSabin => weights,
+        MeshScheme::Loop | MeshScheme::LoopWarren => weights[..2].to_vec(),
+        MeshScheme::CatmullClark => of_face_points(n, &weights[0], &weights[1], &weights[1 + n]),
+    }
+}
+
+/// The catalogue has weights of the opposite vertices f_i of quadrilaterals. The new point of such a
+/// face is F_i = (v + e_i + e_{i+1} + f_i)/4, so that
+///
+/// α v + β Σ e_i + γ Σ f_i = (α − Nγ) v + (β − 2γ) Σ e_i + 4γ Σ F_i.
+///
+/// The right side is the rule for faces of any number of vertices: it is Catmull and Clark's
+/// ((N − 2) v + Σ e_i/N + Σ F_i/N)/N.
+fn of_face_points(
+    n: usize,
+    alpha: &RealCyclotomic,
+    beta: &RealCyclotomic,
+    gamma: &RealCyclotomic,
+) -> Vec<RealCyclotomic> {
+    let times = |factor: usize| gamma.times(&Rational::from(factor).into());
+    vec![alpha.minus(&times(n)), beta.minus(&times(2)), times(4)]
+}
