@@ -78,8 +78,10 @@ pub(super) fn denied(
         .iter()
         .filter_map(|word| match count(word) {
             (0, _) => None,
-            (1, [one, _]) => Some(format!("1 {one} is {word}")),
-            (count, [_, several]) => Some(format!("{count} {several} are {word}")),
+            (count, [one, several]) => {
+                let what = if count == 1 { one } else { several };
+                Some(format!("{count} {what}: {word}"))
+            }
         })
         .collect();
     if words.is_empty() { Ok(()) } else { Err(Failure::Expectation(words.join(", "))) }

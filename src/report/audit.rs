@@ -119,7 +119,10 @@ pub fn table_values(finding: &TableFinding<'_>) -> Grid {
 
 fn cell_text(cell: &CellFinding) -> String {
     let printed = cell.printed.as_deref().unwrap_or("lost");
-    let mut lines = vec![format!("{printed} {}", mark(cell.verdict.name()))];
+    // Reproduced by another reading, the value below is not the printed one.
+    let otherwise = cell.verdict == Verdict::Reproduced && cell.as_read.is_some();
+    let otherwise = if otherwise { mark("other-reading") } else { "" };
+    let mut lines = vec![format!("{printed} {}{otherwise}", mark(cell.verdict.name()))];
     if cell.verdict != Verdict::Confirmed {
         match (&cell.exact, &cell.undefined) {
             (Some(exact), _) => lines.push(short(exact, digits_beside(cell))),
@@ -184,7 +187,13 @@ fn assumption(finding: &TableFinding<'_>) -> Option<String> {
         return Some(format!("? {missing}, and no table gives {name}."));
     }
     let comparison = comparison(finding).map(|text| format!(": {text}")).unwrap_or_default();
-    Some(format!("? {missing}. Shown at {}{comparison}.", assumed(cell)))
+    let slips = cells(finding).filter_map(|cell| match &cell.verdict_if_assumed {
+        Some(Verdict::Misprint(slip)) => Some(format!("{} ({slip})", cell.printed.as_deref()?)),
+        _ => None,
+    });
+    let slips: Vec<String> = slips.take(MAX_LISTED).collect();
+    let slips = if slips.is_empty() { String::new() } else { format!(" {}.", slips.join("; ")) };
+    Some(format!("? {missing}. What is left, at {}{comparison}.{slips}", assumed(cell)))
 }
 
 /// What the verdicts would be at the assumed values, counted.

@@ -23,7 +23,13 @@ fn cells(audit: &PaperAudit<'_>) -> Option<String> {
         return lost.map(|lost| format!("of the cells, {lost}"));
     }
     let count = |name: &str| printed.iter().filter(|cell| cell.verdict.name() == name).count();
-    let with = recovered(audit);
+    let read =
+        printed.iter().filter(|cell| cell.verdict == Verdict::Reproduced && cell.as_read.is_some());
+    let with = match read.count() {
+        0 => recovered(audit),
+        count => format!("{}, {count} of them by another reading", recovered(audit)),
+    };
+    let left = if_assumed(&printed);
     let mut parts = Vec::new();
     for (name, said) in [
         ("confirmed", "confirmed"),
@@ -34,7 +40,11 @@ fn cells(audit: &PaperAudit<'_>) -> Option<String> {
         ("refuted", "refuted"),
         ("not-checkable", "not checkable"),
     ] {
-        let with = if name == "reproduced" { with.as_str() } else { "" };
+        let with = match name {
+            "reproduced" => with.as_str(),
+            "not-checkable" => left.as_str(),
+            _ => "",
+        };
         parts.extend(Some(count(name)).filter(|count| *count > 0).map(|count| (count, said, with)));
     }
     // The largest part comes first.
@@ -46,6 +56,22 @@ fn cells(audit: &PaperAudit<'_>) -> Option<String> {
     let rest = words.map(|(count, said)| format!("{} {said}", are(count)));
     let sentence = std::iter::once(first).chain(rest).collect::<Vec<String>>().join("; ");
     Some([Some(format!("{sentence}.")), lost].into_iter().flatten().collect::<Vec<_>>().join(" "))
+}
+
+/// ` (at the values shown, 7 differ and 1 is a slip away)`: what cells that are not checkable would
+/// be if the values that were put in were stated.
+fn if_assumed(printed: &[&CellFinding]) -> String {
+    let judged = || printed.iter().filter_map(|cell| cell.verdict_if_assumed.as_ref());
+    let differ = judged().filter(|verdict| **verdict == Verdict::Refuted).count();
+    let slips = judged().filter(|verdict| matches!(verdict, Verdict::Misprint(_))).count();
+    let differ = (differ > 0)
+        .then(|| format!("{differ} {}", if differ == 1 { "differs" } else { "differ" }));
+    let slips = (slips > 0).then(|| format!("{} a slip away", are(slips)));
+    let parts: Vec<String> = differ.into_iter().chain(slips).collect();
+    if parts.is_empty() {
+        return String::new();
+    }
+    format!(" (at the values shown, {})", parts.join(" and "))
 }
 
 /// `5 are`, or `1 is`.

@@ -72,7 +72,7 @@ fn several_verdicts_are_denied_at_once() {
     let deny = ["audit", "examples/first-paper.toml", "--deny", "broken,refuted,fails"];
     let output = subcert(deny).assert().code(1);
     let message = String::from_utf8_lossy(&output.get_output().stderr).into_owned();
-    assert_eq!(message, "subcert: 2 promises are broken, 1 claim is refuted\n");
+    assert_eq!(message, "subcert: 2 promises: broken, 1 claim: refuted\n");
     let none = ["audit", "examples/my-paper.toml", "--deny", "fails,inexact", "--deny", "misprint"];
     subcert(none).assert().success();
     let unknown = refused(["audit", "--deny", "refuted,brocken"]);

@@ -206,7 +206,7 @@ fn a_denied_verdict_gives_exit_code_1_after_the_results() {
     let output = output.get_output();
     assert!(!output.stdout.is_empty());
     let message = String::from_utf8_lossy(&output.stderr);
-    assert!(message.contains("claims are refuted"), "{message}");
+    assert!(message.contains("claims: refuted"), "{message}");
     subcert(["audit", "--deny", "inexact"]).assert().code(1);
     subcert(["audit", "--deny", "exact"]).assert().code(0);
 }

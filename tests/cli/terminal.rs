@@ -90,7 +90,7 @@ fn quiet_leaves_errors_files_and_the_exit_code() {
     let denied = ["-q", "audit", "examples/my-paper.toml", "--deny", "refuted"];
     let output = subcert(denied).assert().code(1).stdout_eq("");
     let message = String::from_utf8_lossy(&output.get_output().stderr).into_owned();
-    assert_eq!(message, "subcert: 1 claim is refuted\n");
+    assert_eq!(message, "subcert: 1 claim: refuted\n");
     assert!(!written(["new", "k", "-o", "-", "--quiet"]).is_empty());
 }
 
