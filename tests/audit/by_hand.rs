@@ -62,7 +62,7 @@ fn both_sides_are_those_of_the_finding() {
         bounded("difference", "beta*(1/2)^k"),
         format!("{}\nvalues.c = ['1']", bounded("step", "beta*T^k/10")),
         bounded("distance", "sigma*beta*(1/2)^k/10"),
-        bounded("distance", "sum(j = 0..k, (1/2)^j)/100"),
+        bounded("distance", "beta*sum(j = 0..k, (1/2)^j)/100"),
         "scheme = 'chaikin'\noffset = '0'\nbounds = 'depth'\nby = 'levels(1/9, epsilon)'"
             .to_owned(),
         bounded("distance", "beta/100").replace("16'", "16 x chaikin'"),
@@ -77,7 +77,7 @@ fn every_number_of_a_small_refutation() {
     // Chaikin's points at i/2^k: the limit at 0 is (x_0 + x_1)/2, half a difference from x_0.
     let paper = paper(
         "schemes = ['chaikin']\nvalues.c = ['2']\noffset = '0'\nbounds = 'distance'\n\
-         by = 'sigma*beta*T^k/4 + contraction(1)/100'\nfrom = '0'",
+         by = '(sigma*T^k/4 + contraction(1)/100)*beta'\nfrom = '0'",
     );
     let audit = audit(&paper).unwrap_or_else(|error| panic!("{error}"));
     let hand = by_hand(&audit, &audit.theorems[0]).unwrap_or_else(|error| panic!("{error}"));
