@@ -131,6 +131,8 @@ pub struct Axis {
 pub struct AxisEntry {
     /// As printed.
     pub printed: String,
+    /// The number that is read in place of it, where the print at hand is damaged.
+    pub read: Option<String>,
     /// What a reader should know: of a number, why its value is not what is printed.
     pub note: Option<String>,
 }

@@ -122,9 +122,9 @@ impl<'a> TableContext<'a> {
         settings: &Settings,
     ) -> Rational {
         let Some(word) = settings.word(&HEADER) else { return value.clone() };
-        let Some(decimal) =
-            self.tolerance(axis).then(|| parse_decimal(&entry.printed).ok()).flatten()
-        else {
+        let text = entry.read.as_ref().unwrap_or(&entry.printed);
+        let decimal = self.tolerance(axis).then(|| parse_decimal(text).ok()).flatten();
+        let Some(decimal) = decimal else {
             return value.clone();
         };
         let (low, high) = decimal.interval();

@@ -74,7 +74,9 @@ impl Reader<'_> {
             let NumberField { printed, read, note } = field.get_ref();
             let text = read.as_ref().unwrap_or(printed);
             let value = parse_rational(text).map_err(|error| self.damaged(field, &error))?;
-            Ok((AxisEntry { printed: printed.clone(), note: note.clone() }, value))
+            let entry =
+                AxisEntry { printed: printed.clone(), read: read.clone(), note: note.clone() };
+            Ok((entry, value))
         };
         let values = fields.get_ref().iter().map(entry).collect::<Result<_, Diagnostic>>()?;
         Ok((name.clone(), label.clone().unwrap_or(name), values))
@@ -93,7 +95,7 @@ impl Reader<'_> {
                 Some(text) => self.located(text)?,
                 None => self.located(&Spanned::new(field.span(), printed.clone()))?,
             };
-            Ok((AxisEntry { printed: printed.clone(), note: note.clone() }, scheme))
+            Ok((AxisEntry { printed: printed.clone(), read: None, note: note.clone() }, scheme))
         };
         fields.get_ref().iter().map(entry).collect()
     }
