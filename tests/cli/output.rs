@@ -55,7 +55,7 @@ fn coverage_of_a_claim_file() {
     let json: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
     assert_eq!(json["papers"][0]["items"][0]["item"], "(1)");
     let message = String::from_utf8_lossy(&output.stderr);
-    assert!(message.contains("numbered items are unclaimed"), "{message}");
+    assert!(message.contains("numbered items: unclaimed"), "{message}");
 }
 
 #[test]

@@ -94,7 +94,7 @@ fn quiet_leaves_errors_files_and_the_exit_code() {
     assert!(!written(["new", "k", "-o", "-", "--quiet"]).is_empty());
 }
 
-const COMMANDS: [&str; 14] = [
+const COMMANDS: [&str; 16] = [
     "audit",
     "explain",
     "errata",
@@ -106,6 +106,8 @@ const COMMANDS: [&str; 14] = [
     "prove",
     "new",
     "oracle",
+    "refine",
+    "limit",
     "schemes",
     "completions",
     "man",
@@ -118,7 +120,7 @@ fn examples_of_the_help_run() {
         let help = written([command, "--help"]);
         let (_, examples) = help.split_once("Examples:\n").unwrap_or_else(|| panic!("{help}"));
         let examples: Vec<&str> = examples.lines().map(str::trim).collect();
-        assert!((2..=3).contains(&examples.len()), "{help}");
+        assert!((2..=4).contains(&examples.len()), "{help}");
         for example in examples {
             let line = example.strip_prefix("subcert ").expect("a command");
             let folder = line.contains("-o ") && !line.ends_with("-o -");
