@@ -126,10 +126,20 @@ fn agree<'a>(
         else {
             continue;
         };
+        // Others rest on the value that this table's own numbers give.
+        let id = &findings[i].table.id;
+        let lends = |other: &TableFinding<'_>| {
+            let from = other.recovered.get(&name).map(|recovered| &recovered.from);
+            matches!(from, Some(RecoveredFrom::Table { id: of, .. }) if of == id)
+        };
+        if findings.iter().any(lends) {
+            continue;
+        }
         let mut values = findings[i].recovered.clone();
         values.insert(name, most);
         let mut found = judge(paper, findings[i].table, values)?;
-        if reproduced(&found) + MAX_LOST >= reproduced(&findings[i]) {
+        let count = reproduced(&found);
+        if count > 0 && count + MAX_LOST >= reproduced(&findings[i]) {
             judge_promises(paper, &mut found)?;
             findings[i] = found;
         }
