@@ -5,10 +5,11 @@ use crate::diagnostic::Diagnostic;
 use crate::evaluation::context::{At, Outcome, TableContext};
 use crate::evaluation::library::Library;
 use crate::evaluation::row::RowDefinitions;
+use crate::evaluation::settings::Settings;
 use crate::evaluation::trace::LevelCall;
 use crate::exact::{Rational, RealCyclotomic};
 use crate::formula::LocatedFormula;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Deref;
 
 /// The context of a table, and the values of definitions that are the same in a whole row.
@@ -49,6 +50,23 @@ impl<'a> Evaluator<'a> {
         };
         let known = self.rows.of(&self.context, at, &quantities);
         self.evaluate_with(formula, at, &quantities, &known)
+    }
+
+    /// The value of a cell as printed, and the unstated parameters that it needs: each is assumed as
+    /// the evaluation meets it, up to one of which no value is known.
+    pub(crate) fn needed(
+        &self,
+        row: usize,
+        column: usize,
+    ) -> Result<(BTreeSet<String>, Outcome), Diagnostic> {
+        let (mut needed, settings) = (BTreeSet::new(), Settings::default());
+        loop {
+            let at = At { row, column, assume: &needed, settings: &settings };
+            match self.evaluate(&self.table.value, at)? {
+                Outcome::Unstated(name) if needed.insert(name.clone()) => {}
+                outcome => return Ok((needed, outcome)),
+            }
+        }
     }
 
     /// The number of levels that a cell's value is, before it is rounded; `None` where

@@ -28,6 +28,7 @@ pub(crate) use reading::Values;
 pub use reading::{
     Difference, Explanation, Line, LineReading, MAX_DIFFERENCES, Need, Search, Solved,
 };
+pub(crate) use recovered::values;
 pub use recovered::{Recovered, RecoveredFrom};
 pub use table::TableFinding;
 pub use theorem::{

@@ -1,6 +1,7 @@
 //! Parameters that a paper does not state, as its printed numbers give them.
 
 use crate::exact::Rational;
+use std::collections::BTreeMap;
 
 /// The value of a parameter that the paper does not state, recovered from printed numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,6 +17,11 @@ impl Recovered {
     pub(crate) fn is_own(&self) -> bool {
         !matches!(self.from, RecoveredFrom::Table { .. })
     }
+}
+
+/// The values of recovered parameters.
+pub(crate) fn values(recovered: &BTreeMap<String, Recovered>) -> BTreeMap<String, Rational> {
+    recovered.iter().map(|(name, recovered)| (name.clone(), recovered.value.clone())).collect()
 }
 
 /// Where the value of a parameter comes from.

@@ -5,7 +5,7 @@ use crate::exact::Rational;
 use crate::finding::cell::{CellFinding, CellKind};
 use crate::finding::promise::{Kept, PromiseCounts};
 use crate::finding::reading::{Need, Search};
-use crate::finding::recovered::Recovered;
+use crate::finding::recovered::{Recovered, values};
 use std::collections::BTreeMap;
 
 impl TableFinding<'_> {
@@ -46,9 +46,7 @@ pub struct TableFinding<'a> {
 impl TableFinding<'_> {
     /// The values of the parameters that were recovered.
     pub(crate) fn values(&self) -> BTreeMap<String, Rational> {
-        let value =
-            |(name, recovered): (&String, &Recovered)| (name.clone(), recovered.value.clone());
-        self.recovered.iter().map(value).collect()
+        values(&self.recovered)
     }
 
     /// The kinds of its printed cells.

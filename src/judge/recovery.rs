@@ -3,8 +3,7 @@
 use crate::claim::{Paper, Table};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::library::Library;
-use crate::exact::Rational;
-use crate::finding::{Recovered, RecoveredFrom, TableFinding, Verdict};
+use crate::finding::{Recovered, RecoveredFrom, TableFinding, Verdict, values};
 use crate::judge::reading::plain::plain_numbers;
 use crate::judge::reading::recover::solved;
 use crate::judge::table::judge;
@@ -68,7 +67,7 @@ impl Recovery<'_> {
 
     /// Solves for one parameter with the others at these values.
     fn solve(&mut self, name: &str, mut others: Values) -> Result<(), Diagnostic> {
-        let values = plain_values(&others);
+        let values = values(&others);
         if let Some(recovered) = solved(self.paper, self.table, &self.library, &values, name) {
             others.insert(name.to_owned(), recovered);
             self.attempt(others)?;
@@ -84,10 +83,6 @@ impl Recovery<'_> {
         }
         Ok(())
     }
-}
-
-fn plain_values(values: &Values) -> BTreeMap<String, Rational> {
-    values.iter().map(|(name, recovered)| (name.clone(), recovered.value.clone())).collect()
 }
 
 /// The most ways to take what other tables offer.

@@ -18,7 +18,7 @@ use crate::judge::reading::plain::as_plain;
 use crate::judge::reading::search::{self, Candidates};
 use crate::judge::reading::space::needed;
 use crate::judge::slips::Part;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 /// Judges every cell of a table, with these values of parameters that were recovered; its promises
 /// apart.
@@ -169,16 +169,8 @@ impl Evaluator<'_> {
             kept: None,
             kept_naturally: None,
         };
-        // Parameters are assumed one by one, so that those that the value needs
-        // are known.
-        let (mut needed, settings) = (BTreeSet::new(), Settings::default());
-        let outcome = loop {
-            let at = At { row, column, assume: &needed, settings: &settings };
-            match self.evaluate(&self.table.value, at)? {
-                Outcome::Unstated(name) if needed.insert(name.clone()) => {}
-                outcome => break outcome,
-            }
-        };
+        let (needed, outcome) = self.needed(row, column)?;
+        let settings = Settings::default();
         let value = |name: &String| Some((name.clone(), self.assumed.get(name)?.clone()));
         finding.assumed = needed.iter().filter_map(value).collect();
         let mut beyond_caps = None;

@@ -1,9 +1,7 @@
 //! Recovering a parameter that the paper does not state from the printed numbers of a table.
 
 use crate::claim::{Cell, Paper, Table};
-use crate::evaluation::context::{At, Outcome};
 use crate::evaluation::library::Library;
-use crate::evaluation::settings::Settings;
 use crate::evaluation::table::Evaluator;
 use crate::exact::{Integer, Rational};
 use crate::finding::{Explanation, Recovered, RecoveredFrom};
@@ -11,7 +9,7 @@ use crate::judge::reading::plain::as_plain;
 use crate::judge::reading::space::{Needed, Space};
 use crate::judge::reading::{solve, tried};
 use std::cmp::Reverse;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 /// Where the search for a value starts. What the values of the other cells are proportional to, or
 /// levels to the logarithm of, may start anywhere; a parameter of a scheme starts where most
@@ -62,19 +60,8 @@ fn rank(explanation: &Explanation) -> (usize, Reverse<Integer>) {
 
 /// The unstated parameters that each cell needs, as the evaluation meets them.
 fn needed(judge: &Evaluator<'_>) -> Option<Needed> {
-    let settings = Settings::default();
-    let of_cell = |row: usize, column: usize| {
-        let mut needed = BTreeSet::new();
-        loop {
-            let at = At { row, column, assume: &needed, settings: &settings };
-            match judge.evaluate(&judge.table.value, at).ok()? {
-                Outcome::Unstated(name) if needed.insert(name.clone()) => {}
-                _ => return Some(needed),
-            }
-        }
-    };
     let row = |(row, cells): (usize, &Vec<Cell>)| {
-        (0..cells.len()).map(|column| of_cell(row, column)).collect()
+        (0..cells.len()).map(|column| Some(judge.needed(row, column).ok()?.0)).collect()
     };
     judge.table.cells.iter().enumerate().map(row).collect()
 }
