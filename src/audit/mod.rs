@@ -6,7 +6,7 @@ pub use crate::digest::{
     Cause, CellErratum, CellGroup, CellOutcome, CellSummary, ClaimVerdict, Consequences, Coverage,
     CoverageState, Errata, Erratum, HowRead, Standing, Subject, Unchecked,
 };
-pub use crate::evaluation::{Choice, Effect, FAMILY, QUANTITIES, Way};
+pub use crate::evaluation::{Choice, Copied, Effect, FAMILY, QUANTITIES, Way};
 pub use crate::evidence::{
     AttainedConstant, Evidence, Powers, PromiseEvidence, SearchedConstant, SoundCell, by_hand,
     evidence, promise_evidence, theorem_evidence,

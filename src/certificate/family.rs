@@ -10,23 +10,31 @@ use std::collections::BTreeMap;
 /// values in the refuted ones.
 type Member = (BTreeMap<usize, usize>, Vec<String>);
 
-/// The lines `family`, `scale`, `values` and `member`, from every reading of the table.
+/// The lines `family`, `scale`, `values` and `member`, from every reading of the table, or, unless it is
+/// the `whole` family, from every one that takes nothing from another place of the paper.
 pub(super) fn lines(
     block: &mut Block,
     readings: &[Explanation],
-    best: Option<&Explanation>,
+    whole: bool,
     scale: Option<&str>,
     refuted: &[(usize, usize)],
 ) {
-    let most = readings.iter().map(Explanation::count).max().unwrap_or(0);
-    block.line(format!("family {}", best.map_or(most, Explanation::count)));
+    let copied = |reading: &&Explanation| reading.differences.iter().any(Difference::is_copied);
+    let most = |of: bool| {
+        let part = readings.iter().filter(|reading| copied(reading) == of);
+        part.map(Explanation::count).max()
+    };
+    let best = [most(false), most(true).filter(|_| whole)].into_iter().flatten();
+    let best: Vec<String> = best.map(|most| most.to_string()).collect();
+    block.line(format!("family {}", best.join(" ")));
     if let Some(scale) = scale {
         block.line(format!("scale {scale}"));
     }
     // By their differences, the fewest first.
     let mut members: BTreeMap<(usize, Vec<String>), Member> = BTreeMap::new();
     // Those at another scale are covered by the line `scale`.
-    for reading in readings.iter().filter(|reading| reading.solved.is_empty()) {
+    let listed = |reading: &&Explanation| reading.solved.is_empty() && (whole || !copied(reading));
+    for reading in readings.iter().filter(listed) {
         let value = |(row, column): &(usize, usize)| {
             reading.values[*row][*column].as_ref().map_or("undefined".to_owned(), closed)
         };

@@ -2,7 +2,8 @@
 
 use super::block::Block;
 use crate::audit::{
-    AsRead, Difference, Direction, Explanation, Line, LineReading, Search, Slip, TableFinding,
+    AsRead, Copied, Difference, Direction, Explanation, Line, LineReading, Search, Slip,
+    TableFinding,
 };
 
 /// The readings of a table, and of its rows and columns.
@@ -138,6 +139,7 @@ fn lines(reading: &Explanation) -> impl Iterator<Item = String> {
     let differences = rest.map(|difference| match difference {
         Difference::Way(choice, way) => format!("read choice {} {}", choice.key, way.word),
         Difference::Alternative { of, number, .. } => format!("read definition {of} {number}"),
+        Difference::Copied(source) => format!("read copied {}", copied(source)),
         Difference::Scale { name, value, .. } => format!("read parameter {name} {value}"),
     });
     let parameters = solved
@@ -146,11 +148,23 @@ fn lines(reading: &Explanation) -> impl Iterator<Item = String> {
     differences.chain(parameters)
 }
 
-/// A difference as `CHOICE=WAY` or `DEFINITION#NUMBER`; none of a parameter.
+/// `DEFINITION@TABLE`, `DEFINITION@NAME=VALUE`, `DEFINITION@scheme#NUMBER` or `tolerance@line#NUMBER`.
+fn copied(source: &Copied) -> String {
+    match source {
+        Copied::Printed { of, table, .. } => format!("{of}@{table}"),
+        Copied::Parameter { of, name, value } => format!("{of}@{name}={value}"),
+        Copied::Scheme { of, number, .. } => format!("{of}@scheme#{}", number + 1),
+        Copied::Tolerance { line, .. } => format!("tolerance@line#{}", line + 1),
+    }
+}
+
+/// A difference as `CHOICE=WAY`, `DEFINITION#NUMBER` or a quantity from another place; none of a
+/// parameter.
 pub(super) fn member(difference: &Difference) -> Option<String> {
     match difference {
         Difference::Way(choice, way) => Some(format!("{}={}", choice.key, way.word)),
         Difference::Alternative { of, number, .. } => Some(format!("{of}#{number}")),
+        Difference::Copied(source) => Some(copied(source)),
         Difference::Scale { .. } => None,
     }
 }

@@ -86,19 +86,19 @@ fn families(
 ) {
     let cells = || finding.cells.iter().flatten();
     let plain = cells().any(|cell| cell.printed.is_some() && cell.is_plain());
-    let mut family = |kind, search: Option<&Search>, scale, refuted| {
-        let best = search.and_then(|search| search.best.first());
+    let mut family = |kind, scale, refuted: &[(usize, usize)]| {
+        let search = finding.search_of(kind);
+        let whole = !refuted.is_empty() || search.is_some_and(Search::takes_from_elsewhere);
         match readings(paper, finding, kind) {
-            Ok(readings) => family::lines(block, &readings, best, scale, refuted),
+            Ok(readings) => family::lines(block, &readings, whole, scale, refuted),
             Err(error) => block.give_up(error.message),
         }
     };
     if plain && !(refuted.is_empty() && read.is_empty()) {
-        family(CellKind::Plain, finding.search.as_ref(), scale, refuted);
+        family(CellKind::Plain, scale, refuted);
     }
     if cells().any(|cell| cell.verdict == Verdict::Reproduced) {
-        let search = if plain { &finding.assumed_search } else { &finding.search };
-        family(CellKind::Assumed, search.as_ref(), None, &[]);
+        family(CellKind::Assumed, None, &[]);
     }
 }
 

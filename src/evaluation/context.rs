@@ -3,6 +3,7 @@
 use crate::claim::{Axis, AxisEntry, Cell, LocatedReference, Paper, Promise, Table};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::choices::HEADER;
+use crate::evaluation::copied::references;
 use crate::evaluation::library::{Library, values};
 use crate::evaluation::quantity::Quantities;
 use crate::evaluation::reference::{Unresolved, scheme_error};
@@ -69,7 +70,7 @@ impl<'a> TableContext<'a> {
         functions: &'s Quantities<'s>,
         known: &Known,
     ) -> Scope<'s, RealCyclotomic> {
-        let definitions = at.settings.definitions.as_ref().unwrap_or(&self.paper.definitions);
+        let definitions = at.settings.definitions.as_deref().unwrap_or(&self.paper.definitions);
         let mut scope = Scope::new(definitions, functions);
         for (name, value) in &self.given {
             let value = at.settings.parameters.get(name).unwrap_or(value);
@@ -98,7 +99,9 @@ impl<'a> TableContext<'a> {
         let axes = rows.into_iter().chain([(&self.table.columns, at.column)]);
         axes.filter_map(move |(axis, place)| {
             let (name, value) = axis.value(place)?;
-            Some((name, self.header(axis, &axis.entries[place], value, at.settings)))
+            let other = at.settings.parameters.get(name).cloned();
+            let own = || self.header(axis, &axis.entries[place], value, at.settings);
+            Some((name, other.unwrap_or_else(own)))
         })
     }
 
@@ -167,7 +170,8 @@ impl<'a> TableContext<'a> {
             beyond_caps: std::cell::Cell::new(false),
             last_levels: std::cell::RefCell::new(None),
         };
-        let located = self.table.scheme_at(at.row, at.column);
+        let other = at.settings.scheme.and_then(|place| references(self.paper).get(place).copied());
+        let located = other.or_else(|| self.table.scheme_at(at.row, at.column));
         let Some(located) = located else { return Ok(Ok(quantities)) };
         let scope = self.scope(at, &quantities, &Known::new());
         match self.library.resolve(&located.reference, &scope) {

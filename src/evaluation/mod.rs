@@ -9,6 +9,7 @@ mod choice;
 pub(crate) mod choices;
 mod constants;
 pub(crate) mod context;
+pub(crate) mod copied;
 mod functions;
 pub(crate) mod library;
 mod options;
@@ -24,4 +25,5 @@ pub(crate) mod trace;
 
 pub use choice::{Choice, Effect, Way};
 pub use choices::FAMILY;
+pub use copied::Copied;
 pub use functions::QUANTITIES;

@@ -111,7 +111,7 @@ fn cell_scope<'s>(
     parameter: &str,
     functions: &'s Constants<'s>,
 ) -> Scope<'s, Parametric> {
-    let definitions = at.settings.definitions.as_ref().unwrap_or(&judge.paper.definitions);
+    let definitions = at.settings.definitions.as_deref().unwrap_or(&judge.paper.definitions);
     let mut scope = Scope::new(definitions, functions);
     for (name, value) in judge.given.iter().chain(&judge.assumed) {
         let value = at.settings.parameters.get(name).unwrap_or(value);

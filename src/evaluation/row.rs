@@ -4,6 +4,7 @@ use crate::evaluation::choices::HEADER;
 use crate::evaluation::context::{At, Known, Outcome, TableContext};
 use crate::evaluation::quantity::Quantities;
 use crate::evaluation::settings::{Restricted, Settings, choices_of};
+use crate::exact::Rational;
 use crate::formula::FreeNames;
 use crate::scheme::Instance;
 use std::cell::RefCell;
@@ -13,9 +14,9 @@ use std::rc::Rc;
 /// The way of headers that the text prints.
 const AS_PRINTED: &str = "exact";
 
-/// What the values depend on: the row, the scheme, the reading as far as it matters,
+/// What the values depend on: the parameter of the row, the scheme, the reading as far as it matters,
 /// and the parameters that are assumed.
-type Key = (usize, Vec<Instance>, Restricted, BTreeSet<String>);
+type Key = (Option<Rational>, Vec<Instance>, Restricted, BTreeSet<String>);
 
 /// The definitions that do not depend on the column, with their values.
 #[derive(Default)]
@@ -74,7 +75,10 @@ impl RowDefinitions {
         }
         let scheme = quantities.scheme.as_ref().map(|scheme| scheme.instances.clone());
         let scheme = scheme.unwrap_or_default();
-        let key = (at.row, scheme, at.settings.restricted(&self.depends), at.assume.clone());
+        let row = context.table.rows.as_ref().and_then(|axis| axis.value(at.row));
+        let row =
+            row.map(|(name, value)| at.settings.parameters.get(name).unwrap_or(value).clone());
+        let key = (row, scheme, at.settings.restricted(&self.depends), at.assume.clone());
         if let Some(known) = self.known.borrow().get(&key) {
             return Rc::clone(known);
         }
@@ -110,7 +114,7 @@ impl RowDefinitions {
         at: At<'_>,
         quantities: &Quantities<'_>,
     ) -> Known {
-        let definitions = at.settings.definitions.as_ref().unwrap_or(&context.paper.definitions);
+        let definitions = at.settings.definitions.as_deref().unwrap_or(&context.paper.definitions);
         let mut known = Known::new();
         for name in &self.names {
             if let Ok(Outcome::Value(value)) =

@@ -2,24 +2,29 @@
 
 use crate::claim::Alternative;
 use crate::evaluation::choices::FAMILY;
-use crate::evaluation::{Choice, Effect};
+use crate::evaluation::{Choice, Copied, Effect};
 use crate::exact::{Rational, RealCyclotomic};
 use crate::formula::{Expr, LocatedFormula};
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
 
 /// How a claim's formula is read. The default reads it as printed.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Settings {
     words: Vec<(&'static str, &'static str)>,
     /// The paper's definitions with some replaced, when any are.
-    pub(crate) definitions: Option<BTreeMap<String, LocatedFormula>>,
+    pub(crate) definitions: Option<Rc<BTreeMap<String, LocatedFormula>>>,
     /// The places of the alternatives that stand for them.
     replaced: Vec<usize>,
-    /// Values for parameters instead of the assumed ones.
+    /// Values for parameters instead of their own.
     pub(crate) parameters: BTreeMap<String, Rational>,
     /// The values of definitions, where they are known.
     pub(crate) known: BTreeMap<String, RealCyclotomic>,
+    /// What is taken from another place of the paper.
+    pub(crate) copied: Option<Copied>,
+    /// The place of the scheme, among those of the paper's tables, instead of the cell's own.
+    pub(crate) scheme: Option<usize>,
     /// What each choice that the formula depends on is as printed.
     consulted: RefCell<BTreeMap<&'static str, String>>,
 }
@@ -85,6 +90,16 @@ impl Settings {
         settings
     }
 
+    /// The same for another scheme of the paper's tables.
+    pub(crate) fn with_scheme(&self, number: usize) -> Settings {
+        Settings { scheme: Some(number), ..self.clone() }
+    }
+
+    /// The same with nothing taken from another place.
+    pub(crate) fn without_copied(&self) -> Settings {
+        Settings { copied: None, ..self.clone() }
+    }
+
     /// Replaces a definition by the alternative of this place in the claim file.
     pub(crate) fn replace(
         &mut self,
@@ -92,8 +107,8 @@ impl Settings {
         place: usize,
         alternative: &Alternative,
     ) {
-        let definitions = self.definitions.get_or_insert_with(|| printed.clone());
-        definitions.insert(alternative.of.clone(), alternative.value.clone());
+        let definitions = self.definitions.get_or_insert_with(|| Rc::new(printed.clone()));
+        Rc::make_mut(definitions).insert(alternative.of.clone(), alternative.value.clone());
         self.replaced.push(place);
     }
 

@@ -2,8 +2,9 @@
 
 use crate::claim::{Paper, Table};
 use crate::diagnostic::Diagnostic;
-use crate::evaluation::context::{At, Outcome, TableContext};
+use crate::evaluation::context::{At, Known, Outcome, TableContext};
 use crate::evaluation::library::Library;
+use crate::evaluation::quantity::Quantities;
 use crate::evaluation::row::RowDefinitions;
 use crate::evaluation::settings::Settings;
 use crate::evaluation::trace::LevelCall;
@@ -44,12 +45,36 @@ impl<'a> Evaluator<'a> {
         formula: &LocatedFormula,
         at: At<'_>,
     ) -> Result<Outcome, Diagnostic> {
+        let evaluated = self
+            .within(at, |at, quantities, known| self.evaluate_with(formula, at, quantities, known));
+        Ok(evaluated?.unwrap_or_else(|outcome| outcome))
+    }
+
+    /// Evaluates something at a cell, under its reading: in the quantities of its scheme, with the
+    /// values of definitions that are known.
+    fn within<T>(
+        &self,
+        at: At<'_>,
+        evaluate: impl FnOnce(At<'_>, &Quantities<'_>, &Known) -> Result<T, Diagnostic>,
+    ) -> Result<Result<T, Outcome>, Diagnostic> {
+        let (settings, known) = match &at.settings.copied {
+            None => (None, None),
+            Some(copied) => match self.copied(copied, at)? {
+                Ok((settings, known)) => (Some(settings), Some(known)),
+                Err(outcome) => return Ok(Err(outcome)),
+            },
+        };
+        let at = At { settings: settings.as_ref().unwrap_or(at.settings), ..at };
         let quantities = match self.quantities(at)? {
             Ok(quantities) => quantities,
-            Err(outcome) => return Ok(outcome),
+            Err(outcome) => return Ok(Err(outcome)),
         };
-        let known = self.rows.of(&self.context, at, &quantities);
-        self.evaluate_with(formula, at, &quantities, &known)
+        match known.filter(|known| !known.is_empty()) {
+            Some(known) => evaluate(at, &quantities, &known).map(Ok),
+            None => {
+                evaluate(at, &quantities, &self.rows.of(&self.context, at, &quantities)).map(Ok)
+            }
+        }
     }
 
     /// The value of a cell as printed, and the unstated parameters that it needs: each is assumed as
@@ -80,12 +105,12 @@ impl<'a> Evaluator<'a> {
         &self,
         at: At<'_>,
     ) -> Option<(RealCyclotomic, Option<LevelCall>)> {
-        let quantities = self.quantities(at).ok()?.ok()?;
-        let known = self.rows.of(&self.context, at, &quantities);
-        quantities.last_levels.take();
-        let value = self.evaluate_with(&self.table.value, at, &quantities, &known);
-        let Ok(Outcome::Value(value)) = value else { return None };
-        let call = quantities.last_levels.take();
+        let evaluated = self.within(at, |at, quantities, known| {
+            quantities.last_levels.take();
+            let value = self.evaluate_with(&self.table.value, at, quantities, known)?;
+            Ok((value, quantities.last_levels.take()))
+        });
+        let Ok(Ok((Outcome::Value(value), call))) = evaluated else { return None };
         let is_value =
             |call: &LevelCall| call.level.is_some_and(|level| value == RealCyclotomic::from(level));
         let call = call.filter(is_value);

@@ -24,7 +24,7 @@ pub use levels::{Later, LevelEvidence, Levels};
 pub use paper::PaperAudit;
 pub use promise::{Broken, Kept, PromiseCounts};
 pub use range::{EndFinding, EndRelation, RangeFinding, RangeVerdict};
-pub(crate) use reading::Values;
+pub(crate) use reading::{COPIED, Values};
 pub use reading::{
     Difference, Explanation, Line, LineReading, MAX_DIFFERENCES, Need, Search, Solved,
 };

@@ -1,6 +1,6 @@
 //! Readings of tables: what they differ in, and what they explain.
 
-use crate::evaluation::{Choice, Way};
+use crate::evaluation::{Choice, Copied, Way};
 use crate::exact::{Rational, RealCyclotomic};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -90,6 +90,9 @@ pub struct Solved {
 /// The most differences from the printed text that a reading may have.
 pub const MAX_DIFFERENCES: usize = 4;
 
+/// The name of quantities from other places of a paper, among what readings differ in.
+pub(crate) const COPIED: &str = "a quantity from another place of the paper";
+
 /// A respect in which a reading differs from the printed text.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Difference {
@@ -104,6 +107,8 @@ pub enum Difference {
         /// What the claim file calls it.
         label: String,
     },
+    /// A quantity is taken from another place of the paper.
+    Copied(Copied),
     /// A stated parameter has another value.
     Scale {
         /// The parameter.
@@ -116,12 +121,20 @@ pub enum Difference {
 }
 
 impl Difference {
-    /// The name of the choice, the definition or the parameter.
+    /// Whether it is a quantity from another place of the paper.
+    #[must_use]
+    pub fn is_copied(&self) -> bool {
+        matches!(self, Difference::Copied(_))
+    }
+
+    /// The name of the choice, the definition or the parameter; of what is taken from another place,
+    /// where that is.
     #[must_use]
     pub fn about(&self) -> &str {
         match self {
             Difference::Way(choice, _) => choice.name,
             Difference::Alternative { of: name, .. } | Difference::Scale { name, .. } => name,
+            Difference::Copied(_) => COPIED,
         }
     }
 
@@ -130,7 +143,7 @@ impl Difference {
     pub fn value(&self) -> Option<&Rational> {
         match self {
             Difference::Scale { value, .. } => Some(value),
-            Difference::Way(..) | Difference::Alternative { .. } => None,
+            Difference::Way(..) | Difference::Alternative { .. } | Difference::Copied(_) => None,
         }
     }
 }
@@ -140,6 +153,18 @@ impl fmt::Display for Difference {
         match self {
             Difference::Way(_, way) => f.write_str(way.says),
             Difference::Alternative { label, .. } => f.write_str(label),
+            Difference::Copied(Copied::Printed { of, locus, .. }) => {
+                write!(f, "{of} as {locus} prints it")
+            }
+            Difference::Copied(Copied::Parameter { of, name, value }) => {
+                write!(f, "{of} at {name} = {value}")
+            }
+            Difference::Copied(Copied::Scheme { of, scheme, .. }) => write!(f, "{of} of {scheme}"),
+            Difference::Copied(Copied::Tolerance { header, .. }) => {
+                f.write_str("tolerances at which a whole number of levels is needed")?;
+                let at = if header.is_empty() { "" } else { " at " };
+                write!(f, "{at}{header}, rounded to what is printed")
+            }
             Difference::Scale { name, value, stated } => {
                 write!(f, "{name} = {value}, where {stated} is stated")
             }
@@ -179,13 +204,25 @@ impl Explanation {
     }
 }
 
+impl Search {
+    /// Whether a reading that was found takes a quantity from another place of the paper.
+    pub(crate) fn takes_from_elsewhere(&self) -> bool {
+        let found = self.best.first().into_iter().chain(self.lines.iter().map(|line| &line.best));
+        found.flat_map(|reading| &reading.differences).any(Difference::is_copied)
+    }
+}
+
 /// What a search has found.
 #[derive(Clone, Debug)]
 pub struct Search {
-    /// How many readings were compared, every scale that someone would choose counted.
+    /// How many readings were compared, every scale that someone would choose counted; those that take
+    /// a quantity from another place only where the others leave cells.
     pub tried: usize,
     /// What they differ in.
     pub choices: Vec<String>,
+    /// Whether readings were compared that take a quantity from another place of the paper, since
+    /// the others leave cells.
+    pub elsewhere: bool,
     /// How many cells are printed.
     pub cells: usize,
     /// How many cells the printed definition explains.

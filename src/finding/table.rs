@@ -55,6 +55,18 @@ impl TableFinding<'_> {
         CellKind::of(&self.cells)
     }
 
+    /// The search for the reading of the cells of a kind.
+    #[must_use]
+    pub fn search_of(&self, kind: CellKind) -> Option<&Search> {
+        match (kind, &self.kinds()[..]) {
+            (CellKind::Assumed, [CellKind::Plain, CellKind::Assumed]) => {
+                self.assumed_search.as_ref()
+            }
+            (kind, [first, ..]) if kind == *first => self.search.as_ref(),
+            _ => None,
+        }
+    }
+
     /// The searches for readings.
     pub fn searches(&self) -> impl Iterator<Item = &Search> {
         self.search.iter().chain(&self.assumed_search)

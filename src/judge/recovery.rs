@@ -6,6 +6,7 @@ use crate::evaluation::library::Library;
 use crate::finding::{Recovered, RecoveredFrom, TableFinding, Verdict, values};
 use crate::judge::reading::plain::plain_numbers;
 use crate::judge::reading::recover::solved;
+use crate::judge::reading::space::Family;
 use crate::judge::table::judge;
 use std::collections::BTreeMap;
 
@@ -76,7 +77,7 @@ impl Recovery<'_> {
     }
 
     fn attempt(&mut self, values: Values) -> Result<(), Diagnostic> {
-        let found = judge(self.paper, self.table, values)?;
+        let found = judge(self.paper, self.table, values, Family::Plain)?;
         let count = reproduced(&found);
         if count > self.count() {
             self.best = Some((count, found));

@@ -4,6 +4,7 @@ use crate::claim::{Paper, Promise, Table};
 use crate::diagnostic::Diagnostic;
 use crate::exact::Rational;
 use crate::finding::{Recovered, RecoveredFrom, TableFinding};
+use crate::judge::reading::space::Family;
 use crate::judge::recovery::{self, Values, combinations, reproduced};
 use crate::judge::table::{judge, judge_promises};
 use std::collections::BTreeSet;
@@ -47,7 +48,7 @@ pub(crate) fn judge_all<'a>(
     after_table: &dyn Fn(),
 ) -> Placed<Vec<(usize, TableFinding<'a>)>> {
     let judged = places.iter().map(|&place| {
-        let finding = judge(paper, &paper.tables[place], Values::new());
+        let finding = judge(paper, &paper.tables[place], Values::new(), Family::Plain);
         finding.map_err(|error| (place, error))
     });
     let mut findings = judged.collect::<Placed<Vec<TableFinding<'a>>>>()?;
@@ -68,10 +69,20 @@ pub(crate) fn judge_all<'a>(
         }
     }
     for (finding, &place) in findings.iter_mut().zip(places) {
+        widen(paper, finding).map_err(|error| (place, error))?;
         judge_promises(paper, finding).map_err(|error| (place, error))?;
         after_table();
     }
     Ok(places.iter().copied().zip(findings).collect())
+}
+
+/// Looks at the whole family of readings where the plain ones leave cells.
+fn widen<'a>(paper: &'a Paper, finding: &mut TableFinding<'a>) -> Result<(), Diagnostic> {
+    if finding.searches().any(|search| search.most < search.cells) {
+        let recovered = std::mem::take(&mut finding.recovered);
+        *finding = judge(paper, finding.table, recovered, Family::Whole)?;
+    }
+    Ok(())
 }
 
 /// Puts into tables whose own numbers do not give a parameter the value that another table of the
@@ -94,7 +105,7 @@ pub(crate) fn borrow<'a>(
             values.extend(others.into_iter().next().map(|value| (name, value)));
         }
         if values.len() > findings[i].recovered.len() {
-            findings[i] = judge(paper, findings[i].table, values)?;
+            findings[i] = judge(paper, findings[i].table, values, Family::Whole)?;
             judge_promises(paper, &mut findings[i])?;
         }
     }
@@ -137,7 +148,7 @@ fn agree<'a>(
         }
         let mut values = findings[i].recovered.clone();
         values.insert(name, most);
-        let mut found = judge(paper, findings[i].table, values)?;
+        let mut found = judge(paper, findings[i].table, values, Family::Whole)?;
         let count = reproduced(&found);
         if count > 0 && count + MAX_LOST >= reproduced(&findings[i]) {
             judge_promises(paper, &mut found)?;
@@ -191,7 +202,7 @@ fn recover<'a>(
     if finding.cells.iter().flatten().all(|cell| cell.printed.is_none()) {
         // Nothing can be solved for, and nothing contradicts what another table says.
         let values = combinations(&offers).into_iter().next();
-        return values.map(|values| judge(paper, table, values)).transpose();
+        return values.map(|values| judge(paper, table, values, Family::Plain)).transpose();
     }
     recovery::recover(paper, table, &offers)
 }

@@ -16,16 +16,17 @@ use crate::judge::compare;
 use crate::judge::distance::Schemes;
 use crate::judge::reading::plain::as_plain;
 use crate::judge::reading::search::{self, Candidates};
-use crate::judge::reading::space::needed;
+use crate::judge::reading::space::{Family, needed};
 use crate::judge::slips::Part;
 use std::collections::BTreeMap;
 
-/// Judges every cell of a table, with these values of parameters that were recovered; its promises
-/// apart.
+/// Judges every cell of a table, with these values of parameters that were recovered, by so much of
+/// the family of readings; its promises apart.
 pub(crate) fn judge<'a>(
     paper: &'a Paper,
     table: &'a Table,
     recovered: BTreeMap<String, Recovered>,
+    family: Family,
 ) -> Result<TableFinding<'a>, Diagnostic> {
     let library = Library::new(paper);
     let (cells, needs) = (Vec::new(), Vec::new());
@@ -36,7 +37,8 @@ pub(crate) fn judge<'a>(
     judge.compare_with_neighbours(&mut cells);
     let candidates = candidates(paper, &finding.recovered);
     for kind in CellKind::of(&cells) {
-        let (search, needs) = search::search(&judge, &cells, kind, &candidates).unwrap_or_default();
+        let found = search::search(&judge, &cells, kind, &candidates, family);
+        let (search, needs) = found.unwrap_or_default();
         finding.needs.extend(needs);
         if kind == CellKind::Plain || CellKind::of(&cells).len() == 1 {
             finding.search = search;
@@ -74,11 +76,7 @@ fn candidates(paper: &Paper, recovered: &BTreeMap<String, Recovered>) -> Candida
 impl TableFinding<'_> {
     /// The cells that were given at recovered values, by what is no luck, are reproduced.
     fn reproduce(&mut self) {
-        let search = match CellKind::of(&self.cells)[..] {
-            [CellKind::Plain, CellKind::Assumed] => self.assumed_search.as_ref(),
-            [CellKind::Assumed] => self.search.as_ref(),
-            _ => None,
-        };
+        let search = self.search_of(CellKind::Assumed).cloned();
         let table = self.table;
         let recovered = |name: &String| table.unstated[name].is_none();
         for (row, cells) in self.cells.iter_mut().enumerate() {
@@ -86,7 +84,7 @@ impl TableFinding<'_> {
                 if !cell.assumed.iter().any(|(name, _)| recovered(name)) || cell.unknown.is_some() {
                     continue;
                 }
-                let Some(search) = search else { continue };
+                let Some(search) = &search else { continue };
                 let lines = search.lines.iter().filter(|line| line.shift == (0, 0));
                 let readings = search.best.first().into_iter().chain(lines.map(|line| &line.best));
                 let mut by = readings.filter(|reading| reading.explained[row][column]);
@@ -134,7 +132,9 @@ pub(crate) fn readings(
     library: &Library<'_>,
 ) -> Result<Vec<Explanation>, Diagnostic> {
     let judge = Evaluator::new(paper, finding.table, library, &finding.values())?;
-    Ok(search::readings(&judge, &finding.cells, kind))
+    let search = finding.search_of(kind);
+    let elsewhere = search.is_some_and(|search| search.elsewhere);
+    Ok(search::readings(&judge, &finding.cells, kind, elsewhere))
 }
 
 impl Evaluator<'_> {

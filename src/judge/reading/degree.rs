@@ -14,7 +14,7 @@ use std::collections::{BTreeMap, BTreeSet};
 const MAX_DEPTH: usize = 200;
 
 /// The functions of the language; all others are of schemes.
-const LANGUAGE: [&str; 9] =
+pub(super) const LANGUAGE: [&str; 9] =
     ["abs", "min", "max", "floor", "ceil", "mod", "kronecker", "binomial", "cos"];
 
 /// f is c·p^d, where p > 0 is a parameter on which c does not depend.
@@ -29,7 +29,7 @@ pub(crate) struct Degrees<'a> {
 }
 
 impl<'a> Degrees<'a> {
-    fn new(
+    pub(super) fn new(
         paper: &'a Paper,
         definitions: &'a BTreeMap<String, LocatedFormula>,
         table: &Table,
@@ -56,7 +56,7 @@ impl<'a> Degrees<'a> {
     }
 
     /// Whether the parameter does not occur in a formula, nor in what it leads to.
-    fn is_free(&self, expr: &Expr) -> bool {
+    pub(super) fn is_free(&self, expr: &Expr) -> bool {
         let (mut met, mut waiting) = (BTreeSet::new(), vec![expr]);
         while let Some(expr) = waiting.pop() {
             if self.schemes_vary && expr.functions().iter().any(|name| !LANGUAGE.contains(name)) {
@@ -170,7 +170,7 @@ impl Space<'_> {
     pub(crate) fn is_proportional(&self, name: &str, settings: &Settings) -> bool {
         let table = self.judge.table;
         let paper = self.judge.paper;
-        let definitions = settings.definitions.as_ref().unwrap_or(&paper.definitions);
+        let definitions = settings.definitions.as_deref().unwrap_or(&paper.definitions);
         let degrees = Degrees::new(paper, definitions, table, name);
         degrees.of(&table.value.expr) == Some(1)
     }

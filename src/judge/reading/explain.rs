@@ -145,6 +145,7 @@ impl Space<'_> {
                 let number = alternatives[..=*i].iter().filter(|other| other.of == *of).count();
                 Difference::Alternative { of: of.clone(), number, label: label.clone() }
             }
+            Change::Copied(source) => Difference::Copied(source.clone()),
         }
     }
 

@@ -2,11 +2,11 @@
 //! table.
 
 use crate::exact::{Integer, Rational};
-use crate::finding::{Explanation, Line, LineReading, Need, Values};
+use crate::finding::{Explanation, Line, LineReading, Values};
 use crate::judge::compare;
 use crate::judge::reading::chance::{chance, is_small};
 use crate::judge::reading::space::Space;
-use crate::judge::reading::tried::{Evaluated, best};
+use crate::judge::reading::tried::{Evaluated, PARTS, Part, best};
 
 /// Where the values of a cell may stand by mistake: in the cell, or how many rows
 /// down and columns to the right of it.
@@ -30,7 +30,7 @@ type Cells = Vec<Vec<bool>>;
 /// rows, columns, shifts, readings, and so many values of parameters that were recovered.
 pub(crate) fn search(
     space: &Space<'_>,
-    all: &[Evaluated],
+    parts: &[Part<'_>],
     likelihoods: &[Vec<Option<Rational>>],
     mut left: Cells,
     values: &Integer,
@@ -47,7 +47,7 @@ pub(crate) fn search(
     while found.len() < MAX_LINES {
         let sizes = (lines.len(), values);
         let readings =
-            lines.iter().filter_map(|&line| one(space, all, likelihoods, &left, line, sizes));
+            lines.iter().filter_map(|&line| one(space, parts, likelihoods, &left, line, sizes));
         // Of equally good ones the first: rows before columns.
         let best = readings.fold(None, |best: Option<LineReading>, next| match best {
             Some(best) if best.best.count() >= next.best.count() => Some(best),
@@ -67,7 +67,7 @@ pub(crate) fn search(
 /// The best reading of what is left of a line, unless luck would find one as good.
 fn one(
     space: &Space<'_>,
-    all: &[Evaluated],
+    parts: &[Part<'_>],
     likelihoods: &[Vec<Option<Rational>>],
     left: &Cells,
     line: Line,
@@ -79,29 +79,31 @@ fn one(
         let here = cells.iter().enumerate().filter(|(column, _)| inside(row, *column));
         of_line.extend(here.filter_map(|(_, likelihood)| likelihood.clone()));
     }
-    let factor = Integer::from(SHIFTS.len() * lines) * recovered;
-    let least = Integer::from(all.len()) * &factor;
+    let factor = Integer::from(PARTS * SHIFTS.len() * lines) * recovered;
+    let least = Integer::from(parts.first()?.all.len()) * &factor;
     // Where even all of them would be luck, there is nothing to look for.
     if of_line.is_empty() || !is_small(&chance(&of_line, of_line.len(), least)) {
         return None;
     }
-    let mut best_so_far = None::<(Explanation, (i32, i32), Vec<Need>)>;
-    for shift in SHIFTS {
-        let values = |one: &Evaluated| shifted(&one.values, shift, &inside);
-        let explanations: Vec<Explanation> = space.explanations(all, values).collect();
-        let Some(first) = best(&explanations).into_iter().next() else { continue };
-        if best_so_far.as_ref().is_none_or(|(other, ..)| first.count() > other.count()) {
-            best_so_far = Some((first, shift, space.needs(&explanations)));
+    let mut found = None::<LineReading>;
+    for Part { all, tried } in parts {
+        for shift in SHIFTS {
+            let values = |one: &Evaluated| shifted(&one.values, shift, &inside);
+            let explanations: Vec<Explanation> = space.explanations(all, values).collect();
+            let Some(best) = best(&explanations).into_iter().next() else { continue };
+            let least = found.as_ref().map_or(LEAST_CELLS, |found| found.best.count() + 1);
+            if best.count() < least {
+                continue;
+            }
+            let chance = chance(&of_line, best.count(), Integer::from(*tried) * &factor);
+            if is_small(&chance) {
+                let (cells, tried) = (of_line.len(), tried * SHIFTS.len() * lines);
+                let needs = space.needs(&explanations);
+                found = Some(LineReading { line, cells, shift, tried, best, chance, needs });
+            }
         }
     }
-    let (best, shift, needs) = best_so_far?;
-    if best.count() < LEAST_CELLS {
-        return None;
-    }
-    let chance = chance(&of_line, best.count(), Integer::from(space.count(all)) * factor);
-    let tried = space.count(all) * SHIFTS.len() * lines;
-    let cells = of_line.len();
-    is_small(&chance).then_some(LineReading { line, cells, shift, tried, best, chance, needs })
+    found
 }
 
 /// The values of the cells `inside`, taken from the cells that are so many rows down

@@ -3,12 +3,15 @@
 //! A reading is a point of a declared family: the product of the
 //! [choices](crate::evaluation::FAMILY) that a table's formula depends on, and of the alternatives
 //! that the claim file gives for definitions, with at most
-//! [`MAX_DIFFERENCES`](crate::finding::MAX_DIFFERENCES) of them other than printed. It explains a
+//! [`MAX_DIFFERENCES`](crate::finding::MAX_DIFFERENCES) of them other than printed. Where these leave
+//! cells over, the family has a second part: readings that also take one quantity from another place
+//! of the paper ([`Copied`](crate::evaluation::Copied)). A reading explains a
 //! cell when its exact value becomes the printed number; it is reported when it explains more cells
 //! than the printed definition, and so many that luck is unlikely.
 
 mod chance;
 mod consistent;
+mod copied;
 mod degree;
 mod explain;
 mod line;

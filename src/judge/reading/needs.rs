@@ -44,7 +44,7 @@ impl Space<'_> {
                 Some(Change::Definition(i)) => {
                     printed.push((self.judge.paper.alternatives[*i].of.clone(), None));
                 }
-                None => {}
+                Some(Change::Copied(_)) | None => {}
             }
         }
         let decimal = FAMILY.iter().copied().find(|choice| choice.effect == Effect::Decimal);

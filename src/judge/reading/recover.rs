@@ -36,9 +36,8 @@ pub(crate) fn solved(
     });
     let printed = printed.collect();
     let space = Space::new(&judge, needed, &printed, Some(name))?;
-    let all = space.evaluated();
-    let mut explanations: Vec<Explanation> =
-        space.explanations(&all, |one| one.values.clone()).collect();
+    let all = space.evaluated(space.readings());
+    let mut explanations = space.all_explanations(&all);
     explanations.extend(solve::solve(&space, &all, &tried::best(&explanations)));
     explanations.retain(|explanation| explanation.solved.iter().any(|one| one.name == name));
     // Of equally good ones the first.

@@ -3,9 +3,10 @@
 use crate::claim::Printed;
 use crate::evaluation::table::Evaluator;
 use crate::exact::{Integer, Rational};
-use crate::finding::{CellFinding, CellKind, Explanation, Need, Search};
+use crate::finding::{COPIED, CellFinding, CellKind, Explanation, Need, Search};
 use crate::judge::reading::chance::{chance, is_small, of_decimal, of_depth};
-use crate::judge::reading::space::{Space, needed, printed};
+use crate::judge::reading::space::{Family, Space, needed, printed};
+use crate::judge::reading::tried::{PARTS, Part};
 use crate::judge::reading::{line, tried};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -22,6 +23,7 @@ pub(crate) fn search(
     findings: &[Vec<CellFinding>],
     kind: CellKind,
     recovered: &Candidates,
+    family: Family,
 ) -> Option<(Option<Search>, Vec<Need>)> {
     let printed = printed(judge, findings, kind);
     let cells: Vec<&Printed> = printed.iter().flatten().flatten().copied().collect();
@@ -31,32 +33,54 @@ pub(crate) fn search(
     }
     let as_printed = space.explained_as_printed();
     let count = as_printed.iter().flatten().filter(|explained| **explained).count();
-    let all = space.evaluated();
-    let explanations: Vec<Explanation> =
-        space.explanations(&all, |one| one.values.clone()).collect();
-    let needs = space.needs(&explanations);
+    let plain = space.evaluated(space.readings());
+    let explanations = space.all_explanations(&plain);
+    let mut needs = space.needs(&explanations);
     let counts = space.assume.iter().filter_map(|name| recovered.get(name).cloned());
     let recovered = counts.reduce(|all, count| all * count);
     if count == cells.len() && recovered.is_none() {
         return Some((None, needs));
     }
-    let mut best = tried::best(&explanations);
     let likelihood =
         |printed: &Printed| if space.is_depth() { of_depth() } else { of_decimal(printed) };
-    let tried = space.count(&all);
-    let most = best.first().map_or(0, Explanation::count);
     // What the printed text gives without assumptions tells nothing for another reading.
     let given = as_printed.iter().flatten().zip(findings.iter().flatten());
     let given = given.map(|(explained, finding)| *explained && finding.is_plain());
     let others = printed.iter().flatten().zip(given).filter(|(_, given)| !given);
     let others: Vec<Rational> = others.filter_map(|(cell, _)| cell.map(likelihood)).collect();
-    let beyond = most.saturating_sub(cells.len() - others.len());
     let values = recovered.clone().unwrap_or_else(Integer::one);
-    let chance = chance(&others, beyond, &Integer::from(tried) * &values);
-    let more = if recovered.is_some() { most > 0 } else { most > count };
-    if !more || !is_small(&chance) {
-        best.clear();
+    let least = if recovered.is_some() { 0 } else { count };
+    let judged = |explanations: &[Explanation], tried: usize| {
+        let best = tried::best(explanations);
+        let most = best.first().map_or(0, Explanation::count);
+        let beyond = most.saturating_sub(cells.len() - others.len());
+        let chance = chance(&others, beyond, Integer::from(PARTS * tried) * &values);
+        let best = if most > least && is_small(&chance) { best } else { Vec::new() };
+        Found { best, most, chance }
+    };
+    let mut tried = space.count(&plain);
+    let mut found = judged(&explanations, tried);
+    let mut parts = vec![Part { all: &plain, tried }];
+    let reached = |found: &Found| found.best.first().map_or(count, Explanation::count);
+    let copied = if family == Family::Whole && reached(&found) < cells.len() {
+        space.evaluated(space.copied_readings())
+    } else {
+        Vec::new()
+    };
+    if !copied.is_empty() {
+        tried += space.count(&copied);
+        parts.push(Part { all: &copied, tried });
+        let explanations = space.all_explanations(&copied);
+        let other = judged(&explanations, tried);
+        if other.best.first().is_some_and(|best| best.count() > reached(&found)) {
+            needs = space.needs(&explanations);
+            found = other;
+        } else if found.best.is_empty() && other.chance < found.chance {
+            // What comes closest is told, though it is luck.
+            found = Found { best: Vec::new(), ..other };
+        }
     }
+    let Found { best, most, chance } = found;
     let of_row = |row: &Vec<Option<&Printed>>| row.iter().map(|c| c.map(likelihood)).collect();
     let likelihoods: Vec<Vec<Option<Rational>>> = printed.iter().map(of_row).collect();
     let mut left: Vec<Vec<bool>> =
@@ -66,10 +90,23 @@ pub(crate) fn search(
             *left &= !explained;
         }
     }
-    let lines = line::search(&space, &all, &likelihoods, left, &values);
-    let choices = space.names();
+    let lines = line::search(&space, &parts, &likelihoods, left, &values);
+    let mut choices = space.names();
+    if !copied.is_empty() {
+        choices.push(COPIED.to_owned());
+    }
     let (cells, as_printed) = (cells.len(), count);
-    Some((Some(Search { tried, choices, cells, as_printed, most, best, chance, lines }), needs))
+    let elsewhere = !copied.is_empty();
+    let search = Search { tried, choices, elsewhere, cells, as_printed, most, best, chance, lines };
+    Some((Some(search), needs))
+}
+
+/// The best readings of a part.
+struct Found {
+    /// Those that explain most; none where luck could.
+    best: Vec<Explanation>,
+    most: usize,
+    chance: Rational,
 }
 
 /// The stated parameter that every value of the table is proportional to.
@@ -79,19 +116,23 @@ pub(crate) fn scale(judge: &Evaluator<'_>, findings: &[Vec<CellFinding>]) -> Opt
     scale.filter(|scale| scale.stated).map(|scale| scale.name)
 }
 
-/// Every reading of some cells of the table with what it explains, the best first.
+/// Every reading of some cells of the table with what it explains, the best first; those that take a
+/// quantity from another place of the paper too, if `elsewhere`.
 pub(crate) fn readings(
     judge: &Evaluator<'_>,
     findings: &[Vec<CellFinding>],
     kind: CellKind,
+    elsewhere: bool,
 ) -> Vec<Explanation> {
     let printed = printed(judge, findings, kind);
     let Some(space) = Space::new(judge, needed(findings), &printed, None) else {
         return Vec::new();
     };
-    let all = space.evaluated();
-    let mut explanations: Vec<Explanation> =
-        space.explanations(&all, |one| one.values.clone()).collect();
+    let mut all = space.evaluated(space.readings());
+    if elsewhere {
+        all.extend(space.evaluated(space.copied_readings()));
+    }
+    let mut explanations = space.all_explanations(&all);
     explanations.sort_by_key(|explanation| Reverse(explanation.rank()));
     explanations
 }

@@ -5,8 +5,9 @@ use crate::evaluation::choices::{DECIMAL_ROUNDING, FAMILY};
 use crate::evaluation::context::At;
 use crate::evaluation::settings::Settings;
 use crate::evaluation::table::Evaluator;
-use crate::evaluation::{Choice, Effect, Way};
+use crate::evaluation::{Choice, Copied, Effect, Way};
 use crate::finding::{CellFinding, CellKind, MAX_DIFFERENCES, Values};
+use crate::judge::reading::copied::sources;
 use crate::judge::reading::scale::Scale;
 use std::collections::BTreeSet;
 
@@ -26,6 +27,14 @@ pub(crate) fn printed<'a>(
 
 /// The most readings of one table.
 const MAX_READINGS: usize = 4_096;
+
+/// The most values of cells under all readings together; of a larger table, fewer
+/// readings are compared, those with fewer differences first.
+const MAX_VALUES: usize = 100_000;
+
+/// The most differences from the printed text of a reading that takes a quantity from another place,
+/// this one counted.
+const MAX_WITH_COPIED: usize = 3;
 
 /// The cells of a table; `None` where one is lost.
 pub(crate) type PrintedCells<'a> = Vec<Vec<Option<&'a Printed>>>;
@@ -49,6 +58,22 @@ pub(crate) enum Change {
     Way(&'static Choice, &'static Way),
     /// One of the claim file's alternatives, by its place.
     Definition(usize),
+    /// A quantity from another place of the paper.
+    Copied(Copied),
+}
+
+/// How much of the family is searched.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Family {
+    /// The readings that take nothing from another place of the paper.
+    Plain,
+    /// Also those that do, where the others leave cells.
+    Whole,
+}
+
+/// Whether a reading takes a quantity from another place of the paper.
+pub(crate) fn takes_from_elsewhere(reading: &[Change]) -> bool {
+    reading.iter().any(|change| matches!(change, Change::Copied(_)))
 }
 
 /// The readings of one table.
@@ -129,6 +154,7 @@ impl<'s> Space<'s> {
         let name = |ways: &Vec<Change>| match ways.first()? {
             Change::Way(choice, _) => Some(choice.name.to_owned()),
             Change::Definition(i) => Some(self.judge.paper.alternatives[*i].of.clone()),
+            Change::Copied(_) => None,
         };
         let mut names: Vec<String> = self.changes.iter().filter_map(name).collect();
         if !self.is_depth() {
@@ -152,20 +178,51 @@ impl<'s> Space<'s> {
             readings.extend(longer);
         }
         readings.sort_by_key(Vec::len);
-        readings.truncate(MAX_READINGS);
+        readings.truncate(self.most_readings());
         readings
+    }
+
+    /// Every combination of one quantity from another place of the paper and less than
+    /// [`MAX_WITH_COPIED`] other changes; a tolerance that was computed is not rounded besides. None
+    /// where there are too many.
+    pub(crate) fn copied_readings(&self) -> Vec<Vec<Change>> {
+        let others = self.readings();
+        let is_tolerance = |change: &Change| matches!(change, Change::Way(choice, _) if choice.effect == Effect::Header);
+        let mut readings = Vec::new();
+        for source in sources(self.judge) {
+            let computed = matches!(source, Copied::Tolerance { .. });
+            let fits = |other: &&Vec<Change>| {
+                other.len() < MAX_WITH_COPIED && !(computed && other.iter().any(is_tolerance))
+            };
+            let copied = Change::Copied(source.clone());
+            let with = |other: &Vec<Change>| [other.clone(), vec![copied.clone()]].concat();
+            readings.extend(others.iter().filter(fits).map(with));
+        }
+        readings.sort_by_key(Vec::len);
+        let all = others.len() + readings.len();
+        if all > self.most_readings() { Vec::new() } else { readings }
+    }
+
+    /// The most readings that are compared.
+    fn most_readings(&self) -> usize {
+        let cells = self.printed.iter().map(Vec::len).sum::<usize>().max(1);
+        MAX_READINGS.min(MAX_VALUES / cells).max(1)
     }
 
     pub(crate) fn settings(&self, reading: &[Change]) -> Settings {
         let words = reading.iter().filter_map(|change| match change {
             Change::Way(choice, way) => Some((choice.key, way.word)),
-            Change::Definition(_) => None,
+            Change::Definition(_) | Change::Copied(_) => None,
         });
         let mut settings = Settings::new(words.collect());
         let paper = self.judge.paper;
         for change in reading {
-            if let Change::Definition(i) = change {
-                settings.replace(&paper.definitions, *i, &paper.alternatives[*i]);
+            match change {
+                Change::Definition(i) => {
+                    settings.replace(&paper.definitions, *i, &paper.alternatives[*i]);
+                }
+                Change::Copied(source) => settings.copied = Some(source.clone()),
+                Change::Way(..) => {}
             }
         }
         settings

@@ -6,12 +6,8 @@ use crate::exact::Rational;
 use crate::finding::{CellKind, Difference, Explanation, TableFinding, Values};
 use crate::judge::reading::consistent::DecimalRounding;
 use crate::judge::reading::scale::{SIMPLE_NUMBERS, Scale};
-use crate::judge::reading::space::{Change, Space, needed, printed};
+use crate::judge::reading::space::{Change, Space, needed, printed, takes_from_elsewhere};
 use std::cell::OnceCell;
-
-/// The most values of cells under all readings together; of a larger table, fewer
-/// readings are compared, those with fewer differences first.
-const MAX_VALUES: usize = 100_000;
 
 /// A reading with the exact values of the printed cells under it.
 pub(crate) struct Evaluated {
@@ -23,9 +19,18 @@ pub(crate) struct Evaluated {
     scaled: OnceCell<bool>,
 }
 
+/// The family has two parts, and each has half of the luck that is allowed.
+pub(crate) const PARTS: usize = 2;
+
+/// A part of the family: its readings, and how many these are, with those of the parts before.
+pub(crate) struct Part<'p> {
+    pub(crate) all: &'p [Evaluated],
+    pub(crate) tried: usize,
+}
+
 impl Space<'_> {
-    /// Every reading with its values.
-    pub(crate) fn evaluated(&self) -> Vec<Evaluated> {
+    /// Readings with their values.
+    pub(crate) fn evaluated(&self, readings: Vec<Vec<Change>>) -> Vec<Evaluated> {
         let evaluate = |reading: Vec<Change>| {
             let settings = self.settings(&reading);
             if !self.is_depth() {
@@ -45,19 +50,22 @@ impl Space<'_> {
             let (values, levels) = (0..self.printed.len()).map(row).unzip();
             Evaluated { reading, values, levels, scaled: OnceCell::new() }
         };
-        let cells = self.printed.iter().map(Vec::len).sum::<usize>().max(1);
-        let most = (MAX_VALUES / cells).max(1);
-        self.readings().into_iter().take(most).map(evaluate).collect()
+        readings.into_iter().map(evaluate).collect()
     }
 
     /// How many readings these are: with each rounding of the decimals, and at each scale
-    /// that someone would choose, besides the one that is stated.
+    /// that someone would choose, besides the one that is stated. A reading that takes a quantity from
+    /// elsewhere is looked at as it is.
     pub(crate) fn count(&self, all: &[Evaluated]) -> usize {
         let scales = match &self.scale {
             Some(scale) => usize::from(scale.stated) + SIMPLE_NUMBERS,
             None => 1,
         };
-        all.iter().map(|one| scales * self.roundings(&one.reading).len()).sum()
+        let of = |one: &Evaluated| {
+            let scales = if takes_from_elsewhere(&one.reading) { 1 } else { scales };
+            scales * self.roundings(&one.reading).len()
+        };
+        all.iter().map(of).sum()
     }
 
     /// What each reading explains, by each rounding of the decimals, when these are
@@ -72,11 +80,16 @@ impl Space<'_> {
             let roundings = self.roundings(&one.reading);
             let proportional = |scale: &Scale| {
                 let is_scale = || self.is_scale(scale, &one.values, &self.settings(&one.reading));
-                *one.scaled.get_or_init(is_scale)
+                !takes_from_elsewhere(&one.reading) && *one.scaled.get_or_init(is_scale)
             };
             let explain = |rounding| self.explain(&one.reading, rounding, &values, &proportional);
             roundings.into_iter().flat_map(explain).collect::<Vec<Explanation>>()
         })
+    }
+
+    /// The same with the values of these readings themselves.
+    pub(crate) fn all_explanations(&self, all: &[Evaluated]) -> Vec<Explanation> {
+        self.explanations(all, |one| one.values.clone()).collect()
     }
 }
 
@@ -107,7 +120,9 @@ fn of_cells(space: &Space<'_>, by: Option<&Explanation>, name: &str, value: &Rat
         own.filter(named).count() == reading.len()
     };
     // The longest reading whose changes are all among the differences.
-    let Some(reading) = space.readings().into_iter().rev().find(changes) else { return 0 };
+    let readings = space.readings().into_iter().chain(space.copied_readings());
+    let readings = readings.filter(changes);
+    let Some(reading) = readings.max_by_key(Vec::len) else { return 0 };
     let roundings = DecimalRounding::ALL.into_iter().map(|(_, rounding)| rounding);
     let mut roundings =
         roundings.filter(|rounding| rounding.difference().is_some_and(|d| named(&d)));

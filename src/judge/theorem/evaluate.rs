@@ -38,7 +38,7 @@ impl Case<'_> {
         functions: &'s Quantities<'s>,
         names: &[(&str, Rational)],
     ) -> Scope<'s, RealCyclotomic> {
-        let definitions = functions.settings.definitions.as_ref();
+        let definitions = functions.settings.definitions.as_deref();
         let mut scope = Scope::new(definitions.unwrap_or(&self.paper.definitions), functions);
         for (name, value) in &functions.settings.known {
             scope = scope.with(name, value.clone());
@@ -138,7 +138,7 @@ impl Case<'_> {
         &'s self,
         settings: &'s Settings,
     ) -> &'s BTreeMap<String, LocatedFormula> {
-        settings.definitions.as_ref().unwrap_or(&self.paper.definitions)
+        settings.definitions.as_deref().unwrap_or(&self.paper.definitions)
     }
 
     /// Whether a name has a value here, whatever its definition is.
