@@ -1,5 +1,6 @@
 //! Quantities that a reading takes from another place of the paper.
 
+use crate::bound::Rounded;
 use crate::claim::{Axis, Cell, LocatedReference, Paper, Table};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::context::{At, Known, Outcome};
@@ -175,9 +176,9 @@ impl Evaluator<'_> {
     }
 
     /// The tolerance of a cell, before it was rounded to what is printed: the one at which the cell in
-    /// this line is a whole number of levels. With ε the printed one and x the number whose logarithm
-    /// to the base r the level is, that is ε·r^k/x, as x is proportional to the tolerance. `None`
-    /// where no k gives what is printed.
+    /// this line is a whole number of levels. With ε the printed one, x the number whose logarithm
+    /// to the base r the level is, and k the level to the nearest, that is ε·r^k/x, as x is
+    /// proportional to the tolerance. `None` where this does not give what is printed.
     fn computed_tolerance(&self, line: usize, at: At<'_>) -> Option<(&str, Rational)> {
         let (axis, place) = match &self.table.rows {
             Some(rows) if self.tolerance(rows) => (rows, at.row),
@@ -189,19 +190,18 @@ impl Evaluator<'_> {
         let entry = &axis.entries[place];
         let text = entry.read.as_ref().unwrap_or(&entry.printed);
         let (low, high) = parse_decimal(text).ok()?.interval();
-        let call = self.level_call(there)?;
+        let call = self.logarithm(there)?;
         let (ratio, x) = (call.ratio.as_rational()?, call.x.as_rational()?);
-        let level = i32::try_from(call.level?).ok()?;
-        let computed = |k: i32| {
-            let power = ratio.pow(k);
-            let value = &(printed * &power) / x;
-            let settings = at.settings.with_parameter(name, &value);
-            let inside = (&low..=&high).contains(&&value);
-            let then = inside.then(|| self.level_call(At { settings: &settings, ..there }))??;
-            (then.x == RealCyclotomic::from(power)).then_some(value)
-        };
-        let near = [level - 1, level, level + 1].into_iter().filter(|k| *k >= 0);
-        Some((name, near.into_iter().find_map(computed)?))
+        let level = self.library.log_level(&call.ratio, &call.x, Rounded::Nearest).ok()?;
+        let power = ratio.pow(i32::try_from(level).ok()?);
+        let value = &(printed * &power) / x;
+        if !(&low..=&high).contains(&&value) {
+            return None;
+        }
+        let settings = at.settings.with_parameter(name, &value);
+        let then = self.logarithm(At { settings: &settings, ..there })?;
+        let whole = then.ratio == call.ratio && then.x == RealCyclotomic::from(power);
+        whole.then_some((name, value))
     }
 }
 

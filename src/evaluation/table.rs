@@ -100,6 +100,16 @@ impl<'a> Evaluator<'a> {
         self.value_and_levels(at)?.1
     }
 
+    /// The logarithm that a cell's value is computed from.
+    pub(crate) fn logarithm(&self, at: At<'_>) -> Option<LevelCall> {
+        let evaluated = self.within(at, |at, quantities, known| {
+            quantities.last_levels.take();
+            self.evaluate_with(&self.table.value, at, quantities, known)?;
+            Ok(quantities.last_levels.take())
+        });
+        evaluated.ok()?.ok()?
+    }
+
     /// A cell's value, and the number of levels that it is, where it is one.
     pub(crate) fn value_and_levels(
         &self,

@@ -56,6 +56,8 @@ mod functions;
 mod sums;
 
 // Claim files, and the rules by which certificates prove claims.
+mod copied;
+mod elsewhere;
 mod headers;
 mod paper;
 mod rules;

@@ -1,5 +1,6 @@
 //! A table of a claim file, and the values of its cells.
 
+use crate::copied::Copied;
 use crate::decimal::{Decimal, Q};
 use crate::definitions::{Definitions, formula_of};
 use crate::evaluate::{Memory, Scope};
@@ -53,6 +54,18 @@ pub type Place = (usize, usize);
 /// Printed cells, with their places.
 pub type Cells = Vec<(Place, Decimal)>;
 
+/// The scope of a cell, and the factors of its scheme.
+pub type Scoped<'s> = (Scope<'s>, Vec<Rc<Scheme>>);
+
+/// What a cell has instead of its own.
+#[derive(Default)]
+pub struct Instead<'i> {
+    /// The values of parameters.
+    pub values: BTreeMap<String, Value>,
+    /// The scheme.
+    pub scheme: Option<&'i str>,
+}
+
 /// The parameters that a cell needs, and its value.
 type Needed = (BTreeSet<String>, Result<Value, Stop>);
 
@@ -65,7 +78,8 @@ pub struct Read {
     pub definitions: Option<Definitions>,
     /// Parameters with other values.
     pub parameters: BTreeMap<String, Value>,
-    /// The choices `NAME=WAY`, except for decimals, and the definitions `NAME#NUMBER`.
+    /// The choices `NAME=WAY`, except for decimals, the definitions `NAME#NUMBER`, and what is taken
+    /// from another place, such as `NAME@TABLE`.
     pub differences: BTreeSet<String>,
     /// The values of cells that are known.
     known: RefCell<BTreeMap<Place, Option<Value>>>,
@@ -74,6 +88,11 @@ pub struct Read {
 }
 
 impl Read {
+    /// What is taken from another place of the paper.
+    pub fn copied(&self) -> Option<&str> {
+        self.differences.iter().map(String::as_str).find(|difference| difference.contains('@'))
+    }
+
     /// The way in which decimals are rounded.
     pub fn decimals(&self) -> &str {
         self.reading.words.get("decimals").map_or("nearest", String::as_str)
@@ -162,7 +181,7 @@ impl<'a> Table<'a> {
     }
 
     /// The reference to the scheme of a cell: that of its row, of its column, or of the table.
-    fn scheme(&self, (row, column): Place) -> Option<&'a str> {
+    pub fn scheme(&self, (row, column): Place) -> Option<&'a str> {
         let of = |axis: &Option<Headers<'a>>, place: usize| {
             axis.as_ref().and_then(|axis| axis.schemes().get(place).copied())
         };
@@ -179,10 +198,27 @@ impl<'a> Table<'a> {
     /// The scope of a cell under some assumed parameters, and the factors of its scheme.
     pub fn scope<'s>(
         &'s self,
+        at: Place,
+        read: &'s Read,
+        assumed: &BTreeSet<String>,
+    ) -> Result<Scoped<'s>, Stop> {
+        match read.copied() {
+            None => self.own_scope(at, read, assumed, &Instead::default()),
+            Some(text) => match Copied::read(text) {
+                Some(copied) => self.scope_with(&copied, at, read, assumed),
+                None => Err(Stop::Wrong(format!("`{text}` is no quantity of another place"))),
+            },
+        }
+    }
+
+    /// The same with nothing from another place, but for what a cell has instead of its own.
+    pub fn own_scope<'s>(
+        &'s self,
         (row, column): Place,
         read: &'s Read,
         assumed: &BTreeSet<String>,
-    ) -> Result<(Scope<'s>, Vec<Rc<Scheme>>), Stop> {
+        instead: &Instead<'_>,
+    ) -> Result<Scoped<'s>, Stop> {
         let definitions = read.definitions.as_ref().unwrap_or(&self.paper.definitions);
         let mut scope = Scope::new(definitions, self.paper.library, &read.reading);
         scope.memory = Rc::clone(&read.memory);
@@ -207,8 +243,9 @@ impl<'a> Table<'a> {
             };
             scope.values.insert(axis.name.to_owned(), value.into());
         }
+        scope.values.extend(instead.values.clone());
         let mut schemes = Vec::new();
-        if let Some(reference) = self.scheme((row, column)) {
+        if let Some(reference) = instead.scheme.or_else(|| self.scheme((row, column))) {
             schemes = self.paper.library.resolve(reference, &scope)?;
         }
         scope.scheme = schemes.first().cloned();

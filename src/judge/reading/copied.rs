@@ -45,7 +45,7 @@ pub(super) fn sources(judge: &Evaluator<'_>) -> Vec<Copied> {
             }));
         }
     }
-    if judge.has_tolerance_headers() {
+    if judge.has_tolerance_headers() && is_level(judge) {
         let other = table.axes().find(|axis| !judge.tolerance(axis));
         let count = other.map_or(1, |axis| axis.entries.len());
         sources.extend((0..count).map(|line| Copied::Tolerance {
@@ -56,6 +56,22 @@ pub(super) fn sources(judge: &Evaluator<'_>) -> Vec<Copied> {
     sources
 }
 
+/// Whether the value of the table is a number of levels.
+fn is_level(judge: &Evaluator<'_>) -> bool {
+    let formula = behind_names(judge, &judge.table.value.expr);
+    matches!(&formula.node, Node::Call { function, .. } if function == "levels")
+}
+
+/// The formula that a formula stands for, if it is only the name of a definition.
+fn behind_names<'a>(judge: &Evaluator<'a>, mut formula: &'a Expr) -> &'a Expr {
+    while let Node::Name(name) = &formula.node
+        && let Some(definition) = judge.paper.definitions.get(name)
+    {
+        formula = &definition.expr;
+    }
+    formula
+}
+
 fn header(axis: &Axis, place: usize) -> String {
     format!("{} = {}", axis.label, axis.entries[place].printed)
 }
@@ -64,13 +80,8 @@ fn header(axis: &Axis, place: usize) -> String {
 /// is only a name stands for what it names: what is copied are the constants of a bound or of a depth.
 fn constants<'a>(judge: &Evaluator<'a>) -> BTreeSet<&'a str> {
     let definitions = &judge.paper.definitions;
-    let mut formula = &judge.table.value.expr;
-    while judge.table.promise.is_some()
-        && let Node::Name(name) = &formula.node
-        && let Some(definition) = definitions.get(name)
-    {
-        formula = &definition.expr;
-    }
+    let value = &judge.table.value.expr;
+    let formula = if judge.table.promise.is_some() { behind_names(judge, value) } else { value };
     let (mut names, mut waiting) = (BTreeSet::new(), vec![formula]);
     while let Some(expr) = waiting.pop() {
         if let Node::Name(name) = &expr.node

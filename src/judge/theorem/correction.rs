@@ -8,6 +8,7 @@ use crate::exact::Rational;
 use crate::finding::Correction;
 use crate::judge::theorem::case::Case;
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 /// The words of choices with which constants are what bounds need.
 const SOUND: [(&str, &str); 5] = [
@@ -95,8 +96,9 @@ pub(crate) fn settings(paper: &Paper, theorem: &Theorem, corrections: &[&Correct
             }
             _ => continue,
         };
-        let definitions = settings.definitions.get_or_insert_with(|| paper.definitions.clone());
-        definitions.insert(of.clone(), value.clone());
+        let definitions =
+            settings.definitions.get_or_insert_with(|| Rc::new(paper.definitions.clone()));
+        Rc::make_mut(definitions).insert(of.clone(), value.clone());
     }
     settings
 }

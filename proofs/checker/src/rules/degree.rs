@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 const MAX_DEPTH: usize = 200;
 
 /// The functions that are not about schemes.
-const OF_NUMBERS: [&str; 9] =
+pub const OF_NUMBERS: [&str; 9] =
     ["abs", "ceil", "cos", "binomial", "floor", "kronecker", "max", "min", "mod"];
 
 /// Whether the value of a table has the degree 1 in a parameter under a reading.
@@ -20,6 +20,14 @@ pub fn is_linear(table: &Table<'_>, name: &str, read: &Read) -> bool {
     let mut form = Form { definitions, name, schemes: false, known: RefCell::default() };
     form.schemes = form.in_references(table);
     form.degree(&table.value, 0) == Some(1)
+}
+
+/// Whether a formula of a table's cells depends on a parameter, by its form.
+pub fn depends(table: &Table<'_>, expr: &Expr, name: &str) -> bool {
+    let definitions = &table.paper.definitions;
+    let mut form = Form { definitions, name, schemes: false, known: RefCell::default() };
+    form.schemes = form.in_references(table);
+    form.meets(expr)
 }
 
 struct Form<'f> {

@@ -2,6 +2,7 @@
 //! of unrelated values would hardly explain as many.
 
 use super::cell::Kind;
+use super::copied::copied;
 use super::members::{Members, explained, members, read, values};
 use super::reading::{MAX_DIFFERENCES, PartRead, Reads};
 use super::scale::{SCALES, at_best_scale, is_scale, is_simple, scale};
@@ -54,21 +55,34 @@ fn family(
     block: &mut Block<'_>,
 ) -> Checked<()> {
     let cells = table.cells(plain);
-    let best = block.after("family").map_err(|_| Reason::NoFamily)?;
+    let said = block.after("family").map_err(|_| Reason::NoFamily)?;
     let line = block.at;
-    let best: usize = best.parse().map_err(|_| Reason::Malformed("a number of cells"))?;
+    let best: Option<Vec<usize>> =
+        said.split_whitespace().map(|count| count.parse().ok()).collect();
+    let best = best.filter(|best| matches!(best.len(), 1 | 2));
+    let best = best.ok_or(Reason::Malformed("one or two numbers of cells"))?;
     let scale = if plain { scale(table, &cells)? } else { None };
     if let Some((name, _)) = scale {
         agree(block.after("scale")?, name, Reason::Scale)?;
     }
     let mut listed = Listed::new(table, refuted, block)?;
     let mut members = members(table, &cells)?;
+    let copied = copied(table, &members)?;
+    let all: Members = members.union(&copied).cloned().collect();
     for part in reads.all(plain) {
-        belongs(table, &cells, &part.read, &members, scale)?;
+        belongs(table, &cells, &part.read, &all, scale)?;
+    }
+    // The second part of the family is needed where cells are refuted, or where a reading is of it.
+    let needed = !refuted.is_empty() || reads.all(plain).any(|part| part.read.copied().is_some());
+    let second = best.get(1).copied();
+    let present = second.is_some() == (needed && !copied.is_empty());
+    require(present || second.is_some() && !copied.is_empty(), Reason::NoFamily)?;
+    if second.is_some() {
+        members = all;
     }
     // Each scale gives another reading.
     let scales = if scale.is_some() { SCALES } else { 0 };
-    let mut family = Family { table, cells, plain, best, size: 0 };
+    let mut family = Family { table, cells, plain, best: best[0], second, sizes: [0; 2] };
     let cells = &family.cells;
     while let Some(said) = block.maybe("member") {
         let (differences, said) = said.split_once(':').ok_or(Reason::Malformed("`:`"))?;
@@ -79,17 +93,19 @@ fn family(
         let one = table.tolerance.is_some() || member.len() == MAX_DIFFERENCES;
         let roundings = if one { &["nearest"][..] } else { &["nearest", "cut", "away"] };
         let values = values(table, cells, &read)?;
+        let elsewhere = read.copied().is_some();
+        let best = if elsewhere { second.unwrap_or(0) } else { best[0] };
         let mut found = Vec::new();
         for decimals in roundings {
             let count = explained(cells, &values, decimals)?.len();
             require(count <= best, Reason::NotBest(best, count))?;
-            if let Some((name, base)) = scale {
+            if let Some((name, base)) = scale.filter(|_| !elsewhere) {
                 let count = at_best_scale(table, cells, &values, decimals, (base, best))?;
                 let more = count > best && is_scale(table, cells, name, base, &read)?;
                 require(!more, Reason::NotBest(best, count))?;
             }
             found.push(count.to_string());
-            family.size += 1 + scales;
+            family.sizes[usize::from(elsewhere)] += if elsewhere { 1 } else { 1 + scales };
         }
         let same = counts.split_whitespace().eq(found.iter().map(String::as_str));
         compare(same, counts.trim(), &found.join(" "), Reason::Explains)?;
@@ -104,7 +120,8 @@ fn assumed(table: &Table<'_>, reads: &Reads) -> Checked<()> {
     if reads.all(false).count() == 0 {
         return Ok(());
     }
-    let members = members(table, &table.cells(false))?;
+    let mut members = members(table, &table.cells(false))?;
+    members.extend(copied(table, &members)?);
     for PartRead { read, .. } in reads.all(false) {
         is_member(read, &members)?;
         if let Some(name) = read.parameters.keys().next() {
@@ -151,10 +168,12 @@ struct Family<'f> {
     cells: Cells,
     /// Whether their parameters are all stated.
     plain: bool,
-    /// The most cells that a member explains, at any scale.
+    /// The most cells that a member explains that takes nothing from another place, at any scale.
     best: usize,
-    /// The number of readings.
-    size: i64,
+    /// The most that one explains that does, if these are listed.
+    second: Option<usize>,
+    /// The numbers of readings of the one and of the other kind.
+    sizes: [i64; 2],
 }
 
 impl Family<'_> {
@@ -171,16 +190,28 @@ impl Family<'_> {
         let given = if *plain { printed.len() } else { 0 };
         let counts = |at: &Place| !plain || left.contains(at);
         let others: Cells = cells.iter().filter(|(at, _)| counts(at)).cloned().collect();
-        let size = self.readings()?;
-        let lucky = |m: usize| is_luck(table, &others, m.saturating_sub(given), &size);
+        let sizes = self.readings()?;
+        let lucky =
+            |m: usize, part: usize| is_luck(table, &others, m.saturating_sub(given), &sizes[part]);
+        // The better one of a part of the family, unless it is luck.
+        let no_better = |most: usize, part: usize, than: usize| most <= than || lucky(most, part);
+        let second = self.second.unwrap_or(0);
         if let Some(read) = whole {
             let found = explained_by(read)?;
-            require(found.len() == *best, Reason::NotBest(*best, found.len()))?;
-            require(*best > given, Reason::NotBest(*best, given))?;
-            require(!lucky(*best), Reason::Luck)?;
+            let part = usize::from(read.copied().is_some());
+            let most = if part == 1 { second } else { *best };
+            require(found.len() == most, Reason::NotBest(most, found.len()))?;
+            require(most > given, Reason::NotBest(most, given))?;
+            require(!lucky(most, part), Reason::Luck)?;
+            if part == 1 {
+                require(no_better(*best, 0, most - 1), Reason::NotBest(most, *best))?;
+            } else {
+                require(no_better(second, 1, most), Reason::NotLuck)?;
+            }
             left.retain(|place| !found.contains(place));
         } else if *plain {
-            require(*best <= given || lucky(*best), Reason::NotLuck)?;
+            let none = no_better(*best, 0, given) && no_better(second, 1, given);
+            require(none, Reason::NotLuck)?;
         }
         // Rows and columns with readings explain some of the cells that are left.
         let (rows, columns) = table.size();
@@ -192,7 +223,8 @@ impl Family<'_> {
             let values = cells.iter().map(|(place, _)| part.value(table, *place));
             let values = values.collect::<Result<Vec<_>, Stop>>()?;
             let found = explained(&cells, &values, part.read.decimals())?;
-            let size = &size * int(SHIFTS) * int(lines);
+            let part_of = usize::from(part.read.copied().is_some());
+            let size = &sizes[part_of] * int(SHIFTS) * int(lines);
             let lucky = is_luck(table, &cells, found.len(), &size);
             require(found.len() >= LEAST_CELLS && !lucky, Reason::Luck)?;
             left.retain(|place| !found.contains(place));
@@ -200,18 +232,20 @@ impl Family<'_> {
         Ok(())
     }
 
-    /// The number of readings, with every value that the recovered parameters may have been taken
-    /// from.
-    fn readings(&self) -> Checked<Q> {
-        let mut size = int(self.size);
+    /// The numbers of readings of the first part and of both, with every value that the recovered
+    /// parameters may have been taken from; twice, since each part has half of the luck.
+    fn readings(&self) -> Checked<[Q; 2]> {
+        let [first, second] = self.sizes;
+        let mut sizes = [int(2 * first), int(2 * (first + second))];
         if !self.plain {
             let needed = self.cells.iter().map(|(place, _)| self.table.needed(*place).0);
             for name in needed.reduce(|one, other| &one | &other).unwrap_or_default() {
                 let count = self.table.recovered.get(&name);
-                size *= count.ok_or_else(|| Reason::Recovered(name.clone()))?;
+                let count = count.ok_or_else(|| Reason::Recovered(name.clone()))?;
+                sizes.iter_mut().for_each(|size| *size *= count);
             }
         }
-        Ok(size)
+        Ok(sizes)
     }
 }
 

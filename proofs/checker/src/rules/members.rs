@@ -11,12 +11,13 @@ use crate::value::Value;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The most members of a family.
-const MAX_MEMBERS: usize = 4_096;
+pub const MAX_MEMBERS: usize = 4_096;
 
-/// The members, by their differences `NAME=WAY` or `NAME#NUMBER` from the printed text.
+/// The members, by their differences `NAME=WAY` or `NAME#NUMBER` from the printed text, and by what
+/// they take from another place.
 pub type Members = BTreeSet<BTreeSet<String>>;
 
-/// Every member of the family of these cells.
+/// Every member of the family of these cells that takes nothing from another place.
 pub fn members(table: &Table<'_>, cells: &Cells) -> Result<Members, Stop> {
     let printed = Read::default();
     values(table, cells, &printed)?;
@@ -60,7 +61,9 @@ pub fn members(table: &Table<'_>, cells: &Cells) -> Result<Members, Stop> {
 pub fn read(table: &Table<'_>, member: &BTreeSet<String>) -> Checked<Read> {
     let mut read = Read::default();
     for difference in member {
-        if let Some((name, way)) = difference.split_once('=') {
+        if difference.contains('@') {
+            read.differences.insert(difference.clone());
+        } else if let Some((name, way)) = difference.split_once('=') {
             choose(&mut read, name, way)?;
         } else {
             let (name, number) = difference.split_once('#').unwrap_or_default();

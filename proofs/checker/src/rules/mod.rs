@@ -3,6 +3,7 @@
 mod attained;
 mod cell;
 mod constant;
+mod copied;
 mod degree;
 mod equation;
 mod family;

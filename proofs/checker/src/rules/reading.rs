@@ -1,6 +1,7 @@
 //! The rule `read`: the readings of a table and of its rows and columns.
 
 use crate::certificate::Block;
+use crate::copied::Copied;
 use crate::definitions::formula;
 use crate::reading::CHOICES;
 use crate::reject::{Checked, Reason, Stop, require};
@@ -25,6 +26,11 @@ fn read(table: &Table<'_>, block: &mut Block<'_>) -> Checked<Option<Read>> {
                 require(defined.insert(name), Reason::NotInFamily(name.to_owned()))?;
                 define(table, &mut read, name, number)?;
             }
+            ["copied", what] => {
+                let known = Copied::read(what).is_some() && read.copied().is_none();
+                require(known, Reason::NotInFamily(what.to_owned()))?;
+                read.differences.insert(what.to_owned());
+            }
             ["parameter", name, value] => {
                 let known = table.given.contains_key(name);
                 let value = table.paper.number(value)?;
@@ -32,7 +38,7 @@ fn read(table: &Table<'_>, block: &mut Block<'_>) -> Checked<Option<Read>> {
                 require(known && !twice, Reason::NotInFamily(name.to_owned()))?;
                 continue;
             }
-            _ => return Err(Reason::Malformed("choice, definition or parameter").into()),
+            _ => return Err(Reason::Malformed("choice, definition, copied or parameter").into()),
         }
         differences += 1;
         require(differences <= MAX_DIFFERENCES, Reason::Differences)?;

@@ -1,0 +1,34 @@
+//! Quantities that a reading takes from another place of the paper: what certificates call them.
+
+use crate::decimal::{Q, read_rational};
+
+/// A quantity from another place. Numbers are counted from 0.
+#[derive(Clone, Debug)]
+pub enum Copied<'r> {
+    /// The printed numbers of the table with this id stand for a definition: `DEFINITION@ID`.
+    Printed(&'r str, &'r str),
+    /// A definition has its value for another value of a parameter: `DEFINITION@NAME=VALUE`.
+    Parameter(&'r str, &'r str, Q),
+    /// A definition has its value for another scheme of the tables: `DEFINITION@scheme#NUMBER`.
+    Scheme(&'r str, usize),
+    /// Tolerances are those at which this row or column is a whole number of levels:
+    /// `tolerance@line#NUMBER`.
+    Tolerance(usize),
+}
+
+impl<'r> Copied<'r> {
+    /// Reads what a certificate says.
+    pub fn read(text: &'r str) -> Option<Copied<'r>> {
+        let (of, from) = text.split_once('@')?;
+        let number = |digits: &str| digits.parse::<usize>().ok()?.checked_sub(1);
+        if let Some((name, value)) = from.split_once('=') {
+            return Some(Copied::Parameter(of, name, read_rational(value)?));
+        }
+        match from.split_once('#') {
+            Some(("scheme", place)) => Some(Copied::Scheme(of, number(place)?)),
+            Some(("line", place)) if of == "tolerance" => Some(Copied::Tolerance(number(place)?)),
+            Some(_) => None,
+            None => Some(Copied::Printed(of, from)),
+        }
+    }
+}

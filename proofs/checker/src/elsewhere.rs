@@ -1,0 +1,186 @@
+//! The values of cells whose reading takes a quantity from another place of the paper.
+
+use crate::copied::Copied;
+use crate::decimal::Decimal;
+use crate::depth::depth;
+use crate::evaluate::Scope;
+use crate::formula::{Expr, Head};
+use crate::headers::Headers;
+use crate::paper::{Paper, printed};
+use crate::reject::Stop;
+use crate::rounding::interval;
+use crate::table::{Instead, Place, Read, Scoped, Table};
+use crate::toml::Toml;
+use crate::value::Value;
+use num_traits::Pow;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The schemes of all tables of a paper: each text once, in their order.
+pub fn references<'a>(paper: &Paper<'a>) -> Result<Vec<&'a str>, Stop> {
+    let mut found = Vec::new();
+    for claim in paper.file.list("table") {
+        for reference in claim.text("scheme").into_iter().chain(headers_of(claim)?) {
+            if !found.contains(&reference) {
+                found.push(reference);
+            }
+        }
+    }
+    Ok(found)
+}
+
+/// The schemes that are headers of a table.
+fn headers_of(claim: &Toml) -> Result<Vec<&str>, Stop> {
+    let axes = ["rows", "columns"].into_iter().filter_map(|axis| claim.get(axis));
+    let axes = axes.map(Headers::read).collect::<Result<Vec<_>, Stop>>()?;
+    Ok(axes.iter().flat_map(|axis| axis.schemes().to_vec()).collect())
+}
+
+/// The formula that a formula stands for, if it is only the name of a definition.
+pub fn behind_names<'f>(table: &'f Table<'_>, mut formula: &'f Expr) -> &'f Expr {
+    while let Expr::Name(name) = formula
+        && let Some(definition) = table.paper.definitions.get(name)
+    {
+        formula = definition;
+    }
+    formula
+}
+
+impl Table<'_> {
+    /// The scope of a cell whose reading takes this from another place.
+    pub fn scope_with<'s>(
+        &'s self,
+        copied: &Copied<'_>,
+        at: Place,
+        read: &'s Read,
+        assumed: &BTreeSet<String>,
+    ) -> Result<Scoped<'s>, Stop> {
+        let own = || self.own_scope(at, read, assumed, &Instead::default());
+        let (of, value) = match copied {
+            Copied::Tolerance(line) => {
+                let mut instead = Instead::default();
+                instead.values.extend(self.tolerance_at(*line, at, read, assumed)?);
+                return self.own_scope(at, read, assumed, &instead);
+            }
+            Copied::Printed(of, table) => (of, self.printed_in(table, at, &own()?.0)?),
+            Copied::Parameter(of, name, value) => {
+                let value = Value::from(value.clone());
+                let values = BTreeMap::from([((*name).to_owned(), value)]);
+                let instead = Instead { values, scheme: None };
+                (of, self.definition(of, at, read, assumed, &instead)?)
+            }
+            Copied::Scheme(of, number) => {
+                let scheme = references(self.paper)?.get(*number).copied();
+                let instead = Instead { values: BTreeMap::new(), scheme };
+                (of, self.definition(of, at, read, assumed, &instead)?)
+            }
+        };
+        let mut scoped = own()?;
+        scoped.0.values.insert((*of).to_owned(), value);
+        Ok(scoped)
+    }
+
+    /// The value of a definition with some quantities instead of the cell's own. A formula that is
+    /// wrong there has none.
+    fn definition(
+        &self,
+        name: &str,
+        at: Place,
+        read: &Read,
+        assumed: &BTreeSet<String>,
+        instead: &Instead<'_>,
+    ) -> Result<Value, Stop> {
+        let scope = self.own_scope(at, read, assumed, instead);
+        let value = scope.and_then(|(scope, _)| scope.value(&Expr::Name(name.to_owned())));
+        value.map_err(none_if_wrong)
+    }
+
+    /// The number that a table prints at the headers of a cell with this scope.
+    fn printed_in(&self, id: &str, at: Place, scope: &Scope<'_>) -> Result<Value, Stop> {
+        let claims = self.paper.file.list("table").iter();
+        let claim = claims.into_iter().find(|claim| claim.text("id") == Some(id));
+        let number = claim.and_then(|claim| {
+            let place = |axis: &str| match claim.get(axis) {
+                None => Some(0),
+                Some(axis) => match Headers::read(axis).ok()? {
+                    Headers::Values(axis) => {
+                        let own = scope.values.get(axis.name)?.rational()?;
+                        axis.entries.iter().position(|(_, value)| *value == own)
+                    }
+                    Headers::Schemes(schemes) => {
+                        let own = self.scheme(at)?;
+                        schemes.iter().position(|scheme| *scheme == own)
+                    }
+                },
+            };
+            let row = claim.list("cells").get(place("rows")?)?;
+            let (_, read) = printed(row.as_list().get(place("columns")?)?)?;
+            Some(Decimal::read(read)?.value)
+        });
+        number.map(Value::from).ok_or(NONE)
+    }
+
+    /// The tolerance of a cell before it was rounded: ε·r^k/x with the printed ε, if the level of the
+    /// cell in this line is the logarithm of x to the base r, and k that level to the nearest. With the
+    /// tolerance, the level is k exactly. None if no such number becomes what is printed.
+    fn tolerance_at(
+        &self,
+        line: usize,
+        at: Place,
+        read: &Read,
+        assumed: &BTreeSet<String>,
+    ) -> Result<Option<(String, Value)>, Stop> {
+        let named = |axis: &Option<Headers<'_>>| {
+            axis.as_ref()
+                .and_then(Headers::axis)
+                .is_some_and(|own| self.tolerance == Some(own.name))
+        };
+        let (axis, place, there) = if named(&self.axes[0]) {
+            (&self.axes[0], at.0, (at.0, line))
+        } else {
+            (&self.axes[1], at.1, (line, at.1))
+        };
+        let Some(axis) = axis.as_ref().and_then(Headers::axis) else { return Ok(None) };
+        let (text, printed) = &axis.entries[place];
+        let Some(decimal) = Decimal::read(text) else { return Ok(None) };
+        let call = |instead: &Instead<'_>| {
+            let scope = self.own_scope(there, read, assumed, instead).map_err(none_if_wrong)?.0;
+            let Expr::Of(Head::Call(_, _), parts) = behind_names(self, &self.value) else {
+                return Err(NONE);
+            };
+            let [ratio, of, ..] = &parts[..] else { return Err(NONE) };
+            let values = (scope.value(ratio), scope.value(of));
+            let (ratio, of) = (values.0.map_err(none_if_wrong)?, values.1.map_err(none_if_wrong)?);
+            Ok((ratio.rational().ok_or(NONE)?, of.rational().ok_or(NONE)?))
+        };
+        let found = call(&Instead::default()).and_then(|(ratio, x)| {
+            let (r, of) = (Value::from(ratio.clone()), Value::from(x.clone()));
+            let level = depth(self.paper.library.meter, &r, &of, 1)?;
+            let power = Pow::pow(&ratio, i32::try_from(level).map_err(|_| NONE)?);
+            let value = printed * &power / x;
+            let (low, high) = interval(&decimal, "nearest");
+            if value < low || value > high {
+                return Err(NONE);
+            }
+            let entry = (axis.name.to_owned(), Value::from(value));
+            let values = BTreeMap::from([entry.clone()]);
+            let then = call(&Instead { values, scheme: None })?;
+            if then == (ratio, power) { Ok(entry) } else { Err(NONE) }
+        });
+        match found {
+            Ok(entry) => Ok(Some(entry)),
+            Err(Stop::Undefined(_) | Stop::Unstated(_)) => Ok(None),
+            Err(stop) => Err(stop),
+        }
+    }
+}
+
+/// What a reading says of a quantity that another place does not have.
+const NONE: Stop = Stop::Undefined("there is no such quantity at that place");
+
+/// A formula that is wrong at another place has no value there.
+fn none_if_wrong(stop: Stop) -> Stop {
+    match stop {
+        Stop::Wrong(_) => NONE,
+        stop => stop,
+    }
+}

@@ -1,0 +1,147 @@
+//! The members of a family that take a quantity from another place of the paper.
+
+use super::degree::{OF_NUMBERS, depends};
+use super::members::{MAX_MEMBERS, Members};
+use crate::decimal::Q;
+use crate::definitions::{formula, names};
+use crate::elsewhere::{behind_names, references};
+use crate::formula::{Expr, Head};
+use crate::headers::Headers;
+use crate::paper::printed;
+use crate::reject::Stop;
+use crate::table::Table;
+use crate::toml::Toml;
+use crate::value::Value;
+use std::collections::BTreeSet;
+
+/// The most differences of such a member.
+const MAX_WITH_COPIED: usize = 3;
+
+/// The most values of cells that a family has.
+const MAX_VALUES: usize = 100_000;
+
+/// The members that take something from another place, where the others are these. There are none if
+/// all would be too many.
+pub fn copied(table: &Table<'_>, others: &Members) -> Result<Members, Stop> {
+    let (rows, columns) = table.size();
+    let most = MAX_MEMBERS.min(MAX_VALUES / (rows * columns).max(1)).max(1);
+    let mut members = Members::new();
+    for source in sources(table)? {
+        let computed = source.starts_with("tolerance@line#");
+        let fits = |other: &&BTreeSet<String>| {
+            let rounded = other.iter().any(|difference| difference.starts_with("tolerance="));
+            other.len() < MAX_WITH_COPIED && !(computed && rounded)
+        };
+        for other in others.iter().filter(fits) {
+            members.insert(other.iter().cloned().chain([source.clone()]).collect());
+        }
+    }
+    Ok(if others.len() + members.len() > most { Members::new() } else { members })
+}
+
+/// Everything that a reading of this table may take from another place.
+fn sources(table: &Table<'_>) -> Result<Vec<String>, Stop> {
+    let paper = table.paper;
+    let mut sources = Vec::new();
+    for of in constants(table) {
+        let definition = &paper.definitions[&of];
+        for claim in paper.file.list("table") {
+            let id = claim.text("id").filter(|id| table.claim.text("id") != Some(*id));
+            if let Some(id) = id
+                && prints(claim, &of)?
+            {
+                sources.push(format!("{of}@{id}"));
+            }
+        }
+        let headers = table.axes.iter().flatten().filter_map(Headers::axis);
+        let headers = headers.map(|axis| axis.name.to_owned());
+        let parameters: BTreeSet<String> = headers.chain(table.given.keys().cloned()).collect();
+        for name in parameters.iter().filter(|name| depends(table, definition, name)) {
+            let own = table.given.get(name).and_then(Value::rational);
+            for value in
+                values(table, name)?.into_iter().filter(|value| Some(value) != own.as_ref())
+            {
+                sources.push(format!("{of}@{name}={value}"));
+            }
+        }
+        if !table.schemes().is_empty() && needs_scheme(table, definition) {
+            let count = references(paper)?.len();
+            sources.extend((1..=count).map(|number| format!("{of}@scheme#{number}")));
+        }
+    }
+    let is_tolerance =
+        |axis: &&Headers<'_>| axis.axis().is_some_and(|axis| table.tolerance == Some(axis.name));
+    let mut axes = table.axes.iter().flatten();
+    if axes.clone().any(|axis| is_tolerance(&axis)) && is_level(table) {
+        let lines = axes.find(|axis| !is_tolerance(axis)).map_or(1, Headers::count);
+        sources.extend((1..=lines).map(|line| format!("tolerance@line#{line}")));
+    }
+    Ok(sources)
+}
+
+/// Whether the value of a table is a number of levels.
+fn is_level(table: &Table<'_>) -> bool {
+    let formula = behind_names(table, &table.value);
+    matches!(formula, Expr::Of(Head::Call(function, _), _) if function == "levels")
+}
+
+/// The definitions that the value of a table names. If the table promises something and its value is
+/// only a name, it stands for what it names.
+fn constants(table: &Table<'_>) -> BTreeSet<String> {
+    let promises = table.claim.get("promise").is_some();
+    let start = if promises { behind_names(table, &table.value) } else { &table.value };
+    let (mut found, mut waiting) = (BTreeSet::new(), vec![start]);
+    while let Some(expr) = waiting.pop() {
+        match expr {
+            Expr::Name(name) if table.paper.definitions.contains_key(name) => {
+                found.insert(name.clone());
+            }
+            Expr::Of(_, parts) => waiting.extend(parts),
+            Expr::Name(_) | Expr::Number(_) => {}
+        }
+    }
+    found
+}
+
+/// Whether a table prints the values of a definition, which is all that its value is.
+fn prints(claim: &Toml, definition: &str) -> Result<bool, Stop> {
+    let value = claim.text("value").map(formula).transpose()?;
+    let cells = claim.list("cells").iter().flat_map(Toml::as_list);
+    Ok(matches!(value, Some(Expr::Name(name)) if name == definition)
+        && cells.into_iter().any(|cell| printed(cell).is_some()))
+}
+
+/// The values that a parameter has in the paper: as a header, or stated.
+fn values(table: &Table<'_>, name: &str) -> Result<BTreeSet<Q>, Stop> {
+    let paper = table.paper;
+    let stated = paper.given.get(name).and_then(Value::rational);
+    let mut found: BTreeSet<Q> = stated.into_iter().collect();
+    for claim in paper.file.list("table") {
+        let given = paper.constants(claim.entries("given"))?;
+        found.extend(given.get(name).and_then(Value::rational));
+        for axis in ["rows", "columns"].into_iter().filter_map(|axis| claim.get(axis)) {
+            let headers = Headers::read(axis)?;
+            let axis = headers.axis().filter(|axis| axis.name == name);
+            found.extend(axis.into_iter().flat_map(|axis| &axis.entries).map(|(_, v)| v.clone()));
+        }
+    }
+    Ok(found)
+}
+
+/// Whether a definition leads to a function of schemes.
+fn needs_scheme(table: &Table<'_>, definition: &Expr) -> bool {
+    let definitions = &table.paper.definitions;
+    let led = names(definition, definitions);
+    let led = led.iter().filter_map(|name| definitions.get(name)).map(|led| &**led);
+    let mut waiting: Vec<&Expr> = led.chain([definition]).collect();
+    while let Some(expr) = waiting.pop() {
+        let Expr::Of(head, parts) = expr else { continue };
+        if let Head::Call(function, _) = head
+            && !OF_NUMBERS.contains(&&function[..])
+        {
+            return true;
+        }
+        waiting.extend(parts);
+    }
+    false
+}
