@@ -18,7 +18,7 @@ use crate::audit::PaperAudit;
 use block::words;
 
 /// The version of the format.
-const VERSION: &str = "subcert-certificate 3";
+const VERSION: &str = "subcert-certificate 4";
 
 /// The certificate of a paper's claims.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -51,7 +51,7 @@ pub struct Omission {
 ///
 /// let papers = embedded_papers()?;
 /// let text = certificate(&audit(&papers[2])?).text;
-/// assert!(text.starts_with("subcert-certificate 3\npaper khan2019-newton\n"));
+/// assert!(text.starts_with("subcert-certificate 4\npaper khan2019-newton\n"));
 /// assert!(text.contains("\n  cell 1 1 \"0.002500\" 1/400 confirmed\n"));
 /// # Ok::<(), subcert::diagnostic::Diagnostic>(())
 /// ```

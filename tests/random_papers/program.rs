@@ -107,7 +107,7 @@ pub fn blocks(certificate: &str) -> Vec<Block> {
 /// A certificate of these blocks.
 pub fn bound(blocks: &[&Block]) -> String {
     let texts: String = blocks.iter().map(|block| &block.text[..]).collect();
-    format!("subcert-certificate 3\npaper random\n{texts}end {}\n", blocks.len())
+    format!("subcert-certificate 4\npaper random\n{texts}end {}\n", blocks.len())
 }
 
 /// What the checker says of the claims that a certificate is about; or why it refuses the file.

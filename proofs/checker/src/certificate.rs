@@ -3,7 +3,7 @@
 use crate::reject::{Checked, Reason, Rejection, Text, agree, compare, require};
 
 /// The first line of a certificate.
-const VERSION: &str = "subcert-certificate 3";
+const VERSION: &str = "subcert-certificate 4";
 
 /// The most bytes of a certificate.
 pub const MAX_BYTES: usize = 64 << 20;

@@ -49,7 +49,7 @@ reasons! {
 reasons! {
     /// A side condition that does not hold. Of two fields, the first is what the certificate says.
     Reason:
-    Version(said: Text) "the first line is `{said}`, and not `subcert-certificate 3`"
+    Version(said: Text) "the first line is `{said}`, and not `subcert-certificate 4`"
     Paper(said: Text, key: Text) "the second line is `{said}`, and not `paper {key}`"
     Malformed(what: &'static str) "the line does not have the form that is expected: {what}"
     LongLine "the line, or the certificate, is too long"

@@ -41,7 +41,7 @@ fn outcome(left: &str, right: &str, verdict: &str) -> Outcome {
     let claims =
         format!("key = \"k\"\n[[equation]]\nid = \"e\"\nleft = '{left}'\nright = '{right}'");
     let certificate = format!(
-        "subcert-certificate 3\npaper k\nequation e\n  left {left}\n  right {right}\n  {verdict}\nend 1\n"
+        "subcert-certificate 4\npaper k\nequation e\n  left {left}\n  right {right}\n  {verdict}\nend 1\n"
     );
     let report = check(&claims, &[&certificate]).expect("a claim file");
     report.claims.into_iter().next().expect("a claim").2

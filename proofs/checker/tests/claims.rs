@@ -48,7 +48,7 @@ to = '1'
 closed = false
 "#;
 
-const CERTIFICATE: &str = r#"subcert-certificate 3
+const CERTIFICATE: &str = r#"subcert-certificate 4
 paper claims
 table t
   scheme corner
@@ -176,7 +176,7 @@ fn of_schemes(fields: &str, before: &str) -> (String, &'static str) {
     );
     (
         claims,
-        "subcert-certificate 3\npaper claims\ntable t\n value contraction(1)\n \
+        "subcert-certificate 4\npaper claims\ntable t\n value contraction(1)\n \
               cell 1 1 \"0.5\" 1/2 confirmed\nend 1\n",
     )
 }

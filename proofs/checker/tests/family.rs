@@ -15,7 +15,7 @@ fn reason_of(y: &str, w: &str, cells: [&str; 4], alternative: &str, block: &str)
          value = '{alternative}'\n[[table]]\nid = 't'\nvalue = 'y'\ngiven = {{ w = '{w}' }}\n\
          columns = {{ name = 'a', values = ['0', '1', '2', '3'] }}\ncells = [['{cells}']]\n"
     );
-    let certificate = format!("subcert-certificate 3\npaper f\ntable t\n  value y\n{block}end 1\n");
+    let certificate = format!("subcert-certificate 4\npaper f\ntable t\n  value y\n{block}end 1\n");
     let report = check(&claims, &[&certificate]).expect("a claim file");
     assert!(report.broken.is_empty());
     match report.claims.into_iter().next().expect("a table").2 {

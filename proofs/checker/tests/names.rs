@@ -81,7 +81,7 @@ fn files_in_which_a_name_has_two_meanings_are_refused() {
         let claims = format!("key = \"names\"\n{claims}");
         let certificates: Vec<String> = certificates
             .iter()
-            .map(|text| format!("subcert-certificate 3\npaper names\n{text}end 1\n"))
+            .map(|text| format!("subcert-certificate 4\npaper names\n{text}end 1\n"))
             .collect();
         let certificates: Vec<&str> = certificates.iter().map(String::as_str).collect();
         assert!(check(&claims, &certificates).is_err(), "{claims}");
@@ -91,7 +91,7 @@ fn files_in_which_a_name_has_two_meanings_are_refused() {
 /// What is known of the only claim of a file.
 fn outcome(claims: &str, certificate: &str) -> Outcome {
     let claims = format!("key = \"names\"\n{claims}");
-    let certificate = format!("subcert-certificate 3\npaper names\n{certificate}end 1\n");
+    let certificate = format!("subcert-certificate 4\npaper names\n{certificate}end 1\n");
     let mut report = check(&claims, &[&certificate]).unwrap_or_else(|why| panic!("{why}"));
     report.claims.remove(0).2
 }

@@ -17,13 +17,16 @@ pub(super) fn sources(judge: &Evaluator<'_>) -> Vec<Copied> {
     let (paper, table) = (judge.paper, judge.table);
     let mut sources = Vec::new();
     for of in constants(judge) {
+        // The whole value elsewhere is the value of another cell.
+        let whole = matches!(&table.value.expr.node, Node::Name(name) if name == of);
         let others = paper.tables.iter().filter(|other| other.id != table.id && prints(other, of));
+        let others = others.filter(|_| !whole);
         sources.extend(others.map(|other| Copied::Printed {
             of: of.to_owned(),
             table: other.id.clone(),
             locus: other.locus.clone(),
         }));
-        for name in parameters(judge) {
+        for name in parameters(judge, !whole) {
             let degrees = Degrees::new(paper, &paper.definitions, table, name);
             if degrees.is_free(&paper.definitions[of].expr) {
                 continue;
@@ -94,9 +97,9 @@ fn constants<'a>(judge: &Evaluator<'a>) -> BTreeSet<&'a str> {
     names
 }
 
-/// The stated parameters of the table's cells.
-fn parameters<'j>(judge: &'j Evaluator<'_>) -> BTreeSet<&'j str> {
-    let headers = judge.table.axes().filter_map(Axis::name);
+/// The stated parameters of the table's cells, with or without those of headers.
+fn parameters<'j>(judge: &'j Evaluator<'_>, headers: bool) -> BTreeSet<&'j str> {
+    let headers = judge.table.axes().filter_map(Axis::name).filter(|_| headers);
     headers.chain(judge.given.keys().map(String::as_str)).collect()
 }
 

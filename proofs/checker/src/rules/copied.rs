@@ -45,7 +45,9 @@ fn sources(table: &Table<'_>) -> Result<Vec<String>, Stop> {
     let mut sources = Vec::new();
     for of in constants(table) {
         let definition = &paper.definitions[&of];
-        for claim in paper.file.list("table") {
+        // The whole value elsewhere is the value of another cell.
+        let whole = matches!(&table.value, Expr::Name(name) if *name == of);
+        for claim in paper.file.list("table").iter().filter(|_| !whole) {
             let id = claim.text("id").filter(|id| table.claim.text("id") != Some(*id));
             if let Some(id) = id
                 && prints(claim, &of)?
@@ -54,7 +56,7 @@ fn sources(table: &Table<'_>) -> Result<Vec<String>, Stop> {
             }
         }
         let headers = table.axes.iter().flatten().filter_map(Headers::axis);
-        let headers = headers.map(|axis| axis.name.to_owned());
+        let headers = headers.map(|axis| axis.name.to_owned()).filter(|_| !whole);
         let parameters: BTreeSet<String> = headers.chain(table.given.keys().cloned()).collect();
         for name in parameters.iter().filter(|name| depends(table, definition, name)) {
             let own = table.given.get(name).and_then(Value::rational);

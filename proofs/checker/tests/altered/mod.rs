@@ -68,7 +68,7 @@ pub fn blocks(certificate: &str) -> Vec<Block> {
 
 /// A certificate with one block.
 pub fn certificate(paper: &Paper, block: &Block) -> String {
-    format!("subcert-certificate 3\npaper {}\n{}\nend 1\n", paper.key, block.text())
+    format!("subcert-certificate 4\npaper {}\n{}\nend 1\n", paper.key, block.text())
 }
 
 /// Whether a certificate with this block proves a claim, or cites its proof.
