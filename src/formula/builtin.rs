@@ -206,10 +206,28 @@ fn binomial<V: Value>(top: &V, bottom: &V) -> Result<V, FormulaErrorKind> {
     if bottom.unsigned_abs().saturating_mul(top.bits() + 14) > MAX_BITS {
         return Err(FormulaErrorKind::TooLarge { what: "the number of bits", cap: MAX_BITS });
     }
-    // With top = p/q the factors are (p − iq)/q: reduced once, at the end.
     let (p, q) = (top.numerator(), top.denominator());
-    let (product, scale) = (0..bottom).fold((Integer::one(), factorial), |(product, scale), i| {
-        (product * (&p - &q * Integer::from(i)), scale * &q)
-    });
-    Ok(V::from_rational(&Rational::new(product, scale)))
+    if top.is_integer() {
+        // i + 1 factors in a row are divisible by (i + 1)!.
+        let value = (0..bottom).fold(Integer::one(), |value, i| {
+            (value * (&p - Integer::from(i))).div_floor(&Integer::from(i + 1))
+        });
+        return Ok(V::from_rational(&Rational::from(value)));
+    }
+    // With top = p/q the factors are (p − iq)/q. Their numerators have no factor in common with q,
+    // and their product is divisible by the part of bottom! that has none either, since for a prime
+    // that does not divide q, binomials of p/q are integers at that prime.
+    let mut part = factorial.clone();
+    loop {
+        let common = part.gcd(&q);
+        if common == Integer::one() {
+            break;
+        }
+        part = part.div_floor(&common);
+    }
+    let product =
+        (0..bottom).fold(Integer::one(), |product, i| product * (&p - &q * Integer::from(i)));
+    let scale = u32::try_from(bottom).map(|bottom| q.pow(bottom)).expect("at most the cap");
+    let value = Rational::new(product.div_floor(&part), factorial.div_floor(&part) * scale);
+    Ok(V::from_rational(&value))
 }
