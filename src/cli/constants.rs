@@ -248,9 +248,16 @@ impl Direction {
     }
 }
 
+/// The longest fraction that is shown in a mask; one with a longer one is shown in decimals.
+const MAX_FRACTION: usize = 40;
+
 fn rules_text(rows: &[Vec<Rational>]) -> String {
-    let row = |row: &Vec<Rational>| {
-        row.iter().map(Rational::to_string).collect::<Vec<String>>().join("  ")
-    };
-    rows.iter().map(row).collect::<Vec<String>>().join("\n")
+    let exact = rows.iter().flatten().all(|entry| entry.to_string().len() <= MAX_FRACTION);
+    let entry = |entry: &Rational| if exact { entry.to_string() } else { short(entry, 9) };
+    let row = |row: &Vec<Rational>| row.iter().map(entry).collect::<Vec<String>>().join("  ");
+    let mut lines: Vec<String> = rows.iter().map(row).collect();
+    if !exact {
+        lines.push("(exact in --format json)".to_owned());
+    }
+    lines.join("\n")
 }

@@ -44,13 +44,13 @@ fn the_best_offset_needs_no_words() {
     }
 }
 
-/// The cubic B-spline, one coefficient moved: both rules sum to 1, but they move lines by 0 and 1/4.
+/// The cubic B-spline, one coefficient moved: both rules sum to 1, but they differ by 1/4 in how they move lines.
 #[test]
 fn a_mask_that_does_not_keep_lines_is_named() {
-    let rules = |first: &str| format!("name = 'm'\nmask = [{first}, ['1/2', '1/2', '0']]\n");
+    let rules = |first: &str| format!("name = 'm'\nmask = [{first}, ['0', '1/2', '1/2']]\n");
     for (first, warns) in [("['1/8', '3/4', '1/8']", false), ("['2/8', '5/8', '1/8']", true)] {
         let file = TemporaryFile::new("lines.toml", &rules(first));
-        for scheme in [file.path().to_owned(), format!("b-spline:degree=1 * {}", file.path())] {
+        for scheme in [file.path().to_owned(), format!("b-spline:degree=1 x {}", file.path())] {
             let text = written(["constants", &scheme]);
             let flat = text.split_whitespace().collect::<Vec<_>>().join(" ");
             let named =
