@@ -49,6 +49,12 @@ pub(super) fn section(
         return;
     }
     sheet.heading(2, "Readings tried");
+    let values = readings.iter().flat_map(|reading| reading.values.iter().flatten());
+    if values.flatten().next().is_none() {
+        let count = readings.len();
+        sheet.text(format!("None of {count} readings gives a value for any of these cells."));
+        return;
+    }
     let readings = in_order(finding, readings, at);
     let shown = if all { readings.len() } else { MAX_SHOWN };
     let row = |reading: &&Explanation| {

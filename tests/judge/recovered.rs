@@ -31,6 +31,35 @@ fn table(id: &str, value: &str, unstated: &str, x: &[&str], cells: &[&str]) -> S
     )
 }
 
+/// With T = 1/2 and σ = 1/4 the depth at ε is ⌈log_2(τ/(2ε))⌉, and 0 at τ ≤ 2ε. At τ = 1/5 that is 0,
+/// 1, 4 and 7; every τ up to 1/10 fits the zeros of the other table, and 0 is no spread.
+#[test]
+fn depths_of_no_level_bound_the_spread_from_above_alone() {
+    let table = |id: &str, epsilon: &[&str], cells: &[&str]| {
+        let list = |texts: &[&str]| format!("['{}']", texts.join("', '"));
+        format!(
+            "[[table]]\nid = '{id}'\nlocus = '{id}'\nscheme = 'chaikin'\n\
+             value = 'levels(contraction(1), epsilon*(1 - contraction(1))/(displacement()*tau))'\n\
+             unstated = ['tau']\npromise = {{ tolerance = 'epsilon', spread = 'tau' }}\n\
+             columns = {{ name = 'epsilon', values = {} }}\ncells = [{}]\n",
+            list(epsilon),
+            list(cells)
+        )
+    };
+    let epsilon = ["0.1", "0.05", "0.01", "0.001", "0.0001", "0.00001"];
+    let depths = ["0", "1", "4", "7", "10", "14"];
+    let paper = paper(&table("mixed", &epsilon, &depths));
+    let audit = judged(&paper);
+    assert_eq!(verdicts(&audit, 0), ["reproduced"; 6]);
+    let tau = &audit.tables[0].recovered["tau"].value;
+    // 2·0.00001·2^13 < τ ≤ 2·0.00001·2^14, and τ ≤ 2·0.1, τ ≤ 2·0.0001·2^10.
+    assert!(*tau > Rational::new(8_192, 50_000) && *tau <= Rational::new(1, 5), "{tau}");
+    let paper = crate::judge::recovered::paper(&table("zeros", &epsilon[..3], &["0", "0", "0"]));
+    let zeros = judged(&paper);
+    let spreads = zeros.tables[0].recovered.values().map(|recovered| recovered.value.sign());
+    assert!(spreads.into_iter().all(|sign| sign > 0));
+}
+
 fn verdicts(audit: &PaperAudit<'_>, table: usize) -> Vec<&'static str> {
     audit.tables[table].cells.iter().flatten().map(|cell| cell.verdict.name()).collect()
 }
