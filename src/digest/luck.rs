@@ -9,13 +9,21 @@ impl TableFinding<'_> {
     /// Whether a reading explains the cell at a row and a column, counted from 0, and of the other
     /// cells that are read with it no more than unrelated numbers would: at most Σ p_i of them,
     /// where p_i is how likely an unrelated value becomes the i-th printed number
-    /// (`proofs/THEOREMS.md`, 51). A cell that is read alone tells nothing.
+    /// (`proofs/THEOREMS.md`, 51). A cell that is read alone tells nothing, and what was found to be
+    /// the reading of the table, or of the row or column of the cell, is no luck.
     ///
     /// # Panics
     /// When there is no such cell, or the reading is one of another table.
     #[must_use]
     pub fn is_by_luck(&self, reading: &Explanation, (row, column): (usize, usize)) -> bool {
-        if !reading.explained[row][column] {
+        let found = self.searches().flat_map(|search| {
+            search.best.iter().chain(search.lines.iter().map(|line| &line.best))
+        });
+        let mut found = found.filter(|found| found.explained[row][column]);
+        let is = |found: &Explanation| {
+            found.differences == reading.differences && found.solved == reading.solved
+        };
+        if !reading.explained[row][column] || found.any(is) {
             return false;
         }
         let depths = matches!(self.table.promise, Some(Promise::Depth { .. }));

@@ -25,6 +25,8 @@ fn luck_is_what_unrelated_numbers_would_give() {
         let readings = readings(&paper, finding, CellKind::Plain).expect("no error");
         let mut seen = [0; 2];
         for reading in &readings {
+            // None is the best of its table, which is no luck.
+            assert!(finding.searches().all(|search| search.best.is_empty()));
             for (row, explained) in reading.explained.iter().enumerate() {
                 for (column, here) in explained.iter().enumerate() {
                     let lucky = *here && reading.count() - 1 <= most;
@@ -35,4 +37,42 @@ fn luck_is_what_unrelated_numbers_would_give() {
         }
         assert!(seen.iter().all(|count| *count > 0), "{}: {seen:?}", finding.table.id);
     }
+}
+
+/// The first of four rows of depths is that of the mask read forwards, T_2 = 3/8, and the others are as
+/// printed: what the row's reading explains is less than luck gives in the whole table, 55/4, but it
+/// is the reading of the row.
+#[test]
+fn the_reading_of_a_row_is_no_luck() {
+    let epsilon = (1..=14).map(|i| format!("'3e-{i}'")).collect::<Vec<String>>().join(", ");
+    // The least k with T^k ≤ ε.
+    let row = |t: f64| {
+        let level = |i: i32| format!("'{}'", ((3.0 * 10f64.powi(-i)).ln() / t.ln()).ceil());
+        format!("[{}]", (1..=14).map(level).collect::<Vec<String>>().join(", "))
+    };
+    let rows = [3.0 / 8.0, 85.0 / 512.0, 0.083_251_953_125, 0.041_656_494_14].map(row);
+    let text = format!(
+        "[[table]]\nid = 'a'\nlocus = 'A'\nscheme = 'four-point'\n\
+         value = 'levels(contraction(c), epsilon)'\n\
+         promise = {{ tolerance = 'epsilon', spread = '1' }}\n\
+         rows = {{ name = 'c', values = ['2', '3', '4', '5'] }}\n\
+         columns = {{ name = 'epsilon', values = [{epsilon}] }}\ncells = [{}]\n",
+        rows.join(", ")
+    );
+    let paper = paper(&text);
+    let audit = judged(&paper);
+    let finding = &audit.tables[0];
+    let lines: Vec<_> = finding.searches().flat_map(|search| &search.lines).collect();
+    assert_eq!(lines.len(), 1);
+    let best = &lines[0].best;
+    assert!((9..=14).contains(&best.count()) && best.differs() == "masks read forwards");
+    let readings = readings(&paper, finding, CellKind::Plain).expect("no error");
+    let other = readings.iter().find(|one| one.differences.len() == 3 && one.count() <= 13);
+    let other = other.expect("a reading that explains less than luck");
+    let mut lucky = 0;
+    for column in 0..14 {
+        assert!(!finding.is_by_luck(best, (0, column)));
+        lucky += usize::from(finding.is_by_luck(other, (0, column)));
+    }
+    assert!(lucky > 0, "{}", other.differs());
 }

@@ -1,7 +1,7 @@
 //! Wrong cells, and those that could not be checked.
 
 use crate::audit::{
-    Cause, CellErratum, CellFinding, Errata, Sound, Standing, TableFinding, Verdict,
+    Cause, CellErratum, CellFinding, Errata, Sound, Standing, Subject, TableFinding, Verdict,
 };
 use crate::claim::{Printed, Table};
 use crate::exact::{
@@ -147,9 +147,17 @@ pub(super) fn recovered(sheet: &mut Sheet, errata: &Errata<'_, '_>) {
         return;
     }
     sheet.heading(2, "What the paper does not state, and its numbers give away");
+    // The reading of wrong cells stands where these do.
+    let told = |finding: &TableFinding<'_>| {
+        errata.errata.iter().any(|erratum| {
+            let Subject::Cells(cells) = &erratum.subject else { return false };
+            cells.finding.table.id == finding.table.id && !cells.as_defined
+        })
+    };
     let fact = |finding: &&TableFinding<'_>| {
         let mut lines = reading::recovered(finding);
-        lines.extend(finding.searches().map(reading::remark));
+        let searches = finding.searches().filter(|search| !search.best.is_empty());
+        lines.extend(searches.filter(|_| !told(finding)).map(reading::remark));
         (finding.table.locus.clone(), lines.join("\n"))
     };
     sheet.facts(errata.recovered.iter().map(fact).collect());
