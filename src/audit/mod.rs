@@ -83,6 +83,9 @@ pub fn audit_whole<'a>(
 ///
 /// # Errors
 /// As [`audit`], of the claims that are judged.
+///
+/// # Panics
+/// Never.
 pub fn audit_claim<'a>(
     paper: &'a Paper,
     id: &str,

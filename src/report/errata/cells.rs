@@ -39,7 +39,6 @@ pub(in crate::report) fn origin(cells: &CellErratum<'_, '_>) -> String {
         };
     }
     match cells.outcome.standing {
-        Standing::Confirmed | Standing::NotCheckable => cause,
         Standing::Reproduced => reproduced(cells),
         Standing::Explained if cells.findings().any(|cell| cell.as_read.is_some()) => {
             let table = cells.finding.table;
@@ -47,7 +46,7 @@ pub(in crate::report) fn origin(cells: &CellErratum<'_, '_>) -> String {
             let evidence = cells.finding.searches().map(evidence).filter(|text| !text.is_empty());
             format!("read otherwise: {cause}\n{}", evidence.collect::<Vec<String>>().join("\n"))
         }
-        Standing::Explained => cause,
+        Standing::Confirmed | Standing::NotCheckable | Standing::Explained => cause,
         Standing::Misprinted => {
             let slip = |cell: &CellFinding| match &cell.verdict {
                 Verdict::Misprint(slip) => Some(format!("{} ({slip})", cell.printed.as_deref()?)),
