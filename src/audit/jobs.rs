@@ -1,5 +1,6 @@
 //! The parts of papers that are judged apart from each other, on all cores.
 
+use crate::audit::chosen::Chosen;
 use crate::claim::Paper;
 use crate::diagnostic::{Collected, Diagnostic, Errors};
 use crate::digest::{consistency, premises};
@@ -31,20 +32,26 @@ enum Found<'a> {
     Errors(Collected),
 }
 
-/// Judges every claim of these papers, on all cores; `after_table` is called when a table
+/// Judges the chosen claims of these papers, on all cores; `after_table` is called when a table
 /// is judged.
-pub(crate) fn judge<'a>(
+pub(super) fn judge<'a>(
     papers: &'a [Paper],
+    chosen: &dyn Fn(&Paper) -> Chosen,
     after_table: &(dyn Fn() + Sync),
 ) -> Result<Vec<PaperAudit<'a>>, Errors> {
+    let chosen: Vec<Chosen> = papers.iter().map(chosen).collect();
     let mut jobs: Vec<(usize, Part)> = Vec::new();
     for (at, paper) in papers.iter().enumerate() {
-        let tables = related::related(paper).into_iter().map(Part::Tables);
+        let has =
+            |group: &Vec<usize>| group.iter().any(|&place| chosen[at].has(&paper.tables[place].id));
+        let tables = related::related(paper).into_iter().filter(has).map(Part::Tables);
         jobs.extend(tables.chain([Part::Theorems, Part::Formulas]).map(|part| (at, part)));
     }
     // The longest first, so that they end together.
     jobs.sort_by_key(|(at, part)| Reverse(part.size(&papers[*at])));
-    let found = on_all_cores(&jobs, |(at, part)| (*at, part.judge(&papers[*at], after_table)));
+    let found = on_all_cores(&jobs, |(at, part)| {
+        (*at, part.judge(&papers[*at], &chosen[*at], after_table))
+    });
     let mut parts: Vec<Vec<Found<'a>>> = papers.iter().map(|_| Vec::new()).collect();
     for (at, found) in found {
         parts[at].push(found);
@@ -64,14 +71,17 @@ impl Part {
         }
     }
 
-    fn judge<'a>(&self, paper: &'a Paper, after_table: &dyn Fn()) -> Found<'a> {
+    fn judge<'a>(&self, paper: &'a Paper, chosen: &Chosen, after_table: &dyn Fn()) -> Found<'a> {
         match self {
             Part::Tables(places) => match related::judge_all(paper, places, after_table) {
                 Ok(findings) => Found::Tables(findings),
                 Err((_, error)) => Found::error(error),
             },
-            Part::Formulas => formulas(paper),
-            Part::Theorems => theorem::trials(paper).map_or_else(Found::error, Found::Theorems),
+            Part::Formulas => formulas(paper, chosen),
+            Part::Theorems => {
+                let theorems = paper.theorems.iter().filter(|theorem| chosen.has(&theorem.id));
+                theorem::trials(paper, theorems).map_or_else(Found::error, Found::Theorems)
+            }
         }
     }
 }
@@ -85,12 +95,15 @@ impl Found<'_> {
 }
 
 /// Each equation, function and range is judged by itself.
-fn formulas(paper: &Paper) -> Found<'_> {
+fn formulas<'a>(paper: &'a Paper, chosen: &Chosen) -> Found<'a> {
     let library = || Library::new(paper);
     let mut errors = Collected::default();
-    let equations = errors.all(&paper.equations, |claim| equation::judge(paper, claim, &library()));
-    let functions = errors.all(&paper.functions, |claim| function::judge(paper, claim, &library()));
-    let ranges = errors.all(&paper.ranges, |claim| range::judge(paper, claim, &library()));
+    let equations = paper.equations.iter().filter(|claim| chosen.has(&claim.id));
+    let functions = paper.functions.iter().filter(|claim| chosen.has(&claim.id));
+    let ranges = paper.ranges.iter().filter(|claim| chosen.has(&claim.id));
+    let equations = errors.all(equations, |claim| equation::judge(paper, claim, &library()));
+    let functions = errors.all(functions, |claim| function::judge(paper, claim, &library()));
+    let ranges = errors.all(ranges, |claim| range::judge(paper, claim, &library()));
     if errors.is_empty() {
         Found::Formulas(equations, functions, ranges)
     } else {

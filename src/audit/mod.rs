@@ -1,5 +1,6 @@
 //! From claims to verdicts.
 
+mod chosen;
 mod jobs;
 
 pub use crate::digest::{
@@ -9,7 +10,7 @@ pub use crate::digest::{
 pub use crate::evaluation::{Choice, Copied, Effect, FAMILY, QUANTITIES, Way};
 pub use crate::evidence::{
     AttainedConstant, Evidence, Powers, PromiseEvidence, SearchedConstant, SoundCell, by_hand,
-    evidence, promise_evidence, theorem_evidence,
+    evidence, promise_evidence, theorem_evidence, working,
 };
 pub use crate::finding::{
     AsRead, Assumed, Attained, Broken, ByHand, CaseFinding, CellFinding, CellKind, Contradiction,
@@ -19,10 +20,11 @@ pub use crate::finding::{
     LineReading, MAX_DIFFERENCES, Missing, Naturally, Need, Needed, Outcome, PaperAudit, Place,
     PromiseCounts, RangeFinding, RangeVerdict, Recovered, RecoveredFrom, Refutation, Repair,
     Search, Side, Slip, Solved, Sound, Supremum, TableFinding, TablePart, TheoremFinding,
-    TheoremVerdict, Unshiftable, Verdict, Violation,
+    TheoremVerdict, Unshiftable, Verdict, Violation, Working,
 };
 pub use crate::judge::MAX_CASES;
 
+use crate::audit::chosen::Chosen;
 use crate::claim::Paper;
 use crate::diagnostic::{Diagnostic, Errors};
 use crate::evaluation::library::Library;
@@ -71,7 +73,34 @@ pub fn audit_whole<'a>(
     papers: &'a [Paper],
     after_table: &(dyn Fn() + Sync),
 ) -> Result<Vec<PaperAudit<'a>>, Errors> {
-    jobs::judge(papers, after_table)
+    jobs::judge(papers, &|_| Chosen::all(), after_table)
+}
+
+/// Judges one claim of a paper, on all cores, with what it needs: a theorem with the claims that it
+/// rests on, a table with those that can give away its unstated parameters. What it finds of these
+/// is what [`audit`] finds; the other claims of the paper are left out. `id` is that of the claim
+/// within the paper.
+///
+/// # Errors
+/// As [`audit`], of the claims that are judged.
+///
+/// # Panics
+/// Never.
+pub fn audit_claim<'a>(
+    paper: &'a Paper,
+    id: &str,
+    after_table: &(dyn Fn() + Sync),
+) -> Result<PaperAudit<'a>, Errors> {
+    let mut audits =
+        jobs::judge(std::slice::from_ref(paper), &|paper| Chosen::claim(paper, id), after_table)?;
+    Ok(audits.pop().expect("an audit for the paper"))
+}
+
+/// How many tables [`audit_claim`] judges.
+#[must_use]
+pub fn tables_needed(paper: &Paper, id: &str) -> usize {
+    let chosen = Chosen::claim(paper, id);
+    paper.tables.iter().filter(|table| chosen.has(&table.id)).count()
 }
 
 /// Every reading of the cells of a kind that the search compares, with what it explains, the best

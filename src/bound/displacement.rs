@@ -81,11 +81,57 @@ pub(super) fn displaced<S: Real>(mask: &Mask<S>, alpha: usize) -> Vec<S> {
 #[must_use]
 pub fn best_offset(mask: &Mask) -> (i64, Rational) {
     let width = i64::try_from(mask.width()).expect("the width is capped");
+    let rules = mask.rules().rows().iter().enumerate();
+    let rules: Vec<Sums> = rules.map(|(alpha, row)| Sums::of(row, alpha, mask.arity())).collect();
     let mut offsets: Vec<i64> = (-width..=1).collect();
     offsets.sort_by_key(|offset| offset.abs());
-    let sigma = |offset: i64| (offset, displacement(&mask.with_offset(offset), Terms::Each));
+    let sigma = |offset: i64| (offset, Rational::maximum(rules.iter().map(|rule| rule.at(offset))));
     let candidates = offsets.into_iter().map(sigma);
     candidates
         .reduce(|best, next| if next.1 < best.1 { next } else { best })
         .expect("there is at least one offset")
+}
+
+/// The sums that Σ_m |ã_{α,m}| consists of at any offset −N ≤ o ≤ 1: ã_{α,m} is the sum of the
+/// coefficients from the m + 1 − o-th on for m > 0, minus that of those before it for m < 0.
+struct Sums {
+    /// Σ_{h≥c} a_{α,h}, for c = 0, …, N.
+    tails: Vec<Rational>,
+    /// The sum of |Σ_{h≥d} a_{α,h}| over d ≥ c, for c = 0, …, N + 1.
+    from: Vec<Rational>,
+    /// The sum of |Σ_{h<d} a_{α,h}| over d ≤ c, for c = 0, …, N.
+    up_to: Vec<Rational>,
+    /// α/n.
+    shift: Rational,
+}
+
+impl Sums {
+    fn of(row: &[Rational], alpha: usize, arity: usize) -> Sums {
+        let magnitudes = |sums: &[Rational]| sums.iter().map(Rational::abs).collect::<Vec<_>>();
+        let mut tails = sums(row.iter().rev());
+        let mut from = sums(magnitudes(&tails).iter());
+        tails.reverse();
+        from.reverse();
+        let heads = sums(row.iter());
+        let up_to = sums(magnitudes(&heads[1..]).iter());
+        Sums { tails, from, up_to, shift: Rational::new(alpha, arity) }
+    }
+
+    /// Σ_m |ã_{α,m}| at an offset.
+    fn at(&self, offset: i64) -> Rational {
+        let place = |c: i64| usize::try_from(c).expect("offsets from -N to 1 are asked for");
+        let width = self.tails.len() - 1;
+        let above = &self.from[place(2 - offset).min(width + 1)];
+        let below = &self.up_to[place((-offset).max(0))];
+        above + below + (&self.tails[place(1 - offset).min(width)] - &self.shift).abs()
+    }
+}
+
+/// The sums of the first 0, 1, … terms.
+fn sums<'a>(terms: impl Iterator<Item = &'a Rational>) -> Vec<Rational> {
+    let mut sums = vec![Rational::zero()];
+    for term in terms {
+        sums.push(&sums[sums.len() - 1] + term);
+    }
+    sums
 }

@@ -11,6 +11,7 @@ use subcert::bound::{
     displacement, surface_factor,
 };
 use subcert::exact::{Rational, format::short};
+use subcert::limit::{NaturalShift, natural_shift};
 use subcert::report::{Grid, Sheet, json::Exact};
 use subcert::scheme::{AnyScheme, Mask, Rules, Scheme, parse_any_scheme};
 
@@ -53,6 +54,7 @@ struct Direction {
     /// in forward order.
     columns: [Vec<Rational>; 4],
     sigma: Vec<(String, Rational)>,
+    shift: NaturalShift,
 }
 
 impl Report {
@@ -98,7 +100,8 @@ impl Direction {
         let difference = constants.difference().clone();
         let columns = columns(&mask, &difference, levels);
         let delta = DeltaCondition::curve(constants)?;
-        Ok(Direction { delta, mask, difference, columns, sigma })
+        let shift = natural_shift(&mask);
+        Ok(Direction { delta, mask, difference, columns, sigma, shift })
     }
 
     /// For each c the values of all columns; `None` beyond reach.
@@ -211,6 +214,16 @@ impl Direction {
         if self.rows().any(|(_, row)| row.contains(&None)) {
             sheet.text("–: neither branch and bound nor a visit of all rows settles it.");
         }
+        if !self.shift.keeps_lines {
+            let shifts = self.shift.of_rules.iter().map(|shift| short(shift, 6));
+            sheet.text(format!(
+                "Lines are not kept: from points at equal distances on a line, the rules make \
+                 points at unequal distances, for the shift of the parameter differs from rule to \
+                 rule: {}. As a rule, schemes with smooth (C1) limits keep lines. If this one is \
+                 meant to have such limits, one of its coefficients is wrong.",
+                shifts.collect::<Vec<String>>().join(", ")
+            ));
+        }
     }
 
     fn form(&self) -> form::Direction<'_> {
@@ -229,14 +242,22 @@ impl Direction {
             difference: row_texts(self.difference.rows()),
             delta: delta_form(&self.delta),
             displacement: sigma.collect(),
+            keeps_lines: self.shift.keeps_lines,
             levels: levels.collect(),
         }
     }
 }
 
+/// The longest fraction that is shown in a mask; one with a longer one is shown in decimals.
+const MAX_FRACTION: usize = 40;
+
 fn rules_text(rows: &[Vec<Rational>]) -> String {
-    let row = |row: &Vec<Rational>| {
-        row.iter().map(Rational::to_string).collect::<Vec<String>>().join("  ")
-    };
-    rows.iter().map(row).collect::<Vec<String>>().join("\n")
+    let exact = rows.iter().flatten().all(|entry| entry.to_string().len() <= MAX_FRACTION);
+    let entry = |entry: &Rational| if exact { entry.to_string() } else { short(entry, 9) };
+    let row = |row: &Vec<Rational>| row.iter().map(entry).collect::<Vec<String>>().join("  ");
+    let mut lines: Vec<String> = rows.iter().map(row).collect();
+    if !exact {
+        lines.push("(exact in --format json)".to_owned());
+    }
+    lines.join("\n")
 }

@@ -3,11 +3,11 @@
 use super::arguments::{ExplainArguments, Format};
 use super::listing::{Listed, listing};
 use super::output::{Failure, Outcome, show};
-use super::papers::{judge_all, papers, select};
-use subcert::audit::{by_hand, readings};
+use super::papers::{judge_claim, papers, select};
+use subcert::audit::{self, by_hand, readings};
 use subcert::claim::{Paper, Table};
 use subcert::report::json::Explained;
-use subcert::report::{explain_sheet, table_of};
+use subcert::report::{Background, explain_sheet, table_of};
 use subcert::suggestion::did_you_mean;
 
 pub(super) fn explain(arguments: &ExplainArguments) -> Outcome {
@@ -22,24 +22,27 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Outcome {
         return listing(paper, arguments.output.format);
     }
     check(paper, claim)?;
-    let audits = judge_all(&chosen, arguments.output.format != Format::Json)?;
-    let tried = match (audits.first(), table_of(&audits, id)) {
-        (Some(audit), Some((finding, at))) => {
-            let kind = at.map(|(row, column)| finding.cells[row][column].kind());
-            let kind = kind.or_else(|| finding.kinds().first().copied());
-            kind.map_or(Ok(Vec::new()), |kind| readings(audit.paper, finding, kind))?
+    let name = claim.split(':').next().unwrap_or(claim);
+    let bar = arguments.output.format != Format::Json;
+    let audits = [judge_claim(paper, name, bar)?];
+    let audit = &audits[0];
+    let (mut tried, mut working) = (Vec::new(), None);
+    if let Some((finding, at)) = table_of(&audits, id) {
+        let kind = at.map(|(row, column)| finding.cells[row][column].kind());
+        if let Some(kind) = kind.or_else(|| finding.kinds().first().copied()) {
+            tried = readings(audit.paper, finding, kind)?;
         }
-        _ => Vec::new(),
-    };
-    let theorems = audits.iter().flat_map(|audit| audit.theorems.iter().map(move |it| (audit, it)));
-    let hand = match { theorems }.find(|(_, finding)| finding.id == *id) {
-        Some((audit, finding)) => by_hand(audit, finding)?,
+        working = at.map(|at| audit::working(audit, finding, at)).transpose()?;
+    }
+    let by_hand = match audit.theorems.iter().find(|finding| finding.id == *id) {
+        Some(finding) => by_hand(audit, finding)?,
         None => None,
     };
-    let hand = hand.as_ref();
-    let sheet = explain_sheet(&audits, id, &tried, hand, arguments.all)
+    let background =
+        Background { readings: &tried, by_hand: by_hand.as_ref(), working: working.as_ref() };
+    let sheet = explain_sheet(&audits, id, background, arguments.all)
         .ok_or_else(|| Failure::Input(format!("no claim has the id `{id}`")))?;
-    show(arguments.output.format, || sheet, || Explained::of(&audits, id, &tried, hand))
+    show(arguments.output.format, || sheet, || Explained::of(&audits, id, background))
 }
 
 /// Makes sure that the paper has this claim, before all of its claims are judged.

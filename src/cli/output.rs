@@ -6,7 +6,7 @@ use serde::Serialize;
 use std::fmt::Display;
 use std::io::{ErrorKind, Write as _};
 use std::process::ExitCode;
-use subcert::diagnostic::{Diagnostic, Errors};
+use subcert::diagnostic::{Diagnostic, Errors, wrapped};
 use subcert::exact::{Enclosed, Rational, format::short, parse_rational};
 use subcert::report::Sheet;
 
@@ -54,17 +54,27 @@ impl Failure {
     /// Writes the message and gives the exit code.
     pub(super) fn report(self) -> ExitCode {
         let (message, code) = match self {
-            Failure::Expectation(message) => (format!("subcert: {message}"), 1),
-            Failure::Input(message) => (format!("error: {message}"), 2),
+            Failure::Expectation(message) => (fitted(&format!("subcert: {message}")), 1),
+            Failure::Input(message) => (fitted(&format!("error: {message}")), 2),
             Failure::File(errors) => (drawn(&errors), 2),
             Failure::Output(error) if error.kind() == ErrorKind::BrokenPipe => {
                 return ExitCode::from(BROKEN_PIPE);
             }
-            Failure::Output(error) => (format!("error: cannot write the results: {error}"), 2),
+            Failure::Output(error) => {
+                (fitted(&format!("error: cannot write the results: {error}")), 2)
+            }
         };
         // Nobody is left to tell when even the standard error is closed.
         let _ = writeln!(anstream::stderr(), "{message}");
         ExitCode::from(code)
+    }
+}
+
+/// A message in lines as wide as the terminal. A longer word, such as a path, is not cut.
+fn fitted(message: &str) -> String {
+    match terminal::error_width() {
+        Some(width) => wrapped(message, width, 0, false).join("\n"),
+        None => message.to_owned(),
     }
 }
 
@@ -92,8 +102,9 @@ const MAX_SHOWN: usize = 20;
 
 fn drawn(errors: &Errors) -> String {
     let all = errors.all();
-    let mut drawn: Vec<String> =
-        all.iter().take(MAX_SHOWN).map(|error| error.render(true)).collect();
+    let mut drawn: Vec<String> = { all.iter().take(MAX_SHOWN) }
+        .map(|error| error.render_within(true, terminal::error_width()))
+        .collect();
     if all.len() > 1 {
         let shown = all.len().min(MAX_SHOWN);
         let more =

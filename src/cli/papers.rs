@@ -3,7 +3,7 @@
 use super::output::Failure;
 use super::progress::Progress;
 use std::path::{Path, PathBuf};
-use subcert::audit::{PaperAudit, audit_whole};
+use subcert::audit::{PaperAudit, audit_claim, audit_whole, tables_needed};
 use subcert::claim::{
     MAX_CLAIM_FILE_BYTES, Paper, embedded_papers, read_paper_file, read_whole_paper,
 };
@@ -78,6 +78,17 @@ pub(super) fn select(papers: Vec<Paper>, key: Option<&str>) -> Result<Vec<Paper>
         return Err(Failure::Input(format!("no paper has the key `{key}`{known}")));
     }
     Ok(papers)
+}
+
+/// Judges a claim of a paper with what it needs, on all cores. With `bar`, a bar shows how far that
+/// is.
+pub(super) fn judge_claim<'a>(
+    paper: &'a Paper,
+    id: &str,
+    bar: bool,
+) -> Result<PaperAudit<'a>, Failure> {
+    let progress = Progress::of_tables(tables_needed(paper, id), bar);
+    Ok(audit_claim(paper, id, &|| progress.step())?)
 }
 
 /// Judges every claim of the papers, on all cores. With `bar`, a bar shows how far that is.

@@ -3,8 +3,8 @@
 use super::arguments::Colour;
 use anstream::ColorChoice;
 use std::ffi::OsString;
-use std::io::IsTerminal as _;
 use std::sync::OnceLock;
+use terminal_size::terminal_size_of;
 
 /// The height of a screen that nobody knows, in lines.
 const HEIGHT: usize = 50;
@@ -24,23 +24,23 @@ pub(super) fn is_quiet() -> bool {
 
 /// How wide lines may be: what COLUMNS says, or the terminal; nothing for files and pipes.
 pub(super) fn width() -> Option<usize> {
-    number_in("COLUMNS").or_else(|| Some(usize::from(size()?.0.0)))
+    number_in("COLUMNS").or_else(|| Some(usize::from(terminal_size_of(std::io::stdout())?.0.0)))
+}
+
+/// The same of the lines of errors.
+pub(super) fn error_width() -> Option<usize> {
+    number_in("COLUMNS").or_else(|| Some(usize::from(terminal_size_of(std::io::stderr())?.0.0)))
 }
 
 /// How many lines a screen has: what LINES says, or the terminal.
 pub(super) fn height() -> usize {
-    let own = || size().map(|(_, height)| usize::from(height.0));
+    let own = || terminal_size_of(std::io::stdout()).map(|(_, height)| usize::from(height.0));
     number_in("LINES").or_else(own).unwrap_or(HEIGHT)
 }
 
 fn number_in(variable: &str) -> Option<usize> {
     let text = std::env::var(variable).ok()?;
     text.trim().parse().ok().filter(|number| *number > 0)
-}
-
-fn size() -> Option<(terminal_size::Width, terminal_size::Height)> {
-    let out = std::io::stdout();
-    if out.is_terminal() { terminal_size::terminal_size_of(out) } else { None }
 }
 
 fn choice(color: Colour) -> ColorChoice {

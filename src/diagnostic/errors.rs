@@ -50,12 +50,12 @@ impl Collected {
     }
 
     /// The results of all items, each by itself.
-    pub(crate) fn all<'t, T, C>(
+    pub(crate) fn all<'t, T: 't, C>(
         &mut self,
-        items: &'t [T],
+        items: impl IntoIterator<Item = &'t T>,
         read: impl Fn(&'t T) -> Result<C, Diagnostic>,
     ) -> Vec<C> {
-        items.iter().filter_map(|item| self.take(read(item))).collect()
+        items.into_iter().filter_map(|item| self.take(read(item))).collect()
     }
 
     /// Adds an error, unless it is there already.

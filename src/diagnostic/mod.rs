@@ -1,9 +1,11 @@
 //! Errors that point at a place in a file.
 
 mod errors;
+pub(crate) mod wrap;
 
 pub(crate) use errors::Collected;
 pub use errors::Errors;
+pub use wrap::wrapped;
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use std::fmt;
@@ -46,6 +48,12 @@ pub struct Diagnostic {
     pub help: Option<String>,
 }
 
+/// How many characters `error: ` takes.
+const ERROR_HEAD: usize = 7;
+
+/// How many ` = help: ` takes, beside the number of a line.
+const HELP_HEAD: usize = 9;
+
 impl Diagnostic {
     /// An error about the bytes `span` of `source`.
     #[must_use]
@@ -87,6 +95,17 @@ impl Diagnostic {
     /// The drawing, coloured when `colour`.
     #[must_use]
     pub fn render(&self, colour: bool) -> String {
+        self.render_within(colour, None)
+    }
+
+    /// The same with the message and the remedy in lines of at most `width` characters. Lines of the
+    /// source stay as they are.
+    #[must_use]
+    pub fn render_within(&self, colour: bool, width: Option<usize>) -> String {
+        let fitted = |text: &str, head: usize| match width {
+            Some(width) => wrapped(text, width, head, false).join("\n"),
+            None => text.to_owned(),
+        };
         let mut annotation = AnnotationKind::Primary.span(self.span.clone());
         if let Some(label) = &self.label {
             annotation = annotation.label(label);
@@ -96,9 +115,11 @@ impl Diagnostic {
         if let Some((span, label)) = self.other.as_deref() {
             snippet = snippet.annotation(AnnotationKind::Context.span(span.clone()).label(label));
         }
-        let mut group = Level::ERROR.primary_title(&self.message).element(snippet);
+        let message = fitted(&self.message, ERROR_HEAD);
+        let mut group = Level::ERROR.primary_title(message).element(snippet);
         if let Some(help) = &self.help {
-            group = group.element(Level::HELP.message(help));
+            let lines = self.line_and_column().0.to_string().len();
+            group = group.element(Level::HELP.message(fitted(help, lines + HELP_HEAD)));
         }
         let renderer = if colour { Renderer::styled() } else { Renderer::plain() };
         renderer.render(&[group])

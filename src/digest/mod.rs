@@ -6,6 +6,7 @@ pub(crate) mod claims;
 pub(crate) mod consistency;
 mod coverage;
 mod errata;
+mod luck;
 pub(crate) mod premises;
 mod summary;
 

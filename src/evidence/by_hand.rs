@@ -1,20 +1,19 @@
 //! The computation behind a refutation, as one checks it with paper and pencil.
 
-use crate::claim::Quantity;
+use crate::claim::{Paper, Quantity, Table};
 use crate::diagnostic::Diagnostic;
-use crate::evaluation::context::At;
+use crate::evaluation::context::{At, Outcome};
 use crate::evaluation::library::Library;
 use crate::evaluation::settings::Settings;
 use crate::evaluation::table::Evaluator;
-use crate::exact::Rational;
+use crate::exact::{Rational, Rounding};
 use crate::finding::{
-    ByHand, Control, HandCell, HandConstant, LeftOut, PaperAudit, Place, TableFinding,
-    TheoremFinding, Verdict, Violation,
+    ByHand, Control, HandCell, HandConstant, LeftOut, PaperAudit, Place, TheoremFinding, Violation,
 };
 use crate::judge::theorem::{Instance, instance};
 use crate::limit::{ExtremalPolygon, Functional, Limit, LimitWeights, Points};
 use crate::scheme::Mask;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The most refined points that one would compute by hand.
 const MAX_POINTS: usize = 48;
@@ -36,7 +35,7 @@ pub fn by_hand(
     let library = Library::new(audit.paper);
     let mut constants = std::mem::take(&mut instance.constants);
     for constant in &mut constants {
-        constant.cell = printed(audit, &instance, constant, &library)?;
+        constant.cell = printed(audit.paper, &instance, constant, &library)?;
     }
     let mut hand = ByHand {
         constants,
@@ -92,17 +91,18 @@ fn curve(hand: &mut ByHand, mask: &Mask, polygon: &ExtremalPolygon, violation: &
 }
 
 /// The first confirmed cell of the paper that prints a constant: of the same formula, the same
-/// scheme, and the same values of parameters.
+/// scheme, and the same values of parameters. Only cells whose parameters are all stated are
+/// confirmed, so that no table need be judged for it.
 fn printed(
-    audit: &PaperAudit<'_>,
+    paper: &Paper,
     instance: &Instance,
     constant: &HandConstant,
     library: &Library<'_>,
 ) -> Result<Option<HandCell>, Diagnostic> {
-    for finding in &audit.tables {
-        let text = finding.table.value.text.trim();
+    for table in &paper.tables {
+        let text = table.value.text.trim();
         if text == constant.name || text == constant.formula {
-            let found = in_table(audit, finding, (instance, constant), library)?;
+            let found = in_table((paper, table), (instance, constant), library)?;
             if found.is_some() {
                 return Ok(found);
             }
@@ -112,21 +112,24 @@ fn printed(
 }
 
 fn in_table(
-    audit: &PaperAudit<'_>,
-    finding: &TableFinding<'_>,
+    (paper, table): (&Paper, &Table),
     (instance, constant): (&Instance, &HandConstant),
     library: &Library<'_>,
 ) -> Result<Option<HandCell>, Diagnostic> {
-    let judge = Evaluator::new(audit.paper, finding.table, library, &finding.values())?;
+    let judge = Evaluator::new(paper, table, library, &BTreeMap::new())?;
     let (nothing, settings) = (BTreeSet::new(), Settings::default());
     let scheme = instance.resolved.as_ref().map(|scheme| &scheme.instances);
-    for (row, cells) in finding.cells.iter().enumerate() {
+    for (row, cells) in table.cells.iter().enumerate() {
         for (column, cell) in cells.iter().enumerate() {
-            let same = cell.exact.as_ref() == Some(&constant.value);
-            if cell.verdict != Verdict::Confirmed || !same {
+            let Some(printed) = cell.printed() else { continue };
+            if !matches!(
+                printed.decimal.rounding_of(&constant.value),
+                Rounding::Exact | Rounding::Nearest
+            ) {
                 continue;
             }
             let at = At { row, column, assume: &nothing, settings: &settings };
+            let Outcome::Value(value) = judge.evaluate(&table.value, at)? else { continue };
             let Ok(quantities) = judge.quantities(at)? else { continue };
             let of_scheme = quantities.scheme.as_ref().map(|scheme| &scheme.instances) == scheme;
             let headers: Vec<(&str, Rational)> = judge.header_values(at).collect();
@@ -135,11 +138,15 @@ fn in_table(
                 header.map(|(_, value)| value).or_else(|| judge.given.get(name))
             };
             let mut values = instance.values.iter();
-            if of_scheme && values.all(|(name, value)| here(name).is_none_or(|here| here == value))
+            if value == constant.value
+                && of_scheme
+                && values.all(|(name, value)| here(name).is_none_or(|here| here == value))
             {
-                let (id, locus) = (cell.id.clone(), cell.locus.clone());
-                let printed = cell.printed.clone().unwrap_or_default();
-                return Ok(Some(HandCell { id, locus, printed }));
+                return Ok(Some(HandCell {
+                    id: format!("{}:{}:{}:{}", paper.key, table.id, row + 1, column + 1),
+                    locus: judge.locus(row, column),
+                    printed: printed.text.clone(),
+                }));
             }
         }
     }

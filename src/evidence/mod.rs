@@ -5,9 +5,11 @@ mod constants;
 mod promise;
 mod table;
 mod theorem;
+mod working;
 
 pub use by_hand::by_hand;
 pub use constants::{AttainedConstant, Powers, SearchedConstant};
 pub use promise::{PromiseEvidence, promise_evidence};
 pub use table::{Evidence, SoundCell, evidence};
 pub use theorem::theorem_evidence;
+pub use working::working;

@@ -14,6 +14,7 @@ mod recovered;
 mod table;
 mod theorem;
 mod witness;
+mod working;
 
 pub use by_hand::{ByHand, HandCell, HandConstant, LeftOut};
 pub use cell::{AsRead, Assumed, CellFinding, CellKind, Direction, Missing, Slip, Sound, Verdict};
@@ -36,3 +37,4 @@ pub use theorem::{
     TheoremFinding, TheoremVerdict,
 };
 pub use witness::{Attained, Control, Place, Supremum, Unshiftable, Violation};
+pub use working::Working;

@@ -195,10 +195,9 @@ fn binomial<V: Value>(top: &V, bottom: &V) -> Result<V, FormulaErrorKind> {
     if bottom.unsigned_abs() > cap {
         return Err(FormulaErrorKind::TooLarge { what, cap });
     }
-    let factorial: Integer =
-        (1..=bottom).fold(Integer::one(), |product, i| product * Integer::from(i));
     let Some(top) = top.as_rational() else {
         let factor = |i| top.minus(&V::from_rational(&Rational::from(i)));
+        let factorial = product(&(1..=bottom).map(Integer::from).collect::<Vec<_>>());
         let first = V::from_rational(&Rational::new(1, factorial));
         return (0..bottom).try_fold(first, |product, i| multiply(&product, &factor(i)));
     };
@@ -206,10 +205,37 @@ fn binomial<V: Value>(top: &V, bottom: &V) -> Result<V, FormulaErrorKind> {
     if bottom.unsigned_abs().saturating_mul(top.bits() + 14) > MAX_BITS {
         return Err(FormulaErrorKind::TooLarge { what: "the number of bits", cap: MAX_BITS });
     }
-    // With top = p/q the factors are (p − iq)/q: reduced once, at the end.
+    // With top = p/q the factors are (p − iq)/q. Their numerators have no factor in common with q, and
+    // their product is divisible by the part of bottom! that has none either, since for a prime
+    // that does not divide q, binomials of p/q are integers at that prime.
     let (p, q) = (top.numerator(), top.denominator());
-    let (product, scale) = (0..bottom).fold((Integer::one(), factorial), |(product, scale), i| {
-        (product * (&p - &q * Integer::from(i)), scale * &q)
-    });
-    Ok(V::from_rational(&Rational::new(product, scale)))
+    let numerators: Vec<Integer> = (0..bottom).map(|i| &p - &q * Integer::from(i)).collect();
+    let (mut without, mut with) = (Vec::new(), Vec::new());
+    for i in (1..=bottom).map(Integer::from) {
+        let mut rest = i.clone();
+        loop {
+            let common = rest.gcd(&q);
+            if common == Integer::one() {
+                break;
+            }
+            rest = rest.div_floor(&common);
+        }
+        with.push(i.div_floor(&rest));
+        without.push(rest);
+    }
+    let numerator = product(&numerators).div_floor(&product(&without));
+    let scale = u32::try_from(bottom).map(|bottom| q.pow(bottom)).expect("at most the cap");
+    Ok(V::from_rational(&Rational::new(numerator, product(&with) * scale)))
+}
+
+/// The product of these numbers, small ones by small ones first.
+fn product(factors: &[Integer]) -> Integer {
+    match factors {
+        [] => Integer::one(),
+        [one] => one.clone(),
+        _ => {
+            let (left, right) = factors.split_at(factors.len() / 2);
+            product(left) * product(right)
+        }
+    }
 }

@@ -202,7 +202,8 @@ impl Evaluator<'_> {
         Ok(finding)
     }
 
-    fn locus(&self, row: usize, column: usize) -> String {
+    /// Where a cell stands, in words.
+    pub(crate) fn locus(&self, row: usize, column: usize) -> String {
         let headers = self.headers(row, column);
         let headers: Vec<String> =
             headers.map(|(axis, entry)| format!("{} = {}", axis.label, entry.printed)).collect();

@@ -37,6 +37,8 @@ pub struct NaturalShift {
     /// Whether the scheme takes lines to lines; then s is the only shift with which it reproduces
     /// them. Otherwise s is near the centre of mass of its basic limit function.
     pub keeps_lines: bool,
+    /// s_α, the shift with which rule α alone takes lines to lines.
+    pub of_rules: Vec<Rational>,
 }
 
 /// Where lines are not kept, s is rounded to a multiple of 1/((n − 1)n^m), n^m at least this: its digits
@@ -72,12 +74,12 @@ pub fn natural_shift(mask: &Mask) -> NaturalShift {
     };
     let shifts: Vec<Rational> = mask.rules().rows().iter().enumerate().map(shift).collect();
     let keeps_lines = shifts.iter().all(|shift| *shift == shifts[0]);
-    let mean = shifts.into_iter().sum::<Rational>() / &n;
+    let mean = shifts.iter().sum::<Rational>() / &n;
     if keeps_lines {
-        return NaturalShift { shift: mean, keeps_lines };
+        return NaturalShift { shift: mean, keeps_lines, of_rules: shifts };
     }
     let power = mask.arity().pow(PARTS.ilog(mask.arity()) + 1);
     let parts = Rational::from(power) * (&n - Rational::one());
     let nearest = (mean * &parts + Rational::new(1, 2)).floor();
-    NaturalShift { shift: Rational::from(nearest) / parts, keeps_lines }
+    NaturalShift { shift: Rational::from(nearest) / parts, keeps_lines, of_rules: shifts }
 }

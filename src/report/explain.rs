@@ -10,28 +10,40 @@ use super::reading;
 use super::sheet::Sheet;
 use super::theorem;
 use super::tried;
+use super::working;
 use crate::audit::{
     ByHand, CellFinding, EquationVerdict, Explanation, Failure, PaperAudit, Sound, TableFinding,
-    Verdict,
+    Verdict, Working,
 };
 use crate::claim::{EquationBody, Table};
 use crate::exact::format::short;
 
+/// What is computed of a claim beyond the audit, to explain it.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Background<'e> {
+    /// The readings of its table, from [`crate::audit::readings`]; none where it is in none.
+    pub readings: &'e [Explanation],
+    /// What [`crate::audit::by_hand`] says of a theorem.
+    pub by_hand: Option<&'e ByHand>,
+    /// What [`crate::audit::working`] says of a cell.
+    pub working: Option<&'e Working>,
+}
+
 /// The claim, table or equation of this id (`key:table-1`, `key:table-1:2:3`,
 /// `key:eq-3.8`, `key:range-1`, `key:theorem-1`) in full; `None` when there is none.
-/// `readings` are those of the table, from [`crate::audit::readings`]; with `all`, every
-/// one is shown. `hand` is what [`crate::audit::by_hand`] says of a theorem.
+/// With `all`, every reading
+/// one is shown.
 #[must_use]
 pub fn explain_sheet(
     audits: &[PaperAudit<'_>],
     id: &str,
-    readings: &[Explanation],
-    hand: Option<&ByHand>,
+    background: Background<'_>,
     all: bool,
 ) -> Option<Sheet> {
+    let Background { readings, by_hand, working } = background;
     let (key, rest) = id.split_once(':')?;
     let audit = audits.iter().find(|audit| audit.paper.key == key)?;
-    let other = function::explain(audit, id).or_else(|| theorem::explain(audit, id, hand));
+    let other = function::explain(audit, id).or_else(|| theorem::explain(audit, id, by_hand));
     if let Some(sheet) = other {
         return Some(sheet);
     }
@@ -75,7 +87,13 @@ pub fn explain_sheet(
     sheet.text(finding.table.title.clone());
     let place = place_of(id);
     let scheme = place.and_then(|place| headers::scheme_at(finding.table, place));
-    definition(&mut sheet, audit, finding, scheme);
+    match working {
+        Some(working) => {
+            let facts = working::facts(audit, finding, scheme, working);
+            sheet.facts(facts);
+        }
+        None => definition(&mut sheet, audit, finding, scheme),
+    }
     sheet.facts(facts(cell));
     let at = cell_place(finding.table, id);
     if at.is_some() {
@@ -132,15 +150,20 @@ fn facts(cell: &CellFinding) -> Vec<(String, String)> {
         fact("note", note.clone());
     }
     if let Some(exact) = &cell.exact {
-        fact("exact", exact.to_string());
-        fact("decimal", short(exact, 17));
+        let (text, decimal) = (exact.to_string(), short(exact, 17));
+        fact("exact", text.clone());
+        if text != decimal {
+            fact("decimal", decimal);
+        }
     }
     if let Some(why) = &cell.undefined {
         fact("exact", format!("none: {why}"));
     }
     if let Some(read) = &cell.as_read {
         fact("read otherwise", read.differs());
-        fact("exact, as read", format!("{} = {}", read.value, short(&read.value, 17)));
+        let (text, decimal) = (read.value.to_string(), short(&read.value, 17));
+        let value = if text == decimal { text } else { format!("{text} = {decimal}") };
+        fact("exact, as read", value);
     }
     if !cell.assumed.is_empty() {
         fact("computed at", format!("{}, which the paper does not state", assumed(cell)));

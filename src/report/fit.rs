@@ -2,6 +2,8 @@
 
 use super::parts::is_mark;
 use super::sheet::Grid;
+use crate::diagnostic::wrap::fill;
+pub(super) use crate::diagnostic::wrap::{width_of, wrapped};
 
 /// How many characters stand around the texts of a column, with one to the next column.
 const AROUND: usize = 3;
@@ -15,40 +17,6 @@ pub(super) enum Fitted {
     Tables(Vec<Grid>),
     /// As records: of each row its first text, and the others with their headers.
     Records(Vec<(String, Vec<(String, String)>)>),
-}
-
-/// How many characters a text takes in a line.
-pub(super) fn width_of(text: &str) -> usize {
-    text.chars().count()
-}
-
-/// The text in lines of at most `width` characters, all but the first indented by `indent`, which
-/// counts in every line. A longer word has a line of its own; with `cut`, it is cut.
-pub(super) fn wrapped(text: &str, width: usize, indent: usize, cut: bool) -> Vec<String> {
-    let width = width.saturating_sub(indent).max(1);
-    text.split('\n').flat_map(|paragraph| fill(paragraph.split(' '), width, cut)).collect()
-}
-
-/// These words in lines.
-fn fill<'t>(words: impl Iterator<Item = &'t str>, width: usize, cut: bool) -> Vec<String> {
-    let mut lines = Vec::new();
-    let mut line = String::new();
-    for word in words {
-        if !line.is_empty() && width_of(&line) + 1 + width_of(word) > width {
-            lines.push(std::mem::take(&mut line));
-        }
-        if !line.is_empty() {
-            line.push(' ');
-        }
-        line.push_str(word);
-        while cut && width_of(&line) > width {
-            let at = line.char_indices().nth(width).map_or(line.len(), |(at, _)| at);
-            let rest = line.split_off(at);
-            lines.push(std::mem::replace(&mut line, rest));
-        }
-    }
-    lines.push(line);
-    lines
 }
 
 /// The words of a line of a cell: a mark stays with what it is about, before or after it.

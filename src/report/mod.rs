@@ -26,11 +26,12 @@ mod text;
 mod theorem;
 mod tried;
 mod witness;
+mod working;
 
 pub use audit::{audit_sheet, table_values};
 pub use coverage::coverage_sheet;
 pub use errata::errata_sheet;
-pub use explain::{explain_sheet, table_of};
+pub use explain::{Background, explain_sheet, table_of};
 pub use overview::overview_sheet;
 pub use parts::mark;
 pub use sheet::{Block, Grid, Sheet};

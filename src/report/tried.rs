@@ -5,13 +5,23 @@ use super::sheet::{Grid, Sheet};
 use crate::audit::{Explanation, TableFinding};
 use crate::exact::format::short;
 
+/// What the order of the readings is.
+const ORDER: &str = "The readings that explain most cells of the table come first.";
+
+/// What [`LUCK`] means.
+const ON_LUCK: &str = "✓ luck: the reading gives this cell, but no more of the others than \
+                       unrelated numbers would.";
+
 /// How many readings are shown without `--all`.
 const MAX_SHOWN: usize = 10;
+
+/// What stands beside a value that a reading gives by luck.
+const LUCK: &str = " luck";
 
 /// The place of a cell: row and column, counted from 0.
 pub(super) type Place = (usize, usize);
 
-/// The readings in order: of a cell, those that explain it first, and before all others
+/// The readings in order: those that explain most cells first, and of a cell, before all others
 /// that of its row or column.
 pub(super) fn in_order<'r>(
     finding: &'r TableFinding<'_>,
@@ -23,7 +33,6 @@ pub(super) fn in_order<'r>(
         let lines = finding.searches().flat_map(|search| &search.lines);
         let own = lines.map(|line| &line.best).filter(|best| best.explained[row][column]);
         readings.splice(0..0, own);
-        readings.sort_by_key(|reading| !reading.explained[row][column]);
     }
     readings
 }
@@ -40,6 +49,12 @@ pub(super) fn section(
         return;
     }
     sheet.heading(2, "Readings tried");
+    let values = readings.iter().flat_map(|reading| reading.values.iter().flatten());
+    if values.flatten().next().is_none() {
+        let count = readings.len();
+        sheet.text(format!("None of {count} readings gives a value for any of these cells."));
+        return;
+    }
     let readings = in_order(finding, readings, at);
     let shown = if all { readings.len() } else { MAX_SHOWN };
     let row = |reading: &&Explanation| {
@@ -52,7 +67,8 @@ pub(super) fn section(
             let name = if reading.explained[row_place][column] { "confirmed" } else { "refuted" };
             let value = reading.values[row_place][column].as_ref();
             let value = value.map_or_else(|| "no value".to_owned(), |value| short(value, 12));
-            row.push(format!("{value} {}", mark(name)));
+            let luck = if finding.is_by_luck(reading, (row_place, column)) { LUCK } else { "" };
+            row.push(format!("{value} {}{luck}", mark(name)));
         }
         row.push(reading.count().to_string());
         row
@@ -61,6 +77,10 @@ pub(super) fn section(
         None => vec!["reading", "cells explained"],
         Some(_) => vec!["reading", "value here", "cells explained"],
     };
+    sheet.text(ORDER);
+    if at.is_some_and(|at| readings.iter().take(shown).any(|one| finding.is_by_luck(one, at))) {
+        sheet.text(ON_LUCK);
+    }
     sheet.grid(Grid {
         header: header.into_iter().map(str::to_owned).collect(),
         rows: readings.iter().take(shown).map(row).collect(),

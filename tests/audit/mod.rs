@@ -2,5 +2,6 @@
 
 mod by_hand;
 mod ledger;
+mod one_claim;
 mod papers;
 mod soundness;

@@ -1,30 +1,18 @@
 //! Verdicts: on the embedded papers against values found by other means, and on
 //! small papers made for the purpose.
 
+use crate::common::claims::{judged, paper};
+use crate::common::r;
 use subcert::audit::{
     CellFinding, Control, Direction, EquationVerdict, Kept, Missing, PaperAudit, Slip, Sound,
     Verdict, audit,
 };
-use subcert::claim::{Paper, embedded, embedded_papers, read_paper};
+use subcert::claim::{embedded, embedded_papers, read_paper};
 use subcert::diagnostic::SourceText;
 use subcert::exact::{Rational, RealCyclotomic, parse_decimal};
 
-fn q(p: i64, q: i64) -> Rational {
-    Rational::new(p, q)
-}
-
 fn exact(p: i64, q: i64) -> RealCyclotomic {
     Rational::new(p, q).into()
-}
-
-fn paper(text: &str) -> Paper {
-    let head = "key = 'k'\n[paper]\nauthors = ['A']\ntitle = 't'\nvenue = 'v'\nyear = '1'\n";
-    read_paper(&SourceText::new("k.toml", format!("{head}{text}")))
-        .unwrap_or_else(|error| panic!("{error}"))
-}
-
-fn judged(paper: &Paper) -> PaperAudit<'_> {
-    audit(paper).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// The verdicts on printed numbers said to equal x, the values of the header.
@@ -154,7 +142,7 @@ fn cells_of_the_papers() {
     assert_eq!(four_point.as_read.map(|read| read.value), Some(exact(21, 880)));
     // σ = Σ|τ| = 87/64, T_1 = 21/32: 87/64 · 1/100 · (21/32)/(1 − 21/32), or less.
     let Some(Sound::Bound(sound)) = &four_point.sound else { panic!("{:?}", four_point.sound) };
-    assert!(*sound <= q(87 * 21, 64 * 100 * 11) && *sound > q(1, 80), "{sound}");
+    assert!(*sound <= r(87 * 21, 64 * 100 * 11) && *sound > r(1, 80), "{sound}");
     assert_eq!(cell("khan2019-newton:table-1:1:4").verdict, Verdict::Confirmed);
     assert_eq!(cell("khan2019-newton:table-3:1:1").verdict, Verdict::OtherReading);
     let quinary = cell("mustafa2020-nary:table-13:1:4");
@@ -169,17 +157,17 @@ fn cells_of_the_papers() {
     let depth = cell("mustafa2020-nary:table-2:1:1");
     assert_eq!(depth.printed.as_deref(), Some("11"));
     assert_eq!(depth.verdict, Verdict::Reproduced);
-    assert_eq!(depth.assumed, [("tau".to_owned(), q(1, 10)), ("w".to_owned(), q(39, 2000))]);
+    assert_eq!(depth.assumed, [("tau".to_owned(), r(1, 10)), ("w".to_owned(), r(39, 2000))]);
     assert_eq!(depth.exact, Some(exact(12, 1)));
     assert_eq!(depth.verdict_if_assumed, None);
     let differs = depth.as_read.map(|read| read.differs()).expect("a reading");
     assert!(differs.starts_with("depths rounded to the nearest"), "{differs}");
     // n = 5 and c = 1 by hand, from the weights 1/2, near, far, far, near of a rule.
     let weight = |j| {
-        let cosine = RealCyclotomic::cosine(&q(j, 5)).expect("a small conductor");
-        &RealCyclotomic::from(q(3, 20)) + &(&RealCyclotomic::from(q(1, 10)) * &cosine)
+        let cosine = RealCyclotomic::cosine(&r(j, 5)).expect("a small conductor");
+        &RealCyclotomic::from(r(3, 20)) + &(&RealCyclotomic::from(r(1, 10)) * &cosine)
     };
-    let (half, near, far) = (RealCyclotomic::from(q(1, 2)), weight(1), weight(2));
+    let (half, near, far) = (RealCyclotomic::from(r(1, 2)), weight(1), weight(2));
     let g = [&half - &near, RealCyclotomic::from(0), &far - &near, &far - &near];
     let h = [&near - &half, &far - &half, &far - &half, &near - &half];
     let largest = |t: &[RealCyclotomic; 4]| {

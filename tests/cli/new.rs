@@ -23,6 +23,26 @@ fn the_template_audits_cleanly() {
     subcert(coverage).stdin(text.as_str()).assert().success();
 }
 
+/// What stands in comments as further tables is true too, with the value that is not stated found.
+#[test]
+fn the_commented_tables_of_the_template_audit_cleanly() {
+    let mut within = false;
+    let uncommented = |line: &str| {
+        within = line == "# [[table]]" || (within && line.starts_with('#'));
+        let text = line.strip_prefix("# ").or(line.strip_prefix('#'));
+        text.filter(|_| within).unwrap_or(line).to_owned() + "\n"
+    };
+    let text: String = written(["new", "roe-1", "-o", "-"]).lines().map(uncommented).collect();
+    let audit = ["audit", "-", "--certified", "--format", "json", "--deny", EVERY_FAULT];
+    let assert = subcert(audit).stdin(text.as_str()).assert().success();
+    let json: serde_json::Value =
+        serde_json::from_slice(&assert.get_output().stdout).expect("JSON");
+    let claims = json["papers"][0]["claims"].as_array().expect("claims");
+    let count = |verdict: &str| claims.iter().filter(|claim| claim["verdict"] == verdict).count();
+    assert_eq!((count("confirmed"), count("reproduced")), (9, 3));
+    assert!(claims.iter().all(|claim| claim["certified"] == true), "{claims:?}");
+}
+
 #[test]
 fn a_file_that_is_there_stays() {
     let folder = std::env::temp_dir().join(format!("subcert-{}-new", std::process::id()));

@@ -1,4 +1,4 @@
-//! Schemes of files that state no offset.
+//! Schemes of files that state no offset, or have a wrong coefficient.
 
 use super::{TemporaryFile, written};
 
@@ -41,5 +41,25 @@ fn the_best_offset_needs_no_words() {
     let file = TemporaryFile::new("best.toml", best);
     for text in answers(&file) {
         assert!(!text.contains("states no offset"), "{text}");
+    }
+}
+
+/// The cubic B-spline, one coefficient moved: both rules sum to 1, but they differ by 1/4 in how they move lines.
+#[test]
+fn a_mask_that_does_not_keep_lines_is_named() {
+    let rules = |first: &str| format!("name = 'm'\nmask = [{first}, ['0', '1/2', '1/2']]\n");
+    for (first, warns) in [("['1/8', '3/4', '1/8']", false), ("['2/8', '5/8', '1/8']", true)] {
+        let file = TemporaryFile::new("lines.toml", &rules(first));
+        for scheme in [file.path().to_owned(), format!("b-spline:degree=1 x {}", file.path())] {
+            let text = written(["constants", &scheme]);
+            let flat = text.split_whitespace().collect::<Vec<_>>().join(" ");
+            let named =
+                flat.contains("Lines are not kept") && flat.contains("rule to rule: -1.75, -2.");
+            assert_eq!(named, warns, "{flat}");
+            let json = written(["constants", &scheme, "--format", "json"]);
+            let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+            let directions = json["directions"].as_array().expect("directions");
+            assert_eq!(directions.last().expect("one")["keeps_lines"], !warns);
+        }
     }
 }

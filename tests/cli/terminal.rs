@@ -49,6 +49,41 @@ fn narrow_tables_lose_nothing() {
     }
 }
 
+/// Lines of the source, which stand behind `|`, and words that are longer stay as they are.
+#[test]
+fn errors_are_no_wider_than_the_terminal() {
+    let commands: [(&[&str], &str); 3] = [
+        (&["depth", "chaikin", "--tolerance", "0"], "--tolerance must be positive, and is 0"),
+        (&["explain", "khan2019-newton:table-1:9:99"], "a row from 1 to 3 and a column from 1 to"),
+        (&["audit", "-"], "unknown field `colums`, expected one of"),
+    ];
+    for (arguments, said) in commands {
+        let command = subcert(arguments.iter().copied()).env("COLUMNS", "60");
+        let assert = command.stdin("key = 'k'\n[[table]]\ncolums = 1\n").assert().code(2);
+        let message = String::from_utf8_lossy(&assert.get_output().stderr).into_owned();
+        let flat = message.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(flat.contains(said), "{message}");
+        for line in message.lines().filter(|line| !line.contains('|')) {
+            assert!(line.chars().count() <= 60, "{line}");
+        }
+    }
+}
+
+/// A negative number is out of range, and no option.
+#[test]
+fn negative_numbers_are_told_the_range() {
+    for (arguments, range) in [
+        (["oracle", "chaikin", "--seed", "-1"], "from 0 to 2^64 − 1"),
+        (["oracle", "chaikin", "--points", "-1"], "from 0 on"),
+        (["oracle", "chaikin", "--level", "-1"], "-1 is not in 0..="),
+        (["constants", "chaikin", "-c", "-1"], "-1 is not in 1..=256"),
+    ] {
+        let assert = subcert(arguments).assert().code(2);
+        let message = String::from_utf8_lossy(&assert.get_output().stderr).into_owned();
+        assert!(message.contains(range) && !message.contains("unexpected"), "{message}");
+    }
+}
+
 #[test]
 fn a_long_audit_ends_as_it_begins() {
     let short = written(["audit", "examples/my-paper.toml"]);

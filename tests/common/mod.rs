@@ -2,6 +2,8 @@
 
 #![allow(dead_code, reason = "each test crate uses its part")]
 
+pub mod claims;
+
 use proptest::prelude::*;
 use subcert::exact::Rational;
 use subcert::scheme::{LocalRules, Mask, Orbit, Rules, Scheme, parse_local_rules, parse_scheme};

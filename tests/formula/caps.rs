@@ -1,6 +1,7 @@
 //! Every cap: what is just below it works, what is just above it is refused.
 
 use super::{kind, r, value, value_in};
+use proptest::prelude::*;
 use subcert::exact::{Integer, Polynomial, Rational};
 use subcert::formula::{FormulaErrorKind, MAX_FORMULA_LENGTH, MAX_NESTING, Parameters, parse};
 
@@ -79,6 +80,16 @@ fn binomials() {
         assert!(is_too_large(text), "{text}");
     }
     assert_eq!(value("binomial(5, -2^30)"), Ok(r(0, 1)));
+}
+
+proptest! {
+    /// C(p/q, k) = Π (p/q − i)/(i + 1), factor by factor.
+    #[test]
+    fn binomials_of_fractions(p in -60..60_i64, q in 1..40_i64, k in 0..24_i64) {
+        let factor = |i: i64| (r(p, q) - r(i, 1)) / r(i + 1, 1);
+        let product = (0..k).fold(r(1, 1), |product, i| product * factor(i));
+        prop_assert_eq!(value(&format!("binomial(({p})/{q}, {k})")), Ok(product));
+    }
 }
 
 #[test]

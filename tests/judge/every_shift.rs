@@ -1,29 +1,18 @@
 //! Theorems in every shift of the parameter: the data against a naive refinement at many shifts, and
 //! theorems whose answer is known.
 
-use subcert::audit::{EveryShift, Naturally, Refutation, Unshiftable, audit};
-use subcert::claim::{Paper, Quantity, embedded, read_paper};
-use subcert::diagnostic::SourceText;
+use crate::common::claims::{judged, paper, theorem, without_tables};
+use crate::common::r;
+use subcert::audit::{EveryShift, Naturally, Refutation, Unshiftable};
+use subcert::claim::{Quantity, embedded};
 use subcert::exact::{Rational, RealCyclotomic};
 use subcert::limit::{ExtremalPolygon, Overshoot, Shown};
 use subcert::scheme::{Mask, parse_scheme};
 
-fn q(p: i64, q: i64) -> Rational {
-    Rational::new(p, q)
-}
-
-fn paper(text: &str) -> Paper {
-    let head = "key = 'k'\n[paper]\nauthors = ['A']\ntitle = 't'\nvenue = 'v'\nyear = '1'\n";
-    read_paper(&SourceText::new("k.toml", format!("{head}{text}")))
-        .unwrap_or_else(|error| panic!("{error}"))
-}
-
 /// The refutation of a theorem.
 fn of(fields: &str) -> Refutation {
-    let text = format!("[[theorem]]\nid = 't'\nlocus = 'T'\ntitle = 't'\n{fields}\n");
-    let paper = paper(&text);
-    let audit = audit(&paper).unwrap_or_else(|error| panic!("{error}"));
-    audit.theorems[0].refutation.clone().expect("it is refuted")
+    let paper = paper(&theorem(fields));
+    judged(&paper).theorems[0].refutation.clone().expect("it is refuted")
 }
 
 fn data(refutation: &Refutation) -> &Unshiftable {
@@ -113,7 +102,7 @@ fn check(case: &str, offset: Option<i64>, data: &Unshiftable) {
     assert_eq!(*found, sum(*level), "{case}");
     // The limit is as near as 1/1000 to the points some levels later, in all these cases.
     let deep = level + if masks[0].arity() == 2 { 5 } else { 3 };
-    let near = q(1, 1000);
+    let near = r(1, 1000);
     match shown {
         Shown::Points => assert_eq!(*later, sum(level + 1), "{case}"),
         Shown::AtMost(levels) => {
@@ -146,7 +135,7 @@ fn check(case: &str, offset: Option<i64>, data: &Unshiftable) {
         (Rational::one() - &part) * at(i) + part * at(i + 1)
     };
     for shift in -12..=12 {
-        let shift = q(shift, 4);
+        let shift = r(shift, 4);
         // x^k_i at i + s, and the finer points at (j + s')/n^m, s' the natural shift of limits.
         let own = match quantity {
             Quantity::Step => shift.clone(),
@@ -169,9 +158,8 @@ fn check(case: &str, offset: Option<i64>, data: &Unshiftable) {
 fn what_survives_every_shift_in_the_papers() {
     let mut counts = [0; 3];
     for found in embedded() {
-        let mut paper = read_paper(&SourceText::new(found.key, found.text)).expect("a claim file");
-        paper.tables.clear();
-        let audit = audit(&paper).unwrap_or_else(|error| panic!("{error}"));
+        let paper = without_tables(found.key);
+        let audit = judged(&paper);
         for theorem in &audit.theorems {
             let Some(refutation) = &theorem.refutation else { continue };
             match &refutation.every_shift {
@@ -202,7 +190,7 @@ fn a_polygon_above_its_limit() {
     let data = data(&found);
     assert_eq!(found.natural, None);
     assert!(matches!(data.overshoot.shown, Shown::AtMost(_)));
-    assert!(data.overshoot.gap() <= q(1, 3) && data.overshoot.gap() > q(1, 4));
+    assert!(data.overshoot.gap() <= r(1, 3) && data.overshoot.gap() > r(1, 4));
     check("b-spline:degree=3", None, data);
     // No data have more than 1/3.
     let fields = fields.replace("beta/4", "beta/3 - beta/10000");

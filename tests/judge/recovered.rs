@@ -31,6 +31,41 @@ fn table(id: &str, value: &str, unstated: &str, x: &[&str], cells: &[&str]) -> S
     )
 }
 
+/// With T = 1/2 and σ = 1/4 the depth at ε is ⌈log_2(τ/(2ε))⌉, and 0 at τ ≤ 2ε: at τ = 1/5 these
+/// depths. Every τ up to 1/10 fits the zeros of the other table, and 0 is no spread.
+#[test]
+fn depths_of_no_level_bound_the_spread_from_above_alone() {
+    let table = |id: &str, epsilon: &[&str], cells: &[&str]| {
+        let list = |texts: &[&str]| format!("['{}']", texts.join("', '"));
+        format!(
+            "[[table]]\nid = '{id}'\nlocus = '{id}'\nscheme = 'chaikin'\n\
+             value = 'levels(contraction(1), epsilon*(1 - contraction(1))/(displacement()*tau))'\n\
+             unstated = ['tau']\npromise = {{ tolerance = 'epsilon', spread = 'tau' }}\n\
+             columns = {{ name = 'epsilon', values = {} }}\ncells = [{}]\n",
+            list(epsilon),
+            list(cells)
+        )
+    };
+    let epsilon = [
+        "0.1", "0.05", "0.01", "3e-3", "3e-4", "3e-5", "3e-6", "3e-7", "3e-8", "7e-3", "7e-4",
+        "7e-5", "7e-6", "7e-7", "7e-8", "1e-3", "1e-4", "1e-5", "1e-6", "1e-7", "1e-8",
+    ];
+    let depths = [
+        "0", "1", "4", "6", "9", "12", "16", "19", "22", "4", "8", "11", "14", "18", "21", "7",
+        "10", "14", "17", "20", "24",
+    ];
+    let paper = paper(&table("mixed", &epsilon, &depths));
+    let audit = judged(&paper);
+    assert_eq!(verdicts(&audit, 0), ["reproduced"; 21]);
+    let tau = &audit.tables[0].recovered["tau"].value;
+    // 2·3e-8·2^21 = 0.12582912, and of the others 2·3e-6·2^15 = 0.196608 is the greatest lower bound.
+    assert!(*tau > Rational::new(196_608, 1_000_000) && *tau <= Rational::new(1, 5), "{tau}");
+    let paper = crate::judge::recovered::paper(&table("zeros", &epsilon[..3], &["0", "0", "0"]));
+    let zeros = judged(&paper);
+    let spreads = zeros.tables[0].recovered.values().map(|recovered| recovered.value.sign());
+    assert!(spreads.into_iter().all(|sign| sign > 0));
+}
+
 fn verdicts(audit: &PaperAudit<'_>, table: usize) -> Vec<&'static str> {
     audit.tables[table].cells.iter().flatten().map(|cell| cell.verdict.name()).collect()
 }

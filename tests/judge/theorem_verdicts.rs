@@ -1,42 +1,17 @@
 //! Verdicts of theorems: witnesses against a naive refinement, and bounds that are known
 //! to be true or false.
 
+use crate::common::claims::{judged, paper, theorem, without_tables};
+use crate::common::r;
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 use subcert::audit::{
-    Control, Correction, Outcome, PaperAudit, Place, Refutation, TheoremFinding, TheoremVerdict,
-    audit,
+    Control, Correction, Outcome, Place, Refutation, TheoremFinding, TheoremVerdict,
 };
 use subcert::bound::{Constants, SoundBound};
-use subcert::claim::{Paper, Quantity, embedded, read_paper};
-use subcert::diagnostic::SourceText;
+use subcert::claim::Quantity;
 use subcert::exact::{Rational, RealCyclotomic};
 use subcert::scheme::{Mask, parse_local_rules, parse_scheme};
-
-fn q(p: i64, q: i64) -> Rational {
-    Rational::new(p, q)
-}
-
-fn paper(text: &str) -> Paper {
-    let head = "key = 'k'\n[paper]\nauthors = ['A']\ntitle = 't'\nvenue = 'v'\nyear = '1'\n";
-    read_paper(&SourceText::new("k.toml", format!("{head}{text}")))
-        .unwrap_or_else(|error| panic!("{error}"))
-}
-
-fn judged(paper: &Paper) -> PaperAudit<'_> {
-    audit(paper).unwrap_or_else(|error| panic!("{error}"))
-}
-
-fn theorem(fields: &str) -> String {
-    format!("[[theorem]]\nid = 't'\nlocus = 'T'\n{fields}\n")
-}
-
-fn of(key: &str) -> Paper {
-    let found = embedded().iter().find(|paper| paper.key == key).expect("an embedded paper");
-    let mut paper = read_paper(&SourceText::new(found.key, found.text)).expect("a claim file");
-    paper.tables.clear();
-    paper
-}
 
 /// A control polygon that stays where its ends are, refined point by point.
 struct Naive<'a> {
@@ -155,7 +130,7 @@ fn check_face(finding: &TheoremFinding<'_>, refutation: &Refutation) {
 fn witnesses_stand_a_naive_refinement() {
     let (mut curves, mut rings) = (0, 0);
     for key in ["mustafa2007-bajaj", "khan2019-newton", "khan2022-doo-sabin", "mustafa2020-nary"] {
-        let paper = of(key);
+        let paper = without_tables(key);
         for finding in &judged(&paper).theorems {
             let Some(refutation) = &finding.refutation else { continue };
             match &refutation.violation.attained.control {
@@ -179,15 +154,15 @@ fn witnesses_stand_a_naive_refinement() {
 /// 1 − 193/625, which is 125/144.
 #[test]
 fn the_exponent_of_mustafa_2020() {
-    let paper = of("mustafa2020-nary");
+    let paper = without_tables("mustafa2020-nary");
     let audit = judged(&paper);
     let finding = audit.theorems.iter().find(|finding| finding.theorem.id == "theorem-5").unwrap();
     let refutation = finding.refutation.as_ref().unwrap();
     assert_eq!(refutation.case, "quinary-three-point, c = 2");
     let Control::Polygon(polygon) = &refutation.violation.attained.control else { panic!() };
     assert_eq!((polygon.first, &polygon.points[..]), (0, &[0, 1, 0][..]));
-    assert_eq!(refutation.violation.attained.value, q(15, 16).into());
-    assert_eq!(refutation.violation.bound, q(125, 144).into());
+    assert_eq!(refutation.violation.attained.value, r(15, 16).into());
+    assert_eq!(refutation.violation.bound, r(125, 144).into());
     // No single correction saves it; the exponent and the steps of a block together do.
     assert!(finding.repairs.iter().all(|repair| repair.corrections.len() >= 2));
     let proved = |repair: &&subcert::audit::Repair| {

@@ -34,7 +34,7 @@ pub(in crate::cli) struct RefineArguments {
     #[arg(long, value_name = "FILE")]
     pub(in crate::cli) mesh: PathBuf,
     /// How many times it is refined
-    #[arg(long, value_name = "K", default_value_t = 1)]
+    #[arg(long, value_name = "K", default_value_t = 1, allow_negative_numbers = true)]
     pub(in crate::cli) level: u32,
     #[command(flatten)]
     pub(in crate::cli) output: MeshOutput,
@@ -49,7 +49,7 @@ pub(in crate::cli) struct LimitArguments {
     #[arg(long, value_name = "FILE")]
     pub(in crate::cli) mesh: PathBuf,
     /// How many times it is refined before
-    #[arg(long, value_name = "K", default_value_t = 0)]
+    #[arg(long, value_name = "K", default_value_t = 0, allow_negative_numbers = true)]
     pub(in crate::cli) level: u32,
     #[command(flatten)]
     pub(in crate::cli) output: MeshOutput,

@@ -4,11 +4,21 @@ use super::{Output, TableOutput};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
+/// A seed.
+fn seed(text: &str) -> Result<u64, String> {
+    text.parse().map_err(|_| "a seed is a whole number from 0 to 2^64 − 1".to_owned())
+}
+
+/// How many there are of something.
+fn count(text: &str) -> Result<usize, String> {
+    text.parse().map_err(|_| "this is no whole number from 0 on".to_owned())
+}
+
 /// How many levels at a time.
 #[derive(Debug, Args)]
 pub(in crate::cli) struct Block {
-    /// The greatest number of levels c
-    #[arg(short = 'c', long = "levels", value_name = "MAX", default_value_t = 4,
+    /// The greatest number of levels c, up to 24
+    #[arg(short = 'c', long = "levels", value_name = "MAX", default_value_t = 4, allow_negative_numbers = true,
           value_parser = clap::value_parser!(u32).range(1..=24))]
     pub(in crate::cli) levels: u32,
 }
@@ -16,8 +26,8 @@ pub(in crate::cli) struct Block {
 /// How many levels at a time, where branch and bound finds the constants.
 #[derive(Debug, Args)]
 pub(in crate::cli) struct DeepBlock {
-    /// The greatest number of levels c
-    #[arg(short = 'c', long = "levels", value_name = "MAX", default_value_t = 4,
+    /// The greatest number of levels c, up to 256
+    #[arg(short = 'c', long = "levels", value_name = "MAX", default_value_t = 4, allow_negative_numbers = true,
           value_parser = clap::value_parser!(u32).range(1..=256))]
     pub(in crate::cli) levels: u32,
 }
@@ -125,7 +135,7 @@ pub(in crate::cli) struct OracleArguments {
     #[arg(value_name = "SCHEME")]
     pub(in crate::cli) scheme: String,
     /// How many times the control polygon is refined
-    #[arg(long, value_name = "K", default_value_t = 2)]
+    #[arg(long, value_name = "K", default_value_t = 2, allow_negative_numbers = true)]
     pub(in crate::cli) level: u32,
     #[command(flatten)]
     pub(in crate::cli) block: Block,
@@ -138,12 +148,13 @@ pub(in crate::cli) struct OracleArguments {
     /// normals, as JSON
     #[arg(long, value_name = "FILE", conflicts_with_all = ["polygon", "seed", "points", "boundary"])]
     pub(in crate::cli) mesh: Option<PathBuf>,
-    /// The seed of a control polygon of small integers
-    #[arg(long, value_name = "S", default_value_t = 1)]
+    /// The seed of a control polygon of small integers, from 0 to 2^64 − 1
+    #[arg(long, value_name = "S", default_value_t = 1, allow_negative_numbers = true,
+          value_parser = seed)]
     pub(in crate::cli) seed: u64,
     /// How many points that polygon has; a surface, in each direction; not of a ring
     /// [default: 8]
-    #[arg(long, value_name = "M")]
+    #[arg(long, value_name = "M", allow_negative_numbers = true, value_parser = count)]
     pub(in crate::cli) points: Option<usize>,
     /// What happens at the ends; not of a ring [default: closed]
     #[arg(long, value_enum)]

@@ -37,6 +37,8 @@ pub struct Direction<'a> {
     pub delta: Delta,
     /// σ at several offsets.
     pub displacement: Vec<Displacement<'a>>,
+    /// Whether the mask takes lines to lines, with some shift of the parameter.
+    pub keeps_lines: bool,
     /// T_c and Λ_c for c = 1, 2, …
     pub levels: Vec<Level>,
 }

@@ -2,7 +2,6 @@
 
 use crate::claim::Statement;
 use crate::digest::errata::{CellErratum, Subject};
-use crate::digest::summary::Standing;
 use crate::exact::RealCyclotomic;
 use crate::finding::{CellFinding, PaperAudit, TheoremFinding};
 use crate::formula::LocatedFormula;
@@ -53,7 +52,7 @@ impl<'a> PaperAudit<'a> {
                 let count = |is: &dyn Fn(&CellFinding) -> bool| {
                     cells.findings().filter(|cell| is(cell)).count()
                 };
-                if cells.outcome.standing != Standing::Confirmed {
+                if !cells.as_defined {
                     let off = |sign: i8| {
                         cells
                             .cells

@@ -4,9 +4,10 @@
 mod consequence;
 pub use consequence::Consequences;
 
-use crate::claim::Promise;
+use crate::claim::{Printed, Promise};
 use crate::digest::cause::Cause;
 use crate::digest::summary::{CellOutcome, CellSummary, Standing};
+use crate::exact::Rounding;
 use crate::finding::{
     CellFinding, EquationFinding, EquationVerdict, FunctionFinding, FunctionVerdict, PaperAudit,
     RangeFinding, RangeVerdict, TableFinding, TheoremFinding,
@@ -21,6 +22,8 @@ pub struct Errata<'e, 'a> {
     /// What is wrong, in the order of the claims: tables, equations, functions,
     /// ranges, theorems.
     pub errata: Vec<Erratum<'e, 'a>>,
+    /// The tables some of whose parameters the paper does not state and were recovered.
+    pub recovered: Vec<&'e TableFinding<'a>>,
     /// Cells that could not be checked.
     pub unchecked: Vec<Unchecked<'e, 'a>>,
 }
@@ -54,9 +57,11 @@ pub enum Subject<'e, 'a> {
 pub struct CellErratum<'e, 'a> {
     /// The table.
     pub finding: &'e TableFinding<'a>,
-    /// Their outcome; [`Standing::Confirmed`] where they are as defined, but not shown
-    /// to keep their promise.
+    /// Their outcome.
     pub outcome: CellOutcome,
+    /// Whether their digits are those of the printed definition, so that only their promise is not
+    /// kept, or not shown to be.
+    pub as_defined: bool,
     /// Their places: row and column, counted from 0.
     pub cells: Vec<(usize, usize)>,
 }
@@ -110,7 +115,9 @@ impl<'a> PaperAudit<'a> {
             Erratum { subject, consequences }
         });
         let unchecked = self.tables.iter().flat_map(unchecked).collect();
-        Errata { audit: self, errata: errata.collect(), unchecked }
+        let recovered = self.tables.iter().filter(|finding| !finding.recovered.is_empty());
+        let (errata, recovered) = (errata.collect(), recovered.collect());
+        Errata { audit: self, errata, recovered, unchecked }
     }
 }
 
@@ -167,12 +174,12 @@ impl<'a> Erratum<'_, 'a> {
 /// The cells of a table by what puts them together.
 fn grouped<'e, K: Ord>(
     finding: &'e TableFinding<'_>,
-    key: impl Fn(&'e CellFinding) -> Option<K>,
+    key: impl Fn(&'e CellFinding, Option<&'e Printed>) -> Option<K>,
 ) -> BTreeMap<K, Vec<(usize, usize)>> {
     let mut groups: BTreeMap<K, Vec<(usize, usize)>> = BTreeMap::new();
     for (row, cells) in finding.cells.iter().enumerate() {
         for (column, cell) in cells.iter().enumerate() {
-            if let Some(key) = key(cell) {
+            if let Some(key) = key(cell, finding.table.cells[row][column].printed()) {
                 groups.entry(key).or_default().push((row, column));
             }
         }
@@ -181,22 +188,33 @@ fn grouped<'e, K: Ord>(
 }
 
 fn cell_errata<'e, 'a>(finding: &'e TableFinding<'a>) -> Vec<CellErratum<'e, 'a>> {
-    let groups = grouped(finding, |cell| {
-        let outcome = cell.outcome();
-        match outcome.standing {
-            Standing::Confirmed => {
-                (cell.keeps_promise() == Some(false) || cell.may_break_promise()).then_some(outcome)
-            }
-            Standing::NotCheckable => None,
-            _ => Some(outcome),
-        }
+    let groups = grouped(finding, |cell, printed| {
+        let CellOutcome { standing, cause } = cell.outcome();
+        let as_defined = match standing {
+            Standing::NotCheckable => return None,
+            Standing::Confirmed => true,
+            Standing::Reproduced => has_digits(cell, printed),
+            Standing::Explained | Standing::Misprinted | Standing::Refuted => false,
+        };
+        let fails = cell.keeps_promise() == Some(false) || cell.may_break_promise();
+        // Of right digits no reading needs to be told.
+        let values = Cause::recovered(&cell.assumed, None);
+        let cause = if as_defined { cause.map(|_| values) } else { cause };
+        (fails || !as_defined).then_some((CellOutcome { standing, cause }, as_defined))
     });
-    let erratum = |(outcome, cells)| CellErratum { finding, outcome, cells };
+    let erratum =
+        |((outcome, as_defined), cells)| CellErratum { finding, outcome, as_defined, cells };
     groups.into_iter().map(erratum).collect()
 }
 
+/// Whether the printed digits are those of the printed definition.
+fn has_digits(cell: &CellFinding, printed: Option<&Printed>) -> bool {
+    let (Some(printed), Some(exact)) = (printed, &cell.exact) else { return false };
+    matches!(printed.decimal.rounding_of(exact), Rounding::Exact | Rounding::Nearest)
+}
+
 fn unchecked<'e, 'a>(finding: &'e TableFinding<'a>) -> Vec<Unchecked<'e, 'a>> {
-    let groups = grouped(finding, |cell| {
+    let groups = grouped(finding, |cell, _| {
         let outcome = cell.outcome();
         (outcome.standing == Standing::NotCheckable).then_some(outcome.cause)
     });

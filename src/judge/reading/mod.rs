@@ -9,7 +9,7 @@
 //! cell when its exact value becomes the printed number; it is reported when it explains more cells
 //! than the printed definition, and so many that luck is unlikely.
 
-mod chance;
+pub(crate) mod chance;
 mod consistent;
 mod copied;
 mod degree;

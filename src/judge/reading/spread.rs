@@ -87,12 +87,13 @@ fn solved(space: &Space<'_>, name: &str, one: &Evaluated, least: usize) -> Optio
     }
     let base = &space.judge.assumed[name];
     let value = |(place, _): &(Integer, Integer)| {
-        let ends = meeting(place);
-        let between = (root(place) * base, root(ends.iter().min()?) * base);
-        // The lower end belongs to it.
+        let holding = meeting(place);
+        let between = (root(place) * base, root(holding.iter().min()?) * base);
+        // The lower end belongs to it, unless it is 0, which is no spread.
         let inside = plainest_between(&between.0, &between.1);
-        let simplest = [between.0.clone(), inside].into_iter().min_by_key(height)?;
-        (ends.len() == most).then_some((simplest, between))
+        let ends = [between.0.clone(), inside].into_iter().filter(|value| !value.is_zero());
+        let simplest = ends.min_by_key(height)?;
+        (holding.len() == most).then_some((simplest, between))
     };
     let values = intervals.iter().filter_map(value);
     let (simplest, between) = values.min_by_key(|(simplest, _)| height(simplest))?;
@@ -135,6 +136,9 @@ fn square(x: &Rational, ratio: &Rational, exponent: i64) -> Integer {
 
 /// The root of a multiple of 2^−256, cut to 2^−128.
 fn root(square: &Integer) -> Rational {
+    if square.is_zero() {
+        return Rational::zero();
+    }
     let half = u32::try_from(square.bits() / 2 + 1).expect("a number that fits in memory");
     // Newton's iteration falls from any number above the root, and ends at its floor.
     let (mut root, mut next) =

@@ -35,10 +35,13 @@ use std::collections::BTreeSet;
 /// How exactly the supremum beside a false bound is enclosed, in parts of it.
 const PARTS: u32 = 1_000;
 
-/// Tries the theorems of a paper, each by itself.
-pub(crate) fn trials(paper: &Paper) -> Result<Vec<TheoremFinding<'_>>, Diagnostic> {
+/// Tries theorems of a paper, each by itself.
+pub(crate) fn trials<'a>(
+    paper: &'a Paper,
+    theorems: impl Iterator<Item = &'a Theorem>,
+) -> Result<Vec<TheoremFinding<'a>>, Diagnostic> {
     let one = |theorem| one(paper, theorem, &Library::new(paper), &Stage::default());
-    paper.theorems.iter().map(one).collect()
+    theorems.map(one).collect()
 }
 
 /// The masks of the cases of these labels, each once; none of a ring.

@@ -1,7 +1,7 @@
 //! Wrong cells, and those that could not be checked.
 
 use crate::audit::{
-    Cause, CellErratum, CellFinding, Errata, Sound, Standing, TableFinding, Verdict,
+    Cause, CellErratum, CellFinding, Errata, Sound, Standing, Subject, TableFinding, Verdict,
 };
 use crate::claim::{Printed, Table};
 use crate::exact::{
@@ -29,15 +29,16 @@ pub(super) fn facts(cells: &CellErratum<'_, '_>) -> Vec<(String, String)> {
 /// How the cells came about: a rounding, a reading, a slip, or not explained.
 pub(in crate::report) fn origin(cells: &CellErratum<'_, '_>) -> String {
     let cause = cells.outcome.cause.as_ref().map(Cause::to_string).unwrap_or_default();
+    if cells.as_defined {
+        let values = if cause.is_empty() { cause } else { format!(" {cause}") };
+        let rounded_down = |cell: &CellFinding| cell.kept_by_formula == Some(false);
+        return if cells.findings().all(rounded_down) {
+            format!("the definition's value{values}, rounded down: less than the bound itself")
+        } else {
+            format!("as defined{values}, but the definition's value is not enough")
+        };
+    }
     match cells.outcome.standing {
-        Standing::Confirmed | Standing::NotCheckable => {
-            let rounded_down = |cell: &CellFinding| cell.kept_by_formula == Some(false);
-            if cells.findings().all(rounded_down) {
-                "the definition's value, rounded down: less than the bound itself".to_owned()
-            } else {
-                "as defined, but the definition's value is not enough".to_owned()
-            }
-        }
         Standing::Reproduced => reproduced(cells),
         Standing::Explained if cells.findings().any(|cell| cell.as_read.is_some()) => {
             let table = cells.finding.table;
@@ -45,7 +46,7 @@ pub(in crate::report) fn origin(cells: &CellErratum<'_, '_>) -> String {
             let evidence = cells.finding.searches().map(evidence).filter(|text| !text.is_empty());
             format!("read otherwise: {cause}\n{}", evidence.collect::<Vec<String>>().join("\n"))
         }
-        Standing::Explained => cause,
+        Standing::Confirmed | Standing::NotCheckable | Standing::Explained => cause,
         Standing::Misprinted => {
             let slip = |cell: &CellFinding| match &cell.verdict {
                 Verdict::Misprint(slip) => Some(format!("{} ({slip})", cell.printed.as_deref()?)),
@@ -77,9 +78,9 @@ fn reproduced(cells: &CellErratum<'_, '_>) -> String {
 
 /// The cells in the shape of their table: printed and correct.
 pub(super) fn grid(cells: &CellErratum<'_, '_>) -> Grid {
-    let confirmed = cells.outcome.standing == Standing::Confirmed;
     shaped(cells.finding, &cells.cells, |cell, printed| {
-        let correct = if confirmed { sound(cell) } else { correct(cell.exact.as_ref(), printed) };
+        let correct =
+            if cells.as_defined { sound(cell) } else { correct(cell.exact.as_ref(), printed) };
         format!("{} → {correct}", printed.text)
     })
 }
@@ -137,6 +138,28 @@ fn corner(table: &Table) -> String {
         Some(rows) => format!("{} \\ {}", rows.label, table.columns.label),
         None => table.columns.label.clone(),
     }
+}
+
+/// The parameters that the paper does not state, with the values that were recovered.
+pub(super) fn recovered(sheet: &mut Sheet, errata: &Errata<'_, '_>) {
+    if errata.recovered.is_empty() {
+        return;
+    }
+    sheet.heading(2, "What the paper does not state, and its numbers give away");
+    // The reading of wrong cells stands where these do.
+    let told = |finding: &TableFinding<'_>| {
+        errata.errata.iter().any(|erratum| {
+            let Subject::Cells(cells) = &erratum.subject else { return false };
+            cells.finding.table.id == finding.table.id && !cells.as_defined
+        })
+    };
+    let fact = |finding: &&TableFinding<'_>| {
+        let mut lines = reading::recovered(finding);
+        let searches = finding.searches().filter(|search| !search.best.is_empty());
+        lines.extend(searches.filter(|_| !told(finding)).map(reading::remark));
+        (finding.table.locus.clone(), lines.join("\n"))
+    };
+    sheet.facts(errata.recovered.iter().map(fact).collect());
 }
 
 /// The cells that could not be checked, why, and what they are at the values put in.

@@ -6,7 +6,7 @@ mod claims;
 use super::parts::mark;
 use super::sheet::{Block, Grid, Sheet};
 use super::{consistency, summary, theorem};
-use crate::audit::{Consequences, Errata, Erratum, PaperAudit, Standing, Subject};
+use crate::audit::{Consequences, Errata, Erratum, PaperAudit, Subject};
 use crate::claim::Promise;
 
 /// The errata of papers.
@@ -53,6 +53,7 @@ fn paper(sheet: &mut Sheet, errata: &Errata<'_, '_>) {
         sheet.grid(Grid { header, rows, left_columns: 2 });
     }
     consistency::section(sheet, audit);
+    cells::recovered(sheet, errata);
     cells::unchecked(sheet, errata);
     summary::section(sheet, audit);
 }
@@ -75,7 +76,7 @@ impl Entry {
         let subject = &erratum.subject;
         let name = subject.verdict();
         let name = match subject {
-            Subject::Cells(cells) if cells.outcome.standing == Standing::Confirmed => {
+            Subject::Cells(cells) if cells.as_defined => {
                 "✗ a promise that is not kept, or not shown to be".to_owned()
             }
             _ => format!("{} {name}", mark(name)),

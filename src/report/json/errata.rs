@@ -3,8 +3,9 @@
 use super::SCHEMA;
 use super::claim::Claim;
 use super::consistency::Contradiction;
+use super::recovered::Recovered;
 use super::summary::Summary;
-use crate::audit::{self, Cause, CellErratum, Errata, PaperAudit, Subject};
+use crate::audit::{self, Cause, CellErratum, Errata, PaperAudit, Subject, TableFinding};
 use crate::report::errata::cells::{correct, origin};
 use serde::Serialize;
 
@@ -26,6 +27,8 @@ pub struct PaperErrata<'a> {
     pub note: Option<&'a str>,
     /// What is wrong.
     pub errata: Vec<Erratum<'a>>,
+    /// The parameters that the paper does not state and that its numbers give away, by tables.
+    pub recovered: Vec<OfTable<'a>>,
     /// What could not be checked.
     pub unchecked: Vec<Unchecked<'a>>,
     /// Where its tables need different readings.
@@ -34,6 +37,17 @@ pub struct PaperErrata<'a> {
     pub theorems: Vec<Claim<'a>>,
     /// How many cells are in each standing.
     pub cells: Summary,
+}
+
+/// The parameters of a table that the paper does not state.
+#[derive(Debug, Serialize)]
+pub struct OfTable<'a> {
+    /// The id of the table.
+    pub table: &'a str,
+    /// Where in the paper it is.
+    pub locus: &'a str,
+    /// The parameters, with their values.
+    pub parameters: Vec<Recovered<'a>>,
 }
 
 /// Something wrong.
@@ -70,6 +84,8 @@ pub struct WrongCells<'a> {
     pub standing: &'static str,
     /// Its cause.
     pub cause: Option<String>,
+    /// Whether their digits are right, and only their promise is not kept, or not shown to be.
+    pub as_defined: bool,
     /// How the cells came about.
     pub origin: String,
     /// The cells.
@@ -144,6 +160,7 @@ impl<'a> PaperErrata<'a> {
             key: &audit.paper.key,
             note: audit.paper.bibliography.note.as_deref(),
             errata: numbered.map(|(number, one)| Erratum::of(audit, number, one)).collect(),
+            recovered: errata.recovered.iter().map(|finding| OfTable::of(finding)).collect(),
             unchecked: errata.unchecked.iter().map(Unchecked::of).collect(),
             contradictions: Contradiction::all(audit),
             theorems: audit.theorems.iter().map(Claim::of_theorem).collect(),
@@ -209,8 +226,19 @@ impl<'a> WrongCells<'a> {
         WrongCells {
             standing: cells.outcome.standing.name(),
             cause: cells.outcome.cause.as_ref().map(Cause::to_string),
+            as_defined: cells.as_defined,
             origin: origin(cells),
             cells: cells.cells.iter().map(cell).collect(),
+        }
+    }
+}
+
+impl<'a> OfTable<'a> {
+    fn of(finding: &'a TableFinding<'_>) -> OfTable<'a> {
+        OfTable {
+            table: &finding.table.id,
+            locus: &finding.table.locus,
+            parameters: finding.recovered.iter().map(Recovered::of).collect(),
         }
     }
 }

@@ -5,8 +5,9 @@ use super::audit::AuditReport;
 use super::by_hand::ByHand;
 use super::claim::Claim;
 use super::reading::Reading;
-use crate::audit::{self, Explanation, PaperAudit};
-use crate::report::explain::table_of;
+use super::working::Working;
+use crate::audit::PaperAudit;
+use crate::report::explain::{Background, table_of};
 use serde::Serialize;
 
 /// What `subcert explain` finds.
@@ -23,18 +24,19 @@ pub struct Explained<'a> {
     pub readings: Option<Vec<Reading<'a>>>,
     /// Of a theorem that data refute, the computation behind them; null of anything else.
     pub by_hand: Option<ByHand<'a>>,
+    /// What a cell is computed from; null of anything else.
+    pub working: Option<Working>,
 }
 
 impl<'a> Explained<'a> {
-    /// The form of the claim or table of this id. `readings` are those of the table, from
-    /// [`crate::audit::readings`], and `hand` is what [`crate::audit::by_hand`] says of a theorem.
+    /// The form of the claim or table of this id.
     #[must_use]
     pub fn of(
         audits: &'a [PaperAudit<'_>],
         id: &'a str,
-        readings: &'a [Explanation],
-        hand: Option<&'a audit::ByHand>,
+        background: Background<'a>,
     ) -> Explained<'a> {
+        let Background { readings, by_hand, working } = background;
         let table = table_of(audits, id);
         let claims = AuditReport::of(audits).papers.into_iter().flat_map(|paper| paper.claims);
         let named = |claim: &Claim<'_>| {
@@ -45,7 +47,8 @@ impl<'a> Explained<'a> {
             id,
             claims: claims.filter(named).collect(),
             readings: table.map(|(finding, at)| Reading::all(finding, readings, at)),
-            by_hand: hand.map(ByHand::of),
+            by_hand: by_hand.map(ByHand::of),
+            working: working.map(Working::of),
         }
     }
 }

@@ -19,6 +19,7 @@ mod shift;
 mod summary;
 mod theorem;
 mod witness;
+mod working;
 
 pub use audit::{AuditReport, Paper, PromiseTally, Table};
 pub use by_hand::{ByHand, Constant, HandMask, Level, Point, Side as HandSide, Weights};
@@ -27,7 +28,7 @@ pub use claim::{Certificate, Claim, Details, End, Failure, Sound};
 pub use consistency::{Contradiction, Side, TablePart};
 pub use coverage::{CoverageReport, CoveredPaper, CoveringClaim, NumberedItem};
 pub use errata::{
-    Changes, Detail, ErrataReport, Erratum, PaperErrata, Unchecked, WrongCell, WrongCells,
+    Changes, Detail, ErrataReport, Erratum, OfTable, PaperErrata, Unchecked, WrongCell, WrongCells,
 };
 pub use exact::{Exact, Named};
 pub use explain::Explained;
@@ -38,6 +39,7 @@ pub use shift::{EveryShift, Greatest, Polygon};
 pub use summary::{Group, Outcome, Summary};
 pub use theorem::{Case, Repair, Trial};
 pub use witness::{Control, Exceeding, Natural as NaturalTheorem, Place, Supremum, Witness};
+pub use working::Working;
 
 /// The version of the JSON form.
 const SCHEMA: u32 = 1;

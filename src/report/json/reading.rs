@@ -101,6 +101,9 @@ pub struct ReadingOfCell {
     pub decimal: Option<String>,
     /// Whether that explains the cell.
     pub explains_this: bool,
+    /// Whether it does so by luck: of the other cells, the reading explains no more than unrelated
+    /// numbers would.
+    pub by_luck: bool,
 }
 
 impl<'a> Search<'a> {
@@ -158,6 +161,7 @@ impl<'a> Reading<'a> {
                     exact: value.map(ToString::to_string),
                     decimal: value.map(decimal),
                     explains_this: reading.explained[row][column],
+                    by_luck: finding.is_by_luck(reading, (row, column)),
                 }
             }),
         };

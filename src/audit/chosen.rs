@@ -1,0 +1,57 @@
+//! The claims of a paper that are judged.
+
+use crate::claim::{Paper, Table};
+use crate::judge::related::related;
+use std::collections::BTreeSet;
+
+/// The claims that are judged: all, or these.
+pub(super) struct Chosen(Option<BTreeSet<String>>);
+
+impl Chosen {
+    pub(super) fn all() -> Chosen {
+        Chosen(None)
+    }
+
+    /// A claim, and those that its finding needs: what a theorem rests on, at once or through
+    /// others, and of a table those that are judged with it, or have an open parameter in common.
+    pub(super) fn claim(paper: &Paper, id: &str) -> Chosen {
+        let mut ids: BTreeSet<&str> = BTreeSet::new();
+        let mut waiting = vec![id];
+        while let Some(id) = waiting.pop() {
+            if !ids.insert(id) {
+                continue;
+            }
+            for theorem in paper.theorems.iter().filter(|theorem| theorem.id == id) {
+                waiting.extend(theorem.rests.iter().map(String::as_str));
+                let by_hand = theorem.by_hand.iter().flat_map(|hand| &hand.uses);
+                waiting.extend(by_hand.map(String::as_str));
+            }
+        }
+        let groups = related(paper);
+        loop {
+            let before = ids.len();
+            let chosen = |table: &&Table| ids.contains(&table.id[..]);
+            let open: BTreeSet<&str> = paper.tables.iter().filter(chosen).flat_map(open).collect();
+            for group in &groups {
+                let tables = || group.iter().map(|&place| &paper.tables[place]);
+                let lends = |table: &Table| self::open(table).any(|name| open.contains(name));
+                if tables().any(|table| ids.contains(&table.id[..]) || lends(table)) {
+                    ids.extend(tables().map(|table| &table.id[..]));
+                }
+            }
+            if ids.len() == before {
+                return Chosen(Some(ids.into_iter().map(str::to_owned).collect()));
+            }
+        }
+    }
+
+    pub(super) fn has(&self, id: &str) -> bool {
+        self.0.as_ref().is_none_or(|ids| ids.contains(id))
+    }
+}
+
+/// The parameters that a table leaves open.
+fn open(table: &Table) -> impl Iterator<Item = &str> {
+    let unstated = table.unstated.iter().filter(|(_, assumed)| assumed.is_none());
+    unstated.map(|(name, _)| name.as_str())
+}

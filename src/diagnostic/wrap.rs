@@ -1,0 +1,40 @@
+//! Text in lines.
+
+/// How many characters a text takes in a line.
+pub(crate) fn width_of(text: &str) -> usize {
+    text.chars().count()
+}
+
+/// The text in lines of at most `width` characters, all but the first indented by `indent`, which
+/// counts in every line. A longer word has a line of its own; with `cut`, it is cut.
+#[must_use]
+pub fn wrapped(text: &str, width: usize, indent: usize, cut: bool) -> Vec<String> {
+    let width = width.saturating_sub(indent).max(1);
+    text.split('\n').flat_map(|paragraph| fill(paragraph.split(' '), width, cut)).collect()
+}
+
+/// These words in lines.
+pub(crate) fn fill<'t>(
+    words: impl Iterator<Item = &'t str>,
+    width: usize,
+    cut: bool,
+) -> Vec<String> {
+    let mut lines = Vec::new();
+    let mut line = String::new();
+    for word in words {
+        if !line.is_empty() && width_of(&line) + 1 + width_of(word) > width {
+            lines.push(std::mem::take(&mut line));
+        }
+        if !line.is_empty() {
+            line.push(' ');
+        }
+        line.push_str(word);
+        while cut && width_of(&line) > width {
+            let at = line.char_indices().nth(width).map_or(line.len(), |(at, _)| at);
+            let rest = line.split_off(at);
+            lines.push(std::mem::replace(&mut line, rest));
+        }
+    }
+    lines.push(line);
+    lines
+}

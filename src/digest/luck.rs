@@ -1,0 +1,44 @@
+//! Which readings give a cell by luck.
+
+use crate::claim::{Printed, Promise};
+use crate::exact::Rational;
+use crate::finding::{Explanation, TableFinding};
+use crate::judge::reading::chance::{of_decimal, of_depth};
+
+impl TableFinding<'_> {
+    /// Whether a reading explains the cell at a row and a column, counted from 0, and of the other
+    /// cells that are read with it no more than unrelated numbers would: at most Σ p_i of them,
+    /// where p_i is how likely an unrelated value becomes the i-th printed number
+    /// (`proofs/THEOREMS.md`, 51). A cell that is read alone tells nothing, and what was found to be
+    /// the reading of the table, or of the row or column of the cell, is no luck.
+    ///
+    /// # Panics
+    /// When there is no such cell, or the reading is one of another table.
+    #[must_use]
+    pub fn is_by_luck(&self, reading: &Explanation, (row, column): (usize, usize)) -> bool {
+        let found = self.searches().flat_map(|search| {
+            search.best.iter().chain(search.lines.iter().map(|line| &line.best))
+        });
+        let mut found = found.filter(|found| found.explained[row][column]);
+        let is = |found: &Explanation| {
+            found.differences == reading.differences && found.solved == reading.solved
+        };
+        if !reading.explained[row][column] || found.any(is) {
+            return false;
+        }
+        let depths = matches!(self.table.promise, Some(Promise::Depth { .. }));
+        let likelihood = |printed: &Printed| if depths { of_depth() } else { of_decimal(printed) };
+        let kind = self.cells[row][column].kind();
+        let (mut others, mut explained, mut by_luck) = (false, 0, Rational::zero());
+        for (i, cells) in self.cells.iter().enumerate() {
+            for (j, cell) in cells.iter().enumerate().filter(|(j, _)| (i, *j) != (row, column)) {
+                let printed = self.table.cells[i][j].printed().filter(|_| kind.holds(cell));
+                let Some(printed) = printed else { continue };
+                others = true;
+                explained += usize::from(reading.explained[i][j]);
+                by_luck += &likelihood(printed);
+            }
+        }
+        others && Rational::from(explained) <= by_luck
+    }
+}

@@ -1,0 +1,30 @@
+//! What a cell is computed from.
+
+use super::exact::{Exact, Named};
+use crate::audit;
+use serde::Serialize;
+
+/// What a cell is computed from, by the printed definition.
+#[derive(Debug, Serialize)]
+pub struct Working {
+    /// The scheme, its parameters with their values; both factors of a tensor product.
+    pub scheme: Vec<String>,
+    /// The headers and parameters that its formulas use.
+    pub parameters: Named<Exact>,
+    /// The definitions that its formula uses and that have a value by themselves.
+    pub definitions: Named<Exact>,
+}
+
+impl Working {
+    pub(super) fn of(working: &audit::Working) -> Working {
+        let parameters = working.parameters.iter();
+        let definitions = working.definitions.iter();
+        Working {
+            scheme: working.scheme.iter().map(ToString::to_string).collect(),
+            parameters: Named(parameters.map(|(n, value)| (n.clone(), Exact::of(value))).collect()),
+            definitions: Named(
+                definitions.map(|(n, value)| (n.clone(), Exact::of(value))).collect(),
+            ),
+        }
+    }
+}
