@@ -151,15 +151,14 @@ impl Evaluator<'_> {
         let other = self.paper.tables.iter().find(|other| other.id == table)?;
         let scheme = self.table.scheme_at(at.row, at.column);
         let scheme = scheme.map(|located| located.reference.to_string());
-        let place = |axis: &Axis| match axis.name() {
-            Some(name) => {
-                let value = self.parameter(name, at)?;
-                (0..axis.entries.len()).find(|&i| axis.value(i).is_some_and(|(_, v)| *v == value))
-            }
-            None => {
+        let place = |axis: &Axis| {
+            let Some(name) = axis.name() else {
                 let scheme = scheme.as_ref()?;
-                axis.schemes().iter().position(|other| other.reference.to_string() == *scheme)
-            }
+                let mut schemes = axis.schemes().iter();
+                return schemes.position(|other| other.reference.to_string() == *scheme);
+            };
+            let value = self.parameter(name, at)?;
+            (0..axis.entries.len()).find(|&i| axis.value(i).is_some_and(|(_, v)| *v == value))
         };
         let row = other.rows.as_ref().map_or(Some(0), place)?;
         match other.cells.get(row)?.get(place(&other.columns)?)? {

@@ -1,5 +1,6 @@
 //! Judging tables, functions, ranges and theorems.
 
+mod copied;
 mod every_shift;
 mod functions_and_ranges;
 mod lines;

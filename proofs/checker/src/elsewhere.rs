@@ -141,7 +141,8 @@ impl Table<'_> {
         };
         let Some(axis) = axis.as_ref().and_then(Headers::axis) else { return Ok(None) };
         let (text, printed) = &axis.entries[place];
-        let Some(decimal) = Decimal::read(text) else { return Ok(None) };
+        let decimal = Decimal::read(text).filter(|_| self.places().any(|other| other == there));
+        let Some(decimal) = decimal else { return Ok(None) };
         let call = |instead: &Instead<'_>| {
             let scope = self.own_scope(there, read, assumed, instead).map_err(none_if_wrong)?.0;
             let Expr::Of(Head::Call(_, _), parts) = behind_names(self, &self.value) else {

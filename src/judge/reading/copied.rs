@@ -1,6 +1,6 @@
 //! What readings of a table may take from another place of the paper.
 
-use crate::claim::{Axis, Paper};
+use crate::claim::{Axis, Paper, Table};
 use crate::evaluation::Copied;
 use crate::evaluation::copied::{prints, references};
 use crate::evaluation::library::values;
@@ -105,7 +105,7 @@ fn parameters<'j>(judge: &'j Evaluator<'_>, headers: bool) -> BTreeSet<&'j str> 
 
 /// The values that a parameter has in the paper: as a header, or stated.
 fn values_in(paper: &Paper, name: &str) -> BTreeSet<Rational> {
-    let axes = paper.tables.iter().flat_map(|table| table.axes());
+    let axes = paper.tables.iter().flat_map(Table::axes);
     let axes = axes.filter(|axis| axis.name() == Some(name));
     let headers = axes.flat_map(|axis| (0..axis.entries.len()).filter_map(|i| axis.value(i)));
     let mut found: BTreeSet<Rational> = headers.map(|(_, value)| value.clone()).collect();

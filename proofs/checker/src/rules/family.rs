@@ -3,16 +3,16 @@
 
 use super::cell::Kind;
 use super::copied::copied;
+use super::listed::{Listed, same};
+use super::luck::is_luck;
 use super::members::{Members, explained, members, read, values};
 use super::reading::{MAX_DIFFERENCES, PartRead, Reads};
 use super::scale::{SCALES, at_best_scale, is_scale, is_simple, scale};
 use crate::certificate::Block;
-use crate::decimal::{Decimal, Q, int};
-use crate::reject::{Checked, Reason, Stop, Text, agree, compare, require};
-use crate::show::shown;
+use crate::decimal::{Q, int};
+use crate::reject::{Checked, Reason, Stop, agree, compare, require};
 use crate::table::{Cells, Place, Read, Table};
 use crate::value::Value;
-use num_traits::{One, Pow, Signed, Zero};
 use std::collections::BTreeSet;
 
 /// The fewest cells that a row or column with a reading of its own explains.
@@ -242,89 +242,11 @@ impl Family<'_> {
             for name in needed.reduce(|one, other| &one | &other).unwrap_or_default() {
                 let count = self.table.recovered.get(&name);
                 let count = count.ok_or_else(|| Reason::Recovered(name.clone()))?;
-                sizes.iter_mut().for_each(|size| *size *= count);
+                for size in &mut sizes {
+                    *size *= count;
+                }
             }
         }
         Ok(sizes)
     }
-}
-
-/// A value, and whether a member has it.
-type Met = (Option<Value>, bool);
-
-/// The values that members give in the refuted cells.
-struct Listed {
-    /// The values of each cell.
-    cells: Vec<(Place, Vec<Met>)>,
-}
-
-impl Listed {
-    /// Reads the lines `values ROW COLUMN VALUE…`, one for each refuted cell.
-    fn new(table: &Table<'_>, refuted: &[Place], block: &mut Block<'_>) -> Checked<Listed> {
-        let mut cells = Vec::new();
-        for place in refuted {
-            let said = block.after("values")?;
-            let said = said.strip_prefix(&format!("{} {} ", place.0 + 1, place.1 + 1));
-            let mut values: Vec<Met> = Vec::new();
-            for value in said.ok_or(Reason::Cell)?.split_whitespace() {
-                let value = Some(value).filter(|value| *value != "undefined");
-                let value = value.map(|value| table.paper.number(value)).transpose()?;
-                for (known, _) in &values {
-                    require(!same(known.as_ref(), value.as_ref())?, Reason::Member)?;
-                }
-                values.push((value, false));
-            }
-            cells.push((*place, values));
-        }
-        Ok(Listed { cells })
-    }
-
-    /// Compares the values of a member with those of these numbers.
-    fn compare(&mut self, said: &str, cells: &Cells, values: &[Option<Value>]) -> Checked<()> {
-        let mut numbers = said.split_whitespace();
-        for (place, listed) in &mut self.cells {
-            let number = numbers.next().and_then(|number| number.parse().ok());
-            let number: usize = number.ok_or(Reason::Malformed("the number of a value"))?;
-            let value = cells.iter().zip(values).find(|((at, _), _)| at == place);
-            let known = number.checked_sub(1).and_then(|i| listed.get_mut(i));
-            let value = value.and_then(|(_, value)| value.as_ref());
-            let none = || Reason::Value(Text(format!("value {number}")), Text(shown(value)));
-            let (known, met) = known.ok_or_else(none)?;
-            let equal = same(known.as_ref(), value)?;
-            compare(equal, &shown(known.as_ref()), &shown(value), Reason::Value)?;
-            *met = true;
-        }
-        require(numbers.next().is_none(), Reason::Malformed("the end of the line"))
-    }
-
-    fn all_met(&self) -> bool {
-        self.cells.iter().flat_map(|(_, values)| values).all(|(_, met)| *met)
-    }
-}
-
-/// Whether two values are equal or both are undefined.
-fn same(one: Option<&Value>, other: Option<&Value>) -> Result<bool, Stop> {
-    one.zip(other).map_or(Ok(one.is_none() && other.is_none()), |(one, other)| one.equals(other))
-}
-
-/// Whether m cells may be explained by luck. It compares with 1/1000 a bound of the expected number
-/// of readings of unrelated values that give m of these cells: the number of readings times the
-/// m-th elementary symmetric polynomial of the likelihoods of the cells. A cell that is printed as
-/// 0 is no evidence; it is left out, and m is one less.
-fn is_luck(table: &Table<'_>, cells: &Cells, m: usize, readings: &Q) -> bool {
-    let depth = table.tolerance.is_some();
-    let telling = |cell: &&(Place, Decimal)| depth || !cell.1.digits.is_zero();
-    let m = m.saturating_sub(cells.len() - cells.iter().filter(telling).count());
-    let mut symmetric = vec![Q::zero(); m + 1];
-    symmetric[0] = Q::one();
-    for (_, decimal) in cells.iter().filter(telling) {
-        let digits = decimal.digits.abs().to_string();
-        let digits = i32::try_from(digits.trim_end_matches('0').len()).unwrap_or(i32::MAX);
-        let likely = if depth { int(4).recip() } else { int(10).pow(1 - digits) / int(9) };
-        for k in (1..=m).rev() {
-            let more = &symmetric[k - 1] * &likely;
-            symmetric[k] += more;
-        }
-    }
-    &symmetric[m] * readings > int(1_000).recip()
 }

@@ -12,6 +12,8 @@ mod growth;
 mod hypotheses;
 mod instance;
 mod levels;
+mod listed;
+mod luck;
 mod members;
 mod pieces;
 mod promise;
