@@ -168,6 +168,7 @@ impl<'a> TableContext<'a> {
             scheme: None,
             settings: at.settings,
             beyond_caps: std::cell::Cell::new(false),
+            noted: None,
             last_levels: std::cell::RefCell::new(None),
         };
         let other = at.settings.scheme.and_then(|place| references(self.paper).get(place).copied());

@@ -7,7 +7,6 @@ use crate::claim::{Paper, SchemeSource};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::reference::Unresolved;
 use crate::evaluation::series::Norms;
-use crate::evaluation::trace::{NotedConstant, NotedNorm};
 use crate::exact::{Rational, RealCyclotomic};
 use crate::formula::{Context, LocatedFormula, Parameters, Value, evaluate};
 use crate::scheme::{
@@ -44,8 +43,6 @@ pub(crate) struct Library<'a> {
     budget: Budget,
     sound: RefCell<BTreeMap<SoundKey, Rc<SoundBound>>>,
     pub(crate) norms: Norms<RealCyclotomic>,
-    /// The constants of masks that were asked for, if they are noted.
-    noted: RefCell<Option<Vec<NotedConstant>>>,
     log_levels: RefCell<BTreeMap<LogLevel, Result<u32, DepthError>>>,
 }
 
@@ -60,27 +57,8 @@ impl<'a> Library<'a> {
     pub(crate) fn new(paper: &'a Paper) -> Library<'a> {
         let (constants, sound) = Default::default();
         let budget = Budget::new(MAX_STEPS);
-        let (norms, noted, log_levels) = Default::default();
-        Library { paper, constants, budget, sound, norms, noted, log_levels }
-    }
-
-    /// From now on, notes the constants that are asked for.
-    pub(crate) fn note(&self) {
-        self.noted.replace(Some(Vec::new()));
-        self.norms.noted.replace(Some(Vec::new()));
-    }
-
-    /// Notes a constant.
-    pub(crate) fn note_constant(&self, constant: impl FnOnce() -> NotedConstant) {
-        if let Some(noted) = self.noted.borrow_mut().as_mut() {
-            noted.push(constant());
-        }
-    }
-
-    /// Ends noting, and gives what was noted.
-    pub(crate) fn noted(&self) -> (Vec<NotedConstant>, Vec<NotedNorm<RealCyclotomic>>) {
-        let norms = self.norms.noted.take();
-        (self.noted.take().unwrap_or_default(), norms.unwrap_or_default())
+        let (norms, log_levels) = Default::default();
+        Library { paper, constants, budget, sound, norms, log_levels }
     }
 
     /// The scheme that `reference` means in `context`.

@@ -150,7 +150,7 @@ impl Functions<Parametric> for Constants<'_> {
             options = options.read_as(settings);
         }
         if let Some(value) =
-            series::call(call, context, &mut options, &self.coefficients.shapes.norms)
+            series::call(call, context, &mut options, &self.coefficients.shapes.norms, None)
         {
             return options.finished(value?);
         }

@@ -12,7 +12,7 @@ use crate::evaluation::reference::{reference, unresolved};
 use crate::evaluation::series;
 use crate::evaluation::settings::Settings;
 use crate::evaluation::shape::shape;
-use crate::evaluation::trace::{LevelCall, NotedConstant};
+use crate::evaluation::trace::{LevelCall, Noted, NotedConstant};
 use crate::exact::{Rational, RealCyclotomic};
 use crate::formula::{Call, CallError, Context, Functions, Parameters};
 use crate::scheme::Rules;
@@ -28,6 +28,8 @@ pub(crate) struct Quantities<'a> {
     /// Whether a value was given up because it is beyond the caps of the program,
     /// not because it does not exist.
     pub(crate) beyond_caps: Cell<bool>,
+    /// The constants that were asked for, if they are noted.
+    pub(crate) noted: Option<RefCell<Noted>>,
     /// The last call of `levels`.
     pub(crate) last_levels: RefCell<Option<LevelCall>>,
 }
@@ -49,10 +51,15 @@ impl Functions<RealCyclotomic> for Quantities<'_> {
                     Exponent::Block => &levels * c,
                 }
             }
-            _ => match series::call(call, context, &mut options, &self.library.norms) {
-                Some(value) => value?,
-                None => self.of_scheme(call, &mut options)?,
-            },
+            _ => {
+                let noted = self.noted.as_ref();
+                let note = noted.map(|noted| |norm| noted.borrow_mut().norms.push(norm));
+                let note = note.as_ref().map(|note| note as series::Note<'_, RealCyclotomic>);
+                match series::call(call, context, &mut options, &self.library.norms, note) {
+                    Some(value) => value?,
+                    None => self.of_scheme(call, &mut options)?,
+                }
+            }
         };
         options.finished(value)
     }
@@ -78,7 +85,8 @@ impl Quantities<'_> {
         let scheme = scheme.ok_or_else(missing)?;
         let constants: &Constants = &scheme.constants[0];
         let note = |operator, levels, order| {
-            self.library.note_constant(|| NotedConstant {
+            let Some(noted) = &self.noted else { return };
+            noted.borrow_mut().constants.push(NotedConstant {
                 instance: scheme.instances[0].clone(),
                 constants: Rc::clone(&scheme.constants[0]),
                 operator,

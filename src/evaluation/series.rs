@@ -23,13 +23,11 @@ const MAX_PRODUCTS: usize = 1_000_000;
 /// The absolute sums of windows by what they depend on, each computed once.
 pub(crate) struct Norms<V> {
     known: RefCell<Vec<(Window<V>, Vec<V>)>>,
-    /// The norms of single sequences that were asked for outside of all sums, if they are noted.
-    pub(crate) noted: RefCell<Option<Vec<NotedNorm<V>>>>,
 }
 
 impl<V> Default for Norms<V> {
     fn default() -> Norms<V> {
-        Norms { known: RefCell::default(), noted: RefCell::default() }
+        Norms { known: RefCell::default() }
     }
 }
 
@@ -43,19 +41,24 @@ pub(crate) struct Window<V> {
     recursion: Recursion,
 }
 
-/// The value of a function of a sequence; `None` when `call` is another function.
+/// What is told of the norm of a single sequence.
+pub(crate) type Note<'n, V> = &'n dyn Fn(NotedNorm<V>);
+
+/// The value of a function of a sequence; `None` when `call` is another function. If the norms of
+/// single sequences outside of all sums are to be noted, they are told to `note`.
 pub(crate) fn call<V: Value + PartialEq>(
     call: &Call<'_, V>,
     context: &dyn Context<V>,
     options: &mut Options<'_>,
     known: &Norms<V>,
+    note: Option<Note<'_, V>>,
 ) -> Option<Result<V, CallError>> {
     Some(match (call.function, call.arguments) {
         ("convolved", [c, n, length, l, f]) => {
             coefficient(call, context, options, [c, n, length, l, f])
         }
         ("convolution_norm", [c, n, length, last]) => {
-            norm(call, context, options, [c, n, length, last], known)
+            norm(call, context, options, [c, n, length, last], (known, note))
         }
         _ => return None,
     })
@@ -81,7 +84,7 @@ fn norm<V: Value + PartialEq>(
     context: &dyn Context<V>,
     options: &mut Options<'_>,
     [c, n, length, last]: [&V; 4],
-    known: &Norms<V>,
+    (known, note): (&Norms<V>, Option<Note<'_, V>>),
 ) -> Result<V, CallError> {
     let c = within("the number of convolutions", c, 1..=MAX_CONVOLUTIONS)?;
     let n = within("the arity", n, 2..=16)?;
@@ -92,7 +95,7 @@ fn norm<V: Value + PartialEq>(
         let terms = names.sequence(name, call, context, length)?;
         let window = Window { terms, arity: n, c: narrow(c), last, recursion };
         let sums = window.absolute_sums(known)?;
-        if let Some(noted) = known.noted.borrow_mut().as_mut().filter(|_| call.indices.is_empty()) {
+        if let Some(note) = note.filter(|_| call.indices.is_empty()) {
             let value = largest(&sums)?;
             let at = sums.iter().position(|sum| *sum == value).unwrap_or(0);
             let printed =
@@ -104,7 +107,7 @@ fn norm<V: Value + PartialEq>(
             let formula = format!(
                 "convolution_norm({c}, {n}, {length}, {last}, sequence = {name}{index}{printed})"
             );
-            noted.push(NotedNorm { formula, index: last + 1 - sums.len() + at, value });
+            note(NotedNorm { formula, index: last + 1 - sums.len() + at, value });
         }
         Ok(sums)
     };

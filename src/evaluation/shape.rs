@@ -106,7 +106,7 @@ pub(crate) struct Coefficients<'a, V> {
 impl<V: Value + PartialEq> Functions<V> for Coefficients<'_, V> {
     fn call(&self, call: &Call<'_, V>, context: &dyn Context<V>) -> Result<V, CallError> {
         let mut options = Options::new(call);
-        if let Some(value) = series::call(call, context, &mut options, &self.shapes.norms) {
+        if let Some(value) = series::call(call, context, &mut options, &self.shapes.norms, None) {
             return options.finished(value?);
         }
         let found = self.shape(call, &mut options)?;

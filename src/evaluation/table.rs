@@ -7,9 +7,10 @@ use crate::evaluation::library::Library;
 use crate::evaluation::quantity::Quantities;
 use crate::evaluation::row::RowDefinitions;
 use crate::evaluation::settings::Settings;
-use crate::evaluation::trace::LevelCall;
+use crate::evaluation::trace::{LevelCall, Noted};
 use crate::exact::{Rational, RealCyclotomic};
 use crate::formula::LocatedFormula;
+use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Deref;
 
@@ -69,12 +70,32 @@ impl<'a> Evaluator<'a> {
             Ok(quantities) => quantities,
             Err(outcome) => return Ok(Err(outcome)),
         };
+        self.evaluate_in(at, &quantities, known, evaluate).map(Ok)
+    }
+
+    /// The same in these quantities, with the values of definitions that are known, if any are.
+    fn evaluate_in<T>(
+        &self,
+        at: At<'_>,
+        quantities: &Quantities<'_>,
+        known: Option<Known>,
+        evaluate: impl FnOnce(At<'_>, &Quantities<'_>, &Known) -> Result<T, Diagnostic>,
+    ) -> Result<T, Diagnostic> {
         match known.filter(|known| !known.is_empty()) {
-            Some(known) => evaluate(at, &quantities, &known).map(Ok),
-            None => {
-                evaluate(at, &quantities, &self.rows.of(&self.context, at, &quantities)).map(Ok)
-            }
+            Some(known) => evaluate(at, quantities, &known),
+            None => evaluate(at, quantities, &self.rows.of(&self.context, at, quantities)),
         }
+    }
+
+    /// The constants that the value of a cell as printed rests on; those of definitions with one value
+    /// in a row only where this is computed, at its first cell.
+    pub(crate) fn constants(&self, at: At<'_>) -> Result<Noted, Diagnostic> {
+        let Ok(mut quantities) = self.quantities(at)? else { return Ok(Noted::default()) };
+        quantities.noted = Some(RefCell::default());
+        self.evaluate_in(at, &quantities, None, |at, quantities, known| {
+            self.evaluate_with(&self.table.value, at, quantities, known)
+        })?;
+        Ok(quantities.noted.take().unwrap_or_default().into_inner())
     }
 
     /// The value of a cell as printed, and the unstated parameters that it needs: each is assumed as

@@ -17,6 +17,15 @@ pub(crate) struct NotedConstant {
     pub(crate) named: Option<String>,
 }
 
+/// The constants that an evaluation rests on.
+#[derive(Default)]
+pub(crate) struct Noted {
+    /// Those of masks.
+    pub(crate) constants: Vec<NotedConstant>,
+    /// The norms of single sequences that are outside of all sums.
+    pub(crate) norms: Vec<NotedNorm<RealCyclotomic>>,
+}
+
 /// A number of levels: the logarithm of `x` to the base `ratio`, rounded.
 pub(crate) struct LevelCall {
     pub(crate) ratio: RealCyclotomic,

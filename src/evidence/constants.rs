@@ -6,7 +6,7 @@ use crate::evaluation::context::At;
 use crate::evaluation::library::Resolved;
 use crate::evaluation::settings::Settings;
 use crate::evaluation::table::Evaluator;
-use crate::evaluation::trace::NotedConstant;
+use crate::evaluation::trace::{Noted, NotedConstant};
 use crate::exact::{Integer, Rational, RealCyclotomic};
 use crate::judge::later::is_long;
 use crate::limit::first_contraction;
@@ -143,9 +143,8 @@ pub(crate) fn constants(
     let settings = &Settings::default();
     for row in 0..judge.table.cells.len() {
         for column in 0..judge.table.cells[row].len() {
-            judge.library.note();
-            judge.evaluate(&judge.table.value, At { row, column, assume: &assume, settings })?;
-            let (constants, norms) = judge.library.noted();
+            let Noted { constants, norms } =
+                judge.constants(At { row, column, assume: &assume, settings })?;
             for noted in constants {
                 let orders = [noted.order, Order::Adjoint, Order::Forward];
                 let asked = if read_otherwise { 3 } else { 1 };

@@ -205,6 +205,11 @@ impl Explanation {
 }
 
 impl Search {
+    /// How many cells are explained by the reading that was found, or, without one, as printed.
+    pub(crate) fn explained(&self) -> usize {
+        self.best.first().map_or(self.as_printed, Explanation::count)
+    }
+
     /// Whether a reading that was found takes a quantity from another place of the paper.
     pub(crate) fn takes_from_elsewhere(&self) -> bool {
         let found = self.best.first().into_iter().chain(self.lines.iter().map(|line| &line.best));

@@ -78,7 +78,7 @@ pub(crate) fn judge_all<'a>(
 
 /// Looks at the whole family of readings where the plain ones leave cells.
 fn widen<'a>(paper: &'a Paper, finding: &mut TableFinding<'a>) -> Result<(), Diagnostic> {
-    if finding.searches().any(|search| search.most < search.cells) {
+    if finding.searches().any(|search| search.explained() < search.cells) {
         let recovered = std::mem::take(&mut finding.recovered);
         *finding = judge(paper, finding.table, recovered, Family::Whole)?;
     }

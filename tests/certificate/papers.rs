@@ -55,6 +55,24 @@ fn the_committed_certificates_are_valid_and_as_written() {
     }
 }
 
+/// The examples. In one of them a reading gives every cell, though only by luck: then the readings that
+/// take a quantity from another place are looked at too.
+#[test]
+fn the_certificates_of_the_examples_are_valid() {
+    for text in [
+        include_str!("../../examples/first-paper.toml"),
+        include_str!("../../examples/my-paper.toml"),
+    ] {
+        let paper = paper(text);
+        for (_, id, outcome) in checked(&audit(&paper).expect("an audit")).claims {
+            assert!(
+                matches!(outcome, Outcome::Valid | Outcome::Incomplete(_)),
+                "{id}: {outcome:?}"
+            );
+        }
+    }
+}
+
 /// A table, an equation, a closed form and a range, each with something wrong in it.
 const WRONG: &str = r#"
 key = "wrong"

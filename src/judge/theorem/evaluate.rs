@@ -29,6 +29,7 @@ impl Case<'_> {
             scheme,
             settings,
             beyond_caps: Cell::new(false),
+            noted: None,
             last_levels: RefCell::default(),
         }
     }
