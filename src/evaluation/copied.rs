@@ -1,12 +1,7 @@
 //! Quantities that a reading takes from another place of the paper.
 
-use crate::bound::Rounded;
-use crate::claim::{Axis, Cell, LocatedReference, Paper, Table};
-use crate::diagnostic::Diagnostic;
-use crate::evaluation::context::{At, Known, Outcome};
-use crate::evaluation::settings::Settings;
-use crate::evaluation::table::Evaluator;
-use crate::exact::{Rational, RealCyclotomic, parse_decimal};
+use crate::claim::{LocatedReference, Paper, Table};
+use crate::exact::Rational;
 use crate::formula::Node;
 use std::collections::BTreeSet;
 
@@ -72,144 +67,8 @@ pub(crate) fn references(paper: &Paper) -> Vec<&LocatedReference> {
     all.filter(|located| met.insert(located.reference.to_string())).collect()
 }
 
-impl Evaluator<'_> {
-    /// The settings and the known values with which a cell is evaluated whose reading takes something
-    /// from elsewhere; the outcome where it has no such value.
-    pub(crate) fn copied(
-        &self,
-        copied: &Copied,
-        at: At<'_>,
-    ) -> Result<Result<(Settings, Known), Outcome>, Diagnostic> {
-        let mut settings = at.settings.without_copied();
-        let there = At { settings: &settings, ..at };
-        let value = match copied {
-            Copied::Tolerance { line, .. } => {
-                if let Some((name, value)) = self.computed_tolerance(*line, there) {
-                    settings.parameters.insert(name.to_owned(), value);
-                }
-                return Ok(Ok((settings, Known::new())));
-            }
-            Copied::Printed { of, table, .. } => {
-                let printed = self.printed_elsewhere(table, there);
-                printed.map(RealCyclotomic::from).ok_or_else(|| missing(of))
-            }
-            Copied::Parameter { of, name, value } => {
-                let settings = settings.with_parameter(name, value);
-                self.definition(of, At { settings: &settings, ..at })
-            }
-            Copied::Scheme { of, number, .. } => {
-                let settings = settings.with_scheme(*number);
-                self.definition(of, At { settings: &settings, ..at })
-            }
-        };
-        let (Some(of), Ok(value)) = (copied.of(), &value) else {
-            return Ok(Err(value.err().unwrap_or_else(|| missing("a definition"))));
-        };
-        let mut known = match self.quantities(there)? {
-            Ok(quantities) => (*self.rows.of(self, there, &quantities)).clone(),
-            Err(outcome) => return Ok(Err(outcome)),
-        };
-        known.retain(|name, _| !self.leads_to(name, of, &settings));
-        known.insert(of.to_owned(), value.clone());
-        Ok(Ok((settings, known)))
-    }
-
-    /// The value of a definition; a formula that is wrong there has none.
-    fn definition(&self, name: &str, at: At<'_>) -> Result<RealCyclotomic, Outcome> {
-        if let Ok(Ok(quantities)) = &self.quantities(at)
-            && let Some(value) = self.rows.of(self, at, quantities).get(name)
-        {
-            return Ok(value.clone());
-        }
-        let definitions = at.settings.definitions.as_deref().unwrap_or(&self.paper.definitions);
-        match self.evaluate(&definitions[name], at) {
-            Ok(Outcome::Value(value)) => Ok(value),
-            Ok(outcome) => Err(outcome),
-            Err(_) => Err(missing(name)),
-        }
-    }
-
-    /// Whether a definition is this one, or leads to it.
-    fn leads_to(&self, name: &str, of: &str, settings: &Settings) -> bool {
-        let definitions = settings.definitions.as_deref().unwrap_or(&self.paper.definitions);
-        let (mut met, mut waiting) = (BTreeSet::new(), vec![name]);
-        while let Some(name) = waiting.pop() {
-            if name == of {
-                return true;
-            }
-            if let Some(definition) = definitions.get(name)
-                && met.insert(name)
-            {
-                waiting.extend(definition.expr.names());
-            }
-        }
-        false
-    }
-
-    /// The number that a table prints at the headers of a cell.
-    fn printed_elsewhere(&self, table: &str, at: At<'_>) -> Option<Rational> {
-        let other = self.paper.tables.iter().find(|other| other.id == table)?;
-        let scheme = self.table.scheme_at(at.row, at.column);
-        let scheme = scheme.map(|located| located.reference.to_string());
-        let place = |axis: &Axis| {
-            let Some(name) = axis.name() else {
-                let scheme = scheme.as_ref()?;
-                let mut schemes = axis.schemes().iter();
-                return schemes.position(|other| other.reference.to_string() == *scheme);
-            };
-            let value = self.parameter(name, at)?;
-            (0..axis.entries.len()).find(|&i| axis.value(i).is_some_and(|(_, v)| *v == value))
-        };
-        let row = other.rows.as_ref().map_or(Some(0), place)?;
-        match other.cells.get(row)?.get(place(&other.columns)?)? {
-            Cell::Printed(printed) => Some(printed.decimal.value()),
-            Cell::Lost => None,
-        }
-    }
-
-    /// The value that a parameter has at a cell.
-    fn parameter(&self, name: &str, at: At<'_>) -> Option<Rational> {
-        let header = self.header_values(at).find(|(other, _)| *other == name);
-        let assumed = || self.assumed.get(name).filter(|_| at.assume.contains(name)).cloned();
-        header.map(|(_, value)| value).or_else(|| self.given.get(name).cloned()).or_else(assumed)
-    }
-
-    /// The tolerance of a cell, before it was rounded to what is printed: the one at which the cell in
-    /// this line is a whole number of levels. With ε the printed one, x the number whose logarithm
-    /// to the base r the level is, and k the level to the nearest, that is ε·r^k/x, as x is
-    /// proportional to the tolerance. `None` where this does not give what is printed.
-    fn computed_tolerance(&self, line: usize, at: At<'_>) -> Option<(&str, Rational)> {
-        let (axis, place) = match &self.table.rows {
-            Some(rows) if self.tolerance(rows) => (rows, at.row),
-            _ => (&self.table.columns, at.column),
-        };
-        let in_rows = std::ptr::eq(axis, &raw const self.table.columns);
-        let there = if in_rows { At { row: line, ..at } } else { At { column: line, ..at } };
-        let (name, printed) = axis.value(place)?;
-        let entry = &axis.entries[place];
-        let text = entry.read.as_ref().unwrap_or(&entry.printed);
-        let (low, high) = parse_decimal(text).ok()?.interval();
-        let call = self.logarithm(there)?;
-        let (ratio, x) = (call.ratio.as_rational()?, call.x.as_rational()?);
-        let level = self.library.log_level(&call.ratio, &call.x, Rounded::Nearest).ok()?;
-        let power = ratio.pow(i32::try_from(level).ok()?);
-        let value = &(printed * &power) / x;
-        if !(&low..=&high).contains(&&value) {
-            return None;
-        }
-        let settings = at.settings.with_parameter(name, &value);
-        let then = self.logarithm(At { settings: &settings, ..there })?;
-        let whole = then.ratio == call.ratio && then.x == RealCyclotomic::from(power);
-        whole.then_some((name, value))
-    }
-}
-
 /// Whether a table prints the values of a definition, which is all that its value is.
 pub(crate) fn prints(table: &Table, definition: &str) -> bool {
     let lost = || table.cells.iter().flatten().all(|cell| cell.printed().is_none());
     matches!(&table.value.expr.node, Node::Name(name) if name == definition) && !lost()
-}
-
-fn missing(name: &str) -> Outcome {
-    Outcome::Undefined(format!("`{name}` has no value there"))
 }

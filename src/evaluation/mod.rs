@@ -10,6 +10,7 @@ pub(crate) mod choices;
 mod constants;
 pub(crate) mod context;
 pub(crate) mod copied;
+mod elsewhere;
 mod functions;
 pub(crate) mod library;
 mod options;

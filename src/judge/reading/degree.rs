@@ -4,9 +4,7 @@
 //! is 1, 2 and 3 at these. Its form does.
 
 use crate::claim::{Paper, SchemeSource, Table};
-use crate::evaluation::settings::Settings;
 use crate::formula::{Expr, LocatedFormula, Node, Operator, OptionWord};
-use crate::judge::reading::space::Space;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -129,7 +127,7 @@ impl<'a> Degrees<'a> {
     }
 
     /// The calls of `levels` that a formula leads to.
-    fn levels(&self, expr: &'a Expr) -> Vec<&'a [Expr]> {
+    pub(super) fn levels(&self, expr: &'a Expr) -> Vec<&'a [Expr]> {
         let (mut found, mut met, mut waiting) = (Vec::new(), BTreeSet::new(), vec![expr]);
         while let Some(expr) = waiting.pop() {
             let mut names: Vec<&'a str> = Vec::new();
@@ -162,33 +160,5 @@ fn written(exponent: &Expr) -> Option<i64> {
         Node::Number(value) => value.numerator().to_i64().filter(|_| value.is_integer()),
         Node::Negate(operand) => written(operand)?.checked_neg(),
         _ => None,
-    }
-}
-
-impl Space<'_> {
-    /// Whether the form of the value shows, under a reading, that it is proportional to a parameter.
-    pub(crate) fn is_proportional(&self, name: &str, settings: &Settings) -> bool {
-        let table = self.judge.table;
-        let paper = self.judge.paper;
-        let definitions = settings.definitions.as_deref().unwrap_or(&paper.definitions);
-        let degrees = Degrees::new(paper, definitions, table, name);
-        degrees.of(&table.value.expr) == Some(1)
-    }
-
-    /// Whether the form of all levels that the value leads to shows that what they are the logarithm
-    /// of is inversely proportional to a parameter, on which their ratio does not depend.
-    pub(crate) fn is_inverse(&self, name: &str) -> bool {
-        let (table, paper) = (self.judge.table, self.judge.paper);
-        let degrees = Degrees::new(paper, &paper.definitions, table, name);
-        let calls = degrees.levels(&table.value.expr);
-        let any = !calls.is_empty();
-        any && calls.into_iter().all(|call| match call {
-            [ratio, of, rest @ ..] => {
-                degrees.is_free(ratio)
-                    && degrees.of(of) == Some(-1)
-                    && rest.iter().all(|part| degrees.is_free(part))
-            }
-            _ => false,
-        })
     }
 }

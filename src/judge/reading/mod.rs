@@ -14,6 +14,7 @@ mod consistent;
 mod copied;
 mod degree;
 mod explain;
+mod form;
 mod line;
 mod needs;
 mod parameter;

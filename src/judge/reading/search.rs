@@ -5,7 +5,7 @@ use crate::evaluation::table::Evaluator;
 use crate::exact::{Integer, Rational};
 use crate::finding::{COPIED, CellFinding, CellKind, Explanation, Need, Search};
 use crate::judge::reading::chance::{chance, is_small, of_decimal, of_depth};
-use crate::judge::reading::space::{Family, Space, needed, printed};
+use crate::judge::reading::space::{Family, PrintedCells, Space, needed, printed};
 use crate::judge::reading::tried::{PARTS, Part};
 use crate::judge::reading::{line, tried};
 use std::cmp::Reverse;
@@ -83,13 +83,8 @@ pub(crate) fn search(
     let Found { best, most, chance } = found;
     let of_row = |row: &Vec<Option<&Printed>>| row.iter().map(|c| c.map(likelihood)).collect();
     let likelihoods: Vec<Vec<Option<Rational>>> = printed.iter().map(of_row).collect();
-    let mut left: Vec<Vec<bool>> =
-        printed.iter().map(|row| row.iter().map(Option::is_some).collect()).collect();
-    for explained in best.first().map(|best| &best.explained).into_iter().chain([&as_printed]) {
-        for (left, explained) in left.iter_mut().flatten().zip(explained.iter().flatten()) {
-            *left &= !explained;
-        }
-    }
+    let explained = best.first().map(|best| &best.explained).into_iter().chain([&as_printed]);
+    let left = left(&printed, explained);
     let lines = line::search(&space, &parts, &likelihoods, left, &values);
     let mut choices = space.names();
     if !copied.is_empty() {
@@ -99,6 +94,21 @@ pub(crate) fn search(
     let elsewhere = !copied.is_empty();
     let search = Search { tried, choices, elsewhere, cells, as_printed, most, best, chance, lines };
     Some((Some(search), needs))
+}
+
+/// The printed cells that nothing explains, by row.
+fn left<'e>(
+    printed: &PrintedCells<'_>,
+    explained: impl Iterator<Item = &'e Vec<Vec<bool>>>,
+) -> Vec<Vec<bool>> {
+    let row = |row: &Vec<Option<&Printed>>| row.iter().map(Option::is_some).collect();
+    let mut left: Vec<Vec<bool>> = printed.iter().map(row).collect();
+    for explained in explained {
+        for (left, explained) in left.iter_mut().flatten().zip(explained.iter().flatten()) {
+            *left &= !explained;
+        }
+    }
+    left
 }
 
 /// The best readings of a part.

@@ -1,0 +1,33 @@
+//! What the form of a table's value shows of a parameter.
+
+use crate::evaluation::settings::Settings;
+use crate::judge::reading::degree::Degrees;
+use crate::judge::reading::space::Space;
+
+impl Space<'_> {
+    /// Whether the form of the value shows, under a reading, that it is proportional to a parameter.
+    pub(crate) fn is_proportional(&self, name: &str, settings: &Settings) -> bool {
+        let table = self.judge.table;
+        let paper = self.judge.paper;
+        let definitions = settings.definitions.as_deref().unwrap_or(&paper.definitions);
+        let degrees = Degrees::new(paper, definitions, table, name);
+        degrees.of(&table.value.expr) == Some(1)
+    }
+
+    /// Whether the form of all levels that the value leads to shows that what they are the logarithm
+    /// of is inversely proportional to a parameter, on which their ratio does not depend.
+    pub(crate) fn is_inverse(&self, name: &str) -> bool {
+        let (table, paper) = (self.judge.table, self.judge.paper);
+        let degrees = Degrees::new(paper, &paper.definitions, table, name);
+        let calls = degrees.levels(&table.value.expr);
+        let any = !calls.is_empty();
+        any && calls.into_iter().all(|call| match call {
+            [ratio, of, rest @ ..] => {
+                degrees.is_free(ratio)
+                    && degrees.of(of) == Some(-1)
+                    && rest.iter().all(|part| degrees.is_free(part))
+            }
+            _ => false,
+        })
+    }
+}
