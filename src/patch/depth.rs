@@ -41,7 +41,34 @@ pub struct MeshDepth {
     pub exact_pieces: usize,
 }
 
-/// A mesh whose depths are asked for.
+/// The distances of a mesh from its limit surface:
+///
+/// D_k = sup |P^∞ − P^k|, k = 0, 1, …,
+///
+/// over the whole surface, Euclidean. P^k is the mesh of level k, bilinear on each quadrilateral
+/// (Catmull–Clark; a face of level 0 with n vertices is n bilinear quarters), flat on each triangle
+/// (Loop), bilinear on each quarter of a face at an inner vertex (Doo–Sabin). P^∞ is the limit at
+/// the same parameters. Distances are in the unit of the coordinates.
+///
+/// Source: `proofs/THEOREMS.md`, 91 to 97.
+///
+/// ```
+/// use subcert::exact::Rational;
+/// use subcert::mesh::{MeshScheme, PolygonMesh};
+/// use subcert::patch::MeshDistances;
+///
+/// let points = [[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]].map(|p| p.map(Rational::from));
+/// let faces = vec![vec![0, 1, 2], vec![0, 3, 1], vec![0, 2, 3], vec![1, 3, 2]];
+/// let mesh = PolygonMesh::new(points.to_vec(), faces)?;
+/// let distances = MeshDistances::new(mesh, MeshScheme::Loop)?;
+/// // The vertex (1, 1, 1) tends to a fifth of itself, 4√3/5 away.
+/// let depth = distances.depth(&Rational::new(3, 2))?;
+/// assert_eq!((depth.level, depth.too_few), (0, None));
+/// assert!(depth.distance[0] <= 1.3857 && 1.3856 <= depth.distance[1]);
+/// let depth = distances.depth(&Rational::new(1, 100))?;
+/// assert_eq!(depth.too_few, Some(depth.level - 1));
+/// # Ok::<(), subcert::mesh::MeshError>(())
+/// ```
 pub struct MeshDistances {
     pub(super) model: Model,
     pub(super) work: Arc<MeshWork>,

@@ -4,7 +4,7 @@ use super::{Mesh, depth, examples};
 use crate::common::r;
 use subcert::exact::Rational;
 use subcert::mesh::{MeshScheme, Point, PolygonMesh};
-use subcert::patch::a_priori;
+use subcert::patch::{a_priori, formula_level};
 
 /// A turn by a Pythagorean angle, a stretch by 5, and a move far away.
 fn similar(point: &Point<Rational>) -> Point<Rational> {
@@ -96,4 +96,12 @@ fn a_plane() {
     let found = depth(&mesh, MeshScheme::DooSabin, &Rational::new(1, 1_000_000));
     assert_eq!((found.level, found.too_few), (0, None));
     assert!(found.distance[0] <= 1e-12 && found.distance[1] <= 1e-9, "{found:?}");
+}
+
+/// Squares have G = 1/2, H = 3/4 and b = 23/16, and triangles, of the vertices, GH = 1/4: 23/16 · 2/(5/8) = 4.6
+/// times (3/8)^k is at most 1/100 from k = 7 on.
+#[test]
+fn the_formula_of_the_paper_by_hand() {
+    assert_eq!(formula_level(&super::cube(), 2.0, &r(1, 100)), Some(7));
+    assert_eq!(formula_level(&super::cube(), 2.0, &r(47, 10)), Some(0));
 }

@@ -117,7 +117,7 @@ fn examples(scheme: MeshScheme) -> Vec<Mesh> {
             all.extend([fan(1, false, false), fan(4, false, false), fan(7, false, true)]);
         }
         MeshScheme::DooSabin => {
-            all.extend([cube(), prism(5), bumpy(5, 4, false), fan(6, false, true)])
+            all.extend([cube(), prism(5), bumpy(5, 4, false), fan(6, false, true)]);
         }
         MeshScheme::Loop | MeshScheme::LoopWarren => {
             all.extend([

@@ -124,7 +124,7 @@ fn sampled_faces(mut mesh: Numbers, more: u32) -> f64 {
 
 /// Whether so many limit points can be computed exactly in a test.
 fn small(mesh: &Mesh, level: u32) -> bool {
-    mesh.connectivity().corner_count() * 4_usize.pow(level + 2) <= 3_000
+    mesh.connectivity().corner_count() * 4_usize.pow(level + 2) <= 1_500
 }
 
 fn check(mesh: &Mesh, scheme: MeshScheme, tolerance: &Rational) -> Result<(), TestCaseError> {
@@ -167,7 +167,7 @@ fn check(mesh: &Mesh, scheme: MeshScheme, tolerance: &Rational) -> Result<(), Te
 fn sampled_limit_points_are_within_the_tolerance_and_the_witness_is_not() {
     for scheme in MeshScheme::ALL {
         for mesh in examples(scheme) {
-            for tolerance in [r(5, 1), r(1, 2), r(1, 12), r(1, 50)] {
+            for tolerance in [r(1, 2), r(1, 12), r(1, 50)] {
                 check(&mesh, scheme, &tolerance).unwrap_or_else(|error| panic!("{error}"));
             }
         }
@@ -175,7 +175,7 @@ fn sampled_limit_points_are_within_the_tolerance_and_the_witness_is_not() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(12))]
+    #![proptest_config(ProptestConfig::with_cases(10))]
 
     #[test]
     fn any_points(

@@ -62,7 +62,7 @@ fn colour(share: f64) -> [u8; 3] {
         let byte = (255.0 * x.clamp(0.0, 1.0)).round() as u8;
         byte
     };
-    [byte(2.0 * share), byte(2.0 - 2.0 * (share - 0.5).abs() - 1.0), byte(2.0 - 2.0 * share)]
+    [byte(2.0 * share), byte(1.0 - 2.0 * (share - 0.5).abs()), byte(2.0 - 2.0 * share)]
 }
 
 /// The control mesh with the colours and the upper bounds of its faces; a vertex has the greatest

@@ -20,8 +20,9 @@ pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments) -> Outcome {
     let (scheme, name, file) = read(&arguments.scheme, path)?;
     let refused = |error| failure(&file, &error);
     let guaranteed = a_priori(file.mesh(), scheme, &tolerance).map_err(refused)?;
-    let promised = (scheme == MeshScheme::DooSabin)
-        .then(|| formula_level(file.mesh(), guaranteed.longest_edge, &tolerance));
+    let promised = (scheme == MeshScheme::DooSabin).then(|| Formula {
+        level: formula_level(file.mesh(), guaranteed.longest_edge, &tolerance),
+    });
     let per_face = arguments.per_face.as_deref();
     let per_face =
         per_face.map(|path| FacesFormat::of(path).map(|format| (path, format))).transpose()?;
@@ -48,8 +49,14 @@ struct Report {
     tolerance: Rational,
     guaranteed: APriori,
     /// What the formula of a paper says, where there is one for the scheme.
-    promised: Option<Option<u32>>,
+    promised: Option<Formula>,
     found: Option<MeshDepth>,
+}
+
+/// How many levels a formula promises to be enough; `None` where it promises nothing.
+#[derive(Clone, Copy, Debug)]
+struct Formula {
+    level: Option<u32>,
 }
 
 /// A promise of a number of levels against what is known.
@@ -94,19 +101,18 @@ fn point(point: &[f64; 3]) -> String {
     format!("({x}, {y}, {z})")
 }
 
-impl Report {
-    fn place(&self, place: &FarPlace) -> String {
-        let FarPlace { face, vertex, level_face, on_mesh, on_limit } = place;
-        let corner = vertex.map(|vertex| format!(" near vertex {vertex}")).unwrap_or_default();
-        let of_level =
-            level_face.map(|face| format!(", face {face} of the level")).unwrap_or_default();
-        format!(
-            "face {face}{corner}{of_level}: {} of the mesh, {} of the limit",
-            point(on_mesh),
-            point(on_limit)
-        )
-    }
+fn place_text(place: &FarPlace) -> String {
+    let FarPlace { face, vertex, level_face, on_mesh, on_limit } = place;
+    let corner = vertex.map(|vertex| format!(" near vertex {vertex}")).unwrap_or_default();
+    let of_level = level_face.map(|face| format!(", face {face} of the level")).unwrap_or_default();
+    format!(
+        "face {face}{corner}{of_level}: {} of the mesh, {} of the limit",
+        point(on_mesh),
+        point(on_limit)
+    )
+}
 
+impl Report {
     fn sheet(&self, arguments: &DepthArguments) -> Sheet {
         let mut sheet = Sheet::default();
         let Report { scheme, name, guaranteed, .. } = self;
@@ -123,12 +129,12 @@ impl Report {
             let [least, most] = found.distance.map(digits);
             facts
                 .push((format!("distance at level {}", found.level), format!("{least} to {most}")));
-            facts.extend(found.worst.as_ref().map(|x| ("greatest at".to_owned(), self.place(x))));
+            facts.extend(found.worst.as_ref().map(|x| ("greatest at".to_owned(), place_text(x))));
             let apart = format!("at least {}", digits(found.apart));
             facts.push(("Hausdorff distance".to_owned(), apart));
             let few = found.too_few.zip(found.beyond.as_ref());
             facts
-                .extend(few.map(|(level, x)| (format!("too far at level {level}"), self.place(x))));
+                .extend(few.map(|(level, x)| (format!("too far at level {level}"), place_text(x))));
             let pieces = match found.exact_pieces {
                 0 => "nowhere; all was decided in f64 with bounds of its errors".to_owned(),
                 count => format!("for {count} pieces that were too near to call in f64"),
@@ -142,7 +148,7 @@ impl Report {
         );
         facts.push(("a priori".to_owned(), text));
         if let Some(promised) = self.promised {
-            let text = match (promised, &self.found) {
+            let text = match (promised.level, &self.found) {
                 (None, _) => {
                     "nothing: its constant is not below 1 for a valence of the mesh".to_owned()
                 }
@@ -190,7 +196,7 @@ impl Report {
                 longest_edge: shortest(self.guaranteed.longest_edge),
                 ratio: shortest(self.guaranteed.ratio),
             },
-            formula: self.promised.map(|level| form::Formula {
+            formula: self.promised.map(|Formula { level }| form::Formula {
                 paper: FORMULA_PAPER,
                 level,
                 verdict: level.zip(found).map(|(level, found)| Promise::of(level, found).name()),
