@@ -21,5 +21,6 @@ mod judge;
 mod limit;
 mod mesh;
 mod oracle;
+mod patch;
 mod random_papers;
 mod scheme;

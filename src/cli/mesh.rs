@@ -51,6 +51,35 @@ pub(super) fn reference_values(scheme: &str, path: &Path, level: u32) -> Outcome
     write_results(&to_json(&mesh, &work.head(), Some(&limits)))
 }
 
+/// The scheme of a name and the mesh in a file, with the name of the file.
+pub(super) fn read(scheme: &str, path: &Path) -> Result<(MeshScheme, String, MeshFile), Failure> {
+    let scheme = MeshScheme::parse(scheme).map_err(Failure::Input)?;
+    let standard = path.as_os_str() == "-";
+    let name = if standard { "standard input".to_owned() } else { path.display().to_string() };
+    let text = if standard {
+        read_text_from(std::io::stdin().lock(), MAX_FILE_BYTES)
+    } else {
+        read_text(path, MAX_FILE_BYTES)
+    };
+    let text = text.map_err(|reason| {
+        let hint = if reason.contains("UTF-8") { "; save it in an ascii form" } else { "" };
+        Failure::Input(format!("cannot read `{name}`: {reason}{hint}"))
+    })?;
+    let format = MeshFormat::of(path, &text);
+    let file = read_mesh(&SourceText::new(name.clone(), text), format)?;
+    Ok((scheme, name, file))
+}
+
+/// What the rules refuse, they refuse at level 0: it has a place in the file.
+pub(super) fn failure(file: &MeshFile, error: &MeshError) -> Failure {
+    if error.face().is_some() || error.point().is_some() {
+        file.diagnostic(error).into()
+    } else {
+        let help = error.help().map(|help| format!("; {help}")).unwrap_or_default();
+        Failure::Input(format!("{error}{help}"))
+    }
+}
+
 /// A mesh, its scheme and its level.
 struct Work {
     scheme: MeshScheme,
@@ -61,20 +90,7 @@ struct Work {
 
 impl Work {
     fn new(scheme: &str, path: &Path, level: u32) -> Result<Work, Failure> {
-        let scheme = MeshScheme::parse(scheme).map_err(Failure::Input)?;
-        let standard = path.as_os_str() == "-";
-        let name = if standard { "standard input".to_owned() } else { path.display().to_string() };
-        let text = if standard {
-            read_text_from(std::io::stdin().lock(), MAX_FILE_BYTES)
-        } else {
-            read_text(path, MAX_FILE_BYTES)
-        };
-        let text = text.map_err(|reason| {
-            let hint = if reason.contains("UTF-8") { "; save it in an ascii form" } else { "" };
-            Failure::Input(format!("cannot read `{name}`: {reason}{hint}"))
-        })?;
-        let format = MeshFormat::of(path, &text);
-        let file = read_mesh(&SourceText::new(name.clone(), text), format)?;
+        let (scheme, name, file) = read(scheme, path)?;
         Ok(Work { scheme, level, name, file })
     }
 
@@ -87,14 +103,8 @@ impl Work {
         limit_points(mesh, self.scheme).map_err(|error| self.failure(&error))
     }
 
-    /// What the rules refuse, they refuse at level 0: it has a place in the file.
     fn failure(&self, error: &MeshError) -> Failure {
-        if error.face().is_some() || error.point().is_some() {
-            self.file.diagnostic(error).into()
-        } else {
-            let help = error.help().map(|help| format!("; {help}")).unwrap_or_default();
-            Failure::Input(format!("{error}{help}"))
-        }
+        failure(&self.file, error)
     }
 
     fn title(&self, what: &str) -> String {

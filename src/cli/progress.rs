@@ -3,10 +3,12 @@
 use super::terminal;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal as _;
+use std::sync::Arc;
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread::JoinHandle;
 use std::time::Duration;
 use subcert::bound::Budget;
+use subcert::patch::MeshWork;
 
 /// How long a command takes before a bar is shown.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -36,6 +38,17 @@ impl Progress {
             "{bar:40} {percent} % of the {len} steps that the search may take, {elapsed}";
         Progress::new(total, template, wanted, move |bar| {
             bar.set_position(budgets.iter().map(|budget| budget.total() - budget.left()).sum());
+        })
+    }
+
+    /// Of the depth of a mesh, by the pieces of the level that is looked at.
+    pub(super) fn of_pieces(work: Arc<MeshWork>, wanted: bool) -> Progress {
+        let template = "{bar:40} {pos} of {len} pieces of level {msg}, {elapsed}";
+        Progress::new(1, template, wanted, move |bar| {
+            let (done, total) = work.pieces();
+            bar.set_message(work.level().to_string());
+            bar.set_length(u64::try_from(total).unwrap_or(u64::MAX));
+            bar.set_position(u64::try_from(done).unwrap_or(u64::MAX));
         })
     }
 

@@ -20,7 +20,7 @@ const MAX_NORMAL_WORK: usize = 1 << 25;
 /// # Errors
 /// When a face or an inner vertex has too many vertices or neighbours, an inner vertex has two
 /// neighbours, or Loop's rules meet a face that is no triangle.
-pub(super) fn check_rules(
+pub(crate) fn check_rules(
     connectivity: &Connectivity,
     scheme: MeshScheme,
 ) -> Result<(), MeshError> {
@@ -63,7 +63,7 @@ pub(super) fn inner_valences(
 ///
 /// # Errors
 /// When the field or the numbers in it are beyond the caps.
-pub(super) fn check_field(
+pub(crate) fn check_field(
     connectivity: &Connectivity,
     points: &[Point<RealCyclotomic>],
     scheme: MeshScheme,

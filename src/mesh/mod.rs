@@ -31,13 +31,17 @@ mod write;
 
 pub use connectivity::{Connectivity, Edge};
 pub use error::MeshError;
+pub(crate) use field::{check_field, check_rules};
+pub(crate) use limit::loop_limit_weights;
 pub use limit::{LimitPoint, Normal, limit_points};
 pub use point::Point;
 pub use polygon::PolygonMesh;
 pub use read::{MAX_FILE_BYTES, MeshFile, MeshFormat, read_mesh};
 pub use refine::{MAX_MESH_LEVEL, refine_mesh};
+pub(crate) use refine::{step_with, weighted_valences};
 pub use scheme::MeshScheme;
 pub use star::Star;
+pub(crate) use stencil::Stencils;
 pub use write::{BeyondF64, to_json, to_obj, to_ply};
 
 /// The most points of a mesh, refined or not.

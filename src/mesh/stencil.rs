@@ -6,8 +6,9 @@ use crate::scheme::{LocalRules, parse_local_rules};
 use std::collections::BTreeMap;
 
 /// The weights of a scheme for all valences of a mesh.
-pub(super) struct Stencils {
-    rows: BTreeMap<usize, Vec<RealCyclotomic>>,
+#[derive(Clone, Debug)]
+pub(crate) struct Stencils<S = RealCyclotomic> {
+    rows: BTreeMap<usize, Vec<S>>,
 }
 
 impl Stencils {
@@ -21,19 +22,27 @@ impl Stencils {
     ///
     /// # Panics
     /// When the catalogue has no rules for a valence.
-    pub(super) fn new(scheme: MeshScheme, valences: impl IntoIterator<Item = usize>) -> Stencils {
+    pub(crate) fn new(scheme: MeshScheme, valences: impl IntoIterator<Item = usize>) -> Stencils {
         let mut rows = BTreeMap::new();
         for n in valences {
             rows.entry(n).or_insert_with(|| row(scheme, n));
         }
         Stencils { rows }
     }
+}
+
+impl<S> Stencils<S> {
+    /// The same weights as numbers of another kind.
+    pub(crate) fn map<T>(&self, mut map: impl FnMut(&S) -> T) -> Stencils<T> {
+        let rows = self.rows.iter();
+        Stencils { rows: rows.map(|(n, row)| (*n, row.iter().map(&mut map).collect())).collect() }
+    }
 
     /// The weights of a valence.
     ///
     /// # Panics
     /// When it was not asked for.
-    pub(super) fn of(&self, valence: usize) -> &[RealCyclotomic] {
+    pub(crate) fn of(&self, valence: usize) -> &[S] {
         &self.rows[&valence]
     }
 }

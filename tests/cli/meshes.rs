@@ -81,3 +81,82 @@ fn nothing_is_half_written() {
     assert_parts(&message, &["broken.obj:5:1", "point 9 does not exist"]);
     assert_eq!(std::fs::read_to_string(output.path()).expect("the file"), "kept");
 }
+
+fn json(text: &str) -> serde_json::Value {
+    serde_json::from_str(text).expect("JSON")
+}
+
+#[test]
+fn the_depth_of_a_mesh() {
+    let depth = ["depth", "catmull-clark", "--tolerance", "1/100"];
+    let text = written(of_cube(&depth));
+    assert_parts(&text, &["4 levels; 3 are too few", "a priori", "too far at level 3"]);
+    let form = json(&written(of_cube(&[&depth[..], &["--format", "json"]].concat())));
+    assert_eq!((&form["level"], &form["too_few"]), (&4.into(), &3.into()));
+    assert_eq!(form["formula"], serde_json::Value::Null);
+    let number = |value: &serde_json::Value| -> f64 {
+        value.as_str().expect("a text").parse().expect("a number")
+    };
+    let [lower, upper] = ["lower", "upper"].map(|end| number(&form["distance"][end]));
+    assert!(0.0 < lower && lower <= upper && upper <= 0.01, "{form}");
+    assert!(number(&form["a_priori"]["ratio"]) < 1.0);
+    let form = json(&written(of_cube(&[
+        "depth",
+        "doo-sabin",
+        "--tolerance",
+        "1/100",
+        "--format",
+        "json",
+        "--a-priori",
+    ])));
+    assert_eq!(form["level"], serde_json::Value::Null);
+    assert_eq!(form["formula"]["paper"], "khan2022-doo-sabin");
+    assert!(form["a_priori"]["level"].as_u64() > Some(4), "{form}");
+}
+
+#[test]
+fn the_distance_of_every_face() {
+    let depth = ["depth", "catmull-clark", "--tolerance", "1/10", "--per-face"];
+    let table = TemporaryFile::new("faces.csv", "");
+    written(of_cube(&[&depth[..], &[table.path()]].concat()));
+    let text = std::fs::read_to_string(table.path()).expect("the file");
+    let lines: Vec<&str> = text.lines().collect();
+    assert_eq!((lines.len(), lines[0]), (7, "face,vertices,level,lower,upper"));
+    for (face, line) in lines[1..].iter().enumerate() {
+        let cells: Vec<&str> = line.split(',').collect();
+        assert_eq!((cells[0], cells[1], cells[2]), (&face.to_string()[..], "4", "2"));
+        let [lower, upper]: [f64; 2] = [3, 4].map(|i| cells[i].parse().expect("a number"));
+        // All faces of the cube are alike.
+        assert!(0.0476 < lower * 1.06 && lower <= upper && upper < 0.0505, "{line}");
+    }
+    let colours = TemporaryFile::new("faces.ply", "");
+    written(of_cube(&[&depth[..], &[colours.path()]].concat()));
+    let text = std::fs::read_to_string(colours.path()).expect("the file");
+    assert_eq!(text.matches("property uchar red\n").count(), 2);
+    assert_eq!(text.lines().filter(|line| line.contains(" 255 0 0 0.0")).count(), 14, "{text}");
+    // What is written reads back.
+    written(["depth", "catmull-clark", "--tolerance", "1", "--mesh", colours.path()]);
+}
+
+#[test]
+fn what_has_no_depth() {
+    let square =
+        TemporaryFile::new("flat.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n");
+    let cases: [(&[&str], &[&str]); 6] = [
+        (&["doo-sabin", "--tolerance", "1", "--mesh", square.path()], &["the surface is empty"]),
+        (&["loop", "--tolerance", "1", "--mesh", square.path()], &["refines triangles"]),
+        (&["catmull-clark", "--tolerance", "0", "--mesh", square.path()], &["must be positive"]),
+        (
+            &["catmull-clark", "--tolerance", "1e-60", "--mesh", square.path()],
+            &["more than 40 levels", "take a greater one"],
+        ),
+        (
+            &["catmull-clark", "--tolerance", "1", "--mesh", square.path(), "--per-face", "x.txt"],
+            &[".csv or .ply"],
+        ),
+        (&["chaikin", "--tolerance", "1", "--mesh", square.path()], &["no scheme for meshes"]),
+    ];
+    for (arguments, parts) in cases {
+        assert_parts(&refused([&["depth"], arguments].concat()), parts);
+    }
+}

@@ -69,6 +69,16 @@ pub(in crate::cli) struct DepthArguments {
     /// What happens at its ends [default: closed]
     #[arg(long, value_enum, requires = "polygon")]
     pub(in crate::cli) boundary: Option<BoundaryArgument>,
+    /// A polygon mesh as OBJ, OFF or PLY (ascii), for the depth that it needs; `-` for the standard
+    /// input. The scheme is catmull-clark, doo-sabin, loop, or loop-warren
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["spread", "polygon", "width", "levels"])]
+    pub(in crate::cli) mesh: Option<PathBuf>,
+    /// Only what the longest edge and the valences of the mesh guarantee
+    #[arg(long, requires = "mesh")]
+    pub(in crate::cli) a_priori: bool,
+    /// Write the distance of every face of the mesh at the level found: .csv, or .ply with colours
+    #[arg(long, value_name = "FILE", requires = "mesh", conflicts_with = "a_priori")]
+    pub(in crate::cli) per_face: Option<PathBuf>,
     /// How narrow the intervals around exact distances are [default: ε/1000]
     #[arg(long, value_name = "W", allow_hyphen_values = true)]
     pub(in crate::cli) width: Option<String>,

@@ -2,8 +2,10 @@
 
 mod bound;
 mod exact;
+mod faces;
 mod interval;
 mod local_rules;
+mod mesh;
 mod place;
 mod polygon;
 mod surface;
@@ -25,6 +27,9 @@ use subcert::report::Sheet;
 use subcert::scheme::{AnyScheme, Mask, Scheme, parse_any_scheme};
 
 pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
+    if let Some(path) = &arguments.mesh {
+        return mesh::mesh_depth(path, arguments);
+    }
     let scheme = match parse_any_scheme(&arguments.scheme)? {
         AnyScheme::Uniform(scheme) => scheme,
         AnyScheme::LocalRules(ring) => return ring_depth(&ring, arguments),

@@ -5,6 +5,7 @@ pub(super) mod certify;
 pub(super) mod constants;
 pub(super) mod depth;
 pub(super) mod listing;
+pub(super) mod mesh_depth;
 pub(super) mod offset;
 pub(super) mod range;
 pub(super) mod schemes;

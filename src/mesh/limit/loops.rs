@@ -31,8 +31,9 @@ pub(super) fn limits(
     (0..mesh.points().len()).map(limit).collect()
 }
 
-/// 1 − nω and ω = 1/(n + 3/(8β)) = 8β/(8nβ + 3).
-fn limit_weights(n: usize, beta: &RealCyclotomic) -> [RealCyclotomic; 2] {
+/// The weights of a vertex and of each neighbour in the limit: 1 − nω and
+/// ω = 1/(n + 3/(8β)) = 8β/(8nβ + 3).
+pub(crate) fn limit_weights(n: usize, beta: &RealCyclotomic) -> [RealCyclotomic; 2] {
     let number = |n: usize| RealCyclotomic::from(Rational::from(n));
     let eight = beta.times(&number(8));
     let omega = eight.over(&eight.times(&number(n)).plus(&number(3)));

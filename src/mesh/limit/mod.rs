@@ -5,6 +5,7 @@ mod doo_sabin;
 mod loops;
 mod normal;
 
+pub(crate) use loops::limit_weights as loop_limit_weights;
 pub use normal::Normal;
 
 use super::error::MeshError;

@@ -6,17 +6,17 @@ use super::super::point::{Point, combination, sum};
 use super::super::polygon::PolygonMesh;
 use super::super::stencil::Stencils;
 use super::triangles::{boundary_vertex, midpoint};
-use crate::exact::{Rational, RealCyclotomic, Scalar};
+use crate::exact::{Rational, Scalar};
 
 /// One level: the points of vertices, edges and faces in this order, and a quadrilateral for
 /// each vertex of each face.
-pub(super) fn step(
-    mesh: &PolygonMesh<RealCyclotomic>,
-    stencils: &Stencils,
-) -> Result<PolygonMesh<RealCyclotomic>, MeshError> {
+pub(super) fn step<S: Scalar>(
+    mesh: &PolygonMesh<S>,
+    stencils: &Stencils<S>,
+) -> Result<PolygonMesh<S>, MeshError> {
     let connectivity = mesh.connectivity();
     let (vertices, edges) = (connectivity.point_count(), connectivity.edges().len());
-    let centres: Vec<Point<RealCyclotomic>> =
+    let centres: Vec<Point<S>> =
         mesh.faces().iter().map(|face| mean(face.iter().map(|&v| &mesh.points()[v]))).collect();
     let mut points = Vec::with_capacity(vertices + edges + centres.len());
     points.extend((0..vertices).map(|vertex| vertex_point(mesh, &centres, stencils, vertex)));
@@ -34,18 +34,12 @@ pub(super) fn step(
     PolygonMesh::new(points, faces)
 }
 
-fn mean<'a>(
-    points: impl ExactSizeIterator<Item = &'a Point<RealCyclotomic>>,
-) -> Point<RealCyclotomic> {
-    let share = RealCyclotomic::from(Rational::new(1, points.len()));
+fn mean<'a, S: Scalar + 'a>(points: impl ExactSizeIterator<Item = &'a Point<S>>) -> Point<S> {
+    let share = S::from_rational(&Rational::new(1, points.len()));
     sum(points).map(|x| x.times(&share))
 }
 
-fn edge_point(
-    mesh: &PolygonMesh<RealCyclotomic>,
-    centres: &[Point<RealCyclotomic>],
-    edge: &Edge,
-) -> Point<RealCyclotomic> {
+fn edge_point<S: Scalar>(mesh: &PolygonMesh<S>, centres: &[Point<S>], edge: &Edge) -> Point<S> {
     let [p, q] = edge.ends.map(|end| &mesh.points()[end]);
     match edge.other {
         Some((other, _)) => mean([p, q, &centres[edge.face.0], &centres[other]].into_iter()),
@@ -53,12 +47,12 @@ fn edge_point(
     }
 }
 
-fn vertex_point(
-    mesh: &PolygonMesh<RealCyclotomic>,
-    centres: &[Point<RealCyclotomic>],
-    stencils: &Stencils,
+fn vertex_point<S: Scalar>(
+    mesh: &PolygonMesh<S>,
+    centres: &[Point<S>],
+    stencils: &Stencils<S>,
     vertex: usize,
-) -> Point<RealCyclotomic> {
+) -> Point<S> {
     let star = mesh.connectivity().star(vertex);
     if star.boundary {
         return boundary_vertex(mesh, vertex, &star);

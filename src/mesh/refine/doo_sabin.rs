@@ -5,14 +5,14 @@ use super::super::error::MeshError;
 use super::super::point::{Point, combination};
 use super::super::polygon::PolygonMesh;
 use super::super::stencil::Stencils;
-use crate::exact::RealCyclotomic;
+use crate::exact::Scalar;
 
 /// One level: a point for each vertex of each face; a face for each face, each inner edge and
 /// each inner vertex, in this order.
-pub(super) fn step(
-    mesh: &PolygonMesh<RealCyclotomic>,
-    stencils: &Stencils,
-) -> Result<PolygonMesh<RealCyclotomic>, MeshError> {
+pub(super) fn step<S: Scalar>(
+    mesh: &PolygonMesh<S>,
+    stencils: &Stencils<S>,
+) -> Result<PolygonMesh<S>, MeshError> {
     let connectivity = mesh.connectivity();
     let mut points = Vec::with_capacity(connectivity.corner_count());
     for face in mesh.faces() {
@@ -22,12 +22,12 @@ pub(super) fn step(
 }
 
 /// Σ_j a_j x_{i+j} over the vertices of the face.
-fn corner_point(
-    mesh: &PolygonMesh<RealCyclotomic>,
-    stencils: &Stencils,
+fn corner_point<S: Scalar>(
+    mesh: &PolygonMesh<S>,
+    stencils: &Stencils<S>,
     face: &[usize],
     corner: usize,
-) -> Point<RealCyclotomic> {
+) -> Point<S> {
     let turned = (0..face.len()).map(|j| &mesh.points()[face[(corner + j) % face.len()]]);
     combination(stencils.of(face.len()).iter().zip(turned))
 }

@@ -11,8 +11,9 @@ use super::field::{check_field, check_rules, inner_valences};
 use super::polygon::PolygonMesh;
 use super::scheme::MeshScheme;
 use super::stencil::Stencils;
-use crate::exact::RealCyclotomic;
+use crate::exact::{RealCyclotomic, Scalar};
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 
 /// The most levels of refinement.
 pub const MAX_MESH_LEVEL: u32 = 24;
@@ -109,15 +110,34 @@ fn step(
     };
     check_field(connectivity, mesh.points(), scheme, false, count)?;
     check_bits(mesh, count)?;
-    let valences: Vec<usize> = match scheme {
+    step_with(mesh, scheme, &Stencils::new(scheme, weighted_valences(connectivity, scheme)))
+}
+
+/// The valences whose weights one level needs: of the faces for Doo–Sabin, else of the inner
+/// vertices.
+pub(crate) fn weighted_valences(
+    connectivity: &Connectivity,
+    scheme: MeshScheme,
+) -> BTreeSet<usize> {
+    match scheme {
         MeshScheme::DooSabin => connectivity.faces().iter().map(Vec::len).collect(),
         _ => inner_valences(connectivity).map(|(_, valence)| valence).collect(),
-    };
-    let stencils = Stencils::new(scheme, valences);
+    }
+}
+
+/// One level by these weights, which are those of all [`weighted_valences`], unchecked.
+///
+/// # Errors
+/// When the next mesh has too many points.
+pub(crate) fn step_with<S: Scalar>(
+    mesh: &PolygonMesh<S>,
+    scheme: MeshScheme,
+    stencils: &Stencils<S>,
+) -> Result<PolygonMesh<S>, MeshError> {
     match scheme {
-        MeshScheme::CatmullClark => catmull_clark::step(mesh, &stencils),
-        MeshScheme::DooSabin => doo_sabin::step(mesh, &stencils),
-        MeshScheme::Loop | MeshScheme::LoopWarren => triangles::step(mesh, &stencils),
+        MeshScheme::CatmullClark => catmull_clark::step(mesh, stencils),
+        MeshScheme::DooSabin => doo_sabin::step(mesh, stencils),
+        MeshScheme::Loop | MeshScheme::LoopWarren => triangles::step(mesh, stencils),
     }
 }
 

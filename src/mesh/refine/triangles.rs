@@ -5,13 +5,13 @@ use super::super::point::{Point, combination, sum};
 use super::super::polygon::PolygonMesh;
 use super::super::star::Star;
 use super::super::stencil::Stencils;
-use crate::exact::{Rational, RealCyclotomic};
+use crate::exact::{Rational, Scalar};
 
 /// One level: the points of vertices and edges in this order, and four triangles for each.
-pub(super) fn step(
-    mesh: &PolygonMesh<RealCyclotomic>,
-    stencils: &Stencils,
-) -> Result<PolygonMesh<RealCyclotomic>, MeshError> {
+pub(super) fn step<S: Scalar>(
+    mesh: &PolygonMesh<S>,
+    stencils: &Stencils<S>,
+) -> Result<PolygonMesh<S>, MeshError> {
     let connectivity = mesh.connectivity();
     let (vertices, edges) = (connectivity.point_count(), connectivity.edges().len());
     let mut points = Vec::with_capacity(vertices + edges);
@@ -29,21 +29,21 @@ pub(super) fn step(
 }
 
 /// (3, 3, 1, 1)/8 of the ends and the opposite vertices; at the boundary the midpoint.
-fn edge_point(mesh: &PolygonMesh<RealCyclotomic>, edge: usize) -> Point<RealCyclotomic> {
+fn edge_point<S: Scalar>(mesh: &PolygonMesh<S>, edge: usize) -> Point<S> {
     let edge = &mesh.connectivity().edges()[edge];
     let [p, q] = edge.ends.map(|end| &mesh.points()[end]);
     let Some(other) = edge.other else { return midpoint(p, q) };
     let opposite = |(face, i): (usize, usize)| &mesh.points()[mesh.faces()[face][(i + 2) % 3]];
-    let [three, one] = [3, 1].map(|p| RealCyclotomic::from(Rational::new(p, 8)));
+    let [three, one] = [3, 1].map(|p| S::from_rational(&Rational::new(p, 8)));
     let wings = sum([opposite(edge.face), opposite(other)]);
     combination([(&three, &sum([p, q])), (&one, &wings)])
 }
 
-fn vertex_point(
-    mesh: &PolygonMesh<RealCyclotomic>,
-    stencils: &Stencils,
+fn vertex_point<S: Scalar>(
+    mesh: &PolygonMesh<S>,
+    stencils: &Stencils<S>,
     vertex: usize,
-) -> Point<RealCyclotomic> {
+) -> Point<S> {
     let star = mesh.connectivity().star(vertex);
     if star.boundary {
         return boundary_vertex(mesh, vertex, &star);
@@ -54,21 +54,18 @@ fn vertex_point(
 }
 
 /// (p + q)/2.
-pub(super) fn midpoint(
-    p: &Point<RealCyclotomic>,
-    q: &Point<RealCyclotomic>,
-) -> Point<RealCyclotomic> {
-    let half = RealCyclotomic::from(Rational::new(1, 2));
+pub(super) fn midpoint<S: Scalar>(p: &Point<S>, q: &Point<S>) -> Point<S> {
+    let half = S::from_rational(&Rational::new(1, 2));
     combination([(&half, p), (&half, q)])
 }
 
 /// (1, 6, 1)/8 of the boundary polygon: the cubic B-spline.
-pub(super) fn boundary_vertex(
-    mesh: &PolygonMesh<RealCyclotomic>,
+pub(super) fn boundary_vertex<S: Scalar>(
+    mesh: &PolygonMesh<S>,
     vertex: usize,
     star: &Star,
-) -> Point<RealCyclotomic> {
-    let [six, one] = [6, 1].map(|p| RealCyclotomic::from(Rational::new(p, 8)));
+) -> Point<S> {
+    let [six, one] = [6, 1].map(|p| S::from_rational(&Rational::new(p, 8)));
     let ends = star.boundary_neighbours().map(|end| &mesh.points()[end]);
     combination([(&six, &mesh.points()[vertex]), (&one, &sum(ends))])
 }

@@ -1,0 +1,206 @@
+//! The depth of one polygon mesh.
+
+use super::faces::FacesFormat;
+use crate::cli::arguments::{DepthArguments, Format};
+use crate::cli::json::{SCHEMA, mesh_depth as form};
+use crate::cli::mesh::{failure, read};
+use crate::cli::output::{Outcome, positive, show};
+use crate::cli::progress::Progress;
+use std::path::Path;
+use subcert::exact::{Rational, format::short};
+use subcert::float::{exact, shortest};
+use subcert::mesh::MeshScheme;
+use subcert::patch::{
+    APriori, FORMULA_PAPER, FarPlace, MeshDepth, MeshDistances, a_priori, formula_level,
+};
+use subcert::report::Sheet;
+
+pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments) -> Outcome {
+    let tolerance = positive("--tolerance", &arguments.tolerance)?;
+    let (scheme, name, file) = read(&arguments.scheme, path)?;
+    let refused = |error| failure(&file, &error);
+    let guaranteed = a_priori(file.mesh(), scheme, &tolerance).map_err(refused)?;
+    let promised = (scheme == MeshScheme::DooSabin).then(|| Formula {
+        level: formula_level(file.mesh(), guaranteed.longest_edge, &tolerance),
+    });
+    let per_face = arguments.per_face.as_deref();
+    let per_face =
+        per_face.map(|path| FacesFormat::of(path).map(|format| (path, format))).transpose()?;
+    let found = if arguments.a_priori {
+        None
+    } else {
+        let distances = MeshDistances::new(file.mesh().clone(), scheme).map_err(refused)?;
+        let wanted = arguments.output.format != Format::Json;
+        let progress = Progress::of_pieces(distances.work(), wanted);
+        let depth = distances.depth(&tolerance).map_err(refused)?;
+        if let Some((path, format)) = per_face {
+            format.write(path, file.mesh(), depth.level, &distances.faces(depth.level))?;
+        }
+        drop(progress);
+        Some(depth)
+    };
+    let report = Report { scheme, name, tolerance, guaranteed, promised, found };
+    show(arguments.output.format, || report.sheet(arguments), || report.form())
+}
+
+struct Report {
+    scheme: MeshScheme,
+    name: String,
+    tolerance: Rational,
+    guaranteed: APriori,
+    /// What the formula of a paper says, where there is one for the scheme.
+    promised: Option<Formula>,
+    found: Option<MeshDepth>,
+}
+
+/// How many levels a formula promises to be enough; `None` where it promises nothing.
+#[derive(Clone, Copy, Debug)]
+struct Formula {
+    level: Option<u32>,
+}
+
+/// A promise of a number of levels against what is known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Promise {
+    TooFew,
+    Enough,
+    TooMany,
+    Open,
+}
+
+impl Promise {
+    fn of(level: u32, found: &MeshDepth) -> Promise {
+        if found.too_few.is_some_and(|few| level <= few) {
+            Promise::TooFew
+        } else if level > found.level {
+            Promise::TooMany
+        } else if level == found.level {
+            Promise::Enough
+        } else {
+            Promise::Open
+        }
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            Promise::TooFew => "too few",
+            Promise::Enough => "enough",
+            Promise::TooMany => "more than needed",
+            Promise::Open => "open",
+        }
+    }
+}
+
+/// An f64 in at most nine digits.
+fn digits(value: f64) -> String {
+    exact(value).map_or_else(|| shortest(value), |value| short(&value, 9))
+}
+
+fn point(point: &[f64; 3]) -> String {
+    let [x, y, z] = point.map(digits);
+    format!("({x}, {y}, {z})")
+}
+
+fn place_text(place: &FarPlace) -> String {
+    let FarPlace { face, vertex, level_face, on_mesh, on_limit } = place;
+    let corner = vertex.map(|vertex| format!(" near vertex {vertex}")).unwrap_or_default();
+    let of_level = level_face.map(|face| format!(", face {face} of the level")).unwrap_or_default();
+    format!(
+        "face {face}{corner}{of_level}: {} of the mesh, {} of the limit",
+        point(on_mesh),
+        point(on_limit)
+    )
+}
+
+impl Report {
+    fn sheet(&self, arguments: &DepthArguments) -> Sheet {
+        let mut sheet = Sheet::default();
+        let Report { scheme, name, guaranteed, .. } = self;
+        sheet.heading(1, format!("{name}, {}, ε = {}", scheme.name(), arguments.tolerance));
+        let mut facts = Vec::new();
+        if let Some(found) = &self.found {
+            let few = match found.too_few {
+                None if found.level == 0 => String::new(),
+                Some(few) if few + 1 == found.level => format!("; {few} are too few"),
+                Some(few) => format!("; {few} are too few, and those between are open"),
+                None => "; fewer are open".to_owned(),
+            };
+            facts.push(("depth of the mesh".to_owned(), format!("{} levels{few}", found.level)));
+            let [least, most] = found.distance.map(digits);
+            facts
+                .push((format!("distance at level {}", found.level), format!("{least} to {most}")));
+            facts.extend(found.worst.as_ref().map(|x| ("greatest at".to_owned(), place_text(x))));
+            let apart = format!("at least {}", digits(found.apart));
+            facts.push(("Hausdorff distance".to_owned(), apart));
+            let few = found.too_few.zip(found.beyond.as_ref());
+            facts
+                .extend(few.map(|(level, x)| (format!("too far at level {level}"), place_text(x))));
+            let pieces = match found.exact_pieces {
+                0 => "nowhere; all was decided in f64 with bounds of its errors".to_owned(),
+                count => format!("for {count} pieces that were too near to call in f64"),
+            };
+            facts.push(("exact numbers needed".to_owned(), pieces));
+        }
+        let text = format!(
+            "{} levels, of all meshes with these valences and edges of {} at most",
+            guaranteed.level,
+            digits(guaranteed.longest_edge)
+        );
+        facts.push(("a priori".to_owned(), text));
+        if let Some(promised) = self.promised {
+            let text = match (promised.level, &self.found) {
+                (None, _) => {
+                    "nothing: its constant is not below 1 for a valence of the mesh".to_owned()
+                }
+                (Some(level), None) => format!("{level} levels"),
+                (Some(level), Some(found)) => {
+                    format!("{level} levels: {}", Promise::of(level, found).name())
+                }
+            };
+            facts.push((format!("formula of {FORMULA_PAPER}"), text));
+        }
+        sheet.facts(facts);
+        sheet.text(
+            "The distance is that of each face of the level from its own piece of the limit surface, \
+             point by point at the same parameters. Faces and vertices are numbered from 0.",
+        );
+        sheet
+    }
+
+    fn form(&self) -> form::Report<'_> {
+        let place = |place: &FarPlace| form::Place {
+            face: place.face,
+            vertex: place.vertex,
+            level_face: place.level_face.map(|face| face.to_string()),
+            on_mesh: place.on_mesh.map(shortest),
+            on_limit: place.on_limit.map(shortest),
+        };
+        let found = self.found.as_ref();
+        form::Report {
+            schema: SCHEMA,
+            scheme: self.scheme.name(),
+            mesh: &self.name,
+            tolerance: self.tolerance.to_string(),
+            level: found.map(|found| found.level),
+            too_few: found.and_then(|found| found.too_few),
+            distance: found.map(|found| {
+                let [lower, upper] = found.distance.map(shortest);
+                form::Bounds { lower, upper }
+            }),
+            hausdorff: found.map(|found| form::AtLeast { lower: shortest(found.apart) }),
+            worst_face: found.and_then(|found| found.worst.as_ref()).map(place),
+            too_far: found.and_then(|found| found.beyond.as_ref()).map(place),
+            exact_pieces: found.map(|found| found.exact_pieces),
+            a_priori: form::APriori {
+                level: self.guaranteed.level,
+                longest_edge: shortest(self.guaranteed.longest_edge),
+                ratio: shortest(self.guaranteed.ratio),
+            },
+            formula: self.promised.map(|Formula { level }| form::Formula {
+                paper: FORMULA_PAPER,
+                level,
+                verdict: level.zip(found).map(|(level, found)| Promise::of(level, found).name()),
+            }),
+        }
+    }
+}

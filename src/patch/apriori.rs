@@ -1,0 +1,196 @@
+//! What the longest edge and the valences of a mesh guarantee, wherever its points are
+//! (`proofs/THEOREMS.md`, 96).
+
+use super::depth::not_positive;
+use crate::bound::LocalConstants;
+use crate::exact::{Enclosed, Rational, RealCyclotomic};
+use crate::float::{lower, nearest, upper};
+use crate::mesh::{
+    Edge, MeshError, MeshScheme, Point, PolygonMesh, Stencils, check_rules, weighted_valences,
+};
+use crate::scheme::{LocalRules, parse_local_rules};
+use std::collections::BTreeSet;
+
+/// What a mesh guarantees by its longest edge and its valences.
+#[derive(Clone, Debug, PartialEq)]
+pub struct APriori {
+    /// The level from which on every mesh with these valences, and no longer edge, is within the
+    /// tolerance.
+    pub level: u32,
+    /// An upper bound of the length of the longest edge, at most 1 + 10⁻⁹ times that.
+    pub longest_edge: f64,
+    /// The greatest factor by which edges of a level shrink, from some level on.
+    pub ratio: f64,
+}
+
+/// The most levels.
+const MAX_LEVEL: u32 = 100_000;
+
+/// For the rounding of a few operations.
+const UP: f64 = 1.0 + 1e-9;
+
+/// The level that the longest edge and the valences of a mesh guarantee.
+///
+/// # Errors
+/// When the scheme has no rules for a face or a vertex, or the tolerance is not positive.
+///
+/// # Panics
+/// Never: the catalogue has rules for all valences that are checked before.
+///
+/// ```
+/// use subcert::exact::Rational;
+/// use subcert::mesh::{MeshScheme, PolygonMesh};
+/// use subcert::patch::a_priori;
+///
+/// let points = [[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]].map(|p| p.map(Rational::from));
+/// let faces = vec![vec![0, 1, 2], vec![0, 3, 1], vec![0, 2, 3], vec![1, 3, 2]];
+/// let mesh = PolygonMesh::new(points.to_vec(), faces)?;
+/// let guaranteed = a_priori(&mesh, MeshScheme::Loop, &Rational::new(1, 100))?;
+/// assert_eq!((guaranteed.level, guaranteed.ratio), (9, 0.5));
+/// # Ok::<(), subcert::mesh::MeshError>(())
+/// ```
+pub fn a_priori(
+    mesh: &PolygonMesh<Rational>,
+    scheme: MeshScheme,
+    tolerance: &Rational,
+) -> Result<APriori, MeshError> {
+    not_positive(tolerance)?;
+    check_rules(mesh.connectivity(), scheme)?;
+    let longest_edge = longest_edge(mesh);
+    let faces: BTreeSet<usize> = mesh.faces().iter().map(Vec::len).collect();
+    let valences = weighted_valences(mesh.connectivity(), scheme);
+    let boundary = mesh.connectivity().edges().iter().any(|edge| edge.other.is_none());
+    let bound = match scheme {
+        MeshScheme::CatmullClark => catmull_clark(&faces, &valences),
+        MeshScheme::DooSabin => doo_sabin(mesh),
+        MeshScheme::Loop | MeshScheme::LoopWarren => triangles(scheme, &valences, boundary),
+    };
+    let allowed = lower(tolerance) / (longest_edge * UP);
+    let level = (0..MAX_LEVEL).find(|level| bound.at(*level) <= allowed).ok_or_else(|| {
+        let reason =
+            format!("the tolerance needs more than {MAX_LEVEL} levels; take a greater one");
+        MeshError::TooMuch { reason }
+    })?;
+    Ok(APriori { level, longest_edge, ratio: bound.ratio })
+}
+
+/// D_0 ≤ `first` and D_k ≤ `later`·`ratio`^k for k ≥ 1, in units of the longest edge.
+struct Bound {
+    first: f64,
+    later: f64,
+    ratio: f64,
+}
+
+impl Bound {
+    fn at(&self, level: u32) -> f64 {
+        match level {
+            0 => self.first * UP,
+            _ => self.later * self.ratio.powi(i32::try_from(level).unwrap_or(i32::MAX)) * UP,
+        }
+    }
+}
+
+fn longest_edge(mesh: &PolygonMesh<Rational>) -> f64 {
+    let points: Vec<Point<f64>> =
+        mesh.points().iter().map(|point| point.each_ref().map(nearest)).collect();
+    let size = points.iter().flatten().fold(0.0_f64, |size, x| size.max(x.abs()));
+    if size == 0.0 {
+        return 0.0;
+    }
+    // In units of the greatest coordinate, so that no square is too large.
+    let length = |edge: &Edge| {
+        let [p, q] = edge.ends.map(|end| points[end]);
+        (0..3).map(|i| (p[i] / size - q[i] / size).powi(2)).sum::<f64>().sqrt()
+    };
+    let longest = mesh.connectivity().edges().iter().map(length).fold(0.0_f64, f64::max);
+    (longest + 8.0 * f64::EPSILON) * size * UP
+}
+
+/// An f64 that is at least this.
+pub(super) fn above(value: &RealCyclotomic) -> f64 {
+    f64::from_bits(value.step(|x| upper(x).to_bits()))
+}
+
+fn ring(scheme: MeshScheme, n: usize) -> LocalRules {
+    let parameter = if scheme == MeshScheme::DooSabin { "n" } else { "N" };
+    parse_local_rules(&format!("{}:{parameter}={n}", scheme.name())).expect("a checked valence")
+}
+
+/// The greatest T_1 of these valences.
+fn contraction(scheme: MeshScheme, valences: impl IntoIterator<Item = usize>) -> f64 {
+    let of = |n: usize| {
+        let constants = LocalConstants::new(&ring(scheme, n), 1).ok();
+        let found = constants.as_ref().and_then(|constants| constants.contraction(1));
+        found.map_or(1.0, |(_, transport)| above(&transport.value))
+    };
+    valences.into_iter().map(of).fold(0.5, f64::max)
+}
+
+#[allow(clippy::cast_precision_loss)] // Valences are small.
+pub(super) fn real(n: usize) -> f64 {
+    n as f64
+}
+
+/// The greatest distance of a vertex from the mean of a face of n vertices, in edges: ⌊n²/4⌋/n.
+fn radius(n: usize) -> f64 {
+    real(n * n / 4) / real(n)
+}
+
+fn catmull_clark(faces: &BTreeSet<usize>, valences: &BTreeSet<usize>) -> Bound {
+    let scheme = MeshScheme::CatmullClark;
+    let least = real(valences.first().copied().unwrap_or(4).min(4));
+    if faces.iter().all(|&n| n == 4) {
+        let ratio = contraction(scheme, valences.iter().copied());
+        let later = 2.0 / least / (1.0 - ratio);
+        return Bound { first: later, later, ratio };
+    }
+    let r = faces.iter().map(|&n| radius(n)).fold(1.0_f64, f64::max);
+    let all = valences.iter().chain(faces).copied();
+    let least = least.min(real(faces.first().copied().unwrap_or(4)));
+    let ratio = contraction(scheme, all);
+    let step = ((1.0 + r) / 3.0).max((1.0 + 2.0 * r) / 4.0);
+    let edge = r.max((1.0 + r) / 3.0 + (1.0 + 2.0 * r) / 4.0);
+    let next = 2.0 / least / (1.0 - ratio) * edge;
+    Bound { first: step + next, later: next / ratio, ratio }
+}
+
+fn triangles(scheme: MeshScheme, valences: &BTreeSet<usize>, boundary: bool) -> Bound {
+    let ratio = contraction(scheme, valences.iter().copied());
+    let ratio = if boundary { ratio.max(0.875) } else { ratio };
+    let stencils = Stencils::new(scheme, valences.iter().copied());
+    let moved = valences.iter().map(|&n| real(n) * above(&stencils.of(n)[1]));
+    let later = moved.fold(0.25, f64::max) / (1.0 - ratio);
+    Bound { first: later, later, ratio }
+}
+
+/// The numbers of vertices of the faces of all levels of Doo and Sabin's scheme.
+pub(super) fn face_sizes(mesh: &PolygonMesh<Rational>) -> BTreeSet<usize> {
+    let star = |v: usize| mesh.connectivity().star(v);
+    let inner = (0..mesh.points().len()).map(star).filter(|star| !star.boundary);
+    let faces = mesh.faces().iter().map(Vec::len);
+    inner.map(|star| star.faces.len()).chain(faces).chain([4]).collect()
+}
+
+/// Edges across those between two faces shrink otherwise than those of faces: with κ = c/(q − T), the
+/// sum of the longest edge of all and κ times the longest edge of a face that comes from one of level
+/// 0 falls by q = 3/4.
+fn doo_sabin(mesh: &PolygonMesh<Rational>) -> Bound {
+    const Q: f64 = 0.75;
+    let sizes = face_sizes(mesh);
+    let scheme = MeshScheme::DooSabin;
+    let ratio = contraction(scheme, sizes.iter().copied());
+    let stencils = Stencils::new(scheme, sizes.iter().copied());
+    let (mut across, mut step) = (0.0_f64, 0.0_f64);
+    for &n in &sizes {
+        let weights: Vec<f64> = stencils.of(n).iter().map(above).collect();
+        let way = |j: usize| weights[j] * real(j.min(n - j));
+        let far: f64 = (2..n).map(way).sum();
+        across = across.max(far + (weights[1] - 0.1875).abs() + 1e-15);
+        step = step.max(far + weights[1] + radius(n));
+    }
+    // Of the first level two faces of any number of vertices meet.
+    let first = (2.0 * across).max(1.0);
+    let sum = first + across / (Q - ratio) * ratio;
+    let next = step / (1.0 - Q) * sum;
+    Bound { first: step + next, later: next / Q, ratio: Q }
+}

@@ -1,0 +1,174 @@
+//! A piece with its points: how far the polygons are from the limit on it.
+
+use super::growth::bend_bound;
+use super::judge::{Judge, Points};
+use super::number::{Row, combinations};
+use super::shape::{Part, Shape, UP, quarter};
+use super::shapes::Shapes;
+use crate::mesh::MeshScheme;
+
+/// A piece of a level with its points.
+#[derive(Clone)]
+pub(super) struct Cell<V> {
+    pub(super) shape: usize,
+    /// The level, from 1 on.
+    pub(super) level: u32,
+    pub(super) points: Vec<V>,
+    /// The polygon that the limit is compared with, at the corners of the piece, where that polygon
+    /// is of this level or an earlier one and linear or bilinear on the piece.
+    pub(super) base: Option<Vec<V>>,
+    /// The parts of parts that led here from the piece of level 1: two binary digits for each, the
+    /// last one lowest.
+    pub(super) path: u128,
+}
+
+/// What is known of the distance on a piece.
+pub(super) struct Known<V> {
+    pub(super) upper: f64,
+    pub(super) lower: f64,
+    /// Whether all is within the tolerance.
+    pub(super) within: bool,
+    /// The limit at the corner with the greatest lower bound, and the point of the polygon there.
+    pub(super) limit: V,
+    pub(super) polygon: V,
+    /// Whether the distance at that corner is beyond the tolerance.
+    pub(super) beyond: bool,
+}
+
+impl<V: Points> Cell<V> {
+    fn shape<'a>(&self, shapes: &'a Shapes) -> &'a Shape {
+        shapes.get(self.shape)
+    }
+
+    /// The work for this piece: 1 for a regular one, more the more points there are.
+    pub(super) fn work(&self) -> u64 {
+        self.points.len() as u64 / 16 + 1
+    }
+
+    /// One part, of a piece that has no polygon to be compared with yet.
+    pub(super) fn part(&self, shapes: &Shapes, part: usize) -> Cell<V> {
+        let shape = self.shape(shapes);
+        let Part { shape: next, points } = &shape.parts[part];
+        let refined = &V::rules(shape).refined;
+        let points = points.iter().map(|&point| V::combination(&refined[point], &self.points));
+        let path = self.path << 2 | part as u128;
+        Cell { shape: *next, level: self.level + 1, points: points.collect(), base: None, path }
+    }
+
+    /// The parts. `begin`: the polygon that the limit is compared with is that of this level.
+    pub(super) fn parts(&self, shapes: &Shapes, begin: bool) -> Vec<Cell<V>> {
+        let shape = self.shape(shapes);
+        let rules = V::rules(shape);
+        let refined = combinations(&rules.refined, &self.points);
+        let part = |(i, part): (usize, &Part)| {
+            let points = part.points.iter().map(|&point| refined[point].clone()).collect();
+            let base = match &self.base {
+                Some(base) => Some(combinations(&rules.split[i], base)),
+                None if begin => Some(combinations(&rules.base[i], &self.points)),
+                None => None,
+            };
+            let path = self.path << 2 | i as u128;
+            Cell { shape: part.shape, level: self.level + 1, points, base, path }
+        };
+        shape.parts.iter().enumerate().map(part).collect()
+    }
+
+    /// This piece with its own polygon to be compared with; `None` where that is so on its parts only.
+    pub(super) fn begun(&self, shapes: &Shapes) -> Option<Cell<V>> {
+        let own = V::rules(self.shape(shapes)).own.as_ref()?;
+        Some(Cell { base: Some(combinations(own, &self.points)), ..self.clone() })
+    }
+
+    /// What bounds of this piece are multiples of: of a regular piece the bound of 92, else N.
+    pub(super) fn size(&self, shapes: &Shapes, judge: &impl Judge<V>) -> f64 {
+        if self.shape(shapes).is_regular() { self.bend(shapes, judge) } else { self.spread(judge) }
+    }
+
+    /// N: the greatest distance of the points from the first one.
+    fn spread(&self, judge: &impl Judge<V>) -> f64 {
+        let first = &self.points[0];
+        judge.greatest(self.points[1..].iter().map(|x| x.minus(first)), self.level)
+    }
+
+    /// The bound of 92 for a regular piece.
+    fn bend(&self, shapes: &Shapes, judge: &impl Judge<V>) -> f64 {
+        let shape = self.shape(shapes);
+        let Some((_, bends)) = &V::rules(shape).regular else { return f64::INFINITY };
+        let worst = |rows: &Vec<Row<V::Weight>>| {
+            judge.greatest(rows.iter().map(|row| V::combination(row, &self.points)), self.level)
+        };
+        let straight = bends.directions.iter().map(worst).sum();
+        let across = if bends.across.is_empty() { 0.0 } else { worst(&bends.across) };
+        bend_bound(shape.scheme(), straight, across) * UP
+    }
+
+    /// The same, sharper where second differences of two directions cancel; not for triangles.
+    pub(super) fn sharp_bound(
+        &self,
+        shapes: &Shapes,
+        judge: &impl Judge<V>,
+        later: u32,
+        factors: &[V::Weight],
+    ) -> Option<f64> {
+        let shape = self.shape(shapes);
+        let (_, bends) = V::rules(shape).regular.as_ref()?;
+        let [first, second] = &bends.directions[..] else { return None };
+        let [first, second] = [first, second].map(|rows| combinations(rows, &self.points));
+        let unit = if shape.scheme() == MeshScheme::CatmullClark { 6.0 } else { 8.0 };
+        let pairs = first.iter().flat_map(|left| second.iter().map(move |right| (left, right)));
+        let sums = pairs.flat_map(|(left, right)| {
+            [
+                left.plus_times(right, &factors[0]),
+                left.plus_times(right, &factors[1]),
+                right.plus_times(left, &factors[1]),
+            ]
+        });
+        let worst = judge.greatest(sums, self.level);
+        Some(worst / unit * quarter(later) * UP)
+    }
+
+    /// What is known of the distance from the polygon that is to be compared with.
+    pub(super) fn known(&self, shapes: &Shapes, judge: &impl Judge<V>) -> Option<Known<V>> {
+        let base = self.base.as_ref()?;
+        let shape = self.shape(shapes);
+        let rules = V::rules(shape);
+        let mut known: Option<Known<V>> = None;
+        let mut at_corner = |limit: V, polygon: V| {
+            let error = limit.minus(&polygon);
+            let lower = judge.below(&error, self.level);
+            let beyond = judge.within(&error, self.level) == Some(false);
+            let better =
+                known.as_ref().is_none_or(|known| (beyond, lower) > (known.beyond, known.lower));
+            if better {
+                let (upper, within) = (0.0, true);
+                known = Some(Known { upper, lower, within, limit, polygon, beyond });
+            }
+        };
+        let (mut upper, mut within) = (0.0_f64, true);
+        if let Some((bezier, _)) = &rules.regular {
+            for (row, plain) in bezier {
+                let (limit, polygon) =
+                    (V::combination(row, &self.points), V::combination(plain, base));
+                let error = limit.minus(&polygon);
+                upper = upper.max(judge.above(&error, self.level));
+                within = within && judge.within(&error, self.level) == Some(true);
+                if plain.len() == 1 {
+                    at_corner(limit, polygon);
+                }
+            }
+        } else {
+            for (i, row) in rules.limits.iter().enumerate() {
+                at_corner(V::combination(row, &self.points), base[i].clone());
+            }
+            let errors = rules.nodes.iter().map(|(row, plain)| {
+                V::combination(row, &self.points).minus(&V::combination(plain, base))
+            });
+            upper = judge.greatest(errors, self.level);
+            upper = (upper + shape.growth.bound(0) * self.spread(judge)) * UP;
+            within = upper <= judge.tolerance();
+        }
+        let mut known = known?;
+        (known.upper, known.within) = (upper, within);
+        Some(known)
+    }
+}

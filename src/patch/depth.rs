@@ -1,0 +1,227 @@
+//! How many levels of refinement a mesh needs.
+
+use super::far::FarPlace;
+use super::judge::{Exactly, Judge};
+use super::model::Model;
+use super::roots::Root;
+use super::search::{Search, Verdict};
+use super::threads::{in_rounds, in_threads};
+use super::work::MeshWork;
+use crate::exact::Rational;
+use crate::mesh::{MeshError, MeshScheme, Point, PolygonMesh};
+use std::sync::Arc;
+
+/// The highest level that is asked for.
+pub const MAX_DEPTH_LEVEL: u32 = 40;
+
+/// How many pieces are looked at for one level, in f64 and exactly.
+pub(super) const STEPS: u64 = 20_000_000;
+const EXACT_STEPS: u64 = 10_000;
+
+/// How many are looked at in one piece of level 1.
+pub(super) const PIECE_STEPS: u64 = 100_000;
+
+/// How many levels a mesh needs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshDepth {
+    /// The least level that was found to be sufficient, with all later ones.
+    pub level: u32,
+    /// The greatest level that is certainly not sufficient; `None` where even level 0 may be.
+    pub too_few: Option<u32>,
+    /// Where the limit is beyond the tolerance at that level.
+    pub beyond: Option<FarPlace>,
+    /// A lower and an upper bound of the distance at `level`.
+    pub distance: [f64; 2],
+    /// Where the lower bound is attained; `None` where it is 0.
+    pub worst: Option<FarPlace>,
+    /// A lower bound of the one-sided Hausdorff distance at `level`: some point of the limit is so far from
+    /// every point of the mesh.
+    pub apart: f64,
+    /// How many pieces were too near to call in f64, and were looked at exactly.
+    pub exact_pieces: usize,
+}
+
+/// The distances of a mesh from its limit surface:
+///
+/// D_k = sup |P^∞ − P^k|, k = 0, 1, …,
+///
+/// over the whole surface, Euclidean. P^k is the mesh of level k, bilinear on each quadrilateral
+/// (Catmull–Clark; a face of level 0 with n vertices is n bilinear quarters), flat on each triangle
+/// (Loop), bilinear on each quarter of a face at an inner vertex (Doo–Sabin). P^∞ is the limit at
+/// the same parameters. Distances are in the unit of the coordinates.
+///
+/// Source: `proofs/THEOREMS.md`, 91 to 97.
+///
+/// ```
+/// use subcert::exact::Rational;
+/// use subcert::mesh::{MeshScheme, PolygonMesh};
+/// use subcert::patch::MeshDistances;
+///
+/// let points = [[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]].map(|p| p.map(Rational::from));
+/// let faces = vec![vec![0, 1, 2], vec![0, 3, 1], vec![0, 2, 3], vec![1, 3, 2]];
+/// let mesh = PolygonMesh::new(points.to_vec(), faces)?;
+/// let distances = MeshDistances::new(mesh, MeshScheme::Loop)?;
+/// // The vertex (1, 1, 1) tends to a fifth of itself, 4√3/5 away.
+/// let depth = distances.depth(&Rational::new(3, 2))?;
+/// assert_eq!((depth.level, depth.too_few), (0, None));
+/// assert!(depth.distance[0] <= 1.3857 && 1.3856 <= depth.distance[1]);
+/// let depth = distances.depth(&Rational::new(1, 100))?;
+/// assert_eq!(depth.too_few, Some(depth.level - 1));
+/// # Ok::<(), subcert::mesh::MeshError>(())
+/// ```
+pub struct MeshDistances {
+    pub(super) model: Model,
+    pub(super) work: Arc<MeshWork>,
+}
+
+impl MeshDistances {
+    /// The pieces of a mesh.
+    ///
+    /// # Errors
+    /// When the scheme has no rules for a face or a vertex, the mesh of level 1 has too many points, or
+    /// there is no limit surface.
+    pub fn new(mesh: PolygonMesh<Rational>, scheme: MeshScheme) -> Result<Self, MeshError> {
+        let model = Model::new(mesh, scheme)?;
+        if model.roots.all.is_empty() {
+            let reason =
+                "the surface is empty: no vertex is inside the mesh, and Doo–Sabin surfaces \
+                          end at the faces around inner vertices; take catmull-clark"
+                    .to_owned();
+            return Err(MeshError::TooMuch { reason });
+        }
+        Ok(MeshDistances { model, work: Arc::default() })
+    }
+
+    /// How far the search has come.
+    #[must_use]
+    pub fn work(&self) -> Arc<MeshWork> {
+        Arc::clone(&self.work)
+    }
+
+    /// The depth for a tolerance.
+    ///
+    /// # Errors
+    /// When the tolerance is not positive, or needs more than [`MAX_DEPTH_LEVEL`] levels.
+    ///
+    /// # Panics
+    /// Never.
+    pub fn depth(&self, tolerance: &Rational) -> Result<MeshDepth, MeshError> {
+        not_positive(tolerance)?;
+        let sure = self.sure_level(tolerance)?;
+        let (mut level, mut closed, mut exact_pieces) = (sure, true, 0);
+        let mut beyond = None;
+        for below in (0..sure).rev() {
+            let found = self.examine(below, tolerance);
+            exact_pieces += found.exact_pieces;
+            if let Some(place) = found.beyond {
+                beyond = Some((below, place));
+                break;
+            }
+            closed = closed && !found.open;
+            if closed {
+                level = below;
+            }
+        }
+        let (distance, worst) = self.measured(level);
+        let apart = self.apart(level);
+        let (too_few, beyond) = beyond.unzip();
+        Ok(MeshDepth { level, too_few, beyond, distance, worst, apart, exact_pieces })
+    }
+
+    /// The least level, from 1 on, from which on simple bounds are within the tolerance.
+    fn sure_level(&self, tolerance: &Rational) -> Result<u32, MeshError> {
+        let judge = self.model.rounded_judge(tolerance);
+        let limit = Judge::<Point<f64>>::tolerance(&judge);
+        let sure = (1..=MAX_DEPTH_LEVEL)
+            .find(|level| self.model.bounds(*level).all(|bound| bound <= limit));
+        sure.ok_or_else(|| {
+            let reason = format!(
+                "the tolerance may need more than {MAX_DEPTH_LEVEL} levels, and so many are not looked \
+                 at; take a greater one"
+            );
+            MeshError::TooMuch { reason }
+        })
+    }
+
+    /// Whether a level is sufficient.
+    fn examine(&self, level: u32, tolerance: &Rational) -> Found {
+        let model = &self.model;
+        let judge = model.rounded_judge(tolerance);
+        let limit = Judge::<Point<f64>>::tolerance(&judge);
+        let waiting = model.above(level, limit);
+        self.work.begin(level, waiting.len());
+        let mut found = Found { beyond: None, open: false, exact_pieces: 0 };
+        let (mut left, mut open) = (STEPS, Vec::new());
+        in_rounds(&waiting, |round| {
+            let results = in_threads(round, |(_, root)| {
+                self.work.step();
+                let mut search =
+                    Search::new(&model.shapes, model.scheme, &judge, level, PIECE_STEPS);
+                let verdict = search.examine(model.rounded_cell(root, level));
+                (*root, verdict, PIECE_STEPS - search.steps)
+            });
+            for (root, verdict, steps) in results {
+                left = left.saturating_sub(steps);
+                match verdict {
+                    Verdict::Within => {}
+                    Verdict::Beyond(place) => {
+                        found.beyond = Some(FarPlace::rounded(model, root, level, &place));
+                        return false;
+                    }
+                    Verdict::Open => open.push(root),
+                }
+            }
+            left > 0
+        });
+        if found.beyond.is_none() {
+            found.open = left == 0;
+            self.examine_exactly(level, tolerance, &open, &mut found);
+        }
+        found
+    }
+
+    /// The same for pieces that are too near to call in f64.
+    fn examine_exactly(
+        &self,
+        level: u32,
+        tolerance: &Rational,
+        roots: &[&Root],
+        found: &mut Found,
+    ) {
+        let model = &self.model;
+        let judge = Exactly::new(tolerance);
+        let mut search = Search::new(&model.shapes, model.scheme, &judge, level, EXACT_STEPS);
+        for root in roots {
+            let cell = if search.steps == 0 { None } else { model.exact_cell(root, level) };
+            let Some(cell) = cell else {
+                found.open = true;
+                return;
+            };
+            found.exact_pieces += 1;
+            match search.examine(cell) {
+                Verdict::Within => {}
+                Verdict::Beyond(place) => {
+                    found.beyond = Some(FarPlace::exact(model, root, level, &place));
+                    return;
+                }
+                Verdict::Open => found.open = true,
+            }
+        }
+    }
+}
+
+/// Refuses a tolerance that is not positive.
+pub(super) fn not_positive(tolerance: &Rational) -> Result<(), MeshError> {
+    if tolerance.sign() > 0 {
+        return Ok(());
+    }
+    let reason = format!("the tolerance must be positive, and is {tolerance}");
+    Err(MeshError::TooMuch { reason })
+}
+
+/// What was found at a level.
+struct Found {
+    beyond: Option<FarPlace>,
+    open: bool,
+    exact_pieces: usize,
+}

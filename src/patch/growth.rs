@@ -1,0 +1,195 @@
+//! How fast pieces of a shape tend to the limit, whatever their points are
+//! (`proofs/THEOREMS.md`, 94).
+
+use super::number::{Row, Vector, combinations};
+use super::regular::Bends;
+use super::shape::{Growth, Shape};
+use crate::mesh::MeshScheme;
+
+/// What is added to a norm of a functional for the rounding of its coefficients.
+const ROUNDING: f64 = 1e-10;
+
+/// What a bound is multiplied by for the rounding of sums and products of bounds.
+const INFLATION: f64 = 1.0 + 1e-9;
+
+/// The most coefficients of a matrix for which its higher powers are computed.
+const MANY: usize = 10_000;
+
+/// The greatest levels that bounds are computed for.
+pub(super) const LAST: usize = 80;
+
+/// Those of a shape, the parts of which have theirs.
+pub(super) fn growth(shapes: &[Shape], shape: usize) -> Growth {
+    let repeats = shapes[shape].parts.iter().position(|part| part.shape == shape);
+    let (mut bounds, mut others) = match repeats {
+        _ if shapes[shape].is_regular() => (regular(&shapes[shape]), Vec::new()),
+        Some(part) => repeated(shapes, shape, part),
+        None => (by_parts(shapes, shape), Vec::new()),
+    };
+    fall(&mut bounds);
+    fall(&mut others);
+    let repeated = if others.is_empty() { None } else { repeats.map(|part| (part, others)) };
+    Growth { bounds, repeated }
+}
+
+/// Makes bounds hold from each level on.
+fn fall(bounds: &mut [f64]) {
+    let mut worst = 0.0_f64;
+    for bound in bounds.iter_mut().rev() {
+        worst = worst.max(*bound * INFLATION);
+        *bound = worst;
+    }
+}
+
+/// Rows as functionals of the points of a shape.
+fn unit(points: usize) -> Vec<Vec<f64>> {
+    (0..points).map(|i| (0..points).map(|j| f64::from(u8::from(i == j))).collect()).collect()
+}
+
+/// Σ |f_b| without the first point: the greatest value, for N = 1, of a functional that sums to 0.
+fn norm(functional: &[f64]) -> f64 {
+    functional.iter().skip(1).map(|x| x.abs()).sum::<f64>() + ROUNDING
+}
+
+fn greatest(norms: impl IntoIterator<Item = f64>) -> f64 {
+    norms.into_iter().fold(0.0, f64::max)
+}
+
+/// N of points that are functionals, for N = 1.
+fn spread(points: &[Vec<f64>]) -> f64 {
+    greatest(points.iter().map(|point| norm(&point.minus(&points[0]))))
+}
+
+/// The bound of 92 for a regular piece at level 0, for N = 1; that of level i is 4^−i of it.
+fn bend(bends: &Bends<f64>, points: &[Vec<f64>], scheme: MeshScheme) -> f64 {
+    let worst = |rows: &Vec<Row<f64>>| {
+        greatest(rows.iter().map(|row| norm(&Vector::combination(row, points))))
+    };
+    let sum: f64 = bends.directions.iter().map(worst).sum();
+    bend_bound(scheme, sum, worst(&bends.across))
+}
+
+/// The bound of 92 from the sum of the greatest second differences of all directions, and that across
+/// edges.
+pub(super) fn bend_bound(scheme: MeshScheme, straight: f64, across: f64) -> f64 {
+    match scheme {
+        MeshScheme::CatmullClark => straight / 6.0,
+        MeshScheme::DooSabin => straight / 8.0,
+        MeshScheme::Loop | MeshScheme::LoopWarren => (straight / 12.0).max(across / 6.0),
+    }
+}
+
+fn regular(shape: &Shape) -> Vec<f64> {
+    let points = unit(shape.points);
+    let Some((_, bends)) = &shape.rules.regular else { return Vec::new() };
+    let first = bend(bends, &points, shape.scheme());
+    falling(first)
+}
+
+/// A bound that falls to a quarter at each level.
+fn falling(first: f64) -> Vec<f64> {
+    std::iter::successors(Some(first), |bound| Some(bound / 4.0)).take(LAST + 1).collect()
+}
+
+/// The parts of a piece, as functionals: the points of each, and the polygon at its corners.
+fn divided(
+    shape: &Shape,
+    points: &[Vec<f64>],
+    base: Option<&Vec<Vec<f64>>>,
+) -> Vec<[Vec<Vec<f64>>; 2]> {
+    let refined = combinations(&shape.rules.refined, points);
+    let parts = shape.parts.iter().enumerate().map(|(i, part)| {
+        let own = part.points.iter().map(|&point| refined[point].clone()).collect();
+        let base = match base {
+            Some(base) => combinations(&shape.rules.split[i], base),
+            None => combinations(&shape.rules.base[i], points),
+        };
+        [own, base]
+    });
+    parts.collect()
+}
+
+/// The distance of the limit from the polygon with these corners on a piece, for N = 1: without that
+/// from its own polygon if the piece is not regular.
+fn error(shape: &Shape, points: &[Vec<f64>], base: &[Vec<f64>]) -> f64 {
+    let rows = match &shape.rules.regular {
+        Some((bezier, _)) => bezier,
+        None => &shape.rules.nodes,
+    };
+    greatest(rows.iter().map(|(row, plain)| {
+        let polygon = Vec::<f64>::combination(plain, base);
+        norm(&Vec::<f64>::combination(row, points).minus(&polygon))
+    }))
+}
+
+/// The bounds of a shape whose parts have theirs.
+fn by_parts(shapes: &[Shape], shape: usize) -> Vec<f64> {
+    let own = &shapes[shape];
+    let mut bounds = vec![0.0_f64; LAST + 1];
+    for (part, [points, base]) in own.parts.iter().zip(divided(own, &unit(own.points), None)) {
+        let part = &shapes[part.shape];
+        let spread = spread(&points);
+        let tail = if part.is_regular() { 0.0 } else { part.growth.bound(0) * spread };
+        bounds[0] = bounds[0].max(error(part, &points, &base) + tail);
+        let later: Vec<f64> = match &part.rules.regular {
+            Some((_, bends)) => falling(bend(bends, &points, own.scheme())),
+            None => (0_u32..).take(LAST).map(|i| part.growth.bound(i) * spread).collect(),
+        };
+        for (bound, later) in bounds[1..].iter_mut().zip(later) {
+            *bound = bound.max(later);
+        }
+    }
+    bounds
+}
+
+/// The bounds of a shape of which one part has the same shape, and those of its other parts.
+fn repeated(shapes: &[Shape], shape: usize, again: usize) -> (Vec<f64>, Vec<f64>) {
+    let own = &shapes[shape];
+    let levels = if own.points * own.points > MANY { 6 } else { 12 };
+    let (mut points, mut base) = (unit(own.points), None);
+    // A_0, A_1, …: N of the repeated part; R_1, R_2, …: bounds of the regular parts.
+    let mut spreads = vec![1.0];
+    let mut others: Vec<Vec<f64>> = Vec::new();
+    let mut first = 0.0_f64;
+    for _ in 0..levels {
+        let mut divided = divided(own, &points, base.as_ref());
+        let mut bounds = vec![0.0_f64; LAST + 1];
+        for (i, [points, base]) in divided.iter().enumerate().filter(|(i, _)| *i != again) {
+            let part = &shapes[own.parts[i].shape];
+            let spread = spread(points);
+            let tail = if part.is_regular() { 0.0 } else { part.growth.bound(0) * spread };
+            first = first.max(error(part, points, base) + tail);
+            let later: Vec<f64> = match &part.rules.regular {
+                Some((_, bends)) => falling(bend(bends, points, own.scheme())),
+                None => (0_u32..).take(LAST).map(|i| part.growth.bound(i) * spread).collect(),
+            };
+            for (bound, later) in bounds.iter_mut().zip(later) {
+                *bound = bound.max(later);
+            }
+        }
+        others.push(bounds);
+        let [next, corners] = divided.swap_remove(again);
+        spreads.push(spread(&next));
+        points = next;
+        base = Some(corners);
+    }
+    let ratio = spreads[levels];
+    let nodes = base.map_or(f64::INFINITY, |base| error(own, &points, &base));
+    // D ≤ max(first, nodes + ratio·D) for N = 1.
+    let zeroth = if ratio < 1.0 { first.max(nodes / (1.0 - ratio)) } else { f64::INFINITY };
+    for i in levels + 1..=LAST {
+        spreads.push(spreads[i - levels] * ratio);
+    }
+    let mut bounds = Vec::with_capacity(LAST + 1);
+    for i in 0..=LAST {
+        let mut bound = zeroth * spreads[i];
+        for j in 1..=i {
+            // Split off at level j, i − j levels before.
+            let block = (j - 1) / levels;
+            let other = others[(j - 1) % levels][i - j] * spreads[block * levels];
+            bound = bound.max(other);
+        }
+        bounds.push(bound);
+    }
+    (bounds, others.swap_remove(0))
+}

@@ -1,0 +1,146 @@
+//! Lengths against a tolerance: in f64 with a bound of all rounding errors, or exactly.
+
+use super::number::Vector;
+use super::rules::Rules;
+use super::shape::Shape;
+use crate::exact::{Enclosed, Rational, RealCyclotomic, Scalar};
+use crate::float::{lower, upper};
+use crate::mesh::Point;
+
+/// Points of one kind, and the weights of shapes for them.
+pub(super) trait Points: Vector {
+    fn rules(shape: &Shape) -> &Rules<Self::Weight>;
+}
+
+impl Points for Point<f64> {
+    fn rules(shape: &Shape) -> &Rules<f64> {
+        &shape.rules
+    }
+}
+
+impl Points for Point<RealCyclotomic> {
+    fn rules(shape: &Shape) -> &Rules<RealCyclotomic> {
+        shape.exact()
+    }
+}
+
+/// Lengths of vectors against a tolerance.
+///
+/// A vector is a sum of points of a level whose coefficients sum to 0, and their absolute values
+/// to 8 at most.
+pub(super) trait Judge<V>: Sync {
+    /// |v| is at most this.
+    fn above(&self, vector: &V, level: u32) -> f64;
+    /// All |v| are at most this.
+    fn greatest(&self, vectors: impl Iterator<Item = V>, level: u32) -> f64 {
+        vectors.map(|vector| self.above(&vector, level)).fold(0.0, f64::max)
+    }
+    /// |v| is at least this.
+    fn below(&self, vector: &V, level: u32) -> f64;
+    /// Whether |v| ≤ ε; `None` where that is too near to call.
+    fn within(&self, vector: &V, level: u32) -> Option<bool>;
+    /// An f64 that is at most ε.
+    fn tolerance(&self) -> f64;
+    /// A length that cannot be told from 0.
+    fn floor(&self) -> f64;
+}
+
+/// In f64.
+#[derive(Clone, Debug)]
+pub(super) struct Rounded {
+    /// ε between two f64.
+    tolerance: [f64; 2],
+    /// What is added for each level.
+    unit: f64,
+}
+
+impl Rounded {
+    /// For points with coordinates up to `size`, refined by rows of up to `terms` weights: see
+    /// `proofs/THEOREMS.md`, 95.
+    pub(super) fn new(tolerance: &Rational, size: f64, terms: usize) -> Rounded {
+        let terms = f64::from(u32::try_from(terms + 8).unwrap_or(u32::MAX));
+        let unit = 32.0 * terms * size * (f64::EPSILON / 2.0);
+        Rounded { tolerance: [lower(tolerance), upper(tolerance)], unit }
+    }
+
+    fn slack(&self, level: u32) -> f64 {
+        self.unit * f64::from(level + 2)
+    }
+}
+
+fn squared([x, y, z]: &Point<f64>) -> f64 {
+    x * x + y * y + z * z
+}
+
+fn length(vector: &Point<f64>) -> f64 {
+    squared(vector).sqrt()
+}
+
+impl Judge<Point<f64>> for Rounded {
+    fn above(&self, vector: &Point<f64>, level: u32) -> f64 {
+        length(vector) + self.slack(level)
+    }
+    fn greatest(&self, vectors: impl Iterator<Item = Point<f64>>, level: u32) -> f64 {
+        // One root for all.
+        let square = vectors.map(|vector| squared(&vector)).fold(0.0, f64::max);
+        square.sqrt() + self.slack(level)
+    }
+    fn below(&self, vector: &Point<f64>, level: u32) -> f64 {
+        (length(vector) - self.slack(level)).max(0.0)
+    }
+    fn within(&self, vector: &Point<f64>, level: u32) -> Option<bool> {
+        if self.above(vector, level) <= self.tolerance[0] {
+            Some(true)
+        } else if self.below(vector, level) > self.tolerance[1] {
+            Some(false)
+        } else {
+            None
+        }
+    }
+    fn tolerance(&self) -> f64 {
+        self.tolerance[0]
+    }
+    fn floor(&self) -> f64 {
+        // That of a difference at the highest level of pieces, and a little more.
+        self.slack(80)
+    }
+}
+
+/// Exactly.
+pub(super) struct Exactly {
+    /// ε².
+    square: RealCyclotomic,
+    /// An f64 that is at most ε.
+    tolerance: f64,
+}
+
+impl Exactly {
+    pub(super) fn new(tolerance: &Rational) -> Exactly {
+        Exactly { square: (tolerance * tolerance).into(), tolerance: lower(tolerance) }
+    }
+}
+
+fn square(vector: &Point<RealCyclotomic>) -> RealCyclotomic {
+    vector.iter().fold(RealCyclotomic::zero(), |sum, x| sum.plus(&x.times(x)))
+}
+
+impl Judge<Point<RealCyclotomic>> for Exactly {
+    fn above(&self, vector: &Point<RealCyclotomic>, _: u32) -> f64 {
+        f64::from_bits(square(vector).step(|x| upper(x).to_bits())).sqrt().next_up()
+    }
+    fn below(&self, vector: &Point<RealCyclotomic>, _: u32) -> f64 {
+        f64::from_bits(square(vector).step(|x| lower(x).max(0.0).to_bits()))
+            .sqrt()
+            .next_down()
+            .max(0.0)
+    }
+    fn within(&self, vector: &Point<RealCyclotomic>, _: u32) -> Option<bool> {
+        Some(Scalar::minus(&square(vector), &self.square).sign() <= 0)
+    }
+    fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+    fn floor(&self) -> f64 {
+        0.0
+    }
+}

@@ -1,0 +1,106 @@
+//! Distances at a level: of the whole mesh, of its faces, and the Hausdorff distance.
+
+use super::apart::WholeMesh;
+use super::depth::{MeshDistances, PIECE_STEPS, STEPS};
+use super::far::FarPlace;
+use super::judge::Judge;
+use super::number::Vector as _;
+use super::search::Search;
+use super::threads::{in_rounds, in_threads};
+use crate::exact::Rational;
+use crate::float::nearest;
+use std::collections::BTreeSet;
+
+/// How wide the enclosure of the distance is, relative to it.
+const WIDTH: f64 = 1e-3;
+
+/// The same for the distances of single faces.
+const FACE_WIDTH: f64 = 0.05;
+
+/// How many limit points are tried for the Hausdorff distance.
+const TRIED: usize = 64;
+
+impl MeshDistances {
+    /// A lower and an upper bound of the distance at a level, for each face of the control mesh: of its
+    /// piece of the mesh of that level from its piece of the limit. Both are 0 where there is no limit.
+    #[must_use]
+    pub fn faces(&self, level: u32) -> Vec<[f64; 2]> {
+        let model = &self.model;
+        let judge = model.rounded_judge(&Rational::one());
+        let mut faces = vec![[0.0_f64; 2]; model.control.faces().len()];
+        let scale = nearest(&model.scale);
+        self.work.begin(level, model.roots.all.len());
+        let bounds = in_threads(&model.roots.all, |root| {
+            self.work.step();
+            let mut search = Search::new(&model.shapes, model.scheme, &judge, level, PIECE_STEPS);
+            let (mut best, mut place) = (0.0, None);
+            let cell = model.rounded_cell(root, level);
+            let upper = search.measure(cell, FACE_WIDTH, &mut best, &mut place);
+            [best * scale, upper.max(best) * scale]
+        });
+        for (root, [lower, upper]) in model.roots.all.iter().zip(bounds) {
+            let face = &mut faces[root.face];
+            *face = [face[0].max(lower), face[1].max(upper)];
+        }
+        faces
+    }
+
+    /// An enclosure of the distance at a level.
+    pub(super) fn measured(&self, level: u32) -> ([f64; 2], Option<FarPlace>) {
+        let model = &self.model;
+        let judge = model.rounded_judge(&Rational::one());
+        let waiting = model.above(level, 0.0);
+        self.work.begin(level, waiting.len());
+        let (mut best, mut upper, mut worst) = (0.0_f64, 0.0_f64, None);
+        let mut left = STEPS;
+        in_rounds(&waiting, |round| {
+            // Within a round no piece knows of the others, so that threads do not matter.
+            let results = in_threads(round, |&(bound, root)| {
+                self.work.step();
+                let (mut own, mut place) = (best, None);
+                if bound <= best * (1.0 + WIDTH) || left == 0 {
+                    return (bound, own, None, 0);
+                }
+                let mut search =
+                    Search::new(&model.shapes, model.scheme, &judge, level, PIECE_STEPS);
+                let cell = model.rounded_cell(root, level);
+                let upper = search.measure(cell, WIDTH, &mut own, &mut place);
+                (upper, own, place.map(|place| (root, place)), PIECE_STEPS - search.steps)
+            });
+            for (bound, lower, place, steps) in results {
+                left = left.saturating_sub(steps);
+                upper = upper.max(bound);
+                if lower > best {
+                    (best, worst) = (lower, place);
+                }
+            }
+            true
+        });
+        let scale = nearest(&model.scale);
+        let worst = worst.map(|(root, place)| FarPlace::rounded(model, root, level, &place));
+        ([best * scale, upper.max(best) * scale], worst)
+    }
+
+    /// A lower bound of the one-sided Hausdorff distance at a level: the greatest distance, from the
+    /// whole mesh, of the limit points that are farthest from it at their parameters, each in its piece.
+    pub(super) fn apart(&self, level: u32) -> f64 {
+        let model = &self.model;
+        let judge = model.rounded_judge(&Rational::one());
+        let whole = WholeMesh::new(model, &judge, level);
+        let mut best = 0.0_f64;
+        let waiting = model.above(level, 0.0);
+        // More of those with great bounds than of the others.
+        let chosen: BTreeSet<usize> =
+            (0..TRIED).map(|i| waiting.len() * i * i / (TRIED * TRIED)).collect();
+        for (_, root) in chosen.into_iter().filter_map(|i| waiting.get(i)) {
+            let mut search = Search::new(&model.shapes, model.scheme, &judge, level, PIECE_STEPS);
+            let (mut far, mut place) = (best, None);
+            search.measure(model.rounded_cell(root, level), FACE_WIDTH, &mut far, &mut place);
+            if let Some(place) = place {
+                let known = judge.above(&place.limit.minus(&place.polygon), place.level);
+                best = best.max(whole.distance(&place.limit, known));
+            }
+        }
+        best * nearest(&model.scale)
+    }
+}

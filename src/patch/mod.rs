@@ -1,0 +1,42 @@
+//! How far a mesh is from its limit surface, and how many levels a tolerance needs.
+//!
+//! A limit surface is cut into pieces, one for each face of a level (Catmull–Clark, Loop) or for
+//! each vertex (Doo–Sabin). On a piece, mesh and limit are compared point by point in their natural
+//! parameters. `proofs/THEOREMS.md`, 91 to 97, says so precisely, and proves the bounds.
+//!
+//! | item | what it is |
+//! |---|---|
+//! | [`MeshDistances`], [`MeshDepth`] | the depth of one mesh, from both sides |
+//! | [`a_priori`] | what its longest edge and its valences guarantee |
+//! | [`formula_level`] | what a paper's formula promises |
+//!
+//! Points are computed in f64 with a bound of all rounding errors. What that leaves open is
+//! decided exactly.
+
+mod apart;
+mod apriori;
+mod bezier;
+mod cell;
+mod depth;
+mod far;
+mod formula;
+mod growth;
+mod judge;
+mod measure;
+mod model;
+mod neighbourhood;
+mod number;
+mod regular;
+mod roots;
+mod rules;
+mod search;
+mod shape;
+mod shapes;
+mod threads;
+mod work;
+
+pub use apriori::{APriori, a_priori};
+pub use depth::{MAX_DEPTH_LEVEL, MeshDepth, MeshDistances};
+pub use far::FarPlace;
+pub use formula::{FORMULA_PAPER, formula_level};
+pub use work::MeshWork;

@@ -1,0 +1,129 @@
+//! A mesh as pieces of level 1.
+
+use super::cell::Cell;
+use super::neighbourhood::{Neighbourhood, Piece};
+use super::number::{Number, Row, Vector, combinations};
+use super::rules::{parts_of_face, quadrilaterals_of_face};
+use super::shapes::Shapes;
+use crate::mesh::{Connectivity, MeshError, MeshScheme, Point, PolygonMesh, Stencils, step_with};
+use std::collections::BTreeMap;
+
+/// A piece of level 1.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Root {
+    /// The face of the control mesh that it is on.
+    pub(super) face: usize,
+    /// Which part of that face: for Doo–Sabin, which of its vertices.
+    pub(super) part: usize,
+    pub(super) shape: usize,
+    /// Where its points begin in the list of all.
+    first: usize,
+}
+
+/// The pieces of level 1, and the numbers of their points in the mesh of that level.
+pub(super) struct Roots {
+    pub(super) all: Vec<Root>,
+    points: Vec<u32>,
+}
+
+impl Roots {
+    /// The pieces of a mesh, and their shapes.
+    pub(super) fn of(
+        scheme: MeshScheme,
+        control: &Connectivity,
+        refined: &Connectivity,
+        shapes: &mut Shapes,
+    ) -> Roots {
+        let mut roots = Roots { all: Vec::new(), points: Vec::new() };
+        let pieces = pieces(scheme, control);
+        for (face, part, piece) in pieces {
+            let neighbourhood = Neighbourhood::of(refined, piece);
+            let shape = shapes.shape(&neighbourhood);
+            let first = roots.points.len();
+            let number = |point: &usize| u32::try_from(*point).unwrap_or(u32::MAX);
+            roots.points.extend(neighbourhood.points.iter().map(number));
+            roots.all.push(Root { face, part, shape, first });
+        }
+        roots
+    }
+
+    /// A piece with its points.
+    pub(super) fn cell<V: Vector>(&self, root: &Root, shapes: &Shapes, refined: &[V]) -> Cell<V> {
+        let numbers = &self.points[root.first..root.first + shapes.get(root.shape).points];
+        let points = numbers.iter().map(|&point| refined[point as usize].clone()).collect();
+        Cell { shape: root.shape, level: 1, points, base: None, path: 0 }
+    }
+
+    /// The same, to be compared with the control mesh.
+    pub(super) fn begun<V: Vector>(
+        &self,
+        root: &Root,
+        shapes: &Shapes,
+        refined: &[V],
+        control: (&Connectivity, &[V]),
+        corners: &Corners<V::Weight>,
+    ) -> Cell<V> {
+        let face = &control.0.faces()[root.face];
+        let points: Vec<V> = face.iter().map(|&vertex| control.1[vertex].clone()).collect();
+        let base = combinations(&corners[&face.len()][root.part], &points);
+        Cell { base: Some(base), ..self.cell(root, shapes, refined) }
+    }
+}
+
+/// For faces of each number of vertices, the corners of their parts.
+pub(super) type Corners<W> = BTreeMap<usize, Vec<Vec<Row<W>>>>;
+
+/// Those of all faces of a mesh.
+pub(super) fn corners<W: Number>(scheme: MeshScheme, control: &Connectivity) -> Corners<W> {
+    let mut corners = Corners::new();
+    for face in control.faces() {
+        corners.entry(face.len()).or_insert_with(|| match scheme {
+            MeshScheme::Loop | MeshScheme::LoopWarren => parts_of_face(3),
+            _ => quadrilaterals_of_face(face.len(), &(0..face.len()).collect::<Vec<usize>>()),
+        });
+    }
+    corners
+}
+
+/// The pieces of level 1 by their faces and parts.
+fn pieces(scheme: MeshScheme, control: &Connectivity) -> Vec<(usize, usize, Piece)> {
+    let mut pieces = Vec::new();
+    let inner_edges = control.edges().iter().filter(|edge| edge.other.is_some()).count();
+    let mut vertex_faces = vec![None; control.point_count()];
+    if scheme == MeshScheme::DooSabin {
+        let mut next = control.faces().len() + inner_edges;
+        for (vertex, face) in vertex_faces.iter_mut().enumerate() {
+            if !control.star(vertex).boundary {
+                *face = Some(next);
+                next += 1;
+            }
+        }
+    }
+    let mut next = 0;
+    for (face, vertices) in control.faces().iter().enumerate() {
+        let parts = match scheme {
+            MeshScheme::Loop | MeshScheme::LoopWarren => 4,
+            _ => vertices.len(),
+        };
+        for part in 0..parts {
+            let piece = match scheme {
+                MeshScheme::DooSabin => {
+                    vertex_faces[vertices[part]].map(|first| Piece::Vertex(next, first))
+                }
+                _ => Some(Piece::Face(next)),
+            };
+            pieces.extend(piece.map(|piece| (face, part, piece)));
+            next += 1;
+        }
+    }
+    pieces
+}
+
+/// The mesh of level 1.
+pub(super) fn refined<S: Number>(
+    mesh: &PolygonMesh<S>,
+    scheme: MeshScheme,
+    stencils: &Stencils,
+) -> Result<Vec<Point<S>>, MeshError> {
+    Ok(step_with(mesh, scheme, &stencils.map(S::of))?.points().to_vec())
+}

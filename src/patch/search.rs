@@ -1,0 +1,182 @@
+//! Whether the polygons of a level are within a tolerance of the limit, and how far they are.
+
+use super::cell::{Cell, Known};
+use super::judge::{Judge, Points};
+use super::shapes::Shapes;
+use crate::exact::{Rational, Scalar as _};
+use crate::mesh::MeshScheme;
+
+/// The highest level of pieces.
+pub(super) const MAX_PIECE_LEVEL: u32 = 64;
+
+/// A place where the limit is far away.
+#[derive(Clone, Debug)]
+pub(super) struct Place<V> {
+    /// The level of the piece, and its path.
+    pub(super) level: u32,
+    pub(super) path: u128,
+    pub(super) limit: V,
+    pub(super) polygon: V,
+}
+
+impl<V> Place<V> {
+    fn of(cell: &Cell<V>, known: Known<V>) -> Place<V> {
+        let Known { limit, polygon, .. } = known;
+        Place { level: cell.level, path: cell.path, limit, polygon }
+    }
+}
+
+/// Whether a piece is within the tolerance.
+pub(super) enum Verdict<V> {
+    Within,
+    Beyond(Place<V>),
+    /// Too near to call, or too much work.
+    Open,
+}
+
+/// The search in one piece of level 1 after another, for the polygons of one level.
+pub(super) struct Search<'a, V: Points, J> {
+    pub(super) shapes: &'a Shapes,
+    pub(super) judge: &'a J,
+    /// The level of the polygons.
+    pub(super) level: u32,
+    /// How many pieces may still be looked at.
+    pub(super) steps: u64,
+    factors: [V::Weight; 2],
+}
+
+impl<'a, V: Points, J: Judge<V>> Search<'a, V, J> {
+    pub(super) fn new(
+        shapes: &'a Shapes,
+        scheme: MeshScheme,
+        judge: &'a J,
+        level: u32,
+        steps: u64,
+    ) -> Self {
+        // (1 − u)³ + u³ is from 1/4 to 1, and (1/2 − u)²·4 from 0 to 1.
+        let least = Rational::new(i64::from(scheme == MeshScheme::CatmullClark), 4);
+        let factors = [Rational::one(), least].map(|x| V::Weight::from_rational(&x));
+        Search { shapes, judge, level, steps, factors }
+    }
+
+    /// An upper bound of the distance on a piece of this level or an earlier one, a sharper one where the
+    /// first is above the threshold.
+    fn bound(&self, cell: &Cell<V>, size: f64, threshold: f64) -> f64 {
+        let later = self.level - cell.level;
+        let bound = self.shapes.get(cell.shape).bound(size, later);
+        if bound <= threshold {
+            return bound;
+        }
+        let sharp = cell.sharp_bound(self.shapes, self.judge, later, &self.factors);
+        sharp.map_or(bound, |sharp| bound.min(sharp))
+    }
+
+    /// A piece with its size, if the polygons of the level are not yet linear or bilinear on it.
+    fn sized(&self, cell: Cell<V>) -> (f64, Cell<V>) {
+        let size = if cell.base.is_none() { cell.size(self.shapes, self.judge) } else { 0.0 };
+        (size, cell)
+    }
+
+    /// Puts the parts of a piece with their sizes on a stack, the greatest last. Where all but one are
+    /// within the threshold, only that one: the result is a bound for those that are left out.
+    fn divide(
+        &self,
+        cell: &Cell<V>,
+        size: f64,
+        threshold: f64,
+        stack: &mut Vec<(f64, Cell<V>)>,
+    ) -> f64 {
+        if cell.base.is_none() {
+            let shape = self.shapes.get(cell.shape);
+            let others = shape.others(size, self.level - cell.level);
+            if let Some((part, bound)) = others.filter(|(_, bound)| *bound <= threshold) {
+                stack.push(self.sized(cell.part(self.shapes, part)));
+                return bound;
+            }
+        }
+        let parts = cell.parts(self.shapes, cell.level == self.level).into_iter();
+        let mut parts: Vec<(f64, Cell<V>)> = parts.map(|part| self.sized(part)).collect();
+        parts.sort_by(|left, right| left.0.total_cmp(&right.0));
+        stack.extend(parts);
+        0.0
+    }
+
+    /// Whether a piece is within the tolerance.
+    pub(super) fn examine(&mut self, piece: Cell<V>) -> Verdict<V> {
+        let mut open = false;
+        let tolerance = self.judge.tolerance();
+        let mut stack = vec![self.sized(piece)];
+        while let Some((size, mut cell)) = stack.pop() {
+            if self.steps == 0 {
+                return Verdict::Open;
+            }
+            self.steps = self.steps.saturating_sub(cell.work());
+            if cell.base.is_none() {
+                if self.bound(&cell, size, tolerance) <= tolerance {
+                    continue;
+                }
+                let begun = (cell.level == self.level).then(|| cell.begun(self.shapes)).flatten();
+                let Some(begun) = begun else {
+                    self.divide(&cell, size, tolerance, &mut stack);
+                    continue;
+                };
+                cell = begun;
+            }
+            match cell.known(self.shapes, self.judge) {
+                Some(known) if known.beyond => return Verdict::Beyond(Place::of(&cell, known)),
+                Some(known) if known.within => {}
+                _ if cell.level >= MAX_PIECE_LEVEL.min(self.level + EXTRA_LEVELS) => open = true,
+                _ => {
+                    self.divide(&cell, size, tolerance, &mut stack);
+                }
+            }
+        }
+        if open { Verdict::Open } else { Verdict::Within }
+    }
+
+    /// The distance on a piece where it exceeds `best`, which is raised to the greatest lower bound
+    /// found; the result is an upper bound, at most `best`·(1 + `width`) where the steps allow.
+    pub(super) fn measure(
+        &mut self,
+        piece: Cell<V>,
+        width: f64,
+        best: &mut f64,
+        place: &mut Option<Place<V>>,
+    ) -> f64 {
+        let mut upper = 0.0_f64;
+        let mut stack = vec![self.sized(piece)];
+        while let Some((size, mut cell)) = stack.pop() {
+            let enough = (*best * (1.0 + width)).max(self.judge.floor());
+            let stop = self.steps == 0 || cell.level >= MAX_PIECE_LEVEL;
+            self.steps = self.steps.saturating_sub(cell.work());
+            if cell.base.is_none() {
+                let bound = self.bound(&cell, size, enough);
+                if bound <= enough || stop {
+                    upper = upper.max(bound);
+                    continue;
+                }
+                let begun = (cell.level == self.level).then(|| cell.begun(self.shapes)).flatten();
+                let Some(begun) = begun else {
+                    upper = upper.max(self.divide(&cell, size, enough, &mut stack));
+                    continue;
+                };
+                cell = begun;
+            }
+            let Some(known) = cell.known(self.shapes, self.judge) else { continue };
+            let bound = known.upper;
+            if known.lower > *best {
+                *best = known.lower;
+                *place = Some(Place::of(&cell, known));
+            }
+            if bound <= enough.max(*best * (1.0 + width)) || stop {
+                upper = upper.max(bound);
+            } else {
+                self.divide(&cell, size, enough, &mut stack);
+            }
+        }
+        upper
+    }
+}
+
+/// How many levels after that of the polygons pieces are divided.
+const EXTRA_LEVELS: u32 = 30;

@@ -1,0 +1,98 @@
+//! The shape of a piece: what does not depend on its points.
+
+use super::rules::{Local, Rules};
+use crate::exact::RealCyclotomic;
+use crate::mesh::MeshScheme;
+use std::sync::OnceLock;
+
+/// What sums and products of a few bounds are multiplied by for their rounding.
+pub(super) const UP: f64 = 1.0 + 1e-14;
+
+/// 4^−i.
+pub(super) fn quarter(i: u32) -> f64 {
+    0.25_f64.powi(i32::try_from(i).unwrap_or(i32::MAX))
+}
+
+/// One part of a piece at the next level.
+#[derive(Clone, Debug)]
+pub(super) struct Part {
+    /// Its shape.
+    pub(super) shape: usize,
+    /// Its points, among those that the piece makes.
+    pub(super) points: Vec<usize>,
+}
+
+/// A piece with the faces around it, whatever its points are.
+pub(super) struct Shape {
+    /// How many points there are.
+    pub(super) points: usize,
+    pub(super) parts: Vec<Part>,
+    pub(super) rules: Rules<f64>,
+    /// How fast pieces of this shape tend to the limit.
+    pub(super) growth: Growth,
+    pub(super) local: Local,
+    /// The points of the next level that the parts need.
+    pub(super) wanted: Vec<usize>,
+    pub(super) exact: OnceLock<Rules<RealCyclotomic>>,
+}
+
+impl Shape {
+    /// The exact weights, computed when they are first needed.
+    pub(super) fn exact(&self) -> &Rules<RealCyclotomic> {
+        self.exact.get_or_init(|| self.local.rules(&self.wanted))
+    }
+
+    pub(super) fn is_regular(&self) -> bool {
+        self.rules.regular.is_some()
+    }
+
+    /// The bound of a piece of this size, for the level that many levels later and all after it.
+    pub(super) fn bound(&self, size: f64, later: u32) -> f64 {
+        let factor = if self.is_regular() { quarter(later) } else { self.growth.bound(later) };
+        factor * size * UP
+    }
+
+    /// The part that has the same shape, and the bound of [`bound`](Self::bound) for all other parts
+    /// together: the piece itself has this size, and the level is that many levels after its own.
+    pub(super) fn others(&self, size: f64, later: u32) -> Option<(usize, f64)> {
+        let (part, bounds) = self.growth.repeated.as_ref()?;
+        let bound = entry(bounds, later.checked_sub(1)?);
+        Some((*part, bound * size * UP))
+    }
+
+    pub(super) fn scheme(&self) -> MeshScheme {
+        self.local.scheme
+    }
+
+    /// The longest row of weights.
+    pub(super) fn longest(&self) -> usize {
+        self.rules.refined.iter().chain(&self.rules.limits).map(Vec::len).max().unwrap_or(0)
+    }
+}
+
+/// G_0, G_1, … with D_i ≤ G_i N for every piece of the shape: D_i is the distance of the polygons of the
+/// i-th level after it from the limit on the piece, N the greatest distance of its points from its
+/// first point.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Growth {
+    pub(super) bounds: Vec<f64>,
+    /// The part that has the same shape, and the same bounds for all other parts.
+    pub(super) repeated: Option<(usize, Vec<f64>)>,
+}
+
+/// Entry i of a list that falls, the last one beyond its end.
+fn entry(bounds: &[f64], i: u32) -> f64 {
+    let last = bounds.len().saturating_sub(1);
+    bounds.get((i as usize).min(last)).copied().unwrap_or(f64::INFINITY)
+}
+
+impl Growth {
+    /// G_i; that of a lower level if i is beyond those that are known.
+    pub(super) fn bound(&self, i: u32) -> f64 {
+        entry(&self.bounds, i)
+    }
+
+    pub(super) fn is_known(&self) -> bool {
+        !self.bounds.is_empty()
+    }
+}

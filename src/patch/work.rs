@@ -1,0 +1,35 @@
+//! How far a search has come, for whoever waits for it.
+
+use std::sync::atomic::{AtomicU32, AtomicUsize, Ordering};
+
+/// The level that is looked at, and how many of its pieces have been; shared between threads.
+#[derive(Debug, Default)]
+pub struct MeshWork {
+    level: AtomicU32,
+    done: AtomicUsize,
+    total: AtomicUsize,
+}
+
+impl MeshWork {
+    /// The level.
+    #[must_use]
+    pub fn level(&self) -> u32 {
+        self.level.load(Ordering::Relaxed)
+    }
+
+    /// How many pieces have been looked at, and how many there are.
+    #[must_use]
+    pub fn pieces(&self) -> (usize, usize) {
+        (self.done.load(Ordering::Relaxed), self.total.load(Ordering::Relaxed))
+    }
+
+    pub(super) fn begin(&self, level: u32, total: usize) {
+        self.level.store(level, Ordering::Relaxed);
+        self.done.store(0, Ordering::Relaxed);
+        self.total.store(total, Ordering::Relaxed);
+    }
+
+    pub(super) fn step(&self) {
+        self.done.fetch_add(1, Ordering::Relaxed);
+    }
+}
