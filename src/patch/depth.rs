@@ -14,9 +14,9 @@ use std::sync::Arc;
 /// The highest level that is asked for.
 pub const MAX_DEPTH_LEVEL: u32 = 40;
 
-/// How many pieces are looked at for one level, in f64 and exactly.
-pub(super) const STEPS: u64 = 20_000_000;
-const EXACT_STEPS: u64 = 10_000;
+/// How many pieces are looked at, in f64 and exactly; for one level at most a half of what is left.
+pub(super) const STEPS: u64 = 80_000_000;
+const EXACT_STEPS: u64 = 20_000;
 
 /// How many are looked at in one piece of level 1.
 pub(super) const PIECE_STEPS: u64 = 100_000;
@@ -110,8 +110,9 @@ impl MeshDistances {
         let sure = self.sure_level(tolerance)?;
         let (mut level, mut closed, mut exact_pieces) = (sure, true, 0);
         let mut beyond = None;
+        let mut left = Left { rounded: STEPS, exact: EXACT_STEPS };
         for below in (0..sure).rev() {
-            let found = self.examine(below, tolerance);
+            let found = self.examine(below, tolerance, &mut left);
             exact_pieces += found.exact_pieces;
             if let Some(place) = found.beyond {
                 beyond = Some((below, place));
@@ -144,14 +145,16 @@ impl MeshDistances {
     }
 
     /// Whether a level is sufficient.
-    fn examine(&self, level: u32, tolerance: &Rational) -> Found {
+    fn examine(&self, level: u32, tolerance: &Rational, left: &mut Left) -> Found {
         let model = &self.model;
         let judge = model.rounded_judge(tolerance);
         let limit = Judge::<Point<f64>>::tolerance(&judge);
         let waiting = model.above(level, limit);
         self.work.begin(level, waiting.len());
         let mut found = Found { beyond: None, open: false, exact_pieces: 0 };
-        let (mut left, mut open) = (STEPS, Vec::new());
+        // Something is left for the levels below.
+        let least = left.rounded / 2;
+        let mut open = Vec::new();
         in_rounds(&waiting, |round| {
             let results = in_threads(round, |(_, root)| {
                 self.work.step();
@@ -161,7 +164,7 @@ impl MeshDistances {
                 (*root, verdict, PIECE_STEPS - search.steps)
             });
             for (root, verdict, steps) in results {
-                left = left.saturating_sub(steps);
+                left.rounded = left.rounded.saturating_sub(steps);
                 match verdict {
                     Verdict::Within => {}
                     Verdict::Beyond(place) => {
@@ -171,11 +174,11 @@ impl MeshDistances {
                     Verdict::Open => open.push(root),
                 }
             }
-            left > 0
+            left.rounded > least
         });
         if found.beyond.is_none() {
-            found.open = left == 0;
-            self.examine_exactly(level, tolerance, &open, &mut found);
+            found.open = left.rounded <= least;
+            self.examine_exactly(level, tolerance, &open, left, &mut found);
         }
         found
     }
@@ -186,27 +189,30 @@ impl MeshDistances {
         level: u32,
         tolerance: &Rational,
         roots: &[&Root],
+        left: &mut Left,
         found: &mut Found,
     ) {
         let model = &self.model;
         let judge = Exactly::new(tolerance);
-        let mut search = Search::new(&model.shapes, model.scheme, &judge, level, EXACT_STEPS);
+        let steps = left.exact / 2;
+        let mut search = Search::new(&model.shapes, model.scheme, &judge, level, steps);
         for root in roots {
             let cell = if search.steps == 0 { None } else { model.exact_cell(root, level) };
             let Some(cell) = cell else {
                 found.open = true;
-                return;
+                break;
             };
             found.exact_pieces += 1;
             match search.examine(cell) {
                 Verdict::Within => {}
                 Verdict::Beyond(place) => {
                     found.beyond = Some(FarPlace::exact(model, root, level, &place));
-                    return;
+                    break;
                 }
                 Verdict::Open => found.open = true,
             }
         }
+        left.exact -= steps - search.steps;
     }
 }
 
@@ -217,6 +223,12 @@ pub(super) fn not_positive(tolerance: &Rational) -> Result<(), MeshError> {
     }
     let reason = format!("the tolerance must be positive, and is {tolerance}");
     Err(MeshError::TooMuch { reason })
+}
+
+/// How many pieces may still be looked at, in f64 and exactly.
+struct Left {
+    rounded: u64,
+    exact: u64,
 }
 
 /// What was found at a level.

@@ -52,7 +52,7 @@ impl MeshDistances {
         let waiting = model.above(level, 0.0);
         self.work.begin(level, waiting.len());
         let (mut best, mut upper, mut worst) = (0.0_f64, 0.0_f64, None);
-        let mut left = STEPS;
+        let mut left = STEPS / 4;
         in_rounds(&waiting, |round| {
             // Within a round no piece knows of the others, so that threads do not matter.
             let results = in_threads(round, |&(bound, root)| {

@@ -105,6 +105,9 @@ impl<'a, V: Points, J: Judge<V>> Search<'a, V, J> {
     pub(super) fn examine(&mut self, piece: Cell<V>) -> Verdict<V> {
         let mut open = false;
         let tolerance = self.judge.tolerance();
+        if tolerance < self.judge.floor() {
+            return Verdict::Open;
+        }
         let mut stack = vec![self.sized(piece)];
         while let Some((size, mut cell)) = stack.pop() {
             if self.steps == 0 {

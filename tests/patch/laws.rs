@@ -96,6 +96,11 @@ fn a_plane() {
     let found = depth(&mesh, MeshScheme::DooSabin, &Rational::new(1, 1_000_000));
     assert_eq!((found.level, found.too_few), (0, None));
     assert!(found.distance[0] <= 1e-12 && found.distance[1] <= 1e-9, "{found:?}");
+    // Below what f64 can tell from 0, exact numbers decide.
+    let small = super::grid(9, 9, false, |i, j| Rational::from(2 * i) + Rational::from(3 * j));
+    let found = depth(&small, MeshScheme::DooSabin, &Rational::new(1, 10).pow(20));
+    assert_eq!((found.level, found.too_few), (0, None));
+    assert!(found.exact_pieces > 0, "{found:?}");
 }
 
 /// Squares have G = 1/2, H = 3/4 and b = 23/16, and triangles, of the vertices, GH = 1/4: 23/16 · 2/(5/8) = 4.6
