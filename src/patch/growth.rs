@@ -6,8 +6,8 @@ use super::regular::Bends;
 use super::shape::{Growth, Shape};
 use crate::mesh::MeshScheme;
 
-/// What is added to a norm of a functional for the rounding of its coefficients.
-const ROUNDING: f64 = 1e-10;
+/// What is added to a norm of a functional for the rounding of its coefficients, and for each of them.
+const ROUNDING: (f64, f64) = (1e-10, 1e-13);
 
 /// What a bound is multiplied by for the rounding of sums and products of bounds.
 const INFLATION: f64 = 1.0 + 1e-9;
@@ -48,7 +48,8 @@ fn unit(points: usize) -> Vec<Vec<f64>> {
 
 /// Σ |f_b| without the first point: the greatest value, for N = 1, of a functional that sums to 0.
 fn norm(functional: &[f64]) -> f64 {
-    functional.iter().skip(1).map(|x| x.abs()).sum::<f64>() + ROUNDING
+    let (once, each) = ROUNDING;
+    functional.iter().skip(1).map(|x| x.abs() + each).sum::<f64>() + once
 }
 
 fn greatest(norms: impl IntoIterator<Item = f64>) -> f64 {

@@ -79,6 +79,9 @@ proptest! {
         b in 1_i64..20,
     ) {
         let rows: Vec<i64> = (0..3).map(|i| start + i * step).collect();
+        // Numbers that two digits after the point give exactly are as they should be.
+        let exact = |a: i64| rounded(&scientific(&constant(a, b), 3)) == constant(a, b);
+        prop_assume!(!matches!(author, Author::Rounds) || !rows.iter().all(|&a| exact(a)));
         let claims = claims(author, &rows, b);
         let paper = paper(&claims);
         let audit = judged(&paper);
