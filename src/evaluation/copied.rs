@@ -47,19 +47,6 @@ pub enum Copied {
     },
 }
 
-impl Copied {
-    /// The definition that it is about; a tolerance is none.
-    #[must_use]
-    pub fn of(&self) -> Option<&str> {
-        match self {
-            Copied::Printed { of, .. }
-            | Copied::Parameter { of, .. }
-            | Copied::Scheme { of, .. } => Some(of),
-            Copied::Tolerance { .. } => None,
-        }
-    }
-}
-
 /// The schemes of the paper's tables: each text once, in their order.
 pub(crate) fn references(paper: &Paper) -> Vec<&LocatedReference> {
     let mut met = BTreeSet::new();

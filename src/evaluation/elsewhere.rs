@@ -20,7 +20,7 @@ impl Evaluator<'_> {
     ) -> Result<Result<(Settings, Known), Outcome>, Diagnostic> {
         let mut settings = at.settings.without_copied();
         let there = At { settings: &settings, ..at };
-        let value = match copied {
+        let (of, value) = match copied {
             Copied::Tolerance { line, .. } => {
                 if let Some((name, value)) = self.computed_tolerance(*line, there) {
                     settings.parameters.insert(name.to_owned(), value);
@@ -29,26 +29,27 @@ impl Evaluator<'_> {
             }
             Copied::Printed { of, table, .. } => {
                 let printed = self.printed_elsewhere(table, there);
-                printed.map(RealCyclotomic::from).ok_or_else(|| missing(of))
+                (of, printed.map(RealCyclotomic::from).ok_or_else(|| missing(of)))
             }
             Copied::Parameter { of, name, value } => {
                 let settings = settings.with_parameter(name, value);
-                self.definition(of, At { settings: &settings, ..at })
+                (of, self.definition(of, At { settings: &settings, ..at }))
             }
             Copied::Scheme { of, number, .. } => {
                 let settings = settings.with_scheme(*number);
-                self.definition(of, At { settings: &settings, ..at })
+                (of, self.definition(of, At { settings: &settings, ..at }))
             }
         };
-        let (Some(of), Ok(value)) = (copied.of(), &value) else {
-            return Ok(Err(value.err().unwrap_or_else(|| missing("a definition"))));
+        let value = match value {
+            Ok(value) => value,
+            Err(outcome) => return Ok(Err(outcome)),
         };
         let mut known = match self.quantities(there)? {
             Ok(quantities) => (*self.rows.of(self, there, &quantities)).clone(),
             Err(outcome) => return Ok(Err(outcome)),
         };
         known.retain(|name, _| !self.leads_to(name, of, &settings));
-        known.insert(of.to_owned(), value.clone());
+        known.insert(of.clone(), value);
         Ok(Ok((settings, known)))
     }
 
