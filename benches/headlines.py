@@ -3,10 +3,9 @@
     cargo build --release --bin subcert --examples && python3 benches/headlines.py
 """
 
-import os
 import subprocess
-import sys
-import time
+
+from measure import measure
 
 PROGRAM = "target/release/subcert"
 SEARCH, VALENCE = "target/release/examples/search", "target/release/examples/valence"
@@ -22,26 +21,6 @@ RUNS = [
         for n in (5, 100, 499, 500)
     ),
 ]
-
-
-def measure(command):
-    """Wall and processor seconds, and the peak memory in MiB as last seen.
-
-    `ru_maxrss` would be no less than the memory of this script."""
-    start, peak = time.perf_counter(), 0
-    child = subprocess.Popen(command, stdout=subprocess.DEVNULL)
-    while True:
-        ended, status, usage = os.wait4(child.pid, os.WNOHANG)
-        if ended:
-            break
-        with open(f"/proc/{child.pid}/status") as lines:
-            peaks = [int(line.split()[1]) for line in lines if line.startswith("VmHWM")]
-        peak = max([peak, *peaks])
-        time.sleep(0.0005)
-    seconds = time.perf_counter() - start
-    if status:
-        sys.exit(f"{' '.join(command)} fails")
-    return seconds, usage.ru_utime + usage.ru_stime, peak / 1024
 
 
 def main():

@@ -9,9 +9,9 @@ quadrilaterals, half of the vertices have the valence 3 or 6.
 import math
 import os
 import random
-import subprocess
-import sys
-import time
+import tempfile
+
+from measure import measure
 
 PROGRAM, PLACE = "target/release/subcert", "target/meshes"
 
@@ -67,23 +67,6 @@ def write(name, points, faces):
     return path
 
 
-def measure(command):
-    """Wall seconds, processor seconds, peak memory in MiB, and the output."""
-    start, peak = time.perf_counter(), 0
-    child = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
-    while True:
-        ended, status, usage = os.wait4(child.pid, os.WNOHANG)
-        if ended:
-            break
-        with open(f"/proc/{child.pid}/status") as lines:
-            peaks = [int(line.split()[1]) for line in lines if line.startswith("VmHWM")]
-        peak = max([peak, *peaks])
-        time.sleep(0.002)
-    if status:
-        sys.exit(f"{' '.join(command)} fails")
-    return time.perf_counter() - start, usage.ru_utime + usage.ru_stime, peak / 1024, child.stdout.read()
-
-
 def main():
     os.makedirs(PLACE, exist_ok=True)
     quads = write("quads", torus(400, 250, 1), corners(400, 250))
@@ -102,7 +85,10 @@ def main():
     print("|---|---|--:|--:|--:|--:|--:|")
     for name, scheme, path, tolerance, more in runs:
         command = [PROGRAM, "depth", scheme, "--mesh", path, "--tolerance", tolerance, "--format", "json"]
-        seconds, used, memory, text = measure([*command, *more])
+        with tempfile.TemporaryFile("w+") as output:
+            seconds, used, memory = measure([*command, *more], output)
+            output.seek(0)
+            text = output.read()
         values = [line.split(":")[1].strip(" ,") for line in text.splitlines() if '"level":' in line]
         level = values[0] if values[0] != "null" else f"{values[-1]} a priori"
         print(f"| {name} | {scheme} | {tolerance} | {level} | {seconds:.2f} | {used:.2f} | {memory:.0f} |", flush=True)
