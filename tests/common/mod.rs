@@ -3,6 +3,7 @@
 #![allow(dead_code, reason = "each test crate uses its part")]
 
 pub mod claims;
+pub mod meshes;
 
 use proptest::prelude::*;
 use subcert::exact::Rational;

@@ -8,6 +8,7 @@ mod read;
 mod refine;
 mod write;
 
+use crate::common::meshes::{grid_faces, prism_faces};
 use crate::common::r;
 use proptest::prelude::*;
 use subcert::diagnostic::SourceText;
@@ -60,10 +61,7 @@ fn prism(n: usize) -> Mesh {
             [i * i - 3 * i, 2 * i, height(k) + if k < n { 0 } else { 11 }]
         })
         .collect();
-    let mut faces: Vec<Vec<usize>> =
-        (0..n).map(|i| vec![i, (i + 1) % n, n + (i + 1) % n, n + i]).collect();
-    faces.push((0..n).rev().collect());
-    faces.push((n..2 * n).collect());
+    let faces = prism_faces(n);
     PolygonMesh::new(points.into_iter().map(point).collect(), faces).expect("a surface")
 }
 
@@ -74,18 +72,7 @@ fn grid(rows: usize, columns: usize, triangles: bool) -> Mesh {
         let height = (7 * i * i + 5 * i * j + 3 * j * j * j + k) % 11;
         point([j, i, height].map(|x| i64::try_from(x).expect("small")))
     });
-    let mut faces = Vec::new();
-    for i in 0..rows - 1 {
-        for j in 0..columns - 1 {
-            let k = i * columns + j;
-            if triangles {
-                faces.push(vec![k, k + 1, k + columns + 1]);
-                faces.push(vec![k, k + columns + 1, k + columns]);
-            } else {
-                faces.push(vec![k, k + 1, k + columns + 1, k + columns]);
-            }
-        }
-    }
+    let faces = grid_faces(rows, columns, triangles);
     PolygonMesh::new(points.collect(), faces).expect("a surface")
 }
 

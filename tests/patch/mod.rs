@@ -5,6 +5,7 @@ mod laws;
 mod naive;
 mod tensor;
 
+use crate::common::meshes::{grid_faces, prism_faces};
 use crate::common::r;
 use proptest::prelude::*;
 use subcert::exact::Rational;
@@ -46,10 +47,7 @@ fn prism(n: usize) -> Mesh {
             [i * i - 3 * i, 2 * i, height + if k < n { 0 } else { 11 }]
         })
         .collect();
-    let mut faces: Vec<Vec<usize>> =
-        (0..n).map(|i| vec![i, (i + 1) % n, n + (i + 1) % n, n + i]).collect();
-    faces.push((0..n).rev().collect());
-    faces.push((n..2 * n).collect());
+    let faces = prism_faces(n);
     mesh(&points, faces)
 }
 
@@ -65,18 +63,7 @@ fn grid(
         let (i, j) = place(k);
         [Rational::from(j), Rational::from(i), height(i, j)]
     };
-    let mut faces = Vec::new();
-    for i in 0..rows - 1 {
-        for j in 0..columns - 1 {
-            let k = i * columns + j;
-            if triangles {
-                faces.push(vec![k, k + 1, k + columns + 1]);
-                faces.push(vec![k, k + columns + 1, k + columns]);
-            } else {
-                faces.push(vec![k, k + 1, k + columns + 1, k + columns]);
-            }
-        }
-    }
+    let faces = grid_faces(rows, columns, triangles);
     PolygonMesh::new((0..rows * columns).map(point).collect(), faces).expect("a surface")
 }
 

@@ -2,10 +2,11 @@
 
 use super::super::connectivity::Edge;
 use super::super::error::MeshError;
-use super::super::point::{Point, combination, sum};
+use super::super::point::{Point, sum};
 use super::super::polygon::PolygonMesh;
+use super::super::star::Star;
 use super::super::stencil::Stencils;
-use super::triangles::{boundary_vertex, midpoint};
+use super::triangles::{midpoint, vertex_point};
 use crate::exact::{Rational, Scalar};
 
 /// One level: the points of vertices, edges and faces in this order, and a quadrilateral for
@@ -19,7 +20,8 @@ pub(super) fn step<S: Scalar>(
     let centres: Vec<Point<S>> =
         mesh.faces().iter().map(|face| mean(face.iter().map(|&v| &mesh.points()[v]))).collect();
     let mut points = Vec::with_capacity(vertices + edges + centres.len());
-    points.extend((0..vertices).map(|vertex| vertex_point(mesh, &centres, stencils, vertex)));
+    let around = |star: &Star| Some(sum(star.faces.iter().map(|&face| &centres[face])));
+    points.extend((0..vertices).map(|vertex| vertex_point(mesh, stencils, vertex, around)));
     points.extend(connectivity.edges().iter().map(|edge| edge_point(mesh, &centres, edge)));
     points.extend(centres);
     let mut faces = Vec::with_capacity(connectivity.corner_count());
@@ -45,20 +47,4 @@ fn edge_point<S: Scalar>(mesh: &PolygonMesh<S>, centres: &[Point<S>], edge: &Edg
         Some((other, _)) => mean([p, q, &centres[edge.face.0], &centres[other]].into_iter()),
         None => midpoint(p, q),
     }
-}
-
-fn vertex_point<S: Scalar>(
-    mesh: &PolygonMesh<S>,
-    centres: &[Point<S>],
-    stencils: &Stencils<S>,
-    vertex: usize,
-) -> Point<S> {
-    let star = mesh.connectivity().star(vertex);
-    if star.boundary {
-        return boundary_vertex(mesh, vertex, &star);
-    }
-    let weights = stencils.of(star.valence());
-    let neighbours = sum(star.neighbours.iter().map(|&v| &mesh.points()[v]));
-    let faces = sum(star.faces.iter().map(|&face| &centres[face]));
-    combination(weights.iter().zip([&mesh.points()[vertex], &neighbours, &faces]))
 }

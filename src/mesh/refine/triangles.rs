@@ -15,7 +15,7 @@ pub(super) fn step<S: Scalar>(
     let connectivity = mesh.connectivity();
     let (vertices, edges) = (connectivity.point_count(), connectivity.edges().len());
     let mut points = Vec::with_capacity(vertices + edges);
-    points.extend((0..vertices).map(|vertex| vertex_point(mesh, stencils, vertex)));
+    points.extend((0..vertices).map(|vertex| vertex_point(mesh, stencils, vertex, |_| None)));
     points.extend((0..edges).map(|edge| edge_point(mesh, edge)));
     let mut faces = Vec::with_capacity(4 * connectivity.faces().len());
     for (face, corners) in mesh.faces().iter().enumerate() {
@@ -39,10 +39,13 @@ fn edge_point<S: Scalar>(mesh: &PolygonMesh<S>, edge: usize) -> Point<S> {
     combination([(&three, &sum([p, q])), (&one, &wings)])
 }
 
-fn vertex_point<S: Scalar>(
+/// The new point of a vertex: inside by the weights of itself, of the sum of its neighbours, and of
+/// what else the rule has around it.
+pub(super) fn vertex_point<S: Scalar>(
     mesh: &PolygonMesh<S>,
     stencils: &Stencils<S>,
     vertex: usize,
+    further: impl FnOnce(&Star) -> Option<Point<S>>,
 ) -> Point<S> {
     let star = mesh.connectivity().star(vertex);
     if star.boundary {
@@ -50,7 +53,9 @@ fn vertex_point<S: Scalar>(
     }
     let weights = stencils.of(star.valence());
     let neighbours = sum(star.neighbours.iter().map(|&v| &mesh.points()[v]));
-    combination(weights.iter().zip([&mesh.points()[vertex], &neighbours]))
+    let further = further(&star);
+    let points = [&mesh.points()[vertex], &neighbours].into_iter().chain(&further);
+    combination(weights.iter().zip(points))
 }
 
 /// (p + q)/2.
