@@ -6,6 +6,7 @@ use super::far::FarPlace;
 use super::judge::Judge;
 use super::number::Vector as _;
 use super::search::Search;
+use super::shape::UP;
 use super::threads::{in_rounds, in_threads};
 use crate::exact::Rational;
 use crate::float::nearest;
@@ -41,6 +42,38 @@ impl MeshDistances {
         for (root, [lower, upper]) in model.roots.all.iter().zip(bounds) {
             let face = &mut faces[root.face];
             *face = [face[0].max(lower), face[1].max(upper)];
+        }
+        faces
+    }
+
+    /// For each face of the control mesh an upper bound of the distance at this level and at all later
+    /// ones, without a search: G_{k−1} N of its pieces of level 1 (`proofs/THEOREMS.md`, 92 and 94).
+    /// [`depth`](Self::depth) begins with these bounds. They are attained on regular faces of
+    /// paraboloids, and some ten times too great around irregular vertices.
+    ///
+    /// # Panics
+    /// At level 0: the bounds begin with level 1.
+    ///
+    /// ```
+    /// use subcert::exact::Rational;
+    /// use subcert::mesh::{MeshScheme, PolygonMesh};
+    /// use subcert::patch::MeshDistances;
+    ///
+    /// let points = [[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]].map(|p| p.map(Rational::from));
+    /// let faces = vec![vec![0, 1, 2], vec![0, 3, 1], vec![0, 2, 3], vec![1, 3, 2]];
+    /// let distances =
+    ///     MeshDistances::new(PolygonMesh::new(points.to_vec(), faces)?, MeshScheme::Loop)?;
+    /// assert!(distances.guaranteed(4)[0] < distances.guaranteed(3)[0]);
+    /// # Ok::<(), subcert::mesh::MeshError>(())
+    /// ```
+    #[must_use]
+    pub fn guaranteed(&self, level: u32) -> Vec<f64> {
+        assert!(level > 0, "the bounds of a mesh begin with level 1");
+        let model = &self.model;
+        let mut faces = vec![0.0_f64; model.control.faces().len()];
+        let scale = nearest(&model.scale);
+        for (root, bound) in model.roots.all.iter().zip(model.bounds(level)) {
+            faces[root.face] = faces[root.face].max(bound * scale * UP);
         }
         faces
     }

@@ -4,6 +4,7 @@ mod exactness;
 mod laws;
 mod naive;
 mod tensor;
+mod worst;
 
 use crate::common::meshes::{grid_faces, prism_faces};
 use crate::common::r;

@@ -16,6 +16,10 @@ fn mean(points: &[P]) -> P {
     [0, 1, 2].map(|i| points.iter().map(|point| point[i]).sum::<f64>() / count)
 }
 
+fn minus(p: &P, q: &P) -> P {
+    [0, 1, 2].map(|i| p[i] - q[i])
+}
+
 fn length([p, q]: [&P; 2]) -> f64 {
     (0..3).map(|i| (p[i] - q[i]).powi(2)).sum::<f64>().sqrt()
 }
@@ -35,10 +39,16 @@ fn rounded(mesh: &Numbers) -> Vec<P> {
 
 /// The greatest distance of the limit points of level `level` + `more` from the mesh of that level.
 fn sampled(control: &Mesh, scheme: MeshScheme, level: u32, more: u32) -> f64 {
+    let differences = differences(control, scheme, level, more);
+    differences.iter().map(|x| length([x, &[0.0; 3]])).fold(0.0, f64::max)
+}
+
+/// Those limit points less the points of the mesh of level `level` at the same parameters.
+pub(super) fn differences(control: &Mesh, scheme: MeshScheme, level: u32, more: u32) -> Vec<P> {
     let exact = control.map(|x| RealCyclotomic::from(x.clone()));
     let mut mesh = refine_mesh(&exact, scheme, level).expect("small");
     if scheme == MeshScheme::DooSabin {
-        return sampled_faces(mesh, more);
+        return differences_at_faces(mesh, more);
     }
     let mut values = rounded(&mesh);
     for _ in 0..more {
@@ -51,21 +61,21 @@ fn sampled(control: &Mesh, scheme: MeshScheme, level: u32, more: u32) -> f64 {
         mesh = refine_mesh(&mesh, scheme, 1).expect("small");
     }
     let limits = limit_points(&mesh, scheme).expect("small");
-    let distance = |(value, limit): (&P, &Option<subcert::mesh::LimitPoint>)| {
+    let difference = |(value, limit): (&P, &Option<subcert::mesh::LimitPoint>)| {
         let limit = limit.as_ref().expect("a limit").position.each_ref().map(nearest);
-        length([value, &limit])
+        minus(&limit, value)
     };
-    values.iter().zip(&limits).map(distance).fold(0.0, f64::max)
+    values.iter().zip(&limits).map(difference).collect()
 }
 
 /// Doo and Sabin's faces tend to their centroids. The mesh of the first level is bilinear between a vertex,
 /// the middles of two edges and a centroid.
-fn sampled_faces(mut mesh: Numbers, more: u32) -> f64 {
+fn differences_at_faces(mut mesh: Numbers, more: u32) -> Vec<P> {
     let points = rounded(&mesh);
     let mut at_edges = means(edges(&mesh), &points);
     let mut at_faces = means(mesh.faces().iter().cloned(), &points);
     let mut at_points = points;
-    let mut greatest = 0.0_f64;
+    let mut differences = Vec::new();
     for _ in 0..=more {
         let connectivity = mesh.connectivity();
         let mut corners = Vec::new();
@@ -97,7 +107,7 @@ fn sampled_faces(mut mesh: Numbers, more: u32) -> f64 {
         counts.extend(inner.iter().map(|_| true));
         for ((value, centre), counted) in new_faces.iter().zip(&centres).zip(counts) {
             if counted {
-                greatest = greatest.max(length([value, centre]));
+                differences.push(minus(centre, value));
             }
         }
         // Between the corners of one face, and of two.
@@ -119,7 +129,7 @@ fn sampled_faces(mut mesh: Numbers, more: u32) -> f64 {
         at_points = corners.iter().map(|corner| corner.2).collect();
         (at_edges, at_faces, mesh) = (new_edges, new_faces, next);
     }
-    greatest
+    differences
 }
 
 /// Whether so many limit points can be computed exactly in a test.
