@@ -1,11 +1,11 @@
-//! The contents of a paper: what it numbers, and what becomes of each item.
+//! The numbered items of a paper: for each, the claims about it, or why there is none.
 
 use std::fmt;
 
 /// The most items that one list may name.
 pub const MAX_LABELS: usize = 1_000;
 
-/// What papers number, beside equations.
+/// The kinds of numbered items, beside equations.
 const KINDS: [&str; 9] = [
     "Algorithm",
     "Corollary",
@@ -18,7 +18,7 @@ const KINDS: [&str; 9] = [
     "Theorem",
 ];
 
-/// The words that end what a locus covers: in `(3.4) against (3.27)` it is (3.4).
+/// The words that end the items of a locus: `(3.4) against (3.27)` is about (3.4) only.
 const UNTIL: [&str; 5] = ["with", "against", "under", "after", "before"];
 
 /// A numbered item of a paper.
@@ -35,11 +35,11 @@ pub struct Item {
 /// What a paper calls a numbered item: `(3)`, `(2.16a)`, `Theorem 2.1`.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Label {
-    /// `Theorem`, `Table` and so on; of an equation, nothing.
+    /// `Theorem`, `Table` and so on; `None` for an equation.
     kind: Option<&'static str>,
-    /// Its number, with those of its section before it.
+    /// The number, with those of its section before it: [2, 16] for `2.16`.
     number: Vec<u32>,
-    /// Its letter.
+    /// The letter behind the number: `a` in `2.16a`.
     part: Option<char>,
 }
 
@@ -49,8 +49,8 @@ impl Label {
     /// A range runs over the last number, or over the letters of one number.
     ///
     /// # Errors
-    /// When the text is no such list, a range runs backwards, or there are more
-    /// than [`MAX_LABELS`]: what is wrong.
+    /// When the text is no such list, a range runs backwards, or the list has more than
+    /// [`MAX_LABELS`] labels; the text of the error says which.
     ///
     /// ```
     /// use subcert::claim::Label;
@@ -70,8 +70,8 @@ impl Label {
         Ok(labels)
     }
 
-    /// The labels that a locus names before one of the words with, against, under,
-    /// after and before; other text is passed over.
+    /// The labels that a locus names before the first of the words with, against, under, after and
+    /// before; other text is skipped.
     ///
     /// # Errors
     /// As [`Label::list`], for the ranges in it.
@@ -105,7 +105,7 @@ impl Label {
         Ok(labels)
     }
 
-    /// Whether this is the other item, or the whole that it is a lettered part of.
+    /// Whether `other` is this item or, if this item has no letter, a lettered part of it.
     #[must_use]
     pub fn covers(&self, other: &Label) -> bool {
         let whole = self.part.is_none() || self.part == other.part;
@@ -136,7 +136,7 @@ fn extend(labels: &mut Vec<Label>, found: Vec<Label>) -> Result<(), String> {
 fn range(text: &str) -> Result<Option<(Vec<Label>, &str)>, String> {
     let Some((first, after)) = label(text) else { return Ok(None) };
     let dash = after.trim_start().strip_prefix(['-', '–']).map(str::trim_start);
-    // `Theorem 1-2` does not say the word again.
+    // The end of a range need not repeat the kind: `Theorem 1-2`.
     let last = dash.and_then(|rest| label(rest).or_else(|| bare(first.kind?, rest)));
     let Some((last, after)) = last else { return Ok(Some((vec![first], after))) };
     let backwards = || format!("{first} to {last} is no range");
@@ -175,7 +175,7 @@ fn bare<'t>(kind: &'static str, text: &'t str) -> Option<(Label, &'t str)> {
     (!rest.starts_with(|c: char| c.is_alphanumeric())).then_some((label, rest))
 }
 
-/// `3`, `2.1`, `2.16a`.
+/// A label that begins with its number, `3`, `2.1` or `2.16a`, and the text behind it.
 fn numbered<'t>(kind: Option<&'static str>, text: &'t str) -> Option<(Label, &'t str)> {
     let mut number = Vec::new();
     let mut rest = text;

@@ -16,7 +16,7 @@ pub struct EmbeddedPaper {
 /// Every file of the folder `proofs/claims`, by year and key: `build.rs` lists them.
 const PAPERS: &[EmbeddedPaper] = &include!(concat!(env!("OUT_DIR"), "/papers.rs"));
 
-/// The embedded claim files, in the order of the papers' years, those of one year by key.
+/// The embedded claim files, by the year of the paper, and within one year by key.
 #[must_use]
 pub fn embedded() -> &'static [EmbeddedPaper] {
     PAPERS

@@ -25,7 +25,7 @@ pub enum EquationBody {
     /// left = right, for every value of the indices and as polynomials in the
     /// symbols.
     Identity(Box<Identity>),
-    /// Something it needs is absent from the paper: what.
+    /// The equation needs something that is absent from the paper; the text says what.
     NotCheckable(String),
 }
 
@@ -56,10 +56,10 @@ pub enum Left {
 }
 
 impl Left {
-    /// The left side in the case of this place, counted from 0.
+    /// The left side in one case, counted from 0 in the order of the combinations.
     ///
     /// # Panics
-    /// When each case has a formula of its own, and there is none of this place.
+    /// When every case has a formula of its own, and there are at most `case` of them.
     #[must_use]
     pub fn formula(&self, case: usize) -> &LocatedFormula {
         match self {
@@ -81,7 +81,7 @@ pub enum Index {
         /// The values, each with what is printed.
         values: Vec<(Rational, String)>,
     },
-    /// All integers from one formula to another, in the indices before it.
+    /// All integers from one value to another; both formulas may use the indices before this one.
     Range {
         /// Its name in formulas.
         name: String,

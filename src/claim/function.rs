@@ -45,8 +45,9 @@ pub struct RangeClaim {
     pub from: Option<Printed>,
     /// The upper end as printed; `None` when the range has none.
     pub to: Option<Printed>,
-    /// Whether the printed ends belong to the range; `None` when the paper does not
-    /// say, and then they belong to it where they can.
+    /// Whether the printed ends belong to the range. Where the paper does not say it (`None`), an
+    /// end that equals the exact one belongs to the range if the exact one does, and any other end
+    /// belongs to it.
     pub closed: Option<bool>,
     /// What a reader should know.
     pub note: Option<String>,

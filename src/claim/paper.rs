@@ -18,14 +18,14 @@ pub struct Paper {
     pub key: String,
     /// Who wrote what, where and when.
     pub bibliography: Bibliography,
-    /// What the paper numbers, in the order that the claim file gives; empty when it
-    /// does not say.
+    /// The numbered items of the paper, in the order of the claim file; empty when the claim file
+    /// lists none.
     pub contents: Vec<Item>,
     /// The schemes that the claims refer to by name.
     pub schemes: BTreeMap<String, SchemeSource>,
     /// Named formulas: the paper's definitions.
     pub definitions: BTreeMap<String, LocatedFormula>,
-    /// Other formulas for some definitions, which a table may have been computed by.
+    /// Other formulas for some definitions, by which a table may have been computed.
     pub alternatives: Vec<Alternative>,
     /// Values that the paper states for parameters.
     pub given: BTreeMap<String, LocatedFormula>,

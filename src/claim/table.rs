@@ -17,8 +17,8 @@ pub struct Table {
     pub locus: String,
     /// What it shows.
     pub title: String,
-    /// The scheme its functions are about, where no headers are schemes; parameters may depend on
-    /// the cell.
+    /// The scheme of the cells, where no headers are schemes; its parameters may depend on the
+    /// cell.
     pub scheme: Option<LocatedReference>,
     /// What each cell is said to equal.
     pub value: LocatedFormula,
@@ -52,7 +52,7 @@ impl Table {
         self.rows.iter().chain([&self.columns])
     }
 
-    /// The scheme of a cell: that of its row, of its column, or of the table.
+    /// The scheme of a cell: the header of its row or of its column, or the table's scheme.
     #[must_use]
     pub fn scheme_at(&self, row: usize, column: usize) -> Option<&LocatedReference> {
         let of_row = self.rows.as_ref().and_then(|axis| axis.schemes().get(row));
@@ -118,7 +118,7 @@ impl Promise {
 /// The headers of the rows or of the columns.
 #[derive(Clone, Debug)]
 pub struct Axis {
-    /// What the paper prints for them all.
+    /// What the paper prints above, or beside, all headers.
     pub label: String,
     /// The headers.
     pub entries: Vec<AxisEntry>,
@@ -131,7 +131,7 @@ pub struct Axis {
 pub struct AxisEntry {
     /// As printed.
     pub printed: String,
-    /// The number that is read in place of it, where the print at hand is damaged.
+    /// The number that is read in place of the printed one, where the print at hand is damaged.
     pub read: Option<String>,
     /// What a reader should know: of a number, why its value is not what is printed.
     pub note: Option<String>,
@@ -205,9 +205,9 @@ impl Cell {
 pub struct Printed {
     /// The text as transcribed.
     pub text: String,
-    /// What it says.
+    /// The number that is read from it.
     pub decimal: Decimal,
-    /// Why that is not the text itself, when it is not.
+    /// Why that number is not the text, where they differ.
     pub note: Option<String>,
     /// Its place in the claim file.
     pub span: Range<usize>,

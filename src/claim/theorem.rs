@@ -4,9 +4,9 @@ use super::table::LocatedReference;
 use crate::exact::Rational;
 use crate::formula::LocatedFormula;
 
-/// The names that every theorem about a bound or a depth brings: the spread of the control data, of
-/// nets also by directions, the level, and the tolerance. Nothing else of a claim file means one of
-/// them in a theorem.
+/// The names with a fixed meaning in every theorem about a bound or a depth: the spread of the
+/// control data (of nets also along each direction), the level, and the tolerance. In such a
+/// theorem they have no other meaning.
 pub const THEOREM_NAMES: [&str; 6] = ["beta", "beta_1", "beta_2", "beta_3", "k", "epsilon"];
 
 /// A theorem: what it states, and what that rests on.
@@ -59,29 +59,28 @@ pub struct Rewriting {
 pub struct Trial {
     /// The schemes, where the theorem itself does not name one.
     pub schemes: Vec<LocatedReference>,
-    /// Values of the names that it leaves open; all combinations are tried.
+    /// Values of the names that the theorem leaves open; all combinations are tried.
     pub values: Vec<(String, Vec<Rational>)>,
-    /// The index offset at which it compares polygon and limit; the schemes' own
-    /// offsets without it.
+    /// The index offset at which the theorem compares polygon and limit; `None` for the schemes'
+    /// own offsets.
     pub offset: Option<i64>,
-    /// Of rings, what makes of the points of one level those that the next one is
-    /// compared with; without it, points are compared by their names.
+    /// A ring L. With it, a step is |x^{k+1} − Lx^k|, and distances are compared only at points
+    /// that L keeps. Without it, points of two levels are compared by their names.
     pub interpolant: Option<LocatedReference>,
-    /// The number of levels that the constant in its bound belongs to, where the bound
-    /// takes a power of it for each level.
+    /// The number c of levels of the constant in the bound, where the printed bound takes one power
+    /// of this constant for each level.
     pub block: Option<LocatedFormula>,
-    /// What a reader would change in its definitions where it is false.
+    /// Formulas that may stand in place of definitions, to save the theorem where it is false.
     pub rewritings: Vec<Rewriting>,
-    /// The hypothesis that this value is below that one.
+    /// The hypothesis that the first value is below the second.
     pub supposes: Option<(LocatedFormula, LocatedFormula)>,
 }
 
 /// What a theorem states. P^k is the control polygon, or net, after k levels.
 ///
-/// A bound is a formula in k and beta = max ‖Δ^0‖, the largest difference of
-/// neighbouring points of P^0; of a surface, also in beta_1, beta_2 and beta_3, its
-/// largest differences along the first and the second direction, and again along the
-/// first one, a row further.
+/// A bound is a formula in k and beta = max ‖Δ^0‖, the largest difference of neighbouring points of
+/// P^0. For a surface, it may also use beta_1 and beta_3, the largest difference along the first
+/// direction (in a row and in the next one), and beta_2, that along the second direction.
 #[derive(Clone, Debug)]
 pub enum Statement {
     /// quantity ≤ by, for every level k ≥ from.
@@ -93,9 +92,9 @@ pub enum Statement {
         /// The first level for which it is stated.
         from: u32,
     },
-    /// ‖P^∞ − P^k‖ ≤ ε for every level k that is at least this formula in ε.
+    /// ‖P^∞ − P^k‖ ≤ ε for every level k that is at least the value of this formula at ε.
     Depth(LocatedFormula),
-    /// Something else, in a few words.
+    /// Another statement, in a few words.
     Other(String),
 }
 

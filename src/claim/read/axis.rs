@@ -23,7 +23,7 @@ pub(super) struct AxisTable {
 /// A listed value with its header.
 type Number = (AxisEntry, Rational);
 
-/// What reports call headers that are schemes, unless the file says it.
+/// The label of headers that are schemes, where the claim file gives none.
 const SCHEMES: &str = "scheme";
 
 /// How headers are written.

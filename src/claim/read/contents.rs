@@ -1,4 +1,4 @@
-//! Reading what a paper numbers, and what of it is claimed.
+//! Reading the list of a paper's numbered items, and which of them are claimed.
 
 use super::fields::CommonFields;
 use super::reader::Reader;
@@ -71,7 +71,7 @@ impl Reader<'_> {
         read(text.get_ref()).map_err(|reason| self.error(text.span(), reason).with_help(HELP))
     }
 
-    /// The items that a label names, one or its lettered parts.
+    /// The items that a label covers: the item itself, or its lettered parts.
     fn covered<'i>(
         &self,
         items: &'i mut [Item],

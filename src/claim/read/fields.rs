@@ -1,4 +1,4 @@
-//! What the tables of a claim file have in common, as TOML gives it.
+//! The fields that several tables of a claim file share, as TOML gives them.
 
 use serde::Deserialize;
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
@@ -9,7 +9,8 @@ use toml::Spanned;
 
 pub(super) type Formulas = BTreeMap<Spanned<String>, Spanned<String>>;
 
-/// `["w", "tau"]`: parameters that are not stated; or `{ w = '1/16' }`: with values to assume.
+/// `["w", "tau"]`: the names of unstated parameters; or `{ w = '1/16' }`: each with a value to
+/// assume.
 #[derive(Debug)]
 pub(super) enum Unstated {
     Names(Vec<Spanned<String>>),

@@ -76,7 +76,7 @@ impl BibliographyTable {
 }
 
 impl PaperFile {
-    /// The claims of every kind, by what they have in common.
+    /// The common fields of the claims of every kind.
     pub(super) fn claims(&self) -> impl Iterator<Item = CommonFields<'_>> {
         let tables = self.table.iter().map(TableTable::common);
         let equations = self.equation.iter().map(EquationTable::common);

@@ -1,4 +1,5 @@
-//! The indices of sums, and the names that theorems bring: what formulas must not hide or mention.
+//! Checks of names in formulas: the index of a sum must not hide another name, and a formula
+//! mentions a name of theorems only where this has a meaning.
 
 use super::reader::Reader;
 use super::roles::{AllRoles, Role, Roles};
@@ -11,16 +12,17 @@ use crate::formula::{Expr, LocatedFormula};
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-/// A formula, and the bytes of the file that it takes.
+/// A formula, and its byte range in the file.
 type Placed<'p> = (&'p Expr, Range<usize>);
 
 impl Reader<'_> {
-    /// Makes sure of the names in the formulas of a paper.
+    /// Checks the names in the formulas of a paper.
     ///
     /// # Errors
-    /// When the index of a sum has the name of a definition or of something that has a value in the
-    /// claim, an equation's indices excepted: a definition that is used inside would be ambiguous. When a
-    /// theorem mentions a name that has no meaning there, such as `k` in a hypothesis.
+    /// When the index of a sum is also the name of a definition or of something that has a value in
+    /// the claim, since a definition that is used in the sum would be ambiguous; only the indices
+    /// of an equation may be hidden. When a formula of a theorem mentions a name of theorems that
+    /// has no meaning there, such as `k` in a hypothesis.
     pub(super) fn formulas(&self, paper: &Paper, all: &AllRoles<'_>) -> Result<(), Diagnostic> {
         for table in &paper.tables {
             self.claim(paper, of_table(table), all.of(&table.id), all)?;
@@ -52,7 +54,8 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// Makes sure of the indices in the formulas of a claim and in all that these lead to.
+    /// Checks the indices of sums in the formulas of a claim, and in the definitions that these
+    /// use.
     fn claim(
         &self,
         paper: &Paper,
@@ -76,7 +79,8 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// Makes sure that formulas mention no other of the names that theorems bring than these.
+    /// Checks that formulas, and the definitions that they use, mention no names of theorems but
+    /// the `known` ones.
     fn mentions(
         &self,
         paper: &Paper,
@@ -104,7 +108,7 @@ impl Reader<'_> {
     }
 }
 
-/// These formulas, and the definitions and alternatives that they lead to.
+/// These formulas, and the definitions and alternatives that they use, directly or not.
 fn reached<'p>(paper: &'p Paper, formulas: Vec<Placed<'p>>) -> Vec<Placed<'p>> {
     let (mut met, mut waiting) = (BTreeSet::new(), formulas);
     let mut found = Vec::new();
@@ -159,8 +163,8 @@ fn of_equation(equation: &Equation) -> Vec<Placed<'_>> {
     formulas
 }
 
-/// The bound of a theorem, or its depth, and what it puts in place of definitions there; and its
-/// other formulas.
+/// The formulas of a theorem in which names of theorems have a meaning, which are its bound or its
+/// depth and its corrections; and its other formulas.
 fn of_theorem(theorem: &Theorem) -> (Vec<Placed<'_>>, Vec<Placed<'_>>) {
     let tried = &theorem.tried;
     let mut bound: Vec<Placed<'_>> = match &theorem.statement {

@@ -1,7 +1,7 @@
 //! Reading claim files.
 //!
-//! `reader` has what all parts need; the files of the claims' kinds stand on it; `file` is a claim
-//! file as TOML gives it; `roles` and `indices` check its names; `paper` reads it all.
+//! `reader` holds what all parts share. Each kind of claim has a file. `file` is a claim file as
+//! TOML gives it, `roles` and `indices` check its names, and `paper` reads the whole file.
 
 mod axis;
 mod contents;

@@ -17,19 +17,19 @@ pub const MAX_CLAIM_FILE_BYTES: u64 = 4 << 20;
 /// Reads a claim file.
 ///
 /// # Errors
-/// When it is not TOML, a key is unknown or missing, a table is ragged, an id is
-/// used twice, a name has two meanings, or a formula or number is not one: with the place and
-/// a remedy. Of several errors the first; [`read_whole_paper`] gives all.
+/// When it is not TOML, a key is unknown or missing, a table is ragged, an id is used twice, a name
+/// has two meanings, or a formula or number is not one: with the place and a remedy. Only the first
+/// error is given; [`read_whole_paper`] gives all.
 pub fn read_paper(source: &Arc<SourceText>) -> Result<Paper, Diagnostic> {
     read_whole_paper(source).map_err(Errors::first)
 }
 
-/// Reads a claim file, and on from what is wrong: each table, equation, theorem, scheme and
+/// Reads a claim file, and goes on after an error: each table, equation, theorem, scheme and
 /// definition is read by itself.
 ///
 /// # Errors
-/// As of [`read_paper`]: all errors that do not follow from each other. What is not TOML, or has
-/// fields of other types, is read up to the first error only.
+/// As [`read_paper`], but with all errors that do not follow from each other. A file that is not
+/// TOML, or that has fields of other types, gives only the first one.
 ///
 /// ```
 /// use subcert::claim::read_whole_paper;
@@ -69,7 +69,7 @@ pub fn read_whole_paper(source: &Arc<SourceText>) -> Result<Paper, Errors> {
         theorems: errors.all(&file.theorem, |theorem| reader.theorem(theorem, &ids)),
         source: Arc::clone(source),
     };
-    // What names lead to is looked at where all of them have a meaning.
+    // The names in formulas are checked only if the file has no other error.
     match (roles, errors.none()) {
         (Some(roles), Ok(())) => reader.formulas(&paper, &roles).map_err(Errors::from)?,
         (_, none) => none?,
@@ -90,7 +90,7 @@ fn formulas(
 /// Reads the claim file at `path`.
 ///
 /// # Errors
-/// When the file cannot be read (the inner text says why), or is not a claim file.
+/// The outer error says why the file cannot be read; the inner one lists the errors in it.
 pub fn read_paper_file(path: &Path) -> Result<Result<Paper, Errors>, String> {
     let text = read_text(path, MAX_CLAIM_FILE_BYTES)
         .map_err(|reason| format!("cannot read `{}`: {reason}", path.display()))?;
@@ -98,7 +98,7 @@ pub fn read_paper_file(path: &Path) -> Result<Result<Paper, Errors>, String> {
 }
 
 impl Reader<'_> {
-    /// The ids of the claims; every claim has one of its own.
+    /// The ids of the claims, which have to be different.
     fn ids<'f>(&self, file: &'f PaperFile) -> Result<BTreeSet<&'f str>, Diagnostic> {
         let mut ids = BTreeSet::new();
         for CommonFields { id, .. } in file.claims() {
@@ -112,7 +112,8 @@ impl Reader<'_> {
         Ok(ids)
     }
 
-    /// Those of one definition have different labels: reports tell them apart by these.
+    /// The alternatives. Those of one definition need different labels, since reports name them by
+    /// these.
     fn alternatives(
         &self,
         tables: &[AlternativeTable],
@@ -147,7 +148,7 @@ impl Reader<'_> {
         Ok(Alternative { of: name.clone(), label: table.label.get_ref().clone(), value })
     }
 
-    /// Each scheme is read by itself.
+    /// The schemes of the file by name, each read by itself.
     fn schemes(
         &self,
         tables: &[SchemeTable],

@@ -1,4 +1,4 @@
-//! What the readers of all kinds of claims have in common.
+//! What the readers of all kinds of claims share.
 
 use super::fields::{CommonFields, NumberField};
 use crate::claim::{LocatedReference, Printed};

@@ -1,4 +1,4 @@
-//! What names mean in each claim: one thing each (`proofs/FORMAT.md`, Names).
+//! The meaning of names in each claim: every name has one (`proofs/FORMAT.md`, Names).
 
 use super::file::PaperFile;
 use super::reader::Reader;
@@ -9,7 +9,7 @@ use std::fmt;
 use std::ops::Range;
 use toml::Spanned;
 
-/// What a name is in a claim.
+/// The role of a name in a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Role {
     /// A key of `[define]`.
@@ -30,7 +30,7 @@ pub(super) enum Role {
     Variable,
     /// A key of a theorem's `values`.
     Open,
-    /// One of the names that every theorem about a bound brings.
+    /// One of [`THEOREM_NAMES`], in a theorem with a bound or a depth.
     OfTheorem,
 }
 
@@ -51,35 +51,36 @@ impl fmt::Display for Role {
     }
 }
 
-/// What a name is, and where that is said.
+/// The role of a name, and the place in the file that gives it this role.
 #[derive(Clone, Debug)]
 pub(super) struct Named {
     pub(super) role: Role,
     pub(super) span: Range<usize>,
 }
 
-/// What names mean.
+/// The roles of names.
 pub(super) type Roles<'f> = BTreeMap<&'f str, Named>;
 
-/// What names mean in the file, and in each claim, by its id.
+/// The roles of names in the file, and in each claim by its id.
 pub(super) struct AllRoles<'f> {
     pub(super) definitions: Roles<'f>,
     claims: BTreeMap<&'f str, Roles<'f>>,
 }
 
 impl<'f> AllRoles<'f> {
-    /// Those of a claim, the file's definitions and stated values among them.
+    /// The roles of names in a claim, including the file's definitions and, but for equations, its
+    /// stated values.
     pub(super) fn of(&self, id: &str) -> &Roles<'f> {
         &self.claims[id]
     }
 }
 
 impl Reader<'_> {
-    /// What names mean in each claim of a file.
+    /// Finds the roles of names in each claim of a file.
     ///
     /// # Errors
-    /// When one means two things, with both places. Only a value that the paper states may have the
-    /// name of something of a claim, which goes before it there.
+    /// When a name has two roles; the error has both places. Only a value of `[given]` may share
+    /// its name with an own name of a claim, which hides it there.
     pub(super) fn roles<'f>(&self, file: &'f PaperFile) -> Result<AllRoles<'f>, Diagnostic> {
         let mut definitions = Roles::new();
         for name in file.define.keys() {
@@ -105,7 +106,7 @@ impl Reader<'_> {
             claims.insert(table.common().id.get_ref().as_str(), roles);
         }
         for equation in &file.equation {
-            // Values that the paper states have no meaning in its equations.
+            // The values of `[given]` have no meaning in equations.
             let mut roles = definitions.clone();
             for symbol in &equation.symbols {
                 self.add(&mut roles, symbol, Role::Symbol)?;

@@ -91,7 +91,7 @@ impl Reader<'_> {
         })
     }
 
-    /// Makes sure that no cell has two schemes.
+    /// Checks that no cell has two schemes.
     fn one_scheme(&self, table: &TableTable) -> Result<(), Diagnostic> {
         let axes = table.rows.iter().chain([&table.columns]);
         let headers = axes.filter_map(|axis| Some(axis.get_ref().schemes.as_ref()?.span()));

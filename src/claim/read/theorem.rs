@@ -48,7 +48,7 @@ impl TheoremTable {
     }
 }
 
-/// What `bounds` says where a theorem bounds a depth, not a quantity at level k.
+/// The word of `bounds` in a theorem that bounds a depth.
 const DEPTH: &str = "depth";
 
 impl Reader<'_> {
@@ -67,7 +67,7 @@ impl Reader<'_> {
         Ok(Theorem { id, locus, title, scheme, statement, tried, by_hand, rests, note })
     }
 
-    /// Makes sure that these are ids of other claims.
+    /// Checks that these are ids of other claims.
     fn known(
         &self,
         id: &str,

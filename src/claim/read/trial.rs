@@ -1,4 +1,4 @@
-//! Reading what a theorem is tried on.
+//! Reading the instances that a theorem is tried on.
 
 use super::reader::Reader;
 use crate::claim::{Rewriting, Trial};
@@ -9,7 +9,7 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use toml::Spanned;
 
-/// The most combinations of a scheme and values that a theorem is tried on.
+/// The most instances, combinations of a scheme and values, that a theorem is tried on.
 const MAX_TRIALS: usize = 256;
 
 /// The greatest offset, in absolute value.
@@ -32,7 +32,7 @@ pub(super) struct RewritingTable {
     value: Spanned<String>,
 }
 
-/// What the TOML table of a theorem says of that.
+/// The fields of a theorem's TOML table that say what it is tried on.
 #[derive(Clone, Copy)]
 pub(super) struct TrialFields<'t> {
     /// The scheme that the theorem is about, when it is about one.
