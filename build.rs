@@ -1,5 +1,5 @@
-//! Lists the schemes of the catalogue and the claim files of papers: each is one TOML file in a
-//! folder, and becomes a part of the program by being there.
+//! Lists the schemes of the catalogue and the claim files of papers. Each is one TOML file; the
+//! program contains every such file of the two folders.
 
 use std::error::Error;
 use std::fs::{read_dir, read_to_string, write};
@@ -20,7 +20,7 @@ fn main() -> Result<()> {
     list("papers.rs", &papers, |key, text| format!("EmbeddedPaper {{ key: {key}, text: {text} }}"))
 }
 
-/// A file, first by its name without the extension.
+/// A file; its name without the extension comes first, so that files are sorted by name.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
 struct File {
     name: String,

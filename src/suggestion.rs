@@ -1,10 +1,11 @@
 //! What somebody may have meant by a name that does not exist.
 
-/// How alike a name has to be, from 0 to 1.
+/// The least likeness, from 0 to 1, of a name that is suggested.
 const ALIKE: f64 = 0.66;
 
-/// The known name that is most like `word`, if one is alike enough: the distance of Damerau and
-/// Levenshtein, as a part of the longer length, or a name that begins with the word.
+/// The known name that is most like `word`, if its likeness is at least 0.66. The likeness of two
+/// names is 1 − d/l, with d the Damerau–Levenshtein distance and l the greater length, both in
+/// lower case. A name that begins with the word, of 3 letters or more, has at least 0.66.
 ///
 /// ```
 /// use subcert::suggestion::nearest;
@@ -23,11 +24,11 @@ pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
     };
     let alike = known.into_iter().map(|name| (likeness(name), name));
     let alike = alike.filter(|(likeness, _)| *likeness >= ALIKE);
-    // Of equally good ones the first.
+    // Of equally good names the first.
     alike.reduce(|best, next| if next.0 > best.0 { next } else { best }).map(|(_, name)| name)
 }
 
-/// What follows an unknown name in a message: the one that may be meant, and those that there are.
+/// The end of a message about an unknown name: a name that may be meant, and the known names.
 ///
 /// ```
 /// use subcert::suggestion::known;
@@ -39,7 +40,7 @@ pub fn known<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> String
     listed(word, names, ["known", "Known"])
 }
 
-/// As [`known`], where a name has a meaning at one place only.
+/// As [`known`], for names that have a meaning at one place only.
 ///
 /// ```
 /// use subcert::suggestion::known_here;
@@ -50,7 +51,8 @@ pub fn known_here<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> S
     listed(word, names, ["known here", "Known here"])
 }
 
-/// The names after a label, which begins a sentence or does not.
+/// The suggestion, if there is one, and the names after a label: `first` begins a sentence,
+/// `within` does not.
 fn listed<'a>(
     word: &str,
     names: impl IntoIterator<Item = &'a str>,
@@ -65,7 +67,7 @@ fn listed<'a>(
     }
 }
 
-/// `; did you mean …?`, or nothing.
+/// `; did you mean …?`, or nothing if no name is like `word`.
 ///
 /// ```
 /// use subcert::suggestion::did_you_mean;

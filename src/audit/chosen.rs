@@ -4,7 +4,7 @@ use crate::claim::{Paper, Table};
 use crate::judge::related::related;
 use std::collections::BTreeSet;
 
-/// The claims that are judged: all, or these.
+/// The ids of the claims that are judged; `None` for all claims.
 pub(super) struct Chosen(Option<BTreeSet<String>>);
 
 impl Chosen {
@@ -12,8 +12,9 @@ impl Chosen {
         Chosen(None)
     }
 
-    /// A claim, and those that its finding needs: what a theorem rests on, at once or through
-    /// others, and of a table those that are judged with it, or have an open parameter in common.
+    /// A claim, and the claims that its finding needs: of a theorem, those on which it rests,
+    /// directly or through other theorems; of a table, those that are judged with it or have an
+    /// open parameter in common with it.
     pub(super) fn claim(paper: &Paper, id: &str) -> Chosen {
         let mut ids: BTreeSet<&str> = BTreeSet::new();
         let mut waiting = vec![id];
@@ -50,7 +51,7 @@ impl Chosen {
     }
 }
 
-/// The parameters that a table leaves open.
+/// The parameters of a table that have no value in the paper or the claim file.
 fn open(table: &Table) -> impl Iterator<Item = &str> {
     let unstated = table.unstated.iter().filter(|(_, assumed)| assumed.is_none());
     unstated.map(|(name, _)| name.as_str())

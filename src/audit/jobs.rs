@@ -1,4 +1,4 @@
-//! The parts of papers that are judged apart from each other, on all cores.
+//! The parts of papers that are judged independently of each other, on all cores.
 
 use crate::audit::chosen::Chosen;
 use crate::claim::Paper;
@@ -15,8 +15,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 use std::thread::available_parallelism;
 
-/// What is judged by one thread. What one part finds does not
-/// depend on the others, nor on who judges it.
+/// A part of a paper that one thread judges. Its findings depend neither on the other parts nor on
+/// the thread.
 enum Part {
     /// The tables at these places, which share schemes.
     Tables(Vec<usize>),
@@ -24,7 +24,8 @@ enum Part {
     Theorems,
 }
 
-/// What a part finds, or the errors in it: of related tables and of theorems the first.
+/// The findings of a part, or its errors: of a group of tables or of the theorems only the first
+/// error.
 enum Found<'a> {
     Tables(Vec<(usize, TableFinding<'a>)>),
     Formulas(Vec<EquationFinding<'a>>, Vec<FunctionFinding<'a>>, Vec<RangeFinding<'a>>),
@@ -32,8 +33,7 @@ enum Found<'a> {
     Errors(Collected),
 }
 
-/// Judges the chosen claims of these papers, on all cores; `after_table` is called when a table
-/// is judged.
+/// Judges the chosen claims of these papers, on all cores; calls `after_table` after each table.
 pub(super) fn judge<'a>(
     papers: &'a [Paper],
     chosen: &dyn Fn(&Paper) -> Chosen,
@@ -60,7 +60,7 @@ pub(super) fn judge<'a>(
 }
 
 impl Part {
-    /// How much there is to do, roughly.
+    /// A rough measure of the work.
     fn size(&self, paper: &Paper) -> usize {
         match self {
             Part::Tables(places) => {
@@ -94,7 +94,7 @@ impl Found<'_> {
     }
 }
 
-/// Each equation, function and range is judged by itself.
+/// Judges the chosen equations, functions and ranges, each by itself.
 fn formulas<'a>(paper: &'a Paper, chosen: &Chosen) -> Found<'a> {
     let library = || Library::new(paper);
     let mut errors = Collected::default();
@@ -111,8 +111,8 @@ fn formulas<'a>(paper: &'a Paper, chosen: &Chosen) -> Found<'a> {
     }
 }
 
-/// What the parts of a paper found, and what follows from it all; the errors of the paper, if there
-/// are some.
+/// Joins the findings of a paper's parts, and computes what follows from all of them. Fails with
+/// the errors of the paper, if there are any.
 fn together<'a>(paper: &'a Paper, parts: Vec<Found<'a>>) -> Result<PaperAudit<'a>, Errors> {
     let mut audit = PaperAudit {
         paper,
@@ -143,7 +143,7 @@ fn together<'a>(paper: &'a Paper, parts: Vec<Found<'a>>) -> Result<PaperAudit<'a
     Ok(audit)
 }
 
-/// The results of all jobs, in no order.
+/// The results of all jobs, in any order.
 fn on_all_cores<J: Sync, T: Send>(jobs: &[J], run: impl Fn(&J) -> T + Sync) -> Vec<T> {
     let next = AtomicUsize::new(0);
     let work = || {

@@ -52,8 +52,8 @@ pub fn audit(paper: &Paper) -> Result<PaperAudit<'_>, Diagnostic> {
     Ok(audits.pop().expect("an audit for the paper"))
 }
 
-/// Judges every claim of these papers, each by itself, on all cores; `after_table` is
-/// called when a table is judged.
+/// Judges every claim of these papers, each paper by itself, on all cores; calls `after_table`
+/// after each table.
 ///
 /// # Errors
 /// As [`audit`]: the first error of the first paper that has one.
@@ -64,8 +64,8 @@ pub fn audit_all<'a>(
     audit_whole(papers, after_table).map_err(Errors::first)
 }
 
-/// As [`audit_all`], with all errors of the first paper that has some, as far as they do not follow
-/// from each other.
+/// As [`audit_all`], but fails with all errors of the first paper that has some, if they do not
+/// follow from each other.
 ///
 /// # Errors
 /// As [`audit`].
@@ -76,13 +76,13 @@ pub fn audit_whole<'a>(
     jobs::judge(papers, &|_| Chosen::all(), after_table)
 }
 
-/// Judges one claim of a paper, on all cores, with what it needs: a theorem with the claims that it
-/// rests on, a table with those that can give away its unstated parameters. What it finds of these
-/// is what [`audit`] finds; the other claims of the paper are left out. `id` is that of the claim
+/// Judges one claim of a paper, on all cores, and the claims that it needs: those on which a
+/// theorem rests, and the tables that may determine a table's unstated parameters. Their findings
+/// are those of [`audit`]; the other claims of the paper are left out. `id` is the id of the claim
 /// within the paper.
 ///
 /// # Errors
-/// As [`audit`], of the claims that are judged.
+/// As [`audit`], for the claims that are judged.
 ///
 /// # Panics
 /// Never.
@@ -96,15 +96,15 @@ pub fn audit_claim<'a>(
     Ok(audits.pop().expect("an audit for the paper"))
 }
 
-/// How many tables [`audit_claim`] judges.
+/// The number of tables that [`audit_claim`] judges.
 #[must_use]
 pub fn tables_needed(paper: &Paper, id: &str) -> usize {
     let chosen = Chosen::claim(paper, id);
     paper.tables.iter().filter(|table| chosen.has(&table.id)).count()
 }
 
-/// Every reading of the cells of a kind that the search compares, with what it explains, the best
-/// first; empty where nothing is printed.
+/// Every reading that the search compares for the cells of one kind, with the cells that it
+/// explains, the best first; empty where no cell is printed.
 ///
 /// # Errors
 /// As [`audit`].

@@ -11,7 +11,7 @@ impl Errors {
     /// The first error.
     ///
     /// # Panics
-    /// Never: there is one.
+    /// Never, since there is always one.
     #[must_use]
     pub fn first(self) -> Diagnostic {
         self.0.into_iter().next().expect("at least one error")
@@ -44,12 +44,12 @@ impl std::error::Error for Errors {}
 pub(crate) struct Collected(Vec<Diagnostic>);
 
 impl Collected {
-    /// The result, or nothing and one error more.
+    /// The value of a result; of an error, `None`, and the error is added.
     pub(crate) fn take<T>(&mut self, result: Result<T, Diagnostic>) -> Option<T> {
         result.map_err(|error| self.add(error)).ok()
     }
 
-    /// The results of all items, each by itself.
+    /// The values of all items that can be read; the errors of the others are added.
     pub(crate) fn all<'t, T: 't, C>(
         &mut self,
         items: impl IntoIterator<Item = &'t T>,
@@ -74,7 +74,7 @@ impl Collected {
         self.0.is_empty()
     }
 
-    /// Fails if there are errors: with all of them, in the order of their places.
+    /// Fails if there are errors; gives all of them, by their places in the file.
     pub(crate) fn none(self) -> Result<(), Errors> {
         let mut errors = self.0;
         errors.sort_by_key(|error| error.span.start);

@@ -12,7 +12,7 @@ use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// A text and the name that errors call it by: a path, or `--polygon`.
+/// A text, and its name in errors: a path, or `--polygon`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SourceText {
     /// The name.
@@ -36,13 +36,13 @@ impl SourceText {
 pub struct Diagnostic {
     /// The file.
     pub source: Arc<SourceText>,
-    /// The bytes it is about.
+    /// The bytes that the error is about.
     pub span: Range<usize>,
     /// What is wrong.
     pub message: String,
     /// What stands there, in a few words.
     pub label: Option<String>,
-    /// Another place that it is about, and what stands there.
+    /// Another place that the error is about, and what stands there.
     pub other: Option<Box<(Range<usize>, String)>>,
     /// What would be right.
     pub help: Option<String>,
@@ -66,19 +66,19 @@ impl Diagnostic {
         Diagnostic { source, span, message, label: None, other: None, help: None }
     }
 
-    /// The same with words for what stands at the place.
+    /// Adds words for what stands at the place.
     #[must_use]
     pub fn with_label(self, label: impl Into<String>) -> Diagnostic {
         Diagnostic { label: Some(label.into()), ..self }
     }
 
-    /// The same with another place that it is about, and what stands there.
+    /// Adds another place that the error is about, and words for what stands there.
     #[must_use]
     pub fn with_place(self, span: Range<usize>, label: impl Into<String>) -> Diagnostic {
         Diagnostic { other: Some(Box::new((span, label.into()))), ..self }
     }
 
-    /// The same with a remedy.
+    /// Adds a remedy.
     #[must_use]
     pub fn with_help(self, help: impl Into<String>) -> Diagnostic {
         Diagnostic { help: Some(help.into()), ..self }
@@ -98,8 +98,8 @@ impl Diagnostic {
         self.render_within(colour, None)
     }
 
-    /// The same with the message and the remedy in lines of at most `width` characters. Lines of the
-    /// source stay as they are.
+    /// As [`Diagnostic::render`], with the message and the remedy in lines of at most `width`
+    /// characters. Lines of the source stay as they are.
     #[must_use]
     pub fn render_within(&self, colour: bool, width: Option<usize>) -> String {
         let fitted = |text: &str, head: usize| match width {
@@ -146,12 +146,12 @@ pub fn read_text(path: &std::path::Path, max_bytes: u64) -> Result<String, Strin
 /// The text that a reader gives, of at most `max_bytes`.
 ///
 /// # Errors
-/// As of [`read_text`].
+/// As [`read_text`].
 pub fn read_text_from(reader: impl std::io::Read, max_bytes: u64) -> Result<String, String> {
     use std::io::Read as _;
     let mut bytes = Vec::new();
-    // One byte more than is allowed tells a text that is too large, even one
-    // whose size the system does not know.
+    // Reading one byte more than is allowed detects a text that is too large, even if the system
+    // does not know its size.
     reader.take(max_bytes + 1).read_to_end(&mut bytes).map_err(|error| error.to_string())?;
     if bytes.len() as u64 > max_bytes {
         return Err(format!("it is larger than {max_bytes} bytes"));

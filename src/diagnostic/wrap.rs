@@ -1,19 +1,19 @@
-//! Text in lines.
+//! Breaking text into lines.
 
 /// How many characters a text takes in a line.
 pub(crate) fn width_of(text: &str) -> usize {
     text.chars().count()
 }
 
-/// The text in lines of at most `width` characters, all but the first indented by `indent`, which
-/// counts in every line. A longer word has a line of its own; with `cut`, it is cut.
+/// Breaks a text into lines of at most `width` − `indent` characters, so that each can be indented
+/// by `indent`. A longer word has a line of its own; with `cut`, it is cut.
 #[must_use]
 pub fn wrapped(text: &str, width: usize, indent: usize, cut: bool) -> Vec<String> {
     let width = width.saturating_sub(indent).max(1);
     text.split('\n').flat_map(|paragraph| fill(paragraph.split(' '), width, cut)).collect()
 }
 
-/// These words in lines.
+/// Breaks these words into lines of at most `width` characters.
 pub(crate) fn fill<'t>(
     words: impl Iterator<Item = &'t str>,
     width: usize,

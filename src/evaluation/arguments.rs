@@ -14,7 +14,7 @@ pub(crate) fn level<V: Value>(value: &V) -> Result<u32, CallError> {
 /// The greatest absolute value of an index.
 const MAX_INDEX: i64 = 1_000_000;
 
-/// The value of an index that is not negative.
+/// The value of a nonnegative index.
 pub(crate) fn place<V: Value>(what: &'static str, value: &V) -> Result<i64, CallError> {
     match index(what, value)? {
         negative @ ..0 => Err(CallError::Misuse(format!("{what} is not negative, as {negative}"))),

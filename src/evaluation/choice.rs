@@ -9,7 +9,7 @@ pub struct Choice {
     pub name: &'static str,
     /// What it changes.
     pub effect: Effect,
-    /// The ways, in no order: which one is printed, the claim's formula says.
+    /// The ways, in no order. The claim's formula says which of them is printed.
     pub ways: &'static [Way],
     /// Where such readings have been met.
     pub source: &'static str,
@@ -25,10 +25,9 @@ pub enum Effect {
         /// The functions.
         functions: &'static [&'static str],
     },
-    /// How an exact value became the printed decimal; what is printed counts as
-    /// `nearest`.
+    /// How an exact value was rounded to the printed decimal. The printed text counts as `nearest`.
     Decimal,
-    /// The tolerance behind a printed header; what is printed counts as `exact`.
+    /// Which tolerance a printed header stands for. The header as printed counts as `exact`.
     Header,
 }
 

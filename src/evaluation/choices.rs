@@ -2,7 +2,7 @@
 
 use crate::evaluation::{Choice, Effect, Way};
 
-/// Σ|b| or |Σ b|.
+/// The terms of a contraction constant: Σ|b| or |Σ b|.
 pub(crate) const CONTRACTION_TERMS: Choice = Choice {
     key: "contraction-terms",
     name: "norm of the difference mask",
@@ -14,7 +14,7 @@ pub(crate) const CONTRACTION_TERMS: Choice = Choice {
     source: "Khan et al. 2019, (6.26)",
 };
 
-/// To the nearest, or otherwise.
+/// The rounding of printed decimals: to the nearest, cut, or away from zero.
 pub(crate) const DECIMAL_ROUNDING: Choice = Choice {
     key: "decimals",
     name: "rounding of the decimals",
@@ -27,7 +27,7 @@ pub(crate) const DECIMAL_ROUNDING: Choice = Choice {
     source: "Khan et al. 2019, Tables 1 to 3",
 };
 
-/// Up, as a depth needs, or otherwise.
+/// The rounding of depths: up, as the definition of a depth needs, to the nearest, or down.
 pub(crate) const DEPTH_ROUNDING: Choice = Choice {
     key: "rounded",
     name: "rounding of the depth",
@@ -40,7 +40,7 @@ pub(crate) const DEPTH_ROUNDING: Choice = Choice {
     source: "Mustafa et al. 2020, Tables 2 and 6",
 };
 
-/// Σ|ã| or |Σ ã|.
+/// The terms of a displacement: Σ|ã| or |Σ ã|.
 pub(crate) const DISPLACEMENT_TERMS: Choice = Choice {
     key: "displacement-terms",
     name: "norm of the displacement",
@@ -55,7 +55,8 @@ pub(crate) const DISPLACEMENT_TERMS: Choice = Choice {
     source: "Khan et al. 2019, Lemma 6.1; Mustafa et al. 2020, Theorem 5",
 };
 
-/// A power for each level, as printed, or for each block of c levels, as is sound.
+/// The exponent of a bound: one power of the constant for each level, as printed, or for each block
+/// of c levels, as is sound.
 pub(crate) const EXPONENT: Choice = Choice {
     key: "exponent",
     name: "exponent",
@@ -67,8 +68,9 @@ pub(crate) const EXPONENT: Choice = Choice {
     source: "Mustafa et al. 2020, Theorem 6; Khan et al. 2022, Theorem 6",
 };
 
-/// A header that was computed and then rounded stands for a number of its rounding
-/// interval: where a depth is decided at equality, either end may decide otherwise.
+/// The tolerance behind a printed header. A header that was computed and then rounded stands for
+/// some number of its rounding interval. If a bound equals the tolerance at some level, the ends of
+/// this interval may give different depths.
 pub(crate) const HEADER: Choice = Choice {
     key: "tolerance",
     name: "tolerance",
@@ -95,7 +97,7 @@ pub const FAMILY: [&Choice; 10] = [
     &HEADER,
 ];
 
-/// The index offset 0 that the papers print, or the scheme's own.
+/// The index offset of a displacement: 0, as the papers print it, or the scheme's own.
 pub(crate) const OFFSET: Choice = Choice {
     key: "offset",
     name: "offset",
@@ -107,7 +109,7 @@ pub(crate) const OFFSET: Choice = Choice {
     source: "the papers print their masks from index 0, whatever the scheme's own offset is",
 };
 
-/// t_{nu+β} = b_{β,N−1−u} or b_{β,u}.
+/// The order of the sequence t: t_{nu+β} = b_{β,N−1−u} or b_{β,u}.
 pub(crate) const ORDER: Choice = Choice {
     key: "order",
     name: "order",
@@ -123,7 +125,7 @@ pub(crate) const ORDER: Choice = Choice {
              backwards",
 };
 
-/// C¹·C^{c−1}, which c convolutions have, or C^{c−1}·C^{c−1}.
+/// The recursion of convolutions: C¹·C^{c−1}, which gives c convolutions, or C^{c−1}·C^{c−1}.
 pub(crate) const RECURSION: Choice = Choice {
     key: "recursion",
     name: "recursion",
@@ -138,7 +140,7 @@ pub(crate) const RECURSION: Choice = Choice {
     source: "Mustafa et al. 2020, (6) against (26); Khan et al. 2022, (9)",
 };
 
-/// Each norm over its own residue class, or both over the same.
+/// The suprema in a product of two norms: each over its own residue classes, or both at one class.
 pub(crate) const SUPREMA: Choice = Choice {
     key: "suprema",
     name: "suprema",

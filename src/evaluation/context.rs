@@ -1,4 +1,4 @@
-//! What the formulas of a table refer to, cell by cell.
+//! The context of a table's formulas, cell by cell.
 
 use crate::claim::{Axis, AxisEntry, Cell, LocatedReference, Paper, Promise, Table};
 use crate::diagnostic::Diagnostic;
@@ -13,10 +13,10 @@ use crate::formula::{FormulaError, FormulaErrorKind, LocatedFormula, Node, Scope
 use crate::scheme::{Instance, LocalRules};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Values of definitions that are known already.
+/// The values of definitions that are known already.
 pub(crate) type Known = BTreeMap<String, RealCyclotomic>;
 
-/// A value of the claim file's formula, or what stands in its way.
+/// The value of a formula, or why it has none.
 pub(crate) enum Outcome {
     Value(RealCyclotomic),
     Unstated(String),
@@ -24,25 +24,25 @@ pub(crate) enum Outcome {
     BeyondCaps(String),
 }
 
-/// One cell's place, and how it is looked at.
+/// The place of a cell, and how its formula is read.
 #[derive(Clone, Copy)]
 pub(crate) struct At<'n> {
     pub(crate) row: usize,
     pub(crate) column: usize,
-    /// The unstated parameters that get their values, where these are known.
+    /// The unstated parameters that have their assumed or recovered values, where these are known.
     pub(crate) assume: &'n BTreeSet<String>,
     /// How the formula is read.
     pub(crate) settings: &'n Settings,
 }
 
-/// A table, with what its formulas refer to.
+/// A table, and everything that its formulas refer to.
 pub(crate) struct TableContext<'a> {
     pub(crate) paper: &'a Paper,
     pub(crate) table: &'a Table,
     pub(crate) library: &'a Library<'a>,
     /// The values that are stated, for the paper or for the table.
     pub(crate) given: BTreeMap<String, Rational>,
-    /// Those of parameters that are not stated, where they are assumed or recovered.
+    /// The values of unstated parameters that are assumed or recovered.
     pub(crate) assumed: BTreeMap<String, Rational>,
 }
 
@@ -92,8 +92,8 @@ impl<'a> TableContext<'a> {
         scope
     }
 
-    /// The parameters that the headers of a cell give values to. A header that is a scheme gives
-    /// none.
+    /// The parameters that have values in the headers of a cell, with these values. A header that
+    /// is a scheme gives none.
     pub(crate) fn header_values(&self, at: At<'_>) -> impl Iterator<Item = (&'a str, Rational)> {
         let rows = self.table.rows.as_ref().map(|axis| (axis, at.row));
         let axes = rows.into_iter().chain([(&self.table.columns, at.column)]);
@@ -115,8 +115,7 @@ impl<'a> TableContext<'a> {
         rows.into_iter().chain([(columns, &columns.entries[column])])
     }
 
-    /// The value of a header: a tolerance may stand for either end of its rounding
-    /// interval.
+    /// The value of a header. Under some readings a tolerance is an end of its rounding interval.
     fn header(
         &self,
         axis: &Axis,
@@ -139,18 +138,18 @@ impl<'a> TableContext<'a> {
         matches!(self.table.promise, Some(Promise::Depth { .. }))
     }
 
-    /// Whether the axis gives the tolerances of a table of depths.
+    /// Whether the headers of the axis are the tolerances of a table of depths.
     pub(crate) fn tolerance(&self, axis: &Axis) -> bool {
         let Some(Promise::Depth { tolerance, .. }) = &self.table.promise else { return false };
         matches!(&tolerance.expr.node, Node::Name(name) if axis.name() == Some(name))
     }
 
-    /// Whether an axis gives tolerances.
+    /// Whether the headers of an axis are tolerances.
     pub(crate) fn has_tolerance_headers(&self) -> bool {
         self.table.axes().any(|axis| self.tolerance(axis))
     }
 
-    /// The value of what is printed in a cell.
+    /// The printed number of a cell; `None` where it is lost.
     pub(crate) fn printed(&self, at: At<'_>) -> Option<Rational> {
         match &self.table.cells[at.row][at.column] {
             Cell::Lost => None,
@@ -184,7 +183,7 @@ impl<'a> TableContext<'a> {
         }
     }
 
-    /// The ring that a reference means at a cell, and its scheme.
+    /// The ring that a reference means at a cell, with its scheme.
     pub(crate) fn ring(
         &self,
         located: &LocatedReference,
@@ -201,7 +200,7 @@ impl<'a> TableContext<'a> {
         }
     }
 
-    /// Why a reference gives no scheme: a finding, or an error of the claim file.
+    /// What the error of a reference means: an outcome of the cell, or an error of the claim file.
     pub(crate) fn unresolved(
         located: &LocatedReference,
         error: Unresolved,
@@ -215,7 +214,8 @@ impl<'a> TableContext<'a> {
         }
     }
 
-    /// A formula error that is a finding, or one that is the claim file's.
+    /// What the error of a formula means: an outcome of the cell, or (as `Err`) an error of the
+    /// claim file.
     pub(crate) fn sort(error: FormulaError) -> Result<Outcome, FormulaError> {
         match error.kind {
             FormulaErrorKind::Unstated(name) => Ok(Outcome::Unstated(name)),
@@ -227,7 +227,7 @@ impl<'a> TableContext<'a> {
         }
     }
 
-    /// The same with these quantities, and with the values of some definitions known.
+    /// Evaluates a formula at a cell with these quantities and these known values of definitions.
     pub(crate) fn evaluate_with(
         &self,
         formula: &LocatedFormula,
@@ -235,7 +235,7 @@ impl<'a> TableContext<'a> {
         quantities: &Quantities<'_>,
         known: &Known,
     ) -> Result<Outcome, Diagnostic> {
-        // What another formula was given up for says nothing of this one.
+        // The flag may be left from another formula.
         quantities.beyond_caps.set(false);
         match evaluate(&formula.expr, &self.scope(at, quantities, known)) {
             Ok(value) => Ok(Outcome::Value(value)),

@@ -5,8 +5,8 @@ use crate::exact::Rational;
 use crate::formula::Node;
 use std::collections::BTreeSet;
 
-/// What goes wrong when tables are made by copying: a constant belongs to another row, column, table
-/// or scheme, or a tolerance was itself computed, and then rounded.
+/// Errors that are made when tables are copied: a constant is that of another row, column, table or
+/// scheme, or a tolerance was itself computed and then rounded.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Copied {
     /// A definition has the numbers that another table prints for it, at the same headers.
@@ -18,7 +18,7 @@ pub enum Copied {
         /// Where the table stands.
         locus: String,
     },
-    /// A definition has its value for another value of a parameter, one of another row, column or
+    /// A definition has its value for another value of a parameter: that of another row, column or
     /// table.
     Parameter {
         /// The definition.
@@ -37,8 +37,8 @@ pub enum Copied {
         /// The scheme.
         scheme: String,
     },
-    /// Tolerances are those at which one row is a whole number of levels, before they were rounded;
-    /// one column, where the tolerances are the headers of the rows.
+    /// The tolerances were computed, and then rounded: before the rounding, the depth in one row is
+    /// a whole number of levels; in one column, where the tolerances are the headers of the rows.
     Tolerance {
         /// The place of the row or column, from 0.
         line: usize,
@@ -47,14 +47,14 @@ pub enum Copied {
     },
 }
 
-/// The schemes of the paper's tables: each text once, in their order.
+/// The schemes of the paper's tables, in their order, each text once.
 pub(crate) fn references(paper: &Paper) -> Vec<&LocatedReference> {
     let mut met = BTreeSet::new();
     let all = paper.tables.iter().flat_map(Table::schemes);
     all.filter(|located| met.insert(located.reference.to_string())).collect()
 }
 
-/// Whether a table prints the values of a definition, which is all that its value is.
+/// Whether the value of a table is this definition alone, and the table prints a cell.
 pub(crate) fn prints(table: &Table, definition: &str) -> bool {
     let lost = || table.cells.iter().flatten().all(|cell| cell.printed().is_none());
     matches!(&table.value.expr.node, Node::Name(name) if name == definition) && !lost()

@@ -1,4 +1,4 @@
-//! The values of cells whose reading takes a quantity from another place of the paper.
+//! The values of cells under readings that take a quantity from another place of the paper.
 
 use crate::bound::Rounded;
 use crate::claim::{Axis, Cell};
@@ -11,8 +11,8 @@ use crate::exact::{Rational, RealCyclotomic, parse_decimal};
 use std::collections::BTreeSet;
 
 impl Evaluator<'_> {
-    /// The settings and the known values with which a cell is evaluated whose reading takes something
-    /// from elsewhere; the outcome where it has no such value.
+    /// The settings, and the known values of definitions, for a cell whose reading takes a quantity
+    /// from another place. The inner error is the outcome of the cell if there is no such quantity.
     pub(crate) fn copied(
         &self,
         copied: &Copied,
@@ -53,7 +53,7 @@ impl Evaluator<'_> {
         Ok(Ok((settings, known)))
     }
 
-    /// The value of a definition; a formula that is wrong there has none.
+    /// The value of a definition; a formula that is wrong under these settings has none.
     fn definition(&self, name: &str, at: At<'_>) -> Result<RealCyclotomic, Outcome> {
         if let Ok(Ok(quantities)) = &self.quantities(at)
             && let Some(value) = self.rows.of(self, at, quantities).get(name)
@@ -68,7 +68,7 @@ impl Evaluator<'_> {
         }
     }
 
-    /// Whether a definition is this one, or leads to it.
+    /// Whether the definition `name` is `of`, or uses it, directly or through others.
     fn leads_to(&self, name: &str, of: &str, settings: &Settings) -> bool {
         let definitions = settings.definitions.as_deref().unwrap_or(&self.paper.definitions);
         let (mut met, mut waiting) = (BTreeSet::new(), vec![name]);
@@ -85,7 +85,7 @@ impl Evaluator<'_> {
         false
     }
 
-    /// The number that a table prints at the headers of a cell.
+    /// The number that another table prints for the headers and the scheme of a cell.
     fn printed_elsewhere(&self, table: &str, at: At<'_>) -> Option<Rational> {
         let other = self.paper.tables.iter().find(|other| other.id == table)?;
         let scheme = self.table.scheme_at(at.row, at.column);
@@ -113,10 +113,11 @@ impl Evaluator<'_> {
         header.map(|(_, value)| value).or_else(|| self.given.get(name).cloned()).or_else(assumed)
     }
 
-    /// The tolerance of a cell, before it was rounded to what is printed: the one at which the cell in
-    /// this line is a whole number of levels. With ε the printed one, x the number whose logarithm
-    /// to the base r the level is, and k the level to the nearest, that is ε·r^k/x, as x is
-    /// proportional to the tolerance. `None` where this does not give what is printed.
+    /// The tolerance of a cell before it was rounded, if the depth of the cell in this row or
+    /// column is a whole number of levels. Let ε be the printed tolerance, and let that depth be
+    /// the logarithm of x to the base r, rounded; k is the integer nearest to the logarithm. As x
+    /// is proportional to the tolerance, the tolerance was ε·r^k/x. `None` if this does not round
+    /// to the printed number, or if the depth is not k with it.
     fn computed_tolerance(&self, line: usize, at: At<'_>) -> Option<(&str, Rational)> {
         let (axis, place) = match &self.table.rows {
             Some(rows) if self.tolerance(rows) => (rows, at.row),

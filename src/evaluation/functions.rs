@@ -2,7 +2,7 @@
 
 use crate::formula::CallError;
 
-/// The functions, with what they are; for help texts.
+/// The calls of all functions, each with its meaning, for help texts.
 pub const QUANTITIES: [(&str, &str); 13] = [
     ("contraction(c, order = adjoint|forward)", "T_c; with `terms = total` and c = 1, max |Σ b|"),
     ("norm(c, order = adjoint|forward)", "Λ_c, the norm of the scheme"),

@@ -1,4 +1,4 @@
-//! The schemes that a paper's claims are about, each with its constants once.
+//! The schemes of a paper's claims; the constants of each scheme are computed once.
 
 use crate::bound::{
     Budget, ClassCap, Constants, DepthError, Rounded, SoundBound, log_level_algebraic,
@@ -19,27 +19,27 @@ use std::rc::Rc;
 /// The greatest block length of a sound bound.
 const MAX_SOUND_BLOCK: u32 = 6;
 
-/// The most residue classes that a sound bound walks.
+/// The most residue classes over which a sound bound takes a maximum.
 const MAX_SOUND_CLASSES: u64 = 4_096;
 
-/// The most steps that searches for the constants of one claim take.
+/// The most steps of all searches for the constants of one claim.
 const MAX_STEPS: u64 = 2_000_000_000;
 
-/// How deep names may stand for names.
+/// The greatest length of a chain of names, each of which stands for the next one.
 const MAX_ALIAS_DEPTH: usize = 8;
 
-/// A scheme, and the offset at which it is looked at if not its own.
+/// A scheme, and the offset at which its displacement is taken, if not its own.
 type SoundKey = (Vec<Instance>, Option<i64>);
 
 /// The base of a logarithm, its argument, and its rounding.
 type LogLevel = (Rational, Rational, Rounded);
 
-/// The schemes that one claim is about: another claim has a library of its own, so that what one
-/// takes of the cap on work does not decide what the other finds.
+/// The schemes of one claim. Each claim has its own library, so that the work spent on one claim
+/// does not decide what is found for another.
 pub(crate) struct Library<'a> {
     paper: &'a Paper,
     constants: RefCell<BTreeMap<Instance, Rc<Constants>>>,
-    /// What searches for constants of many levels may take together.
+    /// The work that all searches for constants may take together.
     budget: Budget,
     sound: RefCell<BTreeMap<SoundKey, Rc<SoundBound>>>,
     pub(crate) norms: Norms<RealCyclotomic>,
@@ -86,7 +86,7 @@ impl<'a> Library<'a> {
         }
     }
 
-    /// The masks of these schemes, over any numbers.
+    /// The masks of these schemes, over numbers of any kind.
     pub(crate) fn masks<V: Value + PartialEq>(
         &self,
         instances: &[Instance<V>],
@@ -105,9 +105,9 @@ impl<'a> Library<'a> {
         self.followed(reference, context, &[], 0)
     }
 
-    /// The schemes behind the names: a name of the claim file may stand for
-    /// another scheme, whose parameters are evaluated where the name is used. The parameters of
-    /// the name have their `values` there.
+    /// As [`Library::instances`], with values for the parameters of the name that is followed. A
+    /// name of the claim file may stand for another scheme, whose parameters are evaluated where
+    /// the name is used; there the parameters of the name have these `values`.
     fn followed<V: Value>(
         &self,
         reference: &Reference,
@@ -136,8 +136,8 @@ impl<'a> Library<'a> {
         Ok(instances)
     }
 
-    /// Makes sure that a name hands on the parameters that it is given: those that have a place in
-    /// the formulas of what it stands for.
+    /// Checks that every parameter given to a name of the claim file occurs in the formulas of the
+    /// scheme that the name stands for.
     fn check_handed_on<V>(
         &self,
         instance: &Instance<V>,
@@ -179,7 +179,8 @@ impl<'a> Library<'a> {
         Ok(constants)
     }
 
-    /// [`log_level_algebraic`], of rational numbers once for all cells and readings.
+    /// As [`log_level_algebraic`]; a logarithm of rational numbers is computed once for all cells
+    /// and readings.
     pub(crate) fn log_level(
         &self,
         ratio: &RealCyclotomic,
@@ -192,7 +193,7 @@ impl<'a> Library<'a> {
         self.log_levels.borrow_mut().entry(key).or_insert_with(compute).clone()
     }
 
-    /// The sound bound of a scheme at its own offset or at another.
+    /// The sound bound of a scheme, at the given offset or at its own.
     pub(crate) fn sound_bound(
         &self,
         scheme: &Resolved,
@@ -224,7 +225,8 @@ impl<'a> Library<'a> {
         Ok(bound)
     }
 
-    /// The ring that `reference` means in `context`, and its scheme with rational parameters.
+    /// The ring that `reference` means in `context`, with its scheme, whose parameters are
+    /// rational.
     pub(crate) fn ring_at(
         &self,
         reference: &Reference,
@@ -252,7 +254,7 @@ fn rational(instance: Instance<RealCyclotomic>) -> Result<Instance, SchemeError>
     Ok(Instance { name, parameters })
 }
 
-/// The longest block whose residue classes are few.
+/// The greatest block length with at most [`MAX_SOUND_CLASSES`] residue classes.
 fn block_length(masks: &[&Mask]) -> u32 {
     let arity = masks.iter().map(|mask| mask.arity() as u64).max().unwrap_or(2);
     (1..=MAX_SOUND_BLOCK).rev().find(|&c| arity.pow(c) <= MAX_SOUND_CLASSES).unwrap_or(1)

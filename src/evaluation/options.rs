@@ -4,18 +4,18 @@ use crate::bound::{Order, Recursion, Rounded, Suprema, Terms};
 use crate::evaluation::settings::Settings;
 use crate::formula::{Call, CallError, OptionWord};
 
-/// What a power of a constant of c levels counts.
+/// What the exponent of a constant of c levels counts: levels, or blocks of c levels.
 #[derive(Clone, Copy)]
 pub(crate) enum Exponent {
     Level,
     Block,
 }
 
-/// The options of a call, each to be used once.
+/// The options of a call; each can be used once.
 pub(crate) struct Options<'a> {
     function: &'a str,
     left: Vec<&'a OptionWord>,
-    /// The reading, which may change what is printed.
+    /// The reading, whose words replace the printed ones.
     settings: Option<&'a Settings>,
 }
 
@@ -24,7 +24,7 @@ impl<'a> Options<'a> {
         Options { function: call.function, left: call.options.iter().collect(), settings: None }
     }
 
-    /// The options as a reading has them.
+    /// These options under a reading.
     pub(crate) fn read_as(self, settings: &'a Settings) -> Options<'a> {
         Options { settings: Some(settings), ..self }
     }
@@ -44,7 +44,7 @@ impl<'a> Options<'a> {
         })
     }
 
-    /// The word of an option, which the claim gives as `printed`.
+    /// The word of an option under the reading; `printed` is the word in the claim.
     fn word<'w>(&self, name: &str, printed: &'w str) -> &'w str {
         self.settings.map_or(printed, |settings| settings.option(self.function, name, printed))
     }
@@ -86,7 +86,7 @@ impl<'a> Options<'a> {
         }
     }
 
-    /// `value`, once every option has been used.
+    /// `value`; an error if some option has not been used.
     pub(crate) fn finished<V>(&self, value: V) -> Result<V, CallError> {
         self.left.first().map_or(Ok(value), |option| {
             let (name, function) = (&option.name, self.function);

@@ -20,7 +20,7 @@ use crate::formula::{Call, CallError, Context, Functions, LocatedFormula, Scope,
 use crate::scheme::Rules;
 use std::collections::BTreeMap;
 
-/// What the formulas of a claim about a free parameter refer to.
+/// The context of the formulas of a claim about a free parameter.
 pub(crate) struct FreeParameter<'a> {
     paper: &'a Paper,
     library: &'a Library<'a>,
@@ -77,9 +77,8 @@ impl<'a> FreeParameter<'a> {
     }
 }
 
-/// The value of a table's formula in one cell as a function of an unstated parameter,
-/// which is right for the values of it in `window`; `None` where it is none of this
-/// class.
+/// The value of a table's formula in one cell as a function of an unstated parameter. The function
+/// is exact on `window`. `None` where the value is not piecewise polynomial.
 pub(crate) fn of_cell(
     judge: &Evaluator<'_>,
     at: At<'_>,
@@ -123,13 +122,13 @@ fn cell_scope<'s>(
     scope.with(parameter, Parametric::variable())
 }
 
-/// The constants of a scheme that are piecewise polynomial in its parameter when its
-/// mask is.
+/// The constants of a scheme as functions of a parameter: piecewise polynomial if the mask is.
 pub(crate) struct Constants<'a> {
     pub(crate) coefficients: Coefficients<'a, Parametric>,
     /// How the formula is read.
     pub(crate) settings: Option<&'a Settings>,
-    /// The values of the parameter that matter; all, without it.
+    /// The interval of the parameter on which the constants have to be exact; `None` for all
+    /// values.
     pub(crate) window: Option<&'a (Rational, Rational)>,
 }
 
@@ -195,8 +194,8 @@ impl Functions<Parametric> for Constants<'_> {
 }
 
 impl Constants<'_> {
-    /// ‖Rᶜ‖_∞ as a function of the parameter: of polynomial rules by
-    /// [`norm_function`], of one level also for rules with |·| or max in them.
+    /// ‖Rᶜ‖_∞ as a function of the parameter: for polynomial rules by [`norm_function`], and for c
+    /// ≤ 1 also for rules with |·| or max in them.
     fn norm(
         &self,
         rules: &Rules<Parametric>,
@@ -219,7 +218,7 @@ impl Constants<'_> {
         }
     }
 
-    /// The product of two norms with one supremum over a common row.
+    /// The product of two norms, maximised over a common row.
     fn joint(
         &self,
         rules: [&Rules<Parametric>; 2],

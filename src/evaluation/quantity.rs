@@ -25,10 +25,9 @@ pub(crate) struct Quantities<'a> {
     pub(crate) scheme: Option<Resolved>,
     /// How the formula is read.
     pub(crate) settings: &'a Settings,
-    /// Whether a value was given up because it is beyond the caps of the program,
-    /// not because it does not exist.
+    /// Whether a value was given up because it is beyond the caps of the program, though it exists.
     pub(crate) beyond_caps: Cell<bool>,
-    /// The constants that were asked for, if they are noted.
+    /// The constants that formulas have used so far, if they are noted.
     pub(crate) noted: Option<RefCell<Noted>>,
     /// The last call of `levels`.
     pub(crate) last_levels: RefCell<Option<LevelCall>>,
@@ -171,7 +170,7 @@ impl Quantities<'_> {
     }
 }
 
-/// A number that has to be rational here.
+/// The value as a rational number; an error if it is irrational.
 fn rational(value: &RealCyclotomic) -> Result<&Rational, CallError> {
     value.as_rational().ok_or_else(|| {
         CallError::Misuse(format!("this is computed at rational numbers only, and not at {value}"))

@@ -1,12 +1,12 @@
-//! Schemes that formulas name, and why a name gives none.
+//! Errors of scheme references in formulas.
 
 use crate::claim::LocatedReference;
 use crate::diagnostic::Diagnostic;
 use crate::formula::{CallError, FormulaError};
 use crate::scheme::{Reference, SchemeError};
 
-/// An error of a scheme, at the place that names it or, for a scheme of the claim
-/// file's own, inside it.
+/// The error of a scheme, at the place that names the scheme or, for a scheme of the claim file, at
+/// a place in its definition.
 pub(crate) fn scheme_error(located: &LocatedReference, error: &SchemeError) -> Diagnostic {
     match error {
         SchemeError::File(inner) if inner.source == located.source => (**inner).clone(),

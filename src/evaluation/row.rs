@@ -1,4 +1,4 @@
-//! The definitions that have one value in a row of a table, computed once for it.
+//! The definitions that have one value in each row of a table, computed once for each row.
 
 use crate::evaluation::choices::HEADER;
 use crate::evaluation::context::{At, Known, Outcome, TableContext};
@@ -11,32 +11,32 @@ use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-/// The way of headers that the text prints.
+/// The word of the choice [`HEADER`] for headers as printed.
 const AS_PRINTED: &str = "exact";
 
-/// What the values depend on: the parameter of the row, the scheme, the reading as far as it matters,
-/// and the parameters that are assumed.
+/// What the values depend on: the parameter of the row, the scheme, the part of the reading that
+/// matters, and the parameters that are assumed.
 type Key = (Option<Rational>, Vec<Instance>, Restricted, BTreeSet<String>);
 
 /// The definitions that do not depend on the column, with their values.
 #[derive(Default)]
 pub(crate) struct RowDefinitions {
     names: Vec<String>,
-    /// The choices of readings that the values may depend on.
+    /// The choices that the values may depend on.
     depends: BTreeSet<&'static str>,
-    /// Those that some row asks for as printed, with their words.
+    /// The choices that the definitions consult in some row, each with its printed word.
     pub(crate) choices: BTreeMap<&'static str, String>,
     known: RefCell<BTreeMap<Key, Rc<Known>>>,
 }
 
 impl RowDefinitions {
-    /// Those that the formula of the table uses and that depend on the row's
-    /// parameter, stated and assumed ones alone, whichever alternative stands for a
+    /// The definitions that the formula of the table uses and that depend only on the row's
+    /// parameter and on stated and assumed parameters, whichever alternative stands for a
     /// definition.
     pub(crate) fn new(context: &TableContext<'_>) -> RowDefinitions {
         let TableContext { paper, table, given, assumed, .. } = context;
         let fixed = |name: &String| {
-            // The headers of the columns go before what is stated or assumed elsewhere.
+            // A column header hides a stated or assumed value of the same name.
             table.columns.name() != Some(name)
                 && (table.rows.as_ref().is_some_and(|axis| axis.name() == Some(name))
                     || given.contains_key(name)
@@ -63,7 +63,7 @@ impl RowDefinitions {
         rows
     }
 
-    /// The values in the row of a cell, for the scheme that the quantities there are of.
+    /// The values of the definitions in the row of a cell, for the scheme of these quantities.
     pub(crate) fn of(
         &self,
         context: &TableContext<'_>,
@@ -87,12 +87,12 @@ impl RowDefinitions {
         known
     }
 
-    /// Notes which choices the rows ask for, by computing the values of each.
+    /// Finds the choices that the rows consult, by computing the values of each row as printed.
     fn find_choices(&mut self, context: &TableContext<'_>) {
         let (settings, assume) = (Settings::default(), context.assumed.keys().cloned().collect());
         let rows = context.table.cells.len();
         for row in 0..if self.names.is_empty() { 0 } else { rows } {
-            // Where the columns are schemes, each has values of its own.
+            // Where the columns are schemes, each column has values of its own.
             for column in 0..context.table.columns.schemes().len().max(1) {
                 let at = At { row, column, assume: &assume, settings: &settings };
                 if let Ok(Ok(quantities)) = &context.quantities(at) {
@@ -107,7 +107,7 @@ impl RowDefinitions {
         }
     }
 
-    /// A definition without a value here is left to whoever needs it.
+    /// The values of the definitions; one that has no value here is evaluated where it is used.
     fn compute(
         &self,
         context: &TableContext<'_>,

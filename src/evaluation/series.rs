@@ -1,4 +1,4 @@
-//! Convolutions of sequences that claims give by formulas.
+//! Convolutions of sequences that claims define by formulas.
 
 use crate::bound::{Recursion, Suprema, convolution_coefficient, convolution_window};
 use crate::evaluation::arguments::{index, place};
@@ -11,16 +11,16 @@ use std::cell::RefCell;
 /// The longest sequence.
 const MAX_LENGTH: i64 = 1_000;
 
-/// The most convolutions of a norm.
+/// The greatest number of convolutions of a norm.
 const MAX_CONVOLUTIONS: i64 = 16;
 
-/// The most convolutions of which single coefficients are summed term by term.
+/// The greatest number of convolutions of which single coefficients are summed term by term.
 const MAX_COEFFICIENT_CONVOLUTIONS: i64 = 3;
 
-/// The most products of one convolution: the last index times the length.
+/// The greatest number of products of one convolution: the last index plus 1, times the length.
 const MAX_PRODUCTS: usize = 1_000_000;
 
-/// The absolute sums of windows by what they depend on, each computed once.
+/// The sums Σ_l |E^c_{l,f}| of all windows that were computed, each with its window.
 pub(crate) struct Norms<V> {
     known: RefCell<Vec<(Window<V>, Vec<V>)>>,
 }
@@ -31,7 +31,7 @@ impl<V> Default for Norms<V> {
     }
 }
 
-/// A sequence, and what [`convolution_window`] makes of it.
+/// The arguments of [`convolution_window`].
 #[derive(PartialEq)]
 pub(crate) struct Window<V> {
     terms: Vec<V>,
@@ -41,11 +41,11 @@ pub(crate) struct Window<V> {
     recursion: Recursion,
 }
 
-/// What is told of the norm of a single sequence.
+/// A function that receives the norm of a single sequence.
 pub(crate) type Note<'n, V> = &'n dyn Fn(NotedNorm<V>);
 
-/// The value of a function of a sequence; `None` when `call` is another function. If the norms of
-/// single sequences outside of all sums are to be noted, they are told to `note`.
+/// The value of a function of sequences; `None` when `call` is another function. `note`, if given,
+/// receives the norm of each single sequence, but for those within sums.
 pub(crate) fn call<V: Value + PartialEq>(
     call: &Call<'_, V>,
     context: &dyn Context<V>,
@@ -123,7 +123,7 @@ fn norm<V: Value + PartialEq>(
     }
 }
 
-/// The greatest of numbers that are not negative.
+/// The greatest of nonnegative numbers.
 fn largest<V: Value>(values: &[V]) -> Result<V, CallError> {
     values.iter().try_fold(V::zero(), |best, value| best.larger(value).ok_or_else(symbolic))
 }
@@ -140,7 +140,7 @@ impl<V: Value + PartialEq> Window<V> {
         if let Some((_, sums)) = known.iter().find(|(window, _)| *window == self) {
             return Ok(sums.clone());
         }
-        // By the printed recursion both factors grow.
+        // In the printed recursion both factors may be as long as the window.
         let factor = match self.recursion {
             Recursion::Derived => self.terms.len(),
             Recursion::Printed => self.last + 1,
@@ -164,7 +164,7 @@ impl<V: Value + PartialEq> Window<V> {
     }
 }
 
-/// The definitions that give sequences, and their index.
+/// The names of the definitions that give the sequences, and of their index.
 struct Names {
     first: String,
     second: Option<String>,

@@ -1,4 +1,4 @@
-//! A point of the family: what the functions of a claim are told.
+//! A reading as the functions of a claim see it: a point of the family of readings.
 
 use crate::claim::Alternative;
 use crate::evaluation::choices::FAMILY;
@@ -15,22 +15,22 @@ pub(crate) struct Settings {
     words: Vec<(&'static str, &'static str)>,
     /// The paper's definitions with some replaced, when any are.
     pub(crate) definitions: Option<Rc<BTreeMap<String, LocatedFormula>>>,
-    /// The places of the alternatives that stand for them.
+    /// The places of these alternatives in the claim file.
     replaced: Vec<usize>,
-    /// Values for parameters instead of their own.
+    /// Values of parameters that replace their own.
     pub(crate) parameters: BTreeMap<String, Rational>,
     /// The values of definitions, where they are known.
     pub(crate) known: BTreeMap<String, RealCyclotomic>,
-    /// What is taken from another place of the paper.
+    /// The quantity that is taken from another place of the paper.
     pub(crate) copied: Option<Copied>,
-    /// The place of the scheme, among those of the paper's tables, instead of the cell's own.
+    /// The place, among the schemes of the paper's tables, of the scheme that replaces the cell's
+    /// own.
     pub(crate) scheme: Option<usize>,
-    /// What each choice that the formula depends on is as printed.
+    /// The printed word of every choice consulted.
     consulted: RefCell<BTreeMap<&'static str, String>>,
 }
 
-/// The choices that a formula may depend on, whatever its values are: those of the functions that it
-/// calls.
+/// The choices that a formula may depend on: those of the functions that it calls.
 pub(crate) fn choices_of(expr: &Expr) -> BTreeSet<&'static str> {
     let called = expr.functions();
     let depends = |choice: &&Choice| match choice.effect {
@@ -40,7 +40,7 @@ pub(crate) fn choices_of(expr: &Expr) -> BTreeSet<&'static str> {
     FAMILY.iter().copied().filter(depends).map(|choice| choice.key).collect()
 }
 
-/// The part of a reading that some values depend on.
+/// The part of a reading that certain values depend on.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Restricted {
     words: Vec<(&'static str, &'static str)>,
@@ -49,12 +49,13 @@ pub(crate) struct Restricted {
 }
 
 impl Settings {
-    /// The reading that differs in these choices, given by name and word.
+    /// The reading with these words, each after the key of its choice.
     pub(crate) fn new(words: Vec<(&'static str, &'static str)>) -> Settings {
         Settings { words, ..Settings::default() }
     }
 
-    /// The word for an option of a function, which the claim gives as `printed`.
+    /// The word of a function's option under this reading; `printed` is the word in the claim.
+    /// Notes that the choice was consulted.
     pub(crate) fn option<'w>(&self, function: &str, option: &str, printed: &'w str) -> &'w str {
         let chosen = FAMILY.iter().find(|choice| match choice.effect {
             Effect::Option { option: name, functions } => {
@@ -67,12 +68,12 @@ impl Settings {
         self.word(choice).unwrap_or(printed)
     }
 
-    /// The word of a choice, when it is not as printed.
+    /// The word of a choice, if it differs from the printed one.
     pub(crate) fn word(&self, choice: &Choice) -> Option<&'static str> {
         self.words.iter().find(|(name, _)| *name == choice.key).map(|(_, word)| *word)
     }
 
-    /// What of this is other than printed in some choices, and in definitions.
+    /// The part of this reading that concerns these choices, the definitions and the parameters.
     pub(crate) fn restricted(&self, choices: &BTreeSet<&'static str>) -> Restricted {
         let words = self.words.iter().filter(|(name, _)| choices.contains(name));
         let replaced = self.replaced.clone();
@@ -83,24 +84,24 @@ impl Settings {
         }
     }
 
-    /// The same with a value for a parameter.
+    /// This reading with another value for a parameter.
     pub(crate) fn with_parameter(&self, name: &str, value: &Rational) -> Settings {
         let mut settings = self.clone();
         settings.parameters.insert(name.to_owned(), value.clone());
         settings
     }
 
-    /// The same for another scheme of the paper's tables.
+    /// This reading with another scheme of the paper's tables.
     pub(crate) fn with_scheme(&self, number: usize) -> Settings {
         Settings { scheme: Some(number), ..self.clone() }
     }
 
-    /// The same with nothing taken from another place.
+    /// This reading without a quantity from another place.
     pub(crate) fn without_copied(&self) -> Settings {
         Settings { copied: None, ..self.clone() }
     }
 
-    /// Replaces a definition by the alternative of this place in the claim file.
+    /// Replaces a definition by the alternative at this place in the claim file.
     pub(crate) fn replace(
         &mut self,
         printed: &BTreeMap<String, LocatedFormula>,
@@ -112,7 +113,7 @@ impl Settings {
         self.replaced.push(place);
     }
 
-    /// The choices that options were asked for, with their words as printed.
+    /// The choices that were consulted, each with its printed word.
     pub(crate) fn consulted(&self) -> BTreeMap<&'static str, String> {
         self.consulted.borrow().clone()
     }

@@ -1,4 +1,4 @@
-//! Masks over any numbers, and the functions that only read coefficients.
+//! Masks over numbers of any kind, and the functions that read only their coefficients.
 
 use crate::bound::{Recursion, convolution_coefficient, sequence};
 use crate::claim::LocatedReference;
@@ -33,7 +33,7 @@ pub(crate) fn own_shape<V: Value + PartialEq>(
     })
 }
 
-/// A mask over any numbers, with its difference mask once that is asked for.
+/// A mask over numbers of any kind; its difference mask is computed when it is first used.
 pub(crate) struct Shape<V> {
     pub(crate) mask: Mask<V>,
     difference: OnceCell<Rules<V>>,
@@ -50,11 +50,11 @@ impl<V: Value> Shape<V> {
     }
 }
 
-/// A scheme, one name with parameters per direction, and its shape.
+/// A scheme, with one name and its parameters for each direction, and its shape.
 type Own<V> = (Vec<Instance<V>>, Rc<Shape<V>>);
 
-/// The shapes of the schemes that an identity refers to: its own at the last
-/// parameters, and those that are named in formulas.
+/// The shapes of the schemes in a claim: of its own scheme for the parameters that were used last,
+/// and of the schemes that formulas name.
 pub(crate) struct Shapes<'a, V> {
     library: &'a Library<'a>,
     own: RefCell<Option<Own<V>>>,
@@ -97,7 +97,7 @@ impl<'a, V: Value + PartialEq> Shapes<'a, V> {
     }
 }
 
-/// The coefficients of a scheme over any numbers, for identities.
+/// The coefficients of a scheme over numbers of any kind, for identities.
 pub(crate) struct Coefficients<'a, V> {
     pub(crate) shapes: &'a Shapes<'a, V>,
     pub(crate) own: Option<Rc<Shape<V>>>,
@@ -132,7 +132,7 @@ impl<V: Value + PartialEq> Coefficients<'_, V> {
     }
 }
 
-/// The functions that only read coefficients.
+/// The value of a function that reads only coefficients.
 pub(crate) fn shape<V: Value, R: Borrow<Rules<V>>>(
     mask: &Mask<V>,
     difference: impl FnOnce() -> R,
@@ -171,10 +171,10 @@ pub(crate) fn shape<V: Value, R: Borrow<Rules<V>>>(
     }
 }
 
-/// The most convolutions whose coefficients are summed term by term.
+/// The greatest number of convolutions whose coefficients are summed term by term.
 const MAX_CONVOLUTIONS: u32 = 4;
 
-/// The same by the printed recursion, whose terms are far more.
+/// The same cap for the printed recursion, which has far more terms.
 const MAX_PRINTED_CONVOLUTIONS: u32 = 3;
 
 fn coefficient<V: Value>(rules: &Rules<V>, rule: &V, column: &V) -> Result<V, CallError> {

@@ -28,7 +28,8 @@ impl<'a> Deref for Evaluator<'a> {
 }
 
 impl<'a> Evaluator<'a> {
-    /// With values of parameters that the claim file gives no value for.
+    /// The evaluator of a table, with recovered values of parameters that the claim file leaves
+    /// open.
     pub(crate) fn new(
         paper: &'a Paper,
         table: &'a Table,
@@ -51,8 +52,8 @@ impl<'a> Evaluator<'a> {
         Ok(evaluated?.unwrap_or_else(|outcome| outcome))
     }
 
-    /// Evaluates something at a cell, under its reading: in the quantities of its scheme, with the
-    /// values of definitions that are known.
+    /// Calls `evaluate` for a cell under its reading, with the quantities of its scheme and the
+    /// known values of definitions.
     fn within<T>(
         &self,
         at: At<'_>,
@@ -73,7 +74,8 @@ impl<'a> Evaluator<'a> {
         self.evaluate_in(at, &quantities, known, evaluate).map(Ok)
     }
 
-    /// The same in these quantities, with the values of definitions that are known, if any are.
+    /// As `within`, with these quantities; the values of the row's definitions take the place of
+    /// `known` where that is empty.
     fn evaluate_in<T>(
         &self,
         at: At<'_>,
@@ -87,8 +89,8 @@ impl<'a> Evaluator<'a> {
         }
     }
 
-    /// The constants that the value of a cell as printed rests on; those of definitions with one value
-    /// in a row only where this is computed, at its first cell.
+    /// The constants that the value of a cell as printed uses. Those of a definition with one value
+    /// in each row are given only where this value is computed, at the first cell of the row.
     pub(crate) fn constants(&self, at: At<'_>) -> Result<Noted, Diagnostic> {
         let Ok(mut quantities) = self.quantities(at)? else { return Ok(Noted::default()) };
         quantities.noted = Some(RefCell::default());
@@ -98,8 +100,9 @@ impl<'a> Evaluator<'a> {
         Ok(quantities.noted.take().unwrap_or_default().into_inner())
     }
 
-    /// The value of a cell as printed, and the unstated parameters that it needs: each is assumed as
-    /// the evaluation meets it, up to one of which no value is known.
+    /// The unstated parameters that the value of a cell as printed needs, and this value.
+    /// Parameters are assumed one by one, as the evaluation meets them, up to one that has no known
+    /// value.
     pub(crate) fn needed(
         &self,
         row: usize,
@@ -115,13 +118,13 @@ impl<'a> Evaluator<'a> {
         }
     }
 
-    /// The number of levels that a cell's value is, before it is rounded; `None` where
-    /// it is another number.
+    /// The call of `levels` whose result is the value of a cell; `None` where the value is no such
+    /// result.
     pub(crate) fn level_call(&self, at: At<'_>) -> Option<LevelCall> {
         self.value_and_levels(at)?.1
     }
 
-    /// The logarithm that a cell's value is computed from.
+    /// The last call of `levels` in the evaluation of a cell's value.
     pub(crate) fn logarithm(&self, at: At<'_>) -> Option<LevelCall> {
         let evaluated = self.within(at, |at, quantities, known| {
             quantities.last_levels.take();
@@ -131,7 +134,7 @@ impl<'a> Evaluator<'a> {
         evaluated.ok()?.ok()?
     }
 
-    /// A cell's value, and the number of levels that it is, where it is one.
+    /// A cell's value, and the call of `levels` whose result it is, if there is one.
     pub(crate) fn value_and_levels(
         &self,
         at: At<'_>,

@@ -1,11 +1,11 @@
-//! What an evaluation rests on: the constants and the numbers of levels that formulas ask for.
+//! What an evaluation used: the constants, and the numbers of levels.
 
 use crate::bound::{Constants, Operator, Order, Rounded};
 use crate::exact::RealCyclotomic;
 use crate::scheme::Instance;
 use std::rc::Rc;
 
-/// A constant that was asked for.
+/// A constant that a formula used.
 #[derive(Clone)]
 pub(crate) struct NotedConstant {
     pub(crate) instance: Instance,
@@ -13,16 +13,16 @@ pub(crate) struct NotedConstant {
     pub(crate) operator: Operator,
     pub(crate) levels: u32,
     pub(crate) order: Order,
-    /// The option that names its scheme.
+    /// The word of the option `scheme`, if the call has one.
     pub(crate) named: Option<String>,
 }
 
-/// The constants that an evaluation rests on.
+/// The constants that an evaluation used.
 #[derive(Default)]
 pub(crate) struct Noted {
-    /// Those of masks.
+    /// The constants of masks.
     pub(crate) constants: Vec<NotedConstant>,
-    /// The norms of single sequences that are outside of all sums.
+    /// The norms of single sequences, but for those within sums.
     pub(crate) norms: Vec<NotedNorm<RealCyclotomic>>,
 }
 
@@ -31,15 +31,15 @@ pub(crate) struct LevelCall {
     pub(crate) ratio: RealCyclotomic,
     pub(crate) x: RealCyclotomic,
     pub(crate) rounded: Rounded,
-    /// How many; `None` where there is no such number.
+    /// The number of levels; `None` where it is undefined.
     pub(crate) level: Option<u32>,
 }
 
 /// A norm of one sequence, and where it is attained.
 pub(crate) struct NotedNorm<V> {
-    /// The call that gives it.
+    /// The call whose value is the norm.
     pub(crate) formula: String,
-    /// The least f with the greatest sum.
+    /// The least f whose sum Σ_l |E^c_{l,f}| is the norm.
     pub(crate) index: usize,
     pub(crate) value: V,
 }
