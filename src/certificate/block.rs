@@ -3,7 +3,7 @@
 /// The most bytes of a line.
 const MAX_LINE: usize = 65_536;
 
-/// What is said of a claim.
+/// The lines about one claim, and why it cannot be certified, if it cannot.
 pub(super) struct Block {
     kind: &'static str,
     id: String,
@@ -27,12 +27,12 @@ impl Block {
         self.line(format!("{what} {}", words(text)));
     }
 
-    /// Gives the claim up; the first reason stands.
+    /// Gives up the claim; only the first reason is kept.
     pub(super) fn give_up(&mut self, why: impl Into<String>) {
         self.fault.get_or_insert_with(|| why.into());
     }
 
-    /// The line that `line` gives, or the reason that there is none.
+    /// Adds the line, or gives up the claim for this reason.
     pub(super) fn try_line(&mut self, line: Result<String, String>) {
         match line {
             Ok(line) => self.line(line),

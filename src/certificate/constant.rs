@@ -4,13 +4,13 @@ use super::block::{Block, closed};
 use crate::audit::{AttainedConstant, Powers, SearchedConstant};
 use crate::bound::{Operator, Order};
 
-/// A constant of which each residue class can be looked at.
+/// The line of a constant whose residue classes can all be computed.
 pub(super) fn attained(constant: &AttainedConstant) -> String {
     let AttainedConstant { row, column, formula, class, value } = constant;
     format!("attained {} {} {class} {} {formula}", row + 1, column + 1, closed(value))
 }
 
-/// One of more classes, with the bounds that leave few of them.
+/// The lines of a constant with more classes, and of the bounds that exclude most of them.
 pub(super) fn searched(block: &mut Block, constant: &SearchedConstant) {
     let SearchedConstant { scheme, operator, order, levels, class, value, powers } = constant;
     let function = match operator {

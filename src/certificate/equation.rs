@@ -1,4 +1,4 @@
-//! Equations: whether the sides are equal, and their difference where they are not.
+//! Equations: whether their sides are equal, and the difference of the sides where they are not.
 
 use super::block::{Block, closed};
 use crate::audit::{EquationFinding, EquationVerdict, Failure};

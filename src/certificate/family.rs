@@ -1,17 +1,18 @@
-//! The family of readings of a table: how many cells each of them explains, and its values
-//! in the cells that none does.
+//! The family of readings of a table: the number of cells that each of them explains, and its
+//! values in the refuted cells.
 
 use super::block::{Block, closed, words};
 use super::reading;
 use crate::audit::{Difference, Effect, Explanation};
 use std::collections::BTreeMap;
 
-/// The cells that a member explains with decimals to the nearest, cut, and away, and its
-/// values in the refuted ones.
+/// The numbers of cells that a member explains with decimals to the nearest, cut, and away, and its
+/// values in the refuted cells.
 type Member = (BTreeMap<usize, usize>, Vec<String>);
 
-/// The lines `family`, `scale`, `values` and `member`, from every reading of the table, or, unless it is
-/// the `whole` family, from every one that takes nothing from another place of the paper.
+/// Writes the lines `family`, `scale`, `values` and `member`. They are about all readings of the
+/// table if this is the `whole` family, and otherwise about those that take no quantity from
+/// another place of the paper.
 pub(super) fn lines(
     block: &mut Block,
     readings: &[Explanation],
@@ -30,9 +31,9 @@ pub(super) fn lines(
     if let Some(scale) = scale {
         block.line(format!("scale {scale}"));
     }
-    // By their differences, the fewest first.
+    // Members are sorted by the number of their differences, and then by these.
     let mut members: BTreeMap<(usize, Vec<String>), Member> = BTreeMap::new();
-    // Those at another scale are covered by the line `scale`.
+    // The line `scale` covers the readings with another scale.
     let listed = |reading: &&Explanation| reading.solved.is_empty() && (whole || !copied(reading));
     for reading in readings.iter().filter(listed) {
         let value = |(row, column): &(usize, usize)| {
@@ -47,7 +48,7 @@ pub(super) fn lines(
             Err(why) => return block.give_up(why),
         }
     }
-    // Each value is named once, in the order of the members.
+    // Each value is listed once, in the order of the members.
     let mut listed: Vec<Vec<&str>> = vec![Vec::new(); refuted.len()];
     let mut numbers = Vec::new();
     for (_, values) in members.values() {
@@ -72,7 +73,8 @@ pub(super) fn lines(
     }
 }
 
-/// The differences of a reading, and the place of its rounding of decimals.
+/// The differences of a reading apart from its rounding of decimals, and the place of that rounding
+/// among the ways of its choice.
 fn differences(reading: &Explanation) -> Result<(Vec<String>, usize), String> {
     let (mut names, mut rounding) = (Vec::new(), 0);
     for difference in &reading.differences {

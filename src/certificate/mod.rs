@@ -1,7 +1,7 @@
 //! Certificates of verdicts, in the format of `proofs/FORMAT.md`.
 //!
-//! Nothing here is trusted: a certificate says what the audit has found, and
-//! `proofs/checker`, which shares no code with this crate, accepts it or does not.
+//! Nothing here is trusted: a certificate says what the audit has found, and `proofs/checker`,
+//! which shares no code with this crate, accepts or rejects it.
 
 mod block;
 mod constant;
@@ -27,18 +27,18 @@ pub struct Certificate {
     pub key: String,
     /// The certificate.
     pub text: String,
-    /// The number of claims that it is about.
+    /// The number of claims that it covers.
     pub blocks: usize,
-    /// The claims that it is not about.
+    /// The claims that it does not cover.
     pub omitted: Vec<Omission>,
 }
 
-/// A claim that the format has no words for.
+/// A claim that the format cannot express.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Omission {
     /// `key:claim`.
     pub id: String,
-    /// Why.
+    /// The reason.
     pub why: String,
 }
 

@@ -1,4 +1,4 @@
-//! Closed forms in a free parameter, and ranges of one: signs on pieces of the line.
+//! Closed forms in a free parameter, and ranges of one: signs on the pieces of the line.
 
 use super::block::{Block, words};
 use crate::audit::{
@@ -56,8 +56,8 @@ fn head(block: &mut Block, variable: &str, scheme: Option<&LocatedReference>) {
     }
 }
 
-/// The lines `breaks` and `signs` of a function that is below 0 on one set and above
-/// 0 on another. It is 0 on neither.
+/// The lines `breaks` and `signs` of a function that is negative on one set and positive on
+/// another, and 0 elsewhere.
 fn pieces(block: &mut Block, below: &IntervalSet, above: &IntervalSet) {
     let intervals = below.intervals().iter().chain(above.intervals());
     let ends = intervals.flat_map(|interval| [&interval.low, &interval.high]);
@@ -100,7 +100,7 @@ fn contains(set: &IntervalSet, place: &RealAlgebraic) -> bool {
     })
 }
 
-/// `3/2`, or `root:-2,0,1:1:2`: a polynomial, and an interval with this root alone.
+/// `3/2`, or `root:-2,0,1:1:2`: a polynomial, and an interval with exactly one root of it.
 fn place(place: &RealAlgebraic) -> String {
     if let Some(rational) = place.as_rational() {
         return rational.to_string();

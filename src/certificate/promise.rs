@@ -1,11 +1,12 @@
-//! Promises: control data that break them, each named once, and bounds that keep them.
+//! Promises: control data that break them, each with a name, and bounds that keep them.
 
 use super::block::{Block, closed};
 use super::witness::{attained, list};
 use crate::audit::{Attained, Broken, Control, Later, Place, PromiseEvidence};
 use crate::exact::RealCyclotomic;
 
-/// The lines about the promises of a table, row by row; `printed` is the depth that a cell prints, if it is one.
+/// Writes the lines about the promises of a table, row by row; `printed` is the depth that a cell
+/// prints, or `None` if the cells are bounds.
 pub(super) fn lines(
     block: &mut Block,
     evidence: &[Vec<Option<PromiseEvidence<'_>>>],
@@ -61,12 +62,12 @@ pub(super) fn lines(
     }
 }
 
-/// `L M c`.
+/// `L M c` of a line `kept`.
 pub(super) fn later(Later { later, levels, block }: &Later) -> String {
     format!("{later} {levels} {block}")
 }
 
-/// The lines of flows along the edges of a ring.
+/// Writes a line `flow` for each of these flows along the edges of a ring.
 pub(super) fn flows(block: &mut Block, flows: &[Vec<RealCyclotomic>]) {
     for flow in flows {
         block.line(format!("flow {}", list(flow)));

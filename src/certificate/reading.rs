@@ -8,9 +8,9 @@ use crate::audit::{
 
 /// The readings of a table, and of its rows and columns.
 pub(super) struct Readings<'f> {
-    /// Those of the cells that need no assumptions, if there are any, and otherwise of all.
+    /// The readings of the cells that need no assumptions or, if there are none, of all cells.
     first: Part<'f>,
-    /// Where there are others, those of the cells that need some.
+    /// If the table has cells of both kinds, the readings of those that need assumptions.
     assumed: Part<'f>,
 }
 
@@ -26,12 +26,12 @@ impl<'f> Readings<'f> {
         Readings { first: Part::of(search), assumed: Part::of(assumed) }
     }
 
-    /// Whether everything is as printed that needs no assumptions.
+    /// Whether the cells of the first kind are all read as printed.
     pub(super) fn is_empty(&self) -> bool {
         self.first.is_empty()
     }
 
-    /// The lines `read …`, and those of rows and columns.
+    /// Writes the lines `read …`, and those of rows and columns.
     pub(super) fn write(&self, block: &mut Block) {
         self.first.write(block);
         if !self.assumed.is_empty() {
@@ -40,8 +40,8 @@ impl<'f> Readings<'f> {
         }
     }
 
-    /// How a cell comes from the reading that it is read by: rounded otherwise, and by
-    /// the reading of which row or column; `slip` is the one that is left.
+    /// How a cell follows from the reading `read`: the words for its rounding, and the words for
+    /// the row or column whose reading this is. `slip` is the slip that remains under the reading.
     pub(super) fn by(
         &self,
         read: &AsRead,
@@ -91,7 +91,7 @@ impl<'f> Part<'f> {
             Line::Row(row) => row == at.0,
             Line::Column(column) => column == at.1,
         });
-        // A shift is the slip of all cells that it explains.
+        // If a line is shifted, its shift is the slip of all cells that it explains.
         let lines = lines.filter(|line| match (line.shift, slip) {
             ((0, 0), slip) => !matches!(slip, Some(Slip::Neighbour(..))),
             (shift, Some(Slip::Neighbour(rows, columns))) => shift == (*rows, *columns),
@@ -130,7 +130,7 @@ fn name(reading: &LineReading) -> String {
 
 /// The lines `read …`.
 fn lines(reading: &Explanation) -> impl Iterator<Item = String> {
-    // What is solved for has a line of its own.
+    // A parameter that was solved for has a line of its own.
     let solved = &reading.solved;
     let is_solved = |difference: &&Difference| {
         solved.iter().any(|parameter| parameter.name == difference.about())
@@ -158,7 +158,7 @@ fn copied(source: &Copied) -> String {
     }
 }
 
-/// A difference as `CHOICE=WAY`, `DEFINITION#NUMBER` or a quantity from another place; none of a
+/// A difference as `CHOICE=WAY`, `DEFINITION#NUMBER` or a quantity from another place; `None` for a
 /// parameter.
 pub(super) fn member(difference: &Difference) -> Option<String> {
     match difference {

@@ -1,4 +1,4 @@
-//! Tables: the value of every cell, and the verdict on what is printed.
+//! Tables: the value of every cell, and the verdict on the printed number.
 
 use super::block::{Block, closed};
 use super::reading::Readings;
@@ -75,8 +75,8 @@ fn sound(cell: &SoundCell) -> String {
     format!("sound {} {} {levels} {block} {value}", row + 1, column + 1)
 }
 
-/// What makes cells refuted, and a reading better than luck: the whole family, of the cells whose
-/// parameters are all stated and of those that are reproduced.
+/// Writes the families that show that cells are refuted, and that a reading is no luck: of the
+/// cells whose parameters are all stated, and of the cells that are reproduced.
 fn families(
     block: &mut Block,
     paper: &Paper,
@@ -102,7 +102,7 @@ fn families(
     }
 }
 
-/// What is said of a cell behind its place.
+/// The line of a cell after its row and column.
 fn line(cell: &CellFinding, readings: &Readings<'_>, at: (usize, usize)) -> Result<String, String> {
     let value = cell.exact.as_ref().map_or("undefined".to_owned(), closed);
     let judged = cell.verdict_if_assumed.as_ref().unwrap_or(&cell.verdict);

@@ -1,4 +1,4 @@
-//! Theorems: control data that refute them, or the statement that proves them.
+//! Theorems: control data that refute them, levels that prove them, or the statement that is cited.
 
 use super::block::{Block, closed};
 use super::constant::searched;
@@ -116,7 +116,7 @@ fn case(block: &mut Block, (scheme, values): (&str, &[(String, Rational)])) {
     }
 }
 
-/// A case, control data, and both sides.
+/// Writes the lines of an instance, of its control data, and of both sides.
 fn data(
     block: &mut Block,
     theorem: &Theorem,

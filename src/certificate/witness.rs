@@ -20,10 +20,10 @@ fn points(block: &mut Block, first: i64, points: &[i64]) {
     block.line(format!("polygon {first} {}", list(points)));
 }
 
-/// The lines of a net: of two polygons, if its points are sums a_i + b_j.
+/// Writes the lines of a net, as two polygons if its points are sums a_i + b_j.
 ///
-/// A net that changes along the one index only is looked at for a difference, which
-/// may be another one's along the other index: `flat` polygons become 0, 1.
+/// For a `difference` along one index, the net may be constant along the other. The constant
+/// polygon is then written as 0, 1: both have the spread 1, and the difference stays the same.
 fn net(block: &mut Block, first: [i64; 2], rows: &[Vec<i64>], difference: bool) {
     let a: Vec<i64> = rows.iter().map(|row| row[0]).collect();
     let b: Vec<i64> = rows[0].iter().map(|x| x - rows[0][0]).collect();
@@ -49,11 +49,11 @@ fn ring(block: &mut Block, points: &[i64], weights: &[RealCyclotomic]) {
     }
 }
 
-/// The lines of control data and of the place where they attain a value; of a ring, with the
+/// Writes the lines of control data and of the place where they attain a value; of a ring, with the
 /// weights of its limit where these are needed.
 ///
-/// Data that are all 0 were found where the value is 0 whatever they are: others, which have a
-/// spread, take their place.
+/// If the distance vanishes for all data, the data found are 0 everywhere and have no spread. They
+/// are replaced by data that have one.
 pub(super) fn attained(block: &mut Block, found: &Attained, weights: &[RealCyclotomic]) {
     let flat = |points: &[i64]| points.iter().all(|x| *x == 0);
     match &found.control {
@@ -93,7 +93,7 @@ pub(super) fn attained(block: &mut Block, found: &Attained, weights: &[RealCyclo
     block.line(format!("at {place}"));
 }
 
-/// The lines of data that exceed a bound in every shift, from their level on.
+/// The lines of data that exceed a bound in every shift, from the line `level` on.
 pub(super) fn unshiftable(block: &mut Block, data: &Unshiftable) {
     let Unshiftable { level, overshoot, bound, .. } = data;
     let Overshoot { polygons, later, shown, .. } = overshoot;

@@ -1,4 +1,4 @@
-//! The computation behind a refutation, as one checks it with paper and pencil.
+//! The computation that refutes a theorem, as one checks it with paper and pencil.
 
 use crate::claim::{Paper, Quantity, Table};
 use crate::diagnostic::Diagnostic;
@@ -15,11 +15,11 @@ use crate::limit::{ExtremalPolygon, Functional, Limit, LimitWeights, Points};
 use crate::scheme::Mask;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The most refined points that one would compute by hand.
+/// The most refined points that one can compute by hand.
 const MAX_POINTS: usize = 48;
 
-/// The computation behind the data that refute a theorem with points at i/n^k; `None` of a theorem
-/// that is not refuted by data.
+/// The computation behind the data that refute a theorem with points at i/n^k; `None` if no data
+/// refute it.
 ///
 /// # Errors
 /// When a formula of the claim file is wrong.
@@ -55,7 +55,7 @@ pub fn by_hand(
     Ok(Some(hand))
 }
 
-/// The points, the limit and both values of a curve.
+/// Fills in the refined points, the limit and both sides of a violation by a curve.
 fn curve(hand: &mut ByHand, mask: &Mask, polygon: &ExtremalPolygon, violation: &Violation) {
     let mut points = Points::new(mask, polygon);
     let k = violation.level;
@@ -73,7 +73,7 @@ fn curve(hand: &mut ByHand, mask: &Mask, polygon: &ExtremalPolygon, violation: &
             far.map(|far| [far, points.polygon(k, t)])
         }
         (Quantity::Step, Place::Point(i)) => {
-            // The place of the point among those of level k.
+            // The parameter of the point, in units of level k.
             let place = Rational::from(*i) / Rational::from(mask.arity());
             Some([points.combination(k + 1, &one(*i)), points.at(k, &place)])
         }
@@ -90,9 +90,9 @@ fn curve(hand: &mut ByHand, mask: &Mask, polygon: &ExtremalPolygon, violation: &
     }
 }
 
-/// The first confirmed cell of the paper that prints a constant: of the same formula, the same
-/// scheme, and the same values of parameters. Only cells whose parameters are all stated are
-/// confirmed, so that no table need be judged for it.
+/// The first cell of the paper that prints a constant correctly rounded, for the same formula, the
+/// same scheme and the same values of parameters. Its parameters are all stated, so that no table
+/// has to be judged.
 fn printed(
     paper: &Paper,
     instance: &Instance,

@@ -14,10 +14,11 @@ use crate::scheme::{Instance, Rules};
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
-/// The most steps that searches for what the certificate of one table says take.
+/// The most steps of all searches for the certificate of one table or theorem.
 pub(crate) const MAX_STEPS: u64 = 1_000_000_000;
 
-/// Of so many residue classes the T_c < 1 that shows convergence needs no line of its own.
+/// If T_c < 1 has at most this many residue classes, the checker finds it without a line of its
+/// own.
 const MAX_CLASSES: u64 = 1 << 12;
 
 /// A constant of a cell, with the residue class that attains it.
@@ -29,13 +30,14 @@ pub struct AttainedConstant {
     pub column: usize,
     /// The call that gives it, in the scope of the cell.
     pub formula: String,
-    /// The class of the places of the product of sequences, mod n^c.
+    /// The residue class mod n^c, in the product of sequences, that attains the constant.
     pub class: Integer,
     /// The constant.
     pub value: RealCyclotomic,
 }
 
-/// T_c or Λ_c with more residue classes than can be looked at, and what bounds all others.
+/// A constant T_c or Λ_c with too many residue classes to compute each, and the bounds that exclude
+/// the other classes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SearchedConstant {
     /// The scheme.
@@ -46,20 +48,20 @@ pub struct SearchedConstant {
     pub order: Order,
     /// c.
     pub levels: u32,
-    /// The class of the places of the product of sequences, mod n^c.
+    /// The residue class mod n^c, in the product of sequences, that attains the constant.
     pub class: Integer,
     /// The constant.
     pub value: Rational,
-    /// Bounds of the norms of the lower powers.
+    /// Bounds of the norms of lower powers.
     pub powers: Powers,
 }
 
-/// Bounds of ‖E^m‖, R = sE: `proofs/THEOREMS.md`, 60 to 63.
+/// Bounds of ‖E^m‖, where R = sE: `proofs/THEOREMS.md`, 60 to 63.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Powers {
-    /// One for all m.
+    /// One bound for all m.
     All(Rational),
-    /// One for each m from 1 to c − 1.
+    /// One bound for each m from 1 to c − 1.
     Each(Vec<Rational>),
 }
 
@@ -94,7 +96,7 @@ impl NotedConstant {
         format!("{function}({}{order}{scheme})", self.levels)
     }
 
-    /// What shows it by a tree; `None` beyond the caps of a search.
+    /// The constant with the bounds that a search tree needs; `None` beyond the caps of a search.
     fn searched(&self, budget: &Budget) -> Option<SearchedConstant> {
         let mut search = PowerSearch::new(self.rules(), self.order).with_budget(budget.clone());
         let found = search.search(self.levels)?.norm;
@@ -115,7 +117,8 @@ impl NotedConstant {
     }
 }
 
-/// What shows that masks converge of which every T_c < 1 has more than 4,096 residue classes.
+/// The constants T_c < 1 that show convergence, of those masks whose first T_c < 1 has more than
+/// 4,096 residue classes.
 pub(crate) fn convergence(scheme: &Resolved, budget: &Budget) -> Vec<SearchedConstant> {
     let masks = scheme.instances.iter().zip(&scheme.constants);
     let of = |(instance, constants): (&Instance, &Rc<Constants>)| {
@@ -130,8 +133,9 @@ pub(crate) fn convergence(scheme: &Resolved, budget: &Budget) -> Vec<SearchedCon
     masks.filter_map(of).collect()
 }
 
-/// The constants of all cells, as printed: each once, in the first cell that needs it; and those
-/// of many residue classes, with `read_otherwise` in both orders.
+/// The constants of all cells as printed, each once, in the first cell that needs it: those whose
+/// residue classes can all be computed, and the others. If the table is `read_otherwise`, the
+/// others are given in both orders.
 pub(crate) fn constants(
     judge: &Evaluator<'_>,
     read_otherwise: bool,

@@ -1,4 +1,5 @@
-//! What certificates say of promises: why a printed number keeps its promise, or does not.
+//! The evidence of certificates about promises: why a printed number keeps its promise, or breaks
+//! it.
 
 use crate::bound::{Budget, Constants};
 use crate::claim::{Paper, Promise};
@@ -15,33 +16,33 @@ use crate::judge::later::{change, later};
 use crate::scheme::Mask;
 use std::collections::BTreeSet;
 
-/// The deepest level that a certificate speaks of.
+/// The highest level for which a certificate shows a promise.
 const MAX_LEVEL: u32 = 10_000;
 
-/// The deepest level of a ring for which flows are computed.
+/// The highest level of a ring for which flows are computed.
 const MAX_LOCAL_LEVEL: u32 = 1_000;
 
-/// The most levels by which a bound is taken later than at the level that is promised.
+/// The most levels between the level of a promise and the level of the sound bound that shows it.
 const MAX_LATER: u32 = 8;
 
 /// What shows whether a printed number keeps its promise.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PromiseEvidence<'f> {
-    /// It does: the sound bound at a level, and how far that level is from the one that
-    /// is promised, are together small enough.
+    /// The promise is kept: at a later level, the sound bound and the distance of the two levels
+    /// from each other are together small enough.
     Kept(Later),
-    /// It does on a ring: the weights of its limit, and for every point a flow along the edges
-    /// that carries its error and costs little enough.
+    /// The promise is kept on a ring: the weights of the limit, and for every point a flow along
+    /// the edges that carries the point's error and whose cost is small enough.
     KeptByFlows(Vec<RealCyclotomic>, Vec<Vec<RealCyclotomic>>),
-    /// It does not for these data; of a ring, with the weights of its limit.
+    /// These data break the promise; of a ring, with the weights of its limit.
     Broken(&'f Broken, Vec<RealCyclotomic>),
-    /// It does not for these data, nor with the points at their natural parameters for those.
+    /// The first data break the promise; the second do with the points at their natural parameters.
     BrokenNaturally(&'f Broken, &'f Broken),
-    /// Neither is shown.
+    /// Neither of these is shown.
     Undecided,
 }
 
-/// The evidence for the promises of a table: `None` for cells of which there is none.
+/// The evidence for the promises of a table, cell by cell; `None` where a cell makes no promise.
 ///
 /// # Errors
 /// When a formula of the claim file is wrong.
@@ -85,7 +86,8 @@ fn of_cell<'f>(
                 Some((ring, weights)) => {
                     let level = terms(judge, promise, at)?.map(|(level, _)| level);
                     let level = level.filter(|level| *level <= MAX_LOCAL_LEVEL);
-                    // A depth is promised for later levels too: averages are no farther away.
+                    // A depth is also promised for later levels. With nonnegative weights these are
+                    // no farther away.
                     let lasts = matches!(promise, Promise::Bound { .. }) || ring.averages();
                     let level = level.filter(|_| lasts);
                     let flows = level.and_then(|level| ring.flows(level).ok());
@@ -105,8 +107,8 @@ fn of_cell<'f>(
     }
 }
 
-/// Whether certificates have words for data that are too far with the points at their natural
-/// parameters: the masks take lines to lines, and the place is i/n^m.
+/// Whether the format of certificates can express data that break a promise with the points at
+/// their natural parameters: the masks map lines to lines, and the place is i/n^m.
 fn certifiable(judge: &Evaluator<'_>, broken: &Broken, at: At<'_>) -> Result<bool, Diagnostic> {
     let Ok(quantities) = judge.quantities(at)? else { return Ok(false) };
     let Some(scheme) = quantities.scheme else { return Ok(false) };
@@ -114,7 +116,7 @@ fn certifiable(judge: &Evaluator<'_>, broken: &Broken, at: At<'_>) -> Result<boo
     Ok(has_words(&masks, &broken.attained))
 }
 
-/// The first level whose sound bound shows that a promise is kept.
+/// Shows by the sound bound of a later level that a promise is kept: the first such level.
 fn kept<'f>(
     judge: &Evaluator<'_>,
     promise: &Promise,
@@ -140,7 +142,7 @@ fn kept<'f>(
     Ok(later.map(PromiseEvidence::Kept))
 }
 
-/// The level that a cell speaks of, and what the distance there is promised to be at most.
+/// The level that a cell is about, and the promised bound of the distance at that level.
 fn terms(
     judge: &Evaluator<'_>,
     promise: &Promise,

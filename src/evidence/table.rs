@@ -1,5 +1,5 @@
-//! What certificates say beyond the findings: the scale of a table, its constants, and the
-//! blocks of its sound bounds.
+//! The evidence of certificates about tables: the scale of a table, its constants, and the blocks
+//! of its sound bounds.
 
 use crate::bound::{Budget, SoundBound};
 use crate::claim::{Paper, Promise};
@@ -17,17 +17,17 @@ use crate::formula::LocatedFormula;
 use crate::judge::reading::search;
 use std::collections::BTreeSet;
 
-/// The highest level at which a bound is shown.
+/// The highest level whose bound is shown.
 const MAX_LEVEL: u32 = 1_000;
 
-/// What shows how a table was judged.
+/// The evidence for the verdicts of a table.
 #[derive(Clone, Debug, Default)]
 pub struct Evidence {
-    /// The stated parameter that every value is proportional to, if there is one.
+    /// The stated parameter to which every value is proportional, if there is one.
     pub scale: Option<String>,
-    /// The constants that the values are computed from.
+    /// The constants of the values whose residue classes can all be computed.
     pub attained: Vec<AttainedConstant>,
-    /// Those of many residue classes.
+    /// The constants with too many residue classes for that.
     pub searched: Vec<SearchedConstant>,
     /// The sound bounds of the cells, where there are any.
     pub sound: Vec<SoundCell>,
@@ -48,8 +48,8 @@ pub struct SoundCell {
     pub value: Rational,
 }
 
-/// The evidence for a table. If it is `read_otherwise`, its values are looked at under other readings
-/// too, which may need other constants.
+/// The evidence for a table. If the table is `read_otherwise`, the evidence also has the constants
+/// that other readings may need.
 ///
 /// # Errors
 /// When a formula of the claim file is wrong.
@@ -79,7 +79,7 @@ pub fn evidence(
     Ok(Evidence { scale, attained, searched, sound })
 }
 
-/// What shows that schemes converge whose control data break promises.
+/// The constants that show the convergence of those schemes whose control data break promises.
 fn convergence(
     judge: &Evaluator<'_>,
     finding: &TableFinding<'_>,
@@ -142,7 +142,7 @@ fn levels(bound: &SoundBound) -> usize {
     bound.constants().len() - 1
 }
 
-/// The value of a formula at a cell, where it is a rational number.
+/// The value of a formula at a cell; `None` if it is irrational or missing.
 pub(crate) fn number(
     judge: &Evaluator<'_>,
     formula: &LocatedFormula,

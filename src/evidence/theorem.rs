@@ -1,4 +1,4 @@
-//! What certificates say of theorems beyond the findings.
+//! The evidence of certificates about theorems.
 
 use crate::bound::Budget;
 use crate::claim::{Paper, Quantity};
@@ -8,8 +8,8 @@ use crate::finding::{EveryShift, Naturally, TheoremFinding};
 use crate::judge::theorem::schemes_of;
 use std::collections::BTreeSet;
 
-/// What shows that the masks converge whose control data are too far from their limit: constants
-/// of many residue classes, where there is none below 1 of few.
+/// The constants that show the convergence of the masks in the refutation of a distance; only those
+/// with many residue classes are listed.
 ///
 /// # Errors
 /// When a formula of the claim file is wrong.

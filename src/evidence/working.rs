@@ -1,4 +1,4 @@
-//! The values that a cell is computed from.
+//! The values from which a cell is computed.
 
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::context::{At, Outcome};
@@ -9,8 +9,8 @@ use crate::exact::Rational;
 use crate::finding::{PaperAudit, TableFinding, Working};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The values that the cell at a row and a column, counted from 0, is computed from: by the printed
-/// definition, where parameters that the paper does not state have the values that were assumed or
+/// The values from which the cell at a row and a column, counted from 0, is computed by the printed
+/// definition. Parameters that the paper does not state have their assumed or recovered values.
 /// recovered.
 ///
 /// # Errors
