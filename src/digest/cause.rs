@@ -26,9 +26,9 @@ pub enum Cause {
 pub struct HowRead {
     /// The differences from the printed text.
     pub differences: Vec<Difference>,
-    /// Values of parameters that none of these names.
+    /// Values of solved parameters that no difference names.
     pub values: Vec<(String, Rational)>,
-    /// How the cells alone are rounded.
+    /// The rounding of these cells, where it is not that of the reading.
     pub rounded: Option<Direction>,
 }
 

@@ -10,24 +10,24 @@ pub struct ClaimVerdict<'a> {
     pub id: &'a str,
     /// Where it stands.
     pub locus: &'a str,
-    /// How many times it has which verdict: once, or once for each cell.
+    /// How often each verdict occurs: once, or for a table once for each cell with it.
     pub verdicts: BTreeMap<&'static str, usize>,
 }
 
 /// The verdicts that say that a claim does not hold as printed.
 const FAILING: [&str; 3] = ["refuted", "fails", "inexact"];
 
-/// Those that say that it does.
+/// The verdicts that say that a claim holds as printed.
 const HOLDING: [&str; 4] = ["confirmed", "holds", "exact", "proved"];
 
 impl ClaimVerdict<'_> {
-    /// Whether it is shown to hold: of a table, whether all of its cells are.
+    /// Whether the claim is shown to hold: of a table, all of its cells.
     #[must_use]
     pub fn holds(&self) -> bool {
         self.verdicts.keys().all(|verdict| HOLDING.contains(verdict))
     }
 
-    /// Whether it does not hold: of a table, whether one of its cells does not.
+    /// Whether the claim does not hold: of a table, at least one of its cells.
     #[must_use]
     pub fn fails(&self) -> bool {
         FAILING.iter().any(|verdict| self.verdicts.contains_key(verdict))

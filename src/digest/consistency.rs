@@ -1,5 +1,5 @@
-//! Whether the tables of a paper were computed alike: what one needs, against what
-//! another needs.
+//! Contradictions between the tables of a paper: choices and parameters of which two tables, or
+//! parts of tables, need different values.
 
 use crate::claim::Paper;
 use crate::diagnostic::Diagnostic;
@@ -17,7 +17,7 @@ use std::collections::BTreeSet;
 /// be a slip.
 const MAX_LOST: usize = 1;
 
-/// A place whose cells are explained.
+/// A table, or a row or column of one, whose cells are explained.
 struct Explained<'f, 'a> {
     finding: &'f TableFinding<'a>,
     line: Option<Line>,
@@ -38,7 +38,7 @@ pub(crate) fn judge(
     Ok(found)
 }
 
-/// What is explained of a table: all of it, or rows and columns of it.
+/// The explained parts of a table: the whole table, or rows and columns of it.
 fn places<'f, 'a>(finding: &'f TableFinding<'a>) -> Vec<Explained<'f, 'a>> {
     let whole = |by| Explained { finding, line: None, by, needs: &finding.needs };
     if finding.searches().next().is_none() {
@@ -74,7 +74,7 @@ impl Explained<'_, '_> {
     }
 }
 
-/// The choices of which no way suits every place.
+/// The choices without a way that suits every place.
 fn choices(explained: &[Explained<'_, '_>]) -> Vec<Contradiction> {
     let names: BTreeSet<&str> =
         explained.iter().flat_map(|place| place.needs).map(|need| need.about.as_str()).collect();
@@ -84,14 +84,15 @@ fn choices(explained: &[Explained<'_, '_>]) -> Vec<Contradiction> {
 fn one_choice(explained: &[Explained<'_, '_>], name: &str) -> Option<Contradiction> {
     let need =
         |place: &Explained<'_, '_>| place.needs.iter().find(|need| need.about == name).cloned();
-    // Those that every way suits say nothing.
+    // A place that every way suits says nothing.
     let mut left: Vec<(&Explained<'_, '_>, Need)> = explained
         .iter()
         .filter_map(|place| Some((place, need(place)?)))
         .filter(|(_, need)| need.suitable(MAX_LOST).len() < need.ways.len())
         .collect();
     let mut sides = Vec::new();
-    // The way that suits most places takes them, then the next one.
+    // The way that suits most places makes one side of them; the remaining places make the next
+    // sides.
     while !left.is_empty() {
         let ways: BTreeSet<Option<Difference>> = left
             .iter()
@@ -102,7 +103,7 @@ fn one_choice(explained: &[Explained<'_, '_>], name: &str) -> Option<Contradicti
             |need: &Need, way: &Option<Difference>| need.suitable(MAX_LOST).contains(&way.as_ref());
         let suited =
             |way: &Option<Difference>| left.iter().filter(|(_, need)| suits(need, way)).count();
-        // Of equally good ones the first.
+        // Of equally good ways the first.
         let way = ways.into_iter().rev().max_by_key(|way| suited(way))?;
         let (here, rest): (Vec<_>, Vec<_>) =
             left.into_iter().partition(|(_, need)| suits(need, &way));
@@ -127,8 +128,8 @@ fn one_choice(explained: &[Explained<'_, '_>], name: &str) -> Option<Contradicti
     Some(Contradiction { about: name.to_owned(), sides })
 }
 
-/// The parameters of which places need different values: each explains fewer cells at
-/// the value that the other one needs.
+/// The parameters of which places need different values: each of two places loses more than one
+/// cell at the value that the other needs.
 fn parameters(
     paper: &Paper,
     explained: &[Explained<'_, '_>],
@@ -178,8 +179,8 @@ fn parameters(
     Ok(found)
 }
 
-/// The value of a parameter at which a place is explained: read otherwise, recovered, stated or
-/// assumed.
+/// The value of a parameter at which a place is explained: solved for, assumed or recovered, or
+/// stated.
 fn own_value(place: &Explained<'_, '_>, judge: &Evaluator<'_>, name: &str) -> Option<Rational> {
     let solved = place.by.and_then(|by| by.solved.iter().find(|solved| solved.name == name));
     let solved = solved.map(|solved| &solved.simplest);

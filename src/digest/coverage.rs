@@ -1,4 +1,4 @@
-//! What of a paper is claimed.
+//! The numbered items of a paper, and the claims about each.
 
 use crate::claim::Item;
 use crate::digest::claims::ClaimVerdict;
@@ -20,7 +20,7 @@ pub enum CoverageState {
     Claimed,
     /// It asserts nothing that can be checked, and the claim file says why.
     Unclaimed,
-    /// Neither.
+    /// No claim names it, and the claim file gives no reason.
     Missing,
 }
 

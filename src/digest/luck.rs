@@ -1,4 +1,4 @@
-//! Which readings give a cell by luck.
+//! Readings that explain a cell by luck.
 
 use crate::claim::{Printed, Promise};
 use crate::exact::Rational;
@@ -6,11 +6,11 @@ use crate::finding::{Explanation, TableFinding};
 use crate::judge::reading::chance::{of_decimal, of_depth};
 
 impl TableFinding<'_> {
-    /// Whether a reading explains the cell at a row and a column, counted from 0, and of the other
-    /// cells that are read with it no more than unrelated numbers would: at most Σ p_i of them,
-    /// where p_i is how likely an unrelated value becomes the i-th printed number
-    /// (`proofs/THEOREMS.md`, 51). A cell that is read alone tells nothing, and what was found to be
-    /// the reading of the table, or of the row or column of the cell, is no luck.
+    /// Whether a reading explains the cell at a row and a column, counted from 0, by luck. It does
+    /// if it explains at most Σ p_i of the other cells of this kind, where p_i is the likelihood
+    /// that an unrelated value becomes the i-th printed number (`proofs/THEOREMS.md`, 51). It does
+    /// not if there are no other cells of this kind, or if it was found to be the reading of the
+    /// table, or of the row or column of the cell.
     ///
     /// # Panics
     /// When there is no such cell, or the reading is one of another table.

@@ -1,5 +1,5 @@
-//! What follows from findings: how claims stand, a summary of cells, what is covered, contradictions
-//! between tables, and errata.
+//! What follows from findings: how claims stand, a summary of cells, the coverage of a paper,
+//! contradictions between tables, and errata.
 
 mod cause;
 pub(crate) mod claims;

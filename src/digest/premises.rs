@@ -1,18 +1,19 @@
-//! What theorems rest on, and whether that holds.
+//! The premises of theorems, and whether they hold.
 
 use crate::claim::Theorem;
 use crate::digest::claims::ClaimVerdict;
 use crate::finding::{FailingPremise, PaperAudit, TheoremFinding, TheoremVerdict};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Finds what the theorems rest on that does not hold, when all claims are judged.
+/// Finds the premises of theorems that do not hold, after all claims are judged.
 pub(crate) fn premises(audit: &mut PaperAudit<'_>) {
     let mut findings = std::mem::take(&mut audit.theorems);
     find(audit, &mut findings);
     audit.theorems = findings;
 }
 
-/// Finds the claims that do not hold and that theorems rest on.
+/// Lists for each theorem the claims on which it rests and that do not hold. A proof by hand is
+/// dropped if a claim that it uses is not shown to hold.
 fn find<'a>(audit: &PaperAudit<'a>, findings: &mut [TheoremFinding<'a>]) {
     let theorems = &audit.paper.theorems;
     let by_id: BTreeMap<&str, &Theorem> = theorems.iter().map(|t| (t.id.as_str(), t)).collect();
@@ -22,7 +23,7 @@ fn find<'a>(audit: &PaperAudit<'a>, findings: &mut [TheoremFinding<'a>]) {
         ClaimVerdict { id, locus, verdicts: BTreeMap::from([(finding.verdict.name(), 1)]) }
     }));
     for finding in findings {
-        // A proof by hand is none while a claim that it uses is not shown to hold.
+        // A proof by hand counts only if every claim that it uses is shown to hold.
         if let Some(hand) = &finding.theorem.by_hand
             && finding.refutation.is_none()
             && !hand.uses.iter().all(|id| judged.iter().any(|c| c.id == id && c.holds()))
@@ -37,7 +38,7 @@ fn find<'a>(audit: &PaperAudit<'a>, findings: &mut [TheoremFinding<'a>]) {
     }
 }
 
-/// The ids of what a theorem rests on, at once or through other theorems.
+/// The ids of the claims on which a theorem rests, directly or through other theorems.
 fn closure<'a>(theorem: &'a Theorem, by_id: &BTreeMap<&str, &'a Theorem>) -> BTreeSet<&'a str> {
     let mut closure = BTreeSet::new();
     let mut waiting = vec![theorem];

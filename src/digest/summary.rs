@@ -1,11 +1,11 @@
-//! What the cells of a paper's tables amount to.
+//! A summary of the cells of a paper's tables.
 
 use crate::digest::cause::Cause;
 use crate::finding::{CellFinding, Missing, PaperAudit, Verdict};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
-/// What became of a cell: the verdicts, with those that a cause explains together.
+/// The standing of a cell: its verdict, where another rounding and another reading count as one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Standing {
     /// As printed.
@@ -37,13 +37,12 @@ impl Standing {
     }
 }
 
-/// What became of a cell, and by which cause: the reading that explains it, or what
-/// is absent.
+/// The standing of a cell, and its cause: the reading that explains it, or what is absent.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct CellOutcome {
-    /// What became of it.
+    /// The standing.
     pub standing: Standing,
-    /// Why; `None` where there is nothing to say.
+    /// The cause; `None` where there is nothing to say.
     pub cause: Option<Cause>,
 }
 
@@ -52,7 +51,7 @@ pub struct CellOutcome {
 pub struct CellGroup {
     /// The outcome.
     pub outcome: CellOutcome,
-    /// What it would be if the values put in for unstated parameters were stated.
+    /// The outcome if the values put in for unstated parameters were stated.
     pub if_assumed: Option<CellOutcome>,
     /// How many cells.
     pub count: usize,
@@ -94,14 +93,14 @@ impl CellSummary {
 }
 
 impl CellFinding {
-    /// What became of the cell.
+    /// The standing of the cell, and its cause.
     #[must_use]
     pub fn outcome(&self) -> CellOutcome {
         self.as_outcome(&self.verdict)
     }
 
-    /// What would become of it if the values put in for unstated parameters were
-    /// stated; `None` where none were.
+    /// The outcome if the values put in for unstated parameters were stated; `None` where none were
+    /// put in.
     #[must_use]
     pub fn outcome_if_assumed(&self) -> Option<CellOutcome> {
         self.verdict_if_assumed.as_ref().map(|verdict| self.as_outcome(verdict))
@@ -119,7 +118,7 @@ impl CellFinding {
             Verdict::Misprint(_) => (Standing::Misprinted, Some(Cause::slip(read()))),
             Verdict::Refuted => (Standing::Refuted, self.undefined.clone().map(Cause::Undefined)),
             Verdict::NotCheckable(missing) => {
-                // Of a lost cell, nothing else matters.
+                // A lost cell has no other cause.
                 let missing = self.printed.as_ref().map_or(&Missing::Cell, |_| missing);
                 (Standing::NotCheckable, Some(Cause::Missing(missing.clone())))
             }

@@ -8,22 +8,22 @@ use crate::scheme::Mask;
 /// one would check it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ByHand {
-    /// The mask, or those of both factors of a tensor product, at the offsets at which they are
-    /// compared with their limit; none of a ring.
+    /// The mask, or the masks of both factors of a tensor product, at the offsets at which they are
+    /// compared with their limit; empty for a ring.
     pub masks: Vec<Mask>,
     /// The constants in the bound.
     pub constants: Vec<HandConstant>,
     /// The bound with all numbers put in.
     pub bound: String,
-    /// c and T_c < 1 of a curve, so that its polygons converge.
+    /// For a distance of a curve, c and T_c < 1, which show that its polygons converge.
     pub contraction: Option<(u32, Rational)>,
-    /// How limit values of a curve come about, where it is about a distance.
+    /// For a distance of a curve, the weights that give its limit values.
     pub weights: Option<LimitWeights>,
-    /// The refined points of a curve that matter, by levels from 1 on.
+    /// The refined points of a curve that the computation needs, by level, from level 1 on.
     pub refined: Vec<(u32, Vec<(i64, Rational)>)>,
-    /// Of a curve, the two values whose difference is bounded.
+    /// For a curve, the two values whose difference is bounded.
     pub sides: Option<[Combination; 2]>,
-    /// What is not here.
+    /// What is left out, if anything is.
     pub left_out: Option<LeftOut>,
 }
 
@@ -36,7 +36,7 @@ pub struct HandConstant {
     pub formula: String,
     /// Its value.
     pub value: RealCyclotomic,
-    /// The cell of a table of the paper that prints it, and is confirmed.
+    /// A confirmed cell of the paper that prints the constant, if there is one.
     pub cell: Option<HandCell>,
 }
 
@@ -51,7 +51,7 @@ pub struct HandCell {
     pub printed: String,
 }
 
-/// What would be too long.
+/// What is left out because it would be too long.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LeftOut {
     /// The refined points of a net, and its limit.

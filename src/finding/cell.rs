@@ -5,7 +5,7 @@ use crate::finding::promise::Kept;
 use crate::finding::reading::{Difference, Explanation, Solved, differs};
 use std::fmt;
 
-/// The verdict of a number.
+/// The verdict on a printed number.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Verdict {
@@ -92,17 +92,15 @@ pub enum Slip {
         /// What would be right.
         correct: char,
     },
-    /// Two neighbouring digits are exchanged; the first of them, counted from 1.
+    /// Two neighbouring digits are exchanged; this is the place of the first, counted from 1.
     Swap(usize),
-    /// The decimal point is off by so many places to the right.
+    /// The decimal point is this many places too far to the right.
     Exponent(i32),
     /// The sign is wrong.
     Sign,
-    /// The number is that of a neighbouring cell: how many rows down and columns
-    /// to the right.
+    /// The number is that of the cell this many rows down and columns to the right.
     Neighbour(i32, i32),
-    /// The number is exchanged with that of a neighbouring cell: how many rows down
-    /// and columns to the right.
+    /// The number is exchanged with that of the cell this many rows down and columns to the right.
     Exchanged(i32, i32),
 }
 
@@ -144,7 +142,7 @@ pub enum Missing {
     Cell,
     /// The paper does not state these parameters.
     Parameters(Vec<String>),
-    /// The value is beyond the caps of this program: which one.
+    /// The value is beyond a cap of this program; the text says which.
     Capacity(String),
 }
 
@@ -160,11 +158,11 @@ impl fmt::Display for Missing {
     }
 }
 
-/// Parameters that the paper leaves open, and the values that were put in for
-/// them to have something to show.
+/// Parameters that the paper does not state, with the values that were assumed or recovered for
+/// them.
 pub type Assumed = Vec<(String, Rational)>;
 
-/// What holds whatever the verdict is: the sound value of a bound or depth.
+/// The sound value of a bound or depth, whatever the verdict is.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Sound {
     /// A depth.
@@ -174,8 +172,7 @@ pub enum Sound {
         /// The block length c of that bound.
         block: u32,
     },
-    /// Of a ring: the least level, exactly, that meets the tolerance, and so do all later
-    /// ones.
+    /// Of a ring: the least level, exactly, from which on all levels meet the tolerance.
     Least(u32),
     /// An upper bound of the distance.
     Bound(Rational),
@@ -183,27 +180,27 @@ pub enum Sound {
     None(String),
 }
 
-/// A cell as another reading than the printed one has it.
+/// A cell under another reading than the printed one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AsRead {
     /// How the reading differs from the printed text.
     pub differences: Vec<Difference>,
     /// The parameters that were solved for.
     pub solved: Vec<Solved>,
-    /// How this cell alone is rounded, where it is not as the reading has it.
+    /// The rounding of this cell, where it is not that of the reading.
     pub rounded: Option<Direction>,
-    /// The value that it gives.
+    /// The value of the cell under the reading.
     pub value: RealCyclotomic,
 }
 
 impl AsRead {
-    /// Whether it is a reading.
+    /// Whether the cell is read by this reading.
     #[must_use]
     pub fn is(&self, reading: &Explanation) -> bool {
         self.differences == reading.differences && self.solved == reading.solved
     }
 
-    /// How it differs from the printed text, in words.
+    /// How the reading differs from the printed text, in words.
     #[must_use]
     pub fn differs(&self) -> String {
         let differs = differs(&self.differences, &self.solved);
@@ -220,34 +217,35 @@ pub struct CellFinding {
     pub locus: String,
     /// The cell as printed; `None` when it is lost.
     pub printed: Option<String>,
-    /// Why the number read is not the text printed, when it is not.
+    /// Why the number that was read is not the printed text, where they differ.
     pub note: Option<String>,
     /// The verdict.
     pub verdict: Verdict,
     /// The value of the printed definition, if it has one.
     pub exact: Option<RealCyclotomic>,
-    /// The reading that explains the cell, or that it is a slip away from.
+    /// The reading that explains the cell, or from whose value the cell is one slip away.
     pub as_read: Option<AsRead>,
-    /// Why it has none.
+    /// Why the printed definition has no value here, where it has none.
     pub undefined: Option<String>,
-    /// The values, assumed or recovered, at which `exact` and `sound` were computed though the
-    /// paper does not state them; empty when all are stated.
+    /// The values, assumed or recovered, of parameters that the paper does not state and at which
+    /// `exact` and `sound` were computed; empty when all are stated.
     pub assumed: Assumed,
-    /// A parameter that it needs, and of which no value is known.
+    /// A parameter that the value needs and that has no known value.
     pub unknown: Option<String>,
-    /// What the verdict would be if these values were stated; `None` where all are, or the cell is
-    /// reproduced.
+    /// The verdict if the assumed values were stated; `None` where all values are stated, or the
+    /// cell is reproduced.
     pub verdict_if_assumed: Option<Verdict>,
     /// The sound value, for a bound or a depth.
     pub sound: Option<Sound>,
-    /// Whether the printed number keeps its promise under the printed formula.
+    /// Whether the printed number is at least the value of the printed formula, of a depth rounded
+    /// up.
     pub kept_by_formula: Option<bool>,
-    /// Whether the sound bound shows that it keeps its promise.
+    /// Whether the printed number is at least the sound value, so that it keeps its promise.
     pub kept_by_sound: Option<bool>,
-    /// Whether it keeps it for all control data.
+    /// Whether the printed number keeps its promise for all control data.
     pub kept: Option<Kept>,
-    /// Of curves and nets, where it does not with the points at i/n^k: whether it does with each at
-    /// its natural parameter.
+    /// For curves and nets, if it is not shown to keep its promise with the points at i/n^k:
+    /// whether it does with each point at its natural parameter.
     pub kept_naturally: Option<Kept>,
 }
 
@@ -269,25 +267,25 @@ impl CellFinding {
         self.assumed.is_empty() && self.unknown.is_none()
     }
 
-    /// Which cells of its table it is read with.
+    /// The kind of cells of the table with which this cell is read.
     #[must_use]
     pub fn kind(&self) -> CellKind {
         if self.is_plain() { CellKind::Plain } else { CellKind::Assumed }
     }
 
-    /// Whether it makes a promise of which it is not known that it keeps it.
+    /// Whether the cell makes a promise and it is not known whether it keeps the promise.
     #[must_use]
     pub fn may_break_promise(&self) -> bool {
         self.printed.is_some() && self.sound.is_some() && self.keeps_promise().is_none()
     }
 }
 
-/// Which cells of a table are read together.
+/// A kind of cells of a table. Cells of different kinds are read separately.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CellKind {
-    /// Those whose value as printed needs no assumption.
+    /// The cells whose value as printed needs no assumption.
     Plain,
-    /// Those that need one.
+    /// The cells whose value as printed needs assumed or recovered parameters.
     Assumed,
 }
 

@@ -51,14 +51,14 @@ pub struct TablePart {
     pub table: String,
     /// The row or column, where it is not the whole table.
     pub line: Option<Line>,
-    /// How many cells are explained with what it needs.
+    /// How many of its cells are explained with what this side needs.
     pub explained: usize,
-    /// How many at most with what another side needs.
+    /// How many of its cells at most are explained with what another side needs.
     pub otherwise: usize,
 }
 
 impl TablePart {
-    /// The table of a paper that it is in.
+    /// The table of the paper to which it belongs.
     #[must_use]
     pub fn table_of<'p>(&self, paper: &'p Paper) -> Option<&'p Table> {
         paper.tables.iter().find(|table| table.id == self.table)

@@ -18,7 +18,7 @@ pub struct EquationFinding<'a> {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum EquationVerdict {
-    /// Both sides are equal, in all of this many cases.
+    /// Both sides are equal in all cases.
     Holds {
         /// The number of combinations of the indices.
         cases: usize,
@@ -27,12 +27,12 @@ pub enum EquationVerdict {
     Fails {
         /// The number of combinations of the indices.
         cases: usize,
-        /// Those where the sides differ.
+        /// The cases in which the sides differ.
         failures: Vec<Failure>,
-        /// Changes of one symbol with which it holds in all cases.
+        /// Changes of one symbol after which the equation holds in all cases.
         mends: Vec<String>,
     },
-    /// Something that it needs is absent: what.
+    /// The equation needs something that is absent; the text says what.
     NotCheckable(String),
 }
 

@@ -13,8 +13,8 @@ pub struct Later {
     pub block: u32,
 }
 
-/// What proves a bound at all levels: by(k + period) = ratio·by(k), T_c ≤ ratio^times for c = times·period,
-/// and the bound holds at so many levels.
+/// What proves a bound at all levels: by(k + p) = q·by(k) for every k, T_c ≤ q^j for c = j·p, and
+/// the bound holds at c levels, from its first one on.
 ///
 /// Source: `proofs/THEOREMS.md`, 40.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,24 +25,26 @@ pub struct Levels {
     pub ratio: RealCyclotomic,
     /// j.
     pub times: u32,
-    /// What shows that the bound holds at the levels; or why certificates have no words for it.
+    /// What shows that the bound holds at these levels; the error says why certificates cannot
+    /// express it.
     pub evidence: Result<LevelEvidence, String>,
 }
 
 /// What shows that a bound holds at finitely many levels.
 #[derive(Clone, Debug, PartialEq)]
 pub enum LevelEvidence {
-    /// The suprema are finite maxima.
+    /// Nothing more: the suprema are maxima of finitely many values.
     Suprema,
-    /// Of each level a later one whose sound bound, with how far it is, is small enough.
+    /// For each level a later one, such that the sound bound there and the distance between both
+    /// levels are together small enough.
     Later(Vec<Later>),
-    /// Flows along the edges of a ring that cost little enough.
+    /// Flows along the edges of a ring whose costs are small enough.
     Flows {
-        /// Of a distance, the weights of the limit.
+        /// For a distance, the weights of the limit.
         weights: Vec<RealCyclotomic>,
-        /// For T_c one for each edge.
+        /// The flows that bound T_c, one for each edge.
         contraction: Vec<Vec<RealCyclotomic>>,
-        /// For each level one for each point, or of a difference for each edge.
+        /// For each level its flows: one for each point, or for a difference one for each edge.
         levels: Vec<Vec<Vec<RealCyclotomic>>>,
     },
 }

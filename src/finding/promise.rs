@@ -9,7 +9,7 @@ use std::ops::Add;
 pub enum Kept {
     /// It does.
     Yes,
-    /// It does not for these.
+    /// It does not for these data.
     No(Box<Broken>),
     /// Not decided, and why.
     Open(String),
@@ -20,13 +20,13 @@ pub enum Kept {
 pub struct Broken {
     /// Data of spread 1, and the place where they are too far from their limit.
     pub attained: Attained,
-    /// β, of the data times β.
+    /// β; the data that break the promise are those of spread 1 times β.
     pub spread: Rational,
     /// k.
     pub level: u32,
     /// The distance of the data times β from their limit at that place and level.
     pub distance: RealCyclotomic,
-    /// What it was promised to be at most.
+    /// The promised bound of this distance.
     pub most: Rational,
 }
 

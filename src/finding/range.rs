@@ -58,7 +58,8 @@ impl RangeVerdict {
 pub struct EndFinding {
     /// The end as printed.
     pub printed: String,
-    /// The nearest end of this side of the exact set; `None` when it has none.
+    /// The end of the exact set on this side that is nearest to the printed one; `None` when the
+    /// exact set is unbounded or empty on this side.
     pub exact: Option<RealAlgebraic>,
     /// How the printed end came from the exact one.
     pub relation: EndRelation,

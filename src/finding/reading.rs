@@ -33,7 +33,7 @@ impl Line {
 pub struct LineReading {
     /// The row or column.
     pub line: Line,
-    /// How many of its cells were left over.
+    /// How many of its cells the reading of the whole table leaves unexplained.
     pub cells: usize,
     /// Where the values stand that are printed in it: (0, 0) in place, (0, 1) in the
     /// next column, (1, 0) in the next row.
@@ -43,9 +43,9 @@ pub struct LineReading {
     pub tried: usize,
     /// The reading, of equally good ones the first.
     pub best: Explanation,
-    /// How many readings would do as well on unrelated numbers, at most.
+    /// An upper bound of how many readings would explain as many cells by luck.
     pub chance: Rational,
-    /// What its cells need.
+    /// How many cells each way of each choice explains.
     pub needs: Vec<Need>,
 }
 
@@ -90,7 +90,7 @@ pub struct Solved {
 /// The most differences from the printed text that a reading may have.
 pub const MAX_DIFFERENCES: usize = 4;
 
-/// The name of quantities from other places of a paper, among what readings differ in.
+/// The name, in the list of what readings differ in, of quantities from another place of a paper.
 pub(crate) const COPIED: &str = "a quantity from another place of the paper";
 
 /// A respect in which a reading differs from the printed text.
@@ -138,7 +138,7 @@ impl Difference {
         }
     }
 
-    /// The value of the parameter, where it is one.
+    /// The value of the parameter, where the difference is one.
     #[must_use]
     pub fn value(&self) -> Option<&Rational> {
         match self {
@@ -198,14 +198,15 @@ impl Explanation {
         differs(&self.differences, &self.solved)
     }
 
-    /// The better, the more cells it explains, and of those the fewer differences.
+    /// The rank of a reading: by the number of cells that it explains, then by the fewest
+    /// differences.
     pub(crate) fn rank(&self) -> (usize, Reverse<usize>) {
         (self.count(), Reverse(self.differences.len()))
     }
 }
 
 impl Search {
-    /// How many cells are explained by the reading that was found, or, without one, as printed.
+    /// How many cells are explained by the reading that was found; as printed, if none was found.
     pub(crate) fn explained(&self) -> usize {
         self.best.first().map_or(self.as_printed, Explanation::count)
     }
@@ -220,27 +221,26 @@ impl Search {
 /// What a search has found.
 #[derive(Clone, Debug)]
 pub struct Search {
-    /// How many readings were compared, every scale that someone would choose counted; those that take
-    /// a quantity from another place only where the others leave cells.
+    /// How many readings were compared; every simple scale counts as one. Readings that take a
+    /// quantity from another place are compared only where the others leave cells unexplained.
     pub tried: usize,
-    /// What they differ in.
+    /// The choices, definitions and quantities in which the readings differ.
     pub choices: Vec<String>,
     /// Whether readings were compared that take a quantity from another place of the paper, since
-    /// the others leave cells.
+    /// the others leave cells unexplained.
     pub elsewhere: bool,
     /// How many cells are printed.
     pub cells: usize,
     /// How many cells the printed definition explains.
     pub as_printed: usize,
-    /// How many cells the best of the readings explain, be it by luck.
+    /// How many cells the best readings explain, even if only by luck.
     pub most: usize,
-    /// The readings that explain most cells, with the fewest differences; empty when luck
-    /// could, and, of cells whose parameters are all stated, when none explains more than the
-    /// printed definition. Of cells with recovered parameters the printed definition is a reading
-    /// like others.
+    /// The readings that explain most cells, with the fewest differences; empty if they may be
+    /// luck. For cells whose parameters are all stated, it is also empty if no reading explains
+    /// more than the printed definition. For cells with recovered parameters, the printed
+    /// definition is a reading like the others.
     pub best: Vec<Explanation>,
-    /// How many readings would do as well as those that explain most on unrelated
-    /// numbers, at most.
+    /// An upper bound of how many readings would explain as many cells by luck.
     pub chance: Rational,
     /// The readings of rows and columns for the cells that `best` leaves.
     pub lines: Vec<LineReading>,

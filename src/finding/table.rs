@@ -31,8 +31,9 @@ pub struct TableFinding<'a> {
     pub table: &'a Table,
     /// Its cells, row by row.
     pub cells: Vec<Vec<CellFinding>>,
-    /// The search for the reading that it was computed by, unless every cell is as
-    /// printed: of the cells that need no assumptions, if there are any.
+    /// The search for the reading by which the table was computed; `None` if every cell is as
+    /// printed. It is about the cells that need no assumptions or, if there are none, about all
+    /// cells.
     pub search: Option<Search>,
     /// Where some cells need assumptions and others do not, the search for the reading of the cells
     /// that do.

@@ -26,13 +26,13 @@ pub enum Correction {
         /// What the claim file says of it.
         label: String,
     },
-    /// A power of the constant for each block of levels.
+    /// The bound takes one power of the constant for each block of levels.
     Block,
-    /// Of a distance, the steps of all levels of a block.
+    /// For a distance, the bound sums the steps of all levels of a block.
     AllSteps,
-    /// The greatest of what the levels of a block contribute.
+    /// For a step or a difference, the bound takes the greatest factor of the levels of a block.
     Greatest,
-    /// Polygon and limit compared at the offset that serves the scheme best.
+    /// Polygon and limit are compared at the offset that serves the scheme best.
     Centred,
 }
 
@@ -102,7 +102,7 @@ impl TheoremVerdict {
     }
 }
 
-/// A case, and what the theorem is there.
+/// A case, and the outcome of trying the theorem there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CaseFinding {
     /// The scheme and the values.
@@ -128,11 +128,11 @@ pub struct Refutation {
     pub supremum: Option<Supremum>,
     /// The sound block bound of the distance, at this level.
     pub sound: Option<RealCyclotomic>,
-    /// What is so with each point at its natural parameter; `None` for differences, and where the
-    /// points of all cases are there, as those of rings.
+    /// The result with each point at its natural parameter; `None` for differences, and where the
+    /// points of all cases are at their natural parameters already, as those of rings.
     pub natural: Option<Naturally>,
-    /// What is so in every shift of the parameter; `None` for differences and for rings, where there is
-    /// no parameter.
+    /// The result in every shift of the parameter; `None` for differences, and for rings, which
+    /// have no parameter.
     pub every_shift: Option<EveryShift>,
 }
 
@@ -140,7 +140,7 @@ pub struct Refutation {
 /// for every real number s, of nets for every pair of them.
 #[derive(Clone, Debug, PartialEq)]
 pub enum EveryShift {
-    /// It is, by the same data in all of them.
+    /// It is refuted, by the same data in all shifts.
     Refuted {
         /// The scheme and the values, in a few words.
         case: String,
@@ -151,16 +151,17 @@ pub enum EveryShift {
         /// The data.
         data: Box<Unshiftable>,
     },
-    /// It is not: at the natural parameters it holds at the levels that were looked at.
+    /// It is not refuted: with the points at their natural parameters, it holds at the levels that
+    /// were looked at.
     Holds,
     /// Neither is known.
     Open,
 }
 
-/// What a refuted theorem is with each point at its natural parameter.
+/// The result for a refuted theorem with each point at its natural parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Naturally {
-    /// It is false there too.
+    /// It is refuted there too.
     Refuted {
         /// The scheme and the values, in a few words.
         case: String,
@@ -170,12 +171,12 @@ pub enum Naturally {
         values: Vec<(String, Rational)>,
         /// The data.
         violation: Box<Violation>,
-        /// Whether certificates have words for it.
+        /// Whether certificates can express it.
         certifiable: bool,
     },
-    /// It is false there, by the data that show it for every shift; others are not known.
+    /// It is refuted there by the data that refute it in every shift; no other data are known.
     AsInEveryShift,
-    /// Nothing that it was tried on exceeds the bound: it holds at the levels that were looked at.
+    /// No case exceeds the bound: it holds at the levels that were looked at.
     Holds,
     /// Neither is known.
     Open,
@@ -206,7 +207,7 @@ pub enum Outcome {
     Refuted(Box<Violation>),
     /// It holds at every level.
     Proved,
-    /// It holds at the levels up to this one, and later ones are not shown to exceed it.
+    /// The bound holds at the levels up to this one, and no later level is shown to exceed it.
     UpTo(u32),
     /// Nothing is known, for this reason.
     Unknown(String),

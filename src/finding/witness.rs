@@ -46,15 +46,15 @@ pub struct Attained {
 pub enum Control {
     /// A piece of a control polygon.
     Polygon(ExtremalPolygon),
-    /// A piece of a control net, row by row; every other point is where the nearest one
-    /// of the piece is.
+    /// A piece of a control net, row by row; every other point has the value of the nearest point
+    /// of the piece.
     Net {
         /// The indices of the first point.
         first: [i64; 2],
         /// The rows.
         rows: Vec<Vec<i64>>,
     },
-    /// Points by their names.
+    /// The points of a ring, each with its name.
     Points(Vec<(String, i64)>),
 }
 
@@ -69,14 +69,14 @@ pub enum Place {
     Point(i64),
     /// |x^k_{i+1} − x^k_i| at this i.
     Difference(i64),
-    /// The step to the point of a net of these indices, at level k + 1.
+    /// |x^{k+1}_{i,j} − P^k(i/n^{k+1}, j/n^{k+1})| at these i, j.
     Points([i64; 2]),
-    /// The difference of a net at the point of these indices of level k, along the first
-    /// or the second index (0 or 1).
+    /// |x^k_{i+1,j} − x^k_{i,j}| at these i, j for the axis 0, and |x^k_{i,j+1} − x^k_{i,j}| for
+    /// the axis 1.
     Along([i64; 2], usize),
-    /// At a point of this name.
+    /// At the point of a ring with this name.
     Named(String),
-    /// At the edge between the points of these names.
+    /// At the edge of a ring between the points with these names.
     Edge([String; 2]),
 }
 

@@ -14,23 +14,22 @@ pub struct Consequences<'e, 'a> {
     pub smaller: usize,
     /// How many are larger.
     pub larger: usize,
-    /// How many printed depths or bounds do not keep their promise by the printed
-    /// formula.
+    /// How many printed depths or bounds are less than the printed formula needs for their promise.
     pub broken_by_formula: usize,
-    /// How many keep it for all control data.
+    /// How many printed depths or bounds keep their promise for all control data.
     pub kept: usize,
-    /// How many do not.
+    /// How many break their promise for some control data.
     pub broken: usize,
-    /// Of how many it is not known.
+    /// Of how many it is not known whether they keep their promise.
     pub open: usize,
     /// Loci of the tables, ranges and theorems whose formula uses the definition.
     pub used_by: Vec<&'a str>,
-    /// The theorems that rest on it, at once or through others.
+    /// The theorems that rest on the claim, directly or through other theorems.
     pub theorems: Vec<&'e TheoremFinding<'a>>,
 }
 
 impl Consequences<'_, '_> {
-    /// Whether something that the paper concludes changes.
+    /// Whether anything follows for what the paper concludes.
     #[must_use]
     pub fn any(&self) -> bool {
         self.broken_by_formula + self.broken + self.open > 0
@@ -98,7 +97,7 @@ impl<'a> PaperAudit<'a> {
     }
 }
 
-/// The sign of what is printed less the exact value.
+/// The sign of the printed number less the exact value.
 fn difference_sign(cells: &CellErratum<'_, '_>, at: (usize, usize)) -> Option<i8> {
     let printed = cells.finding.table.cells[at.0][at.1].printed()?.decimal.value();
     let exact = cells.finding.cells[at.0][at.1].exact.as_ref()?;

@@ -31,9 +31,9 @@ pub struct Errata<'e, 'a> {
 /// Something that is wrong.
 #[derive(Debug)]
 pub struct Erratum<'e, 'a> {
-    /// What.
+    /// What is wrong.
     pub subject: Subject<'e, 'a>,
-    /// What it changes.
+    /// What follows from it.
     pub consequences: Consequences<'e, 'a>,
 }
 
@@ -59,8 +59,8 @@ pub struct CellErratum<'e, 'a> {
     pub finding: &'e TableFinding<'a>,
     /// Their outcome.
     pub outcome: CellOutcome,
-    /// Whether their digits are those of the printed definition, so that only their promise is not
-    /// kept, or not shown to be.
+    /// Whether their digits are those of the printed definition. Then the cells are errata only
+    /// since they break their promise, or are not shown to keep it.
     pub as_defined: bool,
     /// Their places: row and column, counted from 0.
     pub cells: Vec<(usize, usize)>,
@@ -171,7 +171,7 @@ impl<'a> Erratum<'_, 'a> {
     }
 }
 
-/// The cells of a table by what puts them together.
+/// The places of a table's cells, grouped by a key; cells without a key are left out.
 fn grouped<'e, K: Ord>(
     finding: &'e TableFinding<'_>,
     key: impl Fn(&'e CellFinding, Option<&'e Printed>) -> Option<K>,
@@ -197,7 +197,7 @@ fn cell_errata<'e, 'a>(finding: &'e TableFinding<'a>) -> Vec<CellErratum<'e, 'a>
             Standing::Explained | Standing::Misprinted | Standing::Refuted => false,
         };
         let fails = cell.keeps_promise() == Some(false) || cell.may_break_promise();
-        // Of right digits no reading needs to be told.
+        // Cells with the right digits need no reading as a cause.
         let values = Cause::recovered(&cell.assumed, None);
         let cause = if as_defined { cause.map(|_| values) } else { cause };
         (fails || !as_defined).then_some((CellOutcome { standing, cause }, as_defined))
@@ -227,7 +227,7 @@ impl<'e> Unchecked<'e, '_> {
         self.cells.iter().map(|&(row, column)| &self.finding.cells[row][column])
     }
 
-    /// What would become of them if the values put in were stated.
+    /// The outcomes of these cells if the values put in were stated.
     #[must_use]
     pub fn if_assumed(&self) -> CellSummary {
         CellSummary::of(self.findings())
