@@ -67,7 +67,7 @@ impl Comparison<'_> {
             }
             scope
         };
-        // A family of which all members that occur are given is no symbol itself.
+        // The members of a family that hypotheses name are symbols while these are solved.
         let mut symbols = plain();
         for family in identity.hypotheses.iter().filter_map(Hypothesis::family) {
             symbols = symbols.with_family(family, member);
@@ -75,7 +75,7 @@ impl Comparison<'_> {
         let solved = hypotheses::solve(&identity.hypotheses, &symbols)?;
         let mut scope = plain();
         for (name, value) in solved {
-            // Its value is one of the other symbols: none of a family that is only given.
+            // The value may not depend on a member of a family that only hypotheses name.
             let unknown = value.linear().into_iter().flatten().find(|name| {
                 let family = name.split_once('[').map(|(family, _)| family);
                 family.is_some_and(|family| identity.symbols.iter().all(|known| known != family))

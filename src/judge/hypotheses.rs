@@ -9,8 +9,8 @@ use std::collections::BTreeMap;
 /// What symbols equal in terms of the others.
 pub(crate) type Solved = BTreeMap<String, Polynomial>;
 
-/// What the hypotheses say of symbols, in a context where every member of a family that they name is
-/// a symbol: none of these symbols occurs in the values.
+/// Solves the hypotheses for symbols, in a context in which every member of a family that they name
+/// is a symbol. The symbols that are solved for occur in none of their values.
 ///
 /// Each equation is solved for the member that it names first, or, where the others give this one
 /// already, for the first symbol that is left.

@@ -1,4 +1,4 @@
-//! Bounds at a level by a later level.
+//! Bounds of the distance at a level by the bound of a later level.
 
 use crate::bound::{Constants, Operator, Order, SoundBound};
 use crate::exact::Rational;
@@ -6,18 +6,19 @@ use crate::finding::Later;
 use crate::limit::greatest_change;
 use crate::scheme::Rules;
 
-/// Products of sequences of at most so many coefficients can be looked at class by class.
+/// The most coefficients of a product of sequences whose classes are computed one by one.
 const MAX_LENGTH: u64 = 1 << 16;
 
-/// Whether the product of c sequences is too long for every class to be looked at.
+/// Whether the product of c sequences is too long for computing every class.
 pub(crate) fn is_long(rules: &Rules, c: u32) -> bool {
     let (n, width) = (rules.arity() as u64, rules.width() as u64);
     let last = |classes: u64| (n * width - 1).checked_mul((classes - 1) / (n - 1));
     n.checked_pow(c).and_then(last).is_none_or(|last| last >= MAX_LENGTH)
 }
 
-/// The first level, from this one on, whose sound bound and how far it is from this one are together
-/// `small` enough.
+/// The first level l from `level` to `level` + `longest` for which the sum of the sound bound at l
+/// and of `change(l)` is `small`. `change(l)` bounds the distance of the levels l and `level` from
+/// each other.
 pub(crate) fn later(
     bound: &SoundBound,
     level: u32,
@@ -33,7 +34,7 @@ pub(crate) fn later(
     sums.find(|(sum, _)| small(sum)).map(|(_, later)| later)
 }
 
-/// A bound of ‖P^l − P^k‖ for the spread 1; of a net, of both spreads 1.
+/// A bound of ‖P^l − P^k‖ for data of spread 1; of a net, of spread 1 along both indices.
 ///
 /// Source: `proofs/THEOREMS.md`, 32, with level l in place of the limit.
 pub(crate) fn change(axes: &[&Constants], offset: Option<i64>, k: u32, l: u32) -> Option<Rational> {
@@ -44,7 +45,7 @@ pub(crate) fn change(axes: &[&Constants], offset: Option<i64>, k: u32, l: u32) -
         let mask = constants.mask();
         greatest_change(&mask.with_offset(offset.unwrap_or(mask.offset())), k, l).ok()
     };
-    // Whoever checks it looks at every class.
+    // The checker computes every class.
     let norm = |constants: &Constants, level| {
         let few = !is_long(constants.mask().rules(), level);
         constants.norm(Operator::Scheme, level, Order::Adjoint).ok().filter(|_| few)

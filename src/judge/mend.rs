@@ -1,27 +1,27 @@
-//! Looking for the one symbol that mends a failing identity.
+//! The search for a change of one symbol that mends a failing identity.
 
 use crate::claim::Left;
 use crate::exact::Rational;
 use crate::formula::{Expr, LocatedFormula, Node, Operator};
 use crate::judge::comparison::{Case, Comparison};
 
-/// The most mends that are reported; with more, the identity says too little.
+/// The most changes that are reported; if there are more, the identity says too little.
 const MAX_MENDS: usize = 3;
 
 /// The most changed formulas that are tried.
 const MAX_TRIES: usize = 2_000;
 
-/// The most cases in which changed formulas are compared, all of them together.
+/// The most comparisons of both sides in one case, over all changed formulas.
 const MAX_COMPARISONS: usize = 50_000;
 
 /// The most steps of formulas in all comparisons of changed formulas.
 const MAX_WORK: u64 = 20_000_000;
 
-/// Changes of one symbol in the right side, or in the left side if that is one
-/// formula, with which the identity holds in all cases: a sign, or an integer by 1.
-/// Empty when there is none, or more than three, or nothing is symbolic: between
-/// plain numbers a change that fits is luck. `failing` are the places of the cases
-/// that fail: they are compared first, since nearly every change fails there too.
+/// Changes of one symbol in the right side, or in the left side if that is one formula, with which
+/// the identity holds in all cases: another sign, or an integer changed by 1. Empty if there is
+/// none or more than three, if a cap is reached, or if there are no symbols: between plain numbers,
+/// a change that fits is luck. `failing` are the indices of the cases that fail. They are compared
+/// first, since nearly every change fails there too.
 pub(crate) fn search(
     comparison: &Comparison<'_>,
     cases: &[Case],

@@ -1,5 +1,5 @@
-//! What holds, whatever the verdict: the sound value of a bound or a depth, and whether the
-//! printed one is true for every control polygon.
+//! The sound value of a bound or a depth, whatever its verdict is, and whether the printed number
+//! keeps its promise for every control polygon.
 
 use crate::claim::{Cell, Promise};
 use crate::diagnostic::Diagnostic;
@@ -50,14 +50,14 @@ struct Promised {
 
 impl Promised {}
 
-/// What is compared with its limit.
+/// A scheme whose points are compared with their limit.
 enum Compared {
-    /// At the offset, or at its own.
+    /// Masks, at this offset or at their own.
     Masks(Resolved, Option<i64>),
     LocalRules(Rc<KnownDistances>),
 }
 
-/// What a printed number is promised of.
+/// What is promised of a printed number.
 #[derive(Clone)]
 enum Of {
     /// It is a depth for this tolerance.
@@ -80,7 +80,8 @@ impl Evaluator<'_> {
             Cell::Printed(printed) => Some(printed.decimal.value()),
         };
         if let (Some(printed), Some(exact)) = (&printed, &finding.exact) {
-            // A depth that the definition itself rounds down keeps no promise.
+            // A depth keeps its promise only if it is rounded up, even where the definition rounds
+            // it down.
             let needed = match promise {
                 Promise::Bound { .. } => Outcome::Value(exact.clone()),
                 Promise::Depth { .. } => {
@@ -189,8 +190,8 @@ impl Evaluator<'_> {
         }
     }
 
-    /// Whether the printed number keeps its promise for every control polygon; `None` where the points
-    /// are at their natural parameters already.
+    /// Whether the printed number keeps its promise for every control polygon. `None` if the
+    /// natural parameters are asked for and the points are there already, as those of rings are.
     fn kept(
         promised: &Promised,
         printed: &Rational,
@@ -245,8 +246,8 @@ impl Evaluator<'_> {
     }
 }
 
-/// Whether all control data of spread `spread` are within `most` of their limit at a level, and,
-/// if it is to last, at all later ones.
+/// Whether all control data of spread `spread` are within `most` of their limit at a level and, if
+/// the promise is `lasting`, at all later levels.
 fn keeps(
     distances: &KnownDistances,
     lasting: bool,

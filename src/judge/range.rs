@@ -86,7 +86,8 @@ impl Comparison<'_> {
                         Side::Low => &at - decimal.unit(),
                         Side::High => &at + decimal.unit(),
                     };
-                    // An open printed range would have to begin at the exact end.
+                    // If the paper says that the range is open, its end has to be the exact end
+                    // itself.
                     let last = inside && exact.as_rational() == Some(&outwards) && !belongs;
                     if last && self.claim.closed != Some(false) {
                         EndRelation::LastInside
@@ -126,9 +127,9 @@ impl Comparison<'_> {
         verdict
     }
 
-    /// The range as printed. Where the paper does not say whether an end belongs to
-    /// it, an end that is equal to the exact one does as that does, and any other
-    /// belongs to it.
+    /// The range as printed. Where the paper does not say whether an end belongs to it, an end that
+    /// equals the exact one belongs to it if the exact one belongs to the exact set, and any other
+    /// end belongs to it.
     fn printed(&self, ends: &[Option<EndFinding>; 2]) -> Interval {
         let [low, high] = ends;
         let place = |printed: &Option<Printed>, end: &Option<EndFinding>| {

@@ -1,4 +1,4 @@
-//! The values of the open parameters of a table with which a reading gives most of its cells.
+//! The values of a table's open parameters with which a reading gives most of its cells.
 
 use crate::claim::{Paper, Table};
 use crate::diagnostic::Diagnostic;
@@ -13,9 +13,9 @@ use std::collections::BTreeMap;
 /// Recovered parameters by name.
 pub(crate) type Values = BTreeMap<String, Recovered>;
 
-/// A table judged at values of its open parameters with which a reading gives most of its cells,
-/// so many that it is no luck; `None` where there are none. Each parameter comes with the values
-/// that other tables offer.
+/// The table judged at values of its open parameters with which a reading gives most of its cells,
+/// and so many that it is no luck; `None` where there are no such values. `offers` lists for each
+/// open parameter the values that other tables have for it.
 pub(crate) fn recover<'a>(
     paper: &'a Paper,
     table: &'a Table,
@@ -66,7 +66,7 @@ impl Recovery<'_> {
         self.best.as_ref().map_or(0, |(count, _)| *count)
     }
 
-    /// Solves for one parameter with the others at these values.
+    /// Solves for one parameter at these values of the others, and judges the table there.
     fn solve(&mut self, name: &str, mut others: Values) -> Result<(), Diagnostic> {
         let values = values(&others);
         if let Some(recovered) = solved(self.paper, self.table, &self.library, &values, name) {
@@ -86,11 +86,11 @@ impl Recovery<'_> {
     }
 }
 
-/// The most ways to take what other tables offer.
+/// The most combinations of values that other tables offer.
 const MAX_COMBINATIONS: usize = 8;
 
-/// Every way to take one value of each parameter; none where one has no value, unless there is no
-/// parameter.
+/// Every combination of one offered value for each parameter. There is none if a parameter has no
+/// value; without parameters there is one, the empty one.
 pub(crate) fn combinations(offers: &[(String, Vec<Recovered>)]) -> Vec<Values> {
     let mut all = vec![Values::new()];
     for (name, values) in offers {

@@ -1,4 +1,4 @@
-//! Tables that are judged together, since one can give away what another leaves open.
+//! Tables that are judged together, since the numbers of one may determine a parameter of another.
 
 use crate::claim::{Paper, Promise, Table};
 use crate::diagnostic::Diagnostic;
@@ -12,8 +12,8 @@ use std::collections::BTreeSet;
 /// An error with the place of its table.
 type Placed<T> = Result<T, (usize, Diagnostic)>;
 
-/// The places of a paper's tables in groups: tables about a scheme of the same name are
-/// judged together, since one can give away a parameter of the other.
+/// Groups the tables of a paper, given by their places. Tables about schemes of the same name are
+/// judged together, since the numbers of one may determine a parameter of another.
 pub(crate) fn related(paper: &Paper) -> Vec<Vec<usize>> {
     let mut groups: Vec<(Vec<usize>, BTreeSet<&str>)> = Vec::new();
     for (place, table) in paper.tables.iter().enumerate() {
@@ -37,8 +37,9 @@ pub(crate) fn related(paper: &Paper) -> Vec<Vec<usize>> {
     groups.into_iter().map(sorted).collect()
 }
 
-/// Judges related tables, with their places. Parameters that the paper does not state are recovered:
-/// first in tables that leave one open, then, with what these gave away, in others.
+/// Judges related tables, and gives the findings with their places. Parameters that the paper does
+/// not state are recovered in passes, each of which may use the values that earlier passes have
+/// found.
 ///
 /// # Errors
 /// The first, with the place of its table.
@@ -52,7 +53,7 @@ pub(crate) fn judge_all<'a>(
         finding.map_err(|error| (place, error))
     });
     let mut findings = judged.collect::<Placed<Vec<TableFinding<'a>>>>()?;
-    // What one pass recovers may help the next one.
+    // A pass may recover values that help the next one.
     loop {
         let mut more = false;
         for i in 0..findings.len() {
@@ -76,7 +77,8 @@ pub(crate) fn judge_all<'a>(
     Ok(places.iter().copied().zip(findings).collect())
 }
 
-/// Looks at the whole family of readings where the plain ones leave cells.
+/// Judges a table again by the whole family of readings, if the readings that take nothing from
+/// elsewhere leave cells unexplained.
 fn widen<'a>(paper: &'a Paper, finding: &mut TableFinding<'a>) -> Result<(), Diagnostic> {
     if finding.searches().any(|search| search.explained() < search.cells) {
         let recovered = std::mem::take(&mut finding.recovered);
@@ -85,9 +87,10 @@ fn widen<'a>(paper: &'a Paper, finding: &mut TableFinding<'a>) -> Result<(), Dia
     Ok(())
 }
 
-/// Puts into tables whose own numbers do not give a parameter the value that another table of the
-/// paper gives for the same name, and judges them there. Where the value that most tables
-/// have suits a table as well as its own, it gets that one.
+/// Uses recovered values in other tables. A table whose own numbers do not give a parameter gets
+/// the value that another table of the paper gives for the same name. If most tables have another
+/// value than a table's own, and it suits this table as well, the table gets that value. Tables
+/// that get a value are judged again.
 ///
 /// # Errors
 /// When a formula of the claim file is wrong.
@@ -112,11 +115,11 @@ pub(crate) fn borrow<'a>(
     Ok(())
 }
 
-/// How many cells a table may lose where it gets a value that others have: one, which may be a
-/// slip.
+/// How many cells a table may lose when it gets a value that other tables have. One such cell may
+/// be a slip.
 const MAX_LOST: usize = 1;
 
-/// Takes the value that most tables were solved for in place of a table's own, where it gives as
+/// Replaces a table's own value by the value that most tables were solved for, where this gives as
 /// many cells, or one less.
 fn agree<'a>(
     paper: &'a Paper,
@@ -137,7 +140,7 @@ fn agree<'a>(
         else {
             continue;
         };
-        // Others rest on the value that this table's own numbers give.
+        // The value is kept if another table has taken it over from this one.
         let id = &findings[i].table.id;
         let lends = |other: &TableFinding<'_>| {
             let from = other.recovered.get(&name).map(|recovered| &recovered.from);
@@ -165,8 +168,8 @@ fn missing(finding: &TableFinding<'_>) -> Vec<String> {
     names.filter(|name| !finding.recovered.contains_key(*name)).cloned().collect()
 }
 
-/// The values that suitable other tables gave away of a parameter, of several tables with one value
-/// the first.
+/// The values of a parameter that suitable other tables give by their own numbers. Each value comes
+/// once, from the first table that has it.
 fn offered(
     finding: &TableFinding<'_>,
     all: &[TableFinding<'_>],
@@ -200,14 +203,15 @@ fn recover<'a>(
     });
     let offers: Vec<(String, Vec<Recovered>)> = offers.collect();
     if finding.cells.iter().flatten().all(|cell| cell.printed.is_none()) {
-        // Nothing can be solved for, and nothing contradicts what another table says.
+        // A table without printed numbers determines nothing, and contradicts no value of another
+        // table.
         let values = combinations(&offers).into_iter().next();
         return values.map(|values| judge(paper, table, values, Family::Plain)).transpose();
     }
     recovery::recover(paper, table, &offers)
 }
 
-/// Whether another table is about schemes of this one.
+/// Whether the other table has schemes, all of which occur in this one.
 fn same_scheme(one: &Table, other: &Table) -> bool {
     fn names(table: &Table) -> BTreeSet<&str> {
         table.schemes().flat_map(|located| located.reference.names()).collect()

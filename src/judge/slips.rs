@@ -1,4 +1,5 @@
-//! What readings of a table, and the cells around, make of cells that are not as printed.
+//! The verdicts on cells that are not as printed, by readings of the table and by neighbouring
+//! cells.
 
 use crate::claim::Cell;
 use crate::evaluation::table::Evaluator;
@@ -6,19 +7,19 @@ use crate::exact::Decimal;
 use crate::finding::{AsRead, CellFinding, Explanation, Slip, Values, Verdict};
 use crate::judge::compare;
 
-/// What a reading is of.
+/// The part of a table that a reading is about.
 #[derive(Clone, Copy)]
 pub(crate) enum Part {
     /// The whole table.
     Table,
-    /// A row or column, of which the values stand so many rows down and columns to the
-    /// right. The cells around it are read otherwise.
+    /// A row or column whose values stand so many rows down and columns to the right. The cells
+    /// around it have other readings.
     Line((i32, i32)),
 }
 
 impl Evaluator<'_> {
-    /// What a reading makes of the cells that are not as printed: explained, or a
-    /// slip away from its value.
+    /// Judges the cells that are not as printed by a reading: whether it explains them, or they are
+    /// a slip away from its value.
     pub(crate) fn read_as(
         &self,
         reading: &Explanation,
@@ -62,7 +63,8 @@ impl Evaluator<'_> {
         }
     }
 
-    /// The verdict on a cell for these values of the table, its neighbours regarded.
+    /// The verdict on a cell for these values of the table, including slips that involve its
+    /// neighbours.
     fn slip(&self, printed: &Decimal, values: &Values, row: usize, column: usize) -> Verdict {
         let Some(value) = &values[row][column] else { return Verdict::Refuted };
         match self.exchanged(values, row, column) {
@@ -81,7 +83,7 @@ impl Evaluator<'_> {
             let value = |cell: &CellFinding| cell.exact.clone().filter(|_| counts(cell));
             cells.iter().map(|row| row.iter().map(value).collect()).collect()
         };
-        // What needs assumptions does not count where nothing is assumed.
+        // A cell without assumptions is compared only with neighbours that need none.
         let plain = values(CellFinding::is_plain);
         let all = values(|_| true);
         for (row, findings) in cells.iter_mut().enumerate() {

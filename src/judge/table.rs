@@ -20,8 +20,8 @@ use crate::judge::reading::space::{Family, needed};
 use crate::judge::slips::Part;
 use std::collections::BTreeMap;
 
-/// Judges every cell of a table, with these values of parameters that were recovered, by so much of
-/// the family of readings; its promises apart.
+/// Judges every cell of a table at these recovered values of parameters, by this part of the family
+/// of readings. Its promises are judged by [`judge_promises`].
 pub(crate) fn judge<'a>(
     paper: &'a Paper,
     table: &'a Table,
@@ -59,8 +59,8 @@ pub(crate) fn judge<'a>(
     Ok(finding)
 }
 
-/// From how many values each was taken: those that are as plain, or those that tables of the paper
-/// may have.
+/// The number of candidates for each recovered value: the values that are as plain or, if another
+/// table gave it, the tables of the paper that may give one.
 fn candidates(paper: &Paper, recovered: &BTreeMap<String, Recovered>) -> Candidates {
     let count = |(name, recovered): (&String, &Recovered)| {
         let open = |table: &&Table| table.unstated.get(name).is_some_and(Option::is_none);
@@ -74,7 +74,8 @@ fn candidates(paper: &Paper, recovered: &BTreeMap<String, Recovered>) -> Candida
 }
 
 impl TableFinding<'_> {
-    /// The cells that were given at recovered values, by what is no luck, are reproduced.
+    /// Marks as reproduced the cells that a reading explains at recovered values, if this is no
+    /// luck.
     fn reproduce(&mut self) {
         let search = self.search_of(CellKind::Assumed).cloned();
         let table = self.table;

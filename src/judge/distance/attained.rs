@@ -1,11 +1,12 @@
-//! What control data attain: of rings, and in the words of certificates.
+//! Control data that attain a distance on a ring, and whether certificates can express control
+//! data.
 
 use crate::exact::Rational;
 use crate::finding::{Attained, Control, Place};
 use crate::limit::{LocalWitness, is_fraction, natural_shift};
 use crate::scheme::{LocalRules, Mask};
 
-/// The points of a ring, and the one that is far from its limit.
+/// The control data of a ring, and the point that they leave far from its limit.
 pub(crate) fn at_point(ring: &LocalRules, witness: LocalWitness) -> Attained {
     Attained {
         control: points(ring, &witness.ring),
@@ -19,8 +20,8 @@ pub(crate) fn points(ring: &LocalRules, heights: &[i64]) -> Control {
     Control::Points((0..).zip(heights).map(|(a, x)| (ring.name(a), *x)).collect())
 }
 
-/// Whether certificates have words for what masks attain with the points at their natural parameters:
-/// they take lines to lines, and the place is i/n^m.
+/// Whether certificates can express what data attain with the points at their natural parameters:
+/// the masks map lines to lines, and the place is i/n^m.
 pub(crate) fn has_words(masks: &[&Mask], attained: &Attained) -> bool {
     let places = match &attained.place {
         Place::Parameter(t) => std::slice::from_ref(t),

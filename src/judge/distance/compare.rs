@@ -1,4 +1,5 @@
-//! Whether curves and nets are farther from their limit than a bound, by all means at hand.
+//! Whether curves and nets are farther from their limit than a bound: by search, and by polygons
+//! that are far from their limits.
 
 use crate::exact::Rational;
 use crate::finding::{Attained, Control, Place};
@@ -7,10 +8,11 @@ use crate::limit::{
     Witness, is_fraction,
 };
 
-/// How many levels deeper a place i/n^m is looked for near another one.
+/// How many levels m, from the level of the data on, are tried for a place i/n^m.
 const MAX_FINER: u32 = 20;
 
-/// What a search leaves open may be decided by a polygon that is far from its limit.
+/// Compares the distance constant of a curve at a level with a bound. Where the search leaves this
+/// open, a polygon that is far from its limit may decide it.
 pub(super) fn curve(
     distances: &Distances,
     level: u32,
@@ -34,8 +36,8 @@ pub(super) fn curve(
     })
 }
 
-/// The same at a place i/n^m near by, of which certificates speak; itself where none is soon
-/// found whose distance is above the bound.
+/// The violation at a nearby place i/n^m, which certificates can express; the given one if no such
+/// place is found with a distance above the bound.
 fn at_fraction(distances: &Distances, level: u32, bound: &Rational, found: Attained) -> Attained {
     let Place::Parameter(t) = &found.place else { return found };
     let error = |t: &Rational| distances.error(level, t).ok();
@@ -48,7 +50,8 @@ fn at_fraction(distances: &Distances, level: u32, bound: &Rational, found: Attai
     near.unwrap_or(found)
 }
 
-/// Places i/n^m, of growing m, near those that are no such fractions; none if all are.
+/// For each m from `level` on, these places, where each that is no i/n^l for any l is rounded to
+/// the nearest i/n^m. Empty if no place has to be rounded.
 fn fractions<const K: usize>(
     places: [(&Rational, usize); K],
     level: u32,
@@ -75,7 +78,7 @@ pub(super) fn net(
     level: u32,
     bound: &Rational,
 ) -> Result<Comparison<Attained>, String> {
-    // The search takes longer, and at high levels much longer.
+    // The far net is tried first: the search takes longer, and at high levels much longer.
     if let Some(found) = far_net(limits, distances.shifts(), level, bound) {
         return Ok(Comparison::Exceeds(net_at_fraction(distances, limits, level, bound, found)));
     }
@@ -93,7 +96,7 @@ pub(super) fn net(
     })
 }
 
-/// As [`at_fraction`], of a net.
+/// As [`at_fraction`], for a net.
 fn net_at_fraction(
     distances: &SurfaceDistances,
     limits: &[Limit; 2],
@@ -115,8 +118,8 @@ fn net_at_fraction(
     near.unwrap_or(found)
 }
 
-/// The sum of polygons that are far from their limits along both directions, when its distance,
-/// which is the sum of theirs, is above the bound.
+/// The net a_i + b_j of two polygons that are far from their limits, if its distance from the
+/// limit, which is the sum of theirs, is above the bound.
 fn far_net(
     limits: &[Limit; 2],
     shifts: [&Rational; 2],

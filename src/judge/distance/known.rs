@@ -1,4 +1,4 @@
-//! What is known of the distances of one scheme from its limit.
+//! The known distances of one scheme from its limit.
 
 use crate::bound::Budget;
 use crate::exact::{Rational, RealCyclotomic, comparable};
@@ -13,25 +13,25 @@ use crate::scheme::{LocalRules, Mask};
 use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
 
-/// How many levels are looked at where all later ones are asked for.
+/// The most levels that are looked at to compare a level and all later ones.
 const MAX_LATER: u32 = 24;
 
 /// The most cells that one comparison looks at.
 const MAX_CELLS: u32 = 1 << 13;
 
-/// What is compared with its limit.
+/// A scheme whose points are compared with their limit.
 #[derive(Clone)]
 pub(crate) enum Compared {
     /// A curve scheme at its offset.
     Curve(Mask),
-    /// The tensor product of two at theirs.
+    /// The tensor product of two curve schemes at their offsets.
     Surface([Mask; 2]),
     /// The points around a vertex or on a face.
     LocalRules(LocalRules),
 }
 
-/// The distances of a scheme from its limit for control data of spread 1, with what was found
-/// of them. Promises of tables and theorems ask the same questions.
+/// The distances of a scheme from its limit for control data of spread 1; results are kept.
+/// Promises of tables and theorems ask the same questions.
 ///
 /// Errors are texts that say why there is no answer.
 pub(crate) struct KnownDistances {
@@ -43,7 +43,7 @@ pub(crate) struct KnownDistances {
     suprema: RefCell<BTreeMap<(u32, u32), Result<Supremum, String>>>,
 }
 
-/// Of what they are distances.
+/// The distances, for each kind of scheme.
 enum Of {
     Curve(Box<Distances>),
     Surface(Box<(SurfaceDistances, [Limit; 2])>),
@@ -67,7 +67,7 @@ impl KnownDistances {
         KnownDistances::placed(compared, Parametrisation::Indexed, budget)
     }
 
-    /// The same in either parametrisation.
+    /// As [`KnownDistances::new`], with points in either parametrisation.
     pub(crate) fn placed(
         compared: Compared,
         parametrisation: Parametrisation,
@@ -100,8 +100,9 @@ impl KnownDistances {
         of.as_ref().map_err(Clone::clone)
     }
 
-    /// Compares the distance constant of a level, the supremum over all control data of spread
-    /// 1, with a bound; what exceeds it is a distance that is attained.
+    /// Compares the distance constant of a level, which is the supremum over all control data of
+    /// spread 1, with a bound. If it exceeds the bound, the result has data that attain a greater
+    /// distance.
     pub(crate) fn compare(
         &self,
         level: u32,
@@ -130,8 +131,8 @@ impl KnownDistances {
         Ok(compared)
     }
 
-    /// Compares the distance constants of a level and of all later ones with a bound; of what
-    /// exceeds it, with its level.
+    /// Compares the distance constants of a level and of all later levels with a bound. If one
+    /// exceeds the bound, the result has its level, and data that attain a greater distance.
     pub(crate) fn compare_from(
         &self,
         level: u32,
@@ -157,7 +158,8 @@ impl KnownDistances {
         Err(format!("not shown at all levels from {level} on"))
     }
 
-    /// The distance constant of a level, enclosed up to one of so many parts of it.
+    /// An enclosure of the distance constant of a level; its width is about 1/`parts` of the
+    /// constant.
     pub(crate) fn supremum(&self, level: u32, parts: u32) -> Result<Supremum, String> {
         let of = self.of()?;
         let mut known = self.suprema.borrow_mut();
@@ -199,8 +201,8 @@ impl Of {
         })
     }
 
-    /// Whether a bound that takes no search shows that a level and all later ones are within a
-    /// bound.
+    /// Whether a bound that needs no search shows that the distance constants of a level and of all
+    /// later levels are at most `bound`.
     fn surely(&self, level: u32, bound: &RealCyclotomic) -> bool {
         let Some(bound) = bound.as_rational() else { return false };
         match self {
@@ -210,8 +212,8 @@ impl Of {
         }
     }
 
-    /// A c such that after c levels that are within a bound all later ones are; `None` where none
-    /// is known.
+    /// A c such that if c consecutive levels are within a bound, all later ones are; `None` where
+    /// none is known.
     fn lasting(&self) -> Option<u32> {
         match self {
             Of::Curve(distances) => distances.lasting(),

@@ -5,14 +5,14 @@ use crate::limit::{Later, Limit, Overshoot, Overshoots};
 use crate::scheme::Mask;
 use std::cell::{OnceCell, RefCell};
 
-/// The data of one mask, or of the tensor product of two, whose levels and limit have different
-/// greatest values.
+/// The control data that are tried, for one mask or for the tensor product of two: the greatest
+/// value of a level differs from that of the next level, or of the limit.
 #[derive(Default)]
 pub(crate) struct KnownOvershoots(OnceCell<Option<RefCell<Vec<Overshoots>>>>);
 
 impl KnownOvershoots {
-    /// The data with the greatest difference that is found. `None` where there is none, or
-    /// no exact limit.
+    /// The data with the greatest difference of these two values. `None` where none has been found,
+    /// or where there is no exact limit.
     pub(crate) fn greatest(&self, masks: &[&Mask], level: u32, later: Later) -> Option<Overshoot> {
         let new = || {
             let of = |mask: &&Mask| Overshoots::new(&Limit::new(mask).ok()?).ok();
@@ -21,7 +21,7 @@ impl KnownOvershoots {
         };
         let mut axes = self.0.get_or_init(new).as_ref()?.borrow_mut();
         let found = axes.iter_mut().map(|axis| axis.greatest(level, later));
-        // A net a_i + b_j is above what is later if a and b are.
+        // A net a_i + b_j overshoots in a direction if a and b both do.
         let nets = found.reduce(|one, other| {
             let [above, below] = one;
             let [more_above, more_below] = other;

@@ -1,4 +1,4 @@
-//! The schemes whose distances one claim asks for.
+//! The schemes whose distances one claim needs.
 
 use crate::bound::Budget;
 use crate::evaluation::library::Resolved;
@@ -8,7 +8,7 @@ use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-/// The most steps that searches for the distances of one claim take.
+/// The most steps of all searches for the distances of one claim.
 pub(crate) const MAX_STEPS: u64 = 1_000_000_000;
 
 /// The most that the squares of the numbers of points of the rings of one claim sum to.
@@ -17,13 +17,13 @@ pub(crate) const MAX_LOCAL_SIZE: usize = 600_000;
 /// A scheme, and the offset at which it is compared with its limit, if not its own.
 type SchemeAt = (Vec<Instance>, Option<i64>);
 
-/// The distances that the cells of one table, or the cases of one theorem, ask for. Another claim
-/// has its own: what is found with a limited amount of work for one must not decide what is
-/// found for the other.
+/// The distances that the cells of one table, or the cases of one theorem, need. Each claim has its
+/// own: their work is limited, and what is spent on one claim must not change what is found for
+/// another.
 pub(crate) struct Schemes {
     budget: Budget,
     masks: RefCell<BTreeMap<SchemeAt, Rc<KnownDistances>>>,
-    /// With the points at their natural parameters, where these are others.
+    /// The distances with the points at their natural parameters; `None` where these are i/n^k.
     natural: RefCell<BTreeMap<SchemeAt, Option<Rc<KnownDistances>>>>,
     rings: RefCell<BTreeMap<Instance, Result<Rc<KnownDistances>, String>>>,
     rings_left: LocalCap,
@@ -70,7 +70,8 @@ impl Schemes {
         Rc::clone(known)
     }
 
-    /// The same with the points at their natural parameters; `None` where these are i/n^k.
+    /// As [`Schemes::of`], with the points at their natural parameters; `None` where these are
+    /// i/n^k.
     pub(crate) fn naturally(
         &self,
         scheme: &Resolved,

@@ -1,4 +1,4 @@
-//! What readings of a table may take from another place of the paper.
+//! The quantities that readings of a table may take from another place of the paper.
 
 use crate::claim::{Axis, Paper, Table};
 use crate::evaluation::Copied;
@@ -10,14 +10,16 @@ use crate::formula::{Expr, Node};
 use crate::judge::reading::degree::{Degrees, LANGUAGE};
 use std::collections::BTreeSet;
 
-/// Everything that a reading of this table may take from elsewhere, in a fixed order: for each constant that
-/// its formula names, what other tables print for it, its values for other parameters, and for other
-/// schemes; and tolerances that were computed.
+/// Every quantity that a reading of this table may take from elsewhere, in a fixed order: for each
+/// constant that the table's formula names, the numbers that other tables print for it, its values
+/// at other parameters, and its values for other schemes; then the tolerances before they were
+/// rounded.
 pub(super) fn sources(judge: &Evaluator<'_>) -> Vec<Copied> {
     let (paper, table) = (judge.paper, judge.table);
     let mut sources = Vec::new();
     for of in constants(judge) {
-        // The whole value elsewhere is the value of another cell.
+        // If the table's value is the definition alone, its values elsewhere are those of other
+        // cells.
         let whole = matches!(&table.value.expr.node, Node::Name(name) if name == of);
         let others = paper.tables.iter().filter(|other| other.id != table.id && prints(other, of));
         let others = others.filter(|_| !whole);
@@ -79,8 +81,9 @@ fn header(axis: &Axis, place: usize) -> String {
     format!("{} = {}", axis.label, axis.entries[place].printed)
 }
 
-/// The definitions that the table's formula names. Where the table promises something, a formula that
-/// is only a name stands for what it names: what is copied are the constants of a bound or of a depth.
+/// The definitions that the table's formula names. If the table promises something and its formula
+/// is only a name, that name is replaced by its formula: it is the constants of a bound or of a
+/// depth that are copied.
 fn constants<'a>(judge: &Evaluator<'a>) -> BTreeSet<&'a str> {
     let definitions = &judge.paper.definitions;
     let value = &judge.table.value.expr;

@@ -8,14 +8,15 @@ use crate::formula::{Expr, LocatedFormula, Node, Operator, OptionWord};
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// How deep definitions and parts of a formula are looked at.
+/// The greatest depth to which definitions and parts of a formula are followed.
 const MAX_DEPTH: usize = 200;
 
 /// The functions of the language; all others are of schemes.
 pub(super) const LANGUAGE: [&str; 9] =
     ["abs", "min", "max", "floor", "ceil", "mod", "kronecker", "binomial", "cos"];
 
-/// f is c·p^d, where p > 0 is a parameter on which c does not depend.
+/// The degrees of formulas in a parameter p > 0: a formula of degree d is c·p^d, where c does not
+/// depend on p.
 ///
 /// The rules are those of `proofs/FORMAT.md`.
 pub(crate) struct Degrees<'a> {
@@ -53,7 +54,8 @@ impl<'a> Degrees<'a> {
             && self.definitions.get(name).is_none_or(|definition| self.is_free(&definition.expr))
     }
 
-    /// Whether the parameter does not occur in a formula, nor in what it leads to.
+    /// Whether the parameter occurs neither in a formula nor in the definitions and schemes that it
+    /// uses.
     pub(super) fn is_free(&self, expr: &Expr) -> bool {
         let (mut met, mut waiting) = (BTreeSet::new(), vec![expr]);
         while let Some(expr) = waiting.pop() {
@@ -74,7 +76,7 @@ impl<'a> Degrees<'a> {
         true
     }
 
-    /// The degree of a formula; `None` where none is known.
+    /// The degree of a formula; `None` if these rules give none.
     pub(crate) fn of(&self, expr: &'a Expr) -> Option<i64> {
         self.within(expr, 0)
     }
@@ -126,7 +128,7 @@ impl<'a> Degrees<'a> {
         }
     }
 
-    /// The calls of `levels` that a formula leads to.
+    /// The arguments of all calls of `levels` in a formula and in the definitions that it uses.
     pub(super) fn levels(&self, expr: &'a Expr) -> Vec<&'a [Expr]> {
         let (mut found, mut met, mut waiting) = (Vec::new(), BTreeSet::new(), vec![expr]);
         while let Some(expr) = waiting.pop() {
@@ -154,7 +156,7 @@ impl<'a> Degrees<'a> {
     }
 }
 
-/// An integer that is written.
+/// The value of an integer literal, with a sign or without.
 fn written(exponent: &Expr) -> Option<i64> {
     match &exponent.node {
         Node::Number(value) => value.numerator().to_i64().filter(|_| value.is_integer()),

@@ -1,4 +1,4 @@
-//! What the readings of a table give, and which cells that explains.
+//! The values of a table's cells under its readings, and which cells these explain.
 
 use crate::claim::{Alternative, Printed};
 use crate::evaluation::context::{At, Outcome};
@@ -47,8 +47,8 @@ impl Space<'_> {
         })
     }
 
-    /// Whether the values of a reading are proportional to the scale: by the form of the value, and
-    /// they become two and three times as much when it does.
+    /// Whether the values of a reading are proportional to the scale: its form shows it, and at two
+    /// and three times the scale the values are two and three times as large.
     pub(crate) fn is_scale(&self, scale: &Scale, values: &Values, settings: &Settings) -> bool {
         self.is_proportional(&scale.name, settings)
             && [2, 3].map(Rational::from).iter().all(|times| {
@@ -68,7 +68,7 @@ impl Space<'_> {
         self.explained(&self.as_printed, DecimalRounding::Nearest)
     }
 
-    /// Which cells these values become.
+    /// Which printed numbers these values round to.
     pub(crate) fn explained(&self, values: &Values, rounding: DecimalRounding) -> Vec<Vec<bool>> {
         let rows = self.printed.iter().zip(values);
         let gives = |(printed, value): (Option<&Printed>, &Option<RealCyclotomic>)| {
@@ -86,8 +86,9 @@ impl Space<'_> {
         all.take(if one { 1 } else { DecimalRounding::ALL.len() }).collect()
     }
 
-    /// What a reading explains: with the scale solved for, where there is one to which its
-    /// values are proportional, and, where it is stated, also as it is stated.
+    /// The explanations by a reading. If its values are proportional to the scale, the scale is
+    /// solved for. If the scale is stated, or cannot be solved for, there is also the explanation
+    /// without another scale.
     pub(crate) fn explain(
         &self,
         reading: &[Change],
@@ -131,7 +132,7 @@ impl Space<'_> {
         Explanation { differences, solved: solved.into_iter().collect(), values, explained }
     }
 
-    /// How a reading differs from the printed text, its rounding of decimals apart.
+    /// The differences of a reading from the printed text, without its rounding of decimals.
     pub(crate) fn differences(&self, reading: &[Change]) -> Vec<Difference> {
         reading.iter().map(|change| self.difference(change)).collect()
     }

@@ -1,4 +1,4 @@
-//! What the form of a table's value shows of a parameter.
+//! How the value of a table depends on a parameter, by the form of its formula.
 
 use crate::evaluation::settings::Settings;
 use crate::judge::reading::degree::Degrees;
@@ -14,8 +14,8 @@ impl Space<'_> {
         degrees.of(&table.value.expr) == Some(1)
     }
 
-    /// Whether the form of all levels that the value leads to shows that what they are the logarithm
-    /// of is inversely proportional to a parameter, on which their ratio does not depend.
+    /// Whether in every call of `levels(r, x)` that the value leads to, by the form of its
+    /// arguments, x is inversely proportional to a parameter and r does not depend on it.
     pub(crate) fn is_inverse(&self, name: &str) -> bool {
         let (table, paper) = (self.judge.table, self.judge.paper);
         let degrees = Degrees::new(paper, &paper.definitions, table, name);

@@ -18,16 +18,16 @@ const MAX_CELLS: usize = 400;
 /// The most rows and columns that have readings of their own.
 const MAX_LINES: usize = 8;
 
-/// The fewest cells of a row or column that have a reading of their own: one alone is
+/// The fewest cells of a row or column that has a reading of its own; a single cell is only
 /// compared for slips.
 const LEAST_CELLS: usize = 2;
 
 /// The cells of a table, by row.
 type Cells = Vec<Vec<bool>>;
 
-/// Readings for the cells that are `left`, each for a row or a column: the one that
-/// explains most first, and then others for what it leaves. Luck is counted over all
-/// rows, columns, shifts, readings, and so many values of parameters that were recovered.
+/// Readings for the cells that are `left`, each for one row or column: first the reading that
+/// explains most of them, then others for what it leaves. Luck is counted over all rows, columns,
+/// shifts and readings, and over `values`, the number of candidates for recovered parameters.
 pub(crate) fn search(
     space: &Space<'_>,
     parts: &[Part<'_>],
@@ -64,7 +64,7 @@ pub(crate) fn search(
     found
 }
 
-/// The best reading of what is left of a line, unless luck would find one as good.
+/// The best reading of the cells that are left in a line, unless it may be luck.
 fn one(
     space: &Space<'_>,
     parts: &[Part<'_>],
@@ -81,7 +81,7 @@ fn one(
     }
     let factor = Integer::from(PARTS * SHIFTS.len() * lines) * recovered;
     let least = Integer::from(parts.first()?.all.len()) * &factor;
-    // Where even all of them would be luck, there is nothing to look for.
+    // If explaining all of these cells would still be luck, no reading is searched.
     if of_line.is_empty() || !is_small(&chance(&of_line, of_line.len(), least)) {
         return None;
     }

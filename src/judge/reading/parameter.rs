@@ -1,9 +1,9 @@
 //! Solving for a parameter of the scheme that the paper does not state.
 //!
-//! Under a reading a cell is a piecewise polynomial function of the parameter, so
-//! the parameters at which it rounds to what is printed are a union of intervals
-//! with algebraic ends. Those of the first cells are found on the whole range; in
-//! each of these intervals, which are short, the others are added one by one.
+//! Under a reading a cell is a piecewise polynomial function of the parameter. The parameters at
+//! which it rounds to what is printed are therefore a union of intervals with algebraic ends. For
+//! the first few cells these intervals are found on the whole range. They are short, and in each of
+//! them the other cells are added one by one.
 
 use crate::claim::Printed;
 use crate::evaluation::context::At;
@@ -24,8 +24,8 @@ pub(crate) const RANGE: i64 = 10;
 /// The most intervals that are followed from one cell under one reading.
 const MAX_INTERVALS: usize = 64;
 
-/// Solves for the unknown parameter under each reading, with the others at their values; of no
-/// table of depths, and of no scale.
+/// Solves for the unknown parameter under each reading, with the other parameters at their values.
+/// Finds nothing for tables of depths, or if the values are proportional to the parameter.
 pub(crate) fn search(
     space: &Space<'_>,
     readings: &[Vec<Change>],
@@ -51,9 +51,9 @@ pub(crate) fn search(
     found
 }
 
-/// How much a reading has to say: a digit of the parameter counts as much as a
-/// difference, which is one of about ten. A simple number with decimals cut is likelier
-/// than 15169/12641 with decimals rounded.
+/// The cost of a reading: one for each digit of the solved parameter, and one for each difference,
+/// since a difference is one of about ten. A simple number with decimals cut is likelier than
+/// 15169/12641 with decimals rounded.
 fn cost(explanation: &Explanation) -> usize {
     let digits = |solved: &Solved| {
         let Solved { simplest, .. } = solved;
@@ -89,7 +89,7 @@ impl<'s> Unknown<'s> {
             }));
         }
         let mut unknown = Unknown { space, settings, name, cells, first: Vec::new() };
-        // As many as make sure that one of them is not the wrong one among four.
+        // So many that at least one of them is right if at most a quarter of all cells is wrong.
         let count = (unknown.cells.len() / 4 + 1).max(2).min(unknown.cells.len());
         let whole = (Rational::from(-RANGE), Rational::from(RANGE));
         let function = |cell: &PrintedCell<'s>| {
@@ -145,8 +145,8 @@ impl<'s> Unknown<'s> {
         best
     }
 
-    /// How many cells may round to what is printed somewhere in a short interval: by their values
-    /// at its ends.
+    /// An estimate of how many cells may round to what is printed somewhere in a short interval,
+    /// from their values at its ends.
     fn possible(&self, seed: usize, interval: &Interval) -> usize {
         let (low, high) = bounds(interval);
         let mut possible = 0;
@@ -167,8 +167,8 @@ impl<'s> Unknown<'s> {
         self.space.value(self.at(cell, &settings))?.as_rational().cloned()
     }
 
-    /// The parts of an interval in which the seed and as many others as possible,
-    /// taken in turn, round to what is printed; with their number.
+    /// The parts of an interval in which the seed and as many other cells as possible, taken in
+    /// turn, round to what is printed, each with the number of these cells.
     fn agreeing(
         &self,
         seed: usize,
@@ -201,7 +201,7 @@ impl<'s> Unknown<'s> {
         found
     }
 
-    /// The reading with the parameter at the plainest number of the interval.
+    /// The reading with the parameter at the plainest number of the interval, and what it explains.
     fn explanation(
         &self,
         interval: &Interval,
@@ -219,7 +219,7 @@ impl<'s> Unknown<'s> {
     }
 }
 
-/// Rational numbers not inside the interval, and no further from its ends than 2^−64.
+/// Rational numbers that enclose the interval, at most 2^−64 away from its ends.
 fn bounds(interval: &Interval) -> (Rational, Rational) {
     let low = end(&interval.low).map(|end| end.enclosure(0).lower().clone());
     let high = end(&interval.high).map(|end| end.enclosure(0).upper().clone());
@@ -234,7 +234,7 @@ fn end(bound: &Bound<RealAlgebraic>) -> Option<&RealAlgebraic> {
     }
 }
 
-/// The parameters at which a function rounds to what is printed.
+/// The parameters at which the value of the function rounds to the printed number.
 fn consistent(
     function: &PiecewisePolynomial,
     printed: &Printed,

@@ -11,9 +11,9 @@ use crate::judge::reading::{solve, tried};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
-/// Where the search for a value starts. What the values of the other cells are proportional to, or
-/// levels to the logarithm of, may start anywhere; a parameter of a scheme starts where most
-/// schemes converge.
+/// The value of the parameter at which the search begins. Where the values are proportional to the
+/// parameter, or levels depend on it as on a spread, any value will do. For a parameter of a
+/// scheme, most schemes converge at this value.
 const START: (i64, i64) = (1, 100);
 
 /// The value of an unstated parameter with which some reading gives most of the cells that need it,
@@ -48,8 +48,9 @@ pub(crate) fn solved(
     Some(Recovered { value: solved.simplest.clone(), from })
 }
 
-/// The better, the more cells an explanation gives; of these, the fewer values are as plain as what
-/// was solved for, each difference from the printed text counted as ten.
+/// The rank of an explanation: by the number of cells that it gives, then by how few candidates
+/// there are. These are the values as plain as the solved one, times ten for each difference from
+/// the printed text.
 fn rank(explanation: &Explanation) -> (usize, Reverse<Integer>) {
     let differences = u32::try_from(explanation.differences.len()).unwrap_or(u32::MAX);
     let values = explanation.solved.iter().map(|solved| as_plain(&solved.simplest));
@@ -57,7 +58,7 @@ fn rank(explanation: &Explanation) -> (usize, Reverse<Integer>) {
     (explanation.count(), Reverse(cost))
 }
 
-/// The unstated parameters that each cell needs, as the evaluation meets them.
+/// The unstated parameters that each cell needs. `None` if a formula is wrong.
 fn needed(judge: &Evaluator<'_>) -> Option<Needed> {
     let row = |(row, cells): (usize, &Vec<Cell>)| {
         (0..cells.len()).map(|column| Some(judge.needed(row, column).ok()?.0)).collect()

@@ -5,7 +5,7 @@ use crate::exact::{Enclosed, Integer, Rational, RealCyclotomic};
 use crate::judge::reading::consistent::DecimalRounding;
 use std::cmp::Reverse;
 
-/// A parameter that the values of a table are proportional to.
+/// A parameter to which the values of a table are proportional.
 pub(crate) struct Scale {
     pub(crate) name: String,
     /// Its stated or assumed value.
@@ -19,19 +19,20 @@ type Interval = (Rational, Rational);
 /// The precision of the ends: enclosures of 128 binary digits.
 const PRECISION: u32 = 1;
 
-/// The simple s > 0 for which most cells are consistent with s/base times their values; with
-/// the ends of what is consistent with these cells.
+/// The simple number s > 0 for which s/base times the value rounds to the printed number in most
+/// cells, and the ends of the interval of all s that do so in these cells.
 pub(crate) fn solve(
     cells: &[(&Printed, &RealCyclotomic)],
     base: &Rational,
     rounding: DecimalRounding,
 ) -> Option<(Rational, Interval)> {
     let consistent = Consistent::new(cells, base, rounding);
-    // What is printed as 0 tells of no scale.
+    // A number printed as 0 does not determine a scale.
     let starts = consistent.intervals.iter().filter(|(low, _)| low.sign() > 0);
     let mut starts: Vec<(usize, &Interval)> =
         starts.map(|interval| (consistent.meeting(&interval.0), interval)).collect();
-    // Those that meet somewhere meet at the greatest of their lower ends.
+    // Intervals that have a point in common contain the greatest of their lower ends, or have it as
+    // an end.
     starts.sort_by_key(|(count, _)| Reverse(*count));
     let size = |s: &Rational| Reverse((s.denominator(), s.numerator()));
     let mut best = None;
@@ -39,7 +40,7 @@ pub(crate) fn solve(
         if best.as_ref().is_some_and(|((most, _), _)| meeting <= *most) {
             break;
         }
-        // Where the simplest number is not simple, none is.
+        // If the simplest number in an interval is not simple, no other number in it is.
         if !is_simple(&simplest(&interval.0, &interval.1)) {
             continue;
         }
@@ -55,10 +56,10 @@ pub(crate) fn solve(
     Some((s, around))
 }
 
-/// For each cell, the s for which s times its value rounds to what is printed.
+/// For each cell, the s for which s/base times its value rounds to what is printed.
 struct Consistent {
     intervals: Vec<Interval>,
-    /// Their ends, in order.
+    /// Their lower ends, and their upper ends, each in order.
     lows: Vec<Rational>,
     highs: Vec<Rational>,
     rounding: DecimalRounding,
@@ -81,8 +82,8 @@ impl Consistent {
         Consistent { intervals, lows, highs, rounding }
     }
 
-    /// How many hold s or have it as an end: those that begin up to s less those that end
-    /// before it.
+    /// How many intervals contain s or have it as an end: those that begin at s or before, less
+    /// those that end before s.
     fn meeting(&self, s: &Rational) -> usize {
         self.lows.partition_point(|low| low <= s) - self.highs.partition_point(|high| high < s)
     }
@@ -95,13 +96,13 @@ impl Consistent {
         high < s || high == s && self.rounding == DecimalRounding::Cut
     }
 
-    /// How many hold s.
+    /// How many intervals contain s, where it depends on the rounding which ends belong to them.
     fn at(&self, s: &Rational) -> usize {
         let begun = self.lows.partition_point(|low| self.has_begun(low, s));
         begun - self.highs.partition_point(|high| self.has_ended(high, s))
     }
 
-    /// What those that hold s have in common.
+    /// The ends of the intersection of all intervals that contain s.
     fn around(&self, s: &Rational) -> Option<Interval> {
         let holds = |(low, high): &&Interval| self.has_begun(low, s) && !self.has_ended(high, s);
         let holding = || self.intervals.iter().filter(holds);

@@ -11,13 +11,13 @@ use crate::judge::reading::{line, tried};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
-/// Of each parameter that was recovered, from how many values its value was taken.
+/// For each recovered parameter, the number of values from which its value was taken.
 pub(crate) type Candidates = BTreeMap<String, Integer>;
 
-/// Searches the family for the readings of some cells of a table whose cells as printed are
-/// `findings`: what was found, unless every cell is as printed and no parameter was recovered, and
-/// what the cells need; `None` when none of them is printed, or has no value since a parameter is
-/// not known.
+/// Searches the family for readings of the cells of one kind, where `findings` are all cells of the
+/// table as printed. Gives the search, or `None` for it if every cell is as printed and no
+/// parameter was recovered, and what the cells need. The whole result is `None` if no cell of this
+/// kind is printed, or if a parameter that they need has no value.
 pub(crate) fn search(
     judge: &Evaluator<'_>,
     findings: &[Vec<CellFinding>],
@@ -43,7 +43,7 @@ pub(crate) fn search(
     }
     let likelihood =
         |printed: &Printed| if space.is_depth() { of_depth() } else { of_decimal(printed) };
-    // What the printed text gives without assumptions tells nothing for another reading.
+    // The cells that the printed text gives without assumptions do not support another reading.
     let given = as_printed.iter().flatten().zip(findings.iter().flatten());
     let given = given.map(|(explained, finding)| *explained && finding.is_plain());
     let others = printed.iter().flatten().zip(given).filter(|(_, given)| !given);
@@ -76,7 +76,7 @@ pub(crate) fn search(
             needs = space.needs(&explanations);
             found = other;
         } else if found.best.is_empty() && other.chance < found.chance {
-            // What comes closest is told, though it is luck.
+            // The closest reading is reported, though it may be luck.
             found = Found { best: Vec::new(), ..other };
         }
     }
@@ -96,7 +96,7 @@ pub(crate) fn search(
     Some((Some(search), needs))
 }
 
-/// The printed cells that nothing explains, by row.
+/// The printed cells that no reading explains, by row.
 fn left<'e>(
     printed: &PrintedCells<'_>,
     explained: impl Iterator<Item = &'e Vec<Vec<bool>>>,
@@ -113,21 +113,21 @@ fn left<'e>(
 
 /// The best readings of a part.
 struct Found {
-    /// Those that explain most; none where luck could.
+    /// The readings that explain most; empty if they may be luck.
     best: Vec<Explanation>,
     most: usize,
     chance: Rational,
 }
 
-/// The stated parameter that every value of the table is proportional to.
+/// The stated parameter to which every value of the table is proportional.
 pub(crate) fn scale(judge: &Evaluator<'_>, findings: &[Vec<CellFinding>]) -> Option<String> {
     let printed = printed(judge, findings, CellKind::Plain);
     let scale = Space::new(judge, needed(findings), &printed, None)?.scale;
     scale.filter(|scale| scale.stated).map(|scale| scale.name)
 }
 
-/// Every reading of some cells of the table with what it explains, the best first; those that take a
-/// quantity from another place of the paper too, if `elsewhere`.
+/// Every reading of the cells of one kind, with the cells that it explains, the best first. If
+/// `elsewhere`, these include the readings that take a quantity from another place of the paper.
 pub(crate) fn readings(
     judge: &Evaluator<'_>,
     findings: &[Vec<CellFinding>],

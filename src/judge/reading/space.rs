@@ -1,4 +1,4 @@
-//! The readings of one table: what they may change.
+//! The readings of one table, and the choices in which they may differ.
 
 use crate::claim::{Cell, Printed};
 use crate::evaluation::choices::{DECIMAL_ROUNDING, FAMILY};
@@ -32,17 +32,17 @@ const MAX_READINGS: usize = 4_096;
 /// readings are compared, those with fewer differences first.
 const MAX_VALUES: usize = 100_000;
 
-/// The most differences from the printed text of a reading that takes a quantity from another place,
-/// this one counted.
+/// The most differences from the printed text of a reading that takes a quantity from another
+/// place; this quantity is one of them.
 const MAX_WITH_COPIED: usize = 3;
 
 /// The cells of a table; `None` where one is lost.
 pub(crate) type PrintedCells<'a> = Vec<Vec<Option<&'a Printed>>>;
 
-/// The parameters that are not stated and that each cell needs, row by row.
+/// The unstated parameters that each cell needs, row by row.
 pub(crate) type Needed = Vec<Vec<BTreeSet<String>>>;
 
-/// Those of the cells with these findings.
+/// The unstated parameters that cells with these findings need.
 pub(crate) fn needed(findings: &[Vec<CellFinding>]) -> Needed {
     let names = |finding: &CellFinding| {
         let names = finding.assumed.iter().map(|(name, _)| name.clone());
@@ -51,7 +51,7 @@ pub(crate) fn needed(findings: &[Vec<CellFinding>]) -> Needed {
     findings.iter().map(|row| row.iter().map(names).collect()).collect()
 }
 
-/// A way of a choice other than the printed one.
+/// A difference of a reading from the printed text.
 #[derive(Clone)]
 pub(crate) enum Change {
     /// A choice, and its way.
@@ -62,12 +62,12 @@ pub(crate) enum Change {
     Copied(Copied),
 }
 
-/// How much of the family is searched.
+/// The part of the family that is searched.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Family {
     /// The readings that take nothing from another place of the paper.
     Plain,
-    /// Also those that do, where the others leave cells.
+    /// Also the readings that do, where the others leave cells unexplained.
     Whole,
 }
 
@@ -80,15 +80,15 @@ pub(crate) fn takes_from_elsewhere(reading: &[Change]) -> bool {
 pub(crate) struct Space<'s> {
     pub(crate) judge: &'s Evaluator<'s>,
     pub(crate) printed: &'s PrintedCells<'s>,
-    /// The parameters that are not stated and that some cell needs.
+    /// The unstated parameters that some cell needs.
     pub(crate) assume: BTreeSet<String>,
-    /// Those of each cell, row by row.
+    /// The unstated parameters that each cell needs, row by row.
     needed: Needed,
-    /// The one of them that is solved for, if one is.
+    /// The unstated parameter that is solved for, if there is one.
     pub(crate) unknown: Option<&'s str>,
     /// The values by the printed definition.
     pub(crate) as_printed: Values,
-    /// The parameter that the values are proportional to.
+    /// The parameter to which the values are proportional, if there is one.
     pub(crate) scale: Option<Scale>,
     /// For each choice, the ways other than the printed one.
     pub(crate) changes: Vec<Vec<Change>>,
@@ -140,7 +140,7 @@ impl<'s> Space<'s> {
         printed.iter().flatten().any(Option::is_some).then_some(space)
     }
 
-    /// A cell with what it needs as printed assumed, under a reading.
+    /// A cell under a reading; the parameters that its value as printed needs are assumed.
     pub(crate) fn at<'n>(&'n self, row: usize, column: usize, settings: &'n Settings) -> At<'n> {
         At { row, column, assume: &self.needed[row][column], settings }
     }
@@ -149,7 +149,7 @@ impl<'s> Space<'s> {
         self.judge.is_depth()
     }
 
-    /// The names of what the readings differ in.
+    /// The names of the choices, definitions and roundings in which the readings may differ.
     pub(crate) fn names(&self) -> Vec<String> {
         let name = |ways: &Vec<Change>| match ways.first()? {
             Change::Way(choice, _) => Some(choice.name.to_owned()),
@@ -163,8 +163,8 @@ impl<'s> Space<'s> {
         names
     }
 
-    /// Every combination of at most [`MAX_DIFFERENCES`] changes, the printed text
-    /// first.
+    /// Every combination of at most [`MAX_DIFFERENCES`] changes, those with fewer changes first;
+    /// the printed text is the first.
     pub(crate) fn readings(&self) -> Vec<Vec<Change>> {
         let mut readings = vec![Vec::new()];
         for ways in &self.changes {
@@ -182,9 +182,9 @@ impl<'s> Space<'s> {
         readings
     }
 
-    /// Every combination of one quantity from another place of the paper and less than
-    /// [`MAX_WITH_COPIED`] other changes; a tolerance that was computed is not rounded besides. None
-    /// where there are too many.
+    /// Every combination of one quantity from another place of the paper and fewer than
+    /// [`MAX_WITH_COPIED`] other changes. A tolerance that was computed is not combined with
+    /// another rounding of tolerances. Empty if there are too many readings.
     pub(crate) fn copied_readings(&self) -> Vec<Vec<Change>> {
         let others = self.readings();
         let is_tolerance = |change: &Change| matches!(change, Change::Way(choice, _) if choice.effect == Effect::Header);

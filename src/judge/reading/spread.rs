@@ -1,7 +1,7 @@
 //! Solving for the spread of the data in tables of depths.
 //!
-//! A depth is a logarithm of x to the base r, rounded; x is inversely proportional to
-//! the spread. Each printed depth k bounds the spread between two numbers.
+//! A depth is the logarithm of x to the base r, rounded, where x is inversely proportional to the
+//! spread. Hence each printed depth encloses the spread in an interval.
 
 use crate::bound::Rounded;
 use crate::evaluation::trace::LevelCall;
@@ -15,7 +15,7 @@ use crate::judge::reading::tried::Evaluated;
 /// The greatest depth from which a bound is derived.
 const MAX_DEPTH: i64 = 5_000;
 
-/// The binary digits of squares of scales.
+/// The binary digits behind the point of squares of scales.
 const DIGITS: u32 = 256;
 
 /// The unknown parameter, where every x of the levels is inversely proportional to it.
@@ -24,8 +24,9 @@ pub(crate) fn unknown<'s>(space: &Space<'s>) -> Option<&'s str> {
     is_spread(space, name).then_some(name)
 }
 
-/// Whether the printed definition takes x to x/2 and x/3, and the ratio to itself, when
-/// the parameter becomes two and three times as much, and its form shows it for all others.
+/// Whether every printed depth has, if the parameter becomes two and three times as large, an x
+/// that is half and a third, and the same ratio; and whether the form of the value shows this for
+/// all other factors.
 fn is_spread(space: &Space<'_>, name: &str) -> bool {
     if !space.is_inverse(name) {
         return false;
@@ -76,7 +77,7 @@ fn solved(space: &Space<'_>, name: &str, one: &Evaluated, least: usize) -> Optio
     if intervals.len() < least {
         return None;
     }
-    // The greatest number of intervals meets right of the lower end of one of them.
+    // Where most intervals meet, they meet right of the lower end of one of them.
     let meeting = |place: &Integer| -> Vec<&Integer> {
         let holding = intervals.iter().filter(|(low, high)| low <= place && place < high);
         holding.map(|(_, high)| high).collect()
@@ -89,7 +90,7 @@ fn solved(space: &Space<'_>, name: &str, one: &Evaluated, least: usize) -> Optio
     let value = |(place, _): &(Integer, Integer)| {
         let holding = meeting(place);
         let between = (root(place) * base, root(holding.iter().min()?) * base);
-        // The lower end belongs to it, unless it is 0, which is no spread.
+        // The lower end belongs to the intersection, but a spread is not 0.
         let inside = plainest_between(&between.0, &between.1);
         let ends = [between.0.clone(), inside].into_iter().filter(|value| !value.is_zero());
         let simplest = ends.min_by_key(height)?;
@@ -105,14 +106,15 @@ fn solved(space: &Space<'_>, name: &str, one: &Evaluated, least: usize) -> Optio
     Some(Explanation { differences, solved, values, explained })
 }
 
-/// The squares of the s, as multiples of 2^−256, for which x/s has the printed level;
-/// up to a multiple.
+/// The interval of s² for which x/s has the printed level, in units of 2^−256; its ends are rounded
+/// down to whole units.
 fn squares(call: &LevelCall, printed: &Rational) -> Option<(Integer, Integer)> {
     let level = printed.numerator().to_i64().filter(|_| printed.is_integer())?;
     if !(0..=MAX_DEPTH).contains(&level) || call.ratio.sign() <= 0 || call.x.sign() <= 0 {
         return None;
     }
-    // ratio^a ≥ x/s ≥ ratio^b up to which ends belong to it; level 0 is also less.
+    // ratio^a ≥ (x/s)² ≥ ratio^b, up to which ends belong to it; at level 0, x/s has no upper
+    // bound.
     let (a, b) = match call.rounded {
         Rounded::Up => (2 * level - 2, 2 * level),
         Rounded::Nearest => (2 * level - 1, 2 * level + 1),
@@ -134,7 +136,7 @@ fn square(x: &Rational, ratio: &Rational, exponent: i64) -> Integer {
     top.shifted_left(DIGITS).div_floor(&bottom)
 }
 
-/// The root of a multiple of 2^−256, cut to 2^−128.
+/// The square root of a multiple of 2^−256, cut to a multiple of 2^−128.
 fn root(square: &Integer) -> Rational {
     if square.is_zero() {
         return Rational::zero();

@@ -1,4 +1,4 @@
-//! Every reading of a table, with its values and what it explains.
+//! The readings of a table, with their values and the cells that they explain.
 
 use crate::evaluation::table::Evaluator;
 use crate::evaluation::trace::LevelCall;
@@ -13,16 +13,17 @@ use std::cell::OnceCell;
 pub(crate) struct Evaluated {
     pub(crate) reading: Vec<Change>,
     pub(crate) values: Values,
-    /// Of depths, the logarithms that the values are, row by row.
+    /// For depths, the call of `levels` whose result each value is, row by row.
     pub(crate) levels: Vec<Vec<Option<LevelCall>>>,
-    /// Whether the values are proportional to the scale, once that was asked.
+    /// Whether the values are proportional to the scale, once this has been asked.
     scaled: OnceCell<bool>,
 }
 
-/// The family has two parts, and each has half of the luck that is allowed.
+/// The number of parts of the family; each may have half of the luck that is allowed.
 pub(crate) const PARTS: usize = 2;
 
-/// A part of the family: its readings, and how many these are, with those of the parts before.
+/// A part of the family: its readings, and the number of readings of this part and of the part
+/// before.
 pub(crate) struct Part<'p> {
     pub(crate) all: &'p [Evaluated],
     pub(crate) tried: usize,
@@ -53,9 +54,9 @@ impl Space<'_> {
         readings.into_iter().map(evaluate).collect()
     }
 
-    /// How many readings these are: with each rounding of the decimals, and at each scale
-    /// that someone would choose, besides the one that is stated. A reading that takes a quantity from
-    /// elsewhere is looked at as it is.
+    /// The number of readings that these stand for: with each rounding of the decimals, and with
+    /// each simple scale besides the stated one. A reading that takes a quantity from elsewhere has
+    /// no other scale.
     pub(crate) fn count(&self, all: &[Evaluated]) -> usize {
         let scales = match &self.scale {
             Some(scale) => usize::from(scale.stated) + SIMPLE_NUMBERS,
@@ -68,8 +69,8 @@ impl Space<'_> {
         all.iter().map(of).sum()
     }
 
-    /// What each reading explains, by each rounding of the decimals, when these are
-    /// its values.
+    /// The explanations by each of these readings, with each rounding of the decimals; `values`
+    /// gives the values of a reading.
     pub(crate) fn explanations<'v>(
         &'v self,
         all: &'v [Evaluated],
@@ -87,14 +88,14 @@ impl Space<'_> {
         })
     }
 
-    /// The same with the values of these readings themselves.
+    /// As [`Space::explanations`], with the values of these readings themselves.
     pub(crate) fn all_explanations(&self, all: &[Evaluated]) -> Vec<Explanation> {
         self.explanations(all, |one| one.values.clone()).collect()
     }
 }
 
-/// How many of the cells that a reading explains it still explains when a parameter has
-/// this value; without a reading, the printed text is meant.
+/// How many of the cells that a reading explains it still explains at another value of a parameter;
+/// without a reading, the printed text is meant.
 pub(crate) fn remaining(
     judge: &Evaluator<'_>,
     finding: &TableFinding<'_>,
@@ -111,7 +112,7 @@ pub(crate) fn remaining(
     left.sum()
 }
 
-/// The same of the cells of a space.
+/// As [`remaining`], for the cells of one kind.
 fn of_cells(space: &Space<'_>, by: Option<&Explanation>, name: &str, value: &Rational) -> usize {
     let differences = by.map_or(&[][..], |by| &by.differences);
     let named = |difference: &Difference| differences.contains(difference);
@@ -119,7 +120,7 @@ fn of_cells(space: &Space<'_>, by: Option<&Explanation>, name: &str, value: &Rat
         let own = reading.iter().map(|change| space.difference(change));
         own.filter(named).count() == reading.len()
     };
-    // The longest reading whose changes are all among the differences.
+    // The longest of the readings whose changes are all among the differences.
     let readings = space.readings().into_iter().chain(space.copied_readings());
     let readings = readings.filter(changes);
     let Some(reading) = readings.max_by_key(Vec::len) else { return 0 };
@@ -137,7 +138,7 @@ fn of_cells(space: &Space<'_>, by: Option<&Explanation>, name: &str, value: &Rat
     cells.count()
 }
 
-/// Those that explain most, and of these those with the fewest differences.
+/// The explanations of most cells and, among these, those with the fewest differences.
 pub(crate) fn best(explanations: &[Explanation]) -> Vec<Explanation> {
     let most = explanations.iter().map(Explanation::rank).max();
     explanations.iter().filter(|one| Some(one.rank()) == most).cloned().collect()

@@ -1,4 +1,4 @@
-//! A scheme and values that a theorem is tried on.
+//! The instances of a theorem: a scheme and values on which it is tried.
 
 use crate::bound::Budget;
 use crate::claim::{LocatedReference, Paper, THEOREM_NAMES, Theorem, Trial};
@@ -18,17 +18,17 @@ use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-/// Settings by what determines them.
+/// Settings by the data that determine them.
 type Kept<K, S> = RefCell<BTreeMap<K, Rc<S>>>;
 
-/// The settings of schemes at offsets that one theorem is tried on, each of them once, with what is
-/// known there.
+/// The settings on which one theorem is tried. Each scheme at each offset is set up once, and keeps
+/// its results.
 pub(crate) struct Stage {
     curves: Kept<(Vec<Instance>, i64), Curve>,
     surfaces: Kept<(Vec<Instance>, Option<i64>), Surface>,
     rings: Kept<LocalKey, AroundPoint>,
     ring_cap: LocalCap,
-    /// Of searches for distances.
+    /// The work that all searches for distances may take together.
     budget: Budget,
 }
 
@@ -63,7 +63,7 @@ impl Stage {
     }
 }
 
-/// One scheme and one value of each name that a theorem leaves open.
+/// An instance of a theorem: one scheme, and one value of each name that the theorem leaves open.
 pub(crate) struct Case<'a> {
     pub(crate) label: String,
     /// The reference to the scheme, as the claim has it.
@@ -74,7 +74,7 @@ pub(crate) struct Case<'a> {
     pub(crate) library: &'a Library<'a>,
     pub(crate) values: BTreeMap<String, Rational>,
     pub(crate) resolved: Option<Resolved>,
-    /// Whether the bound is proportional to the spread, once that is asked for.
+    /// Whether the bound is proportional to the spread, once this has been asked.
     pub(crate) linear: OnceCell<bool>,
     /// `None` where the program has no exact limits of this kind of scheme.
     pub(crate) setting: Option<Rc<dyn Setting>>,
@@ -101,7 +101,7 @@ impl<'a> Case<'a> {
             combinations = longer.collect();
         }
         let mut given = values(&paper.given)?;
-        // What these mean is for the theorem to say, not for the paper.
+        // These names mean what the theorem says, not what the paper states for them.
         given.retain(|name, _| !THEOREM_NAMES.contains(&name.as_str()));
         let mut cases = Vec::new();
         for scheme in schemes {
@@ -122,7 +122,8 @@ impl<'a> Case<'a> {
                 // A theorem about a scheme with parameters of which none has a value
                 // is not tried.
                 if let Some(name) = case.resolve(scheme, tried, stage)? {
-                    // What the scheme is given shows in its parameters.
+                    // Values that the reference to the scheme uses are shown in its parameters
+                    // already.
                     let text = scheme.reference.to_string();
                     let words: Vec<&str> =
                         text.split(|c: char| !c.is_alphanumeric() && c != '_').collect();

@@ -10,7 +10,7 @@ use crate::judge::theorem::case::Case;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-/// The words of choices with which constants are what bounds need.
+/// The words of choices under which constants are those that bounds need.
 const SOUND: [(&str, &str); 5] = [
     ("order", "adjoint"),
     ("suprema", "independent"),
@@ -22,7 +22,7 @@ const SOUND: [(&str, &str); 5] = [
 /// The most corrections that are combined.
 const MAX_CORRECTIONS: usize = 6;
 
-/// The corrections that make a difference to a theorem.
+/// The corrections that may change the bound of a theorem, at most [`MAX_CORRECTIONS`].
 pub(crate) fn corrections(
     paper: &Paper,
     theorem: &Theorem,

@@ -1,4 +1,4 @@
-//! Curves as a setting.
+//! Curves, on which theorems are tried.
 
 use crate::bound::{Budget, Constants, MAX_CLASSES, Operator, Order, SoundBound, best_offset};
 use crate::claim::Quantity;
@@ -61,7 +61,7 @@ impl Curve {
         }
     }
 
-    /// The supremum of a step or a difference.
+    /// The supremum of a step or of a difference.
     fn most(&self, quantity: Quantity, level: u32) -> Result<RealCyclotomic, String> {
         if quantity == Quantity::Difference || self.shift.is_zero() {
             return Ok(self.greatest(quantity, level)?.value);
@@ -79,7 +79,8 @@ impl Curve {
         SoundBound::curve(&self.constants, block).ok()
     }
 
-    /// The exact supremum of a step or a difference, where it is attained.
+    /// The greatest step at a point of level k + 1, or the greatest difference, with data that
+    /// attain it.
     fn greatest(&self, quantity: Quantity, level: u32) -> Result<Attained, String> {
         let mut known = self.greatest.borrow_mut();
         known
@@ -120,7 +121,7 @@ impl Setting for Curve {
             return Ok(Comparison::Exceeds(found));
         }
         let most = self.most(quantity, level)?;
-        // Where the greatest step is at a point of level k, certificates have no word for its place.
+        // The greatest step may be at a point of level k, which certificates cannot express.
         Ok(if most <= *bound {
             Comparison::Within
         } else {

@@ -9,8 +9,8 @@ use crate::judge::theorem::case::Case;
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The names that stand for the spread of the control data, which is 1; the first one of curves and
-/// rings, all of them of nets.
+/// The names of the spread of the control data, which is 1. Curves and rings have only the first
+/// name, nets have all.
 pub(crate) const SPREADS: [&str; 4] = ["beta", "beta_1", "beta_2", "beta_3"];
 
 /// The names of the level in a bound and of the tolerance in a depth.
@@ -72,7 +72,7 @@ impl Case<'_> {
         self.evaluate_part(formula, &formula.expr, names, settings)
     }
 
-    /// The same of a part of it, or of another formula in its place.
+    /// The value of a part of a formula, or of another formula in its place.
     pub(crate) fn evaluate_part(
         &self,
         formula: &LocatedFormula,
@@ -134,7 +134,7 @@ impl Case<'_> {
         Ok(*self.linear.get_or_init(|| linear))
     }
 
-    /// The definitions in force.
+    /// The definitions of the paper under a reading.
     pub(crate) fn definitions<'s>(
         &'s self,
         settings: &'s Settings,
@@ -142,13 +142,13 @@ impl Case<'_> {
         settings.definitions.as_deref().unwrap_or(&self.paper.definitions)
     }
 
-    /// Whether a name has a value here, whatever its definition is.
+    /// Whether a name has a value in this case, even if there is a definition of this name.
     pub(crate) fn has_value(&self, name: &str) -> bool {
         self.values.contains_key(name) || self.spreads().contains(&name)
     }
 }
 
-/// Whether a name has several values in one case.
+/// Whether a name can have several values in one case.
 fn varies(name: &str) -> bool {
     SPREADS.contains(&name) || [LEVEL, TOLERANCE].contains(&name)
 }

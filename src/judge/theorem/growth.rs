@@ -7,7 +7,7 @@ use crate::formula::{Expr, FreeNames, LocatedFormula, Node, Operator};
 use crate::judge::theorem::case::Case;
 use crate::judge::theorem::evaluate::{LEVEL, SPREADS};
 
-/// The longest period, and the largest power of a ratio, that is looked at.
+/// The greatest period, and the greatest power of a ratio, that is considered.
 const MAX_PERIOD: u32 = 64;
 
 /// by(k + period) = ratio·by(k) for every k, and by is a multiple of beta^spreads.
@@ -44,9 +44,9 @@ impl Growth {
     }
 }
 
-/// The growth of a bound, where it is a product of powers of which k is in the exponents
-/// only, and of beta; `None` for another form. What holds for beta_1 = beta_2 = beta_3 = 1 need
-/// not hold for other nets.
+/// The growth of a bound, if it is made of constants, beta, and powers with k in their exponents
+/// only; `None` for another form. Bounds with beta_1, beta_2 or beta_3 have none: what holds if all
+/// are 1 need not hold for other nets.
 pub(crate) fn growth(
     case: &Case<'_>,
     by: &LocatedFormula,
@@ -63,7 +63,7 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    /// Whether the level or a spread occurs in it.
+    /// Whether an expression depends on the level or on a spread.
     fn depends(&self, expr: &Expr) -> bool {
         let free = FreeNames::new(self.case.definitions(self.settings)).of(expr);
         free.contains(LEVEL) || SPREADS.iter().any(|spread| free.contains(*spread))
@@ -117,7 +117,8 @@ impl Reader<'_> {
         }
     }
 
-    /// (p, s) where this integer grows by s when k grows by p: k, k − m, m*k, floor(k/p).
+    /// (p, s) such that this exponent grows by s when k grows by p, for the forms k, k − m, m*k and
+    /// floor(k/p).
     fn slope(&self, exponent: &Expr) -> Result<Option<(u32, u32)>, Diagnostic> {
         let count = |expr: &Expr| -> Result<Option<u32>, Diagnostic> {
             let value = self.value(expr)?;

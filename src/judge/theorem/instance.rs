@@ -12,7 +12,7 @@ use crate::judge::theorem::evaluate::{LEVEL, TOLERANCE};
 use crate::scheme::Mask;
 use std::collections::BTreeMap;
 
-/// What an instance of a theorem is about.
+/// An instance of a theorem, with numbers in place of names.
 pub(crate) struct Instance {
     /// The scheme of masks.
     pub(crate) resolved: Option<Resolved>,
@@ -20,13 +20,13 @@ pub(crate) struct Instance {
     pub(crate) masks: Vec<Mask>,
     /// The values of parameters.
     pub(crate) values: BTreeMap<String, Rational>,
-    /// The constants in the bound; their cells are not looked for.
+    /// The constants in the bound; the cells that print them are not yet looked for.
     pub(crate) constants: Vec<HandConstant>,
     /// The bound with all numbers put in.
     pub(crate) bound: String,
 }
 
-/// The instance of this label, at a level, or of a depth at a tolerance; the spread is 1.
+/// The instance with this label, at a level or, for a depth, at a tolerance; the spread is 1.
 pub(crate) fn instance(
     paper: &Paper,
     theorem: &Theorem,
@@ -59,7 +59,7 @@ pub(crate) fn instance(
     }))
 }
 
-/// Puts numbers in the place of names and of functions of schemes.
+/// Replaces names and functions of schemes by numbers.
 struct Numbers<'n, 'a> {
     case: &'n Case<'a>,
     by: &'n LocatedFormula,
@@ -87,7 +87,7 @@ impl Numbers<'_, '_> {
                 let rest = rest.iter().map(|(operator, part)| (*operator, self.put_in(part)));
                 Node::Chain(first, rest.collect())
             }
-            // What depends on the index has no value here, and stays.
+            // An expression that depends on the index has no value here, and is kept.
             Node::Fold { fold, index, from, to, body } => Node::Fold {
                 fold: *fold,
                 index: index.clone(),
@@ -100,7 +100,7 @@ impl Numbers<'_, '_> {
         Expr { node, span: expr.span.clone() }
     }
 
-    /// The value in the place of a name or of a call; these themselves where it is irrational.
+    /// The value of a name or of a call; the expression itself if the value is irrational.
     fn number(&mut self, expr: &Expr) -> Expr {
         let value = self.case.evaluate_part(self.by, expr, &self.names, self.settings);
         let Ok(Ok(value)) = value else { return expr.clone() };

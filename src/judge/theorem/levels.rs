@@ -1,14 +1,14 @@
-//! Bounds that hold at all levels since they hold at finitely many.
+//! Bounds that hold at all levels because they hold at finitely many.
 
 use crate::bound::{Constants, SoundBound};
 use crate::exact::{Rational, RealCyclotomic};
 use crate::finding::LevelEvidence;
 use crate::judge::later::{change, later};
 
-/// The most levels by which a sound bound is taken later than a bound that it shows.
+/// The most levels between a bound and the later sound bound that shows it.
 const MAX_LATER: u32 = 12;
 
-/// Of each bound of a distance, a later level whose sound bound shows it.
+/// For each bound of a distance, a later level whose sound bound shows it.
 pub(crate) fn sums(
     axes: &[&Constants],
     sound: Option<&SoundBound>,

@@ -1,4 +1,4 @@
-//! Rings as a setting.
+//! Rings, on which theorems are tried.
 
 use crate::bound::{Budget, LocalConstants};
 use crate::claim::Quantity;
@@ -11,9 +11,9 @@ use crate::scheme::LocalRules;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-/// The points around an extraordinary vertex or on a face. Those of two levels are
-/// compared by their names, or with what an interpolant makes of the earlier ones; then
-/// the distance from the limit is known only at points that the interpolant keeps.
+/// The points around an extraordinary vertex or on a face. The points x^{k+1} are compared with x^k
+/// by their names or, if there is an interpolant L, with Lx^k; then the distance from the limit is
+/// known only at points that L keeps.
 pub(crate) struct AroundPoint {
     ring: LocalRules,
     interpolant: Option<LocalRules>,
@@ -58,14 +58,14 @@ impl AroundPoint {
         })
     }
 
-    /// e_aᵀ − e_bᵀ for the edges (a, b).
+    /// The functionals e_aᵀ − e_bᵀ for the edges (a, b).
     fn edge_differences(&self) -> Vec<Vec<RealCyclotomic>> {
         let count = self.ring.point_count();
         let edges = self.ring.edges().iter();
         edges.map(|&(a, b)| minus(&unit(count, a), &unit(count, b))).collect()
     }
 
-    /// The rows of M less those of the interpolant, or of 1.
+    /// The rows of M − L with the interpolant L, or of M − 1 without.
     fn steps(&self) -> Vec<Vec<RealCyclotomic>> {
         let count = self.ring.point_count();
         let step = |a| {
@@ -78,7 +78,7 @@ impl AroundPoint {
         (0..count).map(step).collect()
     }
 
-    /// The first point that an interpolant keeps.
+    /// The first point that the interpolant keeps; an error if it keeps none.
     fn kept(&self) -> Option<Result<usize, String>> {
         let interpolant = self.interpolant.as_ref()?;
         let (weights, count) = (interpolant.weights(), self.ring.point_count());

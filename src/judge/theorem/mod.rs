@@ -32,7 +32,7 @@ use crate::judge::theorem::trial::Trial;
 use crate::limit::Parametrisation;
 use std::collections::BTreeSet;
 
-/// How exactly the supremum beside a false bound is enclosed, in parts of it.
+/// The precision of the supremum that is given beside a false bound: 1/1000 of it.
 const PARTS: u32 = 1_000;
 
 /// Tries theorems of a paper, each by itself.
@@ -44,7 +44,7 @@ pub(crate) fn trials<'a>(
     theorems.map(one).collect()
 }
 
-/// The masks of the cases of these labels, each once; none of a ring.
+/// The masks of the cases with these labels, each once; rings have none.
 pub(crate) fn schemes_of(
     paper: &Paper,
     theorem: &Theorem,
@@ -126,7 +126,7 @@ fn one<'a>(
         finding.corrections = corrections(paper, theorem, &cases)?;
         finding.repairs = repairs(paper, theorem, &cases, &finding.cases, &finding.corrections)?;
     } else if finding.verdict == TheoremVerdict::Open && closed(theorem) {
-        // A theorem about a single scheme, without parameters, is its only case.
+        // A theorem about a single scheme, without open values, has only this case.
         if let [CaseFinding { outcome: Outcome::Proved, .. }] = &finding.cases[..] {
             finding.verdict = TheoremVerdict::Proved;
             finding.proof = Some("by exact suprema at finitely many levels, and T_c".to_owned());
@@ -150,7 +150,8 @@ fn repairs(
     all: &[Correction],
 ) -> Result<Vec<Repair>, Diagnostic> {
     let mut repairs: Vec<Repair> = Vec::new();
-    // Where it is false as printed, it may well be so with corrections.
+    // Cases that refute the theorem as printed come first: corrections are likely to fail there
+    // too.
     let mut order: Vec<usize> = (0..cases.len()).collect();
     order.sort_by_key(|&i| !matches!(found[i].outcome, Outcome::Refuted(_)));
     for set in subsets(all).into_iter().skip(1) {

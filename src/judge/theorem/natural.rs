@@ -1,4 +1,4 @@
-//! What a refuted theorem is with each point at its natural parameter.
+//! Whether a refuted theorem is also refuted with each point at its natural parameter.
 
 use crate::claim::{Paper, Quantity, Statement, Theorem};
 use crate::diagnostic::Diagnostic;
@@ -9,21 +9,22 @@ use crate::judge::theorem::trial::Trial;
 use crate::limit::Parametrisation;
 use crate::scheme::Mask;
 
-/// Whether the natural parameters of any case are others than i/n^k.
+/// Whether the natural parameters differ from i/n^k in some case.
 fn moves(cases: &[Case<'_>]) -> bool {
     let moves =
         |case: &Case<'_>| case.setting.as_deref().is_some_and(|own| own.natural().is_some());
     cases.iter().any(moves)
 }
 
-/// Whether it matters to a theorem where the points are: to one about differences it does not.
+/// Whether the parameters of points matter to a theorem: it is not about differences, and in some
+/// case the natural parameters differ from i/n^k.
 pub(crate) fn placed(theorem: &Theorem, cases: &[Case<'_>]) -> bool {
     let differences =
         matches!(theorem.statement, Statement::Bound { quantity: Quantity::Difference, .. });
     !differences && moves(cases)
 }
 
-/// What a theorem is in each case at its natural parameters.
+/// The outcome of each case with the points at their natural parameters.
 pub(crate) fn outcomes(
     paper: &Paper,
     theorem: &Theorem,
@@ -47,7 +48,7 @@ pub(crate) fn refutes(outcome: &Outcome) -> Option<bool> {
     }
 }
 
-/// What it is in all of them.
+/// The result for the theorem, from the outcomes of its cases.
 pub(crate) fn naturally(
     cases: &[Case<'_>],
     outcomes: &[Outcome],
@@ -77,7 +78,8 @@ pub(crate) fn naturally(
     }
 }
 
-/// How much there is to check: the level, the number of points, the length of numbers.
+/// The effort of checking a violation: its level, the number of its points, the length of its
+/// numbers.
 pub(crate) fn size(violation: &Violation) -> (u32, usize, usize) {
     let points = match &violation.attained.control {
         Control::Polygon(polygon) => polygon.points.len(),

@@ -1,4 +1,4 @@
-//! Where a theorem is tried: a scheme with the exact suprema of what theorems bound.
+//! A setting: a scheme with the exact suprema of the quantities that theorems bound.
 
 use crate::claim::Quantity;
 use crate::exact::{RealCyclotomic, comparable};
@@ -9,7 +9,8 @@ use crate::limit::{Comparison, Later, Overshoot};
 ///
 /// Errors are texts that say why the program gives no answer.
 pub(crate) trait Setting {
-    /// Compares a supremum with a bound; what exceeds it is a value that is attained.
+    /// Compares a supremum with a bound. If it exceeds the bound, the result has data that attain a
+    /// greater value.
     fn compare(
         &self,
         quantity: Quantity,
@@ -17,15 +18,15 @@ pub(crate) trait Setting {
         bound: &RealCyclotomic,
     ) -> Result<Comparison<Attained>, String>;
 
-    /// A supremum, enclosed up to one of so many parts of it.
+    /// An enclosure of a supremum; its width is about 1/`parts` of it.
     fn supremum(&self, quantity: Quantity, level: u32, parts: u32) -> Result<Supremum, String>;
 
     /// An f such that no supremum of level k + c is more than f times that of level k,
     /// for every k: T_c.
     fn factor(&self, c: u32) -> Result<RealCyclotomic, String>;
 
-    /// What shows that the suprema of these levels are at most these numbers, or why there is nothing
-    /// that certificates have words for.
+    /// What shows that the suprema of these levels are at most these numbers; the error says why
+    /// certificates cannot express it.
     fn evidence(
         &self,
         quantity: Quantity,
@@ -35,12 +36,12 @@ pub(crate) trait Setting {
     /// The sound block bound of the distance.
     fn sound(&self, level: u32) -> Option<RealCyclotomic>;
 
-    /// Whether that shows that the distance is within a bound.
+    /// Whether the sound bound shows that the distance is within a bound.
     fn soundly_within(&self, level: u32, bound: &RealCyclotomic) -> bool {
         self.sound(level).is_some_and(|sound| comparable(&sound, bound) && sound <= *bound)
     }
 
-    /// How many levels are compared.
+    /// The number of levels that are compared.
     fn levels(&self) -> u32 {
         6
     }
@@ -53,19 +54,20 @@ pub(crate) trait Setting {
     /// already, and for a ring.
     fn natural(&self) -> Option<&dyn Setting>;
 
-    /// The data that are found to exceed most in every shift of the parameter, for a step or a
-    /// distance; `None` where there are none, and for a ring.
+    /// The data that exceed most in every shift of the parameter, among those that are tried, for a
+    /// step or a distance; `None` if there are none, and for a ring.
     fn overshoot(&self, _: Quantity, _: u32) -> Option<Overshoot> {
         None
     }
 
-    /// Of a ring, the weights of its limit.
+    /// The weights of the limit, for a ring.
     fn limit(&self) -> Option<&[RealCyclotomic]> {
         None
     }
 }
 
-/// What a level is compared with, in a step or a distance.
+/// The object with which a level is compared: in a step the next level, in a distance the limit;
+/// `None` for a difference.
 pub(crate) fn later(quantity: Quantity) -> Option<Later> {
     match quantity {
         Quantity::Difference => None,

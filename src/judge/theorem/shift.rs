@@ -11,10 +11,10 @@ use crate::judge::theorem::natural::refutes;
 use crate::judge::theorem::setting::later;
 use crate::judge::theorem::simplest::slightly_less;
 
-/// How many levels are looked at from that on at which a case is refuted.
+/// How many levels are tried, from the one on at which a case is refuted.
 const MAX_LEVELS: u32 = 3;
 
-/// Whether a theorem is refuted in every shift, from what it is in the cases at natural
+/// Whether a theorem is refuted in every shift of the parameter, given its outcomes at natural
 /// parameters. `None` for differences and for rings.
 pub(crate) fn every_shift(
     theorem: &Theorem,
@@ -58,7 +58,8 @@ pub(crate) fn every_shift(
     }))
 }
 
-/// Data whose greatest values at this level and later differ by more than the bound.
+/// Data whose greatest values at this level and at the next one, or in the limit, differ by more
+/// than the bound.
 fn exceeding(
     theorem: &Theorem,
     case: &Case<'_>,

@@ -1,8 +1,8 @@
-//! Numbers of small denominators near others.
+//! Numbers of small denominators near other numbers.
 
 use crate::exact::{Enclosed, Integer, Rational, RealCyclotomic};
 
-/// The simplest rational number within 1/256 below a positive number.
+/// The simplest rational number from 255/256 of a positive number to below the number.
 pub(crate) fn slightly_less(value: &RealCyclotomic) -> Option<Rational> {
     let upper = value.enclosure(0).lower().clone();
     if upper.sign() <= 0 {
@@ -25,7 +25,7 @@ fn simplest(low: &Rational, high: &Rational) -> Rational {
     floor + inverse.recip()
 }
 
-/// The same above `low` and up to `high`.
+/// The rational number of least denominator above `low` and up to `high`, 0 ≤ low < high.
 fn simplest_above(low: &Rational, high: &Rational) -> Rational {
     let whole = Rational::from(low.floor() + Integer::one());
     if whole <= *high {

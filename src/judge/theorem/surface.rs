@@ -1,4 +1,4 @@
-//! Tensor product surfaces as a setting.
+//! Tensor product surfaces, on which theorems are tried.
 
 use crate::bound::{Budget, Constants, MAX_CLASSES, Operator, Order, SoundBound, surface_factor};
 use crate::claim::Quantity;
@@ -62,8 +62,9 @@ impl Surface {
         }
     }
 
-    /// A net that changes along one index only has the differences of a curve, and the
-    /// sum of two such nets the steps of both: lower bounds, which are attained.
+    /// A lower bound of the greatest difference or step, with a net that attains it. A net that
+    /// changes along one index only has the differences of a curve; the sum of two such nets has as
+    /// its steps the sums of theirs.
     ///
     /// Source: `proofs/THEOREMS.md`, 43.
     fn attained(&self, quantity: Quantity, level: u32) -> Result<Attained, String> {

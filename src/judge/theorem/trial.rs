@@ -70,7 +70,8 @@ impl Trial<'_> {
         }
     }
 
-    /// What shows that the bound holds at all levels in a case in which it does as printed.
+    /// The proof that the bound as printed holds at all levels in a case; `None` if there is none
+    /// of this form.
     pub(crate) fn levels(&self, case: &Case<'_>) -> Result<Option<Levels>, Diagnostic> {
         let Some(setting) = case.setting.as_deref() else { return Ok(None) };
         let settings = &self.prepared(case, Settings::default());
@@ -109,7 +110,9 @@ struct Bound<'t> {
 }
 
 impl Bound<'_> {
-    /// What the steps of a block amount to, in units of its first one.
+    /// The factor of the bound for the levels within a block: with the correction `AllSteps`, for a
+    /// distance, T_0 + … + T_{c−1}; with `Greatest` the greatest of these; without them 1. T_0 is
+    /// 1.
     fn contribution(&self, quantity: Quantity) -> Result<RealCyclotomic, String> {
         let one = RealCyclotomic::from(Rational::one());
         let within = [Correction::AllSteps, Correction::Greatest];
@@ -125,7 +128,7 @@ impl Bound<'_> {
         })
     }
 
-    /// Levels for each level of the printed formula.
+    /// How many levels count as one level of the printed formula.
     fn stretch(&self) -> u32 {
         if self.trial.corrected(&Correction::Block) { self.block } else { 1 }
     }
@@ -180,8 +183,9 @@ impl Bound<'_> {
         Ok(proved.map_or(Outcome::UpTo(last), |_| Outcome::Proved))
     }
 
-    /// How a bound grows, and the number of its periods after which differences have fallen as
-    /// much, if it holds at all levels since it holds at this many, from its first.
+    /// The growth of a bound, and a number j of its periods such that T_c is at most ratio^j for c
+    /// = j·period. A bound that holds at its first c levels, c ≤ `levels`, then holds at all.
+    /// `None` if there is no such j.
     ///
     /// Source: `proofs/THEOREMS.md`, 40.
     fn all_levels(
@@ -205,7 +209,7 @@ impl Bound<'_> {
         Ok(None)
     }
 
-    /// What shows that a bound, which was found to hold at all levels, does.
+    /// The proof that a bound holds at all levels.
     fn levels(
         &self,
         quantity: Quantity,
@@ -224,8 +228,8 @@ impl Bound<'_> {
         Ok(Some(Levels { period, ratio, times, evidence }))
     }
 
-    /// Looks for a tolerance that the depth does not meet: as near as is handy below a
-    /// distance that is attained, where the formula asks for the fewest levels.
+    /// Looks for a tolerance that the depth does not meet. It is taken slightly below an attained
+    /// distance, and is simple; the greater the tolerance, the fewer levels the formula asks for.
     fn of_depth(&self, by: &LocatedFormula) -> Result<Outcome, Diagnostic> {
         let quantity = Quantity::Distance;
         let contribution = match self.contribution(quantity) {
@@ -256,8 +260,8 @@ impl Bound<'_> {
                     }
                     Ok(false) => {}
                 }
-                // No tolerance below the supremum is promised at this level when not even
-                // one above it is.
+                // If the formula does not promise even a tolerance above the supremum at this
+                // level, it promises none below the supremum.
                 let above = supremum.upper.map(|upper| upper.enclosure(0).upper().clone());
                 let possible = match above {
                     Some(above) => self.deep_enough(by, &above, &contribution, level)?,
@@ -291,6 +295,6 @@ impl Bound<'_> {
     }
 }
 
-/// How exactly a distance is enclosed where a tolerance below it is looked for, step by
-/// step, in parts of it.
+/// The precisions of the enclosures of a distance below which a tolerance is sought, as parts of
+/// it, tried one after the other.
 const PARTS: [u32; 3] = [4, 32, 256];
