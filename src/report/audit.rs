@@ -13,7 +13,7 @@ use super::theorem;
 use crate::audit::{CellFinding, Direction, PaperAudit, TableFinding, Verdict};
 use crate::exact::{Rational, format::short};
 
-/// How many single cells or cases a list names.
+/// The most single cells or cases that a list names.
 const MAX_LISTED: usize = 4;
 
 /// The report of several papers: a summary, then what is wrong, table by table in
@@ -89,7 +89,7 @@ fn one_table(sheet: &mut Sheet, audit: &PaperAudit<'_>, finding: &TableFinding<'
     }
 }
 
-/// A formula, with the paper's definition beside it when it is just its name.
+/// A formula; if it is only the name of a definition, with the definition's formula beside it.
 pub(super) fn spelled_out(audit: &PaperAudit<'_>, formula: &str) -> String {
     match audit.paper.definitions.get(formula) {
         Some(definition) => format!("{formula} = {}", definition.text),
@@ -119,7 +119,8 @@ pub fn table_values(finding: &TableFinding<'_>) -> Grid {
 
 fn cell_text(cell: &CellFinding) -> String {
     let printed = cell.printed.as_deref().unwrap_or("lost");
-    // Reproduced by another reading, the value below is not the printed one.
+    // A cell that another reading reproduces gets a second mark: the value below it is that of the
+    // printed definition.
     let otherwise = cell.verdict == Verdict::Reproduced && cell.as_read.is_some();
     let otherwise = if otherwise { mark("other-reading") } else { "" };
     let mut lines = vec![format!("{printed} {}{otherwise}", mark(cell.verdict.name()))];
@@ -141,8 +142,8 @@ fn digits_beside(cell: &CellFinding) -> u32 {
     u32::try_from(digits.clamp(4, 12)).unwrap_or(12)
 }
 
-/// What a table's shape does not say: the slips, how damaged text is read, why a
-/// value is missing, the assumptions, and how many promises are kept.
+/// The remarks below a table: the slips, how damaged text is read, why a value is missing, the
+/// assumptions, and how many promises are kept.
 pub(super) fn remarks(finding: &TableFinding<'_>) -> Vec<String> {
     let mut lines = Vec::new();
     let listed = |name: &str, what: &dyn Fn(&CellFinding) -> Option<String>| {
@@ -196,7 +197,7 @@ fn assumption(finding: &TableFinding<'_>) -> Option<String> {
     Some(format!("? {missing}. What is left, at {}{comparison}.{slips}", assumed(cell)))
 }
 
-/// What the verdicts would be at the assumed values, counted.
+/// How many cells have which verdict at the assumed values, in words.
 fn comparison(finding: &TableFinding<'_>) -> Option<String> {
     let count = |of: &dyn Fn(&Verdict) -> bool| {
         cells(finding).filter_map(|cell| cell.verdict_if_assumed.as_ref()).filter(|v| of(v)).count()

@@ -83,7 +83,7 @@ fn list(numbers: &[Rational]) -> String {
     numbers.iter().map(ToString::to_string).collect::<Vec<String>>().join(", ")
 }
 
-/// What the name stands for is said where the statement is.
+/// The value of a constant, and the cell that prints it. Its definition stands with the statement.
 fn value_of(HandConstant { value, cell, .. }: &HandConstant) -> String {
     let printed = cell.as_ref().map(|cell| {
         format!("; the paper prints {} in {} ({}), confirmed", cell.printed, cell.locus, cell.id)
@@ -107,7 +107,7 @@ fn limit(weights: &LimitWeights, contraction: Option<&(u32, Rational)>) -> Strin
     lines.join("\n")
 }
 
-/// `1/6 x_-1 + 2/3 x_0`; with a mark, of the x'.
+/// `1/6 x_-1 + 2/3 x_0`, with a mark behind each x, such as the prime of x'.
 fn sum(terms: &[(i64, Rational)], mark: &str) -> String {
     let term = |(place, (i, coefficient)): (usize, &(i64, Rational))| {
         let (sign, size) = (coefficient.sign(), coefficient.abs());
@@ -140,7 +140,7 @@ fn parenthesised(number: &Rational) -> String {
     if number.sign() < 0 { format!("({number})") } else { number.to_string() }
 }
 
-/// What the two values are, whose difference is bounded.
+/// The names of the two values whose difference is bounded.
 fn names(violation: &Violation) -> [String; 2] {
     let k = violation.level;
     match (&violation.attained.place, violation.quantity) {

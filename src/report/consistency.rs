@@ -29,7 +29,7 @@ fn line(audit: &PaperAudit<'_>, side: &Side) -> String {
     format!("{}: {}", side.needs, places.join("; "))
 }
 
-/// Where in the paper a table or a line of it is.
+/// The locus of a table, or of a row or column of it.
 pub(super) fn locus(audit: &PaperAudit<'_>, at: &TablePart) -> String {
     let Some(table) = at.table_of(audit.paper) else { return at.table.clone() };
     match at.line {

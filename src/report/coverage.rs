@@ -1,4 +1,4 @@
-//! What of each paper is claimed.
+//! The numbered items of papers, and the claims about them.
 
 use super::parts::mark;
 use super::sheet::{Grid, Sheet};

@@ -54,8 +54,8 @@ pub(super) fn outcome(finding: &EquationFinding<'_>) -> String {
     }
 }
 
-/// `, N = 3…10, i = 2…N-1`: the values of the indices that an equation was compared at; nothing is
-/// said of others.
+/// `, N = 3…10, i = 2…N-1`: the index values at which an equation was compared. Others were not
+/// compared.
 fn compared(finding: &EquationFinding<'_>) -> String {
     let EquationBody::Identity(identity) = &finding.equation.body else { return String::new() };
     let index = |index: &Index| match index {

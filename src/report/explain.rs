@@ -18,21 +18,20 @@ use crate::audit::{
 use crate::claim::{EquationBody, Table};
 use crate::exact::format::short;
 
-/// What is computed of a claim beyond the audit, to explain it.
+/// What is computed beyond the audit, to explain a claim.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Background<'e> {
-    /// The readings of its table, from [`crate::audit::readings`]; none where it is in none.
+    /// The readings of the claim's table, from [`crate::audit::readings`]; empty if it has none.
     pub readings: &'e [Explanation],
-    /// What [`crate::audit::by_hand`] says of a theorem.
+    /// The result of [`crate::audit::by_hand`] for a theorem.
     pub by_hand: Option<&'e ByHand>,
-    /// What [`crate::audit::working`] says of a cell.
+    /// The result of [`crate::audit::working`] for a cell.
     pub working: Option<&'e Working>,
 }
 
-/// The claim, table or equation of this id (`key:table-1`, `key:table-1:2:3`,
-/// `key:eq-3.8`, `key:range-1`, `key:theorem-1`) in full; `None` when there is none.
-/// With `all`, every reading
-/// one is shown.
+/// The claim, table or equation of this id (`key:table-1`, `key:table-1:2:3`, `key:eq-3.8`,
+/// `key:range-1`, `key:theorem-1`) in full; `None` when there is none. With `all`, every reading is
+/// shown.
 #[must_use]
 pub fn explain_sheet(
     audits: &[PaperAudit<'_>],

@@ -5,13 +5,14 @@ use super::sheet::Grid;
 use crate::diagnostic::wrap::fill;
 pub(super) use crate::diagnostic::wrap::{width_of, wrapped};
 
-/// How many characters stand around the texts of a column, with one to the next column.
+/// The width of a column beyond its text, with the separator from the next column.
 const AROUND: usize = 3;
 
-/// How many lines more a table of texts may take for a row before records are easier to read.
+/// The most lines by which wrapping may lengthen a row of a table of texts; beyond it, records are
+/// easier to read.
 const MAX_WRAPPED: usize = 2;
 
-/// A table as it fits.
+/// A table in a form that fits the width.
 pub(super) enum Fitted {
     /// As tables, one below the other, each with the first column.
     Tables(Vec<Grid>),
@@ -19,7 +20,8 @@ pub(super) enum Fitted {
     Records(Vec<(String, Vec<(String, String)>)>),
 }
 
-/// The words of a line of a cell: a mark stays with what it is about, before or after it.
+/// The words of a line of a cell. A mark is no word of its own: it stays with the next word or, at
+/// the end of the line, with the last one.
 fn words(line: &str) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();
     let pieces: Vec<&str> = line.split(' ').collect();
@@ -47,7 +49,7 @@ impl Grid {
         let Some((key, rest)) = least.split_first() else {
             return Fitted::Tables(vec![self.clone()]);
         };
-        // The last column has no next one.
+        // The last column needs no separator behind it.
         let room = width + 1;
         if rest.iter().any(|column| key + column + 2 * AROUND > room) || key + AROUND > room {
             return Fitted::Records(self.records());

@@ -1,4 +1,4 @@
-//! What headers mean, where they do not say it themselves.
+//! The meaning of headers, where their text does not say it.
 
 use crate::claim::{Axis, AxisEntry, Headers, LocatedReference, Table};
 use crate::exact::format::short;

@@ -3,7 +3,8 @@
 use crate::audit::{CellFinding, PaperAudit, Verdict};
 use std::collections::BTreeMap;
 
-/// What the cells of a paper, their promises, and the other claims come to.
+/// Up to three sentences: about the cells of a paper, about their promises, and about the other
+/// claims.
 pub(super) fn headline(audit: &PaperAudit<'_>) -> String {
     let sentences = [cells(audit), promises(audit), claims(audit)];
     let sentences: Vec<String> = sentences.into_iter().flatten().collect();
@@ -58,8 +59,8 @@ fn cells(audit: &PaperAudit<'_>) -> Option<String> {
     Some([Some(format!("{sentence}.")), lost].into_iter().flatten().collect::<Vec<_>>().join(" "))
 }
 
-/// ` (at the values shown, 7 differ and 1 is a slip away)`: what cells that are not checkable would
-/// be if the values that were put in were stated.
+/// ` (at the values shown, 7 differ and 1 is a slip away)`: the verdicts that cells which are not
+/// checkable have at the values that were put in.
 fn if_assumed(printed: &[&CellFinding]) -> String {
     let judged = || printed.iter().filter_map(|cell| cell.verdict_if_assumed.as_ref());
     let differ = judged().filter(|verdict| **verdict == Verdict::Refuted).count();
@@ -115,8 +116,8 @@ fn promises(audit: &PaperAudit<'_>) -> Option<String> {
     (counts.all() > 0).then(|| format!("Of {} promises, {broken} broken{open}.", counts.all()))
 }
 
-/// A kind of claim: its counts, what several of them are, what one is, the verdict of a wrong one,
-/// and what that is in words, of one and of several.
+/// A kind of claim: its counts, its name in the plural and in the singular, the verdict of a wrong
+/// claim, and the words for this verdict in the singular and in the plural.
 type Kind =
     (BTreeMap<&'static str, usize>, &'static str, &'static str, &'static str, [&'static str; 2]);
 

@@ -3,7 +3,7 @@
 use crate::exact::{RealCyclotomic, format::short};
 use crate::limit::ExtremalPolygon;
 
-/// How many digits a decimal has.
+/// The number of significant digits of a decimal.
 pub(super) const DIGITS: u32 = 12;
 
 /// `x_-2, …, x_1 = 0, 1, 2, 1`.

@@ -1,4 +1,4 @@
-//! The head of an audit's report: what each paper's claims come to.
+//! The head of an audit's report: the counts of each paper's claims.
 
 use super::headline::headline;
 use super::parts::mark;
@@ -6,7 +6,7 @@ use super::sheet::{Grid, Sheet};
 use crate::audit::{PaperAudit, Verdict};
 use std::collections::BTreeMap;
 
-/// What stands where there is nothing to count.
+/// The text in place of a count of 0.
 const NONE: &str = "·";
 
 /// How many findings have each verdict.
@@ -30,8 +30,8 @@ pub fn overview_sheet(audits: &[PaperAudit<'_>]) -> Sheet {
     sheet
 }
 
-/// A sentence for each paper, the cells of the papers' tables by verdict, and then their other claims; of these
-/// the kinds that there are.
+/// A sentence for each paper, the cells of the papers' tables by verdict, and then their other
+/// claims, by the kinds that occur.
 pub(super) fn overview(sheet: &mut Sheet, audits: &[PaperAudit<'_>]) {
     for audit in audits {
         sheet.text(headline(audit));

@@ -1,4 +1,4 @@
-//! What several parts of a report show.
+//! Texts that several parts of a report share.
 
 use crate::audit::PaperAudit;
 use crate::formula::LocatedFormula;
@@ -22,8 +22,8 @@ pub(super) fn is_mark(word: &str) -> bool {
     matches!(word, "✓" | "≈" | "±" | "⇄" | "✗" | "?")
 }
 
-/// Parts with points between them, the empty ones left out: a claim's title, and its id, by which
-/// `subcert explain` finds it.
+/// Joins parts by points and leaves out the empty ones, such as a claim's title and its id, by
+/// which `subcert explain` finds it.
 pub(super) fn titled(parts: &[&str]) -> String {
     let parts: Vec<&str> = parts.iter().copied().filter(|part| !part.is_empty()).collect();
     parts.join(" · ")

@@ -16,8 +16,8 @@ pub(super) fn count(counts: PromiseCounts) -> String {
     [Some(kept), broken, open].into_iter().flatten().collect::<Vec<String>>().join(", ")
 }
 
-/// Below a cell of a table, unless it keeps its promise: that it does not, or that this
-/// is open, and what is sound.
+/// The line below a cell of a table whose promise is broken or open, with its sound value; `None`
+/// if it keeps its promise.
 pub(super) fn line(cell: &CellFinding) -> Option<String> {
     let word = match cell.kept.as_ref()? {
         Kept::Yes => return None,
@@ -32,7 +32,8 @@ pub(super) fn line(cell: &CellFinding) -> Option<String> {
     })
 }
 
-/// How many cells of a table keep their promise, by what, and one that does not.
+/// How many cells of a table keep their promise by the formula, by the sound bound, and exactly,
+/// with an example of a cell that does not.
 pub(super) fn remarks(finding: &TableFinding<'_>) -> Vec<String> {
     let Some(promise) = &finding.table.promise else { return Vec::new() };
     let what = match promise {
@@ -57,7 +58,7 @@ pub(super) fn remarks(finding: &TableFinding<'_>) -> Vec<String> {
     let parts = parts.iter().filter(|(count, _)| *count > 0);
     let parts: Vec<String> = parts.map(|(count, what)| format!("{count} {what}")).collect();
     let exactly = format!("Exactly, {}.", parts.join(", "));
-    // Data that are too far from their limit wherever the points are come first.
+    // Data that break a promise also at the natural parameters come first.
     let natural_example = cells().find_map(|cell| match &cell.kept_naturally {
         Some(Kept::No(broken)) => Some((cell, broken)),
         _ => None,

@@ -114,7 +114,7 @@ fn capital(text: &str) -> String {
     letters.next().map(char::to_uppercase).into_iter().flatten().chain(letters).collect()
 }
 
-/// What the best reading explains where luck explains it.
+/// What the best reading explains, if it was not taken since it may be luck.
 fn by_luck(search: &Search) -> Option<String> {
     let Search { cells, as_printed, most, chance, .. } = search;
     (search.best.is_empty() && most > as_printed).then(|| {
@@ -122,7 +122,7 @@ fn by_luck(search: &Search) -> Option<String> {
     })
 }
 
-/// What the search covered, so that what it did not find means something.
+/// What the search covered, so that a reader can judge a search that found nothing.
 pub(super) fn covered(search: &Search) -> String {
     let best = match search.best.first() {
         None => by_luck(search).map_or(String::new(), |found| format!(" The best {found}")),
@@ -136,8 +136,8 @@ pub(super) fn covered(search: &Search) -> String {
     format!("{} readings were tried. {}{best}", grouped(search.tried), differ_in(search))
 }
 
-/// How good the reading of some cells is: the one that names it, of the table, or else
-/// of one of its rows or columns.
+/// How good the reading of these cells is: the table's reading, and the readings of rows and
+/// columns, as far as these cells are read by them.
 pub(super) fn evidence<'c>(
     table: &Table,
     search: &Search,

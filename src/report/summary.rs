@@ -1,4 +1,4 @@
-//! What the cells of a paper's tables amount to, at the end of its report.
+//! The summary of the cells of a paper's tables, at the end of its report.
 
 use super::parts::mark;
 use super::sheet::Sheet;
@@ -41,7 +41,7 @@ pub(super) fn standing_mark(standing: Standing) -> &'static str {
     })
 }
 
-/// The number of cells, and then each cause with its own.
+/// The number of cells of a standing, and then the number for each cause.
 fn lines(summary: &CellSummary, standing: Standing) -> Vec<String> {
     let groups = || summary.groups.iter().filter(|group| group.outcome.standing == standing);
     let mut causes: Vec<&Option<Cause>> = groups().map(|group| &group.outcome.cause).collect();

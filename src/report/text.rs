@@ -12,7 +12,7 @@ const FAIR: Style = AnsiColor::Yellow.on_default();
 const BAD: Style = AnsiColor::Red.on_default().bold();
 const FAINT: Style = Style::new().dimmed();
 
-/// The marks, and how they look; put on after the layout, which counts columns.
+/// The marks with their styles, which are put on after the layout, since this counts columns.
 const MARKS: [(&str, Style); 5] = [("✓", GOOD), ("≈", FAIR), ("±", FAIR), ("✗", BAD), ("?", FAINT)];
 
 /// The widest line of running text.

@@ -13,7 +13,7 @@ use crate::exact::{RealCyclotomic, format::short};
 /// The most digits of a decimal.
 const DIGITS: u32 = 12;
 
-/// The section on theorems. An open theorem is nothing right, so all are shown.
+/// The section on theorems. All are shown, since an open theorem is not known to be right either.
 pub(super) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>) {
     if audit.theorems.is_empty() {
         return;
@@ -27,7 +27,8 @@ pub(super) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>) {
     sheet.facts(audit.theorems.iter().map(fact).collect());
 }
 
-/// The verdict, why, what would save a false theorem, and what of its proof fails.
+/// The verdict, its reason, the corrections that would save a false theorem, and the premises that
+/// fail.
 pub(super) fn outcome(finding: &TheoremFinding<'_>) -> String {
     let name = finding.verdict.name();
     let mut lines = match (&finding.refutation, &finding.proof) {
@@ -41,7 +42,8 @@ pub(super) fn outcome(finding: &TheoremFinding<'_>) -> String {
     lines.join(separator)
 }
 
-/// In which parametrisation a theorem is refuted, beginning with what survives every shift.
+/// The parametrisations in which a theorem is refuted, where every shift of the parameter comes
+/// first.
 fn refuted(name: &str, refutation: &Refutation) -> Vec<String> {
     let Refutation { case, violation, natural, every_shift, .. } = refutation;
     let Violation { level, attained, bound, .. } = violation;
@@ -92,7 +94,7 @@ fn apart(left: &RealCyclotomic, right: &RealCyclotomic) -> (String, String) {
     (4..DIGITS).map(digits).find(|(left, right)| left != right).unwrap_or_else(|| digits(DIGITS))
 }
 
-/// What an open theorem was tried on.
+/// The cases that an open theorem was tried on.
 fn tried(finding: &TheoremFinding<'_>) -> String {
     let count = |what: fn(&Outcome) -> bool| {
         finding.cases.iter().filter(|case| what(&case.outcome)).count()
@@ -110,7 +112,7 @@ fn tried(finding: &TheoremFinding<'_>) -> String {
     parts.iter().fold(String::new(), |text, part| format!("{text} · {part}"))
 }
 
-/// What would save a false theorem.
+/// The corrections that would save a false theorem.
 fn repairs(finding: &TheoremFinding<'_>) -> Option<String> {
     finding.refutation.as_ref()?;
     let sets: Vec<String> = finding
@@ -130,7 +132,7 @@ fn repairs(finding: &TheoremFinding<'_>) -> Option<String> {
     Some(format!("not refuted with {}", sets.join("; or with ")))
 }
 
-/// The claims that it rests on, and that fail.
+/// The claims that it rests on and that fail.
 fn premises(finding: &TheoremFinding<'_>) -> Option<String> {
     let mut loci: Vec<&str> = Vec::new();
     for premise in &finding.failing {
@@ -139,7 +141,7 @@ fn premises(finding: &TheoremFinding<'_>) -> Option<String> {
             loci.push(premise.locus);
         }
     }
-    // A theorem may be true, though the paper's own proof of it is not one.
+    // A theorem may be proved here though the paper's own proof fails.
     let proved = finding.verdict == TheoremVerdict::Proved;
     let rests = if proved { "the paper's own proof rests on" } else { "rests on" };
     match loci.len() {

@@ -5,24 +5,24 @@ use super::sheet::{Grid, Sheet};
 use crate::audit::{Explanation, TableFinding};
 use crate::exact::format::short;
 
-/// What the order of the readings is.
+/// The order of the readings, in words.
 const ORDER: &str = "The readings that explain most cells of the table come first.";
 
-/// What [`LUCK`] means.
+/// The meaning of [`LUCK`], in words.
 const ON_LUCK: &str = "✓ luck: the reading gives this cell, but no more of the others than \
                        unrelated numbers would.";
 
 /// How many readings are shown without `--all`.
 const MAX_SHOWN: usize = 10;
 
-/// What stands beside a value that a reading gives by luck.
+/// The word beside a value that a reading gives by luck.
 const LUCK: &str = " luck";
 
 /// The place of a cell: row and column, counted from 0.
 pub(super) type Place = (usize, usize);
 
-/// The readings in order: those that explain most cells first, and of a cell, before all others
-/// that of its row or column.
+/// The readings in order: those that explain most cells first. For a cell, the readings of its row
+/// and of its column come before all others.
 pub(super) fn in_order<'r>(
     finding: &'r TableFinding<'_>,
     readings: &'r [Explanation],
@@ -37,7 +37,7 @@ pub(super) fn in_order<'r>(
     readings
 }
 
-/// Each reading with how many cells it explains; of a cell, with its value there.
+/// Each reading with the number of cells that it explains; for a cell, also with its value there.
 pub(super) fn section(
     sheet: &mut Sheet,
     finding: &TableFinding<'_>,

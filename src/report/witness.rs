@@ -8,13 +8,13 @@ use crate::audit::{ByHand, Control, Naturally, Refutation, TheoremFinding};
 use crate::claim::Quantity;
 use crate::exact::format::short;
 
-/// What it takes to check the refutation by hand.
+/// The facts for checking the refutation by hand.
 pub(super) fn facts(finding: &TheoremFinding<'_>, hand: Option<&ByHand>) -> Vec<(String, String)> {
     let Some(refutation) = &finding.refutation else { return Vec::new() };
     let Refutation { case, violation, supremum, sound, natural, every_shift, .. } = refutation;
     let mut facts = Vec::new();
     let mut fact = |name: &str, value: String| facts.push((name.to_owned(), value));
-    // What does not depend on where the points are comes first.
+    // Data that refute the theorem wherever the points are come first.
     if let Some(found) = every_shift {
         shift::facts(found, &mut fact);
     }
@@ -64,10 +64,10 @@ pub(super) fn facts(finding: &TheoremFinding<'_>, hand: Option<&ByHand>) -> Vec<
     facts
 }
 
-/// Of points around a vertex or on a face, what is compared with what.
+/// For rings, the two points that are compared.
 ///
-/// The distance of a point from its limit is at most the sum of its steps, which proofs telescope:
-/// what is above a bound of the distance refutes the same bound of that sum.
+/// The distance of a point from its limit is at most the sum of its steps, which proofs add up.
+/// Data that exceed a bound of the distance therefore refute the same bound of that sum.
 pub(super) fn compared(finding: &TheoremFinding<'_>) -> Option<&'static str> {
     let violation = &finding.refutation.as_ref()?.violation;
     let Control::Points(_) = violation.attained.control else { return None };

@@ -1,4 +1,4 @@
-//! The values that a cell is computed from.
+//! The values from which a cell is computed.
 
 use super::numbers::{DIGITS, exact};
 use crate::audit::{PaperAudit, TableFinding, Working};
@@ -7,8 +7,8 @@ use crate::exact::{RealCyclotomic, format::short};
 /// How many characters a fraction may have; a longer one is shown as its decimal.
 const MAX_FRACTION: usize = 60;
 
-/// The scheme, the parameters, and each definition with its value: `scheme` is the one that is
-/// printed, under its name.
+/// The scheme, the parameters, and each definition with its value. `scheme` is the label and the
+/// text of the printed scheme.
 pub(super) fn facts(
     audit: &PaperAudit<'_>,
     finding: &TableFinding<'_>,

@@ -15,7 +15,7 @@ use crate::report::sheet::{Grid, Sheet};
 use crate::report::summary::words;
 use std::collections::BTreeSet;
 
-/// What the cells show.
+/// The formula of the table, its title, and the number of the cells.
 pub(super) fn facts(cells: &CellErratum<'_, '_>) -> Vec<(String, String)> {
     let table = cells.finding.table;
     let mut facts = vec![("said to equal".to_owned(), table.value.text.clone())];
@@ -65,7 +65,7 @@ pub(in crate::report) fn origin(cells: &CellErratum<'_, '_>) -> String {
     }
 }
 
-/// At what the cells are reproduced, and how good that is.
+/// The values at which the cells are reproduced, and how likely luck is.
 fn reproduced(cells: &CellErratum<'_, '_>) -> String {
     let cause = cells.outcome.cause.as_ref().map(Cause::to_string).unwrap_or_default();
     let table = cells.finding.table;
@@ -93,8 +93,8 @@ fn sound(cell: &CellFinding) -> String {
     }
 }
 
-/// An exact value in the form of the printed number: to its last place, or, where
-/// that shows nothing, with as many digits.
+/// An exact value in the form of the printed number: rounded to its last place or, if only zeros
+/// remain, to as many digits.
 pub(in crate::report) fn correct(exact: Option<&RealCyclotomic>, printed: &Printed) -> String {
     let Some(exact) = exact else { return "no value".to_owned() };
     let digits = u32::try_from(printed.decimal.significant_digits()).unwrap_or(1).clamp(1, 40);
@@ -107,7 +107,7 @@ pub(in crate::report) fn correct(exact: Option<&RealCyclotomic>, printed: &Print
     if shows || exact.sign() == 0 { text } else { short(exact, digits) }
 }
 
-/// Some cells of a table in its shape; a dot where there is another one.
+/// Some cells of a table in the table's shape; other cells are dots.
 fn shaped(
     finding: &TableFinding<'_>,
     cells: &[(usize, usize)],
@@ -146,7 +146,7 @@ pub(super) fn recovered(sheet: &mut Sheet, errata: &Errata<'_, '_>) {
         return;
     }
     sheet.heading(2, "What the paper does not state, and its numbers give away");
-    // The reading of wrong cells stands where these do.
+    // The reading of a table with wrong cells is given with these cells.
     let told = |finding: &TableFinding<'_>| {
         errata.errata.iter().any(|erratum| {
             let Subject::Cells(cells) = &erratum.subject else { return false };

@@ -58,15 +58,15 @@ fn paper(sheet: &mut Sheet, errata: &Errata<'_, '_>) {
     summary::section(sheet, audit);
 }
 
-/// An erratum, as it is written down.
+/// An erratum in words.
 struct Entry {
     number: usize,
-    /// Where, and the verdict.
+    /// The locus and the verdict.
     heading: String,
-    /// Of a claim, what it says.
+    /// The title of the claim; `None` for cells.
     title: Option<String>,
     facts: Vec<(String, String)>,
-    /// How it came about, and what it changes: the same of claims that fail for one reason.
+    /// How it came about, and what it changes. Claims that fail for one reason have this in common.
     causes: Vec<(String, String)>,
     grid: Option<Grid>,
 }
@@ -105,7 +105,7 @@ impl Entry {
     }
 }
 
-/// Errata that are alike: what they have in common once.
+/// Writes errata that are alike; what they have in common is written once.
 fn group(sheet: &mut Sheet, alike: &[Entry]) {
     let [first, .., last] = alike else {
         for Entry { number, heading, title, facts, causes, grid } in alike {

@@ -53,8 +53,8 @@ pub struct Table<'a> {
     pub recovered: Vec<Recovered<'a>>,
     /// The search for a reading that explains its cells; null where none was needed.
     pub search: Option<Search<'a>>,
-    /// The same for the cells that need a parameter that the paper does not state; missing where
-    /// a table has only one kind of cells.
+    /// The search for a reading that explains its cells with a parameter that the paper does not
+    /// state; missing where a table has only one kind of cells.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub search_of_cells_with_assumptions: Option<Search<'a>>,
 }
@@ -66,12 +66,12 @@ pub struct PromiseTally {
     pub kept: usize,
     /// They do not.
     pub broken: usize,
-    /// This is not decided.
+    /// It is not decided whether they do.
     pub open: usize,
 }
 
 impl<'a> AuditReport<'a> {
-    /// The form of these audits.
+    /// The JSON form of these audits.
     #[must_use]
     pub fn of(audits: &'a [PaperAudit<'_>]) -> AuditReport<'a> {
         AuditReport { schema: SCHEMA, papers: audits.iter().map(Paper::of).collect() }

@@ -10,19 +10,20 @@ use serde::Serialize;
 /// The computation behind the data that refute a theorem with points at i/n^k.
 #[derive(Debug, Serialize)]
 pub struct ByHand<'a> {
-    /// The masks at their offsets; none of a ring.
+    /// The masks at their offsets; empty for a ring.
     pub masks: Vec<HandMask>,
     /// The constants in the bound.
     pub constants: Vec<Constant<'a>>,
     /// The bound with all numbers put in.
     pub bound: &'a str,
-    /// The refined points of a curve that matter, level by level.
+    /// The refined points of a curve that the computation needs, level by level.
     pub refined: Vec<Level>,
-    /// Of a distance of a curve: the limit at 0, as weights of points.
+    /// For a distance of a curve, the weights of points that give the limit at 0.
     pub limit: Option<Weights>,
-    /// Of a curve, the two values whose difference is bounded.
+    /// For a curve, the two values whose difference is bounded.
     pub sides: Option<[Side; 2]>,
-    /// `net`, `ring` or `points`, where refined points and limits are left out.
+    /// `net`, `ring` or `points`, where refined points and limits are left out; null where they are
+    /// not.
     pub left_out: Option<&'static str>,
 }
 
@@ -40,14 +41,14 @@ pub struct HandMask {
 pub struct Constant<'a> {
     /// Its name, or the call of a function.
     pub name: &'a str,
-    /// What it stands for.
+    /// The formula that it stands for.
     pub formula: &'a str,
     /// Its value; its fields stand here.
     #[serde(flatten)]
     pub value: Exact,
     /// The id of a confirmed cell of the paper that prints it.
     pub cell: Option<&'a str>,
-    /// What is printed there.
+    /// The text of that cell.
     pub printed: Option<&'a str>,
 }
 
@@ -69,14 +70,14 @@ pub struct Point {
     pub value: String,
 }
 
-/// Weights of points, with which refined points have the same sum as the points before.
+/// Weights that give the points of a level and the refined points the same weighted sum.
 #[derive(Debug, Serialize)]
 pub struct Weights {
     /// The weights, which sum to 1.
     pub weights: Vec<Point>,
-    /// The refined points of the same indices: their coefficients.
+    /// The coefficients of the refined points with the same indices.
     pub rules: Vec<Vec<Point>>,
-    /// The number of levels after which differences are known to fall, and their constant.
+    /// c and T_c < 1, which show that the differences of the points tend to 0.
     pub contraction: Option<(u32, String)>,
 }
 

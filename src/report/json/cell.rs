@@ -1,30 +1,32 @@
-//! What is found of a cell of a table.
+//! The findings about a cell of a table.
 
 use super::exact::{Exact, decimal};
 use super::promise::Promise;
 use crate::audit::{self, CellFinding};
 use serde::Serialize;
 
-/// A cell as another reading than the printed one has it.
+/// A cell under another reading than the printed one.
 #[derive(Debug, Serialize)]
 pub struct AsRead {
     /// How the reading differs from the printed text.
     pub differs: String,
-    /// The value that it gives.
+    /// The value of the cell under the reading.
     pub exact: String,
     /// That value as a decimal.
     pub decimal: String,
 }
 
-/// What holds of a printed bound or depth, whatever its verdict is.
+/// The sound value of a printed bound or depth, and whether its promise is kept, whatever its
+/// verdict is.
 #[derive(Debug, Serialize)]
 pub struct CellSound<'a> {
     /// The sound value; its fields stand here.
     #[serde(flatten)]
     pub value: SoundValue<'a>,
-    /// Whether the printed number keeps its promise by the printed formula.
+    /// Whether the printed number is at least the value of the printed formula, of a depth rounded
+    /// up.
     pub kept_by_formula: Option<bool>,
-    /// Whether the sound bound shows that it keeps its promise.
+    /// Whether the printed number is at least the sound value, so that it keeps its promise.
     pub kept_by_sound_bound: Option<bool>,
     /// Whether it keeps its promise for all control data; its fields stand here, and are missing
     /// where there is no promise.
@@ -47,7 +49,7 @@ pub enum SoundValue<'a> {
     Least {
         /// The least level from which on the tolerance is met.
         depth: u32,
-        /// True.
+        /// Always true.
         least: bool,
     },
     /// An upper bound of the distance.

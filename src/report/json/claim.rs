@@ -34,7 +34,7 @@ pub struct Claim<'a> {
     pub verdict: &'static str,
     /// The reading that explains a cell, where it is another one than the printed.
     pub reading: Option<AsRead>,
-    /// What holds whatever the verdict is: of a bound, a depth or a range.
+    /// A sound statement on a bound, a depth or a range, whatever its verdict is.
     pub sound: Option<Sound<'a>>,
     /// What else there is to say.
     pub note: Option<Cow<'a, str>>,
@@ -47,7 +47,7 @@ pub struct Claim<'a> {
     pub certificate: Option<Certificate>,
 }
 
-/// What holds whatever the verdict is.
+/// A sound statement on a claim, whatever its verdict is.
 #[derive(Debug, Serialize)]
 #[serde(untagged)]
 pub enum Sound<'a> {
@@ -60,7 +60,7 @@ pub enum Sound<'a> {
     },
 }
 
-/// What only claims of one kind have.
+/// The fields that only claims of one kind have.
 #[derive(Debug, Serialize)]
 #[serde(untagged)]
 pub enum Details<'a> {
@@ -68,14 +68,14 @@ pub enum Details<'a> {
     Cell {
         /// The values that were put in for parameters that the paper does not state.
         assumed: Option<Named<String>>,
-        /// What the verdict would be if they were stated.
+        /// The verdict if these values were stated.
         verdict_if_assumed: Option<&'static str>,
     },
     /// Of an equation.
     Equation {
         /// The cases in which the sides differ; null where there are none.
         failures: Option<Vec<Failure<'a>>>,
-        /// Changes of one symbol with which it holds.
+        /// Changes of one symbol after which the equation holds.
         mends: Option<&'a [String]>,
     },
     /// Of a closed form in a free parameter.
@@ -105,7 +105,7 @@ pub enum Details<'a> {
         from: Option<u32>,
         /// The ids of the claims that it rests on.
         rests: &'a [String],
-        /// Those of them that do not hold.
+        /// The ids of those among them that do not hold.
         failing: Vec<&'a str>,
     },
 }
@@ -130,7 +130,7 @@ pub struct End<'a> {
     pub printed: &'a str,
     /// The end of the exact range; null where it has none there.
     pub exact: Option<String>,
-    /// How the two compare.
+    /// How the printed end and the exact end compare.
     pub relation: String,
     /// Whether the printed end is within the exact range.
     pub inside: bool,
@@ -138,7 +138,7 @@ pub struct End<'a> {
     pub value: String,
 }
 
-/// What the checker says of a claim, or of the table of a cell.
+/// The result of the checker for a claim, or for the table of a cell.
 #[derive(Clone, Debug, Serialize)]
 pub struct Certificate {
     /// Whether there is a valid certificate.
@@ -227,7 +227,8 @@ impl<'a> Claim<'a> {
     ) -> Claim<'a> {
         let claim = finding.claim;
         let left = &claim.left.text;
-        // Where the printed form is one of the definitions, that is what is printed.
+        // If the printed form is the name of a definition, the definition's formula is what is
+        // printed.
         let definition = audit.paper.definitions.get(left);
         let printed = definition.map_or(left, |definition| &definition.text).as_str();
         let (failures, printed_larger, printed_smaller) = match &finding.verdict {
@@ -284,7 +285,7 @@ impl<'a> Claim<'a> {
     }
 }
 
-/// A reason and a note, as far as there are any.
+/// A reason and a note, joined as far as they exist.
 fn joined(reason: Option<String>, note: Option<&str>) -> Option<Cow<'_, str>> {
     match (reason, note) {
         (Some(reason), Some(note)) => Some(format!("{reason}; {note}").into()),

@@ -7,36 +7,36 @@ use serde::Serialize;
 /// Tables that need different readings.
 #[derive(Debug, Serialize)]
 pub struct Contradiction<'a> {
-    /// What they differ in.
+    /// The choice or the parameter of which they need different values.
     pub about: &'a str,
-    /// What they say of it.
+    /// The sides of the contradiction.
     pub sides: Vec<Side<'a>>,
 }
 
-/// The tables that say the same.
+/// The tables, rows and columns that need the same.
 #[derive(Debug, Serialize)]
 pub struct Side<'a> {
-    /// What they say.
+    /// What they need.
     pub says: String,
-    /// Those tables, rows and columns.
+    /// These tables, rows and columns.
     pub places: Vec<TablePart<'a>>,
 }
 
-/// A table, a row or a column, and what explains it.
+/// A table, a row or a column, and the number of its cells that are explained.
 #[derive(Debug, Serialize)]
 pub struct TablePart<'a> {
     /// The id of the table.
     pub table: &'a str,
     /// Where in the paper it is.
     pub locus: String,
-    /// How many cells are explained by what it says.
+    /// How many of its cells are explained with what this side needs.
     pub explained: usize,
-    /// How many are explained by what another side says.
+    /// How many of its cells at most are explained with what another side needs.
     pub otherwise: usize,
 }
 
 impl<'a> Contradiction<'a> {
-    /// All those of a paper.
+    /// All contradictions of a paper.
     pub(super) fn all(audit: &'a PaperAudit<'_>) -> Vec<Contradiction<'a>> {
         let part = |part: &'a audit::TablePart| TablePart {
             table: &part.table,

@@ -1,4 +1,4 @@
-//! What of each paper is claimed, as JSON.
+//! The numbered items of papers, and the claims about them, as JSON.
 
 use super::SCHEMA;
 use crate::audit::{ClaimVerdict, Coverage, PaperAudit};
@@ -14,12 +14,12 @@ pub struct CoverageReport<'a> {
     pub papers: Vec<CoveredPaper<'a>>,
 }
 
-/// What of a paper is claimed.
+/// The numbered items of a paper, and the claims about them.
 #[derive(Debug, Serialize)]
 pub struct CoveredPaper<'a> {
     /// The paper's key.
     pub key: &'a str,
-    /// What the paper numbers; empty where the claim file does not list it.
+    /// The numbered items; empty where the claim file does not list them.
     pub items: Vec<NumberedItem<'a>>,
 }
 
@@ -32,7 +32,7 @@ pub struct NumberedItem<'a> {
     pub state: &'static str,
     /// The claims that cover it.
     pub claims: Vec<CoveringClaim<'a>>,
-    /// Why there is none.
+    /// Why no claim covers it.
     pub reason: Option<&'a str>,
 }
 
@@ -41,12 +41,12 @@ pub struct NumberedItem<'a> {
 pub struct CoveringClaim<'a> {
     /// Its id within the paper.
     pub id: &'a str,
-    /// How many times it has which verdict: once, or once for each cell of a table.
+    /// How often each verdict occurs: once, or once for each cell of a table.
     pub verdicts: BTreeMap<&'static str, usize>,
 }
 
 impl<'a> CoverageReport<'a> {
-    /// The form of these audits.
+    /// The JSON form of these audits.
     #[must_use]
     pub fn of(audits: &[PaperAudit<'a>]) -> CoverageReport<'a> {
         let claim =

@@ -27,9 +27,9 @@ pub struct PaperErrata<'a> {
     pub note: Option<&'a str>,
     /// What is wrong.
     pub errata: Vec<Erratum<'a>>,
-    /// The parameters that the paper does not state and that its numbers give away, by tables.
+    /// The parameters that the paper does not state and that its numbers determine, by tables.
     pub recovered: Vec<OfTable<'a>>,
-    /// What could not be checked.
+    /// The cells that could not be checked.
     pub unchecked: Vec<Unchecked<'a>>,
     /// Where its tables need different readings.
     pub contradictions: Vec<Contradiction<'a>>,
@@ -63,7 +63,7 @@ pub struct Erratum<'a> {
     pub verdict: &'static str,
     /// The claim, or the cells of the table.
     pub detail: Detail<'a>,
-    /// What changes with it.
+    /// What follows from it.
     pub changes: Changes<'a>,
 }
 
@@ -105,26 +105,26 @@ pub struct WrongCell<'a> {
     pub by_definition: Option<String>,
 }
 
-/// What changes with an erratum.
+/// What follows from an erratum.
 #[derive(Debug, Serialize)]
 pub struct Changes<'a> {
-    /// Whether anything does.
+    /// Whether anything follows.
     pub any: bool,
     /// How many printed numbers are smaller than the definition's.
     pub smaller: usize,
     /// How many are larger.
     pub larger: usize,
-    /// How many do not keep their promise by the printed formula.
+    /// How many printed depths or bounds are less than the printed formula needs for their promise.
     pub broken_by_formula: usize,
-    /// How many keep it for all control data.
+    /// How many keep their promise for all control data.
     pub kept: usize,
-    /// How many do not.
+    /// How many break their promise for some control data.
     pub broken: usize,
-    /// Of how many that is open.
+    /// Of how many it is not known whether they keep their promise.
     pub open: usize,
-    /// What uses the claim.
+    /// The loci of the tables, ranges and theorems that use the claim's formula.
     pub used_by: Vec<&'a str>,
-    /// The ids of the theorems that rest on it.
+    /// The ids of the theorems that rest on the claim.
     pub theorems: Vec<&'a str>,
 }
 
@@ -135,16 +135,16 @@ pub struct Unchecked<'a> {
     pub table: &'a str,
     /// Where in the paper it is.
     pub locus: &'a str,
-    /// Why they could not.
+    /// Why they could not be checked.
     pub cause: Option<String>,
     /// The ids of the cells.
     pub cells: Vec<&'a str>,
-    /// What their outcomes are where a value is assumed for what the paper does not state.
+    /// Their outcomes, also at the values assumed for what the paper does not state.
     pub outcomes: Summary,
 }
 
 impl<'a> ErrataReport<'a> {
-    /// The form of the errata of these papers.
+    /// The JSON form of the errata of these papers.
     #[must_use]
     pub fn of(audits: &'a [PaperAudit<'_>]) -> ErrataReport<'a> {
         let paper = |audit: &'a PaperAudit<'_>| PaperErrata::of(audit.errata());

@@ -17,7 +17,7 @@ pub struct Exact {
 }
 
 impl Exact {
-    /// The form of a value.
+    /// The JSON form of a value.
     #[must_use]
     pub fn of(value: &(impl Enclosed + Display)) -> Exact {
         Exact { exact: value.to_string(), decimal: decimal(value) }

@@ -22,14 +22,14 @@ pub struct Explained<'a> {
     /// The readings of the table, the best first; null where the id is not that of a table or of
     /// a cell.
     pub readings: Option<Vec<Reading<'a>>>,
-    /// Of a theorem that data refute, the computation behind them; null of anything else.
+    /// The computation behind the data that refute a theorem; null for any other claim.
     pub by_hand: Option<ByHand<'a>>,
-    /// What a cell is computed from; null of anything else.
+    /// The values from which a cell is computed; null for any other claim.
     pub working: Option<Working>,
 }
 
 impl<'a> Explained<'a> {
-    /// The form of the claim or table of this id.
+    /// The JSON form of the claim or table of this id.
     #[must_use]
     pub fn of(
         audits: &'a [PaperAudit<'_>],

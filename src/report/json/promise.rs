@@ -10,19 +10,19 @@ use serde::Serialize;
 pub struct Promise<'a> {
     /// Whether it does; null where that is open.
     pub kept: Option<bool>,
-    /// Why it is open; missing where it is not.
+    /// Why that is open; missing where it is not.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub open: Option<&'a str>,
-    /// Control data for which it does not; missing where there are none.
+    /// Control data that break the promise; missing where there are none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub broken_by: Option<Broken<'a>>,
-    /// The same with each point at its natural parameter; missing where it is kept with the points
-    /// at i/n^k, or where that is the same.
+    /// Whether the promise is kept with each point at its natural parameter; missing where it is
+    /// kept with the points at i/n^k, or where these are the natural parameters.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub natural: Option<Natural<'a>>,
 }
 
-/// Control data for which a promise is not kept.
+/// Control data that break a promise.
 #[derive(Debug, Serialize)]
 pub struct Broken<'a> {
     /// The data for spread 1, and the place; their fields stand here.
@@ -34,7 +34,7 @@ pub struct Broken<'a> {
     pub level: u32,
     /// The distance from the limit at that place and level.
     pub distance: Exact,
-    /// What the distance was promised to be at most.
+    /// The promised bound of this distance.
     pub promised: Exact,
 }
 
@@ -74,7 +74,7 @@ pub enum ControlData<'a> {
 pub struct Natural<'a> {
     /// Whether it is kept; null where that is open.
     pub kept: Option<bool>,
-    /// Control data for which it is not; missing where there are none.
+    /// Control data that break the promise; missing where there are none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub broken_by: Option<Broken<'a>>,
 }

@@ -12,7 +12,7 @@ use serde::Serialize;
 pub struct Search<'a> {
     /// How many readings were tried.
     pub tried: usize,
-    /// What readings differ in.
+    /// The choices, definitions and quantities in which readings differ.
     pub choices: &'a [String],
     /// In how many of these a reading may differ from the printed text.
     pub max_differences: usize,
@@ -20,11 +20,11 @@ pub struct Search<'a> {
     pub cells: usize,
     /// How many of them the printed text explains.
     pub as_printed: usize,
-    /// How many the best reading explains.
+    /// How many cells the best reading explains, even if only by luck.
     pub most: usize,
     /// The best readings, where they explain more than chance would.
     pub best: Vec<Explanation<'a>>,
-    /// How many readings chance is expected to give that explain as many cells.
+    /// An upper bound of how many readings would explain as many cells by chance.
     pub chance: String,
     /// The readings of single rows and columns.
     pub lines: Vec<Line<'a>>,
@@ -43,7 +43,7 @@ pub struct Line<'a> {
     pub tried: usize,
     /// The best reading.
     pub best: Explanation<'a>,
-    /// How many readings chance is expected to give that explain as many cells.
+    /// An upper bound of how many readings would explain as many cells by chance.
     pub chance: String,
 }
 
@@ -72,11 +72,11 @@ pub struct Explanation<'a> {
 pub struct Solved<'a> {
     /// Its name.
     pub name: &'a str,
-    /// The least value with which every explained cell is consistent.
+    /// The lower end of the interval of values with which every explained cell is consistent.
     pub from: String,
-    /// The greatest one.
+    /// The upper end of this interval.
     pub to: String,
-    /// The simplest number between them.
+    /// The simplest number in this interval.
     pub simplest: String,
 }
 
@@ -86,22 +86,22 @@ pub struct Reading<'a> {
     /// The reading; its fields stand here.
     #[serde(flatten)]
     pub explanation: Explanation<'a>,
-    /// What it gives for the cell that was asked about; its fields stand here, and are missing
-    /// where that was a whole table.
+    /// The value of the reading for the cell that was asked about; its fields stand here, and are
+    /// missing where a whole table was asked about.
     #[serde(flatten)]
     pub of_cell: Option<ReadingOfCell>,
 }
 
-/// What a reading gives for one cell.
+/// The value of a reading for one cell.
 #[derive(Debug, Serialize)]
 pub struct ReadingOfCell {
     /// The value; null where it has none.
     pub exact: Option<String>,
     /// The value as a decimal.
     pub decimal: Option<String>,
-    /// Whether that explains the cell.
+    /// Whether this value explains the cell.
     pub explains_this: bool,
-    /// Whether it does so by luck: of the other cells, the reading explains no more than unrelated
+    /// Whether it does so by luck: the reading explains no more of the other cells than unrelated
     /// numbers would.
     pub by_luck: bool,
 }

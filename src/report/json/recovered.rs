@@ -10,11 +10,12 @@ pub struct Recovered<'a> {
     pub name: &'a str,
     /// Its value.
     pub value: String,
-    /// The least value that the numbers of the table fit; null where they were not solved for it.
+    /// The lower end of the values that fit the numbers of the table; null where these were not
+    /// solved for it.
     pub from: Option<String>,
-    /// The greatest one.
+    /// The upper end of these values.
     pub to: Option<String>,
-    /// The id of the table that gives the value; null where this one does.
+    /// The id of the table that gives the value; null where this table itself does.
     pub table: Option<&'a str>,
 }
 

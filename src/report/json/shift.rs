@@ -10,10 +10,10 @@ use serde::Serialize;
 /// every real number s.
 #[derive(Debug, Serialize)]
 pub struct EveryShift<'a> {
-    /// Whether it is; false where it holds at the natural parameters, at the levels that were looked
-    /// at, and null where neither is known.
+    /// Whether it is refuted: false where it holds at the natural parameters, at the levels that
+    /// were looked at, and null where neither is known.
     pub refuted: Option<bool>,
-    /// What shows that it is; missing where it is not. Its fields stand here.
+    /// The data that refute it; missing where it is not refuted. Their fields stand here.
     #[serde(flatten)]
     pub by: Option<Greatest<'a>>,
 }
@@ -32,13 +32,14 @@ pub struct Greatest<'a> {
     pub greatest: Exact,
     /// The greatest point of the next level, or a bound of the supremum of the limit.
     pub later: Exact,
-    /// `next-level`, `limit-at-most` or `limit-at-least`: what the latter is.
+    /// `next-level`, `limit-at-most` or `limit-at-least`: what `later` is.
     pub kind: &'static str,
-    /// The levels by which the limit is at most that, or the parameters at which it is that.
+    /// The levels that show that the limit is at most `later`, or the parameters at which the limit
+    /// has this value.
     pub at: Vec<String>,
-    /// The difference of the two, which the quantity is at least in every shift.
+    /// The difference of `greatest` and `later`: in every shift, the quantity is at least this.
     pub value: Exact,
-    /// What the theorem says that it is at most.
+    /// The bound that the theorem states for the quantity.
     pub bound: Exact,
 }
 

@@ -1,4 +1,4 @@
-//! What the cells of a paper's tables amount to.
+//! A summary of the cells of a paper's tables.
 
 use crate::audit::{Cause, CellOutcome, CellSummary};
 use serde::Serialize;
@@ -8,7 +8,7 @@ use serde::Serialize;
 pub struct Summary {
     /// How many cells there are.
     pub count: usize,
-    /// Those of one outcome together.
+    /// The cells, grouped by their outcomes.
     pub groups: Vec<Group>,
 }
 
@@ -20,16 +20,16 @@ pub struct Group {
     /// Their outcome; its fields stand here.
     #[serde(flatten)]
     pub outcome: Outcome,
-    /// What their outcome would be if what the paper does not state were as assumed.
+    /// Their outcome if the values put in for what the paper does not state were stated.
     pub if_assumed: Option<Outcome>,
 }
 
 /// The outcome of a cell.
 #[derive(Debug, Serialize)]
 pub struct Outcome {
-    /// `confirmed`, `explained`, `misprinted`, `refuted` or `not checkable`.
+    /// `confirmed`, `reproduced`, `explained`, `misprinted`, `refuted` or `not checkable`.
     pub standing: &'static str,
-    /// Why, in words.
+    /// The cause, in words.
     pub cause: Option<String>,
 }
 

@@ -1,10 +1,10 @@
-//! What was tried of a theorem.
+//! The trial of a theorem.
 
 use super::witness::Witness;
 use crate::audit::{self, CaseFinding, Outcome, TheoremFinding};
 use serde::Serialize;
 
-/// What was tried of a theorem.
+/// The trial of a theorem.
 #[derive(Debug, Serialize)]
 pub struct Trial<'a> {
     /// What proves it.
@@ -36,7 +36,7 @@ pub struct Case<'a> {
 pub struct Repair {
     /// What each of them says.
     pub corrections: Vec<String>,
-    /// Whether the theorem is then true in all cases tried.
+    /// Whether the theorem is then proved in every case that it speaks of.
     pub proved: bool,
 }
 

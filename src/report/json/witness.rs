@@ -17,18 +17,20 @@ pub struct Witness<'a> {
     pub supremum: Option<Supremum>,
     /// The sound bound.
     pub sound: Option<Exact>,
-    /// What the theorem is with each point at its natural parameter; null where that is the same.
+    /// The result with each point at its natural parameter; null where i/n^k are the natural
+    /// parameters, and for differences.
     pub natural: Option<Natural<'a>>,
-    /// What it is in every shift of the parameter; null for differences and for rings.
+    /// The result in every shift of the parameter; null for differences and for rings.
     pub every_shift: Option<EveryShift<'a>>,
 }
 
-/// What a refuted theorem is with each point at its natural parameter.
+/// Whether a refuted theorem is also refuted with each point at its natural parameter.
 #[derive(Debug, Serialize)]
 pub struct Natural<'a> {
-    /// Whether it is false there too; null where that is open.
+    /// Whether it is refuted there too; null where that is open.
     pub refuted: Option<bool>,
-    /// What shows that it is; missing where it is not, and where what shows it for every shift does. Its fields stand here.
+    /// The data that refute it there; missing where it is not refuted, and where the data that
+    /// refute it in every shift do so. Their fields stand here.
     #[serde(flatten)]
     pub by: Option<Exceeding<'a>>,
 }
@@ -46,7 +48,7 @@ pub struct Exceeding<'a> {
     pub place: Place,
     /// The value.
     pub value: Exact,
-    /// What the theorem says that it is at most.
+    /// The bound that the theorem states for the value.
     pub bound: Exact,
 }
 

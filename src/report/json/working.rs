@@ -1,17 +1,17 @@
-//! What a cell is computed from.
+//! The values from which a cell is computed.
 
 use super::exact::{Exact, Named};
 use crate::audit;
 use serde::Serialize;
 
-/// What a cell is computed from, by the printed definition.
+/// The values from which a cell is computed by the printed definition.
 #[derive(Debug, Serialize)]
 pub struct Working {
     /// The scheme, its parameters with their values; both factors of a tensor product.
     pub scheme: Vec<String>,
     /// The headers and parameters that its formulas use.
     pub parameters: Named<Exact>,
-    /// The definitions that its formula uses and that have a value by themselves.
+    /// The definitions that its formula uses, but for those that depend on the index of a sum.
     pub definitions: Named<Exact>,
 }
 
