@@ -27,7 +27,7 @@ pub(super) fn audit(arguments: &AuditArguments) -> Outcome {
                 certified.section(&mut sheet);
             }
             if arguments.output.format == TableFormat::Text && is_longer_than_a_screen(&sheet) {
-                // What scrolled away stands where the reader is.
+                // The summary has scrolled off the screen, and is repeated at the end.
                 sheet.heading(1, "All papers");
                 sheet.blocks.extend(overview_sheet(&audits).blocks);
             }
@@ -52,7 +52,8 @@ fn is_longer_than_a_screen(sheet: &Sheet) -> bool {
     sheet.to_text(terminal::width()).lines().count() > terminal::height()
 }
 
-/// How many claims, of tables how many cells, have this verdict; how many promises are broken.
+/// How many claims, or cells of tables, have this verdict; for [`BROKEN`], how many promises are
+/// broken.
 fn count(audit: &PaperAudit<'_>, verdict: &str) -> usize {
     if verdict == BROKEN {
         return audit.promise_counts().broken;

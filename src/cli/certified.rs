@@ -1,4 +1,4 @@
-//! Which claims have a valid certificate: what the checker says, and nothing else.
+//! Which claims have a valid certificate, by the word of the checker alone.
 
 use super::output::Failure;
 use std::collections::BTreeMap;
@@ -8,7 +8,7 @@ use subcert::report::json::{AuditReport, Certificate};
 use subcert::report::{Grid, Sheet};
 use subcert_check::{Outcome, check};
 
-/// What the checker says of the claims of papers, by `key:claim`.
+/// The results of the checker for the claims of papers, by `key:claim`.
 pub(super) struct Certified {
     papers: Vec<Paper>,
 }
@@ -23,7 +23,7 @@ struct Paper {
 #[derive(Clone, PartialEq, Eq)]
 enum State {
     Certified,
-    /// On the word of this statement.
+    /// Valid if this statement is believed.
     Cited(String),
     Rejected(String),
     Incomplete(String),

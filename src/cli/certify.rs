@@ -35,7 +35,7 @@ pub(super) fn certify(arguments: &CertifyArguments) -> Outcome {
     )
 }
 
-/// A ring has constants, and no formula for depths.
+/// The report on a ring, which has constants, and no formula for depths.
 fn ring_certificate(ring: &LocalRules, arguments: &CertifyArguments) -> Outcome {
     if arguments.spread.is_some() || !arguments.tolerance.is_empty() {
         let message = "--tolerance and --spread ask for depths by a formula for masks; of a ring, \

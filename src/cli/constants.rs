@@ -114,9 +114,9 @@ impl Direction {
 /// The most steps for the constants of one column.
 const MAX_STEPS: u64 = 1_000_000_000;
 
-/// The norms of the powers of both operators in both orders, each up to the first that is out
-/// of reach. Each column runs on its own, and has a budget of its own, so that it does not
-/// depend on the others how far it gets.
+/// The norms of the powers of both operators in both orders, each up to the first that is out of
+/// reach. Each column has a thread and a budget of its own, so that how far it gets does not depend
+/// on the others.
 fn columns(mask: &Mask, difference: &Rules, levels: u32) -> [Vec<Rational>; 4] {
     let column = |rules: &Rules, order| {
         let budget = Budget::new(MAX_STEPS);

@@ -45,7 +45,7 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Outcome {
     show(arguments.output.format, || sheet, || Explained::of(&audits, id, background))
 }
 
-/// Makes sure that the paper has this claim, before all of its claims are judged.
+/// Checks that the paper has this claim, before all of its claims are judged.
 fn check(paper: &Paper, claim: &str) -> Outcome {
     let key = &paper.key;
     let (name, cell) = match claim.split_once(':') {

@@ -70,7 +70,7 @@ pub(super) fn read(scheme: &str, path: &Path) -> Result<(MeshScheme, String, Mes
     Ok((scheme, name, file))
 }
 
-/// What the rules refuse, they refuse at level 0: it has a place in the file.
+/// An error about a face or a point is about level 0, and so has a place in the file.
 pub(super) fn failure(file: &MeshFile, error: &MeshError) -> Failure {
     if error.face().is_some() || error.point().is_some() {
         file.diagnostic(error).into()

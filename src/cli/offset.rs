@@ -1,4 +1,4 @@
-//! An offset that a scheme's file leaves out, where another than 0 is better.
+//! Better offsets for scheme files that state none.
 
 use super::json::offset as form;
 use super::output::Failure;
@@ -7,7 +7,7 @@ use subcert::exact::{Rational, format::short};
 use subcert::report::{Sheet, json::Exact};
 use subcert::scheme::{Scheme, files_without_offset};
 
-/// An offset with a smaller σ than 0 has, which is taken where a file states none.
+/// An offset with a smaller σ than that of offset 0, which is taken where a file states none.
 #[derive(PartialEq)]
 pub(super) struct BetterOffset {
     file: String,
@@ -19,7 +19,8 @@ pub(super) struct BetterOffset {
 }
 
 impl BetterOffset {
-    /// Those of a scheme, for each file that states no offset. `text` is what was given for it.
+    /// The better offsets of a scheme, one for each file that states none. `text` is the scheme as
+    /// given.
     pub(super) fn all_of(text: &str, scheme: &Scheme) -> Result<Vec<BetterOffset>, Failure> {
         let mut found = Vec::new();
         for (file, mask) in files_without_offset(text)?.into_iter().zip(scheme.masks()) {

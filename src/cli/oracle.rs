@@ -14,7 +14,7 @@ use subcert::scheme::{AnyScheme, LocalRules, Scheme, parse_any_scheme};
 /// The largest control polygon that is read.
 const CAPS: Caps = Caps { bytes: 16 << 20, points: MAX_VALUES, bits: u64::MAX };
 
-/// How many points a seeded polygon has, when nobody says.
+/// The number of points of a seeded polygon, where none is given.
 const SEEDED_POINTS: usize = 8;
 
 pub(super) fn oracle(arguments: &OracleArguments) -> Outcome {

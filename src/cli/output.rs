@@ -78,8 +78,8 @@ fn fitted(message: &str) -> String {
     }
 }
 
-/// Fails when there is something of what is denied: `count` says how much, and what one of it and
-/// several are called.
+/// Fails if something occurs that is denied. `count` gives for a word the number of its
+/// occurrences, and what these are called in the singular and in the plural.
 pub(super) fn denied(
     denied: &[String],
     count: impl Fn(&str) -> (usize, [&'static str; 2]),
@@ -160,7 +160,7 @@ pub(super) fn json_text(json: &impl Serialize) -> String {
     format!("{text}\n")
 }
 
-/// An exact value with its decimal, where that is another; a long one as its decimal.
+/// An exact value with its decimal, where they differ; only the decimal if the value is long.
 pub(super) fn with_decimal(value: &(impl Enclosed + Display)) -> String {
     let decimal = short(value, 12);
     let exact = value.to_string();

@@ -57,7 +57,7 @@ fn read(path: &Path) -> Result<Paper, Failure> {
     Ok(read_whole_paper(&SourceText::new("standard input", text))?)
 }
 
-/// Papers with keys of their own.
+/// These papers, if their keys differ.
 fn distinct(papers: Vec<Paper>) -> Result<Vec<Paper>, Failure> {
     for (i, paper) in papers.iter().enumerate() {
         if papers[..i].iter().any(|earlier| earlier.key == paper.key) {
@@ -80,8 +80,8 @@ pub(super) fn select(papers: Vec<Paper>, key: Option<&str>) -> Result<Vec<Paper>
     Ok(papers)
 }
 
-/// Judges a claim of a paper with what it needs, on all cores. With `bar`, a bar shows how far that
-/// is.
+/// Judges a claim of a paper and the claims that it needs, on all cores. With `bar`, a bar shows
+/// the progress.
 pub(super) fn judge_claim<'a>(
     paper: &'a Paper,
     id: &str,
@@ -91,7 +91,7 @@ pub(super) fn judge_claim<'a>(
     Ok(audit_claim(paper, id, &|| progress.step())?)
 }
 
-/// Judges every claim of the papers, on all cores. With `bar`, a bar shows how far that is.
+/// Judges every claim of the papers, on all cores. With `bar`, a bar shows the progress.
 pub(super) fn judge_all(papers: &[Paper], bar: bool) -> Result<Vec<PaperAudit<'_>>, Failure> {
     let tables = papers.iter().map(|paper| paper.tables.len()).sum();
     let progress = Progress::of_tables(tables, bar);

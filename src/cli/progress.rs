@@ -1,4 +1,4 @@
-//! How far a long command is, on a terminal.
+//! The progress of a long command, on a terminal.
 
 use super::terminal;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -13,11 +13,10 @@ use subcert::patch::MeshWork;
 /// How long a command takes before a bar is shown.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-/// How often a bar is drawn again that nobody moves.
+/// How often a bar is drawn again while its count stands still.
 const PERIOD: Duration = Duration::from_millis(200);
 
-/// A bar on the standard error, when that is a terminal; it is gone when this is
-/// dropped.
+/// A bar on the standard error, if that is a terminal; it is removed when this is dropped.
 pub(super) struct Progress {
     bar: ProgressBar,
     /// Dropped at the end, which wakes the thread that shows the bar.
@@ -25,13 +24,13 @@ pub(super) struct Progress {
 }
 
 impl Progress {
-    /// Of an audit of so many tables.
+    /// The progress of an audit of so many tables.
     pub(super) fn of_tables(tables: usize, wanted: bool) -> Progress {
         let tables = u64::try_from(tables).unwrap_or(u64::MAX);
         Progress::new(tables, "{bar:40} {pos} of {len} tables, {elapsed}", wanted, |_| {})
     }
 
-    /// Of searches, by the steps of their budgets that are spent.
+    /// The progress of searches: the steps that are spent of their budgets.
     pub(super) fn of_steps(budgets: &[Budget], wanted: bool) -> Progress {
         let (total, budgets) = (budgets.iter().map(Budget::total).sum(), budgets.to_vec());
         let template =
@@ -41,7 +40,7 @@ impl Progress {
         })
     }
 
-    /// Of the depth of a mesh, by the pieces of the level that is looked at.
+    /// The progress of the depth of a mesh: the pieces of the level that is looked at.
     pub(super) fn of_pieces(work: Arc<MeshWork>, wanted: bool) -> Progress {
         let template = "{bar:40} {pos} of {len} pieces of level {msg}, {elapsed}";
         Progress::new(1, template, wanted, move |bar| {
@@ -68,7 +67,7 @@ impl Progress {
                 let shown = bar.clone();
                 let thread = std::thread::spawn(move || {
                     let mut wait = PATIENCE;
-                    // Until the other end is dropped.
+                    // The loop ends when the sender is dropped.
                     while receiver.recv_timeout(wait) == Err(RecvTimeoutError::Timeout) {
                         if wait == PATIENCE {
                             shown.set_draw_target(ProgressDrawTarget::stderr());
@@ -83,7 +82,7 @@ impl Progress {
         Progress { bar, waiting }
     }
 
-    /// One table more.
+    /// Counts one more table.
     pub(super) fn step(&self) {
         self.bar.inc(1);
     }

@@ -4,7 +4,7 @@ use std::fs::{File, create_dir_all, remove_file, rename};
 use std::io::{self, Write as _};
 use std::path::Path;
 
-/// Writes a file that is there either as it was before or whole.
+/// Writes a file; if that fails, a file that was there before is unchanged.
 pub(super) fn save(path: &Path, text: &str) -> io::Result<()> {
     let folder = path.parent().unwrap_or(Path::new("."));
     create_dir_all(folder)?;
@@ -15,7 +15,7 @@ pub(super) fn save(path: &Path, text: &str) -> io::Result<()> {
     drop(file);
     let done = written.and_then(|()| rename(&draft, path));
     if done.is_err() {
-        // The first error is the one to be told.
+        // The error of writing is reported, not that of cleaning up.
         let _ = remove_file(&draft);
     }
     done

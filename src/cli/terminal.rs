@@ -1,4 +1,4 @@
-//! What is known of the terminal, and what the flags for all commands say of it.
+//! The size of the terminal, and the flags of all commands about output.
 
 use super::arguments::Colour;
 use anstream::ColorChoice;
@@ -6,12 +6,12 @@ use std::ffi::OsString;
 use std::sync::OnceLock;
 use terminal_size::terminal_size_of;
 
-/// The height of a screen that nobody knows, in lines.
+/// The height, in lines, of a screen whose height is not known.
 const HEIGHT: usize = 50;
 
 static QUIET: OnceLock<bool> = OnceLock::new();
 
-/// Sets what the flags say, for the whole run.
+/// Stores the values of the flags for the whole run.
 pub(super) fn set(color: Colour, quiet: bool) {
     choice(color).write_global();
     let _ = QUIET.set(quiet);
@@ -22,17 +22,17 @@ pub(super) fn is_quiet() -> bool {
     QUIET.get().copied().unwrap_or(false)
 }
 
-/// How wide lines may be: what COLUMNS says, or the terminal; nothing for files and pipes.
+/// The greatest width of lines: by COLUMNS, or by the terminal; `None` for files and pipes.
 pub(super) fn width() -> Option<usize> {
     number_in("COLUMNS").or_else(|| Some(usize::from(terminal_size_of(std::io::stdout())?.0.0)))
 }
 
-/// The same of the lines of errors.
+/// The greatest width of the lines of errors: as [`width`], for the standard error.
 pub(super) fn error_width() -> Option<usize> {
     number_in("COLUMNS").or_else(|| Some(usize::from(terminal_size_of(std::io::stderr())?.0.0)))
 }
 
-/// How many lines a screen has: what LINES says, or the terminal.
+/// The number of lines of the screen: by LINES, or by the terminal.
 pub(super) fn height() -> usize {
     let own = || terminal_size_of(std::io::stdout()).map(|(_, height)| usize::from(height.0));
     number_in("LINES").or_else(own).unwrap_or(HEIGHT)
@@ -51,7 +51,8 @@ fn choice(color: Colour) -> ColorChoice {
     }
 }
 
-/// What `--color` says, before the arguments are read: errors about them have colours too.
+/// The value of `--color`, before the arguments are read, so that errors about them have colours
+/// too.
 pub(super) fn early_color(arguments: impl Iterator<Item = OsString>) -> clap::ColorChoice {
     let mut arguments = arguments.skip(1);
     let mut color = clap::ColorChoice::Auto;

@@ -8,7 +8,7 @@ use subcert::bound::{
 use subcert::exact::{Rational, format::short};
 use subcert::report::{Grid, json::Exact};
 
-/// The most residue classes that the sound bound walks unasked.
+/// The most residue classes for which the sound bound takes longer blocks than were asked for.
 const SOUND_CLASSES: u64 = 1 << 12;
 
 type Depth = Result<u32, DepthError>;
@@ -20,8 +20,8 @@ pub(super) struct Bounds {
 }
 
 impl Bounds {
-    /// The printed formula for blocks of up to `levels`, and the sound bound of these
-    /// and all other blocks that are quickly computed.
+    /// The printed formula for blocks of up to `levels`, and the sound bound for blocks of up to
+    /// `levels` or, if more, as many levels as are quickly computed.
     pub(super) fn of(
         constants: &[Constants],
         levels: u32,

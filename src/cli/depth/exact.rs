@@ -21,7 +21,8 @@ pub(super) struct Asked<'a> {
     pub(super) width: &'a Rational,
 }
 
-/// The true depth, its level's distance constant, and what shows that less is too little.
+/// The true depth, the distance constant at that level, and data that show that one level less is
+/// too few.
 pub(super) struct Exact {
     pub(super) place: Place,
     pub(super) depth: TwoSidedDepth,
@@ -40,17 +41,17 @@ pub(super) struct TooFar {
     pub(super) form: form::Witness,
 }
 
-/// A distance in an interval.
+/// An enclosure of a distance.
 pub(super) struct Known {
     pub(super) enclosure: Enclosure,
     /// Whether it is as narrow as was asked for.
     pub(super) narrow: bool,
-    /// A t at which the lower end is the value.
+    /// A parameter t at which the distance has the value of the lower end.
     pub(super) parameter: Option<Rational>,
 }
 
 impl Known {
-    /// What is known of a distance, also when the caps leave it wide.
+    /// The enclosure of a distance, also if the caps leave it wide.
     pub(super) fn of(distance: Result<Distance, LimitError>) -> Result<Known, LimitError> {
         match distance {
             Ok(Distance { enclosure, parameter }) => {
@@ -95,7 +96,7 @@ impl Exact {
         Ok(Exact { place, depth, distance, too_far, caps })
     }
 
-    /// The whole answer.
+    /// All facts about the depth.
     pub(super) fn facts(&self) -> Vec<(String, String)> {
         let whom = self.place.whom();
         let mut facts = vec![

@@ -59,7 +59,7 @@ struct Formula {
     level: Option<u32>,
 }
 
-/// A promise of a number of levels against what is known.
+/// A promised number of levels, compared with what is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Promise {
     TooFew,

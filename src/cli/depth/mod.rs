@@ -38,7 +38,7 @@ pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
     show(arguments.output.format, || report.sheet(arguments), || report.form(arguments))
 }
 
-/// The answers to a question about a depth.
+/// The results of one command.
 struct Report {
     tolerance: Rational,
     spread: Rational,
@@ -48,10 +48,10 @@ struct Report {
     better_offsets: Vec<BetterOffset>,
 }
 
-/// The answers in one parametrisation; where no limit is shown to exist, the reason.
+/// The answers in one parametrisation; the error says why no limit is shown to exist.
 struct Answer {
     exact: Result<Exact, String>,
-    /// For the control polygon.
+    /// The answer for the control polygon, if one was given.
     polygon: Option<Result<OfPolygon, String>>,
 }
 
@@ -67,7 +67,7 @@ impl Report {
             Some(width) => positive("--width", width)?,
             None => &tolerance / Rational::from(1000),
         };
-        // Where no point is shifted, both parametrisations are one.
+        // If the natural shifts are 0, both parametrisations are the same.
         let wanted: &[Parametrisation] = if Parametrisation::Natural.moves(scheme.masks()) {
             &[Parametrisation::Natural, Parametrisation::Indexed]
         } else {
@@ -92,12 +92,12 @@ impl Report {
         Ok(Report { tolerance, spread, bounds, answers, points, better_offsets })
     }
 
-    /// With the points at their natural parameters.
+    /// The answer with the points at their natural parameters.
     fn natural(&self) -> &Answer {
         &self.answers[0]
     }
 
-    /// With the points at i/n^k.
+    /// The answer with the points at i/n^k.
     fn indexed(&self) -> &Answer {
         &self.answers[self.answers.len() - 1]
     }
@@ -186,7 +186,8 @@ fn or_none<'a, T, F>(answer: &'a Result<T, String>, form: impl Fn(&'a T) -> F) -
 }
 
 impl Answer {
-    /// With a budget for all data, and another one for the polygon.
+    /// Finds the answer in one parametrisation: `budgets` has one for all control data, and one
+    /// more for the polygon, if there is one.
     fn of(
         scheme: &Scheme,
         parametrisation: Parametrisation,
@@ -234,7 +235,7 @@ fn distances(mask: &Mask, parametrisation: Parametrisation) -> Result<Distances,
     Ok(distances.with_cells(u32::MAX))
 }
 
-/// The largest control polygon whose depth is asked for.
+/// The caps on a control polygon whose depth is asked for.
 const CAPS: Caps = Caps { bytes: 1 << 20, points: 10_000, bits: 4_096 };
 
 /// The control polygon that was given.

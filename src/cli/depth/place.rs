@@ -1,4 +1,4 @@
-//! Where the points of a level are compared with the limit.
+//! The parameters at which the points of a level are compared with the limit.
 
 use subcert::exact::Rational;
 use subcert::limit::{Parametrisation, natural_shift};
@@ -29,7 +29,7 @@ impl Place {
         }
     }
 
-    /// Of whom the depth is.
+    /// The control data that the depth is about, in words.
     pub(super) fn whom(&self) -> &'static str {
         if self.arities.len() == 1 { "every control polygon" } else { "every control net" }
     }

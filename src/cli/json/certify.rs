@@ -57,19 +57,19 @@ pub struct Depth {
     pub float: Option<u32>,
     /// The k, exactly.
     pub exact: Option<u32>,
-    /// Why there is none.
+    /// Why there is no k.
     pub note: Option<String>,
     /// Whether the two agree.
     pub agree: Option<bool>,
-    /// How near k is to another one.
+    /// How clearly k is decided.
     pub margin: Option<Margin>,
 }
 
-/// How near k is to another one.
+/// How clearly k is decided: the bound at k and at k − 1, as parts of the tolerance.
 #[derive(Serialize)]
 pub struct Margin {
     /// The bound at k divided by the tolerance: at most 1.
     pub at: String,
-    /// The same at the level before it: more than 1.
+    /// The bound at k − 1 divided by the tolerance: more than 1.
     pub before: Option<String>,
 }

@@ -53,13 +53,13 @@ pub struct Delta {
     pub holds: bool,
 }
 
-/// σ at some offset.
+/// σ at one offset.
 #[derive(Serialize)]
 pub struct Displacement<'a> {
     /// The value; its fields stand here.
     #[serde(flatten)]
     pub value: Exact,
-    /// Which σ that is.
+    /// The name of this σ.
     pub name: &'a str,
 }
 

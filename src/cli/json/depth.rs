@@ -20,7 +20,7 @@ pub struct Report<'a> {
     /// The true depth for every control polygon or net of the spread, each point of level k at its
     /// natural parameter (i + s)/n^k.
     pub natural: OrNone<Exactly<'a>>,
-    /// The same with each point of level k at i/n^k, as papers count.
+    /// The true depth with each point of level k at i/n^k, as papers count.
     pub indexed: OrNone<Exactly<'a>>,
     /// The depth by the sound bound.
     pub sound: Sound,
@@ -49,11 +49,11 @@ pub enum OrNone<T> {
 pub struct TwoSided {
     /// A level that meets the tolerance with all later ones: the upper side.
     pub level: u32,
-    /// The level before this one does not meet the tolerance.
+    /// The level before this one does not meet the tolerance, so that the depth is at least this.
     pub lower: u32,
-    /// This level does, and all later ones.
+    /// This level and all later ones meet the tolerance, so that the depth is at most this.
     pub upper: u32,
-    /// Whether the two are the same.
+    /// Whether `lower` and `upper` are the same.
     pub minimal: bool,
 }
 
@@ -76,7 +76,7 @@ pub struct Distance {
     pub level: u32,
     /// Whether the interval is as narrow as was asked for.
     pub within_width: bool,
-    /// A parameter at which the lower end is the value.
+    /// A parameter at which the distance has the value of the lower end.
     pub parameter: Option<String>,
 }
 
@@ -90,8 +90,8 @@ pub struct Exactly<'a> {
     pub offsets: &'a [i64],
     /// s for each direction.
     pub shifts: Vec<String>,
-    /// Whether the scheme takes lines to lines, along each direction: the natural shift keeps them
-    /// where they are. Where it does not, the shift is the best in the mean.
+    /// Along each direction, whether the scheme takes lines to lines. If so, lines stay where they
+    /// are in the natural shift; if not, this shift is the best in the mean.
     pub keeps_lines: &'a [bool],
     /// The greatest distance at the upper side of the depth.
     pub distance: Distance,
@@ -113,9 +113,9 @@ pub enum Witness {
         points: Vec<i64>,
         /// What the points are multiplied by.
         times: String,
-        /// Where it is too far.
+        /// The parameter at which the distance is too large.
         parameter: String,
-        /// How far it is there.
+        /// The distance there.
         distance: Exact,
     },
     /// A piece of a control net.
@@ -128,9 +128,9 @@ pub enum Witness {
         net: Vec<Vec<i64>>,
         /// What the points are multiplied by.
         times: String,
-        /// Where it is too far.
+        /// The parameters at which the distance is too large.
         parameters: [String; 2],
-        /// How far it is there.
+        /// The distance there.
         distance: Exact,
     },
 }
@@ -146,7 +146,7 @@ pub struct Polygon {
     pub closed: bool,
     /// Its depth with each point of level k at its natural parameter.
     pub natural: OrNone<OfPolygon>,
-    /// The same with each point of level k at i/n^k.
+    /// The depth with each point of level k at i/n^k.
     pub indexed: OrNone<OfPolygon>,
 }
 
@@ -158,7 +158,7 @@ pub struct OfPolygon {
     pub depth: TwoSided,
     /// Its distance at the upper side of the depth.
     pub distance: DistanceOfPolygon,
-    /// Where it is too far from its limit at the level below the depth.
+    /// A place at which it is too far from its limit at the level below the depth.
     pub too_far: Option<TooFar>,
 }
 
@@ -172,7 +172,7 @@ pub struct DistanceOfPolygon {
     pub coordinate: usize,
 }
 
-/// Where a control polygon is too far from its limit.
+/// A place at which a control polygon is too far from its limit.
 #[derive(Serialize)]
 pub struct TooFar {
     /// The level.
@@ -181,7 +181,7 @@ pub struct TooFar {
     pub coordinate: usize,
     /// The parameter.
     pub parameter: String,
-    /// How far it is there.
+    /// The distance there.
     pub distance: Exact,
 }
 
@@ -251,6 +251,6 @@ pub struct LocalWitness<'a> {
     pub times: String,
     /// The point.
     pub point: String,
-    /// How far it is.
+    /// The distance of this point from its limit.
     pub distance: Exact,
 }

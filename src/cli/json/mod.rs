@@ -1,5 +1,5 @@
 //! The JSON forms of what commands about schemes write. The documentation of the types is their
-//! schema, as that of [`subcert::report::json`] is for papers.
+//! schema, as in [`subcert::report::json`] for papers.
 
 pub(super) mod certify;
 pub(super) mod constants;

@@ -1,9 +1,10 @@
-//! What `subcert constants` and `subcert depth` write of an offset that a file leaves out.
+//! The JSON form of better offsets, which `subcert constants` and `subcert depth` write where a
+//! file states no offset.
 
 use serde::Serialize;
 use subcert::report::json::Exact;
 
-/// A better offset than 0, which is taken where a file states none.
+/// An offset that is better than 0, which is taken where a file states none.
 #[derive(Serialize)]
 pub struct BetterOffset<'a> {
     /// The file.

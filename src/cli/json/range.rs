@@ -44,7 +44,7 @@ pub struct Number {
     /// The value; its fields stand here.
     #[serde(flatten)]
     pub value: Exact,
-    /// A polynomial that it is a root of: the minimal one, unless it says that it may have factors.
+    /// A polynomial with this root: the minimal one, unless its text says that it may have factors.
     pub minimal_polynomial: String,
     /// The number is the only root between these two.
     pub enclosure: [String; 2],
