@@ -12,7 +12,7 @@ pub struct Edge {
     pub ends: [usize; 2],
     /// Its first face, and which edge of that face it is: from vertex i to vertex i + 1.
     pub face: (usize, usize),
-    /// The same of the other face; `None` at the boundary.
+    /// Its other face, and which edge of that face it is; `None` at the boundary.
     pub other: Option<(usize, usize)>,
 }
 
@@ -36,7 +36,7 @@ pub struct Connectivity {
     edges: Vec<Edge>,
     /// The edge from vertex i to vertex i + 1, for each face and i.
     face_edges: Vec<Vec<usize>>,
-    /// For each point a face and which vertex of it the point is: the first of a fan.
+    /// For each point the first face of its fan, and which vertex of this face the point is.
     starts: Vec<(usize, usize)>,
 }
 
@@ -207,7 +207,7 @@ fn check_face(face: usize, vertices: &[usize], points: usize) -> Result<(), Mesh
     }
 }
 
-/// The edges, and those of each face.
+/// All edges, and for each face its edges.
 fn edges(faces: &[Vec<usize>]) -> Result<(Vec<Edge>, Vec<Vec<usize>>), MeshError> {
     let mut edges: Vec<Edge> = Vec::new();
     let mut known: HashMap<(usize, usize), usize> = HashMap::new();

@@ -61,7 +61,7 @@ pub enum MeshError {
     NonManifoldVertex {
         /// The vertex.
         point: usize,
-        /// A face that no edges at the vertex lead to.
+        /// A face of the vertex that edges at the vertex do not connect with its first face.
         face: usize,
     },
     /// A point of no face.
@@ -91,7 +91,7 @@ pub enum MeshError {
 }
 
 impl MeshError {
-    /// The face that it is about.
+    /// The face that the error is about.
     #[must_use]
     pub fn face(&self) -> Option<usize> {
         match self {
@@ -106,7 +106,7 @@ impl MeshError {
         }
     }
 
-    /// Another face that it is about.
+    /// Another face that the error is about.
     #[must_use]
     pub fn other_face(&self) -> Option<usize> {
         match self {
@@ -117,7 +117,7 @@ impl MeshError {
         }
     }
 
-    /// The point that it is about.
+    /// The point that the error is about.
     #[must_use]
     pub fn point(&self) -> Option<usize> {
         match self {

@@ -1,4 +1,4 @@
-//! What a mesh must have for the rules of a scheme, and the field of the cosines in them.
+//! The conditions of the schemes' rules on a mesh, and the field of the cosines in these rules.
 
 use super::connectivity::Connectivity;
 use super::error::MeshError;

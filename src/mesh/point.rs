@@ -10,7 +10,7 @@ pub(super) fn origin<S: Scalar>() -> Point<S> {
     std::array::from_fn(|_| S::zero())
 }
 
-/// The sum of these.
+/// The sum of these points.
 pub(super) fn sum<'a, S: Scalar + 'a>(points: impl IntoIterator<Item = &'a Point<S>>) -> Point<S> {
     points.into_iter().fold(origin(), |mut total, point| {
         for (total, x) in total.iter_mut().zip(point) {
@@ -20,7 +20,7 @@ pub(super) fn sum<'a, S: Scalar + 'a>(points: impl IntoIterator<Item = &'a Point
     })
 }
 
-/// Σ c·p over these.
+/// Σ c·p over these pairs.
 pub(super) fn combination<'a, S: Scalar + 'a>(
     terms: impl IntoIterator<Item = (&'a S, &'a Point<S>)>,
 ) -> Point<S> {

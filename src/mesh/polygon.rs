@@ -25,7 +25,7 @@ impl<S> PolygonMesh<S> {
     /// The mesh of these points and faces.
     ///
     /// # Errors
-    /// As of [`Connectivity::new`].
+    /// As [`Connectivity::new`].
     pub fn new(points: Vec<Point<S>>, faces: Vec<Vec<usize>>) -> Result<Self, MeshError> {
         let connectivity = Connectivity::new(points.len(), faces)?;
         Ok(PolygonMesh { points, connectivity })
@@ -59,7 +59,7 @@ impl<S> PolygonMesh<S> {
     /// The same faces on other points.
     ///
     /// # Panics
-    /// When there are not as many.
+    /// When the number of points differs.
     #[must_use]
     pub fn with_points<T>(&self, points: Vec<Point<T>>) -> PolygonMesh<T> {
         assert_eq!(points.len(), self.points.len(), "a point for each point");

@@ -16,8 +16,8 @@ pub(super) struct Root {
 }
 
 impl Enclosed for Root {
-    /// A rational root is known where b = 0. Another one might be half-way between two f64; then the
-    /// lower end at level 5 decides.
+    /// If b = 0, a rational root is computed exactly. Any other root might be too near to half-way
+    /// between two f64; then the lower end of level 5 decides.
     fn enclosure(&self, level: u32) -> Enclosure {
         let plain = self.rooted.sign() == 0;
         if let Some(root) = self.plain.as_rational().filter(|_| plain).and_then(rational_root) {

@@ -11,12 +11,12 @@ pub enum MeshScheme {
     DooSabin,
     /// Loop 1987, on triangles.
     Loop,
-    /// The same with the rational weights of Warren 1995: β = 3/16 for valence 3, else 3/(8N).
+    /// Loop's scheme with the rational weights of Warren 1995: β = 3/16 for valence 3, else 3/(8N).
     LoopWarren,
 }
 
 impl MeshScheme {
-    /// All of them.
+    /// All schemes.
     pub const ALL: [MeshScheme; 4] =
         [MeshScheme::CatmullClark, MeshScheme::DooSabin, MeshScheme::Loop, MeshScheme::LoopWarren];
 
@@ -34,7 +34,7 @@ impl MeshScheme {
     /// The scheme of this name.
     ///
     /// # Errors
-    /// When there is none; the message has those that there are.
+    /// When there is none; the message lists the known names.
     ///
     /// ```
     /// use subcert::mesh::MeshScheme;

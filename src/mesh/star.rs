@@ -9,7 +9,7 @@
 pub struct Star {
     /// The other ends of the edges at v.
     pub neighbours: Vec<usize>,
-    /// These edges.
+    /// The edges at v.
     pub edges: Vec<usize>,
     /// The faces.
     pub faces: Vec<usize>,

@@ -41,7 +41,7 @@ impl<S> Stencils<S> {
     /// The weights of a valence.
     ///
     /// # Panics
-    /// When it was not asked for.
+    /// When there are no weights of this valence.
     pub(crate) fn of(&self, valence: usize) -> &[S] {
         &self.rows[&valence]
     }

@@ -58,10 +58,11 @@ impl Ring<'_> {
         combination([(&v, self.vertex), (&e, &edges), (&f, &faces)])
     }
 
-    /// The product of the tangents A Σ cos(2πi/n) e_i + Σ (cos(2πi/n) + cos(2π(i + 1)/n)) f_i and
-    /// the same one place on, A = 1 + c + √((1 + c)(9 + c)), c = cos(2π/n).
+    /// The cross product of two tangents. The first is A Σ cos(2πi/n) e_i + Σ (cos(2πi/n) +
+    /// cos(2π(i + 1)/n)) f_i, with A = 1 + c + √((1 + c)(9 + c)), c = cos(2π/n); the second has i −
+    /// 1 in place of i in the cosines.
     ///
-    /// A is 4 for n = 4, where they are derivatives of the bicubic B-spline.
+    /// For n = 4 the tangents are derivatives of the bicubic B-spline, and A = 4.
     fn normal(&self) -> Option<Normal> {
         let n = self.faces.len();
         let c = cosine(1, n);
@@ -79,8 +80,8 @@ impl Ring<'_> {
         Normal::with_root(&tangents(&plain), &edges, radicand)
     }
 
-    /// Σ (cos(2πi/n) + cos(2π(i + 1)/n)) f_i, and one place on: since f_i is met with both cosines, the
-    /// sums of [`circular`] over f_i and over f_{i−1}.
+    /// Σ (cos(2πi/n) + cos(2π(i + 1)/n)) f_i, and the sum with i − 1 in place of i in the cosines.
+    /// Each is a sum of [`circular`] over f_i and over f_{i−1}, since each f_i has two cosines.
     fn face_sums(&self) -> [Point<RealCyclotomic>; 2] {
         let mut before = self.faces.clone();
         before.rotate_right(1);

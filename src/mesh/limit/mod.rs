@@ -1,4 +1,4 @@
-//! Limit points of vertices, and normals there.
+//! Limit points of vertices, and the normals there.
 
 mod catmull_clark;
 mod doo_sabin;
@@ -15,7 +15,7 @@ use super::polygon::PolygonMesh;
 use super::scheme::MeshScheme;
 use crate::exact::{Rational, RealCyclotomic};
 
-/// Where the limit surface has a vertex of a mesh.
+/// The limit of a vertex of a mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LimitPoint {
     /// The point that the vertex tends to.
@@ -33,11 +33,12 @@ pub struct LimitPoint {
 /// | Doo–Sabin | the mean of the new points of v in its n faces | `None`: the surface does not reach it |
 /// | Loop | (1 − nω) v + ω Σ e_i, ω = 1/(n + 3/(8β)) | (1, 4, 1)/6 of the boundary polygon |
 ///
-/// These are the left eigenvectors for 1 of the rules in the catalogue. Normals are products of
-/// those for the next eigenvalue; see `docs/meshes.md`.
+/// These weights are left eigenvectors of the rules in the catalogue for the eigenvalue 1. Normals
+/// are cross products of two tangents, given by left eigenvectors for the next eigenvalue; see
+/// `docs/meshes.md`.
 ///
 /// # Errors
-/// As of [`refine_mesh`](super::refine_mesh) for one level.
+/// As [`refine_mesh`](super::refine_mesh) for one level.
 ///
 /// # Panics
 /// Never.
@@ -71,7 +72,7 @@ pub fn limit_points(
 
 /// Σ cos(2πi/n) x_i and Σ cos(2π(i − 1)/n) x_i over n points around a vertex or a face.
 ///
-/// Their product is sin(2π/n) times that of the sums with cosines and with sines.
+/// Their cross product is sin(2π/n) times that of the sums with cosines and with sines.
 fn circular(points: &[&Point<RealCyclotomic>]) -> [Point<RealCyclotomic>; 2] {
     let cosines: Vec<RealCyclotomic> = (0..points.len()).map(|i| cosine(i, points.len())).collect();
     [0, 1].map(|start| {
@@ -80,7 +81,7 @@ fn circular(points: &[&Point<RealCyclotomic>]) -> [Point<RealCyclotomic>; 2] {
     })
 }
 
-/// cos(2πi/n), for n that the fields have been checked for.
+/// cos(2πi/n), for an n whose field has been checked.
 fn cosine(i: usize, n: usize) -> RealCyclotomic {
     RealCyclotomic::cosine(&Rational::new(i, n)).expect("a valence within the cap")
 }

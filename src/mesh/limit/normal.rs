@@ -5,8 +5,8 @@ use super::super::root::Root;
 use crate::exact::{Real, RealCyclotomic, Scalar};
 use crate::float::nearest;
 
-/// A normal p + q√d of a limit surface, of any length, other than 0. It is to the side from
-/// which faces are counter-clockwise.
+/// A normal p + q√d of a limit surface, of any length but 0. It points to the side from which the
+/// faces are counter-clockwise.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Normal {
     plain: Point<RealCyclotomic>,

@@ -15,7 +15,7 @@ const MAX_BITS: u64 = 4_096;
 /// The most vertices of all faces together.
 const MAX_CORNERS: usize = 4 * MAX_POINTS;
 
-/// What has been read of a file.
+/// The points and faces that have been read so far.
 pub(super) struct Parts {
     points: Vec<Point<Rational>>,
     faces: Vec<Vec<usize>>,
@@ -85,7 +85,7 @@ impl Parts {
         Diagnostic::new(&self.places.source, place, message)
     }
 
-    /// The mesh, if it is one.
+    /// The mesh of these points and faces; an error with its place if they are none.
     pub(super) fn assemble(self) -> Result<MeshFile, Diagnostic> {
         match PolygonMesh::new(self.points, self.faces) {
             Ok(mesh) => Ok(MeshFile { mesh, places: self.places }),

@@ -31,7 +31,7 @@ pub(super) struct Lines<'a> {
 /// The words of a line.
 pub(super) type Line<'a> = Vec<Word<'a>>;
 
-/// From the first word to the last.
+/// The bytes from the first word to the last.
 pub(super) fn extent(line: &[Word<'_>]) -> Range<usize> {
     match (line.first(), line.last()) {
         (Some(first), Some(last)) => first.at..last.at + last.text.len(),
@@ -42,7 +42,7 @@ pub(super) fn extent(line: &[Word<'_>]) -> Range<usize> {
 impl<'a> Lines<'a> {
     /// The lines of a file; where there are `comments`, `#` begins one.
     pub(super) fn new(source: &'a Arc<SourceText>, comments: bool) -> Lines<'a> {
-        // A byte order mark is no text.
+        // A byte order mark is not part of the text.
         let at = if source.text.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
         Lines { source, at, comments }
     }
@@ -52,7 +52,7 @@ impl<'a> Lines<'a> {
         Diagnostic::new(self.source, place, message)
     }
 
-    /// The file ends, and should go on.
+    /// The error of a file that ends too early.
     pub(super) fn cut_off(&self, missing: &str) -> Diagnostic {
         let end = self.source.text.trim_end().len();
         self.wrong(end..end, format!("the file ends here, and {missing}"))
@@ -114,7 +114,7 @@ fn words(text: &str, start: usize) -> Vec<Word<'_>> {
     text.split_whitespace().map(|text| Word { text, at: place(text) }).collect()
 }
 
-/// Programs write `+1`, `.5` and `5.` too.
+/// Brings `+1`, `.5` and `5.`, which some programs write, into the usual form.
 fn usual_form(text: &str) -> Cow<'_, str> {
     let (sign, rest) = match text.strip_prefix('+') {
         Some(rest) if !rest.starts_with('-') => ("", rest),

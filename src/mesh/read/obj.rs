@@ -12,7 +12,7 @@ const PASSED_OVER: [&str; 17] = [
     "bevel", "c_interp", "d_interp", "lod",
 ];
 
-/// The most lines that backslashes make one of.
+/// The most lines that backslashes join into one.
 const MAX_CONTINUED: usize = 10_000;
 
 pub(super) fn read(source: &Arc<SourceText>) -> Result<Parts, Diagnostic> {

@@ -18,7 +18,8 @@ use std::collections::BTreeSet;
 /// The most levels of refinement.
 pub const MAX_MESH_LEVEL: u32 = 24;
 
-/// The most binary digits of all coordinates together, as far as the first level tells.
+/// The most binary digits of all new coordinates together, if each has as many as the longest old
+/// one.
 const MAX_BITS: u64 = 1 << 32;
 
 /// The mesh refined `level` times.
@@ -73,8 +74,8 @@ pub fn refine_mesh(
     Ok(refined.into_owned())
 }
 
-/// The number of points after `level` levels; of Doo–Sabin on a mesh with boundary, which
-/// shrinks, it is not known before, and 0 here.
+/// The number of points after `level` levels. For Doo–Sabin on a mesh with boundary, which shrinks,
+/// it is not known before, and this is 0.
 fn counts(connectivity: &Connectivity, scheme: MeshScheme, level: u32) -> usize {
     let (mut points, mut edges) = (connectivity.point_count(), connectivity.edges().len());
     let (mut faces, mut corners) = (connectivity.faces().len(), connectivity.corner_count());
@@ -95,7 +96,7 @@ fn counts(connectivity: &Connectivity, scheme: MeshScheme, level: u32) -> usize 
     points
 }
 
-/// One level.
+/// One level of refinement.
 fn step(
     mesh: &PolygonMesh<RealCyclotomic>,
     scheme: MeshScheme,
@@ -125,7 +126,8 @@ pub(crate) fn weighted_valences(
     }
 }
 
-/// One level by these weights, which are those of all [`weighted_valences`], unchecked.
+/// One level of refinement by the given weights. Nothing is checked but the number of points;
+/// `stencils` has the weights of all [`weighted_valences`].
 ///
 /// # Errors
 /// When the next mesh has too many points.
@@ -141,7 +143,8 @@ pub(crate) fn step_with<S: Scalar>(
     }
 }
 
-/// Refuses points of too long numbers: `count` of them, each as long as the longest.
+/// Refuses a level of `count` new points if they have too many digits, each coordinate having as
+/// many as the longest one now.
 fn check_bits(mesh: &PolygonMesh<RealCyclotomic>, count: usize) -> Result<(), MeshError> {
     let longest = mesh.points().iter().flatten().map(RealCyclotomic::bits).max().unwrap_or(0);
     let count = u64::try_from(count.min(MAX_POINTS)).unwrap_or(u64::MAX);

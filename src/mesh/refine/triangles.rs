@@ -39,8 +39,8 @@ fn edge_point<S: Scalar>(mesh: &PolygonMesh<S>, edge: usize) -> Point<S> {
     combination([(&three, &sum([p, q])), (&one, &wings)])
 }
 
-/// The new point of a vertex: inside by the weights of itself, of the sum of its neighbours, and of
-/// what else the rule has around it.
+/// The new point of a vertex. Inside, it combines the vertex, the sum of its neighbours and, if the
+/// rule has one, the `further` point, by the weights of the valence.
 pub(super) fn vertex_point<S: Scalar>(
     mesh: &PolygonMesh<S>,
     stencils: &Stencils<S>,
