@@ -1,4 +1,4 @@
-//! A call of a function, and the options that it is read with.
+//! A call of a function, with its options.
 
 use crate::convolution::{Convolution, Sequence};
 use crate::decimal::Q;
@@ -17,9 +17,9 @@ const RECURSION: [&str; 2] = ["derived", "printed"];
 
 /// A call of a function. It keeps the options that are not used yet.
 pub struct Call<'c> {
-    /// The schemes, and what is known of them.
+    /// The schemes, with caches of their constants.
     pub library: &'c Library<'c>,
-    /// What names mean.
+    /// The meanings of names.
     pub scope: &'c Scope<'c>,
     /// The name of the function.
     pub function: &'c str,
@@ -51,7 +51,7 @@ impl<'c> Call<'c> {
         Call { library, scope, function, arguments, options: options.iter().collect() }
     }
 
-    /// Makes sure that every option has been used.
+    /// Checks that every option has been used.
     pub fn finished(&self) -> Result<(), Stop> {
         match self.options.first() {
             None => Ok(()),
@@ -91,12 +91,12 @@ impl<'c> Call<'c> {
         scheme.ok_or_else(|| Stop::Wrong(format!("`{}` needs a scheme", self.function)))
     }
 
-    /// The sequence of a mask in the order that is chosen.
+    /// The sequence of a mask in the order that the call chooses.
     pub fn sequence<'s>(&mut self, rules: &'s [Vec<Value>]) -> Result<Sequence<'s>, Stop> {
         Ok(Sequence { rules, forward: self.choose("order", &ORDER)? == 1 })
     }
 
-    /// The convolution of level c ≤ `most` and arity n, by the recursion that is chosen.
+    /// The convolution of level c ≤ `most` and arity n, by the recursion that the call chooses.
     pub fn convolution(&mut self, c: &Value, n: &Value, most: i64) -> Result<Convolution, Stop> {
         let (c, arity) = (within(c, 1, most)?, within(n, 2, 64)?);
         let printed = self.choose("recursion", &RECURSION)? == 1;

@@ -33,7 +33,7 @@ impl<'a> Line<'a> {
     }
 }
 
-/// A claim's line and the lines that are indented under it. A rule takes them one by one.
+/// The line of a claim and the lines that are indented under it. A rule takes them one by one.
 #[derive(Clone, Debug)]
 pub struct Block<'a> {
     /// `table table-1`, …
@@ -63,7 +63,7 @@ impl<'a> Block<'a> {
         Some(line.word().1)
     }
 
-    /// Makes the next line the one at hand, or the head if there is no next line.
+    /// Moves to the next line without taking it, or to the head if there is none.
     pub fn look(&mut self) {
         self.at = self.peek().unwrap_or(self.head).number;
     }
@@ -105,7 +105,7 @@ impl<'a> Block<'a> {
         self.lines.last().copied().unwrap_or(self.head)
     }
 
-    /// Makes sure that every line has been taken.
+    /// Checks that every line has been taken.
     pub fn finished(&mut self) -> Checked<()> {
         self.look();
         require(self.peek().is_none(), Reason::Malformed("the end of the block"))

@@ -12,7 +12,7 @@ use std::rc::Rc;
 /// The most coefficients of a product, and the most residue classes.
 pub const MAX_LENGTH: usize = 1 << 16;
 
-/// About what the sign of a polynomial on a piece costs.
+/// An estimate of the steps for the sign of a polynomial on a piece.
 const STEPS_OF_SIGN: u64 = 100;
 
 /// The sequence of a mask: t_{nu+β} = r_{β,N−1−u}, or r_{β,u} forwards.

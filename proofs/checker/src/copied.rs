@@ -1,23 +1,23 @@
-//! Quantities that a reading takes from another place of the paper: what certificates call them.
+//! The names, in certificates, of quantities that a reading takes from another place of the paper.
 
 use crate::decimal::{Q, read_rational};
 
 /// A quantity from another place. Numbers are counted from 0.
 #[derive(Clone, Debug)]
 pub enum Copied<'r> {
-    /// The printed numbers of the table with this id stand for a definition: `DEFINITION@ID`.
+    /// A definition has the printed numbers of the table with this id: `DEFINITION@ID`.
     Printed(&'r str, &'r str),
     /// A definition has its value for another value of a parameter: `DEFINITION@NAME=VALUE`.
     Parameter(&'r str, &'r str, Q),
     /// A definition has its value for another scheme of the tables: `DEFINITION@scheme#NUMBER`.
     Scheme(&'r str, usize),
-    /// Tolerances are those at which this row or column is a whole number of levels:
-    /// `tolerance@line#NUMBER`.
+    /// The tolerances are those at which the depth in this row or column is a whole number before
+    /// it is rounded: `tolerance@line#NUMBER`.
     Tolerance(usize),
 }
 
 impl<'r> Copied<'r> {
-    /// Reads what a certificate says.
+    /// Reads the name of such a quantity.
     pub fn read(text: &'r str) -> Option<Copied<'r>> {
         let (of, from) = text.split_once('@')?;
         let number = |digits: &str| digits.parse::<usize>().ok()?.checked_sub(1);

@@ -20,8 +20,9 @@ pub fn displaced(scheme: &Scheme, alpha: usize, offset: i64) -> Result<Vec<Value
     let row = &scheme.mask[alpha];
     let width = i64::try_from(row.len()).unwrap_or(0);
     let coefficient = |m: i64| {
-        // x_{i+s} − x_i is the sum of the Δ_{i+m}, 0 ≤ m < s, or minus that of those with
-        // s ≤ m < 0: Δ_{i+m} has the weights of the s > m, or minus those of the s ≤ m.
+        // x_{i+s} − x_i is the sum of the Δ_{i+m} over 0 ≤ m < s, or, for s < 0, minus their sum
+        // over s ≤ m < 0. Hence Δ_{i+m} has the sum of the weights with s > m if m ≥ 0, and minus
+        // the sum of those with s ≤ m if m < 0.
         let cut = usize::try_from((m + 1 - offset).clamp(0, width)).unwrap_or(0);
         match m {
             ..0 => Value::total(&row[..cut])?.negated(),
@@ -36,7 +37,7 @@ fn fraction(top: usize, bottom: usize) -> Value {
     Q::new(top.into(), bottom.into()).into()
 }
 
-/// x1·η¹ + x2·η² + x3·η³, as FORMAT.md has it, for all α and β.
+/// The sums x1·η¹ + x2·η² + x3·η³ of FORMAT.md, one for each α and β.
 pub fn surface(
     piece: Option<&Piece>,
     scheme: &Scheme,

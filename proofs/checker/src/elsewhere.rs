@@ -1,4 +1,4 @@
-//! The values of cells whose reading takes a quantity from another place of the paper.
+//! The values of cells under readings that take a quantity from another place of the paper.
 
 use crate::copied::Copied;
 use crate::decimal::Decimal;
@@ -46,7 +46,7 @@ pub fn behind_names<'f>(table: &'f Table<'_>, mut formula: &'f Expr) -> &'f Expr
 }
 
 impl Table<'_> {
-    /// The scope of a cell whose reading takes this from another place.
+    /// The scope of a cell under a reading that takes this quantity from another place.
     pub fn scope_with<'s>(
         &'s self,
         copied: &Copied<'_>,
@@ -79,8 +79,8 @@ impl Table<'_> {
         Ok(scoped)
     }
 
-    /// The value of a definition with some quantities instead of the cell's own. A formula that is
-    /// wrong there has none.
+    /// The value of a definition with some quantities of a cell replaced. A formula that is wrong
+    /// with these has no value.
     fn definition(
         &self,
         name: &str,
@@ -119,9 +119,10 @@ impl Table<'_> {
         number.map(Value::from).ok_or(NONE)
     }
 
-    /// The tolerance of a cell before it was rounded: ε·r^k/x with the printed ε, if the level of the
-    /// cell in this line is the logarithm of x to the base r, and k that level to the nearest. With the
-    /// tolerance, the level is k exactly. None if no such number becomes what is printed.
+    /// The tolerance of a cell before it was rounded, if the depth of the cell in this row or
+    /// column is a whole number. Let ε be the printed tolerance and that depth the logarithm of x
+    /// to the base r, with k the nearest integer. Then the tolerance is ε·r^k/x. `None` if this
+    /// does not round to the printed number, or if the depth is not k with it.
     fn tolerance_at(
         &self,
         line: usize,
@@ -175,7 +176,7 @@ impl Table<'_> {
     }
 }
 
-/// What a reading says of a quantity that another place does not have.
+/// The error where the other place has no such quantity.
 const NONE: Stop = Stop::Undefined("there is no such quantity at that place");
 
 /// A formula that is wrong at another place has no value there.

@@ -241,7 +241,7 @@ impl<'a> Scope<'a> {
         total.ok_or_else(|| Stop::Wrong("a maximum or minimum has an empty range".into()))
     }
 
-    /// Makes sure that an index does not hide a name to which definitions may refer.
+    /// Checks that an index does not hide a name to which definitions may refer.
     pub fn index(&self, name: &str) -> Result<(), Stop> {
         let valued = self.values.contains_key(name) && !self.hidden.contains(name);
         let named = self.definitions.contains_key(name) || self.unstated.contains(name);

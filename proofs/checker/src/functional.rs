@@ -40,7 +40,7 @@ impl Functional {
         Functional { weights: weights.collect(), over: u.denom().clone() }
     }
 
-    /// The functional that is moved to points with greater indices.
+    /// The functional with each weight f_i at the index i + `by`.
     fn moved(self, by: &BigInt) -> Result<Functional, Stop> {
         let by = by.to_i64().filter(|by| by.abs() <= MAX_INDEX);
         let by = by.ok_or(Stop::Capped("the parameters of control data"))?;
@@ -69,7 +69,8 @@ impl Functional {
         Functional { weights, over: &self.over * &other.over }
     }
 
-    /// The greatest value for |x_{i+1} − x_i| ≤ 1 of a functional whose weights sum to 0. It is
+    /// The greatest value of a functional whose weights sum to 0, for |x_{i+1} − x_i| ≤ 1. It is
+    /// Σ_p |Σ_{i≤p} f_i|.
     pub fn norm_on_differences(&self) -> Q {
         let (mut total, mut sum, mut last) = (BigInt::default(), BigInt::default(), None);
         for (i, weight) in &self.weights {
@@ -131,7 +132,8 @@ impl<'a> Rules<'a> {
         self.rows.iter().flatten().all(|a| !a.is_negative())
     }
 
-    /// f applied to the refined x', as a functional of x; `x'_{ni+α} = Σ_j a_{α,j} x_{i+o+j}`.
+    /// The functional f of the refined points x', as a functional of x; `x'_{ni+α} = Σ_j a_{α,j}
+    /// x_{i+o+j}`.
     fn before(&self, f: &Functional) -> Result<Functional, Stop> {
         let mut weights = BTreeMap::new();
         for (at, weight) in &f.weights {
@@ -144,7 +146,8 @@ impl<'a> Rules<'a> {
         Ok(Functional { weights, over: &f.over * &self.over })
     }
 
-    /// f applied to the points of level k from a given one on, as a functional of the control data.
+    /// The functional f of the points of level k from a given one on, as a functional of the
+    /// control data.
     fn of_level(&self, k: u32, mut from: BigInt, mut f: Functional) -> Result<Functional, Stop> {
         if k > MAX_LEVEL {
             return Err(Stop::Capped("the levels of a refinement"));
@@ -200,7 +203,9 @@ impl<'a> Rules<'a> {
     /// The limit at 0. It exists if the equations wA = w, Σw = 1 have exactly one solution.
     fn limit_at_zero(&self) -> Zero {
         let (arity, width) = (self.arity(), size(&self.rows[0]));
-        // i − ⌊i/n⌋ does not decrease. It is o from l on, and o + N − 1 up to h.
+        // Row i of A has its entries in the columns from ⌊i/n⌋ + o to ⌊i/n⌋ + o + N − 1. For l ≤ i
+        // ≤ h these are between l and h, if l is the least i with i − ⌊i/n⌋ = o, and h the greatest
+        // i with i − ⌊i/n⌋ = o + N − 1, since i − ⌊i/n⌋ does not decrease.
         let reach = |i: i64| i - i.div_euclid(arity);
         let bound = 2 * (self.offset.abs() + width) + 2;
         let l = (-bound..=bound).find(|&i| reach(i) == self.offset);

@@ -105,8 +105,8 @@ pub struct Report {
     pub key: String,
     /// The kind, id and outcome of every claim, in the order of the file.
     pub claims: Vec<(&'static str, String, Outcome)>,
-    /// What the valid and the cited certificates say of each claim, by its id, in a few words such as
-    /// `refuted: 15/16 > 125/144`.
+    /// The verdict of each valid or cited certificate, by the id of its claim, in a few words such
+    /// as `refuted: 15/16 > 125/144`.
     pub verdicts: BTreeMap<String, String>,
     /// The rejections of whole certificates, with the indices of the certificates.
     pub broken: Vec<(usize, Rejection)>,
@@ -188,7 +188,7 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
             outcomes.insert((task.kind, task.id), Outcome::Invalid(task.place, twice));
         }
     }
-    // Another table, which is valid, has to give the value, from its own numbers.
+    // The value has to be given by another table that is valid, from that table's own numbers.
     let lacks = |given: &[(&str, Given)], (value, other): &(Given, String)| {
         !given.iter().any(|(id, known)| id == other && known == value)
     };

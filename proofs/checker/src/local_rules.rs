@@ -56,7 +56,7 @@ impl<'a> LocalRules<'a> {
         self.weights.iter().map(|row| self.combined(row.iter().zip(points))).collect()
     }
 
-    /// The functional fM: f applied to the points of the next level, as a functional of the points.
+    /// The functional fM: f of the points of the next level, as a functional of the points.
     pub fn before(&self, f: &[Value]) -> Result<Vec<Value>, Stop> {
         let column = |b: usize| self.combined(self.weights.iter().map(|row| &row[b]).zip(f));
         (0..f.len()).map(column).collect()
@@ -114,7 +114,7 @@ impl<'a> LocalRules<'a> {
         self.edges.contains(&[a, b]) || self.edges.contains(&[b, a])
     }
 
-    /// Whether the point a of a level is that of the level before.
+    /// Whether the point a of the next level is the point a itself.
     pub fn keeps(&self, a: usize) -> bool {
         let mut weights = self.weights[a].iter().enumerate();
         weights.all(|(b, weight)| *weight == Value::int(i64::from(a == b)))

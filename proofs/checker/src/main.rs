@@ -15,7 +15,7 @@ that a certificate calls open. They are listed as such.
 The exit code is 0 if all these claims pass, 1 if one does not, and 2 if the arguments are wrong or
 a file cannot be read. --help shows this, --version the version.";
 
-/// What is asked for.
+/// The arguments of the program.
 #[derive(Default)]
 struct Arguments {
     only: Vec<String>,
@@ -54,7 +54,7 @@ impl Arguments {
         self.accept.iter().any(|accepted| accepted == what)
     }
 
-    /// Checks the certificates and prints the outcomes; whether all claims pass.
+    /// Checks the certificates and prints the outcomes. Gives whether all claims pass.
     fn run(&self) -> Result<bool, String> {
         let read = |path: &String| {
             std::fs::read_to_string(path).map_err(|error| format!("cannot read `{path}`: {error}"))
@@ -68,7 +68,7 @@ impl Arguments {
         Ok(self.show(&report))
     }
 
-    /// Makes sure that every `--only` names something.
+    /// Checks that every `--only` names something.
     fn check_selection(&self, report: &Report) -> Result<(), String> {
         let names = |name: &&String| {
             report.claims.iter().any(|(kind, id, _)| is_named(name, &report.key, kind, id))
@@ -124,7 +124,7 @@ impl Arguments {
     }
 }
 
-/// Whether a claim is called so: by its kind, by its id, or as the lines print it.
+/// Whether `name` means a claim: by its kind, by its id, or as the lines print it.
 fn is_named(name: &str, key: &str, kind: &str, id: &str) -> bool {
     let own = |rest: &str| rest.strip_prefix(':') == Some(id);
     name == kind || name == id || name.strip_prefix(key).is_some_and(own)

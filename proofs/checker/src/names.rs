@@ -1,4 +1,4 @@
-//! The names of a claim file. In a claim each has one meaning (FORMAT.md, Names).
+//! The names of a claim file. In a claim each name has one meaning (FORMAT.md, Names).
 
 use crate::formula::is_name;
 use crate::shape::KINDS;
@@ -13,7 +13,7 @@ pub const OF_THEOREMS: [&str; 6] = ["beta", "beta_1", "beta_2", "beta_3", "k", "
 const OF_ENTRIES: [&str; 2] = ["alpha", "r"];
 const OF_WEIGHTS: [&str; 2] = ["i", "j"];
 
-/// Makes sure that no name has two meanings.
+/// Checks that no name has two meanings.
 pub fn misuse(file: &Toml) -> Result<(), String> {
     let names = |key: &str| file.entries(key).iter().map(|(name, _)| name.as_str());
     distinct("scheme", file.list("scheme").iter().filter_map(|scheme| scheme.text("name")))?;
@@ -51,7 +51,7 @@ fn own<'a>(kind: &str, claim: &'a Toml) -> Vec<&'a str> {
     }
 }
 
-/// Makes sure that the parameters, named formulas and indices of a scheme have different names.
+/// Checks that the parameters, named formulas and indices of a scheme have different names.
 fn of_scheme(scheme: &Toml) -> Result<(), String> {
     let keys = |key: &str| scheme.entries(key).iter().map(|(name, _)| name.as_str());
     let indices: &[&str] = match (scheme.get("entry"), scheme.get("orbits")) {
@@ -62,7 +62,7 @@ fn of_scheme(scheme: &Toml) -> Result<(), String> {
     distinct("name", keys("parameters").chain(keys("let")).chain(indices.iter().copied()))
 }
 
-/// Makes sure that no two names are the same.
+/// Checks that no two names are the same.
 fn distinct<'n>(what: &str, names: impl Iterator<Item = &'n str>) -> Result<(), String> {
     let mut known = BTreeSet::new();
     for name in names {

@@ -8,7 +8,7 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-/// The highest level of a tree that bounds all powers.
+/// A tree that bounds all powers has levels below this one only.
 const MAX_LEVEL: u32 = 64;
 
 /// The binary digits after the point to which the data of bounds are rounded upwards.
@@ -110,7 +110,8 @@ impl<'a> Operator<'a> {
     /// The norm of the rows of R^c whose coefficients are those of the class f mod n^c of the
     /// product of FORMAT.md, with t_{nu+β} = r_{β,N−1−u}.
     pub fn of_class(&self, levels: u32, f: &BigInt) -> Checked<Q> {
-        // Row m at offset 0 is class m + (N−1)(n + … + n^c), and row m − o(n + … + n^c) at o.
+        // At offset 0, row m has the class m + (N−1)(n + … + n^c); at offset o, row m − o(n + … +
+        // n^c) has it.
         let n = BigInt::from(self.n);
         let powers: BigInt = (1..levels).map(|k| n.pow(k)).sum();
         let mut rest = (f - powers * (self.width - 1 + self.offset)).mod_floor(&n.pow(levels));
@@ -125,7 +126,7 @@ impl<'a> Operator<'a> {
         Ok(value * self.factor.abs().pow(levels.cast_signed()))
     }
 
-    /// Makes sure that ‖E^m‖ ≤ τ for all m (THEOREMS.md, 63).
+    /// Checks that ‖E^m‖ ≤ τ for all m ≥ 1 (THEOREMS.md, 63).
     pub fn all_at_most(&self, tau: &Q) -> Checked<()> {
         let Some([middle, radius]) = &self.shift else { return Err(Reason::Powers.into()) };
         let nth = Q::new(BigInt::one(), self.n.into());
@@ -142,8 +143,8 @@ impl<'a> Operator<'a> {
         })
     }
 
-    /// Makes sure that ‖E^c‖ is at most a number, for τ with ‖E^m‖ ≤ τ_m, m < c. A node is split
-    /// unless all rows below it are bounded (THEOREMS.md, 60 to 62).
+    /// Checks that ‖E^c‖ is at most `limit`, where c = `levels` and ‖E^m‖ ≤ τ_m for m < c. A node
+    /// is split unless all rows below it are bounded (THEOREMS.md, 60 to 62).
     pub fn at_most(&self, levels: u32, limit: &Q, tau: impl Fn(u32) -> Q) -> Checked<()> {
         let (nth, mut reaches) = (Q::new(BigInt::one(), self.n.into()), Vec::new());
         let (mut middle, mut radius, mut part) = (int(0), int(0), int(1));

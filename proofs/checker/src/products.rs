@@ -94,7 +94,7 @@ impl<'m> Products<'m> {
         self.of_mask(how, of)?.classes(self.meter, piece)
     }
 
-    /// Makes a constant known.
+    /// Adds a constant that has been shown.
     pub fn show(&self, of: Sequence<'_>, level: u32, value: Value) {
         self.constants.borrow_mut().insert((of.rules.to_vec(), of.forward, level), value);
     }

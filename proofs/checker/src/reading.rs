@@ -40,7 +40,7 @@ pub struct Reading {
 }
 
 impl Reading {
-    /// The word that an option of a function is read as.
+    /// The word of a function's option under this reading.
     pub fn word(&self, function: &str, option: &str, printed: &str) -> String {
         let fits =
             |choice: &&Choice| choice.option == option && choice.functions.contains(&function);

@@ -174,12 +174,12 @@ pub type Checked<T> = Result<T, Rejection>;
 /// A reason that compares what the certificate says with what the checker found.
 pub type Compared = fn(Text, Text) -> Reason;
 
-/// Makes sure of a side condition.
+/// Checks a side condition.
 pub fn require(holds: bool, otherwise: Reason) -> Checked<()> {
     if holds { Ok(()) } else { Err(otherwise.into()) }
 }
 
-/// Makes sure of a side condition of two values or texts. The rejection shows both.
+/// Checks a side condition on two values or texts. The rejection shows both.
 pub fn compare<A, B>(holds: bool, said: &A, found: &B, otherwise: Compared) -> Checked<()>
 where
     A: fmt::Display + ?Sized,
@@ -192,7 +192,7 @@ where
     }
 }
 
-/// Makes sure that two texts are the same.
+/// Checks that two texts are the same.
 pub fn agree(said: &str, found: &str, otherwise: Compared) -> Checked<()> {
     compare(said == found, said, found, otherwise)
 }

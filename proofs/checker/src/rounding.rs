@@ -49,8 +49,8 @@ pub fn telling(decimal: &Decimal) -> usize {
     decimal.digits.abs().to_string().trim_matches('0').len()
 }
 
-/// Whether a decimal has enough digits for this kind of slip, or for a `rounding` that the rest of
-/// the table does not have.
+/// Whether a decimal has enough digits for this kind of slip, or for a `rounding` that differs from
+/// the rounding of the table.
 pub fn has_digits(decimal: &Decimal, slip: &str) -> bool {
     let needed = match slip.split(' ').next() {
         Some("rounding") => 3,

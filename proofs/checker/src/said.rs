@@ -1,11 +1,13 @@
-//! What a certificate says of its claim, in a few words. Only of a valid one that is the truth.
+//! The verdict that a certificate states for its claim, in a few words. It is true only if the
+//! certificate is valid.
 
 use crate::certificate::Block;
 
 /// The longest number that is shown whole.
 const LONGEST: usize = 60;
 
-/// The verdict: of a table how many cells have which; of a refuted theorem with both sides.
+/// The verdict; for a table, how many cells have each verdict; for a refuted theorem, with both
+/// sides.
 pub fn verdict(kind: &str, block: &Block<'_>) -> String {
     if kind == "table" {
         return cells(block);
@@ -27,7 +29,7 @@ pub fn verdict(kind: &str, block: &Block<'_>) -> String {
     let words: Vec<&str> = verdict.1.split_whitespace().collect();
     let verdict = match verdict {
         ("", _) => "not checkable".to_owned(),
-        // Of a function: where, and both sides there.
+        // For a function: the parameter, and both sides there.
         (word, _) if words.len() == 3 => {
             let [left, right] = [1, 2].map(|i| shortened(words[i]));
             format!("{word}: {left} is not {right}, at {}", words[0])
@@ -69,7 +71,7 @@ fn cells(block: &Block<'_>) -> String {
     }
 }
 
-/// How many times there is which word, in the order in which they come.
+/// How often each word occurs, in the order of their first occurrences.
 #[derive(Default)]
 struct Counts(Vec<(String, usize)>);
 
@@ -87,7 +89,7 @@ impl Counts {
     }
 }
 
-/// A number, of a long one the first characters.
+/// A number, or the first characters of a long one.
 fn shortened(number: &str) -> String {
     if number.chars().count() <= LONGEST {
         return number.to_owned();

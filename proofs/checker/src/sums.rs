@@ -1,4 +1,4 @@
-//! The functions that are the greatest of some sums: `contraction`, `norm`, `tensor` and
+//! The functions whose value is the greatest of some sums: `contraction`, `norm`, `tensor` and
 //! `convolution_norm`.
 
 use crate::call::{Call, SUPREMA, TERMS, wrong};
@@ -22,7 +22,7 @@ pub fn greatest(call: &mut Call<'_>, indices: &mut Indices) -> Result<Value, Sto
     lists.iter().try_fold(Value::int(1), |product, list| product.times(&list.greatest(piece)?))
 }
 
-/// The sums that the formula of a constant is the greatest of.
+/// The sums of which the value of a constant's formula is the greatest.
 pub fn of_constant(library: &Library<'_>, scope: &Scope<'_>, expr: &Expr) -> Result<Sums, Stop> {
     let Expr::Of(Head::Call(function, options), arguments) = expr else {
         return wrong("this is no constant");

@@ -32,9 +32,9 @@ pub struct Table<'a> {
     pub given: BTreeMap<String, Value>,
     /// The parameters that are not stated.
     pub unstated: BTreeSet<String>,
-    /// Their values that may be assumed, or that were recovered.
+    /// The values of unstated parameters that may be assumed, or that were recovered.
     pub assumed: BTreeMap<String, Value>,
-    /// How many values each was recovered from, for those that were.
+    /// For each recovered parameter, the number of candidates for its value.
     pub recovered: BTreeMap<String, Q>,
     /// The name of the tolerance, if the cells are depths.
     pub tolerance: Option<&'a str>,
@@ -57,7 +57,7 @@ pub type Cells = Vec<(Place, Decimal)>;
 /// The scope of a cell, and the factors of its scheme.
 pub type Scoped<'s> = (Scope<'s>, Vec<Rc<Scheme>>);
 
-/// What a cell has instead of its own.
+/// Quantities that replace those of a cell.
 #[derive(Default)]
 pub struct Instead<'i> {
     /// The values of parameters.
@@ -88,7 +88,7 @@ pub struct Read {
 }
 
 impl Read {
-    /// What is taken from another place of the paper.
+    /// The quantity that is taken from another place of the paper.
     pub fn copied(&self) -> Option<&str> {
         self.differences.iter().map(String::as_str).find(|difference| difference.contains('@'))
     }
@@ -180,7 +180,8 @@ impl<'a> Table<'a> {
         Some((text, Decimal::read(read)?))
     }
 
-    /// The reference to the scheme of a cell: that of its row, of its column, or of the table.
+    /// The reference to the scheme of a cell: the header of its row or of its column, or the
+    /// table's.
     pub fn scheme(&self, (row, column): Place) -> Option<&'a str> {
         let of = |axis: &Option<Headers<'a>>, place: usize| {
             axis.as_ref().and_then(|axis| axis.schemes().get(place).copied())
@@ -211,7 +212,8 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// The same with nothing from another place, but for what a cell has instead of its own.
+    /// As [`Table::scope`], but nothing is taken from another place, and `instead` replaces
+    /// quantities of the cell.
     pub fn own_scope<'s>(
         &'s self,
         (row, column): Place,
@@ -286,8 +288,8 @@ impl<'a> Table<'a> {
         std::ptr::eq(read, &raw const self.as_printed)
     }
 
-    /// The value of a cell under a reading; `None` if it has none. The parameters are assumed that
-    /// the cell needs as printed.
+    /// The value of a cell under a reading; `None` if it has none. The parameters that the cell
+    /// needs as printed are assumed.
     pub fn read(&self, at: Place, read: &Read) -> Result<Option<Value>, Stop> {
         if let Some(known) = read.known.borrow().get(&at) {
             return Ok(known.clone());

@@ -52,7 +52,7 @@ impl Value {
         Value { constant: Number::Small(0, 1), terms }
     }
 
-    /// The number that this is. A polynomial is none.
+    /// The number that this is; an error for a polynomial.
     pub fn number(&self) -> Result<&Number, Stop> {
         if self.terms.is_empty() {
             return Ok(&self.constant);

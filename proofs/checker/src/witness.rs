@@ -23,7 +23,7 @@ enum Control {
     LocalRules(Vec<BigInt>, Vec<Value>),
 }
 
-/// Where the points of a level are.
+/// The parameters of the points of a level.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Points {
     /// x^k_i at i/n^k.
@@ -141,7 +141,7 @@ impl<'l> Witness<'l> {
         }
     }
 
-    /// Two products of functionals. The quantity is their difference.
+    /// Two products of functionals. The quantity is the absolute value of their difference.
     fn functionals(
         &self,
         rules: &[Rules<'_>],
@@ -224,7 +224,7 @@ impl<'l> Witness<'l> {
     }
 }
 
-/// Makes sure that these are the two sides, and that the first one is larger.
+/// Checks that these are the two sides, and that the first one is larger.
 pub fn violated(paper: &Paper<'_>, said: &str, left: &Value, right: &Value) -> Checked<()> {
     let said: Vec<&str> = said.split_whitespace().collect();
     require(said.len() == 2, Reason::Malformed("two sides"))?;

@@ -6,8 +6,8 @@ use crate::reject::{Checked, Reason, Text, compare, require};
 use crate::sums::of_constant;
 use crate::table::{Read, Table};
 
-/// Checks `ROW COLUMN CLASS VALUE FORMULA`. The reading is as printed. It is not the table's own,
-/// whose record of consulted choices must not change.
+/// Checks `ROW COLUMN CLASS VALUE FORMULA`. `read` is a reading as printed, and not the table's
+/// own, since this records which choices are consulted, and its record must not change.
 pub fn check(table: &Table<'_>, read: &Read, said: &str) -> Checked<()> {
     let (at, said) = table.place(said)?;
     let mut words = said.splitn(3, ' ');

@@ -62,7 +62,7 @@ pub fn check(table: &Table<'_>, reads: &Reads, place: Place, said: &str) -> Chec
     cell.judge(reads, exact.as_ref(), verdict)
 }
 
-/// Makes sure that a value of the certificate is this one.
+/// Checks that a value of the certificate equals this value.
 fn same(table: &Table<'_>, said: &str, value: Option<&Value>) -> Checked<()> {
     match value {
         Some(value) if said != "undefined" => {
@@ -150,15 +150,15 @@ impl Cell<'_> {
         Ok(Kind::Other)
     }
 
-    /// Makes sure that some parameter is not stated, and that all these were recovered.
+    /// Checks that some parameter is not stated, and that all such parameters were recovered.
     fn recovered(&self) -> Checked<()> {
         let (needed, _) = self.table.needed(self.place);
         let known = needed.iter().all(|name| self.table.recovered.contains_key(name));
         require(known && !self.plain, Reason::NotRecovered)
     }
 
-    /// Makes sure that the value under a reading explains the printed number, in the way that the
-    /// words `rest` say. `exact` is the value as printed.
+    /// Checks that the value under a reading explains the printed number, in the way that the words
+    /// `rest` say. `exact` is the value as printed.
     fn explained(
         &self,
         part: &PartRead,
@@ -185,7 +185,8 @@ impl Cell<'_> {
         }
     }
 
-    /// Makes sure that no reading explains the printed number, by a rounding or a slip or directly.
+    /// Checks that no reading explains the printed number, neither directly nor by a rounding or a
+    /// slip.
     fn unexplained(&self, reads: &Reads) -> Checked<()> {
         for part in reads.of(self.table, self.place) {
             let value = part.value(self.table, self.place)?;
@@ -202,12 +203,12 @@ impl Cell<'_> {
         Ok(())
     }
 
-    /// Makes sure of a side condition of the printed number and a value.
+    /// Checks a side condition on the printed number and a value.
     fn need(&self, holds: bool, value: Option<&Value>, otherwise: Compared) -> Checked<()> {
         if holds { Ok(()) } else { compare(false, self.text, &shown(value), otherwise) }
     }
 
-    /// Makes sure that the printed number has the digits that a slip needs.
+    /// Checks that the printed number has the digits that a slip needs.
     fn digits(&self, slip: &str) -> Checked<()> {
         require(has_digits(&self.decimal, slip), Reason::FewDigits(Text(self.text.to_string())))
     }
@@ -224,7 +225,7 @@ impl Cell<'_> {
         value.map_or(Ok("neither"), |value| rounding(&self.decimal, value))
     }
 
-    /// Makes sure that the printed number is the value, cut or rounded away.
+    /// Checks that the printed number is the value, cut or rounded away.
     fn rounded(&self, value: Option<&Value>, way: &str) -> Checked<()> {
         require(!self.is_depth(), Reason::Depth)?;
         self.need(self.rounding(value)? == way, value, Reason::NotRounded)
@@ -240,7 +241,7 @@ impl Cell<'_> {
         equal.map(|equal| (equal, value))
     }
 
-    /// Makes sure that this slip leads from the value to the printed number.
+    /// Checks that this slip leads from the value to the printed number.
     fn slip(&self, slip: &str, value: Option<&Value>, around: Option<&Read>) -> Checked<()> {
         require(!self.is_depth(), Reason::Depth)?;
         let found = self.slips(value, around)?;
@@ -249,7 +250,7 @@ impl Cell<'_> {
         self.digits(slip)
     }
 
-    /// Makes sure that no slip leads from the value to the printed number.
+    /// Checks that no slip leads from the value to the printed number.
     fn no_slip(&self, value: Option<&Value>, around: Option<&Read>) -> Checked<()> {
         let found = self.slips(value, around)?;
         match found.iter().find(|slip| has_digits(&self.decimal, slip)) {
@@ -294,8 +295,7 @@ impl Cell<'_> {
     }
 }
 
-/// The reading of the cells around one. The cells of a row or column with its own reading have
-/// none.
+/// The reading of the cells around a cell. If a row or column has its own reading, there is none.
 fn around(part: &PartRead) -> Option<&Read> {
     part.is_whole().then_some(&part.read)
 }

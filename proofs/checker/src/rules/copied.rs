@@ -17,11 +17,11 @@ use std::collections::BTreeSet;
 /// The most differences of such a member.
 const MAX_WITH_COPIED: usize = 3;
 
-/// The most values of cells that a family has.
+/// The most values of cells under all members of a family.
 const MAX_VALUES: usize = 100_000;
 
-/// The members that take something from another place, where the others are these. There are none if
-/// all would be too many.
+/// The members that take a quantity from another place; `others` are the members that take none.
+/// Empty if all together are too many.
 pub fn copied(table: &Table<'_>, others: &Members) -> Result<Members, Stop> {
     let (rows, columns) = table.size();
     let most = MAX_MEMBERS.min(MAX_VALUES / (rows * columns).max(1)).max(1);
@@ -39,13 +39,14 @@ pub fn copied(table: &Table<'_>, others: &Members) -> Result<Members, Stop> {
     Ok(if others.len() + members.len() > most { Members::new() } else { members })
 }
 
-/// Everything that a reading of this table may take from another place.
+/// The names of all quantities that a reading of this table may take from another place.
 fn sources(table: &Table<'_>) -> Result<Vec<String>, Stop> {
     let paper = table.paper;
     let mut sources = Vec::new();
     for of in constants(table) {
         let definition = &paper.definitions[&of];
-        // The whole value elsewhere is the value of another cell.
+        // If the table's value is the definition alone, its values elsewhere are those of other
+        // cells.
         let whole = matches!(&table.value, Expr::Name(name) if *name == of);
         for claim in paper.file.list("table").iter().filter(|_| !whole) {
             let id = claim.text("id").filter(|id| table.claim.text("id") != Some(*id));
@@ -87,8 +88,8 @@ fn is_level(table: &Table<'_>) -> bool {
     matches!(formula, Expr::Of(Head::Call(function, _), _) if function == "levels")
 }
 
-/// The definitions that the value of a table names. If the table promises something and its value is
-/// only a name, it stands for what it names.
+/// The definitions that the value of a table names. If the table promises something and its value
+/// is only a name, that name is replaced by its formula.
 fn constants(table: &Table<'_>) -> BTreeSet<String> {
     let promises = table.claim.get("promise").is_some();
     let start = if promises { behind_names(table, &table.value) } else { &table.value };
@@ -105,7 +106,7 @@ fn constants(table: &Table<'_>) -> BTreeSet<String> {
     found
 }
 
-/// Whether a table prints the values of a definition, which is all that its value is.
+/// Whether the value of a table is this definition alone, and the table prints a cell.
 fn prints(claim: &Toml, definition: &str) -> Result<bool, Stop> {
     let value = claim.text("value").map(formula).transpose()?;
     let cells = claim.list("cells").iter().flat_map(Toml::as_list);

@@ -22,7 +22,7 @@ pub fn is_linear(table: &Table<'_>, name: &str, read: &Read) -> bool {
     form.degree(&table.value, 0) == Some(1)
 }
 
-/// Whether a formula of a table's cells depends on a parameter, by its form.
+/// Whether the form of a formula of a table's cells depends on a parameter.
 pub fn depends(table: &Table<'_>, expr: &Expr, name: &str) -> bool {
     let definitions = &table.paper.definitions;
     let mut form = Form { definitions, name, schemes: false, known: RefCell::default() };
@@ -33,14 +33,14 @@ pub fn depends(table: &Table<'_>, expr: &Expr, name: &str) -> bool {
 struct Form<'f> {
     definitions: &'f Definitions,
     name: &'f str,
-    /// Whether the parameter is met in a reference to a scheme.
+    /// Whether the parameter occurs in a reference to a scheme.
     schemes: bool,
     /// The degrees of definitions that are known.
     known: RefCell<BTreeMap<String, Option<i64>>>,
 }
 
 impl Form<'_> {
-    /// Whether the parameter is met in a reference to a scheme: one of the table, or a `use`.
+    /// Whether the parameter occurs in a reference to a scheme: one of the table, or a `use`.
     fn in_references(&self, table: &Table<'_>) -> bool {
         let named = table.paper.file.list("scheme").iter();
         let uses = named.filter_map(|scheme| scheme.text("use"));
@@ -50,7 +50,7 @@ impl Form<'_> {
         })
     }
 
-    /// Whether the parameter is met in a formula, or in what it leads to.
+    /// Whether the parameter occurs in a formula, or in the definitions and schemes that it uses.
     fn meets(&self, expr: &Expr) -> bool {
         let (mut met, mut waiting) = (BTreeSet::new(), vec![expr]);
         while let Some(expr) = waiting.pop() {
@@ -137,7 +137,7 @@ impl Form<'_> {
     }
 }
 
-/// An integer that is written.
+/// The value of an integer literal, with a sign or without.
 fn written(exponent: &Expr) -> Option<i64> {
     match exponent {
         Expr::Number(value) => {

@@ -18,7 +18,8 @@ use std::collections::BTreeSet;
 /// The fewest cells that a row or column with a reading of its own explains.
 const LEAST_CELLS: usize = 2;
 
-/// The number of places from which the value of a cell may be taken: its own and those around.
+/// The number of places from which the value of a cell may be taken: its own and the four around
+/// it.
 const SHIFTS: i64 = 5;
 
 /// Checks the lines `family`, `scale`, `values` and `member` of a table that has a reading, or
@@ -45,8 +46,8 @@ pub fn check(
     Ok(())
 }
 
-/// Checks the family of the cells whose parameters are stated, or of the others. `whole` is the
-/// reading of all of them.
+/// Checks the family of the cells whose parameters are stated, or of the other cells. `whole` is
+/// the reading of all these cells.
 fn family(
     table: &Table<'_>,
     reads: &Reads,
@@ -72,7 +73,8 @@ fn family(
     for part in reads.all(plain) {
         belongs(table, &cells, &part.read, &all, scale)?;
     }
-    // The second part of the family is needed where cells are refuted, or where a reading is of it.
+    // The second part of the family is needed if cells are refuted, or if a reading that is given
+    // is in it.
     let needed = !refuted.is_empty() || reads.all(plain).any(|part| part.read.copied().is_some());
     let second = best.get(1).copied();
     let present = second.is_some() == (needed && !copied.is_empty());
@@ -115,7 +117,7 @@ fn family(
     complete.and_then(|()| family.compare(reads, whole)).map_err(|rejection| rejection.at(line))
 }
 
-/// Makes sure that the readings of cells that need assumptions are members of their family.
+/// Checks that the readings of cells that need assumptions are members of their family.
 fn assumed(table: &Table<'_>, reads: &Reads) -> Checked<()> {
     if reads.all(false).count() == 0 {
         return Ok(());
@@ -131,13 +133,13 @@ fn assumed(table: &Table<'_>, reads: &Reads) -> Checked<()> {
     Ok(())
 }
 
-/// Makes sure that the choices and definitions of a reading are those of a member.
+/// Checks that the choices and definitions of a reading are those of a member.
 fn is_member(read: &Read, members: &Members) -> Checked<()> {
     let differences = read.differences.iter().cloned().collect::<Vec<String>>().join(" ");
     require(members.contains(&read.differences), Reason::NotInFamily(differences))
 }
 
-/// Makes sure that a reading is in the family. It is a member, or a member at a scale.
+/// Checks that a reading is in the family: it is a member, or a member at a scale.
 fn belongs(
     table: &Table<'_>,
     cells: &Cells,
@@ -166,18 +168,18 @@ fn belongs(
 struct Family<'f> {
     table: &'f Table<'f>,
     cells: Cells,
-    /// Whether their parameters are all stated.
+    /// Whether the parameters of the cells are all stated.
     plain: bool,
-    /// The most cells that a member explains that takes nothing from another place, at any scale.
+    /// The most cells that a member without a copied quantity explains, at any scale.
     best: usize,
-    /// The most that one explains that does, if these are listed.
+    /// The most cells that a member with a copied quantity explains, if these members are listed.
     second: Option<usize>,
-    /// The numbers of readings of the one and of the other kind.
+    /// The numbers of readings without and with a copied quantity.
     sizes: [i64; 2],
 }
 
 impl Family<'_> {
-    /// Compares the readings that are given with the family, and with luck.
+    /// Compares the readings that are given with the family, and checks that they are no luck.
     fn compare(&self, reads: &Reads, whole: Option<&Read>) -> Checked<()> {
         let Family { table, cells, plain, best, .. } = self;
         let explained_by =
@@ -193,7 +195,7 @@ impl Family<'_> {
         let sizes = self.readings()?;
         let lucky =
             |m: usize, part: usize| is_luck(table, &others, m.saturating_sub(given), &sizes[part]);
-        // The better one of a part of the family, unless it is luck.
+        // No member of this part explains more than `than` cells, or that would be luck.
         let no_better = |most: usize, part: usize, than: usize| most <= than || lucky(most, part);
         let second = self.second.unwrap_or(0);
         if let Some(read) = whole {
@@ -232,8 +234,8 @@ impl Family<'_> {
         Ok(())
     }
 
-    /// The numbers of readings of the first part and of both, with every value that the recovered
-    /// parameters may have been taken from; twice, since each part has half of the luck.
+    /// The numbers of readings of the first part and of both parts, times the numbers of candidates
+    /// for the recovered parameters, and doubled, since each part has half of the luck.
     fn readings(&self) -> Checked<[Q; 2]> {
         let [first, second] = self.sizes;
         let mut sizes = [int(2 * first), int(2 * (first + second))];

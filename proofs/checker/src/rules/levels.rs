@@ -69,7 +69,8 @@ pub fn check<'a>(
                     steps.collect::<Result<_, Stop>>()?
                 }
                 _ => {
-                    // The limit is known only of the points that an interpolant keeps.
+                    // Where there is an interpolant, the limit is known only for the points that it
+                    // keeps.
                     require(earlier.is_none(), Reason::NoLimit)?;
                     errors(paper, ring, block)?
                 }

@@ -1,4 +1,4 @@
-//! The lines `values`: what the members of a family give in the refuted cells.
+//! The lines `values`: the values of a family's members in the refuted cells.
 
 use crate::certificate::Block;
 use crate::reject::{Checked, Reason, Stop, Text, compare, require};
@@ -9,7 +9,7 @@ use crate::value::Value;
 /// A value, and whether a member has it.
 type Met = (Option<Value>, bool);
 
-/// The values that members give in the refuted cells.
+/// The values of the members in the refuted cells.
 pub struct Listed {
     /// The values of each cell.
     cells: Vec<(Place, Vec<Met>)>,
@@ -36,7 +36,7 @@ impl Listed {
         Ok(Listed { cells })
     }
 
-    /// Compares the values of a member with those of these numbers.
+    /// Compares the values of a member with the listed values of these numbers.
     pub fn compare(&mut self, said: &str, cells: &Cells, values: &[Option<Value>]) -> Checked<()> {
         let mut numbers = said.split_whitespace();
         for (place, listed) in &mut self.cells {

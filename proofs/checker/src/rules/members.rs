@@ -13,11 +13,11 @@ use std::collections::{BTreeMap, BTreeSet};
 /// The most members of a family.
 pub const MAX_MEMBERS: usize = 4_096;
 
-/// The members, by their differences `NAME=WAY` or `NAME#NUMBER` from the printed text, and by what
-/// they take from another place.
+/// The members: each is a set of differences from the printed text, `NAME=WAY`, `NAME#NUMBER`, or
+/// the name of a copied quantity.
 pub type Members = BTreeSet<BTreeSet<String>>;
 
-/// Every member of the family of these cells that takes nothing from another place.
+/// Every member of the family of these cells without a copied quantity.
 pub fn members(table: &Table<'_>, cells: &Cells) -> Result<Members, Stop> {
     let printed = Read::default();
     values(table, cells, &printed)?;

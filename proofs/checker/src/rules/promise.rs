@@ -118,8 +118,9 @@ fn setting<'a>(
     Ok(setting)
 }
 
-/// Checks `L M c`: the sound bound at level L and the distance between the levels L and k have a
-/// sum that is at most the promised bound; of a depth also for the levels between.
+/// Checks `L M c`: the sound bound at level L, and β times a bound of the distance of the levels L
+/// and k, are together at most what is promised; for a depth, also with each level between in place
+/// of k.
 pub fn kept(
     promised: &Promised<'_>,
     setting: &Setting<'_>,
@@ -133,8 +134,8 @@ pub fn kept(
         return Err(malformed.into());
     };
     let bound = promised.bound(later.into(), constants)?;
-    // The sound bound at level L is one of all later levels, and a depth is promised for those
-    // between too.
+    // The sound bound at level L holds for all later levels; a depth is promised for the levels
+    // before it too.
     let last = if promised.tolerance.is_some() { later } else { level };
     for level in level..=last {
         let mut bound = bound.clone();
@@ -164,8 +165,8 @@ pub fn errors(
     Ok(errors.collect::<Result<_, Stop>>()?)
 }
 
-/// Checks a line `flow …` for each functional. The flow carries the functional, and its cost is
-/// small.
+/// Checks a line `flow …` for each functional: the flow carries the functional, and its cost is
+/// `small`.
 pub fn flows(
     paper: &Paper<'_>,
     ring: &LocalRules<'_>,

@@ -17,12 +17,12 @@ const LEAST_RANGE: i64 = 10;
 /// A value of a parameter.
 pub type Given = (String, Q);
 
-/// The parameters that a table gives a value to.
+/// The recovered values of a table's parameters.
 #[derive(Default)]
 pub struct Recovered {
-    /// Those that its own numbers give.
+    /// The values that the table's own numbers give.
     pub own: Vec<Given>,
-    /// Those that it has from another table, with the id of this one.
+    /// The values that it takes from other tables, each with the id of the other table.
     pub from: Vec<(Given, String)>,
 }
 
@@ -60,7 +60,7 @@ fn tables(table: &Table<'_>, name: &str) -> Q {
     int(i64::try_from(count).unwrap_or(i64::MAX))
 }
 
-/// (4R + 2)K, which bounds how many numbers are as plain as this one.
+/// The upper bound (4R + 2)K of how many numbers are as plain as this one.
 fn as_plain(value: &Q) -> Q {
     let square = value.denom().pow(2_u32);
     let decimal = |places: &u32| (BigInt::from(10).pow(*places) % value.denom()) == BigInt::ZERO;

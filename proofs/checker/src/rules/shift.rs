@@ -1,5 +1,5 @@
-//! The rule `in-every-shift`: the greatest points of a polygon, and the greatest values of what it
-//! is compared with, are too far apart in every shift of the parameter.
+//! The rule `in-every-shift`: the greatest point of a level and the greatest value of the next
+//! level, or of the limit, differ by more than the bound of the theorem.
 
 use super::instance::Instance;
 use super::sides::{MAX_LEVEL, Stated};
@@ -113,8 +113,8 @@ impl Level {
     }
 }
 
-/// σ(T_0 + … + T_{c−1})/(1 − T_c) for the least c with T_c < 1: no limit of points whose
-/// neighbours differ by at most 1 is farther from them.
+/// σ(T_0 + … + T_{c−1})/(1 − T_c) for the least c with T_c < 1: a bound of the distance of the
+/// limit from points whose neighbours differ by at most 1.
 fn nearness(library: &Library<'_>, scheme: &Scheme, offset: i64) -> Checked<Q> {
     let of = Sequence { rules: &scheme.difference, forward: false };
     let (mut sum, mut c) = (Q::one(), 1);

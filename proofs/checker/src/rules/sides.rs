@@ -15,7 +15,7 @@ use num_traits::Signed;
 /// The greatest level of a witness.
 pub const MAX_LEVEL: u32 = 64;
 
-/// What a theorem bounds, and the level at which it is looked at.
+/// The quantity that a theorem bounds, and the level of the witness.
 pub struct Stated<'a> {
     /// `difference`, `step` or `distance`.
     pub quantity: &'a str,
@@ -41,7 +41,7 @@ impl<'a> Stated<'a> {
         Ok(Stated { quantity, level, tolerance })
     }
 
-    /// Reads `sides …`, and makes sure that this quantity of data of these spreads violates the bound.
+    /// Reads `sides …`, and checks that this quantity of data of these spreads violates the bound.
     pub fn violated(
         self,
         (paper, claim): (&Paper<'_>, &Toml),

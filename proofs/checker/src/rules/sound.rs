@@ -1,4 +1,4 @@
-//! The rule `sound`: a sound bound in place of the one that a table promises.
+//! The rule `sound`: a sound bound, beside the one that a table promises.
 
 use crate::convolution::Sequence;
 use crate::definitions::formula;

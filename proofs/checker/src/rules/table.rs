@@ -10,8 +10,8 @@ use crate::reject::{Checked, Reason, require};
 use crate::table::{Read, Table};
 use crate::toml::Toml;
 
-/// Checks a table; gives the values of parameters that it rests on, and those that it gives to
-/// others, if its numbers bear them out.
+/// Checks a table. Gives the recovered values that it takes from other tables, and, if a cell is
+/// reproduced, those that its own numbers give.
 pub fn check<'a>(
     paper: &'a Paper<'a>,
     claim: &'a Toml,

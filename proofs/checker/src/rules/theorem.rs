@@ -68,7 +68,7 @@ pub fn check<'a>(
     Ok(Some(Citation { statement: format!("THEOREMS.md, {number}"), uses }))
 }
 
-/// Checks control data that violate the bound, with the points there.
+/// Checks control data that violate the bound, with the points of a level at these parameters.
 fn refuted<'a>(
     paper: &'a Paper<'a>,
     claim: &'a Toml,
