@@ -37,7 +37,7 @@ pub struct Item {
 pub struct Label {
     /// `Theorem`, `Table` and so on; `None` for an equation.
     kind: Option<&'static str>,
-    /// The number, with those of its section before it: [2, 16] for `2.16`.
+    /// The number, with those of its section before it: 2 and 16 for `2.16`.
     number: Vec<u32>,
     /// The letter behind the number: `a` in `2.16a`.
     part: Option<char>,
