@@ -11,15 +11,15 @@ pub struct Equation {
     pub id: String,
     /// Where it stands: `(3.20)`.
     pub locus: String,
-    /// What it says.
+    /// Its statement, in words.
     pub title: String,
-    /// What is claimed.
+    /// The claimed identity, or why it cannot be checked.
     pub body: EquationBody,
-    /// What a reader should know.
+    /// A note for the reader.
     pub note: Option<String>,
 }
 
-/// What an equation claims.
+/// The claim of an equation.
 #[derive(Clone, Debug)]
 pub enum EquationBody {
     /// left = right, for every value of the indices and as polynomials in the
@@ -36,7 +36,7 @@ pub struct Identity {
     pub scheme: Option<LocatedReference>,
     /// The names that stay symbolic, alone or as families `q[i]`.
     pub symbols: Vec<String>,
-    /// What the paper presupposes: members of families given by formulas.
+    /// The hypotheses of the paper: members of families that formulas give.
     pub hypotheses: Vec<Hypothesis>,
     /// The indices, the first one slowest.
     pub indices: Vec<Index>,
@@ -76,7 +76,7 @@ pub enum Index {
     Listed {
         /// Its name in formulas.
         name: String,
-        /// What the paper prints for it.
+        /// Its label in the paper.
         label: String,
         /// The values, each with what is printed.
         values: Vec<(Rational, String)>,
@@ -85,7 +85,7 @@ pub enum Index {
     Range {
         /// Its name in formulas.
         name: String,
-        /// What the paper prints for it.
+        /// Its label in the paper.
         label: String,
         /// The first value.
         from: Box<LocatedFormula>,
@@ -99,7 +99,7 @@ pub enum Index {
 pub struct Hypothesis {
     /// The member.
     pub member: LocatedFormula,
-    /// What it equals.
+    /// Its value.
     pub value: LocatedFormula,
 }
 

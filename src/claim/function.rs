@@ -10,7 +10,7 @@ pub struct FunctionClaim {
     pub id: String,
     /// Where it stands: `Corollary 2.1`.
     pub locus: String,
-    /// What it says.
+    /// Its statement, in words.
     pub title: String,
     /// The free parameter's name in formulas.
     pub variable: String,
@@ -18,9 +18,9 @@ pub struct FunctionClaim {
     pub scheme: Option<LocatedReference>,
     /// The printed closed form.
     pub left: LocatedFormula,
-    /// What it is said to equal.
+    /// The formula that it is said to equal.
     pub right: LocatedFormula,
-    /// What a reader should know.
+    /// A note for the reader.
     pub note: Option<String>,
 }
 
@@ -31,7 +31,7 @@ pub struct RangeClaim {
     pub id: String,
     /// Where it stands: `Remark 2.2`.
     pub locus: String,
-    /// What it says.
+    /// Its statement, in words.
     pub title: String,
     /// The free parameter's name in formulas.
     pub variable: String,
@@ -49,7 +49,7 @@ pub struct RangeClaim {
     /// end that equals the exact one belongs to the range if the exact one does, and any other end
     /// belongs to it.
     pub closed: Option<bool>,
-    /// What a reader should know.
+    /// A note for the reader.
     pub note: Option<String>,
 }
 

@@ -1,5 +1,5 @@
-//! What a paper asserts, as data: schemes, tables, equations, what holds of a free
-//! parameter, and theorems.
+//! The assertions of a paper, as data: schemes, tables, equations, closed forms in a free parameter
+//! and ranges of it, and theorems.
 //!
 //! A claim file is TOML; [`read_paper`] reads one, [`embedded`] lists those that
 //! are part of the program. Every number and formula is a string: TOML's own

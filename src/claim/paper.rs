@@ -86,7 +86,7 @@ pub struct Bibliography {
     pub year: String,
     /// The DOI, when there is one.
     pub doi: Option<String>,
-    /// What a reader of the claims should know about the text they come from.
+    /// A note for the reader about the text from which the claims are taken.
     pub note: Option<String>,
 }
 

@@ -15,12 +15,12 @@ pub struct Table {
     pub id: String,
     /// Where it stands, as the paper calls it: `Table 13`.
     pub locus: String,
-    /// What it shows.
+    /// Its content, in words.
     pub title: String,
     /// The scheme of the cells, where no headers are schemes; its parameters may depend on the
     /// cell.
     pub scheme: Option<LocatedReference>,
-    /// What each cell is said to equal.
+    /// The formula that each cell is said to equal.
     pub value: LocatedFormula,
     /// What a cell promises beyond its value.
     pub promise: Option<Promise>,
@@ -36,7 +36,7 @@ pub struct Table {
     /// numbers where it can. With a value to assume, it shows what the formula gives there, and
     /// the cells stay not checkable.
     pub unstated: BTreeMap<String, Option<LocatedFormula>>,
-    /// What a reader should know.
+    /// A note for the reader.
     pub note: Option<String>,
 }
 
@@ -122,7 +122,7 @@ pub struct Axis {
     pub label: String,
     /// The headers.
     pub entries: Vec<AxisEntry>,
-    /// What they mean, one by one.
+    /// Their meanings, in the same order.
     pub headers: Headers,
 }
 
@@ -133,7 +133,7 @@ pub struct AxisEntry {
     pub printed: String,
     /// The number that is read in place of the printed one, where the print at hand is damaged.
     pub read: Option<String>,
-    /// What a reader should know: of a number, why its value is not what is printed.
+    /// A note for the reader; for a number, why its value is not the printed one.
     pub note: Option<String>,
 }
 

@@ -9,26 +9,26 @@ use crate::formula::LocatedFormula;
 /// theorem they have no other meaning.
 pub const THEOREM_NAMES: [&str; 6] = ["beta", "beta_1", "beta_2", "beta_3", "k", "epsilon"];
 
-/// A theorem: what it states, and what that rests on.
+/// A theorem: its statement, and the claims on which it rests.
 #[derive(Clone, Debug)]
 pub struct Theorem {
     /// Its id within the paper.
     pub id: String,
     /// What the paper calls it: `Theorem 2.1`.
     pub locus: String,
-    /// What it says.
+    /// Its statement, in words.
     pub title: String,
     /// The scheme it is about; `None` when it speaks of every scheme of the paper.
     pub scheme: Option<LocatedReference>,
-    /// What it states.
+    /// The statement.
     pub statement: Statement,
-    /// What it is tried on.
+    /// The instances on which it is tried.
     pub tried: Trial,
     /// A proof by hand that this program trusts.
     pub by_hand: Option<ByHand>,
     /// The ids of the claims of this paper that its statement or its proof uses.
     pub rests: Vec<String>,
-    /// What a reader should know.
+    /// A note for the reader.
     pub note: Option<String>,
 }
 
@@ -48,13 +48,13 @@ pub struct ByHand {
 pub struct Rewriting {
     /// The definition's name.
     pub of: String,
-    /// What holds instead, in a few words.
+    /// The correction, in a few words.
     pub says: String,
     /// The formula.
     pub value: LocatedFormula,
 }
 
-/// What a theorem is tried on: schemes of its kind at values of its parameters.
+/// The instances on which a theorem is tried: schemes of its kind at values of its parameters.
 #[derive(Clone, Debug, Default)]
 pub struct Trial {
     /// The schemes, where the theorem itself does not name one.
@@ -85,7 +85,7 @@ pub struct Trial {
 pub enum Statement {
     /// quantity ≤ by, for every level k ≥ from.
     Bound {
-        /// What is bounded.
+        /// The bounded quantity.
         quantity: Quantity,
         /// The bound.
         by: LocatedFormula,
@@ -98,7 +98,7 @@ pub enum Statement {
     Other(String),
 }
 
-/// What a theorem bounds.
+/// A quantity that theorems bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Quantity {
     /// ‖P^∞ − P^k‖.

@@ -13,7 +13,7 @@ pub struct Coverage<'a> {
     pub claims: Vec<ClaimVerdict<'a>>,
 }
 
-/// What has become of a numbered item.
+/// The state of a numbered item.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CoverageState {
     /// A claim names it.
@@ -41,7 +41,7 @@ impl CoverageState {
 }
 
 impl Coverage<'_> {
-    /// What has become of the item.
+    /// The state of the item.
     #[must_use]
     pub fn state(&self) -> CoverageState {
         match (self.claims.is_empty(), &self.item.reason) {

@@ -7,7 +7,7 @@ pub struct Choice {
     pub key: &'static str,
     /// Its name in reports.
     pub name: &'static str,
-    /// What it changes.
+    /// The effect of the choice.
     pub effect: Effect,
     /// The ways, in no order. The claim's formula says which of them is printed.
     pub ways: &'static [Way],
@@ -15,7 +15,7 @@ pub struct Choice {
     pub source: &'static str,
 }
 
-/// What a choice changes.
+/// The effect of a choice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Effect {
     /// An option of some functions of the claim language.
@@ -36,6 +36,6 @@ pub enum Effect {
 pub struct Way {
     /// The word for it in the claim language.
     pub word: &'static str,
-    /// What it means, in reports.
+    /// Its meaning, in reports.
     pub says: &'static str,
 }

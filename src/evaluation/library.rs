@@ -239,7 +239,7 @@ impl<'a> Library<'a> {
     }
 }
 
-/// The same scheme with its parameters as rational numbers.
+/// The scheme with rational parameters; an error if one is irrational.
 fn rational(instance: Instance<RealCyclotomic>) -> Result<Instance, SchemeError> {
     let Instance { name, parameters } = instance;
     let parameter = |(parameter, value): (String, RealCyclotomic)| match value.as_rational() {

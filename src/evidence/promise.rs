@@ -25,7 +25,7 @@ const MAX_LOCAL_LEVEL: u32 = 1_000;
 /// The most levels between the level of a promise and the level of the sound bound that shows it.
 const MAX_LATER: u32 = 8;
 
-/// What shows whether a printed number keeps its promise.
+/// The evidence that a printed number keeps its promise, or breaks it.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PromiseEvidence<'f> {
     /// The promise is kept: at a later level, the sound bound and the distance of the two levels

@@ -1,4 +1,4 @@
-//! What it takes to check a refutation with paper and pencil.
+//! The computation that checks a refutation with paper and pencil.
 
 use crate::exact::{Rational, RealCyclotomic};
 use crate::limit::{Combination, LimitWeights};
@@ -47,7 +47,7 @@ pub struct HandCell {
     pub id: String,
     /// Where it stands.
     pub locus: String,
-    /// What is printed.
+    /// The printed text.
     pub printed: String,
 }
 

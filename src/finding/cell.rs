@@ -1,4 +1,4 @@
-//! What the audit says of a table cell.
+//! The finding about a table cell.
 
 use crate::exact::{Rational, RealCyclotomic};
 use crate::finding::promise::Kept;
@@ -87,9 +87,9 @@ pub enum Slip {
     Digit {
         /// Which digit.
         position: usize,
-        /// What is printed.
+        /// The printed text.
         printed: char,
-        /// What would be right.
+        /// The right digit.
         correct: char,
     },
     /// Two neighbouring digits are exchanged; this is the place of the first, counted from 1.
@@ -208,10 +208,10 @@ impl AsRead {
     }
 }
 
-/// What the audit says of a table cell.
+/// The finding about a table cell.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CellFinding {
-    /// `key:table:row:column`, the latter two counted from 1.
+    /// `key:table:row:column`, with row and column counted from 1.
     pub id: String,
     /// Table, row and column in words.
     pub locus: String,

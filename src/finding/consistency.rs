@@ -10,7 +10,7 @@ use std::fmt;
 pub struct Contradiction {
     /// The choice, or the parameter.
     pub about: String,
-    /// What is needed, and where.
+    /// The sides: what is needed, and where.
     pub sides: Vec<Side>,
 }
 

@@ -1,9 +1,9 @@
-//! What the audit says of an equation.
+//! The finding about an equation.
 
 use crate::claim::Equation;
 use crate::exact::{Polynomial, Rational};
 
-/// What the audit says of an equation.
+/// The finding about an equation.
 #[derive(Clone, Debug)]
 pub struct EquationFinding<'a> {
     /// `key:equation`.

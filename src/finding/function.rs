@@ -1,9 +1,9 @@
-//! What the audit says of a closed form in a free parameter.
+//! The finding about a closed form in a free parameter.
 
 use crate::claim::FunctionClaim;
 use crate::exact::{IntervalSet, Rational};
 
-/// What the audit says of a closed form in a free parameter.
+/// The finding about a closed form in a free parameter.
 #[derive(Clone, Debug)]
 pub struct FunctionFinding<'a> {
     /// `key:function`.
@@ -49,6 +49,6 @@ pub struct Example {
     pub at: Rational,
     /// The printed form there.
     pub left: Rational,
-    /// What it should equal.
+    /// The other side there.
     pub right: Rational,
 }

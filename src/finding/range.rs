@@ -1,11 +1,11 @@
-//! What the audit says of a range of a free parameter.
+//! The finding about a range of a free parameter.
 
 use crate::claim::RangeClaim;
 use crate::exact::{IntervalSet, Rational, RealAlgebraic};
 use crate::finding::cell::Direction;
 use std::fmt;
 
-/// What the audit says of a range of a free parameter.
+/// The finding about a range of a free parameter.
 #[derive(Clone, Debug)]
 pub struct RangeFinding<'a> {
     /// `key:range`.

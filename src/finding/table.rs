@@ -1,4 +1,4 @@
-//! What the audit says of a table.
+//! The finding about a table.
 
 use crate::claim::Table;
 use crate::exact::Rational;
@@ -24,7 +24,7 @@ impl TableFinding<'_> {
     }
 }
 
-/// What the audit says of a table.
+/// The finding about a table.
 #[derive(Clone, Debug)]
 pub struct TableFinding<'a> {
     /// The table.

@@ -1,4 +1,4 @@
-//! What the audit says of a theorem.
+//! The finding about a theorem.
 
 use crate::claim::Theorem;
 use crate::evaluation::{Choice, Way};
@@ -51,7 +51,7 @@ impl fmt::Display for Correction {
     }
 }
 
-/// What the audit says of a theorem.
+/// The finding about a theorem.
 #[derive(Clone, Debug)]
 pub struct TheoremFinding<'a> {
     /// `key:theorem`.
@@ -60,14 +60,14 @@ pub struct TheoremFinding<'a> {
     pub theorem: &'a Theorem,
     /// The verdict.
     pub verdict: TheoremVerdict,
-    /// What shows it; `None` for an open theorem.
+    /// The reason of the verdict, in words; `None` for an open theorem.
     pub proof: Option<String>,
     /// Of a theorem about a single scheme that is proved without a proof by hand, the levels that
     /// prove it.
     pub levels: Option<Levels>,
     /// Of a refuted theorem, the simplest data that refute it.
     pub refutation: Option<Refutation>,
-    /// What it was tried on.
+    /// The cases on which it was tried.
     pub cases: Vec<CaseFinding>,
     /// Of a refuted theorem, how a reader may try to save it.
     pub corrections: Vec<Correction>,
@@ -107,7 +107,7 @@ impl TheoremVerdict {
 pub struct CaseFinding {
     /// The scheme and the values.
     pub label: String,
-    /// What the trial has shown.
+    /// The outcome.
     pub outcome: Outcome,
 }
 
@@ -136,8 +136,8 @@ pub struct Refutation {
     pub every_shift: Option<EveryShift>,
 }
 
-/// Whether a theorem is refuted in every shift s of the parameter: with x^k_i at (i + s)/n^k,
-/// for every real number s, of nets for every pair of them.
+/// Whether a theorem is refuted in every shift s of the parameter: with x^k_i at (i + s)/n^k for
+/// every real number s, and for nets for every pair of such numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub enum EveryShift {
     /// It is refuted, by the same data in all shifts.
@@ -200,7 +200,7 @@ pub struct FailingPremise<'a> {
     pub locus: &'a str,
 }
 
-/// What a trial has shown.
+/// The outcome of a trial.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Outcome {
     /// The bound is exceeded.

@@ -1,4 +1,4 @@
-//! What shows that a bound is exceeded.
+//! Control data that exceed a bound.
 
 use crate::claim::Quantity;
 use crate::exact::{Rational, RealCyclotomic};
@@ -13,7 +13,7 @@ pub struct Violation {
     pub level: u32,
     /// The control data, and where they attain the value.
     pub attained: Attained,
-    /// What the theorem says that the value is at most, for β = 1.
+    /// The theorem's bound of this value, for β = 1.
     pub bound: RealCyclotomic,
 }
 
@@ -26,7 +26,7 @@ pub struct Unshiftable {
     pub level: u32,
     /// The data, and the two greatest values whose difference is above the bound.
     pub overshoot: Overshoot,
-    /// What the theorem says that the quantity is at most, for β = 1.
+    /// The theorem's bound of the quantity, for β = 1.
     pub bound: RealCyclotomic,
 }
 

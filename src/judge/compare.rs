@@ -13,7 +13,7 @@ use crate::finding::{Direction, Slip, Values, Verdict};
 /// more than 0.16 for 0.14.
 const DIGITS_FOR_SLIP: usize = 5;
 
-/// The digits for another digit, or two exchanged, of the value cut.
+/// The digits that a slip needs if it changes or exchanges digits of the value cut.
 const DIGITS_FOR_CUT: usize = 6;
 
 /// The digits that two exchanged numbers need together, each of them one at least:

@@ -11,7 +11,7 @@ use std::cell::Cell;
 /// A combination of the indices.
 pub(crate) struct Case {
     pub(crate) values: Vec<(String, Rational)>,
-    /// The same in words.
+    /// The values of the indices, in words.
     pub(crate) text: String,
 }
 

@@ -6,7 +6,7 @@ use crate::exact::{Polynomial, Rational};
 use crate::formula::{Context, Expr, LocatedFormula, Node, evaluate};
 use std::collections::BTreeMap;
 
-/// What symbols equal in terms of the others.
+/// Symbols with their values in terms of the other symbols.
 pub(crate) type Solved = BTreeMap<String, Polynomial>;
 
 /// Solves the hypotheses for symbols, in a context in which every member of a family that they name
@@ -66,7 +66,7 @@ fn name(member: &LocatedFormula, context: &dyn Context<Polynomial>) -> Result<St
     Ok(format!("{name}[{}]", key.join(",")))
 }
 
-/// A linear polynomial with another one in place of a symbol.
+/// A linear polynomial with a polynomial in place of a symbol.
 fn replaced(polynomial: &Polynomial, symbol: &str, by: &Polynomial) -> Polynomial {
     let coefficient = polynomial.coefficient(symbol);
     if coefficient.as_rational().is_some_and(Rational::is_zero) {

@@ -28,7 +28,7 @@ pub(super) fn equations(sheet: &mut Sheet, findings: &[EquationFinding<'_>], all
 /// How many cases a failing equation shows.
 const MAX_FAILURES: usize = 2;
 
-/// What was found of an equation, in one line or several.
+/// The finding about an equation, in one line or several.
 #[must_use]
 pub(super) fn outcome(finding: &EquationFinding<'_>) -> String {
     match &finding.verdict {

@@ -18,7 +18,7 @@ use crate::audit::{
 use crate::claim::{EquationBody, Table};
 use crate::exact::format::short;
 
-/// What is computed beyond the audit, to explain a claim.
+/// The results, beyond those of the audit, that explain a claim.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Background<'e> {
     /// The readings of the claim's table, from [`crate::audit::readings`]; empty if it has none.

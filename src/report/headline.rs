@@ -1,4 +1,4 @@
-//! What an audit found, in a sentence or two for each paper.
+//! The findings of an audit, in a few sentences for each paper.
 
 use crate::audit::{CellFinding, PaperAudit, Verdict};
 use std::collections::BTreeMap;

@@ -217,7 +217,7 @@ fn differ_in(search: &Search) -> String {
     format!("They differ in up to {MAX_DIFFERENCES} of: {}.", search.choices.join(", "))
 }
 
-/// What was searched and found, as facts.
+/// The facts about a search: what it covered, and what it found.
 pub(super) fn facts(table: &Table, search: &Search) -> Vec<(String, String)> {
     let mut facts = vec![
         ("readings differ in".to_owned(), search.choices.join(", ")),

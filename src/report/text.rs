@@ -21,7 +21,7 @@ const WIDTH: usize = 100;
 /// The narrowest terminal that is written for.
 const NARROWEST: usize = 30;
 
-/// What stands before names and tables.
+/// The indentation of names and tables.
 const INDENT: &str = "  ";
 
 impl Sheet {

@@ -151,7 +151,7 @@ fn premises(finding: &TheoremFinding<'_>) -> Option<String> {
     }
 }
 
-/// What is stated, in the formula language.
+/// The statement, in the formula language.
 pub(super) fn statement(statement: &Statement) -> String {
     match statement {
         Statement::Bound { quantity, by, from } => {

@@ -13,7 +13,7 @@ use subcert::scheme::Mask;
 /// The longest polygon or ring that is shown in a text.
 const MAX_SHOWN_POINTS: usize = 32;
 
-/// What a tolerance ε asks of the control polygons with max|Δ| ≤ β.
+/// A tolerance ε for the control polygons with max|Δ| ≤ β.
 pub(super) struct Asked<'a> {
     pub(super) tolerance: &'a Rational,
     pub(super) spread: &'a Rational,

@@ -48,7 +48,7 @@ struct Report {
     name: String,
     tolerance: Rational,
     guaranteed: APriori,
-    /// What the formula of a paper says, where there is one for the scheme.
+    /// The number of levels by the formula of a paper, if there is one for the scheme.
     promised: Option<Formula>,
     found: Option<MeshDepth>,
 }

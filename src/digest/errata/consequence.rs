@@ -1,4 +1,4 @@
-//! What an erratum changes.
+//! The consequences of an erratum.
 
 use crate::claim::Statement;
 use crate::digest::errata::{CellErratum, Subject};
@@ -6,7 +6,7 @@ use crate::exact::RealCyclotomic;
 use crate::finding::{CellFinding, PaperAudit, TheoremFinding};
 use crate::formula::LocatedFormula;
 
-/// What an erratum changes, computed.
+/// The consequences of an erratum, computed.
 #[derive(Debug, Default)]
 pub struct Consequences<'e, 'a> {
     /// How many printed numbers are smaller than the definition's: levels or bounds

@@ -1,5 +1,5 @@
-//! What a journal should be told of a paper: what is wrong, what that changes, and
-//! what could not be checked.
+//! The errata of a paper, for a journal: what is wrong, what follows from it, and what could not be
+//! checked.
 
 mod consequence;
 pub use consequence::Consequences;
@@ -71,7 +71,7 @@ pub struct CellErratum<'e, 'a> {
 pub struct Unchecked<'e, 'a> {
     /// The table.
     pub finding: &'e TableFinding<'a>,
-    /// What is absent.
+    /// The cause: what is absent.
     pub cause: Option<Cause>,
     /// Their places: row and column, counted from 0.
     pub cells: Vec<(usize, usize)>,
@@ -85,7 +85,7 @@ impl<'e> CellErratum<'e, '_> {
 }
 
 impl<'a> PaperAudit<'a> {
-    /// What is wrong in the paper.
+    /// The errata of the paper.
     ///
     /// ```
     /// use subcert::audit::audit;
@@ -122,7 +122,7 @@ impl<'a> PaperAudit<'a> {
 }
 
 impl<'a> Subject<'_, 'a> {
-    /// The id of the claim within the paper; of cells, that of their table.
+    /// The id of the claim within the paper; for cells, the id of their table.
     #[must_use]
     pub fn id(&self) -> &'a str {
         match self {
@@ -148,7 +148,7 @@ impl<'a> Subject<'_, 'a> {
 }
 
 impl Subject<'_, '_> {
-    /// The name of its verdict; of cells, of the first one.
+    /// The name of its verdict; for cells, of the first cell's verdict.
     #[must_use]
     pub fn verdict(&self) -> &'static str {
         match self {
@@ -164,7 +164,7 @@ impl Subject<'_, '_> {
 }
 
 impl<'a> Erratum<'_, 'a> {
-    /// The id of the claim within the paper; of cells, that of their table.
+    /// The id of the claim within the paper; for cells, the id of their table.
     #[must_use]
     pub fn id(&self) -> &'a str {
         self.subject.id()

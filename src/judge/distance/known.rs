@@ -50,13 +50,13 @@ enum Of {
     LocalRules(Box<LocalDistances>),
 }
 
-/// What is known of the distance constant of a level.
+/// The known results on the distance constant of a level.
 #[derive(Default)]
 struct Known {
     at_most: Option<RealCyclotomic>,
     /// The greatest distance found.
     found: Option<Attained>,
-    /// The bounds of which it is not decided whether they hold.
+    /// The bounds that are not decided.
     open: Vec<(RealCyclotomic, Comparison<Attained>)>,
 }
 

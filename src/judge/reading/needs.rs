@@ -1,5 +1,5 @@
-//! What the cells of a table need: how many of them each way of a choice explains at
-//! most, whatever else differs.
+//! The needs of a table's cells: how many cells each way of a choice explains at most, whatever
+//! else differs.
 
 use crate::evaluation::Effect;
 use crate::evaluation::choices::FAMILY;

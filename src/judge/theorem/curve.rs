@@ -17,7 +17,7 @@ use std::collections::BTreeMap;
 /// The longest block of a sound bound.
 const MAX_BLOCK: u32 = 6;
 
-/// The highest level of which the sound bound is computed.
+/// The highest level whose sound bound is computed.
 const MAX_SOUND_LEVEL: u32 = 64;
 
 /// The most residue classes over which a constant is computed here.
@@ -30,11 +30,11 @@ pub(crate) struct Curve {
     greatest: RefCell<BTreeMap<(Quantity, u32), Result<Attained, String>>>,
     /// The sound bounds of the first levels.
     sound: OnceCell<Vec<Rational>>,
-    /// The same scheme at its best offset, unless this is it.
+    /// The scheme at its best offset, if that is another one.
     centred: OnceCell<Option<Box<Curve>>>,
     /// Where the points are: x^k_i at (i + shift)/n^k.
     shift: Rational,
-    /// The same scheme with the points at their natural parameters, unless this is it.
+    /// The scheme with the points at their natural parameters, if these are others.
     natural: OnceCell<Option<Box<Curve>>>,
     overshoots: KnownOvershoots,
     budget: Budget,

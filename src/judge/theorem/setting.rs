@@ -46,12 +46,12 @@ pub(crate) trait Setting {
         6
     }
 
-    /// The same scheme, compared with its limit at the offset that serves it best; `None`
-    /// where it is already so, or there are no offsets.
+    /// The scheme compared with its limit at its best offset; `None` if it is at that offset, or if
+    /// it has no offsets.
     fn centred(&self) -> Option<&dyn Setting>;
 
-    /// The same scheme with the points at their natural parameters; `None` where they are there
-    /// already, and for a ring.
+    /// The scheme with the points at their natural parameters; `None` if they are there already,
+    /// and for a ring.
     fn natural(&self) -> Option<&dyn Setting>;
 
     /// The data that exceed most in every shift of the parameter, among those that are tried, for a

@@ -18,7 +18,7 @@ use std::fmt::Display;
 /// The most residue classes over which a constant is computed here.
 const MAX_CONSTANT_CLASSES: u64 = 1 << 12;
 
-/// The highest level of which the sound bound is computed.
+/// The highest level whose sound bound is computed.
 const MAX_SOUND_LEVEL: u32 = 64;
 
 /// The longest block of a sound bound.
@@ -32,7 +32,7 @@ pub(crate) struct Surface {
     sound: OnceCell<Vec<Rational>>,
     attained: RefCell<BTreeMap<(Quantity, u32), Result<Attained, String>>>,
     parametrisation: Parametrisation,
-    /// The same scheme with the points at their natural parameters, unless this is it.
+    /// The scheme with the points at their natural parameters, if these are others.
     natural: OnceCell<Option<Box<Surface>>>,
     overshoots: KnownOvershoots,
     budget: Budget,

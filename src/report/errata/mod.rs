@@ -125,7 +125,7 @@ fn group(sheet: &mut Sheet, alike: &[Entry]) {
     }
 }
 
-/// What an erratum changes, in sentences.
+/// The consequences of an erratum, in sentences.
 fn changes(subject: &Subject<'_, '_>, consequences: &Consequences<'_, '_>) -> String {
     let Consequences { smaller, larger, broken_by_formula, kept, broken, open, .. } = consequences;
     let mut lines = Vec::new();
