@@ -89,7 +89,7 @@ pub enum Promise {
         spread: LocatedFormula,
         /// The index offset at which the paper compares polygon and limit.
         offset: Option<LocatedFormula>,
-        /// The ring whose points are compared with their limit, where it is one.
+        /// The ring whose points are compared with their limit, if the promise is about a ring.
         ring: Option<LocatedReference>,
     },
     /// The cell is an upper bound of the distance at a level.
@@ -100,13 +100,13 @@ pub enum Promise {
         spread: LocatedFormula,
         /// The index offset at which the paper compares polygon and limit.
         offset: Option<LocatedFormula>,
-        /// The ring whose points are compared with their limit, where it is one.
+        /// The ring whose points are compared with their limit, if the promise is about a ring.
         ring: Option<LocatedReference>,
     },
 }
 
 impl Promise {
-    /// The ring whose points are compared with their limit, where it is one.
+    /// The ring whose points are compared with their limit, if the promise is about a ring.
     #[must_use]
     pub fn ring(&self) -> Option<&LocatedReference> {
         match self {

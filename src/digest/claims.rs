@@ -3,7 +3,7 @@
 use crate::finding::{PaperAudit, PromiseCounts};
 use std::collections::BTreeMap;
 
-/// A claim and its verdict; of a table, the verdicts of its cells.
+/// A claim and its verdict; for a table, the verdicts of its cells.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ClaimVerdict<'a> {
     /// Its id within the paper.
@@ -82,8 +82,8 @@ impl PaperAudit<'_> {
         count(cells.map(|cell| cell.verdict.name()))
     }
 
-    /// How many printed bounds and depths keep their promise for every control polygon,
-    /// do not, and are open.
+    /// How many printed bounds and depths keep their promise for every control polygon, how many
+    /// break it, and of how many this is open.
     #[must_use]
     pub fn promise_counts(&self) -> PromiseCounts {
         self.tables.iter().fold(PromiseCounts::default(), |sum, table| sum + table.promise_counts())

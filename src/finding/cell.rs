@@ -16,10 +16,11 @@ pub enum Verdict {
     Rounding(Direction),
     /// One local slip away from the exact value.
     Misprint(Slip),
-    /// What the printed definition, or the reading of it that [`CellFinding::as_read`] names, gives
-    /// at values of parameters that the paper does not state and that were recovered from it.
+    /// The value of the printed definition, or of the reading that [`CellFinding::as_read`] names,
+    /// at values of parameters that the paper does not state and that were recovered from its
+    /// numbers.
     Reproduced,
-    /// Not the printed definition, but what another reading of it gives, which
+    /// Not the value of the printed definition, but that of another reading, which
     /// [`CellFinding::as_read`] names.
     OtherReading,
     /// None of these.
@@ -83,7 +84,7 @@ impl fmt::Display for Direction {
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Slip {
-    /// One digit, counted from 1 among the significant ones, is another.
+    /// One digit is wrong; its place is counted from 1 among the significant digits.
     Digit {
         /// Which digit.
         position: usize,

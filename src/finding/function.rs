@@ -24,7 +24,7 @@ pub enum FunctionVerdict {
     Fails {
         /// Where the printed form is larger.
         larger: IntervalSet,
-        /// Where it is smaller: there a bound that uses it promises too much.
+        /// Where the printed form is smaller: there a bound that uses it promises too much.
         smaller: IntervalSet,
         /// A value of the parameter at which they differ.
         example: Box<Example>,

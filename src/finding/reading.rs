@@ -75,13 +75,13 @@ impl Need {
     }
 }
 
-/// A parameter that the paper does not state, as the printed numbers determine it.
+/// A parameter that the paper does not state, with the values that the printed numbers allow.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solved {
     /// Its name.
     pub name: String,
-    /// The values with which every explained cell is consistent lie between these,
-    /// up to 2^−60 of them.
+    /// The ends, up to about 2^−60, of the interval of values with which every explained cell is
+    /// consistent.
     pub between: (Rational, Rational),
     /// The plainest number among them.
     pub simplest: Rational,
@@ -127,8 +127,8 @@ impl Difference {
         matches!(self, Difference::Copied(_))
     }
 
-    /// The name of the choice, the definition or the parameter; of what is taken from another place,
-    /// where that is.
+    /// The name of the choice, the definition or the parameter; all quantities from another place
+    /// have one name.
     #[must_use]
     pub fn about(&self) -> &str {
         match self {

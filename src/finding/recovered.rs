@@ -1,4 +1,4 @@
-//! Parameters that a paper does not state, as its printed numbers give them.
+//! Parameters that a paper does not state, with the values that its printed numbers give.
 
 use crate::exact::Rational;
 use std::collections::BTreeMap;
@@ -27,8 +27,8 @@ pub(crate) fn values(recovered: &BTreeMap<String, Recovered>) -> BTreeMap<String
 /// Where the value of a parameter comes from.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum RecoveredFrom {
-    /// From the numbers of the table itself, which are consistent with the values between these,
-    /// up to 2^−60 of them.
+    /// From the numbers of the table itself: the ends, up to about 2^−60, of the interval of values
+    /// with which they are consistent.
     Solved(Rational, Rational),
     /// Another table of the paper, which was solved for it.
     Table {

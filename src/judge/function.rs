@@ -27,9 +27,9 @@ pub(crate) fn judge<'a>(
     Ok(FunctionFinding { id: format!("{}:{}", paper.key, claim.id), claim, verdict })
 }
 
-/// Where two different functions differ: of 0 and the breaks of their difference,
-/// the one with the largest difference; of equally good ones, the first. Where they
-/// are equal at all of these, a point between or beyond them.
+/// A place where two different functions differ: of 0 and the breaks of their difference, the one
+/// with the largest difference, and of several such places the first. If the functions are equal at
+/// all of these, it is a point between or beyond them.
 fn example(left: &PiecewisePolynomial, right: &PiecewisePolynomial) -> Example {
     let difference = left.minus(right);
     let mut points = vec![Rational::zero()];

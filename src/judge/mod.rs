@@ -1,4 +1,4 @@
-//! Judging: one file for each kind of claim, and a folder for what takes more.
+//! Judging claims: one file for each kind of claim, and folders where a kind needs several.
 
 mod compare;
 mod comparison;

@@ -135,7 +135,7 @@ fn cell_text(cell: &CellFinding) -> String {
     lines.join("\n")
 }
 
-/// As many digits as the cell has, and one more, so that the difference shows.
+/// As many digits as the printed text has, but from 4 to 12; 6 where nothing is printed.
 fn digits_beside(cell: &CellFinding) -> u32 {
     let digits = |text: &String| text.chars().filter(char::is_ascii_digit).count();
     let digits = cell.printed.as_ref().map_or(6, digits);

@@ -16,7 +16,7 @@ const MAX_WRAPPED: usize = 2;
 pub(super) enum Fitted {
     /// As tables, one below the other, each with the first column.
     Tables(Vec<Grid>),
-    /// As records: of each row its first text, and the others with their headers.
+    /// As records: for each row its first text, and the other texts with their headers.
     Records(Vec<(String, Vec<(String, String)>)>),
 }
 

@@ -5,7 +5,7 @@ use crate::cli::output::with_decimal;
 use subcert::exact::{Enclosure, Integer, Rational, format::short};
 use subcert::report::json::Exact;
 
-/// As many digits as an end of an interval can have here.
+/// The most digits that an end of an interval can have here.
 const DIGITS: u32 = 400;
 
 /// Both ends as decimals, the lower one rounded down and the upper one up, to a tenth of

@@ -11,7 +11,7 @@ use std::rc::Rc;
 /// The most steps of all searches for the distances of one claim.
 pub(crate) const MAX_STEPS: u64 = 1_000_000_000;
 
-/// The most that the squares of the numbers of points of the rings of one claim sum to.
+/// The greatest sum, over the rings of one claim, of the squares of their numbers of points.
 pub(crate) const MAX_LOCAL_SIZE: usize = 600_000;
 
 /// A scheme, and the offset at which it is compared with its limit, if not its own.
@@ -41,7 +41,7 @@ impl Default for Schemes {
 pub(crate) struct LocalCap(Cell<usize>);
 
 impl LocalCap {
-    /// Whether one more ring is within [`MAX_LOCAL_SIZE`]; if so, it counts.
+    /// Whether the sum with one more ring is at most [`MAX_LOCAL_SIZE`]; if so, the ring is added.
     pub(crate) fn takes<S>(&self, ring: &LocalRules<S>) -> bool {
         let size = self.0.get().saturating_add(ring.point_count().pow(2));
         let fits = size <= MAX_LOCAL_SIZE;

@@ -3,12 +3,12 @@
 use crate::claim::Printed;
 use crate::exact::{Integer, Rational};
 
-/// A reading is reported when luck would find one as good in at most one table of
-/// so many.
+/// A reading is reported if luck gives as good a reading in at most one of this many tables of
+/// unrelated numbers.
 const MOST_LUCK: i64 = 1_000;
 
-/// The number of depths that a wrong reading of a depth may well give: it is often
-/// a level or two off.
+/// The number of values that a wrong reading of a depth is thought to give with the same
+/// likelihood: it is often a level or two off.
 const LIKELY_DEPTHS: i64 = 4;
 
 /// An upper bound on how many readings of unrelated values would explain `m` of these
@@ -35,7 +35,7 @@ pub(crate) fn chance(likelihoods: &[Rational], m: usize, candidates: Integer) ->
     &symmetric[m] * Rational::from(candidates)
 }
 
-/// Whether that is unlikely enough to be reported.
+/// Whether a chance is so small that a reading is reported.
 pub(crate) fn is_small(chance: &Rational) -> bool {
     *chance <= Rational::new(1, MOST_LUCK)
 }

@@ -61,13 +61,13 @@ pub(super) fn sources(judge: &Evaluator<'_>) -> Vec<Copied> {
     sources
 }
 
-/// Whether the value of the table is a number of levels.
+/// Whether the value of the table is a call of `levels`.
 fn is_level(judge: &Evaluator<'_>) -> bool {
     let formula = behind_names(judge, &judge.table.value.expr);
     matches!(&formula.node, Node::Call { function, .. } if function == "levels")
 }
 
-/// The formula that a formula stands for, if it is only the name of a definition.
+/// Follows a formula that is only the name of a definition to the formula of this definition.
 fn behind_names<'a>(judge: &Evaluator<'a>, mut formula: &'a Expr) -> &'a Expr {
     while let Node::Name(name) = &formula.node
         && let Some(definition) = judge.paper.definitions.get(name)

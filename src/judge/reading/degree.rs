@@ -1,7 +1,7 @@
 //! Degrees of formulas in a parameter.
 //!
-//! Values at some places do not show that a formula is proportional to a parameter: w + (w − 1)(w − 2)(w − 3)
-//! is 1, 2 and 3 at these. Its form does.
+//! Values at some parameters do not show that a formula is proportional to the parameter:
+//! w + (w − 1)(w − 2)(w − 3) is 1, 2 and 3 at w = 1, 2 and 3. The form of the formula shows it.
 
 use crate::claim::{Paper, SchemeSource, Table};
 use crate::formula::{Expr, LocatedFormula, Node, Operator, OptionWord};

@@ -258,7 +258,7 @@ fn consistent(
     below.intersection(&above)
 }
 
-/// The plainest number in an interval; `None` for one irrational number.
+/// The plainest number in an interval; `None` if the interval is one irrational number.
 fn plainest_in(interval: &Interval) -> Option<Rational> {
     let own = [&interval.low, &interval.high].into_iter().filter_map(|bound| match bound {
         Bound::Included(end) => end.as_rational().cloned(),

@@ -32,7 +32,7 @@ pub(crate) struct Stage {
     budget: Budget,
 }
 
-/// A ring, and the interpolant that it is compared with.
+/// The schemes of a ring and of its interpolant.
 type LocalKey = (LocalScheme, Option<LocalScheme>);
 
 /// The scheme that a reference to a ring names.

@@ -11,7 +11,7 @@ use crate::report::{equation, function};
 /// How many cases of a failing equation are listed.
 const MAX_CASES: usize = 6;
 
-/// What a claim says, what is wrong with it, and how that came about.
+/// The statement of a claim, the facts about what is wrong, and how it came about.
 type Described = (Option<String>, Vec<(String, String)>, String);
 
 fn fact(name: &str, value: impl Into<String>) -> (String, String) {
