@@ -1,6 +1,6 @@
 //! Polygon meshes: files, validity, refinement, limit points.
 //!
-//! A control mesh is read exactly: a decimal is that decimal. Whole meshes are refined by the
+//! A control mesh is read exactly: a decimal is read as a fraction. Whole meshes are refined by the
 //! rules that the catalogue has for a vertex or a face, and by the published rules at the
 //! boundary. Limit points and normals are exact too.
 //!

@@ -49,7 +49,7 @@ pub fn names(expr: &Expr, definitions: &Definitions) -> BTreeSet<String> {
     names
 }
 
-/// The names in a formula that stand for numbers, without the indices of sums.
+/// The names of numbers in a formula, other than `pi` and the indices of sums.
 pub fn free(expr: &Expr) -> BTreeSet<String> {
     match expr {
         Expr::Number(_) => BTreeSet::new(),

@@ -35,7 +35,7 @@ fn headers_of(claim: &Toml) -> Result<Vec<&str>, Stop> {
     Ok(axes.iter().flat_map(|axis| axis.schemes().to_vec()).collect())
 }
 
-/// The formula that a formula stands for, if it is only the name of a definition.
+/// Follows a formula that is only the name of a definition to the formula of this definition.
 pub fn behind_names<'f>(table: &'f Table<'_>, mut formula: &'f Expr) -> &'f Expr {
     while let Expr::Name(name) = formula
         && let Some(definition) = table.paper.definitions.get(name)

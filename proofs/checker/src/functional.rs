@@ -110,8 +110,8 @@ impl<'a> Rules<'a> {
         size(&self.rows)
     }
 
-    /// A polygon over a denominator, refined once: `x'_{ni+α} = Σ_j a_{α,j} x_{i+o+j}` for all i where
-    /// not all x_{i+o+j} are one end.
+    /// A polygon over a denominator, refined once: `x'_{ni+α} = Σ_j a_{α,j} x_{i+o+j}` for all i
+    /// except where all x_{i+o+j} are the same end.
     pub fn refined(&self, (x, over): (&Polygon, &BigInt)) -> Result<(Polygon, BigInt), Stop> {
         let (n, width) = (self.arity(), size(&self.rows[0]));
         let from = x.first - self.offset - width;
@@ -169,8 +169,8 @@ impl<'a> Rules<'a> {
         self.at(k, &(t * int(self.arity()).pow(k.min(MAX_LEVEL).cast_signed()) - s))
     }
 
-    /// The s with which the points i + s of a line have the points (i + s)/n at the next level;
-    /// `None` if there is none.
+    /// The natural shift s: the points x_i = i + s, for all i, are refined to x'_i = (i + s)/n.
+    /// `None` if there is no such s.
     pub fn natural_shift(&self) -> Option<Q> {
         let n = int(self.arity());
         let mut shifts = (0..).zip(&self.rows).map(|(alpha, row)| {

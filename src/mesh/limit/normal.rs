@@ -96,8 +96,8 @@ impl Normal {
         }
     }
 
-    /// The sign of a coordinate: that of p or of q where they do not differ, or of the greater of
-    /// p² and q²d.
+    /// The sign of a coordinate p + q√d: that of p and q if they do not differ in sign; otherwise
+    /// that of p if p² > q²d, and that of q if p² < q²d.
     fn sign(&self, i: usize) -> i8 {
         let p = &self.plain[i];
         let Some((q, d)) = &self.rooted else { return p.sign() };

@@ -9,11 +9,12 @@ use std::fmt::Write as _;
 
 /// A mesh as JSON, with a line for each point and each face.
 ///
-/// `head` is the fields that come first, each as its name and its value in JSON. Then come
-/// `points`, each of `exact` (p/q, or a sum of cosines) and `f64` (the nearest one, as the shortest
-/// decimal that reads back); `faces`, with vertices counted from 0; and with `limits` for each
-/// point `limits`: `position`, and `normal`, exact of any length and as the nearest f64 of the unit
-/// vector; `null` where there is none. Numbers are texts, but for vertices.
+/// The fields of `head` come first, each with its name and its value in JSON. The field `points`
+/// has for each point `exact` (p/q, or a sum of cosines) and `f64` (the nearest f64, as the shortest
+/// decimal that reads back). The field `faces` has the vertices of each face, counted from 0. With
+/// `limits`, the field `limits` has for each point its `position` and its `normal`, or `null` where
+/// there is none. A normal is exact, of any length, with the nearest f64 of the unit vector. Numbers
+/// are texts, but for vertices.
 ///
 /// # Panics
 /// Never: writing to memory does not fail.

@@ -38,7 +38,7 @@ pub struct Paper<'a> {
     pub promises: PromiseTally,
 }
 
-/// A table, with what the search for its reading covered and found.
+/// A table, with the search for its reading.
 #[derive(Debug, Serialize)]
 pub struct Table<'a> {
     /// Its id within the paper.

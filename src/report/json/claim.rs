@@ -15,11 +15,11 @@ use std::borrow::Cow;
 /// A claim: a cell of a table, an equation, a closed form, a range or a theorem.
 #[derive(Debug, Serialize)]
 pub struct Claim<'a> {
-    /// The id: `key:table:row:column` of a cell, `key:claim` of the others.
+    /// The id: `key:table:row:column` for a cell, `key:claim` for other claims.
     pub id: &'a str,
     /// Where in the paper it is.
     pub locus: &'a str,
-    /// `number` of a cell, `equation` also of a closed form, `range` or `theorem`.
+    /// `number` for a cell, `equation` for an equation or a closed form, `range` or `theorem`.
     pub kind: &'static str,
     /// What is printed; null where a cell is lost.
     pub printed: Option<Cow<'a, str>>,
@@ -27,7 +27,7 @@ pub struct Claim<'a> {
     pub exact: Option<String>,
     /// That value as a decimal.
     pub decimal: Option<String>,
-    /// What was tried of a theorem; its fields stand here, and are missing of other claims.
+    /// The trial of a theorem; its fields stand here, and are missing for other claims.
     #[serde(flatten)]
     pub trial: Option<Trial<'a>>,
     /// The verdict.
@@ -38,11 +38,11 @@ pub struct Claim<'a> {
     pub sound: Option<Sound<'a>>,
     /// What else there is to say.
     pub note: Option<Cow<'a, str>>,
-    /// What only claims of one kind have; its fields stand here.
+    /// The fields that only claims of one kind have; they stand here.
     #[serde(flatten)]
     pub details: Details<'a>,
-    /// What the checker says of the certificate; its fields stand here, and are missing where it
-    /// was not asked.
+    /// The result of the checker for the certificate; its fields stand here, and are missing where
+    /// the checker was not asked.
     #[serde(flatten)]
     pub certificate: Option<Certificate>,
 }

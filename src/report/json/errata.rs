@@ -23,7 +23,7 @@ pub struct ErrataReport<'a> {
 pub struct PaperErrata<'a> {
     /// The paper's key.
     pub key: &'a str,
-    /// What a reader should know about the text that the claims come from.
+    /// A note for the reader about the text from which the claims are taken.
     pub note: Option<&'a str>,
     /// What is wrong.
     pub errata: Vec<Erratum<'a>>,
@@ -101,7 +101,7 @@ pub struct WrongCell<'a> {
     pub locus: &'a str,
     /// What is printed.
     pub printed: Option<&'a str>,
-    /// What the printed definition gives, in the form of the printed number.
+    /// The value of the printed definition, in the form of the printed number.
     pub by_definition: Option<String>,
 }
 

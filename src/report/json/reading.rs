@@ -7,7 +7,7 @@ use crate::report::reading::place;
 use crate::report::tried::in_order;
 use serde::Serialize;
 
-/// What the search for a reading of a table covered and found.
+/// The search for a reading of a table: what it covered, and what it found.
 #[derive(Debug, Serialize)]
 pub struct Search<'a> {
     /// How many readings were tried.

@@ -18,8 +18,8 @@ pub struct EveryShift<'a> {
     pub by: Option<Greatest<'a>>,
 }
 
-/// Control data of spread 1 whose greatest values at a level and later differ by more than a
-/// theorem says that a step or a distance is at most.
+/// Control data of spread 1. Their greatest values at a level and at the next one, or in the limit,
+/// differ by more than the theorem's bound of a step or a distance.
 #[derive(Debug, Serialize)]
 pub struct Greatest<'a> {
     /// The scheme and the values of the parameters.

@@ -82,7 +82,7 @@ fn sources(table: &Table<'_>) -> Result<Vec<String>, Stop> {
     Ok(sources)
 }
 
-/// Whether the value of a table is a number of levels.
+/// Whether the value of a table is a call of `levels`.
 fn is_level(table: &Table<'_>) -> bool {
     let formula = behind_names(table, &table.value);
     matches!(formula, Expr::Of(Head::Call(function, _), _) if function == "levels")
