@@ -5,8 +5,8 @@ use super::witness::{attained, list};
 use crate::audit::{Attained, Broken, Control, Later, Place, PromiseEvidence};
 use crate::exact::RealCyclotomic;
 
-/// Writes the lines about the promises of a table, row by row; `printed` is the depth that a cell
-/// prints, or `None` if the cells are bounds.
+/// Writes the lines about the promises of a table, row by row; `printed` gives the depth that
+/// a cell prints, if it prints one.
 pub(super) fn lines(
     block: &mut Block,
     evidence: &[Vec<Option<PromiseEvidence<'_>>>],

@@ -59,7 +59,7 @@ pub struct EndFinding {
     /// The end as printed.
     pub printed: String,
     /// The end of the exact set on this side that is nearest to the printed one; `None` when the
-    /// exact set is unbounded or empty on this side.
+    /// exact set has no finite end on this side.
     pub exact: Option<RealAlgebraic>,
     /// How the printed end came from the exact one.
     pub relation: EndRelation,

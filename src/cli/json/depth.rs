@@ -49,9 +49,9 @@ pub enum OrNone<T> {
 pub struct TwoSided {
     /// A level that meets the tolerance with all later ones: the upper side.
     pub level: u32,
-    /// The level before this one does not meet the tolerance, so that the depth is at least this.
+    /// The depth is at least this: the level before it does not meet the tolerance, or this is 0.
     pub lower: u32,
-    /// This level and all later ones meet the tolerance, so that the depth is at most this.
+    /// The depth is at most this: this level and all later ones meet the tolerance.
     pub upper: u32,
     /// Whether `lower` and `upper` are the same.
     pub minimal: bool,

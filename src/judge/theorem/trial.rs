@@ -110,9 +110,8 @@ struct Bound<'t> {
 }
 
 impl Bound<'_> {
-    /// The factor of the bound for the levels within a block: with the correction `AllSteps`, for a
-    /// distance, T_0 + … + T_{c−1}; with `Greatest` the greatest of these; without them 1. T_0 is
-    /// 1.
+    /// The factor of the bound for the levels within a block, with T_0 = 1: T_0 + … + T_{c−1} with
+    /// the correction `AllSteps`, for a distance; the greatest of these with `Greatest`; otherwise 1.
     fn contribution(&self, quantity: Quantity) -> Result<RealCyclotomic, String> {
         let one = RealCyclotomic::from(Rational::one());
         let within = [Correction::AllSteps, Correction::Greatest];
@@ -183,9 +182,9 @@ impl Bound<'_> {
         Ok(proved.map_or(Outcome::UpTo(last), |_| Outcome::Proved))
     }
 
-    /// The growth of a bound, and a number j of its periods such that T_c is at most ratio^j for c
-    /// = j·period. A bound that holds at its first c levels, c ≤ `levels`, then holds at all.
-    /// `None` if there is no such j.
+    /// The growth of a bound, and a number j of its periods with T_c ≤ ratio^j, where c ≤ `levels` is
+    /// the number of levels of j periods. The bound then holds at all levels if it holds at its
+    /// first c. `None` if there is no such j.
     ///
     /// Source: `proofs/THEOREMS.md`, 40.
     fn all_levels(
