@@ -111,7 +111,8 @@ struct Bound<'t> {
 
 impl Bound<'_> {
     /// The factor of the bound for the levels within a block, with T_0 = 1: T_0 + … + T_{c−1} with
-    /// the correction `AllSteps`, for a distance; the greatest of these with `Greatest`; otherwise 1.
+    /// the correction `AllSteps`, for a distance; the greatest of these with `Greatest`; otherwise
+    /// 1.
     fn contribution(&self, quantity: Quantity) -> Result<RealCyclotomic, String> {
         let one = RealCyclotomic::from(Rational::one());
         let within = [Correction::AllSteps, Correction::Greatest];
@@ -182,8 +183,8 @@ impl Bound<'_> {
         Ok(proved.map_or(Outcome::UpTo(last), |_| Outcome::Proved))
     }
 
-    /// The growth of a bound, and a number j of its periods with T_c ≤ ratio^j, where c ≤ `levels` is
-    /// the number of levels of j periods. The bound then holds at all levels if it holds at its
+    /// The growth of a bound, and a number j of its periods with T_c ≤ ratio^j, where c ≤ `levels`
+    /// is the number of levels of j periods. The bound then holds at all levels if it holds at its
     /// first c. `None` if there is no such j.
     ///
     /// Source: `proofs/THEOREMS.md`, 40.

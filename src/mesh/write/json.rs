@@ -10,11 +10,11 @@ use std::fmt::Write as _;
 /// A mesh as JSON, with a line for each point and each face.
 ///
 /// The fields of `head` come first, each with its name and its value in JSON. The field `points`
-/// has for each point `exact` (p/q, or a sum of cosines) and `f64` (the nearest f64, as the shortest
-/// decimal that reads back). The field `faces` has the vertices of each face, counted from 0. With
-/// `limits`, the field `limits` has for each point its `position` and its `normal`, or `null` where
-/// there is none. A normal is exact, of any length, with the nearest f64 of the unit vector. Numbers
-/// are texts, but for vertices.
+/// has for each point `exact` (p/q, or a sum of cosines) and `f64` (the nearest f64, as the
+/// shortest decimal that reads back). The field `faces` has the vertices of each face, counted from
+/// 0. With `limits`, the field `limits` has for each point its `position` and its `normal`, or
+/// `null` where there is none. A normal is exact, of any length, with the nearest f64 of the unit
+/// vector. Numbers are texts, but for vertices.
 ///
 /// # Panics
 /// Never: writing to memory does not fail.
