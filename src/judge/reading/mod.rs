@@ -9,6 +9,7 @@
 //! another place of the paper ([`Copied`](crate::evaluation::Copied)). A reading explains a cell
 //! when the cell's exact value under the reading rounds to the printed number. It is reported when
 //! it explains more cells than the printed definition, and so many that luck is unlikely.
+
 pub(crate) mod chance;
 mod consistent;
 mod copied;

@@ -110,9 +110,9 @@ struct Bound<'t> {
 }
 
 impl Bound<'_> {
-    /// The factor of the bound for the levels within a block, with T_0 = 1: T_0 + … + T_{c−1} with
-    /// the correction `AllSteps`, for a distance; the greatest of these with `Greatest`; otherwise
-    /// 1.
+    /// The factor of the bound for the levels within a block: T_0 + … + T_{c−1}, with T_0 = 1, if
+    /// `AllSteps` corrects a distance, the greatest of these if `Greatest` corrects another
+    /// quantity, and 1 otherwise.
     fn contribution(&self, quantity: Quantity) -> Result<RealCyclotomic, String> {
         let one = RealCyclotomic::from(Rational::one());
         let within = [Correction::AllSteps, Correction::Greatest];

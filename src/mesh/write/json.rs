@@ -11,8 +11,8 @@ use std::fmt::Write as _;
 ///
 /// The fields of `head` come first, each with its name and its value in JSON. The field `points`
 /// has for each point `exact` (p/q, or a sum of cosines) and `f64` (the nearest f64, as the
-/// shortest decimal that reads back). The field `faces` has the vertices of each face, counted from
-/// 0. With `limits`, the field `limits` has for each point its `position` and its `normal`, or
+/// shortest decimal that reads back). The field `faces` has the vertices of each face by number,
+/// from 0 on. With `limits`, the field `limits` has for each point its `position` and its `normal`, or
 /// `null` where there is none. A normal is exact, of any length, with the nearest f64 of the unit
 /// vector. Numbers are texts, but for vertices.
 ///
