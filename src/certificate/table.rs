@@ -48,7 +48,8 @@ pub(super) fn block(paper: &Paper, finding: &TableFinding<'_>) -> Block {
             let is_depth = matches!(table.promise, Some(Promise::Depth { .. }));
             let printed = |row: usize, column: usize| match &table.cells[row][column] {
                 Cell::Printed(printed) if is_depth => {
-                    let level = printed.decimal.value().numerator().to_i64();
+                    let value = printed.decimal.value();
+                    let level = value.numerator().to_i64().filter(|_| value.is_integer());
                     level.and_then(|level| u32::try_from(level).ok())
                 }
                 _ => None,

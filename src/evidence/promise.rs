@@ -151,7 +151,8 @@ fn terms(
     let Some(printed) = judge.printed(at) else { return Ok(None) };
     let (level, most) = match promise {
         Promise::Depth { tolerance, .. } => {
-            (printed.numerator().to_i64(), number(judge, tolerance, at)?)
+            let level = printed.numerator().to_i64().filter(|_| printed.is_integer());
+            (level, number(judge, tolerance, at)?)
         }
         Promise::Bound { level, .. } => (integer(judge, level, at)?, Some(printed)),
     };

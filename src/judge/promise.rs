@@ -106,7 +106,7 @@ impl Evaluator<'_> {
         if let Some(printed) = printed {
             finding.kept_by_sound = match &sound {
                 Sound::Depth { level, .. } | Sound::Least(level) => {
-                    Some(printed >= Rational::from(*level))
+                    Some(printed.is_integer() && printed >= Rational::from(*level))
                 }
                 Sound::Bound(bound) => Some(printed >= *bound),
                 Sound::None(_) => None,

@@ -7,6 +7,7 @@ use subcert::audit::{
     CellFinding, Control, Direction, EquationVerdict, Kept, Missing, PaperAudit, Slip, Sound,
     Verdict, audit,
 };
+use subcert::certificate::certificate;
 use subcert::claim::{embedded, embedded_papers, read_paper};
 use subcert::diagnostic::SourceText;
 use subcert::exact::{Rational, RealCyclotomic, parse_decimal};
@@ -323,6 +324,24 @@ fn a_changed_coefficient_is_caught() {
             assert_eq!(failures[0].difference().as_constant(), Some(exact(1, 1000)), "{id}");
         }
     }
+}
+
+/// 7.5 levels are none, and what they would promise is not decided.
+#[test]
+fn a_depth_that_is_no_integer_promises_nothing() {
+    let text = "[[table]]\nid = 't'\nlocus = 'T'\nscheme = 'chaikin'\n\
+                value = 'levels(contraction(1), epsilon, rounded = up)'\n\
+                promise = { tolerance = 'epsilon', spread = '1' }\n\
+                columns = { name = 'epsilon', values = ['1/100', '1/100'] }\n\
+                cells = [['7.5', '7']]\n";
+    let paper = paper(text);
+    let audit = judged(&paper);
+    let cells = &audit.tables[0].cells[0];
+    assert!(matches!(cells[0].kept, Some(Kept::Open(_))), "{:?}", cells[0].kept);
+    assert_eq!(cells[1].kept, Some(Kept::Yes));
+    // The certificate has a line for 7, and none for 15/2.
+    let certificate = certificate(&audit).text;
+    assert!(!certificate.contains("kept 1 1") && certificate.contains("kept 1 2"), "{certificate}");
 }
 
 #[test]

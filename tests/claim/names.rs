@@ -52,6 +52,24 @@ fn two_meanings_are_refused_with_both_places() {
 }
 
 #[test]
+fn a_proof_by_hand_uses_no_theorem() {
+    let theorem = |id: &str, more: &str| {
+        format!("[[theorem]]\nid = '{id}'\nlocus = ''\nsays = 'x'\nproved_by = 'here'\n{more}\n")
+    };
+    let claims = |used: &str| {
+        format!(
+            "[[equation]]\nid = 'e'\nlocus = ''\nleft = '1'\nright = '1'\n{}{}",
+            theorem("p", ""),
+            theorem("q", &format!("proof_uses = ['{used}']"))
+        )
+    };
+    assert!(read(&claims("e")).is_ok());
+    let error = read(&claims("p")).expect_err("a theorem");
+    assert!(error.message.contains("`p`, which is a theorem itself"), "{error}");
+    assert!(error.help.is_some_and(|help| help.contains("`rests`")));
+}
+
+#[test]
 fn only_a_stated_value_is_hidden() {
     for claims in [
         format!("[given]\nx = '2'\n{}", table(&format!("value = 'x'\n{COLUMNS}"))),

@@ -50,6 +50,8 @@ pub fn read_whole_paper(source: &Arc<SourceText>) -> Result<Paper, Errors> {
     errors.take(reader.id(&file.key));
     errors.take(reader.ids(&file));
     let ids = file.claims().map(|claim| claim.id.get_ref().as_str()).collect();
+    let theorems =
+        file.theorem.iter().map(|theorem| theorem.common().id.get_ref().as_str()).collect();
     let roles = errors.take(reader.roles(&file));
     let contents = reader.contents(&file.paper.numbered, file.claims(), &file.unclaimed);
     let paper = Paper {
@@ -66,7 +68,7 @@ pub fn read_whole_paper(source: &Arc<SourceText>) -> Result<Paper, Errors> {
         equations: errors.all(&file.equation, |equation| reader.equation(equation)),
         functions: errors.all(&file.function, |function| reader.function(function)),
         ranges: errors.all(&file.range, |range| reader.range(range)),
-        theorems: errors.all(&file.theorem, |theorem| reader.theorem(theorem, &ids)),
+        theorems: errors.all(&file.theorem, |theorem| reader.theorem(theorem, &ids, &theorems)),
         source: Arc::clone(source),
     };
     // The names in formulas are checked only if the file has no other error.

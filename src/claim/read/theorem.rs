@@ -52,19 +52,35 @@ impl TheoremTable {
 const DEPTH: &str = "depth";
 
 impl Reader<'_> {
-    /// Reads a theorem; `ids` are those of all claims of the file.
+    /// Reads a theorem; `ids` are those of all claims of the file, `theorems` those of its theorems.
     pub(super) fn theorem(
         &self,
         table: &TheoremTable,
         ids: &BTreeSet<&str>,
+        theorems: &BTreeSet<&str>,
     ) -> Result<Theorem, Diagnostic> {
         let Head { id, locus, title, scheme, note } = self.head(table.common())?;
         let statement = self.statement(table)?;
         self.known(&id, &table.rests, "rests", ids)?;
         self.known(&id, &table.proof_uses, "proof_uses", ids)?;
+        self.decided(&table.proof_uses, theorems)?;
         let rests = table.rests.iter().map(|premise| premise.get_ref().clone()).collect();
         let (tried, by_hand) = (self.trial(table.trial())?, self.by_hand(table)?);
         Ok(Theorem { id, locus, title, scheme, statement, tried, by_hand, rests, note })
+    }
+
+    /// Checks that none of these is a theorem: a proof by hand may use only what is computed.
+    fn decided(
+        &self,
+        used: &[Spanned<String>],
+        theorems: &BTreeSet<&str>,
+    ) -> Result<(), Diagnostic> {
+        let theorem = used.iter().find(|name| theorems.contains(name.get_ref().as_str()));
+        let Some(name) = theorem else { return Ok(()) };
+        let message = format!("the proof uses `{}`, which is a theorem itself", name.get_ref());
+        let help = "`proof_uses` lists equations, functions and ranges; a theorem that it needs \
+                    belongs in `rests`";
+        Err(self.error(name.span(), message).with_help(help))
     }
 
     /// Checks that these are ids of other claims.
