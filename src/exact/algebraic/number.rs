@@ -237,8 +237,8 @@ impl Enclosed for RealAlgebraic {
 }
 
 impl fmt::Display for RealAlgebraic {
-    /// p/q for a rational number; otherwise the polynomial and the interval: `root of x^2
-    /// - 2 in (1, 3/2)`.
+    /// p/q for a rational number; otherwise the polynomial and the interval:
+    /// `root of x^2 - 2 in (1, 3/2)`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.0 {
             Form::Rational(value) => value.fmt(f),
