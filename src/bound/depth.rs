@@ -31,7 +31,7 @@ pub enum DepthError {
 /// How a real number of levels is rounded to an integer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Rounded {
-    /// Up: the depth is the least integer that is at least the number.
+    /// Up, to the least integer that is at least the number. This gives a depth.
     Up,
     /// To the nearest integer; of two equally near ones, to the greater.
     Nearest,

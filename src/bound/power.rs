@@ -34,8 +34,7 @@ pub struct PowerNorm {
     pub class: Integer,
 }
 
-/// A norm that is not found within the caps: n^c is beyond [`MAX_CLASSES`], and a search
-/// does not end.
+/// A norm that is not found within the caps on residue classes, levels and work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
     "the largest of {arity}^{levels} row sums is out of reach: every row is visited up to \

@@ -55,8 +55,8 @@ fn scientific_rational(value: &Rational, digits: u32) -> String {
     format!("{sign}{first}{point}{rest}e{exponent}")
 }
 
-/// `value` with up to `digits` significant digits, in plain notation if the decimal
-/// exponent is at least −5 and at most max(`digits`, 6), and otherwise in scientific
+/// `value` with up to `digits` significant digits, in plain notation if the exponent of
+/// ten of the first digit is from −5 to max(`digits`, 6), and otherwise in scientific
 /// notation. Trailing zeros after the point are left out.
 ///
 /// ```

@@ -31,7 +31,8 @@ pub struct DepthDecision {
     pub margin: Option<Margin>,
 }
 
-/// How far an exact depth k is from k − 1 and k + 1.
+/// How close the bounds at the levels k and k − 1 are to the tolerance, for an exact
+/// depth k.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Margin {
     /// bound(k)/ε ≤ 1.

@@ -1,8 +1,9 @@
 //! The constants of schemes in plain f64, and the certification of the results.
 //!
-//! The modules below this one are exact. Here the algorithms of [`bound`](crate::bound)
-//! run on machine floats, as in a graphics program. Each result is compared with the
-//! exact value: the true error is computed, and a bound of the error is proven a priori.
+//! Everything that this module builds on is exact. Here the algorithms of
+//! [`bound`](crate::bound) run on machine floats, as in a graphics program. Each result
+//! is compared with the exact value: the true error is computed, and a bound of the error
+//! is proven a priori.
 //!
 //! | item | what it is |
 //! |---|---|

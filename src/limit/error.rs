@@ -105,8 +105,8 @@ pub enum LimitError {
         "no level up to {MAX_LEVEL} is shown to meet the tolerance: ask for a greater tolerance"
     )]
     TooDeep,
-    /// The search leaves a level open, and no level is shown to meet the tolerance from
-    /// there on.
+    /// The search leaves a level open, and for no level it is shown that this level and
+    /// all later ones meet the tolerance.
     #[error(
         "the depth is at least {lower}, and of no level up to {MAX_LEVEL} it is shown within the \
          caps of the search, {caps}, that it and all later ones meet the tolerance: ask for a \

@@ -3,7 +3,7 @@
 use crate::exact::Rational;
 use crate::scheme::Mask;
 
-/// The choice of these parameters.
+/// How parameters are assigned to the points of a level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Parametrisation {
     /// x^k_i at i/n^k, as in most papers.

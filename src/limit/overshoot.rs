@@ -24,8 +24,9 @@ const CLOSELY: usize = 4;
 const MAX_LATER: u32 = 3;
 
 /// A polygon with max|Δ| = 1, or a net of two such polygons, whose greatest value at a level
-/// differs from that at the next level or of the limit. Under every shift of the parameter, the
-/// distance between the two is at least the difference of these values.
+/// differs from the greatest value at the next level, or from the supremum of the limit. Under
+/// every shift of the parameter, the distance between the two is at least the difference of
+/// these values.
 ///
 /// Source: `proofs/THEOREMS.md`, 89.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -75,12 +76,12 @@ impl Overshoot {
     }
 }
 
-/// With what a level is compared.
+/// What a level is compared with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Later {
-    /// With the points of the next level.
+    /// The points of the next level.
     Points,
-    /// With the limit.
+    /// The limit.
     Limit,
 }
 

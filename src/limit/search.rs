@@ -129,9 +129,9 @@ impl<'a> Search<'a> {
         bounded
     }
 
-    /// An upper bound of |P^∞ − P^k| on the cell: up to level k from the number of levels
-    /// that remain until k, and from level k on also from the values at its ends. These
-    /// values may improve `best`.
+    /// An upper bound of |P^∞ − P^k| on the cell: up to level k by the bound for the
+    /// number of levels that remain until k, and from level k on by the values at its
+    /// ends; at level k the lesser of both. The values may improve `best`.
     fn bound_over(&self, cell: &Cell, best: &mut Best) -> Fraction {
         let sizes = self.splitting.sizes(cell);
         let remaining = self.level.checked_sub(cell.level);

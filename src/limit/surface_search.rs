@@ -35,8 +35,8 @@ struct Known {
 }
 
 impl Known {
-    /// Combines two results: takes the lower bound of each C, and the net with the
-    /// greater distance.
+    /// Combines two results: for each curve scheme the smaller upper bound, and the net
+    /// with the greater distance.
     fn or(mut self, other: Option<Known>) -> Known {
         let Some(other) = other else { return self };
         for (own, curve) in self.curves.iter_mut().zip(other.curves) {

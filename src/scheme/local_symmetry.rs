@@ -16,8 +16,9 @@ pub struct Representatives {
 impl<S> LocalRules<S> {
     /// The rotation ρ as the list of images of all points. In an orbit of c points, ρ
     /// takes point i to point i + c/g mod c, where g is the greatest common divisor of
-    /// all counts above 1; a single point is fixed. `None` if ρ is the identity or not a
-    /// symmetry, which means m_{ρa,ρb} = m_{a,b} for the weights, and edges go to edges.
+    /// all counts above 1; a single point is fixed. ρ is a symmetry if m_{ρa,ρb} =
+    /// m_{a,b} for all weights, and edges go to edges. `None` if ρ is the identity or not
+    /// a symmetry.
     #[must_use]
     pub fn rotation(&self) -> Option<Vec<usize>> {
         let counts = self.orbits().iter().map(|orbit| orbit.count);

@@ -1,4 +1,4 @@
-//! ‖w‖_*: the norm of a functional that is dual to the largest difference along edges.
+//! ‖w‖_*: the norm of functionals of rings, dual to the largest difference along edges.
 
 use super::forest::by_rounding;
 use super::network::{Transport, shortest};

@@ -10,7 +10,7 @@ use crate::exact::Integer;
 /// Integers within 1 of 2^bits·2cos(2πk/n) for k = 0, …, count − 1, where n ≥ 5 and count
 /// ≤ n.
 ///
-/// They come from the recurrence c_{k+1} = θ c_k − c_{k−1} from an approximation θ̃ =
+/// They come from the recurrence c_{k+1} = θ c_k − c_{k−1}, with an approximation θ̃ =
 /// 2cos t̃ of θ, with g guard bits and units u = 2^−(bits+g). Rounding down adds an error
 /// below u in each step, and an error e made in c_i grows to e·sin((k+1−i)t̃)/sin t̃, at
 /// most (k − i + 1)e; these sum to less than k²u/2. If |θ̃ − θ| ≤ δu, then c_k moves by

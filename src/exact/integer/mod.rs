@@ -10,8 +10,9 @@ use std::fmt;
 
 /// An integer of any size.
 ///
-/// Integers that fit are stored as `i64` and computed with at that cost. The others use
-/// the arithmetic chosen at build time: num-bigint, or GMP with the feature `gmp`.
+/// Integers that fit are stored as `i64`, with arithmetic at the cost of `i64`. The
+/// others use the arithmetic chosen at build time: num-bigint, or GMP with the feature
+/// `gmp`.
 ///
 /// ```
 /// use subcert::exact::Integer;

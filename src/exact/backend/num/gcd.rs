@@ -37,7 +37,7 @@ pub(super) fn gcd(a: &BigUint, b: &BigUint) -> BigUint {
     }
 }
 
-/// The effect of several steps of Euclid's algorithm on (a, b): coefficients [x, y] of
+/// The effect of several steps of Euclid's algorithm on (a, b): coefficients \[x, y\] of
 /// the two combinations x·a + y·b that result. `None` when the leading bits do not
 /// determine the first quotient.
 fn steps(a: &[u64], b: &[u64]) -> Option<[[i64; 2]; 2]> {
