@@ -115,8 +115,9 @@ impl Constants {
         }
     }
 
-    /// The constant of the tensor product of this scheme with `other`, along this
-    /// one's direction and c levels: T_c of this times Λ_c of the other.
+    /// The constant of the tensor product of this scheme with `other`, along the
+    /// direction of this scheme and over c levels: T_c of this scheme times Λ_c of
+    /// `other`.
     ///
     /// # Errors
     /// As [`power_norm`](super::power_norm).

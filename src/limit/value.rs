@@ -125,7 +125,7 @@ impl Limit {
         self.polygon_from(level, t, &Rational::zero())
     }
 
-    /// The same of the polygon with x^k_i at the parameter (i + shift)/n^k.
+    /// As [`Limit::polygon_at`], for the polygon with x^k_i at the parameter (i + shift)/n^k.
     ///
     /// # Errors
     /// As [`Limit::polygon_at`].
@@ -169,7 +169,7 @@ impl Limit {
         self.error_from(level, t, &Rational::zero())
     }
 
-    /// The same of the polygon with x^k_i at the parameter (i + shift)/n^k.
+    /// As [`Limit::error`], for the polygon with x^k_i at the parameter (i + shift)/n^k.
     ///
     /// # Errors
     /// As [`Limit::polygon_at`].

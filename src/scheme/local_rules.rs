@@ -120,7 +120,7 @@ impl<S: Scalar + Eq + Hash + Display> LocalRules<S> {
     /// [`LocalRules::new`] with the weights as a matrix.
     ///
     /// # Errors
-    /// As of [`LocalRules::new`].
+    /// As [`LocalRules::new`].
     pub fn with_weights(
         orbits: Vec<Orbit>,
         weights: Matrix<S>,

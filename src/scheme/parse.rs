@@ -68,7 +68,7 @@ pub fn parse_local_rules(text: &str) -> Result<LocalRules<RealCyclotomic>, Schem
 /// The scheme or the ring that SCHEME names.
 ///
 /// # Errors
-/// As of [`parse_scheme`] and [`parse_local_rules`].
+/// As [`parse_scheme`] and [`parse_local_rules`].
 ///
 /// ```
 /// use subcert::scheme::{AnyScheme, parse_any_scheme};
@@ -90,8 +90,8 @@ pub fn parse_any_scheme(text: &str) -> Result<AnyScheme, SchemeError> {
 /// polynomials in this parameter. The values given for other parameters may depend on it.
 ///
 /// # Errors
-/// As of [`parse_scheme`], and when this is a tensor product, or its mask does not
-/// depend on the parameter.
+/// As [`parse_scheme`], and when this is a tensor product, or its mask does not depend on
+/// the parameter.
 ///
 /// ```
 /// use subcert::scheme::parse_parametric;
