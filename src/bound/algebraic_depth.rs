@@ -1,21 +1,20 @@
-//! Levels by algebraic ratios.
+//! Levels for algebraic ratios.
 
 use super::depth::{DepthError, MAX_POWER_BITS, Rounded, log_level};
 use crate::exact::{Enclosed, RealCyclotomic, format};
 
-/// The precision from which equality is tested: enclosures of 256 binary digits
-/// leave two levels in doubt only next to an equality or to a near miss.
+/// The precision from which equality is tested. Enclosures to 256 binary digits leave two
+/// levels possible only at an equality or very close to one.
 const EXACT_FROM: u32 = 2;
 
-/// The precision at which a level is given up.
+/// The last precision that is tried.
 const MAX_PRECISION: u32 = 10;
 
-/// [`log_level`] of real numbers of the fields Q(2cos(2π/n)).
+/// [`log_level`] for real numbers of the fields Q(2cos(2π/n)).
 ///
-/// Enclosures of both numbers are refined until both of their ends give the same
-/// level. Where the ratio has a power that equals x, or for
-/// [`Rounded::Nearest`] an odd power that equals x², no refinement would end; this is
-/// tested exactly.
+/// Enclosures of both numbers are refined until their ends give the same level. The
+/// refinement would never end if a power of the ratio equals x, or, for
+/// [`Rounded::Nearest`], if an odd power equals x². These cases are tested exactly.
 ///
 /// # Errors
 /// As [`log_level`].
@@ -49,7 +48,7 @@ pub fn log_level_algebraic(
     }
     for precision in 0..=MAX_PRECISION {
         let (base, target) = (ratio.enclosure(precision), x.enclosure(precision));
-        // The level grows with the ratio, and falls with x.
+        // The level increases with the ratio and decreases with x.
         let ends = [(base.lower(), target.upper()), (base.upper(), target.lower())];
         let [least, greatest] = ends.map(|(ratio, x)| log_level(ratio, x, rounded));
         match (least, greatest) {
@@ -67,7 +66,8 @@ pub fn log_level_algebraic(
     Err(DepthError::TooDeep)
 }
 
-/// The level among these at which the two sides are equal.
+/// The level k in `levels` with ratio^k = x, or, for [`Rounded::Nearest`], ratio^(2k−1) =
+/// x².
 fn equality(
     ratio: &RealCyclotomic,
     x: &RealCyclotomic,

@@ -1,17 +1,17 @@
-//! How much work several questions may take together.
+//! A common cap on the work of several computations.
 
 use std::cell::Cell;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Steps that several questions may take together: products of words of 64 bits, roughly. Clones
-/// share what is left.
+/// A number of steps that several computations may take together. A step is roughly a product of
+/// two 64-bit words. Clones share the remaining steps.
 ///
-/// One distance takes at most an eighth of all; a depth at most three quarters, and half for one
-/// level.
+/// The computation of one distance takes at most an eighth of all steps. The computation of a
+/// depth takes at most three quarters, and at most half for one level.
 ///
-/// What a question answers depends on the steps that those before it have taken, and on
-/// nothing else: not on the time.
+/// The answer of a computation depends only on its input and on the steps taken before,
+/// never on time.
 ///
 /// ```
 /// use subcert::exact::Rational;
@@ -36,31 +36,32 @@ pub struct Budget {
 }
 
 impl Budget {
-    /// So many steps.
+    /// A budget of `steps` steps.
     #[must_use]
     pub fn new(steps: u64) -> Budget {
         Budget { total: steps, left: Arc::new(AtomicU64::new(steps)) }
     }
 
-    /// As many steps as the other caps allow.
+    /// A budget that never runs out: only the other caps apply.
     #[must_use]
     pub fn unlimited() -> Budget {
         Budget::new(u64::MAX)
     }
 
-    /// All steps.
+    /// The number of steps in all.
     #[must_use]
     pub fn total(&self) -> u64 {
         self.total
     }
 
-    /// Those that are left.
+    /// The number of remaining steps.
     #[must_use]
     pub fn left(&self) -> u64 {
         self.left.load(Ordering::Relaxed)
     }
 
-    /// Takes so many steps; none if they are not left.
+    /// Takes `steps` steps and returns `true`; takes none and returns `false` if fewer
+    /// remain.
     pub(crate) fn take(&self, steps: u64) -> bool {
         let left = self.left();
         let enough = steps <= left;
@@ -70,7 +71,8 @@ impl Budget {
         enough
     }
 
-    /// Takes what a search takes, which is at most so much, and what is left.
+    /// Runs a search that may use up to `most` steps, and at most the remaining ones, and
+    /// takes the steps it used.
     pub(crate) fn spend<T>(&self, most: u64, search: impl FnOnce(&mut u64) -> T) -> T {
         let most = most.min(self.left());
         let mut work = most;
@@ -79,36 +81,37 @@ impl Budget {
         found
     }
 
-    /// The cap on cells, where there is one, and that on steps, in words.
+    /// A text that states the cap on cells, if there is one, and the cap on steps.
     pub(crate) fn caps(&self, cells: u32, of: &str) -> String {
         let cells = (cells < u32::MAX).then(|| format!("{cells} cells for {of}"));
         let steps = (self.total < u64::MAX).then(|| format!("{} steps in all", self.total));
         cells.into_iter().chain(steps).collect::<Vec<_>>().join(", ")
     }
 
-    /// What a question about one distance may take of it.
+    /// The share of one distance.
     pub(crate) fn share(&self) -> Share<'_> {
         Share { budget: self, left: Cell::new(self.total / 8), rest: 0 }
     }
 
-    /// What one level of a depth may take of it. A quarter of all remains for what is then asked
+    /// The share of one level of a depth. A quarter of all steps remains for later computations
     /// about the depth.
     pub(crate) fn share_of_depth(&self) -> Share<'_> {
         Share { budget: self, left: Cell::new(self.total / 2), rest: self.total / 4 }
     }
 }
 
-/// What one question may take of a budget.
+/// The part of a budget that one computation may take.
 #[derive(Debug)]
 pub(crate) struct Share<'b> {
     budget: &'b Budget,
     left: Cell<u64>,
-    /// What must remain of the budget.
+    /// The number of steps of the budget that must remain.
     rest: u64,
 }
 
 impl Share<'_> {
-    /// Takes so many steps; if they are not left, takes none, now or later.
+    /// Takes `steps` steps and returns `true`. If fewer remain, takes none, and every
+    /// later call fails too.
     pub(crate) fn take(&self, steps: u64) -> bool {
         let (all, left) = (self.budget.left(), self.left());
         let enough = steps <= left;
@@ -119,7 +122,7 @@ impl Share<'_> {
         enough
     }
 
-    /// Whether there are steps left.
+    /// Whether steps remain.
     pub(crate) fn goes_on(&self) -> bool {
         self.left() > 0
     }

@@ -1,4 +1,4 @@
-//! The constants of one scheme, each computed once.
+//! The constants of one scheme, each computed at most once.
 
 use super::branch::{JointSearch, PowerSearch};
 use super::budget::Budget;
@@ -8,28 +8,29 @@ use crate::scheme::{Mask, Rules};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-/// The operator whose powers a constant is the norm of.
+/// The operator whose power has the constant as its norm.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Operator {
-    /// The differences: T_c.
+    /// The difference operator: T_c.
     Difference,
     /// The scheme itself: Λ_c.
     Scheme,
 }
 
-/// How the two suprema of a tensor product are taken.
+/// How the suprema in the constant of a tensor product are taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Suprema {
     /// T_c·Λ_c, each over its own residue class: the norm of the tensor product.
     Independent,
-    /// One supremum of the product over a common residue class; not a bound.
+    /// One supremum of the product over a common residue class. It does not bound the
+    /// differences.
     Joint,
 }
 
 type Key = (Option<Operator>, u32, Order);
 
-/// A mask with its constants T_c, Λ_c and the joint ones, computed when first
-/// asked for and kept.
+/// A mask with its constants T_c, Λ_c and joint constants. Each is computed when it is
+/// first needed, and then kept.
 ///
 /// ```
 /// use subcert::bound::{Constants, Operator, Order, Suprema};
@@ -62,7 +63,8 @@ impl Constants {
         Constants { mask, difference, known, searches, budget: Budget::unlimited() }
     }
 
-    /// The same with a budget, in products of words, which others may share.
+    /// These constants with a budget in products of words, which other computations may
+    /// share.
     #[must_use]
     pub fn with_budget(self, budget: Budget) -> Constants {
         Constants { budget, ..self }
@@ -83,7 +85,7 @@ impl Constants {
     /// T_c or Λ_c; 1 for c = 0.
     ///
     /// # Errors
-    /// When there are too many residue classes.
+    /// As [`power_norm`](super::power_norm).
     pub fn norm(&self, operator: Operator, c: u32, order: Order) -> Result<Rational, ClassCap> {
         let rules = match operator {
             Operator::Difference => &self.difference,
@@ -101,7 +103,7 @@ impl Constants {
     /// direction and c levels.
     ///
     /// # Errors
-    /// When there are too many residue classes.
+    /// As [`power_norm`](super::power_norm).
     pub fn tensor(&self, c: u32, order: Order, suprema: Suprema) -> Result<Rational, ClassCap> {
         match suprema {
             Suprema::Independent => Ok(self.norm(Operator::Difference, c, order)?
@@ -113,11 +115,12 @@ impl Constants {
         }
     }
 
-    /// The constant of the tensor product of this scheme with `other`, along this
-    /// one's direction and c levels: T_c of this times Λ_c of the other.
+    /// The constant of the tensor product of this scheme with `other`, along the
+    /// direction of this scheme and over c levels: T_c of this scheme times Λ_c of
+    /// `other`.
     ///
     /// # Errors
-    /// When there are too many residue classes.
+    /// As [`power_norm`](super::power_norm).
     pub fn tensor_with(&self, other: &Constants, c: u32) -> Result<Rational, ClassCap> {
         Ok(self.norm(Operator::Difference, c, Order::Adjoint)?
             * other.norm(Operator::Scheme, c, Order::Adjoint)?)

@@ -4,13 +4,14 @@ use super::power::Order;
 use crate::exact::Scalar;
 use crate::scheme::Rules;
 
-/// How the coefficients of c convolutions are built from those of fewer.
+/// How the coefficients of c convolutions are computed from the coefficients of fewer
+/// convolutions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Recursion {
-    /// E^c_{l,f} = Σ_e E^1_{l,e} E^{c−1}_{e,f}: what c convolutions give.
+    /// E^c_{l,f} = Σ_e E^1_{l,e} E^{c−1}_{e,f}: the correct recursion for c convolutions.
     Derived,
-    /// `E^c_{l,f} = Σ_e E^{c−1}_{l,e} E^{c−1}_{e,f}`, as some papers print; for c ≥ 3 it
-    /// stands for 2^{c−1} convolutions.
+    /// `E^c_{l,f} = Σ_e E^{c−1}_{l,e} E^{c−1}_{e,f}`, as printed in some papers. For c ≥
+    /// 3 it gives 2^{c−1} convolutions rather than c.
     Printed,
 }
 
@@ -30,7 +31,7 @@ pub fn sequence<S: Scalar>(rules: &Rules<S>, order: Order) -> Vec<S> {
 /// E^c_{l,f} of the sequence t of a scheme of arity n: E^1_{l,f} = t_{f−nl}, 0 outside
 /// the sequence, and for c ≥ 2 the sum of the recursion over e = nl, …, ⌊f/n^{c−1}⌋.
 ///
-/// This is the definition, term by term; [`power_norm`](super::power_norm) does not
+/// This evaluates the definition term by term. [`power_norm`](super::power_norm) does not
 /// use it. It visits about N^{c−1} terms, or N^{2^{c−1}−1} by the printed recursion.
 ///
 /// Source: Mustafa et al. 2020, (6) and (26).
@@ -71,7 +72,7 @@ pub fn convolution_coefficient<S: Scalar>(
         Recursion::Derived => convolution_coefficient(sequence, arity, 1, l, e, recursion),
         Recursion::Printed => convolution_coefficient(sequence, arity, c - 1, l, e, recursion),
     };
-    // Beyond the end of the left factor every term is 0.
+    // For e beyond the end of the left factor, every term is 0.
     let length = i64::try_from(sequence.len()).expect("it fits in memory");
     let reach = match recursion {
         Recursion::Derived => n * l + length - 1,
@@ -83,13 +84,13 @@ pub fn convolution_coefficient<S: Scalar>(
     })
 }
 
-/// E^c_{l,f} for all l = 0, …, ⌊f/n^c⌋, one list for each f of the window
-/// max(0, `last` − n^c + 1), …, `last`: what a constant of c convolutions takes the
-/// absolute sums of. Equal to [`convolution_coefficient`] at all of them.
+/// E^c_{l,f} for all l = 0, …, ⌊f/n^c⌋, one list for each f of the window max(0, `last` −
+/// n^c + 1), …, `last`: a constant of c convolutions is the greatest absolute sum of
+/// these lists. The coefficients equal those of [`convolution_coefficient`].
 ///
-/// E^c_{l,f} depends on f − n^e l alone, where n^e is n^c by the derived and
-/// n^(2^(c−1)) by the printed recursion. So one product of sequences, cut off after
-/// `last`, gives all of them: O(`last`·N) sums and products for each convolution.
+/// E^c_{l,f} depends only on f − n^e l, where e = c for the derived and e = 2^(c−1) for
+/// the printed recursion. So one product of sequences, truncated after `last`, gives all
+/// coefficients, with O(`last`·N) operations for each convolution.
 ///
 /// Source: Khan et al. 2022, (9)–(13).
 ///
@@ -135,7 +136,7 @@ pub fn convolution_window<S: Scalar>(
     (length - rows..length).map(|f| (0..=f / rows).map(|l| at(f, l)).collect()).collect()
 }
 
-/// left(z^step)·right(z), cut off after `length` coefficients.
+/// left(z^step)·right(z), truncated to `length` coefficients.
 fn spread<S: Scalar>(left: &[S], right: &[S], step: usize, length: usize) -> Vec<S> {
     let degree = left.len().saturating_sub(1).saturating_mul(step);
     let length = length.min(degree.saturating_add(right.len()));

@@ -4,8 +4,8 @@ use super::constants::{Constants, Operator};
 use super::power::{ClassCap, Order};
 use crate::exact::Rational;
 
-/// δ of a scheme, and whether δ < 1: the condition under which one level
-/// contracts the differences, and the error bounds of the older papers hold.
+/// δ of a scheme, and whether δ < 1: the condition under which one level contracts the
+/// differences and the error bounds of the older papers hold.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DeltaCondition {
     /// δ.
@@ -37,8 +37,8 @@ impl DeltaCondition {
         Ok(DeltaCondition { delta })
     }
 
-    /// For a tensor product: δ = max_{α,β} Σ_s |a_{α,s}| Σ_r |b_{β,r}| = T_1Λ_1, the
-    /// greater one of the two directions.
+    /// For a tensor product: δ = max_{α,β} Σ_s |a_{α,s}| Σ_r |b_{β,r}| = T_1Λ_1, for the
+    /// direction in which it is greater.
     ///
     /// Source: Mustafa and Deng 2007, (3.2) and (3.8); Mustafa and Hashmi 2010, (6).
     ///

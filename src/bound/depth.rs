@@ -2,10 +2,10 @@
 
 use crate::exact::Rational;
 
-/// The greatest depth that is looked for.
+/// The greatest depth that is computed.
 pub const MAX_DEPTH: u32 = 100_000;
 
-/// The most binary digits of a power that a depth is decided with.
+/// The greatest number of binary digits of a power in the computation of a depth.
 pub(super) const MAX_POWER_BITS: u64 = 8_000_000;
 
 /// Why there is no depth.
@@ -15,12 +15,12 @@ pub enum DepthError {
     /// The bound does not shrink with the level.
     #[error("the ratio {0} is not below 1, so the bound does not shrink")]
     NoContraction(String),
-    /// A tolerance or a factor that no depth can be asked for.
+    /// A tolerance, a ratio or a factor that is not positive.
     #[error("{what} must be positive, and is {value}")]
     NotPositive {
         /// What must be positive.
         what: &'static str,
-        /// What it is.
+        /// Its value.
         value: String,
     },
     /// Beyond [`MAX_DEPTH`], or too large to decide.
@@ -28,20 +28,20 @@ pub enum DepthError {
     TooDeep,
 }
 
-/// How a real number of levels becomes an integer.
+/// How a real number of levels is rounded to an integer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Rounded {
-    /// The least integer that is not below it: what a depth means.
+    /// Up, to the least integer that is at least the number. This gives a depth.
     Up,
-    /// The nearest integer; of two, the greater.
+    /// To the nearest integer; of two equally near ones, to the greater.
     Nearest,
-    /// The greatest integer that is not above it.
+    /// Down, to the greatest integer that is at most the number.
     Down,
 }
 
-/// log_ratio(x) as an integer, for 0 < ratio < 1 and x > 0, rounded as asked: up,
-/// the least integer k with ratio^k ≤ x. Decided on integers, without a logarithm.
-/// Negative values count as 0: there is no level before the first.
+/// log_ratio(x), rounded to an integer as `rounded` says, for 0 < ratio < 1 and x > 0.
+/// Rounded up, it is the least integer k ≥ 0 with ratio^k ≤ x. Negative results become 0,
+/// the first level. The computation uses integers only, no logarithm.
 ///
 /// # Errors
 /// When the ratio or x is out of range, or the depth beyond the caps.
@@ -67,7 +67,7 @@ pub fn log_level(ratio: &Rational, x: &Rational, rounded: Rounded) -> Result<u32
         Rounded::Up => least_level(&Rational::one(), ratio, x),
         Rounded::Down => {
             let up = least_level(&Rational::one(), ratio, x)?;
-            // Exactly at a power, up and down agree.
+            // If x is a power of the ratio, both directions agree.
             let exact = ratio.pow(up.cast_signed()) == *x;
             Ok(if exact { up } else { up.saturating_sub(1) })
         }
@@ -84,7 +84,7 @@ pub fn log_level(ratio: &Rational, x: &Rational, rounded: Rounded) -> Result<u32
     }
 }
 
-/// The least level k ≥ 0 with factor · ratio^k ≤ tolerance, decided on integers.
+/// The least level k ≥ 0 with factor · ratio^k ≤ tolerance, computed with integers only.
 ///
 /// # Errors
 /// When ratio is not in [0, 1) although the factor exceeds the tolerance, the
@@ -130,8 +130,8 @@ pub fn least_level(
     least(limit, meets).ok_or(DepthError::TooDeep)
 }
 
-/// The least k in 1, …, `limit` that `meets`, which once true stays true: by
-/// doubling, then by halving. `None` when there is none.
+/// The least k in 1, …, `limit` with `meets(k)`, found by doubling and then by bisection;
+/// `None` if there is none. Once `meets` is true, it must stay true for all greater k.
 fn least(limit: u32, meets: impl Fn(u32) -> bool) -> Option<u32> {
     let (mut low, mut high) = (0, limit.min(1));
     while !meets(high) {

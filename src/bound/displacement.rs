@@ -1,14 +1,14 @@
-//! σ: how far one refinement moves the polygon.
+//! σ: a bound on how far one refinement moves the polygon.
 
 use crate::exact::{Rational, Real};
 use crate::scheme::Mask;
 
-/// How the coefficients of a rule are gathered.
+/// How coefficients are combined to a bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Terms {
-    /// Σ|·|, the sound way.
+    /// Σ|·|: a sound bound.
     Each,
-    /// |Σ·|, as some papers print; it is not a bound.
+    /// |Σ·|, as printed in some papers; it is not a bound.
     Total,
 }
 
@@ -59,8 +59,9 @@ pub(super) fn displaced<S: Real>(mask: &Mask<S>, alpha: usize) -> Vec<S> {
     let shift = S::from_rational(&Rational::new(alpha, mask.arity()));
     (from..=to)
         .map(|m| {
-            // Δ_m carries the points beyond it when m ≥ 0, and minus those up to it
-            // when m < 0, since x_{i+s} − x_i is a sum of differences between them.
+            // x_{i+s} − x_i is a sum of differences Δ between the two points. So the
+            // coefficient of Δ_m is the sum over the points to its right if m ≥ 0, and
+            // minus the sum over the points to its left if m < 0.
             let cut = usize::try_from((m + 1 - offset).clamp(0, width)).expect("clamped to 0…N");
             let coefficient =
                 if m < 0 { S::zero().minus(&S::total(&row[..cut])) } else { S::total(&row[cut..]) };
@@ -69,12 +70,12 @@ pub(super) fn displaced<S: Real>(mask: &Mask<S>, alpha: usize) -> Vec<S> {
         .collect()
 }
 
-/// The offset o at which σ is least, and that σ; of equally good ones, the one
+/// The offset o at which σ is least, and the least σ. Of several such offsets, the one
 /// nearest to 0.
 ///
-/// Another offset shifts the indices that one refinement gives, all by the same
-/// multiple of n: the polygons and the limit are the same point sets, compared at
-/// other parameters. Beyond −N ≤ o ≤ 1 σ only grows, so no other o is looked at.
+/// A change of the offset shifts all indices of the refined points by the same multiple
+/// of n. The polygons and the limit stay the same point sets; they are compared at other
+/// parameters. Outside −N ≤ o ≤ 1, σ only increases, so only these offsets are tried.
 ///
 /// # Panics
 /// Never: the width of a mask is capped.
@@ -92,8 +93,9 @@ pub fn best_offset(mask: &Mask) -> (i64, Rational) {
         .expect("there is at least one offset")
 }
 
-/// The sums that Σ_m |ã_{α,m}| consists of at any offset −N ≤ o ≤ 1: ã_{α,m} is the sum of the
-/// coefficients from the m + 1 − o-th on for m > 0, minus that of those before it for m < 0.
+/// The sums that give Σ_m |ã_{α,m}| at any offset −N ≤ o ≤ 1. With c = m + 1 − o, ã_{α,m} is
+/// Σ_{h≥c} a_{α,h} for m > 0, minus Σ_{h<c} a_{α,h} for m < 0, and Σ_{h≥c} a_{α,h} − α/n for
+/// m = 0.
 struct Sums {
     /// Σ_{h≥c} a_{α,h}, for c = 0, …, N.
     tails: Vec<Rational>,
@@ -117,7 +119,7 @@ impl Sums {
         Sums { tails, from, up_to, shift: Rational::new(alpha, arity) }
     }
 
-    /// Σ_m |ã_{α,m}| at an offset.
+    /// Σ_m |ã_{α,m}| at the offset `offset`.
     fn at(&self, offset: i64) -> Rational {
         let place = |c: i64| usize::try_from(c).expect("offsets from -N to 1 are asked for");
         let width = self.tails.len() - 1;
@@ -127,7 +129,7 @@ impl Sums {
     }
 }
 
-/// The sums of the first 0, 1, … terms.
+/// The partial sums: the sums of the first 0, 1, 2, … terms.
 fn sums<'a>(terms: impl Iterator<Item = &'a Rational>) -> Vec<Rational> {
     let mut sums = vec![Rational::zero()];
     for term in terms {

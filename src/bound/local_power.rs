@@ -5,9 +5,9 @@ use crate::formula::Value;
 use crate::scheme::{LocalRules, Representatives};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The most work of the powers of a ring: r·p·(c−1)·s, when r rows are multiplied c − 1
-/// times by a matrix of p weights other than 0, and a product costs up to s, as
-/// [`row_product_size`](Value::row_product_size) counts.
+/// The cap on the work r·p·(c−1)·s for the powers of a ring: r rows are multiplied c − 1
+/// times by a matrix with p nonzero weights, and a product costs up to s as counted by
+/// [`row_product_size`](Value::row_product_size).
 pub const MAX_LOCAL_WORK: u64 = 1 << 32;
 
 /// The powers of a ring are beyond [`MAX_LOCAL_WORK`].
@@ -17,20 +17,20 @@ pub const MAX_LOCAL_WORK: u64 = 1 << 32;
      {MAX_LOCAL_WORK} is done: take a smaller number of levels or a smaller valence"
 )]
 pub struct LocalWork {
-    /// v.
+    /// The number v of points.
     pub points: usize,
-    /// c.
+    /// The number c of levels.
     pub levels: u32,
     /// r·p·(c−1)·s.
     pub work: u64,
 }
 
 impl LocalWork {
-    /// Whether the products of `rows` rows with the matrix of `ring`, for c up to
-    /// `levels`, are few enough.
+    /// Checks the work of multiplying `rows` rows by the matrix of `ring`, for c = 1, …,
+    /// `levels`.
     ///
     /// # Errors
-    /// When they are more work than [`MAX_LOCAL_WORK`].
+    /// When the work is above [`MAX_LOCAL_WORK`].
     pub fn check<S: Value>(
         ring: &LocalRules<S>,
         rows: usize,
@@ -60,7 +60,7 @@ pub(super) fn rows_of(chosen: &Representatives) -> BTreeSet<usize> {
     ends.chain(chosen.points.iter().copied()).collect()
 }
 
-/// [`PowerRows`] for c = 1, …, `levels`, each from the one before.
+/// The [`PowerRows`] for c = 1, …, `levels`, each computed from the preceding one.
 pub(crate) fn power_rows<'a, S: Scalar>(
     ring: &'a LocalRules<S>,
     chosen: &Representatives,
@@ -76,8 +76,9 @@ pub(crate) fn power_rows<'a, S: Scalar>(
 }
 
 impl<S: Scalar> PowerRows<S> {
-    /// The same for c = 1, …, `levels`, where only the rows of the chosen points are
-    /// multiplied: the others follow by the rotation, which takes a power of M to itself.
+    /// As [`power_rows`], but only the rows of the chosen points are multiplied. The rows
+    /// of the other ends of edges follow by the rotation of the ring, which is a symmetry
+    /// of every power of M.
     pub(super) fn turned(
         ring: &LocalRules<S>,
         chosen: &Representatives,
@@ -118,7 +119,7 @@ impl<S: Scalar> PowerRows<S> {
 }
 
 impl<S: Real> PowerRows<S> {
-    /// Λ_c, the greatest Σ_b |(M^c)_{a,b}| of the chosen points.
+    /// Λ_c: the greatest Σ_b |(M^c)_{a,b}| over the chosen points a.
     pub(crate) fn norm(&self, chosen: &Representatives) -> S {
         S::maximum(chosen.points.iter().map(|a| S::sum_of_magnitudes(&self.rows[a])))
     }

@@ -18,15 +18,16 @@ pub struct LocalLevel<S = RealCyclotomic> {
 /// The constants of a ring `x'_a = Σ_b m_{a,b} x_b` with β = max |x_a − x_b| over the edges
 /// (a, b) of its mesh:
 ///
-/// - T_c = max over the edges of ‖e_aᵀM^c − e_bᵀM^c‖_*, the least number such that c
-///   refinements take β to at most T_c β;
-/// - Λ_c = max_a Σ_b |(M^c)_{a,b}|, the same for max |x_a|;
+/// - T_c = max over the edges of ‖e_aᵀM^c − e_bᵀM^c‖_*, the least number such that β is
+///   at most T_c β after c refinements;
+/// - Λ_c = max_a Σ_b |(M^c)_{a,b}|, the least number such that max |x_a| grows at most by
+///   the factor Λ_c in c refinements;
 /// - σ = max_a ‖e_aᵀ(M − I)‖_*, the least number such that every new point x'_a is within
 ///   σβ of the old point x_a of the same name.
 ///
-/// ‖·‖_* is the norm of [`transport()`], dual to β, so that all of these are attained: no
-/// smaller numbers do. Edges and points are one of each class under the
-/// [rotation](LocalRules::rotation) of the ring, where it has one.
+/// ‖·‖_* is the norm of [`transport()`], which is dual to β. All three constants are
+/// attained by some control ring. Edges and points are representatives under the
+/// [rotation](LocalRules::rotation) of the ring, if it has one.
 ///
 /// ```
 /// use subcert::bound::LocalConstants;
@@ -51,7 +52,7 @@ impl<S: Real + Ord + Value> LocalConstants<S> {
     /// The constants for c = 1, …, `levels`.
     ///
     /// # Errors
-    /// When the powers of M are more work than
+    /// When the work for the powers of M is above
     /// [`MAX_LOCAL_WORK`](super::MAX_LOCAL_WORK).
     ///
     /// # Panics
@@ -89,8 +90,8 @@ impl<S: Ord> LocalLevel<S> {
 }
 
 impl<S: Ord> LocalConstants<S> {
-    /// T_c, with an edge and a control ring that attain it; `None` when c was not asked
-    /// for.
+    /// T_c, with an edge and a control ring that attain it; `None` when c is 0 or greater
+    /// than the number of computed levels.
     #[must_use]
     pub fn contraction(&self, c: u32) -> Option<&((usize, usize), Transport<S>)> {
         let at = (c as usize).checked_sub(1)?;
@@ -107,7 +108,7 @@ impl<S: Ord> LocalConstants<S> {
     }
 }
 
-/// The first of those with the greatest value.
+/// The first item with the greatest value.
 fn greatest<T, S: Ord>(all: &[(T, Transport<S>)]) -> Option<&(T, Transport<S>)> {
     all.iter().rev().max_by(|left, right| left.1.value.cmp(&right.1.value))
 }

@@ -7,17 +7,17 @@ use crate::scheme::Rules;
 /// `‖Rᶜ‖_∞ = max_r Σ_s |(Rᶜ)_{r,s}|` for the operator `(Rx)_{ni+β} = Σ_j r_{β,j} x_{i+o+j}`,
 /// over the n^c residue classes r mod n^c. It does not depend on the offset o.
 ///
-/// With the difference mask this is the contraction constant T_c, with the mask
-/// itself the scheme norm Λ_c. In the forward order the same of the rules read
-/// backwards, which is what the sequence t_{nu+β} = b_{β,u} gives. c = 0 gives 1.
+/// With the difference mask this is the contraction constant T_c, with the mask itself
+/// the scheme norm Λ_c. In the forward order, each rule is reversed first; this is what
+/// the sequence t_{nu+β} = b_{β,u} gives. c = 0 gives 1.
 ///
-/// A few classes are visited one by one, as by [`walked_norm`](super::walked_norm()); of many,
-/// branch and bound visits some hundreds or thousands, as [`PowerSearch`] does. Either way the
-/// value is exact.
+/// If there are few classes, all are visited, as by [`walked_norm`](super::walked_norm()).
+/// Otherwise [`PowerSearch`] is used: branch and bound visits some hundreds or thousands of
+/// nodes. In both cases the value is exact.
 ///
 /// # Errors
-/// When c is above 256, or when neither branch and bound ends within its cap on work nor
-/// the classes are at most 2^24.
+/// When c is above 256, or when branch and bound exceeds its cap on work and there are
+/// more than 2^24 classes.
 ///
 /// ```
 /// use subcert::bound::{Order, power_norm};
@@ -34,9 +34,10 @@ pub fn power_norm(rules: &Rules, levels: u32, order: Order) -> Result<PowerNorm,
     PowerSearch::new(rules, order).norm(levels)
 }
 
-/// `max_r Σ_s |(Rᶜ)_{r,s}| · Σ_s |(Sᶜ)_{r,s}|`: the two norms with one supremum over
-/// the same row, as some papers compute the constants of a tensor product. It is
-/// at most the product of the norms, and does not bound the differences.
+/// `max_r Σ_s |(Rᶜ)_{r,s}| · Σ_s |(Sᶜ)_{r,s}|`: the product of the two absolute row sums
+/// with one supremum over a common row. Some papers compute the constants of a tensor
+/// product in this way. The value is at most the product of the two norms, and does not
+/// bound the differences.
 ///
 /// The rules are taken at offset 0, and must agree in arity and width.
 ///

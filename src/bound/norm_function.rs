@@ -18,8 +18,8 @@ pub fn norm_function(
     Ok(greatest(rows.iter().map(|[row]| row.function(None)).collect(), None))
 }
 
-/// A function that is ‖Rᶜ‖_∞ from `low` to `high`, at less cost where these are near
-/// each other.
+/// A function that equals ‖Rᶜ‖_∞ on the interval `window`. For a short interval it takes
+/// less work than [`norm_function`].
 ///
 /// # Errors
 /// When the work is beyond [`MAX_RANGE_WORK`](super::MAX_RANGE_WORK).
@@ -33,8 +33,8 @@ pub fn norm_function_on(
     Ok(greatest(rows.iter().map(|[row]| row.function(Some(window))).collect(), Some(window)))
 }
 
-/// A function that is the value of [`joint_norm`](super::joint_norm) from `low` to
-/// `high`.
+/// A function that equals the value of [`joint_norm`](super::joint_norm) on the interval
+/// `window`.
 ///
 /// # Errors
 /// When the work is beyond [`MAX_RANGE_WORK`](super::MAX_RANGE_WORK).
@@ -57,7 +57,7 @@ pub fn joint_norm_function_on(
     Ok(greatest(rows.iter().map(product).collect(), Some(window)))
 }
 
-/// The greatest of functions; from `low` to `high`, where these are given.
+/// The pointwise maximum of the functions; with a window, only on this interval.
 fn greatest(
     mut functions: Vec<PiecewisePolynomial>,
     window: Option<&(Rational, Rational)>,
@@ -65,7 +65,7 @@ fn greatest(
     if let Some((low, high)) = window {
         let middle = (low + high) / Rational::from(2);
         let champion = functions.iter().max_by_key(|function| function.at(&middle)).cloned();
-        // What is below one of them everywhere there is left out.
+        // Functions that are below the champion on the whole interval are left out.
         let below = |function: &PiecewisePolynomial| match (&champion, function.pieces()) {
             (Some(champion), [piece]) if champion.piece_count() == 1 => {
                 let ahead = champion.pieces()[0].minus(piece);
@@ -77,7 +77,7 @@ fn greatest(
         functions.sort_by_cached_key(PiecewisePolynomial::to_string);
         functions.dedup();
     }
-    // In pairs, so that the functions compared are of like size.
+    // In pairs, so that functions of similar size are compared.
     while functions.len() > 1 {
         let greater = |pair: &[PiecewisePolynomial]| match pair {
             [first, second] => first.greater(second),

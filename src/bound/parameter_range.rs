@@ -1,4 +1,4 @@
-//! Where in a parameter a contraction constant is below 1.
+//! The parameters at which a contraction constant is below 1.
 
 use super::parametric_rows::{RangeError, check, distinct_rows};
 use super::power::Order;
@@ -21,8 +21,8 @@ pub struct ParameterRange {
 impl ParameterRange {
     /// The sets for c = 1, …, `levels` of these difference rules.
     ///
-    /// Since T_{cd} ≤ T_c^d, the set of c is a part of that of cd; sets of other
-    /// levels need not contain each other.
+    /// Since T_{cd} ≤ T_c^d, the set for c is contained in the set for cd. Other sets
+    /// need not contain each other.
     ///
     /// # Errors
     /// When the work is beyond [`MAX_RANGE_WORK`](super::MAX_RANGE_WORK).
@@ -52,10 +52,11 @@ impl ParameterRange {
 /// The set of the parameters at which ‖Rᶜ‖_∞ < `limit`, the norm of
 /// [`power_norm`](super::power_norm).
 ///
-/// The norm is the greatest of the sums Σ_s ε_s (Rᶜ)_{r,s} with signs ε_s, and it is so
-/// over those signs alone that occur in the set: of each, a polynomial, the set is cut
-/// by the parameters at which it is below the limit. No maximum is formed.
-/// `proofs/THEOREMS.md`, 50.
+/// The norm is the greatest of the sums Σ_s ε_s (Rᶜ)_{r,s} over all rows r and signs ε_s.
+/// Only those signs are needed that the entries of a row have at some parameter of the
+/// set. Each such sum is a polynomial in the parameter. The set is intersected with the
+/// parameters at which the sum is below the limit, for one sum after the other, so no
+/// maximum of functions is formed. `proofs/THEOREMS.md`, 50.
 ///
 /// # Errors
 /// When the work is beyond [`MAX_RANGE_WORK`](super::MAX_RANGE_WORK).
@@ -81,7 +82,7 @@ pub fn norm_below(
     Ok(set)
 }
 
-/// The part of a set where a polynomial is negative.
+/// The part of a set where the polynomial `excess` is negative.
 fn cut(set: IntervalSet, excess: &IntegerPolynomial) -> IntervalSet {
     let settled = set.hull().is_some_and(|(low, high)| {
         excess.sign_at(&low) < 0 && !excess.may_vanish_between(&low, &high)
@@ -94,7 +95,7 @@ fn cut(set: IntervalSet, excess: &IntegerPolynomial) -> IntervalSet {
     set.intersection(&negative)
 }
 
-/// Σ_j ε_j p_j for the signs ε_j of the p_j that occur between the ends of a set.
+/// The sums Σ_j ε_j p_j, for all signs ε_j that the p_j have between the ends of a set.
 fn signed_sums(row: &[IntegerPolynomial], set: &IntervalSet) -> Vec<IntegerPolynomial> {
     let (low, high) = set.hull().unzip();
     let roots = row.iter().filter(|p| p.degree().unwrap_or(0) > 0).flat_map(|p| {
@@ -115,7 +116,7 @@ fn signed_sums(row: &[IntegerPolynomial], set: &IntervalSet) -> Vec<IntegerPolyn
             if p.sign_at(x) < 0 { &sum - p } else { &sum + p }
         })
     };
-    // Beyond the ends of a bounded set no signs are needed.
+    // Signs outside a bounded set are not needed.
     match (&low, &points[..]) {
         (Some(only), [_]) => vec![sum(only)],
         (Some(_), points) => {

@@ -1,4 +1,4 @@
-//! Rules in one parameter, and the rows of their powers.
+//! Rules that depend on one parameter, and the rows of their powers.
 
 use super::power::{Order, oriented};
 use super::walk::walk_rows;
@@ -8,15 +8,15 @@ use crate::exact::{
 use crate::scheme::Rules;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The most work of one norm as a function of a parameter: n^c·N·(cd)², for masks of
-/// degree d in it.
+/// The cap on the work n^c·N·(cd)² for one norm as a function of a parameter, for masks
+/// of degree d in the parameter.
 pub const MAX_RANGE_WORK: u64 = 1 << 19;
 
-/// Why there is no range of a parameter.
+/// Why the range of a parameter is not computed.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RangeError {
-    /// A coefficient that is no rational polynomial in the parameter.
+    /// A coefficient that is not a rational polynomial in the parameter.
     #[error(
         "the coefficient {coefficient} of rule {rule} is no polynomial in `{parameter}` with \
          rational coefficients; only such masks have their ranges computed"
@@ -47,10 +47,10 @@ pub enum RangeError {
     },
 }
 
-/// Rules with coefficients in one parameter, as polynomials in it.
+/// The rules with their coefficients as polynomials in `parameter`.
 ///
 /// # Errors
-/// When a coefficient is none.
+/// When a coefficient is not a rational polynomial in the parameter.
 pub fn polynomial_rules(
     rules: &Rules<Polynomial>,
     parameter: &str,
@@ -65,7 +65,7 @@ pub fn polynomial_rules(
     Ok(rules.map(|entry| entry.in_variable(parameter).unwrap_or_else(zero)))
 }
 
-/// Makes sure that the work of the c-th power is below the cap.
+/// An error if the work for the c-th power is above the cap.
 pub(super) fn check(rules: &Rules<RationalPolynomial>, levels: u32) -> Result<(), RangeError> {
     let (arity, width) = (rules.arity(), rules.width());
     let degrees = rules.rows().iter().flatten().filter_map(RationalPolynomial::degree);
@@ -80,8 +80,8 @@ pub(super) fn check(rules: &Rules<RationalPolynomial>, levels: u32) -> Result<()
     }
 }
 
-/// A row of Rᶜ, as terms |p_j|/q to be summed. Polynomials that are multiples of each
-/// other make one term.
+/// The absolute sum of a row of Rᶜ, as the terms of Σ_j |p_j|/q. Polynomials that are
+/// constant multiples of each other form one term.
 pub(super) struct Row {
     pub(super) terms: Vec<IntegerPolynomial>,
     /// q.
@@ -89,7 +89,8 @@ pub(super) struct Row {
 }
 
 impl Row {
-    /// The sum as a function; from `low` to `high`, where these are given.
+    /// The absolute sum as a function of the parameter; with a window, only on this
+    /// interval.
     pub(super) fn function(&self, window: Option<&(Rational, Rational)>) -> PiecewisePolynomial {
         let over = |term: &IntegerPolynomial| RationalPolynomial::over(term, &self.denominator);
         let terms: Vec<RationalPolynomial> = self.terms.iter().map(over).collect();
@@ -104,11 +105,12 @@ impl Row {
     }
 }
 
-/// Primitive polynomials with their factors.
+/// Primitive polynomials with their positive factors.
 type Terms = BTreeMap<Vec<Integer>, Integer>;
 
-/// The rows of the c-th powers of K operators of one shape, those of few and short
-/// terms first. Rows of the same terms, which symmetric rules have, are one.
+/// The rows of the c-th powers of K operators of the same arity and width, in the order
+/// of the sum of the degrees of their terms. Rows with the same terms, which symmetric
+/// rules have, occur once.
 pub(super) fn distinct_rows<const K: usize>(
     rules: [&Rules<RationalPolynomial>; K],
     levels: u32,

@@ -1,31 +1,31 @@
-//! The powers of an operator: the order they are read in, their norm, and the caps.
+//! The powers of an operator: the order in which rules are read, norms, and caps.
 
 use crate::exact::{Integer, Rational, Scalar};
 use crate::scheme::Rules;
 
-/// The most residue classes that are visited one by one: n^c ≤ 2^24.
+/// The greatest number n^c of residue classes that are visited one by one: 2^24.
 pub const MAX_CLASSES: u64 = 1 << 24;
 
 /// The greatest number of levels of a search.
 pub const MAX_LEVELS: u32 = 256;
 
-/// The most products of words that a search computes, for one norm or for all that share a
-/// [`Budget`](super::Budget).
+/// The cap on the products of words that a search computes, for one norm or for all norms
+/// that share a [`Budget`](super::Budget).
 pub const MAX_WORK: u64 = 1 << 33;
 
 /// The order in which a difference mask is read as a sequence.
 ///
-/// For c = 1 the two give the same norms; for c ≥ 2 in general they do not, and
-/// only the adjoint order bounds the differences of a subdivided polygon.
+/// For c = 1 both orders give the same norms; for c ≥ 2 in general they do not. Only the
+/// adjoint order bounds the differences of a subdivided polygon.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Order {
     /// t_{nu+β} = b_{β,N−1−u}: the rows of the operator, the sound order.
     Adjoint,
-    /// t_{nu+β} = b_{β,u}, as some papers print.
+    /// t_{nu+β} = b_{β,u}, as printed in some papers.
     Forward,
 }
 
-/// A norm, and where it is attained.
+/// A norm, and the row that attains it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PowerNorm {
     /// max over r of Σ_s |(Rᶜ)_{r,s}|.
@@ -34,7 +34,7 @@ pub struct PowerNorm {
     pub class: Integer,
 }
 
-/// n^c is beyond [`MAX_CLASSES`].
+/// A norm that is not found within the caps on residue classes, levels and work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
     "the largest of {arity}^{levels} row sums is out of reach: every row is visited up to \
@@ -42,19 +42,19 @@ pub struct PowerNorm {
      of words, for all constants that are asked for together; take a smaller number of levels"
 )]
 pub struct ClassCap {
-    /// n.
+    /// The arity n.
     pub arity: usize,
-    /// c.
+    /// The number c of levels.
     pub levels: u32,
-    /// The most products of words.
+    /// The cap on products of words.
     pub work: u64,
 }
 
 impl ClassCap {
-    /// Whether the residue classes mod `arity`^`levels` are few enough to walk.
+    /// Checks that the residue classes mod `arity`^`levels` are few enough to visit all.
     ///
     /// # Errors
-    /// When they are more than 2^24.
+    /// When there are more than 2^24 of them.
     pub fn check(arity: usize, levels: u32) -> Result<(), ClassCap> {
         let classes = (arity as u64).checked_pow(levels);
         match classes.filter(|&count| count <= MAX_CLASSES) {
@@ -64,7 +64,7 @@ impl ClassCap {
     }
 }
 
-/// The rules as they are read in this order.
+/// The rules, each reversed for the forward order.
 pub(super) fn oriented<S: Scalar>(rules: &Rules<S>, order: Order) -> Rules<S> {
     match order {
         Order::Adjoint => rules.clone(),

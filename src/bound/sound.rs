@@ -1,4 +1,4 @@
-//! The bound that is true: level by level, with exact constants.
+//! The sound error bound: level by level, with exact constants.
 
 use super::constants::{Constants, Operator};
 use super::depth::{DepthError, MAX_DEPTH};
@@ -10,13 +10,14 @@ use std::collections::VecDeque;
 
 /// The sound block bound of a scheme, per unit of β = max|Δ^0|.
 ///
-/// Level by level, `‖P^∞ − P^k‖_∞ ≤ σβ Σ_{m≥k} C_m`, where C_m = T_m for a curve and
-/// T_m Λ_m for a tensor product. C is submultiplicative, so wherever C_c < 1
+/// Level by level, `‖P^∞ − P^k‖_∞ ≤ σβ Σ_{m≥k} C_m`, where C_m = T_m for a curve and T_m
+/// Λ_m for a tensor product. C is submultiplicative: C_{i+j} ≤ C_i C_j. So for every c
+/// with C_c < 1
 ///
 /// `‖P^∞ − P^k‖_∞ ≤ σβ (U_k + … + U_{k+c−1}) / (1 − C_c)`,
 ///
-/// with U_m = C_m up to the greatest level computed, and beyond it the least
-/// C_j U_{m−j} over the computed j ≥ 1. The least of these over c is taken.
+/// with U_m = C_m up to the greatest level computed, and beyond it the least C_j U_{m−j}
+/// over the computed j ≥ 1. The bound is the least of these over c.
 ///
 /// Hypotheses: an affine mask; σ at the mask's own offset; for a surface, β the
 /// largest difference of the control net along either mesh direction.
@@ -27,7 +28,7 @@ pub struct SoundBound {
     exact: Vec<Rational>,
 }
 
-/// A depth with the block length that gives it.
+/// A depth, with the block length of its bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SoundDepth {
     /// The least level whose bound meets the tolerance.
@@ -40,7 +41,7 @@ impl SoundBound {
     /// The bound for curves, from T_1, …, T_`max_block`.
     ///
     /// # Errors
-    /// When there are too many residue classes.
+    /// As [`power_norm`](super::power_norm).
     pub fn curve(constants: &Constants, max_block: u32) -> Result<SoundBound, ClassCap> {
         let exact = (0..=max_block)
             .map(|c| constants.norm(Operator::Difference, c, Order::Adjoint))
@@ -48,11 +49,11 @@ impl SoundBound {
         Ok(SoundBound { factor: displacement(constants.mask(), Terms::Each), exact })
     }
 
-    /// The bound for the tensor product of two schemes: the constants and the
-    /// factor are the greater ones of the two directions.
+    /// The bound for the tensor product of two schemes: the constants and the factor are
+    /// the maxima over the two directions.
     ///
     /// # Errors
-    /// When there are too many residue classes.
+    /// As [`power_norm`](super::power_norm).
     pub fn surface(
         first: &Constants,
         second: &Constants,
@@ -64,7 +65,8 @@ impl SoundBound {
         Ok(SoundBound { factor: surface_factor(first.mask(), second.mask()), exact })
     }
 
-    /// The same bound for any factor σ and submultiplicative C_0 = 1, C_1, …, C_c.
+    /// The bound for any factor σ and any submultiplicative constants C_0 = 1, C_1, …,
+    /// C_c.
     pub(crate) fn of(factor: Rational, constants: Vec<Rational>) -> SoundBound {
         SoundBound { factor, exact: constants }
     }
@@ -143,7 +145,7 @@ impl SoundBound {
         Err(DepthError::TooDeep)
     }
 
-    /// The blocks c with C_c < 1, and those constants.
+    /// The block lengths c with C_c < 1, and their constants C_c.
     fn contracting(&self) -> impl Iterator<Item = (u32, &Rational)> {
         (1..).zip(&self.exact[1..]).filter(|(_, constant)| **constant < Rational::one())
     }
@@ -160,12 +162,12 @@ impl SoundBound {
     }
 }
 
-/// Where a depth is given up, in bits of D^k.
+/// A depth is given up when D^k has more than this number of bits.
 const MAX_BOUND_BITS: u64 = 200_000;
 
-/// U_k, U_{k+1}, … level after level, as integers: with D such that c_j = D^j C_j
-/// is an integer for every j, U_m = u_m/D^m and u_m is the least c_j u_{m−j}. No
-/// fraction is reduced, so that a level costs time linear in its number.
+/// The numbers U_k, U_{k+1}, …, level after level, as integers. D is such that every
+/// c_j = D^j C_j is an integer. Then U_m = u_m/D^m, where u_m is the least c_j u_{m−j}.
+/// No fraction is reduced, so the time for level k is linear in k.
 struct Tail {
     /// D.
     base: Integer,
@@ -178,7 +180,7 @@ struct Tail {
 }
 
 impl Tail {
-    /// Level 0 of the constants C_0 = 1, C_1, …, C_c.
+    /// The state at level k = 0, for the constants C_0 = 1, C_1, …, C_c.
     fn new(constants: &[Rational]) -> Tail {
         let scaled = |base: &Integer, (j, constant): (u32, &Rational)| {
             constant * Rational::from(base.pow(j))
@@ -202,7 +204,7 @@ impl Tail {
         self.window.iter().scan(Integer::zero(), add).collect()
     }
 
-    /// To the next level: u_{k+c} enters, u_k leaves.
+    /// Advances to the next level: u_{k+c} enters the window, and u_k leaves it.
     fn advance(&mut self) {
         let splits = self.steps.iter().zip(self.window.iter().rev());
         let next = splits.map(|(step, earlier)| step * earlier).min();

@@ -10,8 +10,8 @@ use crate::scheme::Mask;
 /// η² = |A_β − β/n| + |s_β|, η³ = |A_α A_β − αβ/n²| + |A_β s_α|,
 ///
 /// where A_α = Σ_{h≥1} a_{α,h} and s_α = Σ_{m=1}^{N−2} ã_{α,m}; α, β = 0, …, n−1. With
-/// [`Terms::Each`], the sums |s| are taken as Σ|ã|, and the Σ_r a_{α,r} = 1 before
-/// s_β as Σ_r |a_{α,r}|: that is what the triangle inequality gives.
+/// [`Terms::Each`], |s_α| is replaced by Σ_{m=1}^{N−2} |ã_{α,m}|, and the factor Σ_r
+/// a_{α,r} = 1 of |s_β| in η² by Σ_r |a_{α,r}|, as the triangle inequality gives.
 ///
 /// Source: Mustafa et al. 2020, Theorem 7.
 ///
@@ -54,16 +54,17 @@ pub fn surface_displacement<S: Real>(mask: &Mask<S>, spreads: [&S; 3], terms: Te
         let eta = surface_coefficients(mask, alpha, beta, terms);
         eta.iter().zip(spreads).fold(S::zero(), |sum, (eta, spread)| sum.plus(&eta.times(spread)))
     };
-    // Not S::maximum, which is at least 0: a spread may be any number here.
+    // Not `S::maximum`, which is at least 0: spreads may be negative here.
     pairs.map(weighted).reduce(|best, value| best.greater(&value)).unwrap_or_else(S::zero)
 }
 
-/// The sound counterpart: max_{α,β} (ς_α λ_β + ς_β), where ς_α = Σ_m |ã_{α,m}| of the
-/// first mask, λ_β = Σ_j |a_{β,j}| and ς_β of the second, at the masks' offsets.
+/// The sound displacement factor of a tensor product: max_{α,β} (ς_α λ_β + ς_β), where
+/// ς_α = Σ_m |ã_{α,m}| belongs to the first mask, and λ_β = Σ_j |a_{β,j}| and ς_β = Σ_m
+/// |ã_{β,m}| belong to the second, at the masks' offsets.
 ///
-/// With S and L the refinements by the mask and by linear interpolation,
-/// S⊗S − L⊗L = (S−L)⊗S + L⊗(S−L). Hence ‖P^{k+1} − P^k‖_∞ is at most this factor
-/// times the largest difference of P^k along a mesh direction.
+/// Let S be the refinement by a mask, and L the refinement by linear interpolation. Then
+/// S⊗S − L⊗L = (S−L)⊗S + L⊗(S−L). Hence ‖P^{k+1} − P^k‖_∞ is at most this factor times
+/// the largest difference of P^k along a mesh direction.
 #[must_use]
 pub fn surface_factor<S: Real>(first: &Mask<S>, second: &Mask<S>) -> S {
     let moved = |mask: &Mask<S>, rule| Terms::Each.gather(&displaced(mask, rule));

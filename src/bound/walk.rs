@@ -1,14 +1,14 @@
-//! The walk over the residue classes of a power of an operator.
+//! The walk over all residue classes of a power of an operator.
 
 use crate::exact::{Integer, IntegerPolynomial, Rational, Real, common_denominator};
 use crate::scheme::Rules;
 
-/// What the walk asks of a number.
+/// The operations on numbers that the walk needs.
 pub(super) trait Kernel: Clone {
     fn nothing() -> Self;
     fn unit() -> Self;
-    /// Whether this is 0 for sure, so that its products can be left out. Never so
-    /// for numbers that may be rounded: all of them take the same steps.
+    /// Whether this is certainly 0, so that its products can be left out. Always `false`
+    /// for the types of [`Real`], which may round: they all take the same steps.
     fn is_certainly_zero(&self) -> bool {
         false
     }
@@ -103,8 +103,8 @@ impl Kernel for IntegerPolynomial {
     }
 }
 
-/// One term of a transition: the entry at `from` sends itself, times the
-/// coefficient, to `to`.
+/// One term of a transition: the entry at `from`, times the coefficient, is added to the
+/// entry at `to`.
 struct Edge<T> {
     from: usize,
     to: usize,
@@ -113,16 +113,17 @@ struct Edge<T> {
 
 /// The transitions of a row vector by one level, one list for each digit d.
 ///
-/// A row of Rᵐ is kept as its entries at the positions base, …, base + L − 1. The
-/// entry at base + p stands on rule (d+p) mod n, where d = base mod n, and R sends
-/// it to base′ + ⌊(d+p)/n⌋ + j, with base′ = ⌊base/n⌋ + o. As r runs through the
-/// residues mod n^c, (d_1, …, d_c) runs through all words, whatever o is.
+/// A row of Rᵐ is stored as its entries at the positions base, …, base + L − 1. Let d =
+/// base mod n and base′ = ⌊base/n⌋ + o. The entry at base + p is multiplied by the
+/// coefficients j of rule (d+p) mod n, and added at base′ + ⌊(d+p)/n⌋ + j. As r runs
+/// through the residues mod n^c, (d_1, …, d_c) runs through all words, for every offset
+/// o.
 struct Transitions<T> {
     length: usize,
     edges: Vec<Vec<Edge<T>>>,
 }
 
-/// How many entries of a row vector are kept.
+/// The number L of entries of a row vector that are stored.
 fn row_length(arity: usize, width: usize) -> usize {
     let mut length = 1;
     loop {
@@ -134,8 +135,8 @@ fn row_length(arity: usize, width: usize) -> usize {
     }
 }
 
-/// What a visit of all classes costs, in products of words; for at most
-/// [`MAX_CLASSES`](super::MAX_CLASSES) of them.
+/// The cost of a visit of all classes, in products of words, for at most
+/// [`MAX_CLASSES`](super::MAX_CLASSES) classes.
 pub(super) fn price(rules: &Rules, levels: u32) -> u64 {
     let (arity, width) = (rules.arity(), rules.width());
     let denominator = common_denominator(rules.rows().iter().flatten());
@@ -145,9 +146,9 @@ pub(super) fn price(rules: &Rules, levels: u32) -> u64 {
     steps_of_visit(arity, width, levels).saturating_mul(words)
 }
 
-/// The products that a visit of all classes takes, in any arithmetic.
+/// The number of products in a visit of all classes, in any arithmetic.
 pub(crate) fn steps_of_visit(arity: usize, width: usize, levels: u32) -> u64 {
-    // The rows of all levels are twice as many as those of the last.
+    // All levels together have at most twice as many rows as the last level.
     let rows = 2_u64.saturating_mul((arity as u64).saturating_pow(levels));
     rows.saturating_mul((row_length(arity, width) * width) as u64)
 }
@@ -180,8 +181,8 @@ impl<T: Kernel> Transitions<T> {
     }
 }
 
-/// Calls `visit` with the absolute row sums of the c-th powers of K operators of
-/// one shape, for every residue class mod n^c.
+/// Calls `visit` for every residue class mod n^c, with the absolute row sums of the c-th
+/// powers of K operators of the same arity and width, and the class.
 pub(super) fn walk<T: Magnitude, const K: usize>(
     rows: &[Vec<Vec<T>>; K],
     offset: i64,
@@ -199,7 +200,8 @@ pub(super) fn walk<T: Magnitude, const K: usize>(
     });
 }
 
-/// Calls `visit` with the rows themselves, zeros at their ends included.
+/// Calls `visit` for every residue class mod n^c, with the rows themselves, including
+/// zeros at their ends, and the class.
 pub(super) fn walk_rows<T: Kernel, const K: usize>(
     rows: &[Vec<Vec<T>>; K],
     offset: i64,
@@ -214,7 +216,7 @@ pub(super) fn walk_rows<T: Kernel, const K: usize>(
         start[0] = T::unit();
         start
     });
-    // One vector for each level and operator, written again and again.
+    // One vector for each level and operator, which is overwritten in every step.
     let mut stack = vec![start; levels + 1];
     let mut digits = vec![0_usize; levels];
     let mut depth = 0;
@@ -242,8 +244,8 @@ pub(super) fn walk_rows<T: Kernel, const K: usize>(
     }
 }
 
-/// The residue class r mod n^c whose digits these are: base_{m−1} = n·(base_m − o) + d_m,
-/// and r = base_0.
+/// The residue class r mod n^c with these digits: base_{m−1} = n·(base_m − o) + d_m, and
+/// r = base_0.
 fn class_of(digits: &[usize], arity: usize, offset: i64) -> u64 {
     let classes = (arity as i128).pow(u32::try_from(digits.len()).unwrap_or(u32::MAX));
     let class = digits.iter().rev().fold(0_i128, |base, &digit| {

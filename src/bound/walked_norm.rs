@@ -7,9 +7,9 @@ use crate::scheme::Rules;
 
 /// The value and the row of [`power_norm`](super::power_norm), by visiting every residue class.
 ///
-/// The classes are walked depth first from the fine level to the coarse one, so
-/// that O(c·N) numbers are kept; the numbers are integers over one common
-/// denominator, of 128 bits where a proven bound on them allows it.
+/// The classes are walked depth first, from the finest level to the coarsest, so only
+/// O(c·N) numbers are stored. The numbers are integers over one common denominator, and
+/// have 128 bits if a proven bound on them allows it.
 ///
 /// # Errors
 /// When there are more than 2^24 residue classes.
@@ -57,9 +57,9 @@ pub fn walked_joint_norm(
     Ok(PowerNorm { value: Rational::new(best.0, scale), class: Integer::from(best.1) })
 }
 
-/// The value of [`power_norm`](super::power_norm) over any [`Real`] numbers: the same walk,
-/// operation by operation, that [`walked_norm`] makes on integers. It names no row that
-/// attains the value, since rounded numbers need not tell which one does.
+/// The value of [`power_norm`](super::power_norm) over any [`Real`] numbers, by the walk of
+/// [`walked_norm`]. It returns no row that attains the value, since rounded numbers may not
+/// determine it.
 ///
 /// # Errors
 /// When there are more than 2^24 residue classes.
@@ -77,8 +77,8 @@ pub fn power_norm_generic<S: Real>(
     Ok(best)
 }
 
-/// The rows as 128-bit integers, if every number of the walk then fits: all are
-/// at most M^c in absolute value, where M is the largest absolute row sum.
+/// The rows as 128-bit integers, if every number of the walk fits. All numbers are at
+/// most M^c in absolute value, where M is the largest absolute row sum.
 fn narrow(rows: &[Vec<Integer>], levels: u32) -> Option<Vec<Vec<i128>>> {
     let row_sum = |row: &Vec<Integer>| row.iter().map(Integer::abs).sum::<Integer>();
     let largest = rows.iter().map(row_sum).max()?;
@@ -89,7 +89,7 @@ fn narrow(rows: &[Vec<Integer>], levels: u32) -> Option<Vec<Vec<i128>>> {
     rows.iter().map(to_narrow).collect()
 }
 
-/// The greatest row sum, and the least class that has it.
+/// The greatest absolute row sum, and the least class that attains it.
 fn greatest<T: Magnitude + Ord>(rows: &[Vec<Vec<T>>; 1], offset: i64, levels: u32) -> (T, u64) {
     let mut best: Option<(T, u64)> = None;
     walk(rows, offset, levels, &mut |[norm]: &[T; 1], class| {

@@ -2,15 +2,15 @@
 
 use super::{Integer, Rational};
 
-/// The least common denominator of these.
+/// The least common denominator of `values`.
 pub(crate) fn common_denominator<'a>(values: impl IntoIterator<Item = &'a Rational>) -> Integer {
     values.into_iter().fold(Integer::one(), |lcm, value| lcm.lcm(&value.denominator()))
 }
 
 /// Rows of rationals, written as integers over one common denominator q.
 ///
-/// Loops that only add and multiply run on these: an integer operation costs a
-/// thirtieth of one on fractions, which reduces each time.
+/// Loops that only add and multiply work on the numerators: an operation on integers
+/// takes about a thirtieth of the time of one on fractions, which are reduced each time.
 ///
 /// ```
 /// use subcert::exact::{CommonDenominator, Integer, Rational};
@@ -22,7 +22,7 @@ pub(crate) fn common_denominator<'a>(values: impl IntoIterator<Item = &'a Ration
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CommonDenominator {
-    /// q > 0, the least one.
+    /// The least q > 0.
     pub denominator: Integer,
     /// q·x for every x, row by row.
     pub numerators: Vec<Vec<Integer>>,

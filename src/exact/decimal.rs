@@ -2,9 +2,9 @@
 
 use super::{Enclosed, Integer, Rational, Real, RealAlgebraic};
 
-/// A printed decimal: `mantissa` · 10^`exponent`, where `exponent` is the place
-/// of its last printed digit. `0.0310` and `0.031` are equal in value, but not
-/// as decimals: the first promises a digit more.
+/// A printed decimal: `mantissa` · 10^`exponent`, where `exponent` is the place of its
+/// last printed digit. `0.0310` and `0.031` are equal in value but differ as decimals:
+/// the first is printed to one digit more.
 ///
 /// ```
 /// use subcert::exact::{Rational, Rounding, parse_decimal};
@@ -48,7 +48,7 @@ impl Decimal {
         &self.mantissa
     }
 
-    /// The place of the last printed digit, as a power of ten.
+    /// The place of the last printed digit, as an exponent of ten.
     #[must_use]
     pub fn exponent(&self) -> i32 {
         self.exponent
@@ -85,7 +85,7 @@ impl Decimal {
     /// How this decimal came from the value `exact`, in exact arithmetic.
     #[must_use]
     pub fn rounding_of<R: Real + PartialOrd>(&self, exact: &R) -> Rounding {
-        // Most are far away, and comparing is quicker than subtracting.
+        // Most decimals are far from `exact`, and comparing is quicker than subtracting.
         let (shown, place) = (self.value(), self.unit());
         let above = |bound: Rational| *exact >= R::from_rational(&bound);
         if above(&shown + &place) || !above(&shown - &place) {
@@ -106,13 +106,14 @@ impl Decimal {
         if value.magnitude() < exact.magnitude() { Rounding::Truncated } else { Rounding::Up }
     }
 
-    /// The same for a real algebraic number.
+    /// How this decimal came from the real algebraic number `exact`, in exact arithmetic.
     #[must_use]
     pub fn rounding_of_algebraic(&self, exact: &RealAlgebraic) -> Rounding {
         if let Some(exact) = exact.as_rational() {
             return self.rounding_of(exact);
         }
-        // What it is depends on where the number is among these, none of which it is.
+        // The answer depends only on where the irrational number lies among these
+        // rational marks.
         let half = self.unit() / Rational::from(2);
         let marks: Vec<Rational> =
             (-3..=3).map(|i| self.value() + &half * Rational::from(i)).collect();

@@ -3,9 +3,10 @@
 use super::Rational;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// A closed interval [lower, upper] of rationals that holds some real number.
+/// A closed interval [lower, upper] with rational ends that contains some real number.
 ///
-/// The operations give the exact range: for x in X and y in Y, x ∘ y is in X ∘ Y.
+/// The operations give the exact range: X ∘ Y is the set of all x ∘ y with x in X and y
+/// in Y.
 ///
 /// ```
 /// use subcert::exact::{Enclosure, Rational};
@@ -62,8 +63,8 @@ impl Enclosure {
         self.lower <= *value && *value <= self.upper
     }
 
-    /// The sign of every number in the interval: −1, 0 or 1; `None` when they
-    /// differ in sign.
+    /// The common sign of all numbers in the interval: −1, 0 or 1; `None` when the signs
+    /// differ.
     #[must_use]
     pub fn sign(&self) -> Option<i8> {
         let (lower, upper) = (self.lower.sign(), self.upper.sign());
@@ -104,21 +105,21 @@ impl Mul for &Enclosure {
     }
 }
 
-/// A real number that can be enclosed as narrowly as one likes.
+/// A real number with enclosures of any width.
 ///
-/// [`format`](super::format) prints all of these, correctly rounded, and
+/// [`format`](super::format) prints such numbers correctly rounded, and
 /// [`nearest`](crate::float::nearest) converts them to f64.
 pub trait Enclosed {
-    /// An enclosure of this. Its width tends to 0 as `level` grows, about as
-    /// 2^(−64·2^level); it is 0 at every level when this is rational.
+    /// An enclosure of this number. Its width is about 2^(−64·2^level); it is 0 at every
+    /// level for a rational number.
     fn enclosure(&self, level: u32) -> Enclosure;
 
-    /// The value at this of a monotone step function on the reals, known at
-    /// rationals: rounding, truncation.
+    /// The value of a monotone step function, such as rounding or truncation, at this
+    /// number. `function` evaluates the step function at rationals. Its steps must be at
+    /// rationals.
     ///
-    /// Refines only until both ends of the enclosure agree. This is reached,
-    /// since an irrational number is not one of the rationals where the function
-    /// steps.
+    /// The enclosure is refined until the function has the same value at both ends. This
+    /// happens at some level, since an irrational number is not at a step.
     fn step<T: PartialEq>(&self, function: impl Fn(&Rational) -> T) -> T
     where
         Self: Sized,

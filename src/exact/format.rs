@@ -1,8 +1,8 @@
 //! Correctly rounded decimals of exact values, rational or not.
 //!
-//! Every function rounds to the nearest decimal of the asked length, and of two
-//! equally near ones to the one with the even last digit. An irrational value is
-//! enclosed until both ends of the enclosure round alike.
+//! Every function rounds to the nearest decimal of the requested length; a tie goes to
+//! the even last digit. The enclosure of an irrational value is refined until both its
+//! ends round to the same decimal.
 
 use super::{Enclosed, Integer, Rational};
 
@@ -55,9 +55,9 @@ fn scientific_rational(value: &Rational, digits: u32) -> String {
     format!("{sign}{first}{point}{rest}e{exponent}")
 }
 
-/// `value` with up to `digits` significant digits, in the form that reads best:
-/// plain where it stays short, scientific where it would not; without the
-/// zeros that a terminating decimal does not need.
+/// `value` with up to `digits` significant digits, in plain notation if the exponent of
+/// ten of the first digit is from −5 to max(`digits`, 6), and otherwise in scientific
+/// notation. Trailing zeros after the point are left out.
 ///
 /// ```
 /// use subcert::exact::{Rational, format::short};
@@ -101,8 +101,8 @@ fn clamp_exponent(exponent: i64) -> i32 {
     i32::try_from(exponent).expect("numbers of more than 2^31 digits do not fit in memory")
 }
 
-/// The `digits` leading digits of `value`, correctly rounded, as an integer, and
-/// the power of ten of the first of them. (0, 0) for 0.
+/// The first `digits` significant digits of `value`, correctly rounded, as an integer,
+/// and the exponent of ten of the first digit. (0, 0) for 0.
 fn significant(value: &Rational, digits: u32) -> (Integer, i64) {
     assert!(digits > 0, "at least one significant digit");
     if value.is_zero() {

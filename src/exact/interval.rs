@@ -43,7 +43,8 @@ impl Interval {
             }
     }
 
-    /// A rational number in the interval; `None` when it is one irrational number.
+    /// A rational number in the interval; `None` when the interval is a single irrational
+    /// number.
     ///
     /// ```
     /// use subcert::exact::{PiecewisePolynomial, Rational};
@@ -106,8 +107,8 @@ impl Interval {
     }
 }
 
-/// Whether one end is as far out as the other, where `beyond` compares their
-/// places.
+/// Whether the end `outer` lies at least as far out as the end `inner`. `beyond(a, b)`
+/// says whether a lies strictly farther out than b.
 fn reaches(
     outer: &Bound<RealAlgebraic>,
     inner: &Bound<RealAlgebraic>,

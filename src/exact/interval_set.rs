@@ -4,8 +4,8 @@ use super::{Interval, Rational, RealAlgebraic};
 use std::fmt;
 use std::ops::Bound;
 
-/// A union of intervals: sorted, disjoint, and no two of them make one, so that
-/// equality is equality of sets.
+/// A union of intervals. They are sorted and disjoint, and the union of two of them is
+/// never an interval. So derived equality is equality of sets.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
 pub struct IntervalSet {
     intervals: Vec<Interval>,
@@ -18,9 +18,9 @@ impl From<Interval> for IntervalSet {
 }
 
 impl IntervalSet {
-    /// The union of those cells of the line that `keep` wants. The points
-    /// p_1 < … < p_n cut the line into the 2n + 1 cells (−∞, p_1), {p_1},
-    /// (p_1, p_2), …, (p_n, ∞), and `keep` has one entry for each, in this order.
+    /// The union of the cells of the real line that `keep` marks. The points p_1 < … <
+    /// p_n cut the line into the 2n + 1 cells (−∞, p_1), {p_1}, (p_1, p_2), …, (p_n, ∞),
+    /// and `keep` has one entry for each, in this order.
     pub(super) fn of_cells(points: &[RealAlgebraic], keep: &[bool]) -> IntervalSet {
         debug_assert_eq!(keep.len(), 2 * points.len() + 1);
         let low = |cell: usize| match cell {
@@ -64,7 +64,7 @@ impl IntervalSet {
         self.combined(other, |left, right| left && right)
     }
 
-    /// The numbers in one of the sets or in both.
+    /// The numbers in at least one of the two sets.
     #[must_use]
     pub fn union(&self, other: &IntervalSet) -> IntervalSet {
         self.combined(other, |left, right| left || right)
@@ -80,8 +80,9 @@ impl IntervalSet {
         IntervalSet::of_cells(&points, &keep)
     }
 
-    /// Rational bounds of the set, not in it; `None` when it is empty or unbounded, or
-    /// an end of it is rational and belongs to it.
+    /// A rational lower and a rational upper bound of the set, neither of them in the
+    /// set. `None` when the set is empty or unbounded, or when its least or greatest
+    /// element exists and is rational.
     #[must_use]
     pub fn hull(&self) -> Option<(Rational, Rational)> {
         let outside = |end: &Bound<RealAlgebraic>| match end {
@@ -93,8 +94,8 @@ impl IntervalSet {
         Some((outside(&low.low)?.0, outside(&high.high)?.1))
     }
 
-    /// The ends that are numbers, from left to right, and whether they belong to the
-    /// set.
+    /// The finite ends of the intervals, from left to right, and whether each belongs to
+    /// the set.
     pub fn ends(&self) -> impl Iterator<Item = (&RealAlgebraic, bool)> {
         let ends = self.intervals.iter().flat_map(|interval| [&interval.low, &interval.high]);
         ends.filter_map(|end| match end {
@@ -104,8 +105,9 @@ impl IntervalSet {
         })
     }
 
-    /// Whether the cells between and at these points, which include all ends, are in
-    /// the set; in the order of [`IntervalSet::of_cells`].
+    /// For each cell that `points` cut the line into, whether it is in the set, in the
+    /// order of [`IntervalSet::of_cells`]. The points must include all finite ends of the
+    /// set.
     fn cells(&self, points: &[RealAlgebraic]) -> Vec<bool> {
         let mut cells = vec![false; 2 * points.len() + 1];
         let place = |end: &RealAlgebraic| points.partition_point(|point| point < end);

@@ -5,11 +5,11 @@ use super::{CommonDenominator, Integer, Rational};
 /// The only solution x of Σ_j m_{i,j} x_j = y_i, where row i of `rows` is
 /// m_{i,0}, …, m_{i,n−1}, y_i; `None` when there is none or more than one.
 ///
-/// Elimination without fractions (Bareiss 1968): the numbers that arise are minors
-/// of the system, so that they stay as short as those of the solution.
+/// Fraction-free elimination (Bareiss 1968): all intermediate numbers are minors of the
+/// system, so they are about as short as the numbers of the solution.
 ///
 /// # Panics
-/// When the rows are not n of n + 1 numbers.
+/// When there are not n rows of n + 1 numbers each.
 ///
 /// ```
 /// use subcert::exact::{Rational, solve};

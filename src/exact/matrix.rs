@@ -1,14 +1,14 @@
-//! Matrices in which few numbers stand in many places.
+//! Matrices with few distinct entries.
 
 use super::Scalar;
 use std::collections::HashMap;
 use std::hash::Hash;
 
-/// A matrix that keeps each different entry once: m_{a,b} = values\[names_{a,b}\], where
-/// 0 has the name 0.
+/// A matrix that stores each distinct entry once: m_{a,b} = values\[names_{a,b}\]. The
+/// number 0 always has the name 0.
 ///
-/// The weights around an extraordinary point are such a matrix, since they repeat under
-/// rotations: n² names of n numbers, rather than n² numbers.
+/// The subdivision matrix around an extraordinary point is such a matrix: its weights
+/// repeat under rotations, so n² names refer to about n numbers.
 ///
 /// ```
 /// use subcert::exact::{Matrix, Rational};
@@ -24,32 +24,32 @@ pub struct Matrix<S> {
     names: Vec<Vec<u32>>,
 }
 
-/// Gives numbers names, equal ones the same.
+/// Assigns the names 0, 1, 2, … to numbers. Equal numbers get the same name.
 #[derive(Debug)]
 pub struct Naming<S> {
     names: HashMap<S, u32>,
 }
 
 impl<S: Scalar + Eq + Hash> Naming<S> {
-    /// 0 has the name 0.
+    /// Starts with the number 0, under the name 0.
     #[must_use]
     pub fn new() -> Naming<S> {
         Naming { names: HashMap::from([(S::zero(), 0)]) }
     }
 
-    /// The name of this number.
+    /// The name of `value`, a new one if it has none yet.
     ///
     /// # Panics
-    /// When there are 2³² numbers.
+    /// When 2³² distinct numbers have names already.
     pub fn name(&mut self, value: S) -> u32 {
         let next = u32::try_from(self.names.len()).expect("fewer numbers");
         *self.names.entry(value).or_insert(next)
     }
 
-    /// The matrix of the numbers with these names, row by row.
+    /// The matrix whose entries have these names, row by row.
     ///
     /// # Panics
-    /// When a name has not been given.
+    /// When `names` contains a name that was never assigned.
     #[must_use]
     pub fn matrix(self, names: Vec<Vec<u32>>) -> Matrix<S> {
         let count = self.names.len();
@@ -70,7 +70,7 @@ impl<S: Scalar + Eq + Hash> Matrix<S> {
     /// The matrix with these rows.
     ///
     /// # Panics
-    /// When it has 2³² different entries.
+    /// When it has 2³² distinct entries or more.
     #[must_use]
     pub fn from_rows(rows: Vec<Vec<S>>) -> Matrix<S> {
         let mut naming = Naming::new();
@@ -81,7 +81,7 @@ impl<S: Scalar + Eq + Hash> Matrix<S> {
 }
 
 impl<S> Matrix<S> {
-    /// The different entries, and 0, in the order of their names.
+    /// The number 0 and the distinct entries, in the order of their names.
     #[must_use]
     pub fn values(&self) -> &[S] {
         &self.values
@@ -117,7 +117,8 @@ impl<S> Matrix<S> {
         self.names[a].iter().map(|&name| self.value(name))
     }
 
-    /// The matrix of the images of the entries; 0 is to go to 0.
+    /// The matrix with `map` applied to every entry. `map` must send 0 to 0, as products
+    /// skip the entries with the name 0.
     #[must_use]
     pub fn map<T>(&self, map: impl FnMut(&S) -> T) -> Matrix<T> {
         Matrix { values: self.values.iter().map(map).collect(), names: self.names.clone() }
@@ -132,7 +133,7 @@ impl<S: Scalar> Matrix<S> {
     /// Mx: the sums Σ_b m_{a,b} x_b over the entries other than 0, from left to right.
     ///
     /// # Panics
-    /// When there is not a coordinate for each column.
+    /// When `x` does not have one coordinate for each column.
     #[must_use]
     pub fn product(&self, x: &[S]) -> Vec<S> {
         let sum = |row: &Vec<u32>| {
@@ -143,10 +144,10 @@ impl<S: Scalar> Matrix<S> {
         self.names.iter().map(sum).collect()
     }
 
-    /// wᵀM: the sums Σ_a w_a m_{a,b}, as of [`Scalar::left_product`].
+    /// wᵀM: the sums Σ_a w_a m_{a,b}, computed by [`Scalar::left_product`].
     ///
     /// # Panics
-    /// When there is not a coordinate for each row.
+    /// When `w` does not have one coordinate for each row.
     #[must_use]
     pub fn left_product(&self, w: &[S]) -> Vec<S> {
         assert_eq!(w.len(), self.names.len(), "a coordinate for each row");

@@ -1,20 +1,20 @@
-//! Numbers: no geometry and no floating point.
+//! Exact numbers, without geometry and without floating point.
 //!
 //! | item | what it is |
 //! |---|---|
 //! | [`Integer`], [`Rational`] | numbers of any size |
-//! | [`Decimal`] | a decimal as printed, which knows its rounding interval |
+//! | [`Decimal`] | a decimal as printed, with its rounding interval |
 //! | [`mod@format`] | correctly rounded decimals of exact values |
 //! | [`Polynomial`] | polynomials in named variables, the normal form of an identity |
 //! | [`RealCyclotomic`] | real numbers of Q(2cos(2π/n)): sums of cosines |
 //! | [`cosine_polynomial`] | the minimal polynomial of 2cos(2π/n) |
 //! | [`RealAlgebraic`] | a root of a polynomial in an interval |
 //! | [`IntegerPolynomial`], [`SturmSequence`] | polynomials in one variable, and their real roots |
-//! | [`Enclosure`], [`Enclosed`] | intervals around a real number, as narrow as needed |
+//! | [`Enclosure`], [`Enclosed`] | intervals of any width around a real number |
 //! | [`RationalPolynomial`], [`PiecewisePolynomial`], [`Parametric`] | functions of a free parameter |
-//! | [`Interval`], [`IntervalSet`] | where such a function is below a bound |
-//! | [`Scalar`], [`Real`] | what the algorithms ask of a number type |
-//! | [`Matrix`] | matrices in which few numbers stand in many places |
+//! | [`Interval`], [`IntervalSet`] | where a function of the parameter is below a bound |
+//! | [`Scalar`], [`Real`] | the operations that algorithms need of a number type |
+//! | [`Matrix`] | matrices with few distinct entries |
 //! | [`solve`] | systems of linear equations |
 //! | [`CommonDenominator`] | rationals as integers over one denominator, for hot loops |
 
@@ -72,7 +72,7 @@ pub use scalar::{Real, Scalar};
 pub use sturm::SturmSequence;
 pub use univariate::IntegerPolynomial;
 
-/// What only the tests of this crate look at: no part of its interface.
+/// Items for the tests of this crate; not part of its interface.
 #[doc(hidden)]
 pub mod internals {
     pub use super::cyclotomic::{cosines, is_prime, pi, primes};

@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
-/// The product of these variables with these exponents, all positive, in the order of their
-/// names; none for 1. Shared, as the terms of a polynomial are copied more often than made.
+/// A product of powers of variables, as pairs of name and exponent > 0 in the order of the
+/// names; no pairs for 1. The pairs are shared by reference counting, as monomials are
+/// copied more often than they are made.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Monomial(Arc<[(Arc<str>, u32)]>);
 
@@ -24,7 +25,8 @@ impl Monomial {
         &self.0
     }
 
-    /// The exponent of this variable, where there is no other.
+    /// The exponent of `variable`, 0 for the monomial 1; `None` when another variable
+    /// occurs.
     pub(super) fn only(&self, variable: &str) -> Option<u32> {
         match self.powers() {
             [] => Some(0),

@@ -1,10 +1,10 @@
-//! From polynomials in named variables to those in one variable, and back.
+//! Conversion between polynomials in named variables and polynomials in one variable.
 
 use super::{Polynomial, Rational, RationalPolynomial};
 
 impl Polynomial {
     /// This as a polynomial in `variable` over the rationals; `None` when another
-    /// variable or an irrational coefficient remains.
+    /// variable or an irrational coefficient occurs.
     ///
     /// ```
     /// use subcert::exact::Polynomial;
@@ -29,7 +29,7 @@ impl Polynomial {
 }
 
 impl RationalPolynomial {
-    /// The polynomial in `variable`, as [`Polynomial`] writes it.
+    /// This polynomial in the variable `variable`, as [`Polynomial`] prints it.
     #[must_use]
     pub fn describe(&self, variable: &str) -> String {
         let x = Polynomial::variable(variable);

@@ -1,8 +1,9 @@
 //! The operators of [`Integer`](super::Integer) and
 //! [`Rational`](super::Rational), by value and by reference.
 
-/// Implements one binary operator in its four forms, and its assigning form, from what
-/// computes it from two references and what computes it in place.
+/// Implements a binary operator for all four combinations of values and references, and
+/// its assigning form. `$compute` takes two references; `$in_place` changes its first
+/// argument.
 macro_rules! binary_operator {
     ($type:ident, $trait:ident::$method:ident, $assign:ident::$assign_method:ident,
      $compute:path, $in_place:path) => {
@@ -40,8 +41,7 @@ macro_rules! binary_operator {
     };
 }
 
-/// Implements negation by value, sums, formatting of `Debug` as of `Display`, order as of
-/// `Ord`, and the conversions from machine integers.
+/// Implements negation by value, `Sum`, `Debug` by `Display`, and `PartialOrd` by `Ord`.
 macro_rules! ring_basics {
     ($type:ident) => {
         impl std::ops::Neg for $type {

@@ -8,14 +8,14 @@ use std::fmt;
 const MAX_PIECES: usize = 4_096;
 const MAX_DEGREE: usize = 64;
 
-/// A number that depends on one free parameter: a piecewise polynomial function of
-/// it, or one that has left this class.
+/// A number that depends on one free parameter: a piecewise polynomial function of the
+/// parameter, or a marker that the function has left this class.
 ///
-/// The operations of a [`Scalar`] cannot fail, but not every quotient of two
-/// functions of this class is in it, and functions of more than 4096 pieces, or of
-/// a degree above 64, are left out. What is not becomes [`Parametric::Outside`],
-/// and so does everything computed from that, so that whoever wants the result
-/// sees it at the end and not a wrong function.
+/// The operations of a [`Scalar`] cannot fail. But a quotient of two piecewise polynomial
+/// functions need not be piecewise polynomial, and functions of more than 4096 pieces or
+/// of a degree above 64 are not computed. In these cases the result is
+/// [`Parametric::Outside`], and so is everything computed from it. The caller sees this
+/// at the end instead of a wrong function.
 ///
 /// ```
 /// use subcert::bound::{Order, Terms, displacement, power_norm_generic};
@@ -38,8 +38,7 @@ const MAX_DEGREE: usize = 64;
 pub enum Parametric {
     /// A piecewise polynomial function of the parameter.
     Function(PiecewisePolynomial),
-    /// Not known to be one: computed with a quotient by a number that depends on the
-    /// parameter, or beyond the caps.
+    /// No function is known: a divisor depended on the parameter, or a cap was exceeded.
     Outside,
 }
 
@@ -77,8 +76,8 @@ impl Parametric {
     }
 }
 
-/// [`Parametric::Outside`] is equal to nothing, not even to itself: nothing is
-/// known of it.
+/// [`Parametric::Outside`] is equal to nothing, not even to itself, since its value is
+/// unknown.
 impl PartialEq for Parametric {
     fn eq(&self, other: &Parametric) -> bool {
         self.function().zip(other.function()).is_some_and(|(left, right)| left == right)
@@ -111,9 +110,8 @@ impl Scalar for Parametric {
     }
 }
 
-/// The order is the one at every point: [`Real::greater`] is the function that is
-/// the greater of the two everywhere. A quotient is a function of this class only
-/// for a constant divisor.
+/// Operations are pointwise: [`Real::greater`] is the pointwise maximum. A quotient stays
+/// in this class only for a constant divisor.
 impl Real for Parametric {
     fn magnitude(&self) -> Parametric {
         self.with(self, |function, _| Some(function.magnitude()))

@@ -3,8 +3,8 @@
 use super::{IntervalSet, Rational, RationalPolynomial, RealAlgebraic, SturmSequence};
 use std::fmt;
 
-/// A continuous piecewise polynomial function of one real variable over Q, in
-/// normal form: two are equal exactly when they agree everywhere.
+/// A continuous piecewise polynomial function of one real variable over Q, in normal
+/// form: two values are equal exactly when the functions agree everywhere.
 ///
 /// Sums, products, |·|, max and min stay in this class. The pieces join at real
 /// algebraic numbers.
@@ -26,10 +26,10 @@ use std::fmt;
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PiecewisePolynomial {
-    /// Where one polynomial ends and another begins, in rising order.
+    /// The points where one polynomial ends and another begins, in increasing order.
     breaks: Vec<RealAlgebraic>,
-    /// The polynomial on each side of each break, neighbours different, equal at
-    /// the break between them.
+    /// The polynomials between the breaks, from left to right. Neighbours differ as
+    /// polynomials and agree at the break between them.
     pieces: Vec<RationalPolynomial>,
 }
 
@@ -60,8 +60,9 @@ impl PiecewisePolynomial {
         PiecewisePolynomial::assemble(sorted(roots.collect()), |x| signed_sum(polynomials, x))
     }
 
-    /// A function that is Σ_j |p_j| from `low` to `high`; beyond these its outer pieces
-    /// go on. It has no other breaks.
+    /// A function that equals Σ_j |p_j| from `low` to `high`. Outside this interval its
+    /// first and last pieces are continued, so all its breaks lie between `low` and
+    /// `high`.
     ///
     /// ```
     /// use subcert::exact::{PiecewisePolynomial, Rational, RationalPolynomial};
@@ -96,8 +97,8 @@ impl PiecewisePolynomial {
         PiecewisePolynomial::assemble_at(breaks, samples, |x| signed_sum(polynomials, x))
     }
 
-    /// The function that is `piece(x)` near x, for x off the points `breaks`. The
-    /// pieces have to agree at these points.
+    /// The function that is `piece(x)` near x, for every x other than the `breaks`.
+    /// Neighbouring pieces must agree at the break between them.
     fn assemble(
         breaks: Vec<RealAlgebraic>,
         piece: impl Fn(&Rational) -> RationalPolynomial,
@@ -106,7 +107,8 @@ impl PiecewisePolynomial {
         PiecewisePolynomial::assemble_at(breaks, samples, piece)
     }
 
-    /// The same with a number inside each cell given.
+    /// As `assemble`, with `samples` that hold one number inside each cell between the
+    /// breaks.
     fn assemble_at(
         breaks: Vec<RealAlgebraic>,
         samples: Vec<Rational>,
@@ -125,17 +127,17 @@ impl PiecewisePolynomial {
         function
     }
 
-    /// The polynomial near x; at a break, the one on its right.
+    /// The polynomial near x; at a break, the polynomial on the right.
     fn piece(&self, x: &Rational) -> &RationalPolynomial {
         &self.pieces[self.breaks.partition_point(|point| point.cmp_rational(x).is_le())]
     }
 
-    /// The breaks of both.
+    /// The breaks of both functions, in increasing order.
     fn common_breaks(&self, other: &PiecewisePolynomial) -> Vec<RealAlgebraic> {
         sorted(self.breaks.iter().chain(&other.breaks).cloned().collect())
     }
 
-    /// The points where one polynomial ends and another begins, in rising order.
+    /// The points where one polynomial ends and another begins, in increasing order.
     #[must_use]
     pub fn breakpoints(&self) -> &[RealAlgebraic] {
         &self.breaks
@@ -258,13 +260,12 @@ impl PiecewisePolynomial {
         zeros
     }
 
-    /// The set of the x where the sign of the value, −1, 0 or 1, is one that `keep`
-    /// wants.
+    /// The set of all x at which `keep` accepts the sign −1, 0 or 1 of the value.
     fn with_sign(&self, keep: impl Fn(i8) -> bool) -> IntervalSet {
         let zeros = sorted(self.zeros());
         let points = sorted(self.breaks.iter().chain(&zeros).cloned().collect());
-        // Between two of these points the sign does not change; and at one of them
-        // that is no zero it is that of both sides.
+        // The sign is constant between two neighbouring points. At a point that is not a
+        // zero it is the sign on both sides.
         let samples = RealAlgebraic::rationals_between(&points);
         let signs: Vec<i8> = samples.iter().map(|x| self.piece(x).sign_at(x)).collect();
         let mut cells = Vec::with_capacity(2 * points.len() + 1);

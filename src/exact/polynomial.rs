@@ -11,7 +11,7 @@ use std::ops::{Add, AddAssign, Mul, Sub};
 /// A polynomial in named variables over the fields Q(2cos(2π/n)), in normal form:
 /// two polynomials are equal exactly when they agree as functions.
 ///
-/// The coefficients of all polynomials that are brought together need a
+/// The coefficients of all polynomials in one computation need a
 /// [`common_conductor`](super::common_conductor).
 ///
 /// ```
@@ -27,7 +27,8 @@ use std::ops::{Add, AddAssign, Mul, Sub};
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Polynomial {
-    /// Apart from the others: in many formulas most values are constants.
+    /// Stored apart from the other terms, since in many formulas most values are
+    /// constants.
     constant: RealCyclotomic,
     /// In the order of the monomials. No coefficient is 0, and no monomial 1.
     terms: Vec<Term>,
@@ -61,7 +62,8 @@ impl Polynomial {
         self.terms.is_empty() && is_zero(&self.constant)
     }
 
-    /// The variables, if no term has a power or a product of them.
+    /// The variables, if every term besides the constant is a multiple of a single
+    /// variable to the first power; otherwise `None`.
     ///
     /// ```
     /// use subcert::exact::Polynomial;
@@ -80,7 +82,8 @@ impl Polynomial {
         self.terms.iter().map(variable).collect()
     }
 
-    /// The coefficient of a variable to the first power, without others.
+    /// The coefficient of the monomial that is `variable` to the first power; 0 if there
+    /// is none.
     #[must_use]
     pub fn coefficient(&self, variable: &str) -> RealCyclotomic {
         let is_variable =
@@ -106,7 +109,7 @@ impl Polynomial {
         &self.constant
     }
 
-    /// The other monomials, and their coefficients.
+    /// The monomials other than 1, and their coefficients.
     pub(super) fn other_terms(&self) -> &[(Monomial, RealCyclotomic)] {
         &self.terms
     }
@@ -117,7 +120,7 @@ impl Polynomial {
         constant.into_iter().chain(self.terms.iter().map(|(_, coefficient)| coefficient))
     }
 
-    /// Adds terms in the order of their monomials.
+    /// Adds `others`, which are in the order of their monomials.
     fn add_terms(&mut self, others: impl ExactSizeIterator<Item = Term>) {
         let own = std::mem::take(&mut self.terms);
         self.terms.reserve(own.len() + others.len());
@@ -185,7 +188,7 @@ impl Sub for &Polynomial {
 impl Mul for &Polynomial {
     type Output = Polynomial;
     fn mul(self, other: &Polynomial) -> Polynomial {
-        // No product of coefficients is 0: these are fields.
+        // No product of coefficients is 0, as the coefficients lie in a field.
         let mut product = Polynomial::constant(&self.constant * &other.constant);
         for (constant, terms) in [(&self.constant, &other.terms), (&other.constant, &self.terms)] {
             if !is_zero(constant) {
@@ -251,8 +254,9 @@ impl fmt::Display for Polynomial {
     }
 }
 
-/// A term without its sign, and whether that is a minus. An irrational coefficient
-/// is a sum itself, and stands in parentheses before variables.
+/// Whether the sign of the term is a minus, and the term without its sign. An irrational
+/// coefficient is itself a sum: it is printed in parentheses before variables, and keeps
+/// its signs.
 fn term(monomial: &Monomial, coefficient: &RealCyclotomic) -> (bool, String) {
     let (negative, magnitude) = match coefficient.as_rational() {
         Some(value) => (value.sign() < 0, value.abs().to_string()),

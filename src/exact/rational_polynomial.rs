@@ -15,7 +15,7 @@ use super::{Integer, IntegerPolynomial, Rational, Scalar, common_denominator};
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct RationalPolynomial {
     numerator: IntegerPolynomial,
-    /// Positive, and without a common factor with all coefficients.
+    /// Positive, and coprime to the content of the numerator.
     denominator: Integer,
 }
 
@@ -59,7 +59,8 @@ impl RationalPolynomial {
         }
     }
 
-    /// This times its least common denominator, which is positive.
+    /// This polynomial times the least common denominator of its coefficients, which is
+    /// positive.
     #[must_use]
     pub fn numerator(&self) -> &IntegerPolynomial {
         &self.numerator

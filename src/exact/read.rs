@@ -1,11 +1,11 @@
-//! Strict reading of numbers as people write them.
+//! Strict reading of numbers as papers and users write them.
 
 use super::{Decimal, Integer, Rational};
 
-/// The most digits that a number may have.
+/// The greatest length, in bytes, of the text of a number.
 pub const MAX_DIGITS: usize = 10_000;
 
-/// The largest power of ten, in absolute value, that a number may carry.
+/// The largest absolute value of a decimal exponent.
 pub const MAX_EXPONENT: i32 = 10_000;
 
 /// Why a text is not a number.
@@ -15,7 +15,7 @@ pub enum NumberError {
     /// There is nothing to read.
     #[error("a number is missing; write one such as -35/1296, 0.0266 or 4.35e-5")]
     Empty,
-    /// A character that no number has at this place.
+    /// A character that cannot stand at this place of a number.
     #[error(
         "`{text}` is not a number: unexpected `{found}` at character {position}; \
          write -35/1296, 0.0266, 4.35e-5 or 1.99×10^-10"
@@ -40,13 +40,13 @@ pub enum NumberError {
         /// The text as given.
         text: String,
     },
-    /// More than [`MAX_DIGITS`] digits.
+    /// A text longer than [`MAX_DIGITS`].
     #[error("a number of {digits} digits; at most {MAX_DIGITS} are read")]
     TooLong {
-        /// How many characters the text has.
+        /// The length of the text in bytes.
         digits: usize,
     },
-    /// A power of ten beyond [`MAX_EXPONENT`].
+    /// A decimal exponent beyond [`MAX_EXPONENT`] in absolute value.
     #[error("the exponent of `{text}` is out of range; at most ±{MAX_EXPONENT} is read")]
     ExponentTooLarge {
         /// The text as given.
@@ -56,8 +56,8 @@ pub enum NumberError {
 
 /// Reads `-35/1296`, `7`, or any decimal that [`parse_decimal`] reads.
 ///
-/// A fraction need not be in lowest terms, since people write masks such as
-/// 2/16, 12/16, 2/16: it is reduced. Its denominator carries no sign.
+/// A fraction need not be in lowest terms, since people write masks such as 2/16, 12/16,
+/// 2/16. It is reduced. Its denominator must not have a sign.
 ///
 /// # Errors
 /// When the text is anything else, or beyond the caps.
@@ -149,7 +149,7 @@ impl<'a> Reader<'a> {
     }
 
     fn sign(&mut self) -> bool {
-        // U+2212 is what a paper prints.
+        // Papers print the minus sign U+2212.
         self.eat("-") || self.eat("\u{2212}")
     }
 

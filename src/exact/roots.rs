@@ -24,8 +24,8 @@ impl SturmSequence {
         self.roots_between(None, None)
     }
 
-    /// The real roots from `low` to `high`, both included, in increasing order;
-    /// `None` for no bound.
+    /// The real roots from `low` to `high`, both included, in increasing order. `None`
+    /// means no bound on that side.
     ///
     /// # Panics
     /// Never.
@@ -46,7 +46,7 @@ impl SturmSequence {
         roots.extend(
             low.clone().filter(|low| polynomial.sign_at(low) == 0).map(RealAlgebraic::from),
         );
-        // Bisection; the stack holds the left half on top.
+        // Bisection. The left half is on top of the stack.
         let mut stack = vec![(low.unwrap_or_else(|| -&bound), high.unwrap_or(bound))];
         while let Some((lower, upper)) = stack.pop() {
             match self.count_roots(&lower, &upper) {

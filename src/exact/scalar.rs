@@ -1,4 +1,5 @@
-//! What the algorithms ask of a number type, so that each is written once.
+//! The operations that the algorithms require of a number type. Each algorithm is written
+//! once for all types.
 
 use super::{Integer, Rational, common_denominator};
 use std::cmp::Ordering;
@@ -26,8 +27,9 @@ pub trait Scalar: Clone {
     #[must_use]
     fn times(&self, other: &Self) -> Self;
 
-    /// Some q > 0 such that sums of multiples of these by q need no common denominators;
-    /// 1 where there is nothing to gain.
+    /// Some q > 0 such that q·x has no denominator for each of these numbers x, so that
+    /// sums of such multiples need no common denominator. 1 for types that do not profit
+    /// from this.
     #[must_use]
     fn common_denominator(_: &[Self]) -> Integer {
         Integer::one()
@@ -51,9 +53,10 @@ pub trait Scalar: Clone {
         })
     }
 
-    /// wᵀM, for a coordinate of w for each row of M, with the entries m_{a,b} =
-    /// values\[names_{a,b}\] of a [`Matrix`](super::Matrix): the sums Σ_a w_a m_{a,b} over the
-    /// entries other than 0, from top to bottom. Exact numbers may go another way.
+    /// wᵀM for the [`Matrix`](super::Matrix) M with the entries m_{a,b} =
+    /// values\[names_{a,b}\], where `w` has one coordinate for each row: the sums Σ_a w_a
+    /// m_{a,b} over the nonzero entries, with a increasing. Exact types may compute the same
+    /// sums in another way.
     #[must_use]
     fn left_product(w: &[Self], values: &[Self], names: &[Vec<u32>]) -> Vec<Self> {
         let mut sums = vec![Self::zero(); names.first().map_or(0, Vec::len)];
@@ -78,8 +81,8 @@ pub trait Real: Scalar {
     #[must_use]
     fn over(&self, other: &Self) -> Self;
 
-    /// Integers of up to some 50 bits, near one multiple of these; `None` where exact
-    /// arithmetic is as quick.
+    /// Integers of at most about 50 bits near c·x for the given numbers x, with one
+    /// factor c > 0 for all. `None` where exact arithmetic is as quick.
     #[must_use]
     fn rounded(_: &[Self]) -> Option<Vec<i64>> {
         None

@@ -2,11 +2,11 @@
 
 use super::{IntegerPolynomial, Rational};
 
-/// The Sturm sequence of a polynomial f: f, f′, and then each the negative
-/// remainder of the two before it, up to positive factors.
+/// The Sturm sequence of a polynomial f: f, f′, and then always the negative remainder of
+/// the two preceding members, up to positive factors.
 ///
-/// The number of distinct real roots of f in (a, b] is the number of sign
-/// changes of the sequence at a less that at b, for a < b, f(a) ≠ 0 (Sturm 1829).
+/// The number of distinct real roots of f in (a, b] is the number of sign changes of the
+/// sequence at a minus the number at b, for a < b and f(a) ≠ 0 (Sturm 1829).
 ///
 /// ```
 /// use subcert::exact::{IntegerPolynomial, Rational, SturmSequence};
@@ -21,7 +21,7 @@ pub struct SturmSequence {
 }
 
 impl SturmSequence {
-    /// The sequence of `polynomial`, over the part of it that is square-free.
+    /// The sequence of the square-free part of `polynomial`.
     ///
     /// # Panics
     /// When `polynomial` is 0.
@@ -44,19 +44,20 @@ impl SturmSequence {
         SturmSequence { sequence }
     }
 
-    /// f, without its multiple factors.
+    /// The square-free part of f.
     pub(super) fn polynomial(&self) -> &IntegerPolynomial {
         &self.sequence[0]
     }
 
-    /// The number of distinct roots in (lower, upper]; 0 when that is empty.
+    /// The number of distinct roots in (lower, upper]; 0 when this interval is empty.
     #[must_use]
     pub fn count_roots(&self, lower: &Rational, upper: &Rational) -> usize {
         if lower >= upper {
             return 0;
         }
-        // With one factor x − lower less, if that is a root, nothing changes in
-        // (lower, upper]; and then the sign change at a root is counted on its left.
+        // The number of sign changes falls by 1 at each root of f, and is taken here to
+        // the right of both ends. So a root at `upper` is counted, and a root at `lower`
+        // is not.
         self.changes_right_of(lower) - self.changes_right_of(upper)
     }
 
@@ -72,9 +73,9 @@ impl SturmSequence {
         at(-1) - at(1)
     }
 
-    /// The sign changes at x + 0. Zeros of f itself do not count as a sign, which
-    /// is what f′ has the sign of there; nor do those of the others, whose
-    /// neighbours in the sequence have opposite signs.
+    /// The number of sign changes just to the right of x. Zeros can be left out: where f
+    /// vanishes, f has the sign of f′ just to the right; where another member vanishes,
+    /// its two neighbours in the sequence have opposite signs.
     fn changes_right_of(&self, x: &Rational) -> usize {
         changes(self.sequence.iter().map(|p| p.sign_at(x)))
     }

@@ -1,14 +1,15 @@
 //! Dense polynomials in one variable over the integers.
 //!
-//! A polynomial over the rationals has the roots of an integer one, and an
-//! integer operation costs a thirtieth of one on fractions.
+//! Every polynomial over the rationals has the same roots as a polynomial over the
+//! integers, and an operation on integers takes about a thirtieth of the time of one on
+//! fractions.
 
 use super::{CommonDenominator, Integer, Rational};
 use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// A polynomial c_0 + c_1 x + … + c_d x^d over the integers, c_d ≠ 0; no
-/// coefficients for 0.
+/// A polynomial c_0 + c_1 x + … + c_d x^d over the integers, c_d ≠ 0. The polynomial 0
+/// has no coefficients.
 ///
 /// ```
 /// use subcert::exact::{IntegerPolynomial, Rational};
@@ -52,7 +53,7 @@ impl IntegerPolynomial {
         &self.coefficients
     }
 
-    /// d; `None` for 0.
+    /// The degree d; `None` for the polynomial 0.
     #[must_use]
     pub fn degree(&self) -> Option<usize> {
         self.coefficients.len().checked_sub(1)
@@ -64,7 +65,7 @@ impl IntegerPolynomial {
         self.coefficients.is_empty()
     }
 
-    /// c_d; 0 for 0.
+    /// c_d; 0 for the polynomial 0.
     #[must_use]
     pub fn leading(&self) -> Integer {
         self.coefficients.last().cloned().unwrap_or_else(Integer::zero)
@@ -102,13 +103,13 @@ impl IntegerPolynomial {
         IntegerPolynomial::new(terms.map(|(i, c)| c * Integer::from(i)).collect())
     }
 
-    /// The greatest common divisor of the coefficients; 0 for 0.
+    /// The greatest common divisor of the coefficients; 0 for the polynomial 0.
     #[must_use]
     pub fn content(&self) -> Integer {
         self.coefficients.iter().fold(Integer::zero(), |gcd, c| gcd.gcd(c))
     }
 
-    /// This over its content, which keeps the signs.
+    /// This polynomial divided by its content, which keeps the signs.
     fn without_content(&self) -> IntegerPolynomial {
         let content = self.content();
         if content.is_zero() || content == Integer::one() {
@@ -118,16 +119,16 @@ impl IntegerPolynomial {
         IntegerPolynomial { coefficients }
     }
 
-    /// The primitive polynomial of the same roots: no prime divides all of its
-    /// coefficients, and the leading one is positive. 0 for 0.
+    /// The primitive polynomial with the same roots: no prime divides all of its
+    /// coefficients, and the leading coefficient is positive. 0 for the polynomial 0.
     #[must_use]
     pub fn primitive(&self) -> IntegerPolynomial {
         let primitive = self.without_content();
         if primitive.leading().sign() < 0 { -&primitive } else { primitive }
     }
 
-    /// (s, Q, R) with s·self = Q·divisor + R, deg R < deg divisor, and s > 0 a
-    /// power of the leading coefficient's absolute value.
+    /// (s, Q, R) with s·self = Q·divisor + R, deg R < deg divisor, and s > 0 a power of
+    /// |l|, where l is the leading coefficient of `divisor`.
     ///
     /// # Panics
     /// When `divisor` is 0.
@@ -153,8 +154,8 @@ impl IntegerPolynomial {
             if top.is_zero() {
                 continue;
             }
-            // |l|·rest − (±top)·x^shift·divisor has no term at the top, where ± is
-            // the sign of l.
+            // |l|·rest − (±top)·x^shift·divisor has no leading term, where ± is the sign
+            // of l.
             for coefficient in quotient.iter_mut().chain(&mut rest) {
                 *coefficient *= &size;
             }
@@ -168,8 +169,8 @@ impl IntegerPolynomial {
         (scale, IntegerPolynomial::new(quotient), IntegerPolynomial::new(rest))
     }
 
-    /// s·self mod `divisor` over its content, with s > 0: the remainder up to a
-    /// positive factor.
+    /// The remainder of self modulo `divisor` up to a positive factor, divided by its
+    /// content.
     pub(super) fn remainder(&self, divisor: &IntegerPolynomial) -> IntegerPolynomial {
         self.div_rem(divisor).2.without_content()
     }

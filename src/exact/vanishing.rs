@@ -3,9 +3,10 @@
 use super::{Integer, IntegerPolynomial, Rational};
 
 impl IntegerPolynomial {
-    /// Whether a bound on the derivative and the rule of Descartes leave a root between
-    /// `lower` and `upper`: an inexpensive test, that is right when it says no. The roots in
-    /// between are at most the sign changes of the coefficients of (1 + x)^d f((l + ux)/(1 + x)).
+    /// A quick test for roots between l = `lower` and u = `upper`. `false` means that there is
+    /// none; `true` means only that there may be one. It uses a bound on the derivative and
+    /// Descartes' rule of signs: the number of roots in (l, u) is at most the number of sign
+    /// changes in the coefficients of (1 + x)^d f((l + ux)/(1 + x)).
     ///
     /// ```
     /// use subcert::exact::{IntegerPolynomial, Rational};
@@ -21,7 +22,7 @@ impl IntegerPolynomial {
         }
         let (a, b) = (lower.denominator(), upper.denominator());
         let (low, high) = (lower.numerator() * &b, upper.numerator() * &a);
-        // f((low + high·x)/(ab(1 + x))), its denominator cleared.
+        // f((low + high·x)/(ab(1 + x))) times the denominator.
         let top = IntegerPolynomial::new(vec![low, high]);
         let bottom = IntegerPolynomial::new(vec![&a * &b, a * b]);
         let mut scale = IntegerPolynomial::from([1]);
@@ -35,8 +36,9 @@ impl IntegerPolynomial {
         signs.windows(2).any(|pair| pair[0] != pair[1])
     }
 
-    /// Whether |f(m)| > h·Σ i|c_i|b^(i−1), with m the middle of an interval, h half its
-    /// length and b ≥ |x| in it: that is more than f can fall by. True for most short ones.
+    /// Whether |f(m)| > h·Σ i|c_i|b^(i−1), where m is the midpoint of the interval, h half
+    /// its length, and b ≥ |x| on it. Then f has no root in the interval, as the right side
+    /// bounds |f(x) − f(m)|. The test succeeds on most short intervals.
     fn keeps_away(&self, lower: &Rational, upper: &Rational) -> bool {
         let (middle, half) =
             ((lower + upper) / Rational::from(2), (upper - lower) / Rational::from(2));

@@ -1,6 +1,6 @@
 //! Arithmetic of machine words: fractions p/q in lowest terms, q > 0.
 
-/// The greatest common divisor, by division of even numbers by 2.
+/// The greatest common divisor, by the binary algorithm.
 pub(super) fn gcd(mut a: u64, mut b: u64) -> u64 {
     if a == 0 || b == 0 {
         return a | b;
@@ -23,13 +23,13 @@ pub(super) fn bits(value: i64) -> u64 {
 fn over(value: i128, divisor: u64) -> i128 {
     match (i64::try_from(value), i64::try_from(divisor)) {
         (_, Ok(1)) => value,
-        // A machine division; one of 128 bits is some ten times slower.
+        // A 64-bit division; a 128-bit division is about ten times slower.
         (Ok(value), Ok(divisor)) if divisor > 0 => (value / divisor).into(),
         _ => value / i128::from(divisor),
     }
 }
 
-/// The greatest common divisor of a number of 128 bits and a word, not 0.
+/// The greatest common divisor of `value` and `word` ≠ 0.
 fn common(value: i128, word: u64) -> u64 {
     let rest = match u64::try_from(value.unsigned_abs()) {
         Ok(value) => value,
@@ -53,7 +53,8 @@ pub(super) fn sum((p, q): (i128, i64), (r, s): (i128, i64)) -> (i128, i128) {
     }
     let (q, cofactor) = (over(q.into(), divisor), over(s.into(), divisor));
     let numerator = p * cofactor + r * q;
-    // What the numerator shares with the least common denominator divides the divisor.
+    // Every common factor of the numerator and the least common denominator divides
+    // `divisor`.
     let shared = common(numerator, divisor);
     (over(numerator, shared), q * over(s.into(), shared))
 }

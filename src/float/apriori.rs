@@ -1,4 +1,4 @@
-//! A proven bound, in advance, on the error of an f64 computation.
+//! A priori bounds on the error of f64 computations.
 
 use super::convert::{exact, nearest};
 use super::upward::{add_up, div_up, mul_up, sub_down};
@@ -11,20 +11,21 @@ const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
 /// η = 2^−1074, the least positive f64.
 const LEAST: f64 = f64::from_bits(1);
 
-/// An exact value x with an e such that |x̃ − x| ≤ e for the f64 x̃ which the same
-/// operations, in the same order, compute from the same numbers, each converted to
-/// the nearest f64 first. Exact values are rational, or of another type of real numbers.
+/// An exact value x, and a number e with |x̃ − x| ≤ e. Here x̃ is the f64 that the same
+/// operations, in the same order, compute from the same numbers after each has been
+/// converted to the nearest f64. Exact values are rational, or of another type of real
+/// numbers.
 ///
-/// A generic algorithm over [`Real`] that runs on f64 and on this type performs the
-/// same operations on both (provided that it does not branch on values, as those of
-/// [`bound`](crate::bound) do not). By induction over the operations its f64 results
-/// lie within e of the exact ones. It is a bound in advance: no f64 result is looked
-/// at, only exact operands and bounds. e = ∞ promises nothing (x̃ may be NaN).
+/// A generic algorithm over [`Real`] performs the same operations on f64 and on this
+/// type, provided that it does not branch on values; the algorithms of
+/// [`bound`](crate::bound) do not. By induction over the operations, its f64 results lie
+/// within e of the exact ones. The bound is a priori: it is computed from exact operands
+/// and bounds only, never from an f64 result. e = ∞ gives no information; x̃ may be NaN.
 ///
-/// **Rounding.** Let z̃ be the exact result of one operation on the f64 operands, z
-/// the exact result on the exact operands, and |z̃ − z| ≤ d. The f64 result is fl(z̃),
-/// and |fl(z̃) − z̃| ≤ max(u|z̃|, η/2) with u = 2^−53, η = 2^−1074, unless it
-/// overflows, which it does not while |z̃| is at most the greatest f64. As
+/// **Rounding.** Let z̃ be the exact result of one operation on the f64 operands, z the
+/// exact result on the exact operands, and |z̃ − z| ≤ d. The f64 result is fl(z̃), and
+/// |fl(z̃) − z̃| ≤ max(u|z̃|, η/2) with u = 2^−53, η = 2^−1074, unless it overflows. It
+/// does not overflow if |z̃| is at most the greatest f64. As
 /// |z̃| ≤ m := |z| + d, the new error is at most e = d + max(u·m, η), and ∞ when m is
 /// beyond the greatest f64. When d = 0 and z is itself an f64, z̃ = z = fl(z̃): e = 0.
 ///
@@ -37,11 +38,12 @@ const LEAST: f64 = f64::from_bits(1);
 /// | x·y | \|x\|e_y + \|y\|e_x + e_x e_y | x̃ỹ − xy = x(ỹ−y) + y(x̃−x) + (x̃−x)(ỹ−y) |
 /// | x/y | (e_x + \|x/y\|e_y)/(\|y\| − e_y) | x̃/ỹ − x/y = ((x̃−x) − (x/y)(ỹ−y))/ỹ |
 ///
-/// where the quotient has e = ∞ unless |y| > e_y. The magnitude, the negative, a sum
-/// with the exact 0 and a product with the exact 0 or ±1 do not round. The greater
-/// of two has the greater of the errors, since max is 1-Lipschitz in the maximum norm.
+/// where the quotient has e = ∞ unless |y| > e_y. The magnitude, the negative, a sum with
+/// an exact 0 and a product with an exact 0 or ±1 do not round. The error of the maximum
+/// of two numbers is at most the greater of their errors, since max is 1-Lipschitz in the
+/// maximum norm.
 ///
-/// Every bound is an f64 that was rounded upwards after each operation.
+/// All bounds are computed in f64, rounded upwards after each operation.
 ///
 /// ```
 /// use subcert::exact::{Rational, Scalar};
@@ -74,25 +76,25 @@ impl<V> Tracked<V> {
 }
 
 impl<V: Real + Value + Enclosed> Tracked<V> {
-    /// `value`, converted to the nearest f64.
+    /// The number `value`, converted to the nearest f64.
     #[must_use]
     pub fn nearest(value: V) -> Tracked<V> {
         Tracked::rounded(value, 0.0)
     }
 
-    /// The result of an operation whose exact result is `value` and, on the f64
-    /// operands, is off by at most `before`: see Rounding above.
+    /// The result of an operation, where `value` is z and `before` is d in the notation
+    /// of "Rounding" above.
     fn rounded(value: V, before: f64) -> Tracked<V> {
         if before == 0.0 && is_float(&value) {
             return Tracked { value, error: 0.0 };
         }
         let size = add_up(above(&value), before);
-        // An infinite size makes this infinite.
+        // If `size` is infinite, so is the error.
         let error = add_up(before, mul_up(UNIT_ROUNDOFF, size).max(LEAST));
         Tracked { value, error }
     }
 
-    /// Whether the f64 is surely 0.
+    /// Whether the f64 is certainly 0.
     fn is_exactly_zero(&self) -> bool {
         self.error == 0.0 && self.value.vanishes() == Some(true)
     }
@@ -101,14 +103,15 @@ impl<V: Real + Value + Enclosed> Tracked<V> {
         Tracked { value: V::zero().minus(&self.value), error: self.error }
     }
 
-    /// self·other when self is 0 or ±1 and carries no error.
+    /// self·other if self is 0 or ±1 without error.
     fn trivial_product(&self, other: &Tracked<V>) -> Option<Tracked<V>> {
         if self.error != 0.0 {
             return None;
         }
         let factor = self.value.as_rational()?;
         if factor.is_zero() {
-            // 0·x̃ = 0 for every finite x̃; without a bound it may be 0·∞.
+            // 0·x̃ = 0 for every finite x̃. If the error of x is infinite, the product
+            // may be 0·∞.
             let error = if other.error.is_finite() { 0.0 } else { f64::INFINITY };
             Some(Tracked { value: V::zero(), error })
         } else if factor == Rational::one() {
@@ -178,8 +181,8 @@ impl<V: Real + Value + Enclosed> Real for Tracked<V> {
 fn is_float(value: &impl Value) -> bool {
     let Some(value) = value.as_rational() else { return false };
     match small(&value) {
-        // Below 2^127, with a power of two of at most 2^126 below it: an f64 if the
-        // odd part of p has at most 53 bits.
+        // p < 2^127, and q is a power of two, at most 2^126. So p/q is an f64 exactly if
+        // the odd part of p has at most 53 bits.
         Some((p, q)) => {
             q.is_power_of_two() && (p == 0 || p >> p.trailing_zeros() < 1 << f64::MANTISSA_DIGITS)
         }
@@ -187,12 +190,12 @@ fn is_float(value: &impl Value) -> bool {
     }
 }
 
-/// An f64 that is not below |x|.
+/// An f64 that is at least |x|.
 ///
-/// For |x| = p/q with p, q < 2^127 the machine computes r = fl(fl(p)/fl(q)) with
-/// three roundings by relative errors of at most u, so that p/q ≤ r(1+u)/(1−u)²
-/// ≤ r(1+4u) and p/q ≥ r(1−u)/(1+u)² ≥ r(1−4u). Nothing underflows. Otherwise |x|
-/// lies between the neighbours of the f64 nearest to it.
+/// For |x| = p/q with p, q < 2^127 the machine computes r = fl(fl(p)/fl(q)) with three
+/// roundings by relative errors of at most u, so that p/q ≤ r(1+u)/(1−u)² ≤ r(1+4u) and
+/// p/q ≥ r(1−u)/(1+u)² ≥ r(1−4u). Nothing underflows. For other x, |x| lies between the
+/// two neighbours of its nearest f64.
 fn above(value: &(impl Value + Enclosed)) -> f64 {
     match quotient(value) {
         Some(r) => mul_up(r, 1.0 + 4.0 * UNIT_ROUNDOFF),
@@ -200,7 +203,7 @@ fn above(value: &(impl Value + Enclosed)) -> f64 {
     }
 }
 
-/// An f64 that is not above |x|: see [`above`].
+/// An f64 that is at most |x|; see [`above`].
 fn below(value: &(impl Value + Enclosed)) -> f64 {
     match quotient(value) {
         Some(r) => (r * (1.0 - 4.0 * UNIT_ROUNDOFF)).next_down().max(0.0),
@@ -213,7 +216,7 @@ fn quotient(value: &impl Value) -> Option<f64> {
     small(&value.as_rational()?).map(|(p, q)| p as f64 / q as f64)
 }
 
-/// (p, q) of |value| = p/q when both are below 2^127.
+/// (p, q) with |value| = p/q, if both are below 2^127.
 fn small(value: &Rational) -> Option<(u128, u128)> {
     let p = value.numerator().to_i128()?.unsigned_abs();
     let q = value.denominator().to_i128()?.unsigned_abs();

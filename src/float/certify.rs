@@ -9,21 +9,21 @@ use crate::exact::Rational;
 use crate::scheme::{Mask, Scheme};
 use std::collections::BTreeMap;
 
-/// The most steps, n^c·(N+2)·N, of a walk over exact values with error bounds. For
-/// greater c the f64 constants still have their exact values beside them, but no
-/// bound in advance.
+/// The cap on the number n^c·(N+2)·N of steps of a walk over exact values with error
+/// bounds. For greater c, the f64 constants are compared with their exact values, but
+/// have no a priori bound.
 pub const MAX_TRACKED_STEPS: u64 = 20_000;
 
-/// What [`certify`] computes.
+/// The options of [`certify`].
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CertifyOptions {
     /// The greatest block length c of T_c and Λ_c; 4 by default.
     pub max_block: u32,
-    /// The k of the error bounds σβ C^k/(1 − C); 1, 5, 10 by default.
+    /// The levels k of the error bounds σβ C^k/(1 − C); 1, 5, 10 by default.
     pub levels: Vec<u32>,
     /// β > 0, the largest difference of the control polygon; 1 by default.
     pub spread: Rational,
-    /// The ε > 0 of the depths; 10^−2, 10^−4, 10^−8 by default.
+    /// The tolerances ε > 0 of the depths; 10^−2, 10^−4, 10^−8 by default.
     pub tolerances: Vec<Rational>,
 }
 
@@ -38,14 +38,14 @@ impl Default for CertifyOptions {
     }
 }
 
-/// The f64 computation of a scheme, held against the exact one.
+/// The constants of a scheme in f64, compared with the exact constants.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Certification {
-    /// Every number.
+    /// All quantities.
     pub quantities: Vec<Quantity>,
-    /// Every depth, by block length, then by tolerance.
+    /// All depths, in the order of the block lengths and then of the tolerances.
     pub depths: Vec<DepthDecision>,
-    /// The greatest c that has a bound in advance.
+    /// The greatest c with a priori bounds.
     pub tracked_block: u32,
 }
 
@@ -64,13 +64,13 @@ impl Certification {
 /// Here C = T_c for a curve, and for a tensor product the greater of the T_cΛ_c
 /// along the two directions, with the factor of a surface in place of σ.
 ///
-/// An f64 result that is NaN, infinite or on the wrong side of 1 is a finding and
-/// stands in the answer.
+/// An f64 result that is NaN, infinite or on the wrong side of 1 is a finding, not an
+/// error: it is part of the result.
 ///
 /// # Errors
-/// When there are too many residue classes, or the norms take more than [`MAX_STEPS`](super::MAX_STEPS) steps, a
-/// tolerance or the spread is not
-/// positive, or a level is too high.
+/// When there are too many residue classes, or the norms take more than
+/// [`MAX_STEPS`](super::MAX_STEPS) steps, a tolerance or the spread is not positive, or a level is
+/// too high.
 ///
 /// ```
 /// use subcert::exact::Rational;
@@ -89,11 +89,12 @@ pub fn certify(scheme: &Scheme, options: &CertifyOptions) -> Result<Certificatio
     check(options)?;
     let CertifyOptions { max_block, levels, spread, tolerances } = options;
     let tracked_block = tracked_block(scheme, *max_block);
-    // First the one that may have to refuse.
+    // The f64 path comes first, as it may exceed a cap.
     let mut float = Outcome::<f64>::constants(scheme, *max_block)?;
     let mut ideal = Outcome::<Rational>::constants(scheme, *max_block)?;
     let mut tracked = Outcome::<Tracked>::constants(scheme, tracked_block)?;
-    // One list for all: what exists is decided by the exact values.
+    // The exact values decide which bounds exist, so that all three lists have the same
+    // entries.
     let contracts: Vec<bool> = ideal.ratios.iter().map(|ratio| *ratio < Rational::one()).collect();
     ideal.add_bounds(spread, levels, &contracts);
     float.add_bounds(spread, levels, &contracts);

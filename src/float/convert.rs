@@ -1,4 +1,4 @@
-//! Exact numbers to f64 and back.
+//! Conversion between exact numbers and f64.
 
 use crate::exact::{Enclosed, Integer, Rational, Real};
 use std::cmp::Ordering;
@@ -6,17 +6,17 @@ use std::cmp::Ordering;
 /// 2^`LEAST_EXPONENT` is the least positive f64.
 const LEAST_EXPONENT: i64 = -1074;
 
-/// The binary digits of the fraction field of an f64.
+/// The number of bits of the fraction field of an f64.
 const FRACTION_BITS: u32 = 52;
 
-/// The f64 nearest to `value`; of two equally near ones, the one with the even
-/// last bit. Beyond the greatest f64 by half a unit in its last place or more, an
+/// The f64 nearest to `value`; of two equally near ones, the one with the even last bit.
+/// A value beyond the greatest f64 by half a unit in its last place or more gives an
 /// infinity. A negative value that rounds to 0 gives −0.
 ///
-/// An irrational value is enclosed until both ends of the enclosure round alike.
+/// The enclosure of an irrational value is refined until both ends round to the same f64.
 ///
-/// Integer arithmetic on p/q throughout, so this is right for subnormal results
-/// too. With 2^E ≤ |value| < 2^{E+1} and s = max(E − 52, −1074), the result is
+/// The computation uses integer arithmetic on p/q only, so it is right for subnormal
+/// results too. With 2^E ≤ |value| < 2^{E+1} and s = max(E − 52, −1074), the result is
 /// m·2^s, where m is |value|/2^s rounded to an integer, half to even.
 ///
 /// ```
@@ -32,7 +32,7 @@ const FRACTION_BITS: u32 = 52;
 /// Never.
 #[must_use]
 pub fn nearest(value: &impl Enclosed) -> f64 {
-    // By their bits, since −0 == 0.
+    // Results are compared by their bits, since −0 == 0.
     f64::from_bits(value.step(|value| nearest_rational(value).to_bits()))
 }
 
@@ -61,15 +61,15 @@ fn nearest_magnitude(p: Integer, q: Integer) -> f64 {
     let (left, right) = scaled(p, q, unit);
     let mantissa = round_half_even(&left, &right);
     let mantissa = mantissa.to_i128().and_then(|m| u64::try_from(m).ok()).expect("m ≤ 2^53");
-    // m·2^s for m < 2^52 only at the least s: the bits of a subnormal are m itself.
-    // Otherwise the hidden bit of m adds 1 to the exponent field s + 1074; and so
-    // does once more the carry to m = 2^53.
+    // m < 2^52 occurs only at the least s; then m itself is the bit pattern of the
+    // subnormal number. Otherwise the hidden bit of m adds 1 to the exponent field
+    // s + 1074. If rounding gives m = 2^53, the carry adds 1 once more.
     let field = u64::try_from(unit - LEAST_EXPONENT).expect("s ≥ −1074");
     let infinity = f64::INFINITY.to_bits();
     f64::from_bits(((field << FRACTION_BITS) + mantissa).min(infinity))
 }
 
-/// p/q / 2^`exponent` as a fraction of integers.
+/// (p/q)/2^`exponent` as a fraction of integers.
 fn scaled(p: Integer, q: Integer, exponent: i64) -> (Integer, Integer) {
     let power = power_of_two(exponent.unsigned_abs());
     if exponent < 0 { (p * power, q) } else { (p, q * power) }
@@ -125,8 +125,7 @@ pub fn exact(value: f64) -> Option<Rational> {
     })
 }
 
-/// The least f64 that is not below `value`: `value` ≤ upper(`value`), with +∞
-/// beyond the greatest f64.
+/// The least f64 that is at least `value`; +∞ beyond the greatest f64.
 ///
 /// ```
 /// use subcert::exact::Rational;
@@ -146,7 +145,7 @@ pub fn upper(value: &Rational) -> f64 {
     }
 }
 
-/// The greatest f64 that is not above `value`.
+/// The greatest f64 that is at most `value`; −∞ below the least f64.
 #[must_use]
 pub fn lower(value: &Rational) -> f64 {
     -upper(&-value)
@@ -169,9 +168,9 @@ pub fn ulp(value: f64) -> Option<Rational> {
 }
 
 /// |`value` − `target`| / ulp(nearest(`target`)), the distance in units in the last
-/// place; at most 1/2 exactly when `value` is a nearest f64 (at a power of two, 1/4
-/// on the side of 0). Beyond the greatest f64, its unit is taken. `None` when
-/// `value` is not finite.
+/// place; at most 1/2 exactly when `value` is a nearest f64 (at a power of two, at most
+/// 1/4 on the side towards 0). For a target beyond the greatest f64, the ulp of the
+/// greatest f64 is used. `None` when `value` is not finite.
 ///
 /// ```
 /// use subcert::exact::Rational;
@@ -187,7 +186,7 @@ pub fn ulps_between<V: Real + Enclosed>(value: f64, target: &V) -> Option<V> {
     Some(distance.over(&V::from_rational(&ulp(near)?)))
 }
 
-/// The shortest decimal that reads back as `value`: `0.1`, `1e-7`, `inf`, `NaN`.
+/// The shortest decimal that is read as `value`: `0.1`, `1e-7`, `inf`, `NaN`.
 #[must_use]
 pub fn shortest(value: f64) -> String {
     format!("{value:?}")

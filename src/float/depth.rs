@@ -1,38 +1,38 @@
-//! Subdivision depths by logarithms in f64, against the exact decision.
+//! Subdivision depths by logarithms in f64, compared with the exact depths.
 
 use super::convert::nearest;
 use crate::bound::{DepthError, MAX_DEPTH, least_level};
 use crate::exact::Rational;
 
-/// The most binary digits of a power that a margin is computed with.
+/// The greatest number of binary digits of a power in the computation of a margin.
 const MAX_MARGIN_BITS: u64 = 1 << 20;
 
-/// One depth: the least k with σβ C^k/(1 − C) ≤ ε, decided twice.
+/// One depth, the least k with σβ C^k/(1 − C) ≤ ε, computed in f64 and exactly.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DepthDecision {
-    /// The block length c of the constant C. One k counts one block, as the papers
-    /// print it: for c ≥ 2 it stands for c levels. What holds level by level is
-    /// [`SoundBound`](crate::bound::SoundBound).
+    /// The block length c of the constant C. k counts blocks of c levels, as in the
+    /// papers. For a bound level by level, see [`SoundBound`](crate::bound::SoundBound).
     pub block: u32,
     /// ε.
     pub tolerance: Rational,
     /// The f64 value of ln(ε(1−C)/(σβ))/ln C before it is rounded up; it may be NaN
     /// or infinite.
     pub logarithm: f64,
-    /// The f64 decision; `None` when C ≥ 1, or there is no number, or it is beyond
+    /// The f64 depth; `None` when C ≥ 1, the logarithm is NaN, or the depth is beyond
     /// [`MAX_DEPTH`].
     pub float: Option<u32>,
-    /// The exact decision, or why there is none.
+    /// The exact depth, or the reason why there is none.
     pub exact: Result<u32, DepthError>,
-    /// Whether the two agree, where no depth agrees with no depth; `None` when the
-    /// exact one is beyond the caps, so that nothing can be said.
+    /// Whether both results agree; they also agree if neither gives a depth. `None` when
+    /// the exact depth is beyond the caps.
     pub agree: Option<bool>,
-    /// How near the exact decision is to another one; `None` without a decision, or
-    /// when the powers are beyond 2^20 binary digits.
+    /// How close the exact depth is to another one; `None` without an exact depth, or
+    /// when the powers have more than 2^20 binary digits.
     pub margin: Option<Margin>,
 }
 
-/// How far an exact depth k is from flipping.
+/// How close the bounds at the levels k and k − 1 are to the tolerance, for an exact
+/// depth k.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Margin {
     /// bound(k)/ε ≤ 1.
@@ -41,12 +41,12 @@ pub struct Margin {
     pub before: Option<Rational>,
 }
 
-/// The depth as a programmer computes it: ⌈ln(ε(1−C)/(σβ))/ln C⌉, at least 0, all in
-/// f64. Returns the quotient before it is rounded, and the decision: `None` when C is
-/// not below 1, a NaN comes out, or the depth is beyond [`MAX_DEPTH`].
+/// The depth as a programmer computes it: ⌈ln(ε(1−C)/(σβ))/ln C⌉, at least 0, all in f64.
+/// Returns the quotient before it is rounded, and the depth: `None` when C is not below
+/// 1, the quotient is NaN, or the depth is beyond [`MAX_DEPTH`].
 ///
-/// Unlike +, −, ·, / the logarithm of the standard library is not correctly rounded,
-/// and may differ from one platform to another in the last place.
+/// Unlike +, −, ·, /, the logarithm of the standard library is not correctly rounded. Its
+/// last digits may depend on the platform.
 ///
 /// ```
 /// use subcert::float::float_depth;
@@ -66,7 +66,7 @@ pub fn float_depth(sigma: f64, spread: f64, ratio: f64, tolerance: f64) -> (f64,
     (quotient, decision)
 }
 
-/// The f64 factor and ratio, and the exact ones.
+/// The factor σ and the ratio C of a bound, in f64 and exactly.
 pub(super) struct Bound<'a> {
     pub block: u32,
     pub spread: &'a Rational,

@@ -1,4 +1,4 @@
-//! Why nothing is certified, and the caps.
+//! Errors and caps of the certification.
 
 use crate::bound::ClassCap;
 use crate::exact::Rational;
@@ -6,17 +6,17 @@ use crate::exact::Rational;
 /// The greatest level k whose error bound is computed.
 pub const MAX_CERTIFIED_LEVEL: u32 = 1_000;
 
-/// The most steps for the norms of powers, in each of the arithmetics.
+/// The cap on steps for the norms of powers, in each arithmetic.
 pub const MAX_STEPS: u64 = 2_000_000_000;
 
-/// Why nothing is certified.
+/// Why a scheme is not certified.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CertifyError {
     /// Too many residue classes.
     #[error(transparent)]
     Classes(#[from] ClassCap),
-    /// The f64 path visits every residue class, and these are too many for so many steps.
+    /// Visiting every residue class in f64 takes more steps than the cap.
     #[error(
         "the f64 path visits every residue class, which up to c = {levels} takes more than the \
          cap of {steps} steps; take a smaller number of levels"
@@ -30,9 +30,9 @@ pub enum CertifyError {
     /// A spread or a tolerance that is not positive.
     #[error("{what} must be positive, and is {value}")]
     NotPositive {
-        /// Which of the two.
+        /// What must be positive.
         what: &'static str,
-        /// What it is.
+        /// Its value.
         value: Rational,
     },
     /// A level beyond [`MAX_CERTIFIED_LEVEL`].

@@ -1,22 +1,22 @@
-//! f64 as hexadecimal text, which loses nothing and rounds nowhere.
+//! f64 as hexadecimal text, without any rounding.
 
 use super::convert::{binary, nearest, parts};
 use crate::exact::{Integer, Rational};
 
-/// The most hexadecimal digits that are read.
+/// The greatest number of hexadecimal digits.
 const MAX_HEX_DIGITS: usize = 2_000;
 
-/// The largest binary exponent, in absolute value, that is read.
+/// The largest absolute value of the binary exponent.
 const MAX_BINARY_EXPONENT: i64 = 20_000;
 
 /// Why a text is not a hexadecimal float.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum HexadecimalError {
-    /// It does not have the form `[-]0xh.hhhp±d`.
+    /// The text does not have the form `[-]0xh.hhhp±d`.
     #[error("`{0}` is not a hexadecimal float; write one such as -0x1.8p-3, inf or nan")]
     Form(String),
-    /// It is longer, or its exponent larger, than any that is read.
+    /// The text has too many digits, or too large an exponent.
     #[error(
         "a hexadecimal float beyond the caps: at most {MAX_HEX_DIGITS} digits and an exponent \
          up to {MAX_BINARY_EXPONENT}"
@@ -52,12 +52,12 @@ pub fn hexadecimal(value: f64) -> String {
     format!("{sign}0x{}{point}{digits}p{exponent:+}", mantissa >> 52)
 }
 
-/// Reads what [`hexadecimal`] writes, and any `[±]0xhh.hhhp±d` (upper or lower
-/// case, the exponent may be left out), `inf` or `nan`; rounded to the nearest f64
-/// where it has more digits than fit.
+/// Reads the text of [`hexadecimal`], and any `[±]0xhh.hhhp±d` (in upper or lower case,
+/// with or without the exponent), `inf` or `nan`. A number with more digits than an f64
+/// is rounded to the nearest f64.
 ///
 /// # Errors
-/// When the text has another form, or is beyond the caps.
+/// When the text has another form, or exceeds the caps.
 ///
 /// ```
 /// use subcert::float::parse_hexadecimal;
@@ -84,7 +84,7 @@ pub fn parse_hexadecimal(text: &str) -> Result<f64, HexadecimalError> {
     Ok(if negative { -magnitude } else { magnitude })
 }
 
-/// The value of `hh.hhhp±d`; `Ok(None)` when it has another form.
+/// The value of a text `hh.hhhp±d`; `Ok(None)` when the text has another form.
 fn magnitude(body: &str) -> Result<Option<Rational>, HexadecimalError> {
     let (digits, power) = match body.split_once(['p', 'P']) {
         Some((digits, power)) => (digits, Some(power)),
@@ -112,7 +112,7 @@ fn magnitude(body: &str) -> Result<Option<Rational>, HexadecimalError> {
     Ok((count > 0).then(|| binary(mantissa, power - 4 * places)))
 }
 
-/// A signed decimal integer; one too large for an i64 as the greatest.
+/// A signed decimal integer. One beyond `i64` is replaced by ±`i64::MAX`.
 fn exponent(text: &str) -> Option<i64> {
     let digits = text.strip_prefix(['-', '+']).unwrap_or(text);
     if digits.is_empty() || !digits.bytes().all(|byte| byte.is_ascii_digit()) {

@@ -1,4 +1,5 @@
-//! The constants of a ring in f64, with their true errors and proven bounds on them.
+//! The constants of a ring in f64, with their true errors and proven bounds of these
+//! errors.
 
 use super::apriori::Tracked;
 use super::certify::MAX_TRACKED_STEPS;
@@ -8,12 +9,13 @@ use crate::bound::{LocalConstants, LocalWork, displaced_rows, power_rows};
 use crate::exact::{Rational, Real, RealCyclotomic};
 use crate::scheme::{LocalRules, Representatives};
 
-/// The f64 computation of a ring, held against the exact one.
+/// The constants of a ring in f64, compared with the exact constants.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LocalCertification {
-    /// The weights of one new point of each class, T_c, Λ_c and σ.
+    /// The weights of the representatives of the new points under the rotation, T_c, Λ_c
+    /// and σ.
     pub quantities: Vec<Quantity<RealCyclotomic>>,
-    /// The greatest c that has a bound in advance.
+    /// The greatest c with a priori bounds.
     pub tracked_block: u32,
 }
 
@@ -26,15 +28,16 @@ impl LocalCertification {
 }
 
 /// Computes the constants of a ring in f64, exactly, and with a proven bound on the
-/// error, for c = 1, …, `max_block`: the weights rounded to nearest, M^c by repeated
-/// products, and from its rows Λ_c, T_c and σ.
+/// error, for c = 1, …, `max_block`. The f64 path rounds the weights to nearest, computes
+/// rows of M^c by repeated products, and from these rows Λ_c, T_c and σ.
 ///
-/// Each norm ‖w‖_* is Σ_a w_a P_a in f64, where P are integer heights that attain the
-/// norm of the exact w; they come from the exact path, so that no decision is made on
-/// rounded numbers, and [`Tracked`] applies.
+/// In f64, each norm ‖w‖_* is computed as Σ_a w_a P_a, where the integer heights P attain
+/// the norm of the exact w. The heights come from the exact path. So no decision depends
+/// on rounded numbers, and [`Tracked`] applies.
 ///
 /// # Errors
-/// When the powers of M are too much work.
+/// When the work for the powers of M is above
+/// [`MAX_LOCAL_WORK`](crate::bound::MAX_LOCAL_WORK).
 ///
 /// ```
 /// use subcert::float::certify_local_rules;
@@ -79,7 +82,7 @@ struct Constants<S> {
 }
 
 impl Constants<RealCyclotomic> {
-    /// What the exact path has found.
+    /// The constants from the exact path.
     fn known(
         exact: &LocalConstants,
         ring: &LocalRules,
@@ -140,7 +143,7 @@ fn weights<S: Clone>(ring: &LocalRules<S>, chosen: &Representatives) -> Vec<S> {
     chosen.points.iter().flat_map(|&a| ring.weights().row(a).cloned()).collect()
 }
 
-/// The greatest Σ_b w_b P_b of functionals w with heights P.
+/// The greatest Σ_b w_b P_b over the functionals w, each with its heights P.
 fn greatest<'a, S: Real>(functionals: &[Vec<S>], heights: impl Iterator<Item = &'a [i64]>) -> S {
     let value = |(w, heights): (&Vec<S>, &[i64])| {
         w.iter().zip(heights).fold(S::zero(), |sum, (w, &height)| {
@@ -150,7 +153,7 @@ fn greatest<'a, S: Real>(functionals: &[Vec<S>], heights: impl Iterator<Item = &
     S::maximum(functionals.iter().zip(heights).map(value))
 }
 
-/// The greatest c up to `max_block` whose products stay within [`MAX_TRACKED_STEPS`].
+/// The greatest c ≤ `max_block` whose products stay within [`MAX_TRACKED_STEPS`].
 fn tracked_block(ring: &LocalRules, chosen: &Representatives, max_block: u32) -> u32 {
     let rows = (chosen.points.len() + 2 * chosen.edges.len()) as u64;
     let steps = rows.saturating_mul(ring.product_count() as u64);

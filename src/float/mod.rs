@@ -1,21 +1,21 @@
-//! The same computations in plain f64, and their certification.
+//! The constants of schemes in plain f64, and the certification of the results.
 //!
-//! Everything before this module is exact. Here the algorithms of [`bound`](crate::bound)
-//! run over machine floats, as a graphics programmer would write them, and the
-//! results are held against the exact ones: with the true error, and with a bound
-//! on it that is proven in advance.
+//! Everything that this module builds on is exact. Here the algorithms of
+//! [`bound`](crate::bound) run on machine floats, as in a graphics program. Each result
+//! is compared with the exact value: the true error is computed, and a bound of the error
+//! is proven a priori.
 //!
 //! | item | what it is |
 //! |---|---|
-//! | [`nearest`], [`exact`], [`upper`], [`lower`], [`ulp`], [`ulps_between`] | from exact numbers to f64 and back |
+//! | [`nearest`], [`exact`], [`upper`], [`lower`], [`ulp`], [`ulps_between`] | conversion between exact numbers and f64 |
 //! | [`shortest`], [`hexadecimal`], [`parse_hexadecimal`] | f64 as text |
 //! | `f64` as [`Real`](crate::exact::Real) | the arithmetic of the machine |
 //! | [`Tracked`] | an exact value with a proven bound on the error of the f64 computation |
-//! | [`certify`], [`certify_local_rules`] | every constant of a scheme in f64, exactly, and with that bound |
+//! | [`certify`], [`certify_local_rules`] | every constant of a scheme in f64, exactly, and with this bound |
 //!
-//! The f64 operations +, −, ·, / are those of IEEE 754, rounded to nearest, one
-//! by one: Rust neither reorders nor fuses them. (The one exception is the legacy
-//! x87 unit of 32-bit x86 targets without SSE2.)
+//! The f64 operations +, −, ·, / are those of IEEE 754, each rounded to nearest. Rust
+//! neither reorders nor fuses them. (The only exception is the legacy x87 unit of 32-bit
+//! x86 targets without SSE2.)
 
 mod apriori;
 mod certify;

@@ -1,4 +1,4 @@
-//! The constants of a scheme, in any arithmetic: one list of named values.
+//! The constants of a scheme in any arithmetic, as a list of named values.
 
 use super::apriori::Tracked;
 use super::error::{CertifyError, MAX_STEPS};
@@ -9,14 +9,14 @@ use crate::bound::{
 use crate::exact::{Rational, Real};
 use crate::scheme::{Mask, Rules, Scheme};
 
-/// A number type with its own way to the norms of powers.
+/// A number type with its own method for the norms of powers.
 pub(super) trait Arithmetic: Real {
     /// ‖Rᶜ‖_∞ for c = 1, …, `levels`, in the adjoint order.
     fn norms(rules: &Rules<Self>, levels: u32, budget: &Budget) -> Result<Vec<Self>, CertifyError>;
 }
 
 impl Arithmetic for Rational {
-    /// The exact path, on integers.
+    /// The exact path, by [`PowerSearch`].
     fn norms(
         rules: &Rules<Rational>,
         levels: u32,
@@ -43,7 +43,8 @@ impl Arithmetic for Tracked {
     }
 }
 
-/// The norms by visiting every residue class, the greatest c first: too many are refused at once.
+/// The norms by visiting every residue class. The greatest c comes first, so that too many
+/// classes are refused at once.
 fn walked<S: Real>(rules: &Rules<S>, levels: u32, budget: &Budget) -> Result<Vec<S>, CertifyError> {
     let norm = |c| {
         ClassCap::check(rules.arity(), c)?;
@@ -57,13 +58,14 @@ fn walked<S: Real>(rules: &Rules<S>, levels: u32, budget: &Budget) -> Result<Vec
     Ok(norms)
 }
 
-/// Named values, and those that a depth is computed from.
+/// Named values, and the values from which depths are computed.
 pub(super) struct Outcome<S> {
     /// Every quantity, in the order of the report.
     pub named: Vec<(String, S)>,
     /// σ, or the factor of a surface.
     pub factor: S,
-    /// T_c, or for a surface the greater T_cΛ_c of the two directions, from c = 1.
+    /// For c = 1, 2, …: T_c for a curve; for a surface, T_cΛ_c in the direction where it
+    /// is greater.
     pub ratios: Vec<S>,
 }
 
@@ -106,8 +108,8 @@ impl<S: Arithmetic> Outcome<S> {
         }
     }
 
-    /// Adds the error bounds σβ C^k/(1 − C) at the levels k, for every block length
-    /// c = 1, 2, … of which `contracts` says that the exact C is below 1.
+    /// Adds the error bounds σβ C^k/(1 − C) at the levels k, for every block length c =
+    /// 1, 2, … for which `contracts` is true, that is, the exact C is below 1.
     pub(super) fn add_bounds(&mut self, spread: &Rational, levels: &[u32], contracts: &[bool]) {
         let spread = S::from_rational(spread);
         for (c, (ratio, contracts)) in (1..).zip(self.ratios.iter().zip(contracts)) {
@@ -119,7 +121,7 @@ impl<S: Arithmetic> Outcome<S> {
     }
 }
 
-/// σβ·C^k/(1 − C), the power by k multiplications.
+/// σβ·C^k/(1 − C), where the power takes k multiplications.
 fn error_bound<S: Real>(sigma: &S, spread: &S, ratio: &S, k: u32) -> S {
     let one = S::from_rational(&Rational::one());
     let power = (0..k).fold(one.clone(), |power, _| power.times(ratio));

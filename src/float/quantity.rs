@@ -1,15 +1,15 @@
-//! One number in f64 beside its exact value.
+//! A number in f64, compared with its exact value.
 
 use super::convert::{exact, nearest, ulps_between};
 use crate::exact::{Enclosed, Rational, Real};
 
-/// One number computed in f64, and what is known of it.
+/// A number computed in f64, with its exact value, its error and a bound of the error.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Quantity<V = Rational> {
-    /// What it is: `b[β][j]`, `T_c`, `Lambda_c`, `T_c*Lambda_c`, `sigma`,
-    /// `sigma(o=0)`, `surface factor`, `error(c=…, k=…)`; for a tensor product those
-    /// of one direction begin with `first ` or `second `. Of a ring, `m[a][b]` with the
-    /// names of points, `T_c`, `Lambda_c` and `sigma`.
+    /// The name: `b[β][j]`, `T_c`, `Lambda_c`, `T_c*Lambda_c`, `sigma`, `sigma(o=0)`,
+    /// `surface factor` or `error(c=…, k=…)`. For a tensor product, the names for one
+    /// direction begin with `first ` or `second `. For a ring, `m[a][b]` with the names
+    /// of points, `T_c`, `Lambda_c` or `sigma`.
     pub name: String,
     /// The f64 result; it may be NaN or infinite.
     pub value: f64,
@@ -19,12 +19,11 @@ pub struct Quantity<V = Rational> {
     pub error: Option<V>,
     /// The error in units in the last place of the nearest f64.
     pub ulps: Option<V>,
-    /// The bound on the error, proven in advance: see [`Tracked`](super::Tracked). Infinite when
-    /// nothing can be promised; `None` beyond
-    /// [`MAX_TRACKED_STEPS`](super::MAX_TRACKED_STEPS).
+    /// The a priori bound of the error; see [`Tracked`](super::Tracked). Infinite when nothing
+    /// is proven; `None` beyond [`MAX_TRACKED_STEPS`](super::MAX_TRACKED_STEPS).
     pub bound: Option<f64>,
-    /// error/bound, from 0 to 1: how much of the bound the true error takes up.
-    /// `None` where there is no bound, or it is 0 or infinite.
+    /// error/bound, from 0 to 1. `None` without a finite error, and when the bound is
+    /// missing, 0 or infinite.
     pub tightness: Option<f64>,
 }
 
@@ -42,8 +41,8 @@ impl<V: Real + Enclosed + PartialOrd> Quantity<V> {
         Quantity { name, value, exact: target, error, ulps, bound, tightness }
     }
 
-    /// Whether the true error is within the bound, decided exactly; `None` without a
-    /// bound. It always is: `Some(false)` would refute the proof of [`Tracked`](super::Tracked).
+    /// Whether the true error is within the bound, decided exactly; `None` without a bound.
+    /// `Some(false)` would refute the proof of [`Tracked`](super::Tracked).
     #[must_use]
     pub fn encloses(&self) -> Option<bool> {
         let bound = self.bound?;

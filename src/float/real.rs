@@ -3,9 +3,9 @@
 use super::convert::nearest;
 use crate::exact::{Rational, Real, Scalar};
 
-/// Each operation is the one of IEEE 754, rounded to nearest. What is a ring only
-/// up to rounding: sums depend on their order, and overflow gives infinities and
-/// NaN, never a panic.
+/// The operations are those of IEEE 754, rounded to nearest. They form a ring only up to
+/// rounding: sums depend on their order. Overflow gives infinities and NaN, never a
+/// panic.
 ///
 /// ```
 /// use subcert::exact::{Rational, Scalar};
@@ -14,7 +14,7 @@ use crate::exact::{Rational, Real, Scalar};
 /// assert_eq!(f64::total(&[tenth; 10]), 0.999_999_999_999_999_9);
 /// ```
 impl Scalar for f64 {
-    /// The nearest f64, as of a literal in source code.
+    /// The nearest f64, as for a literal in source code.
     fn from_rational(value: &Rational) -> f64 {
         nearest(value)
     }
@@ -32,7 +32,8 @@ impl Scalar for f64 {
     }
 }
 
-/// NaN where a NaN takes part, also in [`Real::greater`]: a failure stays visible.
+/// Every operation with a NaN gives NaN, also [`Real::greater`], so that a failure stays
+/// visible.
 impl Real for f64 {
     fn magnitude(&self) -> f64 {
         self.abs()

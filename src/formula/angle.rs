@@ -1,4 +1,4 @@
-//! Angles: what stands inside `cos`.
+//! Angles: the arguments of `cos`.
 
 use super::ast::Operator;
 use super::builtin::apply;
@@ -6,17 +6,18 @@ use super::error::FormulaErrorKind;
 use super::value::Value;
 use crate::exact::Rational;
 
-/// The name of π, which formulas may use inside `cos` only.
+/// The name of π, which formulas may use only inside `cos`.
 pub const PI: &str = "pi";
 
-/// a + bπ.
+/// The angle a + bπ, with a = `plain` and b = `pi`.
 pub(super) struct Angle<V> {
     pub(super) plain: V,
     pub(super) pi: V,
 }
 
 impl<V: Value> Angle<V> {
-    /// One of the four operations.
+    /// left ∘ right for one of the four operations. An error for multiples of π² and for
+    /// division by π.
     pub(super) fn combine(
         operator: Operator,
         left: &Angle<V>,
@@ -38,7 +39,7 @@ impl<V: Value> Angle<V> {
         }
     }
 
-    /// b, if a = 0 and b is rational.
+    /// The b of an angle bπ; an error unless a = 0 and b is rational.
     pub(super) fn multiple(&self) -> Result<Rational, FormulaErrorKind> {
         let refuse = |text: String| Err(FormulaErrorKind::Angle(text));
         match self.pi.as_rational() {

@@ -1,28 +1,30 @@
-//! The tree of a formula.
+//! The syntax tree of a formula.
 
 use crate::exact::Rational;
 use std::collections::BTreeSet;
 
 /// The option that names the index of a sequence.
 pub(super) const INDEX_OPTION: &str = "index";
-/// The index of a sequence that a function is about, where no option names it.
+/// The name of the index of a sequence that a function takes, unless an option gives
+/// another name.
 pub const SEQUENCE_INDEX: &str = "q";
 
-/// Bytes of the formula's text.
+/// A range of bytes of the formula's text.
 pub type Span = std::ops::Range<usize>;
 
-/// An expression and where it stands.
+/// An expression and its place in the text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Expr {
-    /// What it is.
+    /// The root node.
     pub node: Node,
     /// Where it stands in the formula's text.
     pub span: Span,
 }
 
 impl Expr {
-    /// The names of parameters, indices and definitions in it, also of those that the
-    /// options of functions name; not those of families and functions.
+    /// The names of parameters, indices and definitions in the expression, and of the
+    /// definitions that options of functions name. The names of families and functions
+    /// are not included.
     ///
     /// ```
     /// let formula = subcert::formula::parse("sum(h = 1..m, a[0, h]*abs(w))")?;
@@ -48,7 +50,7 @@ impl Expr {
         names
     }
 
-    /// The names of the functions that it calls.
+    /// The names of the functions that the expression calls.
     #[must_use]
     pub fn functions(&self) -> BTreeSet<&str> {
         let (mut functions, mut waiting) = (BTreeSet::new(), vec![self]);
@@ -61,8 +63,8 @@ impl Expr {
         functions
     }
 
-    /// The names of the indices of its sums and extremes, and of the sequences that functions in it
-    /// are about.
+    /// The names of the indices of sums, maxima and minima in the expression, and of the indices of
+    /// the sequences that its functions take.
     ///
     /// ```
     /// let formula = subcert::formula::parse("sum(h = 1..m, max(j = 0..h, a[h, j]))")?;
@@ -90,7 +92,7 @@ impl Expr {
         indices
     }
 
-    /// The expressions that this one is made of.
+    /// The direct subexpressions.
     pub(crate) fn parts(&self) -> Vec<&Expr> {
         match &self.node {
             Node::Number(_) | Node::Name(_) => Vec::new(),
@@ -107,8 +109,8 @@ impl Expr {
     }
 }
 
-/// A node of the tree. The tree is as deep as the text is nested: operators of
-/// one precedence stand side by side, however many there are.
+/// A node of the tree. The depth of the tree is the nesting of the text: a chain of
+/// operators of one precedence is one node, whatever its length.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Node {
     /// An exact number.
@@ -119,7 +121,7 @@ pub enum Node {
     Indexed {
         /// The family's name.
         name: String,
-        /// What stands between the brackets.
+        /// The expressions between the brackets.
         indices: Vec<Expr>,
     },
     /// −x.
@@ -130,46 +132,46 @@ pub enum Node {
     Power(Box<Expr>, Box<Expr>),
     /// A function of the language or of the context.
     Call {
-        /// Its name.
+        /// The function's name.
         function: String,
-        /// The expressions between its parentheses.
+        /// The arguments between the parentheses.
         arguments: Vec<Expr>,
-        /// The words after them, such as `order = forward`.
+        /// The options after the arguments, such as `order = forward`.
         options: Vec<OptionWord>,
     },
-    /// The sum or an extreme of `body` over `index` = `from`, …, `to`.
+    /// The sum, maximum or minimum of `body` over `index` = `from`, …, `to`.
     Fold {
-        /// What is done with the values of `body`.
+        /// Sum, maximum or minimum.
         fold: Fold,
-        /// The name that `body` may use.
+        /// The name of the index, which `body` may use.
         index: String,
         /// The first index.
         from: Box<Expr>,
         /// The last index.
         to: Box<Expr>,
-        /// What is summed or compared.
+        /// The expression that is summed or compared.
         body: Box<Expr>,
     },
 }
 
-/// What becomes of the values of an expression over a range of an index.
+/// How the values of an expression over a range of an index are combined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fold {
-    /// Their sum; 0 when there are none.
+    /// Their sum; 0 for an empty range.
     Sum,
-    /// The greatest.
+    /// Their maximum; undefined for an empty range.
     Max,
-    /// The least.
+    /// Their minimum; undefined for an empty range.
     Min,
 }
 
 impl Fold {
-    /// The function with this name, if there is one.
+    /// The fold with this name, if there is one.
     pub(super) fn named(name: &str) -> Option<Fold> {
         [Fold::Sum, Fold::Max, Fold::Min].into_iter().find(|fold| fold.name() == name)
     }
 
-    /// The name of the function.
+    /// Its name in formulas.
     pub(super) fn name(self) -> &'static str {
         match self {
             Fold::Sum => "sum",
@@ -192,19 +194,19 @@ pub enum Operator {
     Divide,
 }
 
-/// A word that chooses how a function is meant: `order = forward`.
+/// An option of a function call, such as `order = forward`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct OptionWord {
-    /// The name of the choice.
+    /// The name of the option.
     pub name: String,
-    /// What is chosen.
+    /// The word that is chosen.
     pub word: String,
-    /// Where it stands.
+    /// The place in the formula's text.
     pub span: Span,
 }
 
 impl OptionWord {
-    /// The definition that this names, if it is an option that names one.
+    /// The name of a definition, if this option refers to one.
     #[must_use]
     pub fn definition(&self) -> Option<&str> {
         ["sequence", "with"].contains(&self.name.as_str()).then_some(&self.word)

@@ -1,4 +1,4 @@
-//! The functions of the language itself.
+//! The built-in functions of the formula language.
 
 use super::ast::{Operator, OptionWord};
 use super::error::FormulaErrorKind;
@@ -9,24 +9,25 @@ use crate::exact::{Integer, Rational, common_conductor};
 pub(super) const NAMES: [&str; 10] =
     ["abs", "min", "max", "floor", "ceil", "mod", "kronecker", "binomial", "sum", COSINE];
 
-/// Whether the language itself has a function of this name.
+/// Whether `name` is a built-in function.
 pub(crate) fn is_builtin(name: &str) -> bool {
     NAMES.contains(&name)
 }
 
-/// The function whose argument is an angle; the evaluator calls it.
+/// The function whose argument is an angle. The evaluator handles it itself.
 pub(super) const COSINE: &str = "cos";
 
-/// The most binary digits that a value may have.
+/// The cap on the cost of a product or a quotient and on the size of a power, in bits.
 pub(super) const MAX_BITS: u64 = 500_000;
 
-/// The greatest power of a symbol or of an irrational number, also in a binomial coefficient.
+/// The greatest absolute value of the exponent of a symbol or an irrational number, and the
+/// greatest lower index of a binomial coefficient of one.
 const MAX_SYMBOLIC_POWER: u64 = 64;
 
-/// The greatest lower index of a binomial coefficient.
+/// The greatest lower index of a binomial coefficient of a rational number.
 const MAX_BINOMIAL: u64 = 10_000;
 
-/// The value of `function`, or `None` when the language has no such function.
+/// The value of the built-in function `function`; `None` when there is none of this name.
 pub(super) fn call<V: Value>(
     function: &str,
     arguments: &[V],
@@ -57,12 +58,13 @@ pub(super) fn call<V: Value>(
     })
 }
 
-/// `name` takes no options, and was given one.
+/// The error that `name` was given an option, which it does not take.
 pub(super) fn no_option(name: &str, option: &OptionWord) -> FormulaErrorKind {
     FormulaErrorKind::Call(format!("`{name}` takes no option `{}`", option.name))
 }
 
-/// What `name` takes, where it was given something else.
+/// The error that `name` was given a wrong number of arguments; the message states the
+/// right number.
 pub(super) fn wrong_count(name: &str, given: usize) -> FormulaErrorKind {
     let takes = match name {
         "min" | "max" => "one argument or more",
@@ -85,14 +87,14 @@ fn modulo<V: Value>(x: &V, modulus: &V) -> Result<V, FormulaErrorKind> {
     apply(Operator::Subtract, x.clone(), &multiple)
 }
 
-/// 1 where left = right, 0 elsewhere.
+/// 1 if left = right, otherwise 0.
 fn kronecker<V: Value>(left: &V, right: &V) -> Result<V, FormulaErrorKind> {
     let difference = apply(Operator::Subtract, left.clone(), right)?;
     let equal = difference.vanishes().ok_or(FormulaErrorKind::Unsupported(SYMBOLIC))?;
     Ok(V::from_rational(&Rational::from(i64::from(equal))))
 }
 
-/// Makes sure that two values have a field in common.
+/// An error unless some field within the cap contains both values.
 fn together<V: Value>(left: &V, right: &V) -> Result<(), FormulaErrorKind> {
     common_conductor(left.conductor(), right.conductor())?;
     Ok(())
@@ -104,12 +106,12 @@ pub(super) fn greater<V: Value>(left: &V, right: &V) -> Result<V, FormulaErrorKi
     left.larger(right).ok_or(FormulaErrorKind::Unsupported(SYMBOLIC))
 }
 
-/// min(left, right) = left + right − max(left, right), exactly.
+/// min(left, right), computed as left + right − max(left, right).
 pub(super) fn lesser<V: Value>(left: &V, right: &V) -> Result<V, FormulaErrorKind> {
     Ok(left.plus(right).minus(&greater(left, right)?))
 }
 
-/// left ∘ right, in a field that holds both.
+/// left ∘ right, computed in a field that contains both.
 pub(super) fn apply<V: Value>(
     operator: Operator,
     mut left: V,
@@ -148,7 +150,8 @@ fn divide<V: Value>(left: &V, right: &V) -> Result<V, FormulaErrorKind> {
     ))
 }
 
-/// `value` as a machine integer.
+/// `value` as a machine integer; an error unless it is an integer of absolute value below
+/// 2^40.
 pub(super) fn integer<V: Value>(what: &'static str, value: &V) -> Result<i64, FormulaErrorKind> {
     let rational = value.as_rational().filter(Rational::is_integer);
     let integer = rational
@@ -201,13 +204,13 @@ fn binomial<V: Value>(top: &V, bottom: &V) -> Result<V, FormulaErrorKind> {
         let first = V::from_rational(&Rational::new(1, factorial));
         return (0..bottom).try_fold(first, |product, i| multiply(&product, &factor(i)));
     };
-    // Each factor adds at most the bits of `top` and of an index below 2^14.
+    // Each factor adds at most the bits of `top` plus 14, as an index is below 2^14.
     if bottom.unsigned_abs().saturating_mul(top.bits() + 14) > MAX_BITS {
         return Err(FormulaErrorKind::TooLarge { what: "the number of bits", cap: MAX_BITS });
     }
-    // With top = p/q the factors are (p − iq)/q. Their numerators have no factor in common with q, and
-    // their product is divisible by the part of bottom! that has none either, since for a prime
-    // that does not divide q, binomials of p/q are integers at that prime.
+    // With top = p/q the factors are (p − iq)/q. The numerators are coprime to q. Their product is
+    // divisible by the part of bottom! that is coprime to q, since binomial coefficients of p/q are
+    // integral at every prime that does not divide q.
     let (p, q) = (top.numerator(), top.denominator());
     let numerators: Vec<Integer> = (0..bottom).map(|i| &p - &q * Integer::from(i)).collect();
     let (mut without, mut with) = (Vec::new(), Vec::new());
@@ -228,7 +231,8 @@ fn binomial<V: Value>(top: &V, bottom: &V) -> Result<V, FormulaErrorKind> {
     Ok(V::from_rational(&Rational::new(numerator, product(&with) * scale)))
 }
 
-/// The product of these numbers, small ones by small ones first.
+/// The product of `factors`, by halves, so that the two factors of each multiplication
+/// have similar lengths.
 fn product(factors: &[Integer]) -> Integer {
     match factors {
         [] => Integer::one(),

@@ -1,4 +1,5 @@
-//! What a formula is evaluated in: its names and functions, and the work they share.
+//! The context of an evaluation: names, functions, and the work that nested evaluations
+//! share.
 
 use super::ast::OptionWord;
 use super::error::CallError;
@@ -7,8 +8,8 @@ use crate::exact::Rational;
 use std::cell::Cell;
 use std::collections::BTreeMap;
 
-/// What an evaluation has spent. A context that evaluates formulas itself, for
-/// its names or functions, keeps one, so that all of them share the cap.
+/// The work that an evaluation has spent. A context whose names or functions evaluate
+/// formulas keeps one `Work`, so that all these evaluations share one cap.
 #[derive(Clone, Debug, Default)]
 pub struct Work {
     pub(super) spent: Cell<u64>,
@@ -16,26 +17,27 @@ pub struct Work {
 }
 
 impl Work {
-    /// The steps of the last evaluation: nodes visited, sums unrolled and named formulas entered, and
-    /// the squares of the sizes of their values in 512 bits.
+    /// The work of the last evaluation: 1 + ⌊s/512⌋² for every computed value of s bits. The values
+    /// are those of all visited nodes, with sums unrolled and named formulas entered, and the
+    /// intermediate results of sums and products.
     #[must_use]
     pub fn spent(&self) -> u64 {
         self.spent.get()
     }
 }
 
-/// What a name means.
+/// The meaning of a name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Lookup<V> {
-    /// It has this value.
+    /// The name has this value.
     Found(V),
-    /// It exists, but nobody has said its value.
+    /// The name exists, but no value is stated.
     Unstated,
     /// There is no such name.
     Unknown,
 }
 
-/// A call of a function that is not the language's own.
+/// A call of a function that is not built in.
 pub struct Call<'a, V> {
     /// The function's name.
     pub function: &'a str,
@@ -43,22 +45,22 @@ pub struct Call<'a, V> {
     pub arguments: &'a [V],
     /// Its options, as written.
     pub options: &'a [OptionWord],
-    /// The sum indices in force where it is called, innermost first.
+    /// The indices of the sums around the call with their values, innermost first.
     pub indices: &'a [(String, V)],
 }
 
-/// Names and functions beyond the language's own.
+/// The names and functions that formulas can use besides the built-in ones.
 pub trait Context<V> {
     /// The meaning of a name.
     ///
     /// # Errors
-    /// When the name stands for a formula, and that has no value.
+    /// When the name stands for a formula that has no value.
     fn name(&self, name: &str, indices: &[(String, V)]) -> Result<Lookup<V>, CallError>;
 
     /// The names that [`Context::name`] knows, for error messages.
     fn names(&self) -> Vec<String>;
 
-    /// The work that the evaluations in this context share, if it evaluates
+    /// The work shared by all evaluations in this context, if the context evaluates
     /// formulas itself.
     fn work(&self) -> Option<&Work> {
         None
@@ -67,7 +69,7 @@ pub trait Context<V> {
     /// The value of a function.
     ///
     /// # Errors
-    /// When there is no such function, or no such value.
+    /// When there is no such function, or it has no value at these arguments.
     fn call(&self, call: &Call<'_, V>) -> Result<V, CallError> {
         let _ = call;
         Err(CallError::UnknownFunction(Vec::new()))

@@ -5,24 +5,24 @@ use super::located::LocatedFormula;
 use std::collections::BTreeMap;
 use std::ops::BitOr;
 
-/// The function that only looks at the difference of its arguments.
+/// The function whose value depends only on the difference of its two arguments.
 const KRONECKER: &str = "kronecker";
 
-/// How deep definitions are followed.
+/// The greatest depth to which definitions are followed.
 const MAX_DEPTH: u32 = 32;
 
-/// What of two indices (i, j) the value of a formula depends on, at most.
+/// What the value of a formula depends on, at most, of two indices i and j.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dependence {
-    /// On neither.
+    /// On neither index.
     Neither,
-    /// On i.
+    /// On i only.
     First,
-    /// On j.
+    /// On j only.
     Second,
-    /// On j − i.
+    /// On j − i only.
     Difference,
-    /// On both.
+    /// On i and j, with no known restriction.
     Both,
 }
 
@@ -37,9 +37,9 @@ impl BitOr for Dependence {
     }
 }
 
-/// What of two indices formulas over some definitions depend on, by their text alone: on
-/// i, on j, or on the difference where both stand in one sum with opposite signs, such as
-/// j − i, or are compared by `kronecker`.
+/// Finds, from the text alone, how formulas over some definitions depend on two indices i
+/// and j: on i, on j, or on j − i. Dependence on j − i is recognised where i and j stand
+/// in one sum with coefficients of sum 0, such as j − i, or are compared by `kronecker`.
 #[derive(Clone, Debug)]
 pub struct IndexPair<'a> {
     names: [&'a str; 2],
@@ -48,7 +48,7 @@ pub struct IndexPair<'a> {
 }
 
 impl<'a> IndexPair<'a> {
-    /// The indices of these names, in formulas over these definitions.
+    /// The analysis for the indices `names` = \[i, j\] in formulas over `definitions`.
     #[must_use]
     pub fn new(
         names: [&'a str; 2],
@@ -57,7 +57,7 @@ impl<'a> IndexPair<'a> {
         IndexPair { names, definitions, known: BTreeMap::new() }
     }
 
-    /// What this formula depends on.
+    /// What `formula` depends on.
     ///
     /// ```
     /// use subcert::formula::{Dependence, IndexPair, parse};
@@ -74,7 +74,8 @@ impl<'a> IndexPair<'a> {
         self.of(formula, MAX_DEPTH)
     }
 
-    /// A definition that refers to itself has no value, and counts as depending on both.
+    /// The dependence of a name. A definition that refers to itself has no value, and
+    /// counts as depending on both indices.
     fn of_name(&mut self, name: &str, depth: u32) -> Dependence {
         if let Some(known) = self.known.get(name) {
             return *known;
@@ -104,7 +105,8 @@ impl<'a> IndexPair<'a> {
             {
                 self.of_sum(&[(&arguments[0], 1), (&arguments[1], -1)], depth)
             }
-            // A sum over an index of the same name, and names that are made of values.
+            // An inner index hides i or j; and which member of a family is meant depends
+            // on the values of the formula's indices. Neither is analysed further.
             Node::Fold { index, .. } if self.names.contains(&index.as_str()) => Dependence::Both,
             Node::Indexed { .. } => Dependence::Both,
             _ => self.of_all(&expr.parts(), depth),
@@ -115,8 +117,8 @@ impl<'a> IndexPair<'a> {
         parts.iter().fold(Dependence::Neither, |all, part| all | self.of(part, depth))
     }
 
-    /// Of a sum of expressions with signs. Where a·i + b·j is the part of it that is i and
-    /// j themselves, only a + b = 0 makes that a multiple of j − i.
+    /// The dependence of a sum of expressions with signs. Let a·i + b·j be the sum of the
+    /// terms that are i or j themselves. It is a multiple of j − i exactly if a + b = 0.
     fn of_sum(&mut self, sum: &[(&Expr, i64)], depth: u32) -> Dependence {
         let (mut factors, mut others) = ([0_i64; 2], Vec::new());
         let mut waiting = sum.to_vec();

@@ -1,9 +1,9 @@
-//! A formula as text that reads back as the same formula.
+//! Prints a formula as text that parses to the same formula.
 
 use super::ast::{Expr, Node, Operator};
 use std::fmt;
 
-/// How tightly a node binds: sums least, names and numbers most.
+/// The binding strength of a node, from 1 for sums to 5 for names and positive integers.
 fn precedence(expr: &Expr) -> u8 {
     match &expr.node {
         Node::Chain(_, rest) => match rest.first() {
@@ -18,7 +18,7 @@ fn precedence(expr: &Expr) -> u8 {
     }
 }
 
-/// `expr`, in parentheses when it binds less tightly than `least`.
+/// An expression, printed in parentheses when its precedence is below the given one.
 struct AtLeast<'a>(&'a Expr, u8);
 
 impl fmt::Display for AtLeast<'_> {

@@ -1,24 +1,25 @@
-//! What can be wrong with a formula, and where.
+//! Errors of formulas, with their places.
 
 use super::ast::Span;
 use crate::diagnostic::Diagnostic;
 use crate::suggestion::known_here as names;
 
-/// The longest formula that is read, in bytes.
+/// The greatest length of a formula, in bytes.
 pub const MAX_FORMULA_LENGTH: usize = 4_096;
 
-/// The deepest nesting of parentheses, signs and powers that is read.
+/// The greatest nesting depth of parentheses, brackets, signs and exponents in a formula.
 pub const MAX_NESTING: usize = 64;
 
-/// An error in a formula, with the bytes it is about.
+/// An error in a formula, with the byte range of its cause.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{kind}")]
 pub struct FormulaError {
     /// What is wrong.
     pub kind: FormulaErrorKind,
-    /// Where, in bytes of the formula.
+    /// The place, as a range of bytes of the formula.
     pub span: Span,
-    /// The place in a definition, when the formula names one that is wrong.
+    /// The place in a definition, when the error is in a definition that the formula
+    /// names.
     pub definition: Option<Box<Diagnostic>>,
 }
 
@@ -43,7 +44,7 @@ pub enum FormulaErrorKind {
     UnknownName {
         /// The name.
         name: String,
-        /// What is known.
+        /// The names that exist.
         known: Vec<String>,
     },
     /// A parameter that exists, but has no value.
@@ -54,22 +55,22 @@ pub enum FormulaErrorKind {
     UnknownFunction {
         /// The name.
         name: String,
-        /// What is known.
+        /// The names that exist.
         known: Vec<String>,
     },
-    /// A function that does not accept what it was given.
+    /// A function that does not accept its arguments or options.
     #[error("{0}")]
     Call(String),
-    /// A value that does not exist, though the formula is well formed.
+    /// A value that does not exist, in a well-formed formula.
     #[error("{0}")]
     Undefined(String),
     /// x/0.
     #[error("division by zero")]
     DivisionByZero,
-    /// The greatest or least value over an empty range.
+    /// The maximum or minimum over an empty range.
     #[error("the range is empty, so that there is no greatest or least value")]
     EmptyRange,
-    /// Something that the value's type cannot do, such as |w| of a symbol w.
+    /// An operation that the type of values does not have, such as |w| for a symbol w.
     #[error("{0}")]
     Unsupported(&'static str),
     /// An integer was needed.
@@ -77,16 +78,16 @@ pub enum FormulaErrorKind {
     NotAnInteger {
         /// What must be an integer.
         what: &'static str,
-        /// What it is.
+        /// Its value.
         value: String,
     },
-    /// A cosine that the value's type does not have.
+    /// A cosine that is not a number of the type of values.
     #[error(transparent)]
     Cosine(#[from] crate::exact::CosineError),
     /// An angle other than a rational multiple of π.
     #[error("`cos` needs a rational multiple of `pi`, such as cos(2*pi*j/n); this is {0}")]
     Angle(String),
-    /// π where no angle is.
+    /// π outside an angle.
     #[error("`pi` stands for an angle, and only inside `cos`, as in cos(2*pi*j/n)")]
     PiOutsideCosine,
     /// A cap was reached.
@@ -99,14 +100,14 @@ pub enum FormulaErrorKind {
     },
 }
 
-/// Why a context's function gives no value; the evaluator adds the place.
+/// Why a name or function of a context gives no value. The evaluator adds the place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum CallError {
-    /// The context has no such function; it has these.
+    /// The context has no such function. The list names the functions it has.
     UnknownFunction(Vec<String>),
-    /// The arguments or options do not fit: what would be right.
+    /// The arguments or options do not fit. The text says what is required.
     Misuse(String),
-    /// The value does not exist: why.
+    /// The value does not exist. The text says why.
     Undefined(String),
     /// An error in a formula that the function stands for.
     Inner(FormulaErrorKind),

@@ -1,4 +1,4 @@
-//! From tree to value.
+//! Evaluation of syntax trees.
 
 use super::angle::{Angle, PI};
 use super::ast::{Expr, Fold, Node, Operator, OptionWord, Span};
@@ -8,12 +8,11 @@ use super::error::{CallError, FormulaError, FormulaErrorKind};
 use super::value::Value;
 use crate::exact::Rational;
 
-/// The most work of one evaluation: the nodes visited, sums unrolled and named
-/// formulas entered, and the squares of the sizes of their values in 512 bits.
+/// The cap on the work of one evaluation, as counted by [`Work::spent`].
 const MAX_WORK: u64 = 1_000_000;
 
-/// How deep the nodes of one evaluation may stand in each other, named formulas
-/// entered.
+/// The greatest nesting depth of nodes in one evaluation. The nodes of a named formula
+/// count as nested in its use.
 const MAX_DEPTH: u32 = 256;
 
 /// The value of a formula.
@@ -25,7 +24,8 @@ pub fn evaluate<V: Value>(expr: &Expr, context: &dyn Context<V>) -> Result<V, Fo
     evaluate_with(expr, context, &[])
 }
 
-/// [`evaluate`] where the indices of surrounding sums have values.
+/// As [`evaluate`], inside sums whose `indices` have values. The first value of a name
+/// counts, and hides the context's.
 pub(crate) fn evaluate_with<V: Value>(
     expr: &Expr,
     context: &dyn Context<V>,
@@ -49,7 +49,8 @@ fn fail<T>(kind: FormulaErrorKind, span: &Span) -> Result<T, FormulaError> {
 }
 
 impl<V: Value> Evaluator<'_, V> {
-    /// Counts the work of a value; hands it on while the cap is not reached.
+    /// Adds the work of `value` to the total. Returns `value`, or an error when the cap
+    /// is exceeded.
     fn spend(&self, value: V, span: &Span) -> Result<V, FormulaError> {
         let size = value.size() / 512;
         let spent = self.work.spent.get().saturating_add(1 + size.saturating_mul(size));
@@ -74,8 +75,8 @@ impl<V: Value> Evaluator<'_, V> {
         self.spend(value?, &expr.span)
     }
 
-    // A formula may be nested deep, so what stays on the stack is kept small: one
-    // function for each node, and no iterator adapters around the recursion.
+    // A formula may be deeply nested, so stack frames are kept small: one function for
+    // each kind of node, and no iterator adapters around the recursion.
     fn node(&self, expr: &Expr, indices: &mut Vec<(String, V)>) -> Result<V, FormulaError> {
         match &expr.node {
             Node::Number(number) => Ok(V::from_rational(number)),
@@ -145,7 +146,8 @@ impl<V: Value> Evaluator<'_, V> {
         Ok(values)
     }
 
-    /// The sum or an extreme; `None` for the extremes of nothing.
+    /// The sum, maximum or minimum of `body` over `range`; `None` for the maximum or
+    /// minimum over an empty range.
     fn fold(
         &self,
         fold: Fold,
@@ -160,7 +162,7 @@ impl<V: Value> Evaluator<'_, V> {
         total
     }
 
-    /// The same where the first index is that of the range.
+    /// As `fold`, where `indices[0]` is the index of the range.
     fn folded(
         &self,
         fold: Fold,
@@ -230,7 +232,7 @@ impl<V: Value> Evaluator<'_, V> {
         self.context.call(&call).or_else(|error| fail_call(error, function, span))
     }
 
-    /// cos of its one argument.
+    /// `cos` of its single argument.
     fn cosine(
         &self,
         arguments: &[Expr],
@@ -250,8 +252,8 @@ impl<V: Value> Evaluator<'_, V> {
         V::cosine(&turn).or_else(|error| fail(error.into(), span))
     }
 
-    /// The value of an expression in which `pi` may stand, in sums, in products
-    /// and above a division bar. What has no `pi` is any expression.
+    /// The value of an expression that may contain `pi` in sums, in products and in
+    /// numerators. Subexpressions without `pi` may be arbitrary.
     fn angle(&self, expr: &Expr, indices: &mut Vec<(String, V)>) -> Result<Angle<V>, FormulaError> {
         match &expr.node {
             Node::Name(name) if name == PI => {
@@ -278,7 +280,7 @@ impl<V: Value> Evaluator<'_, V> {
     }
 }
 
-/// The error of a name or function of the context, which stands at `span`.
+/// The error of the context's name or function `name`, which stands at `span`.
 fn fail_call<T>(error: CallError, name: &str, span: &Span) -> Result<T, FormulaError> {
     let (kind, definition) = match error {
         CallError::UnknownFunction(mut known) => {

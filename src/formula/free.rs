@@ -1,29 +1,29 @@
-//! The names that a formula depends on.
+//! The free names of formulas.
 
 use super::angle::PI;
 use super::ast::{Expr, INDEX_OPTION, Node, OptionWord, SEQUENCE_INDEX};
 use super::located::LocatedFormula;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What formulas over some definitions depend on.
+/// Finds the free names of formulas over some definitions.
 ///
-/// A name is free in a formula when it is a parameter there, and no index of a
-/// sum around it. A definition is evaluated where it is used, so what is free in it
-/// may be bound by a sum around its use.
+/// A name is free in a formula when it is a parameter there, and not the index of a sum
+/// around it. A definition is evaluated where it is used, so a sum around this place may
+/// bind names that are free in the definition.
 pub struct FreeNames<'a> {
     definitions: &'a BTreeMap<String, LocatedFormula>,
     known: BTreeMap<&'a str, BTreeSet<String>>,
 }
 
 impl<'a> FreeNames<'a> {
-    /// Over these definitions.
+    /// The search over these definitions.
     #[must_use]
     pub fn new(definitions: &'a BTreeMap<String, LocatedFormula>) -> FreeNames<'a> {
         FreeNames { definitions, known: BTreeMap::new() }
     }
 
-    /// The names that are free in a formula, those of definitions replaced by what
-    /// is free in these, and families by their names.
+    /// The free names of a formula. The name of a definition is replaced by the free
+    /// names of the definition. A member of a family counts as the family's name.
     ///
     /// ```
     /// use subcert::formula::{FreeNames, parse};
@@ -49,7 +49,7 @@ impl<'a> FreeNames<'a> {
                 }
             }
             Node::Fold { index, from, to, body, .. } => {
-                // The ends of the range do not see its index.
+                // The ends of the range cannot use its index.
                 free.extend(self.of(body));
                 free.remove(index);
                 free.extend(self.of(from));
@@ -64,7 +64,8 @@ impl<'a> FreeNames<'a> {
         free
     }
 
-    /// What a name stands for; a definition that refers to itself is free.
+    /// The free names of the definition `name`, or `name` itself if it has no definition.
+    /// In a definition that refers to itself, its own name counts as free.
     pub fn of_name(&mut self, name: &str) -> BTreeSet<String> {
         if let Some(free) = self.known.get(name) {
             return free.clone();

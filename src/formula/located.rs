@@ -1,4 +1,4 @@
-//! A formula that stands in a file.
+//! Formulas in files.
 
 use super::ast::Expr;
 use super::error::FormulaError;
@@ -16,15 +16,15 @@ pub struct LocatedFormula {
     pub text: String,
     /// The file.
     pub source: Arc<SourceText>,
-    /// The bytes of the file that it takes, quotes included.
+    /// Its range of bytes in the file, quotes included.
     pub span: Range<usize>,
 }
 
 impl LocatedFormula {
-    /// Reads the TOML string `text`, which takes the bytes `span` of `source`.
+    /// Parses the TOML string `text`, which occupies the bytes `span` of `source`.
     ///
     /// # Errors
-    /// When `text` is not a formula; the error underlines the place in the file.
+    /// When `text` is not a formula. The error points at the place in the file.
     pub fn read(
         source: &Arc<SourceText>,
         span: Range<usize>,
@@ -49,8 +49,8 @@ impl LocatedFormula {
     }
 }
 
-/// Inside a string without escapes, a byte of the formula is a byte of the file;
-/// elsewhere the whole string is underlined.
+/// `error` as an error in the file. In a string without escapes the error's own bytes are
+/// underlined, otherwise the whole string.
 fn locate(
     source: &Arc<SourceText>,
     span: &Range<usize>,

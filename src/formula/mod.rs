@@ -17,13 +17,13 @@
 //! ```
 //!
 //! [`parse()`] gives an [`Expr`]; [`evaluate()`] computes it over any [`Value`], with
-//! names and functions supplied by a [`Context`]. Every error carries the bytes
-//! of the formula it is about.
+//! names and functions supplied by a [`Context`]. Every error carries the byte range of
+//! its cause in the formula.
 //!
-//! `pi` is a reserved name, for angles: it stands inside `cos` only, written out
-//! there, in sums, products and above division bars. A cosine is a
-//! [`RealCyclotomic`](crate::exact::RealCyclotomic) number; over rationals a
-//! formula has a value where its cosines are rational.
+//! `pi` is a reserved name for angles. It may stand only inside `cos`, not in a
+//! definition that is used there, and only in sums, in products and in numerators. A
+//! cosine is a [`RealCyclotomic`](crate::exact::RealCyclotomic) number. Over the
+//! rationals a formula has a value only if all its cosines are rational.
 //!
 //! ```
 //! use subcert::exact::{Rational, RealCyclotomic};

@@ -1,4 +1,4 @@
-//! From text to tree, with winnow.
+//! Parsing of formulas, with winnow.
 
 use super::ast::{Expr, Fold, Node, Operator, OptionWord};
 use super::error::{FormulaError, FormulaErrorKind, MAX_FORMULA_LENGTH};
@@ -12,11 +12,11 @@ use winnow::error::{ErrMode, ParserError};
 use winnow::stream::{LocatingSlice, Location, Stateful, Stream};
 use winnow::token::{any, one_of, take_while};
 
-/// Reads a formula.
+/// Parses a formula.
 ///
 /// # Errors
-/// When the text does not follow the grammar of [the module](super), or is
-/// longer or deeper than the caps.
+/// When the text does not follow the grammar of [the module](super), or exceeds the caps
+/// on length and nesting.
 ///
 /// ```
 /// use subcert::exact::Rational;

@@ -1,4 +1,4 @@
-//! A context of parameters, definitions and functions.
+//! A context with parameters, definitions and functions.
 
 use super::context::{Call, Context, Lookup, Work};
 use super::error::CallError;
@@ -8,16 +8,16 @@ use super::value::Value;
 use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// How deep definitions may refer to definitions.
+/// The greatest depth of definitions that refer to definitions.
 const MAX_DEFINITION_DEPTH: usize = 32;
 
-/// The functions that a scope offers beyond the language's own.
+/// The functions that a scope offers besides the built-in ones.
 pub trait Functions<V> {
-    /// The value of a function. `context` is the scope that it is called in, for
-    /// functions that evaluate named formulas themselves.
+    /// The value of a function. `context` is the scope of the call, for functions that
+    /// evaluate named formulas themselves.
     ///
     /// # Errors
-    /// When there is no such function, or no such value.
+    /// When there is no such function, or it has no value at these arguments.
     fn call(&self, call: &Call<'_, V>, context: &dyn Context<V>) -> Result<V, CallError>;
 }
 
@@ -28,9 +28,9 @@ impl<V> Functions<V> for () {
     }
 }
 
-/// Parameters with values, parameters without, named formulas over them, and
-/// functions. A named formula is evaluated where it is used, so it sees the
-/// indices of the sums around its use.
+/// Parameters with and without values, named formulas over them, and functions. A named
+/// formula is evaluated where it is used, so it sees the indices of the sums around its
+/// use.
 pub struct Scope<'a, V> {
     values: BTreeMap<String, V>,
     unstated: BTreeSet<String>,
@@ -66,15 +66,16 @@ impl<'a, V: Value> Scope<'a, V> {
         self
     }
 
-    /// Gives every member `name[i]`, `name[i,j]`, … the value of `member` at its full
-    /// name; a value given to one member by [`Scope::with`] goes before.
+    /// Gives every member `name[i]`, `name[i,j]`, … the value that `member` has for the
+    /// member's full name. A value given to a single member by [`Scope::with`] takes
+    /// precedence.
     #[must_use]
     pub fn with_family(mut self, name: &str, member: &'a dyn Fn(&str) -> V) -> Scope<'a, V> {
         self.families.insert(name.to_owned(), member);
         self
     }
 
-    /// Says that `name` exists, without a value.
+    /// Adds the parameter `name` without a value.
     #[must_use]
     pub fn with_unstated(mut self, name: &str) -> Scope<'a, V> {
         self.unstated.insert(name.to_owned());

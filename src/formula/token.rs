@@ -1,4 +1,4 @@
-//! The tokens of a formula, and where parsing stops.
+//! The tokens of a formula, and the errors of its parser.
 
 use super::ast::{Expr, Node, Span};
 use super::error::{FormulaErrorKind, MAX_NESTING};
@@ -9,9 +9,9 @@ use winnow::error::{ErrMode, ParserError};
 use winnow::stream::{LocatingSlice, Location, Stateful};
 use winnow::token::{one_of, take_while};
 
-/// A formula, and how deep its parser is in it.
+/// The formula's text, with the nesting depth of the parser as state.
 pub(super) type Input<'a> = Stateful<LocatingSlice<&'a str>, usize>;
-/// What a parser finds.
+/// The result of a parser.
 pub(super) type Parsed<T> = Result<T, ErrMode<Failure>>;
 
 /// Whether `text` can be the name of a parameter: a letter or `_`, then letters,
@@ -22,17 +22,18 @@ pub fn is_identifier(text: &str) -> bool {
     characters.next().is_some_and(starts_name) && characters.all(continues_name)
 }
 
-/// Whether a name can start with this.
+/// Whether a name can start with `c`.
 pub(super) fn starts_name(c: char) -> bool {
     c.is_alphabetic() || c == '_'
 }
 
-/// Whether a name can go on with this.
+/// Whether `c` can stand in a name after its first character.
 pub(super) fn continues_name(c: char) -> bool {
     c.is_alphanumeric() || c == '_'
 }
 
-/// The token that starts at byte `at`, for underlining; empty at the end.
+/// The token that starts at byte `at`, which error messages underline; empty at the end
+/// of the text.
 pub(super) fn token_at(text: &str, at: usize) -> Span {
     let rest = &text[at..];
     let word: usize = rest.chars().take_while(|c| continues_name(*c)).map(char::len_utf8).sum();
@@ -40,7 +41,7 @@ pub(super) fn token_at(text: &str, at: usize) -> Span {
     at..at + length
 }
 
-/// Where parsing stopped, and what was expected there.
+/// The place where parsing stopped, and what was expected there.
 #[derive(Clone, Debug)]
 pub(super) struct Failure {
     pub(super) at: usize,
@@ -61,7 +62,8 @@ impl<'a> ParserError<Input<'a>> for Failure {
     }
 }
 
-/// Requires `parser`, and says what was expected when it does not match.
+/// Runs `parser`; if it does not match, parsing ends with the error that `what` was
+/// expected.
 pub(super) fn required<'a, T>(
     what: &'static str,
     mut parser: impl Parser<Input<'a>, T, ErrMode<Failure>>,
@@ -77,7 +79,7 @@ pub(super) fn required<'a, T>(
     }
 }
 
-/// White space, if there is any.
+/// Skips white space, if there is any.
 pub(super) fn space(input: &mut Input<'_>) -> Parsed<()> {
     take_while(0.., char::is_whitespace).void().parse_next(input)
 }
@@ -87,7 +89,7 @@ pub(super) fn symbol<'a>(character: char) -> impl Parser<Input<'a>, (), ErrMode<
     (character, space).void()
 }
 
-/// What `parser` finds, with its place.
+/// The node that `parser` returns, with its place.
 pub(super) fn located<'a>(
     mut parser: impl Parser<Input<'a>, Node, ErrMode<Failure>>,
 ) -> impl Parser<Input<'a>, Expr, ErrMode<Failure>> {
@@ -98,7 +100,7 @@ pub(super) fn located<'a>(
     }
 }
 
-/// Runs `parser` one level deeper.
+/// Runs `parser` one level deeper; an error beyond [`MAX_NESTING`].
 pub(super) fn nested<'a, T>(
     mut parser: impl Parser<Input<'a>, T, ErrMode<Failure>>,
 ) -> impl Parser<Input<'a>, T, ErrMode<Failure>> {
@@ -115,7 +117,7 @@ pub(super) fn nested<'a, T>(
     }
 }
 
-/// Hands on an expression, and skips the white space after it.
+/// Skips the white space after `expr`, and returns `expr`.
 pub(super) fn skip_space(input: &mut Input<'_>, expr: Expr) -> Parsed<Expr> {
     space(input)?;
     Ok(expr)
@@ -125,10 +127,10 @@ fn digits<'a>(input: &mut Input<'a>) -> Parsed<&'a str> {
     take_while(1.., '0'..='9').parse_next(input)
 }
 
-/// A number in decimals.
+/// A decimal number.
 pub(super) fn number(input: &mut Input<'_>) -> Parsed<Node> {
     let start = input.current_token_start();
-    // `1..3` is a range, not the number `1.` and a stray point.
+    // `1..3` is a range; it does not start with the number `1.`.
     let fraction = opt((('.', not('.')), required("a digit", digits)));
     let power = opt((one_of(['e', 'E']), opt(one_of(['+', '-'])), required("a digit", digits)));
     let text = (digits, fraction, power).take().parse_next(input)?;

@@ -1,25 +1,26 @@
-//! What a formula can be computed over.
+//! The types of values of formulas.
 
 use crate::exact::{
     CosineError, Integer, Parametric, Polynomial, Rational, Real, RealCyclotomic, Scalar,
 };
 
-/// Values of formulas. Operations that a type does not have give `None`.
+/// A type of values of formulas. An operation that the type does not have returns `None`.
 pub trait Value: Scalar + std::fmt::Display {
     /// This as a rational number, if it is one.
     fn as_rational(&self) -> Option<Rational>;
-    /// What an operation on this costs, in bits; 0 when it stays small.
+    /// A measure of the cost of an operation on this value, in bits; 0 for values that
+    /// stay small.
     fn size(&self) -> u64;
-    /// What self · other costs, at least the size of the product.
+    /// A measure of the cost of self · other, at least the size of the product.
     fn product_size(&self, other: &Self) -> u64 {
         self.size().saturating_add(other.size())
     }
-    /// What a product costs in the rows of the first `levels` powers of a matrix of such
-    /// values.
+    /// A measure of the cost of one product when a row is multiplied `levels` times by a
+    /// matrix of such values.
     fn row_product_size(&self, _levels: u32) -> u64 {
         self.product_size(self)
     }
-    /// What self / divisor costs, for divisor ≠ 0.
+    /// A measure of the cost of self / divisor, for divisor ≠ 0.
     fn quotient_size(&self, divisor: &Self) -> u64 {
         self.product_size(divisor)
     }
@@ -35,15 +36,15 @@ pub trait Value: Scalar + std::fmt::Display {
         self.as_rational().map(|value| value.floor())
     }
 
-    /// Whether this is 0; `None` while that depends on a symbol.
+    /// Whether this is 0; `None` when the answer depends on a symbol.
     fn vanishes(&self) -> Option<bool> {
         self.as_rational().map(|value| value.is_zero())
     }
 
-    /// cos(2π·`turn`), which most types have only where it is rational.
+    /// cos(2π·`turn`). Types without cosines have only the rational ones.
     ///
     /// # Errors
-    /// When the type does not have it.
+    /// When the type does not contain this number.
     fn cosine(turn: &Rational) -> Result<Self, CosineError> {
         let cosine = RealCyclotomic::cosine(turn)?;
         match cosine.as_rational() {
@@ -52,15 +53,15 @@ pub trait Value: Scalar + std::fmt::Display {
         }
     }
 
-    /// The n of the field Q(2cos(2π/n)) of this; 1 for types without such fields.
-    /// Whoever brings values together makes sure that theirs have a
+    /// The conductor n of the field Q(2cos(2π/n)) of this value; 1 for types without such
+    /// fields. Before two values are combined, the caller must check that they have a
     /// [`common_conductor`](crate::exact::common_conductor).
     fn conductor(&self) -> u32 {
         1
     }
 }
 
-/// What a term of a polynomial counts for, beside its coefficient.
+/// The bits counted for each term of a polynomial besides its coefficient.
 const TERM_BITS: u64 = 10;
 
 impl Value for Rational {
@@ -90,7 +91,7 @@ impl Value for Polynomial {
         self.degree().max(bits)
     }
     fn product_size(&self, other: &Self) -> u64 {
-        // Every coefficient of the one by every coefficient of the other.
+        // Every coefficient of `self` is multiplied by every coefficient of `other`.
         let (left, right) = (self.term_count() as u64, other.term_count() as u64);
         let bits = |p: &Polynomial| p.coefficients().map(RealCyclotomic::bits).sum::<u64>();
         let terms = |p: &Polynomial| p.coefficients().map(|c| c.term_count() as u64).sum::<u64>();
@@ -121,7 +122,8 @@ impl Value for Polynomial {
         RealCyclotomic::cosine(turn).map(Polynomial::constant)
     }
     fn conductor(&self) -> u32 {
-        // What is brought together has a common field, so this stays below the cap.
+        // The coefficients have a common field, so the least common multiple is within
+        // the cap.
         let others = self.coefficients().map(RealCyclotomic::conductor).filter(|&n| n > 1);
         others.fold(1, num_integer::lcm)
     }
@@ -135,8 +137,8 @@ impl Value for RealCyclotomic {
         self.bits()
     }
     fn product_size(&self, other: &Self) -> u64 {
-        // A product of two terms counts as one bit: it is much quicker than one of
-        // terms with names.
+        // A product of two cosine terms counts as one bit: it is much quicker than a
+        // product of two terms of a polynomial.
         let terms = self.term_count() as u64 * other.term_count() as u64;
         terms.saturating_add(self.bits()).saturating_add(other.bits())
     }
@@ -159,7 +161,7 @@ impl Value for RealCyclotomic {
         Some(self.floor())
     }
     fn vanishes(&self) -> Option<bool> {
-        // A rational number is kept as one.
+        // The number 0 is always stored as a rational.
         Some(self.as_rational().is_some_and(Rational::is_zero))
     }
     fn cosine(turn: &Rational) -> Result<Self, CosineError> {
@@ -170,14 +172,15 @@ impl Value for RealCyclotomic {
     }
 }
 
-/// Quotients that are not piecewise polynomial are
-/// [`Parametric::Outside`], which the caller of an evaluation has to look for.
+/// Quotients that are not piecewise polynomial are [`Parametric::Outside`]. The caller of
+/// an evaluation must check for it.
 impl Value for Parametric {
     fn as_rational(&self) -> Option<Rational> {
         self.function()?.as_constant()
     }
     fn size(&self) -> u64 {
-        // Isolating the roots of a piece costs about the square of its degree.
+        // The time to isolate the roots of a piece grows about with the square of its
+        // degree.
         self.function().map_or(0, |f| f.bits().saturating_mul(f.degree().pow(2).max(1) as u64))
     }
     fn product_size(&self, other: &Self) -> u64 {

@@ -1,4 +1,4 @@
-//! The intervals between neighbouring points of a level, and how each splits.
+//! Cells, the intervals between neighbouring points of a level, and their splits.
 
 use super::error::{LimitError, MAX_WINDOW};
 use super::fraction::Fraction;
@@ -9,86 +9,88 @@ use super::value::Limit;
 use crate::exact::{Integer, Rational, common_denominator};
 use crate::scheme::Rules;
 
-/// What a product of short numbers takes, in products of words.
+/// The cost of a product of short numbers, in products of words.
 const OVERHEAD: u64 = 8;
 
-/// A row of a matrix, without its zeros: column and entry.
+/// A row of a matrix without its zeros, as pairs of column and entry.
 type Sparse = Vec<(usize, Integer)>;
 
-/// The parameters from (i + φ)/n^M to (i + 1 + φ)/n^M, with what P^∞ and P^k depend on there.
-/// At level k the ends belong to points: φ is the part {s} of the shift s. The later φ are the parts
-/// of the n^{M−k}s, the earlier ones {s}/n^{k−M}.
+/// The interval of parameters from (i + φ)/n^M to (i + 1 + φ)/n^M, with the data that determine P^∞
+/// and P^k on it. At level M = k its ends are the parameters of points: φ is the fractional part
+/// {s} of the shift s. For M > k, φ = {n^{M−k}s}; for M < k, φ = {s}/n^{k−M}.
 ///
-/// All is a linear function of the data at the root, level 0: either of the
-/// differences Δ^0 of its window, one column each, or of one column that holds their
-/// values. A functional of the differences is thus a row, and |·| of it the sum of
-/// its absolute entries.
+/// All values are linear functions of the differences Δ^0 in the window of the root, a
+/// cell of level 0. For all polygons, each of these differences has its own column. For a
+/// single polygon, there is one column with their values. So a functional of the
+/// differences is a row, and its norm, or its absolute value, is the sum of the absolute
+/// entries.
 #[derive(Clone, Debug)]
 pub(super) struct Cell {
     /// M.
     pub(super) level: u32,
     /// i.
     pub(super) index: Integer,
-    /// From level k on, which of the [`Phase`]s.
+    /// The number of its [`Phase`], for M ≥ k.
     phase: usize,
-    /// The differences Δ^M of the window, times `scale`.
+    /// The differences Δ^M in the window, times `scale`.
     rows: Vec<Vec<Integer>>,
     scale: Integer,
-    /// P^∞ − P^k at both ends, times `scale` and the scale of the [`Splitting`]; from
-    /// level k on.
+    /// P^∞ − P^k at both ends, times `scale` and the scale of the [`Splitting`]; present
+    /// for M ≥ k.
     ends: Option<[Vec<Integer>; 2]>,
 }
 
 impl Cell {
-    /// The interval from `index` to `index` + 1, with the differences of its window.
+    /// The cell of level 0 with this index, and the differences in its window.
     pub(super) fn root(index: Integer, rows: Vec<Vec<Integer>>, scale: Integer) -> Cell {
         Cell { level: 0, index, phase: 0, rows, scale, ends: None }
     }
 }
 
-/// What the bounds on a cell take: the sizes of Δ = Δ^M and ∇Δ in its window.
+/// The sizes of Δ = Δ^M and ∇Δ in the window of a cell, from which bounds are computed.
 pub(super) struct Sizes<'c> {
     /// max|Δ|, times `scale`.
     pub(super) spread: Integer,
-    /// |Δ_i|, of the cell from i to i + 1, times `scale`.
+    /// |Δ_i| for the cell of index i, times `scale`.
     pub(super) own: Integer,
     /// max|∇Δ|, where `(∇Δ)_i = Δ_{i+1} − Δ_i`, times `scale`.
     pub(super) turn: Integer,
     pub(super) scale: &'c Integer,
 }
 
-/// How a cell splits into n, over integers: Δ^{M+1} = DΔ^M, and P^∞ at the new points is
-/// on the line through its values at the ends, or off it by a functional of Δ^M.
+/// The split of a cell into n parts, in integers: Δ^{M+1} = DΔ^M, and P^∞ at a new end
+/// differs from the chord between its values at the old ends by a functional of Δ^M.
 #[derive(Clone, Debug)]
 pub(super) struct Splitting {
     /// n.
     pub(super) arity: usize,
-    /// The window of differences: those of i + first, …, i + first + size − 1 determine
-    /// P^∞ − P^k on cell i, and those of the windows of its parts.
+    /// The window of cell i holds the differences with the indices i + first, …, i +
+    /// first + size − 1. They determine P^∞ − P^k on the cell, and the differences in the
+    /// windows of its parts.
     pub(super) first: i64,
     pub(super) size: usize,
-    /// q, a multiple of n: what a level multiplies the scale of a cell by.
+    /// q, a multiple of n: the factor from the scale of a cell to the scale of its parts.
     base: Integer,
-    /// For each part α the rows of qD, up to level k.
+    /// For each part α the rows of qD, for cells of levels below k.
     coarse: Vec<Vec<Sparse>>,
-    /// From level k on.
+    /// The phases of cells of levels from k on.
     phases: Vec<Phase>,
-    /// s: what the ends have in their scale beyond that of the cell.
+    /// s: the factor from the scale of a cell to the scale of its ends.
     scale: Integer,
-    /// s times P^∞ − P^0 at 0 and at 1.
+    /// s times P^∞ − P^0 at φ and at φ + 1, where φ is the fractional part of the shift.
     ends: [Sparse; 2],
-    /// The products for each column of a cell that is split.
+    /// The number of products for each column of a cell when it is split.
     products: usize,
 }
 
-/// How a cell splits whose ends are φ beyond the points of its level.
+/// The split of a cell from i + φ to i + 1 + φ, in units of its level.
 #[derive(Clone, Debug)]
 struct Phase {
     /// φ.
     part: Rational,
     /// ⌊nφ⌋: the index of part α of cell i is ni + ⌊nφ⌋ + α.
     carry: i64,
-    /// The phase of the parts, of {nφ}.
+    /// The number of the phase of the parts, which have {nφ}.
     next: usize,
     /// For each part α the rows of qD.
     differences: Vec<Vec<Sparse>>,
@@ -97,14 +99,14 @@ struct Phase {
 }
 
 impl Splitting {
-    /// From the shift s, and what [`middles`] gives for it.
+    /// The splitting for a shift, and for the [`middles`] of this shift.
     pub(super) fn new(
         limit: &Limit,
         shift: &Rational,
         middles: &[Middles],
     ) -> Result<Splitting, LimitError> {
         let difference = limit.difference();
-        // The point at the left end of a cell of level k.
+        // The left end of a cell of level k.
         let node = shift.fract();
         let at_node = limit.error_from(0, &node, shift)?;
         let ends = [at_node.shifted(0), at_node.shifted(1)];
@@ -159,7 +161,7 @@ impl Splitting {
             arity,
             first,
             size,
-            // Besides the products, each entry of a row is looked at some times.
+            // Besides the products, each entry of a row is read a few times.
             products: entries + 2 * arity * size,
             coarse,
             phases,
@@ -169,7 +171,7 @@ impl Splitting {
         })
     }
 
-    /// The cell with P^∞ − P^k at its ends, when it is one of level k.
+    /// The cell, with P^∞ − P^k at its ends added if its level is k = `level`.
     pub(super) fn with_ends(&self, mut cell: Cell, level: u32) -> Cell {
         if cell.level == level {
             cell.ends = Some(self.ends.each_ref().map(|end| combine(end, &cell.rows)));
@@ -177,38 +179,39 @@ impl Splitting {
         cell
     }
 
-    /// The parameter of an end of a cell of level k or a later one.
+    /// The parameter of the left (`end` = 0) or right (`end` = 1) end of a cell of level
+    /// k or later.
     pub(super) fn parameter(&self, cell: &Cell, end: i64) -> Rational {
         let points = Integer::from(self.arity).pow(cell.level);
         let at = Rational::from(&cell.index + Integer::from(end)) + &self.phases[cell.phase].part;
         at / Rational::from(points)
     }
 
-    /// What the denominators of [`distances`](Splitting::distances) have beyond those of
-    /// [`sizes`](Splitting::sizes).
+    /// The factor from the denominators of [`sizes`](Splitting::sizes) to those of
+    /// [`distances`](Splitting::distances).
     pub(super) fn end_scale(&self) -> &Integer {
         &self.scale
     }
 
-    /// The steps that it takes to look at cells of level 0 that are like this one.
+    /// The cost in steps of bounding `count` cells of level 0 like `root`.
     pub(super) fn cost_of_roots(&self, root: &Cell, count: usize) -> u64 {
         (2 * self.size * root.rows[0].len() * count) as u64 * (root.scale.bits() / 64 + OVERHEAD)
     }
 
-    /// The steps that it takes to split this cell.
+    /// The cost in steps of splitting this cell.
     pub(super) fn cost(&self, cell: &Cell) -> u64 {
         let columns = cell.rows[0].len();
         (self.products * columns) as u64 * (cell.scale.bits() / 64 + OVERHEAD)
     }
 
-    /// |P^∞ − P^k| at both ends, from level k on.
+    /// |P^∞ − P^k| at both ends; `None` for a cell of a level below k.
     pub(super) fn distances(&self, cell: &Cell) -> Option<[Fraction; 2]> {
         let scale = &cell.scale * &self.scale;
         let ends = cell.ends.as_ref()?;
         Some(ends.each_ref().map(|end| Fraction { p: magnitude(end), q: scale.clone() }))
     }
 
-    /// The sizes of the differences of the window.
+    /// The sizes of the differences in the window.
     pub(super) fn sizes<'c>(&self, cell: &'c Cell) -> Sizes<'c> {
         let own = usize::try_from(-self.first).expect("the window holds Δ_0");
         let turn = |pair: &[Vec<Integer>]| -> Integer {
@@ -233,7 +236,7 @@ impl Splitting {
         }
     }
 
-    /// The n parts of a cell, for the distance from P^k.
+    /// The n parts of a cell, for the distance from P^k with k = `level`.
     pub(super) fn split(&self, cell: &Cell, level: u32) -> Vec<Cell> {
         let nodes = cell.ends.as_ref().map(|ends| self.nodes(cell, ends));
         let phase = &self.phases[cell.phase];
@@ -258,7 +261,7 @@ impl Splitting {
         (0..self.arity).map(part).collect()
     }
 
-    /// P^∞ − P^k at α/n of a cell, α = 0, …, n.
+    /// P^∞ − P^k at the fractions α/n of a cell, α = 0, …, n.
     fn nodes(&self, cell: &Cell, [left, right]: &[Vec<Integer>; 2]) -> Vec<Vec<Integer>> {
         let nth = self.base.div_floor(&Integer::from(self.arity));
         let node = |alpha: usize| {
@@ -288,7 +291,7 @@ pub(super) struct Middles {
     pub(super) functionals: Vec<Functional>,
 }
 
-/// For the part φ of the shift s, and of n^m s for every m.
+/// The [`Middles`] for φ = {s} and for all φ = {n^m s}, m = 1, 2, …, each φ once.
 pub(super) fn middles(limit: &Limit, shift: &Rational) -> Result<Vec<Middles>, LimitError> {
     let arity = limit.mask().arity();
     let mut part = shift.fract();
@@ -311,8 +314,9 @@ pub(super) fn middles(limit: &Limit, shift: &Rational) -> Result<Vec<Middles>, L
     Ok(all)
 }
 
-/// The least window that holds Δ_0 and what these functionals need, and with Δ^{M+1} at
-/// i + ⌊nφ⌋ + l, for each part i of a cell, also the Δ^M that it comes from.
+/// The least window that contains 0 and the supports of `functionals`, and is closed
+/// under splits: the Δ^{M+1} in the windows of all parts are determined by the Δ^M in the
+/// window.
 fn window<'a>(
     difference: &Rules,
     functionals: impl Iterator<Item = &'a Functional>,
@@ -341,7 +345,7 @@ fn window<'a>(
     }
 }
 
-/// Σ c·row.
+/// Σ c·row over the terms of `sparse`.
 fn combine(sparse: &Sparse, rows: &[Vec<Integer>]) -> Vec<Integer> {
     let mut sum = vec![Integer::zero(); rows[0].len()];
     add_combination(&mut sum, sparse, rows);

@@ -1,4 +1,4 @@
-//! Whether the limit is ever further from its polygon than claimed.
+//! Comparison of the distance of polygons from their limits with a threshold.
 
 use super::distance::{Distances, Polygons};
 use super::error::LimitError;
@@ -11,16 +11,17 @@ use crate::exact::{Enclosure, Rational};
 /// How a distance compares with a threshold.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Comparison<W> {
-    /// It is at most the threshold, for all that were asked for.
+    /// It is at most the threshold, for all polygons in question.
     Within,
-    /// It is greater, as this shows.
+    /// It is greater, as the witness shows.
     Exceeds(W),
-    /// The caps on cells and levels leave it in this interval, around the threshold.
+    /// Undecided within the caps on cells and levels: the distance is in this interval,
+    /// which contains the threshold.
     Undecided(Box<Enclosure>),
 }
 
 impl<W> Comparison<W> {
-    /// The same with another witness.
+    /// The same result with the witness mapped by `witness`.
     pub fn map<V>(self, witness: impl FnOnce(W) -> V) -> Comparison<V> {
         match self {
             Comparison::Within => Comparison::Within,
@@ -30,10 +31,10 @@ impl<W> Comparison<W> {
     }
 }
 
-/// A control polygon of spread 1 and a place where it is far from its limit.
+/// A control polygon with max|Δ| = 1, and a parameter at which it is far from its limit.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Witness {
-    /// The polygon: integers, neighbours of which differ by 1.
+    /// The polygon, of integers whose neighbours differ by 1.
     pub polygon: ExtremalPolygon,
     /// k.
     pub level: u32,
@@ -88,11 +89,11 @@ impl Distances {
         )
     }
 
-    /// The same for ‖P^∞ − P^k‖_∞ of one control polygon: what exceeds the threshold is
-    /// |P^∞(t) − P^k(t)| at a t.
+    /// Compares ‖P^∞ − P^k‖_∞ of one control polygon with a threshold. The witness is a
+    /// pair of t and |P^∞(t) − P^k(t)|.
     ///
     /// # Errors
-    /// As of [`Distances::compare`], and when the polygon is too short.
+    /// As [`Distances::compare`], and when the polygon is too short.
     pub fn compare_polygon(
         &self,
         polygon: &ControlPolygon,

@@ -1,4 +1,4 @@
-//! Whether a scheme converges, and its limit at 0.
+//! Convergence of a scheme, and its limit at 0 and at parameters with repeating digits.
 
 use super::error::{LimitError, MAX_PERIOD, MAX_WINDOW};
 use super::functional::{Functional, rule_at};
@@ -7,16 +7,17 @@ use crate::bound::{Budget, Order, PowerSearch};
 use crate::exact::{Rational, format, solve};
 use crate::scheme::{Mask, Rules};
 
-/// The residue classes up to which ‖Rᶜ‖ is computed in any case.
+/// ‖Rᶜ‖ is always computed up to this number of residue classes.
 const CLASSES: u64 = 1 << 10;
 
-/// The residue classes up to which a norm below 1 is looked for in any case, and beyond them the
-/// products of words that branch and bound may compute.
+/// A norm below 1 is sought up to this number of residue classes; beyond it, only branch and
+/// bound with at most `MOST_WORK` products of words is tried.
 const MOST_CLASSES: u64 = 1 << 16;
 const MOST_WORK: u64 = 1 << 25;
 
-/// ‖R^0‖ = 1, ‖R^1‖, …, in adjoint order: for n^c ≤ 2^10, and while none is below 1 for
-/// n^c ≤ 2^16; and beyond, if they fall and branch and bound soon finds one that is below 1.
+/// ‖R^0‖ = 1, ‖R^1‖, …, in adjoint order: for n^c ≤ 2^10, and, while none is below 1, for
+/// n^c ≤ 2^16. Further norms follow if the last ones decrease and branch and bound finds a
+/// norm below 1 with little work.
 pub(super) fn contraction_constants(rules: &Rules) -> Vec<Rational> {
     let one = Rational::one();
     let mut search = PowerSearch::new(rules, Order::Adjoint);
@@ -37,19 +38,21 @@ pub(super) fn contraction_constants(rules: &Rules) -> Vec<Rational> {
     constants
 }
 
-/// The least c that is found with ‖R^c‖ < 1.
+/// The least computed c with ‖R^c‖ < 1, if there is one.
 pub(crate) fn first_contraction(rules: &Rules) -> Option<u32> {
     let constants = contraction_constants(rules);
     let c = constants.iter().position(|constant| *constant < Rational::one());
     c.and_then(|c| u32::try_from(c).ok())
 }
 
-/// Whether the last is less than the one before: where it is not, none below 1 is soon to come.
+/// Whether the last constant is less than the one before. If not, a constant below 1 is not
+/// expected soon.
 fn fall(constants: &[Rational]) -> bool {
     constants.windows(2).next_back().is_some_and(|pair| pair[1] < pair[0])
 }
 
-/// ‖R^c‖, ‖R^{c+1}‖, … up to the first that is below 1; none if it is not soon found.
+/// ‖R^c‖, ‖R^{c+1}‖, … up to the first one below 1, with c = `first`; empty if none is
+/// found within the work.
 fn first_below_one(rules: &Rules, first: u32) -> Vec<Rational> {
     let search = PowerSearch::new(rules, Order::Adjoint);
     let mut search = search.with_budget(Budget::new(MOST_WORK));
@@ -66,15 +69,16 @@ fn first_below_one(rules: &Rules, first: u32) -> Vec<Rational> {
 
 /// lim x^k_0 as a functional of the control points.
 ///
-/// The rows l, …, h of the scheme have no column outside l, …, h when
-/// l − ⌊l/n⌋ ≤ o and h − ⌊h/n⌋ ≥ o + N − 1. On this window the functional is the w
-/// with w = wA and Σ w_i = 1, and 1 is a simple eigenvalue exactly when w is the only
-/// one (`proofs/THEOREMS.md`, 3). Of w(A − 1) = 0 the first equation follows from the
-/// others, since the rows of A sum to 1; Σ w_i = 1 takes its place.
+/// The rows l, …, h of the scheme have no column outside l, …, h when l − ⌊l/n⌋ ≤ o and h
+/// − ⌊h/n⌋ ≥ o + N − 1. On this window the functional is the w with w = wA and Σ w_i = 1,
+/// where A is the matrix of these rows. 1 is a simple eigenvalue exactly if there is only
+/// one such w (`proofs/THEOREMS.md`, 3). The first equation of w(A − 1) = 0 follows from
+/// the others, since the rows of A sum to 1. It is replaced by Σ w_i = 1.
 pub(super) fn limit_at_zero(mask: &Mask) -> Result<Functional, LimitError> {
     let arity = i64::try_from(mask.arity()).expect("the arity is capped");
     let width = i64::try_from(mask.width()).expect("the width is capped");
-    // l − ⌊l/n⌋ = ⌈l(n−1)/n⌉: the least l at which it is o, the greatest h.
+    // l − ⌊l/n⌋ = ⌈l(n−1)/n⌉. Take the least l at which this is o, and the greatest h at
+    // which it is o + N − 1.
     let first = (arity * (mask.offset() - 1)).div_euclid(arity - 1) + 1;
     let last = (arity * (mask.offset() + width - 1)).div_euclid(arity - 1);
     let size = usize::try_from(last - first + 1).expect("the window is not empty");
@@ -94,12 +98,12 @@ pub(super) fn limit_at_zero(mask: &Mask) -> Result<Functional, LimitError> {
     Ok(Functional::new(first, weights))
 }
 
-/// P^∞(t) as a functional of the control points, for a t from 0 to below 1 whose digits repeat from
-/// the first on.
+/// P^∞(t) as a functional of the control points, for 0 ≤ t < 1 with purely periodic n-adic digits.
 ///
-/// With l ≤ ⌊l/n⌋ + o and ⌊(h + n − 1)/n⌋ + o + N − 1 ≤ h, the points l, …, h of each level around
-/// n^k t are determined by those of the level before. After a period they have the same functional
-/// again: w with w = wB and Σ w_i = 1, the only one where the scheme converges.
+/// With l ≤ ⌊l/n⌋ + o and ⌊(h + n − 1)/n⌋ + o + N − 1 ≤ h, the points at the indices l, …, h
+/// around ⌊n^k t⌋ of level k are determined by those around ⌊n^{k−1} t⌋ of level k − 1. After one
+/// period the limit is the same functional of them again: the w with w = wB and Σ w_i = 1, where B
+/// is the matrix of one period. It is the only such w if the scheme converges.
 ///
 /// Source: `proofs/THEOREMS.md`, 82.
 pub(super) fn limit_at_repeating(mask: &Mask, t: &Rational) -> Result<Functional, LimitError> {
@@ -123,7 +127,7 @@ pub(super) fn limit_at_repeating(mask: &Mask, t: &Rational) -> Result<Functional
     Ok(Functional::new(first, weights))
 }
 
-/// l and h, the nearest to 0.
+/// The l and h that are nearest to 0.
 fn window(mask: &Mask) -> Result<(i64, i64), LimitError> {
     let arity = i64::try_from(mask.arity()).expect("the arity is capped");
     let width = i64::try_from(mask.width()).expect("the width is capped");

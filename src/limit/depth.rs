@@ -1,4 +1,4 @@
-//! Subdivision depths, from above and below.
+//! Subdivision depths, bounded from above and below.
 
 use super::comparison::Comparison;
 use super::distance::{Distances, Polygons};
@@ -10,9 +10,11 @@ use crate::exact::Rational;
 /// tolerance at level k and at every later one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TwoSidedDepth {
-    /// The level before this one does not meet the tolerance; at 0 there is none.
+    /// A lower bound of the depth: it is 0, or level `lower` − 1 does not meet the
+    /// tolerance.
     pub lower: u32,
-    /// This level and all later ones do. It is the depth when both are equal.
+    /// An upper bound of the depth: this level and all later ones meet the tolerance. If
+    /// `lower` = `upper`, this is the depth.
     pub upper: u32,
 }
 
@@ -20,9 +22,10 @@ impl Distances {
     /// The least k from which on every control polygon with max|Δ| ≤ `spread` is within
     /// `tolerance` of its limit: C_m·spread ≤ tolerance for all m ≥ k.
     ///
-    /// The distance need not fall with the level. Where T_c ≤ 1, C_{m+c} ≤ C_m, and after c
-    /// levels that meet the tolerance all later ones do. Where C_k·spread is the tolerance itself, or too near to it to tell within the
-    /// caps of the search, the two sides can stay apart.
+    /// The distance need not decrease with the level. But if T_c ≤ 1, then C_{m+c} ≤ C_m: if c
+    /// levels in a row meet the tolerance, all later ones do. If C_k·spread is so close to the
+    /// tolerance that the search does not decide within its caps, the two bounds of the depth may
+    /// differ.
     ///
     /// Source: `proofs/THEOREMS.md`, 9.
     ///
@@ -54,7 +57,7 @@ impl Distances {
     /// The least k from which on this control polygon is within `tolerance` of its limit.
     ///
     /// # Errors
-    /// As of [`Distances::depth`], and when the polygon is too short.
+    /// As [`Distances::depth`], and when the polygon is too short.
     pub fn depth_of_polygon(
         &self,
         polygon: &ControlPolygon,
@@ -64,11 +67,12 @@ impl Distances {
     }
 
     /// The least k from which on a control polygon of points is within `tolerance` of its
-    /// limit in every coordinate: one [`ControlPolygon`] for each. Since a distance need
-    /// not fall with the level, it can be greater than the depth of each coordinate.
+    /// limit in every coordinate. Each coordinate is a [`ControlPolygon`]. This is the
+    /// greatest of the depths of the coordinates; the bounds are computed for all
+    /// coordinates together.
     ///
     /// # Errors
-    /// As of [`Distances::depth_of_polygon`].
+    /// As [`Distances::depth_of_polygon`].
     ///
     /// ```
     /// use subcert::exact::Rational;
@@ -100,22 +104,24 @@ impl Distances {
         threshold: &Rational,
     ) -> Result<TwoSidedDepth, LimitError> {
         let surely = |level| among.iter().all(|own| self.unsearched(own, level) <= *threshold);
-        // What holds for all polygons at a level holds for the refined ones at a later level; what
-        // holds for one polygon need not.
+        // A bound for all polygons at a level also holds for refined polygons, so for later
+        // levels. A bound for a single polygon need not.
         let all = among.iter().all(|own| own.only.is_none());
         let lasting = if all { self.lasting() } else { None };
         let meets = |level| self.compare_each(among, level, threshold);
         two_sided(meets, surely, lasting, || self.caps())
     }
 
-    /// The least c with T_c ≤ 1: after c levels within a bound all later ones are.
+    /// The least c with T_c ≤ 1. If c levels in a row are within a bound, all later ones
+    /// are.
     pub(crate) fn lasting(&self) -> Option<u32> {
         let constants = self.limit().contraction();
         let c = constants.iter().skip(1).position(|constant| *constant <= Rational::one())?;
         u32::try_from(c + 1).ok()
     }
 
-    /// Whether all of them are within the threshold at this level, where that is known.
+    /// Whether all polygons are within the threshold at this level; `None` if this is not
+    /// decided.
     fn compare_each(
         &self,
         among: &[Polygons<'_>],
@@ -134,11 +140,13 @@ impl Distances {
     }
 }
 
-/// The depth, by a search that tells whether a level meets the tolerance, or leaves that open.
+/// The depth, from a search `meets` that says whether a level meets the tolerance, or leaves
+/// this open (`None`).
 ///
-/// A level that `surely` meets it without a search is one from which on all do. Where `lasting`
-/// is some c, all do after c levels in a row that meet it. Up to the first level that the search
-/// leaves open, levels are tried upwards; from there on downwards from one that surely meets it.
+/// If a level `surely` meets the tolerance by a bound without search, all later levels do. If
+/// `lasting` is some c, and c levels in a row meet the tolerance, all later levels do. Levels
+/// are tried upwards until the search leaves one open. After that they are tried downwards, from
+/// the first level that surely meets the tolerance.
 pub(super) fn two_sided<E: From<LimitError>>(
     mut meets: impl FnMut(u32) -> Result<Option<bool>, E>,
     surely: impl Fn(u32) -> bool,

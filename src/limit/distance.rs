@@ -1,4 +1,4 @@
-//! The distance of a polygon from its limit, from above and below.
+//! The distance of a polygon from its limit, bounded from above and below.
 
 use super::cell::{Cell, Splitting, middles};
 use super::error::{LimitError, MAX_LEVEL, positive};
@@ -11,16 +11,16 @@ use super::value::Limit;
 use crate::bound::{Budget, Share};
 use crate::exact::{Enclosure, Integer, Rational};
 
-/// The most cells that one question about a distance looks at.
+/// The greatest number of cells that the computation of one distance splits.
 pub const MAX_CELLS: u32 = 1 << 18;
 
-/// A distance ‖P^∞ − P^k‖_∞, and where P^∞ and P^k are so far apart, or nearly.
+/// A distance ‖P^∞ − P^k‖_∞, and a parameter at which it is attained, or nearly so.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Distance {
-    /// What encloses it.
+    /// An enclosure of the distance.
     pub enclosure: Enclosure,
-    /// A t at which |P^∞(t) − P^k(t)| is the lower end: for the distance constant, at
-    /// the extremal polygon of [`Limit::error`] there.
+    /// A t at which |P^∞(t) − P^k(t)| is the lower end of the enclosure. For the distance
+    /// constant, the polygon is the extremal polygon of [`Limit::error`] at t.
     pub parameter: Rational,
 }
 
@@ -29,11 +29,11 @@ pub struct Distance {
 /// The distance constant is `C_k = sup ‖P^∞ − P^k‖_∞` over the control polygons with
 /// max|Δ| ≤ 1: the least number for which `‖P^∞ − P^k‖_∞ ≤ C_k max|Δ|` always.
 ///
-/// It is the supremum over t of the norm of the functional P^∞(t) − P^k(t) of Δ. The
-/// intervals between neighbouring points of a level are split, to deeper and deeper
-/// levels. The exact values at their ends bound it from below, and with a bound of what
-/// P^∞ does between them from above. Only intervals that may hold the supremum are
-/// split.
+/// It is the supremum over t of the norm of P^∞(t) − P^k(t) as a functional of Δ. The
+/// intervals between neighbouring points of a level are split again and again. The exact
+/// values at their ends bound the supremum from below. Together with a bound of P^∞
+/// between the ends they bound it from above. Only intervals that may contain the
+/// supremum are split.
 ///
 /// Source: `proofs/THEOREMS.md`, 5–9, 81 and 88.
 ///
@@ -60,8 +60,8 @@ pub struct Distances {
 }
 
 impl Distances {
-    /// The distances from this limit of the polygons with x^k_i at i/n^k, found with at most
-    /// [`MAX_CELLS`] cells each.
+    /// The distances from this limit of the polygons with x^k_i at i/n^k. Each is computed
+    /// with at most [`MAX_CELLS`] cells.
     ///
     /// # Errors
     /// When the window of differences that determines P^∞ − P^0 between two points is
@@ -70,11 +70,11 @@ impl Distances {
         Distances::placed(limit, Parametrisation::Indexed)
     }
 
-    /// The same of the polygons with x^k_i at its natural parameter (i + s)/n^k, s as of
-    /// [`natural_shift`](super::natural_shift).
+    /// The distances of the polygons with x^k_i at its natural parameter (i + s)/n^k,
+    /// with s from [`natural_shift`](super::natural_shift).
     ///
     /// # Errors
-    /// As of [`Distances::shifted`].
+    /// As [`Distances::shifted`].
     ///
     /// ```
     /// use subcert::exact::{Enclosure, Rational};
@@ -92,10 +92,10 @@ impl Distances {
         Distances::placed(limit, Parametrisation::Natural)
     }
 
-    /// The same in either parametrisation.
+    /// The distances of the polygons in the given parametrisation.
     ///
     /// # Errors
-    /// As of [`Distances::shifted`].
+    /// As [`Distances::shifted`].
     pub fn placed(
         limit: &Limit,
         parametrisation: Parametrisation,
@@ -103,10 +103,10 @@ impl Distances {
         Distances::shifted(limit, &parametrisation.shift(limit.mask()))
     }
 
-    /// The same of the polygons with x^k_i at (i + shift)/n^k.
+    /// The distances of the polygons with x^k_i at (i + shift)/n^k.
     ///
     /// # Errors
-    /// As of [`Distances::new`], and when the digits of the shift do not repeat soon enough for
+    /// As [`Distances::new`], and when the digits of the shift do not repeat soon enough for
     /// [`Limit::at`].
     pub fn shifted(limit: &Limit, shift: &Rational) -> Result<Distances, LimitError> {
         let middles = middles(limit, shift)?;
@@ -117,13 +117,13 @@ impl Distances {
         Ok(Distances { limit, shift, remainders, splitting, cells, budget })
     }
 
-    /// The same with another cap on the number of cells.
+    /// These distances with another cap on the number of cells.
     #[must_use]
     pub fn with_cells(self, cells: u32) -> Distances {
         Distances { cells, ..self }
     }
 
-    /// The same with a budget, which others may share.
+    /// These distances with a budget, which other computations may share.
     #[must_use]
     pub fn with_budget(self, budget: Budget) -> Distances {
         Distances { budget, ..self }
@@ -135,12 +135,12 @@ impl Distances {
         &self.budget
     }
 
-    /// How many differences a cell depends on.
+    /// The number of differences on which a cell depends.
     pub(super) fn window(&self) -> usize {
         self.splitting.size
     }
 
-    /// What ends a search, in words.
+    /// A text that states the caps of a search.
     #[must_use]
     pub fn caps(&self) -> String {
         self.budget.caps(self.cells, "a level")
@@ -152,7 +152,7 @@ impl Distances {
         &self.limit
     }
 
-    /// s, of the points at (i + s)/n^k.
+    /// The shift s of the points at (i + s)/n^k.
     #[must_use]
     pub fn shift(&self) -> &Rational {
         &self.shift
@@ -161,24 +161,24 @@ impl Distances {
     /// P^∞(t) − P^k(t) as a functional of Δ.
     ///
     /// # Errors
-    /// As of [`Limit::error`].
+    /// As [`Limit::error`].
     pub fn error(&self, level: u32, t: &Rational) -> Result<Functional, LimitError> {
         self.limit.error_from(level, t, &self.shift)
     }
 
-    /// C_k in an interval of at most this width.
+    /// An enclosure of C_k of at most this width.
     ///
     /// # Errors
-    /// When k is above 128, the width is not positive, or it is not reached within the
-    /// cap on cells, 96 levels below k.
+    /// When k is above 128, the width is not positive, or the width is not reached within
+    /// the cap on cells and within 96 levels beyond k.
     pub fn constant(&self, level: u32, width: &Rational) -> Result<Distance, LimitError> {
         self.enclose(&self.any_polygon(), level, width)
     }
 
-    /// ‖P^∞ − P^k‖_∞ of this control polygon in an interval of at most this width.
+    /// An enclosure of ‖P^∞ − P^k‖_∞ of at most this width, for this control polygon.
     ///
     /// # Errors
-    /// As of [`Distances::constant`], and when the polygon is too short.
+    /// As [`Distances::constant`], and when the polygon is too short.
     ///
     /// ```
     /// use subcert::exact::{Enclosure, Rational};
@@ -214,7 +214,8 @@ impl Distances {
         if self.looks_at_roots(among, &share) {
             upper = search.bound(&mut best).min(upper);
         }
-        // A first, coarse search finds a good value, which spares the next one cells.
+        // A first, coarse search finds a good value; with it the next search splits fewer
+        // cells.
         let mut step = &upper - &best.value;
         while &upper - &best.value > *width && step > *width && search.goes_on() {
             step = (step / Rational::from(4)).max(width.clone());
@@ -227,7 +228,7 @@ impl Distances {
         Ok(Distance { enclosure, parameter: best.parameter })
     }
 
-    /// The search for the distance at level k, and a first value of it.
+    /// The search for the distance at level k, and a first lower bound of it.
     pub(super) fn search<'a>(
         &'a self,
         among: &'a Polygons,
@@ -237,7 +238,7 @@ impl Distances {
         if level > MAX_LEVEL {
             return Err(LimitError::Level(level));
         }
-        // A point of the polygon, and the place of one where it has an index of its own.
+        // The first point of level k in the first cell.
         let points = Rational::from(self.limit.mask().arity()).pow(level.cast_signed());
         let node = self.shift.fract() / points;
         let parameter = Rational::from(among.roots[0].index.clone()) + node;
@@ -251,17 +252,17 @@ impl Distances {
         Ok((search, Best { value, parameter }))
     }
 
-    /// Whether the cells of level 0 may be looked at.
+    /// Takes the steps for bounding the cells of level 0; `false` if they do not remain.
     pub(super) fn looks_at_roots(&self, among: &Polygons, share: &Share) -> bool {
         share.take(self.splitting.cost_of_roots(&among.roots[0], among.roots.len()))
     }
 
-    /// A bound of C_k that takes no search. It does not grow with the level.
+    /// An upper bound of C_k without a search. It does not increase with the level.
     pub(crate) fn at_most(&self, level: u32) -> Rational {
         self.remainders.of_all(level)
     }
 
-    /// A bound of the distance at level k that takes no search.
+    /// An upper bound of the distance at level k without a search.
     pub(super) fn unsearched(&self, among: &Polygons, level: u32) -> Rational {
         let of_all = self.remainders.of_all(level);
         among.only.map_or(of_all.clone(), |polygon| of_all * polygon.spread())
@@ -286,7 +287,7 @@ impl Distances {
     }
 }
 
-/// The control polygons among which the greatest distance is looked for.
+/// The control polygons over which the supremum of the distance is taken.
 pub(super) struct Polygons<'a> {
     /// The cells of level 0.
     roots: Vec<Cell>,

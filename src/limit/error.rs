@@ -2,19 +2,19 @@
 
 use crate::exact::{Enclosure, Rational, format};
 
-/// The widest window of control points or differences that is worked on.
+/// The greatest number of control points or differences in a window.
 pub const MAX_WINDOW: usize = 128;
 
-/// The largest offset o of a mask, in absolute value.
+/// The largest absolute value of the offset o of a mask.
 pub const MAX_OFFSET: u64 = 10_000;
 
 /// The highest level k at which a polygon is compared with its limit.
 pub const MAX_LEVEL: u32 = 128;
 
-/// The most n-adic digits of a parameter.
+/// The greatest number of n-adic digits of a parameter before they repeat.
 pub const MAX_PARAMETER_DIGITS: u32 = 256;
 
-/// The most n-adic digits of a parameter after which they repeat.
+/// The greatest period of the n-adic digits of a parameter.
 pub const MAX_PERIOD: u32 = 64;
 
 /// Why there is no limit, or no distance.
@@ -29,7 +29,7 @@ pub enum LimitError {
     NoLimit {
         /// The first point of the invariant window.
         first: i64,
-        /// The last one.
+        /// The last point of the invariant window.
         last: i64,
     },
     /// No computed T_c is below 1.
@@ -52,7 +52,8 @@ pub enum LimitError {
          worked on: take a scheme of fewer coefficients, or of an offset nearer to its centre"
     )]
     Window(usize),
-    /// A parameter with too many digits, or too large.
+    /// A parameter that is too large, or whose digits repeat too late or with too long a
+    /// period.
     #[error(
         "the parameter {parameter} is 2^60 or more in absolute value, or its digits in base {arity} \
          repeat neither after {MAX_PARAMETER_DIGITS} of them nor with a period of {MAX_PERIOD}"
@@ -66,7 +67,7 @@ pub enum LimitError {
     /// A level beyond [`MAX_LEVEL`].
     #[error("level {0} is too high; at most {MAX_LEVEL} is")]
     Level(u32),
-    /// Too many residue classes for a step or a difference.
+    /// Too many residue classes for a step, a change or a difference.
     #[error("after {level} levels of arity {arity} there are too many points to compare")]
     Classes {
         /// n.
@@ -79,24 +80,24 @@ pub enum LimitError {
     NotPositive {
         /// What must be positive.
         what: &'static str,
-        /// What it is.
+        /// Its value.
         value: String,
     },
-    /// The asked width was not reached within the cap on cells.
+    /// The requested width was not reached within the cap on cells.
     #[error(
         "at most {cells} cells leave the distance between {} and {}: ask for a greater width",
         format::short(.reached.lower(), 9), format::short(.reached.upper(), 9)
     )]
     TooFine {
-        /// How many cells were looked at.
+        /// The cap on cells.
         cells: u32,
-        /// What is known.
+        /// The enclosure that was reached.
         reached: Box<Enclosure>,
     },
     /// A control polygon that determines no piece of the limit.
     #[error("fewer than {needed} control points do not determine any piece of the limit")]
     TooFew {
-        /// How many points are needed.
+        /// The number of points that are needed.
         needed: usize,
     },
     /// No level up to [`MAX_LEVEL`] is shown to be deep enough.
@@ -104,21 +105,23 @@ pub enum LimitError {
         "no level up to {MAX_LEVEL} is shown to meet the tolerance: ask for a greater tolerance"
     )]
     TooDeep,
-    /// A level that the search leaves open comes before any that is shown to be deep enough.
+    /// The search leaves a level open, and for no level it is shown that this level and
+    /// all later ones meet the tolerance.
     #[error(
         "the depth is at least {lower}, and of no level up to {MAX_LEVEL} it is shown within the \
          caps of the search, {caps}, that it and all later ones meet the tolerance: ask for a \
          greater tolerance"
     )]
     LeftOpen {
-        /// The level before this one does not meet the tolerance.
+        /// A lower bound of the depth: 0, or the level before it does not meet the
+        /// tolerance.
         lower: u32,
         /// The caps.
         caps: String,
     },
 }
 
-/// Refuses a value that is not positive.
+/// An error unless `value` is positive.
 pub(super) fn positive(what: &'static str, value: &Rational) -> Result<(), LimitError> {
     if value.sign() > 0 {
         return Ok(());

@@ -1,4 +1,4 @@
-//! Polygons that are far from their limit at a high level, from those at the levels before.
+//! Polygons that are far from their limit at a high level, found level by level.
 
 use super::error::{LimitError, MAX_LEVEL};
 use super::functional::ExtremalPolygon;
@@ -6,10 +6,10 @@ use super::row::{Refinement, Row};
 use super::value::Limit;
 use crate::exact::{Integer, Rational};
 
-/// A polygon that is far from its limit at a place.
+/// A polygon, and a parameter at which it is far from its limit.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FarPolygon {
-    /// The polygon: integers, neighbours of which differ by 1.
+    /// The polygon, of integers whose neighbours differ by 1.
     pub polygon: ExtremalPolygon,
     /// t.
     pub parameter: Rational,
@@ -17,7 +17,7 @@ pub struct FarPolygon {
     pub distance: Rational,
 }
 
-/// P^∞(t) − P^k(t) as a functional of Δ, times a denominator.
+/// A parameter t, with P^∞(t) − P^k(t) as a functional of Δ, times a denominator.
 struct Place {
     parameter: Rational,
     row: Row,
@@ -33,18 +33,20 @@ impl Place {
 }
 
 impl Limit {
-    /// A polygon with max|Δ| = 1 that is far from its limit at a level, though not always
-    /// as far as any: its place is looked for near that of the level before.
+    /// A polygon with max|Δ| = 1 that is far from its limit at a level. It need not be
+    /// the farthest one: its parameter is sought only near the parameter of the preceding
+    /// level.
     ///
     /// From t at level k the places (t + d)/n, d = 0, …, n − 1, and t itself are tried at
-    /// level k + 1. P^∞ − P^{k+1} at (t + d)/n is P^∞ − P^k at t + d of the refined polygon
-    /// (`proofs/THEOREMS.md`, 4), so that each of these takes one step.
+    /// level k + 1. P^∞ − P^{k+1} at (t + d)/n is P^∞ − P^k at t + d for the refined
+    /// polygon (`proofs/THEOREMS.md`, 4), so each of these values takes one refinement
+    /// step.
     ///
     /// # Errors
     /// When the level is above 128.
     ///
     /// # Panics
-    /// Never: there are places.
+    /// Never: at least one parameter is tried.
     ///
     /// ```
     /// use subcert::exact::Rational;
@@ -60,14 +62,14 @@ impl Limit {
         self.far_polygon_from(level, &Rational::zero())
     }
 
-    /// The same of the polygons with x^k_i at (i + shift)/n^k.
+    /// As [`Limit::far_polygon`], for the polygons with x^k_i at (i + shift)/n^k.
     ///
     /// # Errors
-    /// As of [`Limit::far_polygon`], and when the digits of the shift do not repeat soon enough for
+    /// As [`Limit::far_polygon`], and when the digits of the shift do not repeat soon enough for
     /// [`Limit::at`].
     ///
     /// # Panics
-    /// Never: there are places.
+    /// Never: at least one parameter is tried.
     pub fn far_polygon_from(&self, level: u32, shift: &Rational) -> Result<FarPolygon, LimitError> {
         if level > MAX_LEVEL {
             return Err(LimitError::Level(level));
@@ -99,7 +101,7 @@ impl Limit {
     }
 }
 
-/// The place of the greater norm; of equal ones, the one further right.
+/// The place with the greater norm; of equal norms, with the greater parameter.
 fn farther(one: Place, other: Place) -> Place {
     if (&one.norm, &one.parameter) > (&other.norm, &other.parameter) { one } else { other }
 }

@@ -1,10 +1,10 @@
-//! Fractions that are compared more often than they are read.
+//! Unreduced fractions, for numbers that are mostly compared.
 
 use crate::exact::{Integer, Rational};
 use std::cmp::Ordering;
 
-/// p/q with q > 0, not in lowest terms: a product for a comparison costs less than a
-/// greatest common divisor.
+/// p/q with q > 0, not reduced to lowest terms: the products of a comparison cost less
+/// than a greatest common divisor.
 #[derive(Clone, Debug)]
 pub(super) struct Fraction {
     pub(super) p: Integer,
@@ -12,7 +12,7 @@ pub(super) struct Fraction {
 }
 
 impl Fraction {
-    /// In lowest terms.
+    /// The value as a rational number, in lowest terms.
     pub(super) fn reduced(self) -> Rational {
         Rational::new(self.p, self.q)
     }

@@ -4,7 +4,7 @@ use crate::exact::Rational;
 use crate::scheme::Rules;
 use std::collections::BTreeMap;
 
-/// A linear functional y ↦ Σ_i c_i y_i of sequences over the integers, with
+/// A linear functional y ↦ Σ_i c_i y_i of sequences (y_i) indexed by the integers, with
 /// finitely many c_i ≠ 0.
 ///
 /// ```
@@ -21,7 +21,7 @@ use std::collections::BTreeMap;
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Functional {
-    /// The c_i ≠ 0.
+    /// The nonzero c_i.
     coefficients: BTreeMap<i64, Rational>,
 }
 
@@ -32,7 +32,8 @@ impl Functional {
         (first..).zip(coefficients).collect()
     }
 
-    /// (1 − s) y_i + s y_{i+1} for u = i + s, 0 ≤ s < 1: the piecewise linear function at u.
+    /// y ↦ (1 − s) y_i + s y_{i+1} for u = i + s, 0 ≤ s < 1: the value at u of the piecewise
+    /// linear interpolant of y.
     pub(super) fn on_line(u: &Rational) -> Functional {
         let part = u.fract();
         let index = u.floor().to_i64().expect("shifts are capped with the offsets");
@@ -57,7 +58,7 @@ impl Functional {
         Some((*self.coefficients.first_key_value()?.0, *self.coefficients.last_key_value()?.0))
     }
 
-    /// Σ_i |c_i|: the greatest value at sequences with |y_i| ≤ 1.
+    /// Σ_i |c_i|: the greatest value on sequences with |y_i| ≤ 1.
     #[must_use]
     pub fn norm(&self) -> Rational {
         self.coefficients.values().map(Rational::abs).sum()
@@ -82,7 +83,7 @@ impl Functional {
         own.chain(other.terms().map(|(i, c)| (i, factor * c))).collect()
     }
 
-    /// x ↦ the value at y, where y_{ni+α} = Σ_j r_{α,j} x_{i+o+j}.
+    /// The functional x ↦ self(y), where y_{ni+α} = Σ_j r_{α,j} x_{i+o+j}.
     #[must_use]
     pub fn after(&self, rules: &Rules) -> Functional {
         self.terms()
@@ -90,8 +91,8 @@ impl Functional {
             .collect()
     }
 
-    /// The same functional of the differences Δ_i = y_{i+1} − y_i: its coefficients
-    /// are Σ_{h>i} c_h. `None` unless Σ_i c_i = 0.
+    /// This functional, written as a functional of the differences Δ_i = y_{i+1} − y_i,
+    /// with the coefficients Σ_{h>i} c_h. `None` unless Σ_i c_i = 0.
     #[must_use]
     pub fn on_differences(&self) -> Option<Functional> {
         let Some((first, last)) = self.support() else { return Some(self.clone()) };
@@ -101,7 +102,7 @@ impl Functional {
             (i - 1, rest.clone())
         });
         let differences: Functional = tails.collect();
-        // The coefficient of Δ_{first−1} is the sum of all.
+        // The coefficient of Δ_{first−1} is Σ_i c_i.
         differences.coefficient(first - 1).is_zero().then_some(differences)
     }
 
@@ -132,18 +133,18 @@ impl FromIterator<(i64, Rational)> for Functional {
     }
 }
 
-/// A piece x_first, x_{first+1}, … of a control polygon of integers, neighbours of
-/// which differ by 1. What it depends on is all there: how the polygon goes on does
-/// not matter.
+/// A piece x_first, x_{first+1}, … of a control polygon of integers. The functional for
+/// which it is extremal depends on these points only, so the polygon may be continued in
+/// any way.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ExtremalPolygon {
     /// The index of the first point.
     pub first: i64,
-    /// The points, the first of them 0.
+    /// The points; the first one is 0.
     pub points: Vec<i64>,
 }
 
-/// The pairs (m, r) of y_i = Σ r x_m: row i of the operator of these rules.
+/// Row i of the operator of these rules: the pairs (m, r) with y_i = Σ r x_m.
 pub(super) fn rule_at(rules: &Rules, i: i64) -> impl Iterator<Item = (i64, &Rational)> {
     let arity = i64::try_from(rules.arity()).expect("the arity is capped");
     let rule = usize::try_from(i.rem_euclid(arity)).expect("a residue is not negative");

@@ -1,4 +1,4 @@
-//! How far the points of a ring are from its limit, level by level.
+//! The distances of the points of a ring from its limit, level by level.
 
 use super::comparison::Comparison;
 use super::error::MAX_LEVEL;
@@ -10,16 +10,16 @@ use crate::exact::{Rational, Real, RealCyclotomic, format};
 use crate::formula::Value;
 use crate::scheme::LocalRules;
 
-/// A distance of a ring, and what attains it.
+/// A distance of a ring, with a point and a control ring that attain it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LocalWitness<S = RealCyclotomic> {
-    /// A control ring of integers, neighbours of which differ by at most 1.
+    /// A control ring of integers that differ by at most 1 along edges.
     pub ring: Vec<i64>,
     /// k.
     pub level: u32,
-    /// The point that is so far away.
+    /// The point a.
     pub point: usize,
-    /// How far.
+    /// The distance of the point.
     pub distance: S,
 }
 
@@ -28,7 +28,7 @@ pub struct LocalWitness<S = RealCyclotomic> {
 pub struct LocalDepth {
     /// The least level that meets the tolerance.
     pub level: u32,
-    /// The least level from which on all meet it.
+    /// The least level from which on all levels meet the tolerance.
     pub settled: u32,
 }
 
@@ -40,12 +40,13 @@ pub struct LocalDepth {
 /// the least number with |x^k_a − Σ_b w_b x_b| ≤ C_k β for all points a and control
 /// rings x, attained by a ring of integers.
 ///
-/// On a face all points tend to the limit at its centre, and the papers compare the
-/// points of a level with those of the next one by their names: C_k is what they bound.
-/// Around a vertex only the vertex stays where it is; there
-/// [`at_point`](LocalDistances::at_point) of the vertex is the distance of mesh and limit
-/// surface, and a lower bound of their greatest distance. That of other points is from
-/// the limit of the vertex, not from that at their own parameter.
+/// The points of a face all tend to the limit at its centre. The papers compare a point
+/// of one level with the point of the same name at the next level; C_k is the quantity
+/// that they bound. Around a vertex, only the vertex itself keeps its parameter. There
+/// [`at_point`](LocalDistances::at_point) of the vertex is the distance between mesh and
+/// limit surface at the vertex, and a lower bound of their greatest distance. For the
+/// other points, C_k measures the distance from the limit of the vertex, not from the
+/// limit at their own parameter.
 ///
 /// Source: `proofs/THEOREMS.md`, 21–23.
 ///
@@ -66,7 +67,7 @@ pub struct LocalDepth {
 #[derive(Clone, Debug, PartialEq)]
 pub struct LocalDistances<S = RealCyclotomic> {
     limit: LocalLimit<S>,
-    /// e_a − w, for the points a up to the rotation.
+    /// e_a − w, for representatives a of the points under the rotation.
     errors: Vec<Labelled<S, usize>>,
 }
 
@@ -94,20 +95,20 @@ impl<S: Real + Ord + Value> LocalDistances<S> {
         self.at_level(self.errors.clone(), level)
     }
 
-    /// For every point a, a flow along the [edges](LocalRules::edges) that carries e_aᵀM^k − wᵀ and
-    /// costs C_k at most: Σ_e |f_e| ≥ |x^k_a − Σ_b w_b x_b| for each ring of differences of 1 at
-    /// most.
+    /// For every point a, a flow f along the [edges](LocalRules::edges) that carries e_aᵀM^k − wᵀ
+    /// at a cost of at most C_k. The cost Σ_e |f_e| bounds |x^k_a − Σ_b w_b x_b| for every ring
+    /// with differences of at most 1 along edges.
     ///
     /// # Errors
-    /// As of [`LocalDistances::constant`].
+    /// As [`LocalDistances::constant`].
     pub fn flows(&self, level: u32) -> Result<Vec<Vec<S>>, LocalLimitError> {
         least_flows(self.limit.ring(), self.limit.errors(), level)
     }
 
-    /// ‖e_aᵀM^k − wᵀ‖_*, of the point a alone.
+    /// ‖e_aᵀM^k − wᵀ‖_* for a single point a.
     ///
     /// # Errors
-    /// As of [`LocalDistances::constant`].
+    /// As [`LocalDistances::constant`].
     ///
     /// # Panics
     /// When there is no such point.
@@ -115,24 +116,24 @@ impl<S: Real + Ord + Value> LocalDistances<S> {
         self.at_level(vec![(point, self.limit.error(point))], level)
     }
 
-    /// max_a ‖e_aᵀM^{k+1} − e_aᵀM^k‖_*: the least number with |x^{k+1}_a − x^k_a| at most
-    /// that times β, for all points a and control rings x.
+    /// max_a ‖e_aᵀM^{k+1} − e_aᵀM^k‖_*: the least number C with |x^{k+1}_a − x^k_a| ≤ Cβ
+    /// for all points a and control rings x.
     ///
     /// # Errors
-    /// As of [`LocalDistances::constant`].
+    /// As [`LocalDistances::constant`].
     pub fn step(&self, level: u32) -> Result<LocalWitness<S>, LocalLimitError> {
         self.at_level(self.steps(), level)
     }
 
-    /// The same for the points of level k + 1 and what `interpolant`, a ring of as many
-    /// points, makes of those of level k, such as the midpoints of edges and the centroids
-    /// of faces: max_a ‖(e_aᵀM − e_aᵀL)M^k‖_*.
+    /// max_a ‖(e_aᵀM − e_aᵀL)M^k‖_*, where L is the matrix of `interpolant`: compares the
+    /// points of level k + 1 with the points that `interpolant` computes from level k,
+    /// such as midpoints of edges and centroids of faces.
     ///
     /// # Errors
-    /// As of [`LocalDistances::constant`].
+    /// As [`LocalDistances::constant`].
     ///
     /// # Panics
-    /// When the rings do not have as many points.
+    /// When `interpolant` and the ring have different numbers of points.
     pub fn step_from(
         &self,
         interpolant: &LocalRules<S>,
@@ -148,7 +149,7 @@ impl<S: Real + Ord + Value> LocalDistances<S> {
     /// Compares C_k with a threshold.
     ///
     /// # Errors
-    /// As of [`LocalDistances::constant`].
+    /// As [`LocalDistances::constant`].
     pub fn compare(
         &self,
         level: u32,
@@ -164,11 +165,11 @@ impl<S: Real + Ord + Value> LocalDistances<S> {
 
     /// Whether C_k ≤ A q^k at all levels k ≥ 0, for a factor A and a ratio q ≥ 0.
     ///
-    /// It holds when it does for k < c and T_c ≤ q^c, as C_{k+c} ≤ T_c C_k. `None` when
-    /// neither that nor a level that exceeds it is found for c and k up to `last`.
+    /// This holds if C_k ≤ A q^k for all k < c, and T_c ≤ q^c, since C_{k+c} ≤ T_c C_k.
+    /// `None` if neither such a c nor a k with C_k > A q^k is found up to `last`.
     ///
     /// # Errors
-    /// As of [`LocalDistances::constant`] for k = `last`.
+    /// As [`LocalDistances::constant`] for k = `last`.
     ///
     /// ```
     /// use subcert::exact::Rational;
@@ -195,11 +196,11 @@ impl<S: Real + Ord + Value> LocalDistances<S> {
         self.all_levels(self.errors.clone(), factor, ratio, last)
     }
 
-    /// The same for the [steps](LocalDistances::step): whether that of level k is at most
-    /// A q^k for all k.
+    /// Whether the [step](LocalDistances::step) of level k is at most A q^k for all k ≥
+    /// 0, as in [`geometric`](LocalDistances::geometric).
     ///
     /// # Errors
-    /// As of [`LocalDistances::geometric`].
+    /// As [`LocalDistances::geometric`].
     pub fn geometric_step(
         &self,
         factor: &S,
@@ -222,7 +223,7 @@ impl<S: Real + Ord + Value> LocalDistances<S> {
         let mut power = S::from_rational(&Rational::one());
         let levels = pulled_back(ring, functionals).zip(pulled_back(ring, edges));
         for (level, (functionals, edges)) in (0..=last).zip(levels) {
-            // Here the levels before this one are known to be within.
+            // All levels before this one are within the bound.
             if level > 0 && greatest(ring, &edges).1.value <= power {
                 return Ok(Some(Comparison::Within));
             }
@@ -235,13 +236,14 @@ impl<S: Real + Ord + Value> LocalDistances<S> {
         Ok(None)
     }
 
-    /// The least k with C_k·spread ≤ tolerance, and the least one from which on all meet
-    /// it. C_k may rise, but C_{k+c} ≤ T_c C_k: after c levels that meet it no later one
-    /// does not, and after a single one where no weight is negative.
+    /// The least k with C_k·spread ≤ tolerance, and the least k from which on all levels
+    /// satisfy this. C_k may increase, but C_{k+c} ≤ T_c C_k. So for T_c < 1, if c levels
+    /// in a row meet the tolerance, all later ones do. If no weight is negative, one
+    /// level is enough.
     ///
     /// # Errors
-    /// When the tolerance or the spread is not positive, or no level up to 128 meets the
-    /// tolerance; as of [`LocalDistances::constant`].
+    /// When the tolerance or the spread is not positive, or no level up to 128 is found
+    /// from which on all meet the tolerance; and as [`LocalDistances::constant`].
     pub fn depth(
         &self,
         spread: &Rational,
@@ -271,7 +273,7 @@ impl<S: Real + Ord + Value> LocalDistances<S> {
         Err(LocalLimitError::TooDeep)
     }
 
-    /// A c such that after c levels within a bound all later ones are.
+    /// A c such that, if c levels in a row are within a bound, all later ones are.
     pub(crate) fn lasting(&self) -> u32 {
         if self.averages() { 1 } else { self.block().0 }
     }
@@ -288,7 +290,7 @@ impl<S: Real + Ord + Value> LocalDistances<S> {
         constants.last().expect("T_0 and at least T_1")
     }
 
-    /// e_aᵀM − e_a, for the points a up to the rotation.
+    /// e_aᵀM − e_aᵀ, for representatives a of the points under the rotation.
     fn steps(&self) -> Vec<Labelled<S, usize>> {
         let rows = self.limit.ring().weights();
         let step =
@@ -296,7 +298,7 @@ impl<S: Real + Ord + Value> LocalDistances<S> {
         self.errors.iter().map(step).collect()
     }
 
-    /// The greatest norm of the functionals f, each as that fᵀM^k of the control ring.
+    /// The greatest ‖fᵀM^k‖_* over the functionals f, with a witness.
     fn at_level(
         &self,
         functionals: Vec<Labelled<S, usize>>,
@@ -318,14 +320,14 @@ fn witness<S: Real + Ord>(
     LocalWitness { ring: found.heights, level, point, distance: found.value }
 }
 
-/// For each functional f of which the coefficients sum to 0, a flow along the [edges](LocalRules::edges)
-/// that carries fᵀM^k at the least cost, ‖fᵀM^k‖_*.
+/// For each functional f, whose coefficients must sum to 0, a flow along the
+/// [edges](LocalRules::edges) that carries fᵀM^k at the least cost ‖fᵀM^k‖_*.
 ///
 /// # Errors
-/// As of [`LocalDistances::constant`].
+/// As [`LocalDistances::constant`].
 ///
 /// # Panics
-/// When a functional is another one.
+/// When the coefficients of a functional do not sum to 0.
 ///
 /// ```
 /// use subcert::exact::{Rational, RealCyclotomic};
@@ -365,7 +367,7 @@ impl<S: Real + Ord + Value> LocalLimit<S> {
     }
 }
 
-/// e_a.
+/// The unit vector e_a for a = `at`.
 pub(crate) fn unit<S: Real>(count: usize, at: usize) -> Vec<S> {
     let entry = |b| S::from_rational(&Rational::from(u32::from(b == at)));
     (0..count).map(entry).collect()

@@ -1,4 +1,4 @@
-//! The limit of a ring: the point that all its points tend to.
+//! The limit of a ring: the common limit of all its points.
 
 use super::error::MAX_LEVEL;
 use crate::bound::{LocalWork, MAX_LOCAL_WORK, Transport, transport};
@@ -7,7 +7,7 @@ use crate::formula::Value;
 use crate::scheme::LocalRules;
 use std::iter::successors;
 
-/// The highest c up to which a T_c below 1 is looked for.
+/// The greatest c for which T_c is computed.
 const MAX_BLOCK: u32 = 32;
 
 /// Why a ring has no limit, or no depth.
@@ -28,13 +28,13 @@ pub enum LocalLimitError {
         /// The least T_c.
         least: String,
     },
-    /// A system of equations beyond [`MAX_LOCAL_WORK`].
+    /// A linear system whose solution is beyond [`MAX_LOCAL_WORK`].
     #[error(
         "the limit of the ring takes the solution of {unknowns} equations, which is too much \
          work: at most {MAX_LOCAL_WORK} is done"
     )]
     Unknowns {
-        /// How many equations.
+        /// The number of equations.
         unknowns: usize,
     },
     /// Powers beyond [`MAX_LOCAL_WORK`].
@@ -48,7 +48,7 @@ pub enum LocalLimitError {
     NotPositive {
         /// What must be positive.
         what: &'static str,
-        /// What it is.
+        /// Its value.
         value: String,
     },
     /// No level up to [`MAX_LEVEL`] is deep enough.
@@ -56,8 +56,9 @@ pub enum LocalLimitError {
     TooDeep,
 }
 
-/// The limit of a [`LocalRules`] x' = Mx, exactly: where T_c < 1 for some c, all its points
-/// tend to one, Σ_b w_b x_b, with the only w for which wᵀM = wᵀ and Σ_b w_b = 1.
+/// The exact limit of a ring x' = Mx, given by [`LocalRules`]. If T_c < 1 for some c, all
+/// points tend to the same limit Σ_b w_b x_b. Here w is the only vector with wᵀM = wᵀ and
+/// Σ_b w_b = 1.
 ///
 /// Source: `proofs/THEOREMS.md`, 20.
 ///
@@ -82,14 +83,14 @@ pub struct LocalLimit<S = RealCyclotomic> {
 impl<S: Real + Ord + Value> LocalLimit<S> {
     /// The limit of this ring.
     ///
-    /// The equations are solved for one point of each class under the
-    /// [rotation](LocalRules::rotation) of the ring. T_c is computed until one is below 1, for
-    /// c up to 32.
+    /// The linear system has one unknown for each orbit of points under the
+    /// [rotation](LocalRules::rotation) of the ring. T_c is computed for c = 1, 2, …, 32 until
+    /// it is below 1.
     ///
     /// # Errors
     /// When 1 is a multiple eigenvalue of M, so that there is no limit; when no computed
-    /// T_c is below 1; when the powers of M or the equations are more work than
-    /// [`MAX_LOCAL_WORK`].
+    /// T_c is below 1; when the work for the powers of M or for the linear system is
+    /// above [`MAX_LOCAL_WORK`].
     pub fn new(ring: &LocalRules<S>) -> Result<LocalLimit<S>, LocalLimitError> {
         let weights = left_eigenvector(ring)?;
         let contraction = contraction_constants(ring)?;
@@ -108,7 +109,7 @@ impl<S: Real + Ord + Value> LocalLimit<S> {
         &self.weights
     }
 
-    /// T_0 = 1, T_1, …, T_c, of which the last is the first below 1.
+    /// T_0 = 1, T_1, …, T_c, where T_c is the first one below 1.
     #[must_use]
     pub fn contraction(&self) -> &[S] {
         &self.contraction
@@ -117,7 +118,7 @@ impl<S: Real + Ord + Value> LocalLimit<S> {
     /// Σ_b w_b x_b.
     ///
     /// # Panics
-    /// When there are not v points.
+    /// When the number of points is not v.
     #[must_use]
     pub fn of(&self, points: &[S]) -> S {
         assert_eq!(points.len(), self.weights.len(), "a control point for each weight");
@@ -126,8 +127,8 @@ impl<S: Real + Ord + Value> LocalLimit<S> {
     }
 }
 
-/// A functional of rings of which the coefficients sum to 0, and what it belongs to: a
-/// point, an edge.
+/// A functional of rings whose coefficients sum to 0, with the point or edge to which it
+/// belongs.
 pub(super) type Labelled<S, L> = (L, Vec<S>);
 
 /// The functionals fᵀ, fᵀM, fᵀM², ….
@@ -141,7 +142,7 @@ pub(super) fn pulled_back<S: Real, L: Copy>(
     successors(Some(functionals), next)
 }
 
-/// The first of the functionals of the greatest norm ‖·‖_*.
+/// The first functional with the greatest norm ‖·‖_*, as its label and its norm.
 pub(super) fn greatest<S: Real + Ord, L: Copy>(
     ring: &LocalRules<S>,
     functionals: &[Labelled<S, L>],
@@ -156,7 +157,7 @@ pub(super) fn greatest<S: Real + Ord, L: Copy>(
     norms.reduce(greater).expect("a ring has points and edges")
 }
 
-/// e_a − e_b for the edges (a, b), up to the rotation.
+/// e_a − e_b for representatives (a, b) of the edges under the rotation.
 pub(super) fn edge_differences<S: Real + PartialEq>(
     ring: &LocalRules<S>,
 ) -> Vec<Labelled<S, (usize, usize)>> {
@@ -178,7 +179,7 @@ fn contraction_constants<S: Real + Ord + Value>(
     let count = edges.len();
     let mut powers = pulled_back(ring, edges).skip(1);
     for c in 1..=MAX_BLOCK {
-        // The row of c − 1 levels times M.
+        // c products for each edge, which `check` counts as c + 1 levels.
         LocalWork::check(ring, count, c + 1)?;
         let differences = powers.next().expect("there is no last power");
         constants.push(greatest(ring, &differences).1.value);
@@ -191,9 +192,9 @@ fn contraction_constants<S: Real + Ord + Value>(
     Err(LocalLimitError::NotShown { blocks: MAX_BLOCK, least })
 }
 
-/// The w with wᵀM = wᵀ and Σ w_b = 1, if there is only one; it does not change under the
-/// rotation, so that one unknown for each class is enough. One of the equations follows
-/// from the others, since the rows of M sum to 1, and Σ w_b = 1 takes its place.
+/// The w with wᵀM = wᵀ and Σ w_b = 1, if there is exactly one. It is invariant under the
+/// rotation, so one unknown for each orbit is enough. One equation follows from the
+/// others, since the rows of M sum to 1; it is replaced by Σ w_b = 1.
 fn left_eigenvector<S: Real + Ord + Value>(
     ring: &LocalRules<S>,
 ) -> Result<Vec<S>, LocalLimitError> {
@@ -224,7 +225,7 @@ fn left_eigenvector<S: Real + Ord + Value>(
     Ok(classes.into_iter().map(|class| solution[class].clone()).collect())
 }
 
-/// For each point the index of its representative.
+/// For each point, the index of its representative.
 fn classes<S>(ring: &LocalRules<S>, representatives: &[usize]) -> Vec<usize> {
     let image = ring.rotation().unwrap_or_else(|| (0..ring.point_count()).collect());
     let mut classes = vec![0; ring.point_count()];
@@ -239,7 +240,8 @@ fn classes<S>(ring: &LocalRules<S>, representatives: &[usize]) -> Vec<usize> {
     classes
 }
 
-/// The only solution of a square system, each row with its right side at the end.
+/// The only solution of a square linear system, whose rows end with the right side;
+/// `None` if there is none or more than one.
 fn eliminate<S: Real + PartialEq>(mut rows: Vec<Vec<S>>) -> Option<Vec<S>> {
     let count = rows.len();
     for step in 0..count {
@@ -259,7 +261,7 @@ fn eliminate<S: Real + PartialEq>(mut rows: Vec<Vec<S>>) -> Option<Vec<S>> {
     rows.iter().map(|row| row.last().cloned()).collect()
 }
 
-/// Refuses a level beyond [`MAX_LEVEL`], and powers that are too much work.
+/// An error for a level beyond [`MAX_LEVEL`], and for powers that are too much work.
 pub(super) fn check_level<S: Value + Real>(
     ring: &LocalRules<S>,
     rows: usize,

@@ -1,8 +1,8 @@
-//! Limits of curve schemes, tensor products and rings, exactly, and how far polygons,
-//! nets and rings are from them.
+//! Exact limits of curve schemes, tensor products and rings, and exact distances of
+//! polygons, nets and rings from their limits.
 //!
-//! The statements that this rests on, with their hypotheses and proofs, are in
-//! `proofs/THEOREMS.md`; comments cite them by number.
+//! The underlying theorems, with hypotheses and proofs, are in `proofs/THEOREMS.md`;
+//! comments cite them by number.
 
 mod cell;
 mod comparison;

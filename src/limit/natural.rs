@@ -1,12 +1,12 @@
-//! The parameter that a point of a polygon belongs to.
+//! The parameters at which the points of a polygon are compared with the limit.
 
 use crate::exact::Rational;
 use crate::scheme::Mask;
 
-/// At which parameters the points of a level are compared with the limit.
+/// How parameters are assigned to the points of a level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Parametrisation {
-    /// x^k_i at i/n^k, as papers count.
+    /// x^k_i at i/n^k, as in most papers.
     Indexed,
     /// x^k_i at its natural parameter (i + s)/n^k.
     Natural,
@@ -22,33 +22,34 @@ impl Parametrisation {
         }
     }
 
-    /// Whether this puts the points of any of these schemes elsewhere than at i/n^k.
+    /// Whether this parametrisation has a shift other than 0 for any of these schemes.
     #[must_use]
     pub fn moves<'m>(self, masks: impl IntoIterator<Item = &'m Mask>) -> bool {
         masks.into_iter().any(|mask| !self.shift(mask).is_zero())
     }
 }
 
-/// Where the points of a polygon belong: x^k_i at the parameter (i + s)/n^k.
+/// The natural parameters of the points of a polygon: x^k_i is at (i + s)/n^k.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NaturalShift {
     /// s.
     pub shift: Rational,
-    /// Whether the scheme takes lines to lines; then s is the only shift with which it reproduces
-    /// them. Otherwise s is near the centre of mass of its basic limit function.
+    /// Whether the scheme takes lines to lines. If so, s is the only shift with which it
+    /// reproduces lines. Otherwise s is near the centre of mass of the basic limit function.
     pub keeps_lines: bool,
     /// s_α, the shift with which rule α alone takes lines to lines.
     pub of_rules: Vec<Rational>,
 }
 
-/// Where lines are not kept, s is rounded to a multiple of 1/((n − 1)n^m), n^m at least this: its digits
-/// then repeat soon.
+/// If the scheme does not take lines to lines, s is rounded to a multiple of 1/((n − 1)n^m) for the
+/// least n^m above this number. Then its n-adic digits repeat soon.
 const PARTS: usize = 1 << 10;
 
 /// The natural shift s of a scheme.
 ///
 /// With m_α = Σ_j j a_{α,j} and s_α = (α − n(m_α + o))/(n − 1), the scheme takes lines to lines if
-/// and only if all s_α are one number, which is s. Otherwise s is their mean, up to 1/2000.
+/// and only if all s_α are one number, which is s. Otherwise s is their mean, rounded with an
+/// error below 1/2000.
 ///
 /// Source: `proofs/THEOREMS.md`, 80 and 87.
 ///

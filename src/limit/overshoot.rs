@@ -1,4 +1,5 @@
-//! Polygons whose levels and limit have different greatest values.
+//! Polygons for which a level and the next level, or a level and the limit, have
+//! different greatest values.
 
 use super::error::LimitError;
 use super::functional::{ExtremalPolygon, Functional};
@@ -7,47 +8,49 @@ use super::summit::{Peaked, Summits};
 use super::value::Limit;
 use crate::exact::Rational;
 
-/// The most nodes of a level whose errors make polygons to be tried.
+/// Levels with more points per unit than this are not used to make trial polygons.
 const MAX_NODES: usize = 32;
 
-/// The highest level of such nodes.
+/// The highest level that is used to make trial polygons.
 const MAX_NODE_LEVEL: u32 = 2;
 
-/// The longest polygon of the differences −1, 1, −1, … that is tried.
+/// The greatest number of differences −1, 1, −1, … in a zigzag that is tried.
 const MAX_ZIGZAG: usize = 8;
 
-/// How many polygons are looked at closely.
+/// The number of polygons whose limits are examined.
 const CLOSELY: usize = 4;
 
-/// By how many levels the limit is looked at later than the polygon.
+/// The limit is bounded at up to this number of levels after the level of the polygon.
 const MAX_LATER: u32 = 3;
 
-/// Polygons of spread 1 for which a level has another greatest value than the next one, or
-/// than the limit. No shift of the parameter brings the two nearer than the difference of these
-/// values.
+/// A polygon with max|Δ| = 1, or a net of two such polygons, whose greatest value at a level
+/// differs from the greatest value at the next level, or from the supremum of the limit. Under
+/// every shift of the parameter, the distance between the two is at least the difference of
+/// these values.
 ///
 /// Source: `proofs/THEOREMS.md`, 89.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Overshoot {
-    /// The polygon x, which stays where its ends are; or two polygons a and b of the net
-    /// a_i + b_j.
+    /// The polygon x, constant beyond its ends; or two such polygons a and b, which give
+    /// the net a_i + b_j.
     pub polygons: Vec<ExtremalPolygon>,
     /// The greatest point of level k.
     pub greatest: Rational,
-    /// The greatest point of level k + 1, or a bound of the supremum of the limit.
+    /// The greatest point of level k + 1, or a bound of the supremum of the limit as
+    /// `shown` says.
     pub later: Rational,
-    /// How the latter is known.
+    /// How `later` is proved.
     pub shown: Shown,
 }
 
-/// What shows a greatest value; of a net, along each index.
+/// How a greatest value is proved; for a net, along each index.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Shown {
-    /// It is that of the points of the next level.
+    /// It is the greatest point of the next level.
     Points,
-    /// The limit is at most this by the points of these levels.
+    /// It is an upper bound of the limit, from the points of these levels.
     AtMost(Vec<u32>),
-    /// The limit is this at these parameters.
+    /// It is the value of the limit at these parameters.
     AtLeast(Vec<Rational>),
 }
 
@@ -58,7 +61,7 @@ impl Overshoot {
         (&self.greatest - &self.later).abs()
     }
 
-    /// The net of two polygons.
+    /// The overshoot of the net of two polygons, from the overshoots of both.
     #[must_use]
     pub(crate) fn and(mut self, other: Overshoot) -> Overshoot {
         self.polygons.extend(other.polygons);
@@ -73,7 +76,7 @@ impl Overshoot {
     }
 }
 
-/// What is looked for.
+/// What a level is compared with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Later {
     /// The points of the next level.
@@ -89,8 +92,8 @@ pub(crate) struct Overshoots {
 }
 
 impl Overshoots {
-    /// Polygons that are far from their limit where their points are at their natural parameters, and
-    /// zigzags.
+    /// The trial polygons: polygons that are far from their limit in the natural parametrisation,
+    /// zigzags, and the negatives of both.
     pub(crate) fn new(limit: &Limit) -> Result<Overshoots, LimitError> {
         let shift = natural_shift(limit.mask()).shift;
         let arity = limit.mask().arity();
@@ -100,7 +103,7 @@ impl Overshoots {
             if nodes > MAX_NODES {
                 break;
             }
-            // The places of the nodes, and between them.
+            // The parameters of the points, and the midpoints between them.
             for half in 0..2 * nodes {
                 let place = (Rational::new(half, 2) + &shift) / Rational::from(nodes);
                 polygons.extend(resting(&limit.error_from(level, &place, &shift)?));
@@ -126,8 +129,8 @@ impl Overshoots {
         Ok(Overshoots { scheme: Peaked::new(limit, shift), tried })
     }
 
-    /// The greatest differences that are found, of polygons above what is later and of
-    /// polygons below it.
+    /// The overshoots with the greatest difference that is found: one where level k is
+    /// above the next level, or above the limit, and one where it is below.
     pub(crate) fn greatest(&mut self, level: u32, later: Later) -> [Option<Overshoot>; 2] {
         let rules = &self.scheme.rules;
         let mut found: Vec<(Rational, usize)> = Vec::new();
@@ -137,7 +140,7 @@ impl Overshoots {
             let (Some(now), Some(next)) = (now, next) else { continue };
             found.push((now - next, place));
         }
-        // Of equal differences the first polygon counts.
+        // Of polygons with equal differences, the first one is used.
         found.sort_by(|one, other| one.0.cmp(&other.0).then(other.1.cmp(&one.1)));
         let above = found.iter().rev().filter(|(gap, _)| gap.sign() > 0);
         let below = found.iter().filter(|(gap, _)| gap.sign() < 0);
@@ -164,7 +167,7 @@ impl Overshoots {
         Some(Overshoot { polygons, greatest, later, shown: Shown::Points })
     }
 
-    /// A polygon above its limit.
+    /// The overshoot of a polygon whose level k is above its limit.
     fn above(&mut self, place: usize, level: u32) -> Option<Overshoot> {
         let polygon = &mut self.tried[place];
         let greatest = polygon.greatest(&self.scheme.rules, level)?;
@@ -173,14 +176,14 @@ impl Overshoots {
             .collect();
         let best = &greatest - bounds.iter().map(|(_, bound)| bound).min()?;
         let enough = &best * nearly();
-        // The first level that is nearly as good as any.
+        // The first level whose bound is nearly as good as the best one.
         let (later, bound) = bounds.into_iter().find(|(_, bound)| &greatest - bound >= enough)?;
         let polygons = vec![polygon.polygon().clone()];
         let shown = Shown::AtMost(vec![later]);
         (best.sign() > 0).then_some(Overshoot { polygons, greatest, later: bound, shown })
     }
 
-    /// A polygon below its limit.
+    /// The overshoot of a polygon whose level k is below its limit.
     fn below(&mut self, place: usize, level: u32) -> Option<Overshoot> {
         let polygon = &mut self.tried[place];
         let greatest = polygon.greatest(&self.scheme.rules, level)?;
@@ -196,12 +199,13 @@ impl Overshoots {
     }
 }
 
-/// What part of the best is good enough where it takes fewer digits.
+/// The fraction of the best difference that is accepted, as earlier levels give numbers
+/// with fewer digits.
 fn nearly() -> Rational {
     Rational::new(15, 16)
 }
 
-/// The first of those with the greatest difference.
+/// The first overshoot with the greatest difference.
 fn best(found: impl Iterator<Item = Overshoot>) -> Option<Overshoot> {
     found.fold(None, |best: Option<Overshoot>, next| match best {
         Some(best) if best.gap() >= next.gap() => Some(best),
@@ -209,8 +213,8 @@ fn best(found: impl Iterator<Item = Overshoot>) -> Option<Overshoot> {
     })
 }
 
-/// The polygon with the signs of a functional of the differences, which rests where a coefficient is
-/// 0; `None` if all are.
+/// The polygon whose differences are the signs of the coefficients of a functional of the
+/// differences, 0 where a coefficient is 0; `None` if all coefficients are 0.
 fn resting(functional: &Functional) -> Option<ExtremalPolygon> {
     let (first, last) = functional.support()?;
     let mut points = vec![0];

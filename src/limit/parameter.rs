@@ -1,4 +1,4 @@
-//! Rational parameters, by their n-adic digits.
+//! Rational parameters and their n-adic digits.
 
 use super::error::{LimitError, MAX_PARAMETER_DIGITS};
 use super::functional::Functional;
@@ -10,16 +10,16 @@ use crate::scheme::Rules;
 pub(super) struct Parameter {
     whole: i64,
     digits: Vec<i64>,
-    /// From 0 to below 1: what is left when the digits that follow repeat from the first on.
+    /// The rest in [0, 1), whose own digits are purely periodic.
     pub(super) rest: Rational,
 }
 
 impl Parameter {
-    /// The expansion of t.
+    /// The n-adic expansion of t.
     pub(super) fn new(t: &Rational, arity: usize) -> Result<Parameter, LimitError> {
         let refused = || LimitError::Parameter { parameter: format::short(t, 12), arity };
         let whole = t.floor();
-        // Far from the ends of i64, to which the indices of points are added.
+        // Indices of points are added to `whole`; this must not overflow `i64`.
         let near = whole.bits() <= 60;
         let mut rest = t - Rational::from(whole.clone());
         let mut digits = Vec::new();
@@ -34,8 +34,8 @@ impl Parameter {
         Ok(Parameter { whole, digits, rest })
     }
 
-    /// The first `level` digits, as a parameter, and what is left of n^level·t: the
-    /// place of t between two neighbouring points of that level, from 0 to 1.
+    /// The parameter of the first `level` digits, and the fractional part of n^level·t:
+    /// the place of t between two neighbouring points of this level.
     pub(super) fn split(&self, level: u32, arity: usize) -> (Parameter, Rational) {
         let level = level as usize;
         let mut rest = self.rest.clone();
@@ -51,8 +51,8 @@ impl Parameter {
         (Parameter { whole: self.whole, digits, rest: Rational::zero() }, rest)
     }
 
-    /// The digits of a number from 0 to below 1 up to where they repeat, which they do from the
-    /// first on; `None` when these are more than so many.
+    /// One period of the digits of a number in [0, 1) with purely periodic digits; `None` when
+    /// the period is longer than `most`.
     pub(super) fn period(rest: &Rational, arity: usize, most: u32) -> Option<Parameter> {
         let (mut digits, mut left) = (Vec::new(), rest.clone());
         loop {
@@ -66,9 +66,9 @@ impl Parameter {
         }
     }
 
-    /// A functional of the sequence of level m = the number of digits, whose index 0
-    /// stands for the index n^m·t, as a functional of that of level 0; `rules` take
-    /// each level to the next.
+    /// Let m be the number of digits. Takes a functional of the sequence of level m, with
+    /// indices relative to n^m·t, to a functional of the sequence of level 0. `rules`
+    /// refine each level to the next.
     pub(super) fn pull_back(&self, functional: &Functional, rules: &Rules) -> Functional {
         if self.digits.is_empty() {
             return functional.shifted(self.whole);
@@ -83,7 +83,7 @@ impl Parameter {
     }
 }
 
-/// Whether t is i/n^m for some m.
+/// Whether t = i/n^m for some integers i and m ≥ 0.
 pub(crate) fn is_fraction(t: &Rational, arity: usize) -> bool {
     let (mut rest, n) = (t.denominator(), Integer::from(arity));
     while rest != Integer::one() {
@@ -96,7 +96,7 @@ pub(crate) fn is_fraction(t: &Rational, arity: usize) -> bool {
     true
 }
 
-/// The first n-adic digit of a number from 0 to below 1, which becomes what is left of n times it.
+/// The first n-adic digit of `rest` in [0, 1). Replaces `rest` by the fractional part of n·`rest`.
 pub(super) fn next_digit(rest: &mut Rational, arity: usize) -> Option<i64> {
     let scaled = &*rest * Rational::from(arity);
     *rest = scaled.fract();

@@ -1,4 +1,4 @@
-//! Refined points one by one, as one computes them by hand.
+//! Refined points, computed one by one as by hand.
 
 use super::functional::{ExtremalPolygon, Functional, rule_at};
 use super::value::Limit;
@@ -6,7 +6,7 @@ use crate::exact::Rational;
 use crate::scheme::{Mask, Rules};
 use std::collections::BTreeMap;
 
-/// The last level at which a limit value is looked for.
+/// The last level that is tried for a limit value.
 const MAX_LEVEL: u32 = 16;
 
 /// Σ c_i x^k_i, term by term.
@@ -14,24 +14,25 @@ const MAX_LEVEL: u32 = 16;
 pub struct Combination {
     /// k.
     pub level: u32,
-    /// i, c_i and x^k_i.
+    /// The terms, as i, c_i and x^k_i.
     pub terms: Vec<(i64, Rational, Rational)>,
     /// The sum.
     pub value: Rational,
 }
 
-/// Weights with Σ w_p x'_p = Σ w_p x_p for the refined points x' of any points x, and Σ w_p = 1: the
-/// value of the limit at 0.
+/// The weights w_p with Σ w_p = 1 and Σ w_p x'_p = Σ w_p x_p for all points x and their refined
+/// points x'. Σ w_p x_p is the value of the limit at 0.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LimitWeights {
-    /// p and w_p.
+    /// The pairs (p, w_p).
     pub weights: Vec<(i64, Rational)>,
-    /// For each p the refined point x'_p: the q with their coefficients.
+    /// For each p, the rule of the refined point x'_p: the pairs of q and the coefficient
+    /// of x_q.
     pub rules: Vec<Vec<(i64, Rational)>>,
 }
 
 impl LimitWeights {
-    /// Those of a scheme.
+    /// The weights of a scheme.
     #[must_use]
     pub fn of(limit: &Limit) -> Option<LimitWeights> {
         let at_zero = limit.at(&Rational::zero()).ok()?;
@@ -45,7 +46,8 @@ impl LimitWeights {
     }
 }
 
-/// The points of a refined control polygon that were asked for, and those that they are made of.
+/// Points of the refinements of a control polygon. Each computed point is kept, with the points
+/// on which it depends.
 pub(crate) struct Points<'a> {
     rules: &'a Rules,
     control: &'a ExtremalPolygon,
@@ -53,7 +55,8 @@ pub(crate) struct Points<'a> {
 }
 
 impl<'a> Points<'a> {
-    /// Of a mask and a polygon that is constant beyond both ends.
+    /// The points for a mask and a control polygon that is continued as a constant beyond
+    /// both ends.
     pub(crate) fn new(mask: &'a Mask, control: &'a ExtremalPolygon) -> Points<'a> {
         Points { rules: mask.rules(), control, known: BTreeMap::new() }
     }
@@ -96,7 +99,7 @@ impl<'a> Points<'a> {
         self.combination(level, &Functional::on_line(place))
     }
 
-    /// P^∞(t), by the points around t of the first level that has a point there; `None` where no
+    /// P^∞(t), from the points around t of the first level that has a point at t; `None` if no
     /// level up to 16 has one.
     pub(crate) fn limit(&mut self, weights: &LimitWeights, t: &Rational) -> Option<Combination> {
         let arity = Rational::from(self.rules.arity());
@@ -112,7 +115,7 @@ impl<'a> Points<'a> {
         None
     }
 
-    /// The points of levels above 0, level by level.
+    /// The computed points of all levels above 0, level by level.
     pub(crate) fn refined(&self) -> Vec<(u32, Vec<(i64, Rational)>)> {
         let mut levels: Vec<(u32, Vec<(i64, Rational)>)> = Vec::new();
         for ((level, i), point) in &self.known {

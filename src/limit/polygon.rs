@@ -1,11 +1,11 @@
-//! Control polygons, by their differences.
+//! Control polygons, stored as their differences.
 
 use super::cell::Cell;
 use super::error::LimitError;
 use crate::exact::{CommonDenominator, Integer, Rational};
 
-/// A control polygon of numbers x_0, …, x_{m−1}. For points, take each coordinate by
-/// itself.
+/// A control polygon of numbers x_0, …, x_{m−1}. A polygon of points has one such polygon
+/// for each coordinate.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ControlPolygon {
     /// Δ_i = x_{i+1} − x_i.
@@ -14,7 +14,7 @@ pub struct ControlPolygon {
 }
 
 impl ControlPolygon {
-    /// x_m = x_0, and so on: the limit is a closed curve.
+    /// The closed polygon with x_{m+i} = x_i: the limit is a closed curve.
     #[must_use]
     pub fn closed(points: &[Rational]) -> ControlPolygon {
         let next = points.iter().cycle().skip(1);
@@ -22,8 +22,8 @@ impl ControlPolygon {
         ControlPolygon { differences, closed: true }
     }
 
-    /// There are no other points: the limit is taken between those x_i and x_{i+1}
-    /// between which these points determine it.
+    /// The open polygon, without further points. The limit is taken between those x_i and
+    /// x_{i+1} between which the given points determine it.
     #[must_use]
     pub fn open(points: &[Rational]) -> ControlPolygon {
         let differences = points.windows(2).map(|pair| &pair[1] - &pair[0]).collect();
@@ -36,7 +36,7 @@ impl ControlPolygon {
         self.differences.iter().map(Rational::abs).max().unwrap_or_else(Rational::zero)
     }
 
-    /// Δ_i, the index of a closed polygon taken mod m; 0 where there is none.
+    /// Δ_i, with i mod m for a closed polygon; 0 where there is no such difference.
     pub(super) fn difference(&self, i: i64) -> Rational {
         let count = i64::try_from(self.differences.len()).unwrap_or(i64::MAX).max(1);
         let at = if self.closed { i.rem_euclid(count) } else { i };
@@ -44,7 +44,8 @@ impl ControlPolygon {
         difference.cloned().unwrap_or_else(Rational::zero)
     }
 
-    /// The cells from i to i + 1, where Δ_{i+first}, …, Δ_{i+first+size−1} exist, first ≤ 0.
+    /// The cells i for which the differences Δ_{i+first}, …, Δ_{i+first+size−1} exist, where
+    /// first ≤ 0.
     pub(super) fn cells(&self, first: i64, size: usize) -> Result<Vec<Cell>, LimitError> {
         let common = CommonDenominator::of(std::slice::from_ref(&self.differences));
         let column: Vec<Vec<Integer>> =

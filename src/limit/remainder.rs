@@ -1,4 +1,4 @@
-//! What bounds the limit where it has not been computed.
+//! Bounds of the limit between the parameters at which it is computed.
 
 use super::cell::{Middles, Sizes};
 use super::convergence::contraction_constants;
@@ -10,24 +10,25 @@ use crate::bound::SoundBound;
 use crate::exact::{Integer, Rational};
 use crate::scheme::Mask;
 
-/// Bounds on a cell, per unit of the differences Δ of its window and of their own
-/// differences ∇Δ.
+/// Bounds on a cell, in terms of the differences Δ in its window and of their differences
+/// ∇Δ.
 ///
 /// Source: `proofs/THEOREMS.md`, 2, 6, 7 and 88.
 #[derive(Clone, Debug)]
 pub(super) struct Remainders {
-    /// Of |P^∞ − P^j|, by max|Δ|.
+    /// The bound of |P^∞ − P^j| in terms of max|Δ|.
     polygon: SoundBound,
-    /// Of |P^∞ − P^j|, by |Δ_0| and max|∇Δ|.
+    /// The bound of |P^∞ − P^j| in terms of |Δ_0| and max|∇Δ|.
     smooth_polygon: Option<SmoothBound>,
-    /// Of the distance of P^∞ from its chord, by max|Δ|.
+    /// The bound of the distance of P^∞ from its chord, in terms of max|Δ|.
     chord: Fraction,
-    /// λ: that distance is at most λ min(u, 1−u) max|∇Δ| at u.
+    /// λ: at u in [0, 1] the distance of P^∞ from its chord is at most λ min(u, 1−u)
+    /// max|∇Δ|.
     smooth_chord: Option<Fraction>,
 }
 
-/// |P^∞ − P^j| ≤ n^−j |τ||Δ_0| + (n^−j ρ + ς_j) max|∇Δ| for a scheme that takes lines to
-/// lines, each τ Δ_0 away from where it was.
+/// |P^∞ − P^j| ≤ n^−j |τ||Δ_0| + (n^−j ρ + ς_j) max|∇Δ| for a scheme that takes every
+/// line to the parallel line shifted by τΔ_0.
 #[derive(Clone, Debug)]
 struct SmoothBound {
     arity: Rational,
@@ -39,10 +40,11 @@ struct SmoothBound {
     rest: SoundBound,
 }
 
-/// A bound of |P^∞ − P^j|: what stands before max|Δ|, or before |Δ_0| and max|∇Δ|.
+/// A bound of |P^∞ − P^j|: the factor of max|Δ|, and the factors of |Δ_0| and max|∇Δ| if
+/// they are finite.
 pub(super) struct LevelBound {
     spread: Fraction,
-    /// Over one denominator.
+    /// The factors of |Δ_0| and max|∇Δ|, over one denominator.
     smooth: Option<[Fraction; 2]>,
 }
 
@@ -58,7 +60,7 @@ impl LevelBound {
         LevelBound { spread: spread.into(), smooth }
     }
 
-    /// The bound over a cell.
+    /// The bound on a cell with these sizes.
     pub(super) fn over(&self, sizes: &Sizes) -> Fraction {
         let Fraction { p, q } = &self.spread;
         let bound = Fraction { p: p * &sizes.spread, q: q * sizes.scale };
@@ -73,7 +75,8 @@ impl LevelBound {
 }
 
 impl Remainders {
-    /// From the shift s, and what [`middles`](super::cell::middles) gives for it.
+    /// The bounds for a shift, and for the [`middles`](super::cell::middles) of this
+    /// shift.
     pub(super) fn new(
         limit: &Limit,
         shift: &Rational,
@@ -100,8 +103,8 @@ impl Remainders {
         Ok(remainders)
     }
 
-    /// A bound over a cell of which the values at both ends are at most these, over one
-    /// denominator, which is `factor` times that of the sizes.
+    /// A bound of |P^∞ − P^k| on a cell from its values at both ends. Both values have
+    /// the same denominator, which is `factor` times that of the sizes.
     pub(super) fn between(
         &self,
         [left, right]: &[Fraction; 2],
@@ -109,7 +112,7 @@ impl Remainders {
         sizes: &Sizes,
     ) -> Fraction {
         let ends = left.max(right);
-        // sum/q + (p/q')·size, over both denominators.
+        // sum/q + (p/q')·size over the product of both denominators.
         let plus = |sum: &Integer, chord: &Fraction, size: &Integer| Fraction {
             p: sum * &chord.q + &chord.p * size * factor,
             q: &ends.q * &chord.q,
@@ -145,8 +148,8 @@ impl Remainders {
 }
 
 impl SmoothBound {
-    /// From the displacements and from ‖(nD_2)^c‖; `None` when these leave it infinite, and for a
-    /// shift that is neither 0 nor takes lines to themselves.
+    /// The bound from the displacements and the norms ‖(nD_2)^c‖. `None` when the norms give no
+    /// finite bound, or when the shift is not 0 and lines are not reproduced with it.
     fn new(
         limit: &Limit,
         shift: &Rational,
@@ -155,7 +158,8 @@ impl SmoothBound {
     ) -> Option<SmoothBound> {
         let arity = Rational::from(limit.mask().arity());
         let at_zero = |c: Rational| Functional::new(0, [c]);
-        // ε, the same for every displacement.
+        // ε: the displacement where Δ = 1 everywhere. It is the same for all
+        // displacements.
         let step = displaced[0].apply(|_| Rational::one());
         if !shift.is_zero() && !step.is_zero() {
             return None;
@@ -188,7 +192,8 @@ impl SmoothBound {
     }
 }
 
-/// P^1 − P^0 at the points of both, (α + s)/n, α = 0, …, n − 1, and s, as functionals of Δ.
+/// P^1 − P^0 as functionals of Δ, at the parameters of points of both levels: (α + s)/n for
+/// α = 0, …, n − 1, and s.
 fn displacements(limit: &Limit, shift: &Rational) -> Result<Vec<Functional>, LimitError> {
     let arity = Rational::from(limit.mask().arity());
     let at = |t: Rational| {
@@ -197,14 +202,14 @@ fn displacements(limit: &Limit, shift: &Rational) -> Result<Vec<Functional>, Lim
         Ok(moved.on_differences().expect("both are affine combinations"))
     };
     let fine = (0..limit.mask().arity()).map(|alpha| (shift + Rational::from(alpha)) / &arity);
-    // The points of level 0 are among those of level 1 where (n − 1)s is an integer.
+    // If (n − 1)s is an integer, the parameters of level 0 are among those of level 1.
     let aligned = ((&arity - Rational::one()) * shift).is_integer();
     let coarse = (!aligned).then(|| shift.clone());
     fine.chain(coarse).map(at).collect()
 }
 
-/// ‖(nD_2)^c‖ for c = 0, 1, …, where D_2 takes ∇Δ to the next level. It exists when
-/// the rows of nD sum to 1; nD_2 is then the difference operator of the scheme nD.
+/// ‖(nD_2)^c‖ for c = 0, 1, …, where D_2 takes ∇Δ to the next level. `None` unless the
+/// rows of nD sum to 1. If they do, nD_2 is the difference operator of the scheme nD.
 fn second_contraction_constants(limit: &Limit) -> Option<Vec<Rational>> {
     let arity = Rational::from(limit.mask().arity());
     let derived = limit.difference().map(|entry| entry * &arity);
@@ -212,8 +217,8 @@ fn second_contraction_constants(limit: &Limit) -> Option<Vec<Rational>> {
     Some(contraction_constants(&derived.difference()))
 }
 
-/// The least of factor·(C_0 + … + C_{c−1})/(1 − C_c) over c: at least factor·Σ_j C_j.
-/// `None` when no C_c is below 1.
+/// The least factor·(C_0 + … + C_{c−1})/(1 − C_c) over all c with C_c < 1: an upper bound
+/// of factor·Σ_j C_j. `None` when no C_c is below 1.
 fn series(factor: Rational, constants: &[Rational]) -> Option<Rational> {
     SoundBound::of(factor, constants.to_vec()).levels(0)?.pop()
 }
@@ -222,7 +227,7 @@ fn norms(functionals: &[Functional]) -> impl Iterator<Item = Rational> {
     functionals.iter().map(Functional::norm)
 }
 
-/// The norm of a functional of Δ as one of ∇Δ.
+/// The norm of a functional of Δ, written as a functional of ∇Δ.
 fn second_norm(functional: &Functional) -> Rational {
     functional.on_differences().expect("it is 0 where Δ is constant").norm()
 }

@@ -1,10 +1,10 @@
-//! Functionals with integer coefficients, and what refinement makes of them.
+//! Functionals with integer coefficients, and their refinement.
 
 use super::functional::Functional;
 use crate::exact::{CommonDenominator, Integer, Rational};
 use crate::scheme::Rules;
 
-/// A functional with integer coefficients, of consecutive indices.
+/// A functional with integer coefficients at consecutive indices.
 #[derive(Clone)]
 pub(super) struct Row {
     first: i64,
@@ -12,7 +12,7 @@ pub(super) struct Row {
 }
 
 impl Row {
-    /// The functional over its common denominator, and that.
+    /// The functional times its common denominator, and this denominator.
     pub(super) fn of(functional: &Functional) -> (Row, Integer) {
         let (first, last) = functional.support().unwrap_or((0, 0));
         let dense: Vec<Rational> = (first..=last).map(|i| functional.coefficient(i)).collect();
@@ -21,7 +21,7 @@ impl Row {
         (Row { first, coefficients }, denominator)
     }
 
-    /// The functional of which this is the multiple.
+    /// This row divided by `multiple`, as a functional.
     pub(super) fn functional(&self, multiple: &Integer) -> Functional {
         let coefficient = |c: &Integer| Rational::new(c.clone(), multiple.clone());
         Functional::new(self.first, self.coefficients.iter().map(coefficient))
@@ -59,18 +59,20 @@ impl Refinement {
         self.common.numerators[0].len()
     }
 
-    /// The denominator of the rules.
+    /// The common denominator of the rules.
     pub(super) fn denominator(&self) -> &Integer {
         &self.common.denominator
     }
 
-    /// The points of the next level, times the denominator of the rules, with the index of the first:
-    /// all that may differ from the ends of these points, which stay where they are beyond them.
+    /// The refined points of a polygon that is constant beyond its ends, times the denominator of
+    /// the rules, with the index of the first one. They include all points that may differ from the
+    /// values at the ends.
     pub(super) fn refine(&self, first: i64, points: &[Integer]) -> (i64, Vec<Integer>) {
         let width = self.width();
         let last = points.len() - 1;
         let rule = |start: usize, rule: &Vec<Integer>| {
-            // Point j of a window that begins width − 1 places before the first point.
+            // The index of point j of a window; the first window begins width − 1 places
+            // before the first point.
             let place = |j: usize| (start + j).saturating_sub(width - 1).min(last);
             (0..).zip(rule).fold(Integer::zero(), |mut sum, (j, entry)| {
                 sum += &(entry * &points[place(j)]);
@@ -84,8 +86,8 @@ impl Refinement {
         (self.arity * before, refined.collect())
     }
 
-    /// x ↦ the value of a row, shifted, at y, where y_{ni+α} = Σ_j r_{α,j} x_{i+o+j}; times
-    /// the denominator of the rules.
+    /// The functional x ↦ (row shifted by `shift`)(y), times the denominator of the rules,
+    /// where y_{ni+α} = Σ_j r_{α,j} x_{i+o+j}.
     pub(super) fn pull_back(&self, row: &Row, shift: i64) -> Row {
         let width = self.width();
         let first = (row.first + shift).div_euclid(self.arity);
@@ -105,7 +107,7 @@ impl Refinement {
     }
 }
 
-/// Σ |x|, without a copy of each.
+/// Σ |x|, without copies of the entries.
 pub(super) fn magnitude(row: &[Integer]) -> Integer {
     row.iter().fold(Integer::zero(), |mut sum, x| {
         if x.sign() < 0 {

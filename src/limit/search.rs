@@ -1,4 +1,5 @@
-//! The supremum of |P^∞ − P^k|, between a value that it takes and a bound.
+//! The search for the supremum of |P^∞ − P^k|, between an attained value and an upper
+//! bound.
 
 use super::cell::{Cell, Splitting};
 use super::fraction::Fraction;
@@ -6,10 +7,10 @@ use super::remainder::{LevelBound, Remainders};
 use crate::bound::Share;
 use crate::exact::Rational;
 
-/// How many levels below k cells are split.
+/// Cells are split down to this number of levels beyond k.
 const MAX_DEEPER: u32 = 96;
 
-/// The greatest value found, and where.
+/// The greatest value found, and its parameter.
 #[derive(Clone, Debug)]
 pub(super) struct Best {
     pub(super) value: Rational,
@@ -17,11 +18,11 @@ pub(super) struct Best {
     pub(super) parameter: Rational,
 }
 
-/// When a search is done.
+/// The goal of a search.
 pub(super) enum Goal {
-    /// When the bound is at most this above the greatest value found.
+    /// The upper bound exceeds the greatest value found by at most this.
     Width(Rational),
-    /// When the supremum is shown to be at most this, or a greater value is found.
+    /// The supremum is proved to be at most this, or a greater value is found.
     Threshold(Rational),
 }
 
@@ -34,9 +35,9 @@ impl Goal {
     }
 }
 
-/// A search for the supremum of |P^∞ − P^k| over some cells and their parts, depth first
-/// and the part with the greatest bound first. A cell whose bound settles the goal is
-/// dropped.
+/// A search for the supremum of |P^∞ − P^k| over some cells. It goes depth first, and
+/// takes the part with the greatest bound first. A cell whose bound meets the goal is not
+/// split.
 ///
 /// Source: `proofs/THEOREMS.md`, 8 and 88.
 pub(super) struct Search<'a> {
@@ -44,11 +45,11 @@ pub(super) struct Search<'a> {
     remainders: &'a Remainders,
     roots: &'a [Cell],
     level: u32,
-    /// Of |P^∞ − P^j|, j = 0, …, k.
+    /// The bounds of |P^∞ − P^j|, j = 0, …, k.
     bounds: Vec<LevelBound>,
-    /// How many cells may still be looked at.
+    /// The number of cells that may still be split.
     cells: u32,
-    /// How many steps this may still take.
+    /// The steps that the search may still take.
     share: &'a Share<'a>,
 }
 
@@ -65,19 +66,19 @@ impl<'a> Search<'a> {
         Search { splitting, remainders, roots, level, bounds, cells, share }
     }
 
-    /// Whether more cells may be looked at.
+    /// Whether more cells may be split.
     pub(super) fn goes_on(&self) -> bool {
         self.cells > 0 && self.share.goes_on()
     }
 
-    /// A bound of the supremum without splitting any cell.
+    /// An upper bound of the supremum without splitting any cell.
     pub(super) fn bound(&self, best: &mut Best) -> Rational {
         let bounded = self.bounded(self.start(), None, best).pop();
         bounded.map_or_else(Rational::zero, |(bound, _)| bound.reduced())
     }
 
-    /// Searches all cells, improves on `best`, and gives a bound of the supremum, which
-    /// is within the goal unless a cap was met.
+    /// Searches all cells and improves `best`. Returns an upper bound of the supremum,
+    /// which meets the goal unless a cap was reached.
     pub(super) fn run(&mut self, goal: &Goal, best: &mut Best) -> Rational {
         let mut upper = Fraction::from(&best.value);
         let mut stack = self.bounded(self.start(), None, best);
@@ -93,7 +94,8 @@ impl<'a> Search<'a> {
         upper.reduced()
     }
 
-    /// Whether this cell may be split; if not, none may any more.
+    /// Takes the cost of splitting this cell; if it does not remain, no further cell may
+    /// be split.
     fn takes(&mut self, cell: &Cell) -> bool {
         if self.cells > 0 && self.share.take(self.splitting.cost(cell)) {
             self.cells -= 1;
@@ -103,13 +105,13 @@ impl<'a> Search<'a> {
         false
     }
 
-    /// The roots, as cells of a search.
+    /// The cells of level 0 at which the search starts.
     fn start(&self) -> impl Iterator<Item = Cell> {
         self.roots.iter().map(|root| self.splitting.with_ends(root.clone(), self.level))
     }
 
-    /// The cells with their bounds, the greatest last. No part has a greater bound
-    /// than the whole.
+    /// The cells with their bounds, in increasing order of the bounds. The bound of a
+    /// part is at most the bound of the `whole` cell.
     fn bounded(
         &self,
         cells: impl Iterator<Item = Cell>,
@@ -127,8 +129,9 @@ impl<'a> Search<'a> {
         bounded
     }
 
-    /// A bound of |P^∞ − P^k| over the cell: by the level that remains up to k, and from
-    /// k on by the values at its ends, which improve on `best`.
+    /// An upper bound of |P^∞ − P^k| on the cell: up to level k by the bound for the
+    /// number of levels that remain until k, and from level k on by the values at its
+    /// ends; at level k the lesser of both. The values may improve `best`.
     fn bound_over(&self, cell: &Cell, best: &mut Best) -> Fraction {
         let sizes = self.splitting.sizes(cell);
         let remaining = self.level.checked_sub(cell.level);

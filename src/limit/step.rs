@@ -1,4 +1,4 @@
-//! The greatest step, and the greatest difference, after k levels.
+//! The greatest step, change and difference after k levels.
 
 use super::error::LimitError;
 use super::functional::{ExtremalPolygon, Functional, rule_at};
@@ -6,10 +6,10 @@ use super::row::{Refinement, Row};
 use crate::exact::{Integer, Rational};
 use crate::scheme::{Mask, Rules};
 
-/// The most residue classes over which a step or a difference is compared.
+/// The greatest number of residue classes over which the maximum is taken.
 const MAX_CLASSES: u64 = 1 << 14;
 
-/// A supremum over all control polygons with max|Δ| ≤ 1, and one of integers that
+/// A supremum over all control polygons with max|Δ| ≤ 1, and a polygon of integers that
 /// attains it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Attained {
@@ -17,7 +17,7 @@ pub struct Attained {
     pub value: Rational,
     /// The index of the point, or of the difference, where it is attained.
     pub index: i64,
-    /// The polygon: integers, neighbours of which differ by 1.
+    /// The polygon, of integers whose neighbours differ by 1.
     pub polygon: ExtremalPolygon,
 }
 
@@ -49,11 +49,12 @@ pub fn greatest_step(mask: &Mask, level: u32) -> Result<Attained, LimitError> {
     greatest_step_from(mask, level, &Rational::zero())
 }
 
-/// The same of the polygons with x^k_i at (i + shift)/n^k, at the points of level k + 1. Where
-/// (n − 1)·shift is no integer, it can be more at the points of level k.
+/// As [`greatest_step`], for the polygons with x^k_i at (i + shift)/n^k: the greatest |P^{k+1}
+/// − P^k| at the points of level k + 1. If (n − 1)·shift is not an integer, the supremum may
+/// be greater, and is then attained at the points of level k.
 ///
 /// # Errors
-/// As of [`greatest_step`].
+/// As [`greatest_step`].
 ///
 /// # Panics
 /// Never: the rules of a mask sum to 1.
@@ -80,7 +81,7 @@ pub fn greatest_step_from(
 /// Source: `proofs/THEOREMS.md`, 90.
 ///
 /// # Errors
-/// As of [`greatest_step`].
+/// As [`greatest_step`].
 pub(crate) fn step_supremum(
     mask: &Mask,
     level: u32,
@@ -116,7 +117,8 @@ pub fn greatest_difference(mask: &Mask, level: u32) -> Result<Attained, LimitErr
 
 /// sup ‖P^l − P^k‖_∞, k ≤ l, over the control polygons with max|Δ| ≤ 1.
 ///
-/// It is attained at a point of level l, as P^l and P^k are linear between these.
+/// It is attained at a point of level l, as P^l and P^k are linear between neighbouring
+/// points of level l.
 ///
 /// # Errors
 /// When l < k, or there are more than 2^14 points i mod n^l.
@@ -152,8 +154,8 @@ pub fn greatest_change(mask: &Mask, k: u32, l: u32) -> Result<Rational, LimitErr
     Ok(greatest(&changes, points, &mask.difference(), k)?.value)
 }
 
-/// The greatest ‖f ∘ D^k‖ over the labelled functionals f of Δ^k, and over their
-/// shifts: a label a at the shift i has the index per·i + a.
+/// The greatest ‖f ∘ D^k‖ over the given functionals f of Δ^k and their shifts by i = 0,
+/// …, n^k − 1. The functional with the label a, shifted by i, has the index per·i + a.
 fn greatest(
     fine: &[(i64, Functional)],
     per: i64,
@@ -188,14 +190,15 @@ fn greatest(
     Ok(best.expect("there is at least one functional and one class"))
 }
 
-/// All shifts 0, …, n^k − 1 of a functional of level k, as functionals of level 0.
+/// Visits all shifts 0, …, n^k − 1 of a functional of level k, as functionals of level 0.
 struct Walk {
     refinement: Refinement,
     level: u32,
 }
 
 impl Walk {
-    /// The last digit of a shift is the first one met: that of the finest level.
+    /// The digits of the shift are chosen from the last one, which belongs to the finest
+    /// level, to the first.
     fn visit(
         &self,
         row: &Row,

@@ -1,5 +1,5 @@
-//! The greatest values of a polygon's levels and of its limit, which no shift of the parameter
-//! changes.
+//! The greatest values of the levels and of the limit of a polygon. No shift of the parameter
+//! changes them.
 
 use super::functional::ExtremalPolygon;
 use super::row::Refinement;
@@ -7,26 +7,28 @@ use super::value::Limit;
 use crate::bound::{Terms, displacement};
 use crate::exact::{Integer, Rational};
 
-/// The most points of a level.
+/// The greatest number of points of a level.
 const MAX_POINTS: usize = 1 << 14;
 
-/// The most residue classes of the constant that shows how near the limit is.
+/// The greatest number of residue classes of the constant T_c in [`near`].
 const MAX_CLASSES: usize = 1 << 12;
 
-/// A polygon that stays where its ends are, with the greatest point of each of its levels.
+/// A polygon that is constant beyond its ends, with the greatest point of each computed
+/// level.
 ///
 /// Source: `proofs/THEOREMS.md`, 89.
 #[derive(Clone, Debug)]
 pub(crate) struct Summits {
     polygon: ExtremalPolygon,
     levels: Vec<Level>,
-    /// The points of the last level, times their denominator.
+    /// The points of the last computed level, times their denominator, and the index of
+    /// the first one.
     first: i64,
     points: Vec<Integer>,
     denominator: Integer,
 }
 
-/// What is known of a level.
+/// The greatest point and the spread of a level.
 #[derive(Clone, Debug)]
 struct Level {
     greatest: Rational,
@@ -45,7 +47,7 @@ impl Summits {
         summits
     }
 
-    /// Notes what is known of the last level.
+    /// Stores the greatest point and the spread of the last level.
     fn note(&mut self) {
         let over = |value: &Integer| Rational::new(value.clone(), self.denominator.clone());
         let greatest =
@@ -57,7 +59,7 @@ impl Summits {
         self.levels.push(level);
     }
 
-    /// Refines up to a level; `false` where that has too many points.
+    /// Refines up to a level; `false` if that level has too many points.
     fn reach(&mut self, rules: &Refinement, level: u32) -> bool {
         while self.levels.len() <= level as usize {
             let arity = usize::try_from(rules.arity()).unwrap_or(usize::MAX);
@@ -76,22 +78,23 @@ impl Summits {
         &self.polygon
     }
 
-    /// The greatest point of a level; `None` where there are too many.
+    /// The greatest point of a level; `None` if it has too many points.
     pub(super) fn greatest(&mut self, rules: &Refinement, level: u32) -> Option<Rational> {
         self.reach(rules, level).then(|| self.levels[level as usize].greatest.clone())
     }
 
-    /// What the limit is at most, by the points of a level; `None` where nothing is known.
+    /// An upper bound of the limit from the points of a level; `None` if there is none.
     pub(super) fn at_most(&mut self, limits: &Peaked, level: u32) -> Option<Rational> {
         let near = limits.near.clone()?;
         let of = self.reach(&limits.rules, level).then(|| &self.levels[level as usize])?;
         Some(&of.greatest + near * &of.spread)
     }
 
-    /// A value of the limit near the greatest point of a level, and where it is.
+    /// A value of the limit near the greatest point of a level, and its parameter.
     pub(super) fn at_least(&mut self, limits: &Peaked, level: u32) -> Option<(Rational, Rational)> {
         let of = self.reach(&limits.rules, level).then(|| &self.levels[level as usize])?;
-        // The place i/n^m of level m + 1 next to where the point belongs.
+        // For level m, the parameter j/n^{m+1} that is nearest to the natural parameter
+        // of the point.
         let arity = Rational::from(limits.limit.mask().arity());
         let places = arity.pow((level + 1).cast_signed());
         let at = (Rational::from(of.index) + &limits.shift) * arity;
@@ -111,7 +114,7 @@ pub(super) struct Peaked {
     pub(super) rules: Refinement,
     /// The natural shift.
     pub(super) shift: Rational,
-    /// A number f such that P^∞ is at most max x + f·max|Δ|; `None` where none is known.
+    /// A number f such that P^∞ ≤ max x + f·max|Δ|; `None` if none is known.
     near: Option<Rational>,
 }
 
@@ -122,8 +125,9 @@ impl Peaked {
     }
 }
 
-/// 0 if no entry of the mask is negative; otherwise σ(T_0 + … + T_{c−1})/(1 − T_c) for the
-/// least c with T_c < 1.
+/// The f of [`Peaked`]: 0 if no entry of the mask is negative; otherwise σ(T_0 + … +
+/// T_{c−1})/(1 − T_c) for the least c with T_c < 1, if that has at most `MAX_CLASSES`
+/// residue classes.
 fn near(limit: &Limit) -> Option<Rational> {
     let mask = limit.mask();
     if mask.rules().rows().iter().flatten().all(|entry| entry.sign() >= 0) {

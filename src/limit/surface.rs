@@ -1,4 +1,5 @@
-//! Tensor product surfaces: how far a net is from its limit at one parameter.
+//! Tensor product surfaces: the greatest distance of nets from their limits at one
+//! parameter.
 
 use super::distance::Distances;
 use super::error::LimitError;
@@ -9,25 +10,26 @@ use super::value::Limit;
 use crate::bound::{Budget, transport_at_costs};
 use crate::exact::{Integer, Rational, format};
 
-/// The most points of a net that the exact norm at a parameter is computed on.
+/// The greatest number of points of a net for which the exact norm at a parameter is
+/// computed.
 pub const MAX_NET_POINTS: usize = 400;
 
-/// Why there is no distance of a surface.
+/// Why the distance of a surface is not computed.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SurfaceError {
-    /// What one of the curve schemes is refused for.
+    /// An error of one of the two curve schemes.
     #[error(transparent)]
     Limit(#[from] LimitError),
-    /// Spreads that are not positive, or too different.
+    /// Spreads that are not positive, or whose ratio has too large numbers.
     #[error(
         "the spreads {first} and {second} must be positive, and p and q below 2^32 in their ratio \
          p : q"
     )]
     Spreads {
-        /// Along the first index.
+        /// The spread along the first index.
         first: String,
-        /// Along the second one.
+        /// The spread along the second index.
         second: String,
     },
     /// A net beyond [`MAX_NET_POINTS`].
@@ -47,7 +49,7 @@ pub struct Spreads {
 }
 
 impl Spreads {
-    /// These.
+    /// The spreads β_1 = `first` and β_2 = `second`.
     ///
     /// # Errors
     /// When one is not positive, or their ratio p : q has a p or q of 2^32 or more.
@@ -80,16 +82,16 @@ impl Spreads {
     }
 }
 
-/// A piece of a control net of integers times a unit, and a place where it is far from its
-/// limit. Every other point of the net is where the nearest one of the piece is, which keeps
-/// the spreads.
+/// A piece of a control net of integers times a unit, and parameters at which the net is far
+/// from its limit. Every other point of the net has the value of the nearest point of the
+/// piece; this does not increase the spreads.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SurfaceWitness {
     /// The indices i, j of the first point.
     pub first: [i64; 2],
     /// The rows i of the piece.
     pub net: Vec<Vec<i64>>,
-    /// What to multiply them by.
+    /// The unit, by which the integers are multiplied.
     pub unit: Rational,
     /// k.
     pub level: u32,
@@ -105,10 +107,11 @@ pub struct SurfaceWitness {
 /// bilinear interpolant of the points of level k at (i/n^k, j/m^k), and C_k = sup
 /// `‖P^∞ − P^k‖_∞` over the nets of spreads at most β_1, β_2.
 ///
-/// P^∞(s, t) is the product of the two curve functionals, and so is P^k(s, t): their
-/// difference is a functional of the net, and its greatest value is a problem of
-/// transport on a grid, whose edges cost β_1 and β_2. C_k is at least β_1 C¹_k + β_2 C²_k,
-/// with the constants of the curves, and equal to that where no mask coefficient is negative.
+/// As functionals of the net, P^∞(s, t) and P^k(s, t) are products of two functionals of
+/// curves. The greatest value of their difference is a transport problem on a grid whose
+/// edges have the costs β_1 and β_2. C_k is at least β_1 C¹_k + β_2 C²_k, where C¹_k and C²_k
+/// are the constants of the two curve schemes. It is equal to this if no mask coefficient is
+/// negative.
 ///
 /// Source: `proofs/THEOREMS.md`, 30–34.
 ///
@@ -139,15 +142,15 @@ impl SurfaceDistances {
     /// The distances from the tensor product of these limits.
     ///
     /// # Errors
-    /// As of [`Distances::new`](super::Distances::new).
+    /// As [`Distances::new`](super::Distances::new).
     pub fn new(first: &Limit, second: &Limit) -> Result<SurfaceDistances, SurfaceError> {
         SurfaceDistances::within(first, second, &Budget::unlimited())
     }
 
-    /// The same within a budget, which others may share.
+    /// The distances with a budget, which other computations may share.
     ///
     /// # Errors
-    /// As of [`SurfaceDistances::new`].
+    /// As [`SurfaceDistances::new`].
     pub fn within(
         first: &Limit,
         second: &Limit,
@@ -156,10 +159,10 @@ impl SurfaceDistances {
         SurfaceDistances::placed(first, second, Parametrisation::Indexed, budget)
     }
 
-    /// The same in either parametrisation, along both directions.
+    /// The distances in the given parametrisation along both directions, with a budget.
     ///
     /// # Errors
-    /// As of [`Distances::placed`].
+    /// As [`Distances::placed`].
     pub fn placed(
         first: &Limit,
         second: &Limit,
@@ -176,7 +179,7 @@ impl SurfaceDistances {
         self.axes.each_ref().map(|axis| axis.distances().shift())
     }
 
-    /// What ends a search, in words.
+    /// A text that states the caps of a search.
     #[must_use]
     pub fn caps(&self) -> String {
         self.budget.caps(CELLS, "a level and a direction")
@@ -186,7 +189,7 @@ impl SurfaceDistances {
     /// that attains it.
     ///
     /// # Errors
-    /// As of [`Limit::error`] in s or t, and when the functional has more than
+    /// As [`Limit::error`] for s or t, and when the functional depends on more than
     /// [`MAX_NET_POINTS`] points.
     ///
     /// # Panics
@@ -227,8 +230,8 @@ impl SurfaceDistances {
         })
     }
 
-    /// The sum of two polygons, extremal at s and t: its distance there is the sum of
-    /// theirs.
+    /// The net a_i + b_j of the two polygons that are extremal at s and at t. Its
+    /// distance at (s, t) is the sum of their distances.
     pub(super) fn separable(
         &self,
         level: u32,
@@ -257,14 +260,14 @@ impl SurfaceDistances {
     }
 }
 
-/// The least interval with the indices of both functionals.
+/// The least interval that contains the supports of both functionals.
 fn span(pair: &[Functional; 2]) -> (i64, i64) {
     let supports = pair.iter().filter_map(Functional::support);
     let both = supports.reduce(|(from, to), (least, most)| (from.min(least), to.max(most)));
     both.expect("the coefficients sum to 1")
 }
 
-/// The edges of a grid, row by row, each with the cost of its direction.
+/// The edges of a grid, row by row, and for each edge the cost of its direction.
 fn grid(rows: usize, columns: usize, costs: [u32; 2]) -> (Vec<(usize, usize)>, Vec<u32>) {
     let points = (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j)));
     let from = |(i, j): (usize, usize)| {

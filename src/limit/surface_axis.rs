@@ -1,4 +1,4 @@
-//! What the distance of a surface takes from each of its two curve schemes.
+//! The data of one curve scheme that the distance of a tensor product surface needs.
 
 use super::distance::Distances;
 use super::error::LimitError;
@@ -7,40 +7,42 @@ use super::value::Limit;
 use crate::bound::{Budget, Order, Share, power_norm};
 use crate::exact::Rational;
 
-/// The cells that one question about a curve looks at.
+/// The greatest number of cells that the computation of one distance of a curve splits.
 pub(super) const CELLS: u32 = 1 << 14;
 
-/// The most intervals that [0, 1] is cut into.
+/// The greatest number of intervals into which [0, 1] is divided.
 const INTERVALS: u32 = 1 << 10;
 
-/// How many levels below k the intervals are looked at.
+/// The intervals are those of a level at most this number of levels beyond k.
 const DEEPER: u32 = 6;
 
-/// The most points of a level for which the norm of P^m is computed.
+/// The greatest number of points n^m of a level m for which the norm of P^m is computed.
 const POINTS: u32 = 1 << 12;
 
-/// To what width C_m is found where it bounds what P^m leaves.
+/// C_m is computed to the width 1/REST for the bound of P^∞ by P^m.
 const REST: u32 = 10_000;
 
-/// The steps that a product of fractions takes.
+/// The cost of a product of fractions, in steps.
 const FRACTION: u64 = 40;
 
-/// Bounds over intervals are rounded up to multiples of 1/4096, those of errors of
-/// C_k/4096: short numbers, and few different ones.
+/// Bounds on intervals are rounded up to multiples of 1/4096, and bounds of errors to
+/// multiples of p/4096, where p is the greatest power of 2 that is at most the bound of
+/// C_k. So the numbers are short, and few are different.
 const STEPS: u32 = 1 << 12;
 
-/// Norms of functionals at a parameter, or bounds of them over an interval.
+/// Norms of functionals at a parameter, or bounds of these norms on an interval.
 #[derive(Clone, Debug)]
 pub(super) struct Norms {
-    /// Of P^∞ − P^k, as one of the differences.
+    /// The norm of P^∞ − P^k as a functional of the differences.
     pub(super) error: Rational,
-    /// Of P^∞, as one of the points: Σ|coefficients|.
+    /// The norm of P^∞ as a functional of the points: Σ|coefficients|.
     pub(super) limit: Rational,
-    /// Of P^k, as one of the points.
+    /// The norm of P^k as a functional of the points.
     pub(super) polygon: Rational,
 }
 
-/// A bound of C_k of a curve scheme, and where it is nearly attained.
+/// An upper bound of C_k of a curve scheme, and a parameter at which C_k is nearly
+/// attained.
 #[derive(Clone, Debug)]
 pub(super) struct Constant {
     pub(super) level: u32,
@@ -52,22 +54,23 @@ pub(super) struct Constant {
 #[derive(Clone, Debug)]
 pub(super) struct Axis {
     distances: Distances,
-    /// Whether no coefficient of the mask is negative, so that all norms are 1.
+    /// Whether no coefficient of the mask is negative, so that P^∞ and P^k have the
+    /// norm 1.
     averages: bool,
-    /// A bound of the norm of P^∞(t), as a functional of the points, for all t.
+    /// A bound of the norm of P^∞(t) as a functional of the points, for all t.
     norm: Rational,
 }
 
 /// The norms at the points of a level M.
 pub(super) struct Samples {
-    /// t and the norms there, or nearly: P^M stands for P^∞.
+    /// The parameters t, with the norms at t, where P^M replaces P^∞.
     pub(super) at: Vec<(Rational, Norms)>,
-    /// A bound of C_M.
+    /// A bound of the distance between P^∞ and P^M, per unit of max|Δ|.
     rest: Rational,
 }
 
 impl Axis {
-    /// From the distances in either parametrisation.
+    /// The axis for these distances, in their parametrisation.
     pub(super) fn new(distances: Distances, budget: &Budget) -> Result<Axis, LimitError> {
         let distances = distances.with_cells(CELLS).with_budget(budget.clone());
         let limit = distances.limit().clone();
@@ -76,7 +79,8 @@ impl Axis {
         let arity = u32::try_from(rules.arity()).expect("the arity is capped");
         let mut axis = Axis { distances, averages, norm: Rational::one() };
         if !averages {
-            // |P^∞| ≤ |P^m| + |P^∞ − P^m|, and |Δ| ≤ 2 where the points are at most 1.
+            // |P^∞| ≤ |P^m| + |P^∞ − P^m|, and |Δ| ≤ 2 if the absolute values of the points are at
+            // most 1.
             let level = POINTS.ilog(arity);
             let off = axis.constant(level, &Rational::new(1, REST), &budget.share())?.upper;
             let points = power_norm(rules, level, Order::Adjoint);
@@ -93,7 +97,7 @@ impl Axis {
         self.distances.limit()
     }
 
-    /// Λ_c, for few residue classes.
+    /// Λ_c; there must be few residue classes.
     pub(super) fn growth(&self, c: u32) -> Rational {
         if self.averages {
             return Rational::one();
@@ -102,7 +106,7 @@ impl Axis {
         norm.expect("few classes can be walked").value
     }
 
-    /// C_k to this width, or as narrow as the caps allow.
+    /// C_k to this width, or as precisely as the caps allow.
     pub(super) fn constant(
         &self,
         level: u32,
@@ -120,7 +124,7 @@ impl Axis {
         Ok(Constant { level, upper, parameter: best.parameter })
     }
 
-    /// A bound of C_k that takes no search.
+    /// A bound of C_k without a search.
     pub(super) fn unsearched(&self, level: u32) -> Constant {
         let upper = self.distances.unsearched(&self.distances.any_polygon(), level);
         Constant { level, upper, parameter: Rational::zero() }
@@ -133,7 +137,7 @@ impl Axis {
         Norms { error: constant.upper.clone(), limit: self.norm.clone(), polygon }
     }
 
-    /// The steps that the norms at these points take.
+    /// The cost of [`samples`](Self::samples), in steps.
     pub(super) fn cost(&self, constant: &Constant) -> u64 {
         let rules = self.limit().mask().rules();
         let Some(depth) = self.depth(constant) else { return 0 };
@@ -142,18 +146,20 @@ impl Axis {
         points * window as u64 * u64::from(depth + constant.level) * FRACTION
     }
 
-    /// The level M whose points are looked at.
+    /// The level M of the samples; `None` if there are none.
     fn depth(&self, constant: &Constant) -> Option<u32> {
         let arity = u32::try_from(self.limit().mask().arity()).expect("the arity is capped");
         let depth = INTERVALS.ilog(arity).min(constant.level + DEEPER);
         (!self.averages && constant.level <= depth).then_some(depth)
     }
 
-    /// The norms at (i + n^{M−k}s)/n^M, i = 0, …, n^M; none when no such M ≥ k is looked at, or
-    /// for a scheme that averages, as they would tell nothing new.
+    /// The norms at (i + n^{M−k}s)/n^M, i = 0, …, n^M. There are none if k is above the
+    /// greatest M, or if no coefficient of the mask is negative, since then they would not
+    /// improve the bounds.
     ///
-    /// Points of P^k are among these. P^M stands for P^∞ with its points at them too: with a
-    /// shift σ = n^{M−k}s up to an integer, which moves it by |σ − s| T_M at most.
+    /// These parameters include those of the points of P^k. P^M replaces P^∞, with its
+    /// points at the same parameters: its shift is σ = n^{M−k}s minus an integer. This
+    /// changes P^M by at most |σ − s| T_M.
     pub(super) fn samples(
         &self,
         constant: &Constant,
@@ -171,7 +177,7 @@ impl Axis {
         let moved = (&finer - Rational::one()) * shift;
         let nearest = Rational::from((&moved + Rational::new(1, 2)).floor());
         let aligned = shift + &moved - &nearest;
-        // n^M is at most the number of classes over which every limit has its constants.
+        // T_M has been computed, as n^M ≤ 2^10.
         let differences = &limit.contraction()[depth as usize];
         let rest = rest + (&aligned - shift).abs() * differences;
         let minus = Rational::from(-1);
@@ -187,9 +193,9 @@ impl Axis {
         Ok(Samples { at, rest })
     }
 
-    /// Bounds of the norms over intervals that cover [0, 1], without those that are under
-    /// those over another interval. Between samples P^M and P^k are linear, and the norms
-    /// convex; P^∞ is within C_M of P^M.
+    /// Bounds of the norms on intervals that cover [0, 1]. Bounds that are dominated by
+    /// those on another interval are left out. Between samples P^M and P^k are linear, so
+    /// their norms are convex; P^∞ is within `rest` of P^M.
     pub(super) fn intervals(&self, constant: &Constant, samples: &Samples) -> Vec<Norms> {
         let all = self.bounds(constant);
         if samples.at.is_empty() {
@@ -218,7 +224,8 @@ fn rounded_up(value: Rational, unit: &Rational) -> Rational {
     Rational::from((value / unit).ceil()) * unit
 }
 
-/// Those that are under no other one in all three.
+/// The norms that are not dominated by others: no other entry is at least as great in all
+/// three.
 fn maximal(all: impl Iterator<Item = Norms>) -> Vec<Norms> {
     let under = |one: &Norms, other: &Norms| {
         one.error <= other.error && one.limit <= other.limit && one.polygon <= other.polygon

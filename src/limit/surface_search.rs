@@ -1,4 +1,4 @@
-//! The greatest distance of a net from its surface, from above and below.
+//! The greatest distance of nets from their limit surfaces, bounded from above and below.
 
 use super::comparison::Comparison;
 use super::depth::{TwoSidedDepth, two_sided};
@@ -8,24 +8,26 @@ use super::surface_axis::{Axis, Constant, Norms};
 use crate::bound::Share;
 use crate::exact::{Enclosure, Rational};
 
-/// How many parameters along each index are looked at together.
+/// The number of parameters along each index whose pairs are candidates.
 const MAX_CANDIDATES: usize = 16;
 
-/// At how many pairs of parameters the exact norm is computed.
+/// The greatest number of pairs of parameters at which the exact norm is computed.
 const MAX_TRANSPORTS: usize = 32;
 
-/// The steps that a pair of intervals takes, and an exact norm, the most it does.
+/// The cost in steps of a pair of intervals, and the greatest cost of an exact norm.
 const PAIR: u64 = 40;
 const TRANSPORT: u64 = 1 << 20;
 
-/// The most levels after which the spreads are looked at, and the residue classes of these.
+/// The greatest c, and the greatest number n^c of residue classes, for which `lasting`
+/// bounds the growth of the spreads over c levels.
 const MAX_LASTING: u32 = 6;
 const POINTS: u64 = 1 << 10;
 
-/// The widths of C¹_k and C²_k that are tried, as parts of the threshold.
+/// The widths to which C¹_k and C²_k are computed, one after the other: the threshold
+/// divided by these numbers.
 const WIDTHS: [u32; 3] = [16, 1 << 10, 1 << 20];
 
-/// What is known of both curve schemes at a level.
+/// The known bounds of both curve schemes at a level, and the best net.
 struct Known {
     curves: [Constant; 2],
     /// The net of the extremal polygons.
@@ -33,7 +35,8 @@ struct Known {
 }
 
 impl Known {
-    /// The same with what is better known by another.
+    /// Combines two results: for each curve scheme the smaller upper bound, and the net
+    /// with the greater distance.
     fn or(mut self, other: Option<Known>) -> Known {
         let Some(other) = other else { return self };
         for (own, curve) in self.curves.iter_mut().zip(other.curves) {
@@ -49,9 +52,9 @@ impl Known {
 }
 
 impl SurfaceDistances {
-    /// C_k in an interval, and a net whose distance is its lower end. C¹_k and C²_k are
-    /// found to this width, half for each spread; the interval can be wider where a
-    /// coefficient is negative.
+    /// An enclosure of C_k, and a net whose distance is its lower end. β_1 C¹_k and β_2
+    /// C²_k are each computed to half of `width`. If a coefficient is negative, the
+    /// enclosure can be wider than `width`.
     ///
     /// # Errors
     /// When k is above 128, or the width is not positive.
@@ -138,7 +141,8 @@ impl SurfaceDistances {
     ) -> Result<TwoSidedDepth, SurfaceError> {
         positive("the tolerance", tolerance)?;
         let meets = |level| {
-            // Most levels are shown to be too few without a search.
+            // For most levels this shows without a search that they do not meet the
+            // tolerance.
             let mut far = Rational::zero();
             for (axis, along) in self.axes.iter().zip(0..) {
                 let shift = axis.distances().shift();
@@ -159,8 +163,9 @@ impl SurfaceDistances {
         two_sided(meets, surely, self.lasting(), || self.caps())
     }
 
-    /// A c such that after c levels that meet a tolerance all later ones do, where a small one is
-    /// known: over c levels the spreads grow at most by T¹_cΛ²_c and T²_cΛ¹_c.
+    /// A c such that, if c levels in a row meet a tolerance, all later ones do; `None` if no
+    /// small c is found. Over c levels the spreads grow at most by the factors T¹_cΛ²_c and
+    /// T²_cΛ¹_c, which must be at most 1.
     pub(crate) fn lasting(&self) -> Option<u32> {
         let [first, second] = self.axes.each_ref();
         let one = Rational::one();
@@ -180,18 +185,19 @@ impl SurfaceDistances {
         (1..=MAX_LASTING).take_while(|c| few(*c)).find(falls)
     }
 
-    /// A bound of C_k that takes no search. It does not grow with the level.
+    /// A bound of C_k without a search. It does not increase with the level.
     pub(crate) fn at_most(&self, level: u32, spreads: &Spreads) -> Rational {
         self.bound(&self.axes.each_ref().map(|axis| axis.unsearched(level)), spreads)
     }
 
-    /// A bound of C_k by bounds of both curves.
+    /// A bound of C_k from bounds of both curve schemes.
     fn bound(&self, curves: &[Constant; 2], spreads: &Spreads) -> Rational {
         let [s, t] = [0, 1].map(|axis| self.axes[axis].bounds(&curves[axis]));
         product_bound(&s, &t, spreads)
     }
 
-    /// C¹_k and C²_k, each times its spread to this width.
+    /// Bounds of C¹_k and C²_k, where each constant times its spread is computed to this
+    /// width, and the net of the extremal polygons.
     fn known(
         &self,
         level: u32,
@@ -207,8 +213,9 @@ impl SurfaceDistances {
         Ok(Known { curves, best })
     }
 
-    /// A bound of C_k by intervals of parameters, and the best net found at pairs of
-    /// parameters where its bound is greatest; with the first above `enough` it ends.
+    /// A bound of C_k from intervals of parameters, and the best net found at the pairs
+    /// of parameters with the greatest bounds. The search ends with the first net whose
+    /// distance is above `enough`.
     fn narrowed(
         &self,
         known: Known,
@@ -253,8 +260,8 @@ fn pairs<'a, T>(first: &'a [T], second: &'a [T]) -> impl Iterator<Item = (&'a T,
     first.iter().flat_map(|s| second.iter().map(move |t| (s, t)))
 }
 
-/// The lesser of the bounds by P^∞⊗P^∞ − P^k⊗P^k = (P^∞ − P^k)⊗P^∞ + P^k⊗(P^∞ − P^k) and by
-/// the same with the directions exchanged.
+/// The lesser of two bounds: by P^∞⊗P^∞ − P^k⊗P^k = (P^∞ − P^k)⊗P^∞ + P^k⊗(P^∞ − P^k), and
+/// by this identity with the directions exchanged.
 ///
 /// Source: `proofs/THEOREMS.md`, 32.
 fn product_bound(s: &Norms, t: &Norms, spreads: &Spreads) -> Rational {
@@ -262,7 +269,7 @@ fn product_bound(s: &Norms, t: &Norms, spreads: &Spreads) -> Rational {
     (&x * &t.limit + &s.polygon * &y).min(&y * &s.limit + &t.polygon * &x)
 }
 
-/// The parameters of one direction where the norms are greatest.
+/// The parameters of one direction with the greatest norms.
 fn promising(mut samples: Vec<(Rational, Norms)>) -> Vec<(Rational, Norms)> {
     let weight = |norms: &Norms| &norms.error * (&norms.limit + &norms.polygon);
     samples.sort_by_cached_key(|(_, norms)| -weight(norms));

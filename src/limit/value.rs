@@ -9,15 +9,16 @@ use crate::scheme::{Mask, Rules};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// The limit P^∞ of a convergent scheme at rational parameters, exactly.
+/// The limit P^∞ of a convergent scheme, with exact values at rational parameters.
 ///
-/// With P^k the piecewise linear interpolant of the points x^k_i of level k at the
-/// parameters i/n^k, P^∞ = lim P^k. Its values are linear functionals of the control
-/// points x^0: at 0 the left eigenvector for 1 of the scheme on its invariant window,
-/// at parameters whose digits repeat that of a product of its blocks, and elsewhere that of
-/// refined points.
+/// P^∞ = lim P^k, where P^k is the piecewise linear interpolant of the points x^k_i of
+/// level k at the parameters i/n^k. The values of P^∞ are linear functionals of the control
+/// points x^0. At 0 the functional is the left eigenvector for the eigenvalue 1 of the
+/// scheme on its invariant window. At parameters with purely periodic digits it is the left
+/// eigenvector of a product of blocks, one for each digit. At all other rational parameters
+/// it is one of these functionals, applied to refined points.
 ///
-/// Hypotheses: an affine mask for which some T_c < 1, which is decided here.
+/// Hypotheses: an affine mask with T_c < 1 for some c. This is checked by [`Limit::new`].
 ///
 /// Source: `proofs/THEOREMS.md`, 2–4 and 82.
 ///
@@ -42,15 +43,15 @@ pub struct Limit {
     difference: Rules,
     contraction: Vec<Rational>,
     at_zero: Functional,
-    /// Limits at parameters whose digits repeat from the first on, once they were asked for.
+    /// The limits computed so far at parameters with purely periodic digits.
     repeating: Arc<Mutex<BTreeMap<Rational, Functional>>>,
 }
 
 impl Limit {
     /// The limit of the scheme of this mask.
     ///
-    /// T_c is computed for n^c ≤ 2^10, and while none is below 1 up to n^c ≤ 2^16, and beyond where
-    /// branch and bound soon comes to one.
+    /// T_c is computed for n^c ≤ 2^10, and, while none is below 1, for n^c ≤ 2^16. Beyond this,
+    /// branch and bound with a small cap on work is tried.
     ///
     /// # Errors
     /// When 1 is a multiple eigenvalue, so that there is no continuous limit; when no
@@ -83,15 +84,15 @@ impl Limit {
         &self.difference
     }
 
-    /// T_0 = 1, T_1, …: those computed, of which one at least is below 1.
+    /// The computed constants T_0 = 1, T_1, …; at least one of them is below 1.
     #[must_use]
     pub fn contraction(&self) -> &[Rational] {
         &self.contraction
     }
 
-    /// P^∞(t) as a functional of the control points, for a t whose n-adic digits repeat after at
-    /// most [`MAX_PARAMETER_DIGITS`](super::MAX_PARAMETER_DIGITS), with a period of at most
-    /// [`MAX_PERIOD`](super::MAX_PERIOD).
+    /// P^∞(t) as a functional of the control points, for a t whose n-adic digits are periodic
+    /// after at most [`MAX_PARAMETER_DIGITS`](super::MAX_PARAMETER_DIGITS) digits, with a period
+    /// of at most [`MAX_PERIOD`](super::MAX_PERIOD).
     ///
     /// # Errors
     /// When t is not such a parameter, or |t| is 2^60 or more.
@@ -105,7 +106,8 @@ impl Limit {
     }
 
     fn at_repeating(&self, rest: &Rational) -> Result<Functional, LimitError> {
-        // What a thread that panicked has left is whole: it is written in one step.
+        // Entries are inserted in one step, so the map is consistent even after a panic
+        // in another thread.
         let known = || self.repeating.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(limit) = known().get(rest) {
             return Ok(limit.clone());
@@ -118,15 +120,15 @@ impl Limit {
     /// P^k(t) as a functional of the control points.
     ///
     /// # Errors
-    /// As of [`Limit::at`], and when the level k is above 128.
+    /// As [`Limit::at`], and when the level k is above 128.
     pub fn polygon_at(&self, level: u32, t: &Rational) -> Result<Functional, LimitError> {
         self.polygon_from(level, t, &Rational::zero())
     }
 
-    /// The same of the polygon with x^k_i at the parameter (i + shift)/n^k.
+    /// As [`Limit::polygon_at`], for the polygon with x^k_i at the parameter (i + shift)/n^k.
     ///
     /// # Errors
-    /// As of [`Limit::polygon_at`].
+    /// As [`Limit::polygon_at`].
     pub fn polygon_from(
         &self,
         level: u32,
@@ -138,15 +140,15 @@ impl Limit {
     }
 
     /// P^∞(t) − P^k(t) as a functional of the differences Δ_i = x_{i+1} − x_i of the
-    /// control points: that of level 0, at the place of t between two points of level
-    /// k, applied to Δ^k = D^k Δ. Its norm is attained by its
-    /// [extremal polygon](Functional::extremal_polygon), and is a lower bound on
-    /// every bound of ‖P^∞ − P^k‖_∞/max|Δ|.
+    /// control points: the functional P^∞ − P^0 at the place of t between two points of
+    /// level k, applied to Δ^k = D^k Δ. Its norm is attained by its [extremal
+    /// polygon](Functional::extremal_polygon), so every bound of ‖P^∞ − P^k‖_∞/max|Δ| is
+    /// at least this norm.
     ///
     /// Source: `proofs/THEOREMS.md`, 5.
     ///
     /// # Errors
-    /// As of [`Limit::polygon_at`].
+    /// As [`Limit::polygon_at`].
     ///
     /// # Panics
     /// Never: the coefficients of both values sum to 1.
@@ -167,10 +169,10 @@ impl Limit {
         self.error_from(level, t, &Rational::zero())
     }
 
-    /// The same of the polygon with x^k_i at the parameter (i + shift)/n^k.
+    /// As [`Limit::error`], for the polygon with x^k_i at the parameter (i + shift)/n^k.
     ///
     /// # Errors
-    /// As of [`Limit::polygon_at`].
+    /// As [`Limit::polygon_at`].
     ///
     /// # Panics
     /// Never: the coefficients of both values sum to 1.

@@ -5,13 +5,13 @@ use crate::exact::{Rational, RealCyclotomic};
 use crate::float::{exact as exact_of, ulps_between};
 use std::cmp::Ordering;
 
-/// Whether `value` is at most `ulps` units in the last place from `exact`: of
-/// [`ulps_between`], decided exactly. 0.5 asks for a correctly rounded value, 0 for
-/// an exact one. NaN and the infinities are never within. The exact value is a
+/// Checks that `value` is at most `ulps` units in the last place from `exact`, in the
+/// sense of [`ulps_between`]. The comparison is exact. 0.5 requires a correctly rounded
+/// value, and 0 an exact one. NaN and the infinities always fail. The exact value is a
 /// [`Rational`] or a [`RealCyclotomic`].
 ///
 /// # Errors
-/// When it is farther.
+/// When the distance is greater.
 ///
 /// # Panics
 /// When `ulps` is negative or NaN.
@@ -41,8 +41,8 @@ pub fn check_within_ulps<E: Clone + Into<RealCyclotomic>>(
 /// [`check_within_ulps`] for every pair of two slices.
 ///
 /// # Errors
-/// When one is farther, with the first such and the worst; or when the slices
-/// differ in length.
+/// When some value fails; the error names the first and the worst one. Also when the
+/// slices differ in length.
 ///
 /// # Panics
 /// When `ulps` is negative or NaN.
@@ -78,11 +78,11 @@ pub fn check_slice_within_ulps<E: Clone + Into<RealCyclotomic>>(
     })
 }
 
-/// Whether |`value` − `exact`| ≤ `tolerance`, decided exactly. NaN and the
-/// infinities are never within.
+/// Checks that |`value` − `exact`| ≤ `tolerance`. The comparison is exact. NaN and the
+/// infinities always fail.
 ///
 /// # Errors
-/// When it is farther.
+/// When the distance is greater.
 ///
 /// # Panics
 /// When `tolerance` is negative.
@@ -110,7 +110,7 @@ fn ulps_are_within(value: f64, exact: &RealCyclotomic, ulps: f64) -> bool {
     check_ulps(ulps);
     match (ulps_between(value, exact), exact_of(ulps)) {
         (None, _) => false,
-        // An infinite tolerance still asks for a number.
+        // An infinite tolerance still requires a finite value.
         (Some(_), None) => true,
         (Some(distance), Some(allowed)) => distance <= RealCyclotomic::from(allowed),
     }

@@ -17,7 +17,7 @@ use crate::exact::Rational;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Control {
     values: Vec<Rational>,
-    /// The coordinates of points after the first, which are the values.
+    /// The second and further coordinates of points; the first one is `values`.
     others: Vec<Vec<Rational>>,
     columns: usize,
     seed: Option<u64>,
@@ -31,10 +31,11 @@ impl Control {
         Control::points(vec![values])
     }
 
-    /// The polygon of points with these coordinates: all x, then all y, and so on, of each as many.
+    /// The polygon of points with these coordinates: the list of all x, the list of all y, and so
+    /// on, all of the same length.
     ///
     /// # Panics
-    /// When the coordinates are not of one length.
+    /// When the lists have different lengths.
     ///
     /// ```
     /// use subcert::oracle::Control;
@@ -52,8 +53,8 @@ impl Control {
         Control { values, others, columns: 1, seed: None, grid: false }
     }
 
-    /// The grid with these values, row by row, of `columns` each; `None` when that
-    /// leaves a last row unfinished, or `columns` is 0.
+    /// The grid with these values, row by row, of `columns` each; `None` when the last
+    /// row would be incomplete, or `columns` is 0.
     #[must_use]
     pub fn grid(values: Vec<Rational>, columns: usize) -> Option<Control> {
         let whole = columns > 0 && values.len().is_multiple_of(columns);
@@ -61,8 +62,8 @@ impl Control {
         whole.then_some(Control { values, others, columns, seed: None, grid: true })
     }
 
-    /// The polygon of `count` integers from −100 to 100 that [`SplitMix64`] gives
-    /// from this seed: (r mod 201) − 100 for each output r.
+    /// The polygon of `count` integers from −100 to 100, drawn by [`SplitMix64`] from
+    /// this seed: (r mod 201) − 100 for each output r.
     #[must_use]
     pub fn seeded_polygon(seed: u64, count: usize) -> Control {
         let values = SplitMix64::new(seed).small_integers(count);
@@ -77,38 +78,38 @@ impl Control {
         Control { values, others: Vec::new(), columns, seed: Some(seed), grid: true }
     }
 
-    /// The values, row by row; of points, their first coordinates.
+    /// The values, row by row; for points, the first coordinates.
     #[must_use]
     pub fn values(&self) -> &[Rational] {
         &self.values
     }
 
-    /// The values of each coordinate; of numbers, there is one.
+    /// The values of each coordinate; for numbers there is only one.
     pub fn coordinates(&self) -> impl Iterator<Item = &[Rational]> {
         std::iter::once(&self.values).chain(&self.others).map(Vec::as_slice)
     }
 
-    /// The coordinates, each with what its groups are called by: `-1`, `-2`, …; nothing where
-    /// there is only one.
+    /// The coordinates, each with the suffix of the names of its groups: `-1`, `-2`, …, or an
+    /// empty suffix if there is only one coordinate.
     pub(super) fn named_coordinates(&self) -> impl Iterator<Item = (String, &[Rational])> {
         let several = !self.others.is_empty();
         let name = move |number: usize| if several { format!("-{number}") } else { String::new() };
         (1..).map(name).zip(self.coordinates())
     }
 
-    /// How many rows there are: of a polygon, its length.
+    /// The number of rows; for a polygon, the number of points.
     #[must_use]
     pub fn rows(&self) -> usize {
         self.values.len().checked_div(self.columns).unwrap_or(0)
     }
 
-    /// How many columns: 1 for a polygon.
+    /// The number of columns; 1 for a polygon.
     #[must_use]
     pub fn columns(&self) -> usize {
         self.columns
     }
 
-    /// The seed, if it was drawn.
+    /// The seed, if the values were drawn from one.
     #[must_use]
     pub fn seed(&self) -> Option<u64> {
         self.seed
@@ -138,15 +139,16 @@ pub struct SplitMix64 {
 }
 
 impl SplitMix64 {
-    /// The generator that starts from this state.
+    /// The generator with this initial state.
     #[must_use]
     pub fn new(seed: u64) -> SplitMix64 {
         SplitMix64 { state: seed }
     }
 
-    /// `count` integers from −100 to 100; of more than can be refined, one too many.
+    /// `count` integers from −100 to 100, but at most [`MAX_VALUES`] + 1 of them: that is
+    /// enough for the error that there are too many.
     fn small_integers(&mut self, count: usize) -> Vec<Rational> {
-        // An output of 201 residues out of 2^64 is as good as uniform.
+        // Residues mod 201 of uniform 64-bit outputs are practically uniform.
         self.take(count.min(MAX_VALUES + 1))
             .map(|r| Rational::from(r % 201) - Rational::from(100))
             .collect()
@@ -156,7 +158,7 @@ impl SplitMix64 {
 impl Iterator for SplitMix64 {
     type Item = u64;
 
-    /// The next output; there always is one.
+    /// The next output; never `None`.
     fn next(&mut self) -> Option<u64> {
         self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.state;

@@ -1,13 +1,13 @@
-//! What reference values say of themselves.
+//! The header of reference values.
 
 use serde::Serialize;
 
-/// What was computed, and by what. Numbers that may be long are texts.
+/// What was computed, and by which program. Numbers that may be long are strings.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Header {
     /// `subcert` and its version.
     pub program: String,
-    /// The scheme, as it was asked for.
+    /// The scheme, as in the request.
     pub scheme: String,
     /// The shape of each mask: one for a curve, two for a tensor product.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -17,9 +17,9 @@ pub struct Header {
     pub ring: Option<LocalShape>,
     /// The greatest c of T_c and Λ_c.
     pub max_block: u32,
-    /// How often the control polygon was refined.
+    /// The number of refinements of the control polygon.
     pub level: u32,
-    /// `closed` or `open`; a ring has no boundary.
+    /// `closed` or `open`; `None` for a ring.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub boundary: Option<&'static str>,
     /// The seed of [`Control::seeded_polygon`](super::Control::seeded_polygon); `None` when the control was given.
@@ -32,14 +32,14 @@ pub struct Header {
     pub columns: &'static str,
 }
 
-/// n, N and o of a mask.
+/// The arity n, the width N and the offset o of a mask.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct MaskShape {
-    /// n.
+    /// The arity n.
     pub arity: usize,
-    /// N.
+    /// The width N.
     pub width: usize,
-    /// o.
+    /// The offset o.
     pub offset: i64,
 }
 
@@ -48,11 +48,11 @@ pub struct MaskShape {
 pub struct LocalShape {
     /// The name of every point, in the order of their numbers.
     pub points: Vec<String>,
-    /// The edges, as pairs of numbers of points.
+    /// The edges, as pairs of point numbers.
     pub edges: Vec<(usize, usize)>,
 }
 
-/// The version of the form in JSON.
+/// The version of the JSON format.
 pub(super) const SCHEMA: u32 = 1;
 
 /// How the columns of [`Value`](super::Value) are rounded.
@@ -60,7 +60,7 @@ pub(super) const COLUMNS: &str = "exact: p/q or a sum of cosines; decimal: 17 si
                                   nearest, half to even; f64: nearest, half to even, as the \
                                   shortest decimal that reads back; hex: the same f64";
 
-/// What writes the values.
+/// The name and version of this program.
 pub(super) fn program() -> String {
     format!("subcert {}", env!("CARGO_PKG_VERSION"))
 }

@@ -8,17 +8,17 @@ use crate::bound::{LocalConstants, LocalWork};
 use crate::exact::{Rational, RealCyclotomic};
 use crate::scheme::LocalRules;
 
-/// What [`ring_reference_values`] computes.
+/// The input of [`ring_reference_values`].
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LocalRequest {
-    /// What the ring is called in the header, such as `doo-sabin:n=5`.
+    /// The name of the ring for the header, such as `doo-sabin:n=5`.
     pub scheme: String,
     /// The greatest c of T_c and Λ_c.
     pub max_block: u32,
     /// One number or point for each point of the ring: [`Control::polygon`],
     /// [`Control::points`] or [`Control::seeded_polygon`].
     pub control: Control,
-    /// How often it is refined.
+    /// The number of refinements.
     pub level: u32,
 }
 
@@ -26,14 +26,15 @@ const WEIGHTS: &str = "m[a][b]: x'[a] = sum over b of m[a][b]*x[b]";
 const SIGMA: &str = "sigma: the largest distance of a new point x'[a] from the old point x[a], per \
                      unit of the largest difference along an edge";
 
-/// M^k x, the control points refined k times: as many as there were.
+/// M^k x: the control points refined k times. Their number stays the same.
 ///
 /// # Errors
-/// When there is not one control point for each point of the ring, the level is too
-/// high, or it is too much work.
+/// When there is not one control point for each point of the ring, the level is too high,
+/// or the work is above the cap.
 ///
 /// # Panics
-/// When points and weights have no [`common_conductor`](crate::exact::common_conductor).
+/// When the points and the weights have no
+/// [`common_conductor`](crate::exact::common_conductor).
 ///
 /// ```
 /// use subcert::assert_within_ulps;
@@ -64,7 +65,7 @@ pub fn refine_ring(
             names: counts.collect::<Vec<String>>().join(", "),
         });
     }
-    // As many products as the powers of one row take.
+    // As many products as for the powers of one row.
     LocalWork::check(ring, 1, level.saturating_add(1))?;
     Ok((0..level).fold(points.to_vec(), |points, _| ring.refine(&points)))
 }
@@ -73,7 +74,7 @@ pub fn refine_ring(
 /// their refinement.
 ///
 /// # Errors
-/// As of [`refine_ring`], and when the powers of the ring are too much work.
+/// As [`refine_ring`], and when the work for the powers of the ring is above the cap.
 ///
 /// ```
 /// use subcert::oracle::{Control, LocalRequest, ring_reference_values};

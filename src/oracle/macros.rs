@@ -1,8 +1,8 @@
-//! The checks as assertions, for the tests of other programs.
+//! Assertion macros for the tests of other programs.
 
-/// Asserts that an f64 is at most so many units in the last place from an exact
-/// value: [`check_within_ulps`](crate::oracle::check_within_ulps). The exact value
-/// is a `Rational` or a `RealCyclotomic`, or a reference to one; a message may follow.
+/// Asserts that an f64 is at most a given number of units in the last place from an exact
+/// value; see [`check_within_ulps`](crate::oracle::check_within_ulps). The exact value is
+/// a `Rational` or a `RealCyclotomic`, or a reference to one; a message may follow.
 ///
 /// ```
 /// use subcert::assert_within_ulps;
@@ -14,7 +14,7 @@
 /// ```
 ///
 /// # Panics
-/// When it is farther; the message shows both values.
+/// When the distance is greater; the message shows both values.
 #[macro_export]
 macro_rules! assert_within_ulps {
     ($value:expr, $exact:expr, $ulps:expr $(,)?) => {
@@ -29,9 +29,10 @@ macro_rules! assert_within_ulps {
     };
 }
 
-/// Asserts the same of every pair of a slice of f64 and one of exact values:
-/// [`check_slice_within_ulps`](crate::oracle::check_slice_within_ulps). Both may be arrays,
-/// vectors, slices, or references to them.
+/// Asserts that every f64 of a slice is at most a given number of units in the last place
+/// from the exact value at the same index of another slice; see
+/// [`check_slice_within_ulps`](crate::oracle::check_slice_within_ulps). Both may be
+/// arrays, vectors, slices, or references to them.
 ///
 /// ```
 /// use subcert::assert_slice_within_ulps;
@@ -42,8 +43,8 @@ macro_rules! assert_within_ulps {
 /// ```
 ///
 /// # Panics
-/// When one is farther, or the lengths differ; the message shows the first and the
-/// worst.
+/// When some value fails, or the lengths differ; the message shows the first and the
+/// worst value that fail.
 #[macro_export]
 macro_rules! assert_slice_within_ulps {
     ($values:expr, $exact:expr, $ulps:expr $(,)?) => {
@@ -58,7 +59,7 @@ macro_rules! assert_slice_within_ulps {
     };
 }
 
-/// Asserts that an f64 is at most an exact distance from an exact value:
+/// Asserts that an f64 is at most a given exact distance from an exact value; see
 /// [`check_within`](crate::oracle::check_within).
 ///
 /// ```
@@ -69,7 +70,7 @@ macro_rules! assert_slice_within_ulps {
 /// ```
 ///
 /// # Panics
-/// When it is farther; the message shows both values.
+/// When the distance is greater; the message shows both values.
 #[macro_export]
 macro_rules! assert_within {
     ($value:expr, $exact:expr, $tolerance:expr $(,)?) => {

@@ -1,18 +1,18 @@
-//! An f64 that is not what it should be, and how to say so.
+//! Mismatches between f64 values and exact values, and their messages.
 
 use crate::exact::{Rational, RealCyclotomic, format};
 use crate::float::{hexadecimal, nearest, shortest, ulps_between};
 use std::fmt::{self, Display};
 
-/// The longest p/q that a message shows in full.
+/// The greatest length of a value that a message shows in full.
 const MAX_SHOWN: usize = 100;
 
-/// How far an f64 may be off.
+/// The allowed distance of an f64 from the exact value.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Tolerance {
     /// In units in the last place of the nearest f64.
     Ulps(f64),
-    /// In absolute terms.
+    /// In absolute value.
     Absolute(Rational),
 }
 
@@ -25,14 +25,14 @@ impl fmt::Display for Tolerance {
     }
 }
 
-/// One f64 that is farther from its exact value than was allowed.
+/// An f64 that is farther from its exact value than allowed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Deviation {
-    /// The place in the slice, if there was one.
+    /// The index in the slice, if slices were compared.
     pub index: Option<usize>,
-    /// The f64 that was found.
+    /// The f64.
     pub value: f64,
-    /// The value that it stands for.
+    /// The exact value.
     pub exact: RealCyclotomic,
 }
 
@@ -50,7 +50,7 @@ impl Deviation {
     }
 }
 
-/// p/q or a sum of cosines, or its length if that is beyond reason.
+/// p/q or a sum of cosines, or its number of digits if it is longer than [`MAX_SHOWN`].
 fn shown(value: &impl Display) -> String {
     let text = value.to_string();
     let digits = |text: &str| text.bytes().filter(u8::is_ascii_digit).count();
@@ -78,16 +78,16 @@ impl fmt::Display for Deviation {
     }
 }
 
-/// Why f64 values are not what they should be.
+/// Why a check of f64 values failed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Mismatch {
     /// One value is too far off.
     #[error("an f64 is not within {tolerance} of its exact value\n{deviation}")]
     Value {
-        /// What was allowed.
+        /// The allowed distance.
         tolerance: Tolerance,
-        /// What was found.
+        /// The value that failed.
         deviation: Box<Deviation>,
     },
     /// Some values of a slice are too far off.
@@ -96,24 +96,24 @@ pub enum Mismatch {
          {first}\nthe worst:\n{worst}"
     )]
     Slice {
-        /// What was allowed.
+        /// The allowed distance.
         tolerance: Tolerance,
-        /// How many are too far off.
+        /// The number of values that failed.
         wrong: usize,
-        /// Of how many.
+        /// The number of all values.
         total: usize,
-        /// The first of them.
+        /// The first value that failed.
         first: Box<Deviation>,
-        /// The one that is most units in the last place off; one that is not finite
-        /// counts as worse than any other.
+        /// The value with the greatest distance in units in the last place. A value that
+        /// is not finite counts as worse than all finite ones.
         worst: Box<Deviation>,
     },
     /// The two slices differ in length.
     #[error("{values} f64 were compared with {exact} exact values")]
     Length {
-        /// How many f64.
+        /// The number of f64 values.
         values: usize,
-        /// How many exact values.
+        /// The number of exact values.
         exact: usize,
     },
 }

@@ -1,18 +1,18 @@
 //! Reference values for the tests of other programs.
 //!
-//! Whoever writes subdivision in f64 needs numbers to test against that are not
-//! from f64 themselves. This module computes the mask, the difference mask, the
-//! constants and refined control polygons of a scheme exactly, and gives each
-//! value as p/q, as a correctly rounded decimal, and as the nearest f64.
+//! An f64 implementation of subdivision must be tested against numbers that were not
+//! computed in f64. This module computes the mask, the difference mask, the constants and
+//! refined control polygons of a scheme exactly. It gives each value as p/q, as a
+//! correctly rounded decimal, and as the nearest f64.
 //!
 //! | item | what it is |
 //! |---|---|
 //! | [`reference_values`], [`OracleRequest`], [`OracleValues`] | all values of a scheme, as plain data |
-//! | [`ring_reference_values`], [`LocalRequest`] | the same of a ring |
-//! | [`to_json`], [`to_csv`], [`write_json`], [`write_csv`] | the same as a file |
+//! | [`ring_reference_values`], [`LocalRequest`] | all values of a ring |
+//! | [`to_json`], [`to_csv`], [`write_json`], [`write_csv`] | these values as JSON and CSV |
 //! | [`refine_polygon`], [`refine_grid`], [`refine_ring`], [`Control`] | exact refinement |
-//! | [`check_within_ulps`], [`check_slice_within_ulps`], [`check_within`] | an f64 against an exact value |
-//! | [`assert_within_ulps!`](crate::assert_within_ulps), [`assert_slice_within_ulps!`](crate::assert_slice_within_ulps), [`assert_within!`](crate::assert_within) | the same as assertions |
+//! | [`check_within_ulps`], [`check_slice_within_ulps`], [`check_within`] | checks of f64 against exact values |
+//! | [`assert_within_ulps!`](crate::assert_within_ulps), [`assert_slice_within_ulps!`](crate::assert_slice_within_ulps), [`assert_within!`](crate::assert_within) | these checks as assertions |
 
 mod check;
 mod control;

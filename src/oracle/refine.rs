@@ -4,40 +4,40 @@ use crate::bound::{ClassCap, LocalWork};
 use crate::exact::{CommonDenominator, Integer, Rational, Scalar, common_denominator};
 use crate::scheme::Rules;
 
-/// The most values of a control polygon or grid, refined or not.
+/// The greatest number of values of a control polygon or grid at any level.
 pub const MAX_VALUES: usize = 1_000_000;
 
-/// The most levels of refinement.
+/// The greatest number of refinements.
 pub const MAX_REFINED_LEVEL: u32 = 64;
 
-/// What becomes of the ends of a polygon.
+/// How the ends of a polygon are treated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Boundary {
-    /// There are none: indices are taken mod the number of points.
+    /// A closed polygon: indices are taken mod the number of points.
     Closed,
-    /// Only the rules all of whose points exist are applied; see
+    /// An open polygon: a rule is applied only where all of its points exist; see
     /// [`Rules::refine_open`].
     Open,
 }
 
-/// Why there are no reference values.
+/// Why reference values are not computed.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum OracleError {
     /// Too many residue classes.
     #[error(transparent)]
     Classes(#[from] ClassCap),
-    /// Too large powers of a ring.
+    /// Powers of a ring that are too much work.
     #[error(transparent)]
     LocalRules(#[from] LocalWork),
-    /// A control ring of another number of points than the ring has.
+    /// A number of control points other than the number of points of the ring.
     #[error("{found} control points for a ring of {expected}: {names}")]
     LocalPoints {
-        /// How many were given.
+        /// The number of control points given.
         found: usize,
-        /// v.
+        /// The number v of points of the ring.
         expected: usize,
-        /// What the points are.
+        /// The orbits of the ring.
         names: String,
     },
     /// A control polygon without points.
@@ -49,7 +49,7 @@ pub enum OracleError {
     /// More than [`MAX_REFINED_LEVEL`] levels.
     #[error("level {0} is too high; at most {MAX_REFINED_LEVEL} is")]
     Level(u32),
-    /// An open polygon that has shrunk below the width of the rules.
+    /// An open polygon with fewer points than the width of the rules.
     #[error(
         "nothing is left of the open polygon after level {level}: it has {count} points there, \
          and a rule needs {width}"
@@ -57,36 +57,37 @@ pub enum OracleError {
     TooFew {
         /// The last level that has points.
         level: u32,
-        /// How many it has.
+        /// The number of points of this level.
         count: usize,
-        /// N.
+        /// The width N.
         width: usize,
     },
     /// A grid for a curve, or a polygon for a tensor product.
     #[error("a control {found} for a {scheme}, which refines a {expected}")]
     Shape {
-        /// What was given.
+        /// The control data given.
         found: &'static str,
-        /// What the scheme is.
+        /// The kind of the scheme.
         scheme: &'static str,
-        /// What it refines.
+        /// The control data that the scheme refines.
         expected: &'static str,
     },
-    /// A grid whose last row is unfinished, or that has no columns.
+    /// A grid whose last row is incomplete, or that has no columns.
     #[error("{count} values are not whole rows of {columns}")]
     Ragged {
-        /// How many values there are.
+        /// The number of values.
         count: usize,
-        /// How long a row is.
+        /// The number of columns.
         columns: usize,
     },
 }
 
-/// The polygon of level `level`, when `points` is that of level 0. Closed, it has
-/// n^level·m values; open, those of [`Rules::refine_open`], again and again.
+/// The polygon of level `level`, from the polygon `points` of level 0. A closed polygon
+/// of m points gives n^level·m values. An open polygon is refined by
+/// [`Rules::refine_open`] `level` times.
 ///
 /// # Errors
-/// When there are no points, too many would arise, none are left, or the level is
+/// When there are no points, there would be too many, none would be left, or the level is
 /// too high.
 ///
 /// ```
@@ -117,12 +118,12 @@ pub fn refine_polygon(
     Ok(fractions(values, &(denominator * scale.pow(level))))
 }
 
-/// The grid of level `level` and its number of columns, when `grid` is that of
-/// level 0, row by row: `p'_{ni+α, mj+β} = Σ_{r,s} a_{α,r} a'_{β,s} p_{i+o+r, j+o'+s}`, the
-/// first rules along the columns of the grid (over i), the second along its rows.
+/// The grid of level `level` and its number of columns, from the `grid` of level 0, row by
+/// row: `p'_{ni+α, mj+β} = Σ_{r,s} a_{α,r} a'_{β,s} p_{i+o+r, j+o'+s}`. The first rules act
+/// along the columns of the grid (on i), the second along its rows (on j).
 ///
 /// # Errors
-/// As of [`refine_polygon`], and when the last row of the grid is unfinished.
+/// As [`refine_polygon`], and when the last row of the grid is incomplete.
 pub fn refine_grid(
     rules: [&Rules; 2],
     grid: &[Rational],
@@ -156,7 +157,7 @@ pub fn refine_grid(
     Ok((fractions(values, &scale), width))
 }
 
-/// How many points a polygon of `count` points has at `level`.
+/// The number of points at `level` of a polygon of `count` points.
 fn count_after(
     rules: &Rules,
     count: usize,
@@ -209,13 +210,13 @@ fn transposed(values: &[Whole], columns: usize) -> Vec<Whole> {
     (0..columns).flat_map(column).collect()
 }
 
-/// An integer as a [`Scalar`]: the refinement runs on integers over one common
-/// denominator, and fractions are reduced once, at its end.
+/// An integer as a [`Scalar`]. The refinement uses integers over one common denominator;
+/// fractions are reduced only at the end.
 #[derive(Clone)]
 struct Whole(Integer);
 
 impl Scalar for Whole {
-    /// For integers only, which is all that a refinement asks for.
+    /// For integers only; a refinement needs no other numbers.
     fn from_rational(value: &Rational) -> Whole {
         debug_assert!(value.is_integer());
         Whole(value.numerator())

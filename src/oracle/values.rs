@@ -10,28 +10,28 @@ use crate::scheme::{Mask, Rules, Scheme};
 use serde::Serialize;
 use std::fmt::Display;
 
-/// The significant digits of the decimals: enough to tell any two f64 apart.
+/// The number of significant digits of the decimals: enough to distinguish any two f64.
 const DECIMAL_DIGITS: u32 = 17;
 
-/// What [`reference_values`] computes.
+/// The input of [`reference_values`].
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct OracleRequest {
-    /// What the scheme is called in the header, such as `four-point:w=1/17`.
+    /// The name of the scheme for the header, such as `four-point:w=1/17`.
     pub scheme: String,
     /// The greatest c of T_c and Λ_c.
     pub max_block: u32,
     /// A polygon for a curve, a grid for a tensor product.
     pub control: Control,
-    /// How often it is refined.
+    /// The number of refinements.
     pub level: u32,
-    /// Whether it is closed.
+    /// Whether the control polygon or grid is closed.
     pub boundary: Boundary,
 }
 
-/// Reference values, and what they are.
+/// Reference values, with a header.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct OracleValues {
-    /// The version of this form.
+    /// The version of this format.
     pub schema: u32,
     /// What was computed.
     pub header: Header,
@@ -42,15 +42,15 @@ pub struct OracleValues {
 /// The values of one quantity.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Group {
-    /// `mask`, `difference-mask`, `contraction-constant`, `scheme-norm`,
-    /// `displacement`, `control`, `refined`; for a tensor product the first five
-    /// begin with `first-` or `second-`, and `surface-factor` is added. A ring has
-    /// `weights` in place of the two masks. Of control points with several coordinates, there are
-    /// `control-1`, `refined-1`, `control-2`, and so on.
+    /// `mask`, `difference-mask`, `contraction-constant`, `scheme-norm`, `displacement`,
+    /// `control`, `refined`; for a tensor product the first five begin with `first-` or
+    /// `second-`, and `surface-factor` is added. A ring has `weights` in place of the two masks.
+    /// For control points with several coordinates, the groups are `control-1`, `refined-1`,
+    /// `control-2`, and so on.
     pub quantity: String,
-    /// Its formula, and what its indices are.
+    /// The formula of the quantity, and the meaning of its indices.
     pub about: &'static str,
-    /// How many values each index runs over.
+    /// The number of values of each index.
     pub shape: Vec<usize>,
     /// The values, the last index running fastest.
     pub values: Vec<Value>,
@@ -65,7 +65,7 @@ pub struct Value {
     pub exact: String,
     /// 17 significant digits, correctly rounded, half to even.
     pub decimal: String,
-    /// The nearest f64, half to even, as the shortest decimal that reads back.
+    /// The nearest f64, half to even, as the shortest decimal that is read as this f64.
     pub f64: String,
     /// The same f64 in hexadecimal, as `%a` of C99 prints it.
     pub hex: String,
@@ -92,9 +92,9 @@ impl OracleValues {
     }
 }
 
-/// The reference values of a scheme: its masks and difference masks, T_c and Λ_c
-/// (in the adjoint order, which is the sound one), σ at the offset of the mask, the
-/// control polygon or grid, and its refinement.
+/// The reference values of a scheme: its masks and difference masks, T_c and Λ_c (in the
+/// adjoint order, which gives sound bounds), σ at the offset of the mask, the control
+/// polygon or grid, and its refinement.
 ///
 /// # Errors
 /// When there are too many residue classes or values, the level is too high, or the
@@ -166,7 +166,7 @@ fn constants(
     groups: &mut Vec<Group>,
 ) -> Result<(), OracleError> {
     let constants = Constants::new(mask.clone());
-    // The greatest c first, so that too many classes are refused at once.
+    // The greatest c comes first, so that too many classes are refused at once.
     let norms = |operator| -> Result<Vec<Rational>, OracleError> {
         let norm = |c| Ok(constants.norm(operator, c, Order::Adjoint)?);
         let mut norms = (1..=max_block).rev().map(norm).collect::<Result<Vec<_>, OracleError>>()?;
@@ -213,7 +213,7 @@ pub(super) fn group(
     Group { quantity: quantity.to_owned(), about, shape: shape.to_vec(), values }
 }
 
-/// The refined values of each coordinate, and how many columns they have.
+/// The refined values of each coordinate, and their number of columns.
 fn refine(
     scheme: &Scheme,
     request: &OracleRequest,

@@ -5,7 +5,7 @@ use super::values::OracleValues;
 use std::io::{self, Write};
 
 /// The values as indented JSON: an object of `schema`, `header` and `groups`, its keys in the
-/// order of the fields of [`OracleValues`]. Every exact value is a text.
+/// order of the fields of [`OracleValues`]. Every exact value is a string.
 ///
 /// # Panics
 /// Never: writing to memory does not fail.
@@ -14,8 +14,8 @@ pub fn to_json(values: &OracleValues) -> String {
     in_memory(|out| write_json(values, out))
 }
 
-/// The values as CSV: lines with `#` that say what was computed, then the columns
-/// `quantity,index,exact,decimal,f64,hex`, with `:` between several indices.
+/// The values as CSV: comment lines with `#` that say what was computed, then the columns
+/// `quantity,index,exact,decimal,f64,hex`. Several indices are separated by `:`.
 ///
 /// # Panics
 /// Never: writing to memory does not fail.
@@ -46,19 +46,19 @@ fn in_memory(write: impl FnOnce(&mut Vec<u8>) -> io::Result<()>) -> String {
     String::from_utf8(out).expect("text was written")
 }
 
-/// Writes what [`to_json`] returns.
+/// Writes the text of [`to_json`].
 ///
 /// # Errors
-/// When `out` fails.
+/// When writing to `out` fails.
 pub fn write_json(values: &OracleValues, mut out: impl Write) -> io::Result<()> {
     serde_json::to_writer_pretty(&mut out, values)?;
     out.write_all(b"\n")
 }
 
-/// Writes what [`to_csv`] returns.
+/// Writes the text of [`to_csv`].
 ///
 /// # Errors
-/// When `out` fails.
+/// When writing to `out` fails.
 pub fn write_csv(values: &OracleValues, mut out: impl Write) -> io::Result<()> {
     for (key, value) in header_lines(&values.header) {
         writeln!(out, "# {key}: {}", one_line(&value))?;
@@ -102,8 +102,8 @@ fn header_lines(header: &Header) -> Vec<(&'static str, String)> {
     lines
 }
 
-/// The text without line breaks and other control characters, which would end the
-/// comment.
+/// The text with every control character replaced by a space, since a line break would
+/// end the comment.
 fn one_line(text: &str) -> String {
     text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
 }

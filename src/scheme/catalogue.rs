@@ -1,4 +1,4 @@
-//! The named schemes, each a small TOML file of the same form as a user's own.
+//! The schemes of the catalogue. Each is a small TOML file in the format of user files.
 
 use super::definition::SchemeDefinition;
 use super::file::read_scheme;
@@ -8,10 +8,11 @@ use std::sync::OnceLock;
 /// A catalogue entry.
 pub type Entry = SchemeDefinition;
 
-/// Every file of the folder `catalogue`, by name: `build.rs` lists them.
+/// Every file of the folder `catalogue`, in the order of the names, as listed by
+/// `build.rs`.
 const FILES: &[(&str, &str)] = &include!(concat!(env!("OUT_DIR"), "/catalogue.rs"));
 
-/// The named schemes, by name.
+/// The schemes of the catalogue, in the order of their names.
 ///
 /// # Panics
 /// Never: the files are part of the program, and a test reads them all.
@@ -26,7 +27,7 @@ pub fn catalogue() -> &'static [Entry] {
     })
 }
 
-/// The scheme of this name.
+/// The scheme of the catalogue with this name, if there is one.
 #[must_use]
 pub fn find(name: &str) -> Option<&'static Entry> {
     catalogue().iter().find(|entry| entry.name == name)

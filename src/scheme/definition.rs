@@ -1,4 +1,4 @@
-//! Schemes as written: formulas over parameters, and the masks they give.
+//! Scheme definitions: formulas over parameters, and the masks that they give.
 
 use super::error::SchemeError;
 use super::local_formulas::LocalFormulas;
@@ -14,39 +14,39 @@ use std::sync::Arc;
 /// A parameter of a scheme.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ParameterSpec {
-    /// Its value when none is given; `None` when one must be.
+    /// The value used when none is given; `None` when a value must be given.
     pub default: Option<LocatedFormula>,
     /// Its least value, such as a valence of 3.
     pub least: Option<LocatedFormula>,
-    /// What it is.
+    /// A description.
     pub about: String,
 }
 
-/// A scheme as written in a file: its mask, or its ring, as formulas over its
-/// parameters.
+/// A scheme as defined in a file: a mask or a ring, as formulas over parameters.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SchemeDefinition {
-    /// Its name: what one writes for SCHEME.
+    /// Its name, as used in SCHEME.
     pub name: String,
-    /// What it is.
+    /// A description.
     pub title: String,
     /// Where it was published.
     pub citation: String,
-    /// Its parameters, by name.
+    /// Its parameters, under their names.
     pub parameters: BTreeMap<String, ParameterSpec>,
     pub(super) definitions: BTreeMap<String, LocatedFormula>,
     pub(super) offset: Option<LocatedFormula>,
     pub(super) coefficients: Coefficients,
 }
 
-/// The two ways to write a mask, and a ring.
+/// The two ways to define a mask, and the definition of a ring.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Coefficients {
     /// One formula for each coefficient.
     Listed(Vec<Vec<LocatedFormula>>),
-    /// One formula for all, in α (`alpha`) and j (`r`).
+    /// One formula for all coefficients a_{α,j}, where α is called `alpha` and j is
+    /// called `r`.
     Rule(Box<RuleFormulas>),
-    /// Formulas for the weights between orbits of points: not a mask.
+    /// A ring: formulas for the weights between orbits of points.
     LocalRules(Box<LocalFormulas>),
 }
 
@@ -59,9 +59,9 @@ pub(super) struct RuleFormulas {
 }
 
 impl SchemeDefinition {
-    /// The mask at these parameter values, over any [`Value`]: with
-    /// [`Polynomial`](crate::exact::Polynomial) values it stays symbolic, with
-    /// [`RealCyclotomic`](crate::exact::RealCyclotomic) values it may have cosines.
+    /// The mask at these parameter values, over any [`Value`]. With
+    /// [`Polynomial`](crate::exact::Polynomial) values the mask stays symbolic; with
+    /// [`RealCyclotomic`](crate::exact::RealCyclotomic) values it may contain cosines.
     ///
     /// # Errors
     /// When this is a ring, a parameter is missing or unknown, a formula has no value,
@@ -109,7 +109,7 @@ impl SchemeDefinition {
         self.offset.is_none() && !matches!(self.coefficients, Coefficients::LocalRules(_))
     }
 
-    /// Makes sure that some field holds all these coefficients.
+    /// An error unless some field within the cap contains all `coefficients`.
     pub(super) fn check_common_field<'a, V: Value + 'a>(
         &self,
         coefficients: impl Iterator<Item = &'a V>,
@@ -151,7 +151,8 @@ impl SchemeDefinition {
         Ok(complete)
     }
 
-    /// Makes sure that a parameter is not below its least value, where both are rational.
+    /// An error if a parameter is below its least value. Only rational values are
+    /// compared.
     fn check_least<V: Value>(
         &self,
         name: &str,
@@ -208,7 +209,7 @@ impl SchemeDefinition {
         })
     }
 
-    /// Why these coefficients are not a mask, at their place in the file.
+    /// The error that the coefficients are not a mask, at their place in the file.
     fn refusal(&self, error: &MaskError) -> Diagnostic {
         let (source, span) = match (&self.coefficients, error) {
             (
@@ -221,7 +222,7 @@ impl SchemeDefinition {
         Diagnostic::new(source, span, error.to_string())
     }
 
-    /// The place of all the coefficients.
+    /// The place that spans all coefficients.
     fn whole(&self) -> (&Arc<SourceText>, Range<usize>) {
         match &self.coefficients {
             Coefficients::Rule(rule) => (&rule.entry.source, rule.entry.span.clone()),
@@ -231,12 +232,12 @@ impl SchemeDefinition {
     }
 }
 
-/// The same error, with the values of the parameters at which it stands.
+/// `error` with a label that states the values of the parameters.
 pub(super) fn at_values<V: Value>(
     error: Diagnostic,
     parameters: &BTreeMap<String, V>,
 ) -> Diagnostic {
-    // A parameter that is left open has no value, but its name.
+    // The value of a parameter that is left open is its own name, and is not stated.
     let stated = parameters.iter().map(|(name, value)| (name, value.to_string()));
     let stated = stated.filter(|(name, value)| *name != value);
     let stated: Vec<String> = stated.map(|(name, value)| format!("{name} = {value}")).collect();
@@ -247,8 +248,8 @@ fn cap(max: usize) -> i64 {
     i64::try_from(max).unwrap_or(i64::MAX - 1) + 1
 }
 
-/// From the first to the last coefficient of these rows. The reader has made
-/// sure that there is one in each row.
+/// The place from the first to the last coefficient of these rows. No row is empty, as
+/// the reader refuses empty rows.
 fn extent(rows: &[Vec<LocatedFormula>]) -> Range<usize> {
     let mut all = rows.iter().flatten();
     let first = all.next().expect("the reader refuses empty rules");

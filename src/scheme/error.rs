@@ -8,7 +8,7 @@ use crate::suggestion::known as names;
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ReferenceError {
-    /// It does not have the form `name:parameter=value,…`.
+    /// The text does not have the form `name:parameter=value,…`.
     #[error(
         "`{text}` is not a scheme: {reason}; write `six-point:w=3/256`, `newton:j=1,n=3`, or \
              two of these with ` x ` between them for a tensor product"
@@ -33,7 +33,7 @@ pub enum ReferenceError {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SchemeError {
-    /// It is not a reference.
+    /// The text is not a reference.
     #[error(transparent)]
     Reference(#[from] ReferenceError),
     /// There is no scheme of this name.
@@ -62,10 +62,11 @@ pub enum SchemeError {
         scheme: String,
         /// The parameter.
         parameter: String,
-        /// Those it has.
+        /// The parameters that exist.
         known: Vec<String>,
     },
-    /// A parameter that another name for a scheme does not hand on.
+    /// A parameter given to an alias of a scheme, which does not occur in what the alias
+    /// stands for.
     #[error(
         "`{scheme}` stands for `{stands_for}`, and hands on no parameter `{parameter}`{}; a \
          parameter is a name in what it stands for, such as w in `use = \"six-point:w=w\"`",
@@ -78,10 +79,10 @@ pub enum SchemeError {
         stands_for: String,
         /// The parameter.
         parameter: String,
-        /// Those it has.
+        /// The parameters that exist.
         known: Vec<String>,
     },
-    /// A parameter that is irrational where only rational ones are computed with.
+    /// An irrational parameter where only rational values are supported.
     #[error("`{scheme}` is computed for rational `{parameter}` only here, and not for {value}")]
     IrrationalParameter {
         /// The scheme.
@@ -106,7 +107,7 @@ pub enum SchemeError {
         /// The scheme.
         scheme: String,
     },
-    /// A mask without the parameter that is left open.
+    /// A mask that does not depend on the parameter that is left open.
     #[error(
         "the mask of `{scheme}` does not depend on `{parameter}`: name a parameter of the scheme \
          that it gives no value{}", parameters(.known)
@@ -116,7 +117,7 @@ pub enum SchemeError {
         scheme: String,
         /// The parameter.
         parameter: String,
-        /// Those it has.
+        /// The parameters that exist.
         known: Vec<String>,
     },
     /// A tensor product, where one mask is needed.
@@ -125,7 +126,7 @@ pub enum SchemeError {
         /// The scheme.
         scheme: String,
     },
-    /// A directory or a file that is no scheme.
+    /// A path of a directory, or of a file that is not a scheme.
     #[error(
         "`{path}` is {what}, and no scheme: write the path of a .toml file, or a name of the catalogue"
     )]
@@ -154,7 +155,7 @@ pub enum SchemeError {
     Unreadable {
         /// The path.
         path: String,
-        /// What the system said.
+        /// The reason that the system gives.
         reason: String,
     },
     /// An error in the scheme's file.

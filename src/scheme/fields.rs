@@ -1,4 +1,4 @@
-//! Reading TOML, and in it formulas and their names, with their places.
+//! Reading TOML, with formulas, their names and their places.
 
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::formula::{LocatedFormula, PI, is_identifier};
@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use toml::Spanned;
 
-/// Deserialises TOML, with the place of an error.
+/// Deserialises TOML. An error points at its place.
 pub(crate) fn from_toml<T: serde::de::DeserializeOwned>(
     source: &Arc<SourceText>,
 ) -> Result<T, Diagnostic> {
@@ -23,7 +23,7 @@ pub(crate) fn from_toml<T: serde::de::DeserializeOwned>(
     })
 }
 
-/// The formula that a string is.
+/// Parses a TOML string as a formula.
 pub(crate) fn formula(
     source: &Arc<SourceText>,
     text: &Spanned<String>,
@@ -31,7 +31,7 @@ pub(crate) fn formula(
     LocatedFormula::read(source, text.span(), text.get_ref())
 }
 
-/// Named formulas, each name an identifier.
+/// Parses a table of named formulas. Every name must be an identifier.
 pub(crate) fn definitions(
     source: &Arc<SourceText>,
     table: &BTreeMap<Spanned<String>, Spanned<String>>,
@@ -42,7 +42,7 @@ pub(crate) fn definitions(
     table.iter().map(read).collect()
 }
 
-/// A name that formulas can use.
+/// Checks that `name` can be used in formulas, and returns it.
 pub(crate) fn identifier(
     source: &Arc<SourceText>,
     name: &Spanned<String>,

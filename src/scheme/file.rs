@@ -12,10 +12,11 @@ use std::ops::Range;
 use std::sync::Arc;
 use toml::Spanned;
 
-/// The formulas of a mask, each with its place, as each of its rules.
+/// The rules of a mask as lists of formulas. The mask, each rule and each formula has its
+/// place.
 type MaskTable = Spanned<Vec<Spanned<Vec<Spanned<String>>>>>;
 
-/// A scheme as it stands in TOML, at the top of a file or as `[[scheme]]`.
+/// A scheme in TOML, as a whole file or as an entry `[[scheme]]`.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct SchemeTable {
@@ -36,7 +37,7 @@ pub(crate) struct SchemeTable {
     orbits: Option<OrbitTable>,
     weights: Option<WeightTable>,
     edges: Option<EdgeTable>,
-    /// Another scheme that `name` stands for; in claim files only.
+    /// The scheme that `name` is an alias of. Allowed in claim files only.
     r#use: Option<Spanned<String>>,
 }
 
@@ -52,8 +53,8 @@ struct ParameterTable {
 /// Reads one scheme from the text of a TOML file.
 ///
 /// # Errors
-/// When the text is not TOML, a key is unknown or missing, or a formula is not
-/// one; the error points at the place.
+/// When the text is not TOML, a key is unknown or missing, or a formula is malformed. The
+/// error points at the place.
 ///
 /// ```
 /// use subcert::diagnostic::SourceText;
@@ -74,7 +75,7 @@ pub fn read_scheme(source: &Arc<SourceText>) -> Result<SchemeDefinition, Diagnos
 }
 
 impl SchemeTable {
-    /// The scheme that this table is another name for, if it is only that.
+    /// The scheme that this table is an alias of, if the table defines nothing else.
     pub(crate) fn alias(&self) -> Option<&Spanned<String>> {
         let own = self.offset.is_some()
             || self.arity.is_some()
@@ -87,7 +88,7 @@ impl SchemeTable {
         self.r#use.as_ref().filter(|_| !own)
     }
 
-    /// The definition that this table states.
+    /// The scheme definition in this table.
     pub(crate) fn define(&self, source: &Arc<SourceText>) -> Result<SchemeDefinition, Diagnostic> {
         let mut parameters = BTreeMap::new();
         for (name, table) in &self.parameters {

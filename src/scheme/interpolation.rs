@@ -9,7 +9,7 @@ use crate::exact::Rational;
 ///
 /// a_{α,r} = Π_{m≠r−j} (t_α − m)/(r−j−m), r = 0, …, 2j+1, offset −j.
 ///
-/// The catalogue's `newton` has the same masks by another way, formula (3.23) of
+/// The scheme `newton` of the catalogue has the same masks, computed by formula (3.23) of
 /// Khan, Omar and Mustafa 2019.
 ///
 /// # Errors

@@ -1,4 +1,4 @@
-//! The ring that formulas over parameters and indices give.
+//! Rings from formulas over parameters and indices.
 
 use super::definition::{Coefficients, SchemeDefinition, at_values};
 use super::error::SchemeError;
@@ -13,12 +13,13 @@ use std::ops::Range;
 
 type Parameters<V> = BTreeMap<String, V>;
 
-/// The weights of one orbit of old points in one of new points.
+/// The weights of the points of one old orbit in the points of one new orbit.
 struct Block<'a> {
     formula: Option<&'a LocatedFormula>,
     dependence: Dependence,
     columns: usize,
-    /// Where the values that the formula has had stand; 0 where it has had none.
+    /// For each entry, the index of the formula's value in the list of values; 0 before
+    /// its evaluation.
     known: Vec<usize>,
 }
 
@@ -40,7 +41,8 @@ impl<'a> Block<'a> {
         Block { formula, dependence, columns: old.count, known: vec![0; places] }
     }
 
-    /// The formula, and one place for all (i, j) that look the same to it.
+    /// The formula, and the entry of `known` for new point i and old point j. All pairs
+    /// at which the formula must have the same value share one entry.
     fn place(&mut self, i: usize, j: usize) -> (Option<&'a LocatedFormula>, &mut usize) {
         let at = match self.dependence {
             Dependence::Neither => 0,
@@ -54,14 +56,14 @@ impl<'a> Block<'a> {
 }
 
 impl SchemeDefinition {
-    /// Whether this is a ring, and has no mask.
+    /// Whether this is a ring rather than a mask.
     #[must_use]
     pub fn is_ring(&self) -> bool {
         matches!(self.coefficients, Coefficients::LocalRules(_))
     }
 
-    /// The ring at these parameter values, over any [`Value`]; weights with cosines need
-    /// [`RealCyclotomic`](crate::exact::RealCyclotomic) ones.
+    /// The ring at these parameter values, over any [`Value`]. Weights with cosines need
+    /// [`RealCyclotomic`](crate::exact::RealCyclotomic) values.
     ///
     /// # Errors
     /// When this is a mask, a parameter is missing or unknown, a formula has no value,
@@ -103,7 +105,8 @@ impl SchemeDefinition {
         Ok(orbits)
     }
 
-    /// Each formula is evaluated once for all places that look the same to it.
+    /// The matrix of weights. Each formula is evaluated once for all (i, j) at which it
+    /// must have the same value.
     fn weights<V: Value + Eq + Hash>(
         &self,
         formulas: &LocalFormulas,
@@ -141,7 +144,8 @@ impl SchemeDefinition {
         Ok(naming.matrix(rows))
     }
 
-    /// The edges of every family, i running over the indices of its larger orbit.
+    /// The edges of all families. In each family i runs over the indices of the larger of
+    /// its two orbits.
     fn edges<V: Value>(
         &self,
         formulas: &LocalFormulas,

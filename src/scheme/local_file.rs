@@ -8,19 +8,19 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use toml::Spanned;
 
-/// Names with formulas, each with its place.
+/// Formulas under their names, all with their places.
 type FormulaTable = BTreeMap<Spanned<String>, Spanned<String>>;
 
 /// The number of points of each orbit.
 pub(super) type OrbitTable = Spanned<FormulaTable>;
 
-/// For each orbit of new points, the weight of each orbit of old ones.
+/// For each orbit of new points, the weights of the orbits of old points.
 pub(super) type WeightTable = BTreeMap<Spanned<String>, FormulaTable>;
 
 /// Pairs of points.
 pub(super) type EdgeTable = Spanned<Vec<Spanned<Vec<Spanned<String>>>>>;
 
-/// Reads a ring. Its orbits stand in the order of the file.
+/// Reads a ring. Its orbits keep the order of the file.
 pub(super) fn ring(
     source: &Arc<SourceText>,
     orbits: &OrbitTable,
@@ -55,7 +55,7 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    /// The orbit of this name.
+    /// The number of the orbit called `name`.
     fn orbit(&self, name: &str, place: std::ops::Range<usize>) -> Result<usize, Diagnostic> {
         self.names.iter().position(|known| *known == name).ok_or_else(|| {
             let message = format!("no orbit is called `{name}`");
@@ -102,7 +102,7 @@ impl Reader<'_> {
         Ok(EdgeFormulas { ends, source: Arc::clone(self.source), span: edge.span() })
     }
 
-    /// `vertex` or `edge[i + 1]`.
+    /// An end of an edge, such as `vertex` or `edge[i + 1]`.
     fn end(&self, text: &Spanned<String>) -> Result<End, Diagnostic> {
         let whole = formula(self.source, text)?;
         match &whole.expr.node {

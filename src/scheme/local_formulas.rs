@@ -7,7 +7,7 @@ use crate::formula::LocatedFormula;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// The index of a new point within its orbit, and of the place along an edge.
+/// The index of a new point within its orbit, and the index of an edge within its family.
 pub(super) const NEW_INDEX: &str = "i";
 
 /// The index of an old point within its orbit.
@@ -16,16 +16,16 @@ pub(super) const OLD_INDEX: &str = "j";
 /// The formulas of a ring.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct LocalFormulas {
-    /// The orbits, and how many points each has.
+    /// The orbits, with their numbers of points.
     pub(super) orbits: Vec<(String, LocatedFormula)>,
-    /// For each orbit of new points, for each of old ones, the weight in i and j; 0 where
-    /// there is none.
+    /// For each orbit of new points and each orbit of old points, the formula of the
+    /// weight in i and j. `None` stands for the weight 0.
     pub(super) weights: Vec<Vec<Option<LocatedFormula>>>,
     /// The families of edges.
     pub(super) edges: Vec<EdgeFormulas>,
 }
 
-/// A family of edges, in i.
+/// A family of edges, one for each i.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct EdgeFormulas {
     pub(super) ends: [End; 2],
@@ -37,12 +37,13 @@ pub(super) struct EdgeFormulas {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct End {
     pub(super) orbit: usize,
-    /// What stands between the brackets, counted mod the number of points of the orbit.
+    /// The formula between the brackets. Its value is taken mod the number of points of
+    /// the orbit.
     pub(super) index: Option<LocatedFormula>,
 }
 
 impl EdgeFormulas {
-    /// Makes sure that `edge` of N > 1 points has an index.
+    /// An error if an end has no index though its orbit has more than one point.
     pub(super) fn check_brackets(&self, orbits: &[Orbit]) -> Result<(), SchemeError> {
         let bare = |end: &&End| end.index.is_none() && orbits[end.orbit].count > 1;
         let Some(end) = self.ends.iter().find(bare) else { return Ok(()) };
@@ -58,13 +59,13 @@ impl EdgeFormulas {
 }
 
 impl LocalFormulas {
-    /// The place of all the weights.
+    /// The place that spans all weights.
     pub(super) fn whole(&self) -> (&Arc<SourceText>, Range<usize>) {
         extent(self.weights.iter().flatten().flatten())
     }
 
-    /// Why these formulas do not give a ring, at their place in the file; `at` adds what else is
-    /// known.
+    /// The error that these formulas do not give a ring, at its place in the file. `at` may add
+    /// labels.
     pub(super) fn refusal(
         &self,
         error: &LocalError,
@@ -87,8 +88,8 @@ impl LocalFormulas {
     }
 }
 
-/// From the first to the last of these formulas. The reader has made sure that each
-/// orbit of new points has one.
+/// The place from the first to the last of these formulas. There is at least one, as the
+/// reader refuses orbits without weights.
 fn extent<'a>(
     formulas: impl Iterator<Item = &'a LocatedFormula> + Clone,
 ) -> (&'a Arc<SourceText>, Range<usize>) {

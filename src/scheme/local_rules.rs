@@ -5,26 +5,26 @@ use std::collections::{BTreeSet, HashSet};
 use std::fmt::Display;
 use std::hash::Hash;
 
-/// The most points of a ring.
+/// The greatest number of points of a ring.
 pub const MAX_LOCAL_POINTS: usize = 600;
 
 /// The points of one kind, such as the N edge points around a vertex.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Orbit {
-    /// What they are called.
+    /// The name of the points.
     pub name: String,
-    /// How many there are.
+    /// The number of points.
     pub count: usize,
 }
 
-/// The v points around an extraordinary vertex or face, and the v points of the same
-/// topology that one refinement puts in their place:
+/// The v points around an extraordinary vertex or face, and the v points in the same
+/// arrangement that one refinement step gives:
 ///
 /// `x'_a = Σ_b m_{a,b} x_b`, `Σ_b m_{a,b} = 1`, a, b = 0, …, v−1.
 ///
-/// The points are numbered orbit by orbit. The edges of their mesh, which is
-/// connected, say which differences x_a − x_b the constants of
-/// [`LocalConstants`](crate::bound::LocalConstants) are about.
+/// The points are numbered orbit by orbit. The edges form a connected mesh. They
+/// determine the differences x_a − x_b in the constants of
+/// [`LocalConstants`](crate::bound::LocalConstants).
 ///
 /// Source of the setting: Doo and Sabin 1978; Catmull and Clark 1978.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,7 +41,7 @@ pub enum LocalError {
     /// Fewer than 2 or more than [`MAX_LOCAL_POINTS`] points.
     #[error("a ring of {0} points; there must be from 2 to {MAX_LOCAL_POINTS}")]
     Points(usize),
-    /// The weights are not a square of as many rows as there are points.
+    /// The weights are not a v×v matrix for v points.
     #[error("the weights of a ring of {points} points must be {points} rows of {points}")]
     Shape {
         /// v.
@@ -53,11 +53,11 @@ pub enum LocalError {
          the weights of every new point must sum to 1"
     )]
     NotAffine {
-        /// Its name.
+        /// The name of the point.
         point: String,
         /// The sum.
         sum: String,
-        /// The sum less 1.
+        /// The sum minus 1.
         excess: String,
     },
     /// An edge with an end that is not a point.
@@ -71,7 +71,7 @@ pub enum LocalError {
     /// An edge from a point to itself.
     #[error("an edge joins the point {0} to itself; take a greater valence, or leave it out")]
     Loop(String),
-    /// A mesh in several pieces.
+    /// A mesh that is not connected.
     #[error(
         "no edges lead from {first} to {point}; the mesh of a ring must be connected: add the \
          edges between its pieces"
@@ -79,18 +79,18 @@ pub enum LocalError {
     Disconnected {
         /// The first point.
         first: String,
-        /// One that no edges lead to.
+        /// A point that is not connected to the first one.
         point: String,
     },
 }
 
 impl<S: Scalar + Eq + Hash + Display> LocalRules<S> {
-    /// The ring of these orbits, with one row of weights for each new point and these
-    /// edges. Of several edges between two points the first is kept.
+    /// The ring with these orbits, one row of weights for each new point, and these
+    /// edges. Of several edges between the same two points the first is kept.
     ///
     /// # Errors
-    /// When there are too few or too many points, the weights are not v rows of v
-    /// that each sum to 1, or the edges are not those of a connected mesh.
+    /// When there are too few or too many points, the weights are not v rows of v that
+    /// each sum to 1, or the edges do not form a connected mesh.
     ///
     /// ```
     /// use subcert::exact::Rational;
@@ -120,7 +120,7 @@ impl<S: Scalar + Eq + Hash + Display> LocalRules<S> {
     /// [`LocalRules::new`] with the weights as a matrix.
     ///
     /// # Errors
-    /// As of [`LocalRules::new`].
+    /// As [`LocalRules::new`].
     pub fn with_weights(
         orbits: Vec<Orbit>,
         weights: Matrix<S>,
@@ -136,7 +136,8 @@ impl<S: Scalar + Eq + Hash + Display> LocalRules<S> {
         Ok(ring)
     }
 
-    /// Rows of the same weights, each as often, have the same sum.
+    /// Rows that are permutations of each other have the same sum, so only the first of
+    /// them is summed.
     fn check_sums(&self) -> Result<(), LocalError> {
         let (one, mut seen) = (S::from_rational(&Rational::one()), HashSet::new());
         for (point, names) in self.weights.names().iter().enumerate() {
@@ -159,7 +160,7 @@ impl<S: Scalar + Eq + Hash + Display> LocalRules<S> {
     }
 }
 
-/// v, within its range.
+/// The number of points, an error if it is out of range.
 fn check_count(orbits: &[Orbit]) -> Result<usize, LocalError> {
     let points = orbits.iter().fold(0_usize, |sum, orbit| sum.saturating_add(orbit.count));
     if !(2..=MAX_LOCAL_POINTS).contains(&points) {
@@ -169,25 +170,25 @@ fn check_count(orbits: &[Orbit]) -> Result<usize, LocalError> {
 }
 
 impl<S> LocalRules<S> {
-    /// The kinds of points, in the order in which the points are numbered.
+    /// The orbits, in the order in which the points are numbered.
     #[must_use]
     pub fn orbits(&self) -> &[Orbit] {
         &self.orbits
     }
 
-    /// v.
+    /// The number v of points.
     #[must_use]
     pub fn point_count(&self) -> usize {
         self.weights.row_count()
     }
 
-    /// m, one row for each new point.
+    /// The matrix m, with one row for each new point.
     #[must_use]
     pub fn weights(&self) -> &Matrix<S> {
         &self.weights
     }
 
-    /// The number of weights other than 0: the products of a refinement.
+    /// The number of nonzero weights, which is the number of products in one refinement.
     #[must_use]
     pub fn product_count(&self) -> usize {
         self.weights.names().iter().flatten().filter(|name| **name != 0).count()
@@ -199,7 +200,8 @@ impl<S> LocalRules<S> {
         &self.edges
     }
 
-    /// A point by its orbit: `edge[3]`, or `vertex` when it is the only one there.
+    /// The name of a point: its orbit and index, as `edge[3]`, or only the orbit, as
+    /// `vertex`, if it has a single point.
     ///
     /// # Panics
     /// When there is no such point.
@@ -208,8 +210,8 @@ impl<S> LocalRules<S> {
         point_name(&self.orbits, point)
     }
 
-    /// The weights in another arithmetic, which may round, and takes 0 to 0: their sums
-    /// are not checked again.
+    /// The ring with `map` applied to every weight. `map` may round, and must send 0
+    /// to 0. The sums of the weights are not checked again.
     #[must_use]
     pub fn map<T>(&self, map: impl FnMut(&S) -> T) -> LocalRules<T> {
         let (orbits, edges) = (self.orbits.clone(), self.edges.clone());
@@ -259,8 +261,8 @@ impl<S: Scalar> LocalRules<S> {
         self.weights.product(points)
     }
 
-    /// wᵀM, with `(wᵀM)_b = Σ_a w_a m_{a,b}`: the functional w of the new points, as one
-    /// of the old points.
+    /// wᵀM, with `(wᵀM)_b = Σ_a w_a m_{a,b}`: the functional w of the new points, written
+    /// as a functional of the old points.
     ///
     /// # Panics
     /// When w does not have v coefficients.
@@ -271,7 +273,7 @@ impl<S: Scalar> LocalRules<S> {
     }
 }
 
-/// [`LocalRules::name`] of a point of these orbits.
+/// The [`LocalRules::name`] of a point of these orbits.
 pub(super) fn point_name(orbits: &[Orbit], point: usize) -> String {
     let mut index = point;
     for Orbit { name, count } in orbits {

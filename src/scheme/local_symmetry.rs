@@ -1,10 +1,10 @@
-//! The rotation of a ring, and what it leaves to compute.
+//! The rotational symmetry of a ring, and representatives of its points and edges.
 
 use super::local_rules::LocalRules;
 use std::collections::BTreeSet;
 
-/// Points and edges of a ring, one of each class of those that a rotation takes into
-/// each other.
+/// Representatives of the points and edges of a ring: one from each orbit under its
+/// rotation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Representatives {
     /// The points, in increasing order.
@@ -14,10 +14,11 @@ pub struct Representatives {
 }
 
 impl<S> LocalRules<S> {
-    /// The rotation ρ that takes point i of each orbit to i + m/g mod m, where m is the
-    /// count of the orbit and g the greatest common divisor of the counts above 1; if
-    /// it is a symmetry: m_{ρa,ρb} = m_{a,b}, and edges go to edges. As the image of each
-    /// point; `None` when it is no symmetry, or the identity.
+    /// The rotation ρ as the list of images of all points. In an orbit of c points, ρ
+    /// takes point i to point i + c/g mod c, where g is the greatest common divisor of
+    /// all counts above 1; a single point is fixed. ρ is a symmetry if m_{ρa,ρb} =
+    /// m_{a,b} for all weights, and edges go to edges. `None` if ρ is the identity or not
+    /// a symmetry.
     #[must_use]
     pub fn rotation(&self) -> Option<Vec<usize>> {
         let counts = self.orbits().iter().map(|orbit| orbit.count);
@@ -41,9 +42,9 @@ impl<S> LocalRules<S> {
         (same_weights && same_edges).then_some(image)
     }
 
-    /// One point and one edge of each class under the [rotation](Self::rotation), or all
-    /// of them when there is none. What is greatest over all points or edges, and does
-    /// not change under symmetries, is greatest over these.
+    /// One point and one edge from each orbit under the [rotation](Self::rotation), or
+    /// all of them if there is no rotation. A quantity of points or edges that is
+    /// invariant under the rotation has the same maximum over these as over all.
     #[must_use]
     pub fn representatives(&self) -> Representatives {
         let image = self.rotation().unwrap_or_else(|| (0..self.point_count()).collect());
@@ -57,7 +58,8 @@ impl<S> LocalRules<S> {
     }
 }
 
-/// The items that are no image, under repeated turns, of an earlier one.
+/// The items that are not an image of an earlier item under repeated application of
+/// `turn`.
 fn first_of_each_class<T: Ord + Clone>(
     items: impl Iterator<Item = T>,
     turn: impl Fn(&T) -> T,

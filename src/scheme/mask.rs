@@ -14,7 +14,7 @@ pub struct Mask<S = Rational> {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MaskError {
-    /// It is not even a set of rules.
+    /// The rows are not a set of rules.
     #[error(transparent)]
     Rules(#[from] RulesError),
     /// A rule that is not an affine combination.
@@ -23,11 +23,11 @@ pub enum MaskError {
          the coefficients of every rule must sum to 1"
     )]
     NotAffine {
-        /// Which rule, counted from 0.
+        /// The number of the rule, counted from 0.
         rule: usize,
         /// Its sum.
         sum: String,
-        /// Its sum less 1.
+        /// Its sum minus 1.
         excess: String,
     },
 }
@@ -67,19 +67,19 @@ impl<S: Scalar> Mask<S> {
         &self.rules
     }
 
-    /// n.
+    /// The arity n.
     #[must_use]
     pub fn arity(&self) -> usize {
         self.rules.arity()
     }
 
-    /// N.
+    /// The width N.
     #[must_use]
     pub fn width(&self) -> usize {
         self.rules.width()
     }
 
-    /// o.
+    /// The offset o.
     #[must_use]
     pub fn offset(&self) -> i64 {
         self.rules.offset()
@@ -91,8 +91,8 @@ impl<S: Scalar> Mask<S> {
         Mask { rules: self.rules.with_offset(offset) }
     }
 
-    /// The coefficients in another arithmetic, which may round: their sums are
-    /// not checked again.
+    /// The mask with `map` applied to every coefficient. `map` may round. The sums of the
+    /// rules are not checked again.
     #[must_use]
     pub fn map<T: Scalar>(&self, map: impl FnMut(&S) -> T) -> Mask<T> {
         Mask { rules: self.rules.map(map) }

@@ -1,4 +1,4 @@
-//! From SCHEME to a scheme or a ring.
+//! Reads SCHEME as a scheme or a ring.
 
 use super::Scheme;
 use super::catalogue;
@@ -14,10 +14,10 @@ use crate::formula::{Parameters, Value, is_identifier};
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// The largest scheme file that is read, in bytes.
+/// The greatest size of a scheme file, in bytes.
 const MAX_FILE_BYTES: u64 = 1 << 20;
 
-/// What a SCHEME can be.
+/// The two kinds of schemes that SCHEME can name.
 #[derive(Clone, Debug, PartialEq)]
 pub enum AnyScheme {
     /// A scheme with the same rules everywhere: one mask, or two for a tensor product.
@@ -31,8 +31,8 @@ pub enum AnyScheme {
 /// between them.
 ///
 /// # Errors
-/// When there is no such scheme, it is a ring, a parameter is missing, or the file is
-/// not one.
+/// When there is no such scheme, it is a ring, a parameter is missing, or the file is not
+/// a scheme file.
 ///
 /// ```
 /// use subcert::scheme::parse_scheme;
@@ -50,8 +50,8 @@ pub fn parse_scheme(text: &str) -> Result<Scheme<Rational>, SchemeError> {
 /// file.
 ///
 /// # Errors
-/// When there is no such scheme, it is no ring, a parameter is missing, or the file is
-/// not one.
+/// When there is no such scheme, it is not a ring, a parameter is missing, or the file is
+/// not a scheme file.
 ///
 /// ```
 /// use subcert::scheme::parse_local_rules;
@@ -68,7 +68,7 @@ pub fn parse_local_rules(text: &str) -> Result<LocalRules<RealCyclotomic>, Schem
 /// The scheme or the ring that SCHEME names.
 ///
 /// # Errors
-/// As of [`parse_scheme`] and [`parse_local_rules`].
+/// As [`parse_scheme`] and [`parse_local_rules`].
 ///
 /// ```
 /// use subcert::scheme::{AnyScheme, parse_any_scheme};
@@ -86,12 +86,12 @@ pub fn parse_any_scheme(text: &str) -> Result<AnyScheme, SchemeError> {
     }
 }
 
-/// The mask that SCHEME names, with one parameter left open: its coefficients are
-/// polynomials in it. The values given for other parameters may depend on it.
+/// The mask that SCHEME names, with one parameter left open. The coefficients are
+/// polynomials in this parameter. The values given for other parameters may depend on it.
 ///
 /// # Errors
-/// As of [`parse_scheme`], and when this is a tensor product, or its mask does not
-/// depend on the parameter.
+/// As [`parse_scheme`], and when this is a tensor product, or its mask does not depend on
+/// the parameter.
 ///
 /// ```
 /// use subcert::scheme::parse_parametric;
@@ -129,8 +129,9 @@ pub fn parse_parametric(text: &str, parameter: &str) -> Result<Mask<Polynomial>,
     Err(independent(text.trim(), definition.parameters.keys().cloned().collect()))
 }
 
-/// For each factor of SCHEME the path of its file, where that states no offset for a mask, so that
-/// the offset is 0; `None` for a scheme of the catalogue, for a ring, and where an offset is stated.
+/// For each factor of SCHEME, the path of its file if the file defines a mask without an offset,
+/// which is then 0. `None` for a scheme of the catalogue, for a ring, and for a file that states an
+/// offset.
 ///
 /// # Errors
 /// When SCHEME is no reference, or a file cannot be read.
@@ -143,7 +144,7 @@ pub fn files_without_offset(text: &str) -> Result<Vec<Option<String>>, SchemeErr
     Ok(named.reference.names().map(without).collect())
 }
 
-/// The catalogue entry of this name.
+/// The catalogue entry of this name; the error lists the names that exist.
 pub(crate) fn find_in_catalogue(name: &str) -> Result<&'static SchemeDefinition, SchemeError> {
     catalogue::find(name).ok_or_else(|| SchemeError::Unknown {
         name: name.to_owned(),
@@ -207,7 +208,8 @@ fn is_file(name: &str) -> bool {
     Path::new(name).extension().is_some_and(|extension| extension == "toml")
 }
 
-/// Why something that exists at this path is no scheme.
+/// The error that the directory or file at `path` is not a scheme; `None` if nothing is
+/// there.
 fn other_file(path: &str) -> Option<SchemeError> {
     let found = std::fs::metadata(path).ok()?;
     let extension = Path::new(path).extension().unwrap_or_default();

@@ -8,7 +8,7 @@ use crate::formula::{
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
-/// The longest SCHEME that is read, in bytes.
+/// The greatest length of SCHEME, in bytes.
 const MAX_REFERENCE_LENGTH: usize = 4_096;
 
 /// A scheme reference: one name with parameter formulas, or two for a tensor
@@ -80,7 +80,7 @@ impl Reference {
         Ok(Reference { text: text.trim().to_owned(), parts })
     }
 
-    /// The names in the formulas of its parameters, but for indices of sums.
+    /// The free names in the formulas of its parameters, without the names of families.
     pub(crate) fn parameters(&self) -> BTreeSet<String> {
         let none = BTreeMap::new();
         let mut free = FreeNames::new(&none);
@@ -109,7 +109,8 @@ impl Reference {
         self.instances_with(context, &[])
     }
 
-    /// The same, where names have these values; the first one of a name counts.
+    /// As [`instances`](Self::instances), with `values` for further names, which hide the
+    /// names of the context. Of several values of one name the first counts.
     pub(crate) fn instances_with<V: Value>(
         &self,
         context: &dyn Context<V>,
@@ -144,7 +145,8 @@ impl<V: fmt::Display> fmt::Display for Instance<V> {
     }
 }
 
-/// The name before the first colon; the colon of a path such as `C:` is not it.
+/// Splits `part` into the name and the parameters at the first colon, or at the first
+/// colon after `.toml` if a path is given. So the colon in `C:` does not count.
 fn split_name(part: &str) -> (&str, &str) {
     let path_end = part.find(".toml").map_or(0, |start| start + ".toml".len());
     match part[path_end..].find(':') {
@@ -153,7 +155,7 @@ fn split_name(part: &str) -> (&str, &str) {
     }
 }
 
-/// The pieces between commas that stand outside all parentheses.
+/// Splits `text` at the commas outside all parentheses.
 fn split_top_level(text: &str) -> Vec<&str> {
     let mut pieces = Vec::new();
     let (mut depth, mut start) = (0_usize, 0);

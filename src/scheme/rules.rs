@@ -32,7 +32,7 @@ pub enum RulesError {
          pad the shorter rules with 0"
     )]
     Ragged {
-        /// Which rule, counted from 0.
+        /// The number of the rule, counted from 0.
         rule: usize,
         /// Its length.
         found: usize,
@@ -60,19 +60,19 @@ impl<S: Scalar> Rules<S> {
         }
     }
 
-    /// n.
+    /// The arity n.
     #[must_use]
     pub fn arity(&self) -> usize {
         self.rows.len()
     }
 
-    /// N.
+    /// The width N.
     #[must_use]
     pub fn width(&self) -> usize {
         self.rows[0].len()
     }
 
-    /// o.
+    /// The offset o.
     #[must_use]
     pub fn offset(&self) -> i64 {
         self.offset
@@ -90,7 +90,7 @@ impl<S: Scalar> Rules<S> {
         Rules { rows: self.rows.clone(), offset }
     }
 
-    /// The rules r_{α,N−1−j}: each read backwards.
+    /// The rules with the coefficients r_{α,N−1−j}: each rule in reverse order.
     #[must_use]
     pub fn reversed(&self) -> Rules<S> {
         let reverse = |row: &Vec<S>| row.iter().rev().cloned().collect();
@@ -135,8 +135,9 @@ impl<S: Scalar> Rules<S> {
         refined
     }
 
-    /// The rules applied once to an open polygon: every y_{ni+α} whose N points
-    /// all exist, in order; with α = 0 first. Empty for fewer than N points.
+    /// The rules applied once to an open polygon x_0, …, x_{m−1}: the values Σ_j r_{α,j}
+    /// x_{i+j}, for i = 0, …, m−N and, for each i, α = 0, …, n−1. Empty for m < N. The
+    /// offset plays no role.
     #[must_use]
     pub fn refine_open(&self, points: &[S]) -> Vec<S> {
         let combine = |row: &Vec<S>, window: &[S]| {

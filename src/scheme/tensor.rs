@@ -16,7 +16,7 @@ impl<S> Scheme<S> {
     /// The scheme of one mask, or the tensor product of two.
     ///
     /// # Panics
-    /// When there is none, or more than two.
+    /// When there are no masks, or more than two.
     #[must_use]
     pub fn of(masks: Vec<Mask<S>>) -> Scheme<S> {
         let count = masks.len();

@@ -1,12 +1,12 @@
-//! A cover of all rows whose bounds show the greatest one.
+//! A cover of all rows by leaves that proves which norm is the greatest.
 
 use super::descent::{Descent, Space, product};
 use super::number::Number;
 use super::search_tree::{Closed, Leaf};
 use crate::exact::Integer;
 
-/// A cover of all rows that shows the greatest one: each leaf is a row, or bounded by its
-/// own rows.
+/// Leaves that cover all rows and prove that none has a norm above `greatest`: each leaf
+/// is a row itself, or is bounded by its own rows. `None` when the work does not suffice.
 pub(super) fn cover<T: Number, const K: usize>(
     descent: &Descent<'_, T, K>,
     greatest: &Integer,
@@ -38,7 +38,7 @@ pub(super) fn cover<T: Number, const K: usize>(
     Some(leaves)
 }
 
-/// What shows that the rows below a node are not above the limit.
+/// The bound, if there is one, that shows that no row below a node is above the limit.
 fn closed<T: Number, const K: usize>(
     descent: &Descent<'_, T, K>,
     space: &mut Space<T, K>,

@@ -1,4 +1,4 @@
-//! Nodes, their parts, and the bounds of the rows below them.
+//! Nodes, their parts, and bounds of the rows below nodes.
 
 use super::estimate::{Estimator, Line, Place};
 use super::number::Number;
@@ -9,43 +9,47 @@ use std::cmp::{Ordering, Reverse};
 
 /// A node that is not closed.
 pub(super) struct Node<T, const K: usize> {
-    /// The product of fraction·q^c of the operators, times the bound.
+    /// An upper bound of the norm, or product of norms, of every row below the node,
+    /// times the product of fraction·q^c over the operators.
     pub(super) bound: T,
-    /// What a row below it may be expected to have.
+    /// An estimate of the greatest value below the node, at the scale of `bound`. It only
+    /// decides the order of the search.
     pub(super) promise: T,
-    /// The least class below it.
+    /// The least residue class of the rows below the node.
     pub(super) class: T,
     pub(super) level: u32,
     pub(super) index: T,
     pub(super) rows: [Vec<T>; K],
 }
 
-/// What the lines through two rows of a node say of the rows below it.
+/// The bounds of the rows below a node that the lines through two of its rows give.
 pub(super) struct Lines<T> {
     pub(super) bound: T,
-    /// The greatest norm, or product of norms, on the lines themselves.
+    /// The greatest norm, or product of norms, at the ends of the lines themselves.
     promise: T,
 }
 
-/// A row; of several the best is the greatest, and of equal ones that of the least class.
+/// A row. The best of several rows has the greatest value, and of equal values the least
+/// class.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Best<T> {
     pub(super) value: T,
     pub(super) class: Reverse<T>,
-    /// The product of the fractions, times the value.
+    /// The product of the operators' fractions times the value: the scale of
+    /// [`Node::bound`].
     threshold: T,
 }
 
-/// The parts of some nodes that are not closed, and the best row among them.
+/// The parts of some nodes that are not closed, and the best row if the parts are rows.
 pub(super) type Parts<T, const K: usize> = (Vec<Node<T, K>>, Option<Best<T>>);
 
-/// What bounds the rows m levels below a node, for one operator and one m.
+/// The data that bound the rows m levels below a node, for one operator and one m.
 struct Below<T> {
     total: T,
     place: Option<Place<T>>,
 }
 
-/// What a search works on, in numbers of one width.
+/// A problem in integers of one width.
 pub(super) struct Descent<'a, T: Number, const K: usize> {
     pub(super) problem: &'a Problem<'a, K>,
     trees: [Tree<T>; K],
@@ -54,20 +58,21 @@ pub(super) struct Descent<'a, T: Number, const K: usize> {
     classes: Vec<T>,
     /// The class of index 0 of level c.
     start: T,
-    /// What bounds are multiples of one part of, for rows of the last level.
+    /// The product of the operators' fractions.
     fraction: T,
-    /// What a part costs.
+    /// The cost of a part, in products of words.
     pub(super) cost: u64,
 }
 
-/// The space that nodes are split in: rows to be written again.
+/// Working memory for splitting nodes, with rows for reuse.
 pub(super) struct Space<T, const K: usize> {
     estimators: [Estimator<T>; K],
     pub(super) pool: Vec<[Vec<T>; K]>,
 }
 
 impl<T: Number> Best<T> {
-    /// Whether no row under this bound is greater, or as great and of a lower class.
+    /// Whether no row with this upper bound and a class of at least `class` can be better
+    /// than this row.
     pub(super) fn closes(&self, bound: &T, class: &T) -> bool {
         match bound.cmp(&self.threshold) {
             Ordering::Less => true,
@@ -165,14 +170,14 @@ impl<'a, T: Number, const K: usize> Descent<'a, T, K> {
         }
     }
 
-    /// The rows of the part of this digit.
+    /// Writes the rows of the part with this digit into `part`.
     pub(super) fn part(&self, digit: usize, rows: &[Vec<T>; K], part: &mut [Vec<T>; K]) {
         for ((tree, from), to) in self.trees.iter().zip(rows).zip(part) {
             tree.part(digit, from, to);
         }
     }
 
-    /// The least class of the rows below an index.
+    /// The least class of the rows below the node of this index and level.
     fn least_class(&self, index: &T, level: u32) -> T {
         let below = &self.classes[(self.problem.levels - level) as usize];
         let all = &self.classes[self.problem.levels as usize];
@@ -188,13 +193,13 @@ impl<'a, T: Number, const K: usize> Descent<'a, T, K> {
         Best { threshold: self.limit(&value), value, class: Reverse(node.class.clone()) }
     }
 
-    /// What bounds of rows with these norms are.
+    /// A norm, or product of norms, at the scale of the bounds.
     pub(super) fn limit(&self, value: &T) -> T {
         value.product(&self.fraction)
     }
 
-    /// Bounds the rows below a node, from its own rows and the bound of the node above it;
-    /// whether that closes it.
+    /// Sets the bound and the promise of a node, from its own rows and the bound of the
+    /// node above it. Returns whether the bound closes the node.
     fn estimate(
         &self,
         space: &mut Space<T, K>,
@@ -224,8 +229,8 @@ impl<'a, T: Number, const K: usize> Descent<'a, T, K> {
         closes(node)
     }
 
-    /// What the lines through two of its rows say of a node with m levels left; they also improve
-    /// the bounds of each operator. `None` if one has no line.
+    /// The bounds by lines for a node with m = `left` levels left. Also lowers the bound of each
+    /// operator in `bounds`. `None` if an operator has no line.
     pub(super) fn lines(
         &self,
         space: &mut Space<T, K>,
@@ -251,7 +256,8 @@ impl<'a, T: Number, const K: usize> Descent<'a, T, K> {
         Some(Lines { bound, promise: Line::promise(&lines) })
     }
 
-    /// The bounds by the largest row of each operator and ‖E^m‖.
+    /// For each operator, the norm of its largest row times the bound of ‖E^m‖, with m =
+    /// `left`.
     pub(super) fn largest(&self, rows: &[Vec<T>; K], left: usize) -> [T; K] {
         let below = |k: usize| &self.below[k][left].total;
         std::array::from_fn(|k| self.trees[k].largest(&rows[k]).product(below(k)))

@@ -1,4 +1,4 @@
-//! Searches in integers of the least width that holds all of them.
+//! Chooses the width of the integers of a search.
 
 use super::cover::cover;
 use super::descent::Descent;
@@ -10,10 +10,10 @@ use super::wide::Wide;
 use crate::exact::Integer;
 
 impl<const K: usize> Problem<'_, K> {
-    /// The greatest product of the row sums of the c-th powers over a common row, or `None`
-    /// when the work, products of words, does not suffice.
+    /// The greatest value over all rows of the product of the operators' absolute row sums
+    /// in their c-th powers. `None` when the work, in products of words, does not suffice.
     ///
-    /// The integers are of the least width that is proven to hold all of them.
+    /// All integers have the least of the available widths that provably suffices.
     pub(super) fn greatest(&self, work: &mut u64) -> Option<Greatest> {
         if self.levels == 0 {
             return Some(Greatest { value: Integer::one(), class: Integer::zero(), split: 0 });
@@ -34,14 +34,14 @@ impl<const K: usize> Problem<'_, K> {
         }
     }
 
-    /// The leaves of a tree that shows that no row is greater than this one, in the order of
-    /// their indices.
+    /// The leaves of a tree that proves that no row is greater than `greatest`, in the order
+    /// of their indices.
     pub(super) fn leaves(&self, greatest: &Greatest, work: &mut u64) -> Option<Vec<Leaf>> {
         self.dispatch(work, Leaves(&greatest.value))
     }
 }
 
-/// What is done with a problem, whatever its numbers.
+/// A computation on a problem in integers of any width.
 trait Run<const K: usize> {
     type Output;
     fn run<T: Number>(self, descent: Descent<'_, T, K>, work: &mut u64) -> Option<Self::Output>;

@@ -1,50 +1,52 @@
-//! Upper bounds over all rows below a node.
+//! Upper bounds of the norms of all rows below a node.
 
 use super::number::Number;
 use super::scaled::PLACES;
 use super::tree::Tree;
 use crate::exact::Integer;
 
-/// Factors that stay below this in absolute value.
+/// The bound on the absolute values of the factors in `coarse` and `factor`.
 const LARGEST_FACTOR: i64 = 1 << 40;
 
-/// What is known of Σ_p λ_p R_p, the rows m levels below a node with the rows R_p, beyond
-/// Σ_p λ_p = 1: an interval of Σ_p λ_p p, and a bound of Σ_p |λ_p|.
+/// Facts about the rows Σ_p λ_p R_p that are m levels below a node with the rows R_p,
+/// besides Σ_p λ_p = 1: an interval of the moment Σ_p λ_p p, and a bound of Σ_p |λ_p|.
 #[derive(Clone, Debug)]
 pub(super) struct Place<N> {
-    /// The position a from which the line through the rows a and a + 1 starts, counted from
-    /// the first of the window.
+    /// The position a of the line through the rows a and a + 1, counted from the start of
+    /// the window.
     base: usize,
-    /// 2^PLACES times bounds of Σ_p λ_p p − a, below and above.
+    /// 2^PLACES times a lower and an upper bound of Σ_p λ_p p − a.
     coarse: [i64; 2],
-    /// `unit` times the same, nearer.
+    /// `unit` times closer bounds of Σ_p λ_p p − a.
     fine: [N; 2],
-    /// `unit` times the bound of Σ_p |λ_p|; 2^PLACES times it, if that is small.
+    /// `unit` times the bound of Σ_p |λ_p|.
     total: N,
     factor: Option<i64>,
-    /// `unit` times what the moment of row t of E^m, 0 ≤ t < n^m, may be away from the point that
-    /// divides the interval as t divides 0, …, n^m − 1.
+    /// `unit` times a bound of the distance between the moment of row t of E^m, 0 ≤ t < n^m, and
+    /// the point at the fraction t/(n^m − 1) of the interval.
     stray: N,
     /// fraction·q^m.
     unit: N,
 }
 
-/// `unit` times an upper bound of each row below a node: of row t of them, the value at t of the
-/// line from the first number, at 0, to the second, at n^m − 1.
+/// Upper bounds of the norms of the rows t = 0, …, n^m − 1 below a node, as a function that is
+/// affine in t. The two numbers in `bounds` are `unit` times its values at t = 0 and t = n^m
+/// − 1.
 pub(super) struct Line<T> {
     bounds: [T; 2],
-    /// `unit` times the norms of the combinations of two rows at the ends alone.
+    /// `unit` times the norms at both ends of the line through two rows, without the
+    /// deviations of the other rows.
     norms: [T; 2],
 }
 
 impl<T: Number> Line<T> {
-    /// The bound of all of them.
+    /// `unit` times a bound for all t.
     pub(super) fn greatest(&self) -> T {
         let [low, high] = &self.bounds;
         low.max(high).clone()
     }
 
-    /// The greatest product of the norms of several lines at one end.
+    /// The product of the norms of several lines at the end where it is greater.
     pub(super) fn promise(lines: &[Line<T>]) -> T {
         let at = |end: usize| {
             let norms = lines.iter().map(|line| line.norms[end].clone());
@@ -53,7 +55,7 @@ impl<T: Number> Line<T> {
         at(0).max(at(1))
     }
 
-    /// A bound of the products of the values of two lines.
+    /// A bound of the product of two lines over all t.
     ///
     /// Source: `proofs/THEOREMS.md`, 65.
     pub(super) fn product(&self, other: &Line<T>) -> T {
@@ -80,7 +82,7 @@ impl Place<Integer> {
         coarse.iter().all(fits).then_some(Place { base, coarse, fine, total, factor, stray, unit })
     }
 
-    /// The same in other integers.
+    /// This place with its numbers in another type of integers.
     pub(super) fn fixed<T: Number>(&self) -> Place<T> {
         Place {
             base: self.base,
@@ -94,7 +96,8 @@ impl Place<Integer> {
     }
 }
 
-/// The binary digits that an estimate may need beyond those of X·`total`, X the largest entry.
+/// The binary digits that an estimate may need beyond those of X·`total`, where X is the
+/// largest entry.
 ///
 /// With L the size of the window, `total` ≥ `unit` ≥ 2^24. All numbers are sums of at most
 /// L(2L + 2) terms of at most 2^17·X·`total`, and two such sums.
@@ -103,7 +106,7 @@ pub(super) fn margin(size: usize) -> u64 {
     u64::from(LARGEST_FACTOR.ilog2() - PLACES) + 2 * length + 4
 }
 
-/// The space that estimates are computed in.
+/// Working memory for estimates.
 pub(super) struct Estimator<T> {
     deviations: Vec<T>,
     spreads: Vec<T>,
@@ -118,21 +121,24 @@ impl<T: Number> Estimator<T> {
         Estimator { deviations, spreads, signed: zeros(size), rest: zeros(size) }
     }
 
-    /// `unit` times an upper bound of all Σ_k |Σ_p λ_p R_{p,k}|.
+    /// `unit` times an upper bound of Σ_k |Σ_p λ_p R_{p,k}| for all λ that `place`
+    /// admits.
     ///
     /// Source: `proofs/THEOREMS.md`, 62.
     pub(super) fn bound(&mut self, tree: &Tree<T>, rows: &[T], place: &Place<T>) -> T {
         self.line(tree, rows, place).greatest()
     }
 
-    /// The same as a line, if no moment strays.
+    /// The same bound as a line. It is valid for each t if `stray` is 0; otherwise
+    /// [`strayed`](Self::strayed) must be applied.
     pub(super) fn line(&mut self, tree: &Tree<T>, rows: &[T], place: &Place<T>) -> Line<T> {
         let size = tree.size;
         self.deviate(rows, size, place.base);
         for sums in [&mut self.signed, &mut self.rest] {
             sums.fill(T::zero());
         }
-        // The sum of the columns whose sign is the same at both ends, and of the others there.
+        // `line` sums the columns whose sign is the same at both ends. `ends` sums the
+        // magnitudes of the other columns at the ends.
         let mut line = [T::zero(), T::zero()];
         let mut ends = [T::zero(), T::zero()];
         for column in 0..size {
@@ -166,7 +172,7 @@ impl<T: Number> Estimator<T> {
         Line { bounds: ends.clone().map(|end| end.plus(&deviation)), norms: ends }
     }
 
-    /// The line with what moments may stray.
+    /// The line with its bounds raised for moments that are up to `stray` away.
     pub(super) fn strayed(line: Line<T>, tree: &Tree<T>, rows: &[T], place: &Place<T>) -> Line<T> {
         let (first, second) = rows[place.base * tree.size..].split_at(tree.size);
         let step = first.iter().zip(second).fold(T::zero(), |mut sum, (x, y)| {
@@ -177,8 +183,8 @@ impl<T: Number> Estimator<T> {
         Line { bounds: line.bounds.map(|end| end.plus(&stray)), ..line }
     }
 
-    /// Whether the largest deviation of a column, times the bound of Σ_p |λ_p|, is at most
-    /// its value at both ends.
+    /// Whether the largest deviation in a column, times the bound of Σ_p |λ_p|, is at most
+    /// the column's absolute value at both ends.
     fn within(&self, column: usize, values: &[T; 2], factor: Option<i64>) -> bool {
         let spread = &self.spreads[column];
         let radius = match factor {
@@ -189,7 +195,8 @@ impl<T: Number> Estimator<T> {
         values.iter().all(|value| value.magnitude() >= radius)
     }
 
-    /// The rows less the line through two of them, and the largest of each column.
+    /// Computes the deviations of the rows from the line through two of them, and the
+    /// largest deviation in each column.
     fn deviate(&mut self, rows: &[T], size: usize, base: usize) {
         self.spreads.fill(T::zero());
         let (first, second) = rows[base * size..].split_at(size);
@@ -207,8 +214,8 @@ impl<T: Number> Estimator<T> {
         }
     }
 
-    /// Adds a column whose sign is known to the signed sum of all such, and another one to
-    /// the sum of magnitudes.
+    /// Adds the deviations of a column to the signed sums if its sign is known, and
+    /// otherwise their magnitudes to the other sums.
     fn gather(&mut self, column: usize, size: usize, sign: i64) {
         let deviations = self.deviations.iter().skip(column).step_by(size);
         for (deviation, (signed, rest)) in
@@ -224,14 +231,15 @@ impl<T: Number> Estimator<T> {
 }
 
 impl<T: Number> Place<T> {
-    /// `unit` times the line through two numbers, at both ends.
+    /// `unit` times the values at both ends of the line through the numbers `first` and
+    /// `second`.
     fn at_ends(&self, first: &T, second: &T) -> [T; 2] {
         let (start, step) = (first.product(&self.unit), second.clone().minus(first));
         self.fine.each_ref().map(|end| step.product(end).plus(&start))
     }
 }
 
-/// The sign of all numbers between the two; 0 if there are several.
+/// The common sign of two values; 0 if the signs differ.
 fn sign<T: Number>(values: &[T; 2]) -> i64 {
     match values.each_ref().map(Number::is_negative) {
         [true, true] => -1,

@@ -1,4 +1,4 @@
-//! ‖E^m‖ for every m, as far as a search needs it.
+//! The norms ‖E^m‖, or bounds of them, that a search needs.
 
 use super::problem::{Greatest, Problem, Reach, threads};
 use super::reach::{Moments, place, rounded_up};
@@ -9,28 +9,28 @@ use crate::exact::{Integer, Rational};
 use crate::scheme::Rules;
 use std::collections::BTreeMap;
 
-/// So many ‖E^m‖ are computed before a bound of all of them is tried.
+/// ‖E^m‖ is computed for m up to this number before a bound of all norms is sought.
 const FIRST: u32 = 8;
 
-/// From this m on two of them are computed at once.
+/// From this m on, two norms are computed at the same time.
 const PAIRED: u32 = 16;
 
-/// What is known of the powers of one operator.
+/// The known facts about the powers of one operator.
 #[derive(Clone, Debug)]
 pub(super) struct Growth {
     operator: Scaled,
     /// q^m·‖E^m‖ and its class, for some m.
     known: BTreeMap<u32, Greatest>,
-    /// A bound of all ‖E^m‖, and whether it has been sought.
+    /// A bound of all ‖E^m‖, if one was found.
     uniform: Option<UniformBound>,
     sought: bool,
     reach: Vec<Reach>,
-    /// Of E^m, m the length of `reach`.
+    /// The moments of E^m, where m is the length of `reach`.
     moments: Moments,
 }
 
 impl Growth {
-    /// Of operators of one shape and offset.
+    /// Operators of the same arity, width and offset.
     pub(super) fn of<const K: usize>(rules: [&Rules; K]) -> [Growth; K] {
         Scaled::of(rules).map(|operator| Growth {
             operator,
@@ -59,7 +59,7 @@ impl Growth {
         self.search(levels, work)
     }
 
-    /// The same, after `prepare`.
+    /// As `greatest`, after `prepare`.
     fn search(&mut self, levels: u32, work: &mut u64) -> Option<Greatest> {
         let found = self.problem(levels, threads()).greatest(work)?;
         self.known.insert(levels, found.clone());
@@ -70,14 +70,15 @@ impl Growth {
         Problem { operators: [&self.operator], reach: [&self.reach], levels, threads }
     }
 
-    /// A tree that shows the greatest row of the c-th power.
+    /// A tree that proves the norm of the c-th power.
     pub(super) fn tree(&mut self, levels: u32, work: &mut u64) -> Option<SearchTree> {
         let greatest = self.greatest(levels, work)?;
         let leaves = self.problem(levels, 1).leaves(&greatest, work)?;
         Some(Growth::search_tree([self], levels, greatest, leaves))
     }
 
-    /// The tree with these leaves, which show the greatest row of the c-th powers.
+    /// The tree with these leaves, which prove that `greatest` is the greatest row of the
+    /// c-th powers.
     pub(super) fn search_tree<const K: usize>(
         growths: [&Growth; K],
         levels: u32,
@@ -88,7 +89,7 @@ impl Growth {
         let denominators = operators.iter().map(|operator| &operator.denominator);
         let scale = denominators.fold(Integer::one(), |product, q| product * q);
         SearchTree {
-            // Of R with all its columns.
+            // The offset of R with all its columns, also the first ones that are 0.
             offset: operators[0].offset - i64::try_from(operators[0].skipped).expect("few columns"),
             norm: Rational::new(greatest.value, scale.pow(levels)),
             operators: growths.map(|growth| growth.operand(levels)).into(),
@@ -96,7 +97,7 @@ impl Growth {
         }
     }
 
-    /// What bounds of the c-th power rest on.
+    /// The bounds of lower powers on which bounds of the c-th power rest.
     fn operand(&self, levels: u32) -> SearchedOperator {
         let total = |(m, reach): (u32, &Reach)| {
             let scale = self.operator.denominator.pow(m) * &self.operator.fraction;
@@ -109,8 +110,8 @@ impl Growth {
         }
     }
 
-    /// Bounds of ‖E^m‖ for all m < c: exact ones for m up to [`FIRST`], and for all m where there
-    /// is no bound of all.
+    /// Bounds of ‖E^m‖ for all m < c. They are exact for m up to [`FIRST`], and for every m if no
+    /// bound of all norms is found. `None` when the work does not suffice.
     pub(super) fn prepare(&mut self, levels: u32, work: &mut u64) -> Option<()> {
         for m in 0..levels {
             let known = self.known.contains_key(&m);
@@ -128,8 +129,8 @@ impl Growth {
         Some(())
     }
 
-    /// The greatest rows of the powers m and m + 1, side by side: where the second search needs
-    /// ‖E^m‖, at its first level, it takes a product of two norms.
+    /// The greatest rows of the powers m and m + 1, searched at the same time. The second
+    /// search needs ‖E^m‖ at its first level, and uses a product of two norms as its bound.
     fn search_two(&mut self, m: u32, work: &mut u64) -> Option<()> {
         let (reach, moments) = (self.reach.len(), self.moments.clone());
         self.extend(m);
@@ -151,7 +152,7 @@ impl Growth {
         Some(())
     }
 
-    /// `reach` for the next m.
+    /// Appends the entry for m to `reach`.
     fn extend(&mut self, m: u32) {
         let power = self.operator.denominator.pow(m);
         let scale = &power * &self.operator.fraction;
@@ -170,7 +171,7 @@ impl Growth {
         self.reach.push(Reach { total, place });
     }
 
-    /// The least product of bounds of ‖E^a‖ and ‖E^{m−a}‖, m ≥ 2.
+    /// The least product of the bounds of ‖E^a‖ and ‖E^{m−a}‖ over 0 < a < m, for m ≥ 2.
     fn product(&self, m: u32) -> Integer {
         let lower = &self.reach[1..m as usize];
         let products = lower.iter().zip(lower.iter().rev()).map(|(x, y)| &x.total * &y.total);

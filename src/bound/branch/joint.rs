@@ -1,4 +1,4 @@
-//! Joint suprema: one row for two operators.
+//! Joint suprema: one row index for two operators.
 
 use super::growth::Growth;
 use super::problem::{Problem, threads};
@@ -9,9 +9,9 @@ use crate::bound::power::{ClassCap, MAX_LEVELS, MAX_WORK, Order, PowerNorm, orie
 use crate::bound::walked_norm::walked_joint_norm;
 use crate::scheme::Rules;
 
-/// `max_r Σ_s |(R^c)_{r,s}| · Σ_s |(S^c)_{r,s}|` for several c, as
-/// [`joint_norm`](super::super::joint_norm): what one search finds out about R and S serves the
-/// next ones.
+/// `max_r Σ_s |(R^c)_{r,s}| · Σ_s |(S^c)_{r,s}|` for several c, with the values of
+/// [`joint_norm`](super::super::joint_norm). Later searches use what earlier ones found about R
+/// and S.
 ///
 /// ```
 /// use subcert::bound::{JointSearch, Order};
@@ -25,14 +25,14 @@ use crate::scheme::Rules;
 /// ```
 #[derive(Clone, Debug)]
 pub struct JointSearch {
-    /// As they are read, at offset 0.
+    /// The rules in the given order, at offset 0.
     rules: [Rules; 2],
     growths: [Growth; 2],
     budget: Budget,
 }
 
 impl JointSearch {
-    /// The powers of the operators of these rules at offset 0, read in this order.
+    /// A search for the operators of these rules, read in this order, at offset 0.
     ///
     /// # Panics
     /// When arity or width differ.
@@ -45,14 +45,14 @@ impl JointSearch {
         JointSearch { rules, growths, budget: Budget::unlimited() }
     }
 
-    /// The same with a budget for [`norm`](JointSearch::norm), as for
+    /// This search with a budget for [`norm`](JointSearch::norm), as in
     /// [`PowerSearch::with_budget`](super::PowerSearch::with_budget).
     #[must_use]
     pub fn with_budget(self, budget: Budget) -> JointSearch {
         JointSearch { budget, ..self }
     }
 
-    /// The greatest product, and the least row that attains it.
+    /// The greatest product, and the least class that attains it.
     ///
     /// # Errors
     /// As [`PowerSearch::norm`](super::PowerSearch::norm).
@@ -65,8 +65,8 @@ impl JointSearch {
         })
     }
 
-    /// The same by branch and bound, however few residue classes there are; `None` as for
-    /// [`PowerSearch::search`](super::PowerSearch::search).
+    /// The greatest product by branch and bound, however few residue classes there are;
+    /// `None` as for [`PowerSearch::search`](super::PowerSearch::search).
     pub fn search(&mut self, levels: u32) -> Option<Searched> {
         self.search_within(levels, &mut { MAX_WORK })
     }
@@ -77,7 +77,7 @@ impl JointSearch {
         Some(unscaled(problem.operators, levels, found))
     }
 
-    /// A tree of bounds that shows the greatest product for the two E, as
+    /// A tree of bounds that proves the greatest product for the two operators E, as
     /// [`PowerSearch::tree`](super::PowerSearch::tree).
     pub fn tree(&mut self, levels: u32) -> Option<SearchTree> {
         let mut work = MAX_WORK;

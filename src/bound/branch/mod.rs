@@ -1,9 +1,11 @@
 //! Norms of powers by branch and bound: few rows are visited, and the value is exact.
 //!
-//! A word of digits leads from E^0 to a row of E^c, the coarse digit first. What is known of
-//! all rows below a node — their coefficients in those of the node sum to 1, have a known
-//! first moment, and their absolute values sum to at most ‖E^m‖ — bounds their sums, and a
-//! node whose bound is not above the best row found is not split.
+//! A word of c digits, the coarsest first, leads from E^0 to a row of E^c; its prefixes are
+//! the nodes of a tree. The rows m levels below a node are combinations of the rows of the
+//! node. The coefficients of each combination sum to 1, have a first moment in a known
+//! interval, and have absolute values that sum to at most ‖E^m‖. This bounds the norms of
+//! all rows below the node. A node is not split if its bound is not above the best row
+//! found.
 //!
 //! Source: `proofs/THEOREMS.md`, 60 to 64.
 //!
@@ -12,13 +14,13 @@
 //! | `number`, `wide` | the integers that a search runs on |
 //! | `scaled`, `tree` | the operator, and the rows of its powers |
 //! | `estimate`, `reach`, `uniform` | bounds of the rows below a node |
-//! | `problem` | what a search works on, and what it finds |
+//! | `problem` | the input and the result of a search |
 //! | `descent` | nodes, their parts and their bounds |
 //! | `search` | the order in which nodes are split |
-//! | `search_tree`, `cover` | a tree that shows what was found |
+//! | `search_tree`, `cover` | a tree that proves the result |
 //! | `dispatch` | the width of the integers |
 //! | `growth` | ‖E^m‖ for every m |
-//! | `power`, `joint` | one operator, and two with one row |
+//! | `power`, `joint` | one operator, and two operators with a common row index |
 
 mod cover;
 mod descent;

@@ -4,10 +4,10 @@ use crate::exact::Integer;
 
 /// Signed integers of a width that is chosen once for a search.
 ///
-/// Those of fixed width do not check for overflow: a search takes them only where a
-/// bound on all of its numbers is proven to fit.
+/// Integers of fixed width do not check for overflow. A search uses a width only if all
+/// of its numbers provably fit.
 pub(super) trait Number: Clone + Ord + Send + Sync {
-    /// The coefficients of the operator.
+    /// The type of the coefficients of the operator.
     type Coefficient: Send + Sync;
 
     fn zero() -> Self;
@@ -29,7 +29,7 @@ pub(super) trait Number: Clone + Ord + Send + Sync {
     /// ⌈self/4⌉, for self ≥ 0.
     fn quarter(&self) -> Self;
 
-    /// An integer that is known to fit.
+    /// Converts an integer that is known to fit.
     fn from_integer(value: &Integer) -> Self;
 
     fn is_negative(&self) -> bool;

@@ -8,7 +8,7 @@ use crate::bound::power::{ClassCap, MAX_LEVELS, MAX_WORK, Order, PowerNorm, orie
 use crate::bound::walked_norm::walked_norm;
 use crate::scheme::Rules;
 
-/// ‖R^c‖ for several c: what one search finds out about R serves the next ones.
+/// ‖R^c‖ for several c. Later searches use what earlier ones found about R.
 ///
 /// ```
 /// use subcert::bound::{Order, PowerSearch};
@@ -26,14 +26,14 @@ use crate::scheme::Rules;
 /// ```
 #[derive(Clone, Debug)]
 pub struct PowerSearch {
-    /// As they are read.
+    /// The rules in the given order.
     rules: Rules,
     growth: Growth,
     budget: Budget,
 }
 
 impl PowerSearch {
-    /// The powers of the operator of these rules, read in this order.
+    /// A search for the powers of the operator of these rules, read in this order.
     #[must_use]
     pub fn new(rules: &Rules, order: Order) -> PowerSearch {
         let rules = oriented(rules, order);
@@ -41,13 +41,15 @@ impl PowerSearch {
         PowerSearch { rules, growth, budget: Budget::unlimited() }
     }
 
-    /// The same with a budget in products of words, which others may share.
+    /// This search with a budget in products of words, which other computations may
+    /// share.
     #[must_use]
     pub fn with_budget(self, budget: Budget) -> PowerSearch {
         PowerSearch { budget, ..self }
     }
 
-    /// ‖R^c‖ and the least row that attains it, as [`power_norm`](crate::bound::power_norm).
+    /// ‖R^c‖ and the least class that attains it, as
+    /// [`power_norm`](crate::bound::power_norm).
     ///
     /// # Errors
     /// When c is above [`MAX_LEVELS`], or when the search does not end within 2^33 products
@@ -63,15 +65,16 @@ impl PowerSearch {
         )
     }
 
-    /// The same by branch and bound, however few residue classes there are; `None` when it
-    /// does not end within 2^33 products or the budget, or c is above [`MAX_LEVELS`].
+    /// ‖R^c‖ by branch and bound, however few residue classes there are; `None` when the
+    /// search does not end within 2^33 products and the budget, or c is above
+    /// [`MAX_LEVELS`].
     pub fn search(&mut self, levels: u32) -> Option<Searched> {
         self.budget.clone().spend(MAX_WORK, |work| found(&mut self.growth, levels, work))
     }
 
-    /// A tree of bounds that shows ‖E^c‖, and what they rest on; `None` as for
-    /// [`search`](PowerSearch::search). Its nodes are bounded each by its own rows, so that it
-    /// may be larger than the tree of the search.
+    /// A tree of bounds that proves the value of ‖E^c‖, with the bounds of lower powers that
+    /// it uses; `None` as for [`search`](PowerSearch::search). Each node is bounded by its own
+    /// rows only, so this tree may be larger than the tree of the search.
     pub fn tree(&mut self, levels: u32) -> Option<SearchTree> {
         let tree = |work: &mut u64| self.growth.tree(levels, work);
         (levels <= MAX_LEVELS).then(|| self.budget.clone().spend(MAX_WORK, tree))?

@@ -1,11 +1,11 @@
-//! What is known of the rows m levels below a node.
+//! The moments of the rows m levels below a node.
 
 use super::estimate::Place;
 use super::scaled::{PLACES, Scaled};
 use crate::exact::{Integer, Rational};
 
-/// Where the moments Σ_p λ_p p of the rows λ of E^m lie, m = 0, 1, 2, …: from the middle of
-/// their interval less the radius to the middle plus 1 − n^{−m} plus the radius.
+/// An interval that contains the moments Σ_p λ_p p of the rows λ of E^m, for m = 0, 1, 2,
+/// …: \[middle − radius, middle + 1 − n^{−m} + radius\].
 ///
 /// Source: `proofs/THEOREMS.md`, 61.
 #[derive(Clone, Debug)]
@@ -17,12 +17,12 @@ pub(super) struct Moments {
 }
 
 impl Moments {
-    /// Of E^0.
+    /// The interval for E^0.
     pub(super) fn start() -> Moments {
         Moments { middle: Rational::zero(), radius: Rational::zero(), part: Rational::one() }
     }
 
-    /// From E^m to E^{m+1}; τ ≥ ‖E^m‖.
+    /// Advances from E^m to E^{m+1}, where τ ≥ ‖E^m‖.
     pub(super) fn advance(
         &mut self,
         arity: usize,
@@ -41,7 +41,7 @@ impl Moments {
         ([&self.middle - &self.radius, &self.middle + length + &self.radius], &self.radius)
     }
 
-    /// An interval that holds those of all m ≥ 1, if every ‖E^m‖ ≤ τ.
+    /// An interval that contains the intervals for all m ≥ 1, if ‖E^m‖ ≤ τ for every m.
     pub(super) fn hull(
         arity: usize,
         [middle, radius]: &[Rational; 2],
@@ -50,13 +50,13 @@ impl Moments {
         let whole = Rational::new(arity, arity - 1);
         let (limit, radius) = (middle * &whole, radius * whole * tau);
         let low = middle.min(&limit) - &radius;
-        // The upper end is affine in n^{−m}, of which the greatest is 1/n and the infimum 0.
+        // The upper end is affine in n^{−m}, which has the maximum 1/n and the infimum 0.
         let high = (middle - Rational::new(1, arity)).max(limit) + Rational::one() + radius;
         [low, high]
     }
 }
 
-/// The least number with PLACES binary digits behind the point that is not below this.
+/// x rounded up to PLACES binary digits after the point.
 pub(super) fn rounded_up(x: &Rational) -> Rational {
     let unit = Integer::one().shifted_left(PLACES);
     Rational::new(scaled(x, &unit).ceil(), unit)
@@ -66,8 +66,9 @@ fn scaled(x: &Rational, unit: &Integer) -> Rational {
     x * Rational::from(unit.clone())
 }
 
-/// The line and the bounds for moments in this interval of this radius, q^m, and ‖E^m‖ ≤ τ;
-/// `None` if the window has no two rows, or the interval is too far away.
+/// The data for bounds by a line, from the interval \[low, high\] of the moments and its
+/// radius, `power` = q^m, and τ ≥ ‖E^m‖. `None` if the window has fewer than two rows, or
+/// the interval is too far from it.
 pub(super) fn place(
     operator: &Scaled,
     ([low, high], radius): (&[Rational; 2], &Rational),

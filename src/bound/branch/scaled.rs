@@ -1,43 +1,46 @@
-//! The operator of a search, scaled so that its rows sum to 1 where that is possible.
+//! The operator of a search, scaled so that its rows sum to 1 if possible.
 
 use crate::exact::{CommonDenominator, Integer, Rational};
 use crate::scheme::Rules;
 
-/// The binary digits behind the point of what bounds are rounded to.
+/// The number of binary digits after the point to which factors of bounds are rounded.
 pub(super) const PLACES: u32 = 24;
 
-/// R = sE, with the rows of E as integers over one common denominator q, at the offset
-/// whose window is least and nearest to 0.
+/// R = sE, where the rows of E are integers over one common denominator q. The offset is
+/// the one with the smallest window; of windows of equal size, the one that is centred
+/// best at 0.
 ///
-/// The rows of E about an index q, at the positions p of the window, determine those about
-/// nq, …, nq + n − 1 a level finer.
+/// The window is a set of positions p. The rows i + p of E^l determine the rows ni + β + p
+/// of E^{l+1}, β = 0, …, n − 1, for all p in the window.
 #[derive(Clone, Debug)]
 pub(super) struct Scaled {
     pub(super) arity: usize,
     pub(super) offset: i64,
-    /// The columns of R before the first that is not 0.
+    /// The number of columns of R before the first nonzero one.
     pub(super) skipped: usize,
-    /// The window of positions: first, …, first + size − 1; it holds 0.
+    /// The window is first, …, first + size − 1; it contains 0.
     pub(super) first: i64,
     pub(super) size: usize,
-    /// s: the sum of every row of R, if that is one number other than 0, or else 1.
+    /// s: the common sum of the rows of R, if they have the same sum and it is not 0;
+    /// otherwise 1.
     pub(super) factor: Rational,
-    /// q; a multiple of n where the rows of E sum to 1.
+    /// q. It is a multiple of n if the rows of E sum to 1.
     pub(super) denominator: Integer,
-    /// Bounds m levels below a node are multiples of 1/(fraction·q^m): 2^[`PLACES`], and such that
-    /// the middles of the intervals of the moments are multiples.
+    /// Bounds m levels below a node are multiples of 1/(fraction·q^m). The fraction is
+    /// 2^[`PLACES`], or 2q times this if the rows of E sum to 1. Then the midpoints of the
+    /// intervals of the moments are multiples too.
     pub(super) fraction: Integer,
     /// qE.
     pub(super) rows: Vec<Vec<Integer>>,
-    /// Where the rows of E sum to 1: the middle and half of the width of the least interval
-    /// that holds f_β = Σ_j (o + j) E_{β,j} − β/n.
+    /// If the rows of E sum to 1: the midpoint and half the width of the least interval
+    /// that contains f_β = Σ_j (o + j) E_{β,j} − β/n for β = 0, …, n − 1.
     pub(super) shift: Option<[Rational; 2]>,
-    /// How far the offset of R is to the right of this one.
+    /// The offset of R, without its skipped columns, minus `offset`.
     pub(super) moved: Integer,
 }
 
 impl Scaled {
-    /// Operators of one shape and offset, in one window.
+    /// Operators of the same arity, width and offset, in one window.
     pub(super) fn of<const K: usize>(rules: [&Rules; K]) -> [Scaled; K] {
         let (arity, width) = (rules[0].arity(), rules[0].width());
         let used =
@@ -107,15 +110,15 @@ impl Scaled {
         }
     }
 
-    /// The largest absolute row sum of qE, and at least 1.
+    /// The largest absolute row sum of qE, or 1 if that is greater.
     pub(super) fn largest(&self) -> Integer {
         let sums = self.rows.iter().map(|row| row.iter().map(Integer::abs).sum::<Integer>());
         sums.max().map_or_else(Integer::one, |largest| largest.max(Integer::one()))
     }
 }
 
-/// The offset with the least window, and among these the one nearest to 0: offset, first
-/// position, size.
+/// The offset with the smallest window, and among these the one whose window is centred
+/// best at 0, as (offset, first position, size).
 fn centred(arity: usize, width: usize) -> (i64, i64, usize) {
     let small = |n: usize| i64::try_from(n).expect("arity and width are capped");
     let (arity, width) = (small(arity), small(width));

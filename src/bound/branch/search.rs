@@ -1,35 +1,38 @@
 //! The order in which the nodes of a search are split.
 //!
-//! Nodes are split many at a time, against the greatest row found before: so the tree of a
-//! search does not depend on how many threads share the work.
+//! Several nodes are split at a time, and all are compared with the best row found before.
+//! So the tree of a search does not depend on the number of threads.
 
 use super::descent::{Best, Descent, Node, Space};
 use super::number::Number;
 use super::problem::Greatest;
 use std::thread;
 
-/// How many nodes are split at once: up to the first row, and then.
+/// The number of nodes that are split at a time: until the first row is found, and after
+/// that.
 const FIRST: usize = 4;
 const CHUNK: usize = 8;
 
-/// After so many splits per level a search looks for a greater row by beam searches.
+/// After this many splits per level, beam searches of growing width are run.
 const PATIENCE: u64 = 32;
 
-/// The widths of the beam searches, one after the other, until one leaves no node out.
+/// The widths of the beam searches. They are run in this order until one leaves out no
+/// node.
 const WIDTHS: [usize; 3] = [64, 512, 4096];
 
-/// What the parts of a level that a beam search keeps may cost: at least four times their words.
+/// A width is used only if the parts of one level cost at most this many products of words.
+/// Their memory in words is at most a quarter of their cost.
 const LEVEL: u64 = 1 << 25;
 
-/// A thread is worth so many products of words.
+/// The least work, in products of words, for each thread.
 const SHARE: u64 = 1 << 18;
 
 /// The state of a search.
 pub(super) struct Search<'a, T: Number, const K: usize> {
     descent: Descent<'a, T, K>,
-    /// The products of words that may still be computed.
+    /// The number of products of words that may still be computed.
     work: &'a mut u64,
-    /// One for each thread.
+    /// One space for each thread.
     spaces: Vec<Space<T, K>>,
     best: Option<Best<T>>,
     splits: u64,
@@ -55,8 +58,8 @@ impl<'a, T: Number, const K: usize> Search<'a, T, K> {
         Some(Greatest { value, class, split: self.splits })
     }
 
-    /// Splits all nodes that are not closed, those of the last levels first; `false` when
-    /// more than so many were split.
+    /// Splits all nodes that are not closed, the latest first. Returns `false` if it
+    /// stops because more than `most` nodes have been split.
     fn exhaust(&mut self, most: u64) -> Option<bool> {
         let mut stack = vec![self.descent.root()];
         while !stack.is_empty() {
@@ -75,15 +78,15 @@ impl<'a, T: Number, const K: usize> Search<'a, T, K> {
         Some(true)
     }
 
-    /// A beam search: it goes from level to level and keeps the nodes that promise most. Says
-    /// whether it left none out.
+    /// A beam search: it goes from level to level, and keeps the `width` most promising nodes
+    /// of each. Returns whether it left out no node, so that the search is complete.
     fn beam(&mut self, width: usize) -> Option<bool> {
         let (mut nodes, mut complete) = (vec![self.descent.root()], true);
         while !nodes.is_empty() {
             nodes = self.split(nodes)?;
             if nodes.len() > width {
                 complete = false;
-                // Between what may be expected and the bound.
+                // The mean of the promise and the bound, times 2.
                 let key = |node: &Node<T, K>| node.promise.clone().plus(&node.bound);
                 nodes.sort_by(|a, b| (key(b), &a.class).cmp(&(key(a), &b.class)));
                 nodes.truncate(width);
@@ -92,13 +95,13 @@ impl<'a, T: Number, const K: usize> Search<'a, T, K> {
         Some(complete)
     }
 
-    /// The products that the parts of so many nodes cost.
+    /// The cost of the parts of `nodes` nodes, in products of words.
     fn cost(&self, nodes: usize) -> u64 {
         let parts = (nodes * self.descent.problem.operators[0].arity) as u64;
         parts.saturating_mul(self.descent.cost)
     }
 
-    /// The parts of these nodes that are not closed.
+    /// The parts of these nodes that are not closed. Also updates the best row.
     fn split(&mut self, nodes: Vec<Node<T, K>>) -> Option<Vec<Node<T, K>>> {
         let cost = self.cost(nodes.len());
         *self.work = self.work.checked_sub(cost)?;

@@ -1,54 +1,55 @@
-//! The tree of a search, as data that another program can follow.
+//! The tree of a search, as data that another program can check.
 
 use super::uniform::UniformBound;
 use crate::exact::{Integer, Rational};
 
-/// Why the rows below a node are not greater than the greatest row.
+/// Why no row below a node has a norm above the greatest one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Closed {
-    /// It is a row of R^c itself.
+    /// The node is itself a row of E^c.
     Row,
-    /// By the line through two of its rows: `proofs/THEOREMS.md`, 62; a product by both
-    /// lines: 65.
+    /// The bound by the line through two rows of the node (`proofs/THEOREMS.md`, 62); for
+    /// a product, the bound by both lines (65).
     Line,
-    /// By ‖E^m‖ times the largest of its rows: `proofs/THEOREMS.md`, 60; a product by the least
-    /// bound of 60 and 62 of each operator.
+    /// ‖E^m‖ times the largest norm of the rows of the node (`proofs/THEOREMS.md`, 60); for a
+    /// product, the product of the lesser of the bounds 60 and 62 of each operator.
     Largest,
 }
 
-/// A node that is not split: the rows index·n^m, …, (index + 1)·n^m − 1 of E^c are below it,
-/// m = c − level.
+/// A node that is not split. The rows index·n^m, …, (index + 1)·n^m − 1 of E^c are below it,
+/// where m = c − level.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Leaf {
-    /// Its level.
+    /// The level of the node.
     pub level: u32,
-    /// From 0 to n^level − 1.
+    /// The index of the node, from 0 to n^level − 1.
     pub index: Integer,
-    /// What bounds its rows.
+    /// The reason why the node is not split.
     pub closed: Closed,
 }
 
-/// Leaves that cover all rows of E^c = R^c/s^c, of one operator or of two, and what their bounds
-/// rest on.
+/// Leaves that cover all rows of E^c = R^c/s^c, for one operator or for two, and the bounds of
+/// lower powers on which their bounds rest.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SearchTree {
-    /// The index offset o that the leaves are counted at.
+    /// The index offset o of the rows that the leaves count.
     pub offset: i64,
-    /// ‖E^c‖; of two operators, the greatest product of the norms of their rows of one index.
+    /// ‖E^c‖; for two operators, the greatest product of the norms of two rows of the same
+    /// index.
     pub norm: Rational,
-    /// One or two.
+    /// One operator or two.
     pub operators: Vec<SearchedOperator>,
-    /// In the order of their indices.
+    /// The leaves, in the order of the rows below them.
     pub leaves: Vec<Leaf>,
 }
 
-/// What the bounds of a tree rest on, for one operator.
+/// The bounds of lower powers on which a tree rests, for one operator.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SearchedOperator {
     /// s.
     pub factor: Rational,
     /// Upper bounds of ‖E^m‖ for m = 0, …, c − 1.
     pub totals: Vec<Rational>,
-    /// A bound of all ‖E^m‖, if one was used; totals that differ from it are norms.
+    /// A bound of all ‖E^m‖, if one was found. Totals that differ from it are norms.
     pub uniform: Option<UniformBound>,
 }

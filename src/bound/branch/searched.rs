@@ -1,4 +1,5 @@
-//! What a search for a norm finds, its cap on work, and when it is better to visit all rows.
+//! The result of a search for a norm, and the choice between a search and a visit of all
+//! rows.
 
 use super::problem::Greatest;
 use super::scaled::Scaled;
@@ -8,23 +9,24 @@ use crate::bound::walk::price;
 use crate::exact::Rational;
 use crate::scheme::Rules;
 
-/// A search that takes as much work as so many visits of all classes is given up for one.
+/// A search is given up for a visit of all classes after this many times the work of such
+/// a visit.
 const VISITS: u64 = 8;
 
-/// Up to so many residue classes are visited one by one.
+/// Up to this number of residue classes, all classes are visited.
 const FEW_CLASSES: u64 = 1 << 12;
 
-/// A norm, where it is attained, and what the search for it took.
+/// A norm, the class that attains it, and the effort of the search.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Searched {
     /// The norm.
     pub norm: PowerNorm,
-    /// The nodes that were split into n parts each, by the search for this norm alone.
+    /// The number of nodes that the search for this norm alone split, into n parts each.
     pub nodes: u64,
 }
 
-/// By visiting every class if there are few; else by the search, or if it does not end, by
-/// visiting every class if that is possible.
+/// The norm by visiting every class, if there are few; otherwise by the search. If the
+/// search does not end, every class is visited if that is within the caps.
 pub(super) fn either<const K: usize>(
     rules: [&Rules; K],
     levels: u32,
@@ -49,7 +51,7 @@ pub(super) fn either<const K: usize>(
     }
 }
 
-/// From the scaled operators to their own.
+/// Converts the result for the scaled operators to the result for the original ones.
 pub(super) fn unscaled<const K: usize>(
     operators: [&Scaled; K],
     levels: u32,

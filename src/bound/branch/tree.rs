@@ -3,18 +3,20 @@
 use super::number::Number;
 use super::scaled::Scaled;
 
-/// Where rows are, and what they are multiplied by.
+/// The numbers of rows, and the coefficients of these rows.
 type Terms<T> = Vec<(usize, <T as Number>::Coefficient)>;
 
-/// From the rows of q^l·E^l about an index to those of q^{l+1}·E^{l+1} about its n parts.
+/// The step from the rows of q^l·E^l around an index i to the rows of q^{l+1}·E^{l+1}
+/// around the indices ni + β of its n parts.
 ///
 /// Row n·i + β + p of E^{l+1} is Σ_j E_{ρ,j} times row i + ⌊(β+p)/n⌋ + o + j of E^l, with
-/// ρ = (β + p) mod n. A node holds its rows one after the other, in the order of the window.
+/// ρ = (β + p) mod n. A node stores its rows one after the other, in the order of the
+/// window.
 pub(super) struct Tree<T: Number> {
     pub(super) size: usize,
-    /// Where the row of p = 0 is.
+    /// The number of the row with p = 0.
     pub(super) own: usize,
-    /// For each digit β and position p.
+    /// The terms for each digit β and position p.
     steps: Vec<Vec<Terms<T>>>,
 }
 
@@ -45,7 +47,7 @@ impl<T: Number> Tree<T> {
         (0..self.size * self.size).map(entry).collect()
     }
 
-    /// The rows of the part of this digit.
+    /// Writes the rows of the part with this digit into `part`.
     pub(super) fn part(&self, digit: usize, rows: &[T], part: &mut [T]) {
         part.fill(T::zero());
         for (fine, terms) in part.chunks_exact_mut(self.size).zip(&self.steps[digit]) {
@@ -58,18 +60,18 @@ impl<T: Number> Tree<T> {
         }
     }
 
-    /// The products that a part costs, on the average.
+    /// The average number of products for a part.
     pub(super) fn cost(&self) -> u64 {
         let terms: usize = self.steps.iter().flatten().map(Vec::len).sum();
         (terms / self.steps.len() * self.size) as u64
     }
 
-    /// Σ|x| over the row of p = 0.
+    /// Σ|x| over the row with p = 0.
     pub(super) fn norm(&self, rows: &[T]) -> T {
         sum_of_magnitudes(&rows[self.own * self.size..(self.own + 1) * self.size])
     }
 
-    /// The greatest Σ|x| of all rows.
+    /// The greatest Σ|x| over the rows.
     pub(super) fn largest(&self, rows: &[T]) -> T {
         rows.chunks_exact(self.size).map(sum_of_magnitudes).max().unwrap_or_else(T::zero)
     }

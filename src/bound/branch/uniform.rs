@@ -1,4 +1,4 @@
-//! One bound of the norms of all powers.
+//! A common bound of the norms of all powers.
 
 use super::estimate::{Estimator, margin};
 use super::number::Number;
@@ -8,27 +8,27 @@ use super::tree::Tree;
 use super::wide::Wide;
 use crate::exact::{Integer, Rational};
 
-/// The levels below which no node is split, and the most nodes.
+/// The greatest level of a node, and the greatest number of nodes.
 const LEVELS: u32 = 16;
 const NODES: u32 = 4096;
 
-/// What is tried, above the largest norm known: 1 + 2^−i of it.
+/// The values i for which 1 + 2^−i times the largest known norm is tried as the bound.
 const EXCESS: [u32; 6] = [8, 6, 4, 2, 1, 0];
 
-/// ‖E^m‖ ≤ τ for every m, and the tree that shows it: `proofs/THEOREMS.md`, 63.
+/// ‖E^m‖ ≤ τ for every m, and the tree that proves it: `proofs/THEOREMS.md`, 63.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UniformBound {
     /// τ.
     pub bound: Rational,
-    /// The levels and the indices of the leaves of the tree, in the order of their indices.
+    /// The leaves of the tree as (level, index), in the order of the rows below them.
     pub leaves: Vec<(u32, Integer)>,
 }
 
-/// A bound of all norms, if the rows of E sum to 1 and one is found. It is a little above
-/// `largest`, the largest norm known.
+/// A bound of all norms, if the rows of E sum to 1 and a bound is found. It is slightly
+/// above `largest`, the largest known norm.
 pub(super) fn bound(operator: &Scaled, largest: &Rational) -> Option<UniformBound> {
     let largest_row = operator.largest();
-    // What is tried is at most twice `largest`.
+    // Every bound that is tried is at most twice `largest`, rounded up.
     let total = largest.ceil().bits() + 1 + operator.fraction.bits();
     let entry = largest_row.pow(LEVELS).bits();
     let bits = largest_row.to_i64().map(|_| entry + total + margin(operator.size));
@@ -64,7 +64,8 @@ fn seek<T: Number>(operator: &Scaled, largest: &Rational) -> Option<UniformBound
     })
 }
 
-/// The leaves of a tree in which every node satisfies `fits`, down to those that `closes`.
+/// The leaves of a tree in which every node satisfies `fits` and every leaf satisfies
+/// `closes`; `None` if there is none within the caps.
 fn leaves<T: Number>(
     tree: &Tree<T>,
     arity: usize,

@@ -9,7 +9,7 @@ use std::cmp::Ordering;
 pub(super) struct Wide<const K: usize>([u64; K]);
 
 impl<const K: usize> Wide<K> {
-    /// Without the upper words that are 0.
+    /// The words without the upper ones that are 0.
     fn used(&self) -> &[u64] {
         let length = self.0.iter().rposition(|&word| word != 0).map_or(0, |last| last + 1);
         &self.0[..length]
@@ -43,7 +43,7 @@ impl<const K: usize> Number for Wide<K> {
         self.add_times(x, *coefficient);
     }
 
-    // Mod 2^{64K} the sign of x needs no care.
+    // Modulo 2^{64K}, the sign of x plays no role.
     fn add_times(&mut self, x: &Self, factor: i64) {
         let size = u128::from(factor.unsigned_abs());
         let mut carry = 0_u64;

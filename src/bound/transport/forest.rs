@@ -1,17 +1,18 @@
-//! Transport by rounded numbers first: these find the heights, and what is exact is only a
-//! flow along a forest that proves them.
+//! Transport by way of rounded numbers: they find the heights, and an exact flow along a
+//! forest proves that the heights are optimal.
 
 use super::network::{Network, Transport, shortest};
 use crate::exact::{Rational, Real};
 use std::cmp::Reverse;
 
-/// Like [`transport_at_costs`](super::transport_at_costs), for numbers w that are not worth
-/// exact steps along every path; `None` where rounding misleads.
+/// As [`transport_at_costs`](super::transport_at_costs), for numbers w whose exact
+/// arithmetic is slow. `None` if the rounded problem gives wrong heights.
 ///
-/// The heights P of the rounded problem do not depend on its last digits, save by chance.
-/// They are proved by a flow that carries w along edges with |P_a − P_b| = c_e, downwards
-/// (complementary slackness): along a spanning forest of these edges, where it is unique,
-/// preferring those with much flow in the rounded problem.
+/// In general the heights P of the rounded problem are also optimal for the exact one. A
+/// flow proves this if it carries w, uses only edges with |P_a − P_b| = c_e, and runs
+/// downwards (complementary slackness). The flow is computed along a spanning forest of
+/// these edges, where it is unique. The forest prefers edges with much flow in the
+/// rounded problem.
 ///
 /// Source: `proofs/THEOREMS.md`, 24.
 pub(super) fn by_rounding<S: Real + Ord>(
@@ -32,13 +33,13 @@ pub(super) fn by_rounding<S: Real + Ord>(
 /// A forest in a graph.
 struct Forest<'a> {
     edges: &'a [(usize, usize)],
-    /// The edges at each point.
+    /// The edges of the forest at each point.
     at: Vec<Vec<usize>>,
 }
 
 impl Forest<'_> {
-    /// A spanning forest of the edges along which the heights differ by the cost, with as
-    /// much flow as possible.
+    /// A spanning forest of the edges along which the heights differ by the cost. Edges
+    /// with more flow are preferred.
     fn of<'a>(
         guess: &Transport<Rational>,
         edges: &'a [(usize, usize)],
@@ -67,11 +68,12 @@ impl Forest<'_> {
         forest
     }
 
-    /// The flow along the forest that carries w, if there is one and it nowhere rises.
+    /// The flow along the forest that carries w; `None` if there is none, or if it runs
+    /// upwards on an edge.
     fn flow<S: Real + Ord>(&self, w: &[S], heights: &[i64]) -> Option<Vec<S>> {
         let zero = S::zero();
         let (mut flow, mut carried) = (vec![zero.clone(); self.edges.len()], w.to_vec());
-        // From the leaves to the roots.
+        // From the leaves to the roots of the trees.
         for (point, above) in self.rooted().into_iter().rev() {
             let out = std::mem::replace(&mut carried[point], zero.clone());
             let sign = out.cmp(&zero) as i64;
@@ -92,7 +94,7 @@ impl Forest<'_> {
         Some(flow)
     }
 
-    /// The points, each after the one that the edge beside it leads to.
+    /// All points, each after its parent, with the edge to the parent; `None` for a root.
     fn rooted(&self) -> Vec<(usize, Option<usize>)> {
         let mut seen = vec![false; self.at.len()];
         let mut order = Vec::with_capacity(self.at.len());

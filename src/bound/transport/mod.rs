@@ -1,10 +1,10 @@
-//! ‖w‖_*, and the flows and heights that prove it.
+//! The norm ‖w‖_*, and the flows and heights that prove its value.
 //!
 //! | file | subject |
 //! |---|---|
 //! | `network` | flows of least cost, by shortest paths |
-//! | `forest` | the same by rounded numbers first, proved along a forest |
-//! | `norm` | the norm, by whichever of the two is quicker |
+//! | `forest` | flows of least cost, from rounded numbers and proved along a forest |
+//! | `norm` | the norm, by `forest` if possible, otherwise by `network` |
 
 mod forest;
 mod network;

@@ -4,23 +4,23 @@ use crate::exact::Real;
 use std::cmp::Ordering;
 use std::collections::VecDeque;
 
-/// ‖w‖_*, and what proves it.
+/// The norm ‖w‖_*, with a flow and heights that prove its value.
 ///
-/// The flow has the divergence w and the cost Σ|f|, the heights have differences of at
-/// most 1 along edges and the value Σ_a w_a P_a; or the cost Σ c_e|f_e| and differences of
-/// at most c_e. By weak duality no flow costs less than any heights are worth; here the two
-/// are equal.
+/// The flow has the divergence w and the cost Σ c_e|f_e|. The heights differ by at most c_e
+/// along each edge e, and have the value Σ_a w_a P_a. All costs c_e are 1 for
+/// [`transport`](super::transport()). By weak duality the value of any heights is at most
+/// the cost of any flow; here the two are equal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Transport<S> {
     /// ‖w‖_*.
     pub value: S,
-    /// f, one number for each edge (a, b), positive from a to b.
+    /// f: one number for each edge (a, b), positive for a flow from a to b.
     pub flow: Vec<S>,
-    /// P, a control ring that attains the norm; the least height is 0.
+    /// P: a control ring that attains the norm. The least height is 0.
     pub heights: Vec<i64>,
 }
 
-/// The norm by shortest paths, in exact steps; `None` when it is infinite.
+/// The norm by shortest paths, in exact arithmetic; `None` when it is infinite.
 pub(super) fn shortest<S: Real + Ord>(
     w: &[S],
     edges: &[(usize, usize)],
@@ -38,18 +38,18 @@ pub(super) fn shortest<S: Real + Ord>(
     Some(network.found(costs))
 }
 
-/// A step along an edge.
+/// A step along an edge or against it.
 #[derive(Clone, Copy)]
 struct Step {
     to: usize,
     edge: usize,
-    /// Whether it goes along the edge, 1, or against it, −1.
+    /// 1 along the edge, −1 against it.
     direction: i8,
     /// c_e.
     cost: i64,
 }
 
-/// A flow, and what is left to send: excess_a = w_a − div(f)_a.
+/// A flow f, and the remaining excess_a = w_a − div(f)_a of each point a.
 pub(super) struct Network<S> {
     steps: Vec<Vec<Step>>,
     flow: Vec<S>,
@@ -58,10 +58,10 @@ pub(super) struct Network<S> {
     excess_sign: Vec<Ordering>,
 }
 
-/// Shortest paths by cost, then by the number of steps.
+/// Shortest paths: of least cost, and of equal cost those with the fewest steps.
 struct Paths {
     length: Vec<Option<(i64, usize)>>,
-    /// The point before, and the step from it.
+    /// For each point, the preceding point and the step from it.
     last: Vec<Option<(usize, Step)>>,
 }
 
@@ -84,7 +84,7 @@ impl<S: Real + Ord> Network<S> {
         }
     }
 
-    /// The network with this flow, and nothing left to send.
+    /// The network with this flow, without any excess.
     pub(super) fn carrying(
         flow: Vec<S>,
         points: usize,
@@ -97,11 +97,12 @@ impl<S: Real + Ord> Network<S> {
         Network { flow, flow_sign, ..network }
     }
 
-    /// The norm, for a flow of least cost. The heights do not depend on which it is
-    /// (`proofs/THEOREMS.md`, 24).
+    /// The result, for a flow of least cost. The heights do not depend on the choice of
+    /// the flow (`proofs/THEOREMS.md`, 24).
     pub(super) fn found(self, costs: &[u32]) -> Transport<S> {
-        // From everywhere at once: d_b ≤ d_a + c along every edge, and d_b = d_a + c where
-        // flow runs from a to b, since the residual network has no negative cycle.
+        // Distances from all points at once: d_b ≤ d_a + c along every edge, and d_b =
+        // d_a + c where flow runs from a to b, since the residual network has no negative
+        // cycle.
         let distances = self.shortest_paths(0..self.excess.len()).length;
         let heights = distances.into_iter().map(|d| d.map_or(0, |(cost, _)| -cost)).collect();
         let cost = |(f, cost): (&S, &u32)| match cost {
@@ -116,12 +117,13 @@ impl<S: Real + Ord> Network<S> {
         self.excess_sign.iter().any(|sign| sign.is_ne())
     }
 
-    /// Whether a step takes away flow that runs against it.
+    /// Whether a step cancels flow in the opposite direction.
     fn cancels(&self, step: Step) -> bool {
         self.flow_sign[step.edge] * step.direction < 0
     }
 
-    /// Bellman and Ford's, with a queue.
+    /// Shortest paths from the points `from`, by the algorithm of Bellman and Ford with a
+    /// queue.
     fn shortest_paths(&self, from: impl Iterator<Item = usize>) -> Paths {
         let count = self.steps.len();
         let mut paths = Paths { length: vec![None; count], last: vec![None; count] };
@@ -149,7 +151,7 @@ impl<S: Real + Ord> Network<S> {
         paths
     }
 
-    /// Sends as much as fits along a path.
+    /// Sends as much flow as possible along a path.
     fn send(&mut self, (source, path): &(usize, Vec<Step>), sink: usize) {
         let cancelled = path.iter().filter(|step| self.cancels(**step));
         let cancelled = cancelled.map(|step| self.flow[step.edge].magnitude());
@@ -174,7 +176,7 @@ impl<S: Real + Ord> Network<S> {
 }
 
 impl Paths {
-    /// Where the path to `sink` begins, and its steps.
+    /// The first point of the path to `sink`, and the steps, last first.
     fn to(&self, sink: usize) -> (usize, Vec<Step>) {
         let (mut point, mut steps) = (sink, Vec::new());
         while let Some((before, step)) = self.last[point] {

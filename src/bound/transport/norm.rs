@@ -1,23 +1,26 @@
-//! ‖w‖_*: the norm of a functional on rings whose differences along edges are bounded.
+//! ‖w‖_*: the norm of functionals of rings, dual to the largest difference along edges.
 
 use super::forest::by_rounding;
 use super::network::{Transport, shortest};
 use crate::exact::{Rational, Real};
 
-/// ‖w‖_* = max { Σ_a w_a P_a : |P_a − P_b| ≤ 1 for every edge (a, b) }, the norm of
-/// the functional w on rings P by their largest difference; w_a for a = 0, …, v−1.
+/// ‖w‖_* = max { Σ_a w_a P_a : |P_a − P_b| ≤ 1 for every edge (a, b) }, for a functional
+/// w with the coefficients w_a, a = 0, …, v−1: the norm dual to the largest difference of
+/// a ring P along edges.
 ///
 /// By duality of linear programs this is the least Σ|f_e| of the flows f along edges that
 /// carry w_a out of every point a (the norm of Kantorovich and Rubinstein, for the metric
-/// of the mesh). As the costs of the edges are integers, some P with integer heights
-/// attains it. On a cycle it is min_λ Σ_i |w_0 + … + w_i − λ|, with λ a median.
+/// of the mesh). As the costs of the edges are integers, the maximum is attained by some
+/// P with integer heights. On a cycle it is min_λ Σ_i |w_0 + … + w_i − λ|, with λ a
+/// median.
 ///
-/// The flow is made of shortest paths of the residual network, with the fewest edges
-/// among those of equal cost, so that it ends for real numbers too (Edmonds and Karp 1972).
-/// `None` when the maximum is infinite: w does not sum to 0 on some connected part.
+/// The flow is built from shortest paths of the residual network. Of paths of equal cost,
+/// one with the fewest edges is taken, so that the algorithm ends for real numbers too
+/// (Edmonds and Karp 1972). `None` when the maximum is infinite, that is, when w does not
+/// sum to 0 on some connected component.
 ///
 /// # Panics
-/// When an edge ends at no point.
+/// When an end of an edge is not a point.
 ///
 /// ```
 /// use subcert::bound::transport;
@@ -36,11 +39,13 @@ pub fn transport<S: Real + Ord>(w: &[S], edges: &[(usize, usize)]) -> Option<Tra
 }
 
 /// max { Σ_a w_a P_a : |P_a − P_b| ≤ c_e for every edge e = (a, b) }, for costs c_e ≥ 0 of
-/// the edges; [`transport()`] for costs 1. The least Σ c_e|f_e| of the flows that carry w_a
-/// out of every point a, and attained by integer heights, as the costs are integers.
+/// the edges; [`transport()`] for costs 1. It equals the least Σ c_e|f_e| over the flows
+/// that carry w_a out of every point a. Integer heights attain it, as the costs are
+/// integers.
 ///
 /// # Panics
-/// When an edge ends at no point, or there is not a cost for each edge.
+/// When an end of an edge is not a point, or the number of costs is not the number of
+/// edges.
 ///
 /// ```
 /// use subcert::bound::transport_at_costs;
@@ -59,7 +64,7 @@ pub fn transport_at_costs<S: Real + Ord>(
     edges: &[(usize, usize)],
     costs: &[u32],
 ) -> Option<Transport<S>> {
-    // Without denominators, which the flow would have in all of its steps.
+    // Denominators are cleared first; otherwise every step of the flow would have them.
     let scale = Rational::from(S::common_denominator(w));
     let scaled = |w: &[S], by: &Rational| -> Vec<S> {
         let by = S::from_rational(by);

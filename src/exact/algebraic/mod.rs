@@ -2,7 +2,7 @@
 //!
 //! | file | subject |
 //! |---|---|
-//! | `number` | the number type: how numbers are made and what they tell |
+//! | `number` | the number type: constructors and accessors |
 //! | `order` | equality and order |
 
 mod number;

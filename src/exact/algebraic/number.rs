@@ -5,10 +5,10 @@ use std::fmt;
 use std::sync::Arc;
 
 /// A real root of an integer polynomial: a rational number, or the one root of a
-/// square-free polynomial in an open interval. The polynomial need not be
-/// irreducible; but a rational root is always recognised as one.
+/// square-free polynomial in an open interval. The polynomial need not be irreducible,
+/// but a rational root is always stored as a rational number.
 ///
-/// Numbers compare exactly, whatever polynomials define them.
+/// Comparison is exact, also between roots of different polynomials.
 ///
 /// ```
 /// use subcert::exact::{IntegerPolynomial, Rational, RealAlgebraic, format::fixed};
@@ -31,7 +31,7 @@ pub(super) enum Form {
     Irrational(Root),
 }
 
-/// The root of f in (lower, upper): one, and simple, with f(lower)·f(upper) < 0.
+/// The only root of f in (lower, upper). It is simple, and f(lower)·f(upper) < 0.
 #[derive(Clone, Debug)]
 pub(super) struct Root {
     /// Primitive and square-free.
@@ -49,8 +49,8 @@ impl From<Rational> for RealAlgebraic {
 }
 
 impl RealAlgebraic {
-    /// The root of the square-free `polynomial` in (lower, upper], which holds
-    /// exactly one.
+    /// The root of the square-free `polynomial` in (lower, upper]. This interval must
+    /// hold exactly one root.
     pub(in crate::exact) fn isolated(
         polynomial: &Arc<IntegerPolynomial>,
         lower: Rational,
@@ -61,7 +61,8 @@ impl RealAlgebraic {
         }
         let sign = -polynomial.sign_at(&upper);
         let mut root = Root { polynomial: Arc::clone(polynomial), lower, upper, sign };
-        // The lower end may be another root; on its right the sign is `sign` still.
+        // The lower end may be another root. Just to its right the polynomial still has
+        // the sign `sign`.
         while root.polynomial.sign_at(&root.lower) == 0 {
             if let Some(value) = root.halve() {
                 return RealAlgebraic::from(value);
@@ -79,8 +80,9 @@ impl RealAlgebraic {
         }
     }
 
-    /// A primitive square-free polynomial that has this as a root: qx − p for
-    /// p/q; otherwise not always the minimal one.
+    /// A primitive square-free polynomial with this number as a root: qx − p for a
+    /// rational number p/q. For an irrational number it need not be the minimal
+    /// polynomial.
     #[must_use]
     pub fn polynomial(&self) -> IntegerPolynomial {
         match &self.0 {
@@ -91,8 +93,8 @@ impl RealAlgebraic {
         }
     }
 
-    /// The minimal polynomial over Q: primitive and irreducible. `None` where finding it
-    /// takes too long, as of [`IntegerPolynomial::irreducible_factors`].
+    /// The minimal polynomial over Q: primitive and irreducible. `None` when
+    /// [`IntegerPolynomial::irreducible_factors`] gives up.
     ///
     /// ```
     /// use subcert::exact::{IntegerPolynomial, RealAlgebraic};
@@ -110,7 +112,7 @@ impl RealAlgebraic {
         factors?.into_iter().find(changes)
     }
 
-    /// Rationals a ≤ this ≤ b, equal only when this is rational.
+    /// Rationals a ≤ self ≤ b. They are equal only for a rational number.
     #[must_use]
     pub fn bounds(&self) -> (Rational, Rational) {
         match &self.0 {
@@ -119,7 +121,7 @@ impl RealAlgebraic {
         }
     }
 
-    /// A rational number between this and the greater number `other`.
+    /// A rational number strictly between this number and the greater number `other`.
     ///
     /// # Panics
     /// When this is not less than `other`.
@@ -128,7 +130,8 @@ impl RealAlgebraic {
         let (mut a, mut b) = (self.clone(), other.clone());
         loop {
             let (low, high) = (a.bounds().1, b.bounds().0);
-            // Where the intervals of two irrational numbers touch, the end will do.
+            // Where the intervals of two irrational numbers touch, their common end lies
+            // between them.
             let touching = low == high && (a.is_irrational() && b.is_irrational());
             if low < high || touching {
                 return (low + high) / Rational::from(2);
@@ -139,11 +142,11 @@ impl RealAlgebraic {
         }
     }
 
-    /// A rational number before the first of these numbers, which rise, one between
-    /// each two neighbours, and one after the last.
+    /// For points p_1 < … < p_n, n + 1 rational numbers: one below p_1, one between each
+    /// two neighbours, and one above p_n.
     ///
     /// # Panics
-    /// When they do not rise.
+    /// When the points do not increase.
     #[must_use]
     pub fn rationals_between(points: &[RealAlgebraic]) -> Vec<Rational> {
         let (Some(first), Some(last)) = (points.first(), points.last()) else {
@@ -183,7 +186,7 @@ impl RealAlgebraic {
 }
 
 impl Root {
-    /// Halves the interval; the root, if it is the middle.
+    /// Halves the interval. Returns the root if the root is the midpoint.
     pub(super) fn halve(&mut self) -> Option<Rational> {
         let middle = (&self.lower + &self.upper) / Rational::from(2);
         match self.polynomial.sign_at(&middle) {
@@ -198,9 +201,9 @@ impl Root {
         &self.upper - &self.lower
     }
 
-    /// This root, recognised when it is rational: the denominator of a rational
-    /// root divides the leading coefficient l, so l times the root is the one
-    /// integer in an interval shorter than 1.
+    /// This root as a number, which is stored as a rational if it is one. The denominator
+    /// of a rational root divides the leading coefficient l. So l times the root is the
+    /// only integer in an interval shorter than 1.
     fn normal(mut self) -> RealAlgebraic {
         let leading = Rational::from(self.polynomial.leading());
         while self.width() * &leading >= Rational::one() {
@@ -234,7 +237,8 @@ impl Enclosed for RealAlgebraic {
 }
 
 impl fmt::Display for RealAlgebraic {
-    /// p/q, or the polynomial and an interval: `root of x^2 - 2 in (1, 3/2)`.
+    /// p/q for a rational number; otherwise the polynomial and the interval:
+    /// `root of x^2 - 2 in (1, 3/2)`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.0 {
             Form::Rational(value) => value.fmt(f),

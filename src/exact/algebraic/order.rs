@@ -4,8 +4,7 @@ use super::number::{Form, RealAlgebraic, Root};
 use crate::exact::Rational;
 use std::cmp::Ordering;
 
-/// How often the intervals of two roots are halved before their polynomials are
-/// compared.
+/// The number of halvings of two intervals before the gcd of the polynomials is computed.
 const GCD_AFTER: u32 = 8;
 
 impl RealAlgebraic {
@@ -19,7 +18,8 @@ impl RealAlgebraic {
         }
     }
 
-    /// How this compares with `other`, by one evaluation of the polynomial.
+    /// How this number compares with `other`, by at most one evaluation of the
+    /// polynomial.
     #[must_use]
     pub fn cmp_rational(&self, other: &Rational) -> Ordering {
         match &self.0 {
@@ -36,10 +36,11 @@ impl RealAlgebraic {
 }
 
 impl Root {
-    /// Whether this and `other` are the same number. A common root is a root of
-    /// the gcd g of the two polynomials, in the intersection of the two
-    /// intervals; which holds no other root of either. Neither end of it is a root
-    /// of g, so that g changes sign between them if and only if g has a root there.
+    /// Whether this and `other` are the same number. A common root lies in the
+    /// intersection of the two intervals and is a root of the gcd g of the two
+    /// polynomials. The intersection holds at most one root of each polynomial, and
+    /// neither of its ends is a root of g. So g has a root there if and only if g has
+    /// opposite signs at the two ends.
     fn equals(&self, other: &Root) -> bool {
         let (lower, upper) = ((&self.lower).max(&other.lower), (&self.upper).min(&other.upper));
         if lower >= upper {
@@ -67,7 +68,8 @@ impl Ord for RealAlgebraic {
                     if b.upper <= a.lower {
                         return Ordering::Greater;
                     }
-                    // Most pairs are apart soon; the gcd is for those that are not.
+                    // The intervals of most pairs are disjoint after few halvings; the
+                    // gcd decides the rest.
                     let same = halvings == 0 && a.polynomial == b.polynomial;
                     if (same || halvings == GCD_AFTER) && a.equals(&b) {
                         return Ordering::Equal;

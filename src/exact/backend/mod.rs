@@ -1,5 +1,6 @@
 //! The arbitrary-precision arithmetic below [`Integer`](super::Integer): num-bigint by
-//! default, GMP through rug with the feature `gmp`. Both files offer the same names.
+//! default, GMP through rug with the feature `gmp`. Both modules define the same
+//! functions.
 
 #[cfg(feature = "gmp")]
 mod gmp;

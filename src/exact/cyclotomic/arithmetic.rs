@@ -1,4 +1,4 @@
-//! The operators.
+//! The arithmetic operators of [`RealCyclotomic`].
 
 use super::field::Field;
 use super::norm::cofactor;
@@ -11,7 +11,7 @@ use std::sync::Arc;
 /// The field of lowest conductor that holds both.
 ///
 /// # Panics
-/// When that is beyond the cap.
+/// When the conductor of that field is beyond the cap.
 fn common_field(left: &Element, right: &Element) -> Arc<Field> {
     if Arc::ptr_eq(&left.field, &right.field) {
         return Arc::clone(&left.field);
@@ -54,7 +54,7 @@ impl Element {
         RealCyclotomic::normal(field, product, &self.denominator * &other.denominator)
     }
 
-    /// q/f for this f/q: q·A/N with f·A = N, the norm.
+    /// The inverse q/f of the number f/q: q·A/N, where N is the norm of f and f·A = N.
     fn recip(&self) -> RealCyclotomic {
         let (numerators, norm) = cofactor(&self.field, &self.numerators);
         let factor = Rational::new(self.denominator.clone(), norm);
@@ -64,8 +64,9 @@ impl Element {
 }
 
 impl RealCyclotomic {
-    /// 1/self. By way of the norm, which is found modulo as many primes as it has
-    /// digits: quadratic in the degree of the field for each.
+    /// 1/self, computed from the norm of the numerator. The norm is found modulo as many
+    /// primes of 31 bits as its digits require. Each prime takes O(m²) operations in a
+    /// field of degree m.
     ///
     /// # Panics
     /// When this is 0.
@@ -86,8 +87,8 @@ impl RealCyclotomic {
         }
     }
 
-    /// What [`recip`](Self::recip) costs: m² operations, in units of 64, for each
-    /// prime of 31 bits in a bound on the norm, (Σ_k 2|a_k|)^m.
+    /// The cost of [`recip`](Self::recip) in units of 64 operations: m² operations for
+    /// each prime of 31 bits that the bound (Σ_k 2|a_k|)^m on the norm requires.
     pub(crate) fn recip_cost(&self) -> u64 {
         let Form::Irrational(element) = &self.0 else { return self.bits() };
         let degree = element.field.degree() as u64;
@@ -96,7 +97,7 @@ impl RealCyclotomic {
         (degree * degree / 64 + 1).saturating_mul(primes)
     }
 
-    /// The least common denominator of the coefficients of these.
+    /// The least common denominator of the coefficients of all `values`.
     pub(super) fn denominator(values: &[RealCyclotomic]) -> Integer {
         values.iter().fold(Integer::one(), |lcm, value| match &value.0 {
             Form::Rational(value) => lcm.lcm(&value.denominator()),
@@ -104,8 +105,8 @@ impl RealCyclotomic {
         })
     }
 
-    /// Adds or subtracts where two numbers of one field have no denominators, and so
-    /// nothing has to be brought to lowest terms; says whether it did.
+    /// Adds or subtracts in place, if both numbers are in one field and have denominator
+    /// 1, so that no reduction to lowest terms is needed. Returns whether it did so.
     fn add_in_place(&mut self, other: &RealCyclotomic, subtract: bool) -> bool {
         let (Form::Irrational(this), Form::Irrational(other)) = (&mut self.0, &other.0) else {
             return false;

@@ -1,11 +1,11 @@
-//! What can be wrong with a cosine: it is irrational, or its field is too large.
+//! Errors of cosines: the value is irrational, or its field is too large.
 
 use crate::exact::{Integer, Rational};
 
-/// The largest conductor n of a field Q(2cos(2π/n)) that is computed in.
+/// The largest conductor n of the fields Q(2cos(2π/n)) in which the program computes.
 pub const MAX_CONDUCTOR: u32 = 10_000;
 
-/// Why a cosine is not a number of the wanted kind.
+/// Why a cosine is not a number of the required kind.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CosineError {
@@ -34,12 +34,11 @@ impl CosineError {
     }
 }
 
-/// The conductor of the field that numbers of conductors m and n lie in together:
-/// lcm(m, n).
+/// The conductor lcm(m, n) of a field that contains the fields of conductors m and n.
 ///
 /// # Errors
-/// When it is beyond [`MAX_CONDUCTOR`]. Arithmetic with two such numbers panics,
-/// so that whoever brings numbers together asks here first.
+/// When lcm(m, n) is beyond [`MAX_CONDUCTOR`]. Arithmetic with numbers of two such fields
+/// panics, so callers check here first.
 pub fn common_conductor(m: u32, n: u32) -> Result<u32, CosineError> {
     let lcm = num_integer::lcm(u64::from(m), u64::from(n));
     match u32::try_from(lcm) {

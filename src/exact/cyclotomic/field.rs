@@ -7,28 +7,30 @@ use crate::exact::Integer;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// Q(θ), θ = 2cos(2π/n), of degree m = φ(n)/2 ≥ 2, where n is not 2 mod 4 (Q(ζ_2n) =
-/// Q(ζ_n) for odd n).
+/// Q(θ), θ = 2cos(2π/n), of degree m = φ(n)/2 ≥ 2, where n ≢ 2 mod 4. (For odd n, 2n
+/// gives the same field as n.)
 ///
-/// Its elements are Σ_{k<m} a_k C_k with C_0 = 1, C_k = 2cos(2πk/n): polynomials in
-/// θ of degree below m, as C_k is a monic polynomial of degree k in θ. With integers
-/// a_k these are all of `Z[θ]`, the ring of integers.
+/// Its elements are Σ_{k<m} a_k C_k with C_0 = 1 and C_k = 2cos(2πk/n) for k ≥ 1. Since
+/// C_k is a monic polynomial of degree k in θ, these are the polynomials in θ of degree
+/// below m. The elements with integers a_k form `Z[θ]`, the ring of integers.
 #[derive(Debug)]
 pub(super) struct Field {
     conductor: usize,
     degree: usize,
-    /// Sums C_h + Σ a_k C_k that are 0, of falling degree h, as h and the (k, a_k) with
-    /// a_k ≠ 0 and k < h: Φ_d(x^{n/d}), which Φ_n divides, for products d of the first
-    /// primes in n, with 4 for 2. The fewer primes, the fewer terms; the last is Φ_n.
+    /// Relations C_h + Σ_{k<h} a_k C_k = 0 in order of decreasing degree h, each as h and
+    /// the (k, a_k) with a_k ≠ 0. They are the polynomials Φ_d(x^{n/d}), multiples of
+    /// Φ_n, where d is the product of the first 1, 2, … primes that divide n, with 4 in
+    /// place of 2. Fewer primes give fewer terms. The last relation is Φ_n (degree m).
     relations: Vec<Relation>,
-    /// The integers within 1 of 2^64·C_k, k = 0, …, m − 1: none is above 2^65.
+    /// Integers within 1 of 2^64·2cos(2πk/n), k = 0, …, m − 1. None exceeds 2^65 in
+    /// absolute value.
     words: Vec<i128>,
 }
 
-/// The (k, a_k) of a sum.
+/// The pairs (k, a_k) of a sum Σ a_k C_k.
 pub(super) type Terms = Vec<(usize, i64)>;
 
-/// h and the (k, a_k).
+/// h and the (k, a_k) of a relation C_h + Σ a_k C_k = 0.
 type Relation = (usize, Terms);
 
 /// The fields used so far, by conductor.
@@ -43,13 +45,14 @@ static TABLES: Mutex<BTreeMap<(usize, u32), Table>> = Mutex::new(BTreeMap::new()
 /// The sums of [`Field::reduced`] so far, by conductor.
 static REDUCED: Mutex<BTreeMap<usize, Arc<Vec<Terms>>>> = Mutex::new(BTreeMap::new());
 
-/// The data behind these locks is only ever added to, and so never left broken.
+/// The data behind these locks only grows, so a panic elsewhere cannot leave it
+/// inconsistent.
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 impl Field {
-    /// The field of this conductor, computed once for the whole program.
+    /// The field of this conductor; it is built once and then shared.
     ///
     /// # Panics
     /// When the degree would be below 2, or the conductor is 2 mod 4 or beyond
@@ -87,12 +90,13 @@ impl Field {
         self.relations.last().map_or(&[], |(_, relation)| relation)
     }
 
-    /// The binary digits of the approximations of a level.
+    /// The number 64·2^level of binary digits of the approximations at `level`.
     pub(super) fn bits(level: u32) -> u32 {
         64_u32.checked_shl(level).filter(|&bits| bits > 0).expect("it fits in memory")
     }
 
-    /// The integers within 1 of 2^bits·2cos(2πk/n), k = 0, …, m − 1.
+    /// Integers within 1 of 2^bits·2cos(2πk/n), k = 0, …, m − 1, for the `bits` of this
+    /// level.
     pub(super) fn table(&self, level: u32) -> Table {
         let key = (self.conductor, level);
         if let Some(table) = lock(&TABLES).get(&key) {
@@ -102,13 +106,13 @@ impl Field {
         Arc::clone(lock(&TABLES).entry(key).or_insert(table))
     }
 
-    /// [`table`](Self::table) of level 0.
+    /// The [`table`](Self::table) of level 0, as machine integers.
     pub(super) fn words(&self) -> &[i128] {
         &self.words
     }
 
-    /// What [`Field::find_reduced`](Self::find_reduced) finds, found once for the whole
-    /// program.
+    /// The result of [`Field::find_reduced`](Self::find_reduced), computed once and then
+    /// shared.
     pub(super) fn reduced(&self) -> Arc<Vec<Terms>> {
         if let Some(found) = lock(&REDUCED).get(&self.conductor) {
             return Arc::clone(found);
@@ -117,19 +121,20 @@ impl Field {
         Arc::clone(lock(&REDUCED).entry(self.conductor).or_insert(found))
     }
 
-    /// The index in 0, …, ⌊n/2⌋ of the same cosine as k.
+    /// The index j in 0, …, ⌊n/2⌋ with cos(2πj/n) = cos(2πk/n).
     pub(super) fn fold(&self, k: usize) -> usize {
         let k = k % self.conductor;
         k.min(self.conductor - k)
     }
 
-    /// Room for the coefficients of C_0, …, C_⌊n/2⌋.
+    /// Zeros, one for each of the coefficients of C_0, …, C_⌊n/2⌋.
     pub(super) fn room(&self) -> Vec<Integer> {
         vec![Integer::zero(); self.conductor / 2 + 1]
     }
 
-    /// Σ a_k C_k for k = 0, …, ⌊n/2⌋, in the basis of the first m: from the top, a_k C_{k−h}
-    /// times the shortest relation of degree h ≤ k, which is 0, is taken away.
+    /// Σ_{k≤⌊n/2⌋} a_k C_k in the basis C_0, …, C_{m−1}. For k from the top down to m, it
+    /// subtracts a_k C_{k−h} times a relation of degree h ≤ k, whose value is 0. Among these
+    /// relations it takes the one with the fewest terms.
     pub(super) fn reduce(&self, mut coefficients: Vec<Integer>) -> Vec<Integer> {
         let mut relations = self.relations.iter().peekable();
         for k in (self.degree..coefficients.len()).rev() {
@@ -172,8 +177,8 @@ impl Field {
         self.reduce(sum)
     }
 
-    /// The element with every C_k replaced by C_{k·multiplier}: an automorphism, for
-    /// a multiplier prime to n.
+    /// The element with every C_k replaced by C_{k·multiplier}. For a multiplier coprime
+    /// to n this is an automorphism of the field.
     pub(super) fn conjugate(&self, element: &[Integer], multiplier: usize) -> Vec<Integer> {
         let mut sum = self.room();
         for (k, coefficient) in element.iter().enumerate() {
@@ -183,7 +188,8 @@ impl Field {
     }
 }
 
-/// Φ_d(x^{n/d}) as a sum of cosines, for a divisor d ≥ 3 of n.
+/// The relation Φ_d(x^{n/d}) = 0 at x = e^{2πi/n} as a sum of cosines, for a divisor d ≥
+/// 3 of n.
 fn relation(n: usize, d: usize) -> Relation {
     let mut coefficients = cyclotomic(d);
     coefficients.pop();

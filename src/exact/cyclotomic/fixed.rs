@@ -1,21 +1,21 @@
 //! Enclosures of cosines in fixed point: integers over a power of two.
 //!
-//! θ = 2cos(2π/n) comes from the alternating series of the arc tangent and the
-//! cosine, whose errors are counted as they go. That costs the same for every n,
-//! while a root of Ψ_n by bisection or Newton's method would evaluate a polynomial
-//! with coefficients of up to 0.7·φ(n)/2 bits at each step.
+//! θ = 2cos(2π/n) comes from the alternating series of the arc tangent and the cosine,
+//! with a running bound on the rounding errors. The cost does not depend on n. Bisection
+//! or Newton's method for a root of Ψ_n would evaluate, in each step, a polynomial with
+//! coefficients of up to 0.7·φ(n)/2 bits.
 
 use crate::exact::Integer;
 
-/// 2^bits·2cos(2πk/n) for k = 0, …, count − 1, each with an error below 1; for
-/// n ≥ 5 and count ≤ n.
+/// Integers within 1 of 2^bits·2cos(2πk/n) for k = 0, …, count − 1, where n ≥ 5 and count
+/// ≤ n.
 ///
-/// By the recurrence c_{k+1} = θ c_k − c_{k−1} from an approximation θ̃ = 2cos t̃ of
-/// θ, with g guard bits and units u = 2^−(bits+g). Rounding down errs by less than
-/// u in each step, and an error e made in c_i grows to e·sin((k+1−i)t̃)/sin t̃, at
-/// most (k − i + 1)e; these sum to less than k²u/2. If |θ̃ − θ| ≤ δu, then c_k moves
-/// by at most k²δu, for |dC_k/dθ| ≤ k². The guard bits make k²(δ + 1)u a quarter of
-/// 2^−bits, and rounding to nearest adds a half.
+/// They come from the recurrence c_{k+1} = θ c_k − c_{k−1}, with an approximation θ̃ =
+/// 2cos t̃ of θ, with g guard bits and units u = 2^−(bits+g). Rounding down adds an error
+/// below u in each step, and an error e made in c_i grows to e·sin((k+1−i)t̃)/sin t̃, at
+/// most (k − i + 1)e; these sum to less than k²u/2. If |θ̃ − θ| ≤ δu, then c_k moves by
+/// at most k²δu, for |dC_k/dθ| ≤ k². The guard bits make k²(δ + 1)u a quarter of 2^−bits,
+/// and the final rounding to the nearest integer adds at most one half.
 #[must_use]
 pub fn cosines(n: usize, count: usize, bits: u32) -> Vec<Integer> {
     let mut guard = 2 * (n.ilog2() + 1) + bits.ilog2() + 8;
@@ -39,15 +39,16 @@ pub fn cosines(n: usize, count: usize, bits: u32) -> Vec<Integer> {
 
 /// 2^bits·2cos(2π/n), n ≥ 5, with a bound on its error.
 ///
-/// 2Σ_i (−1)^i x^{2i}/(2i)! at x = X/2^bits, X an integer near 2^bits·2π/n. Here
-/// x < 1.3, so that x²/((2i+1)(2i+2)) < 1: with each term rounded down, the error
-/// of a term stays below 2 (e' ≤ 0.85e + 1 for the first, 0.15e + 1 for all others),
-/// and the first term that rounds to 0 bounds the rest of the series, by 2.
+/// 2Σ_i (−1)^i x^{2i}/(2i)! at x = X/2^bits, X an integer near 2^bits·2π/n. Here x < 1.3,
+/// so x²/((2i+1)(2i+2)) < 1. Each term is rounded down. From one term to the next, an
+/// error e becomes at most 0.85e + 1 in the first step and 0.15e + 1 in all later ones,
+/// so it stays below 2. The rest of the series is at most the first term that rounds to
+/// 0, hence below 2.
 fn twice_cosine(n: usize, bits: u32) -> (Integer, Integer) {
     let (pi, pi_error) = pi(bits);
     let n = Integer::from(n);
     let x = (&pi + &pi).div_floor(&n);
-    // |x − 2π/n|, and so the effect on the cosine.
+    // A bound on |x − 2π/n|, and so on its effect on the cosine.
     let x_error = (&pi_error + &pi_error).div_floor(&n) + Integer::from(2);
     let square = &x * &x;
     let (mut term, mut sum, mut count) = (Integer::one().shifted_left(bits), Integer::zero(), 0);
@@ -75,8 +76,8 @@ pub fn pi(bits: u32) -> (Integer, Integer) {
     (&sixteen * fifth - &four * small, sixteen * fifth_error + four * small_error)
 }
 
-/// 2^bits·arctan(1/q), with a bound on its error: Σ_i (−1)^i /((2i+1)q^{2i+1}), each
-/// term rounded down once, since ⌊⌊x/a⌋/b⌋ = ⌊x/ab⌋; the rest is less than 1.
+/// 2^bits·arctan(1/q), with a bound on its error: Σ_i (−1)^i /((2i+1)q^{2i+1}), each term
+/// rounded down once, since ⌊⌊x/a⌋/b⌋ = ⌊x/ab⌋. The omitted terms sum to less than 1.
 fn inverse_arctangent(q: u32, bits: u32) -> (Integer, Integer) {
     let (square, mut power) = (Integer::from(q * q), Integer::one().shifted_left(bits));
     power = power.div_floor(&Integer::from(q));

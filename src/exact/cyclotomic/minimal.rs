@@ -10,9 +10,9 @@ impl RealCyclotomic {
     /// The minimal polynomial over the rationals, as a primitive integer polynomial
     /// with positive leading coefficient.
     ///
-    /// Its degree d is the number of different conjugates, found exactly. Its
-    /// coefficients come from the sums of the powers of these by Newton's
-    /// identities, and the sums from traces, for d products in the field.
+    /// Its degree d is the number of distinct conjugates, which is determined exactly.
+    /// Its coefficients follow by Newton's identities from the power sums of the
+    /// conjugates, and the power sums are traces. The cost is d products in the field.
     ///
     /// ```
     /// use subcert::exact::{Rational, RealCyclotomic};
@@ -33,8 +33,8 @@ impl RealCyclotomic {
 }
 
 impl Element {
-    /// For f/q: with e_i the elementary symmetric functions of the conjugates of f,
-    /// Σ_i (−1)^i e_i (qx)^{d−i}.
+    /// For the number f/q: Σ_i (−1)^i e_i (qx)^{d−i}, made primitive, where e_i is the
+    /// i-th elementary symmetric function of the conjugates of f.
     fn minimal_polynomial(&self) -> IntegerPolynomial {
         let degree = self.conjugate_count();
         let symmetric = elementary(&self.power_sums(degree));
@@ -49,8 +49,8 @@ impl Element {
         IntegerPolynomial::new(coefficients).primitive()
     }
 
-    /// The number of different conjugates: m over the order of the stabiliser in
-    /// the Galois group (Z/n)*/±1.
+    /// The number of distinct conjugates: m divided by the order of the stabiliser in the
+    /// Galois group (Z/n)*/±1.
     fn conjugate_count(&self) -> usize {
         let n = self.field.conductor();
         let group = (1..=n / 2).filter(|&a| num_integer::gcd(a, n) == 1);
@@ -59,8 +59,8 @@ impl Element {
         self.field.degree() / fixing.count()
     }
 
-    /// p_1, …, p_count: p_i the sum of the i-th powers of the `count` different
-    /// conjugates of f, an integer.
+    /// p_1, …, p_count, where the integer p_i is the sum of the i-th powers of the
+    /// `count` distinct conjugates of f.
     fn power_sums(&self, count: usize) -> Vec<Integer> {
         let traces = traces(&self.field);
         let scale = Integer::from(self.field.degree() / count);
@@ -77,8 +77,8 @@ impl Element {
     }
 }
 
-/// The traces of 1, C_1, …, C_{m−1} to Q: m, and Ramanujan's sum μ(h)·φ(n)/φ(h) for
-/// h = n/gcd(n, k).
+/// The traces over Q of 1, C_1, …, C_{m−1}: the trace of 1 is m, and that of C_k is
+/// Ramanujan's sum μ(h)·φ(n)/φ(h) with h = n/gcd(n, k).
 fn traces(field: &Field) -> Vec<Integer> {
     let n = field.conductor();
     let trace = |k: usize| {
@@ -115,7 +115,7 @@ fn elementary(sums: &[Integer]) -> Vec<Integer> {
 }
 
 impl From<&RealCyclotomic> for RealAlgebraic {
-    /// The root of the minimal polynomial that this is.
+    /// This number as a root of its minimal polynomial.
     fn from(value: &RealCyclotomic) -> RealAlgebraic {
         if let Some(value) = value.as_rational() {
             return RealAlgebraic::from(value.clone());

@@ -4,13 +4,13 @@
 //! |---|---|
 //! | `symmetric` | sums of x^k + x^(−k); the polynomials Φ_n and Ψ_n |
 //! | `fixed` | enclosures of cosines |
-//! | `error` | what can be wrong with a cosine |
-//! | `field` | the fields, shared; products and reduction |
-//! | `number` | the number type: how numbers are made and what they tell |
-//! | `arithmetic` | its operators |
+//! | `error` | the errors of cosines |
+//! | `field` | the fields, each built once; products and reduction |
+//! | `number` | the number type: constructors and accessors |
+//! | `arithmetic` | the operators of the number type |
 //! | `order` | sign, order, enclosures |
 //! | `row_product` | rows times matrices |
-//! | `sparse` | numbers in few cosines |
+//! | `sparse` | numbers as sums of few cosines |
 //! | `norm` | inverses, by norms modulo primes |
 //! | `minimal` | the minimal polynomial of a number |
 

@@ -4,16 +4,16 @@ use super::field::Field;
 use super::symmetric::product;
 use crate::exact::Integer;
 
-/// (A, N) with f·A = N, where N is the norm of f ≠ 0 from `Z[θ]` and A, the product
-/// of the other conjugates, is in `Z[θ]` too.
+/// (A, N) with f·A = N for f ≠ 0 in `Z[θ]`. N is the norm of f. A is the product of the
+/// other conjugates of f, and lies in `Z[θ]` too.
 ///
 /// Modulo a prime p, N is the resultant of Ψ_n and f, and A = N/f in `F_p[y]`/Ψ_n; both
-/// come out of one Euclidean algorithm. The Chinese remainder theorem puts them
-/// together, until another prime changes nothing; f·A = N is then checked, so that
-/// the answer is right whatever primes it came from.
+/// come from one run of the Euclidean algorithm. The Chinese remainder theorem combines
+/// the results of several primes until a further prime changes nothing. Then f·A = N is
+/// checked, so the answer is right whichever primes were used.
 pub(super) fn cofactor(field: &Field, f: &[Integer]) -> (Vec<Integer>, Integer) {
     let mut modulus = Integer::one();
-    // The coefficients of A, and N at the end.
+    // The coefficients of A, followed by N.
     let mut lifted = vec![Integer::zero(); field.degree() + 1];
     for p in primes() {
         let residues: Vec<u64> = f.iter().map(|a| u64::from(a.residue(p))).collect();
@@ -27,7 +27,8 @@ pub(super) fn cofactor(field: &Field, f: &[Integer]) -> (Vec<Integer>, Integer) 
                 continue;
             }
             stable = false;
-            // The residue of least absolute value, so that negative numbers settle.
+            // The residue of least absolute value, so that negative numbers become stable
+            // too.
             let step = Integer::from(step);
             let step =
                 if &step + &step > Integer::from(p) { step - Integer::from(p) } else { step };
@@ -49,8 +50,7 @@ fn narrow(p: u64) -> u32 {
     u32::try_from(p).expect("a prime of 31 bits")
 }
 
-/// The coefficients of A modulo p, and N modulo p after them; `None` when p divides
-/// N.
+/// The coefficients of A modulo p, followed by N modulo p. `None` when p divides N.
 fn cofactor_modulo(field: &Field, mut f: Vec<u64>, p: u64) -> Option<Vec<u64>> {
     let mut psi = vec![0; field.degree() + 1];
     psi[field.degree()] = 1;
@@ -58,7 +58,7 @@ fn cofactor_modulo(field: &Field, mut f: Vec<u64>, p: u64) -> Option<Vec<u64>> {
         psi[k] = a.rem_euclid(p.cast_signed()).cast_unsigned();
     }
     trim(&mut f);
-    // r_i = s_i f modulo Ψ; and res(Ψ, f) = norm·res(r_0, r_1).
+    // Invariants: r_i = s_i f modulo Ψ, and res(Ψ, f) = norm·res(r_0, r_1).
     let (mut r0, mut r1) = (psi, f);
     let (mut s0, mut s1) = (vec![0; field.degree() + 1], vec![0; field.degree() + 1]);
     s1[0] = 1;
@@ -101,7 +101,7 @@ fn subtract(target: &mut [u64], factor: u64, shift: usize, source: &[u64], p: u6
     }
 }
 
-/// Without the zeros at the top.
+/// Removes the leading zeros, those of the highest degrees.
 fn trim(coefficients: &mut Vec<u64>) {
     let length = coefficients.iter().rposition(|&c| c != 0).map_or(0, |last| last + 1);
     coefficients.truncate(length);
@@ -121,13 +121,13 @@ fn power(mut base: u64, mut exponent: u64, p: u64) -> u64 {
     result
 }
 
-/// The primes below 2^31, from the greatest down.
+/// The primes below 2^31, in decreasing order.
 pub fn primes() -> impl Iterator<Item = u32> {
     (3..1 << 31).rev().step_by(2).filter(|&candidate| is_prime(candidate))
 }
 
-/// For odd n with 61 < n < 2^32: strong probable primes to the bases 2, 7 and 61 are
-/// primes there (Jaeschke 1993).
+/// Whether n is prime, for odd n with 61 < n < 2^32. In this range every strong probable
+/// prime to the bases 2, 7 and 61 is a prime (Jaeschke 1993).
 #[must_use]
 pub fn is_prime(n: u32) -> bool {
     let n = u64::from(n);

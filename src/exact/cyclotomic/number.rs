@@ -10,14 +10,14 @@ use std::sync::Arc;
 /// A real number of some field Q(2cos(2π/n)): a rational number, or a sum of
 /// rational multiples of cosines of rational multiples of π.
 ///
-/// Exact throughout: numbers are equal when they are the same real number, and
-/// compare as real numbers. A number that happens to be rational is kept as a
-/// [`Rational`]. Others are kept as integers a_k over one denominator, for Σ_{k<m}
-/// a_k·2cos(2πk/n) (1 for k = 0), m = φ(n)/2; which are the polynomials in 2cos(2π/n)
-/// modulo its minimal polynomial, in a basis that keeps them small.
+/// Arithmetic and comparison are exact, as for real numbers. A rational number is always
+/// stored as a [`Rational`]. An irrational number is stored as integers a_k over one
+/// denominator q: it is (a_0 + Σ_{1≤k<m} a_k·2cos(2πk/n))/q with m = φ(n)/2. This is a
+/// polynomial in 2cos(2π/n) modulo the minimal polynomial, written in a basis that keeps
+/// the coefficients small.
 ///
-/// Arithmetic of numbers from fields of conductors m and n happens in the field of
-/// conductor lcm(m, n). It panics when that is beyond [`MAX_CONDUCTOR`]; see
+/// An operation on numbers of conductors m and n is done in the field of conductor
+/// lcm(m, n). It panics when lcm(m, n) is beyond [`MAX_CONDUCTOR`]; see
 /// [`common_conductor`](super::common_conductor).
 ///
 /// ```
@@ -54,7 +54,7 @@ impl<T: Into<Rational>> From<T> for RealCyclotomic {
     }
 }
 
-/// A copy: what takes a number takes a reference to one.
+/// Clones, so that `impl Into` accepts references.
 impl From<&RealCyclotomic> for RealCyclotomic {
     fn from(value: &RealCyclotomic) -> RealCyclotomic {
         value.clone()
@@ -109,7 +109,7 @@ impl RealCyclotomic {
         }
     }
 
-    /// The number with these numerators over `denominator` > 0, in lowest terms.
+    /// The number with these numerators over `denominator` > 0, brought to lowest terms.
     pub(super) fn normal(
         field: Arc<Field>,
         mut numerators: Vec<Integer>,
@@ -143,8 +143,8 @@ impl RealCyclotomic {
         }
     }
 
-    /// The n of the field Q(2cos(2π/n)) that this is kept in, never 2 mod 4; 1 for
-    /// a rational number. Another n may do too, also a smaller one.
+    /// The conductor n of the field Q(2cos(2π/n)) in which this number is stored; never 2
+    /// mod 4, and 1 for a rational number. The number may also lie in a smaller field.
     ///
     /// # Panics
     /// Never.
@@ -158,7 +158,7 @@ impl RealCyclotomic {
         }
     }
 
-    /// The number of coefficients that are not 0: what a product costs.
+    /// The number of coefficients that are not 0: a measure of the cost of a product.
     #[must_use]
     pub fn term_count(&self) -> usize {
         match &self.0 {
@@ -167,8 +167,9 @@ impl RealCyclotomic {
         }
     }
 
-    /// The number of binary digits of the m coefficients and their denominator
-    /// together, where each coefficient counts for at least 4: what a sum costs.
+    /// The number of binary digits of the m coefficients and of their denominator
+    /// together, where each coefficient counts at least 4: a measure of the cost of a
+    /// sum.
     #[must_use]
     pub fn bits(&self) -> u64 {
         match &self.0 {
@@ -180,8 +181,9 @@ impl RealCyclotomic {
         }
     }
 
-    /// What one product in the row of `levels` powers of a matrix of such numbers costs,
-    /// in ten nanoseconds: t²(1 + cb/16), for t terms of up to b bits with their denominator.
+    /// The estimated time of one product, in units of 10 ns, when a row is multiplied
+    /// `levels` times by a matrix of such numbers: t²(1 + levels·b/16), where t is the number
+    /// of terms and b the number of bits of the longest term and the denominator together.
     pub(crate) fn row_product_size(&self, levels: u32) -> u64 {
         let (terms, bits) = match &self.0 {
             Form::Rational(value) => (1, value.bits()),
@@ -214,13 +216,13 @@ impl RealCyclotomic {
 }
 
 impl Element {
-    /// The k and a_k ≠ 0.
+    /// The pairs (k, a_k) with a_k ≠ 0.
     pub(super) fn terms(&self) -> impl Iterator<Item = (usize, &Integer)> {
         self.numerators.iter().enumerate().filter(|(_, numerator)| !numerator.is_zero())
     }
 
-    /// The numerators in `field`, whose conductor is a multiple of this one's:
-    /// 2cos(2πk/n) is 2cos(2πks/(ns)).
+    /// The numerators in the basis of `field`, whose conductor is a multiple ns of this
+    /// element's conductor n: 2cos(2πk/n) = 2cos(2πks/(ns)).
     pub(super) fn lifted(&self, field: &Field) -> Cow<'_, [Integer]> {
         if field.conductor() == self.field.conductor() {
             return Cow::Borrowed(&self.numerators);
@@ -235,7 +237,7 @@ impl Element {
 }
 
 impl fmt::Display for RealCyclotomic {
-    /// As a formula: `3/4 + 1/2*cos(2*pi/5) - cos(4*pi/5)`.
+    /// A formula: `3/4 + 1/2*cos(2*pi/5) - cos(4*pi/5)`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let element = match &self.0 {
             Form::Rational(value) => return value.fmt(f),

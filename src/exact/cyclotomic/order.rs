@@ -1,5 +1,5 @@
-//! Sign, order and enclosures: with the embedding in which 2cos(2π/n) is the
-//! greatest of its conjugates.
+//! Sign, order and enclosures, under the embedding into the reals in which 2cos(2π/n) has
+//! this value, the greatest of its conjugates.
 
 use super::field::Field;
 use super::number::{Element, Form, RealCyclotomic};
@@ -8,8 +8,8 @@ use std::cmp::Ordering;
 use std::hash::{Hash, Hasher};
 
 impl Element {
-    /// (s, e) with |s − 2^bits·q·self| ≤ e: each cosine is within 2^−bits of its
-    /// fixed-point value, so that e = Σ_{k≥1} |a_k|.
+    /// (s, e) with |s − 2^bits·q·self| ≤ e: each term 2cos(2πk/n) is within 2^−bits of
+    /// its fixed-point value, so e = Σ_{k≥1} |a_k|.
     fn fixed(&self, level: u32) -> (Integer, Integer) {
         let table = self.field.table(level);
         let (mut sum, mut error) =
@@ -21,8 +21,8 @@ impl Element {
         (sum, error)
     }
 
-    /// [`fixed`](Self::fixed) of level 0, where Σ |a_k| < 2^61: in machine words, as no
-    /// cosine is above 2^65 and no sum above 2^126.
+    /// [`fixed`](Self::fixed) of level 0 in machine words; `None` unless Σ |a_k| < 2^61.
+    /// No table entry exceeds 2^65, so no sum exceeds 2^126.
     fn fixed_words(&self) -> Option<(i128, i128)> {
         let table = self.field.words();
         let first = i128::from(self.numerators[0].to_i64()?);
@@ -38,7 +38,7 @@ impl Element {
         (size < 1 << 61).then_some((sum, error))
     }
 
-    /// The sign at this precision, if that decides it.
+    /// The sign, if the precision of this level decides it.
     fn sign_at(&self, level: u32) -> Option<i8> {
         if level == 0
             && let Some((sum, error)) = self.fixed_words()
@@ -51,16 +51,16 @@ impl Element {
 }
 
 impl RealCyclotomic {
-    /// −1, 0 or 1: 0 exactly for 0.
+    /// −1, 0 or 1; 0 only for the number 0.
     #[must_use]
     pub fn sign(&self) -> i8 {
         self.sign_with_refinements().0
     }
 
-    /// The sign, and how often the enclosures of the cosines had to be refined for
-    /// it, from 64 binary digits to twice as many, and again. Never when this is
-    /// rational, nor further than the first enclosure without 0: there is one, as 0
-    /// is recognised without any.
+    /// The sign, and how often the number of binary digits of the cosines, 64 at first,
+    /// had to be doubled to find it: 0 times for a rational number. The search ends at
+    /// the first enclosure that excludes 0. Such an enclosure exists, because 0 is stored
+    /// as a rational.
     ///
     /// # Panics
     /// Never.
@@ -74,8 +74,9 @@ impl RealCyclotomic {
         }
     }
 
-    /// The numbers without denominators, times one power of 2, to some 50 bits; if there
-    /// are irrational ones among them, and all are made of words.
+    /// Integers of about 50 bits near 2^s·x for the numbers x, with one s for all. The
+    /// numbers must have denominator 1. `None` when all are rational, or when the
+    /// coefficients do not fit in machine words.
     pub(super) fn rounded(values: &[RealCyclotomic]) -> Option<Vec<i64>> {
         let fixed = |value: &RealCyclotomic| match &value.0 {
             Form::Rational(value) => Some(i128::from(value.floor().to_i64()?) << Field::bits(0)),
@@ -104,8 +105,8 @@ impl RealCyclotomic {
         }
     }
 
-    /// The order of irrational numbers over one denominator, where the first enclosures in
-    /// words decide it.
+    /// The order of two irrational numbers with the same denominator, if their level-0
+    /// enclosures fit in machine words and decide it.
     fn compare_words(&self, other: &RealCyclotomic) -> Option<Ordering> {
         let (Form::Irrational(a), Form::Irrational(b)) = (&self.0, &other.0) else { return None };
         if a.denominator != b.denominator {
@@ -123,7 +124,7 @@ impl RealCyclotomic {
 }
 
 impl Enclosed for RealCyclotomic {
-    /// From cosines to 64·2^level binary digits.
+    /// Computed from the cosines to 64·2^level binary digits.
     fn enclosure(&self, level: u32) -> Enclosure {
         match &self.0 {
             Form::Rational(value) => Enclosure::exact(value.clone()),
@@ -140,11 +141,11 @@ impl Enclosed for RealCyclotomic {
 }
 
 impl Ord for RealCyclotomic {
-    /// By the first enclosures of the cosines, if these decide it; otherwise by the sign of
-    /// the difference.
+    /// Compares the enclosures of level 0. If they overlap, the sign of the difference
+    /// decides.
     ///
     /// # Panics
-    /// When they are not, and the numbers have no common field within the cap.
+    /// When the enclosures overlap and the numbers have no common field within the cap.
     fn cmp(&self, other: &RealCyclotomic) -> Ordering {
         if let (Form::Rational(a), Form::Rational(b)) = (&self.0, &other.0) {
             return a.cmp(b);
@@ -178,8 +179,8 @@ impl PartialOrd for RealCyclotomic {
 }
 
 impl PartialEq for RealCyclotomic {
-    /// Without enclosures in one field, where coefficients decide; otherwise as
-    /// [`Ord::cmp`].
+    /// Compares the coefficients, if both numbers are stored in the same field; otherwise
+    /// as [`Ord::cmp`].
     fn eq(&self, other: &RealCyclotomic) -> bool {
         match (&self.0, &other.0) {
             (Form::Rational(a), Form::Rational(b)) => a == b,
@@ -197,7 +198,8 @@ impl PartialEq for RealCyclotomic {
 impl Eq for RealCyclotomic {}
 
 impl Hash for RealCyclotomic {
-    /// ⌊2^64·self⌋, which does not depend on the field that this is kept in.
+    /// Hashes ⌊2^64·self⌋, which does not depend on the field in which the number is
+    /// stored.
     fn hash<H: Hasher>(&self, state: &mut H) {
         let scale = Rational::from(Integer::one().shifted_left(64));
         self.step(|value| (value * &scale).floor()).hash(state);

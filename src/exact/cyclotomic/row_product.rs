@@ -1,18 +1,18 @@
-//! wᵀM in integers over common denominators: one reduction for each sum, in place of one
-//! for each term.
+//! wᵀM in integers over common denominators. Each sum is reduced once, rather than each
+//! of its terms.
 //!
-//! A number is doubled and written as Σ_k a_k·2cos(2πk/n), k = 0, …, ⌊n/2⌋, so that all
-//! products follow one rule: 2cos(s)·2cos(t) = 2cos(s + t) + 2cos(s − t).
+//! Twice each number is written as Σ_k a_k·2cos(2πk/n), k = 0, …, ⌊n/2⌋. Then one rule
+//! holds for all products, also with k = 0: 2cos(s)·2cos(t) = 2cos(s + t) + 2cos(s − t).
 
 use super::field::Field;
 use super::number::{Form, RealCyclotomic};
 use crate::exact::{Integer, Rational};
 use std::sync::Arc;
 
-/// Σ a_k·2cos(2πk/n) as the pairs of k and a_k.
+/// Σ a_k·2cos(2πk/n) as the pairs (k, a_k).
 type Terms<C> = Vec<(usize, C)>;
 
-/// Factors of one size, and sums of their products.
+/// An integer type for the factors, and one for the sums of their products.
 trait Arithmetic {
     type Factor;
     type Sum: Clone;
@@ -21,10 +21,10 @@ trait Arithmetic {
     fn add(sum: &mut Self::Sum, value: &Self::Sum);
 }
 
-/// Where every sum fits.
+/// Machine integers, used where every sum fits.
 struct Words;
 
-/// For all others.
+/// Integers of any size, used otherwise.
 struct Integers;
 
 impl Arithmetic for Words {
@@ -66,7 +66,7 @@ pub(super) fn left_product(
     let field = (conductor > 1).then(|| Field::of(conductor));
     let (w, values) = (Common::of(w, field.as_ref()), Common::of(values, field.as_ref()));
     let result = Finish { field, denominator: &w.denominator * &values.denominator };
-    // A product is added at two places: no sum is above twice the bound.
+    // Each product is added at two places, so no sum exceeds twice the bound.
     let most = values.terms.iter().map(magnitude).max().unwrap_or_else(Integer::zero);
     let bound: Integer = w.terms.iter().map(|x| magnitude(x) * &most).sum();
     match (w.words(), values.words()) {
@@ -81,7 +81,7 @@ pub(super) fn left_product(
     }
 }
 
-/// Σ_a w_a m_{a,b} for each b, as the coefficients of k = 0, …, ⌊n/2⌋.
+/// For each b, the coefficients of Σ_a w_a m_{a,b} at 2cos(2πk/n), k = 0, …, ⌊n/2⌋.
 fn sums<A: Arithmetic>(
     w: &[Terms<A::Factor>],
     values: &[Terms<A::Factor>],
@@ -104,14 +104,15 @@ fn sums<A: Arithmetic>(
     })
 }
 
-/// Numbers over one denominator.
+/// Numbers over one common denominator.
 struct Common {
     denominator: Integer,
     terms: Vec<Terms<Integer>>,
 }
 
 impl Common {
-    /// These numbers, which are in `field`, or rational where there is none.
+    /// Writes `numbers` over one denominator. They lie in `field`; without a field they
+    /// are rational.
     fn of(numbers: &[RealCyclotomic], field: Option<&Arc<Field>>) -> Common {
         let denominator = RealCyclotomic::denominator(numbers);
         let terms = |number: &RealCyclotomic| match (&number.0, field) {
@@ -136,7 +137,7 @@ impl Common {
         Common { denominator: &denominator + &denominator, terms }
     }
 
-    /// The terms in words, if they fit.
+    /// The terms as machine words, if all fit.
     fn words(&self) -> Option<Vec<Terms<i64>>> {
         let word = |(k, a): &(usize, Integer)| Some((*k, a.to_i64()?));
         self.terms.iter().map(|terms| terms.iter().map(word).collect()).collect()
@@ -148,7 +149,7 @@ fn magnitude(terms: &Terms<Integer>) -> Integer {
     terms.iter().map(|(_, a)| a.abs()).sum()
 }
 
-/// What makes numbers of sums.
+/// Turns sums of products back into numbers.
 struct Finish {
     field: Option<Arc<Field>>,
     denominator: Integer,
@@ -156,7 +157,7 @@ struct Finish {
 
 impl Finish {
     fn number(&self, mut sum: Vec<Integer>) -> RealCyclotomic {
-        // 2cos 0 is 2.
+        // 2cos 0 = 2, but C_0 = 1.
         sum[0] = &sum[0] + &sum[0];
         match &self.field {
             None => Rational::new(sum.swap_remove(0), self.denominator.clone()).into(),

@@ -1,17 +1,19 @@
-//! Numbers in few cosines, more than the m of the basis being allowed.
+//! Numbers as sums of few cosines C_k, where k may go beyond the basis C_0, …, C_{m−1}.
 
 use super::field::{Field, Terms};
 use crate::exact::Integer;
 
-/// The numbers with so few terms that none are worth the search for fewer.
+/// Up to this many terms, no search for a sum of fewer terms is made.
 const FEW: usize = 2;
 
-/// The greatest conductor at which fewer are looked for: m(n/2 − m) numbers are kept.
+/// The greatest conductor n with a search for fewer terms: the search stores up to m(n/2
+/// − m) numbers.
 const MAX_SEARCHED: usize = 2_000;
 
 impl Field {
-    /// The (j, a_j) with a_j ≠ 0 in C_k = Σ_{j<m} a_j C_j, for k = m, …, ⌊n/2⌋ as long as
-    /// these are words: C_{k+1} = C_1 C_k − C_{k−1}.
+    /// For k = m, …, ⌊n/2⌋, the pairs (j, a_j) with a_j ≠ 0 in C_k = Σ_{j<m} a_j C_j, by
+    /// the recurrence C_{k+1} = C_1 C_k − C_{k−1}. The list ends before the first k with
+    /// a coefficient beyond `i64`.
     pub(super) fn find_reduced(&self) -> Vec<Terms> {
         let unit = |k: usize| {
             let mut sum = self.room();
@@ -32,10 +34,12 @@ impl Field {
         pairs.take(most + 1 - self.degree()).map_while(words).collect()
     }
 
-    /// The same number as Σ_k a_k C_k with k = 0, …, ⌊n/2⌋ and few terms, as far as they are
-    /// easily found: while some multiple of a C_k, k ≥ m, that takes the last of its
-    /// coefficients away leaves fewer terms, it is taken away. So α + βC_k, with up to m
-    /// coefficients in the basis, has two terms again. Numbers beyond words stay as they are.
+    /// The element with these `numerators` as Σ_k a_k C_k, k = 0, …, ⌊n/2⌋, with few terms.
+    /// The search is greedy. For each C_k with k ≥ m it considers the multiple that cancels
+    /// the coefficient at the last basis element of C_k, and subtracts the multiple that
+    /// leaves the fewest terms, as long as the number of terms decreases. So α + βC_k, which
+    /// may have m coefficients in the basis, has two terms again. Elements with a coefficient
+    /// beyond `i64` are returned as they are.
     pub(super) fn sparse(&self, numerators: &[Integer]) -> Vec<(usize, Integer)> {
         let terms = || numerators.iter().enumerate().filter(|(_, a)| !a.is_zero());
         let words: Option<Vec<i64>> = numerators.iter().map(Integer::to_i64).collect();
@@ -56,8 +60,8 @@ impl Field {
         rest.chain(found).map(|(k, a)| (k, Integer::from(a))).collect()
     }
 
-    /// The k and the factor of C_k that leave the fewest terms, counting their own, if these
-    /// are fewer than there are.
+    /// The k and the factor for which subtracting factor·C_k leaves the fewest terms, the
+    /// new term of C_k included. `None` when no choice decreases the number of terms.
     fn fewer(&self, number: &[i64], cosines: &[Terms]) -> Option<(usize, i64)> {
         let now = number.iter().filter(|a| **a != 0).count();
         let after = |(k, cosine): (usize, &Terms)| {

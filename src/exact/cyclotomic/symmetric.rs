@@ -1,14 +1,15 @@
 //! Sums of C_k = x^k + x^(−k), and the cyclotomic polynomials among them.
 //!
-//! A symmetric Laurent polynomial is kept as its coefficients a_0, a_1, … for
-//! a_0 + Σ_{k≥1} a_k C_k. In y = x + 1/x, C_k is a monic polynomial of degree k
-//! (2T_k(y/2), with T_k of Chebyshev), so that these are the polynomials in y, in
-//! a basis in which products, reduction modulo Φ_n and values stay small.
+//! A symmetric Laurent polynomial a_0 + Σ_{k≥1} a_k C_k is stored as its coefficients
+//! a_0, a_1, … With y = x + 1/x, C_k = 2T_k(y/2) is a monic polynomial of degree k in y,
+//! where T_k is the Chebyshev polynomial. So the C_k are a basis of the polynomials in y.
+//! In this basis the numbers in products, in reductions modulo Φ_n and in values stay
+//! small.
 
 use crate::exact::{Integer, IntegerPolynomial};
 
-/// C_t·C_j = C_first + times·C_second, where C_0 stands for 1: as
-/// (first, second, times).
+/// (first, second, times) with C_t·C_j = C_first + times·C_second, where C_0 stands for
+/// 1.
 pub(super) fn product(t: usize, j: usize) -> (usize, usize, u8) {
     match (t, j) {
         (0, k) | (k, 0) => (k, 0, 0),
@@ -43,14 +44,15 @@ pub(super) fn totient(n: usize) -> usize {
 
 /// a_0, …, a_m with Φ_n(x) = x^m (a_0 + Σ_k a_k C_k), m = φ(n)/2, for n ≥ 3; a_m = 1.
 ///
-/// Φ_n = Π_{d|n} (1 − x^d)^{μ(n/d)} as a power series, up to x^m. Sums may wrap
-/// around on the way: they are right modulo 2^64, and a coefficient of a cyclotomic
-/// polynomial that fits in memory fits in 64 bits.
+/// Φ_n = Π_{d|n} (1 − x^d)^{μ(n/d)} as a power series, up to x^m. Intermediate sums may
+/// wrap around. They are right modulo 2^64, and the coefficients of every cyclotomic
+/// polynomial that fits in memory fit in 64 bits.
 pub(super) fn cyclotomic(n: usize) -> Vec<i64> {
     let m = totient(n) / 2;
     let mut series = vec![0_i64; m + 1];
     series[0] = 1;
-    // n/d runs through the products of different primes, by bits of `choice`.
+    // n/d runs through the products of distinct primes; the bits of `choice` select the
+    // primes.
     let primes = prime_divisors(n);
     for choice in 0_usize..1 << primes.len() {
         let chosen = primes.iter().enumerate().filter(|(bit, _)| choice >> bit & 1 == 1);
@@ -98,8 +100,8 @@ pub fn cosine_polynomial(n: u32) -> IntegerPolynomial {
     }
     let a = cyclotomic(n as usize);
     let m = a.len() - 1;
-    // b_k and b_{k+1}, each times a sign that changes with every second k; so that
-    // b_{k+2} becomes b_k where it stands, by additions or by subtractions only.
+    // ±b_k and ±b_{k+1}, where the sign changes at every second k. With these signs
+    // b_{k+2} becomes b_k in place, by additions only or by subtractions only.
     let (mut this, mut other) = (vec![Integer::zero(); m + 1], vec![Integer::zero(); m + 1]);
     let negated = |k: usize| k / 2 % 2 == 1;
     for k in (0..=m).rev() {

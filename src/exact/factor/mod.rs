@@ -5,23 +5,23 @@ mod modular;
 use super::{Integer, IntegerPolynomial};
 use modular::Modular;
 
-/// How many primes are tried; that with the fewest factors is taken.
+/// The number of primes that are tried. The prime with the fewest modular factors is
+/// used.
 const PRIMES_TRIED: usize = 4;
 
-/// The first number that is looked at for a prime.
+/// The search for primes starts at this number.
 const FIRST_PRIME: u32 = 10_007;
 
 /// The most combinations of modular factors that are tried.
 const MAX_COMBINATIONS: u32 = 1 << 16;
 
 impl IntegerPolynomial {
-    /// The distinct irreducible factors over Q, each primitive, that are not
-    /// constant; `None` when that takes more than 2^16 combinations of factors
-    /// modulo a prime.
+    /// The distinct non-constant irreducible factors over Q, each primitive. `None` when
+    /// more than 2^16 combinations of factors modulo a prime would have to be tried.
     ///
-    /// The polynomial is factored modulo a prime, its factors are lifted modulo a
-    /// power of the prime that is beyond twice the coefficients of all true factors,
-    /// and combined (Zassenhaus 1969).
+    /// The polynomial is factored modulo a prime p. The factors are lifted to a power of
+    /// p that exceeds twice the coefficients of all factors over Q, and then combined
+    /// (Zassenhaus 1969).
     ///
     /// # Panics
     /// When this is 0.
@@ -55,8 +55,9 @@ fn reduced(f: &IntegerPolynomial, p: u32) -> Modular {
     f.coefficients().iter().map(|c| u64::from(c.residue(p))).collect()
 }
 
-/// A prime that keeps the degree of f and its roots apart, and the monic factors
-/// of f modulo it. All but finitely many primes do.
+/// A prime modulo which f keeps its degree and stays square-free, with the monic
+/// irreducible factors of f modulo this prime. All but finitely many primes have this
+/// property.
 fn best_prime(f: &IntegerPolynomial) -> (u32, Vec<Modular>) {
     let is_prime = |n: &u32| (2..=n.isqrt()).all(|d| !n.is_multiple_of(d));
     let factors = |p: u32| {
@@ -69,7 +70,7 @@ fn best_prime(f: &IntegerPolynomial) -> (u32, Vec<Modular>) {
     tried.min_by_key(|(_, factors)| factors.len()).expect("there are infinitely many primes")
 }
 
-/// The true factors from those modulo p.
+/// The factors over Q, found by combining the factors modulo p.
 fn combined(f: IntegerPolynomial, modular: &[Modular], p: u32) -> Option<Vec<IntegerPolynomial>> {
     let (mut lifted, modulus) = lifted(&f, modular, p);
     let (mut rest, mut found, mut tried) = (f, Vec::new(), 0);
@@ -107,7 +108,7 @@ fn combined(f: IntegerPolynomial, modular: &[Modular], p: u32) -> Option<Vec<Int
     Some(found)
 }
 
-/// The subsets of 0, …, n − 1 of this size, each in rising order.
+/// The subsets of {0, …, n − 1} with `size` elements, each in increasing order.
 fn choices(n: usize, size: usize) -> impl Iterator<Item = Vec<usize>> {
     let mut next = (size <= n).then(|| (0..size).collect::<Vec<usize>>());
     std::iter::from_fn(move || {
@@ -123,7 +124,7 @@ fn choices(n: usize, size: usize) -> impl Iterator<Item = Vec<usize>> {
     })
 }
 
-/// The coefficients mod m, of least absolute value.
+/// f with every coefficient replaced by its residue mod m of least absolute value.
 fn centred(f: &IntegerPolynomial, m: &Integer) -> IntegerPolynomial {
     let half = m.shifted_right(1);
     let centre = |c: &Integer| {
@@ -133,16 +134,17 @@ fn centred(f: &IntegerPolynomial, m: &Integer) -> IntegerPolynomial {
     IntegerPolynomial::new(f.coefficients().iter().map(centre).collect())
 }
 
-/// The monic factors lifted modulo p^e, with l·Π g_i ≡ f, and p^e. A factor of f
-/// of degree d has coefficients of at most 2^d·‖f‖ in absolute value (Mignotte
-/// 1974); p^e is beyond twice that times the leading coefficient l.
+/// The monic factors lifted modulo p^e, with l·Π g_i ≡ f, and p^e. A factor of f of
+/// degree d has coefficients of at most 2^d·‖f‖ in absolute value (Mignotte 1974); p^e
+/// exceeds 2l times this bound, where l is the leading coefficient.
 fn lifted(f: &IntegerPolynomial, modular: &[Modular], p: u32) -> (Vec<IntegerPolynomial>, Integer) {
     let modulus = u64::from(p);
     let degree = u32::try_from(f.coefficients().len()).expect("a polynomial fits in memory");
     let norm = f.coefficients().iter().map(Integer::abs).sum::<Integer>();
     let bound = (norm * f.leading()).shifted_left(degree + 1);
     let leading = u64::from(f.leading().residue(p));
-    // s_i with Σ_i s_i Π_{j≠i} g_j = 1/l: then e·s_i mod g_i is what g_i lacks of e.
+    // s_i with Σ_i s_i Π_{j≠i} g_j = 1/l. For an error e, the correction of g_i is e·s_i
+    // mod g_i.
     let cofactor = |i: usize| {
         let others = modular.iter().enumerate().filter(|(j, _)| *j != i);
         let product = others.fold(vec![1], |product, (_, g)| modular::times(&product, g, modulus));

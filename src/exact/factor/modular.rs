@@ -1,4 +1,4 @@
-//! Polynomials over the integers mod a prime p < 2^31, and their factors.
+//! Polynomials over the integers modulo a prime p < 2^31, and their factors.
 
 /// The coefficients c_0, c_1, …, c_d with c_d ≠ 0; none for 0.
 pub(super) type Modular = Vec<u64>;
@@ -79,7 +79,8 @@ fn gcd(f: &[u64], g: &[u64], p: u64) -> Modular {
 
 /// s with s·f ≡ 1 mod the monic g, for coprime f and g.
 pub(super) fn inverse_mod(f: &[u64], g: &[u64], p: u64) -> Modular {
-    // Euclid: a ≡ x·f, b ≡ y·f mod g, with monic a and b.
+    // Euclid's algorithm with the invariants a ≡ x·f and b ≡ y·f mod g, where a and b are
+    // monic.
     let (mut a, mut x) = (g.to_vec(), Vec::new());
     let first = remainder(f, g, p);
     let unit = first.last().map_or(1, |leading| inverse(*leading, p));
@@ -118,7 +119,7 @@ fn power_mod(f: &[u64], mut exponent: u64, g: &[u64], p: u64) -> Modular {
 pub(super) fn factors(f: &[u64], p: u64) -> Vec<Modular> {
     let mut found = Vec::new();
     let mut rest = f.to_vec();
-    // x^(p^d) mod the rest.
+    // x^(p^d) mod `rest`, for the degree d.
     let mut frobenius = vec![0, 1];
     for degree in 1.. {
         if rest.len() - 1 < 2 * degree {
@@ -138,7 +139,8 @@ pub(super) fn factors(f: &[u64], p: u64) -> Vec<Modular> {
     found
 }
 
-/// The factors of a product of irreducible ones of one degree.
+/// Appends to `found` the irreducible factors of `product`, which all have the degree
+/// `degree`.
 fn split(product: Modular, degree: usize, p: u64, found: &mut Vec<Modular>) {
     let mut seed = 1_u64;
     let mut stack = vec![product];
@@ -147,7 +149,7 @@ fn split(product: Modular, degree: usize, p: u64, found: &mut Vec<Modular>) {
             found.push(f);
             continue;
         }
-        // Any sequence of trial elements will do; each splits f with a chance of
+        // Any sequence of trial elements works. Each one splits f with a probability of
         // about one half.
         let trial: Modular = (0..f.len() - 1)
             .map(|_| {
@@ -155,7 +157,7 @@ fn split(product: Modular, degree: usize, p: u64, found: &mut Vec<Modular>) {
                 (seed >> 33) % p
             })
             .collect();
-        // trial^((p^d − 1)/2) by the powers p^i of it.
+        // trial^((p^d − 1)/2), from the product of the powers trial^(p^i), i < d.
         let (mut conjugate, mut norm) = (trimmed(trial), vec![1]);
         for _ in 0..degree {
             norm = remainder(&times(&norm, &conjugate, p), &f, p);

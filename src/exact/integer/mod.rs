@@ -10,8 +10,9 @@ use std::fmt;
 
 /// An integer of any size.
 ///
-/// One that fits is an `i64`, and costs what that costs; the others are of the arithmetic
-/// chosen at build time: num-bigint, or GMP with the feature `gmp`.
+/// Integers that fit are stored as `i64`, with arithmetic at the cost of `i64`. The
+/// others use the arithmetic chosen at build time: num-bigint, or GMP with the feature
+/// `gmp`.
 ///
 /// ```
 /// use subcert::exact::Integer;
@@ -23,7 +24,7 @@ use std::fmt;
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Integer(Form);
 
-/// Every value has one form only.
+/// Each value has exactly one form, so that derived equality and hashing are right.
 #[derive(Clone, PartialEq, Eq, Hash)]
 enum Form {
     Word(i64),
@@ -69,7 +70,7 @@ impl Integer {
     pub fn div_floor(&self, divisor: &Integer) -> Integer {
         assert!(!divisor.is_zero(), "division by zero");
         if let (Word(x), Word(y)) = (&self.0, &divisor.0) {
-            // −2^63/−1 alone does not fit.
+            // Of all quotients, only −2^63/−1 does not fit.
             if let Some(quotient) = x.checked_div_euclid(*y) {
                 let above = *y < 0 && x.rem_euclid(*y) != 0;
                 return Integer(Word(quotient - i64::from(above)));
@@ -94,7 +95,8 @@ impl Integer {
     pub fn gcd(&self, other: &Integer) -> Integer {
         match (&self.0, &other.0) {
             (Word(x), Word(y)) => Integer::from(gcd(x.unsigned_abs(), y.unsigned_abs())),
-            // A large one with a word: one step of Euclid's, unless the word is 0.
+            // A large number and a word other than 0: one step of Euclid's algorithm
+            // leaves two words.
             (Word(word), Large(large)) | (Large(large), Word(word)) if *word != 0 => {
                 let word = word.unsigned_abs();
                 Integer::from(gcd(word, backend::residue(large, word)))

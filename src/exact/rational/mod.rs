@@ -20,12 +20,12 @@ use std::fmt;
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Rational(Form);
 
-/// Every value has one form only.
+/// Each value has exactly one form, so that derived equality and hashing are right.
 #[derive(Clone, PartialEq, Eq, Hash)]
 enum Form {
     /// p and q.
     Words(i64, i64),
-    /// The same where one is beyond `i64`.
+    /// p and q, where at least one is beyond `i64`.
     Large(Box<Fraction>),
 }
 use Form::{Large, Words};
@@ -154,7 +154,7 @@ impl Rational {
         }
     }
 
-    /// This less its [`floor`](Rational::floor): from 0 to below 1.
+    /// The fractional part self − ⌊self⌋, in [0, 1); see [`floor`](Rational::floor).
     #[must_use]
     pub fn fract(&self) -> Rational {
         self - Rational::from(self.floor())
@@ -166,7 +166,7 @@ impl Rational {
         -(-self).floor()
     }
 
-    /// The integer nearest to this, the even one of two.
+    /// The nearest integer; of two equally near ones, the even one.
     #[must_use]
     pub fn round_half_even(&self) -> Integer {
         let floor = self.floor();
@@ -179,8 +179,8 @@ impl Rational {
         if up { floor + Integer::one() } else { floor }
     }
 
-    /// The number of binary digits of numerator and denominator together: a
-    /// measure of what an operation on this costs.
+    /// The number of binary digits of numerator and denominator together: a measure of
+    /// the cost of an operation.
     #[must_use]
     pub fn bits(&self) -> u64 {
         match &self.0 {
@@ -189,7 +189,7 @@ impl Rational {
         }
     }
 
-    /// p/q in lowest terms.
+    /// p/q, given in lowest terms with q > 0.
     fn of(p: Integer, q: Integer) -> Rational {
         Rational(match (p.to_i64(), q.to_i64()) {
             (Some(p), Some(q)) => Words(p, q),
@@ -197,7 +197,7 @@ impl Rational {
         })
     }
 
-    /// The same.
+    /// p/q, given in lowest terms with q > 0 as wide machine integers.
     fn of_words((p, q): (i128, i128)) -> Rational {
         match (i64::try_from(p), i64::try_from(q)) {
             (Ok(p), Ok(q)) => Rational(Words(p, q)),

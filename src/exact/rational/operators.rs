@@ -8,7 +8,8 @@ use crate::exact::word;
 use std::cmp::Ordering;
 use std::ops::Neg;
 
-/// Implements an operator by `$compute`, and its assigning form `$in_place` by that.
+/// Implements an operator by `$compute`, and its assigning form by `$in_place`, which
+/// calls `$compute`.
 macro_rules! operation {
     ($compute:ident, $in_place:ident, $trait:ident::$method:ident,
      $assign:ident::$assign_method:ident) => {
@@ -57,8 +58,8 @@ fn div(a: &Rational, b: &Rational) -> Rational {
     mul(a, &b.recip())
 }
 
-/// p/q + r/s. What the numerator shares with the least common denominator divides the
-/// greatest common divisor of q and s (Knuth 1997, 4.5.1).
+/// p/q + r/s. Every common factor of the numerator and the least common denominator
+/// divides gcd(q, s) (Knuth 1997, 4.5.1).
 fn sum(Fraction { p, q }: &Fraction, r: &Integer, s: &Integer) -> Rational {
     let divisor = q.gcd(s);
     let (reduced, cofactor) = (q.div_exact(&divisor), s.div_exact(&divisor));
@@ -95,7 +96,7 @@ impl From<Integer> for Rational {
     }
 }
 
-/// A copy: what takes a number takes a reference to one.
+/// Clones, so that `impl Into` accepts references.
 impl From<&Rational> for Rational {
     fn from(value: &Rational) -> Rational {
         value.clone()

@@ -1,11 +1,11 @@
-//! The greatest common divisor by Lehmer's algorithm: Euclid's steps on the leading digits,
-//! applied to all digits at once (Knuth 1997, 4.5.2, Algorithm L). num-bigint's own takes
-//! one bit at a time.
+//! The greatest common divisor by Lehmer's algorithm (Knuth 1997, 4.5.2, Algorithm L):
+//! several steps of Euclid's algorithm are computed from the leading bits and applied to
+//! the whole numbers at once. The function of num-bigint proceeds bit by bit.
 
 use crate::exact::word;
 use num_bigint::BigUint;
 
-/// How many leading bits the steps are computed from.
+/// The number of leading bits that the steps are computed from.
 const LEADING: u32 = 62;
 
 pub(super) fn gcd(a: &BigUint, b: &BigUint) -> BigUint {
@@ -26,7 +26,7 @@ pub(super) fn gcd(a: &BigUint, b: &BigUint) -> BigUint {
             Some([first, second]) => {
                 (a, b) = (combination(first, &a, &b), combination(second, &a, &b));
             }
-            // A quotient of many bits.
+            // The leading bits do not determine the first quotient: one full division.
             None => {
                 (a, b) = {
                     let rest = (number(&a) % number(&b)).to_u64_digits();
@@ -37,13 +37,14 @@ pub(super) fn gcd(a: &BigUint, b: &BigUint) -> BigUint {
     }
 }
 
-/// Some of Euclid's steps from (a, b), as the two combinations of a and b that they end
-/// with; `None` when the leading bits do not even determine the first quotient.
+/// The effect of several steps of Euclid's algorithm on (a, b): coefficients \[x, y\] of
+/// the two combinations x·a + y·b that result. `None` when the leading bits do not
+/// determine the first quotient.
 fn steps(a: &[u64], b: &[u64]) -> Option<[[i64; 2]; 2]> {
     let (mut high, mut low) = (leading(a, a)?, leading(b, a)?);
     let (mut first, mut second) = ([1, 0], [0, 1]);
-    // The quotient is determined when it is the same at both ends of what the bits left
-    // out can make of the fraction.
+    // The missing low bits leave an interval for the fraction a/b. The quotient is
+    // determined when both ends of this interval give the same one.
     while low + second[0] != 0 && low + second[1] != 0 {
         let quotient = (high + first[0]) / (low + second[0]);
         if quotient != (high + first[1]) / (low + second[1]) {
@@ -56,7 +57,7 @@ fn steps(a: &[u64], b: &[u64]) -> Option<[[i64; 2]; 2]> {
     (first[1] != 0).then_some([first, second])
 }
 
-/// The bits of `digits` that stand where the leading ones of `longer` do.
+/// The bits of `digits` at the places of the LEADING leading bits of `longer`.
 fn leading(digits: &[u64], longer: &[u64]) -> Option<i64> {
     let at = |place: usize| digits.get(place).copied().unwrap_or(0);
     let (last, top) = (longer.len() - 1, longer.last()?);
@@ -71,7 +72,7 @@ fn combination([x, y]: [i64; 2], a: &[u64], b: &[u64]) -> Vec<u64> {
     let mut carry = 0_i128;
     let mut sum: Vec<u64> = Vec::with_capacity(a.len());
     for (a, b) in a.iter().zip(digits) {
-        // Of opposite signs, so that the sum is below 2^126.
+        // x and y have opposite signs, so the sum is below 2^126.
         carry += x * i128::from(*a) + y * i128::from(*b);
         sum.push(low_digit(carry));
         carry >>= 64;
