@@ -60,6 +60,11 @@ impl Budget {
         self.left.load(Ordering::Relaxed)
     }
 
+    /// Leaves no steps to any clone: what is being computed ends as at its cap.
+    pub fn stop(&self) {
+        self.left.store(0, Ordering::Relaxed);
+    }
+
     /// Takes so many steps; none if they are not left.
     pub(crate) fn take(&self, steps: u64) -> bool {
         let left = self.left();
