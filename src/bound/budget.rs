@@ -60,15 +60,18 @@ impl Budget {
         self.left.load(Ordering::Relaxed)
     }
 
+    /// Takes all steps that remain, from any thread. What is being computed with this budget or its
+    /// clones ends as at its cap.
+    pub fn stop(&self) {
+        self.left.store(0, Ordering::Relaxed);
+    }
+
     /// Takes `steps` steps and returns `true`; takes none and returns `false` if fewer
     /// remain.
     pub(crate) fn take(&self, steps: u64) -> bool {
-        let left = self.left();
-        let enough = steps <= left;
-        if enough {
-            self.left.store(left - steps, Ordering::Relaxed);
-        }
-        enough
+        // In one step, so that a stop in another thread is not lost.
+        let take = |left: u64| left.checked_sub(steps);
+        self.left.fetch_update(Ordering::Relaxed, Ordering::Relaxed, take).is_ok()
     }
 
     /// Runs a search that may use up to `most` steps, and at most the remaining ones, and
@@ -113,11 +116,8 @@ impl Share<'_> {
     /// Takes `steps` steps and returns `true`. If fewer remain, takes none, and every
     /// later call fails too.
     pub(crate) fn take(&self, steps: u64) -> bool {
-        let (all, left) = (self.budget.left(), self.left());
-        let enough = steps <= left;
-        if enough {
-            self.budget.left.store(all - steps, Ordering::Relaxed);
-        }
+        let left = self.left();
+        let enough = steps <= left && self.budget.take(steps);
         self.left.set(if enough { left - steps } else { 0 });
         enough
     }

@@ -1,0 +1,96 @@
+"""Exact numbers."""
+
+from __future__ import annotations
+
+import math
+from decimal import Decimal
+from fractions import Fraction
+from functools import total_ordering
+from typing import Any, List, Optional, Tuple, Union
+
+from . import _native
+from ._errors import SubcertError
+
+#: What is read as an exact number: an int, a Fraction, a Decimal, or text such as "3/256" or "0.1".
+Number = Union[int, Fraction, Decimal, str]
+
+
+def exact(value: Any) -> Fraction:
+    """The fraction that a number is. A float is taken for the number that it is.
+
+    >>> exact("0.1"), exact(0.5)
+    (Fraction(1, 10), Fraction(1, 2))
+    >>> exact(0.1)
+    Fraction(3602879701896397, 36028797018963968)
+    """
+    try:
+        finite = not isinstance(value, float) or math.isfinite(value)
+        if finite and not isinstance(value, bool):
+            return Fraction(value)
+    except (TypeError, ValueError, ZeroDivisionError):
+        pass
+    raise SubcertError(f"{value!r} is no number", remedy="give a finite number")
+
+
+def pair(value: Optional[Tuple[int, int]]) -> Optional[Fraction]:
+    return None if value is None else Fraction(*value)
+
+
+@total_ordering
+class Algebraic:
+    """A real algebraic number, exactly. Numbers compare with each other and with fractions.
+
+    >>> from subcert import Scheme
+    >>> end = Scheme("four-point").range("w", levels=2)[-1].high
+    >>> end.minpoly, float(end)
+    ([-3, 4, 16], 0.32569390943299864)
+    >>> end < Fraction(1, 3)
+    True
+    """
+
+    __slots__ = ("_number",)
+
+    def __init__(self, number: Any) -> None:
+        self._number = number
+
+    @property
+    def minpoly(self) -> List[int]:
+        """The coefficients of the minimal polynomial, from the constant one on."""
+        return self._number.minpoly
+
+    def interval(self, digits: int = 20) -> Tuple[Fraction, Fraction]:
+        """Two fractions that the number is between, at most 10^-digits apart."""
+        low, high = self._number.interval(digits)
+        return Fraction(*low), Fraction(*high)
+
+    def as_fraction(self) -> Optional[Fraction]:
+        """The number as a fraction; None if it is irrational."""
+        return pair(self._number.as_fraction())
+
+    def __float__(self) -> float:
+        """The nearest float."""
+        return float(self._number)
+
+    def _compare(self, other: Any) -> int:
+        if isinstance(other, Algebraic):
+            return self._number.compare(other._number)
+        return self._number.compare(exact(other))
+
+    def __eq__(self, other: object) -> bool:
+        try:
+            return self._compare(other) == 0
+        except SubcertError:
+            return NotImplemented
+
+    def __lt__(self, other: Any) -> bool:
+        return self._compare(other) < 0
+
+    def __hash__(self) -> int:
+        rational = self.as_fraction()
+        return hash(float(self)) if rational is None else hash(rational)
+
+    def __repr__(self) -> str:
+        rational = self.as_fraction()
+        if rational is not None:
+            return f"Algebraic({rational})"
+        return f"Algebraic(minpoly={self.minpoly}, near {float(self)!r})"

@@ -1,0 +1,68 @@
+//! Real algebraic numbers.
+
+use crate::error::plain;
+use crate::number::{Fraction, big, fraction, rational};
+use crate::run::at_once;
+use num_bigint::BigInt;
+use pyo3::prelude::*;
+use std::cmp::Ordering;
+use subcert::exact::{Enclosed, Rational, RealAlgebraic};
+use subcert::float::nearest;
+
+/// The most decimal digits of an interval.
+const MAX_DIGITS: u32 = 10_000;
+
+/// A real algebraic number, exactly.
+#[pyclass(frozen, module = "subcert", name = "_Algebraic")]
+pub struct Algebraic(pub(crate) RealAlgebraic);
+
+#[pymethods]
+impl Algebraic {
+    /// The coefficients of the minimal polynomial, from the constant one on.
+    #[getter]
+    fn minpoly(&self) -> PyResult<Vec<BigInt>> {
+        at_once(|| {
+            let polynomial = self.0.minimal_polynomial();
+            let polynomial =
+                polynomial.ok_or_else(|| plain("the polynomial is too large to factor"))?;
+            Ok(polynomial.coefficients().iter().map(big).collect())
+        })
+    }
+
+    /// Two fractions that the number is between, at most 10^-digits apart.
+    fn interval(&self, digits: u32) -> PyResult<(Fraction, Fraction)> {
+        if digits > MAX_DIGITS {
+            return Err(plain(format!("{digits} digits are too many; at most {MAX_DIGITS} are")));
+        }
+        at_once(|| {
+            let digits = i32::try_from(digits).unwrap_or(i32::MAX);
+            let width = Rational::power_of_ten(-digits);
+            // The widths fall as 2^(-64·2^level).
+            let mut enclosures = (0..).map(|level| self.0.enclosure(level));
+            let narrow = enclosures.find(|enclosure| enclosure.width() <= width);
+            let enclosure = narrow.ok_or_else(|| plain("no such interval"))?;
+            Ok((fraction(enclosure.lower()), fraction(enclosure.upper())))
+        })
+    }
+
+    fn as_fraction(&self) -> Option<Fraction> {
+        self.0.as_rational().map(fraction)
+    }
+
+    fn __float__(&self) -> PyResult<f64> {
+        at_once(|| Ok(nearest(&self.0)))
+    }
+
+    /// -1, 0 or 1 as this is less than, equal to or greater than the other number.
+    fn compare(&self, other: &Bound<'_, PyAny>) -> PyResult<i8> {
+        let order = match other.cast::<Algebraic>() {
+            Ok(other) => self.0.cmp(&other.get().0),
+            Err(_) => self.0.cmp_rational(&rational(other)?),
+        };
+        Ok(match order {
+            Ordering::Less => -1,
+            Ordering::Equal => 0,
+            Ordering::Greater => 1,
+        })
+    }
+}

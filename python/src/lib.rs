@@ -1,0 +1,30 @@
+//! The native part of the Python module `subcert`.
+//!
+//! It takes and gives Python's integers, fractions and floats. The classes that people see are written in
+//! Python, in `python/subcert`.
+
+mod algebraic;
+mod audit;
+mod check;
+mod error;
+mod mesh;
+mod number;
+mod run;
+mod scheme;
+
+use pyo3::prelude::*;
+
+/// What the Python part builds on.
+#[pymodule]
+mod _native {
+    #[pymodule_export]
+    use crate::algebraic::Algebraic;
+    #[pymodule_export]
+    use crate::audit::{audit_json, paper_keys};
+    #[pymodule_export]
+    use crate::check::{check_within_ulps, nearest};
+    #[pymodule_export]
+    use crate::mesh::{mesh_depth, mesh_limit, mesh_refine};
+    #[pymodule_export]
+    use crate::scheme::{Native, parameter_range, scheme_names};
+}

@@ -1,0 +1,80 @@
+//! Numbers of Python, exactly.
+
+use crate::error::{plain, with_remedy};
+use num_bigint::BigInt;
+use pyo3::prelude::*;
+use pyo3::types::{PyBool, PyFloat, PyInt, PyString};
+use subcert::exact::{Integer, Rational, parse_rational};
+
+/// A fraction as Python's integers.
+pub(crate) type Fraction = (BigInt, BigInt);
+
+/// The most binary digits of a number that is read.
+const MAX_BITS: u64 = 1 << 20;
+
+fn integer(value: &BigInt) -> PyResult<Integer> {
+    if let Ok(word) = i64::try_from(value) {
+        return Ok(Integer::from(word));
+    }
+    if value.bits() > MAX_BITS {
+        return Err(plain(format!("a number of more than {MAX_BITS} binary digits")));
+    }
+    let digits = value.magnitude().to_str_radix(10);
+    let size = Integer::from_digits(&digits).ok_or_else(|| plain("no integer"))?;
+    Ok(if value.sign() == num_bigint::Sign::Minus { -size } else { size })
+}
+
+pub(crate) fn big(value: &Integer) -> BigInt {
+    match value.to_i64() {
+        Some(word) => BigInt::from(word),
+        // An integer is printed as its decimal digits.
+        None => value.to_string().parse().unwrap_or_default(),
+    }
+}
+
+pub(crate) fn fraction(value: &Rational) -> Fraction {
+    (big(&value.numerator()), big(&value.denominator()))
+}
+
+/// An `int`, a `Fraction`, a `Decimal`, or a `str` such as `"3/256"` or `"0.1"`. A `float` is refused,
+/// since 0.1 is not 1/10 as a float.
+pub(crate) fn rational(value: &Bound<'_, PyAny>) -> PyResult<Rational> {
+    if let Ok(text) = value.cast::<PyString>() {
+        let text = text.to_string();
+        return parse_rational(&text).map_err(|error| plain(format!("`{text}`: {error}")));
+    }
+    if value.is_instance_of::<PyBool>() {
+        return Err(with_remedy("a bool is no number here", "write 0 or 1"));
+    }
+    if value.is_instance_of::<PyFloat>() {
+        let remedy = format!(
+            "write Fraction(1, 10) or \"0.1\" for what is meant, or subcert.exact({value}) for the \
+             number that the float is"
+        );
+        return Err(with_remedy(&format!("the float {value} is no exact number"), &remedy));
+    }
+    if value.is_instance_of::<PyInt>() {
+        return integer(&value.extract::<BigInt>()?).map(Rational::from);
+    }
+    let parts = match value.getattr("numerator") {
+        Ok(numerator) => (numerator, value.getattr("denominator")?),
+        Err(_) => match value.call_method0("as_integer_ratio") {
+            Ok(parts) => parts.extract()?,
+            Err(_) => {
+                let kind = value.get_type().name()?;
+                let message = format!("a {kind} is no number");
+                return Err(with_remedy(&message, "give an int, a Fraction or a decimal as text"));
+            }
+        },
+    };
+    let read = |part: Bound<'_, PyAny>| integer(&part.call_method0("__index__")?.extract()?);
+    let (p, q) = (read(parts.0)?, read(parts.1)?);
+    if q.is_zero() {
+        return Err(plain("a fraction with denominator 0"));
+    }
+    Ok(Rational::new(p, q))
+}
+
+pub(crate) fn rationals(values: &[Bound<'_, PyAny>]) -> PyResult<Vec<Rational>> {
+    values.iter().map(rational).collect()
+}

@@ -1,0 +1,39 @@
+"""Meshes as arrays."""
+
+from fractions import Fraction
+
+import numpy
+import pytest
+
+from subcert import SubcertError, limit_points, mesh_depth, refine_mesh
+
+CUBE = [(x, y, z) for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)]
+FACES = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]]
+
+
+def test_cube():
+    # The corners tend to half their distance from the centre.
+    limits = limit_points("catmull-clark", CUBE, FACES)
+    half = Fraction(1, 2)
+    assert limits[0].exact == (-half, -half, -half)
+    refined = refine_mesh("catmull-clark", numpy.array(CUBE, dtype=float), FACES, 2)
+    assert refined.vertices.shape == (98, 3) and len(refined.faces) == 96
+    found = mesh_depth("catmull-clark", CUBE, FACES, "1/100")
+    assert found.too_few == found.level - 1
+    assert found.distance[0] <= found.distance[1] <= 0.01
+    assert mesh_depth("catmull-clark", numpy.array(CUBE), numpy.array(FACES), "1/100") == found
+
+
+def test_wrong_meshes():
+    for vertices, faces, words in [
+        (CUBE, [[0, 1, 9]], "9"),
+        (CUBE[:3], [[0, 1, -1]], "-1"),
+        ([(0, 0)], [[0, 1, 2]], "three coordinates"),
+        ([], [], "no vertices"),
+        ([(0, 0, float("inf"))] * 3, [[0, 1, 2]], "inf"),
+    ]:
+        with pytest.raises(SubcertError) as caught:
+            mesh_depth("loop", vertices, faces, "1/10")
+        assert words in str(caught.value)
+    with pytest.raises(SubcertError, match="catmull-clark"):
+        mesh_depth("catmul-clark", CUBE, FACES, 1)
