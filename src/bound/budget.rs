@@ -62,6 +62,15 @@ impl Budget {
 
     /// Takes all steps that remain, from any thread. What is being computed with this budget or its
     /// clones ends as at its cap.
+    ///
+    /// ```
+    /// use subcert::bound::Budget;
+    ///
+    /// let budget = Budget::new(1_000);
+    /// let clone = budget.clone();
+    /// std::thread::spawn(move || clone.stop()).join().unwrap();
+    /// assert_eq!(budget.left(), 0);
+    /// ```
     pub fn stop(&self) {
         self.left.store(0, Ordering::Relaxed);
     }
