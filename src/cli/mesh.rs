@@ -1,7 +1,10 @@
 //! `subcert refine` and `subcert limit`, and `subcert oracle --mesh`.
 
-use super::arguments::{LimitArguments, MeshOutput, MeshOutputFormat, RefineArguments};
+use super::arguments::{
+    ClosedArgument, LimitArguments, MeshOutput, MeshOutputFormat, RefineArguments,
+};
 use super::json::SCHEMA;
+use super::net::{self, NetInput};
 use super::output::{Failure, Outcome, write_results};
 use super::save::save;
 use std::path::Path;
@@ -15,6 +18,11 @@ use subcert::mesh::{
 type Mesh = PolygonMesh<RealCyclotomic>;
 
 pub(super) fn refine(arguments: &RefineArguments) -> Outcome {
+    let RefineArguments { scheme, mesh, closed, level, output } = arguments;
+    let net = NetInput { scheme, path: mesh, closed: *closed };
+    if net.is_net() {
+        return net::refine(&net, *level, output);
+    }
     let work = Work::new(&arguments.scheme, &arguments.mesh, arguments.level)?;
     let mesh = work.refined()?;
     let title = work.title("refined");
@@ -22,11 +30,17 @@ pub(super) fn refine(arguments: &RefineArguments) -> Outcome {
         MeshOutputFormat::Obj => to_obj(&mesh, &title, &[]).map_err(|e| input(&e))?,
         MeshOutputFormat::Ply => to_ply(&mesh, &title).map_err(|e| input(&e))?,
         MeshOutputFormat::Json => to_json(&mesh, &work.head(), None),
+        MeshOutputFormat::Csv => return Err(csv()),
     };
     deliver(&arguments.output, &text)
 }
 
 pub(super) fn limit(arguments: &LimitArguments) -> Outcome {
+    let LimitArguments { scheme, mesh, closed, level, output } = arguments;
+    let net = NetInput { scheme, path: mesh, closed: *closed };
+    if net.is_net() {
+        return net::limit(&net, *level, output);
+    }
     let work = Work::new(&arguments.scheme, &arguments.mesh, arguments.level)?;
     let mesh = work.refined()?;
     let limits = work.limits(&mesh)?;
@@ -39,12 +53,22 @@ pub(super) fn limit(arguments: &LimitArguments) -> Outcome {
             to_ply(&at_limit(&mesh, &limits)?, &title).map_err(|e| input(&e))?
         }
         MeshOutputFormat::Json => to_json(&mesh, &work.head(), Some(&limits)),
+        MeshOutputFormat::Csv => return Err(csv()),
     };
     deliver(&arguments.output, &text)
 }
 
 /// What `subcert oracle --mesh` writes.
-pub(super) fn reference_values(scheme: &str, path: &Path, level: u32) -> Outcome {
+pub(super) fn reference_values(
+    scheme: &str,
+    path: &Path,
+    closed: Option<ClosedArgument>,
+    level: u32,
+) -> Outcome {
+    let net = NetInput { scheme, path, closed };
+    if net.is_net() {
+        return net::reference_values(&net, level);
+    }
     let work = Work::new(scheme, path, level)?;
     let mesh = work.refined()?;
     let limits = work.limits(&mesh)?;
@@ -136,21 +160,28 @@ fn at_limit(mesh: &Mesh, limits: &[Option<LimitPoint>]) -> Result<Mesh, Failure>
     )))
 }
 
-fn input(error: &impl ToString) -> Failure {
+fn csv() -> Failure {
+    Failure::Input(
+        "csv is a form of nets; polygon meshes are written as obj, ply or json".to_owned(),
+    )
+}
+
+pub(super) fn input(error: &impl ToString) -> Failure {
     Failure::Input(error.to_string())
 }
 
-fn chosen(output: &MeshOutput) -> MeshOutputFormat {
+pub(super) fn chosen(output: &MeshOutput) -> MeshOutputFormat {
     let extension = output.file.as_ref().and_then(|path| path.extension()).unwrap_or_default();
     output.format.unwrap_or(match extension.to_ascii_lowercase().to_str() {
         Some("ply") => MeshOutputFormat::Ply,
         Some("json") => MeshOutputFormat::Json,
+        Some("csv") => MeshOutputFormat::Csv,
         _ => MeshOutputFormat::Obj,
     })
 }
 
 /// Writes the text to the file, whole or not at all, or to the standard output.
-fn deliver(output: &MeshOutput, text: &str) -> Outcome {
+pub(super) fn deliver(output: &MeshOutput, text: &str) -> Outcome {
     match output.file.as_deref() {
         Some(path) if path.as_os_str() != "-" => save(path, text)
             .map_err(|error| Failure::Input(format!("cannot write `{}`: {error}", path.display()))),

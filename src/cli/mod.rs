@@ -15,6 +15,7 @@ mod listing;
 mod local_constants;
 mod man;
 mod mesh;
+mod net;
 mod new;
 mod offset;
 mod oracle;

@@ -23,7 +23,7 @@ pub(super) fn oracle(arguments: &OracleArguments) -> Outcome {
             let message = "--mesh writes JSON only; `subcert refine` writes OBJ and PLY too";
             return Err(Failure::Input(message.to_owned()));
         }
-        return mesh::reference_values(&arguments.scheme, path, arguments.level);
+        return mesh::reference_values(&arguments.scheme, path, arguments.closed, arguments.level);
     }
     let values = match parse_any_scheme(&arguments.scheme)? {
         AnyScheme::Uniform(scheme) => uniform(&scheme, arguments)?,

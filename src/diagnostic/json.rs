@@ -48,7 +48,8 @@ fn parse<'a, T: Deserialize<'a>>(
         // Line and column of the character before which reading stopped, from 1.
         let line = text.split_inclusive('\n').take(error.line().saturating_sub(1));
         let before = line.map(str::len).sum::<usize>() + error.column().saturating_sub(1);
-        let at = (0..=before.min(text.len())).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0);
+        let at =
+            (0..=before.min(text.len())).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0);
         let length = text[at..].chars().next().map_or(0, char::len_utf8);
         let place = span.start + at..span.start + at + length;
         let message = error.to_string();

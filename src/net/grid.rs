@@ -1,7 +1,7 @@
 //! Grids of points.
 
 use super::error::NetError;
-use crate::exact::{Rational, RealCyclotomic};
+use crate::exact::Rational;
 use crate::mesh::{MAX_POINTS, MeshError, Point, PolygonMesh};
 
 /// Which directions of a net are closed.
@@ -64,11 +64,7 @@ impl<S> Net<S> {
     /// # Errors
     /// When the last row is not whole, a direction has fewer than 2 points, or 3 where it is
     /// closed, or there are more than [`MAX_POINTS`] points.
-    pub fn new(
-        points: Vec<Point<S>>,
-        columns: usize,
-        closed: Closed,
-    ) -> Result<Net<S>, NetError> {
+    pub fn new(points: Vec<Point<S>>, columns: usize, closed: Closed) -> Result<Net<S>, NetError> {
         if columns == 0 || !points.len().is_multiple_of(columns) {
             return Err(NetError::Ragged { points: points.len(), columns });
         }
@@ -149,8 +145,8 @@ impl Net<Rational> {
     ///
     /// # Errors
     /// Never, as a net is a surface.
-    pub fn mesh(&self) -> Result<PolygonMesh<RealCyclotomic>, MeshError> {
-        let points = self.map(|x| RealCyclotomic::from(x.clone())).points;
+    pub fn mesh(&self) -> Result<PolygonMesh<Rational>, MeshError> {
+        let points = self.points.clone();
         let [rows, columns] = self.sizes();
         let [up, along] = self.faces();
         let corner = |i: usize, j: usize| i % rows * columns + j % columns;

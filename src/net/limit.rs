@@ -32,10 +32,7 @@ use crate::scheme::Mask;
 /// assert_eq!(limits[3], None);
 /// # Ok::<(), subcert::net::NetError>(())
 /// ```
-pub fn net_limits(
-    net: &Net,
-    scheme: &NetScheme,
-) -> Result<Vec<Option<Point<Rational>>>, NetError> {
+pub fn net_limits(net: &Net, scheme: &NetScheme) -> Result<Vec<Option<Point<Rational>>>, NetError> {
     let [u, v] = scheme.masks();
     let [u, v] = [functional(u)?, functional(v)?];
     let weights: Vec<(i64, i64, Rational)> =
@@ -51,7 +48,10 @@ pub fn net_limits(
         Some(sum)
     };
     let [rows, columns] = net.sizes().map(|size| i64::try_from(size).unwrap_or(i64::MAX));
-    Ok((0..rows).flat_map(|i| (0..columns).map(move |j| (i, j))).map(|(i, j)| limit(i, j)).collect())
+    Ok((0..rows)
+        .flat_map(|i| (0..columns).map(move |j| (i, j)))
+        .map(|(i, j)| limit(i, j))
+        .collect())
 }
 
 /// The net of the limit points that exist.
@@ -66,7 +66,8 @@ pub fn limit_net(net: &Net, scheme: &NetScheme) -> Result<Net, NetError> {
     match columns {
         Some(columns) if columns > 0 => Net::new(points, columns, net.closed()),
         _ => Err(NetError::TooMuch(
-            "the net determines no limit point: the surface ends before all of its points".to_owned(),
+            "the net determines no limit point: the surface ends before all of its points"
+                .to_owned(),
         )),
     }
 }

@@ -68,7 +68,8 @@ fn refined(values: &[Rational], sizes: [usize; 2], lines: &[Line], level: u32) -
         for line in lines.iter().rev() {
             // Along the rows of the grid, which is then turned.
             let rows = grid.len() / columns;
-            let along: Vec<Vec<Integer>> = grid.chunks(columns).map(|row| line.refine(row)).collect();
+            let along: Vec<Vec<Integer>> =
+                grid.chunks(columns).map(|row| line.refine(row)).collect();
             columns = rows;
             let length = along.first().map_or(0, Vec::len);
             grid = (0..length).flat_map(|j| along.iter().map(move |row| row[j].clone())).collect();

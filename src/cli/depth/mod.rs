@@ -6,6 +6,7 @@ mod faces;
 mod interval;
 mod local_rules;
 mod mesh;
+mod net;
 mod place;
 mod polygon;
 mod surface;

@@ -24,8 +24,9 @@ pub(super) fn read(parts: &mut Parts<'_>) -> Result<Option<Closed>, Diagnostic> 
                 "points" => found = Some(place),
                 "closed" => closed = Some(seams(parts, value, place)?),
                 _ => {
-                    let message =
-                        format!("there is no field `{name}` of nets; there are `points` and `closed`");
+                    let message = format!(
+                        "there is no field `{name}` of nets; there are `points` and `closed`"
+                    );
                     return Err(parts.wrong(place, message).with_help("remove it"));
                 }
             }

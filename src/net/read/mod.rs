@@ -151,9 +151,10 @@ impl<'a> Parts<'a> {
         let whole = self.source.text.len();
         Net::new(self.points, columns, closed).map_err(|error| {
             let (message, help) = match error {
-                NetError::Ragged { points: 0, .. } => {
-                    ("there is no point in this file".to_owned(), "write one row of the net on a line")
-                }
+                NetError::Ragged { points: 0, .. } => (
+                    "there is no point in this file".to_owned(),
+                    "write one row of the net on a line",
+                ),
                 error => (error.to_string(), "add points, or do not close the net there"),
             };
             Diagnostic::new(self.source, 0..whole.min(1), message).with_help(help)
