@@ -14,6 +14,7 @@ use subcert::mesh::{
     LimitPoint, MAX_FILE_BYTES, MeshError, MeshFile, MeshFormat, MeshScheme, PolygonMesh,
     limit_points, read_mesh, refine_mesh, to_json, to_obj, to_ply,
 };
+use subcert::net::NetScheme;
 
 type Mesh = PolygonMesh<RealCyclotomic>;
 
@@ -77,7 +78,11 @@ pub(super) fn reference_values(
 
 /// The scheme of a name and the mesh in a file, with the name of the file.
 pub(super) fn read(scheme: &str, path: &Path) -> Result<(MeshScheme, String, MeshFile), Failure> {
-    let scheme = MeshScheme::parse(scheme).map_err(Failure::Input)?;
+    let scheme = MeshScheme::parse(scheme).map_err(|message| {
+        let of_nets = NetScheme::parse(scheme).is_ok();
+        let nets = format!("; `{scheme}` refines nets, which are in .csv or .json");
+        Failure::Input(format!("{message}{}", if of_nets { &nets } else { "" }))
+    })?;
     let standard = path.as_os_str() == "-";
     let name = if standard { "standard input".to_owned() } else { path.display().to_string() };
     let text = if standard {

@@ -43,7 +43,10 @@ impl NetDistances {
             let (mut far, mut place) = (best, None);
             search.measure(model.rounded_cell(*root), FACE_WIDTH, &mut far, &mut place);
             if let Some(place) = place {
-                let known = judge.above(&minus(&place.limit, &place.polygon), place.level);
+                let known = judge.above(
+                    &minus(&place.limit, &place.polygon),
+                    place.levels[0].max(place.levels[1]),
+                );
                 best = best.max(self.from_whole(&place.limit, known, &judge, level, &balls));
             }
         }
@@ -72,17 +75,17 @@ impl NetDistances {
                 let distance = minus(point, &centre);
                 if cell.base.is_some() {
                     // The first corner is a point of the net.
-                    nearest = nearest.min(judge.above(&distance, cell.level));
+                    nearest = nearest.min(judge.above(&distance, cell.level()));
                 }
-                let reach = judge.below(&distance, cell.level) - radius;
+                let reach = judge.below(&distance, cell.level()) - radius;
                 steps = steps.saturating_sub(1);
                 let [_, deepest] = self.model.most_levels(u32::MAX);
-                if reach >= nearest * (1.0 - WIDTH) || steps == 0 || cell.level >= deepest {
+                if reach >= nearest * (1.0 - WIDTH) || steps == 0 || cell.level() >= deepest {
                     lower = lower.min(reach);
-                } else if cell.level == level && cell.base.is_none() {
+                } else if cell.level() == level && cell.base.is_none() {
                     stack.push(cell.begun(&self.model.directions));
                 } else {
-                    stack.extend(cell.parts(&self.model.directions));
+                    stack.extend(cell.parts(&self.model.directions, [true; 2]));
                 }
             }
         }
@@ -92,14 +95,14 @@ impl NetDistances {
     /// A point, and how far the net of the level on a cell is from it at most.
     fn ball(&self, cell: &Cell<f64>, judge: &Rounded, level: u32) -> (Point<f64>, f64) {
         let radius = |points: &[Point<f64>], centre: &Point<f64>| {
-            judge.greatest(points.iter().map(|point| minus(point, centre)), cell.level)
+            judge.greatest(points.iter().map(|point| minus(point, centre)), cell.level())
         };
         match &cell.base {
             Some(base) => (base.points[0], radius(&base.points, &base.points[0])),
             None => {
                 let centre = cell.points[cell.points.len() / 2];
                 let norm = |direction: &super::direction::Direction| {
-                    direction.constants.polygon_at(level.saturating_sub(cell.level))
+                    direction.constants.polygon_at(level.saturating_sub(cell.level()))
                 };
                 let norm: f64 = self.model.directions.iter().map(norm).product();
                 (centre, radius(&cell.points, &centre) * norm * UP)

@@ -4,14 +4,16 @@ use super::super::judge::Judge;
 use super::constants::UP;
 use super::direction::{Direction, Weights};
 use super::points::{across, along, minus, tensor};
-use super::rules::{Phase, Rules};
+use super::rules::{Phase, Row, Rules};
 use crate::mesh::Point;
 
 /// A cell of a level with the points of its window, row by row.
 #[derive(Clone)]
 pub(super) struct Cell<S> {
-    pub(super) level: u32,
-    /// i and j, of the parameters from i to i + 1 and from j to j + 1 over n^level and m^level.
+    /// How often each direction is divided.
+    pub(super) levels: [u32; 2],
+    /// i and j, of the parameters from i to i + 1 and from j to j + 1 over n and m to the power of
+    /// these.
     pub(super) index: [i128; 2],
     pub(super) points: Vec<Point<S>>,
     /// The net that the limit is compared with, where it is of this level or an earlier one.
@@ -39,6 +41,16 @@ pub(super) struct Known<S> {
     pub(super) nodes: [usize; 2],
     pub(super) limit: Point<S>,
     pub(super) polygon: Point<S>,
+    /// What each direction adds to the distance between the nodes, at most.
+    tails: [f64; 2],
+}
+
+impl<S> Known<S> {
+    /// The directions to divide: not one that adds much less than the other.
+    pub(super) fn divided(&self) -> [bool; 2] {
+        let [u, v] = self.tails;
+        [2.0 * u >= v, 2.0 * v >= u]
+    }
 }
 
 /// A bound of the distance of the net of a level, `later` levels after that of a cell with
@@ -60,6 +72,30 @@ impl<S: Weights> Base<S> {
         let [u, v] = rules::<S>(directions);
         [&u.phases[self.phases[0]], &v.phases[self.phases[1]]]
     }
+
+    /// The same on a part.
+    fn part(&self, directions: &[Direction; 2], divided: [bool; 2], part: [usize; 2]) -> Base<S> {
+        let phases = self.phases(directions);
+        let parts = [0, 1].map(|d| &phases[d].parts[part[d]]);
+        let rows = parts.map(|(_, rows)| &rows[..]);
+        let points = refined(&self.points, phases[1].nodes.len(), divided, rows);
+        let phases = [0, 1].map(|d| if divided[d] { parts[d].0 } else { self.phases[d] });
+        Base { phases, points }
+    }
+}
+
+/// Combinations of the points of a grid in some directions.
+fn refined<S: Weights>(
+    points: &[Point<S>],
+    columns: usize,
+    divided: [bool; 2],
+    [u, v]: [&[Row<S>]; 2],
+) -> Vec<Point<S>> {
+    match divided {
+        [true, true] => tensor([u, v], points, columns),
+        [true, false] => across(u, points, columns),
+        [false, _] => along(v, points, columns),
+    }
 }
 
 impl<S: Weights> Cell<S> {
@@ -75,25 +111,28 @@ impl<S: Weights> Cell<S> {
         Cell { base: Some(Base { phases: [u.start, v.start], points }), ..self }
     }
 
-    /// The parts, in the order of their indices.
-    pub(super) fn parts(&self, directions: &[Direction; 2]) -> Vec<Cell<S>> {
+    /// The greater level.
+    pub(super) fn level(&self) -> u32 {
+        self.levels[0].max(self.levels[1])
+    }
+
+    /// The parts in some directions, in the order of their indices.
+    pub(super) fn parts(&self, directions: &[Direction; 2], divided: [bool; 2]) -> Vec<Cell<S>> {
         let [u, v] = rules::<S>(directions);
         let [height, width] = directions.each_ref().map(|direction| direction.window.size());
-        let refined = tensor([&u.refined, &v.refined], &self.points, width);
-        let wide = v.refined.len();
-        let [n, m] = directions.each_ref().map(|direction| direction.arity);
-        let mut parts = Vec::with_capacity(n * m);
-        for (a, i) in (0..n).zip(self.index[0].saturating_mul(n as i128)..) {
-            for (b, j) in (0..m).zip(self.index[1].saturating_mul(m as i128)..) {
+        let rows = [u, v].map(|rules| &rules.refined[..]);
+        let refined = refined(&self.points, width, divided, rows);
+        let wide = if divided[1] { v.refined.len() } else { width };
+        let arities = [0, 1].map(|d| if divided[d] { directions[d].arity } else { 1 });
+        let first = [0, 1].map(|d| self.index[d].saturating_mul(arities[d] as i128));
+        let levels = [0, 1].map(|d| self.levels[d] + u32::from(divided[d]));
+        let mut parts = Vec::with_capacity(arities[0] * arities[1]);
+        for (a, i) in (0..arities[0]).zip(first[0]..) {
+            for (b, j) in (0..arities[1]).zip(first[1]..) {
                 let rows = refined.chunks(wide).skip(a).take(height);
                 let points = rows.flat_map(|row| row[b..b + width].iter().cloned()).collect();
-                let base = self.base.as_ref().map(|base| {
-                    let [u, v] = base.phases(directions);
-                    let ((first, rows), (second, columns)) = (&u.parts[a], &v.parts[b]);
-                    let points = tensor([rows, columns], &base.points, v.nodes.len());
-                    Base { phases: [*first, *second], points }
-                });
-                parts.push(Cell { level: self.level + 1, index: [i, j], points, base });
+                let base = self.base.as_ref().map(|base| base.part(directions, divided, [a, b]));
+                parts.push(Cell { levels, index: [i, j], points, base });
             }
         }
         parts
@@ -109,7 +148,7 @@ impl<S: Weights> Cell<S> {
         let width = directions[1].window.size();
         let u = across(&u.differences, &self.points, width);
         let v = along(&v.differences, &self.points, width);
-        [u, v].map(|vectors| judge.greatest(vectors.into_iter(), self.level))
+        [u, v].map(|vectors| judge.greatest(vectors.into_iter(), self.level()))
     }
 
     /// What is known of the distance from the net that the limit is compared with; `None` where there is none
@@ -128,37 +167,46 @@ impl<S: Weights> Cell<S> {
         let mut upper = 0.0_f64;
         for (at, (limit, polygon)) in limits.into_iter().zip(&base.points).enumerate() {
             let error = minus(&limit, polygon);
-            let lower = judge.below(&error, self.level);
-            let beyond = judge.within(&error, self.level) == Some(false);
-            upper = upper.max(judge.above(&error, self.level));
+            let lower = judge.below(&error, self.level());
+            let beyond = judge.within(&error, self.level()) == Some(false);
+            upper = upper.max(judge.above(&error, self.level()));
             let better =
                 known.as_ref().is_none_or(|known| (beyond, lower) > (known.beyond, known.lower));
             if better {
                 let (nodes, polygon) = ([at / columns, at % columns], polygon.clone());
-                known =
-                    Some(Known { upper: 0.0, lower, within: false, beyond, nodes, limit, polygon });
+                known = Some(Known {
+                    upper: 0.0,
+                    lower,
+                    within: false,
+                    beyond,
+                    nodes,
+                    limit,
+                    polygon,
+                    tails: [0.0; 2],
+                });
             }
         }
         let mut known = known?;
+        known.tails = self.tails(phases, directions, judge);
         let (upper, within) = self.by_coefficients(base, directions, judge).unwrap_or_else(|| {
-            let upper = upper + self.tail(phases, directions, judge);
+            let upper = (upper + known.tails[0] + known.tails[1]) * UP;
             (upper, upper <= judge.tolerance())
         });
         (known.upper, known.within) = (upper, within && !known.beyond);
         Some(known)
     }
 
-    /// How much farther than at the nodes the distance can be between them (99 (c)).
-    fn tail(
+    /// How much farther than at the nodes the distance can be between them, by each direction (99 (c)).
+    fn tails(
         &self,
         phases: [&Phase<S>; 2],
         directions: &[Direction; 2],
         judge: &impl Judge<Point<S>>,
-    ) -> f64 {
+    ) -> [f64; 2] {
         let [a, b] = self.sizes(directions, judge);
         let [u, v] = directions.each_ref().map(|direction| &direction.constants);
         let [twice, again] = phases.map(|phase| if phase.nodes.len() > 2 { 2.0 } else { 1.0 });
-        (twice * u.chord * a * v.limit + u.limit * again * v.chord * b) * UP
+        [twice * u.chord * a * v.limit, u.limit * again * v.chord * b]
     }
 
     /// A bound by the Bézier coefficients, and whether all are within the tolerance; `None` where the
@@ -179,8 +227,8 @@ impl<S: Weights> Cell<S> {
         let (mut upper, mut within) = (0.0_f64, true);
         for (limit, plain) in limit.iter().zip(&plain) {
             let error = minus(limit, plain);
-            upper = upper.max(judge.above(&error, self.level));
-            within = within && judge.within(&error, self.level) == Some(true);
+            upper = upper.max(judge.above(&error, self.level()));
+            within = within && judge.within(&error, self.level()) == Some(true);
         }
         Some((upper, within))
     }

@@ -31,7 +31,7 @@ impl NetDistances {
             self.work.step();
             let cell = model.rounded_cell(root);
             let cell = if level == 0 { cell.begun(&model.directions) } else { cell };
-            let cells = if whole { vec![cell] } else { cell.parts(&model.directions) };
+            let cells = if whole { vec![cell] } else { cell.parts(&model.directions, [true; 2]) };
             let measure = |cell: Cell<f64>| {
                 let mut search = self.search(&judge, level, PIECE_STEPS);
                 let (mut best, mut place) = (0.0, None);

@@ -101,7 +101,7 @@ impl Model {
         let rows = u.window.first..=u.window.last;
         let points = rows.flat_map(|p| (v.window.first..=v.window.last).map(move |q| (p, q)));
         let points = points.map(|(p, q)| point(i + p, j + q)).collect();
-        Cell { level: 0, index: [i.into(), j.into()], points, base: None }
+        Cell { levels: [0; 2], index: [i.into(), j.into()], points, base: None }
     }
 
     /// A piece in f64.

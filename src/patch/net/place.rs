@@ -27,7 +27,7 @@ impl Spot {
         let middle = (&phase.nodes[left] + &phase.nodes[left + 1]) / Rational::from(2);
         let arity = Rational::from(direction.arity);
         let index = Rational::from(place.index[which]);
-        let unit = arity.pow(place.level.cast_signed());
+        let unit = arity.pow(place.levels[which].cast_signed());
         let at = |node: &Rational| (&index + node) / &unit;
         let (inside, at) = (at(&middle), at(&phase.nodes[node]));
         let face = face(direction, (&inside - &direction.shift).floor().to_i128()?)?;
@@ -108,15 +108,16 @@ impl Model {
 
     /// The faces of the control net that a cell has parts of.
     pub(super) fn faces_of(&self, cell: &Cell<f64>) -> Vec<usize> {
-        let range = |direction: &Direction, index: i128| -> Vec<usize> {
-            let unit = Rational::from(direction.arity).pow(cell.level.cast_signed());
+        let range = |direction: &Direction, which: usize| -> Vec<usize> {
+            let unit = Rational::from(direction.arity).pow(cell.levels[which].cast_signed());
             let at = |index: i128| Rational::from(index) / &unit - &direction.shift;
+            let index = cell.index[which];
             let (first, last) = (at(index).floor(), at(index + 1).ceil());
             let (first, last) = (first.to_i128().unwrap_or(0), last.to_i128().unwrap_or(0));
             (first..last).filter_map(|index| face(direction, index)).collect()
         };
         let [u, v] = &self.directions;
-        let (up, along) = (range(u, cell.index[0]), range(v, cell.index[1]));
+        let (up, along) = (range(u, 0), range(v, 1));
         let columns = self.net.faces()[1];
         up.iter().flat_map(|i| along.iter().map(move |j| i * columns + j)).collect()
     }

@@ -8,7 +8,7 @@ use crate::mesh::Point;
 /// A place where the limit is far away: nodes of a cell.
 #[derive(Clone, Debug)]
 pub(super) struct Place<S> {
-    pub(super) level: u32,
+    pub(super) levels: [u32; 2],
     pub(super) index: [i128; 2],
     pub(super) phases: [usize; 2],
     pub(super) nodes: [usize; 2],
@@ -31,13 +31,18 @@ struct Bounded<S> {
     known: Option<Known<S>>,
 }
 
-impl<S: Clone> Bounded<S> {
+impl<S: Weights> Bounded<S> {
+    fn parts(&self, directions: &[Direction; 2]) -> impl Iterator<Item = Cell<S>> {
+        let divided = self.known.as_ref().map_or([true; 2], Known::divided);
+        self.cell.parts(directions, divided).into_iter()
+    }
+
     /// The place with the greatest lower bound.
     fn place(&self) -> Option<Place<S>> {
         let (known, base) = (self.known.as_ref()?, self.cell.base.as_ref()?);
         let Known { nodes, limit, polygon, .. } = known;
         Some(Place {
-            level: self.cell.level,
+            levels: self.cell.levels,
             index: self.cell.index,
             phases: base.phases,
             nodes: *nodes,
@@ -68,12 +73,12 @@ impl<J> Search<'_, J> {
         self.steps = self.steps.saturating_sub(cell.work());
         let (directions, judge) = (self.directions, self.judge);
         let (mut least, mut cell) = (whole, cell);
-        if cell.level <= self.level {
+        if cell.base.is_none() {
             let sizes = cell.sizes(directions, judge);
-            least = least.min(bound(directions, sizes, self.level - cell.level));
-        }
-        if cell.level == self.level && cell.base.is_none() {
-            cell = cell.begun(directions);
+            least = least.min(bound(directions, sizes, self.level - cell.level()));
+            if cell.level() == self.level {
+                cell = cell.begun(directions);
+            }
         }
         let known = cell.known(directions, judge);
         let bound = known.as_ref().map_or(least, |known| least.min(known.upper));
@@ -105,11 +110,11 @@ impl<J> Search<'_, J> {
             if within || found.bound <= tolerance {
                 continue;
             }
-            if found.cell.level >= self.deepest {
+            if found.cell.level() >= self.deepest {
                 open = true;
                 continue;
             }
-            stack.extend(found.cell.parts(self.directions).into_iter().map(|x| (x, found.bound)));
+            stack.extend(found.parts(self.directions).map(|part| (part, found.bound)));
         }
         if open { Verdict::Open } else { Verdict::Within }
     }
@@ -141,12 +146,13 @@ impl<J> Search<'_, J> {
             }
             parts.sort_by(|left, right| left.bound.total_cmp(&right.bound));
             stack.append(&mut parts);
-            let Some(Bounded { bound, cell, .. }) = stack.pop() else { return upper };
+            let Some(found) = stack.pop() else { return upper };
+            let bound = found.bound;
             let enough = (*best * (1.0 + width)).max(self.judge.floor());
-            if bound <= enough || self.steps == 0 || cell.level >= self.deepest {
+            if bound <= enough || self.steps == 0 || found.cell.level() >= self.deepest {
                 upper = upper.max(bound);
             } else {
-                next.extend(cell.parts(self.directions).into_iter().map(|part| (part, bound)));
+                next.extend(found.parts(self.directions).map(|part| (part, bound)));
             }
         }
     }
