@@ -50,7 +50,7 @@
 //! | [`float`] | the same in f64, certified against the exact path |
 //! | [`mesh`] | polygon meshes: files, refinement, limit points and normals |
 //! | [`net`] | tensor nets: files, refinement, limit points |
-//! | [`patch`] | how far meshes are from their limit surfaces |
+//! | [`patch`] | how far meshes and nets are from their limit surfaces |
 //! | [`oracle`] | reference values and checks for other programs' tests |
 //! | [`claim`] | what a paper asserts |
 //! | `evaluation` | from the formulas of claims to values, under a reading |

@@ -1,10 +1,7 @@
 //! `subcert refine` and `subcert limit`, and `subcert oracle --mesh`.
 
-use super::arguments::{
-    ClosedArgument, LimitArguments, MeshOutput, MeshOutputFormat, RefineArguments,
-};
+use super::arguments::{LimitArguments, MeshOutput, MeshOutputFormat, RefineArguments};
 use super::json::SCHEMA;
-use super::net::{self, NetInput};
 use super::output::{Failure, Outcome, write_results};
 use super::save::save;
 use std::path::Path;
@@ -19,11 +16,6 @@ use subcert::net::NetScheme;
 type Mesh = PolygonMesh<RealCyclotomic>;
 
 pub(super) fn refine(arguments: &RefineArguments) -> Outcome {
-    let RefineArguments { scheme, mesh, closed, level, output } = arguments;
-    let net = NetInput { scheme, path: mesh, closed: *closed };
-    if net.is_net() {
-        return net::refine(&net, *level, output);
-    }
     let work = Work::new(&arguments.scheme, &arguments.mesh, arguments.level)?;
     let mesh = work.refined()?;
     let title = work.title("refined");
@@ -37,11 +29,6 @@ pub(super) fn refine(arguments: &RefineArguments) -> Outcome {
 }
 
 pub(super) fn limit(arguments: &LimitArguments) -> Outcome {
-    let LimitArguments { scheme, mesh, closed, level, output } = arguments;
-    let net = NetInput { scheme, path: mesh, closed: *closed };
-    if net.is_net() {
-        return net::limit(&net, *level, output);
-    }
     let work = Work::new(&arguments.scheme, &arguments.mesh, arguments.level)?;
     let mesh = work.refined()?;
     let limits = work.limits(&mesh)?;
@@ -60,16 +47,7 @@ pub(super) fn limit(arguments: &LimitArguments) -> Outcome {
 }
 
 /// What `subcert oracle --mesh` writes.
-pub(super) fn reference_values(
-    scheme: &str,
-    path: &Path,
-    closed: Option<ClosedArgument>,
-    level: u32,
-) -> Outcome {
-    let net = NetInput { scheme, path, closed };
-    if net.is_net() {
-        return net::reference_values(&net, level);
-    }
+pub(super) fn reference_values(scheme: &str, path: &Path, level: u32) -> Outcome {
     let work = Work::new(scheme, path, level)?;
     let mesh = work.refined()?;
     let limits = work.limits(&mesh)?;

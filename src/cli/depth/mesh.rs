@@ -1,11 +1,9 @@
 //! The depth of one polygon mesh.
 
 use super::faces::FacesFormat;
-use super::net::net_depth;
 use crate::cli::arguments::{DepthArguments, Format};
 use crate::cli::json::{SCHEMA, mesh_depth as form};
 use crate::cli::mesh::{failure, read};
-use crate::cli::net::NetInput;
 use crate::cli::output::{Outcome, positive, show};
 use crate::cli::progress::Progress;
 use std::path::Path;
@@ -18,10 +16,6 @@ use subcert::patch::{
 use subcert::report::Sheet;
 
 pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments) -> Outcome {
-    let net = NetInput { scheme: &arguments.scheme, path, closed: arguments.closed };
-    if net.is_net() {
-        return net_depth(&net, arguments);
-    }
     let tolerance = positive("--tolerance", &arguments.tolerance)?;
     let (scheme, name, file) = read(&arguments.scheme, path)?;
     let refused = |error| failure(&file, &error);

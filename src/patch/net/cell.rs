@@ -49,7 +49,8 @@ impl<S> Known<S> {
     /// The directions to divide: not one that adds much less than the other.
     pub(super) fn divided(&self) -> [bool; 2] {
         let [u, v] = self.tails;
-        [2.0 * u >= v, 2.0 * v >= u]
+        let less = |one: f64, other: f64| 2.0 * one < other;
+        [!less(u, v), !less(v, u)]
     }
 }
 
