@@ -5,7 +5,7 @@ use crate::diagnostic::Diagnostic;
 use crate::exact::Rational;
 use std::ops::Range;
 
-const HELP: &str = "write one row of the net on a line: its points separated by commas, the \
+pub(super) const HELP: &str = "write one row of the net on a line: its points separated by commas, the \
                     coordinates of a point by blanks, such as `0 0 1/3, 1 0 0.25`, and `#` before what \
                     is no number";
 

@@ -6,7 +6,7 @@ use crate::exact::Rational;
 use serde_json::value::RawValue;
 use std::ops::Range;
 
-const HELP: &str = "write an array of rows, each an array of points: \
+pub(super) const HELP: &str = "write an array of rows, each an array of points: \
                     [[[0, 0, \"1/3\"], [1, 0, 0.25]], [[0, 1, 0], [1, 1, 0]]], or an object with this \
                     as `points`, and `closed`";
 

@@ -77,7 +77,11 @@ pub fn read_net(
         NetFormat::Csv => csv::read(&mut parts).map(|()| None),
         NetFormat::Json => json::read(&mut parts),
     }?;
-    parts.assemble(closed.or(stated).unwrap_or_default())
+    let help = match format {
+        NetFormat::Csv => csv::HELP,
+        NetFormat::Json => json::HELP,
+    };
+    parts.assemble(closed.or(stated).unwrap_or_default(), help)
 }
 
 /// What has been read of a file.
@@ -146,15 +150,14 @@ impl<'a> Parts<'a> {
         Ok(())
     }
 
-    fn assemble(self, closed: Closed) -> Result<Net, Diagnostic> {
+    fn assemble(self, closed: Closed, help: &str) -> Result<Net, Diagnostic> {
         let columns = self.first.as_ref().map_or(0, |(columns, _)| *columns);
         let whole = self.source.text.len();
         Net::new(self.points, columns, closed).map_err(|error| {
             let (message, help) = match error {
-                NetError::Ragged { points: 0, .. } => (
-                    "there is no point in this file".to_owned(),
-                    "write one row of the net on a line",
-                ),
+                NetError::Ragged { points: 0, .. } => {
+                    ("there is no point in this file".to_owned(), help)
+                }
                 error => (error.to_string(), "add points, or do not close the net there"),
             };
             Diagnostic::new(self.source, 0..whole.min(1), message).with_help(help)

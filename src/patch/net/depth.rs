@@ -1,18 +1,22 @@
 //! How many levels of refinement a net needs.
 
-use super::super::depth::{MAX_DEPTH_LEVEL, MeshDepth, PIECE_STEPS, STEPS};
+use super::super::depth::{MAX_DEPTH_LEVEL, MeshDepth, STEPS};
 use super::super::judge::Judge;
 use super::super::threads::{in_rounds, in_threads};
 use super::super::work::MeshWork;
 use super::model::Model;
 use super::search::{Search, Verdict};
 use crate::exact::Rational;
+use crate::float::upper;
 use crate::mesh::Point;
 use crate::net::{Net, NetError, NetScheme};
 use std::sync::Arc;
 
 /// How many pieces are looked at exactly.
 const EXACT_STEPS: u64 = 20_000;
+
+/// How many are looked at in one piece of level 0.
+pub(super) const PIECE_STEPS: u64 = 1_000_000;
 
 /// The distances of a net from its limit surface:
 ///
@@ -83,7 +87,9 @@ impl NetDistances {
                 level = below;
             }
         }
-        let (distance, worst) = self.measured(level);
+        let (mut distance, worst) = self.measured(level);
+        // What the level was found to be sufficient for may be less than what was measured.
+        distance[1] = distance[1].min(upper(tolerance));
         let apart = self.apart(level);
         let (too_few, beyond) = beyond.unzip();
         Ok(MeshDepth { level, too_few, beyond, distance, worst, apart, exact_pieces })

@@ -1,10 +1,10 @@
 //! Distances at a level: of the whole net, and of its faces.
 
-use super::super::depth::{PIECE_STEPS, STEPS};
+use super::super::depth::{PIECE_STEPS as FACE_STEPS, STEPS};
 use super::super::far::FarPlace;
 use super::super::threads::{in_rounds, in_threads};
 use super::cell::Cell;
-use super::depth::NetDistances;
+use super::depth::{NetDistances, PIECE_STEPS};
 use crate::exact::Rational;
 use crate::float::nearest;
 
@@ -33,7 +33,7 @@ impl NetDistances {
             let cell = if level == 0 { cell.begun(&model.directions) } else { cell };
             let cells = if whole { vec![cell] } else { cell.parts(&model.directions, [true; 2]) };
             let measure = |cell: Cell<f64>| {
-                let mut search = self.search(&judge, level, PIECE_STEPS);
+                let mut search = self.search(&judge, level, FACE_STEPS);
                 let (mut best, mut place) = (0.0, None);
                 let of = model.faces_of(&cell);
                 let upper = search.measure(cell, FACE_WIDTH, &mut best, &mut place);
