@@ -34,8 +34,7 @@ Examples:
   subcert depth six-point:w=3/256 --tolerance 1/1000 --spread 1/10
   subcert depth chaikin --tolerance 0.01 --polygon examples/polygon.csv
   subcert depth doo-sabin:n=5 --tolerance 1/1000
-  subcert depth catmull-clark --mesh examples/cube.obj --tolerance 1/100
-  subcert depth bicubic --mesh examples/roof.csv --tolerance 1/1000";
+  subcert depth catmull-clark --mesh examples/cube.obj --tolerance 1/100";
 
 pub(super) const RANGE: &str = "\
 Examples:

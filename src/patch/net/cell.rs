@@ -43,6 +43,8 @@ pub(super) struct Known<S> {
     pub(super) polygon: Point<S>,
     /// What each direction adds to the distance between the nodes, at most.
     tails: [f64; 2],
+    /// The directions in which a node keeps the difference from being a polynomial.
+    broken: [bool; 2],
 }
 
 impl<S> Known<S> {
@@ -50,7 +52,7 @@ impl<S> Known<S> {
     pub(super) fn divided(&self) -> [bool; 2] {
         let [u, v] = self.tails;
         let less = |one: f64, other: f64| 2.0 * one < other;
-        [!less(u, v), !less(v, u)]
+        [!less(u, v) || self.broken[0], !less(v, u) || self.broken[1]]
     }
 }
 
@@ -184,11 +186,14 @@ impl<S: Weights> Cell<S> {
                     limit,
                     polygon,
                     tails: [0.0; 2],
+                    broken: [false; 2],
                 });
             }
         }
         let mut known = known?;
         known.tails = self.tails(phases, directions, judge);
+        let polynomials = rules::<S>(directions).iter().all(|rules| rules.bezier.is_some());
+        known.broken = base.phases.map(|phase| polynomials && phase != 0);
         let (upper, within) = self.by_coefficients(base, directions, judge).unwrap_or_else(|| {
             let upper = (upper + known.tails[0] + known.tails[1]) * UP;
             (upper, upper <= judge.tolerance())
