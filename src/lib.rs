@@ -49,7 +49,8 @@
 //! | [`limit`] | limits at rational parameters, distances of polygons from them in both parametrisations |
 //! | [`float`] | the same in f64, certified against the exact path |
 //! | [`mesh`] | polygon meshes: files, refinement, limit points and normals |
-//! | [`patch`] | how far meshes are from their limit surfaces |
+//! | [`net`] | tensor nets: files, refinement, limit points |
+//! | [`patch`] | how far meshes and nets are from their limit surfaces |
 //! | [`oracle`] | reference values and checks for other programs' tests |
 //! | [`claim`] | what a paper asserts |
 //! | `evaluation` | from the formulas of claims to values, under a reading |
@@ -79,6 +80,7 @@ pub mod formula;
 mod judge;
 pub mod limit;
 pub mod mesh;
+pub mod net;
 pub mod oracle;
 pub mod patch;
 #[cfg(feature = "cli")]

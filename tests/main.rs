@@ -20,6 +20,7 @@ mod fuzz;
 mod judge;
 mod limit;
 mod mesh;
+mod net;
 mod oracle;
 mod patch;
 mod random_papers;

@@ -11,6 +11,7 @@ use subcert::mesh::{
     LimitPoint, MAX_FILE_BYTES, MeshError, MeshFile, MeshFormat, MeshScheme, PolygonMesh,
     limit_points, read_mesh, refine_mesh, to_json, to_obj, to_ply,
 };
+use subcert::net::NetScheme;
 
 type Mesh = PolygonMesh<RealCyclotomic>;
 
@@ -22,6 +23,7 @@ pub(super) fn refine(arguments: &RefineArguments) -> Outcome {
         MeshOutputFormat::Obj => to_obj(&mesh, &title, &[]).map_err(|e| input(&e))?,
         MeshOutputFormat::Ply => to_ply(&mesh, &title).map_err(|e| input(&e))?,
         MeshOutputFormat::Json => to_json(&mesh, &work.head(), None),
+        MeshOutputFormat::Csv => return Err(csv()),
     };
     deliver(&arguments.output, &text)
 }
@@ -39,6 +41,7 @@ pub(super) fn limit(arguments: &LimitArguments) -> Outcome {
             to_ply(&at_limit(&mesh, &limits)?, &title).map_err(|e| input(&e))?
         }
         MeshOutputFormat::Json => to_json(&mesh, &work.head(), Some(&limits)),
+        MeshOutputFormat::Csv => return Err(csv()),
     };
     deliver(&arguments.output, &text)
 }
@@ -53,7 +56,11 @@ pub(super) fn reference_values(scheme: &str, path: &Path, level: u32) -> Outcome
 
 /// The scheme of a name and the mesh in a file, with the name of the file.
 pub(super) fn read(scheme: &str, path: &Path) -> Result<(MeshScheme, String, MeshFile), Failure> {
-    let scheme = MeshScheme::parse(scheme).map_err(Failure::Input)?;
+    let scheme = MeshScheme::parse(scheme).map_err(|message| {
+        let of_nets = NetScheme::parse(scheme).is_ok();
+        let nets = format!("; `{scheme}` refines nets, which are in .csv or .json");
+        Failure::Input(format!("{message}{}", if of_nets { &nets } else { "" }))
+    })?;
     let standard = path.as_os_str() == "-";
     let name = if standard { "standard input".to_owned() } else { path.display().to_string() };
     let text = if standard {
@@ -136,21 +143,28 @@ fn at_limit(mesh: &Mesh, limits: &[Option<LimitPoint>]) -> Result<Mesh, Failure>
     )))
 }
 
-fn input(error: &impl ToString) -> Failure {
+fn csv() -> Failure {
+    Failure::Input(
+        "csv is a form of nets; polygon meshes are written as obj, ply or json".to_owned(),
+    )
+}
+
+pub(super) fn input(error: &impl ToString) -> Failure {
     Failure::Input(error.to_string())
 }
 
-fn chosen(output: &MeshOutput) -> MeshOutputFormat {
+pub(super) fn chosen(output: &MeshOutput) -> MeshOutputFormat {
     let extension = output.file.as_ref().and_then(|path| path.extension()).unwrap_or_default();
     output.format.unwrap_or(match extension.to_ascii_lowercase().to_str() {
         Some("ply") => MeshOutputFormat::Ply,
         Some("json") => MeshOutputFormat::Json,
+        Some("csv") => MeshOutputFormat::Csv,
         _ => MeshOutputFormat::Obj,
     })
 }
 
 /// Writes the text to the file, whole or not at all, or to the standard output.
-fn deliver(output: &MeshOutput, text: &str) -> Outcome {
+pub(super) fn deliver(output: &MeshOutput, text: &str) -> Outcome {
     match output.file.as_deref() {
         Some(path) if path.as_os_str() != "-" => save(path, text)
             .map_err(|error| Failure::Input(format!("cannot write `{}`: {error}", path.display()))),

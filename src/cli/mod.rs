@@ -10,11 +10,13 @@ mod csv;
 mod depth;
 mod errata;
 mod explain;
+mod geometry;
 mod json;
 mod listing;
 mod local_constants;
 mod man;
 mod mesh;
+mod net;
 mod new;
 mod offset;
 mod oracle;
@@ -69,8 +71,8 @@ pub(crate) fn run() -> ExitCode {
         Command::Prove(command) => prove::prove(&command),
         Command::New(command) => new::new(&command),
         Command::Oracle(command) => oracle::oracle(&command),
-        Command::Refine(command) => mesh::refine(&command),
-        Command::Limit(command) => mesh::limit(&command),
+        Command::Refine(command) => geometry::refine(&command),
+        Command::Limit(command) => geometry::limit(&command),
         Command::Schemes(command) => schemes::schemes(&command),
         Command::Man { folder } => man::man(&folder),
         Command::Completions { shell } => man::completions(shell),

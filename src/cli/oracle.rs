@@ -1,7 +1,7 @@
 //! `subcert oracle`.
 
 use super::arguments::{BoundaryArgument, OracleArguments, OracleFormat};
-use super::mesh;
+use super::geometry;
 use super::output::{Failure, Outcome, write_results};
 use super::polygon::{Caps, read_grid, read_polygon};
 use std::path::Path;
@@ -23,7 +23,7 @@ pub(super) fn oracle(arguments: &OracleArguments) -> Outcome {
             let message = "--mesh writes JSON only; `subcert refine` writes OBJ and PLY too";
             return Err(Failure::Input(message.to_owned()));
         }
-        return mesh::reference_values(&arguments.scheme, path, arguments.level);
+        return geometry::reference_values(arguments, path);
     }
     let values = match parse_any_scheme(&arguments.scheme)? {
         AnyScheme::Uniform(scheme) => uniform(&scheme, arguments)?,

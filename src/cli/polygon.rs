@@ -5,7 +5,7 @@ use serde_json::value::RawValue;
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
-use subcert::diagnostic::{Diagnostic, SourceText, read_text};
+use subcert::diagnostic::{Diagnostic, SourceText, json_elements, json_place, read_text};
 use subcert::exact::{Integer, Rational, parse_rational};
 
 /// How much a file may hold.
@@ -111,43 +111,21 @@ fn number(source: &Arc<SourceText>, text: &str, span: Range<usize>) -> Result<Pl
 fn json_points(source: &Arc<SourceText>) -> Result<Vec<Vec<Placed>>, Diagnostic> {
     let whole = 0..source.text.len();
     let point = |raw: &RawValue| {
-        let span = place(source, raw);
+        let span = json_place(source, raw);
         if raw.get().starts_with('[') {
-            let numbers = elements(source, span)?;
+            let numbers = json_elements(source, span, JSON_HELP)?;
             numbers.into_iter().map(|raw| json_number(source, raw)).collect()
         } else {
             Ok(vec![json_number(source, raw)?])
         }
     };
-    elements(source, whole)?.into_iter().map(point).collect()
-}
-
-/// The elements of the JSON array at `span`, with their text.
-fn elements(source: &Arc<SourceText>, span: Range<usize>) -> Result<Vec<&RawValue>, Diagnostic> {
-    let text = &source.text[span.clone()];
-    serde_json::from_str(text).map_err(|error| {
-        // Line and column of the character before which reading stopped, from 1.
-        let line = text.split_inclusive('\n').take(error.line().saturating_sub(1));
-        let before = line.map(str::len).sum::<usize>() + error.column().saturating_sub(1);
-        let at = (0..=before).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0);
-        let length = text[at..].chars().next().map_or(0, char::len_utf8);
-        let place = span.start + at..span.start + at + length;
-        let message = error.to_string();
-        let message = message.split(" at line ").next().unwrap_or_default().to_owned();
-        Diagnostic::new(source, place, message).with_help(JSON_HELP)
-    })
+    json_elements(source, whole, JSON_HELP)?.into_iter().map(point).collect()
 }
 
 const JSON_HELP: &str = "write an array of numbers, or of points: [[0, \"1/3\"], [0.25, 1]]";
 
-/// Where in the source an element stands: a part of its text.
-fn place(source: &Arc<SourceText>, raw: &RawValue) -> Range<usize> {
-    let start = raw.get().as_ptr().addr().saturating_sub(source.text.as_ptr().addr());
-    start..start + raw.get().len()
-}
-
 fn json_number(source: &Arc<SourceText>, raw: &RawValue) -> Result<Placed, Diagnostic> {
-    let (text, span) = (raw.get(), place(source, raw));
+    let (text, span) = (raw.get(), json_place(source, raw));
     let wrong =
         |message: String| Diagnostic::new(source, span.clone(), message).with_help(JSON_HELP);
     let parsed = match text.chars().next() {

@@ -1,10 +1,12 @@
 //! Errors that point at a place in a file.
 
 mod errors;
+mod json;
 pub(crate) mod wrap;
 
 pub(crate) use errors::Collected;
 pub use errors::Errors;
+pub use json::{json_elements, json_fields, json_place};
 pub use wrap::wrapped;
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};

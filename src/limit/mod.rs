@@ -47,6 +47,7 @@ pub(crate) use parameter::is_fraction;
 pub(crate) use points::Points;
 pub use points::{Combination, LimitWeights};
 pub use polygon::ControlPolygon;
+pub(crate) use remainder::second_contraction_constants;
 pub(crate) use step::step_supremum;
 pub use step::{Attained, greatest_change, greatest_difference, greatest_step, greatest_step_from};
 pub use surface::{MAX_NET_POINTS, Spreads, SurfaceDistances, SurfaceError, SurfaceWitness};

@@ -36,6 +36,7 @@ pub(crate) use limit::loop_limit_weights;
 pub use limit::{LimitPoint, Normal, limit_points};
 pub use point::Point;
 pub use polygon::PolygonMesh;
+pub(crate) use read::parse_coordinate;
 pub use read::{MAX_FILE_BYTES, MeshFile, MeshFormat, read_mesh};
 pub use refine::{MAX_MESH_LEVEL, refine_mesh};
 pub(crate) use refine::{step_with, weighted_valences};

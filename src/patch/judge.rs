@@ -60,6 +60,11 @@ impl Rounded {
     pub(super) fn new(tolerance: &Rational, size: f64, terms: usize) -> Rounded {
         let terms = f64::from(u32::try_from(terms + 8).unwrap_or(u32::MAX));
         let unit = 32.0 * terms * size * (f64::EPSILON / 2.0);
+        Rounded::with_unit(tolerance, unit)
+    }
+
+    /// For lengths that are off by at most (k + 2)·`unit` where they are of points of level k.
+    pub(super) fn with_unit(tolerance: &Rational, unit: f64) -> Rounded {
         Rounded { tolerance: [lower(tolerance), upper(tolerance)], unit }
     }
 

@@ -1,4 +1,4 @@
-//! How far a mesh is from its limit surface, and how many levels a tolerance needs.
+//! How far a mesh or a net is from its limit surface, and how many levels a tolerance needs.
 //!
 //! A limit surface is cut into pieces, one for each face of a level (Catmull–Clark, Loop) or for
 //! each vertex (Doo–Sabin). On a piece, mesh and limit are compared point by point in their natural
@@ -9,6 +9,7 @@
 //! | [`MeshDistances`], [`MeshDepth`] | the depth of one mesh, from both sides |
 //! | [`a_priori`] | what its longest edge and its valences guarantee |
 //! | [`formula_level`] | what a paper's formula promises |
+//! | [`NetDistances`], [`net_a_priori`], [`net_formula_level`] | the same of one tensor net (98 and 99) |
 //!
 //! Points are computed in f64 with a bound of all rounding errors. What that leaves open is
 //! decided exactly.
@@ -25,6 +26,7 @@ mod judge;
 mod measure;
 mod model;
 mod neighbourhood;
+mod net;
 mod number;
 mod regular;
 mod roots;
@@ -39,4 +41,5 @@ pub use apriori::{APriori, a_priori};
 pub use depth::{MAX_DEPTH_LEVEL, MeshDepth, MeshDistances};
 pub use far::FarPlace;
 pub use formula::{FORMULA_PAPER, formula_level};
+pub use net::{NET_FORMULA_PAPER, NetAPriori, NetDistances, net_a_priori, net_formula_level};
 pub use work::MeshWork;

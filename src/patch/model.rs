@@ -156,7 +156,7 @@ impl Model {
 
 /// The power of two that is just above all differences of coordinates from those of the first
 /// point.
-fn scale(points: &[Point<Rational>]) -> Rational {
+pub(super) fn scale(points: &[Point<Rational>]) -> Rational {
     let bits = |x: &Rational| {
         let [p, q] = [x.numerator(), x.denominator()];
         i64::try_from(p.bits()).unwrap_or(i64::MAX) - i64::try_from(q.bits()).unwrap_or(0) + 1

@@ -4,6 +4,7 @@ mod bad_input;
 mod errors;
 mod meshes;
 mod names;
+mod nets;
 mod new;
 mod offset;
 mod output;

@@ -3,6 +3,7 @@
 mod exactness;
 mod laws;
 mod naive;
+mod nets;
 mod tensor;
 mod worst;
 

@@ -67,12 +67,14 @@ pub(super) const REFINE: &str = "\
 Examples:
   subcert refine catmull-clark --mesh examples/cube.obj --level 2 -o cube2.obj
   subcert refine doo-sabin --mesh examples/cube.obj --format json
-  subcert refine loop --mesh triangles.ply --level 3 -o refined.ply";
+  subcert refine loop --mesh triangles.ply --level 3 -o refined.ply
+  subcert refine 'chaikin x four-point:w=1/9' --mesh net.csv --closed u -o fine.csv";
 
 pub(super) const LIMIT: &str = "\
 Examples:
   subcert limit catmull-clark --mesh examples/cube.obj
-  subcert limit loop --mesh triangles.ply --level 2 -o limit.obj";
+  subcert limit loop --mesh triangles.ply --level 2 -o limit.obj
+  subcert limit bicubic --mesh examples/vase.json -o vase.csv";
 
 pub(super) const SCHEMES: &str = "\
 Examples:

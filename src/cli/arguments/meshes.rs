@@ -12,6 +12,21 @@ pub(in crate::cli) enum MeshOutputFormat {
     Ply,
     /// Exact numbers and the nearest f64
     Json,
+    /// The nearest f64 of each coordinate; of nets only
+    Csv,
+}
+
+/// The closed directions of a net.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum ClosedArgument {
+    /// Neither
+    None,
+    /// From row to row: the last row is followed by the first
+    U,
+    /// Along the rows: the last point of a row is followed by its first
+    V,
+    /// Both
+    Uv,
 }
 
 /// Where and how a mesh is written.
@@ -27,12 +42,17 @@ pub(in crate::cli) struct MeshOutput {
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct RefineArguments {
-    /// The scheme: catmull-clark, doo-sabin, loop, or loop-warren
+    /// The scheme: catmull-clark, doo-sabin, loop, or loop-warren; of a net a curve, or two with ` x `
+    /// between them
     #[arg(value_name = "SCHEME")]
     pub(in crate::cli) scheme: String,
-    /// The control mesh as OBJ, OFF or PLY (ascii), `-` for the standard input
+    /// The control mesh as OBJ, OFF or PLY (ascii), or a tensor net as CSV or JSON; `-` for the
+    /// standard input
     #[arg(long, value_name = "FILE")]
     pub(in crate::cli) mesh: PathBuf,
+    /// The directions in which a net is closed [default: those in the file, or else none]
+    #[arg(long, value_enum)]
+    pub(in crate::cli) closed: Option<ClosedArgument>,
     /// How many times it is refined
     #[arg(long, value_name = "K", default_value_t = 1, allow_negative_numbers = true)]
     pub(in crate::cli) level: u32,
@@ -42,12 +62,17 @@ pub(in crate::cli) struct RefineArguments {
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct LimitArguments {
-    /// The scheme: catmull-clark, doo-sabin, loop, or loop-warren
+    /// The scheme: catmull-clark, doo-sabin, loop, or loop-warren; of a net a curve, or two with ` x `
+    /// between them
     #[arg(value_name = "SCHEME")]
     pub(in crate::cli) scheme: String,
-    /// The control mesh as OBJ, OFF or PLY (ascii), `-` for the standard input
+    /// The control mesh as OBJ, OFF or PLY (ascii), or a tensor net as CSV or JSON; `-` for the
+    /// standard input
     #[arg(long, value_name = "FILE")]
     pub(in crate::cli) mesh: PathBuf,
+    /// The directions in which a net is closed [default: those in the file, or else none]
+    #[arg(long, value_enum)]
+    pub(in crate::cli) closed: Option<ClosedArgument>,
     /// How many times it is refined before
     #[arg(long, value_name = "K", default_value_t = 0, allow_negative_numbers = true)]
     pub(in crate::cli) level: u32,

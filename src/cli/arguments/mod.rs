@@ -6,7 +6,9 @@ mod papers;
 mod schemes;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
-pub(super) use meshes::{LimitArguments, MeshOutput, MeshOutputFormat, RefineArguments};
+pub(super) use meshes::{
+    ClosedArgument, LimitArguments, MeshOutput, MeshOutputFormat, RefineArguments,
+};
 pub(super) use papers::{
     AuditArguments, BROKEN, CoverageArguments, ErrataArguments, ExplainArguments, NewArguments,
     ProveArguments,

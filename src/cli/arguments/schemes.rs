@@ -1,5 +1,6 @@
 //! The arguments of the commands about schemes.
 
+use super::meshes::ClosedArgument;
 use super::{Output, TableOutput};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -69,10 +70,14 @@ pub(in crate::cli) struct DepthArguments {
     /// What happens at its ends [default: closed]
     #[arg(long, value_enum, requires = "polygon")]
     pub(in crate::cli) boundary: Option<BoundaryArgument>,
-    /// A polygon mesh as OBJ, OFF or PLY (ascii), for the depth that it needs; `-` for the standard
-    /// input. The scheme is catmull-clark, doo-sabin, loop, or loop-warren
+    /// A polygon mesh as OBJ, OFF or PLY (ascii), or a tensor net as CSV or JSON, for the depth that it
+    /// needs; `-` for the standard input. The scheme is catmull-clark, doo-sabin, loop, or
+    /// loop-warren; of a net a curve, or two with ` x ` between them
     #[arg(long, value_name = "FILE", conflicts_with_all = ["spread", "polygon", "width", "levels"])]
     pub(in crate::cli) mesh: Option<PathBuf>,
+    /// The directions in which a net is closed [default: those in the file, or else none]
+    #[arg(long, value_enum, requires = "mesh")]
+    pub(in crate::cli) closed: Option<ClosedArgument>,
     /// Only what the longest edge and the valences of the mesh guarantee
     #[arg(long, requires = "mesh")]
     pub(in crate::cli) a_priori: bool,
@@ -154,10 +159,13 @@ pub(in crate::cli) struct OracleArguments {
     /// grid of numbers, one row on a line; for a ring, one line for each of its points
     #[arg(long, value_name = "FILE", conflicts_with_all = ["seed", "points"])]
     pub(in crate::cli) polygon: Option<std::path::PathBuf>,
-    /// A polygon mesh in place of a polygon, as OBJ, OFF or PLY: its refinement, and limit points and
-    /// normals, as JSON
+    /// A polygon mesh in place of a polygon, as OBJ, OFF or PLY, or a tensor net as CSV or JSON: its
+    /// refinement, and limit points and normals, as JSON
     #[arg(long, value_name = "FILE", conflicts_with_all = ["polygon", "seed", "points", "boundary"])]
     pub(in crate::cli) mesh: Option<PathBuf>,
+    /// The directions in which a net is closed [default: those in the file, or else none]
+    #[arg(long, value_enum, requires = "mesh")]
+    pub(in crate::cli) closed: Option<ClosedArgument>,
     /// The seed of a control polygon of small integers, from 0 to 2^64 − 1
     #[arg(long, value_name = "S", default_value_t = 1, allow_negative_numbers = true,
           value_parser = seed)]

@@ -39,24 +39,53 @@ pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments) -> Outcome {
         drop(progress);
         Some(depth)
     };
-    let report = Report { scheme, name, tolerance, guaranteed, promised, found };
+    let (scheme, paper, kind) = (scheme.name().to_owned(), FORMULA_PAPER, Kind::Mesh);
+    let report = Report { scheme, name, tolerance, guaranteed, paper, promised, found, kind };
     show(arguments.output.format, || report.sheet(arguments), || report.form())
 }
 
-struct Report {
-    scheme: MeshScheme,
-    name: String,
-    tolerance: Rational,
-    guaranteed: APriori,
-    /// The number of levels by the formula of a paper, if there is one for the scheme.
-    promised: Option<Formula>,
-    found: Option<MeshDepth>,
+pub(super) struct Report {
+    pub(super) scheme: String,
+    pub(super) name: String,
+    pub(super) tolerance: Rational,
+    pub(super) guaranteed: APriori,
+    pub(super) paper: &'static str,
+    /// What the formula of the paper says, where there is one for the scheme.
+    pub(super) promised: Option<Formula>,
+    pub(super) found: Option<MeshDepth>,
+    pub(super) kind: Kind,
+}
+
+/// What the depth is of.
+pub(super) enum Kind {
+    Mesh,
+    /// A tensor net, with so many faces along a row.
+    Net {
+        faces_in_row: usize,
+    },
+}
+
+impl Kind {
+    fn name(&self) -> &'static str {
+        match self {
+            Kind::Mesh => "mesh",
+            Kind::Net { .. } => "net",
+        }
+    }
+
+    /// The cell (i, j) of a face of a net.
+    fn cell(&self, face: usize) -> Option<[usize; 2]> {
+        match self {
+            Kind::Mesh => None,
+            Kind::Net { faces_in_row } => Some([face / faces_in_row, face % faces_in_row]),
+        }
+    }
 }
 
 /// How many levels a formula promises to be enough; `None` where it promises nothing.
 #[derive(Clone, Copy, Debug)]
-struct Formula {
-    level: Option<u32>,
+pub(super) struct Formula {
+    pub(super) level: Option<u32>,
 }
 
 /// A promised number of levels, compared with what is known.
@@ -101,22 +130,24 @@ fn point(point: &[f64; 3]) -> String {
     format!("({x}, {y}, {z})")
 }
 
-fn place_text(place: &FarPlace) -> String {
+fn place_text(place: &FarPlace, kind: &Kind) -> String {
     let FarPlace { face, vertex, level_face, on_mesh, on_limit } = place;
+    let cell = kind.cell(*face).map(|[i, j]| format!(" (cell {i}, {j})")).unwrap_or_default();
     let corner = vertex.map(|vertex| format!(" near vertex {vertex}")).unwrap_or_default();
     let of_level = level_face.map(|face| format!(", face {face} of the level")).unwrap_or_default();
     format!(
-        "face {face}{corner}{of_level}: {} of the mesh, {} of the limit",
+        "face {face}{cell}{corner}{of_level}: {} of the {}, {} of the limit",
         point(on_mesh),
+        kind.name(),
         point(on_limit)
     )
 }
 
 impl Report {
-    fn sheet(&self, arguments: &DepthArguments) -> Sheet {
+    pub(super) fn sheet(&self, arguments: &DepthArguments) -> Sheet {
         let mut sheet = Sheet::default();
-        let Report { scheme, name, guaranteed, .. } = self;
-        sheet.heading(1, format!("{name}, {}, ε = {}", scheme.name(), arguments.tolerance));
+        let Report { scheme, name, guaranteed, kind, .. } = self;
+        sheet.heading(1, format!("{name}, {scheme}, ε = {}", arguments.tolerance));
         let mut facts = Vec::new();
         if let Some(found) = &self.found {
             let few = match found.too_few {
@@ -125,24 +156,34 @@ impl Report {
                 Some(few) => format!("; {few} are too few, and those between are open"),
                 None => "; fewer are open".to_owned(),
             };
-            facts.push(("depth of the mesh".to_owned(), format!("{} levels{few}", found.level)));
+            facts.push((
+                format!("depth of the {}", kind.name()),
+                format!("{} levels{few}", found.level),
+            ));
             let [least, most] = found.distance.map(digits);
             facts
                 .push((format!("distance at level {}", found.level), format!("{least} to {most}")));
-            facts.extend(found.worst.as_ref().map(|x| ("greatest at".to_owned(), place_text(x))));
+            facts.extend(
+                found.worst.as_ref().map(|x| ("greatest at".to_owned(), place_text(x, kind))),
+            );
             let apart = format!("at least {}", digits(found.apart));
             facts.push(("Hausdorff distance".to_owned(), apart));
             let few = found.too_few.zip(found.beyond.as_ref());
-            facts
-                .extend(few.map(|(level, x)| (format!("too far at level {level}"), place_text(x))));
+            facts.extend(
+                few.map(|(level, x)| (format!("too far at level {level}"), place_text(x, kind))),
+            );
             let pieces = match found.exact_pieces {
                 0 => "nowhere; all was decided in f64 with bounds of its errors".to_owned(),
                 count => format!("for {count} pieces that were too near to call in f64"),
             };
             facts.push(("exact numbers needed".to_owned(), pieces));
         }
+        let all = match kind {
+            Kind::Mesh => "meshes with these valences and",
+            Kind::Net { .. } => "nets with",
+        };
         let text = format!(
-            "{} levels, of all meshes with these valences and edges of {} at most",
+            "{} levels, of all {all} edges of {} at most",
             guaranteed.level,
             digits(guaranteed.longest_edge)
         );
@@ -150,26 +191,34 @@ impl Report {
         if let Some(promised) = self.promised {
             let text = match (promised.level, &self.found) {
                 (None, _) => {
-                    "nothing: its constant is not below 1 for a valence of the mesh".to_owned()
+                    format!("nothing: its constant is not below 1 for this {}", kind.name())
                 }
                 (Some(level), None) => format!("{level} levels"),
                 (Some(level), Some(found)) => {
                     format!("{level} levels: {}", Promise::of(level, found).name())
                 }
             };
-            facts.push((format!("formula of {FORMULA_PAPER}"), text));
+            facts.push((format!("formula of {}", self.paper), text));
         }
         sheet.facts(facts);
-        sheet.text(
-            "The distance is that of each face of the level from its own piece of the limit surface, \
-             point by point at the same parameters. Faces and vertices are numbered from 0.",
-        );
+        sheet.text(match kind {
+            Kind::Mesh => {
+                "The distance is that of each face of the level from its own piece of the limit \
+                 surface, point by point at the same parameters. Faces and vertices are numbered from 0."
+            }
+            Kind::Net { .. } => {
+                "The distance is that of the net of the level, bilinear on each face, from the limit \
+                 surface, point by point at the same natural parameters. Cells, faces and vertices are \
+                 numbered from 0, row by row."
+            }
+        });
         sheet
     }
 
-    fn form(&self) -> form::Report<'_> {
+    pub(super) fn form(&self) -> form::Report<'_> {
         let place = |place: &FarPlace| form::Place {
             face: place.face,
+            cell: self.kind.cell(place.face),
             vertex: place.vertex,
             level_face: place.level_face.map(|face| face.to_string()),
             on_mesh: place.on_mesh.map(shortest),
@@ -178,7 +227,7 @@ impl Report {
         let found = self.found.as_ref();
         form::Report {
             schema: SCHEMA,
-            scheme: self.scheme.name(),
+            scheme: &self.scheme,
             mesh: &self.name,
             tolerance: self.tolerance.to_string(),
             level: found.map(|found| found.level),
@@ -197,7 +246,7 @@ impl Report {
                 ratio: shortest(self.guaranteed.ratio),
             },
             formula: self.promised.map(|Formula { level }| form::Formula {
-                paper: FORMULA_PAPER,
+                paper: self.paper,
                 level,
                 verdict: level.zip(found).map(|(level, found)| Promise::of(level, found).name()),
             }),

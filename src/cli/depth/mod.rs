@@ -6,12 +6,14 @@ mod faces;
 mod interval;
 mod local_rules;
 mod mesh;
+mod net;
 mod place;
 mod polygon;
 mod surface;
 
 use super::arguments::{BoundaryArgument, DepthArguments, Format};
 use super::json::{SCHEMA, depth as form};
+use super::net::NetInput;
 use super::offset::BetterOffset;
 use super::output::{Failure, Outcome, positive, show};
 use super::polygon::{Caps, read_polygon};
@@ -28,6 +30,10 @@ use subcert::scheme::{AnyScheme, Mask, Scheme, parse_any_scheme};
 
 pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
     if let Some(path) = &arguments.mesh {
+        let net = NetInput { scheme: &arguments.scheme, path, closed: arguments.closed };
+        if net.is_net() {
+            return net::net_depth(&net, arguments);
+        }
         return mesh::mesh_depth(path, arguments);
     }
     let scheme = match parse_any_scheme(&arguments.scheme)? {

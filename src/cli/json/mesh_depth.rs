@@ -8,7 +8,7 @@ pub struct Report<'a> {
     /// The version of this form.
     pub schema: u32,
     /// The scheme.
-    pub scheme: &'static str,
+    pub scheme: &'a str,
     /// The name of the file.
     pub mesh: &'a str,
     /// The tolerance ε.
@@ -54,6 +54,9 @@ pub struct AtLeast {
 pub struct Place {
     /// The face of the control mesh, from 0.
     pub face: usize,
+    /// Of a net, the row and the column of that face.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cell: Option<[usize; 2]>,
     /// The vertex of that face that it is near.
     pub vertex: Option<usize>,
     /// The face of the level.

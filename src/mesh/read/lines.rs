@@ -2,7 +2,7 @@
 
 use super::super::point::Point;
 use crate::diagnostic::{Diagnostic, SourceText};
-use crate::exact::{Rational, parse_rational};
+use crate::exact::{NumberError, Rational, parse_rational};
 use std::borrow::Cow;
 use std::ops::Range;
 use std::sync::Arc;
@@ -61,7 +61,7 @@ impl<'a> Lines<'a> {
 
     /// A coordinate.
     pub(super) fn number(&self, word: Word<'_>) -> Result<Rational, Diagnostic> {
-        parse_rational(&usual_form(word.text)).map_err(|error| {
+        parse_coordinate(word.text).map_err(|error| {
             let help = "write a decimal such as -0.25 or 2.5e-3, or a fraction such as 1/3";
             self.wrong(word.place(), error.to_string()).with_help(help)
         })
@@ -112,6 +112,11 @@ impl<'a> Iterator for Lines<'a> {
 fn words(text: &str, start: usize) -> Vec<Word<'_>> {
     let place = |word: &str| word.as_ptr().addr() - text.as_ptr().addr() + start;
     text.split_whitespace().map(|text| Word { text, at: place(text) }).collect()
+}
+
+/// A coordinate: a decimal or a fraction, exactly.
+pub(crate) fn parse_coordinate(text: &str) -> Result<Rational, NumberError> {
+    parse_rational(&usual_form(text))
 }
 
 /// Brings `+1`, `.5` and `5.`, which some programs write, into the usual form.

@@ -6,6 +6,8 @@ mod obj;
 mod off;
 mod ply;
 
+pub(crate) use lines::parse_coordinate;
+
 use super::error::MeshError;
 use super::polygon::PolygonMesh;
 use crate::diagnostic::{Diagnostic, SourceText};

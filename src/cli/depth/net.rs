@@ -1,0 +1,50 @@
+//! The depth of one tensor net.
+
+use super::faces::FacesFormat;
+use super::mesh::{Formula, Kind, Report};
+use crate::cli::arguments::{DepthArguments, Format};
+use crate::cli::net::{NetFile, NetInput, failure};
+use crate::cli::output::{Failure, Outcome, positive, show};
+use crate::cli::progress::Progress;
+use subcert::patch::{APriori, NET_FORMULA_PAPER, NetDistances, net_a_priori, net_formula_level};
+
+pub(super) fn net_depth(asked: &NetInput<'_>, arguments: &DepthArguments) -> Outcome {
+    let tolerance = positive("--tolerance", &arguments.tolerance)?;
+    let NetFile { scheme, name, net } = asked.read()?;
+    let guaranteed = net_a_priori(&net, &scheme, &tolerance).map_err(failure)?;
+    let promised = net_formula_level(&net, &scheme, &tolerance).map(|level| Formula { level });
+    let per_face = arguments.per_face.as_deref();
+    let per_face =
+        per_face.map(|path| FacesFormat::of(path).map(|format| (path, format))).transpose()?;
+    let faces_in_row = net.faces()[1];
+    let found = if arguments.a_priori {
+        None
+    } else {
+        let mesh = net.mesh().map_err(|error| Failure::Input(error.to_string()))?;
+        let distances = NetDistances::new(net, &scheme).map_err(failure)?;
+        let wanted = arguments.output.format != Format::Json;
+        let progress = Progress::of_pieces(distances.work(), wanted);
+        let depth = distances.depth(&tolerance).map_err(failure)?;
+        if let Some((path, format)) = per_face {
+            format.write(path, &mesh, depth.level, &distances.faces(depth.level))?;
+        }
+        drop(progress);
+        Some(depth)
+    };
+    let [u, v] = guaranteed.longest_edges;
+    let report = Report {
+        scheme: scheme.name().to_owned(),
+        name,
+        tolerance,
+        guaranteed: APriori {
+            level: guaranteed.level,
+            longest_edge: u.max(v),
+            ratio: guaranteed.ratio,
+        },
+        paper: NET_FORMULA_PAPER,
+        promised,
+        found,
+        kind: Kind::Net { faces_in_row },
+    };
+    show(arguments.output.format, || report.sheet(arguments), || report.form())
+}

@@ -1,0 +1,32 @@
+//! Tensor nets: files, refinement, limit points.
+//!
+//! A net is a grid of points of space, open or closed in each of its two directions. A tensor
+//! product refines it by one curve scheme from row to row, and by another one along the rows. All
+//! numbers are exact.
+//!
+//! | item | what it is |
+//! |---|---|
+//! | [`Net`] | the points, and which directions are closed |
+//! | [`read_net`], [`NetFormat`], [`Closed`] | CSV and JSON files, with the place of every error |
+//! | [`NetScheme`] | two masks, by name |
+//! | [`refine_net`] | the net of a later level |
+//! | [`net_limits`], [`limit_net`] | where the points go |
+//! | [`to_csv`] | a net as text; [`Net::mesh`] makes a polygon mesh of it |
+
+mod error;
+mod grid;
+mod limit;
+mod read;
+mod refine;
+mod scheme;
+mod window;
+mod write;
+
+pub use error::NetError;
+pub use grid::{Closed, Net};
+pub use limit::{limit_net, net_limits};
+pub use read::{NetFormat, read_net};
+pub use refine::{MAX_NET_LEVEL, refine_net};
+pub use scheme::NetScheme;
+pub(crate) use window::Window;
+pub use write::to_csv;

@@ -1,0 +1,31 @@
+//! Nets in f64.
+
+use super::super::model::scale;
+use crate::exact::Rational;
+use crate::float::nearest;
+use crate::net::{Net, NetError};
+
+/// Coordinates, and differences of them that are not 0, are between these powers of two.
+const BITS: [i32; 2] = [-900, 900];
+
+/// A net moved so that the first point is the origin, and divided by a power of two, so that
+/// coordinates are below 1; with that power.
+pub(super) fn scaled(net: &Net) -> Result<(Net<f64>, Rational), NetError> {
+    let scale = scale(net.points());
+    let [least, most] = BITS.map(|bits| Rational::from(2).pow(bits));
+    let large = |x: &Rational| x.abs() > most;
+    if scale < least || scale > most || net.points().iter().flatten().any(large) {
+        return Err(NetError::TooMuch(
+            "the coordinates are beyond 2^900, or all nearer to each other than 2^-900; measure them in \
+             another unit"
+                .to_owned(),
+        ));
+    }
+    let origin = &net.points()[0];
+    let mut coordinates = [0, 1, 2].into_iter().cycle();
+    let rounded = net.map(|x| {
+        let origin = coordinates.next().map_or(x, |c| &origin[c]);
+        nearest(&((x - origin) / &scale))
+    });
+    Ok((rounded, scale))
+}

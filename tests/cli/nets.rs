@@ -1,0 +1,148 @@
+//! `depth`, `refine`, `limit` and `oracle` on tensor nets.
+
+use super::{TemporaryFile, assert_parts, refused, written};
+
+const ROOF: [&str; 2] = ["--mesh", "examples/roof.csv"];
+
+fn of_roof<'a>(arguments: &[&'a str]) -> Vec<&'a str> {
+    arguments.iter().copied().chain(ROOF).collect()
+}
+
+fn json(text: &str) -> serde_json::Value {
+    serde_json::from_str(text).expect("JSON")
+}
+
+#[test]
+fn the_depth_of_a_net() {
+    let depth = ["depth", "bicubic", "--tolerance", "1/1000"];
+    let text = written(of_roof(&depth));
+    assert_parts(
+        &text,
+        &["depth of the net", "3 levels; 2 are too few", "(cell ", "mustafa2020-nary"],
+    );
+    let form = json(&written(of_roof(&[&depth[..], &["--format", "json"]].concat())));
+    assert_eq!((&form["level"], &form["too_few"]), (&3.into(), &2.into()));
+    let place = &form["worst_face"];
+    let face = place["face"].as_u64().expect("a face");
+    assert_eq!(place["cell"], serde_json::json!([face / 6, face % 6]));
+    assert!(form["a_priori"]["level"].as_u64() >= Some(3), "{form}");
+    // Second differences −0.2 and 0.05 across and along: (0.2 − 0.05)/6 at level 0.
+    let found =
+        json(&written(of_roof(&["depth", "bicubic", "--tolerance", "1/40", "--format", "json"])));
+    assert!(found["level"].as_u64() <= Some(1), "{found}");
+    let only = json(&written(of_roof(&[&depth[..], &["--format", "json", "--a-priori"]].concat())));
+    assert_eq!((&only["level"], &only["a_priori"]), (&serde_json::Value::Null, &form["a_priori"]));
+}
+
+#[test]
+fn nets_are_written_in_all_forms() {
+    let text = written(of_roof(&["refine", "bicubic"]));
+    assert!(
+        text.starts_with("# examples/roof.csv, bicubic, level 1: refined\nv 0.25 0.25 "),
+        "{text}"
+    );
+    assert_eq!(text.lines().filter(|line| line.starts_with("f ")).count(), 8 * 10);
+    let file = TemporaryFile::new("refined.csv", "");
+    assert!(written(of_roof(&["refine", "bicubic", "--level", "2", "-o", file.path()])).is_empty());
+    let saved = std::fs::read_to_string(file.path()).expect("the file");
+    assert_eq!(saved.lines().filter(|line| !line.starts_with('#')).count(), 15);
+    // What is written reads back.
+    let text = written(["limit", "chaikin", "--mesh", file.path(), "--format", "ply"]);
+    assert!(text.starts_with("ply\n") && text.contains("element vertex "), "{text}");
+    let vase = ["oracle", "bicubic", "--mesh", "examples/vase.json", "--level", "1"];
+    let form = json(&written(vase));
+    assert_eq!((&form["rows"], &form["columns"]), (&11.into(), &16.into()));
+    assert_eq!(form["closed"], "v");
+    assert_eq!(form["points"].as_array().expect("points").len(), 176);
+    assert_eq!(form["faces"].as_array().expect("faces").len(), 160);
+    assert_eq!(form["limits"][0], serde_json::Value::Null);
+    assert!(form["limits"][16]["position"]["exact"][2].is_string());
+    let open = json(&written(vase.into_iter().chain(["--closed", "none"])));
+    assert_eq!((&open["columns"], &open["closed"]), (&13.into(), &"none".into()));
+}
+
+#[test]
+fn the_distance_of_every_cell() {
+    let table = TemporaryFile::new("cells.csv", "");
+    let colours = TemporaryFile::new("cells.ply", "");
+    for file in [&table, &colours] {
+        let depth = ["depth", "chaikin", "--tolerance", "1/100", "--per-face", file.path()];
+        written(of_roof(&depth));
+    }
+    let text = std::fs::read_to_string(table.path()).expect("the file");
+    assert_eq!(text.lines().count(), 31);
+    // All faces have a part of a biquadratic surface.
+    let positive = |line: &&str| line.rsplit(',').next().is_some_and(|x| x != "0.0");
+    assert_eq!(text.lines().skip(1).filter(positive).count(), 30, "{text}");
+    let text = std::fs::read_to_string(colours.path()).expect("the file");
+    assert!(text.contains("element face 30\n"), "{text}");
+}
+
+#[test]
+fn what_is_no_net() {
+    let cases: [(&str, &str, &[&str], &[&str]); 9] = [
+        (
+            "a.csv",
+            "0 0 0, 1 0 0\n0 1 0\n",
+            &[],
+            &["a.csv:2:1", "1 points, and the first row has 2"],
+        ),
+        (
+            "b.csv",
+            "0,0,0\n1,0,0\n",
+            &[],
+            &["b.csv:1:1", "one point on a line", "separated by commas"],
+        ),
+        ("c.csv", "0 0 0, 1 0 0\n0 1 0, 1 1 0\n", &[], &["2 rows", "depends on 4", "--closed u"]),
+        (
+            "d.csv",
+            "0 0 0, 1 0 0\n0 1 0, 1 1 0\n",
+            &["--closed", "uv"],
+            &["a closed direction needs 3"],
+        ),
+        ("e.json", "[[[0, 0, 0]", &[], &["e.json:1:", "EOF"]),
+        ("f.json", "{\"closed\": \"w\", \"points\": []}", &[], &["f.json:1:12", "\"uv\""]),
+        ("g.json", "{}", &[], &["no field `points`"]),
+        ("h.csv", "", &[], &["no point in this file"]),
+        ("i.csv", "v 0 0 0\nv 1 0 0\nf 1 2 3\n", &[], &["i.csv:1:1"]),
+    ];
+    for (name, text, more, parts) in cases {
+        let file = TemporaryFile::new(name, text);
+        for command in ["refine", "limit", "oracle"] {
+            let arguments = [command, "bicubic", "--mesh", file.path()];
+            assert_parts(&refused(arguments.into_iter().chain(more.iter().copied())), parts);
+        }
+        let arguments = ["depth", "bicubic", "--tolerance", "1", "--mesh", file.path()];
+        assert_parts(&refused(arguments.into_iter().chain(more.iter().copied())), parts);
+    }
+}
+
+#[test]
+fn what_does_not_fit() {
+    let cases: [(&[&str], &[&str]); 8] = [
+        (
+            &["refine", "catmull-clark"],
+            &["`catmull-clark` is for polygon meshes", "b-spline:degree=3"],
+        ),
+        (&["refine", "bicubc"], &["unknown scheme `bicubc`"]),
+        (&["refine", "doo-sabin:n=5"], &["doo-sabin"]),
+        (&["refine", "bicubic", "--level", "25"], &["level 25 is too high; at most 24 is"]),
+        (&["refine", "bicubic", "--level", "9"], &["at most 1000000"]),
+        (&["refine", "bicubic", "--closed", "w"], &["possible values: none, u, v, uv"]),
+        (&["depth", "bicubic", "--tolerance", "0"], &["--tolerance must be positive"]),
+        (&["depth", "b-spline:degree=8", "--tolerance", "1"], &["6 rows", "depends on 9"]),
+    ];
+    for (arguments, parts) in cases {
+        assert_parts(&refused(of_roof(arguments)), parts);
+    }
+    let cube = ["refine", "bicubic", "--mesh", "examples/cube.obj"];
+    assert_parts(&refused(cube), &["no scheme for meshes is called `bicubic`", "net"]);
+    let closed = cube.into_iter().chain(["--closed", "u"]);
+    assert_parts(&refused(closed), &["--closed is for nets", "polygon mesh"]);
+    let csv = ["refine", "catmull-clark", "--mesh", "examples/cube.obj", "--format", "csv"];
+    assert_parts(&refused(csv), &["csv is a form of nets"]);
+    assert_parts(
+        &refused(["limit", "bicubic", "--mesh", "nowhere.csv"]),
+        &["cannot read `nowhere.csv`"],
+    );
+}

@@ -1,0 +1,22 @@
+//! How far tensor nets are from their limit surfaces, and how many levels they need.
+
+mod attack;
+mod exactness;
+mod laws;
+mod tensor;
+
+use subcert::exact::Rational;
+use subcert::net::{Net, NetScheme};
+use subcert::patch::{MeshDepth, NetDistances};
+
+fn distances(net: &Net, scheme: &NetScheme) -> NetDistances {
+    NetDistances::new(net.clone(), scheme).expect("a net within the caps")
+}
+
+fn depth(net: &Net, scheme: &NetScheme, tolerance: &Rational) -> MeshDepth {
+    distances(net, scheme).depth(tolerance).expect("a depth")
+}
+
+fn length(error: [f64; 3]) -> f64 {
+    error.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
