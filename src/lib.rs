@@ -49,6 +49,7 @@
 //! | [`limit`] | limits at rational parameters, distances of polygons from them in both parametrisations |
 //! | [`float`] | the same in f64, certified against the exact path |
 //! | [`mesh`] | polygon meshes: files, refinement, limit points and normals |
+//! | [`solid`] | hexahedral meshes: files, refinement by Bajaj's scheme, limit points |
 //! | [`patch`] | how far meshes are from their limit surfaces |
 //! | [`oracle`] | reference values and checks for other programs' tests |
 //! | [`claim`] | what a paper asserts |
@@ -84,6 +85,7 @@ pub mod patch;
 #[cfg(feature = "cli")]
 pub mod report;
 pub mod scheme;
+pub mod solid;
 pub mod suggestion;
 
 /// The examples of README.md, run as tests.

@@ -11,6 +11,7 @@ use subcert::mesh::{
     LimitPoint, MAX_FILE_BYTES, MeshError, MeshFile, MeshFormat, MeshScheme, PolygonMesh,
     limit_points, read_mesh, refine_mesh, to_json, to_obj, to_ply,
 };
+use subcert::solid::{SOLID_SCHEME, SolidFormat};
 
 type Mesh = PolygonMesh<RealCyclotomic>;
 
@@ -18,10 +19,10 @@ pub(super) fn refine(arguments: &RefineArguments) -> Outcome {
     let work = Work::new(&arguments.scheme, &arguments.mesh, arguments.level)?;
     let mesh = work.refined()?;
     let title = work.title("refined");
-    let text = match chosen(&arguments.output) {
+    let text = match chosen(&arguments.output)? {
         MeshOutputFormat::Obj => to_obj(&mesh, &title, &[]).map_err(|e| input(&e))?,
         MeshOutputFormat::Ply => to_ply(&mesh, &title).map_err(|e| input(&e))?,
-        MeshOutputFormat::Json => to_json(&mesh, &work.head(), None),
+        _ => to_json(&mesh, &work.head(), None),
     };
     deliver(&arguments.output, &text)
 }
@@ -31,14 +32,14 @@ pub(super) fn limit(arguments: &LimitArguments) -> Outcome {
     let mesh = work.refined()?;
     let limits = work.limits(&mesh)?;
     let title = work.title("limit points of its vertices");
-    let text = match chosen(&arguments.output) {
+    let text = match chosen(&arguments.output)? {
         MeshOutputFormat::Obj => {
             to_obj(&at_limit(&mesh, &limits)?, &title, &limits).map_err(|e| input(&e))?
         }
         MeshOutputFormat::Ply => {
             to_ply(&at_limit(&mesh, &limits)?, &title).map_err(|e| input(&e))?
         }
-        MeshOutputFormat::Json => to_json(&mesh, &work.head(), Some(&limits)),
+        _ => to_json(&mesh, &work.head(), Some(&limits)),
     };
     deliver(&arguments.output, &text)
 }
@@ -54,6 +55,20 @@ pub(super) fn reference_values(scheme: &str, path: &Path, level: u32) -> Outcome
 /// The scheme of a name and the mesh in a file, with the name of the file.
 pub(super) fn read(scheme: &str, path: &Path) -> Result<(MeshScheme, String, MeshFile), Failure> {
     let scheme = MeshScheme::parse(scheme).map_err(Failure::Input)?;
+    let (name, text) = text_of(path)?;
+    if SolidFormat::of(path, &text).is_some() {
+        return Err(Failure::Input(format!(
+            "`{name}` is a hexahedral mesh, and `{}` refines polygon meshes; take {SOLID_SCHEME}",
+            scheme.name()
+        )));
+    }
+    let format = MeshFormat::of(path, &text);
+    let file = read_mesh(&SourceText::new(name.clone(), text), format)?;
+    Ok((scheme, name, file))
+}
+
+/// The name of a file, or of the standard input, and its text.
+pub(super) fn text_of(path: &Path) -> Result<(String, String), Failure> {
     let standard = path.as_os_str() == "-";
     let name = if standard { "standard input".to_owned() } else { path.display().to_string() };
     let text = if standard {
@@ -65,9 +80,7 @@ pub(super) fn read(scheme: &str, path: &Path) -> Result<(MeshScheme, String, Mes
         let hint = if reason.contains("UTF-8") { "; save it in an ascii form" } else { "" };
         Failure::Input(format!("cannot read `{name}`: {reason}{hint}"))
     })?;
-    let format = MeshFormat::of(path, &text);
-    let file = read_mesh(&SourceText::new(name.clone(), text), format)?;
-    Ok((scheme, name, file))
+    Ok((name, text))
 }
 
 /// What the rules refuse, they refuse at level 0: it has a place in the file.
@@ -136,21 +149,28 @@ fn at_limit(mesh: &Mesh, limits: &[Option<LimitPoint>]) -> Result<Mesh, Failure>
     )))
 }
 
-fn input(error: &impl ToString) -> Failure {
+pub(super) fn input(error: &impl ToString) -> Failure {
     Failure::Input(error.to_string())
 }
 
-fn chosen(output: &MeshOutput) -> MeshOutputFormat {
+/// OBJ, PLY or JSON.
+fn chosen(output: &MeshOutput) -> Result<MeshOutputFormat, Failure> {
     let extension = output.file.as_ref().and_then(|path| path.extension()).unwrap_or_default();
-    output.format.unwrap_or(match extension.to_ascii_lowercase().to_str() {
-        Some("ply") => MeshOutputFormat::Ply,
-        Some("json") => MeshOutputFormat::Json,
-        _ => MeshOutputFormat::Obj,
-    })
+    match (output.format, extension.to_ascii_lowercase().to_str()) {
+        (Some(MeshOutputFormat::Vtk | MeshOutputFormat::Medit), _)
+        | (None, Some("vtk" | "mesh")) => Err(Failure::Input(format!(
+            "VTK and MEDIT are written of hexahedral meshes only, which {SOLID_SCHEME} refines; \
+             --format obj, ply or json writes polygon meshes"
+        ))),
+        (Some(format), _) => Ok(format),
+        (None, Some("ply")) => Ok(MeshOutputFormat::Ply),
+        (None, Some("json")) => Ok(MeshOutputFormat::Json),
+        _ => Ok(MeshOutputFormat::Obj),
+    }
 }
 
 /// Writes the text to the file, whole or not at all, or to the standard output.
-fn deliver(output: &MeshOutput, text: &str) -> Outcome {
+pub(super) fn deliver(output: &MeshOutput, text: &str) -> Outcome {
     match output.file.as_deref() {
         Some(path) if path.as_os_str() != "-" => save(path, text)
             .map_err(|error| Failure::Input(format!("cannot write `{}`: {error}", path.display()))),

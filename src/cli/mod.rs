@@ -26,6 +26,7 @@ mod prove;
 mod range;
 mod save;
 mod schemes;
+mod solid;
 mod terminal;
 
 use arguments::{Arguments, Command};
@@ -69,7 +70,9 @@ pub(crate) fn run() -> ExitCode {
         Command::Prove(command) => prove::prove(&command),
         Command::New(command) => new::new(&command),
         Command::Oracle(command) => oracle::oracle(&command),
+        Command::Refine(command) if solid::takes(&command.scheme) => solid::refine(&command),
         Command::Refine(command) => mesh::refine(&command),
+        Command::Limit(command) if solid::takes(&command.scheme) => solid::limit(&command),
         Command::Limit(command) => mesh::limit(&command),
         Command::Schemes(command) => schemes::schemes(&command),
         Command::Man { folder } => man::man(&folder),

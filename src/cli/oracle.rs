@@ -4,6 +4,7 @@ use super::arguments::{BoundaryArgument, OracleArguments, OracleFormat};
 use super::mesh;
 use super::output::{Failure, Outcome, write_results};
 use super::polygon::{Caps, read_grid, read_polygon};
+use super::solid;
 use std::path::Path;
 use subcert::oracle::{
     Boundary, Control, LocalRequest, MAX_VALUES, OracleError, OracleRequest, OracleValues,
@@ -20,8 +21,11 @@ const SEEDED_POINTS: usize = 8;
 pub(super) fn oracle(arguments: &OracleArguments) -> Outcome {
     if let Some(path) = &arguments.mesh {
         if arguments.format != OracleFormat::Json {
-            let message = "--mesh writes JSON only; `subcert refine` writes OBJ and PLY too";
+            let message = "--mesh writes JSON only; `subcert refine` writes other forms too";
             return Err(Failure::Input(message.to_owned()));
+        }
+        if solid::takes(&arguments.scheme) {
+            return solid::reference_values(path, arguments.level);
         }
         return mesh::reference_values(&arguments.scheme, path, arguments.level);
     }

@@ -10,6 +10,10 @@ pub(in crate::cli) enum MeshOutputFormat {
     Obj,
     /// The same
     Ply,
+    /// The same, of a solid
+    Vtk,
+    /// The same, of a solid
+    Medit,
     /// Exact numbers and the nearest f64
     Json,
 }
@@ -20,17 +24,17 @@ pub(in crate::cli) struct MeshOutput {
     /// The file; without it, the standard output
     #[arg(short = 'o', long = "output", value_name = "FILE")]
     pub(in crate::cli) file: Option<PathBuf>,
-    /// Output format [default: by the extension of FILE, or obj]
+    /// Output format [default: by the extension of FILE, or obj, of a solid vtk]
     #[arg(long, value_enum)]
     pub(in crate::cli) format: Option<MeshOutputFormat>,
 }
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct RefineArguments {
-    /// The scheme: catmull-clark, doo-sabin, loop, or loop-warren
+    /// The scheme: catmull-clark, doo-sabin, loop, or loop-warren; bajaj for a solid
     #[arg(value_name = "SCHEME")]
     pub(in crate::cli) scheme: String,
-    /// The control mesh as OBJ, OFF or PLY (ascii), `-` for the standard input
+    /// The control mesh as OBJ, OFF or PLY, of a solid as VTK or MEDIT (ascii), `-` for the standard input
     #[arg(long, value_name = "FILE")]
     pub(in crate::cli) mesh: PathBuf,
     /// How many times it is refined
@@ -42,10 +46,10 @@ pub(in crate::cli) struct RefineArguments {
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct LimitArguments {
-    /// The scheme: catmull-clark, doo-sabin, loop, or loop-warren
+    /// The scheme: catmull-clark, doo-sabin, loop, or loop-warren; bajaj for a solid
     #[arg(value_name = "SCHEME")]
     pub(in crate::cli) scheme: String,
-    /// The control mesh as OBJ, OFF or PLY (ascii), `-` for the standard input
+    /// The control mesh as OBJ, OFF or PLY, of a solid as VTK or MEDIT (ascii), `-` for the standard input
     #[arg(long, value_name = "FILE")]
     pub(in crate::cli) mesh: PathBuf,
     /// How many times it is refined before

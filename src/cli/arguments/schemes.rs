@@ -70,7 +70,8 @@ pub(in crate::cli) struct DepthArguments {
     #[arg(long, value_enum, requires = "polygon")]
     pub(in crate::cli) boundary: Option<BoundaryArgument>,
     /// A polygon mesh as OBJ, OFF or PLY (ascii), for the depth that it needs; `-` for the standard
-    /// input. The scheme is catmull-clark, doo-sabin, loop, or loop-warren
+    /// input. The scheme is catmull-clark, doo-sabin, loop, or loop-warren; or a solid as VTK or MEDIT,
+    /// for which it is bajaj
     #[arg(long, value_name = "FILE", conflicts_with_all = ["spread", "polygon", "width", "levels"])]
     pub(in crate::cli) mesh: Option<PathBuf>,
     /// Only what the longest edge and the valences of the mesh guarantee
@@ -154,8 +155,8 @@ pub(in crate::cli) struct OracleArguments {
     /// grid of numbers, one row on a line; for a ring, one line for each of its points
     #[arg(long, value_name = "FILE", conflicts_with_all = ["seed", "points"])]
     pub(in crate::cli) polygon: Option<std::path::PathBuf>,
-    /// A polygon mesh in place of a polygon, as OBJ, OFF or PLY: its refinement, and limit points and
-    /// normals, as JSON
+    /// A polygon mesh in place of a polygon, as OBJ, OFF or PLY, or a solid as VTK or MEDIT (bajaj): its
+    /// refinement, and limit points and normals, as JSON
     #[arg(long, value_name = "FILE", conflicts_with_all = ["polygon", "seed", "points", "boundary"])]
     pub(in crate::cli) mesh: Option<PathBuf>,
     /// The seed of a control polygon of small integers, from 0 to 2^64 − 1
