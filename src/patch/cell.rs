@@ -1,11 +1,10 @@
 //! A piece with its points: how far the polygons are from the limit on it.
 
-use super::growth::bend_bound;
 use super::judge::{Judge, Points};
+use super::kind::Kind;
 use super::number::{Row, combinations};
 use super::shape::{Part, Shape, UP, quarter};
 use super::shapes::Shapes;
-use crate::mesh::MeshScheme;
 
 /// A piece of a level with its points.
 #[derive(Clone)]
@@ -18,7 +17,7 @@ pub(super) struct Cell<V> {
     /// is of this level or an earlier one and linear or bilinear on the piece.
     pub(super) base: Option<Vec<V>>,
     /// The parts of parts that led here from the piece of level 1: two binary digits for each, the
-    /// last one lowest.
+    /// last one lowest. Of a solid it is not kept.
     pub(super) path: u128,
 }
 
@@ -45,13 +44,17 @@ impl<V: Points> Cell<V> {
         self.points.len() as u64 / 16 + 1
     }
 
+    fn path_of(&self, shape: &Shape, part: usize) -> u128 {
+        if shape.kind == Kind::Solid { 0 } else { self.path << 2 | part as u128 }
+    }
+
     /// One part, of a piece that has no polygon to be compared with yet.
     pub(super) fn part(&self, shapes: &Shapes, part: usize) -> Cell<V> {
         let shape = self.shape(shapes);
         let Part { shape: next, points } = &shape.parts[part];
         let refined = &V::rules(shape).refined;
         let points = points.iter().map(|&point| V::combination(&refined[point], &self.points));
-        let path = self.path << 2 | part as u128;
+        let path = self.path_of(shape, part);
         Cell { shape: *next, level: self.level + 1, points: points.collect(), base: None, path }
     }
 
@@ -67,7 +70,7 @@ impl<V: Points> Cell<V> {
                 None if begin => Some(combinations(&rules.base[i], &self.points)),
                 None => None,
             };
-            let path = self.path << 2 | i as u128;
+            let path = self.path_of(shape, i);
             Cell { shape: part.shape, level: self.level + 1, points, base, path }
         };
         shape.parts.iter().enumerate().map(part).collect()
@@ -99,10 +102,10 @@ impl<V: Points> Cell<V> {
         };
         let straight = bends.directions.iter().map(worst).sum();
         let across = if bends.across.is_empty() { 0.0 } else { worst(&bends.across) };
-        bend_bound(shape.scheme(), straight, across) * UP
+        shape.kind.bend_bound(straight, across) * UP
     }
 
-    /// The same, sharper where second differences of two directions cancel; not for triangles.
+    /// The same, sharper where second differences of two directions cancel; not for triangles and solids.
     pub(super) fn sharp_bound(
         &self,
         shapes: &Shapes,
@@ -114,7 +117,7 @@ impl<V: Points> Cell<V> {
         let (_, bends) = V::rules(shape).regular.as_ref()?;
         let [first, second] = &bends.directions[..] else { return None };
         let [first, second] = [first, second].map(|rows| combinations(rows, &self.points));
-        let unit = if shape.scheme() == MeshScheme::CatmullClark { 6.0 } else { 8.0 };
+        let unit = if shape.kind.is_cubic() { 6.0 } else { 8.0 };
         let pairs = first.iter().flat_map(|left| second.iter().map(move |right| (left, right)));
         let sums = pairs.flat_map(|(left, right)| {
             [

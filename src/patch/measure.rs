@@ -21,18 +21,18 @@ const FACE_WIDTH: f64 = 0.05;
 const TRIED: usize = 64;
 
 impl MeshDistances {
-    /// A lower and an upper bound of the distance at a level, for each face of the control mesh: of its
+    /// A lower and an upper bound of the distance at a level, for each face or cell of the control mesh: of its
     /// piece of the mesh of that level from its piece of the limit. Both are 0 where there is no limit.
     #[must_use]
     pub fn faces(&self, level: u32) -> Vec<[f64; 2]> {
         let model = &self.model;
         let judge = model.rounded_judge(&Rational::one());
-        let mut faces = vec![[0.0_f64; 2]; model.control.faces().len()];
+        let mut faces = vec![[0.0_f64; 2]; model.source.face_count()];
         let scale = nearest(&model.scale);
         self.work.begin(level, model.roots.all.len());
         let bounds = in_threads(&model.roots.all, |root| {
             self.work.step();
-            let mut search = Search::new(&model.shapes, model.scheme, &judge, level, PIECE_STEPS);
+            let mut search = Search::new(&model.shapes, model.kind, &judge, level, PIECE_STEPS);
             let (mut best, mut place) = (0.0, None);
             let cell = model.rounded_cell(root, level);
             let upper = search.measure(cell, FACE_WIDTH, &mut best, &mut place);
@@ -61,8 +61,7 @@ impl MeshDistances {
                 if bound <= best * (1.0 + WIDTH) || left == 0 {
                     return (bound, own, None, 0);
                 }
-                let mut search =
-                    Search::new(&model.shapes, model.scheme, &judge, level, PIECE_STEPS);
+                let mut search = Search::new(&model.shapes, model.kind, &judge, level, PIECE_STEPS);
                 let cell = model.rounded_cell(root, level);
                 let upper = search.measure(cell, WIDTH, &mut own, &mut place);
                 (upper, own, place.map(|place| (root, place)), PIECE_STEPS - search.steps)
@@ -93,7 +92,7 @@ impl MeshDistances {
         let chosen: BTreeSet<usize> =
             (0..TRIED).map(|i| waiting.len() * i * i / (TRIED * TRIED)).collect();
         for (_, root) in chosen.into_iter().filter_map(|i| waiting.get(i)) {
-            let mut search = Search::new(&model.shapes, model.scheme, &judge, level, PIECE_STEPS);
+            let mut search = Search::new(&model.shapes, model.kind, &judge, level, PIECE_STEPS);
             let (mut far, mut place) = (best, None);
             search.measure(model.rounded_cell(root, level), FACE_WIDTH, &mut far, &mut place);
             if let Some(place) = place {

@@ -33,7 +33,7 @@ pub(crate) use limit::limit_rows;
 pub use limit::solid_limit_points;
 pub use read::{SolidFile, SolidFormat, read_solid};
 pub use refine::refine_solid;
-pub(crate) use refine::{part_corners, refined_cells, refined_points, split_points};
+pub(crate) use refine::{part_corners, refined_points, split_points};
 pub use write::{solid_to_json, to_medit, to_vtk};
 
 pub use crate::mesh::MAX_POINTS;

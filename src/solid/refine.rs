@@ -101,7 +101,7 @@ pub(crate) fn part_corners(complex: &Complex, cell: usize, part: usize) -> [usiz
 }
 
 /// The cells of the next level.
-pub(crate) fn refined_cells(complex: &Complex) -> Vec<[usize; 8]> {
+pub(super) fn refined_cells(complex: &Complex) -> Vec<[usize; 8]> {
     let parts = (0..complex.cells.len()).flat_map(|cell| (0..8).map(move |part| (cell, part)));
     parts.map(|(cell, part)| part_corners(complex, cell, part)).collect()
 }

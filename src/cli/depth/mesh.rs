@@ -21,6 +21,7 @@ pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments) -> Outcome {
     let refused = |error| failure(&file, &error);
     let guaranteed = a_priori(file.mesh(), scheme, &tolerance).map_err(refused)?;
     let promised = (scheme == MeshScheme::DooSabin).then(|| Formula {
+        paper: FORMULA_PAPER,
         level: formula_level(file.mesh(), guaranteed.longest_edge, &tolerance),
     });
     let per_face = arguments.per_face.as_deref();
@@ -39,24 +40,27 @@ pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments) -> Outcome {
         drop(progress);
         Some(depth)
     };
-    let report = Report { scheme, name, tolerance, guaranteed, promised, found };
-    show(arguments.output.format, || report.sheet(arguments), || report.form())
+    let scheme = scheme.name();
+    Report { scheme, solid: false, name, tolerance, guaranteed, promised, found }.show(arguments)
 }
 
-struct Report {
-    scheme: MeshScheme,
-    name: String,
-    tolerance: Rational,
-    guaranteed: APriori,
+/// The answers for one polygon mesh, or for one solid.
+pub(super) struct Report {
+    pub(super) scheme: &'static str,
+    pub(super) solid: bool,
+    pub(super) name: String,
+    pub(super) tolerance: Rational,
+    pub(super) guaranteed: APriori,
     /// What the formula of a paper says, where there is one for the scheme.
-    promised: Option<Formula>,
-    found: Option<MeshDepth>,
+    pub(super) promised: Option<Formula>,
+    pub(super) found: Option<MeshDepth>,
 }
 
 /// How many levels a formula promises to be enough; `None` where it promises nothing.
 #[derive(Clone, Copy, Debug)]
-struct Formula {
-    level: Option<u32>,
+pub(super) struct Formula {
+    pub(super) paper: &'static str,
+    pub(super) level: Option<u32>,
 }
 
 /// A promise of a number of levels against what is known.
@@ -101,22 +105,27 @@ fn point(point: &[f64; 3]) -> String {
     format!("({x}, {y}, {z})")
 }
 
-fn place_text(place: &FarPlace) -> String {
+fn place_text(place: &FarPlace, piece: &str) -> String {
     let FarPlace { face, vertex, level_face, on_mesh, on_limit } = place;
     let corner = vertex.map(|vertex| format!(" near vertex {vertex}")).unwrap_or_default();
     let of_level = level_face.map(|face| format!(", face {face} of the level")).unwrap_or_default();
     format!(
-        "face {face}{corner}{of_level}: {} of the mesh, {} of the limit",
+        "{piece} {face}{corner}{of_level}: {} of the mesh, {} of the limit",
         point(on_mesh),
         point(on_limit)
     )
 }
 
 impl Report {
+    pub(super) fn show(&self, arguments: &DepthArguments) -> Outcome {
+        show(arguments.output.format, || self.sheet(arguments), || self.form())
+    }
+
     fn sheet(&self, arguments: &DepthArguments) -> Sheet {
         let mut sheet = Sheet::default();
         let Report { scheme, name, guaranteed, .. } = self;
-        sheet.heading(1, format!("{name}, {}, ε = {}", scheme.name(), arguments.tolerance));
+        sheet.heading(1, format!("{name}, {scheme}, ε = {}", arguments.tolerance));
+        let place_text = |place| place_text(place, if self.solid { "cell" } else { "face" });
         let mut facts = Vec::new();
         if let Some(found) = &self.found {
             let few = match found.too_few {
@@ -130,8 +139,10 @@ impl Report {
             facts
                 .push((format!("distance at level {}", found.level), format!("{least} to {most}")));
             facts.extend(found.worst.as_ref().map(|x| ("greatest at".to_owned(), place_text(x))));
-            let apart = format!("at least {}", digits(found.apart));
-            facts.push(("Hausdorff distance".to_owned(), apart));
+            if !self.solid {
+                let apart = format!("at least {}", digits(found.apart));
+                facts.push(("Hausdorff distance".to_owned(), apart));
+            }
             let few = found.too_few.zip(found.beyond.as_ref());
             facts
                 .extend(few.map(|(level, x)| (format!("too far at level {level}"), place_text(x))));
@@ -141,8 +152,9 @@ impl Report {
             };
             facts.push(("exact numbers needed".to_owned(), pieces));
         }
+        let like = if self.solid { "whose cells meet so, with" } else { "with these valences and" };
         let text = format!(
-            "{} levels, of all meshes with these valences and edges of {} at most",
+            "{} levels, of all meshes {like} edges of {} at most",
             guaranteed.level,
             digits(guaranteed.longest_edge)
         );
@@ -157,13 +169,18 @@ impl Report {
                     format!("{level} levels: {}", Promise::of(level, found).name())
                 }
             };
-            facts.push((format!("formula of {FORMULA_PAPER}"), text));
+            let text = if self.solid { format!("for the boundary, {text}") } else { text };
+            facts.push((format!("formula of {}", promised.paper), text));
         }
         sheet.facts(facts);
-        sheet.text(
+        sheet.text(if self.solid {
+            "The distance is that of each cell of the level from its own piece of the limit solid, \
+             point by point at the same parameters; the boundary is a part of it. Cells and vertices \
+             are numbered from 0."
+        } else {
             "The distance is that of each face of the level from its own piece of the limit surface, \
-             point by point at the same parameters. Faces and vertices are numbered from 0.",
-        );
+             point by point at the same parameters. Faces and vertices are numbered from 0."
+        });
         sheet
     }
 
@@ -178,7 +195,7 @@ impl Report {
         let found = self.found.as_ref();
         form::Report {
             schema: SCHEMA,
-            scheme: self.scheme.name(),
+            scheme: self.scheme,
             mesh: &self.name,
             tolerance: self.tolerance.to_string(),
             level: found.map(|found| found.level),
@@ -187,7 +204,9 @@ impl Report {
                 let [lower, upper] = found.distance.map(shortest);
                 form::Bounds { lower, upper }
             }),
-            hausdorff: found.map(|found| form::AtLeast { lower: shortest(found.apart) }),
+            hausdorff: found
+                .filter(|_| !self.solid)
+                .map(|found| form::AtLeast { lower: shortest(found.apart) }),
             worst_face: found.and_then(|found| found.worst.as_ref()).map(place),
             too_far: found.and_then(|found| found.beyond.as_ref()).map(place),
             exact_pieces: found.map(|found| found.exact_pieces),
@@ -196,8 +215,8 @@ impl Report {
                 longest_edge: shortest(self.guaranteed.longest_edge),
                 ratio: shortest(self.guaranteed.ratio),
             },
-            formula: self.promised.map(|Formula { level }| form::Formula {
-                paper: FORMULA_PAPER,
+            formula: self.promised.map(|Formula { paper, level }| form::Formula {
+                paper,
                 level,
                 verdict: level.zip(found).map(|(level, found)| Promise::of(level, found).name()),
             }),

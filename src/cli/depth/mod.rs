@@ -8,6 +8,7 @@ mod local_rules;
 mod mesh;
 mod place;
 mod polygon;
+mod solid;
 mod surface;
 
 use super::arguments::{BoundaryArgument, DepthArguments, Format};
@@ -16,6 +17,7 @@ use super::offset::BetterOffset;
 use super::output::{Failure, Outcome, positive, show};
 use super::polygon::{Caps, read_polygon};
 use super::progress::Progress;
+use super::solid::takes;
 use bound::Bounds;
 use exact::{Asked, Exact};
 use local_rules::ring_depth;
@@ -28,6 +30,9 @@ use subcert::scheme::{AnyScheme, Mask, Scheme, parse_any_scheme};
 
 pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
     if let Some(path) = &arguments.mesh {
+        if takes(&arguments.scheme) {
+            return solid::solid_depth(path, arguments);
+        }
         return mesh::mesh_depth(path, arguments);
     }
     let scheme = match parse_any_scheme(&arguments.scheme)? {

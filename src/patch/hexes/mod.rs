@@ -1,0 +1,11 @@
+//! Pieces of solids: hexahedra with all hexahedra that share a corner with them.
+
+mod grid;
+mod guarantee;
+mod local;
+mod neighbourhood;
+mod roots;
+
+pub use guarantee::{SOLID_FORMULA_PAPER, solid_a_priori, solid_formula_level};
+pub(super) use local::{HexLocal, parts_of};
+pub(super) use roots::hex_roots;
