@@ -54,7 +54,15 @@ pub(super) fn reference_values(scheme: &str, path: &Path, level: u32) -> Outcome
 
 /// The scheme of a name and the mesh in a file, with the name of the file.
 pub(super) fn read(scheme: &str, path: &Path) -> Result<(MeshScheme, String, MeshFile), Failure> {
-    let scheme = MeshScheme::parse(scheme).map_err(Failure::Input)?;
+    let scheme = MeshScheme::parse(scheme).map_err(|message| {
+        let solid = scheme.split(':').next() == Some(SOLID_SCHEME);
+        let message = if solid {
+            format!("a solid has its own valences: write `{SOLID_SCHEME}`")
+        } else {
+            message
+        };
+        Failure::Input(message)
+    })?;
     let (name, text) = text_of(path)?;
     if SolidFormat::of(path, &text).is_some() {
         return Err(Failure::Input(format!(

@@ -1,6 +1,6 @@
 //! A piece with what is around it, whatever its points are.
 
-use super::hexes::{HexLocal, parts_of};
+use super::hexes::{HexLocal, Layers, parts_of};
 use super::kind::Kind;
 use super::neighbourhood::Neighbourhood;
 use super::number::Number;
@@ -18,6 +18,14 @@ impl Around {
         match kind {
             Kind::Surface(scheme) => Around::Surface(Local::new(scheme, count, faces.clone())),
             Kind::Solid => Around::Solid(HexLocal::new(count, faces)),
+        }
+    }
+
+    /// The layers of a piece of a solid that is the same in each.
+    pub(super) fn layers(&self) -> Option<&Layers> {
+        match self {
+            Around::Surface(_) => None,
+            Around::Solid(local) => local.layers.as_ref(),
         }
     }
 

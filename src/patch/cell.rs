@@ -1,5 +1,6 @@
 //! A piece with its points: how far the polygons are from the limit on it.
 
+use super::hexes::Layers;
 use super::judge::{Judge, Points};
 use super::kind::Kind;
 use super::number::{Row, combinations};
@@ -82,9 +83,32 @@ impl<V: Points> Cell<V> {
         Some(Cell { base: Some(combinations(own, &self.points)), ..self.clone() })
     }
 
-    /// What bounds of this piece are multiples of: of a regular piece the bound of 92, else N.
+    /// What bounds of this piece are multiples of: of a regular piece the bound of 92, else N, or what 102
+    /// has in its place.
     pub(super) fn size(&self, shapes: &Shapes, judge: &impl Judge<V>) -> f64 {
-        if self.shape(shapes).is_regular() { self.bend(shapes, judge) } else { self.spread(judge) }
+        let shape = self.shape(shapes);
+        match shape.around.layers() {
+            _ if shape.is_regular() => self.bend(shapes, judge),
+            Some(layers) => self.layered(layers, shape.growth.bound(0), judge),
+            None => self.spread(judge),
+        }
+    }
+
+    /// The greatest distance of the points from those of column 0 in the same layer, and the second
+    /// differences across the layers.
+    fn layered(&self, layers: &Layers, growth: f64, judge: &impl Judge<V>) -> f64 {
+        let at = |layer: &Vec<u32>, column: usize| &self.points[layer[column] as usize];
+        let across = |layer| (1..layers[0].len()).map(move |column| (layer, column));
+        let within = layers.iter().flat_map(across);
+        let within = within.map(|(layer, column)| at(layer, column).minus(at(layer, 0)));
+        let bends = (0..layers[0].len()).flat_map(|column| {
+            layers.windows(3).map(move |three| {
+                let [low, middle, high] = [0, 1, 2].map(|i| at(&three[i], column));
+                low.minus(middle).minus(&middle.minus(high))
+            })
+        });
+        let within = judge.greatest(within, self.level);
+        (within + judge.greatest(bends, self.level) / (6.0 * growth)) * UP
     }
 
     /// N: the greatest distance of the points from the first one.
@@ -167,7 +191,7 @@ impl<V: Points> Cell<V> {
                 V::combination(row, &self.points).minus(&V::combination(plain, base))
             });
             upper = judge.greatest(errors, self.level);
-            upper = (upper + shape.growth.bound(0) * self.spread(judge)) * UP;
+            upper = (upper + shape.growth.bound(0) * self.size(shapes, judge)) * UP;
             within = upper <= judge.tolerance();
         }
         let mut known = known?;

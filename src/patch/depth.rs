@@ -9,6 +9,7 @@ use super::search::{Search, Verdict};
 use super::threads::{in_rounds, in_threads};
 use super::work::MeshWork;
 use crate::exact::Rational;
+use crate::float::upper;
 use crate::mesh::{MeshError, MeshScheme, Point, PolygonMesh};
 use crate::solid::{HexMesh, SolidError};
 use std::sync::Arc;
@@ -149,7 +150,9 @@ impl MeshDistances {
                 level = below;
             }
         }
-        let (distance, worst) = self.measured(level);
+        let (mut distance, worst) = self.measured(level);
+        // The level is sufficient.
+        distance[1] = distance[1].min(upper(tolerance));
         // A point of the limit of a solid is mostly inside the mesh: 0 says no less than is looked for.
         let apart = if self.model.kind == Kind::Solid { 0.0 } else { self.apart(level) };
         let (too_few, beyond) = beyond.unzip();

@@ -17,7 +17,7 @@ const MANY: usize = 10_000;
 
 /// The points of a part of a solid are followed until N of them is at most this part of the first one, or
 /// there are so many parts.
-const NEAR: f64 = 0.25;
+const NEAR: f64 = 0.001;
 const MOST_STATES: usize = 64;
 
 /// The greatest levels that bounds are computed for.
@@ -33,6 +33,12 @@ pub(super) fn growth(shapes: &[Shape], shape: usize) -> Growth {
         [] => (by_parts(shapes, shape), Vec::new()),
         _ => repeated(shapes, shape, &repeats),
     };
+    if shapes[shape].around.layers().is_some() {
+        let first = bounds.first().copied().unwrap_or(0.0);
+        for (bound, least) in bounds.iter_mut().zip(falling(first)) {
+            *bound = bound.max(least);
+        }
+    }
     fall(&mut bounds);
     fall(&mut others);
     let repeated = match repeats[..] {
@@ -51,9 +57,22 @@ fn fall(bounds: &mut [f64]) {
     }
 }
 
-/// Rows as functionals of the points of a shape.
-fn unit(points: usize) -> Vec<Vec<f64>> {
-    (0..points).map(|i| (0..points).map(|j| f64::from(u8::from(i == j))).collect()).collect()
+/// Rows as functionals of the points of a shape; of one that is the same in each layer, functionals of
+/// columns, for points that are.
+fn unit(shape: &Shape) -> Vec<Vec<f64>> {
+    let vector = |i: usize, count: usize| -> Vec<f64> {
+        (0..count).map(|j| f64::from(u8::from(i == j))).collect()
+    };
+    let Some(layers) = shape.around.layers() else {
+        return (0..shape.points).map(|i| vector(i, shape.points)).collect();
+    };
+    let mut all = vec![Vec::new(); shape.points];
+    for layer in layers {
+        for (column, &point) in layer.iter().enumerate() {
+            all[point as usize] = vector(column, layer.len());
+        }
+    }
+    all
 }
 
 /// Σ |f_b| without the first point: the greatest value, for N = 1, of a functional that sums to 0.
@@ -66,9 +85,26 @@ fn greatest(norms: impl IntoIterator<Item = f64>) -> f64 {
     norms.into_iter().fold(0.0, f64::max)
 }
 
-/// N of points that are functionals, for N = 1.
-fn spread(points: &[Vec<f64>]) -> f64 {
-    greatest(points.iter().map(|point| norm(&point.minus(&points[0]))))
+/// N of points that are functionals, for N = 1; of a shape that is the same in each layer, what 102 has in
+/// its place.
+fn spread(shape: &Shape, points: &[Vec<f64>]) -> f64 {
+    let Some(layers) = shape.around.layers().filter(|_| !shape.is_regular()) else {
+        return greatest(points.iter().map(|point| norm(&point.minus(&points[0]))));
+    };
+    let at = |layer: &Vec<u32>, column: usize| &points[layer[column] as usize];
+    let columns = || 0..layers[0].len();
+    let within = layers.iter().flat_map(|layer| {
+        columns().map(move |column| norm(&at(layer, column).minus(at(layer, 0))))
+    });
+    let bends = columns().flat_map(|column| {
+        layers.windows(3).map(move |three| {
+            let [low, middle, high] = [0, 1, 2].map(|i| at(&three[i], column));
+            norm(&low.minus(middle).minus(&middle.minus(high)))
+        })
+    });
+    // While its own bounds are being found, data are the same in each layer.
+    let growth = if shape.growth.is_known() { shape.growth.bound(0) } else { 1.0 };
+    greatest(within) + greatest(bends) / (6.0 * growth)
 }
 
 /// The bound of 92 for a regular piece at level 0, for N = 1; that of level i is 4^−i of it.
@@ -81,7 +117,7 @@ fn bend(bends: &Bends<f64>, points: &[Vec<f64>], kind: Kind) -> f64 {
 }
 
 fn regular(shape: &Shape) -> Vec<f64> {
-    let points = unit(shape.points);
+    let points = unit(shape);
     let Some((_, bends)) = &shape.rules.regular else { return Vec::new() };
     let first = bend(bends, &points, shape.kind);
     falling(first)
@@ -131,9 +167,9 @@ fn error(shape: &Shape, points: &[Vec<f64>], base: &[Vec<f64>]) -> f64 {
 fn by_parts(shapes: &[Shape], shape: usize) -> Vec<f64> {
     let own = &shapes[shape];
     let mut bounds = vec![0.0_f64; LAST + 1];
-    for (part, [points, base]) in own.parts.iter().zip(divided(own, &unit(own.points), None)) {
+    for (part, [points, base]) in own.parts.iter().zip(divided(own, &unit(own), None)) {
         let part = &shapes[part.shape];
-        let spread = spread(&points);
+        let spread = spread(part, &points);
         let tail = if part.is_regular() { 0.0 } else { part.growth.bound(0) * spread };
         bounds[0] = bounds[0].max(error(part, &points, &base) + tail);
         let later: Vec<f64> = match &part.rules.regular {
@@ -152,14 +188,15 @@ fn by_parts(shapes: &[Shape], shape: usize) -> Vec<f64> {
 fn followed(shape: &Shape, level: usize, spread: f64, states: usize) -> bool {
     match shape.kind {
         Kind::Surface(_) => level < if shape.points * shape.points > MANY { 6 } else { 12 },
-        Kind::Solid => level < 2 || (spread > NEAR && level < 12 && states < MOST_STATES),
+        Kind::Solid if spread < NEAR || states >= MOST_STATES => level < 2,
+        Kind::Solid => level < 12,
     }
 }
 
 /// The bounds of a shape of which some parts have the same shape, and those of its other parts.
 fn repeated(shapes: &[Shape], shape: usize, again: &[usize]) -> (Vec<f64>, Vec<f64>) {
     let own = &shapes[shape];
-    let mut states = vec![(unit(own.points), None)];
+    let mut states = vec![(unit(own), None)];
     // A_0, A_1, …: N of the repeated parts; R_1, R_2, …: bounds of the other parts.
     let mut spreads = vec![1.0];
     let mut others: Vec<Vec<f64>> = Vec::new();
@@ -171,11 +208,14 @@ fn repeated(shapes: &[Shape], shape: usize, again: &[usize]) -> (Vec<f64>, Vec<f
             for (i, [points, base]) in divided(own, &points, base.as_ref()).into_iter().enumerate()
             {
                 if again.contains(&i) {
-                    next.push((points, Some(base)));
+                    // What is the same in each layer stays so: both halves of a layer are one.
+                    if own.around.layers().is_none() || again[0] == i {
+                        next.push((points, Some(base)));
+                    }
                     continue;
                 }
                 let part = &shapes[own.parts[i].shape];
-                let spread = spread(&points);
+                let spread = spread(part, &points);
                 let tail = if part.is_regular() { 0.0 } else { part.growth.bound(0) * spread };
                 first = first.max(error(part, &points, &base) + tail);
                 let later: Vec<f64> = match &part.rules.regular {
@@ -188,7 +228,7 @@ fn repeated(shapes: &[Shape], shape: usize, again: &[usize]) -> (Vec<f64>, Vec<f
             }
         }
         others.push(bounds);
-        spreads.push(greatest(next.iter().map(|(points, _)| spread(points))));
+        spreads.push(greatest(next.iter().map(|(points, _)| spread(own, points))));
         states = next;
     }
     let levels = others.len();

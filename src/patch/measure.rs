@@ -4,6 +4,7 @@ use super::apart::WholeMesh;
 use super::depth::{MeshDistances, PIECE_STEPS, STEPS};
 use super::far::FarPlace;
 use super::judge::Judge;
+use super::kind::Kind;
 use super::number::Vector as _;
 use super::search::Search;
 use super::threads::{in_rounds, in_threads};
@@ -13,6 +14,9 @@ use std::collections::BTreeSet;
 
 /// How wide the enclosure of the distance is, relative to it.
 const WIDTH: f64 = 1e-3;
+
+/// The same for solids, of which irregular edges have many pieces.
+const SOLID_WIDTH: f64 = 0.02;
 
 /// The same for the distances of single faces.
 const FACE_WIDTH: f64 = 0.05;
@@ -49,6 +53,7 @@ impl MeshDistances {
     pub(super) fn measured(&self, level: u32) -> ([f64; 2], Option<FarPlace>) {
         let model = &self.model;
         let judge = model.rounded_judge(&Rational::one());
+        let width = if model.kind == Kind::Solid { SOLID_WIDTH } else { WIDTH };
         let waiting = model.above(level, 0.0);
         self.work.begin(level, waiting.len());
         let (mut best, mut upper, mut worst) = (0.0_f64, 0.0_f64, None);
@@ -58,12 +63,12 @@ impl MeshDistances {
             let results = in_threads(round, |&(bound, root)| {
                 self.work.step();
                 let (mut own, mut place) = (best, None);
-                if bound <= best * (1.0 + WIDTH) || left == 0 {
+                if bound <= best * (1.0 + width) || left == 0 {
                     return (bound, own, None, 0);
                 }
                 let mut search = Search::new(&model.shapes, model.kind, &judge, level, PIECE_STEPS);
                 let cell = model.rounded_cell(root, level);
-                let upper = search.measure(cell, WIDTH, &mut own, &mut place);
+                let upper = search.measure(cell, width, &mut own, &mut place);
                 (upper, own, place.map(|place| (root, place)), PIECE_STEPS - search.steps)
             });
             for (bound, lower, place, steps) in results {

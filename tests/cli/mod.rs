@@ -8,6 +8,7 @@ mod new;
 mod offset;
 mod output;
 mod polygons;
+mod solids;
 mod tables;
 mod terminal;
 

@@ -3,6 +3,7 @@
 mod exactness;
 mod laws;
 mod naive;
+mod solids;
 mod tensor;
 
 use crate::common::meshes::{grid_faces, prism_faces};

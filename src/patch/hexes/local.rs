@@ -1,6 +1,7 @@
 //! What one level makes of a hexahedron and those around it, as rows of weights.
 
 use super::grid::Grid;
+use super::layers::{Layers, layers};
 use super::neighbourhood::{Parts, least};
 use crate::exact::{Rational, RealCyclotomic};
 use crate::mesh::Point;
@@ -13,6 +14,8 @@ use crate::solid::{Complex, limit_rows, part_corners, refined_points};
 pub(in crate::patch) struct HexLocal {
     pub(in crate::patch) complex: Complex,
     grid: Option<Grid>,
+    /// Of a piece that is not regular.
+    pub(in crate::patch) layers: Option<Layers>,
 }
 
 /// The neighbourhoods of the eight parts of the first cell.
@@ -32,8 +35,9 @@ impl HexLocal {
         let corners = |cell: &Vec<usize>| std::array::from_fn(|corner| cell[corner]);
         let cells: Vec<[usize; 8]> = cells.iter().map(corners).collect();
         let grid = Grid::of(points, &cells);
+        let layers = if grid.is_none() { layers(points, &cells) } else { None };
         let complex = Complex::new(points, cells).expect("a part of a solid");
-        HexLocal { complex, grid }
+        HexLocal { complex, grid, layers }
     }
 
     /// The weights, where the parts need these points of the next level; `parts` has the corners of each

@@ -1,0 +1,5 @@
+#![allow(missing_docs, dead_code)]
+mod common;
+mod mesh;
+mod patch;
+mod solid;
