@@ -1,6 +1,6 @@
 //! A piece with its points: how far the polygons are from the limit on it.
 
-use super::hexes::Layers;
+use super::hexes::{AcrossPart, Layers};
 use super::judge::{Judge, Points};
 use super::kind::Kind;
 use super::number::{Row, combinations};
@@ -94,9 +94,15 @@ impl<V: Points> Cell<V> {
         }
     }
 
-    /// The greatest distance of the points from those of column 0 in the same layer, and the second
-    /// differences across the layers.
+    /// What 102 has in the place of N.
     fn layered(&self, layers: &Layers, growth: f64, judge: &impl Judge<V>) -> f64 {
+        let [within, bends] = self.within_layers(layers, judge);
+        (within + bends / (6.0 * growth)) * UP
+    }
+
+    /// The greatest distance of the points from those of column 0 in the same layer, and the greatest
+    /// second difference across the layers.
+    fn within_layers(&self, layers: &Layers, judge: &impl Judge<V>) -> [f64; 2] {
         let at = |layer: &Vec<u32>, column: usize| &self.points[layer[column] as usize];
         let across = |layer| (1..layers[0].len()).map(move |column| (layer, column));
         let within = layers.iter().flat_map(across);
@@ -107,8 +113,31 @@ impl<V: Points> Cell<V> {
                 low.minus(middle).minus(&middle.minus(high))
             })
         });
-        let within = judge.greatest(within, self.level);
-        (within + judge.greatest(bends, self.level) / (6.0 * growth)) * UP
+        [judge.greatest(within, self.level), judge.greatest(bends, self.level)]
+    }
+
+    /// The parts of the section of a piece that is the same in each layer, where it is the section that
+    /// keeps bounds from being sharp.
+    pub(super) fn parts_across(
+        &self,
+        shapes: &Shapes,
+        judge: &impl Judge<V>,
+    ) -> Option<Vec<Cell<V>>> {
+        let shape = self.shape(shapes);
+        let (base, layers) = (self.base.as_ref()?, shape.around.layers()?);
+        let across = V::rules(shape).across.as_ref()?;
+        let [within, bends] = self.within_layers(layers, judge);
+        if shape.growth.bound(0) * within < bends / 6.0 {
+            return None;
+        }
+        let part = |part: &AcrossPart<V::Weight>| Cell {
+            shape: shape.parts[part.part].shape,
+            level: self.level + 1,
+            points: combinations(&part.points, &self.points),
+            base: Some(combinations(&part.base, base)),
+            path: 0,
+        };
+        Some(across.parts.iter().map(part).collect())
     }
 
     /// N: the greatest distance of the points from the first one.
@@ -187,11 +216,17 @@ impl<V: Points> Cell<V> {
             for (i, row) in rules.limits.iter().enumerate() {
                 at_corner(V::combination(row, &self.points), base[i].clone());
             }
-            let errors = rules.nodes.iter().map(|(row, plain)| {
+            let (nodes, size) = match (&rules.across, shape.around.layers()) {
+                (Some(across), Some(layers)) => {
+                    (&across.nodes, self.within_layers(layers, judge)[0])
+                }
+                _ => (&rules.nodes, self.spread(judge)),
+            };
+            let errors = nodes.iter().map(|(row, plain)| {
                 V::combination(row, &self.points).minus(&V::combination(plain, base))
             });
             upper = judge.greatest(errors, self.level);
-            upper = (upper + shape.growth.bound(0) * self.size(shapes, judge)) * UP;
+            upper = (upper + shape.growth.bound(0) * size) * UP;
             within = upper <= judge.tolerance();
         }
         let mut known = known?;

@@ -94,7 +94,9 @@ impl<'a, V: Points, J: Judge<V>> Search<'a, V, J> {
                 return bound;
             }
         }
-        let parts = cell.parts(self.shapes, cell.level == self.level).into_iter();
+        let across = cell.parts_across(self.shapes, self.judge);
+        let parts =
+            across.unwrap_or_else(|| cell.parts(self.shapes, cell.level == self.level)).into_iter();
         let mut parts: Vec<(f64, Cell<V>)> = parts.map(|part| self.sized(part)).collect();
         parts.sort_by(|left, right| left.0.total_cmp(&right.0));
         stack.extend(parts);

@@ -41,13 +41,13 @@ pub(super) struct Shape {
 impl Shape {
     /// The exact weights, computed when they are first needed.
     pub(super) fn exact(&self) -> &Rules<RealCyclotomic> {
-        self.exact.get_or_init(|| self.around.rules(&self.wanted, &self.corners()))
+        self.exact.get_or_init(|| self.around.rules(&self.wanted, &self.part_points()))
     }
 
-    /// The corners of the parts, among all points that the piece makes.
-    pub(super) fn corners(&self) -> Vec<Vec<usize>> {
-        let corners = |part: &Part| part.points.iter().take(8).map(|&at| self.wanted[at]).collect();
-        self.parts.iter().map(corners).collect()
+    /// The points of the parts, among all points that the next level makes.
+    pub(super) fn part_points(&self) -> Vec<Vec<usize>> {
+        let points = |part: &Part| part.points.iter().map(|&at| self.wanted[at]).collect();
+        self.parts.iter().map(points).collect()
     }
 
     pub(super) fn is_regular(&self) -> bool {

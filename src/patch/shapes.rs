@@ -54,7 +54,7 @@ impl Shapes {
             let shape = &mut self.all[next];
             shape.wanted = wanted;
             shape.parts = parts;
-            shape.rules = shape.around.rules(&shape.wanted, &shape.corners());
+            shape.rules = shape.around.rules(&shape.wanted, &shape.part_points());
             next += 1;
         }
         self.settle(first);

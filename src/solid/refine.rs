@@ -1,7 +1,7 @@
 //! Bajaj's scheme: every hexahedron is divided into eight, then every point is moved to the mean of
 //! the centroids around it.
 
-use super::complex::Complex;
+use super::complex::{Complex, Face};
 use super::cube::{Middle, middle};
 use super::error::SolidError;
 use super::hexes::HexMesh;
@@ -112,15 +112,23 @@ fn add<S: Scalar>(sum: &mut Point<S>, point: &Point<S>) {
     }
 }
 
-fn scaled<S: Scalar>(point: &Point<S>, factor: &Rational) -> Point<S> {
-    let factor = S::from_rational(factor);
-    point.each_ref().map(|x| x.times(&factor))
+fn scaled<S: Scalar>(point: &Point<S>, factor: &S) -> Point<S> {
+    point.each_ref().map(|x| x.times(factor))
 }
 
-fn mean<S: Scalar>(points: &[Point<S>], numbers: &[usize]) -> Point<S> {
+/// 1/n, or n.
+fn share<S: Scalar>(n: usize) -> S {
+    S::from_rational(&Rational::new(1, n))
+}
+
+fn whole<S: Scalar>(n: usize) -> S {
+    S::from_rational(&Rational::from(n))
+}
+
+fn mean<S: Scalar>(points: &[Point<S>], numbers: &[usize], share: &S) -> Point<S> {
     let mut sum = points[numbers[0]].clone();
     numbers[1..].iter().for_each(|&number| add(&mut sum, &points[number]));
-    scaled(&sum, &Rational::new(1, numbers.len()))
+    scaled(&sum, share)
 }
 
 /// Points around which sums are taken, and how many terms they have.
@@ -139,11 +147,15 @@ impl<S: Scalar> Sums<S> {
         add(&mut self.sums[at], point);
     }
 
-    /// (own + sum/count)·share.
-    fn mean(&self, at: usize, own: &Point<S>, share: i64) -> Point<S> {
-        let mut total = scaled(&self.sums[at], &Rational::new(1, self.counts[at].max(1)));
+    /// (own + sum/count)·factor; `shares` has 1/n at n.
+    fn mean(&self, at: usize, own: &Point<S>, factor: &S, shares: &[S]) -> Point<S> {
+        let mut total = scaled(&self.sums[at], &shares[self.counts[at].max(1)]);
         add(&mut total, own);
-        scaled(&total, &Rational::new(1, share))
+        scaled(&total, factor)
+    }
+
+    fn greatest_count(&self) -> usize {
+        self.counts.iter().copied().max().unwrap_or(0)
     }
 }
 
@@ -152,9 +164,10 @@ pub(crate) fn split_points<S: Scalar>(
     complex: &Complex,
     points: &[Point<S>],
 ) -> [Vec<Point<S>>; 3] {
-    let edges = complex.edges.iter().map(|ends| mean(points, ends)).collect();
-    let faces = complex.faces.iter().map(|face| mean(points, &face.corners)).collect();
-    let cells = complex.cells.iter().map(|corners| mean(points, corners)).collect();
+    let [half, quarter, eighth] = [2, 4, 8].map(share);
+    let edges = complex.edges.iter().map(|ends| mean(points, ends, &half)).collect();
+    let faces = complex.faces.iter().map(|face| mean(points, &face.corners, &quarter)).collect();
+    let cells = complex.cells.iter().map(|corners| mean(points, corners, &eighth)).collect();
     [edges, faces, cells]
 }
 
@@ -174,6 +187,7 @@ pub(crate) fn refined_points<S: Scalar>(complex: &Complex, points: &[Point<S>]) 
     let (at_boundary, edge_at_boundary) = complex.boundary();
     let mut vertices: Sums<S> = Sums::new(complex.points);
     let mut edges: Sums<S> = Sums::new(complex.edges.len());
+    let two: S = whole(2);
     // How many cells an edge has; at the boundary, how many faces of the boundary.
     for (cell, centroid) in cells.iter().enumerate() {
         for &vertex in complex.cells[cell].iter().filter(|vertex| !at_boundary[**vertex]) {
@@ -188,7 +202,7 @@ pub(crate) fn refined_points<S: Scalar>(complex: &Complex, points: &[Point<S>]) 
     for (face, centroid) in complex.faces.iter().zip(&faces) {
         // A face inside belongs to two cells.
         let outer = face.other.is_none();
-        let twice = scaled(centroid, &Rational::from(2));
+        let twice = scaled(centroid, &two);
         for &vertex in &face.corners {
             match (at_boundary[vertex], outer) {
                 (true, true) => {
@@ -210,22 +224,32 @@ pub(crate) fn refined_points<S: Scalar>(complex: &Complex, points: &[Point<S>]) 
             }
         }
     }
+    let times: Vec<S> = (0..=edges.greatest_count()).map(whole).collect();
     for (edge, ends) in complex.edges.iter().enumerate() {
         let outer = edge_at_boundary[edge];
-        let times = scaled(&middles[edge], &Rational::from(edges.counts[edge]));
+        let times = scaled(&middles[edge], &times[edges.counts[edge]]);
         for &vertex in ends.iter().filter(|vertex| at_boundary[**vertex] == outer) {
             vertices.add(vertex, &times);
         }
     }
-    let vertex = |v: usize| vertices.mean(v, &points[v], if at_boundary[v] { 4 } else { 8 });
-    let edge = |e: usize| edges.mean(e, &middles[e], if edge_at_boundary[e] { 2 } else { 4 });
-    let face = |(face, centroid): (&super::complex::Face, &Point<S>)| match face.other {
+    let most = vertices.greatest_count().max(edges.greatest_count()).max(8);
+    let shares: Vec<S> = (0..=most).map(|n| share(n.max(1))).collect();
+    let [half, quarter, eighth] = [2, 4, 8].map(|n| &shares[n]);
+    let vertex = |v: usize| {
+        let factor = if at_boundary[v] { quarter } else { eighth };
+        vertices.mean(v, &points[v], factor, &shares)
+    };
+    let edge = |e: usize| {
+        let factor = if edge_at_boundary[e] { half } else { quarter };
+        edges.mean(e, &middles[e], factor, &shares)
+    };
+    let face = |(face, centroid): (&Face, &Point<S>)| match face.other {
         None => centroid.clone(),
         Some((other, _)) => {
-            let mut sum = scaled(centroid, &Rational::from(2));
+            let mut sum = scaled(centroid, &two);
             add(&mut sum, &cells[face.cell.0]);
             add(&mut sum, &cells[other]);
-            scaled(&sum, &Rational::new(1, 4))
+            scaled(&sum, quarter)
         }
     };
     let mut refined: Vec<Point<S>> = (0..complex.points).map(vertex).collect();

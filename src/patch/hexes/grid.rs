@@ -18,7 +18,7 @@ pub(super) struct Grid {
 }
 
 /// The Bézier coefficients of a cubic piece, over the points −1, …, 2, times 6.
-const MASKS: [[i64; 4]; 4] = [[1, 4, 1, 0], [0, 4, 2, 0], [0, 2, 4, 0], [0, 1, 4, 1]];
+pub(super) const MASKS: [[i64; 4]; 4] = [[1, 4, 1, 0], [0, 4, 2, 0], [0, 2, 4, 0], [0, 1, 4, 1]];
 
 impl Grid {
     /// The places of the points, from the cells around a piece, which comes first; `None` where it is not

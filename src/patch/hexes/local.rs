@@ -1,5 +1,6 @@
 //! What one level makes of a hexahedron and those around it, as rows of weights.
 
+use super::across::across;
 use super::grid::Grid;
 use super::layers::{Layers, layers};
 use super::neighbourhood::{Parts, least};
@@ -40,22 +41,28 @@ impl HexLocal {
         HexLocal { complex, grid, layers }
     }
 
-    /// The weights, where the parts need these points of the next level; `parts` has the corners of each
-    /// part among all points of the next level.
+    /// The weights, where the parts need these points of the next level; `parts` has the points of each
+    /// part among all points of the next level, its corners first.
     pub(in crate::patch) fn rules<W: Number>(
         &self,
         wanted: &[usize],
         parts: &[Vec<usize>],
     ) -> Rules<W> {
         let own: Vec<Row<W>> = (0..8).map(|corner| mean_of(&[corner])).collect();
-        let base: Vec<Vec<Row<W>>> = parts.iter().map(|corners| self.split(corners)).collect();
+        let base: Vec<Vec<Row<W>>> = parts.iter().map(|points| self.split(&points[..8])).collect();
         let weight = |(point, weight): (usize, Rational)| {
             (index(point), W::of(&RealCyclotomic::from(weight)))
         };
         let limit = |row: Vec<(usize, Rational)>| row.into_iter().map(weight).collect();
         let limits = limit_rows(&self.complex, &(0..8).collect::<Vec<usize>>());
+        let refined = self.rows(wanted);
+        let across = self
+            .layers
+            .as_ref()
+            .map(|layers| across(&self.complex, layers, wanted, &refined, parts));
         Rules {
-            refined: self.rows(wanted),
+            refined,
+            across,
             split: base.clone(),
             base,
             nodes: own.iter().map(|row| (row.clone(), row.clone())).collect(),

@@ -1,6 +1,7 @@
 //! The hexahedra around one of the next level, in an order that does not depend on how corners are
 //! numbered.
 
+use super::grid::Grid;
 use crate::patch::neighbourhood::Neighbourhood;
 use crate::solid::{Complex, FACES, part_corners};
 use std::collections::HashMap;
@@ -120,6 +121,10 @@ pub(super) fn frames() -> Vec<Frame> {
 pub(super) fn least(parts: &mut Parts<'_>, part: usize) -> Neighbourhood {
     let all = frames();
     let mut best = parts.around(part, &all[0]);
+    if is_whole_grid(&best) {
+        // It is the same in all frames.
+        return best;
+    }
     for frame in &all[1..] {
         let other = parts.around(part, frame);
         if other.key < best.key {
@@ -127,6 +132,13 @@ pub(super) fn least(parts: &mut Parts<'_>, part: usize) -> Neighbourhood {
         }
     }
     best
+}
+
+/// Whether all cells are those of a grid of 3 × 3 × 3.
+fn is_whole_grid(neighbourhood: &Neighbourhood) -> bool {
+    let corners = |cell: &Vec<usize>| std::array::from_fn(|corner| cell[corner]);
+    let cells: Vec<[usize; 8]> = neighbourhood.faces.iter().map(corners).collect();
+    cells.len() == 27 && Grid::of(neighbourhood.points.len(), &cells).is_some()
 }
 
 /// Neighbourhoods that have been met, with their shapes and the orders of their points there.

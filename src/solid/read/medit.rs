@@ -65,7 +65,7 @@ fn version(words: &mut Words<'_>) -> Result<(), Diagnostic> {
 
 fn dimension(words: &mut Words<'_>) -> Result<(), Diagnostic> {
     let (dimension, place) =
-        words.natural("the dimension", || "the dimension is missing".to_owned())?;
+        words.natural("the dimension", || "no dimension has been read".to_owned())?;
     if dimension == 3 {
         return Ok(());
     }

@@ -6,6 +6,11 @@ use crate::mesh::{Lines, Point, Word};
 use std::ops::Range;
 use std::sync::Arc;
 
+/// Whether a word is none of numbers, `nan` and `inf` among them.
+fn is_name(text: &str) -> bool {
+    text.starts_with(|c: char| c.is_ascii_alphabetic())
+}
+
 /// The words, one after the other.
 pub(super) struct Words<'a> {
     lines: Lines<'a>,
@@ -55,8 +60,10 @@ impl<'a> Words<'a> {
         what: &str,
         missing: impl Fn() -> String,
     ) -> Result<(usize, Range<usize>), Diagnostic> {
-        let word = self.expect(missing)?;
-        Ok((self.lines.natural(word, what)?, word.place()))
+        let word = self.expect(&missing)?;
+        // The words of the next part of a file say that a count is wrong.
+        let counted = |error: Diagnostic| error.with_help(format!("{} so far", missing()));
+        Ok((self.lines.natural(word, what).map_err(counted)?, word.place()))
     }
 
     /// Three coordinates with their place.
@@ -67,6 +74,12 @@ impl<'a> Words<'a> {
         let words = [self.expect(&missing)?, self.expect(&missing)?, self.expect(&missing)?];
         let place = words[0].at..words[2].place().end;
         let [x, y, z] = words;
+        if let Some(word) = words.iter().find(|word| is_name(word.text)) {
+            let message = format!("a coordinate is expected here, and not `{}`", word.text);
+            return Err(self
+                .wrong(word.place(), message)
+                .with_help(format!("{}; is the count before them right?", missing())));
+        }
         Ok(([self.lines.number(x)?, self.lines.number(y)?, self.lines.number(z)?], place))
     }
 
