@@ -52,7 +52,12 @@ pub fn solid_a_priori(
     // Edges of level 1 are at most 7/4 of those of level 0, and P^1 − P^0 at most 3/4.
     let later = |level: u32| {
         let bound = |(shape, radius): &(&Shape, f64)| {
-            let size = if shape.is_regular() { 1.0 } else { *radius };
+            // Second differences across layers are at most 2.
+            let bends = match shape.around.layers() {
+                Some(_) if !shape.is_regular() => 1.0 / (3.0 * shape.growth.bound(0)),
+                _ => 0.0,
+            };
+            let size = if shape.is_regular() { 1.0 } else { radius + bends };
             shape.bound(1.75 * size, level - 1)
         };
         radii.iter().map(bound).fold(0.0, f64::max)
