@@ -17,7 +17,8 @@ pub const SOLID_FORMULA_PAPER: &str = "mustafa2007-bajaj";
 
 /// The level that the longest edge of a solid guarantees, whatever its points are.
 ///
-/// `distances` are those of the same mesh.
+/// `distances` are those of the same mesh. The ratio is the factor by which the bound falls from one level to
+/// the next in the mean of many.
 ///
 /// # Errors
 /// When the tolerance is not positive, or needs more levels than bounds are computed for.
@@ -72,7 +73,8 @@ pub fn solid_a_priori(
         );
         MeshError::TooMuch { reason }
     })?;
-    Ok(APriori { level, longest_edge, ratio: bound(level + 1) / bound(level) })
+    let ratio = (bound(last) / bound(1)).powf(1.0 / f64::from(last - 1));
+    Ok(APriori { level, longest_edge, ratio })
 }
 
 /// The most edges from the first point of a piece to another one.
