@@ -15,6 +15,7 @@
 //! Distances of solids from their limits are in [`patch`](crate::patch). Sharp edges and other tags are
 //! not supported: the boundary is smooth everywhere.
 
+mod average;
 mod check;
 mod complex;
 mod cube;
@@ -25,6 +26,7 @@ mod read;
 mod refine;
 mod write;
 
+pub(crate) use average::{refined_points, split_points};
 pub(crate) use complex::Complex;
 pub(crate) use cube::FACES;
 pub use error::SolidError;
@@ -32,8 +34,8 @@ pub use hexes::HexMesh;
 pub(crate) use limit::limit_rows;
 pub use limit::solid_limit_points;
 pub use read::{SolidFile, SolidFormat, read_solid};
+pub(crate) use refine::part_corners;
 pub use refine::refine_solid;
-pub(crate) use refine::{part_corners, refined_points, split_points};
 pub use write::{solid_to_json, to_medit, to_vtk};
 
 pub use crate::mesh::MAX_POINTS;
