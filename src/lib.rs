@@ -50,7 +50,8 @@
 //! | [`float`] | the same in f64, certified against the exact path |
 //! | [`mesh`] | polygon meshes: files, refinement, limit points and normals |
 //! | [`net`] | tensor nets: files, refinement, limit points |
-//! | [`patch`] | how far meshes and nets are from their limit surfaces |
+//! | [`solid`] | hexahedral meshes: files, refinement by Bajaj's scheme, limit points |
+//! | [`patch`] | how far meshes, nets and solids are from their limits |
 //! | [`oracle`] | reference values and checks for other programs' tests |
 //! | [`claim`] | what a paper asserts |
 //! | `evaluation` | from the formulas of claims to values, under a reading |
@@ -86,6 +87,7 @@ pub mod patch;
 #[cfg(feature = "cli")]
 pub mod report;
 pub mod scheme;
+pub mod solid;
 pub mod suggestion;
 
 /// The examples of README.md, run as tests.

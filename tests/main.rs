@@ -25,3 +25,4 @@ mod oracle;
 mod patch;
 mod random_papers;
 mod scheme;
+mod solid;

@@ -1,30 +1,60 @@
-//! `subcert refine` and `limit`, and `oracle --mesh`: what the file holds decides who does it.
+//! `subcert refine` and `limit`, and `oracle --mesh`: for polygon meshes, tensor nets and hexahedral
+//! solids.
 
 use super::arguments::{LimitArguments, OracleArguments, RefineArguments};
 use super::net::NetInput;
-use super::output::Outcome;
-use super::{mesh, net};
+use super::output::{Failure, Outcome};
+use super::{mesh, net, solid};
 use std::path::Path;
+
+/// What is refined.
+pub(super) enum Geometry {
+    Mesh,
+    Net,
+    Solid,
+}
+
+impl Geometry {
+    /// The scheme decides on solids, the file or `--closed` on nets.
+    pub(super) fn of(input: &NetInput<'_>) -> Result<Geometry, Failure> {
+        if solid::takes(input.scheme) {
+            if input.closed.is_some() {
+                let message = "--closed is for nets in .csv or .json, and bajaj refines solids";
+                return Err(Failure::Input(message.to_owned()));
+            }
+            return Ok(Geometry::Solid);
+        }
+        Ok(if input.is_net() { Geometry::Net } else { Geometry::Mesh })
+    }
+}
 
 pub(super) fn refine(arguments: &RefineArguments) -> Outcome {
     let RefineArguments { scheme, mesh, closed, level, output } = arguments;
     let net = NetInput { scheme, path: mesh, closed: *closed };
-    if net.is_net() { net::refine(&net, *level, output) } else { mesh::refine(arguments) }
+    match Geometry::of(&net)? {
+        Geometry::Mesh => mesh::refine(arguments),
+        Geometry::Net => net::refine(&net, *level, output),
+        Geometry::Solid => solid::refine(arguments),
+    }
 }
 
 pub(super) fn limit(arguments: &LimitArguments) -> Outcome {
     let LimitArguments { scheme, mesh, closed, level, output } = arguments;
     let net = NetInput { scheme, path: mesh, closed: *closed };
-    if net.is_net() { net::limit(&net, *level, output) } else { mesh::limit(arguments) }
+    match Geometry::of(&net)? {
+        Geometry::Mesh => mesh::limit(arguments),
+        Geometry::Net => net::limit(&net, *level, output),
+        Geometry::Solid => solid::limit(arguments),
+    }
 }
 
 /// What `subcert oracle --mesh` writes.
 pub(super) fn reference_values(arguments: &OracleArguments, path: &Path) -> Outcome {
     let OracleArguments { scheme, closed, level, .. } = arguments;
     let net = NetInput { scheme, path, closed: *closed };
-    if net.is_net() {
-        net::reference_values(&net, *level)
-    } else {
-        mesh::reference_values(scheme, path, *level)
+    match Geometry::of(&net)? {
+        Geometry::Mesh => mesh::reference_values(scheme, path, *level),
+        Geometry::Net => net::reference_values(&net, *level),
+        Geometry::Solid => solid::reference_values(path, *level),
     }
 }

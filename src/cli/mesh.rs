@@ -1,6 +1,7 @@
 //! `subcert refine` and `subcert limit`, and `subcert oracle --mesh`.
 
 use super::arguments::{LimitArguments, MeshOutput, MeshOutputFormat, RefineArguments};
+use super::forms::OF_MESHES;
 use super::json::SCHEMA;
 use super::output::{Failure, Outcome, write_results};
 use super::save::save;
@@ -12,6 +13,7 @@ use subcert::mesh::{
     limit_points, read_mesh, refine_mesh, to_json, to_obj, to_ply,
 };
 use subcert::net::NetScheme;
+use subcert::solid::{SOLID_SCHEME, SolidFormat};
 
 type Mesh = PolygonMesh<RealCyclotomic>;
 
@@ -19,11 +21,10 @@ pub(super) fn refine(arguments: &RefineArguments) -> Outcome {
     let work = Work::new(&arguments.scheme, &arguments.mesh, arguments.level)?;
     let mesh = work.refined()?;
     let title = work.title("refined");
-    let text = match chosen(&arguments.output) {
+    let text = match OF_MESHES.chosen(&arguments.output)? {
         MeshOutputFormat::Obj => to_obj(&mesh, &title, &[]).map_err(|e| input(&e))?,
         MeshOutputFormat::Ply => to_ply(&mesh, &title).map_err(|e| input(&e))?,
-        MeshOutputFormat::Json => to_json(&mesh, &work.head(), None),
-        MeshOutputFormat::Csv => return Err(csv()),
+        _ => to_json(&mesh, &work.head(), None),
     };
     deliver(&arguments.output, &text)
 }
@@ -33,15 +34,14 @@ pub(super) fn limit(arguments: &LimitArguments) -> Outcome {
     let mesh = work.refined()?;
     let limits = work.limits(&mesh)?;
     let title = work.title("limit points of its vertices");
-    let text = match chosen(&arguments.output) {
+    let text = match OF_MESHES.chosen(&arguments.output)? {
         MeshOutputFormat::Obj => {
             to_obj(&at_limit(&mesh, &limits)?, &title, &limits).map_err(|e| input(&e))?
         }
         MeshOutputFormat::Ply => {
             to_ply(&at_limit(&mesh, &limits)?, &title).map_err(|e| input(&e))?
         }
-        MeshOutputFormat::Json => to_json(&mesh, &work.head(), Some(&limits)),
-        MeshOutputFormat::Csv => return Err(csv()),
+        _ => to_json(&mesh, &work.head(), Some(&limits)),
     };
     deliver(&arguments.output, &text)
 }
@@ -58,9 +58,29 @@ pub(super) fn reference_values(scheme: &str, path: &Path, level: u32) -> Outcome
 pub(super) fn read(scheme: &str, path: &Path) -> Result<(MeshScheme, String, MeshFile), Failure> {
     let scheme = MeshScheme::parse(scheme).map_err(|message| {
         let of_nets = NetScheme::parse(scheme).is_ok();
-        let nets = format!("; `{scheme}` refines nets, which are in .csv or .json");
-        Failure::Input(format!("{message}{}", if of_nets { &nets } else { "" }))
+        let solid = scheme.split(':').next() == Some(SOLID_SCHEME);
+        Failure::Input(if solid {
+            format!("a solid has its own valences: write `{SOLID_SCHEME}`")
+        } else if of_nets {
+            format!("{message}; `{scheme}` refines nets, which are in .csv or .json")
+        } else {
+            message
+        })
     })?;
+    let (name, text) = text_of(path)?;
+    if SolidFormat::of(path, &text).is_some() {
+        return Err(Failure::Input(format!(
+            "`{name}` is a hexahedral mesh, and `{}` refines polygon meshes; take {SOLID_SCHEME}",
+            scheme.name()
+        )));
+    }
+    let format = MeshFormat::of(path, &text);
+    let file = read_mesh(&SourceText::new(name.clone(), text), format)?;
+    Ok((scheme, name, file))
+}
+
+/// The name of a file, or of the standard input, and its text.
+pub(super) fn text_of(path: &Path) -> Result<(String, String), Failure> {
     let standard = path.as_os_str() == "-";
     let name = if standard { "standard input".to_owned() } else { path.display().to_string() };
     let text = if standard {
@@ -72,9 +92,7 @@ pub(super) fn read(scheme: &str, path: &Path) -> Result<(MeshScheme, String, Mes
         let hint = if reason.contains("UTF-8") { "; save it in an ascii form" } else { "" };
         Failure::Input(format!("cannot read `{name}`: {reason}{hint}"))
     })?;
-    let format = MeshFormat::of(path, &text);
-    let file = read_mesh(&SourceText::new(name.clone(), text), format)?;
-    Ok((scheme, name, file))
+    Ok((name, text))
 }
 
 /// An error about a face or a point is about level 0, and so has a place in the file.
@@ -143,24 +161,8 @@ fn at_limit(mesh: &Mesh, limits: &[Option<LimitPoint>]) -> Result<Mesh, Failure>
     )))
 }
 
-fn csv() -> Failure {
-    Failure::Input(
-        "csv is a form of nets; polygon meshes are written as obj, ply or json".to_owned(),
-    )
-}
-
 pub(super) fn input(error: &impl ToString) -> Failure {
     Failure::Input(error.to_string())
-}
-
-pub(super) fn chosen(output: &MeshOutput) -> MeshOutputFormat {
-    let extension = output.file.as_ref().and_then(|path| path.extension()).unwrap_or_default();
-    output.format.unwrap_or(match extension.to_ascii_lowercase().to_str() {
-        Some("ply") => MeshOutputFormat::Ply,
-        Some("json") => MeshOutputFormat::Json,
-        Some("csv") => MeshOutputFormat::Csv,
-        _ => MeshOutputFormat::Obj,
-    })
 }
 
 /// Writes the text to the file, whole or not at all, or to the standard output.

@@ -10,6 +10,7 @@ mod csv;
 mod depth;
 mod errata;
 mod explain;
+mod forms;
 mod geometry;
 mod json;
 mod listing;
@@ -28,6 +29,7 @@ mod prove;
 mod range;
 mod save;
 mod schemes;
+mod solid;
 mod terminal;
 
 use arguments::{Arguments, Command};

@@ -1,8 +1,9 @@
 //! Tensor nets for `subcert refine`, `limit`, `oracle` and `depth`.
 
 use super::arguments::{ClosedArgument, MeshOutput, MeshOutputFormat};
+use super::forms::OF_NETS;
 use super::json::SCHEMA;
-use super::mesh::{chosen, deliver, input};
+use super::mesh::{deliver, input};
 use super::output::{Failure, Outcome, write_results};
 use std::path::Path;
 use subcert::diagnostic::{SourceText, read_text, read_text_from};
@@ -77,7 +78,7 @@ pub(super) fn refine(asked: &NetInput<'_>, level: u32, output: &MeshOutput) -> O
     let file = asked.read()?;
     let net = refine_net(&file.net, &file.scheme, level).map_err(failure)?;
     let title = file.title(level, "refined");
-    let text = match chosen(output) {
+    let text = match OF_NETS.chosen(output)? {
         MeshOutputFormat::Json => file.json(&net, level, None)?,
         format => text(&net, format, &title)?,
     };
@@ -88,7 +89,7 @@ pub(super) fn limit(asked: &NetInput<'_>, level: u32, output: &MeshOutput) -> Ou
     let file = asked.read()?;
     let net = refine_net(&file.net, &file.scheme, level).map_err(failure)?;
     let title = file.title(level, "limit points of its points");
-    let text = match chosen(output) {
+    let text = match OF_NETS.chosen(output)? {
         MeshOutputFormat::Json => file.json(&net, level, Some(&file.limits(&net)?))?,
         format => text(&limit_net(&net, &file.scheme).map_err(failure)?, format, &title)?,
     };

@@ -20,7 +20,7 @@ const SEEDED_POINTS: usize = 8;
 pub(super) fn oracle(arguments: &OracleArguments) -> Outcome {
     if let Some(path) = &arguments.mesh {
         if arguments.format != OracleFormat::Json {
-            let message = "--mesh writes JSON only; `subcert refine` writes OBJ and PLY too";
+            let message = "--mesh writes JSON only; `subcert refine` writes other forms too";
             return Err(Failure::Input(message.to_owned()));
         }
         return geometry::reference_values(arguments, path);

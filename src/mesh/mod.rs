@@ -37,6 +37,7 @@ pub use limit::{LimitPoint, Normal, limit_points};
 pub use point::Point;
 pub use polygon::PolygonMesh;
 pub(crate) use read::parse_coordinate;
+pub(crate) use read::{About, Lines, Parts, Places, Word};
 pub use read::{MAX_FILE_BYTES, MeshFile, MeshFormat, read_mesh};
 pub use refine::{MAX_MESH_LEVEL, refine_mesh};
 pub(crate) use refine::{step_with, weighted_valences};
@@ -44,6 +45,7 @@ pub use scheme::MeshScheme;
 pub use star::Star;
 pub(crate) use stencil::Stencils;
 pub use write::{BeyondF64, to_json, to_obj, to_ply};
+pub(crate) use write::{decimals, list, numbers, one_line};
 
 /// The most points of a mesh, refined or not.
 pub const MAX_POINTS: usize = 1_000_000;

@@ -7,7 +7,7 @@ use super::number::{Row, Vector as _, combinations};
 use super::roots::Root;
 use super::rules::{parts_of_face, quadrilaterals_of_face};
 use super::threads::in_threads;
-use crate::mesh::{MeshScheme, Point};
+use crate::mesh::Point;
 
 /// How much less than the distance the bound may be, relative to it.
 const WIDTH: f64 = 0.01;
@@ -35,7 +35,7 @@ impl<'a> WholeMesh<'a> {
             (points[0], judge.greatest(points.iter().map(|x| x.minus(&points[0])), 1))
         };
         let balls = in_threads(&model.roots.all, ball);
-        let triangles = matches!(model.scheme, MeshScheme::Loop | MeshScheme::LoopWarren);
+        let triangles = model.kind.is_triangular();
         let rows =
             if triangles { parts_of_face(3) } else { quadrilaterals_of_face(4, &[0, 1, 2, 3]) };
         WholeMesh { model, judge, level, balls, rows }

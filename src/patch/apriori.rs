@@ -6,7 +6,7 @@ use crate::bound::LocalConstants;
 use crate::exact::{Enclosed, Rational, RealCyclotomic};
 use crate::float::{lower, nearest, upper};
 use crate::mesh::{
-    Edge, MeshError, MeshScheme, Point, PolygonMesh, Stencils, check_rules, weighted_valences,
+    MeshError, MeshScheme, Point, PolygonMesh, Stencils, check_rules, weighted_valences,
 };
 use crate::scheme::{LocalRules, parse_local_rules};
 use std::collections::BTreeSet;
@@ -27,7 +27,7 @@ pub struct APriori {
 const MAX_LEVEL: u32 = 100_000;
 
 /// For the rounding of a few operations.
-const UP: f64 = 1.0 + 1e-9;
+pub(super) const UP: f64 = 1.0 + 1e-9;
 
 /// The level that the longest edge and the valences of a mesh guarantee.
 ///
@@ -56,7 +56,8 @@ pub fn a_priori(
 ) -> Result<APriori, MeshError> {
     not_positive(tolerance)?;
     check_rules(mesh.connectivity(), scheme)?;
-    let longest_edge = longest_edge(mesh);
+    let edges = mesh.connectivity().edges().iter().map(|edge| edge.ends);
+    let longest_edge = longest_edge(mesh.points(), edges);
     let faces: BTreeSet<usize> = mesh.faces().iter().map(Vec::len).collect();
     let valences = weighted_valences(mesh.connectivity(), scheme);
     let boundary = mesh.connectivity().edges().iter().any(|edge| edge.other.is_none());
@@ -90,19 +91,23 @@ impl Bound {
     }
 }
 
-fn longest_edge(mesh: &PolygonMesh<Rational>) -> f64 {
+/// The length of the longest of these edges, at most 1 + 10⁻⁹ times too large.
+pub(super) fn longest_edge(
+    points: &[Point<Rational>],
+    edges: impl IntoIterator<Item = [usize; 2]>,
+) -> f64 {
     let points: Vec<Point<f64>> =
-        mesh.points().iter().map(|point| point.each_ref().map(nearest)).collect();
+        points.iter().map(|point| point.each_ref().map(nearest)).collect();
     let size = points.iter().flatten().fold(0.0_f64, |size, x| size.max(x.abs()));
     if size == 0.0 {
         return 0.0;
     }
     // In units of the greatest coordinate, so that no square is too large.
-    let length = |edge: &Edge| {
-        let [p, q] = edge.ends.map(|end| points[end]);
+    let length = |ends: [usize; 2]| {
+        let [p, q] = ends.map(|end| points[end]);
         (0..3).map(|i| (p[i] / size - q[i] / size).powi(2)).sum::<f64>().sqrt()
     };
-    let longest = mesh.connectivity().edges().iter().map(length).fold(0.0_f64, f64::max);
+    let longest = edges.into_iter().map(length).fold(0.0_f64, f64::max);
     (longest + 8.0 * f64::EPSILON) * size * UP
 }
 

@@ -1,11 +1,11 @@
 //! A piece with its points: how far the polygons are from the limit on it.
 
-use super::growth::bend_bound;
+use super::hexes::{AcrossPart, Layers};
 use super::judge::{Judge, Points};
+use super::kind::Kind;
 use super::number::{Row, combinations};
 use super::shape::{Part, Shape, UP, quarter};
 use super::shapes::Shapes;
-use crate::mesh::MeshScheme;
 
 /// A piece of a level with its points.
 #[derive(Clone)]
@@ -18,7 +18,7 @@ pub(super) struct Cell<V> {
     /// is of this level or an earlier one and linear or bilinear on the piece.
     pub(super) base: Option<Vec<V>>,
     /// The parts of parts that led here from the piece of level 1: two binary digits for each, the
-    /// last one lowest.
+    /// last one lowest. Of a solid it is not kept.
     pub(super) path: u128,
 }
 
@@ -45,13 +45,17 @@ impl<V: Points> Cell<V> {
         self.points.len() as u64 / 16 + 1
     }
 
+    fn path_of(&self, shape: &Shape, part: usize) -> u128 {
+        if shape.kind == Kind::Solid { 0 } else { self.path << 2 | part as u128 }
+    }
+
     /// One part, of a piece that has no polygon to be compared with yet.
     pub(super) fn part(&self, shapes: &Shapes, part: usize) -> Cell<V> {
         let shape = self.shape(shapes);
         let Part { shape: next, points } = &shape.parts[part];
         let refined = &V::rules(shape).refined;
         let points = points.iter().map(|&point| V::combination(&refined[point], &self.points));
-        let path = self.path << 2 | part as u128;
+        let path = self.path_of(shape, part);
         Cell { shape: *next, level: self.level + 1, points: points.collect(), base: None, path }
     }
 
@@ -67,7 +71,7 @@ impl<V: Points> Cell<V> {
                 None if begin => Some(combinations(&rules.base[i], &self.points)),
                 None => None,
             };
-            let path = self.path << 2 | i as u128;
+            let path = self.path_of(shape, i);
             Cell { shape: part.shape, level: self.level + 1, points, base, path }
         };
         shape.parts.iter().enumerate().map(part).collect()
@@ -79,9 +83,61 @@ impl<V: Points> Cell<V> {
         Some(Cell { base: Some(combinations(own, &self.points)), ..self.clone() })
     }
 
-    /// What bounds of this piece are multiples of: of a regular piece the bound of 92, else N.
+    /// What bounds of this piece are multiples of: of a regular piece the bound of 92, else N, or what 102
+    /// has in its place.
     pub(super) fn size(&self, shapes: &Shapes, judge: &impl Judge<V>) -> f64 {
-        if self.shape(shapes).is_regular() { self.bend(shapes, judge) } else { self.spread(judge) }
+        let shape = self.shape(shapes);
+        match shape.around.layers() {
+            _ if shape.is_regular() => self.bend(shapes, judge),
+            Some(layers) => self.layered(layers, shape.growth.bound(0), judge),
+            None => self.spread(judge),
+        }
+    }
+
+    /// What 102 has in the place of N.
+    fn layered(&self, layers: &Layers, growth: f64, judge: &impl Judge<V>) -> f64 {
+        let [within, bends] = self.within_layers(layers, judge);
+        (within + bends / (6.0 * growth)) * UP
+    }
+
+    /// The greatest distance of the points from those of column 0 in the same layer, and the greatest
+    /// second difference across the layers.
+    fn within_layers(&self, layers: &Layers, judge: &impl Judge<V>) -> [f64; 2] {
+        let at = |layer: &Vec<u32>, column: usize| &self.points[layer[column] as usize];
+        let across = |layer| (1..layers[0].len()).map(move |column| (layer, column));
+        let within = layers.iter().flat_map(across);
+        let within = within.map(|(layer, column)| at(layer, column).minus(at(layer, 0)));
+        let bends = (0..layers[0].len()).flat_map(|column| {
+            layers.windows(3).map(move |three| {
+                let [low, middle, high] = [0, 1, 2].map(|i| at(&three[i], column));
+                low.minus(middle).minus(&middle.minus(high))
+            })
+        });
+        [judge.greatest(within, self.level), judge.greatest(bends, self.level)]
+    }
+
+    /// The parts of the section of a piece that is the same in each layer, where it is the section that
+    /// keeps bounds from being sharp.
+    pub(super) fn parts_across(
+        &self,
+        shapes: &Shapes,
+        judge: &impl Judge<V>,
+    ) -> Option<Vec<Cell<V>>> {
+        let shape = self.shape(shapes);
+        let (base, layers) = (self.base.as_ref()?, shape.around.layers()?);
+        let across = V::rules(shape).across.as_ref()?;
+        let [within, bends] = self.within_layers(layers, judge);
+        if shape.growth.bound(0) * within < bends / 6.0 {
+            return None;
+        }
+        let part = |part: &AcrossPart<V::Weight>| Cell {
+            shape: shape.parts[part.part].shape,
+            level: self.level + 1,
+            points: combinations(&part.points, &self.points),
+            base: Some(combinations(&part.base, base)),
+            path: 0,
+        };
+        Some(across.parts.iter().map(part).collect())
     }
 
     /// N: the greatest distance of the points from the first one.
@@ -99,10 +155,10 @@ impl<V: Points> Cell<V> {
         };
         let straight = bends.directions.iter().map(worst).sum();
         let across = if bends.across.is_empty() { 0.0 } else { worst(&bends.across) };
-        bend_bound(shape.scheme(), straight, across) * UP
+        shape.kind.bend_bound(straight, across) * UP
     }
 
-    /// The same, sharper where second differences of two directions cancel; not for triangles.
+    /// The same, sharper where second differences of two directions cancel; not for triangles and solids.
     pub(super) fn sharp_bound(
         &self,
         shapes: &Shapes,
@@ -114,7 +170,7 @@ impl<V: Points> Cell<V> {
         let (_, bends) = V::rules(shape).regular.as_ref()?;
         let [first, second] = &bends.directions[..] else { return None };
         let [first, second] = [first, second].map(|rows| combinations(rows, &self.points));
-        let unit = if shape.scheme() == MeshScheme::CatmullClark { 6.0 } else { 8.0 };
+        let unit = if shape.kind.is_cubic() { 6.0 } else { 8.0 };
         let pairs = first.iter().flat_map(|left| second.iter().map(move |right| (left, right)));
         let sums = pairs.flat_map(|(left, right)| {
             [
@@ -160,11 +216,17 @@ impl<V: Points> Cell<V> {
             for (i, row) in rules.limits.iter().enumerate() {
                 at_corner(V::combination(row, &self.points), base[i].clone());
             }
-            let errors = rules.nodes.iter().map(|(row, plain)| {
+            let (nodes, size) = match (&rules.across, shape.around.layers()) {
+                (Some(across), Some(layers)) => {
+                    (&across.nodes, self.within_layers(layers, judge)[0])
+                }
+                _ => (&rules.nodes, self.spread(judge)),
+            };
+            let errors = nodes.iter().map(|(row, plain)| {
                 V::combination(row, &self.points).minus(&V::combination(plain, base))
             });
             upper = judge.greatest(errors, self.level);
-            upper = (upper + shape.growth.bound(0) * self.spread(judge)) * UP;
+            upper = (upper + shape.growth.bound(0) * size) * UP;
             within = upper <= judge.tolerance();
         }
         let mut known = known?;

@@ -2,13 +2,16 @@
 
 use super::far::FarPlace;
 use super::judge::{Exactly, Judge};
+use super::kind::Kind;
 use super::model::Model;
 use super::roots::Root;
 use super::search::{Search, Verdict};
 use super::threads::{in_rounds, in_threads};
 use super::work::MeshWork;
 use crate::exact::Rational;
+use crate::float::upper;
 use crate::mesh::{MeshError, MeshScheme, Point, PolygonMesh};
+use crate::solid::{HexMesh, SolidError};
 use std::sync::Arc;
 
 /// The highest level that is asked for.
@@ -35,7 +38,7 @@ pub struct MeshDepth {
     /// Where the lower bound is attained; `None` where it is 0.
     pub worst: Option<FarPlace>,
     /// A lower bound of the one-sided Hausdorff distance at `level`: some point of the limit is so far from
-    /// every point of the mesh.
+    /// every point of the mesh. 0 of a solid.
     pub apart: f64,
     /// How many pieces were too near to call in f64, and were looked at exactly.
     pub exact_pieces: usize,
@@ -92,6 +95,30 @@ impl MeshDistances {
         Ok(MeshDistances { model, work: Arc::default() })
     }
 
+    /// The pieces of a solid, which Bajaj's scheme refines. P^k is trilinear on each hexahedron.
+    ///
+    /// Source: `proofs/THEOREMS.md`, 100 to 102.
+    ///
+    /// # Errors
+    /// When the mesh of level 1 has too many points, or its cells meet in too many different ways.
+    ///
+    /// ```
+    /// use subcert::exact::Rational;
+    /// use subcert::patch::MeshDistances;
+    /// use subcert::solid::HexMesh;
+    ///
+    /// let corner = |k: usize| [k & 1, k >> 1 & 1, k >> 2].map(Rational::from);
+    /// let cube = HexMesh::new((0..8).map(corner).collect(), &[[0, 1, 3, 2, 4, 5, 7, 6]])?;
+    /// // The corner (0, 0, 0) tends to (2, 2, 2)/9, 2√3/9 = 0.3849… away.
+    /// let depth = MeshDistances::of_solid(cube)?.depth(&Rational::new(2, 5))?;
+    /// assert_eq!(depth.level, 0);
+    /// assert!(depth.distance[0] <= 0.3850 && 0.3849 <= depth.distance[1]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn of_solid(mesh: HexMesh<Rational>) -> Result<Self, SolidError> {
+        Ok(MeshDistances { model: Model::of_solid(mesh)?, work: Arc::default() })
+    }
+
     /// How far the search has come.
     #[must_use]
     pub fn work(&self) -> Arc<MeshWork> {
@@ -123,8 +150,11 @@ impl MeshDistances {
                 level = below;
             }
         }
-        let (distance, worst) = self.measured(level);
-        let apart = self.apart(level);
+        let (mut distance, worst) = self.measured(level);
+        // The level is sufficient.
+        distance[1] = distance[1].min(upper(tolerance));
+        // A point of the limit of a solid is mostly inside the mesh: 0 says no less than is looked for.
+        let apart = if self.model.kind == Kind::Solid { 0.0 } else { self.apart(level) };
         let (too_few, beyond) = beyond.unzip();
         Ok(MeshDepth { level, too_few, beyond, distance, worst, apart, exact_pieces })
     }
@@ -158,8 +188,7 @@ impl MeshDistances {
         in_rounds(&waiting, |round| {
             let results = in_threads(round, |(_, root)| {
                 self.work.step();
-                let mut search =
-                    Search::new(&model.shapes, model.scheme, &judge, level, PIECE_STEPS);
+                let mut search = Search::new(&model.shapes, model.kind, &judge, level, PIECE_STEPS);
                 let verdict = search.examine(model.rounded_cell(root, level));
                 (*root, verdict, PIECE_STEPS - search.steps)
             });
@@ -195,7 +224,7 @@ impl MeshDistances {
         let model = &self.model;
         let judge = Exactly::new(tolerance);
         let steps = left.exact / 2;
-        let mut search = Search::new(&model.shapes, model.scheme, &judge, level, steps);
+        let mut search = Search::new(&model.shapes, model.kind, &judge, level, steps);
         for root in roots {
             let cell = if search.steps == 0 { None } else { model.exact_cell(root, level) };
             let Some(cell) = cell else {

@@ -1,5 +1,6 @@
 //! Places where a mesh is far from its limit.
 
+use super::levels::Source;
 use super::model::Model;
 use super::roots::Root;
 use super::search::Place;
@@ -10,12 +11,12 @@ use crate::mesh::{MeshScheme, Point};
 /// Where a mesh is far from its limit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FarPlace {
-    /// The face of the control mesh.
+    /// The face of the control mesh; of a solid, the cell.
     pub face: usize,
     /// The vertex of that face whose part it is on; `None` for the middle triangle of a triangle.
     pub vertex: Option<usize>,
     /// The face of the level; `None` at level 0, where it is that of the control mesh, and for Doo and
-    /// Sabin.
+    /// Sabin, and of a solid.
     pub level_face: Option<u128>,
     /// The point of the mesh of the level, to f64.
     pub on_mesh: Point<f64>,
@@ -53,19 +54,20 @@ impl FarPlace {
         place: &Place<V>,
         [on_mesh, on_limit]: [Point<f64>; 2],
     ) -> FarPlace {
-        let faces = model.control.faces();
-        let first = match model.scheme {
-            MeshScheme::CatmullClark => {
-                faces[..root.face].iter().map(Vec::len).sum::<usize>() + root.part
+        let first = match &model.source {
+            Source::Surface { scheme: MeshScheme::DooSabin, .. } | Source::Solid(_) => None,
+            Source::Surface { mesh, scheme: MeshScheme::CatmullClark, .. } => {
+                let before = &mesh.faces()[..root.face];
+                Some(before.iter().map(Vec::len).sum::<usize>() + root.part)
             }
-            _ => 4 * root.face + root.part,
+            Source::Surface { .. } => Some(4 * root.face + root.part),
         };
-        let level_face = (level > 0 && model.scheme != MeshScheme::DooSabin).then(|| {
+        let level_face = first.filter(|_| level > 0).map(|first| {
             // The path of the piece of that level, which the place may be a part of.
             let path = place.path >> (2 * (place.level.max(level) - level));
             ((first as u128) << (2 * (level - 1))) + path
         });
-        let vertex = faces[root.face].get(root.part).copied();
+        let vertex = model.source.vertex(root);
         FarPlace { face: root.face, vertex, level_face, on_mesh, on_limit }
     }
 }

@@ -4,6 +4,7 @@ use super::apart::WholeMesh;
 use super::depth::{MeshDistances, PIECE_STEPS, STEPS};
 use super::far::FarPlace;
 use super::judge::Judge;
+use super::kind::Kind;
 use super::number::Vector as _;
 use super::search::Search;
 use super::shape::UP;
@@ -15,6 +16,9 @@ use std::collections::BTreeSet;
 /// How wide the enclosure of the distance is, relative to it.
 const WIDTH: f64 = 1e-3;
 
+/// The same for solids, of which irregular edges have many pieces.
+const SOLID_WIDTH: f64 = 0.02;
+
 /// The same for the distances of single faces.
 const FACE_WIDTH: f64 = 0.05;
 
@@ -22,18 +26,18 @@ const FACE_WIDTH: f64 = 0.05;
 const TRIED: usize = 64;
 
 impl MeshDistances {
-    /// A lower and an upper bound of the distance at a level, for each face of the control mesh: of its
+    /// A lower and an upper bound of the distance at a level, for each face or cell of the control mesh: of its
     /// piece of the mesh of that level from its piece of the limit. Both are 0 where there is no limit.
     #[must_use]
     pub fn faces(&self, level: u32) -> Vec<[f64; 2]> {
         let model = &self.model;
         let judge = model.rounded_judge(&Rational::one());
-        let mut faces = vec![[0.0_f64; 2]; model.control.faces().len()];
+        let mut faces = vec![[0.0_f64; 2]; model.source.face_count()];
         let scale = nearest(&model.scale);
         self.work.begin(level, model.roots.all.len());
         let bounds = in_threads(&model.roots.all, |root| {
             self.work.step();
-            let mut search = Search::new(&model.shapes, model.scheme, &judge, level, PIECE_STEPS);
+            let mut search = Search::new(&model.shapes, model.kind, &judge, level, PIECE_STEPS);
             let (mut best, mut place) = (0.0, None);
             let cell = model.rounded_cell(root, level);
             let upper = search.measure(cell, FACE_WIDTH, &mut best, &mut place);
@@ -70,7 +74,7 @@ impl MeshDistances {
     pub fn guaranteed(&self, level: u32) -> Vec<f64> {
         assert!(level > 0, "the bounds of a mesh begin with level 1");
         let model = &self.model;
-        let mut faces = vec![0.0_f64; model.control.faces().len()];
+        let mut faces = vec![0.0_f64; model.source.face_count()];
         let scale = nearest(&model.scale);
         for (root, bound) in model.roots.all.iter().zip(model.bounds(level)) {
             faces[root.face] = faces[root.face].max(bound * scale * UP);
@@ -82,6 +86,7 @@ impl MeshDistances {
     pub(super) fn measured(&self, level: u32) -> ([f64; 2], Option<FarPlace>) {
         let model = &self.model;
         let judge = model.rounded_judge(&Rational::one());
+        let width = if model.kind == Kind::Solid { SOLID_WIDTH } else { WIDTH };
         let waiting = model.above(level, 0.0);
         self.work.begin(level, waiting.len());
         let (mut best, mut upper, mut worst) = (0.0_f64, 0.0_f64, None);
@@ -91,13 +96,12 @@ impl MeshDistances {
             let results = in_threads(round, |&(bound, root)| {
                 self.work.step();
                 let (mut own, mut place) = (best, None);
-                if bound <= best * (1.0 + WIDTH) || left == 0 {
+                if bound <= best * (1.0 + width) || left == 0 {
                     return (bound, own, None, 0);
                 }
-                let mut search =
-                    Search::new(&model.shapes, model.scheme, &judge, level, PIECE_STEPS);
+                let mut search = Search::new(&model.shapes, model.kind, &judge, level, PIECE_STEPS);
                 let cell = model.rounded_cell(root, level);
-                let upper = search.measure(cell, WIDTH, &mut own, &mut place);
+                let upper = search.measure(cell, width, &mut own, &mut place);
                 (upper, own, place.map(|place| (root, place)), PIECE_STEPS - search.steps)
             });
             for (bound, lower, place, steps) in results {
@@ -126,7 +130,7 @@ impl MeshDistances {
         let chosen: BTreeSet<usize> =
             (0..TRIED).map(|i| waiting.len() * i * i / (TRIED * TRIED)).collect();
         for (_, root) in chosen.into_iter().filter_map(|i| waiting.get(i)) {
-            let mut search = Search::new(&model.shapes, model.scheme, &judge, level, PIECE_STEPS);
+            let mut search = Search::new(&model.shapes, model.kind, &judge, level, PIECE_STEPS);
             let (mut far, mut place) = (best, None);
             search.measure(model.rounded_cell(root, level), FACE_WIDTH, &mut far, &mut place);
             if let Some(place) = place {

@@ -2,7 +2,8 @@
 //!
 //! A limit surface is cut into pieces, one for each face of a level (Catmull–Clark, Loop) or for
 //! each vertex (Doo–Sabin). On a piece, mesh and limit are compared point by point in their natural
-//! parameters. `proofs/THEOREMS.md`, 91 to 97, says so precisely, and proves the bounds.
+//! parameters. `proofs/THEOREMS.md`, 91 to 97, says so precisely, and proves the bounds; 100 to 102 do so for
+//! solids, with a piece for each hexahedron.
 //!
 //! | item | what it is |
 //! |---|---|
@@ -10,19 +11,24 @@
 //! | [`a_priori`] | what its longest edge and its valences guarantee |
 //! | [`formula_level`] | what a paper's formula promises |
 //! | [`NetDistances`], [`net_a_priori`], [`net_formula_level`] | the same of one tensor net (98 and 99) |
+//! | [`MeshDistances::of_solid`], [`solid_a_priori`], [`solid_formula_level`] | the same of a hexahedral solid |
 //!
 //! Points are computed in f64 with a bound of all rounding errors. What that leaves open is
 //! decided exactly.
 
 mod apart;
 mod apriori;
+mod around;
 mod bezier;
 mod cell;
 mod depth;
 mod far;
 mod formula;
 mod growth;
+mod hexes;
 mod judge;
+mod kind;
+mod levels;
 mod measure;
 mod model;
 mod neighbourhood;
@@ -41,5 +47,6 @@ pub use apriori::{APriori, a_priori};
 pub use depth::{MAX_DEPTH_LEVEL, MeshDepth, MeshDistances};
 pub use far::FarPlace;
 pub use formula::{FORMULA_PAPER, formula_level};
+pub use hexes::{SOLID_FORMULA_PAPER, solid_a_priori, solid_formula_level};
 pub use net::{NET_FORMULA_PAPER, NetAPriori, NetDistances, net_a_priori, net_formula_level};
 pub use work::MeshWork;

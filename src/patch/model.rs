@@ -1,38 +1,31 @@
 //! A mesh as the search sees it: its pieces, in f64 and exactly.
 
 use super::cell::Cell;
+use super::hexes::hex_roots;
 use super::judge::{Points, Rounded};
-use super::number::Vector;
-use super::roots::{Corners, Root, Roots, corners, refined};
+use super::kind::Kind;
+use super::levels::{Levels, Source, solid, surface};
+use super::roots::{Root, Roots};
 use super::shapes::Shapes;
 use super::threads::in_threads;
 use crate::exact::{Rational, RealCyclotomic};
 use crate::float::nearest;
 use crate::mesh::{
-    MeshError, MeshScheme, Point, PolygonMesh, Stencils, check_field, check_rules,
-    weighted_valences,
+    MeshError, MeshScheme, Point, PolygonMesh, Stencils, check_rules, step_with, weighted_valences,
 };
+use crate::solid::{HexMesh, MAX_POINTS, SolidError};
 use std::sync::OnceLock;
-
-/// The points of the control mesh and of level 1.
-pub(super) struct Levels<V: Vector> {
-    control: Vec<V>,
-    refined: Vec<V>,
-    /// The corners of the parts of the control faces.
-    corners: Corners<V::Weight>,
-}
 
 /// A mesh as pieces.
 pub(super) struct Model {
-    pub(super) scheme: MeshScheme,
+    pub(super) kind: Kind,
     pub(super) shapes: Shapes,
     pub(super) roots: Roots,
-    pub(super) control: PolygonMesh<Rational>,
+    pub(super) source: Source,
     /// In f64: moved so that the first point is the origin, and multiplied by 2^−e.
     rounded: Levels<Point<f64>>,
     /// `None` where exact numbers are too much work.
     exact: OnceLock<Option<Levels<Point<RealCyclotomic>>>>,
-    stencils: Stencils,
     /// 2^e.
     pub(super) scale: Rational,
     /// The greatest coordinate, and the most weights of a row.
@@ -51,43 +44,62 @@ impl Model {
         check_rules(connectivity, scheme)?;
         let stencils = Stencils::new(scheme, weighted_valences(connectivity, scheme));
         let scale = scale(control.points());
-        let origin = &control.points()[0];
-        let moved: Vec<Point<f64>> = control
-            .points()
-            .iter()
-            .map(|point| [0, 1, 2].map(|i| nearest(&(&(&point[i] - &origin[i]) / &scale))))
-            .collect();
-        let size = moved.iter().flatten().fold(0.0_f64, |size, x| size.max(x.abs()));
-        let mesh = control.with_points(moved);
-        let next = crate::mesh::step_with(&mesh, scheme, &stencils.map(nearest))?;
-        let mut shapes = Shapes::new(scheme);
+        let mesh = control.with_points(moved(control.points(), &scale));
+        let next = step_with(&mesh, scheme, &stencils.map(nearest))?;
+        let mut shapes = Shapes::new(Kind::Surface(scheme));
         let roots = Roots::of(scheme, connectivity, next.connectivity(), &mut shapes);
-        let (control_points, refined) = (mesh.points().to_vec(), next.points().to_vec());
-        let corners = corners(scheme, connectivity);
-        let rounded = Levels { control: control_points, refined, corners };
-        let exact = OnceLock::new();
+        let rounded = surface(&mesh, scheme, next.points().to_vec());
         let faces = connectivity.faces().iter().map(Vec::len).max().unwrap_or(0);
         let valence = (0..connectivity.point_count()).map(|v| connectivity.star(v).valence());
-        let terms = shapes.longest().max(2 * valence.max().unwrap_or(0) + 2 * faces);
-        let sizes = Vec::new();
-        let mut model = Model {
-            scheme,
-            shapes,
-            roots,
-            control,
-            rounded,
-            exact,
-            stencils,
-            scale,
-            size,
-            terms,
-            sizes,
+        let terms = 2 * valence.max().unwrap_or(0) + 2 * faces;
+        let size = size(mesh.points());
+        let source = Source::Surface { mesh: control, scheme, stencils };
+        Ok(Model::of(shapes, roots, source, rounded, (scale, size, terms)))
+    }
+
+    /// # Errors
+    /// When there would be too many points, or there are too many shapes.
+    pub(super) fn of_solid(control: HexMesh<Rational>) -> Result<Model, SolidError> {
+        let complex = control.complex();
+        let (edges, faces) = (complex.edges.len(), complex.faces.len());
+        let points = complex.points + edges + faces + complex.cells.len();
+        if points > MAX_POINTS {
+            return Err(SolidError::TooManyPoints { points });
+        }
+        let mut shapes = Shapes::new(Kind::Solid);
+        let roots = hex_roots(complex, &mut shapes)?;
+        let scale = scale(control.points());
+        let moved = moved(control.points(), &scale);
+        let rounded = solid(complex, &moved);
+        let mut counts = vec![0_usize; complex.points];
+        complex.cells.iter().flatten().for_each(|&point| counts[point] += 1);
+        // A vertex is a mean of the edges, faces and cells around it, fewer than four for each cell.
+        let terms = 4 * counts.into_iter().max().unwrap_or(0) + 32;
+        let size = size(&moved);
+        let source = Source::Solid(control);
+        Ok(Model::of(shapes, roots, source, rounded, (scale, size, terms)))
+    }
+
+    fn of(
+        shapes: Shapes,
+        roots: Roots,
+        source: Source,
+        rounded: Levels<Point<f64>>,
+        (scale, size, terms): (Rational, f64, usize),
+    ) -> Model {
+        let kind = match &source {
+            Source::Surface { scheme, .. } => Kind::Surface(*scheme),
+            Source::Solid(_) => Kind::Solid,
         };
+        let terms = terms.max(shapes.longest());
+        let (exact, sizes) = (OnceLock::new(), Vec::new());
+        let mut model =
+            Model { kind, shapes, roots, source, rounded, exact, scale, size, terms, sizes };
         let judge = model.rounded_judge(&Rational::one());
         model.sizes = in_threads(&model.roots.all, |root| {
             model.rounded_cell(root, 1).size(&model.shapes, &judge)
         });
-        Ok(model)
+        model
     }
 
     /// The bound of each piece of level 1 for a level from 1 on, and all later ones.
@@ -115,13 +127,11 @@ impl Model {
     }
 
     fn cell<V: Points>(&self, root: &Root, level: u32, points: &Levels<V>) -> Cell<V> {
-        let (shapes, refined) = (&self.shapes, &points.refined);
-        if level == 0 {
-            let control = (self.control.connectivity(), &points.control[..]);
-            self.roots.begun(root, shapes, refined, control, &points.corners)
-        } else {
-            self.roots.cell(root, shapes, refined)
+        let cell = self.roots.cell(root, &self.shapes, &points.refined);
+        if level > 0 {
+            return cell;
         }
+        Cell { base: Some(points.start(root, &self.roots, &self.source)), ..cell }
     }
 
     /// A piece in f64, for the polygons of a level.
@@ -135,23 +145,29 @@ impl Model {
         root: &Root,
         level: u32,
     ) -> Option<Cell<Point<RealCyclotomic>>> {
-        let levels = self.exact.get_or_init(|| {
-            let mesh = self.control.map(|x| RealCyclotomic::from(x.clone()));
-            let (control, count) = (mesh.connectivity(), self.rounded.refined.len());
-            check_field(control, mesh.points(), self.scheme, false, count).ok()?;
-            let refined = refined(&mesh, self.scheme, &self.stencils).ok()?;
-            let corners = corners(self.scheme, control);
-            Some(Levels { control: mesh.points().to_vec(), refined, corners })
-        });
+        let levels = self.exact.get_or_init(|| self.source.exact(self.rounded.refined.len()));
         Some(self.cell(root, level, levels.as_ref()?))
     }
 
     /// A point in f64 as it is in the file.
     pub(super) fn place(&self, point: &Point<f64>) -> Point<f64> {
         let scale = nearest(&self.scale);
-        let origin = &self.control.points()[0];
+        let origin = &self.source.points()[0];
         [0, 1, 2].map(|i| point[i] * scale + nearest(&origin[i]))
     }
+}
+
+/// The points in f64, the first one as the origin, in units of the scale.
+fn moved(points: &[Point<Rational>], scale: &Rational) -> Vec<Point<f64>> {
+    let origin = &points[0];
+    let moved =
+        |point: &Point<Rational>| [0, 1, 2].map(|i| nearest(&(&(&point[i] - &origin[i]) / scale)));
+    points.iter().map(moved).collect()
+}
+
+/// The greatest coordinate.
+fn size(points: &[Point<f64>]) -> f64 {
+    points.iter().flatten().fold(0.0_f64, |size, x| size.max(x.abs()))
 }
 
 /// The power of two that is just above all differences of coordinates from those of the first

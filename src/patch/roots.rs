@@ -2,10 +2,10 @@
 
 use super::cell::Cell;
 use super::neighbourhood::{Neighbourhood, Piece};
-use super::number::{Number, Row, Vector, combinations};
+use super::number::{Number, Row, Vector};
 use super::rules::{parts_of_face, quadrilaterals_of_face};
 use super::shapes::Shapes;
-use crate::mesh::{Connectivity, MeshError, MeshScheme, Point, PolygonMesh, Stencils, step_with};
+use crate::mesh::{Connectivity, MeshScheme};
 use std::collections::BTreeMap;
 
 /// A piece of level 1.
@@ -17,13 +17,13 @@ pub(super) struct Root {
     pub(super) part: usize,
     pub(super) shape: usize,
     /// Where its points begin in the list of all.
-    first: usize,
+    pub(super) first: usize,
 }
 
 /// The pieces of level 1, and the numbers of their points in the mesh of that level.
 pub(super) struct Roots {
     pub(super) all: Vec<Root>,
-    points: Vec<u32>,
+    pub(super) points: Vec<u32>,
 }
 
 impl Roots {
@@ -54,19 +54,9 @@ impl Roots {
         Cell { shape: root.shape, level: 1, points, base: None, path: 0 }
     }
 
-    /// The same, to be compared with the control mesh.
-    pub(super) fn begun<V: Vector>(
-        &self,
-        root: &Root,
-        shapes: &Shapes,
-        refined: &[V],
-        control: (&Connectivity, &[V]),
-        corners: &Corners<V::Weight>,
-    ) -> Cell<V> {
-        let face = &control.0.faces()[root.face];
-        let points: Vec<V> = face.iter().map(|&vertex| control.1[vertex].clone()).collect();
-        let base = combinations(&corners[&face.len()][root.part], &points);
-        Cell { base: Some(base), ..self.cell(root, shapes, refined) }
+    /// The numbers of the first points of a piece.
+    pub(super) fn first_points(&self, root: &Root, count: usize) -> &[u32] {
+        &self.points[root.first..root.first + count]
     }
 }
 
@@ -117,13 +107,4 @@ fn pieces(scheme: MeshScheme, control: &Connectivity) -> Vec<(usize, usize, Piec
         }
     }
     pieces
-}
-
-/// The mesh of level 1.
-pub(super) fn refined<S: Number>(
-    mesh: &PolygonMesh<S>,
-    scheme: MeshScheme,
-    stencils: &Stencils,
-) -> Result<Vec<Point<S>>, MeshError> {
-    Ok(step_with(mesh, scheme, &stencils.map(S::of))?.points().to_vec())
 }

@@ -1,6 +1,7 @@
 //! What one level makes of a piece and the faces around it, as rows of weights.
 
 use super::bezier::Bezier;
+use super::hexes::Across;
 use super::neighbourhood::Piece;
 use super::number::{Number, Row};
 use super::regular::{Bends, Layout, from_first, weighted};
@@ -27,6 +28,8 @@ pub(super) struct Rules<W> {
     pub(super) nodes: Vec<(Row<W>, Row<W>)>,
     /// The limits at the corners of the piece.
     pub(super) limits: Vec<Row<W>>,
+    /// Of a piece of a solid that is the same in each layer, and not regular.
+    pub(super) across: Option<Across<W>>,
     /// Of a regular piece.
     pub(super) regular: Option<(Bezier<W>, Bends<W>)>,
 }
@@ -117,7 +120,7 @@ impl Local {
             let split = if squares { (0..4).map(turned_quarter).collect() } else { Vec::new() };
             let nodes = if squares { around.nodes() } else { Vec::new() };
             let limits = (0..star.faces.len()).map(|i| around.centroid(i)).collect();
-            return Rules { refined, base, split, own: None, nodes, limits, regular };
+            return Rules { refined, base, split, own: None, nodes, limits, across: None, regular };
         }
         let corner = |i: usize| mean_of(&[i]);
         let split: Vec<Vec<Row<W>>> = parts_of_face(corners);
@@ -125,7 +128,7 @@ impl Local {
         let nodes = (0..corners).map(|i| (corner(i), corner(i))).collect();
         let limits = (0..corners).map(|i| self.limit(i)).collect();
         let base = split.clone();
-        Rules { refined, base, split, own: Some(own), nodes, limits, regular }
+        Rules { refined, base, split, own: Some(own), nodes, limits, across: None, regular }
     }
 
     /// The limit at a corner of a face.

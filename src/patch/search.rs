@@ -2,9 +2,9 @@
 
 use super::cell::{Cell, Known};
 use super::judge::{Judge, Points};
+use super::kind::Kind;
 use super::shapes::Shapes;
 use crate::exact::{Rational, Scalar as _};
-use crate::mesh::MeshScheme;
 
 /// The highest level of pieces.
 pub(super) const MAX_PIECE_LEVEL: u32 = 64;
@@ -48,13 +48,13 @@ pub(super) struct Search<'a, V: Points, J> {
 impl<'a, V: Points, J: Judge<V>> Search<'a, V, J> {
     pub(super) fn new(
         shapes: &'a Shapes,
-        scheme: MeshScheme,
+        kind: Kind,
         judge: &'a J,
         level: u32,
         steps: u64,
     ) -> Self {
         // (1 − u)³ + u³ is from 1/4 to 1, and (1/2 − u)²·4 from 0 to 1.
-        let least = Rational::new(i64::from(scheme == MeshScheme::CatmullClark), 4);
+        let least = Rational::new(i64::from(kind.is_cubic()), 4);
         let factors = [Rational::one(), least].map(|x| V::Weight::from_rational(&x));
         Search { shapes, judge, level, steps, factors }
     }
@@ -94,7 +94,9 @@ impl<'a, V: Points, J: Judge<V>> Search<'a, V, J> {
                 return bound;
             }
         }
-        let parts = cell.parts(self.shapes, cell.level == self.level).into_iter();
+        let across = cell.parts_across(self.shapes, self.judge);
+        let parts =
+            across.unwrap_or_else(|| cell.parts(self.shapes, cell.level == self.level)).into_iter();
         let mut parts: Vec<(f64, Cell<V>)> = parts.map(|part| self.sized(part)).collect();
         parts.sort_by(|left, right| left.0.total_cmp(&right.0));
         stack.extend(parts);

@@ -1,8 +1,9 @@
 //! The shape of a piece: what does not depend on its points.
 
-use super::rules::{Local, Rules};
+use super::around::Around;
+use super::kind::Kind;
+use super::rules::Rules;
 use crate::exact::RealCyclotomic;
-use crate::mesh::MeshScheme;
 use std::sync::OnceLock;
 
 /// What sums and products of a few bounds are multiplied by for their rounding.
@@ -30,7 +31,8 @@ pub(super) struct Shape {
     pub(super) rules: Rules<f64>,
     /// How fast pieces of this shape tend to the limit.
     pub(super) growth: Growth,
-    pub(super) local: Local,
+    pub(super) kind: Kind,
+    pub(super) around: Around,
     /// The points of the next level that the parts need.
     pub(super) wanted: Vec<usize>,
     pub(super) exact: OnceLock<Rules<RealCyclotomic>>,
@@ -39,7 +41,13 @@ pub(super) struct Shape {
 impl Shape {
     /// The exact weights, computed when they are first needed.
     pub(super) fn exact(&self) -> &Rules<RealCyclotomic> {
-        self.exact.get_or_init(|| self.local.rules(&self.wanted))
+        self.exact.get_or_init(|| self.around.rules(&self.wanted, &self.part_points()))
+    }
+
+    /// The points of the parts, among all points that the next level makes.
+    pub(super) fn part_points(&self) -> Vec<Vec<usize>> {
+        let points = |part: &Part| part.points.iter().map(|&at| self.wanted[at]).collect();
+        self.parts.iter().map(points).collect()
     }
 
     pub(super) fn is_regular(&self) -> bool {
@@ -58,10 +66,6 @@ impl Shape {
         let (part, bounds) = self.growth.repeated.as_ref()?;
         let bound = entry(bounds, later.checked_sub(1)?);
         Some((*part, bound * size * UP))
-    }
-
-    pub(super) fn scheme(&self) -> MeshScheme {
-        self.local.scheme
     }
 
     /// The longest row of weights.

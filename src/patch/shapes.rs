@@ -1,23 +1,24 @@
 //! The shapes of pieces: all pieces with the same faces around them have the same weights.
 
+use super::around::Around;
 use super::growth::growth;
+use super::kind::Kind;
 use super::neighbourhood::Neighbourhood;
-use super::rules::{Local, Rules};
+use super::rules::Rules;
 use super::shape::{Growth, Part, Shape};
-use crate::mesh::MeshScheme;
 use std::collections::HashMap;
 use std::sync::OnceLock;
 
 /// All shapes that have been met.
 pub(super) struct Shapes {
-    scheme: MeshScheme,
+    kind: Kind,
     known: HashMap<Vec<u32>, usize>,
     all: Vec<Shape>,
 }
 
 impl Shapes {
-    pub(super) fn new(scheme: MeshScheme) -> Shapes {
-        Shapes { scheme, known: HashMap::new(), all: Vec::new() }
+    pub(super) fn new(kind: Kind) -> Shapes {
+        Shapes { kind, known: HashMap::new(), all: Vec::new() }
     }
 
     pub(super) fn get(&self, shape: usize) -> &Shape {
@@ -33,11 +34,9 @@ impl Shapes {
         self.add(neighbourhood);
         let mut next = first;
         while next < self.all.len() {
-            let refined = self.all[next].local.refined();
             let mut wanted: Vec<usize> = Vec::new();
             let mut parts = Vec::new();
-            for piece in self.all[next].local.parts(&refined) {
-                let part = Neighbourhood::of(&refined, piece);
+            for part in self.all[next].around.parts() {
                 let shape = match self.known.get(&part.key) {
                     Some(&shape) => shape,
                     None => self.add(&part),
@@ -53,9 +52,9 @@ impl Shapes {
                 parts.push(Part { shape, points });
             }
             let shape = &mut self.all[next];
-            shape.rules = shape.local.rules(&wanted);
             shape.wanted = wanted;
             shape.parts = parts;
+            shape.rules = shape.around.rules(&shape.wanted, &shape.part_points());
             next += 1;
         }
         self.settle(first);
@@ -86,18 +85,24 @@ impl Shapes {
 
     fn add(&mut self, neighbourhood: &Neighbourhood) -> usize {
         let count = neighbourhood.points.len();
-        let local = Local::new(self.scheme, count, neighbourhood.faces.clone());
+        let around = Around::new(self.kind, neighbourhood);
         self.all.push(Shape {
             points: count,
             parts: Vec::new(),
             rules: Rules::default(),
             growth: Growth::default(),
-            local,
+            kind: self.kind,
+            around,
             wanted: Vec::new(),
             exact: OnceLock::new(),
         });
         self.known.insert(neighbourhood.key.clone(), self.all.len() - 1);
         self.all.len() - 1
+    }
+
+    /// How many there are.
+    pub(super) fn count(&self) -> usize {
+        self.all.len()
     }
 
     /// The longest row of weights of all shapes.

@@ -9,6 +9,7 @@ mod new;
 mod offset;
 mod output;
 mod polygons;
+mod solids;
 mod tables;
 mod terminal;
 

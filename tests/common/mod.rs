@@ -4,6 +4,7 @@
 
 pub mod claims;
 pub mod meshes;
+pub mod solids;
 
 use proptest::prelude::*;
 use subcert::exact::Rational;

@@ -4,6 +4,7 @@ mod exactness;
 mod laws;
 mod naive;
 mod nets;
+mod solids;
 mod tensor;
 mod worst;
 

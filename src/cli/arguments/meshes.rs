@@ -10,6 +10,10 @@ pub(in crate::cli) enum MeshOutputFormat {
     Obj,
     /// The same
     Ply,
+    /// The same, of a solid
+    Vtk,
+    /// The same, of a solid
+    Medit,
     /// Exact numbers and the nearest f64
     Json,
     /// The nearest f64 of each coordinate; of nets only
@@ -35,7 +39,7 @@ pub(in crate::cli) struct MeshOutput {
     /// The file; without it, the standard output
     #[arg(short = 'o', long = "output", value_name = "FILE")]
     pub(in crate::cli) file: Option<PathBuf>,
-    /// Output format [default: by the extension of FILE, or obj]
+    /// Output format [default: by the extension of FILE, or obj, of a solid vtk]
     #[arg(long, value_enum)]
     pub(in crate::cli) format: Option<MeshOutputFormat>,
 }
@@ -43,11 +47,11 @@ pub(in crate::cli) struct MeshOutput {
 #[derive(Debug, Args)]
 pub(in crate::cli) struct RefineArguments {
     /// The scheme: catmull-clark, doo-sabin, loop, or loop-warren; of a net a curve, or two with ` x `
-    /// between them
+    /// between them; bajaj for a solid
     #[arg(value_name = "SCHEME")]
     pub(in crate::cli) scheme: String,
-    /// The control mesh as OBJ, OFF or PLY (ascii), or a tensor net as CSV or JSON; `-` for the
-    /// standard input
+    /// The control mesh as OBJ, OFF or PLY (ascii), a tensor net as CSV or JSON, or a solid as VTK or
+    /// MEDIT (ascii); `-` for the standard input
     #[arg(long, value_name = "FILE")]
     pub(in crate::cli) mesh: PathBuf,
     /// The directions in which a net is closed [default: those in the file, or else none]
@@ -63,11 +67,11 @@ pub(in crate::cli) struct RefineArguments {
 #[derive(Debug, Args)]
 pub(in crate::cli) struct LimitArguments {
     /// The scheme: catmull-clark, doo-sabin, loop, or loop-warren; of a net a curve, or two with ` x `
-    /// between them
+    /// between them; bajaj for a solid
     #[arg(value_name = "SCHEME")]
     pub(in crate::cli) scheme: String,
-    /// The control mesh as OBJ, OFF or PLY (ascii), or a tensor net as CSV or JSON; `-` for the
-    /// standard input
+    /// The control mesh as OBJ, OFF or PLY (ascii), a tensor net as CSV or JSON, or a solid as VTK or
+    /// MEDIT (ascii); `-` for the standard input
     #[arg(long, value_name = "FILE")]
     pub(in crate::cli) mesh: PathBuf,
     /// The directions in which a net is closed [default: those in the file, or else none]

@@ -21,6 +21,7 @@ pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments) -> Outcome {
     let refused = |error| failure(&file, &error);
     let guaranteed = a_priori(file.mesh(), scheme, &tolerance).map_err(refused)?;
     let promised = (scheme == MeshScheme::DooSabin).then(|| Formula {
+        paper: FORMULA_PAPER,
         level: formula_level(file.mesh(), guaranteed.longest_edge, &tolerance),
     });
     let per_face = arguments.per_face.as_deref();
@@ -39,45 +40,80 @@ pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments) -> Outcome {
         drop(progress);
         Some(depth)
     };
-    let (scheme, paper, kind) = (scheme.name().to_owned(), FORMULA_PAPER, Kind::Mesh);
-    let report = Report { scheme, name, tolerance, guaranteed, paper, promised, found, kind };
-    show(arguments.output.format, || report.sheet(arguments), || report.form())
+    let (scheme, kind) = (scheme.name().to_owned(), Kind::Mesh);
+    Report { scheme, name, tolerance, guaranteed, promised, found, kind }.show(arguments)
 }
 
+/// The answers for one mesh, net or solid.
 pub(super) struct Report {
     pub(super) scheme: String,
     pub(super) name: String,
     pub(super) tolerance: Rational,
     pub(super) guaranteed: APriori,
-    pub(super) paper: &'static str,
-    /// What the formula of the paper says, where there is one for the scheme.
+    /// The number of levels by the formula of a paper, if there is one for the scheme.
     pub(super) promised: Option<Formula>,
     pub(super) found: Option<MeshDepth>,
     pub(super) kind: Kind,
 }
 
 /// What the depth is of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     Mesh,
     /// A tensor net, with so many faces along a row.
     Net {
         faces_in_row: usize,
     },
+    /// A hexahedral solid, the pieces of which are cells.
+    Solid,
 }
 
 impl Kind {
-    fn name(&self) -> &'static str {
+    fn name(self) -> &'static str {
         match self {
-            Kind::Mesh => "mesh",
+            Kind::Mesh | Kind::Solid => "mesh",
             Kind::Net { .. } => "net",
         }
     }
 
+    fn piece(self) -> &'static str {
+        if self == Kind::Solid { "cell" } else { "face" }
+    }
+
     /// The cell (i, j) of a face of a net.
-    fn cell(&self, face: usize) -> Option<[usize; 2]> {
+    fn cell(self, face: usize) -> Option<[usize; 2]> {
         match self {
-            Kind::Mesh => None,
+            Kind::Mesh | Kind::Solid => None,
             Kind::Net { faces_in_row } => Some([face / faces_in_row, face % faces_in_row]),
+        }
+    }
+
+    /// Whose edges the level a priori is about.
+    fn all(self) -> &'static str {
+        match self {
+            Kind::Mesh => "meshes with these valences and",
+            Kind::Net { .. } => "nets with",
+            Kind::Solid => "meshes whose cells meet so, with",
+        }
+    }
+
+    /// What the distance is.
+    fn distance(self) -> &'static str {
+        match self {
+            Kind::Mesh => {
+                "The distance is that of each face of the level from its own piece of the limit \
+                 surface, point by point at the same parameters. Faces and vertices are numbered from 0."
+            }
+            Kind::Net { .. } => {
+                "The distance is that of the net of the level, bilinear on each face, from the limit \
+                 surface, point by point at the same natural parameters. Cells, faces and vertices are \
+                 numbered from 0, row by row."
+            }
+            Kind::Solid => {
+                "The distance is that of each cell of the level from its own piece of the limit solid, \
+                 point by point at the same parameters; the boundary is a part of it. Cells and vertices \
+                 are numbered from 0."
+            }
         }
     }
 }
@@ -85,6 +121,7 @@ impl Kind {
 /// How many levels a formula promises to be enough; `None` where it promises nothing.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Formula {
+    pub(super) paper: &'static str,
     pub(super) level: Option<u32>,
 }
 
@@ -130,13 +167,14 @@ fn point(point: &[f64; 3]) -> String {
     format!("({x}, {y}, {z})")
 }
 
-fn place_text(place: &FarPlace, kind: &Kind) -> String {
+fn place_text(place: &FarPlace, kind: Kind) -> String {
     let FarPlace { face, vertex, level_face, on_mesh, on_limit } = place;
     let cell = kind.cell(*face).map(|[i, j]| format!(" (cell {i}, {j})")).unwrap_or_default();
     let corner = vertex.map(|vertex| format!(" near vertex {vertex}")).unwrap_or_default();
     let of_level = level_face.map(|face| format!(", face {face} of the level")).unwrap_or_default();
     format!(
-        "face {face}{cell}{corner}{of_level}: {} of the {}, {} of the limit",
+        "{} {face}{cell}{corner}{of_level}: {} of the {}, {} of the limit",
+        kind.piece(),
         point(on_mesh),
         kind.name(),
         point(on_limit)
@@ -144,9 +182,14 @@ fn place_text(place: &FarPlace, kind: &Kind) -> String {
 }
 
 impl Report {
-    pub(super) fn sheet(&self, arguments: &DepthArguments) -> Sheet {
+    pub(super) fn show(&self, arguments: &DepthArguments) -> Outcome {
+        show(arguments.output.format, || self.sheet(arguments), || self.form())
+    }
+
+    fn sheet(&self, arguments: &DepthArguments) -> Sheet {
         let mut sheet = Sheet::default();
         let Report { scheme, name, guaranteed, kind, .. } = self;
+        let place_text = |place| place_text(place, *kind);
         sheet.heading(1, format!("{name}, {scheme}, ε = {}", arguments.tolerance));
         let mut facts = Vec::new();
         if let Some(found) = &self.found {
@@ -163,25 +206,21 @@ impl Report {
             let [least, most] = found.distance.map(digits);
             facts
                 .push((format!("distance at level {}", found.level), format!("{least} to {most}")));
-            facts.extend(
-                found.worst.as_ref().map(|x| ("greatest at".to_owned(), place_text(x, kind))),
-            );
-            let apart = format!("at least {}", digits(found.apart));
-            facts.push(("Hausdorff distance".to_owned(), apart));
+            facts.extend(found.worst.as_ref().map(|x| ("greatest at".to_owned(), place_text(x))));
+            if *kind != Kind::Solid {
+                let apart = format!("at least {}", digits(found.apart));
+                facts.push(("Hausdorff distance".to_owned(), apart));
+            }
             let few = found.too_few.zip(found.beyond.as_ref());
-            facts.extend(
-                few.map(|(level, x)| (format!("too far at level {level}"), place_text(x, kind))),
-            );
+            facts
+                .extend(few.map(|(level, x)| (format!("too far at level {level}"), place_text(x))));
             let pieces = match found.exact_pieces {
                 0 => "nowhere; all was decided in f64 with bounds of its errors".to_owned(),
                 count => format!("for {count} pieces that were too near to call in f64"),
             };
             facts.push(("exact numbers needed".to_owned(), pieces));
         }
-        let all = match kind {
-            Kind::Mesh => "meshes with these valences and",
-            Kind::Net { .. } => "nets with",
-        };
+        let all = kind.all();
         let text = format!(
             "{} levels, of all {all} edges of {} at most",
             guaranteed.level,
@@ -198,20 +237,12 @@ impl Report {
                     format!("{level} levels: {}", Promise::of(level, found).name())
                 }
             };
-            facts.push((format!("formula of {}", self.paper), text));
+            let text =
+                if *kind == Kind::Solid { format!("for the boundary, {text}") } else { text };
+            facts.push((format!("formula of {}", promised.paper), text));
         }
         sheet.facts(facts);
-        sheet.text(match kind {
-            Kind::Mesh => {
-                "The distance is that of each face of the level from its own piece of the limit \
-                 surface, point by point at the same parameters. Faces and vertices are numbered from 0."
-            }
-            Kind::Net { .. } => {
-                "The distance is that of the net of the level, bilinear on each face, from the limit \
-                 surface, point by point at the same natural parameters. Cells, faces and vertices are \
-                 numbered from 0, row by row."
-            }
-        });
+        sheet.text(kind.distance());
         sheet
     }
 
@@ -236,7 +267,9 @@ impl Report {
                 let [lower, upper] = found.distance.map(shortest);
                 form::Bounds { lower, upper }
             }),
-            hausdorff: found.map(|found| form::AtLeast { lower: shortest(found.apart) }),
+            hausdorff: found
+                .filter(|_| self.kind != Kind::Solid)
+                .map(|found| form::AtLeast { lower: shortest(found.apart) }),
             worst_face: found.and_then(|found| found.worst.as_ref()).map(place),
             too_far: found.and_then(|found| found.beyond.as_ref()).map(place),
             exact_pieces: found.map(|found| found.exact_pieces),
@@ -245,8 +278,8 @@ impl Report {
                 longest_edge: shortest(self.guaranteed.longest_edge),
                 ratio: shortest(self.guaranteed.ratio),
             },
-            formula: self.promised.map(|Formula { level }| form::Formula {
-                paper: self.paper,
+            formula: self.promised.map(|Formula { paper, level }| form::Formula {
+                paper,
                 level,
                 verdict: level.zip(found).map(|(level, found)| Promise::of(level, found).name()),
             }),

@@ -9,9 +9,11 @@ mod mesh;
 mod net;
 mod place;
 mod polygon;
+mod solid;
 mod surface;
 
 use super::arguments::{BoundaryArgument, DepthArguments, Format};
+use super::geometry::Geometry;
 use super::json::{SCHEMA, depth as form};
 use super::net::NetInput;
 use super::offset::BetterOffset;
@@ -31,10 +33,11 @@ use subcert::scheme::{AnyScheme, Mask, Scheme, parse_any_scheme};
 pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
     if let Some(path) = &arguments.mesh {
         let net = NetInput { scheme: &arguments.scheme, path, closed: arguments.closed };
-        if net.is_net() {
-            return net::net_depth(&net, arguments);
-        }
-        return mesh::mesh_depth(path, arguments);
+        return match Geometry::of(&net)? {
+            Geometry::Mesh => mesh::mesh_depth(path, arguments),
+            Geometry::Net => net::net_depth(&net, arguments),
+            Geometry::Solid => solid::solid_depth(path, arguments),
+        };
     }
     let scheme = match parse_any_scheme(&arguments.scheme)? {
         AnyScheme::Uniform(scheme) => scheme,

@@ -4,7 +4,7 @@ use super::faces::FacesFormat;
 use super::mesh::{Formula, Kind, Report};
 use crate::cli::arguments::{DepthArguments, Format};
 use crate::cli::net::{NetFile, NetInput, failure};
-use crate::cli::output::{Failure, Outcome, positive, show};
+use crate::cli::output::{Failure, Outcome, positive};
 use crate::cli::progress::Progress;
 use subcert::patch::{APriori, NET_FORMULA_PAPER, NetDistances, net_a_priori, net_formula_level};
 
@@ -12,7 +12,8 @@ pub(super) fn net_depth(asked: &NetInput<'_>, arguments: &DepthArguments) -> Out
     let tolerance = positive("--tolerance", &arguments.tolerance)?;
     let NetFile { scheme, name, net } = asked.read()?;
     let guaranteed = net_a_priori(&net, &scheme, &tolerance).map_err(failure)?;
-    let promised = net_formula_level(&net, &scheme, &tolerance).map(|level| Formula { level });
+    let promised = net_formula_level(&net, &scheme, &tolerance)
+        .map(|level| Formula { paper: NET_FORMULA_PAPER, level });
     let per_face = arguments.per_face.as_deref();
     let per_face =
         per_face.map(|path| FacesFormat::of(path).map(|format| (path, format))).transpose()?;
@@ -41,10 +42,9 @@ pub(super) fn net_depth(asked: &NetInput<'_>, arguments: &DepthArguments) -> Out
             longest_edge: u.max(v),
             ratio: guaranteed.ratio,
         },
-        paper: NET_FORMULA_PAPER,
         promised,
         found,
         kind: Kind::Net { faces_in_row },
     };
-    show(arguments.output.format, || report.sheet(arguments), || report.form())
+    report.show(arguments)
 }

@@ -19,7 +19,7 @@ pub struct Report<'a> {
     pub too_few: Option<u32>,
     /// The distance at `level`.
     pub distance: Option<Bounds>,
-    /// The one-sided Hausdorff distance at `level`, of the limit from the mesh.
+    /// The one-sided Hausdorff distance at `level`, of the limit from the mesh; null of a solid.
     pub hausdorff: Option<AtLeast>,
     /// Where `distance` is greatest.
     pub worst_face: Option<Place>,
@@ -52,7 +52,7 @@ pub struct AtLeast {
 /// A place on a mesh and on its limit.
 #[derive(Serialize)]
 pub struct Place {
-    /// The face of the control mesh, from 0.
+    /// The face of the control mesh, from 0; of a solid, the cell.
     pub face: usize,
     /// Of a net, the row and the column of that face.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -16,7 +16,7 @@ const MAX_BITS: u64 = 4_096;
 const MAX_CORNERS: usize = 4 * MAX_POINTS;
 
 /// The points and faces that have been read so far.
-pub(super) struct Parts {
+pub(crate) struct Parts {
     points: Vec<Point<Rational>>,
     faces: Vec<Vec<usize>>,
     places: Places,
@@ -25,23 +25,23 @@ pub(super) struct Parts {
 }
 
 impl Parts {
-    pub(super) fn new(source: &Arc<SourceText>, base: usize) -> Parts {
+    pub(crate) fn new(source: &Arc<SourceText>, base: usize) -> Parts {
         let source = Arc::clone(source);
         let places = Places { source, points: Vec::new(), faces: Vec::new(), base };
         let (points, faces, denominator) = (Vec::new(), Vec::new(), Integer::one());
         Parts { points, faces, places, denominator, corners: 0 }
     }
 
-    pub(super) fn point_count(&self) -> usize {
+    pub(crate) fn point_count(&self) -> usize {
         self.points.len()
     }
 
-    pub(super) fn face_count(&self) -> usize {
+    pub(crate) fn face_count(&self) -> usize {
         self.faces.len()
     }
 
     /// Adds a point.
-    pub(super) fn point(
+    pub(crate) fn point(
         &mut self,
         point: Point<Rational>,
         place: Range<usize>,
@@ -66,7 +66,7 @@ impl Parts {
     }
 
     /// Adds a face.
-    pub(super) fn face(
+    pub(crate) fn face(
         &mut self,
         vertices: Vec<usize>,
         place: Range<usize>,
@@ -85,8 +85,13 @@ impl Parts {
         Diagnostic::new(&self.places.source, place, message)
     }
 
+    /// Points and faces as they are, with their places.
+    pub(crate) fn into_lists(self) -> (Vec<Point<Rational>>, Vec<Vec<usize>>, Places) {
+        (self.points, self.faces, self.places)
+    }
+
     /// The mesh of these points and faces; an error with its place if they are none.
-    pub(super) fn assemble(self) -> Result<MeshFile, Diagnostic> {
+    pub(crate) fn assemble(self) -> Result<MeshFile, Diagnostic> {
         match PolygonMesh::new(self.points, self.faces) {
             Ok(mesh) => Ok(MeshFile { mesh, places: self.places }),
             Err(error) => Err(self.places.diagnostic(&error)),

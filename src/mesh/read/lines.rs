@@ -9,30 +9,30 @@ use std::sync::Arc;
 
 /// A word of a line.
 #[derive(Clone, Copy)]
-pub(super) struct Word<'a> {
-    pub(super) text: &'a str,
+pub(crate) struct Word<'a> {
+    pub(crate) text: &'a str,
     /// Its first byte in the file.
-    pub(super) at: usize,
+    pub(crate) at: usize,
 }
 
 impl Word<'_> {
-    pub(super) fn place(&self) -> Range<usize> {
+    pub(crate) fn place(&self) -> Range<usize> {
         self.at..self.at + self.text.len()
     }
 }
 
 /// The lines that have words.
-pub(super) struct Lines<'a> {
+pub(crate) struct Lines<'a> {
     source: &'a Arc<SourceText>,
     at: usize,
     comments: bool,
 }
 
 /// The words of a line.
-pub(super) type Line<'a> = Vec<Word<'a>>;
+pub(crate) type Line<'a> = Vec<Word<'a>>;
 
 /// The bytes from the first word to the last.
-pub(super) fn extent(line: &[Word<'_>]) -> Range<usize> {
+pub(crate) fn extent(line: &[Word<'_>]) -> Range<usize> {
     match (line.first(), line.last()) {
         (Some(first), Some(last)) => first.at..last.at + last.text.len(),
         _ => 0..0,
@@ -41,26 +41,31 @@ pub(super) fn extent(line: &[Word<'_>]) -> Range<usize> {
 
 impl<'a> Lines<'a> {
     /// The lines of a file; where there are `comments`, `#` begins one.
-    pub(super) fn new(source: &'a Arc<SourceText>, comments: bool) -> Lines<'a> {
+    pub(crate) fn new(source: &'a Arc<SourceText>, comments: bool) -> Lines<'a> {
         // A byte order mark is not part of the text.
         let at = if source.text.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
         Lines { source, at, comments }
     }
 
+    /// The lines from this byte on.
+    pub(crate) fn from(self, at: usize) -> Lines<'a> {
+        Lines { at, ..self }
+    }
+
     /// An error about the file at a place.
-    pub(super) fn wrong(&self, place: Range<usize>, message: impl Into<String>) -> Diagnostic {
+    pub(crate) fn wrong(&self, place: Range<usize>, message: impl Into<String>) -> Diagnostic {
         Diagnostic::new(self.source, place, message)
     }
 
     /// The error of a file that ends too early.
-    pub(super) fn cut_off(&self, missing: &str) -> Diagnostic {
+    pub(crate) fn cut_off(&self, missing: &str) -> Diagnostic {
         let end = self.source.text.trim_end().len();
         self.wrong(end..end, format!("the file ends here, and {missing}"))
             .with_help("the file is cut off, or its counts are wrong")
     }
 
     /// A coordinate.
-    pub(super) fn number(&self, word: Word<'_>) -> Result<Rational, Diagnostic> {
+    pub(crate) fn number(&self, word: Word<'_>) -> Result<Rational, Diagnostic> {
         parse_coordinate(word.text).map_err(|error| {
             let help = "write a decimal such as -0.25 or 2.5e-3, or a fraction such as 1/3";
             self.wrong(word.place(), error.to_string()).with_help(help)
@@ -68,7 +73,7 @@ impl<'a> Lines<'a> {
     }
 
     /// The first three words of these as a point.
-    pub(super) fn point(&self, words: &[Word<'_>]) -> Result<Point<Rational>, Diagnostic> {
+    pub(crate) fn point(&self, words: &[Word<'_>]) -> Result<Point<Rational>, Diagnostic> {
         let [x, y, z, ..] = words else {
             let message = format!("{} coordinates; a point has x, y and z", words.len());
             return Err(self.wrong(extent(words), message));
@@ -77,7 +82,7 @@ impl<'a> Lines<'a> {
     }
 
     /// A count or an index that is not negative.
-    pub(super) fn natural(&self, word: Word<'_>, what: &str) -> Result<usize, Diagnostic> {
+    pub(crate) fn natural(&self, word: Word<'_>, what: &str) -> Result<usize, Diagnostic> {
         word.text.parse().map_err(|_| {
             let digits = !word.text.is_empty() && word.text.bytes().all(|b| b.is_ascii_digit());
             let reason = if digits { "too large" } else { "no natural number" };

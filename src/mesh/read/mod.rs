@@ -6,7 +6,8 @@ mod obj;
 mod off;
 mod ply;
 
-pub(crate) use lines::parse_coordinate;
+pub(crate) use assemble::Parts;
+pub(crate) use lines::{Lines, Word, parse_coordinate};
 
 use super::error::MeshError;
 use super::polygon::PolygonMesh;
@@ -58,14 +59,22 @@ pub struct MeshFile {
     places: Places,
 }
 
-/// Where points and faces stand.
+/// Where points and faces stand; in a file of a solid, cells in place of faces.
 #[derive(Clone, Debug)]
-struct Places {
+pub(crate) struct Places {
     source: Arc<SourceText>,
     points: Vec<Range<usize>>,
     faces: Vec<Range<usize>>,
     /// What the file calls the first point and the first face.
     base: usize,
+}
+
+/// What an error is about: a point, a face, another face, and the remedy.
+pub(crate) struct About {
+    pub(crate) point: Option<usize>,
+    pub(crate) face: Option<usize>,
+    pub(crate) other: Option<usize>,
+    pub(crate) help: Option<&'static str>,
 }
 
 impl MeshFile {
@@ -84,18 +93,30 @@ impl MeshFile {
 
 impl Places {
     fn diagnostic(&self, error: &MeshError) -> Diagnostic {
-        let point = error.point().and_then(|point| self.points.get(point));
-        let face = error.face().and_then(|face| self.faces.get(face));
+        let (point, face, other) = (error.point(), error.face(), error.other_face());
+        let about = About { point, face, other, help: error.help() };
+        self.place(&about, error.message(self.base))
+    }
+
+    /// What the file calls the first point and the first face.
+    pub(crate) fn base(&self) -> usize {
+        self.base
+    }
+
+    /// An error at its place.
+    pub(crate) fn place(&self, about: &About, message: String) -> Diagnostic {
+        let point = about.point.and_then(|point| self.points.get(point));
+        let face = about.face.and_then(|face| self.faces.get(face));
         let span = point.or(face).cloned().unwrap_or(0..0);
-        let mut diagnostic = Diagnostic::new(&self.source, span, error.message(self.base));
+        let mut diagnostic = Diagnostic::new(&self.source, span, message);
         let other = match (point, face) {
             (Some(_), Some(face)) => Some(face),
-            _ => error.other_face().and_then(|face| self.faces.get(face)),
+            _ => about.other.and_then(|face| self.faces.get(face)),
         };
         if let Some(other) = other {
             diagnostic = diagnostic.with_place(other.clone(), "the other place");
         }
-        match error.help() {
+        match about.help {
             Some(help) => diagnostic.with_help(help),
             None => diagnostic,
         }

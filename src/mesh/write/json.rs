@@ -3,7 +3,7 @@
 use super::super::limit::LimitPoint;
 use super::super::point::Point;
 use super::super::polygon::PolygonMesh;
-use crate::exact::RealCyclotomic;
+use crate::exact::{Enclosed, RealCyclotomic};
 use crate::float::{nearest, shortest};
 use std::fmt::Write as _;
 
@@ -49,7 +49,8 @@ pub fn to_json(
     text
 }
 
-fn list(text: &mut String, name: &str, items: impl Iterator<Item = String>, last: bool) {
+/// A list of a form in JSON, with a line for each item.
+pub(crate) fn list(text: &mut String, name: &str, items: impl Iterator<Item = String>, last: bool) {
     write!(text, "  \"{name}\": [").expect("memory");
     let mut separator = "\n";
     for item in items {
@@ -65,8 +66,9 @@ fn texts(numbers: &[String; 3]) -> String {
     format!("[\"{x}\", \"{y}\", \"{z}\"]")
 }
 
-fn numbers(point: &Point<RealCyclotomic>) -> String {
-    let exact = texts(&point.each_ref().map(RealCyclotomic::to_string));
+/// A point, exactly and to f64.
+pub(crate) fn numbers<S: Enclosed + ToString>(point: &Point<S>) -> String {
+    let exact = texts(&point.each_ref().map(S::to_string));
     let near = texts(&point.each_ref().map(|x| shortest(nearest(x))));
     format!("{{\"exact\": {exact}, \"f64\": {near}}}")
 }

@@ -5,11 +5,12 @@ mod obj;
 mod ply;
 
 pub use json::to_json;
+pub(crate) use json::{list, numbers};
 pub use obj::to_obj;
 pub use ply::to_ply;
 
 use super::point::Point;
-use crate::exact::RealCyclotomic;
+use crate::exact::Enclosed;
 use crate::float::{nearest, shortest};
 
 /// A coordinate beyond the greatest f64.
@@ -18,7 +19,7 @@ use crate::float::{nearest, shortest};
 pub struct BeyondF64;
 
 /// The nearest f64 of the coordinates, each as the shortest decimal that reads back.
-fn decimals(point: &Point<RealCyclotomic>) -> Result<[String; 3], BeyondF64> {
+pub(crate) fn decimals<S: Enclosed>(point: &Point<S>) -> Result<[String; 3], BeyondF64> {
     let decimals = point.each_ref().map(|x| shortest(nearest(x)));
     if decimals.iter().any(|text| text.contains("inf")) {
         return Err(BeyondF64);
@@ -27,6 +28,6 @@ fn decimals(point: &Point<RealCyclotomic>) -> Result<[String; 3], BeyondF64> {
 }
 
 /// Text in one line: what a comment can hold.
-fn one_line(text: &str) -> String {
+pub(crate) fn one_line(text: &str) -> String {
     text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
 }

@@ -1,0 +1,102 @@
+//! The depth of one hexahedral solid.
+
+use super::mesh::{Formula, Kind, Report};
+use crate::cli::arguments::{DepthArguments, Format};
+use crate::cli::output::{Failure, Outcome, positive};
+use crate::cli::progress::Progress;
+use crate::cli::save::save;
+use crate::cli::solid::{failure, read};
+use std::fmt::Write as _;
+use std::path::Path;
+use subcert::exact::Rational;
+use subcert::float::shortest;
+use subcert::mesh::MeshError;
+use subcert::patch::{MeshDistances, SOLID_FORMULA_PAPER, solid_a_priori, solid_formula_level};
+use subcert::solid::{HexMesh, SOLID_SCHEME, to_vtk};
+
+pub(super) fn solid_depth(path: &Path, arguments: &DepthArguments) -> Outcome {
+    let tolerance = positive("--tolerance", &arguments.tolerance)?;
+    let per_face = arguments.per_face.as_deref();
+    let per_face =
+        per_face.map(|path| CellsFormat::of(path).map(|form| (path, form))).transpose()?;
+    let (name, file) = read(path)?;
+    let mesh = file.mesh();
+    let refused = |error: MeshError| Failure::Input(error.to_string());
+    let distances =
+        MeshDistances::of_solid(mesh.clone()).map_err(|error| failure(&file, &error))?;
+    let guaranteed = solid_a_priori(mesh, &distances, &tolerance).map_err(refused)?;
+    let level = Some(solid_formula_level(mesh, &tolerance));
+    let promised = Some(Formula { paper: SOLID_FORMULA_PAPER, level });
+    let found = if arguments.a_priori {
+        None
+    } else {
+        let wanted = arguments.output.format != Format::Json;
+        let progress = Progress::of_pieces(distances.work(), wanted);
+        let depth = distances.depth(&tolerance).map_err(refused)?;
+        if let Some((path, format)) = per_face {
+            format.write(path, mesh, depth.level, &distances.faces(depth.level))?;
+        }
+        drop(progress);
+        Some(depth)
+    };
+    let (scheme, kind) = (SOLID_SCHEME.to_owned(), Kind::Solid);
+    Report { scheme, name, tolerance, guaranteed, promised, found, kind }.show(arguments)
+}
+
+/// The forms of the file of the distances of all cells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum CellsFormat {
+    Csv,
+    Vtk,
+}
+
+impl CellsFormat {
+    /// By the extension.
+    fn of(path: &Path) -> Result<CellsFormat, Failure> {
+        let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
+        match extension.to_str() {
+            Some("csv") => Ok(CellsFormat::Csv),
+            Some("vtk") => Ok(CellsFormat::Vtk),
+            _ => Err(Failure::Input(format!(
+                "--per-face writes .csv or .vtk of a solid, and not `{}`",
+                path.display()
+            ))),
+        }
+    }
+
+    /// Writes the lower and upper bounds of all cells.
+    fn write(
+        self,
+        path: &Path,
+        mesh: &HexMesh<Rational>,
+        level: u32,
+        distances: &[[f64; 2]],
+    ) -> Outcome {
+        let text = match self {
+            CellsFormat::Csv => csv(level, distances),
+            CellsFormat::Vtk => vtk(mesh, level, distances)?,
+        };
+        save(path, &text)
+            .map_err(|error| Failure::Input(format!("cannot write `{}`: {error}", path.display())))
+    }
+}
+
+fn csv(level: u32, distances: &[[f64; 2]]) -> String {
+    let mut text = "cell,level,lower,upper\n".to_owned();
+    for (cell, [lower, upper]) in distances.iter().enumerate() {
+        writeln!(text, "{cell},{level},{},{}", shortest(*lower), shortest(*upper)).expect("memory");
+    }
+    text
+}
+
+/// The control mesh with the upper bounds as data of its cells.
+fn vtk(mesh: &HexMesh<Rational>, level: u32, distances: &[[f64; 2]]) -> Result<String, Failure> {
+    let title = format!("distance of each cell from the limit solid at level {level}");
+    let mut text = to_vtk(mesh, &title).map_err(|error| Failure::Input(error.to_string()))?;
+    let head = "SCALARS distance double 1\nLOOKUP_TABLE default";
+    writeln!(text, "CELL_DATA {}\n{head}", distances.len()).expect("memory");
+    for [_, upper] in distances {
+        writeln!(text, "{}", shortest(*upper)).expect("memory");
+    }
+    Ok(text)
+}

@@ -1,0 +1,51 @@
+//! A piece with what is around it, whatever its points are.
+
+use super::hexes::{HexLocal, Layers, parts_of};
+use super::kind::Kind;
+use super::neighbourhood::Neighbourhood;
+use super::number::Number;
+use super::rules::{Local, Rules};
+
+/// The faces or the cells around a piece.
+pub(super) enum Around {
+    Surface(Local),
+    Solid(HexLocal),
+}
+
+impl Around {
+    pub(super) fn new(kind: Kind, neighbourhood: &Neighbourhood) -> Around {
+        let (count, faces) = (neighbourhood.points.len(), &neighbourhood.faces);
+        match kind {
+            Kind::Surface(scheme) => Around::Surface(Local::new(scheme, count, faces.clone())),
+            Kind::Solid => Around::Solid(HexLocal::new(count, faces)),
+        }
+    }
+
+    /// The layers of a piece of a solid that is the same in each.
+    pub(super) fn layers(&self) -> Option<&Layers> {
+        match self {
+            Around::Surface(_) => None,
+            Around::Solid(local) => local.layers.as_ref(),
+        }
+    }
+
+    /// The neighbourhoods of the parts of the piece at the next level.
+    pub(super) fn parts(&self) -> Vec<Neighbourhood> {
+        match self {
+            Around::Surface(local) => {
+                let refined = local.refined();
+                let parts = local.parts(&refined).into_iter();
+                parts.map(|piece| Neighbourhood::of(&refined, piece)).collect()
+            }
+            Around::Solid(local) => parts_of(&local.complex),
+        }
+    }
+
+    /// The weights, where the parts need these points of the next level.
+    pub(super) fn rules<W: Number>(&self, wanted: &[usize], parts: &[Vec<usize>]) -> Rules<W> {
+        match self {
+            Around::Surface(local) => local.rules(wanted),
+            Around::Solid(local) => local.rules(wanted, parts),
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! What the longest edge of a solid and the ways in which its cells meet guarantee
+//! (`proofs/THEOREMS.md`, 102), and what a paper's formula promises.
+
+use crate::exact::Rational;
+use crate::float::lower;
+use crate::mesh::MeshError;
+use crate::patch::apriori::{APriori, UP, longest_edge, real};
+use crate::patch::around::Around;
+use crate::patch::depth::{MeshDistances, not_positive};
+use crate::patch::growth::LAST;
+use crate::patch::shape::Shape;
+use crate::solid::HexMesh;
+use std::collections::BTreeSet;
+
+/// The paper that has a formula for the depth of the boundary of Bajaj's solids.
+pub const SOLID_FORMULA_PAPER: &str = "mustafa2007-bajaj";
+
+/// The level that the longest edge of a solid guarantees, whatever its points are.
+///
+/// `distances` are those of the same mesh. The ratio is the factor by which the bound falls from one level to
+/// the next in the mean of many.
+///
+/// # Errors
+/// When the tolerance is not positive, or needs more levels than bounds are computed for.
+///
+/// ```
+/// use subcert::exact::Rational;
+/// use subcert::patch::{MeshDistances, solid_a_priori};
+/// use subcert::solid::HexMesh;
+///
+/// let corner = |k: usize| [k & 1, k >> 1 & 1, k >> 2].map(Rational::from);
+/// let cube = HexMesh::new((0..8).map(corner).collect(), &[[0, 1, 3, 2, 4, 5, 7, 6]])?;
+/// let distances = MeshDistances::of_solid(cube.clone())?;
+/// let tolerance = Rational::new(1, 100);
+/// let guaranteed = solid_a_priori(&cube, &distances, &tolerance)?;
+/// assert!(guaranteed.level >= distances.depth(&tolerance)?.level);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn solid_a_priori(
+    mesh: &HexMesh<Rational>,
+    distances: &MeshDistances,
+    tolerance: &Rational,
+) -> Result<APriori, MeshError> {
+    not_positive(tolerance)?;
+    let longest_edge = longest_edge(mesh.points(), mesh.edges().iter().copied());
+    let model = &distances.model;
+    let shapes: BTreeSet<usize> = model.roots.all.iter().map(|root| root.shape).collect();
+    let radii: Vec<(&Shape, f64)> = shapes
+        .into_iter()
+        .map(|shape| model.shapes.get(shape))
+        .map(|shape| (shape, real(radius(shape))))
+        .collect();
+    // Edges of level 1 are at most 7/4 of those of level 0, and P^1 − P^0 at most 3/4.
+    let later = |level: u32| {
+        let bound = |(shape, radius): &(&Shape, f64)| {
+            // Second differences across layers are at most 2.
+            let bends = match shape.around.layers() {
+                Some(_) if !shape.is_regular() => 1.0 / (3.0 * shape.growth.bound(0)),
+                _ => 0.0,
+            };
+            let size = if shape.is_regular() { 1.0 } else { radius + bends };
+            shape.bound(1.75 * size, level - 1)
+        };
+        radii.iter().map(bound).fold(0.0, f64::max)
+    };
+    let bound = |level: u32| if level == 0 { 0.75 + later(1) } else { later(level) };
+    let allowed = lower(tolerance) / (longest_edge * UP);
+    let last = u32::try_from(LAST).unwrap_or(u32::MAX);
+    let level = (0..=last).find(|level| bound(*level) * UP <= allowed).ok_or_else(|| {
+        let reason = format!(
+            "the longest edge guarantees nothing within {last} levels for this tolerance; take a \
+             greater one"
+        );
+        MeshError::TooMuch { reason }
+    })?;
+    let ratio = (bound(last) / bound(1)).powf(1.0 / f64::from(last - 1));
+    Ok(APriori { level, longest_edge, ratio })
+}
+
+/// The most edges from the first point of a piece to another one.
+fn radius(shape: &Shape) -> usize {
+    let Around::Solid(local) = &shape.around else { return 0 };
+    let mut distances = vec![usize::MAX; local.complex.points];
+    distances[0] = 0;
+    let mut changed = true;
+    while changed {
+        changed = false;
+        for [left, right] in &local.complex.edges {
+            let near = distances[*left].min(distances[*right]);
+            for end in [*left, *right] {
+                if near != usize::MAX && distances[end] > near + 1 {
+                    distances[end] = near + 1;
+                    changed = true;
+                }
+            }
+        }
+    }
+    distances.into_iter().max().unwrap_or(0)
+}
+
+/// The depth of the boundary by Theorem 2 of that paper: the least k with 23/12·(3/4)^k β ≤ ε, β the longest
+/// edge of the boundary.
+///
+/// That paper's proof has gaps; `proofs/THEOREMS.md`, 71, proves what it says. It says nothing of what is
+/// inside the solid.
+#[must_use]
+pub fn solid_formula_level(mesh: &HexMesh<Rational>, tolerance: &Rational) -> u32 {
+    let sides = |[a, b, c, d]: [usize; 4]| [[a, b], [b, c], [c, d], [d, a]];
+    let edges = mesh.boundary_faces().into_iter().flat_map(sides);
+    let allowed = lower(tolerance) / longest_edge(mesh.points(), edges);
+    let within = |level: &u32| {
+        let power = 0.75_f64.powi(i32::try_from(*level).unwrap_or(i32::MAX));
+        23.0 / 12.0 * power * UP <= allowed
+    };
+    (0..1_000_000).find(within).unwrap_or(1_000_000)
+}

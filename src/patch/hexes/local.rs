@@ -1,0 +1,117 @@
+//! What one level makes of a hexahedron and those around it, as rows of weights.
+
+use super::across::across;
+use super::grid::Grid;
+use super::layers::{Layers, layers};
+use super::neighbourhood::{Parts, least};
+use crate::exact::{Rational, RealCyclotomic};
+use crate::mesh::Point;
+use crate::patch::neighbourhood::Neighbourhood;
+use crate::patch::number::{Number, Row};
+use crate::patch::rules::Rules;
+use crate::solid::{Complex, limit_rows, part_corners, refined_points};
+
+/// A hexahedron, which comes first, with all that share a corner with it. Corners 0 to 7 are its own.
+pub(in crate::patch) struct HexLocal {
+    pub(in crate::patch) complex: Complex,
+    grid: Option<Grid>,
+    /// Of a piece that is not regular.
+    pub(in crate::patch) layers: Option<Layers>,
+}
+
+/// The neighbourhoods of the eight parts of the first cell.
+pub(in crate::patch) fn parts_of(complex: &Complex) -> Vec<Neighbourhood> {
+    let mut parts = Parts::new(complex);
+    (0..8).map(|part| least(&mut parts, part)).collect()
+}
+
+fn index(point: usize) -> u32 {
+    u32::try_from(point).unwrap_or(u32::MAX)
+}
+
+impl HexLocal {
+    /// # Panics
+    /// Never: a part of a solid fits together.
+    pub(in crate::patch) fn new(points: usize, cells: &[Vec<usize>]) -> HexLocal {
+        let corners = |cell: &Vec<usize>| std::array::from_fn(|corner| cell[corner]);
+        let cells: Vec<[usize; 8]> = cells.iter().map(corners).collect();
+        let grid = Grid::of(points, &cells);
+        let layers = if grid.is_none() { layers(points, &cells) } else { None };
+        let complex = Complex::new(points, cells).expect("a part of a solid");
+        HexLocal { complex, grid, layers }
+    }
+
+    /// The weights, where the parts need these points of the next level; `parts` has the points of each
+    /// part among all points of the next level, its corners first.
+    pub(in crate::patch) fn rules<W: Number>(
+        &self,
+        wanted: &[usize],
+        parts: &[Vec<usize>],
+    ) -> Rules<W> {
+        let own: Vec<Row<W>> = (0..8).map(|corner| mean_of(&[corner])).collect();
+        let base: Vec<Vec<Row<W>>> = parts.iter().map(|points| self.split(&points[..8])).collect();
+        let weight = |(point, weight): (usize, Rational)| {
+            (index(point), W::of(&RealCyclotomic::from(weight)))
+        };
+        let limit = |row: Vec<(usize, Rational)>| row.into_iter().map(weight).collect();
+        let limits = limit_rows(&self.complex, &(0..8).collect::<Vec<usize>>());
+        let refined = self.rows(wanted);
+        let across = self
+            .layers
+            .as_ref()
+            .map(|layers| across(&self.complex, layers, wanted, &refined, parts));
+        Rules {
+            refined,
+            across,
+            split: base.clone(),
+            base,
+            nodes: own.iter().map(|row| (row.clone(), row.clone())).collect(),
+            own: Some(own),
+            limits: limits.into_iter().map(limit).collect(),
+            regular: self.grid.as_ref().map(|grid| (grid.bezier(), grid.bends())),
+        }
+    }
+
+    /// The trilinear interpolant of the first cell at these points of the next level, which are corners of
+    /// its parts.
+    fn split<W: Number>(&self, corners: &[usize]) -> Vec<Row<W>> {
+        let row = |corner: &usize| {
+            let place = (0..64).find(|place| {
+                let [part, own] = [place / 8, place % 8];
+                part_corners(&self.complex, 0, part)[own] == *corner
+            });
+            // Halfway between two corners of a cube: the mean of those that agree where they do.
+            let [part, own] = [place.unwrap_or(0) / 8, place.unwrap_or(0) % 8];
+            let between = |corner: &usize| (corner ^ part) & !(part ^ own) == 0;
+            mean_of(&(0..8).filter(between).collect::<Vec<usize>>())
+        };
+        corners.iter().map(row).collect()
+    }
+
+    /// The rows of these points of the next level.
+    fn rows<W: Number>(&self, wanted: &[usize]) -> Vec<Row<W>> {
+        let count = self.complex.points;
+        let mut rows: Vec<Row<W>> = vec![Vec::new(); wanted.len()];
+        // Three unit vectors at a time, as the coordinates of points.
+        for first in (0..count).step_by(3) {
+            let unit = |point: usize| -> Point<W> {
+                [0, 1, 2].map(|i| W::from_rational(&Rational::from(i64::from(point == first + i))))
+            };
+            let refined = refined_points(&self.complex, &(0..count).map(unit).collect::<Vec<_>>());
+            for (row, &point) in rows.iter_mut().zip(wanted) {
+                for (i, weight) in (0..).zip(&refined[point]) {
+                    if !weight.vanishes() {
+                        row.push((index(first) + i, weight.clone()));
+                    }
+                }
+            }
+        }
+        rows
+    }
+}
+
+/// The mean of these corners.
+fn mean_of<W: Number>(corners: &[usize]) -> Row<W> {
+    let share = W::from_rational(&Rational::new(1, corners.len()));
+    corners.iter().map(|&corner| (index(corner), share.clone())).collect()
+}

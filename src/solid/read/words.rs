@@ -1,0 +1,92 @@
+//! Words of a file whose lines do not matter.
+
+use crate::diagnostic::{Diagnostic, SourceText};
+use crate::exact::Rational;
+use crate::mesh::{Lines, Point, Word};
+use std::ops::Range;
+use std::sync::Arc;
+
+/// Whether a word is none of numbers, `nan` and `inf` among them.
+fn is_name(text: &str) -> bool {
+    text.starts_with(|c: char| c.is_ascii_alphabetic())
+}
+
+/// The words, one after the other.
+pub(super) struct Words<'a> {
+    lines: Lines<'a>,
+    line: std::iter::Peekable<std::vec::IntoIter<Word<'a>>>,
+}
+
+impl<'a> Words<'a> {
+    /// The words from a byte on; where there are `comments`, `#` begins one.
+    pub(super) fn new(source: &'a Arc<SourceText>, at: usize, comments: bool) -> Words<'a> {
+        let mut lines = Lines::new(source, comments);
+        if at > 0 {
+            lines = lines.from(at);
+        }
+        Words { lines, line: Vec::new().into_iter().peekable() }
+    }
+
+    pub(super) fn peek(&mut self) -> Option<Word<'a>> {
+        while self.line.peek().is_none() {
+            self.line = self.lines.next()?.into_iter().peekable();
+        }
+        self.line.peek().copied()
+    }
+
+    pub(super) fn next(&mut self) -> Option<Word<'a>> {
+        self.peek()?;
+        self.line.next()
+    }
+
+    /// The next word of a file that must go on.
+    pub(super) fn expect(&mut self, missing: impl Fn() -> String) -> Result<Word<'a>, Diagnostic> {
+        self.next().ok_or_else(|| self.lines.cut_off(&missing()))
+    }
+
+    pub(super) fn wrong(&self, place: Range<usize>, message: impl Into<String>) -> Diagnostic {
+        self.lines.wrong(place, message)
+    }
+
+    /// A count.
+    pub(super) fn count(&mut self, what: &str) -> Result<usize, Diagnostic> {
+        let word = self.expect(|| format!("{what} is missing"))?;
+        self.lines.natural(word, what)
+    }
+
+    /// An index or another number that is not negative, with its place.
+    pub(super) fn natural(
+        &mut self,
+        what: &str,
+        missing: impl Fn() -> String,
+    ) -> Result<(usize, Range<usize>), Diagnostic> {
+        let word = self.expect(&missing)?;
+        // The words of the next part of a file say that a count is wrong.
+        let counted = |error: Diagnostic| error.with_help(format!("{} so far", missing()));
+        Ok((self.lines.natural(word, what).map_err(counted)?, word.place()))
+    }
+
+    /// Three coordinates with their place.
+    pub(super) fn point(
+        &mut self,
+        missing: impl Fn() -> String,
+    ) -> Result<(Point<Rational>, Range<usize>), Diagnostic> {
+        let words = [self.expect(&missing)?, self.expect(&missing)?, self.expect(&missing)?];
+        let place = words[0].at..words[2].place().end;
+        let [x, y, z] = words;
+        if let Some(word) = words.iter().find(|word| is_name(word.text)) {
+            let message = format!("a coordinate is expected here, and not `{}`", word.text);
+            return Err(self
+                .wrong(word.place(), message)
+                .with_help(format!("{}; is the count before them right?", missing())));
+        }
+        Ok(([self.lines.number(x)?, self.lines.number(y)?, self.lines.number(z)?], place))
+    }
+
+    /// Passes over words until one that `known` knows.
+    pub(super) fn skip(&mut self, known: impl Fn(&str) -> bool) {
+        while self.peek().is_some_and(|word| !known(word.text)) {
+            self.next();
+        }
+    }
+}

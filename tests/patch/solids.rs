@@ -1,0 +1,226 @@
+//! Hexahedral solids: the certified level against limit points of deep levels, grids, and laws.
+
+use crate::common::r;
+use crate::common::solids::{Solid, grid, moved, origins, solids, star, tetrahedron};
+use proptest::prelude::*;
+use subcert::exact::Rational;
+use subcert::float::nearest;
+use subcert::mesh::Point;
+use subcert::patch::{MeshDepth, MeshDistances, solid_a_priori, solid_formula_level};
+use subcert::solid::{HexMesh, refine_solid, solid_limit_points};
+
+type P = Point<f64>;
+
+fn depth(solid: &Solid, tolerance: &Rational) -> MeshDepth {
+    let distances = MeshDistances::of_solid(solid.clone()).expect("a solid within the caps");
+    distances.depth(tolerance).expect("a depth")
+}
+
+fn length(p: &P, q: &P) -> f64 {
+    (0..3).map(|i| (p[i] - q[i]).powi(2)).sum::<f64>().sqrt()
+}
+
+fn rounded(points: &[Point<Rational>]) -> Vec<P> {
+    points.iter().map(|point| point.each_ref().map(nearest)).collect()
+}
+
+/// The greatest distance of the limit points of level `level` + `more` from the trilinear cells of level
+/// `level`, at the same parameters, and how many there are.
+fn sampled(solid: &Solid, level: u32, more: u32) -> (f64, usize) {
+    let mut mesh = refine_solid(solid, level).expect("small");
+    let mut values = rounded(mesh.points());
+    for _ in 0..more {
+        let refined = refine_solid(&mesh, 1).expect("small");
+        let at = |key: &Vec<usize>| -> P {
+            let share = 1.0 / f64::from(u32::try_from(key.len()).expect("few"));
+            [0, 1, 2].map(|i| key.iter().map(|&k| values[k][i]).sum::<f64>() * share)
+        };
+        values = origins(&mesh, &refined).iter().map(at).collect();
+        mesh = refined;
+    }
+    let limits = rounded(&solid_limit_points(&mesh));
+    let far = values.iter().zip(&limits).map(|(p, q)| length(p, q)).fold(0.0, f64::max);
+    (far, limits.len())
+}
+
+/// No sampled limit point of any level from the certified one on is beyond the tolerance; at the level
+/// below, the witness is; and the enclosure of the distance holds those of the samples.
+fn attacked(solid: &Solid, tolerance: &Rational) -> usize {
+    let found = depth(solid, tolerance);
+    let limit = nearest(tolerance);
+    let [lower, upper] = found.distance;
+    assert!(lower <= upper && upper <= limit * (1.0 + 1e-9), "{found:?}");
+    let mut count = 0;
+    for level in 0..=found.level.min(3) {
+        let (far, points) = sampled(solid, level, 3 - level);
+        count += points;
+        if level >= found.level {
+            assert!(far <= limit, "level {level}: {far} > {limit}");
+            assert!(far <= upper * (1.0 + 1e-9) || level > found.level, "{far} > {upper}");
+            // Vertices alone are not where the distance is greatest.
+            let sharp = level == found.level && level < 3;
+            assert!(!sharp || far >= 0.5 * lower, "{far} of {lower}");
+        }
+    }
+    match (found.too_few, &found.beyond) {
+        (None, None) => {}
+        (Some(few), Some(place)) => {
+            assert!(few < found.level);
+            assert!(length(&place.on_mesh, &place.on_limit) > limit);
+            if few < 2 {
+                let (far, _) = sampled(solid, few, 3 - few);
+                assert!(far > 0.5 * limit, "{far} at level {few}, which is too few for {limit}");
+            }
+        }
+        other => panic!("{other:?}"),
+    }
+    count
+}
+
+#[test]
+fn sampled_limit_points_are_within_the_tolerance() {
+    let mut count = 0;
+    for solid in solids() {
+        for tolerance in [r(4, 1), r(2, 1), r(1, 1)] {
+            count += attacked(&solid, &tolerance);
+        }
+    }
+    assert!(count > 20_000, "{count}");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(6))]
+
+    #[test]
+    fn on_any_points(star in moved(star(3, 2, true)), four in moved(tetrahedron())) {
+        attacked(&star, &r(2, 1));
+        attacked(&four, &r(2, 1));
+    }
+
+    /// The corner of a box with a part cut out, and a box.
+    #[test]
+    fn on_any_boundary(
+        concave in moved(grid([2, 2, 2], |cell| cell != [1, 1, 1])),
+        convex in moved(grid([3, 3, 3], |_| true)),
+    ) {
+        attacked(&concave, &r(3, 1));
+        attacked(&convex, &r(3, 1));
+    }
+}
+
+/// A parabola over a grid, far from its edges: (i² + j² + k²)/2 as a coordinate has second differences 1,
+/// and 1/6 of each of three is the distance at inner vertices.
+#[test]
+fn second_differences_of_a_parabola() {
+    let count = 7;
+    let flat = grid([count, count, count], |_| true);
+    let mut points =
+        vec![[Rational::zero(), Rational::zero(), Rational::zero()]; flat.points().len()];
+    for (index, cell) in flat.cells().iter().enumerate() {
+        let at = [index % count, index / count % count, index / (count * count)];
+        for (place, bits) in crate::common::solids::FILE_ORDER.into_iter().enumerate() {
+            let at = [0, 1, 2].map(|i| at[i] + (bits >> i & 1));
+            let square: usize = at.iter().map(|x| x * x).sum();
+            let [x, y, _] = at.map(Rational::from);
+            points[cell[place]] = [x, y, Rational::from(square) * r(1, 2)];
+        }
+    }
+    let solid = flat.with_points(points);
+    let distances = MeshDistances::of_solid(solid).expect("within the caps");
+    for level in 0..3 {
+        let bounds = distances.faces(level);
+        let middle = (count / 2) * (1 + count + count * count);
+        let [lower, upper] = bounds[middle];
+        let expected = 0.5 * 0.25_f64.powi(i32::try_from(level).expect("small"));
+        assert!(lower <= expected * (1.0 + 1e-9) && expected <= upper * (1.0 + 1e-9));
+        assert!(upper - lower <= 0.06 * expected, "{lower} {upper} {expected}");
+    }
+}
+
+/// A turn by a Pythagorean angle, a stretch by 5, and a move far away.
+fn similar(point: &Point<Rational>) -> Point<Rational> {
+    let [x, y, z] = point;
+    let times = |factor: i64, x: &Rational| Rational::from(factor) * x;
+    [
+        times(3, y) + times(4, z) + Rational::from(1_000_000_000_007_i64),
+        times(5, x) - Rational::from(3),
+        times(4, y) - times(3, z),
+    ]
+}
+
+#[test]
+fn similarities_and_numbers() {
+    for solid in solids() {
+        let here = depth(&solid, &r(1, 1));
+        let image = solid.with_points(solid.points().iter().map(similar).collect());
+        let there = depth(&image, &r(5, 1));
+        assert_eq!((here.level, here.too_few), (there.level, there.too_few));
+        for (x, y) in here.distance.iter().zip(there.distance) {
+            assert!((5.0 * x - y).abs() <= 0.05 * y.abs(), "{x} {y}");
+        }
+        let turned = |[a, b, c, d, e, f, g, h]: [usize; 8]| [b, f, g, c, a, e, h, d];
+        let cells: Vec<[usize; 8]> = solid.cells().into_iter().rev().map(turned).collect();
+        let other = HexMesh::new(solid.points().to_vec(), &cells).expect("the same solid");
+        let other = depth(&other, &r(1, 1));
+        assert_eq!((here.level, here.too_few), (other.level, other.too_few));
+    }
+}
+
+/// A refined solid needs a level less, what it guarantees a priori is enough, and smaller tolerances need
+/// more levels.
+#[test]
+fn levels_and_bounds_are_in_order() {
+    for solid in solids() {
+        let found = depth(&solid, &r(1, 1));
+        let next = refine_solid(&solid, 1).expect("small");
+        let later = depth(&next, &r(1, 1));
+        // What is certain of one is not against what is certain of the other.
+        let enough = later.level.max(found.level.saturating_sub(1));
+        assert!(later.too_few.is_none_or(|few| few < found.level.saturating_sub(1)), "{found:?}");
+        assert!(found.too_few.is_none_or(|few| few < later.level + 1), "{later:?}");
+        assert!(enough <= later.level + 1, "{found:?} {later:?}");
+        assert!(depth(&solid, &r(1, 3)).level >= found.level);
+        let distances = MeshDistances::of_solid(solid.clone()).expect("within the caps");
+        let guaranteed = solid_a_priori(&solid, &distances, &r(1, 1)).expect("a level");
+        assert!(guaranteed.level >= found.level, "{guaranteed:?}");
+        assert!(guaranteed.ratio < 1.0, "{guaranteed:?}");
+    }
+}
+
+/// 23/12·(3/4)^k β ≤ ε, for the longest edge of the boundary.
+#[test]
+fn the_formula_of_the_paper() {
+    let cube = crate::common::solids::grid([1, 1, 1], |_| true);
+    let points = (0..8_usize).map(|k| [k & 1, k >> 1 & 1, k >> 2].map(Rational::from));
+    let cells = cube.cells();
+    let order: Vec<usize> = cells[0].to_vec();
+    let mut placed = vec![[0, 0, 0].map(Rational::from); 8];
+    for (place, point) in crate::common::solids::FILE_ORDER.into_iter().zip(order) {
+        placed[point] = points.clone().nth(place).expect("8");
+    }
+    let cube = cube.with_points(placed);
+    assert_eq!(solid_formula_level(&cube, &r(2, 1)), 0);
+    // 23/12·(3/4)^19 = 0.0081…, and for 18 it is 0.0108….
+    assert_eq!(solid_formula_level(&cube, &r(1, 100)), 19);
+}
+
+/// A distance that is the tolerance exactly is within it, and no f64 can say so.
+#[test]
+fn too_near_to_call() {
+    let cube = crate::common::solids::grid([1, 1, 1], |_| true);
+    // The corners of a box of 9, 18 and 18 move by 2/9 of each: 6 in all.
+    let mut points = cube.points().to_vec();
+    for (place, bits) in crate::common::solids::FILE_ORDER.into_iter().enumerate() {
+        let at = |i: usize, length: usize| Rational::from(length * (bits >> i & 1));
+        points[cube.cells()[0][place]] = [at(0, 9), at(1, 18), at(2, 18)];
+    }
+    let cube = cube.with_points(points);
+    // Bounds at an irregular vertex come near to the tolerance, and never below it.
+    let found = depth(&cube, &r(6, 1));
+    assert_eq!((found.level, found.too_few), (1, None), "{found:?}");
+    assert!(found.exact_pieces > 0, "{found:?}");
+    let less = Rational::from(6) - r(1, 10).pow(30);
+    let found = depth(&cube, &less);
+    assert_eq!(found.too_few, Some(0), "{found:?}");
+    assert!(found.exact_pieces > 0, "{found:?}");
+}
