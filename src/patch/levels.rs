@@ -4,7 +4,7 @@ use super::number::{Number, Vector, combinations};
 use super::roots::{Corners, Root, Roots, corners};
 use crate::exact::{Rational, RealCyclotomic};
 use crate::mesh::{MeshScheme, Point, PolygonMesh, Stencils, check_field, step_with};
-use crate::solid::{Complex, HexMesh, refined_points, split_points};
+use crate::solid::{Complex, HexMesh, check_bits, refined_points, split_points};
 
 /// The points of level 1, and what the control mesh has at the corners of pieces of level 1.
 pub(super) struct Levels<V: Vector> {
@@ -78,6 +78,7 @@ impl Source {
                 Some(surface(&mesh, *scheme, refined.points().to_vec()))
             }
             Source::Solid(mesh) => {
+                check_bits(mesh).ok()?;
                 let points = mesh.map(|x| RealCyclotomic::from(x.clone()));
                 Some(solid(mesh.complex(), points.points()))
             }

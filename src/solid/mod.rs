@@ -34,8 +34,8 @@ pub use hexes::HexMesh;
 pub(crate) use limit::limit_rows;
 pub use limit::solid_limit_points;
 pub use read::{SolidFile, SolidFormat, read_solid};
-pub(crate) use refine::part_corners;
 pub use refine::refine_solid;
+pub(crate) use refine::{check_bits, part_corners};
 pub use write::{solid_to_json, to_medit, to_vtk};
 
 pub use crate::mesh::MAX_POINTS;

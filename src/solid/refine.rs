@@ -70,7 +70,8 @@ fn count(complex: &Complex, level: u32) -> usize {
     points
 }
 
-fn check_bits(mesh: &HexMesh<Rational>) -> Result<(), SolidError> {
+/// Refuses points of too long numbers: as many as one level has, each as long as the longest.
+pub(crate) fn check_bits(mesh: &HexMesh<Rational>) -> Result<(), SolidError> {
     let bits = |x: &Rational| x.numerator().bits().max(x.denominator().bits());
     let longest = mesh.points().iter().flatten().map(bits).max().unwrap_or(0);
     let count = u64::try_from(count(mesh.complex(), 1)).unwrap_or(u64::MAX);

@@ -110,6 +110,7 @@ fn bad_vtk() {
         &["test:29:1", "on the same side of their face", "the other place", "exchange its bottom"],
     );
     refused("", SolidFormat::Vtk, &["this is no solid"]);
+    refused("\u{feff}  é\u{2003}", SolidFormat::Vtk, &["this is no solid"]);
     refused("# vtk DataFile Version 3.0\n", SolidFormat::Vtk, &["`ASCII` is expected"]);
     refused(&VTK[..VTK.len() / 2], SolidFormat::Vtk, &["the file ends here"]);
 }

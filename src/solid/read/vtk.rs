@@ -89,14 +89,14 @@ fn header(source: &Arc<SourceText>) -> Result<usize, Diagnostic> {
         at += text[at..].find('\n').map_or(text.len() - at, |end| end + 1);
         (start, text[start..at].trim())
     };
-    let ((_, first), _) = (line(), line());
-    let first = first.trim_start_matches('\u{feff}');
-    if !first.to_ascii_lowercase().starts_with("# vtk datafile") {
-        return Err(Diagnostic::new(source, 0..first.len().min(text.len()), "this is no solid")
-            .with_help(
-                "a VTK file begins with `# vtk DataFile Version 3.0`, and a MEDIT file with \
-                 `MeshVersionFormatted 2`; of other forms, such as .vtu or .msh, save one of these",
-            ));
+    let ((_, first), (second, _)) = (line(), line());
+    let known = first.trim_start_matches('\u{feff}').to_ascii_lowercase();
+    if !known.starts_with("# vtk datafile") {
+        let place = 0..text[..second].trim_end().len();
+        return Err(Diagnostic::new(source, place, "this is no solid").with_help(
+            "a VTK file begins with `# vtk DataFile Version 3.0`, and a MEDIT file with \
+             `MeshVersionFormatted 2`; of other forms, such as .vtu or .msh, save one of these",
+        ));
     }
     let (start, third) = line();
     if third.eq_ignore_ascii_case("ASCII") {
