@@ -77,6 +77,7 @@ mod finding;
 pub mod float;
 pub mod formula;
 mod judge;
+pub mod joint;
 pub mod limit;
 pub mod mesh;
 pub mod oracle;

@@ -17,12 +17,12 @@ pub enum Origin {
 }
 
 /// Where the image of a row by a matrix lies.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Image {
     /// It is this row itself, or its negative.
     Row(usize),
-    /// It is a combination of these rows, Σ|c_j| at most 1 up to rounding.
-    Combination(Vec<usize>),
+    /// It is a combination of these rows with these coefficients, Σ|c_j| at most 1 up to rounding.
+    Combination(Vec<(usize, f64)>),
 }
 
 /// An invariant hull.
@@ -71,7 +71,7 @@ pub fn close(
             let image = row_times(&hull.rows()[of], matrix);
             let gauge = hull.gauge(&image, 1.0 - 1e-9);
             if gauge.value <= 1.0 + caps.slack {
-                own.push(Image::Combination(gauge.combination.into_iter().map(|c| c.0).collect()));
+                own.push(Image::Combination(gauge.combination));
                 continue;
             }
             if hull.rows().len() == caps.rows {

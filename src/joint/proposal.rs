@@ -1,0 +1,59 @@
+//! Hulls that prove an upper bound a little above the rate of a product.
+
+use super::extremal::scaled;
+use super::hull::Hull;
+use super::matrix_set::MatrixSet;
+use crate::exact::{Integer, Rational};
+use crate::float::extremal::{AbsoluteHull, Rows, SearchCaps, close, row_times};
+use crate::float::{exact, nearest};
+
+/// The matrices in f64.
+pub(super) fn floats(set: &MatrixSet) -> Vec<Rows> {
+    let row = |row: &Vec<Rational>| row.iter().map(nearest).collect();
+    set.matrices().iter().map(|matrix| matrix.iter().map(row).collect()).collect()
+}
+
+/// The multiple of 2^(−bits) that is nearest to x.
+pub(super) fn on_grid(x: f64, bits: u32) -> Option<Rational> {
+    let unit = Rational::from(Integer::one().shifted_left(bits));
+    Some(Rational::from((exact(x)? * &unit).round_half_even()) / unit)
+}
+
+/// A hull with a bound of about `rate`·(1 + `excess`), verified; `None` where the search meets its cap.
+///
+/// It is closed under the matrices over `rate`·(1 + `excess`/2). The other half of the excess is room for
+/// rounding, and for the gauges of the images.
+pub(super) fn hull(
+    set: &MatrixSet,
+    seeds: &[Vec<f64>],
+    unit: &Rational,
+    (rate, excess): (f64, f64),
+    cap: usize,
+) -> Option<Hull> {
+    let size = set.size();
+    let bits = 14 + (0..40).find(|bits| f64::from(1_u32 << (bits % 32)) * excess >= 1.0 || *bits == 31)?;
+    let target = rate * (1.0 + excess);
+    let tau = nearest(unit);
+    let unit_row = |i: usize| (0..size).map(|j| if i == j { tau } else { 0.0 }).collect();
+    let rows: Vec<Vec<f64>> = (0..size).map(unit_row).chain(seeds.iter().cloned()).collect();
+    let matrices = floats(set);
+    let enlarged: Vec<Rows> =
+        matrices.iter().map(|m| scaled(m.clone(), (1.0 + excess / 2.0) / target)).collect();
+    let closure = close(&enlarged, rows, &[], SearchCaps { rows: cap, slack: 0.0 })?;
+    let round = |row: &Vec<f64>| row.iter().map(|x| on_grid(*x, bits)).collect::<Option<Vec<_>>>();
+    let rows = closure.rows[size..].iter().map(round).collect::<Option<Vec<Vec<Rational>>>>()?;
+    let near = rows.iter().map(|row| row.iter().map(nearest).collect::<Vec<f64>>());
+    let all: Vec<Vec<f64>> = (0..size).map(unit_row).chain(near).collect();
+    let mut absolute = AbsoluteHull::new(all.clone())?;
+    let mut image = |row: &Vec<f64>, matrix: &Rows| -> Option<Vec<(usize, Rational)>> {
+        let gauge = absolute.gauge(&row_times(row, matrix), target * (1.0 - excess / 4.0));
+        let terms = gauge.combination.into_iter();
+        let terms = terms.map(|(j, c)| Some((j, on_grid(c, bits + 6)?)));
+        let terms = terms.collect::<Option<Vec<(usize, Rational)>>>()?;
+        Some(terms.into_iter().filter(|(_, c)| !c.is_zero()).collect())
+    };
+    let images = all.iter().map(|row| matrices.iter().map(|matrix| image(row, matrix)).collect());
+    let images = images.collect::<Option<Vec<Vec<Vec<(usize, Rational)>>>>>()?;
+    let hull = Hull { bound: exact(target)?, unit: unit.clone(), rows, images };
+    hull.proves(set).then_some(hull)
+}

@@ -1,0 +1,190 @@
+//! Both bounds of the joint spectral radius.
+
+use super::extremal::{Extremal, Rate, scaled};
+use super::hull::Hull;
+use super::matrix_set::MatrixSet;
+use super::product::{largest_real, square_of_radius};
+use super::proposal::{floats, hull};
+use crate::exact::{FieldElement, Integer, Rational, RealAlgebraic};
+use crate::float::extremal::{Candidates, SearchCaps, candidates, row_times};
+use crate::float::nearest;
+
+/// The most factors of a product that is looked at.
+const MAX_FACTORS: u32 = 14;
+
+/// How many products of each length are continued.
+const BEAM: usize = 250;
+
+/// The most rows of a hull.
+const MAX_ROWS: usize = 1_200;
+
+/// The greatest degree of the field in which a hull is verified.
+const MAX_DEGREE: usize = 12;
+
+/// The excesses of the bounds that are tried in turn when the radius is not found exactly.
+const EXCESSES: [f64; 8] = [0.3, 0.1, 0.03, 1e-2, 1e-3, 1e-4, 1e-5, 1e-7];
+
+/// The excess of the rational bound beside an exact irrational radius.
+const FINE: f64 = 1e-8;
+
+/// The joint spectral radius ϱ of a set of matrices, from both sides.
+#[derive(Clone, Debug)]
+pub struct JointRadius {
+    /// The factors of a product, in the order of multiplication, counted from 0; none where ϱ = 0.
+    pub product: Vec<usize>,
+    /// ϱ ≥ root^{1/degree}.
+    pub root: RealAlgebraic,
+    /// The number of the factors; twice that where `root` is the product of two conjugate eigenvalues.
+    pub degree: usize,
+    /// Whether ϱ = root^{1/degree}, by an extremal hull; all products of l factors are then at most
+    /// Cϱ^l. Where the bounds meet, both is proven.
+    pub exact: bool,
+    /// ϱ ≤ its bound; `None` where all products of d factors are 0.
+    pub hull: Option<Hull>,
+}
+
+/// Bounds the joint spectral radius of a set of matrices.
+///
+/// Where no extremal hull is found, the bounds are as near as the search comes within 1200 rows.
+///
+/// # Panics
+/// Never.
+#[must_use]
+pub fn joint_radius(set: &MatrixSet) -> JointRadius {
+    if set.is_nilpotent() {
+        let root = RealAlgebraic::from(Rational::zero());
+        return JointRadius { product: Vec::new(), root, degree: 1, exact: true, hull: None };
+    }
+    let matrices = floats(set);
+    let found = candidates(&matrices, MAX_FACTORS, BEAM);
+    let Some(lower) = Lower::of(set, &found) else { return by_norm(set) };
+    let unit = Rational::new(1, 16);
+    let extremal = lower.extremal(set, &unit, &found);
+    let exact = extremal.is_some();
+    let upper = match extremal {
+        Some(Some(hull)) => hull,
+        _ => lower.nearest_hull(set, &unit, exact),
+    };
+    let Lower { product, root, degree, .. } = lower;
+    JointRadius { product, root, degree, exact, hull: Some(upper) }
+}
+
+/// What is known when f64 finds no product with an eigenvalue other than 0.
+fn by_norm(set: &MatrixSet) -> JointRadius {
+    let root = RealAlgebraic::from(Rational::zero());
+    let hull = Some(Hull::norm(set));
+    JointRadius { product: vec![0], root, degree: 1, exact: false, hull }
+}
+
+/// The lower bound.
+struct Lower {
+    product: Vec<usize>,
+    root: RealAlgebraic,
+    degree: usize,
+    /// root^{1/degree} in f64.
+    rate: f64,
+    /// Whether the root is the absolute value of a real eigenvalue.
+    real: bool,
+}
+
+impl Lower {
+    fn of(set: &MatrixSet, found: &Candidates) -> Option<Lower> {
+        let mut words = found.words.clone();
+        words.sort_by_key(Vec::len);
+        let bound = |word: &Vec<usize>, real: bool| {
+            let root = if real { largest_real(set, word)? } else { square_of_radius(set, word)? };
+            let degree = if real { word.len() } else { 2 * word.len() };
+            let rate = nearest(&root).powf(1.0 / super::extremal::float(degree));
+            Some(Lower { product: word.clone(), root, degree, rate, real })
+        };
+        let real = words.iter().find_map(|word| {
+            bound(word, true).filter(|lower| lower.rate > found.rate * (1.0 - 1e-8))
+        });
+        real.or_else(|| bound(words.first()?, false))
+    }
+
+    /// Whether an extremal hull exists, and that hull where it is rational.
+    fn extremal(&self, set: &MatrixSet, unit: &Rational, found: &Candidates) -> Option<Option<Hull>> {
+        if !self.real {
+            return None;
+        }
+        let caps = SearchCaps { rows: MAX_ROWS, slack: 1e-10 };
+        let mut words = vec![self.product.clone()];
+        words.extend(found.words.iter().filter(|word| **word != self.product).cloned());
+        let rational = self.root.as_rational();
+        if let Some(rate) = rational.and_then(|root| rational_root(root, self.degree)) {
+            let norm = Hull::norm(set);
+            if norm.bound == rate {
+                return Some(Some(norm));
+            }
+            let rate = Rate { root: rate, length: 1 };
+            let extremal = Extremal::search(set, rate, unit, &words, caps)?;
+            return extremal.hull(set, unit).map(Some);
+        }
+        let root = FieldElement::generator(&self.root)?;
+        if self.root.minimal_polynomial()?.degree()? > MAX_DEGREE {
+            return None;
+        }
+        let rate = Rate { root, length: self.degree };
+        let extremal = Extremal::search(set, rate, unit, &words, caps)?;
+        extremal.is_invariant(set, unit).then_some(None)
+    }
+
+    /// The hull with the least bound that is found.
+    fn nearest_hull(&self, set: &MatrixSet, unit: &Rational, exact: bool) -> Hull {
+        let seeds = self.seeds(set);
+        let attempt = |excess| hull(set, &seeds, unit, (self.rate, excess), MAX_ROWS);
+        if let Some(hull) = exact.then(|| attempt(FINE)).flatten() {
+            return hull;
+        }
+        let mut best = Hull::norm(set);
+        for excess in EXCESSES {
+            match attempt(excess) {
+                Some(hull) if hull.bound < best.bound => best = hull,
+                Some(_) => {}
+                None => break,
+            }
+        }
+        best
+    }
+
+    /// The cycle of left eigenvectors in f64: rows of a high power of the product.
+    fn seeds(&self, set: &MatrixSet) -> Vec<Vec<f64>> {
+        let matrices: Vec<_> =
+            floats(set).into_iter().map(|matrix| scaled(matrix, 1.0 / self.rate)).collect();
+        let mut rows = Vec::new();
+        let mut row = vec![1.0; set.size()];
+        for round in 0..200 {
+            for &i in &self.product {
+                row = row_times(&row, &matrices[i]);
+                let length: f64 = row.iter().map(|x| x.abs()).sum();
+                if length == 0.0 {
+                    return Vec::new();
+                }
+                row.iter_mut().for_each(|x| *x /= length);
+                if round == 199 {
+                    rows.push(row.clone());
+                }
+            }
+        }
+        if self.real { rows } else { Vec::new() }
+    }
+}
+
+/// The rational number q ≥ 0 with q^degree = x, if there is one.
+pub(crate) fn rational_root(x: &Rational, degree: usize) -> Option<Rational> {
+    let degree = u32::try_from(degree).ok()?;
+    Some(Rational::new(root(&x.numerator(), degree)?, root(&x.denominator(), degree)?))
+}
+
+fn root(x: &Integer, degree: u32) -> Option<Integer> {
+    let bits = u32::try_from(x.bits()).ok()?;
+    let (mut low, mut high) = (Integer::zero(), Integer::one().shifted_left(bits / degree + 1));
+    // low^degree ≤ x < high^degree.
+    while &high - &low > Integer::one() {
+        let middle = (&low + &high).shifted_right(1);
+        if middle.pow(degree) <= *x { low = middle } else { high = middle }
+    }
+    (low.pow(degree) == *x).then_some(low)
+}
+
