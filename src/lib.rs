@@ -48,6 +48,8 @@
 //! | [`bound`] | contraction constants, also of rings, displacement, error bounds, depth |
 //! | [`limit`] | limits at rational parameters, distances of polygons from them in both parametrisations |
 //! | [`float`] | the same in f64, certified against the exact path |
+//! | [`joint`] | the joint spectral radius of rational matrices, from both sides |
+//! | [`smoothness`] | how smooth limits are: C^m, and the Hölder exponent |
 //! | [`mesh`] | polygon meshes: files, refinement, limit points and normals |
 //! | [`patch`] | how far meshes are from their limit surfaces |
 //! | [`oracle`] | reference values and checks for other programs' tests |
@@ -85,6 +87,7 @@ pub mod patch;
 #[cfg(feature = "cli")]
 pub mod report;
 pub mod scheme;
+pub mod smoothness;
 pub mod suggestion;
 
 /// The examples of README.md, run as tests.

@@ -11,6 +11,7 @@ mod depth;
 mod errata;
 mod explain;
 mod json;
+mod jsr;
 mod listing;
 mod local_constants;
 mod man;
@@ -23,9 +24,11 @@ mod papers;
 mod polygon;
 mod progress;
 mod prove;
+mod radius;
 mod range;
 mod save;
 mod schemes;
+mod smoothness;
 mod terminal;
 
 use arguments::{Arguments, Command};
@@ -65,6 +68,8 @@ pub(crate) fn run() -> ExitCode {
         Command::Constants(command) => constants::constants(&command),
         Command::Depth(command) => depth::depth(&command),
         Command::Range(command) => range::range(&command),
+        Command::Smoothness(command) => smoothness::smoothness(&command),
+        Command::Jsr(command) => jsr::jsr(&command),
         Command::Certify(command) => certify::certify(&command),
         Command::Prove(command) => prove::prove(&command),
         Command::New(command) => new::new(&command),

@@ -3,13 +3,24 @@
 use super::{Enclosed, Enclosure, IntegerPolynomial, Rational, RationalPolynomial};
 use super::{Real, RealAlgebraic, Scalar, solve};
 use std::cmp::Ordering;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// The field Q(α).
 #[derive(Debug)]
 struct Field {
     root: RealAlgebraic,
     minimal: IntegerPolynomial,
+    /// The first enclosures of α, which take many halvings.
+    enclosures: [OnceLock<Enclosure>; 4],
+}
+
+impl Field {
+    fn enclosure(&self, level: u32) -> Enclosure {
+        match self.enclosures.get(level as usize) {
+            Some(known) => known.get_or_init(|| self.root.enclosure(level)).clone(),
+            None => self.root.enclosure(level),
+        }
+    }
 }
 
 /// A number p(α), p a polynomial over the rationals of lower degree than the minimal polynomial of
@@ -42,7 +53,7 @@ impl FieldElement {
             return Some(FieldElement::from_rational(value));
         }
         let minimal = root.minimal_polynomial()?;
-        let field = Some(Arc::new(Field { root: root.clone(), minimal }));
+        let field = Some(Arc::new(Field { root: root.clone(), minimal, enclosures: Default::default() }));
         Some(FieldElement { value: RationalPolynomial::variable(), field })
     }
 
@@ -154,7 +165,7 @@ impl Enclosed for FieldElement {
             (Some(value), _) => constant(value),
             (None, None) => unreachable!("a polynomial in α knows its field"),
             (None, Some(field)) => {
-                let at = field.root.enclosure(level);
+                let at = field.enclosure(level);
                 let coefficients = self.value.coefficients();
                 let start = constant(Rational::zero());
                 let terms = coefficients.into_iter().rev();

@@ -31,7 +31,8 @@ pub(super) fn hull(
     cap: usize,
 ) -> Option<Hull> {
     let size = set.size();
-    let bits = 14 + (0..40).find(|bits| f64::from(1_u32 << (bits % 32)) * excess >= 1.0 || *bits == 31)?;
+    // Rows are rounded by far less than the excess.
+    let bits = 14 + (0..31).find(|&bits| f64::from(1_u32 << bits) * excess >= 1.0)?;
     let target = rate * (1.0 + excess);
     let tau = nearest(unit);
     let unit_row = |i: usize| (0..size).map(|j| if i == j { tau } else { 0.0 }).collect();
