@@ -3,7 +3,8 @@
 use super::arguments::JsrArguments;
 use super::json::{SCHEMA, smoothness as form};
 use super::output::{Failure, Outcome, show};
-use super::radius::{between, enclosed_root, product_text, radius_form, root_text, upper};
+use super::radius::{between, enclosed_root, product_text, radius_form, root_text, upper, write_certificate};
+use subcert::certificate::radius_certificate;
 use subcert::diagnostic::read_text;
 use subcert::exact::{Rational, parse_rational};
 use subcert::joint::{JointRadius, MatrixSet, joint_radius};
@@ -18,6 +19,9 @@ pub(super) fn jsr(arguments: &JsrArguments) -> Outcome {
         .map_err(|reason| Failure::Input(format!("cannot read `{path}`: {reason}")))?;
     let set = read(&text).map_err(|reason| Failure::Input(format!("{path}: {reason}")))?;
     let radius = joint_radius(&set);
+    if let Some(path) = &arguments.certificate {
+        write_certificate(path, radius_certificate(&set, &radius))?;
+    }
     show(
         arguments.output.format,
         || sheet(&path, &set, &radius),

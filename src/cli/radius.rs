@@ -1,6 +1,9 @@
 //! A joint spectral radius in words, for `smoothness` and `jsr`.
 
 use super::json::smoothness as form;
+use super::output::{Failure, Outcome};
+use super::save::save;
+use std::path::Path;
 use subcert::exact::{Enclosed, Enclosure, Integer, Rational, format::fixed};
 use subcert::joint::{JointRadius, MatrixSet};
 use subcert::report::json::Exact;
@@ -100,4 +103,13 @@ pub(super) fn between(low: &Rational, high: &Rational) -> String {
 pub(super) fn ends(value: &impl Enclosed) -> (Rational, Rational) {
     let enclosure = value.enclosure(1);
     (enclosure.lower().clone(), enclosure.upper().clone())
+}
+
+/// Writes a certificate, if there is one.
+pub(super) fn write_certificate(path: &Path, text: Option<String>) -> Outcome {
+    let path_text = path.display();
+    let text = text.ok_or_else(|| {
+        Failure::Input(format!("there is nothing to certify in `{path_text}`: the radius is 0"))
+    })?;
+    save(path, &text).map_err(|error| Failure::Input(format!("cannot write `{path_text}`: {error}")))
 }

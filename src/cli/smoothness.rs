@@ -3,7 +3,8 @@
 use super::arguments::SmoothnessArguments;
 use super::json::{SCHEMA, smoothness as form};
 use super::output::{Failure, Outcome, show, with_decimal};
-use super::radius::{between, down, enclosed_root, ends, product_text, radius_form, root_text, up, upper};
+use super::radius::{between, down, enclosed_root, ends, product_text, radius_form, root_text, up, upper, write_certificate};
+use subcert::certificate::smoothness_certificate;
 use subcert::exact::Rational;
 use subcert::report::{Sheet, json::Exact};
 use subcert::scheme::{AnyScheme, Mask, parse_any_scheme};
@@ -13,6 +14,9 @@ pub(super) fn smoothness(arguments: &SmoothnessArguments) -> Outcome {
     let name = &arguments.scheme;
     let mask = curve(name)?;
     let smoothness = Smoothness::of(&mask).map_err(|error| Failure::Input(error.to_string()))?;
+    if let Some(path) = &arguments.certificate {
+        write_certificate(path, smoothness_certificate(&mask, &smoothness))?;
+    }
     let most = smoothness.continuity;
     let contractions = most.map_or_else(Vec::new, |most| contractions(&smoothness.symbol, most));
     let report = Report { name, smoothness, contractions };

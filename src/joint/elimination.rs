@@ -1,6 +1,6 @@
 //! Gaussian elimination over any field of real numbers.
 
-use crate::exact::Real;
+use crate::exact::{Rational, Real};
 
 /// The matrix in reduced echelon form, without rows of zeros, and the column of each pivot.
 fn reduced<F: Real + PartialEq>(mut rows: Vec<Vec<F>>) -> (Vec<Vec<F>>, Vec<usize>) {
@@ -27,18 +27,21 @@ fn reduced<F: Real + PartialEq>(mut rows: Vec<Vec<F>>) -> (Vec<Vec<F>>, Vec<usiz
     (rows, pivots)
 }
 
-/// A row v ≠ 0 with vM = 0 for a square matrix M; `None` where there is none.
-pub(super) fn null_row<F: Real + PartialEq>(matrix: &[Vec<F>]) -> Option<Vec<F>> {
+/// A basis of the rows v with vM = 0 for a square matrix M.
+pub(super) fn null_rows<F: Real + PartialEq>(matrix: &[Vec<F>]) -> Vec<Vec<F>> {
     let size = matrix.len();
     let transposed = (0..size).map(|j| matrix.iter().map(|row| row[j].clone()).collect()).collect();
     let (rows, pivots) = reduced(transposed);
-    let free = (0..size).find(|column| !pivots.contains(column))?;
-    let mut solution = vec![F::zero(); size];
-    solution[free] = F::from_rational(&crate::exact::Rational::one());
-    for (row, pivot) in rows.iter().zip(pivots) {
-        solution[pivot] = F::zero().minus(&row[free]);
-    }
-    Some(solution)
+    let free = (0..size).filter(|column| !pivots.contains(column));
+    let solution = |free: usize| {
+        let mut solution = vec![F::zero(); size];
+        solution[free] = F::from_rational(&Rational::one());
+        for (row, &pivot) in rows.iter().zip(&pivots) {
+            solution[pivot] = F::zero().minus(&row[free]);
+        }
+        solution
+    };
+    free.map(solution).collect()
 }
 
 /// Coefficients c with Σ c_j v_j = x, if the rows v_j are independent and there are such.

@@ -1,6 +1,6 @@
 //! Extremal hulls: the proof that the radius is the one of a product.
 
-use super::elimination::{coefficients, null_row};
+use super::elimination::{coefficients, null_rows};
 use super::matrix_set::MatrixSet;
 use crate::exact::{Enclosed, Rational, Real};
 use crate::float::extremal::{Closure, Image, Origin, Rows, SearchCaps, close};
@@ -65,12 +65,13 @@ impl<F: Real + PartialEq + Enclosed> Extremal<F> {
         let mut vertices: Vec<Vertex<F>> = (0..size).map(unit_row).collect();
         let mut known = Vec::new();
         for word in words.iter().filter(|word| word.len() % rate.length == 0) {
-            let Some(first) = eigenvector(set, &rate, word) else { continue };
-            let (start, mut vertex) = (vertices.len(), first);
-            for (i, &by) in word.iter().enumerate() {
-                let next = rate.step(&vertex, &set.matrices()[by]);
-                vertices.push(std::mem::replace(&mut vertex, next));
-                known.push((start + i, by, start + (i + 1) % word.len()));
+            for mut vertex in eigenvectors(set, &rate, word) {
+                let start = vertices.len();
+                for (i, &by) in word.iter().enumerate() {
+                    let next = rate.step(&vertex, &set.matrices()[by]);
+                    vertices.push(std::mem::replace(&mut vertex, next));
+                    known.push((start + i, by, start + (i + 1) % word.len()));
+                }
             }
         }
         if known.is_empty() {
@@ -118,15 +119,15 @@ impl<F: Real + PartialEq + Enclosed> Extremal<F> {
     }
 }
 
-/// A left eigenvector of the product for an eigenvalue ±θ^l, with Σ|v_k| = 1.
-fn eigenvector<F: Real + PartialEq>(
+/// Left eigenvectors of the product for the eigenvalues ±θ^l, with Σ|v_k| = 1.
+fn eigenvectors<F: Real + PartialEq>(
     set: &MatrixSet,
     rate: &Rate<F>,
     word: &[usize],
-) -> Option<Vertex<F>> {
+) -> Vec<Vertex<F>> {
     let product = set.product(word);
-    let size = F::from_rational(&Rational::one());
-    let power = (0..word.len() / rate.length).fold(size, |power, _| power.times(&rate.root));
+    let one = F::from_rational(&Rational::one());
+    let power = (0..word.len() / rate.length).fold(one, |power, _| power.times(&rate.root));
     let shifted = |eigenvalue: &F| -> Vec<Vec<F>> {
         let entry = |i: usize, j: usize, x: &Rational| {
             let x = F::from_rational(x);
@@ -138,9 +139,12 @@ fn eigenvector<F: Real + PartialEq>(
         product.iter().enumerate().map(row).collect()
     };
     let negative = F::zero().minus(&power);
-    let row = null_row(&shifted(&power)).or_else(|| null_row(&shifted(&negative)))?;
-    let length = F::sum_of_magnitudes(&row);
-    Some(Vertex { row: row.iter().map(|x| x.over(&length)).collect(), power: 0 })
+    let rows = [&power, &negative].into_iter().flat_map(|value| null_rows(&shifted(value)));
+    rows.map(|row| {
+        let length = F::sum_of_magnitudes(&row);
+        Vertex { row: row.iter().map(|x| x.over(&length)).collect(), power: 0 }
+    })
+    .collect()
 }
 
 pub(super) fn float(count: usize) -> f64 {

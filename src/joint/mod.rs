@@ -28,5 +28,5 @@ mod verify;
 
 pub use hull::Hull;
 pub use matrix_set::{MAX_MATRICES, MAX_SIZE, MatrixSet, MatrixSetError};
-pub use product::{JordanBlock, jordan_block};
-pub use radius::{JointRadius, joint_radius};
+pub use product::{Eigenvalue, JordanBlock, Kind, jordan_block};
+pub use radius::{JointRadius, contracts, expanding_product, extremal_rate, joint_radius};

@@ -2,7 +2,7 @@
 
 use super::matrix_set::{MatrixSet, echelon, row_times};
 use crate::exact::{
-    Rational, RealAlgebraic, characteristic_polynomial, symmetric_square_polynomial,
+    Enclosed as _, Rational, RealAlgebraic, characteristic_polynomial, symmetric_square_polynomial,
 };
 
 /// The largest absolute value of a real eigenvalue of a product; `None` where it has none other than 0.
@@ -32,6 +32,52 @@ fn negated(root: &RealAlgebraic) -> RealAlgebraic {
 pub(super) fn square_of_radius(set: &MatrixSet, word: &[usize]) -> Option<RealAlgebraic> {
     let polynomial = symmetric_square_polynomial(&set.product(word));
     RealAlgebraic::roots_of(&polynomial).pop().filter(|root| root.sign() > 0)
+}
+
+/// Which eigenvalue bounds the radius from below.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A positive one.
+    Positive,
+    /// A negative one.
+    Negative,
+    /// The product of two conjugate ones.
+    Conjugate,
+}
+
+/// A rational number q > 0 that a real eigenvalue of a product, of minus the product, or of the product on
+/// symmetric tensors reaches, as the sign of the characteristic polynomial at q shows.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Eigenvalue {
+    /// Which of the three.
+    pub kind: Kind,
+    /// q: ϱ^l ≥ q for l factors, or ϱ^{2l} ≥ q.
+    pub at_least: Rational,
+}
+
+/// The eigenvalue of a product that is next to `root`, by a sign; `None` where no sign shows it.
+pub(super) fn shown(
+    set: &MatrixSet,
+    word: &[usize],
+    root: &RealAlgebraic,
+    conjugate: bool,
+) -> Option<Eigenvalue> {
+    let at_least = root.enclosure(0).lower().clone();
+    if at_least.sign() <= 0 {
+        return None;
+    }
+    let product = set.product(word);
+    if conjugate {
+        let shows = symmetric_square_polynomial(&product).sign_at(&at_least) <= 0;
+        return shows.then_some(Eigenvalue { kind: Kind::Conjugate, at_least });
+    }
+    let polynomial = characteristic_polynomial(&product);
+    if polynomial.sign_at(&at_least) <= 0 {
+        return Some(Eigenvalue { kind: Kind::Positive, at_least });
+    }
+    let mirrored = polynomial.sign_at(&-&at_least);
+    let shows = if product.len() % 2 == 0 { mirrored <= 0 } else { mirrored >= 0 };
+    shows.then_some(Eigenvalue { kind: Kind::Negative, at_least })
 }
 
 /// A product with a Jordan block of size 2 or more.

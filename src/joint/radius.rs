@@ -3,7 +3,7 @@
 use super::extremal::{Extremal, Rate, scaled};
 use super::hull::Hull;
 use super::matrix_set::MatrixSet;
-use super::product::{largest_real, square_of_radius};
+use super::product::{Eigenvalue, largest_real, shown, square_of_radius};
 use super::proposal::{floats, hull};
 use crate::exact::{FieldElement, Integer, Rational, RealAlgebraic};
 use crate::float::extremal::{Candidates, SearchCaps, candidates, row_times};
@@ -43,6 +43,14 @@ pub struct JointRadius {
     pub hull: Option<Hull>,
 }
 
+impl JointRadius {
+    /// A rational lower bound that a sign shows; `None` where ϱ = 0, or no sign shows it.
+    #[must_use]
+    pub fn eigenvalue(&self, set: &MatrixSet) -> Option<Eigenvalue> {
+        shown(set, &self.product, &self.root, self.degree != self.product.len())
+    }
+}
+
 /// Bounds the joint spectral radius of a set of matrices.
 ///
 /// Where no extremal hull is found, the bounds are as near as the search comes within 1200 rows.
@@ -67,6 +75,49 @@ pub fn joint_radius(set: &MatrixSet) -> JointRadius {
     };
     let Lower { product, root, degree, .. } = lower;
     JointRadius { product, root, degree, exact, hull: Some(upper) }
+}
+
+/// Whether the radius is that of a product, by an extremal hull; then all products of l factors are at most
+/// Cϱ^l. `None` where none is found.
+#[must_use]
+pub fn extremal_rate(set: &MatrixSet) -> Option<(RealAlgebraic, usize)> {
+    let found = candidates(&floats(set), MAX_FACTORS, BEAM);
+    let lower = Lower::of(set, &found)?;
+    lower.extremal(set, &Rational::new(1, 16), &found)?;
+    Some((lower.root, lower.degree))
+}
+
+/// The cost of the searches on whole intervals of a parameter.
+const QUICK: (u32, usize, usize) = (8, 40, 400);
+
+/// Whether the radius of a set is shown to be below 1, by a hull for a bound below 1. The hull is that of the
+/// cycle of a product that is large in `middle`, a set near the others.
+#[must_use]
+pub fn contracts(set: &MatrixSet, middle: &MatrixSet) -> bool {
+    let (factors, beam, rows) = QUICK;
+    let found = candidates(&floats(middle), factors, beam);
+    let Some(lower) = Lower::of(middle, &found) else {
+        return Hull::norm(set).bound < Rational::one();
+    };
+    // The radius of the whole set is larger than that in the middle; f64 tells by how much at least.
+    let rate = candidates(&floats(set), factors, beam).rate.max(lower.rate);
+    if rate >= 1.0 - 1e-9 {
+        return false;
+    }
+    let excess = 0.95 * (1.0 / rate - 1.0);
+    let seeds = lower.seeds(middle);
+    let unit = Rational::new(1, 16);
+    let hull = hull(set, &seeds, &unit, (rate, excess), rows);
+    hull.is_some_and(|hull| hull.bound < Rational::one())
+}
+
+/// A product whose spectral radius is 1 or more as far as f64 can tell.
+#[must_use]
+pub fn expanding_product(set: &MatrixSet) -> Option<Vec<usize>> {
+    let (factors, beam, _) = QUICK;
+    let found = candidates(&floats(set), factors, beam);
+    let shortest = found.words.into_iter().min_by_key(Vec::len);
+    shortest.filter(|_| found.rate >= 1.0)
 }
 
 /// What is known when f64 finds no product with an eigenvalue other than 0.

@@ -6,7 +6,7 @@ use super::reproduction::reproduction_degree;
 use super::symbol::Symbol;
 use super::transition::transition_matrices;
 use crate::exact::{Enclosed as _, Rational};
-use crate::joint::{Hull, JointRadius, MatrixSet, MatrixSetError, joint_radius, jordan_block};
+use crate::joint::{Hull, JointRadius, MatrixSet, MatrixSetError, extremal_rate, joint_radius, jordan_block};
 use crate::limit::{NaturalShift, natural_shift};
 use crate::scheme::Mask;
 use std::cmp::Ordering;
@@ -204,7 +204,6 @@ fn attained(
     if jordan_block(&set, &one, JORDAN_FACTORS).is_some() {
         return Ok(Some(false));
     }
-    let radius = joint_radius(&set);
-    let bounded = radius.exact && radius.root.as_rational() == Some(&one);
+    let bounded = extremal_rate(&set).is_some_and(|(root, _)| root.as_rational() == Some(&one));
     Ok(bounded.then_some(true))
 }

@@ -39,6 +39,11 @@ impl ExponentFormula {
                 value = value * &n;
                 whole += &step;
             }
+            // A power of the root may be a power of n: log_4(2) = 1/2.
+            if let Some(logarithm) = rational_logarithm(&value, arity) {
+                whole -= &(&step * &logarithm);
+                value = Rational::one();
+            }
             root = RealAlgebraic::from(value);
         }
         ExponentFormula { whole, arity, root, degree }
@@ -55,6 +60,9 @@ impl ExponentFormula {
     pub fn cmp_integer(&self, k: usize) -> Ordering {
         // whole − k against log_n(root)/degree: n^{(whole − k)·degree} against root, where whole·degree is
         // an integer.
+        if let Some(value) = self.as_rational() {
+            return value.cmp(&Rational::from(k));
+        }
         let exponent = (&self.whole - Rational::from(k)) * Rational::from(self.degree);
         let exponent = exponent.numerator().to_i64().and_then(|e| i32::try_from(e).ok());
         let power = Rational::from(self.arity).pow(exponent.expect("a small exponent"));
@@ -71,6 +79,16 @@ impl Enclosed for ExponentFormula {
         let degree = Enclosure::exact(Rational::new(1, Rational::from(self.degree).numerator()));
         &Enclosure::exact(self.whole.clone()) - &(&log * &degree)
     }
+}
+
+/// log_n(x) = i/j for an integer x ≥ 1, if it is of this form with j ≤ 6, below which n = 64 has its roots.
+fn rational_logarithm(x: &Rational, n: usize) -> Option<Rational> {
+    let n = Rational::from(n);
+    (1..=6_i32).find_map(|j| {
+        let power = x.pow(j);
+        let i = (0..=j).find(|&i| n.pow(i) == power)?;
+        Some(Rational::new(i64::from(i), i64::from(j)))
+    })
 }
 
 /// An enclosure of log_n of a positive number.

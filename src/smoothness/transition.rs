@@ -18,14 +18,18 @@ use crate::joint::{MatrixSet, MatrixSetError};
 /// Never.
 pub fn transition_matrices(symbol: &Symbol) -> Result<MatrixSet, MatrixSetError> {
     let b = symbol.polynomial().coefficients();
-    let (n, last) = (symbol.arity(), b.len().saturating_sub(1));
+    MatrixSet::new(windows(&b, symbol.arity(), &Rational::zero()))
+}
+
+/// The matrices of [`transition_matrices`] for the coefficients b_0, …, b_L.
+pub(super) fn windows<T: Clone>(b: &[T], n: usize, zero: &T) -> Vec<Vec<Vec<T>>> {
+    let last = b.len().saturating_sub(1);
     let width = if last == 0 { 1 } else { (last - 1).div_ceil(n - 1) + 1 };
     let entry = |e: usize, i: usize, j: usize| {
         // L + 1 + e + i − n(j + 1).
         let place = (last + 1 + e + i).checked_sub(n * (j + 1));
-        place.and_then(|place| b.get(place)).cloned().unwrap_or_else(Rational::zero)
+        place.and_then(|place| b.get(place)).unwrap_or(zero).clone()
     };
     let row = |e, i| (0..width).map(|j| entry(e, i, j)).collect();
-    let matrix = |e| (0..width).map(|i| row(e, i)).collect();
-    MatrixSet::new((0..n).map(matrix).collect())
+    (0..n).map(|e| (0..width).map(|i| row(e, i)).collect()).collect()
 }
