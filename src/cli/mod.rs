@@ -28,6 +28,8 @@ mod radius;
 mod range;
 mod save;
 mod schemes;
+mod sets;
+mod smooth_range;
 mod smoothness;
 mod terminal;
 

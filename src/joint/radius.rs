@@ -5,7 +5,9 @@ use super::hull::Hull;
 use super::matrix_set::MatrixSet;
 use super::product::{Eigenvalue, largest_real, shown, square_of_radius};
 use super::proposal::{floats, hull};
-use crate::exact::{FieldElement, Integer, Rational, RealAlgebraic};
+use crate::exact::{
+    Enclosed as _, FieldElement, Integer, IntegerPolynomial, Rational, RealAlgebraic,
+};
 use crate::float::extremal::{Candidates, SearchCaps, candidates, row_times};
 use crate::float::nearest;
 
@@ -172,13 +174,17 @@ impl Lower {
             let extremal = Extremal::search(set, rate, unit, &words, caps)?;
             return extremal.hull(set, unit).map(Some);
         }
-        let root = FieldElement::generator(&self.root)?;
-        if self.root.minimal_polynomial()?.degree()? > MAX_DEGREE {
-            return None;
-        }
-        let rate = Rate { root, length: self.degree };
-        let extremal = Extremal::search(set, rate, unit, &words, caps)?;
-        extremal.is_invariant(set, unit).then_some(None)
+        let invariant = |root: &RealAlgebraic, length| -> Option<()> {
+            if root.minimal_polynomial()?.degree()? > MAX_DEGREE {
+                return None;
+            }
+            let rate = Rate { root: FieldElement::generator(root)?, length };
+            let extremal = Extremal::search(set, rate, unit, &words, caps)?;
+            extremal.is_invariant(set, unit).then_some(())
+        };
+        // Where rows of several powers of θ meet on the boundary, Q(α) does not decide, but Q(θ) does.
+        let base = || (self.degree > 1).then(|| algebraic_root(&self.root, self.degree))?;
+        invariant(&self.root, self.degree).or_else(|| invariant(&base()?, 1)).map(|()| None)
     }
 
     /// The hull with the least bound that is found.
@@ -226,6 +232,26 @@ impl Lower {
 pub(crate) fn rational_root(x: &Rational, degree: usize) -> Option<Rational> {
     let degree = u32::try_from(degree).ok()?;
     Some(Rational::new(root(&x.numerator(), degree)?, root(&x.denominator(), degree)?))
+}
+
+/// The positive θ with θ^degree = x, as a root of f(z^degree), f a polynomial of x.
+fn algebraic_root(x: &RealAlgebraic, degree: usize) -> Option<RealAlgebraic> {
+    let mut stretched = Vec::new();
+    for c in x.polynomial().coefficients() {
+        stretched.resize(stretched.len().next_multiple_of(degree), Integer::zero());
+        stretched.push(c.clone());
+    }
+    let power = i32::try_from(degree).ok()?;
+    // The power of a root is a root of f, and x is the only one of these in its interval.
+    let is_root = |theta: &RealAlgebraic| {
+        let enclosure = theta.enclosure(1);
+        let (low, high) = (enclosure.lower().pow(power), enclosure.upper().pow(power));
+        let (least, greatest) = x.bounds();
+        let inside = least <= low && high <= greatest;
+        let rational = x.as_rational().is_some_and(|x| low <= *x && *x <= high);
+        theta.sign() > 0 && (inside || rational)
+    };
+    RealAlgebraic::roots_of(&IntegerPolynomial::new(stretched)).into_iter().find(is_root)
 }
 
 fn root(x: &Integer, degree: u32) -> Option<Integer> {

@@ -1,8 +1,10 @@
 //! Schemes whose smoothness the literature states.
 
-use subcert::exact::{Rational, format::fixed};
-use subcert::scheme::{Mask, parse_scheme};
-use subcert::smoothness::{Smoothness, contractions};
+use std::ops::Bound;
+use subcert::bound::polynomial_rules;
+use subcert::exact::{IntegerPolynomial, Rational, RealAlgebraic, format::fixed, parse_rational};
+use subcert::scheme::{Mask, parse_parametric, parse_scheme};
+use subcert::smoothness::{Smoothness, contractions, smooth_range};
 
 pub fn of(name: &str) -> Smoothness {
     Smoothness::of(parse_scheme(name).expect("a scheme").masks()[0]).expect("short rules")
@@ -67,10 +69,10 @@ fn dependent_shifts_are_reduced() {
     assert!(hats.reduced.is_some());
     assert_eq!(said(&hats), (Some(0), Some(1), Some("1".into()), Some(true)));
     // (1 + z)³(1 − z + z²)/4: the mean of three neighbouring quadratic B-splines, through Φ_3.
-    let quadratic = Smoothness::of(&mask(4, &[&[1, 2, 1], &[2, 1, 1]]));
+    let quadratic = Smoothness::of(&mask(4, &[&[2, 1, 1], &[1, 1, 2]]));
     let coefficients = quadratic.expect("short rules");
     let product = coefficients.symbol.polynomial().describe("z");
-    assert_eq!(product, "1/4z^5 + 1/2z^4 + 1/4z^3 + 1/4z^2 + 1/2z + 1/4");
+    assert_eq!(product, "1/4 + 1/2*z + 1/4*z^2 + 1/4*z^3 + 1/2*z^4 + 1/4*z^5");
     assert!(coefficients.reduced.is_some());
     assert_eq!(said(&coefficients), (Some(1), Some(2), Some("2".into()), Some(true)));
 }
@@ -94,4 +96,42 @@ fn exponents_of_the_eight_point_scheme() {
     let hoelder = smoothness.hoelder.expect("it converges");
     assert_eq!(fixed(&hoelder.lower, 3), "3.551");
     assert_eq!(fixed(&hoelder.upper, 3), "3.551");
+}
+
+#[test]
+fn the_four_point_scheme_is_c1_up_to_the_root_of_a_cubic() {
+    // Dyn, Levin and Gregory 1987, Dyn 1992: c = 2 gives 0 < w < (√5 − 1)/8. Hechler, Mößner and Reif 2009: the
+    // exact end is the root of 32w³ + 4w − 1.
+    let mask = parse_parametric("four-point", "w").expect("a mask");
+    let rules = polynomial_rules(mask.rules(), "w").expect("polynomials");
+    let range = smooth_range(&rules, 1, 2).expect("short rules");
+    let [interval] = range.contraction.levels[1].intervals() else { panic!("one interval") };
+    let golden = RealAlgebraic::roots_of(&IntegerPolynomial::from([-1, 4, 16]));
+    assert_eq!(interval.low, Bound::Excluded(Rational::zero().into()));
+    assert_eq!(interval.high, Bound::Excluded(golden[1].clone()));
+    let cubic = RealAlgebraic::roots_of(&IntegerPolynomial::from([-1, 4, 0, 32]));
+    let [below, above] = range.outside.intervals() else { panic!("{}", range.outside) };
+    assert_eq!((&below.low, &below.high), (&Bound::Unbounded, &Bound::Included(Rational::zero().into())));
+    assert_eq!((&above.low, &above.high), (&Bound::Included(cubic[0].clone()), &Bound::Unbounded));
+    assert!(range.gap.expect("bounded") <= Rational::new(1, 1000));
+    assert!(!range.but_finitely_many);
+    // What single parameters say agrees.
+    for w in ["1/1000", "1/10", "0.19", "0.1927", "0.1928", "1/5", "0", "-1/7"] {
+        let smooth = of(&format!("four-point:w={w}")).continuity >= Some(1);
+        let w = parse_rational(w).expect("a number");
+        assert!(smooth || !range.inside.contains(&w), "{w}");
+        assert!(!smooth || !range.outside.contains(&w), "{w}");
+    }
+}
+
+#[test]
+fn the_ternary_scheme_is_c2_between_two_fractions() {
+    let mask = parse_parametric("ternary-four-point", "mu").expect("a mask");
+    let rules = polynomial_rules(mask.rules(), "mu").expect("polynomials");
+    let range = smooth_range(&rules, 2, 1).expect("short rules");
+    assert_eq!(range.outside.describe("mu"), "mu <= 1/15 or mu >= 1/9");
+    assert!(range.gap.expect("bounded") <= Rational::new(1, 1000));
+    assert!(range.inside.contains(&Rational::new(1, 11)));
+    let error = smooth_range(&rules, 3, 1).expect_err("no sum rules");
+    assert!(error.to_string().contains("sum rules of order 4"), "{error}");
 }

@@ -39,7 +39,8 @@ Examples:
 pub(super) const RANGE: &str = "\
 Examples:
   subcert range six-point --param w -c 5
-  subcert range four-point --param w -c 2 --function";
+  subcert range four-point --param w -c 2 --function
+  subcert range four-point --param w --smoothness 1";
 
 pub(super) const SMOOTHNESS: &str = "\
 Examples:

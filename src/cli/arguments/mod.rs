@@ -64,7 +64,7 @@ pub(super) enum Command {
     /// The subdivision depth for a tolerance: exactly, soundly, and as papers compute it
     #[command(after_help = examples::DEPTH)]
     Depth(DepthArguments),
-    /// Where in a parameter of the mask T_c < 1
+    /// Where in a parameter of the mask T_c < 1, or the limits are C^m
     #[command(after_help = examples::RANGE)]
     Range(RangeArguments),
     /// How smooth the limits of a scheme are: C^m, and the Hölder exponent from both sides
