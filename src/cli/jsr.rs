@@ -3,6 +3,7 @@
 use super::arguments::JsrArguments;
 use super::json::{SCHEMA, smoothness as form};
 use super::output::{Failure, Outcome, show};
+use super::progress::Progress;
 use super::radius::{between, enclosed_root, product_text, radius_form, root_text, upper, write_certificate};
 use subcert::certificate::radius_certificate;
 use subcert::diagnostic::read_text;
@@ -18,7 +19,9 @@ pub(super) fn jsr(arguments: &JsrArguments) -> Outcome {
     let text = read_text(&arguments.file, MAX_BYTES)
         .map_err(|reason| Failure::Input(format!("cannot read `{path}`: {reason}")))?;
     let set = read(&text).map_err(|reason| Failure::Input(format!("{path}: {reason}")))?;
+    let progress = Progress::of_search(true);
     let radius = joint_radius(&set);
+    drop(progress);
     if let Some(path) = &arguments.certificate {
         write_certificate(path, radius_certificate(&set, &radius))?;
     }

@@ -3,6 +3,7 @@
 use super::arguments::RangeArguments;
 use super::json::{SCHEMA, range as form};
 use super::output::{Failure, Outcome, show};
+use super::progress::Progress;
 use super::radius::up;
 use super::sets::Parameter;
 use subcert::bound::polynomial_rules;
@@ -14,7 +15,9 @@ use subcert::smoothness::{SmoothRange, smooth_range as computed};
 pub(super) fn smooth_range(arguments: &RangeArguments, mask: &Mask<Polynomial>, m: usize) -> Outcome {
     let input = |error: &dyn std::fmt::Display| Failure::Input(error.to_string());
     let rules = polynomial_rules(mask.rules(), &arguments.param).map_err(|e| input(&e))?;
+    let progress = Progress::of_search(true);
     let range = computed(&rules, m, arguments.block.levels).map_err(|e| input(&e))?;
+    drop(progress);
     let report = Report { arguments, m, range };
     show(arguments.output.format, || report.sheet(), || report.form())
 }

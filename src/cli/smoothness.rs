@@ -3,6 +3,7 @@
 use super::arguments::SmoothnessArguments;
 use super::json::{SCHEMA, smoothness as form};
 use super::output::{Failure, Outcome, show, with_decimal};
+use super::progress::Progress;
 use super::radius::{between, down, enclosed_root, ends, product_text, radius_form, root_text, up, upper, write_certificate};
 use subcert::certificate::smoothness_certificate;
 use subcert::exact::Rational;
@@ -13,7 +14,9 @@ use subcert::smoothness::{Hoelder, Smoothness, contractions};
 pub(super) fn smoothness(arguments: &SmoothnessArguments) -> Outcome {
     let name = &arguments.scheme;
     let mask = curve(name)?;
+    let progress = Progress::of_search(true);
     let smoothness = Smoothness::of(&mask).map_err(|error| Failure::Input(error.to_string()))?;
+    drop(progress);
     if let Some(path) = &arguments.certificate {
         write_certificate(path, smoothness_certificate(&mask, &smoothness))?;
     }

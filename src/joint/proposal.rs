@@ -28,7 +28,7 @@ pub(super) fn hull(
     seeds: &[Vec<f64>],
     unit: &Rational,
     (rate, excess): (f64, f64),
-    cap: usize,
+    (rows, work): (usize, u64),
 ) -> Option<Hull> {
     let size = set.size();
     // Rows are rounded by far less than the excess.
@@ -36,11 +36,11 @@ pub(super) fn hull(
     let target = rate * (1.0 + excess);
     let tau = nearest(unit);
     let unit_row = |i: usize| (0..size).map(|j| if i == j { tau } else { 0.0 }).collect();
-    let rows: Vec<Vec<f64>> = (0..size).map(unit_row).chain(seeds.iter().cloned()).collect();
+    let all: Vec<Vec<f64>> = (0..size).map(unit_row).chain(seeds.iter().cloned()).collect();
     let matrices = floats(set);
     let enlarged: Vec<Rows> =
         matrices.iter().map(|m| scaled(m.clone(), (1.0 + excess / 2.0) / target)).collect();
-    let closure = close(&enlarged, rows, &[], SearchCaps { rows: cap, slack: 0.0 })?;
+    let closure = close(&enlarged, all, &[], SearchCaps { rows, slack: 0.0, work })?;
     let round = |row: &Vec<f64>| row.iter().map(|x| on_grid(*x, bits)).collect::<Option<Vec<_>>>();
     let rows = closure.rows[size..].iter().map(round).collect::<Option<Vec<Vec<Rational>>>>()?;
     let near = rows.iter().map(|row| row.iter().map(nearest).collect::<Vec<f64>>());

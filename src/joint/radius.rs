@@ -17,8 +17,14 @@ const MAX_FACTORS: u32 = 14;
 /// How many products of each length are continued.
 const BEAM: usize = 250;
 
+/// The most work of the search for products: their number, times the cube of the size.
+const MAX_PRODUCTS: usize = 60_000_000;
+
 /// The most rows of a hull.
 const MAX_ROWS: usize = 1_200;
+
+/// The most work of the search for a hull.
+const MAX_WORK: u64 = 1_500_000_000;
 
 /// The greatest degree of the field in which a hull is verified.
 const MAX_DEGREE: usize = 12;
@@ -66,7 +72,7 @@ pub fn joint_radius(set: &MatrixSet) -> JointRadius {
         return JointRadius { product: Vec::new(), root, degree: 1, exact: true, hull: None };
     }
     let matrices = floats(set);
-    let found = candidates(&matrices, MAX_FACTORS, BEAM);
+    let found = candidates(&matrices, MAX_FACTORS, beam(set, BEAM));
     let Some(lower) = Lower::of(set, &found) else { return by_norm(set) };
     let unit = Rational::new(1, 16);
     let extremal = lower.extremal(set, &unit, &found);
@@ -79,11 +85,17 @@ pub fn joint_radius(set: &MatrixSet) -> JointRadius {
     JointRadius { product, root, degree, exact, hull: Some(upper) }
 }
 
+/// How many products of each length are continued, within the work.
+fn beam(set: &MatrixSet, most: usize) -> usize {
+    let each = set.matrices().len() * set.size().pow(3);
+    (MAX_PRODUCTS / each / 14).clamp(4, most)
+}
+
 /// Whether the radius is that of a product, by an extremal hull; then all products of l factors are at most
 /// Cϱ^l. `None` where none is found.
 #[must_use]
 pub fn extremal_rate(set: &MatrixSet) -> Option<(RealAlgebraic, usize)> {
-    let found = candidates(&floats(set), MAX_FACTORS, BEAM);
+    let found = candidates(&floats(set), MAX_FACTORS, beam(set, BEAM));
     let lower = Lower::of(set, &found)?;
     lower.extremal(set, &Rational::new(1, 16), &found)?;
     Some((lower.root, lower.degree))
@@ -92,32 +104,35 @@ pub fn extremal_rate(set: &MatrixSet) -> Option<(RealAlgebraic, usize)> {
 /// The cost of the searches on whole intervals of a parameter.
 const QUICK: (u32, usize, usize) = (8, 40, 400);
 
+/// The most work of a hull there.
+const QUICK_WORK: u64 = 60_000_000;
+
 /// Whether the radius of a set is shown to be below 1, by a hull for a bound below 1. The hull is that of the
 /// cycle of a product that is large in `middle`, a set near the others.
 #[must_use]
 pub fn contracts(set: &MatrixSet, middle: &MatrixSet) -> bool {
-    let (factors, beam, rows) = QUICK;
-    let found = candidates(&floats(middle), factors, beam);
+    let (factors, width, rows) = QUICK;
+    let found = candidates(&floats(middle), factors, beam(middle, width));
     let Some(lower) = Lower::of(middle, &found) else {
         return Hull::norm(set).bound < Rational::one();
     };
     // The radius of the whole set is larger than that in the middle; f64 tells by how much at least.
-    let rate = candidates(&floats(set), factors, beam).rate.max(lower.rate);
+    let rate = candidates(&floats(set), factors, beam(set, width)).rate.max(lower.rate);
     if rate >= 1.0 - 1e-9 {
         return false;
     }
     let excess = 0.95 * (1.0 / rate - 1.0);
     let seeds = lower.seeds(middle);
     let unit = Rational::new(1, 16);
-    let hull = hull(set, &seeds, &unit, (rate, excess), rows);
+    let hull = hull(set, &seeds, &unit, (rate, excess), (rows, QUICK_WORK));
     hull.is_some_and(|hull| hull.bound < Rational::one())
 }
 
 /// A product whose spectral radius is 1 or more as far as f64 can tell.
 #[must_use]
 pub fn expanding_product(set: &MatrixSet) -> Option<Vec<usize>> {
-    let (factors, beam, _) = QUICK;
-    let found = candidates(&floats(set), factors, beam);
+    let (factors, width, _) = QUICK;
+    let found = candidates(&floats(set), factors, beam(set, width));
     let shortest = found.words.into_iter().min_by_key(Vec::len);
     shortest.filter(|_| found.rate >= 1.0)
 }
@@ -161,7 +176,7 @@ impl Lower {
         if !self.real {
             return None;
         }
-        let caps = SearchCaps { rows: MAX_ROWS, slack: 1e-10 };
+        let caps = SearchCaps { rows: MAX_ROWS, slack: 1e-10, work: MAX_WORK };
         let mut words = vec![self.product.clone()];
         words.extend(found.words.iter().filter(|word| **word != self.product).cloned());
         let rational = self.root.as_rational();
@@ -190,7 +205,7 @@ impl Lower {
     /// The hull with the least bound that is found.
     fn nearest_hull(&self, set: &MatrixSet, unit: &Rational, exact: bool) -> Hull {
         let seeds = self.seeds(set);
-        let attempt = |excess| hull(set, &seeds, unit, (self.rate, excess), MAX_ROWS);
+        let attempt = |excess| hull(set, &seeds, unit, (self.rate, excess), (MAX_ROWS, MAX_WORK));
         if let Some(hull) = exact.then(|| attempt(FINE)).flatten() {
             return hull;
         }

@@ -9,6 +9,10 @@ pub struct AbsoluteHull {
     basis: Vec<usize>,
     /// The inverse of the matrix of the basis rows.
     inverse: Vec<Vec<f64>>,
+    /// How often the inverse has been updated since it was computed.
+    updates: usize,
+    /// How many exchanges of rows there have been.
+    exchanges: u64,
 }
 
 /// What the gauge of a row is, and by which rows.
@@ -26,6 +30,9 @@ const TOLERANCE: f64 = 1e-11;
 /// The most exchanges for one gauge; then the combination at hand is returned, which is a valid one.
 const MAX_EXCHANGES: usize = 2_000;
 
+/// The inverse is computed anew after so many updates, which each add a rounding error.
+const MAX_UPDATES: usize = 20;
+
 impl AbsoluteHull {
     /// The hull of rows; `None` when they do not span the space, as far as f64 can tell.
     #[must_use]
@@ -33,13 +40,19 @@ impl AbsoluteHull {
         let size = rows.first()?.len();
         let basis = independent(&rows, size)?;
         let inverse = inverse(&basis.iter().map(|&j| rows[j].clone()).collect::<Vec<_>>())?;
-        Some(AbsoluteHull { rows, basis, inverse })
+        Some(AbsoluteHull { rows, basis, inverse, updates: 0, exchanges: 0 })
     }
 
     /// The rows.
     #[must_use]
     pub fn rows(&self) -> &[Vec<f64>] {
         &self.rows
+    }
+
+    /// How many exchanges of rows all gauges together have taken.
+    #[must_use]
+    pub fn exchanges(&self) -> u64 {
+        self.exchanges
     }
 
     /// Adds a row.
@@ -86,14 +99,32 @@ impl AbsoluteHull {
         };
         let leaving = (0..self.basis.len()).filter_map(ratio).min_by(|a, b| a.0.total_cmp(&b.0));
         let Some((_, leaving)) = leaving else { return false };
+        self.exchanges += 1;
         let before = std::mem::replace(&mut self.basis[leaving], entering);
+        if self.updates < MAX_UPDATES {
+            self.update(&direction, leaving);
+            return true;
+        }
         let rows: Vec<Vec<f64>> = self.basis.iter().map(|&j| self.rows[j].clone()).collect();
         if let Some(inverse) = inverse(&rows) {
-            self.inverse = inverse;
+            (self.inverse, self.updates) = (inverse, 0);
             return true;
         }
         self.basis[leaving] = before;
         false
+    }
+
+    /// The inverse after row k of the basis has become the one with these coefficients: a change of rank 1.
+    fn update(&mut self, direction: &[f64], k: usize) {
+        let pivot = direction[k];
+        for row in &mut self.inverse {
+            let factor = row[k] / pivot;
+            for (x, d) in row.iter_mut().zip(direction) {
+                *x -= factor * d;
+            }
+            row[k] += factor;
+        }
+        self.updates += 1;
     }
 }
 

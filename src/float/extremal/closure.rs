@@ -43,10 +43,12 @@ pub struct SearchCaps {
     pub rows: usize,
     /// How far a gauge may be above 1 and count as 1.
     pub slack: f64,
+    /// The most work: exchanges of a row, each times the number of rows and the size.
+    pub work: u64,
 }
 
 /// Adds to `seeds` the images that are not in the hull yet, until all are; `None` when that takes more
-/// rows than the cap, or the seeds do not span the space.
+/// rows or work than the caps, or the seeds do not span the space.
 ///
 /// `known` holds the images of seeds that are seeds themselves: (seed, matrix, seed).
 #[must_use]
@@ -70,6 +72,10 @@ pub fn close(
             }
             let image = row_times(&hull.rows()[of], matrix);
             let gauge = hull.gauge(&image, 1.0 - 1e-9);
+            let each = u64::try_from(hull.rows().len() * image.len()).unwrap_or(u64::MAX);
+            if hull.exchanges().saturating_mul(each) > caps.work {
+                return None;
+            }
             if gauge.value <= 1.0 + caps.slack {
                 own.push(Image::Combination(gauge.combination));
                 continue;
