@@ -6,10 +6,11 @@ use crate::exact::{Enclosed, Rational, Real};
 use crate::float::extremal::{Closure, Image, Origin, Rows, SearchCaps, close};
 use crate::float::nearest;
 
-/// The base rows: |λ| of a product of `length` factors, as a number of the field; θ = |λ|^{1/length}.
+/// |λ| of a product of `length` factors, as a number of a field; θ = |λ|^{1/length}.
 #[derive(Clone, Debug)]
 pub(super) struct Rate<F> {
     pub(super) root: F,
+    inverse: F,
     pub(super) length: usize,
 }
 
@@ -28,6 +29,11 @@ pub(super) struct Extremal<F> {
 }
 
 impl<F: Real> Rate<F> {
+    pub(super) fn new(root: F, length: usize) -> Rate<F> {
+        let inverse = F::from_rational(&Rational::one()).over(&root);
+        Rate { root, inverse, length }
+    }
+
     /// θ^{−1}·vM.
     pub(super) fn step(&self, vertex: &Vertex<F>, matrix: &[Vec<Rational>]) -> Vertex<F> {
         let mut row = vec![F::zero(); matrix.len()];
@@ -40,7 +46,7 @@ impl<F: Real> Rate<F> {
         if power < self.length {
             return Vertex { row, power };
         }
-        row.iter_mut().for_each(|x| *x = x.over(&self.root));
+        row.iter_mut().for_each(|x| *x = x.times(&self.inverse));
         Vertex { row, power: 0 }
     }
 }

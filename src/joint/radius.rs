@@ -26,6 +26,9 @@ const MAX_ROWS: usize = 1_200;
 /// The most work of the search for a hull.
 const MAX_WORK: u64 = 1_500_000_000;
 
+/// The largest matrices for which products of two conjugate eigenvalues are taken.
+const MAX_CONJUGATE: usize = 8;
+
 /// The greatest degree of the field in which a hull is verified.
 const MAX_DEGREE: usize = 12;
 
@@ -168,7 +171,9 @@ impl Lower {
         let real = words.iter().find_map(|word| {
             bound(word, true).filter(|lower| lower.rate > found.rate * (1.0 - 1e-8))
         });
-        real.or_else(|| bound(words.first()?, false))
+        // The polynomial of the products of two eigenvalues has a degree of half the square of the size.
+        let conjugate = || (set.size() <= MAX_CONJUGATE).then(|| bound(words.first()?, false))?;
+        real.or_else(conjugate).or_else(|| words.iter().find_map(|word| bound(word, true)))
     }
 
     /// Whether an extremal hull exists, and that hull where it is rational.
@@ -185,7 +190,7 @@ impl Lower {
             if norm.bound == rate {
                 return Some(Some(norm));
             }
-            let rate = Rate { root: rate, length: 1 };
+            let rate = Rate::new(rate, 1);
             let extremal = Extremal::search(set, rate, unit, &words, caps)?;
             return extremal.hull(set, unit).map(Some);
         }
@@ -193,7 +198,7 @@ impl Lower {
             if root.minimal_polynomial()?.degree()? > MAX_DEGREE {
                 return None;
             }
-            let rate = Rate { root: FieldElement::generator(root)?, length };
+            let rate = Rate::new(FieldElement::generator(root)?, length);
             let extremal = Extremal::search(set, rate, unit, &words, caps)?;
             extremal.is_invariant(set, unit).then_some(())
         };

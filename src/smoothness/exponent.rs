@@ -136,7 +136,7 @@ impl Smoothness {
                 let below = |m: &usize| deciding.is_below(*m) == Some(true);
                 let fails = |m: &usize| deciding.is_below(*m) == Some(false);
                 continuity = (1..=deciding.order).take_while(below).last().or(Some(0));
-                continuity_fails = (1..=deciding.order).find(fails);
+                continuity_fails = (1..=deciding.order).find(fails).or(Some(deciding.order));
                 hoelder = Some(Hoelder::of(deciding)?);
             }
             Some(false) => continuity_fails = Some(0),

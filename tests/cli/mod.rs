@@ -8,6 +8,7 @@ mod new;
 mod offset;
 mod output;
 mod polygons;
+mod smoothness;
 mod tables;
 mod terminal;
 
