@@ -1,8 +1,8 @@
 #![allow(missing_docs)]
 mod architecture;
-mod common;
 #[path = "exact/characteristic.rs"]
 mod characteristic;
+mod common;
 #[path = "joint/mod.rs"]
 mod joint;
 #[path = "smoothness/mod.rs"]

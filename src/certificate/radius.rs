@@ -29,7 +29,8 @@ pub fn smoothness_certificate(mask: &Mask, smoothness: &Smoothness) -> Option<St
     let fails = smoothness.continuity_fails.filter(|m| {
         let decided = *m == 0 || independent && continuous.is_some();
         let power = i32::try_from(differences.radius.degree).expect("a short product");
-        let reached = |bound: &Rational| *bound >= limit(mask.arity(), differences.order, *m).pow(power);
+        let reached =
+            |bound: &Rational| *bound >= limit(mask.arity(), differences.order, *m).pow(power);
         decided && shown.as_ref().is_some_and(reached)
     });
     if let Some(m) = fails {

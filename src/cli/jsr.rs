@@ -4,7 +4,9 @@ use super::arguments::JsrArguments;
 use super::json::{SCHEMA, smoothness as form};
 use super::output::{Failure, Outcome, show};
 use super::progress::Progress;
-use super::radius::{between, enclosed_root, product_text, radius_form, root_text, upper, write_certificate};
+use super::radius::{
+    between, enclosed_root, product_text, radius_form, root_text, upper, write_certificate,
+};
 use subcert::certificate::radius_certificate;
 use subcert::diagnostic::read_text;
 use subcert::exact::{Rational, parse_rational};
@@ -28,7 +30,11 @@ pub(super) fn jsr(arguments: &JsrArguments) -> Outcome {
     show(
         arguments.output.format,
         || sheet(&path, &set, &radius),
-        || form::JointRadius { schema: SCHEMA, file: &path, radius: radius_form(&set, None, &radius) },
+        || form::JointRadius {
+            schema: SCHEMA,
+            file: &path,
+            radius: radius_form(&set, None, &radius),
+        },
     )
 }
 
@@ -61,7 +67,8 @@ fn sheet(path: &str, set: &MatrixSet, radius: &JointRadius) -> Sheet {
     let mut sheet = Sheet::default();
     sheet.heading(1, format!("{path}: the joint spectral radius"));
     let size = set.size();
-    let mut facts = vec![("matrices".to_owned(), format!("{}, {size}×{size}", set.matrices().len()))];
+    let mut facts =
+        vec![("matrices".to_owned(), format!("{}, {size}×{size}", set.matrices().len()))];
     match &radius.hull {
         None => {
             facts.push(("ϱ".to_owned(), format!("0: every product of {size} factors is 0")));
@@ -69,7 +76,10 @@ fn sheet(path: &str, set: &MatrixSet, radius: &JointRadius) -> Sheet {
         Some(hull) => {
             let low = enclosed_root(radius);
             facts.push(("ϱ".to_owned(), between(low.lower(), &upper(radius))));
-            facts.push(("at least".to_owned(), format!("{}: of the product {}", root_text(radius), product_text(radius, "M"))));
+            facts.push((
+                "at least".to_owned(),
+                format!("{}: of the product {}", root_text(radius), product_text(radius, "M")),
+            ));
             let rows = size + hull.rows.len();
             let exact = if radius.exact {
                 "the same, by an extremal hull: this is ϱ".to_owned()

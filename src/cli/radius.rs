@@ -111,5 +111,6 @@ pub(super) fn write_certificate(path: &Path, text: Option<String>) -> Outcome {
     let text = text.ok_or_else(|| {
         Failure::Input(format!("there is nothing to certify in `{path_text}`: the radius is 0"))
     })?;
-    save(path, &text).map_err(|error| Failure::Input(format!("cannot write `{path_text}`: {error}")))
+    save(path, &text)
+        .map_err(|error| Failure::Input(format!("cannot write `{path_text}`: {error}")))
 }

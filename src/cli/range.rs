@@ -112,7 +112,11 @@ impl Report<'_> {
         let param = &self.arguments.param;
         let pieces = function.pieces().iter();
         form::Function {
-            breaks: function.breakpoints().iter().map(|place| self.parameter().number_form(place)).collect(),
+            breaks: function
+                .breakpoints()
+                .iter()
+                .map(|place| self.parameter().number_form(place))
+                .collect(),
             pieces: pieces.map(|piece| piece.describe(param)).collect(),
         }
     }

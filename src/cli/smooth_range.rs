@@ -12,7 +12,11 @@ use subcert::report::{Grid, Sheet};
 use subcert::scheme::Mask;
 use subcert::smoothness::{SmoothRange, smooth_range as computed};
 
-pub(super) fn smooth_range(arguments: &RangeArguments, mask: &Mask<Polynomial>, m: usize) -> Outcome {
+pub(super) fn smooth_range(
+    arguments: &RangeArguments,
+    mask: &Mask<Polynomial>,
+    m: usize,
+) -> Outcome {
     let input = |error: &dyn std::fmt::Display| Failure::Input(error.to_string());
     let rules = polynomial_rules(mask.rules(), &arguments.param).map_err(|e| input(&e))?;
     let progress = Progress::of_search(true);
@@ -37,7 +41,8 @@ impl Report<'_> {
         let (m, param, range) = (self.m, self.parameter(), &self.range);
         let mut sheet = Sheet::default();
         sheet.heading(1, format!("{}: where the limits are C^{m}", self.arguments.scheme));
-        let gap = range.gap.as_ref().map_or("unbounded".to_owned(), |gap| format!("at most {}", up(gap)));
+        let gap =
+            range.gap.as_ref().map_or("unbounded".to_owned(), |gap| format!("at most {}", up(gap)));
         let fact = |name: &str, text: String| (name.to_owned(), text);
         sheet.facts(vec![
             fact("inside", param.set(&range.inside)),

@@ -4,7 +4,10 @@ use super::arguments::SmoothnessArguments;
 use super::json::{SCHEMA, smoothness as form};
 use super::output::{Failure, Outcome, show, with_decimal};
 use super::progress::Progress;
-use super::radius::{between, down, enclosed_root, ends, product_text, radius_form, root_text, up, upper, write_certificate};
+use super::radius::{
+    between, down, enclosed_root, ends, product_text, radius_form, root_text, up, upper,
+    write_certificate,
+};
 use subcert::certificate::smoothness_certificate;
 use subcert::exact::Rational;
 use subcert::report::{Sheet, json::Exact};
@@ -31,9 +34,13 @@ fn curve(name: &str) -> Result<Mask, Failure> {
     let reason = match parse_any_scheme(name)? {
         AnyScheme::Uniform(scheme) => match Mask::try_from(scheme) {
             Ok(mask) => return Ok(mask),
-            Err(_) => "is a tensor product; its limits are as smooth as those of its factors, one by one",
+            Err(_) => {
+                "is a tensor product; its limits are as smooth as those of its factors, one by one"
+            }
         },
-        AnyScheme::LocalRules(_) => "has rules around one vertex or face; `smoothness` needs a mask",
+        AnyScheme::LocalRules(_) => {
+            "has rules around one vertex or face; `smoothness` needs a mask"
+        }
     };
     Err(Failure::Input(format!("`{name}` {reason}")))
 }
@@ -120,7 +127,10 @@ impl Report<'_> {
         let mut facts = vec![
             (
                 "matrices".to_owned(),
-                format!("{n}, {size}×{size}, of {n}^{} times the differences of order {0}", deciding.order),
+                format!(
+                    "{n}, {size}×{size}, of {n}^{} times the differences of order {0}",
+                    deciding.order
+                ),
             ),
             ("ϱ".to_owned(), between(low.lower(), &upper(radius))),
             (

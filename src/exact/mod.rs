@@ -22,9 +22,9 @@
 
 mod algebraic;
 mod backend;
+mod characteristic;
 mod common;
 mod comparable;
-mod characteristic;
 mod cyclotomic;
 mod decimal;
 mod enclosure;

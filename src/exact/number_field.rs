@@ -53,7 +53,8 @@ impl FieldElement {
             return Some(FieldElement::from_rational(value));
         }
         let minimal = root.minimal_polynomial()?;
-        let field = Some(Arc::new(Field { root: root.clone(), minimal, enclosures: Default::default() }));
+        let field =
+            Some(Arc::new(Field { root: root.clone(), minimal, enclosures: Default::default() }));
         Some(FieldElement { value: RationalPolynomial::variable(), field })
     }
 

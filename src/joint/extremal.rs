@@ -102,7 +102,9 @@ impl<F: Real + PartialEq + Enclosed> Extremal<F> {
     /// Every row with each matrix, and where the image lies.
     pub(super) fn images(&self) -> impl Iterator<Item = (usize, usize, &Image)> {
         let rows = self.closure.images.iter().enumerate();
-        rows.flat_map(|(i, images)| images.iter().enumerate().map(move |(by, image)| (i, by, image)))
+        rows.flat_map(|(i, images)| {
+            images.iter().enumerate().map(move |(by, image)| (i, by, image))
+        })
     }
 
     /// The exact coefficients of a vertex as a combination of others of the same power, if Σ|c_j| ≤ 1.

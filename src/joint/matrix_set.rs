@@ -45,7 +45,9 @@ pub enum MatrixSetError {
         expected: usize,
     },
     /// A matrix of another size than the first.
-    #[error("matrix {matrix} has {found} rows, and matrix 1 has {expected}; all must be of one size")]
+    #[error(
+        "matrix {matrix} has {found} rows, and matrix 1 has {expected}; all must be of one size"
+    )]
     Different {
         /// Which matrix, counted from 1.
         matrix: usize,
@@ -116,7 +118,8 @@ impl MatrixSet {
         // it is stable.
         let mut span = self.product(&[]);
         for _ in 0..self.size() {
-            let images = self.matrices.iter().flat_map(|m| span.iter().map(|row| row_times(row, m)));
+            let images =
+                self.matrices.iter().flat_map(|m| span.iter().map(|row| row_times(row, m)));
             span = echelon(images.collect());
         }
         span.is_empty()

@@ -177,7 +177,12 @@ impl Lower {
     }
 
     /// Whether an extremal hull exists, and that hull where it is rational.
-    fn extremal(&self, set: &MatrixSet, unit: &Rational, found: &Candidates) -> Option<Option<Hull>> {
+    fn extremal(
+        &self,
+        set: &MatrixSet,
+        unit: &Rational,
+        found: &Candidates,
+    ) -> Option<Option<Hull>> {
         if !self.real {
             return None;
         }
@@ -284,4 +289,3 @@ fn root(x: &Integer, degree: u32) -> Option<Integer> {
     }
     (low.pow(degree) == *x).then_some(low)
 }
-

@@ -33,9 +33,9 @@ impl Extremal<Rational> {
                     vec![(*j, if same { bound.clone() } else { -bound })]
                 }
                 Image::Combination(terms) => {
-                    let near = terms.iter().map(|(j, c)| {
-                        Some((*j, on_grid(c * nearest(bound), FOUND_BITS)?))
-                    });
+                    let near = terms
+                        .iter()
+                        .map(|(j, c)| Some((*j, on_grid(c * nearest(bound), FOUND_BITS)?)));
                     let near: Vec<(usize, Rational)> = near.collect::<Option<_>>()?;
                     let near = near.into_iter().filter(|(_, c)| !c.is_zero()).collect::<Vec<_>>();
                     if hull.cost(row, matrix, &near) <= *bound {

@@ -6,7 +6,9 @@ use super::reproduction::reproduction_degree;
 use super::symbol::Symbol;
 use super::transition::transition_matrices;
 use crate::exact::{Enclosed as _, Rational};
-use crate::joint::{Hull, JointRadius, MatrixSet, MatrixSetError, extremal_rate, joint_radius, jordan_block};
+use crate::joint::{
+    Hull, JointRadius, MatrixSet, MatrixSetError, extremal_rate, joint_radius, jordan_block,
+};
 use crate::limit::{NaturalShift, natural_shift};
 use crate::scheme::Mask;
 use std::cmp::Ordering;

@@ -29,7 +29,8 @@ impl ExponentFormula {
         let mut whole = Rational::from(order);
         let mut root = root.clone();
         if let Some(value) = root.as_rational() {
-            let (n, step) = (Rational::from(arity), Rational::new(1, Rational::from(degree).numerator()));
+            let (n, step) =
+                (Rational::from(arity), Rational::new(1, Rational::from(degree).numerator()));
             let mut value = value.clone();
             while value.is_integer() && (&value / &n).is_integer() {
                 value = value / &n;
@@ -107,8 +108,7 @@ impl fmt::Display for ExponentFormula {
         if let Some(value) = self.as_rational() {
             return value.fmt(f);
         }
-        let factor =
-            if self.degree == 1 { String::new() } else { format!("1/{}*", self.degree) };
+        let factor = if self.degree == 1 { String::new() } else { format!("1/{}*", self.degree) };
         let ExponentFormula { whole, arity, root, .. } = self;
         if let Some(root) = root.as_rational() {
             return write!(f, "{whole} - {factor}log_{arity}({root})");

@@ -30,7 +30,9 @@ fn stretched(g: &IntegerPolynomial, n: usize) -> IntegerPolynomial {
 fn reduced_by_parts(symbol: &Symbol) -> Option<Symbol> {
     let (n, p) = (symbol.arity(), symbol.polynomial());
     let part = |e: usize| {
-        IntegerPolynomial::new(p.numerator().coefficients().iter().skip(e).step_by(n).cloned().collect())
+        IntegerPolynomial::new(
+            p.numerator().coefficients().iter().skip(e).step_by(n).cloned().collect(),
+        )
     };
     let zero = IntegerPolynomial::default();
     let g = (0..n).map(part).fold(zero, |gcd, part| gcd.gcd(&part));

@@ -114,9 +114,8 @@ pub(super) fn bernstein(
     let entry = |p: &RationalPolynomial| -> Vec<Rational> {
         let zero = RationalPolynomial::constant(Rational::zero());
         let terms = p.coefficients().into_iter().rev();
-        let moved = terms.fold(zero, |value, c| {
-            value.times(&line).plus(&RationalPolynomial::constant(c))
-        });
+        let moved =
+            terms.fold(zero, |value, c| value.times(&line).plus(&RationalPolynomial::constant(c)));
         let c = moved.coefficients();
         let weight = |i: usize, k: usize| Rational::new(choose(i, k), choose(degree, k));
         let sum = |i: usize| c.iter().enumerate().take(i + 1).map(|(k, c)| c * weight(i, k)).sum();
@@ -124,7 +123,8 @@ pub(super) fn bernstein(
     };
     let all: Vec<Vec<Vec<Rational>>> =
         matrix.iter().map(|row| row.iter().map(entry).collect()).collect();
-    let pick = |i: usize| all.iter().map(|row| row.iter().map(|c| c[i].clone()).collect()).collect();
+    let pick =
+        |i: usize| all.iter().map(|row| row.iter().map(|c| c[i].clone()).collect()).collect();
     (0..=degree).map(pick).collect()
 }
 

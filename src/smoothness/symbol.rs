@@ -118,7 +118,10 @@ impl Symbol {
 }
 
 /// p/q, if q divides p.
-pub(super) fn quotient(p: &RationalPolynomial, q: &IntegerPolynomial) -> Option<RationalPolynomial> {
+pub(super) fn quotient(
+    p: &RationalPolynomial,
+    q: &IntegerPolynomial,
+) -> Option<RationalPolynomial> {
     if p.is_zero() {
         return None;
     }

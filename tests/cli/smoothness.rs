@@ -12,32 +12,55 @@ fn json<'a>(arguments: impl IntoIterator<Item = &'a str>) -> Value {
 fn smoothness_as_text() {
     let text = written(["smoothness", "six-point:w=3/256"]);
     for part in [
-        "sum rules", "of order 6", "up to degree 5, at the natural shift 0", "C^2", "C^3", "refuted",
-        "6 - log_2(9)", "attained", "at least",
+        "sum rules",
+        "of order 6",
+        "up to degree 5, at the natural shift 0",
+        "C^2",
+        "C^3",
+        "refuted",
+        "6 - log_2(9)",
+        "attained",
+        "at least",
     ] {
         assert!(text.contains(part), "no `{part}` in {text}");
     }
-    assert!(written(["smoothness", "four-point:w=1/2"]).contains("refuted: the differences do not tend to 0"));
+    assert!(
+        written(["smoothness", "four-point:w=1/2"])
+            .contains("refuted: the differences do not tend to 0")
+    );
 }
 
 #[test]
 fn smoothness_as_json() {
     let four = json(["smoothness", "four-point:w=1/16"]);
-    assert_eq!((&four["sum_rules"], &four["generation"], &four["reproduction"]), (&4.into(), &3.into(), &3.into()));
+    assert_eq!(
+        (&four["sum_rules"], &four["generation"], &four["reproduction"]),
+        (&4.into(), &3.into(), &3.into())
+    );
     assert_eq!((&four["continuity"], &four["continuity_fails"]), (&1.into(), &2.into()));
     assert_eq!(four["natural_shift"]["exact"], "0");
-    assert_eq!((&four["support"][0]["exact"], &four["support"][1]["exact"]), (&"-3".into(), &"3".into()));
+    assert_eq!(
+        (&four["support"][0]["exact"], &four["support"][1]["exact"]),
+        (&"-3".into(), &"3".into())
+    );
     let hoelder = &four["hoelder"];
-    assert_eq!((&hoelder["lower"], &hoelder["upper"]), (&"2.000000000000".into(), &"2.000000000000".into()));
+    assert_eq!(
+        (&hoelder["lower"], &hoelder["upper"]),
+        (&"2.000000000000".into(), &"2.000000000000".into())
+    );
     assert_eq!((&hoelder["exact"], &hoelder["attained"]), (&"2".into(), &false.into()));
     let divergent = json(["smoothness", "four-point:w=1/2"]);
-    assert_eq!((&divergent["continuity"], &divergent["continuity_fails"]), (&Value::Null, &0.into()));
+    assert_eq!(
+        (&divergent["continuity"], &divergent["continuity_fails"]),
+        (&Value::Null, &0.into())
+    );
     assert_eq!(divergent["hoelder"], Value::Null);
 }
 
 #[test]
 fn ranges_of_smoothness() {
-    let range = json(["range", "ternary-four-point", "--param", "mu", "--smoothness", "2", "-c", "1"]);
+    let range =
+        json(["range", "ternary-four-point", "--param", "mu", "--smoothness", "2", "-c", "1"]);
     assert_eq!(range["outside"][0]["high"]["exact"], "1/15");
     assert_eq!(range["outside"][1]["low"]["exact"], "1/9");
     let gap: f64 = range["gap"].as_str().expect("a decimal").parse().expect("a number");
@@ -47,7 +70,10 @@ fn ranges_of_smoothness() {
 #[test]
 fn radii_of_files() {
     let pair = json(["jsr", "examples/pair.txt"]);
-    assert_eq!((&pair["lower"], &pair["upper"]), (&"3.917384715147".into(), &"3.917384715149".into()));
+    assert_eq!(
+        (&pair["lower"], &pair["upper"]),
+        (&"3.917384715147".into(), &"3.917384715149".into())
+    );
     assert_eq!((&pair["exact"], &pair["product"]), (&true.into(), &Value::from(vec![0, 1])));
 }
 
@@ -65,7 +91,8 @@ fn bad_input_of_these() {
     assert_parts(&refused(["smoothness", "chaikin x chaikin"]), &["tensor product"]);
     assert_parts(&refused(["smoothness", "doo-sabin:n=5"]), &["needs a mask"]);
     let rule = vec!["'1/60'"; 60].join(", ");
-    let long = TemporaryFile::new("long.toml", &format!("name = \"long\"\nmask = [[{rule}], [{rule}]]\n"));
+    let long =
+        TemporaryFile::new("long.toml", &format!("name = \"long\"\nmask = [[{rule}], [{rule}]]\n"));
     assert_parts(&refused(["smoothness", long.path()]), &["too long", "from 1 to 24"]);
     let range = |m| refused(["range", "four-point", "--param", "w", "--smoothness", m]);
     assert_parts(&range("2"), &["sum rules of order 3", "order 2"]);

@@ -28,7 +28,8 @@ fn brute_force(set: &MatrixSet, longest: i32) -> Vec<(i32, Rational, Rational)> 
     let mut products = vec![set.product(&[])];
     (1..=longest)
         .map(|l| {
-            let longer = |p: &Matrix| set.matrices().iter().map(|m| times(p, m)).collect::<Vec<_>>();
+            let longer =
+                |p: &Matrix| set.matrices().iter().map(|m| times(p, m)).collect::<Vec<_>>();
             products = products.iter().flat_map(longer).collect();
             let trace = |p: &Matrix| (0..p.len()).map(|i| &p[i][i]).sum::<Rational>().abs();
             let largest = products.iter().map(norm).max().expect("a product");

@@ -42,7 +42,9 @@ fn interpolating_schemes() {
     assert_eq!(said(&six), (Some(2), Some(3), Some("6 - log_2(9)".into()), Some(true)));
     assert_eq!((six.sum_rules, six.reproduction), (6, 5));
     // Hassan, Ivrissimtzis, Dodgson and Sabin 2002: C^2 for 1/15 < μ < 1/9, in that interval only.
-    for (mu, smooth) in [("1/15", 1), ("1/14", 2), ("1/11", 2), ("11/100", 2), ("1/9", 1), ("1/8", 1)] {
+    for (mu, smooth) in
+        [("1/15", 1), ("1/14", 2), ("1/11", 2), ("11/100", 2), ("1/9", 1), ("1/8", 1)]
+    {
         let smoothness = of(&format!("ternary-four-point:mu={mu}"));
         assert_eq!(smoothness.continuity, Some(smooth), "μ = {mu}");
         assert_eq!(smoothness.continuity_fails, Some(smooth + 1), "μ = {mu}");
@@ -89,7 +91,8 @@ fn contractions_are_those_of_the_definition() {
 #[test]
 fn exponents_of_the_eight_point_scheme() {
     // Deslauriers and Dubuc, eight points: 3.551 in Daubechies' table of 2N = 8.
-    let eight = mask(2048, &[&[0, 0, 0, 2048, 0, 0, 0, 0], &[-5, 49, -245, 1225, 1225, -245, 49, -5]]);
+    let eight =
+        mask(2048, &[&[0, 0, 0, 2048, 0, 0, 0, 0], &[-5, 49, -245, 1225, 1225, -245, 49, -5]]);
     let smoothness = Smoothness::of(&eight).expect("short rules");
     assert_eq!((smoothness.sum_rules, smoothness.reproduction), (8, 7));
     assert_eq!(smoothness.continuity, Some(3));
@@ -111,7 +114,10 @@ fn the_four_point_scheme_is_c1_up_to_the_root_of_a_cubic() {
     assert_eq!(interval.high, Bound::Excluded(golden[1].clone()));
     let cubic = RealAlgebraic::roots_of(&IntegerPolynomial::from([-1, 4, 0, 32]));
     let [below, above] = range.outside.intervals() else { panic!("{}", range.outside) };
-    assert_eq!((&below.low, &below.high), (&Bound::Unbounded, &Bound::Included(Rational::zero().into())));
+    assert_eq!(
+        (&below.low, &below.high),
+        (&Bound::Unbounded, &Bound::Included(Rational::zero().into()))
+    );
     assert_eq!((&above.low, &above.high), (&Bound::Included(cubic[0].clone()), &Bound::Unbounded));
     assert!(range.gap.expect("bounded") <= Rational::new(1, 1000));
     assert!(!range.but_finitely_many);

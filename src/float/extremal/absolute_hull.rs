@@ -153,10 +153,14 @@ fn independent(rows: &[Vec<f64>], size: usize) -> Option<Vec<usize>> {
 fn inverse(matrix: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
     let size = matrix.len();
     let unit = |i: usize| (0..size).map(move |j| if i == j { 1.0 } else { 0.0 });
-    let mut rows: Vec<Vec<f64>> =
-        matrix.iter().enumerate().map(|(i, row)| row.iter().copied().chain(unit(i)).collect()).collect();
+    let mut rows: Vec<Vec<f64>> = matrix
+        .iter()
+        .enumerate()
+        .map(|(i, row)| row.iter().copied().chain(unit(i)).collect())
+        .collect();
     for step in 0..size {
-        let pivot = (step..size).max_by(|&a, &b| rows[a][step].abs().total_cmp(&rows[b][step].abs()))?;
+        let pivot =
+            (step..size).max_by(|&a, &b| rows[a][step].abs().total_cmp(&rows[b][step].abs()))?;
         if rows[pivot][step].abs() < 1e-13 {
             return None;
         }

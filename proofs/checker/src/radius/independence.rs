@@ -11,7 +11,13 @@ pub fn is_independent(symbol: &[Q], n: usize) -> bool {
     let symbol = trimmed(symbol[start..].to_vec());
     let part = |e: usize| trimmed(symbol.iter().skip(e).step_by(n).cloned().collect());
     let common = (0..n).map(part).fold(Vec::new(), |common, part| {
-        if part.is_empty() { common } else if common.is_empty() { part } else { gcd(&common, &part) }
+        if part.is_empty() {
+            common
+        } else if common.is_empty() {
+            part
+        } else {
+            gcd(&common, &part)
+        }
     });
     let most = (symbol.len() - 1) / (n - 1);
     // φ(M) ≥ √(M/2).
@@ -29,8 +35,7 @@ pub fn is_independent(symbol: &[Q], n: usize) -> bool {
                     product[i + j] += a * c;
                 }
             }
-            product.len() >= stretched.len()
-                && divide(product, &stretched).1.iter().all(Q::is_zero)
+            product.len() >= stretched.len() && divide(product, &stretched).1.iter().all(Q::is_zero)
         }
     };
     common.len() == 1 && !(2..=2 * most * most).any(cycle)

@@ -58,7 +58,8 @@ pub fn determinant(mut rows: Matrix) -> Q {
 /// x_a x_b becomes Σ m_{a,p} m_{b,q} x_p x_q.
 pub fn symmetric_square(matrix: &Matrix) -> Matrix {
     let size = matrix.len();
-    let pairs: Vec<(usize, usize)> = (0..size).flat_map(|a| (a..size).map(move |b| (a, b))).collect();
+    let pairs: Vec<(usize, usize)> =
+        (0..size).flat_map(|a| (a..size).map(move |b| (a, b))).collect();
     let entry = |(a, b): (usize, usize), (p, q): (usize, usize)| {
         let both = &matrix[a][p] * &matrix[b][q] + &matrix[a][q] * &matrix[b][p];
         if p == q { both / int(2) } else { both }

@@ -46,8 +46,7 @@ pub fn check_radius(text: &str) -> Result<Radius, RadiusRejection> {
         check_lower(&matrices, lower)?;
     }
     check_hull(&matrices, &certificate)?;
-    let at_least =
-        certificate.lower.as_ref().map(|lower| (lower.bound.clone(), lower.degree()));
+    let at_least = certificate.lower.as_ref().map(|lower| (lower.bound.clone(), lower.degree()));
     let (continuous, not_continuous) = smoothness::check(&certificate)?;
     Ok(Radius { at_least, at_most: certificate.bound.clone(), continuous, not_continuous })
 }

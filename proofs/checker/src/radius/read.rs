@@ -145,7 +145,8 @@ impl Certificate {
             "image" => {
                 let term = |term: &str| {
                     let (place, factor) = term.split_once(':').unwrap_or((term, ""));
-                    let factor = read_rational(factor).ok_or(RadiusReason::Malformed("a factor"))?;
+                    let factor =
+                        read_rational(factor).ok_or(RadiusReason::Malformed("a factor"))?;
                     Ok((count(place)?, factor))
                 };
                 let terms = rest.split_whitespace().map(term).collect::<Read<Vec<_>>>()?;

@@ -8,9 +8,7 @@ use crate::reject::RadiusReason;
 use num_traits::{One, Pow};
 
 /// The m for which the limits are C^m, and that for which not all are.
-pub fn check(
-    certificate: &Certificate,
-) -> Result<(Option<usize>, Option<usize>), RadiusRejection> {
+pub fn check(certificate: &Certificate) -> Result<(Option<usize>, Option<usize>), RadiusRejection> {
     let at = |line, reason| RadiusRejection { line, reason };
     let said = certificate.continuous.or(certificate.not_continuous);
     let Some((_, order)) = certificate.order else {
@@ -39,9 +37,8 @@ pub fn check(
             return Err(at(line, RadiusReason::Dependent));
         }
         let lower = certificate.lower.as_ref();
-        let reaches = lower.is_some_and(|lower| {
-            m <= order && lower.bound >= limit(m).pow(lower.degree())
-        });
+        let reaches =
+            lower.is_some_and(|lower| m <= order && lower.bound >= limit(m).pow(lower.degree()));
         if !reaches {
             return Err(at(line, RadiusReason::NotAbove));
         }
