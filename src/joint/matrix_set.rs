@@ -1,6 +1,6 @@
 //! Sets of square matrices of one size.
 
-use crate::exact::{Integer, Rational};
+use crate::exact::Rational;
 
 /// The most rows of a matrix.
 pub const MAX_SIZE: usize = 24;
@@ -123,21 +123,6 @@ impl MatrixSet {
             span = echelon(images.collect());
         }
         span.is_empty()
-    }
-
-    /// The binary digits of the longest entry.
-    #[must_use]
-    pub fn bits(&self) -> u64 {
-        self.matrices.iter().flatten().flatten().map(Rational::bits).max().unwrap_or(0)
-    }
-
-    /// Every matrix times q.
-    #[must_use]
-    pub fn scaled(&self, factor: &Integer) -> MatrixSet {
-        let factor = Rational::from(factor.clone());
-        let scale = |row: &Vec<Rational>| row.iter().map(|x| x * &factor).collect();
-        let matrices = self.matrices.iter().map(|m| m.iter().map(scale).collect()).collect();
-        MatrixSet { matrices }
     }
 }
 

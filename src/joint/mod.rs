@@ -20,13 +20,17 @@
 mod elimination;
 mod extremal;
 mod hull;
+mod interval;
+mod lower;
 mod matrix_set;
 mod product;
 mod proposal;
 mod radius;
+mod roots;
 mod verify;
 
 pub use hull::Hull;
+pub use interval::{contracts, expanding_product};
 pub use matrix_set::{MAX_MATRICES, MAX_SIZE, MatrixSet, MatrixSetError};
 pub use product::{Eigenvalue, JordanBlock, Kind, jordan_block};
-pub use radius::{JointRadius, contracts, expanding_product, extremal_rate, joint_radius};
+pub use radius::{JointRadius, extremal_rate, joint_radius};

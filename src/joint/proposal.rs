@@ -58,3 +58,12 @@ pub(super) fn hull(
     let hull = Hull { bound: exact(target)?, unit: unit.clone(), rows, images };
     hull.proves(set).then_some(hull)
 }
+
+/// The most work of the search for products: their number, times the cube of the size.
+const MAX_PRODUCTS: usize = 60_000_000;
+
+/// How many products of each length are continued, within the work.
+pub(super) fn beam(set: &MatrixSet, most: usize) -> usize {
+    let each = set.matrices().len() * set.size().pow(3);
+    (MAX_PRODUCTS / each / 14).clamp(4, most)
+}
