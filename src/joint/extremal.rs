@@ -1,5 +1,6 @@
 //! Extremal hulls: the proof that the radius is the one of a product.
 
+use super::convert::{float, floats, scaled};
 use super::elimination::{coefficients, null_rows};
 use super::matrix_set::MatrixSet;
 use crate::exact::{Enclosed, Rational, Real};
@@ -84,8 +85,7 @@ impl<F: Real + PartialEq + Enclosed> Extremal<F> {
             return None;
         }
         let theta = nearest(&rate.root).powf(1.0 / float(rate.length));
-        let matrices: Vec<Rows> =
-            super::proposal::floats(set).into_iter().map(|m| scaled(m, 1.0 / theta)).collect();
+        let matrices: Vec<Rows> = floats(set).into_iter().map(|m| scaled(m, 1.0 / theta)).collect();
         let seeds = vertices.iter().map(|vertex| {
             let scale = theta.powf(-float(vertex.power));
             vertex.row.iter().map(|x| nearest(x) * scale).collect()
@@ -153,13 +153,4 @@ fn eigenvectors<F: Real + PartialEq>(
         Vertex { row: row.iter().map(|x| x.over(&length)).collect(), power: 0 }
     })
     .collect()
-}
-
-pub(super) fn float(count: usize) -> f64 {
-    f64::from(u32::try_from(count).expect("a small number"))
-}
-
-pub(super) fn scaled(mut matrix: Rows, factor: f64) -> Rows {
-    matrix.iter_mut().flatten().for_each(|x| *x *= factor);
-    matrix
 }

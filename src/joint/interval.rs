@@ -1,9 +1,10 @@
 //! Whether a radius is below 1, quickly: for many sets along an interval of a parameter.
 
+use super::convert::floats;
 use super::hull::Hull;
 use super::lower::Lower;
 use super::matrix_set::MatrixSet;
-use super::proposal::{beam, floats, hull};
+use super::proposal::{beam, hull};
 use crate::exact::Rational;
 use crate::float::extremal::candidates;
 

@@ -1,10 +1,11 @@
 //! The bounds that start from a product of large spectral radius.
 
-use super::extremal::{Extremal, Rate, float, scaled};
+use super::convert::{float, floats, scaled};
+use super::extremal::{Extremal, Rate};
 use super::hull::Hull;
 use super::matrix_set::MatrixSet;
 use super::product::{largest_real, square_of_radius};
-use super::proposal::{floats, hull};
+use super::proposal::hull;
 use super::roots::{algebraic_root, rational_root};
 use crate::exact::{FieldElement, Rational, RealAlgebraic};
 use crate::float::extremal::{Candidates, SearchCaps, row_times};

@@ -17,6 +17,7 @@
 //! # Ok::<(), subcert::joint::MatrixSetError>(())
 //! ```
 
+mod convert;
 mod elimination;
 mod extremal;
 mod hull;

@@ -1,23 +1,11 @@
 //! Hulls that prove an upper bound a little above the rate of a product.
 
-use super::extremal::scaled;
+use super::convert::{floats, on_grid, scaled};
 use super::hull::Hull;
 use super::matrix_set::MatrixSet;
-use crate::exact::{Integer, Rational};
+use crate::exact::Rational;
 use crate::float::extremal::{AbsoluteHull, Rows, SearchCaps, close, row_times};
 use crate::float::{exact, nearest};
-
-/// The matrices in f64.
-pub(super) fn floats(set: &MatrixSet) -> Vec<Rows> {
-    let row = |row: &Vec<Rational>| row.iter().map(nearest).collect();
-    set.matrices().iter().map(|matrix| matrix.iter().map(row).collect()).collect()
-}
-
-/// The multiple of 2^(−bits) that is nearest to x.
-pub(super) fn on_grid(x: f64, bits: u32) -> Option<Rational> {
-    let unit = Rational::from(Integer::one().shifted_left(bits));
-    Some(Rational::from((exact(x)? * &unit).round_half_even()) / unit)
-}
 
 /// A hull with a bound of about `rate`·(1 + `excess`), verified; `None` where the search meets its cap.
 ///

@@ -1,10 +1,11 @@
 //! Both bounds of the joint spectral radius.
 
+use super::convert::floats;
 use super::hull::Hull;
 use super::lower::Lower;
 use super::matrix_set::MatrixSet;
 use super::product::{Eigenvalue, shown};
-use super::proposal::{beam, floats};
+use super::proposal::beam;
 use crate::exact::{Rational, RealAlgebraic};
 use crate::float::extremal::candidates;
 

@@ -1,9 +1,9 @@
 //! Extremal hulls, verified.
 
-use super::extremal::{Extremal, Rate, Vertex, float};
+use super::convert::{float, on_grid};
+use super::extremal::{Extremal, Rate, Vertex};
 use super::hull::Hull;
 use super::matrix_set::MatrixSet;
-use super::proposal::on_grid;
 use crate::exact::{Enclosed, Enclosure, Integer, Rational, Real};
 use crate::float::extremal::Image;
 use crate::float::nearest;

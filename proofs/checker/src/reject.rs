@@ -152,6 +152,15 @@ reasons! {
     Dependent "the shifts of the limit function may be linearly dependent"
 }
 
+/// A reason to refuse a certificate, and the line.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RadiusRejection {
+    /// The line, counted from 1.
+    pub line: usize,
+    /// The reason.
+    pub reason: RadiusReason,
+}
+
 /// A reason, and the line of the certificate.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Rejection {

@@ -7,20 +7,11 @@ mod read;
 mod smoothness;
 
 use crate::decimal::Q;
-use crate::reject::{RadiusReason, Text};
+use crate::reject::{RadiusReason, RadiusRejection, Text};
 use matrices::{Matrix, determinant, multiplied, symmetric_square, times};
 use num_traits::{Signed, Zero};
 use read::{Certificate, Lower};
 use std::fmt;
-
-/// A reason to refuse a certificate, and the line.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct RadiusRejection {
-    /// The line, counted from 1.
-    pub line: usize,
-    /// The reason.
-    pub reason: RadiusReason,
-}
 
 /// What a valid certificate proves.
 #[derive(Clone, Debug, PartialEq, Eq)]

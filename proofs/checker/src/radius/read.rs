@@ -1,10 +1,9 @@
 //! The lines of a certificate of a joint spectral radius.
 
-use super::RadiusRejection;
 use super::matrices::Matrix;
 use crate::decimal::{Q, int, read_rational};
 use crate::polynomial::divide;
-use crate::reject::RadiusReason;
+use crate::reject::{RadiusReason, RadiusRejection};
 use num_traits::{One, Signed, Zero};
 
 /// The first line.

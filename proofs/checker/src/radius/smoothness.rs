@@ -1,10 +1,9 @@
 //! What a radius says of the limits of a scheme. THEOREMS.md, 107, 108 and 110.
 
-use super::RadiusRejection;
 use super::independence::is_independent;
 use super::read::Certificate;
 use crate::decimal::{Q, int};
-use crate::reject::RadiusReason;
+use crate::reject::{RadiusReason, RadiusRejection};
 use num_traits::{One, Pow};
 
 /// The m for which the limits are C^m, and that for which not all are.
