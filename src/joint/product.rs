@@ -16,6 +16,9 @@ pub(super) fn largest_real(set: &MatrixSet, word: &[usize]) -> Option<RealAlgebr
 
 /// −α.
 fn negated(root: &RealAlgebraic) -> RealAlgebraic {
+    if let Some(value) = root.as_rational() {
+        return RealAlgebraic::from(-value);
+    }
     let polynomial = root.polynomial();
     let signs = [Rational::one(), -Rational::one()];
     let coefficients = polynomial.coefficients().iter().zip(signs.iter().cycle());

@@ -47,7 +47,8 @@ fn reduced_by_cycle(symbol: &Symbol) -> Option<Symbol> {
     let degree = symbol.polynomial().degree()?;
     // φ(M)(n − 1) ≤ degree, and φ(M) ≥ √(M/2).
     let most = degree / (n - 1);
-    let orders = (2..=2 * most * most).filter(|&m| gcd(m, n) == 1 && totient(m) <= most);
+    let totients = totients(2 * most * most);
+    let orders = (2..totients.len()).filter(|&m| totients[m] <= most && gcd(m, n) == 1);
     orders.into_iter().find_map(|m| exchanged(symbol, &cyclotomic(m)))
 }
 
@@ -62,8 +63,17 @@ fn gcd(a: usize, b: usize) -> usize {
     if b == 0 { a } else { gcd(b, a % b) }
 }
 
-fn totient(m: usize) -> usize {
-    (1..=m).filter(|&k| gcd(k, m) == 1).count()
+/// φ(0), …, φ(last), by a sieve.
+fn totients(last: usize) -> Vec<usize> {
+    let mut totients: Vec<usize> = (0..=last).collect();
+    for p in 2..=last {
+        if totients[p] == p {
+            for multiple in (p..=last).step_by(p) {
+                totients[multiple] -= totients[multiple] / p;
+            }
+        }
+    }
+    totients
 }
 
 /// Φ_m: x^m − 1 over Φ_d for all d < m that divide m.

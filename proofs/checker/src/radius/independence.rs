@@ -22,8 +22,7 @@ pub fn is_independent(symbol: &[Q], n: usize) -> bool {
     let most = (symbol.len() - 1) / (n - 1);
     // φ(M) ≥ √(M/2).
     let cycle = |m: usize| {
-        let proper = divisor(m, n) == 1 && (1..=m).filter(|&k| divisor(k, m) == 1).count() <= most;
-        proper && {
+        totient(m) <= most && divisor(m, n) == 1 && {
             let phi = cyclotomic(m);
             let mut stretched = vec![Q::zero(); (phi.len() - 1) * n + 1];
             for (i, c) in phi.iter().enumerate() {
@@ -43,6 +42,21 @@ pub fn is_independent(symbol: &[Q], n: usize) -> bool {
 
 fn divisor(a: usize, b: usize) -> usize {
     if b == 0 { a } else { divisor(b, a % b) }
+}
+
+/// φ(m), by the primes that divide m.
+fn totient(m: usize) -> usize {
+    let (mut rest, mut totient, mut p) = (m, m, 2);
+    while p * p <= rest {
+        if rest % p == 0 {
+            totient -= totient / p;
+            while rest % p == 0 {
+                rest /= p;
+            }
+        }
+        p += 1;
+    }
+    if rest > 1 { totient - totient / rest } else { totient }
 }
 
 /// Φ_m.
