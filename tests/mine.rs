@@ -3,6 +3,8 @@ mod architecture;
 #[path = "exact/characteristic.rs"]
 mod characteristic;
 mod common;
+#[path = "float/extremal.rs"]
+mod extremal;
 #[path = "joint/mod.rs"]
 mod joint;
 #[path = "smoothness/mod.rs"]
