@@ -15,9 +15,14 @@ const MAX_STEPS: u64 = 20_000_000;
 /// `None` where the search finds no such c.
 #[must_use]
 pub fn contractions(symbol: &Symbol, most: usize) -> Vec<Option<(u32, Rational)>> {
+    (0..=most).map(|m| derived(symbol, m)).collect()
+}
+
+/// The same for one m.
+pub(super) fn derived(symbol: &Symbol, m: usize) -> Option<(u32, Rational)> {
     let n = Rational::from(symbol.arity());
-    let power = |m: usize| (0..m).fold(Rational::one(), |power, _| power * &n);
-    (0..=most).map(|m| contraction(&symbol.difference(m + 1, &power(m))?)).collect()
+    let power = (0..m).fold(Rational::one(), |power, _| power * &n);
+    contraction(&symbol.difference(m + 1, &power)?)
 }
 
 fn contraction(difference: &Symbol) -> Option<(u32, Rational)> {

@@ -1,5 +1,6 @@
 //! Continuity and the Hölder exponent.
 
+use super::contraction::derived;
 use super::formula::{ExponentFormula, log_of};
 use super::independence::independent;
 use super::reproduction::reproduction_degree;
@@ -124,7 +125,9 @@ impl Smoothness {
     pub fn of(mask: &Mask) -> Result<Smoothness, SmoothnessError> {
         let symbol = Symbol::of(mask);
         let differences = Differences::of(&symbol)?;
-        let converges = differences.is_below(0);
+        // Where the hull leaves a question open, a contraction may answer it.
+        let contracts = |m: usize| derived(&symbol, m).map(|_| true);
+        let converges = differences.is_below(0).or_else(|| contracts(0));
         let reduced = match (converges, independent(&symbol)) {
             (Some(true), reduced) if reduced != symbol => Some(Differences::of(&reduced)?),
             _ => None,
@@ -135,11 +138,16 @@ impl Smoothness {
         match converges {
             Some(true) => {
                 // ϱ ≥ 1, so that the limits are C^m only for m < K.
-                let below = |m: &usize| deciding.is_below(*m) == Some(true);
+                let proven = |m: usize| deciding.is_below(m).or_else(|| contracts(m));
+                let below = |m: &usize| proven(*m) == Some(true);
                 let fails = |m: &usize| deciding.is_below(*m) == Some(false);
                 continuity = (1..=deciding.order).take_while(below).last().or(Some(0));
                 continuity_fails = (1..=deciding.order).find(fails).or(Some(deciding.order));
-                hoelder = Some(Hoelder::of(deciding)?);
+                let mut exponent = Hoelder::of(deciding)?;
+                // C^m implies the exponent m.
+                let least = Rational::from(continuity.unwrap_or(0));
+                exponent.lower = exponent.lower.max(least);
+                hoelder = Some(exponent);
             }
             Some(false) => continuity_fails = Some(0),
             None => {}
