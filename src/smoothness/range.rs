@@ -20,7 +20,10 @@ const WIDTH: (i64, i64) = (1, 16_384);
 const MAX_FACTORS: usize = 6;
 
 /// The most products.
-const MAX_WORDS: usize = 32;
+const MAX_WORDS: usize = 48;
+
+/// Parameters of up to 4 to this power are looked at.
+const FAR: i32 = 8;
 
 /// The most intervals that are looked at.
 const MAX_PIECES: usize = 1_500;
@@ -157,8 +160,8 @@ impl Search {
             pieces: 0,
         };
         search.set_at(&Rational::zero())?;
-        for i in 0..search.matrices.len() {
-            search.exclude(vec![i]);
+        for word in first_words(search.matrices.len()) {
+            search.exclude(word);
         }
         Ok(search)
     }
@@ -186,6 +189,7 @@ impl Search {
 
     /// Divides the line between the ends of what is known until all is decided, or too narrow.
     fn run(&mut self, known: &IntervalSet) -> Result<(), SmoothRangeError> {
+        self.look_far(known)?;
         let ends = known.ends().chain(self.outside.ends()).flat_map(|(end, _)| {
             let (low, high) = end.bounds();
             [low, high]
@@ -222,6 +226,21 @@ impl Search {
         Ok(())
     }
 
+    /// Looks for products that exclude parameters far away.
+    fn look_far(&mut self, known: &IntervalSet) -> Result<(), SmoothRangeError> {
+        for exponent in -1..FAR {
+            for sign in [1, -1] {
+                let value = Rational::from(4).pow(exponent) * Rational::from(sign);
+                if !self.outside.contains(&value) && !known.contains(&value) {
+                    if let Some(word) = expanding_product(&self.set_at(&value)?) {
+                        self.exclude(word);
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
     /// Whether the radius is below 1 on the whole interval.
     fn is_inside(&self, a: &Rational, b: &Rational) -> Result<bool, SmoothRangeError> {
         let middle = (a + b) / Rational::from(2);
@@ -232,6 +251,27 @@ impl Search {
         let set = MatrixSet::new(parts.collect())?;
         Ok(contracts(&set, &self.set_at(&middle)?))
     }
+}
+
+/// Words of up to four letters, as long as there are few, one of each set of rotations.
+fn first_words(letters: usize) -> Vec<Vec<usize>> {
+    let longest = match letters {
+        2 => 4,
+        3 => 3,
+        4..=6 => 2,
+        _ => 1,
+    };
+    let (mut all, mut level) = (Vec::new(), vec![Vec::new()]);
+    for _ in 0..longest {
+        let longer = |word: &Vec<usize>| (0..letters).map(|i| [&word[..], &[i]].concat()).collect();
+        let next: Vec<Vec<usize>> = level.iter().flat_map::<Vec<_>, _>(longer).collect();
+        let first = |word: &&Vec<usize>| {
+            (1..word.len()).all(|i| [&word[i..], &word[..i]].concat() > **word)
+        };
+        all.extend(next.iter().filter(first).cloned());
+        level = next;
+    }
+    all
 }
 
 fn closed(a: &Rational, b: &Rational) -> Interval {

@@ -72,7 +72,7 @@ fn radii_of_files() {
     let pair = json(["jsr", "examples/pair.txt"]);
     assert_eq!(
         (&pair["lower"], &pair["upper"]),
-        (&"3.917384715147".into(), &"3.917384715149".into())
+        (&"3.917384715148".into(), &"3.917384715149".into())
     );
     assert_eq!((&pair["exact"], &pair["product"]), (&true.into(), &Value::from(vec![0, 1])));
 }
