@@ -15,7 +15,7 @@ use crate::float::nearest;
 const MAX_CONJUGATE: usize = 8;
 
 /// The most rows of a hull.
-const MAX_ROWS: usize = 1_200;
+pub(super) const MAX_ROWS: usize = 1_200;
 
 /// The most work of the search for a hull.
 const MAX_WORK: u64 = 1_500_000_000;
@@ -58,17 +58,18 @@ impl Lower {
         real.or_else(conjugate).or_else(|| words.iter().find_map(|word| bound(word, true)))
     }
 
-    /// Whether an extremal hull exists, and that hull where it is rational.
+    /// Whether an extremal hull of up to so many rows is found, and that hull where it is rational.
     pub(super) fn extremal(
         &self,
         set: &MatrixSet,
         unit: &Rational,
         found: &Candidates,
+        rows: usize,
     ) -> Option<Option<Hull>> {
         if !self.real {
             return None;
         }
-        let caps = SearchCaps { rows: MAX_ROWS, slack: 1e-10, work: MAX_WORK };
+        let caps = SearchCaps { rows, slack: 1e-10, work: MAX_WORK };
         let mut words = vec![self.product.clone()];
         words.extend(found.words.iter().filter(|word| **word != self.product).cloned());
         let rational = self.root.as_rational();

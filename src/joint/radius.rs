@@ -2,7 +2,7 @@
 
 use super::convert::floats;
 use super::hull::Hull;
-use super::lower::Lower;
+use super::lower::{Lower, MAX_ROWS};
 use super::matrix_set::MatrixSet;
 use super::product::{Eigenvalue, shown};
 use super::proposal::beam;
@@ -14,6 +14,9 @@ const MAX_FACTORS: u32 = 14;
 
 /// How many products of each length are continued.
 const BEAM: usize = 250;
+
+/// The most rows of a hull where only its existence is asked for.
+const FEW_ROWS: usize = 300;
 
 /// The joint spectral radius ϱ of a set of matrices, from both sides.
 #[derive(Clone, Debug)]
@@ -55,7 +58,7 @@ pub fn joint_radius(set: &MatrixSet) -> JointRadius {
     let found = candidates(&matrices, MAX_FACTORS, beam(set, BEAM));
     let Some(lower) = Lower::of(set, &found) else { return by_norm(set) };
     let unit = Rational::new(1, 16);
-    let extremal = lower.extremal(set, &unit, &found);
+    let extremal = lower.extremal(set, &unit, &found, MAX_ROWS);
     let exact = extremal.is_some();
     let upper = match extremal {
         Some(Some(hull)) => hull,
@@ -66,12 +69,12 @@ pub fn joint_radius(set: &MatrixSet) -> JointRadius {
 }
 
 /// Whether the radius is that of a product, by an extremal hull; then all products of l factors are at most
-/// Cϱ^l. `None` where none is found.
+/// Cϱ^l. `None` where none of up to 300 rows is found.
 #[must_use]
 pub fn extremal_rate(set: &MatrixSet) -> Option<(RealAlgebraic, usize)> {
     let found = candidates(&floats(set), MAX_FACTORS, beam(set, BEAM));
     let lower = Lower::of(set, &found)?;
-    lower.extremal(set, &Rational::new(1, 16), &found)?;
+    lower.extremal(set, &Rational::new(1, 16), &found, FEW_ROWS)?;
     Some((lower.root, lower.degree))
 }
 
