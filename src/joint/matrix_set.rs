@@ -114,15 +114,17 @@ impl MatrixSet {
     /// Whether every product of d factors is 0: the radius is then 0, and otherwise it is positive.
     #[must_use]
     pub fn is_nilpotent(&self) -> bool {
-        // The span of the rows of all products of k factors, for k = 0, 1, …: it falls strictly until
-        // it is stable.
+        // The spans of the rows of all products of k factors, k = 0, 1, …, are each a part of the one before.
         let mut span = self.product(&[]);
-        for _ in 0..self.size() {
+        loop {
             let images =
                 self.matrices.iter().flat_map(|m| span.iter().map(|row| row_times(row, m)));
-            span = echelon(images.collect());
+            let next = echelon(images.collect());
+            if next.is_empty() || next.len() == span.len() {
+                return next.is_empty();
+            }
+            span = next;
         }
-        span.is_empty()
     }
 }
 

@@ -44,12 +44,15 @@ fn reduced_by_parts(symbol: &Symbol) -> Option<Symbol> {
 
 fn reduced_by_cycle(symbol: &Symbol) -> Option<Symbol> {
     let n = symbol.arity();
-    let degree = symbol.polynomial().degree()?;
-    // φ(M)(n − 1) ≤ degree, and φ(M) ≥ √(M/2).
-    let most = degree / (n - 1);
+    // The factors of σ are no factors of the polynomials that are looked for.
+    let (_, rest) = symbol.sum_rules();
+    // φ(M)(n − 1) is at most the degree, and φ(M) ≥ √(M/2).
+    let most = rest.polynomial().degree()? / (n - 1);
     let totients = totients(2 * most * most);
     let orders = (2..totients.len()).filter(|&m| totients[m] <= most && gcd(m, n) == 1);
-    orders.into_iter().find_map(|m| exchanged(symbol, &cyclotomic(m)))
+    let cycle = |m: &usize| exchanged(&rest, &cyclotomic(*m)).is_some();
+    let m = orders.into_iter().find(cycle)?;
+    exchanged(symbol, &cyclotomic(m))
 }
 
 /// A·g(z)/g(z^n), if that is a polynomial.
