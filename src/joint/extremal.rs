@@ -71,7 +71,7 @@ impl<F: Real + PartialEq + Enclosed> Extremal<F> {
         };
         let mut vertices: Vec<Vertex<F>> = (0..size).map(unit_row).collect();
         let mut known = Vec::new();
-        for word in words.iter().filter(|word| word.len() % rate.length == 0) {
+        for word in words.iter().filter(|word| word.len().is_multiple_of(rate.length)) {
             for mut vertex in eigenvectors(set, &rate, word) {
                 let start = vertices.len();
                 for (i, &by) in word.iter().enumerate() {

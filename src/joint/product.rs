@@ -79,7 +79,7 @@ pub(super) fn shown(
         return Some(Eigenvalue { kind: Kind::Positive, at_least });
     }
     let mirrored = polynomial.sign_at(&-&at_least);
-    let shows = if product.len() % 2 == 0 { mirrored <= 0 } else { mirrored >= 0 };
+    let shows = if product.len().is_multiple_of(2) { mirrored <= 0 } else { mirrored >= 0 };
     shows.then_some(Eigenvalue { kind: Kind::Negative, at_least })
 }
 

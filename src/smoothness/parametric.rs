@@ -149,7 +149,7 @@ pub(super) fn unit_determinants(matrix: &PolynomialMatrix) -> [RationalPolynomia
             row[i] = row[i].plus(&c);
         }
         sums[0] = sums[0].plus(&c);
-        sums[1] = if k % 2 == 0 { sums[1].plus(&c) } else { sums[1].minus(&c) };
+        sums[1] = if k.is_multiple_of(2) { sums[1].plus(&c) } else { sums[1].minus(&c) };
     }
     sums
 }

@@ -215,11 +215,7 @@ impl Search {
                 continue;
             }
             let middle = (&a + &b) / Rational::from(2);
-            if !self.outside.contains(&middle) && !known.contains(&middle) {
-                if let Some(word) = expanding_product(&self.set_at(&middle)?) {
-                    self.exclude(word);
-                }
-            }
+            self.look_at(&middle, known)?;
             waiting.push((a, middle.clone()));
             waiting.push((middle, b));
         }
@@ -231,12 +227,20 @@ impl Search {
         for exponent in -1..FAR {
             for sign in [1, -1] {
                 let value = Rational::from(4).pow(exponent) * Rational::from(sign);
-                if !self.outside.contains(&value) && !known.contains(&value) {
-                    if let Some(word) = expanding_product(&self.set_at(&value)?) {
-                        self.exclude(word);
-                    }
-                }
+                self.look_at(&value, known)?;
             }
+        }
+        Ok(())
+    }
+
+    /// Looks for a product that excludes a parameter which is not decided yet.
+    fn look_at(&mut self, value: &Rational, known: &IntervalSet) -> Result<(), SmoothRangeError> {
+        let decided = self.outside.contains(value) || known.contains(value);
+        if decided || self.words.len() == MAX_WORDS {
+            return Ok(());
+        }
+        if let Some(word) = expanding_product(&self.set_at(value)?) {
+            self.exclude(word);
         }
         Ok(())
     }

@@ -21,7 +21,7 @@ fn determinant(matrix: &[Vec<Rational>]) -> Rational {
     };
     let term = |(at, x): (usize, &Rational)| {
         let value = x * determinant(&minor(at));
-        if at % 2 == 0 { value } else { -value }
+        if at.is_multiple_of(2) { value } else { -value }
     };
     first.iter().enumerate().map(term).sum()
 }

@@ -48,9 +48,9 @@ fn divisor(a: usize, b: usize) -> usize {
 fn totient(m: usize) -> usize {
     let (mut rest, mut totient, mut p) = (m, m, 2);
     while p * p <= rest {
-        if rest % p == 0 {
+        if rest.is_multiple_of(p) {
             totient -= totient / p;
-            while rest % p == 0 {
+            while rest.is_multiple_of(p) {
                 rest /= p;
             }
         }
@@ -63,6 +63,6 @@ fn totient(m: usize) -> usize {
 fn cyclotomic(m: usize) -> Vec<Q> {
     let mut whole = vec![Q::zero(); m + 1];
     (whole[0], whole[m]) = (int(-1), Q::one());
-    let divisors = (1..m).filter(|d| m % d == 0);
+    let divisors = (1..m).filter(|d| m.is_multiple_of(*d));
     divisors.fold(whole, |rest, d| divide(rest, &cyclotomic(d)).0)
 }

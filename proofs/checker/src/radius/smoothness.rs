@@ -22,10 +22,10 @@ pub fn check(certificate: &Certificate) -> Result<(Option<usize>, Option<usize>)
         let base = int(i64::try_from(n).unwrap_or(i64::MAX));
         (m..order).fold(Q::one(), |power, _| power * &base)
     };
-    if let Some((line, m)) = certificate.continuous {
-        if m >= order || certificate.bound >= limit(m) {
-            return Err(at(line, RadiusReason::NotBelow));
-        }
+    if let Some((line, m)) = certificate.continuous
+        && (m >= order || certificate.bound >= limit(m))
+    {
+        return Err(at(line, RadiusReason::NotBelow));
     }
     if let Some((line, m)) = certificate.not_continuous {
         // Not C^0: the scheme diverges, whatever the shifts are.
