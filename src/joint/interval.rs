@@ -4,8 +4,9 @@ use super::convert::floats;
 use super::hull::Hull;
 use super::lower::Lower;
 use super::matrix_set::MatrixSet;
+use super::product::{largest_real, square_of_radius};
 use super::proposal::{beam, hull};
-use crate::exact::Rational;
+use crate::exact::{Rational, RealAlgebraic};
 use crate::float::extremal::candidates;
 
 /// The cost of the searches on whole intervals of a parameter.
@@ -42,4 +43,11 @@ pub fn expanding_product(set: &MatrixSet) -> Option<Vec<usize>> {
     let found = candidates(&floats(set), factors, beam(set, width));
     let shortest = found.words.into_iter().min_by_key(Vec::len);
     shortest.filter(|_| found.rate >= 1.0)
+}
+
+/// Whether the spectral radius of a product is 1 or more, exactly.
+#[must_use]
+pub fn expands(set: &MatrixSet, word: &[usize]) -> bool {
+    let reaches = |root: RealAlgebraic| root.cmp_rational(&Rational::one()).is_ge();
+    largest_real(set, word).is_some_and(reaches) || square_of_radius(set, word).is_some_and(reaches)
 }

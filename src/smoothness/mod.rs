@@ -18,12 +18,14 @@
 //! ```
 
 mod contraction;
+mod excluded;
 mod exponent;
 mod formula;
 mod independence;
 mod parametric;
 mod range;
 mod reproduction;
+mod search;
 mod symbol;
 mod transition;
 

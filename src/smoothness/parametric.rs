@@ -154,6 +154,18 @@ pub(super) fn unit_determinants(matrix: &PolynomialMatrix) -> [RationalPolynomia
     sums
 }
 
+/// The matrix on alternating tensors: its eigenvalues are the products λ_i λ_j, i < j.
+pub(super) fn exterior_square(matrix: &PolynomialMatrix) -> PolynomialMatrix {
+    let size = matrix.len();
+    let pairs: Vec<(usize, usize)> =
+        (0..size).flat_map(|a| (a + 1..size).map(move |b| (a, b))).collect();
+    let entry = |(a, b): (usize, usize), (p, q): (usize, usize)| {
+        let minor = matrix[a][p].times(&matrix[b][q]);
+        minor.minus(&matrix[a][q].times(&matrix[b][p]))
+    };
+    pairs.iter().map(|&row| pairs.iter().map(|&column| entry(row, column)).collect()).collect()
+}
+
 /// AB.
 pub(super) fn multiplied(a: &PolynomialMatrix, b: &PolynomialMatrix) -> PolynomialMatrix {
     let zero = || RationalPolynomial::constant(Rational::zero());

@@ -1,32 +1,15 @@
 //! For which parameters the limits are C^m, from both sides.
 
 use super::independence::independent;
-use super::parametric::{
-    ParametricSymbol, PolynomialMatrix, bernstein, multiplied, unit_determinants,
-};
+use super::parametric::ParametricSymbol;
+use super::search::Search;
 use crate::bound::{ParameterRange, RangeError};
 use crate::exact::{
-    Interval, IntervalSet, PiecewisePolynomial, Rational, RationalPolynomial, RealAlgebraic,
+    Enclosed as _, Interval, IntervalSet, Rational, RationalPolynomial, RealAlgebraic,
 };
-use crate::joint::{MatrixSet, MatrixSetError, contracts, expanding_product};
+use crate::joint::MatrixSetError;
 use crate::scheme::Rules;
-use std::collections::BTreeSet;
 use std::ops::Bound;
-
-/// Intervals that are not wider than this are not divided.
-const WIDTH: (i64, i64) = (1, 16_384);
-
-/// The most factors of a product whose eigenvalues are taken as functions of the parameter.
-const MAX_FACTORS: usize = 6;
-
-/// The most products.
-const MAX_WORDS: usize = 48;
-
-/// Parameters of up to 4 to this power are looked at.
-const FAR: i32 = 8;
-
-/// The most intervals that are looked at.
-const MAX_PIECES: usize = 1_500;
 
 /// Why there is no range.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -127,7 +110,6 @@ fn gap(known: &IntervalSet) -> Option<Rational> {
         Bound::Included(place) | Bound::Excluded(place) => Some(place.clone()),
     };
     let length = |pair: &[Interval]| {
-        use crate::exact::Enclosed as _;
         let (low, high) = (place(&pair[0].high)?, place(&pair[1].low)?);
         Some(high.enclosure(0).upper() - low.enclosure(0).lower())
     };
@@ -135,150 +117,4 @@ fn gap(known: &IntervalSet) -> Option<Rational> {
         return None;
     }
     intervals.windows(2).map(length).sum()
-}
-
-struct Search {
-    matrices: Vec<PolynomialMatrix>,
-    /// The greatest degree of an entry, at least 1.
-    degree: usize,
-    inside: IntervalSet,
-    outside: IntervalSet,
-    words: BTreeSet<Vec<usize>>,
-    pieces: usize,
-}
-
-impl Search {
-    fn new(matrices: Vec<PolynomialMatrix>) -> Result<Search, SmoothRangeError> {
-        let entries = matrices.iter().flatten().flatten();
-        let degree = entries.filter_map(RationalPolynomial::degree).max().unwrap_or(0).max(1);
-        let mut search = Search {
-            matrices,
-            degree,
-            inside: IntervalSet::default(),
-            outside: IntervalSet::default(),
-            words: BTreeSet::new(),
-            pieces: 0,
-        };
-        search.set_at(&Rational::zero())?;
-        for word in first_words(search.matrices.len()) {
-            search.exclude(word);
-        }
-        Ok(search)
-    }
-
-    fn set_at(&self, value: &Rational) -> Result<MatrixSet, MatrixSetError> {
-        let row = |row: &Vec<RationalPolynomial>| row.iter().map(|p| p.value_at(value)).collect();
-        let matrix = |matrix: &PolynomialMatrix| matrix.iter().map(row).collect();
-        MatrixSet::new(self.matrices.iter().map(matrix).collect())
-    }
-
-    /// Adds to the outside where this product has a real eigenvalue of 1 or more in absolute value.
-    fn exclude(&mut self, word: Vec<usize>) {
-        if word.len() > MAX_FACTORS || self.words.len() == MAX_WORDS || self.words.contains(&word) {
-            return;
-        }
-        let factors = word.iter().map(|&i| self.matrices[i].clone());
-        let product = factors.reduce(|product, matrix| multiplied(&product, &matrix));
-        self.words.insert(word);
-        let Some(product) = product else { return };
-        for determinant in unit_determinants(&product) {
-            let reached = PiecewisePolynomial::from(determinant).at_most(&Rational::zero());
-            self.outside = self.outside.union(&reached);
-        }
-    }
-
-    /// Divides the line between the ends of what is known until all is decided, or too narrow.
-    fn run(&mut self, known: &IntervalSet) -> Result<(), SmoothRangeError> {
-        self.look_far(known)?;
-        let ends = known.ends().chain(self.outside.ends()).flat_map(|(end, _)| {
-            let (low, high) = end.bounds();
-            [low, high]
-        });
-        let ends: Vec<Rational> = ends.collect();
-        let one = Rational::one();
-        let zero = Rational::zero();
-        let low = (ends.iter().min().unwrap_or(&zero) - &one).floor();
-        let high = (ends.iter().max().unwrap_or(&zero) + &one).ceil();
-        let mut waiting = vec![(Rational::from(low), Rational::from(high))];
-        let width = Rational::new(WIDTH.0, WIDTH.1);
-        while let Some((a, b)) = waiting.pop() {
-            let piece = closed(&a, &b);
-            if self.outside.covers(&piece) || known.covers(&piece) || self.pieces == MAX_PIECES {
-                continue;
-            }
-            self.pieces += 1;
-            if self.is_inside(&a, &b)? {
-                self.inside = self.inside.union(&IntervalSet::from(piece));
-                continue;
-            }
-            if &b - &a <= width {
-                continue;
-            }
-            let middle = (&a + &b) / Rational::from(2);
-            self.look_at(&middle, known)?;
-            waiting.push((a, middle.clone()));
-            waiting.push((middle, b));
-        }
-        Ok(())
-    }
-
-    /// Looks for products that exclude parameters far away.
-    fn look_far(&mut self, known: &IntervalSet) -> Result<(), SmoothRangeError> {
-        for exponent in -1..FAR {
-            for sign in [1, -1] {
-                let value = Rational::from(4).pow(exponent) * Rational::from(sign);
-                self.look_at(&value, known)?;
-            }
-        }
-        Ok(())
-    }
-
-    /// Looks for a product that excludes a parameter which is not decided yet.
-    fn look_at(&mut self, value: &Rational, known: &IntervalSet) -> Result<(), SmoothRangeError> {
-        let decided = self.outside.contains(value) || known.contains(value);
-        if decided || self.words.len() == MAX_WORDS {
-            return Ok(());
-        }
-        if let Some(word) = expanding_product(&self.set_at(value)?) {
-            self.exclude(word);
-        }
-        Ok(())
-    }
-
-    /// Whether the radius is below 1 on the whole interval.
-    fn is_inside(&self, a: &Rational, b: &Rational) -> Result<bool, SmoothRangeError> {
-        let middle = (a + b) / Rational::from(2);
-        if self.outside.contains(a) || self.outside.contains(b) || self.outside.contains(&middle) {
-            return Ok(false);
-        }
-        let parts = self.matrices.iter().flat_map(|matrix| bernstein(matrix, self.degree, (a, b)));
-        let set = MatrixSet::new(parts.collect())?;
-        Ok(contracts(&set, &self.set_at(&middle)?))
-    }
-}
-
-/// Words of up to four letters, as long as there are few, one of each set of rotations.
-fn first_words(letters: usize) -> Vec<Vec<usize>> {
-    let longest = match letters {
-        2 => 4,
-        3 => 3,
-        4..=6 => 2,
-        _ => 1,
-    };
-    let (mut all, mut level) = (Vec::new(), vec![Vec::new()]);
-    for _ in 0..longest {
-        let longer = |word: &Vec<usize>| (0..letters).map(|i| [&word[..], &[i]].concat()).collect();
-        let next: Vec<Vec<usize>> = level.iter().flat_map::<Vec<_>, _>(longer).collect();
-        let first = |word: &&Vec<usize>| {
-            (1..word.len()).all(|i| [&word[i..], &word[..i]].concat() > **word)
-        };
-        all.extend(next.iter().filter(first).cloned());
-        level = next;
-    }
-    all
-}
-
-fn closed(a: &Rational, b: &Rational) -> Interval {
-    let end = |x: &Rational| Bound::Included(RealAlgebraic::from(x.clone()));
-    Interval { low: end(a), high: end(b) }
 }

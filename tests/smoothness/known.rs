@@ -122,7 +122,8 @@ fn the_four_point_scheme_is_c1_up_to_the_root_of_a_cubic() {
     assert!(range.gap.expect("bounded") <= Rational::new(1, 1000));
     assert!(!range.but_finitely_many);
     // What single parameters say agrees.
-    for w in ["1/1000", "1/10", "0.19", "0.1927", "0.1928", "1/5", "0", "-1/7"] {
+    for w in ["1/1000", "1/10", "0.19", "0.1927", "0.1928", "1/5", "0", "-1/7", "-3/4", "-20", "50"]
+    {
         let smooth = of(&format!("four-point:w={w}")).continuity >= Some(1);
         let w = parse_rational(w).expect("a number");
         assert!(smooth || !range.inside.contains(&w), "{w}");
