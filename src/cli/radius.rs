@@ -94,8 +94,11 @@ pub(super) fn radius_form(
     }
 }
 
-/// A number with its enclosure, as decimals that are rounded outwards.
+/// An enclosure as decimals that are rounded outwards, or the number that it is.
 pub(super) fn between(low: &Rational, high: &Rational) -> String {
+    if low == high {
+        return low.to_string();
+    }
     format!("from {} to {}", down(low), up(high))
 }
 
