@@ -12,6 +12,9 @@ const WIDTH: (i64, i64) = (1, 16_384);
 /// The most factors of a product whose eigenvalues are taken as functions of the parameter.
 const MAX_FACTORS: usize = 6;
 
+/// The largest matrices whose determinants are taken as functions of the parameter.
+const MAX_SIZE: usize = 10;
+
 /// The most products.
 const MAX_WORDS: usize = 48;
 
@@ -59,7 +62,12 @@ impl Search {
 
     /// Adds to the outside where this product shows it.
     fn exclude(&mut self, word: Vec<usize>) {
-        if word.len() > MAX_FACTORS || self.words.len() == MAX_WORDS || self.words.contains(&word) {
+        let large = self.matrices.iter().any(|matrix| matrix.len() > MAX_SIZE);
+        if large
+            || word.len() > MAX_FACTORS
+            || self.words.len() == MAX_WORDS
+            || self.words.contains(&word)
+        {
             return;
         }
         let factors = word.iter().map(|&i| self.matrices[i].clone());
