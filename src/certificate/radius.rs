@@ -10,6 +10,9 @@ use std::fmt::Write as _;
 ///
 /// Where the shifts of the basic limit function are linearly dependent, the certificate says nothing of what
 /// fails, but for convergence.
+///
+/// # Panics
+/// Never.
 #[must_use]
 pub fn smoothness_certificate(mask: &Mask, smoothness: &Smoothness) -> Option<String> {
     let differences = &smoothness.differences;

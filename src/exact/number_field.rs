@@ -59,6 +59,9 @@ impl FieldElement {
     }
 
     /// −1, 0 or 1.
+    ///
+    /// # Panics
+    /// Never.
     #[must_use]
     pub fn sign(&self) -> i8 {
         if let Some(value) = self.value.as_constant() {

@@ -47,7 +47,9 @@ impl<F: Real> Rate<F> {
         if power < self.length {
             return Vertex { row, power };
         }
-        row.iter_mut().for_each(|x| *x = x.times(&self.inverse));
+        for x in &mut row {
+            *x = x.times(&self.inverse);
+        }
         Vertex { row, power: 0 }
     }
 }

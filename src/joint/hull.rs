@@ -54,13 +54,11 @@ impl Hull {
 
     /// v_i, counted from 0.
     fn row(&self, i: usize, size: usize) -> Vec<Rational> {
-        match i.checked_sub(size) {
-            Some(i) => self.rows[i].clone(),
-            None => {
-                let entry = |k| if k == i { self.unit.clone() } else { Rational::zero() };
-                (0..size).map(entry).collect()
-            }
+        if let Some(i) = i.checked_sub(size) {
+            return self.rows[i].clone();
         }
+        let entry = |k| if k == i { self.unit.clone() } else { Rational::zero() };
+        (0..size).map(entry).collect()
     }
 
     /// Σ|c_j| + Σ|r_k|/τ.

@@ -29,6 +29,14 @@ const EXCESSES: [f64; 8] = [0.3, 0.1, 0.03, 1e-2, 1e-3, 1e-4, 1e-5, 1e-7];
 /// The excess of the rational bound beside an exact irrational radius.
 const FINE: f64 = 1e-8;
 
+/// An extremal hull.
+pub(super) enum Exact {
+    /// With rational rows, which prove the radius.
+    Rational(Hull),
+    /// With rows in the field of the radius.
+    Irrational,
+}
+
 /// The lower bound.
 pub(super) struct Lower {
     pub(super) product: Vec<usize>,
@@ -65,7 +73,7 @@ impl Lower {
         unit: &Rational,
         found: &Candidates,
         rows: usize,
-    ) -> Option<Option<Hull>> {
+    ) -> Option<Exact> {
         if !self.real {
             return None;
         }
@@ -76,11 +84,11 @@ impl Lower {
         if let Some(rate) = rational.and_then(|root| rational_root(root, self.degree)) {
             let norm = Hull::norm(set);
             if norm.bound == rate {
-                return Some(Some(norm));
+                return Some(Exact::Rational(norm));
             }
             let rate = Rate::new(rate, 1);
             let extremal = Extremal::search(set, rate, unit, &words, caps)?;
-            return extremal.hull(set, unit).map(Some);
+            return extremal.hull(set, unit).map(Exact::Rational);
         }
         let invariant = |root: &RealAlgebraic, length| -> Option<()> {
             if root.minimal_polynomial()?.degree()? > MAX_DEGREE {
@@ -92,7 +100,9 @@ impl Lower {
         };
         // Where rows of several powers of θ meet on the boundary, Q(α) does not decide, but Q(θ) does.
         let base = || (self.degree > 1).then(|| algebraic_root(&self.root, self.degree))?;
-        invariant(&self.root, self.degree).or_else(|| invariant(&base()?, 1)).map(|()| None)
+        invariant(&self.root, self.degree)
+            .or_else(|| invariant(&base()?, 1))
+            .map(|()| Exact::Irrational)
     }
 
     /// The hull with the least bound that is found.
@@ -126,7 +136,9 @@ impl Lower {
                 if length == 0.0 {
                     return Vec::new();
                 }
-                row.iter_mut().for_each(|x| *x /= length);
+                for x in &mut row {
+                    *x /= length;
+                }
                 if round == 199 {
                     rows.push(row.clone());
                 }

@@ -2,7 +2,7 @@
 
 use super::convert::floats;
 use super::hull::Hull;
-use super::lower::{Lower, MAX_ROWS};
+use super::lower::{Exact, Lower, MAX_ROWS};
 use super::matrix_set::MatrixSet;
 use super::product::{Eigenvalue, shown};
 use super::proposal::beam;
@@ -61,7 +61,7 @@ pub fn joint_radius(set: &MatrixSet) -> JointRadius {
     let extremal = lower.extremal(set, &unit, &found, MAX_ROWS);
     let exact = extremal.is_some();
     let upper = match extremal {
-        Some(Some(hull)) => hull,
+        Some(Exact::Rational(hull)) => hull,
         _ => lower.nearest_hull(set, &unit, exact),
     };
     let Lower { product, root, degree, .. } = lower;

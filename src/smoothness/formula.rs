@@ -33,11 +33,11 @@ impl ExponentFormula {
                 (Rational::from(arity), Rational::new(1, Rational::from(degree).numerator()));
             let mut value = value.clone();
             while value.is_integer() && (&value / &n).is_integer() {
-                value = value / &n;
+                value /= &n;
                 whole -= &step;
             }
             while !value.is_integer() && value.denominator().gcd(&n.numerator()) != 1.into() {
-                value = value * &n;
+                value *= &n;
                 whole += &step;
             }
             // A power of the root may be a power of n: log_4(2) = 1/2.
@@ -57,6 +57,9 @@ impl ExponentFormula {
     }
 
     /// How the exponent compares with k.
+    ///
+    /// # Panics
+    /// Never: the order and the degree are small.
     #[must_use]
     pub fn cmp_integer(&self, k: usize) -> Ordering {
         // whole − k against log_n(root)/degree: n^{(whole − k)·degree} against root, where whole·degree is

@@ -1,7 +1,7 @@
 //! How smooth the limits of a curve scheme are: convergence, C^m, the Hölder exponent, polynomials.
 //!
-//! A scheme of arity n has the symbol A(z) = Σ_s a_s z^s, where x'_r = Σ_k a_{r−nk} x_k. With σ(z) = 1 + z
-//! + … + z^{n−1}, A = σ^K B, and B not divisible by σ, K is the order of the sum rules. The differences
+//! A scheme of arity n has the symbol A(z) = Σ_s a_s z^s, where x'_r = Σ_k a_{r−nk} x_k. With
+//! σ(z) = 1 + z + … + z^{n−1}, A = σ^K B, and B not divisible by σ, K is the order of the sum rules. The differences
 //! of order K are refined by the scheme of B. Its spectral radius is the joint spectral radius of n
 //! matrices, which [`joint`](crate::joint) bounds. `proofs/THEOREMS.md`, 103 to 112.
 //!

@@ -49,7 +49,7 @@ impl Search {
         };
         search.set_at(&Rational::zero())?;
         for word in first_words(search.matrices.len()) {
-            search.exclude(word);
+            search.exclude(&word);
         }
         Ok(search)
     }
@@ -61,20 +61,20 @@ impl Search {
     }
 
     /// Adds to the outside where this product shows it.
-    fn exclude(&mut self, word: Vec<usize>) {
+    fn exclude(&mut self, word: &[usize]) {
         let large = self.matrices.iter().any(|matrix| matrix.len() > MAX_SIZE);
         if large
             || word.len() > MAX_FACTORS
             || self.words.len() == MAX_WORDS
-            || self.words.contains(&word)
+            || self.words.contains(word)
         {
             return;
         }
         let factors = word.iter().map(|&i| self.matrices[i].clone());
         let product = factors.reduce(|product, matrix| multiplied(&product, &matrix));
         let Some(product) = product else { return };
-        self.words.insert(word.clone());
-        let excluded = excluded(&word, &product, |value| self.set_at(value).ok());
+        self.words.insert(word.to_vec());
+        let excluded = excluded(word, &product, |value| self.set_at(value).ok());
         self.outside = self.outside.union(&excluded);
     }
 
@@ -131,7 +131,7 @@ impl Search {
             return Ok(());
         }
         if let Some(word) = expanding_product(&self.set_at(value)?) {
-            self.exclude(word);
+            self.exclude(&word);
         }
         Ok(())
     }
