@@ -48,6 +48,8 @@
 //! | [`bound`] | contraction constants, also of rings, displacement, error bounds, depth |
 //! | [`limit`] | limits at rational parameters, distances of polygons from them in both parametrisations |
 //! | [`float`] | the same in f64, certified against the exact path |
+//! | [`joint`] | the joint spectral radius of rational matrices, from both sides |
+//! | [`smoothness`] | how smooth limits are: C^m, and the Hölder exponent |
 //! | [`mesh`] | polygon meshes: files, refinement, limit points and normals |
 //! | [`net`] | tensor nets: files, refinement, limit points |
 //! | [`solid`] | hexahedral meshes: files, refinement by Bajaj's scheme, limit points |
@@ -78,6 +80,7 @@ pub mod exact;
 mod finding;
 pub mod float;
 pub mod formula;
+pub mod joint;
 mod judge;
 pub mod limit;
 pub mod mesh;
@@ -87,6 +90,7 @@ pub mod patch;
 #[cfg(feature = "cli")]
 pub mod report;
 pub mod scheme;
+pub mod smoothness;
 pub mod solid;
 pub mod suggestion;
 

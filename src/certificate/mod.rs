@@ -9,6 +9,7 @@ mod equation;
 mod family;
 mod parametric;
 mod promise;
+mod radius;
 mod reading;
 mod table;
 mod theorem;
@@ -16,6 +17,7 @@ mod witness;
 
 use crate::audit::PaperAudit;
 use block::words;
+pub use radius::{radius_certificate, smoothness_certificate};
 
 /// The version of the format.
 const VERSION: &str = "subcert-certificate 4";

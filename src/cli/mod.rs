@@ -13,6 +13,7 @@ mod explain;
 mod forms;
 mod geometry;
 mod json;
+mod jsr;
 mod listing;
 mod local_constants;
 mod man;
@@ -26,9 +27,13 @@ mod papers;
 mod polygon;
 mod progress;
 mod prove;
+mod radius;
 mod range;
 mod save;
 mod schemes;
+mod sets;
+mod smooth_range;
+mod smoothness;
 mod solid;
 mod terminal;
 
@@ -69,6 +74,8 @@ pub(crate) fn run() -> ExitCode {
         Command::Constants(command) => constants::constants(&command),
         Command::Depth(command) => depth::depth(&command),
         Command::Range(command) => range::range(&command),
+        Command::Smoothness(command) => smoothness::smoothness(&command),
+        Command::Jsr(command) => jsr::jsr(&command),
         Command::Certify(command) => certify::certify(&command),
         Command::Prove(command) => prove::prove(&command),
         Command::New(command) => new::new(&command),

@@ -51,6 +51,11 @@ impl Progress {
         })
     }
 
+    /// Of a search whose length is not known.
+    pub(super) fn of_search(wanted: bool) -> Progress {
+        Progress::new(1, "{spinner} searching for products and hulls, {elapsed}", wanted, |_| {})
+    }
+
     fn new(
         length: u64,
         template: &str,

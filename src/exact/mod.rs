@@ -16,10 +16,13 @@
 //! | [`Scalar`], [`Real`] | the operations that algorithms need of a number type |
 //! | [`Matrix`] | matrices with few distinct entries |
 //! | [`solve`] | systems of linear equations |
+//! | [`characteristic_polynomial`], [`FieldElement`] | eigenvalues of rational matrices, and the fields that they generate |
+//! | [`natural_logarithm`] | enclosures of logarithms |
 //! | [`CommonDenominator`] | rationals as integers over one denominator, for hot loops |
 
 mod algebraic;
 mod backend;
+mod characteristic;
 mod common;
 mod comparable;
 mod cyclotomic;
@@ -31,8 +34,10 @@ mod integer;
 mod interval;
 mod interval_set;
 mod linear;
+mod logarithm;
 mod matrix;
 mod monomial;
+mod number_field;
 mod one_variable;
 mod ops;
 mod parametric;
@@ -49,6 +54,7 @@ mod vanishing;
 mod word;
 
 pub use algebraic::RealAlgebraic;
+pub use characteristic::{characteristic_polynomial, symmetric_square_polynomial};
 pub use common::CommonDenominator;
 pub(crate) use common::common_denominator;
 pub(crate) use comparable::comparable;
@@ -61,7 +67,9 @@ pub use integer::Integer;
 pub use interval::Interval;
 pub use interval_set::IntervalSet;
 pub use linear::solve;
+pub use logarithm::natural_logarithm;
 pub use matrix::{Matrix, Naming};
+pub use number_field::FieldElement;
 pub use parametric::Parametric;
 pub use piecewise::PiecewisePolynomial;
 pub use polynomial::Polynomial;

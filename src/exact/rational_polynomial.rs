@@ -148,6 +148,19 @@ impl RationalPolynomial {
         let denominator = &self.denominator * &other.denominator;
         RationalPolynomial::over(&(&self.numerator * &other.numerator), &denominator)
     }
+
+    /// The remainder of self by `divisor`.
+    ///
+    /// # Panics
+    /// When `divisor` is 0.
+    #[must_use]
+    pub fn modulo(&self, divisor: &IntegerPolynomial) -> RationalPolynomial {
+        if self.degree() < divisor.degree() {
+            return self.clone();
+        }
+        let (scale, _, rest) = self.numerator.div_rem(divisor);
+        RationalPolynomial::over(&rest, &(scale * &self.denominator))
+    }
 }
 
 impl Scalar for RationalPolynomial {

@@ -11,7 +11,8 @@
 //! | [`shortest`], [`hexadecimal`], [`parse_hexadecimal`] | f64 as text |
 //! | `f64` as [`Real`](crate::exact::Real) | the arithmetic of the machine |
 //! | [`Tracked`] | an exact value with a proven bound on the error of the f64 computation |
-//! | [`certify`], [`certify_local_rules`] | every constant of a scheme in f64, exactly, and with this bound |
+//! | [`extremal`] | proposals for extremal norms of sets of matrices |
+//! | [`certify`], [`certify_local_rules`] | every constant of a scheme in f64, exactly, and with that bound |
 //!
 //! The f64 operations +, −, ·, / are those of IEEE 754, each rounded to nearest. Rust
 //! neither reorders nor fuses them. (The only exception is the legacy x87 unit of 32-bit
@@ -22,6 +23,7 @@ mod certify;
 mod convert;
 mod depth;
 mod error;
+pub mod extremal;
 mod hexadecimal;
 mod local_rules;
 mod pipeline;

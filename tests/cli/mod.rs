@@ -9,6 +9,7 @@ mod new;
 mod offset;
 mod output;
 mod polygons;
+mod smoothness;
 mod solids;
 mod tables;
 mod terminal;

@@ -3,6 +3,7 @@
 
 mod algebraic;
 mod arithmetic;
+mod characteristic;
 mod cosine;
 mod cosine_facts;
 mod cosine_internals;

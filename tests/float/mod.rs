@@ -4,6 +4,7 @@
 mod apriori;
 mod certify;
 mod convert;
+mod extremal;
 mod hexadecimal;
 mod local_rules;
 mod strategy;

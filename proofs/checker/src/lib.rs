@@ -66,13 +66,17 @@ mod setting;
 mod table;
 mod witness;
 
+// Joint spectral radii.
+mod radius;
+
 use catalogue::catalogue;
 use certificate::Block;
 use library::Library;
 use meter::Meter;
 use paper::Paper;
+pub use radius::{Radius, check_radius};
 use reject::Checked;
-pub use reject::{Reason, Rejection, Stop, Text};
+pub use reject::{RadiusReason, RadiusRejection, Reason, Rejection, Stop, Text};
 use rules::{Given, Recovered, Verdict};
 use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZero;

@@ -3,15 +3,18 @@
 
 use std::io::Write;
 use std::process::ExitCode;
-use subcert_check::{Outcome, Reason, Report, check};
+use subcert_check::{Outcome, Reason, Report, check, check_radius};
 
 const USAGE: &str = "usage: subcert-check [--only KIND-OR-ID]… [--accept WHAT]… CLAIMS CERTIFICATE…
+       subcert-check --radius CERTIFICATE…
 
 Checks certificates against their claim file. It checks all claims, or with --only the claims of
 a kind (table, equation, function, range, theorem) or with an id (theorem-1 or KEY:theorem-1).
 Certified claims pass: their verdict is shown, which may be that they are wrong. With --accept
 cited, claims pass that a statement of THEOREMS.md decides; with --accept open, theorems pass
 that a certificate calls open. They are listed as such.
+With --radius, the files are certificates of joint spectral radii and of smoothness, which need no
+claim file; a line says what each proves.
 The exit code is 0 if all these claims pass, 1 if one does not, and 2 if the arguments are wrong or
 a file cannot be read. --help shows this, --version the version.";
 
@@ -130,6 +133,32 @@ fn is_named(name: &str, key: &str, kind: &str, id: &str) -> bool {
     name == kind || name == id || name.strip_prefix(key).is_some_and(own)
 }
 
+/// Checks certificates of joint spectral radii.
+fn radii(paths: &[String]) -> ExitCode {
+    let mut code = if paths.is_empty() { 2 } else { 0 };
+    for path in paths {
+        let line = match std::fs::read_to_string(path) {
+            Err(error) => {
+                let _ = writeln!(std::io::stderr(), "cannot read `{path}`: {error}");
+                code = 2;
+                continue;
+            }
+            Ok(text) => match check_radius(&text) {
+                Ok(radius) => format!("certified   {path}: {radius}"),
+                Err(rejection) => {
+                    code = code.max(1);
+                    format!("invalid     {path}:{}: {}", rejection.line, rejection.reason)
+                }
+            },
+        };
+        let _ = writeln!(std::io::stdout(), "{line}");
+    }
+    if paths.is_empty() {
+        let _ = writeln!(std::io::stderr(), "`--radius` needs a file\n{USAGE}");
+    }
+    ExitCode::from(code)
+}
+
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let has = |flags: [&str; 2]| arguments.iter().any(|argument| flags.contains(&&argument[..]));
@@ -143,6 +172,9 @@ fn main() -> ExitCode {
     if let Some(text) = asked {
         let _ = writeln!(std::io::stdout(), "{text}");
         return ExitCode::SUCCESS;
+    }
+    if arguments.first().is_some_and(|first| first == "--radius") {
+        return radii(&arguments[1..]);
     }
     match Arguments::read(arguments.into_iter()).and_then(|arguments| arguments.run()) {
         Ok(true) => ExitCode::SUCCESS,

@@ -130,6 +130,37 @@ reasons! {
     NotViolated(value: Text, bound: Text) "the value is {value}, which does not violate the bound {bound}"
 }
 
+reasons! {
+    /// A side condition of a certificate of a joint spectral radius that does not hold.
+    RadiusReason:
+    Version "the first line is not `subcert-radius 1`"
+    Malformed(what: &'static str) "the line does not have the form that is expected: {what}"
+    Truncated "the certificate is cut off: `end`, `at-most` or `unit` is missing"
+    AfterEnd "the certificate goes on after its end, or it is too long"
+    Rule "the rules differ in length, or one does not sum to 1"
+    SumRules "the sum rules do not hold up to this order"
+    Size "the matrices or rows are not of one size, or beyond a cap"
+    NoSuch "there is no such matrix or row"
+    NoEigenvalue(bound: Text) "the characteristic polynomial is positive at {bound}"
+    Outside(cost: Text, bound: Text) "the coefficients and the remainder sum to {cost}, which is more than {bound}"
+    ImagesMissing "images of rows are missing"
+    TooMany "there are more images than rows and matrices"
+    NoMask "smoothness is that of a mask, and matrices are given"
+    NotBelow "the upper bound of the radius does not show this"
+    NotAbove "the lower bound of the radius does not show this"
+    NotConvergent "the scheme is not shown to converge"
+    Dependent "the shifts of the limit function may be linearly dependent"
+}
+
+/// A reason to refuse a certificate, and the line.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RadiusRejection {
+    /// The line, counted from 1.
+    pub line: usize,
+    /// The reason.
+    pub reason: RadiusReason,
+}
+
 /// A reason, and the line of the certificate.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Rejection {

@@ -40,7 +40,18 @@ Examples:
 pub(super) const RANGE: &str = "\
 Examples:
   subcert range six-point --param w -c 5
-  subcert range four-point --param w -c 2 --function";
+  subcert range four-point --param w -c 2 --function
+  subcert range four-point --param w --smoothness 1";
+
+pub(super) const SMOOTHNESS: &str = "\
+Examples:
+  subcert smoothness four-point:w=1/16
+  subcert smoothness ternary-four-point:mu=1/11 --format json";
+
+pub(super) const JSR: &str = "\
+Examples:
+  subcert jsr examples/pair.txt
+  subcert jsr matrices.csv --format json";
 
 pub(super) const CERTIFY: &str = "\
 Examples:

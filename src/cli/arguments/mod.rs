@@ -4,6 +4,7 @@ mod examples;
 mod meshes;
 mod papers;
 mod schemes;
+mod smoothness;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 pub(super) use meshes::{
@@ -17,13 +18,14 @@ pub(super) use schemes::{
     BoundaryArgument, CertifyArguments, ConstantsArguments, DepthArguments, OracleArguments,
     OracleFormat, RangeArguments, SchemesArguments,
 };
+pub(super) use smoothness::{JsrArguments, SmoothnessArguments};
 use std::path::PathBuf;
 
 const AFTER_HELP: &str = "\
 SCHEME is a catalogue name with parameters (`six-point:w=3/256`, `newton:j=1,n=3`,
 `doo-sabin:n=5`), the path of a TOML file (`mine.toml:w=1/16`), or two of these with
 ` x ` between them for their tensor product. `subcert schemes` lists the catalogue;
-`range` needs a mask, the other commands also take the rings around an extraordinary
+`range` and `smoothness` need a mask, the other commands also take the rings around an extraordinary
 vertex or face.
 
 Exit codes: 0 done (findings are no failures), 1 a stated expectation failed,
@@ -64,9 +66,15 @@ pub(super) enum Command {
     /// The subdivision depth for a tolerance: exactly, soundly, and as papers compute it
     #[command(after_help = examples::DEPTH)]
     Depth(DepthArguments),
-    /// Where in a parameter of the mask T_c < 1
+    /// Where in a parameter of the mask T_c < 1, or the limits are C^m
     #[command(after_help = examples::RANGE)]
     Range(RangeArguments),
+    /// How smooth the limits of a scheme are: C^m, and the Hölder exponent from both sides
+    #[command(after_help = examples::SMOOTHNESS)]
+    Smoothness(SmoothnessArguments),
+    /// The joint spectral radius of matrices, from both sides
+    #[command(after_help = examples::JSR)]
+    Jsr(JsrArguments),
     /// The f64 path of a scheme against the exact one
     #[command(after_help = examples::CERTIFY)]
     Certify(CertifyArguments),

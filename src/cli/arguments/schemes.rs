@@ -104,6 +104,9 @@ pub(in crate::cli) struct RangeArguments {
     pub(in crate::cli) param: String,
     #[command(flatten)]
     pub(in crate::cli) block: Block,
+    /// Where the limits are C^M, and where they are not, in place of T_c < 1
+    #[arg(long, value_name = "M", conflicts_with = "function", allow_negative_numbers = true, value_parser = count)]
+    pub(in crate::cli) smoothness: Option<usize>,
     /// Show T_c itself, a piecewise polynomial function of the parameter
     #[arg(long)]
     pub(in crate::cli) function: bool,

@@ -9,6 +9,7 @@ pub(super) mod mesh_depth;
 pub(super) mod offset;
 pub(super) mod range;
 pub(super) mod schemes;
+pub(super) mod smoothness;
 
 /// The version of the JSON form.
 pub(super) const SCHEMA: u32 = 1;

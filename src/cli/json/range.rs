@@ -58,3 +58,26 @@ pub struct Function {
     /// The polynomials, one more than there are breaks.
     pub pieces: Vec<String>,
 }
+
+/// Where in a parameter the limits are C^m.
+#[derive(Serialize)]
+pub struct SmoothRange<'a> {
+    /// The version of this form.
+    pub schema: u32,
+    /// The scheme as it was given.
+    pub scheme: &'a str,
+    /// The parameter.
+    pub parameter: &'a str,
+    /// m.
+    pub smoothness: usize,
+    /// There all limits are C^m.
+    pub inside: Vec<Interval>,
+    /// There not all limits are C^m, or the scheme diverges.
+    pub outside: Vec<Interval>,
+    /// Whether finitely many parameters of `outside` may be exceptions.
+    pub but_finitely_many: bool,
+    /// The length of what is in neither, a decimal that is rounded upwards; null where it is unbounded.
+    pub gap: Option<String>,
+    /// For c = 1, 2, … the part of `inside` where the differences contract in c levels.
+    pub levels: Vec<Level>,
+}

@@ -1,0 +1,127 @@
+//! Certificates of joint spectral radii, and of the smoothness that follows from them. FORMAT.md,
+//! «Joint spectral radii».
+
+mod independence;
+mod matrices;
+mod read;
+mod smoothness;
+
+use crate::decimal::Q;
+use crate::reject::{RadiusReason, RadiusRejection, Text};
+use matrices::{Matrix, determinant, multiplied, symmetric_square, times};
+use num_traits::{Signed, Zero};
+use read::{Certificate, Lower};
+use std::fmt;
+
+/// What a valid certificate proves.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Radius {
+    /// The spectral radius is at least q^{1/l}.
+    pub at_least: Option<(Q, usize)>,
+    /// It is at most this.
+    pub at_most: Q,
+    /// The limits of the scheme are C^m for this m.
+    pub continuous: Option<usize>,
+    /// Not all of them are C^m for this m.
+    pub not_continuous: Option<usize>,
+}
+
+/// Checks a certificate of a joint spectral radius.
+///
+/// # Errors
+/// The line that is wrong, and the reason.
+pub fn check_radius(text: &str) -> Result<Radius, RadiusRejection> {
+    let certificate = Certificate::read(text)?;
+    let matrices = certificate.matrices()?;
+    if let Some(lower) = &certificate.lower {
+        check_lower(&matrices, lower)?;
+    }
+    check_hull(&matrices, &certificate)?;
+    let at_least = certificate.lower.as_ref().map(|lower| (lower.bound.clone(), lower.degree()));
+    let (continuous, not_continuous) = smoothness::check(&certificate)?;
+    Ok(Radius { at_least, at_most: certificate.bound.clone(), continuous, not_continuous })
+}
+
+/// A real eigenvalue of at least q shows itself by the sign of the characteristic polynomial at q.
+fn check_lower(matrices: &[Matrix], lower: &Lower) -> Result<(), RadiusRejection> {
+    let at = |reason| RadiusRejection { line: lower.line, reason };
+    let size = matrices[0].len();
+    let mut product = matrices::unit(size);
+    for &factor in &lower.product {
+        let matrix = matrices.get(factor).ok_or_else(|| at(RadiusReason::NoSuch))?;
+        product = multiplied(&product, matrix);
+    }
+    let mut shifted = if lower.conjugate { symmetric_square(&product) } else { product };
+    for (i, row) in shifted.iter_mut().enumerate() {
+        for (j, x) in row.iter_mut().enumerate() {
+            *x = if lower.negative { x.clone() } else { -x.clone() };
+            if i == j {
+                *x += &lower.bound;
+            }
+        }
+    }
+    let value = determinant(shifted);
+    if lower.bound.is_positive() && !value.is_positive() {
+        return Ok(());
+    }
+    Err(at(RadiusReason::NoEigenvalue(Text(lower.bound.to_string()))))
+}
+
+/// Every image of a row is a combination whose coefficients, with the remainder, are at most the bound.
+fn check_hull(matrices: &[Matrix], certificate: &Certificate) -> Result<(), RadiusRejection> {
+    let size = matrices[0].len();
+    let at = |line, reason| RadiusRejection { line, reason };
+    let mut rows: Vec<Vec<Q>> = matrices::unit(size);
+    for row in rows.iter_mut().flatten() {
+        *row *= &certificate.unit;
+    }
+    for (line, row) in &certificate.rows {
+        if row.len() != size {
+            return Err(at(*line, RadiusReason::Size));
+        }
+        rows.push(row.clone());
+    }
+    let mut images = certificate.images.iter();
+    for row in &rows {
+        for matrix in matrices {
+            let (line, terms) =
+                images.next().ok_or(at(certificate.end, RadiusReason::ImagesMissing))?;
+            let mut rest = times(row, matrix);
+            let mut cost = Q::zero();
+            for (place, factor) in terms {
+                let other = rows.get(*place).ok_or(at(*line, RadiusReason::NoSuch))?;
+                for (x, v) in rest.iter_mut().zip(other) {
+                    *x -= factor * v;
+                }
+                cost += factor.abs();
+            }
+            let remainder = rest.iter().fold(Q::zero(), |sum, x| sum + x.abs());
+            cost += remainder / &certificate.unit;
+            if cost > certificate.bound {
+                let (cost, bound) = (Text(cost.to_string()), Text(certificate.bound.to_string()));
+                return Err(at(*line, RadiusReason::Outside(cost, bound)));
+            }
+        }
+    }
+    match images.next() {
+        Some((line, _)) => Err(at(*line, RadiusReason::TooMany)),
+        None => Ok(()),
+    }
+}
+
+impl fmt::Display for Radius {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the radius is at most {}", Text(self.at_most.to_string()))?;
+        if let Some((bound, degree)) = &self.at_least {
+            let root = if *degree == 1 { String::new() } else { format!("^(1/{degree})") };
+            write!(f, " and at least {}{root}", Text(bound.to_string()))?;
+        }
+        if let Some(m) = self.continuous {
+            write!(f, "; the limits are C^{m}")?;
+        }
+        if let Some(m) = self.not_continuous {
+            write!(f, "; not all limits are C^{m}")?;
+        }
+        Ok(())
+    }
+}

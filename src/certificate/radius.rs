@@ -1,0 +1,102 @@
+//! Certificates of joint spectral radii, and of the smoothness that follows. `proofs/FORMAT.md`.
+
+use crate::exact::Rational;
+use crate::joint::{Hull, JointRadius, Kind, MatrixSet};
+use crate::scheme::Mask;
+use crate::smoothness::Smoothness;
+use std::fmt::Write as _;
+
+/// The certificate of what is proven of the limits of a mask; `None` where no hull is found.
+///
+/// Where the shifts of the basic limit function are linearly dependent, the certificate says nothing of what
+/// fails, but for convergence.
+///
+/// # Panics
+/// Never.
+#[must_use]
+pub fn smoothness_certificate(mask: &Mask, smoothness: &Smoothness) -> Option<String> {
+    let differences = &smoothness.differences;
+    let hull = differences.radius.hull.as_ref()?;
+    let mut text = String::from("subcert-radius 1\n");
+    for row in mask.rules().rows() {
+        line(&mut text, "rule", &numbers(row));
+    }
+    line(&mut text, "order", &differences.order.to_string());
+    let shown = write_radius(&mut text, &differences.matrices, &differences.radius, hull);
+    let proven = |m: &usize| hull.bound < limit(mask.arity(), differences.order, *m);
+    let continuous = (0..differences.order).take_while(proven).last();
+    if let Some(m) = continuous {
+        line(&mut text, "continuous", &m.to_string());
+    }
+    let independent = smoothness.reduced.is_none();
+    let fails = smoothness.continuity_fails.filter(|m| {
+        let decided = *m == 0 || independent && continuous.is_some();
+        let power = i32::try_from(differences.radius.degree).expect("a short product");
+        let reached =
+            |bound: &Rational| *bound >= limit(mask.arity(), differences.order, *m).pow(power);
+        decided && shown.as_ref().is_some_and(reached)
+    });
+    if let Some(m) = fails {
+        line(&mut text, "not-continuous", &m.to_string());
+    }
+    text.push_str("end\n");
+    Some(text)
+}
+
+/// The certificate of the bounds of a joint spectral radius; `None` where the radius is 0.
+#[must_use]
+pub fn radius_certificate(set: &MatrixSet, radius: &JointRadius) -> Option<String> {
+    let hull = radius.hull.as_ref()?;
+    let mut text = String::from("subcert-radius 1\n");
+    for matrix in set.matrices() {
+        let rows: Vec<String> = matrix.iter().map(|row| numbers(row)).collect();
+        line(&mut text, "matrix", &rows.join(" | "));
+    }
+    write_radius(&mut text, set, radius, hull);
+    text.push_str("end\n");
+    Some(text)
+}
+
+/// n^{K − m}.
+fn limit(arity: usize, order: usize, m: usize) -> Rational {
+    (m..order).fold(Rational::one(), |power, _| power * Rational::from(arity))
+}
+
+/// Writes both bounds, and gives the lower one.
+fn write_radius(
+    text: &mut String,
+    set: &MatrixSet,
+    radius: &JointRadius,
+    hull: &Hull,
+) -> Option<Rational> {
+    let eigenvalue = radius.eigenvalue(set);
+    if let Some(eigenvalue) = &eigenvalue {
+        let factors: Vec<String> = radius.product.iter().map(ToString::to_string).collect();
+        line(text, "product", &factors.join(" "));
+        let kind = match eigenvalue.kind {
+            Kind::Positive => "positive",
+            Kind::Negative => "negative",
+            Kind::Conjugate => "conjugate",
+        };
+        line(text, "eigenvalue", &format!("{kind} {}", eigenvalue.at_least));
+    }
+    line(text, "at-most", &hull.bound.to_string());
+    line(text, "unit", &hull.unit.to_string());
+    for row in &hull.rows {
+        line(text, "row", &numbers(row));
+    }
+    for combination in hull.images.iter().flatten() {
+        let terms: Vec<String> = combination.iter().map(|(j, c)| format!("{j}:{c}")).collect();
+        line(text, "image", &terms.join(" "));
+    }
+    eigenvalue.map(|eigenvalue| eigenvalue.at_least)
+}
+
+fn line(text: &mut String, word: &str, rest: &str) {
+    let blank = if rest.is_empty() { "" } else { " " };
+    writeln!(text, "{word}{blank}{rest}").expect("a text in memory");
+}
+
+fn numbers(row: &[Rational]) -> String {
+    row.iter().map(ToString::to_string).collect::<Vec<String>>().join(" ")
+}

@@ -1,0 +1,119 @@
+//! A joint spectral radius in words, for `smoothness` and `jsr`.
+
+use super::json::smoothness as form;
+use super::output::{Failure, Outcome};
+use super::save::save;
+use std::path::Path;
+use subcert::exact::{Enclosed, Enclosure, Integer, Rational, format::fixed};
+use subcert::joint::{JointRadius, MatrixSet};
+use subcert::report::json::Exact;
+
+/// The digits after the point of bounds.
+const PLACES: u32 = 12;
+
+/// A decimal of [`PLACES`] places that is not above the number.
+pub(super) fn down(x: &Rational) -> String {
+    let unit = Rational::from(Integer::power_of_ten(PLACES));
+    fixed(&(Rational::from((x * &unit).floor()) / unit), PLACES)
+}
+
+/// A decimal of [`PLACES`] places that is not below the number.
+pub(super) fn up(x: &Rational) -> String {
+    let unit = Rational::from(Integer::power_of_ten(PLACES));
+    fixed(&(Rational::from((x * &unit).ceil()) / unit), PLACES)
+}
+
+/// An enclosure of root^{1/degree} of two neighbouring decimals, or the number itself.
+pub(super) fn enclosed_root(radius: &JointRadius) -> Enclosure {
+    let degree = i32::try_from(radius.degree).expect("a short product");
+    let unit = Rational::from(Integer::power_of_ten(PLACES + 2));
+    let reaches = |x: &Integer| {
+        let power = (Rational::from(x.clone()) / &unit).pow(degree);
+        radius.root.cmp_rational(&power) != std::cmp::Ordering::Less
+    };
+    let (mut low, mut high) = (Integer::zero(), unit.numerator());
+    while reaches(&high) {
+        high = &high + &high;
+    }
+    while &high - &low > Integer::one() {
+        let middle = (&low + &high).shifted_right(1);
+        if reaches(&middle) { low = middle } else { high = middle }
+    }
+    let exact = (Rational::from(low.clone()) / &unit).pow(degree);
+    let high = if radius.root.cmp_rational(&exact).is_eq() { low.clone() } else { high };
+    Enclosure::new(Rational::from(low) / &unit, Rational::from(high) / unit)
+}
+
+/// The best upper bound of the radius.
+pub(super) fn upper(radius: &JointRadius) -> Rational {
+    let exact = radius.exact.then(|| enclosed_root(radius).upper().clone());
+    let hull = radius.hull.as_ref().map(|hull| hull.bound.clone());
+    exact.into_iter().chain(hull).min().unwrap_or_else(Rational::zero)
+}
+
+/// M_0 M_1 M_1.
+pub(super) fn product_text(radius: &JointRadius, letter: &str) -> String {
+    let factors = radius.product.iter().map(|i| format!("{letter}_{i}"));
+    factors.collect::<Vec<String>>().join(" ")
+}
+
+/// The lower bound in words.
+pub(super) fn root_text(radius: &JointRadius) -> String {
+    let JointRadius { root, degree, .. } = radius;
+    let value = match root.as_rational() {
+        Some(value) => value.to_string(),
+        None => format!("x, {}", irrational(root)),
+    };
+    if *degree == 1 { value } else { format!("(1/{degree})-th power of {value}") }
+}
+
+fn irrational(root: &subcert::exact::RealAlgebraic) -> String {
+    let polynomial = root.minimal_polynomial().unwrap_or_else(|| root.polynomial());
+    format!("x = {} a root of {polynomial}", subcert::exact::format::short(root, 12))
+}
+
+pub(super) fn radius_form(
+    set: &MatrixSet,
+    order: Option<usize>,
+    radius: &JointRadius,
+) -> form::Radius {
+    let texts = |matrix: &Vec<Vec<Rational>>| {
+        matrix.iter().map(|row| row.iter().map(Rational::to_string).collect()).collect()
+    };
+    form::Radius {
+        size: set.size(),
+        order,
+        matrices: set.matrices().iter().map(texts).collect(),
+        product: radius.product.clone(),
+        degree: radius.degree,
+        root: Exact::of(&radius.root),
+        lower: down(enclosed_root(radius).lower()),
+        upper: up(&upper(radius)),
+        exact: radius.exact,
+        rows: radius.hull.as_ref().map_or(0, |hull| set.size() + hull.rows.len()),
+    }
+}
+
+/// An enclosure as decimals that are rounded outwards, or the number that it is.
+pub(super) fn between(low: &Rational, high: &Rational) -> String {
+    if low == high {
+        return low.to_string();
+    }
+    format!("from {} to {}", down(low), up(high))
+}
+
+/// The value of an exact exponent or radius: the ends of a narrow enclosure.
+pub(super) fn ends(value: &impl Enclosed) -> (Rational, Rational) {
+    let enclosure = value.enclosure(1);
+    (enclosure.lower().clone(), enclosure.upper().clone())
+}
+
+/// Writes a certificate, if there is one.
+pub(super) fn write_certificate(path: &Path, text: Option<String>) -> Outcome {
+    let path_text = path.display();
+    let text = text.ok_or_else(|| {
+        Failure::Input(format!("there is nothing to certify in `{path_text}`: the radius is 0"))
+    })?;
+    save(path, &text)
+        .map_err(|error| Failure::Input(format!("cannot write `{path_text}`: {error}")))
+}

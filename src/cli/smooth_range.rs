@@ -1,0 +1,95 @@
+//! `subcert range --smoothness`.
+
+use super::arguments::RangeArguments;
+use super::json::{SCHEMA, range as form};
+use super::output::{Failure, Outcome, show};
+use super::progress::Progress;
+use super::radius::up;
+use super::sets::Parameter;
+use subcert::bound::polynomial_rules;
+use subcert::exact::{IntervalSet, Polynomial};
+use subcert::report::{Grid, Sheet};
+use subcert::scheme::Mask;
+use subcert::smoothness::{SmoothRange, smooth_range as computed};
+
+pub(super) fn smooth_range(
+    arguments: &RangeArguments,
+    mask: &Mask<Polynomial>,
+    m: usize,
+) -> Outcome {
+    let input = |error: &dyn std::fmt::Display| Failure::Input(error.to_string());
+    let rules = polynomial_rules(mask.rules(), &arguments.param).map_err(|e| input(&e))?;
+    let progress = Progress::of_search(true);
+    let range = computed(&rules, m, arguments.block.levels).map_err(|e| input(&e))?;
+    drop(progress);
+    let report = Report { arguments, m, range };
+    show(arguments.output.format, || report.sheet(), || report.form())
+}
+
+struct Report<'a> {
+    arguments: &'a RangeArguments,
+    m: usize,
+    range: SmoothRange,
+}
+
+impl Report<'_> {
+    fn parameter(&self) -> Parameter<'_> {
+        Parameter(&self.arguments.param)
+    }
+
+    fn sheet(&self) -> Sheet {
+        let (m, param, range) = (self.m, self.parameter(), &self.range);
+        let mut sheet = Sheet::default();
+        sheet.heading(1, format!("{}: where the limits are C^{m}", self.arguments.scheme));
+        let gap =
+            range.gap.as_ref().map_or("unbounded".to_owned(), |gap| format!("at most {}", up(gap)));
+        let fact = |name: &str, text: String| (name.to_owned(), text);
+        sheet.facts(vec![
+            fact("inside", param.set(&range.inside)),
+            fact("outside", param.set(&range.outside)),
+            fact("gap", gap),
+        ]);
+        sheet.heading(2, "By contraction");
+        let rows = (1_u32..).zip(&range.contraction.levels);
+        let rows = rows.map(|(c, set)| vec![c.to_string(), param.set(set)]).collect();
+        let what = if m == 0 { "the scheme".to_owned() } else { format!("derived scheme {m}") };
+        let header = vec!["c".to_owned(), format!("the differences of {what} contract")];
+        sheet.grid(Grid { header, rows, left_columns: 2 });
+        let sets = [&range.inside, &range.outside].into_iter().chain(&range.contraction.levels);
+        let ends = sets.flat_map(IntervalSet::ends).map(|(end, _)| end);
+        let ends = param.irrational(ends);
+        if !ends.is_empty() {
+            sheet.heading(2, "Irrational numbers");
+            sheet.facts(ends);
+        }
+        sheet.text(
+            "Inside, all limits have this smoothness: by contraction, and by invariant hulls on intervals \
+             with rational ends. Outside, some limit does not have it, or the scheme diverges: a product of \
+             matrices of the differences has too large an eigenvalue. The gap is the length of the rest.",
+        );
+        if range.but_finitely_many {
+            sheet.text(
+                "Finitely many parameters outside may be exceptions: those where the shifts of the basic \
+                 limit function are linearly dependent.",
+            );
+        }
+        sheet
+    }
+
+    fn form(&self) -> form::SmoothRange<'_> {
+        let (param, range) = (self.parameter(), &self.range);
+        let levels = (1_u32..).zip(&range.contraction.levels);
+        let level = |(c, set)| form::Level { c, intervals: param.set_form(set), function: None };
+        form::SmoothRange {
+            schema: SCHEMA,
+            scheme: &self.arguments.scheme,
+            parameter: &self.arguments.param,
+            smoothness: self.m,
+            inside: param.set_form(&range.inside),
+            outside: param.set_form(&range.outside),
+            but_finitely_many: range.but_finitely_many,
+            gap: range.gap.as_ref().map(up),
+            levels: levels.map(level).collect(),
+        }
+    }
+}

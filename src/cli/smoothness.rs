@@ -1,0 +1,223 @@
+//! `subcert smoothness`.
+
+use super::arguments::SmoothnessArguments;
+use super::json::{SCHEMA, smoothness as form};
+use super::output::{Failure, Outcome, show, with_decimal};
+use super::progress::Progress;
+use super::radius::{
+    between, down, enclosed_root, ends, product_text, radius_form, root_text, up, upper,
+    write_certificate,
+};
+use subcert::certificate::smoothness_certificate;
+use subcert::exact::Rational;
+use subcert::report::{Sheet, json::Exact};
+use subcert::scheme::{AnyScheme, Mask, parse_any_scheme};
+use subcert::smoothness::{Hoelder, Smoothness, contractions};
+
+pub(super) fn smoothness(arguments: &SmoothnessArguments) -> Outcome {
+    let name = &arguments.scheme;
+    let mask = curve(name)?;
+    let progress = Progress::of_search(true);
+    let smoothness = Smoothness::of(&mask).map_err(|error| Failure::Input(error.to_string()))?;
+    drop(progress);
+    if let Some(path) = &arguments.certificate {
+        write_certificate(path, smoothness_certificate(&mask, &smoothness))?;
+    }
+    let most = smoothness.continuity;
+    let contractions = most.map_or_else(Vec::new, |most| contractions(&smoothness.symbol, most));
+    let report = Report { name, smoothness, contractions };
+    show(arguments.output.format, || report.sheet(), || report.form())
+}
+
+/// The mask of a scheme for curves.
+fn curve(name: &str) -> Result<Mask, Failure> {
+    let reason = match parse_any_scheme(name)? {
+        AnyScheme::Uniform(scheme) => match Mask::try_from(scheme) {
+            Ok(mask) => return Ok(mask),
+            Err(_) => {
+                "is a tensor product; its limits are as smooth as those of its factors, one by one"
+            }
+        },
+        AnyScheme::LocalRules(_) => {
+            "has rules around one vertex or face; `smoothness` needs a mask"
+        }
+    };
+    Err(Failure::Input(format!("`{name}` {reason}")))
+}
+
+struct Report<'a> {
+    name: &'a str,
+    smoothness: Smoothness,
+    contractions: Vec<Option<(u32, Rational)>>,
+}
+
+impl Report<'_> {
+    fn sheet(&self) -> Sheet {
+        let mut sheet = Sheet::default();
+        sheet.heading(1, format!("{}: smoothness", self.name));
+        sheet.facts(self.polynomials());
+        sheet.heading(2, "Limits");
+        let mut facts = self.continuity();
+        if let Some(hoelder) = &self.smoothness.hoelder {
+            facts.push(("Hölder exponent".to_owned(), exponent(hoelder)));
+            if let Some(attained) = hoelder.attained {
+                let text = if attained { "yes" } else { "no: powers of a logarithm enter" };
+                facts.push(("attained".to_owned(), text.to_owned()));
+            }
+        }
+        sheet.facts(facts);
+        sheet.heading(2, "Joint spectral radius");
+        sheet.facts(self.radius());
+        self.remarks(&mut sheet);
+        sheet
+    }
+
+    fn polynomials(&self) -> Vec<(String, String)> {
+        let Smoothness { symbol, sum_rules, reproduction, shift, .. } = &self.smoothness;
+        let (low, high) = symbol.support();
+        let generated = format!("up to degree {}", sum_rules - 1);
+        let reproduced = if shift.keeps_lines {
+            format!("up to degree {reproduction}, at the natural shift {}", shift.shift)
+        } else {
+            "only constants: lines are not kept".to_owned()
+        };
+        [
+            ("arity n", symbol.arity().to_string()),
+            ("support", format!("of the basic limit function: from {low} to {high}")),
+            ("sum rules", format!("of order {sum_rules}")),
+            ("polynomials generated", generated),
+            ("reproduced", reproduced),
+            ("approximation order", (reproduction + 1).to_string()),
+        ]
+        .map(|(name, text)| (name.to_owned(), text))
+        .to_vec()
+    }
+
+    fn continuity(&self) -> Vec<(String, String)> {
+        let mut facts = Vec::new();
+        for (m, found) in self.contractions.iter().enumerate() {
+            let by = match found {
+                Some((c, norm)) => format!(
+                    "the differences of {} contract, by {} in {c} level{}",
+                    if m == 0 { "the scheme".to_owned() } else { format!("derived scheme {m}") },
+                    with_decimal(norm),
+                    if *c == 1 { "" } else { "s" }
+                ),
+                None => "by the bounds of the joint spectral radius".to_owned(),
+            };
+            facts.push((format!("C^{m}"), format!("proven: {by}")));
+        }
+        match (self.smoothness.continuity_fails, self.smoothness.continuity) {
+            (Some(0), _) => facts.push((
+                "convergence".to_owned(),
+                "refuted: the differences do not tend to 0".to_owned(),
+            )),
+            (Some(m), _) => facts.push((format!("C^{m}"), "refuted".to_owned())),
+            (None, None) => facts.push(("convergence".to_owned(), "open".to_owned())),
+            (None, Some(m)) => facts.push((format!("C^{}", m + 1), "open".to_owned())),
+        }
+        facts
+    }
+
+    fn radius(&self) -> Vec<(String, String)> {
+        let deciding = self.smoothness.deciding();
+        let (n, radius) = (deciding.symbol.arity(), &deciding.radius);
+        let size = deciding.matrices.size();
+        let low = enclosed_root(radius);
+        let mut facts = vec![
+            (
+                "matrices".to_owned(),
+                format!(
+                    "{n}, {size}×{size}, of {n}^{} times the differences of order {0}",
+                    deciding.order
+                ),
+            ),
+            ("ϱ".to_owned(), between(low.lower(), &upper(radius))),
+            (
+                "at least".to_owned(),
+                format!("{}: of the product {}", root_text(radius), product_text(radius, "T")),
+            ),
+        ];
+        if let Some(hull) = &radius.hull {
+            let rows = size + hull.rows.len();
+            let text = if radius.exact {
+                "the same, by an extremal hull: this is ϱ".to_owned()
+            } else {
+                format!("{}, by an invariant hull of {rows} rows", up(&hull.bound))
+            };
+            facts.push(("at most".to_owned(), text));
+        }
+        facts
+    }
+
+    fn remarks(&self, sheet: &mut Sheet) {
+        let Smoothness { reduced, hoelder, .. } = &self.smoothness;
+        if let Some(reduced) = reduced {
+            sheet.text(format!(
+                "The shifts of the basic limit function are linearly dependent. It is a combination of \
+                 shifts of another, with the symbol {}, which is as smooth; its radius decides.",
+                reduced.symbol.polynomial().describe("z")
+            ));
+        }
+        if hoelder.as_ref().is_some_and(|hoelder| hoelder.formula.is_none()) {
+            sheet.text(
+                "The bounds of the exponent do not meet: no extremal hull of up to 1200 rows is found for \
+                 products of up to 14 factors.",
+            );
+        }
+    }
+
+    fn form(&self) -> form::Smoothness<'_> {
+        let Smoothness { symbol, sum_rules, reproduction, shift, .. } = &self.smoothness;
+        let (low, high) = symbol.support();
+        let deciding = self.smoothness.deciding();
+        let contraction = |found: &Option<(u32, Rational)>| {
+            found.as_ref().map(|(c, norm)| form::Contraction { c: *c, norm: Exact::of(norm) })
+        };
+        let converges = self.smoothness.continuity.is_some();
+        form::Smoothness {
+            schema: SCHEMA,
+            scheme: self.name,
+            arity: symbol.arity(),
+            support: [Exact::of(&low), Exact::of(&high)],
+            sum_rules: *sum_rules,
+            generation: sum_rules - 1,
+            reproduction: *reproduction,
+            natural_shift: shift.keeps_lines.then(|| Exact::of(&shift.shift)),
+            approximation_order: reproduction + 1,
+            independent: converges.then_some(self.smoothness.reduced.is_none()),
+            continuity: self.smoothness.continuity,
+            continuity_fails: self.smoothness.continuity_fails,
+            contractions: self.contractions.iter().map(contraction).collect(),
+            radius: radius_form(&deciding.matrices, Some(deciding.order), &deciding.radius),
+            hoelder: self.smoothness.hoelder.as_ref().map(hoelder_form),
+        }
+    }
+}
+
+/// The ends of the exponent.
+fn exponent_ends(hoelder: &Hoelder) -> (Rational, Rational) {
+    match &hoelder.formula {
+        Some(formula) => ends(formula),
+        None => (hoelder.lower.clone(), hoelder.upper.clone()),
+    }
+}
+
+fn exponent(hoelder: &Hoelder) -> String {
+    let (low, high) = exponent_ends(hoelder);
+    match &hoelder.formula {
+        Some(formula) if formula.as_rational().is_some() => formula.to_string(),
+        Some(formula) => format!("{formula}\n{}", between(&low, &high)),
+        None => between(&low, &high),
+    }
+}
+
+fn hoelder_form(hoelder: &Hoelder) -> form::Hoelder {
+    let (low, high) = exponent_ends(hoelder);
+    form::Hoelder {
+        lower: down(&low),
+        upper: up(&high),
+        exact: hoelder.formula.as_ref().map(ToString::to_string),
+        attained: hoelder.attained,
+    }
+}

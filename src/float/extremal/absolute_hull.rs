@@ -1,0 +1,179 @@
+//! The gauge of the absolutely convex hull of rows, by the simplex method.
+
+use super::row_times;
+
+/// Rows v_1, …, v_m that span the space, and a basis of d of them from which the next search starts.
+#[derive(Clone, Debug)]
+pub struct AbsoluteHull {
+    rows: Vec<Vec<f64>>,
+    basis: Vec<usize>,
+    /// The inverse of the matrix of the basis rows.
+    inverse: Vec<Vec<f64>>,
+    /// How often the inverse has been updated since it was computed.
+    updates: usize,
+    /// How many exchanges of rows there have been.
+    exchanges: u64,
+}
+
+/// What the gauge of a row is, and by which rows.
+#[derive(Clone, Debug)]
+pub struct Gauge {
+    /// Σ|c_j|.
+    pub value: f64,
+    /// The rows of which it is a combination, with their coefficients.
+    pub combination: Vec<(usize, f64)>,
+}
+
+/// A reduced cost above 1 by less than this is taken for 1.
+const TOLERANCE: f64 = 1e-11;
+
+/// The most exchanges for one gauge; then the combination at hand is returned, which is a valid one.
+const MAX_EXCHANGES: usize = 2_000;
+
+/// The inverse is computed anew after so many updates, which each add a rounding error.
+const MAX_UPDATES: usize = 20;
+
+impl AbsoluteHull {
+    /// The hull of rows; `None` when they do not span the space, as far as f64 can tell.
+    #[must_use]
+    pub fn new(rows: Vec<Vec<f64>>) -> Option<AbsoluteHull> {
+        let size = rows.first()?.len();
+        let basis = independent(&rows, size)?;
+        let inverse = inverse(&basis.iter().map(|&j| rows[j].clone()).collect::<Vec<_>>())?;
+        Some(AbsoluteHull { rows, basis, inverse, updates: 0, exchanges: 0 })
+    }
+
+    /// The rows.
+    #[must_use]
+    pub fn rows(&self) -> &[Vec<f64>] {
+        &self.rows
+    }
+
+    /// How many exchanges of rows all gauges together have taken.
+    #[must_use]
+    pub fn exchanges(&self) -> u64 {
+        self.exchanges
+    }
+
+    /// Adds a row.
+    pub fn push(&mut self, row: Vec<f64>) {
+        self.rows.push(row);
+    }
+
+    /// The gauge of a row x, or, once it is seen to be at most `enough`, that of some combination.
+    ///
+    /// Any basis and the signs of the coefficients of x are a feasible vertex of the linear program
+    /// min Σ|c_j|, so that no first phase is needed, and the basis of the last call is a good start.
+    pub fn gauge(&mut self, x: &[f64], enough: f64) -> Gauge {
+        for exchanges in 0.. {
+            let coefficients = row_times(x, &self.inverse);
+            let value: f64 = coefficients.iter().map(|c| c.abs()).sum();
+            let done = value <= enough || exchanges == MAX_EXCHANGES;
+            let entering = if done { None } else { self.entering(&coefficients) };
+            let exchanged = entering.is_some_and(|entering| self.exchange(&coefficients, entering));
+            if !exchanged {
+                let combination = self.basis.iter().copied().zip(coefficients).collect();
+                return Gauge { value, combination };
+            }
+        }
+        unreachable!("the loop ends at the most exchanges")
+    }
+
+    /// The row with the greatest |v·y|, where y has v_b·y = sign c_b at the basis.
+    fn entering(&self, coefficients: &[f64]) -> Option<(usize, f64)> {
+        let signs: Vec<f64> =
+            coefficients.iter().map(|c| if *c < 0.0 { -1.0 } else { 1.0 }).collect();
+        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let dual: Vec<f64> = self.inverse.iter().map(|row| dot(row, &signs)).collect();
+        let costs = self.rows.iter().map(|row| dot(row, &dual)).enumerate();
+        let best = costs.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
+        (best.1.abs() > 1.0 + TOLERANCE).then_some((best.0, best.1.signum()))
+    }
+
+    /// Puts ±v_j into the basis for the row whose coefficient is the first to become 0.
+    fn exchange(&mut self, coefficients: &[f64], (entering, sign): (usize, f64)) -> bool {
+        let direction = row_times(&self.rows[entering], &self.inverse);
+        let ratio = |k: usize| {
+            let falls = sign * direction[k] * coefficients[k].signum();
+            (falls > 1e-10).then(|| (coefficients[k].abs() / falls, k))
+        };
+        let leaving = (0..self.basis.len()).filter_map(ratio).min_by(|a, b| a.0.total_cmp(&b.0));
+        let Some((_, leaving)) = leaving else { return false };
+        self.exchanges += 1;
+        let before = std::mem::replace(&mut self.basis[leaving], entering);
+        if self.updates < MAX_UPDATES {
+            self.update(&direction, leaving);
+            return true;
+        }
+        let rows: Vec<Vec<f64>> = self.basis.iter().map(|&j| self.rows[j].clone()).collect();
+        if let Some(inverse) = inverse(&rows) {
+            (self.inverse, self.updates) = (inverse, 0);
+            return true;
+        }
+        self.basis[leaving] = before;
+        false
+    }
+
+    /// The inverse after row k of the basis has become the one with these coefficients: a change of rank 1.
+    fn update(&mut self, direction: &[f64], k: usize) {
+        let pivot = direction[k];
+        for row in &mut self.inverse {
+            let factor = row[k] / pivot;
+            for (x, d) in row.iter_mut().zip(direction) {
+                *x -= factor * d;
+            }
+            row[k] += factor;
+        }
+        self.updates += 1;
+    }
+}
+
+/// The places of d independent rows, the longest remainder first.
+fn independent(rows: &[Vec<f64>], size: usize) -> Option<Vec<usize>> {
+    let mut rest = rows.to_vec();
+    let mut chosen = Vec::new();
+    for _ in 0..size {
+        let square = |row: &Vec<f64>| row.iter().map(|x| x * x).sum::<f64>();
+        let lengths = rest.iter().map(square).enumerate();
+        let (longest, length) = lengths.max_by(|a, b| a.1.total_cmp(&b.1))?;
+        if length < 1e-20 {
+            return None;
+        }
+        chosen.push(longest);
+        let axis = rest[longest].clone();
+        for row in &mut rest {
+            let along = row.iter().zip(&axis).map(|(a, b)| a * b).sum::<f64>() / length;
+            row.iter_mut().zip(&axis).for_each(|(x, a)| *x -= along * a);
+        }
+    }
+    Some(chosen)
+}
+
+/// The inverse of a matrix, by elimination with the largest pivot of a column.
+fn inverse(matrix: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
+    let size = matrix.len();
+    let unit = |i: usize| (0..size).map(move |j| if i == j { 1.0 } else { 0.0 });
+    let mut rows: Vec<Vec<f64>> = matrix
+        .iter()
+        .enumerate()
+        .map(|(i, row)| row.iter().copied().chain(unit(i)).collect())
+        .collect();
+    for step in 0..size {
+        let pivot =
+            (step..size).max_by(|&a, &b| rows[a][step].abs().total_cmp(&rows[b][step].abs()))?;
+        if rows[pivot][step].abs() < 1e-13 {
+            return None;
+        }
+        rows.swap(step, pivot);
+        let scale = rows[step][step];
+        rows[step].iter_mut().for_each(|x| *x /= scale);
+        let top = rows[step].clone();
+        for (i, row) in rows.iter_mut().enumerate() {
+            let factor = row[step];
+            if i != step && factor != 0.0 {
+                row.iter_mut().zip(&top).for_each(|(x, t)| *x -= factor * t);
+            }
+        }
+    }
+    Some(rows.into_iter().map(|row| row[size..].to_vec()).collect())
+}

@@ -1,0 +1,149 @@
+//! The bounds that start from a product of large spectral radius.
+
+use super::convert::{float, floats, scaled};
+use super::extremal::{Extremal, Rate};
+use super::hull::Hull;
+use super::matrix_set::MatrixSet;
+use super::product::{largest_real, square_of_radius};
+use super::proposal::hull;
+use super::roots::{algebraic_root, rational_root};
+use crate::exact::{FieldElement, Rational, RealAlgebraic};
+use crate::float::extremal::{Candidates, SearchCaps, row_times};
+use crate::float::nearest;
+
+/// The largest matrices for which products of two conjugate eigenvalues are taken.
+const MAX_CONJUGATE: usize = 8;
+
+/// The most rows of a hull.
+pub(super) const MAX_ROWS: usize = 1_200;
+
+/// The most work of the search for a hull.
+const MAX_WORK: u64 = 1_500_000_000;
+
+/// The greatest degree of the field in which a hull is verified.
+const MAX_DEGREE: usize = 12;
+
+/// The excesses of the bounds that are tried in turn when the radius is not found exactly.
+const EXCESSES: [f64; 8] = [0.3, 0.1, 0.03, 1e-2, 1e-3, 1e-4, 1e-5, 1e-7];
+
+/// The excess of the rational bound beside an exact irrational radius.
+const FINE: f64 = 1e-8;
+
+/// An extremal hull.
+pub(super) enum Exact {
+    /// With rational rows, which prove the radius.
+    Rational(Hull),
+    /// With rows in the field of the radius.
+    Irrational,
+}
+
+/// The lower bound.
+pub(super) struct Lower {
+    pub(super) product: Vec<usize>,
+    pub(super) root: RealAlgebraic,
+    pub(super) degree: usize,
+    /// root^{1/degree} in f64.
+    pub(super) rate: f64,
+    /// Whether the root is the absolute value of a real eigenvalue.
+    real: bool,
+}
+
+impl Lower {
+    pub(super) fn of(set: &MatrixSet, found: &Candidates) -> Option<Lower> {
+        let mut words = found.words.clone();
+        words.sort_by_key(Vec::len);
+        let bound = |word: &Vec<usize>, real: bool| {
+            let root = if real { largest_real(set, word)? } else { square_of_radius(set, word)? };
+            let degree = if real { word.len() } else { 2 * word.len() };
+            let rate = nearest(&root).powf(1.0 / float(degree));
+            Some(Lower { product: word.clone(), root, degree, rate, real })
+        };
+        let real = words.iter().find_map(|word| {
+            bound(word, true).filter(|lower| lower.rate > found.rate * (1.0 - 1e-8))
+        });
+        // The polynomial of the products of two eigenvalues has a degree of half the square of the size.
+        let conjugate = || (set.size() <= MAX_CONJUGATE).then(|| bound(words.first()?, false))?;
+        real.or_else(conjugate).or_else(|| words.iter().find_map(|word| bound(word, true)))
+    }
+
+    /// Whether an extremal hull of up to so many rows is found, and that hull where it is rational.
+    pub(super) fn extremal(
+        &self,
+        set: &MatrixSet,
+        unit: &Rational,
+        found: &Candidates,
+        rows: usize,
+    ) -> Option<Exact> {
+        if !self.real {
+            return None;
+        }
+        let caps = SearchCaps { rows, slack: 1e-10, work: MAX_WORK };
+        let mut words = vec![self.product.clone()];
+        words.extend(found.words.iter().filter(|word| **word != self.product).cloned());
+        let rational = self.root.as_rational();
+        if let Some(rate) = rational.and_then(|root| rational_root(root, self.degree)) {
+            let norm = Hull::norm(set);
+            if norm.bound == rate {
+                return Some(Exact::Rational(norm));
+            }
+            let rate = Rate::new(rate, 1);
+            let extremal = Extremal::search(set, rate, unit, &words, caps)?;
+            return extremal.hull(set, unit).map(Exact::Rational);
+        }
+        let invariant = |root: &RealAlgebraic, length| -> Option<()> {
+            if root.minimal_polynomial()?.degree()? > MAX_DEGREE {
+                return None;
+            }
+            let rate = Rate::new(FieldElement::generator(root)?, length);
+            let extremal = Extremal::search(set, rate, unit, &words, caps)?;
+            extremal.is_invariant(set, unit).then_some(())
+        };
+        // Where rows of several powers of θ meet on the boundary, Q(α) does not decide, but Q(θ) does.
+        let base = || (self.degree > 1).then(|| algebraic_root(&self.root, self.degree))?;
+        invariant(&self.root, self.degree)
+            .or_else(|| invariant(&base()?, 1))
+            .map(|()| Exact::Irrational)
+    }
+
+    /// The hull with the least bound that is found.
+    pub(super) fn nearest_hull(&self, set: &MatrixSet, unit: &Rational, exact: bool) -> Hull {
+        let seeds = self.seeds(set);
+        let attempt = |excess| hull(set, &seeds, unit, (self.rate, excess), (MAX_ROWS, MAX_WORK));
+        if let Some(hull) = exact.then(|| attempt(FINE)).flatten() {
+            return hull;
+        }
+        let mut best = Hull::norm(set);
+        for excess in EXCESSES {
+            match attempt(excess) {
+                Some(hull) if hull.bound < best.bound => best = hull,
+                Some(_) => {}
+                None => break,
+            }
+        }
+        best
+    }
+
+    /// The cycle of left eigenvectors in f64: rows of a high power of the product.
+    pub(super) fn seeds(&self, set: &MatrixSet) -> Vec<Vec<f64>> {
+        let matrices: Vec<_> =
+            floats(set).into_iter().map(|matrix| scaled(matrix, 1.0 / self.rate)).collect();
+        let mut rows = Vec::new();
+        let mut row = vec![1.0; set.size()];
+        for round in 0..200 {
+            for &i in &self.product {
+                row = row_times(&row, &matrices[i]);
+                let length: f64 = row.iter().map(|x| x.abs()).sum();
+                if length == 0.0 {
+                    return Vec::new();
+                }
+                for x in &mut row {
+                    *x /= length;
+                }
+                if round == 199 {
+                    rows.push(row.clone());
+                }
+            }
+        }
+        if self.real { rows } else { Vec::new() }
+    }
+}

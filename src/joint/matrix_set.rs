@@ -1,0 +1,163 @@
+//! Sets of square matrices of one size.
+
+use crate::exact::Rational;
+
+/// The most rows of a matrix.
+pub const MAX_SIZE: usize = 24;
+
+/// The most matrices of a set.
+pub const MAX_MATRICES: usize = 64;
+
+/// Square matrices of one size, over the rationals.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MatrixSet {
+    matrices: Vec<Vec<Vec<Rational>>>,
+}
+
+/// Why matrices are no set of square matrices, or too large a one.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum MatrixSetError {
+    /// None, or more than [`MAX_MATRICES`].
+    #[error("{0} matrices; there must be from 1 to {MAX_MATRICES}")]
+    Count(usize),
+    /// No row, or more than [`MAX_SIZE`].
+    #[error("matrix {matrix} has {rows} rows; there must be from 1 to {MAX_SIZE}")]
+    Size {
+        /// Which matrix, counted from 1.
+        matrix: usize,
+        /// Its rows.
+        rows: usize,
+    },
+    /// A row of another length than the first matrix has rows.
+    #[error(
+        "row {row} of matrix {matrix} has {found} entries, not {expected}; all matrices must be \
+         square and of one size"
+    )]
+    Row {
+        /// Which matrix, counted from 1.
+        matrix: usize,
+        /// Which row, counted from 1.
+        row: usize,
+        /// Its length.
+        found: usize,
+        /// The size of the first matrix.
+        expected: usize,
+    },
+    /// A matrix of another size than the first.
+    #[error(
+        "matrix {matrix} has {found} rows, and matrix 1 has {expected}; all must be of one size"
+    )]
+    Different {
+        /// Which matrix, counted from 1.
+        matrix: usize,
+        /// How many rows it has.
+        found: usize,
+        /// How many rows the first has.
+        expected: usize,
+    },
+}
+
+impl MatrixSet {
+    /// The set of these matrices, each row by row.
+    ///
+    /// # Errors
+    /// When they are not square and of one size, or beyond the caps.
+    pub fn new(matrices: Vec<Vec<Vec<Rational>>>) -> Result<MatrixSet, MatrixSetError> {
+        if !(1..=MAX_MATRICES).contains(&matrices.len()) {
+            return Err(MatrixSetError::Count(matrices.len()));
+        }
+        let expected = matrices[0].len();
+        for (matrix, rows) in (1..).zip(&matrices) {
+            if !(1..=MAX_SIZE).contains(&rows.len()) {
+                return Err(MatrixSetError::Size { matrix, rows: rows.len() });
+            }
+            if rows.len() != expected {
+                return Err(MatrixSetError::Different { matrix, found: rows.len(), expected });
+            }
+            for (row, entries) in (1..).zip(rows) {
+                if entries.len() != expected {
+                    let found = entries.len();
+                    return Err(MatrixSetError::Row { matrix, row, found, expected });
+                }
+            }
+        }
+        Ok(MatrixSet { matrices })
+    }
+
+    /// The matrices, row by row.
+    #[must_use]
+    pub fn matrices(&self) -> &[Vec<Vec<Rational>>] {
+        &self.matrices
+    }
+
+    /// d of d×d matrices.
+    #[must_use]
+    pub fn size(&self) -> usize {
+        self.matrices[0].len()
+    }
+
+    /// M_{w_1}⋯M_{w_l}; the unit matrix for no factor.
+    ///
+    /// # Panics
+    /// When there is no such matrix.
+    #[must_use]
+    pub fn product(&self, word: &[usize]) -> Vec<Vec<Rational>> {
+        let size = self.size();
+        let unit = |i: usize| (0..size).map(|j| Rational::from(i64::from(i == j))).collect();
+        let start: Vec<Vec<Rational>> = (0..size).map(unit).collect();
+        word.iter().fold(start, |product, &i| {
+            product.iter().map(|row| row_times(row, &self.matrices[i])).collect()
+        })
+    }
+
+    /// Whether every product of d factors is 0: the radius is then 0, and otherwise it is positive.
+    #[must_use]
+    pub fn is_nilpotent(&self) -> bool {
+        // The spans of the rows of all products of k factors, k = 0, 1, …, are each a part of the one before.
+        let mut span = self.product(&[]);
+        loop {
+            let images =
+                self.matrices.iter().flat_map(|m| span.iter().map(|row| row_times(row, m)));
+            let next = echelon(images.collect());
+            if next.is_empty() || next.len() == span.len() {
+                return next.is_empty();
+            }
+            span = next;
+        }
+    }
+}
+
+/// xM.
+pub(super) fn row_times(x: &[Rational], matrix: &[Vec<Rational>]) -> Vec<Rational> {
+    let mut sum = vec![Rational::zero(); matrix[0].len()];
+    for (x, row) in x.iter().zip(matrix).filter(|(x, _)| !x.is_zero()) {
+        for (sum, entry) in sum.iter_mut().zip(row).filter(|(_, entry)| !entry.is_zero()) {
+            *sum += &(x * entry);
+        }
+    }
+    sum
+}
+
+/// Rows in echelon form with the same span, without rows of zeros.
+pub(super) fn echelon(mut rows: Vec<Vec<Rational>>) -> Vec<Vec<Rational>> {
+    let columns = rows.first().map_or(0, Vec::len);
+    let mut done = 0;
+    for column in 0..columns {
+        let Some(pivot) = (done..rows.len()).find(|&i| !rows[i][column].is_zero()) else {
+            continue;
+        };
+        rows.swap(done, pivot);
+        let (above, below) = rows.split_at_mut(done + 1);
+        let top = &above[done];
+        for row in below.iter_mut().filter(|row| !row[column].is_zero()) {
+            let factor = &row[column] / &top[column];
+            for (x, t) in row.iter_mut().zip(top).skip(column) {
+                *x -= &(&factor * t);
+            }
+        }
+        done += 1;
+    }
+    rows.truncate(done);
+    rows
+}

@@ -1,0 +1,40 @@
+//! Roots of exact numbers.
+
+use crate::exact::{Enclosed as _, Integer, IntegerPolynomial, Rational, RealAlgebraic};
+
+/// The rational number q ≥ 0 with q^degree = x, if there is one.
+pub(super) fn rational_root(x: &Rational, degree: usize) -> Option<Rational> {
+    let degree = u32::try_from(degree).ok()?;
+    Some(Rational::new(root(&x.numerator(), degree)?, root(&x.denominator(), degree)?))
+}
+
+/// The positive θ with θ^degree = x, as a root of f(z^degree), f a polynomial of x.
+pub(super) fn algebraic_root(x: &RealAlgebraic, degree: usize) -> Option<RealAlgebraic> {
+    let mut stretched = Vec::new();
+    for c in x.polynomial().coefficients() {
+        stretched.resize(stretched.len().next_multiple_of(degree), Integer::zero());
+        stretched.push(c.clone());
+    }
+    let power = i32::try_from(degree).ok()?;
+    // The power of a root is a root of f, and x is the only one of these in its interval.
+    let is_root = |theta: &RealAlgebraic| {
+        let enclosure = theta.enclosure(1);
+        let (low, high) = (enclosure.lower().pow(power), enclosure.upper().pow(power));
+        let (least, greatest) = x.bounds();
+        let inside = least <= low && high <= greatest;
+        let rational = x.as_rational().is_some_and(|x| low <= *x && *x <= high);
+        theta.sign() > 0 && (inside || rational)
+    };
+    RealAlgebraic::roots_of(&IntegerPolynomial::new(stretched)).into_iter().find(is_root)
+}
+
+fn root(x: &Integer, degree: u32) -> Option<Integer> {
+    let bits = u32::try_from(x.bits()).ok()?;
+    let (mut low, mut high) = (Integer::zero(), Integer::one().shifted_left(bits / degree + 1));
+    // low^degree ≤ x < high^degree.
+    while &high - &low > Integer::one() {
+        let middle = (&low + &high).shifted_right(1);
+        if middle.pow(degree) <= *x { low = middle } else { high = middle }
+    }
+    (low.pow(degree) == *x).then_some(low)
+}

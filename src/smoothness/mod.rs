@@ -1,0 +1,39 @@
+//! How smooth the limits of a curve scheme are: convergence, C^m, the Hölder exponent, polynomials.
+//!
+//! A scheme of arity n has the symbol A(z) = Σ_s a_s z^s, where x'_r = Σ_k a_{r−nk} x_k. With
+//! σ(z) = 1 + z + … + z^{n−1}, A = σ^K B, and B not divisible by σ, K is the order of the sum rules. The differences
+//! of order K are refined by the scheme of B. Its spectral radius is the joint spectral radius of n
+//! matrices, which [`joint`](crate::joint) bounds. `proofs/THEOREMS.md`, 103 to 112.
+//!
+//! ```
+//! use subcert::scheme::parse_scheme;
+//! use subcert::smoothness::Smoothness;
+//!
+//! let scheme = parse_scheme("four-point:w=1/16")?;
+//! let smoothness = Smoothness::of(scheme.masks()[0])?;
+//! assert_eq!((smoothness.continuity, smoothness.continuity_fails), (Some(1), Some(2)));
+//! let exponent = smoothness.hoelder.expect("it converges");
+//! assert_eq!((exponent.formula.expect("exact").to_string(), exponent.attained), ("2".to_owned(), Some(false)));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod contraction;
+mod excluded;
+mod exponent;
+mod formula;
+mod independence;
+mod parametric;
+mod range;
+mod reproduction;
+mod search;
+mod symbol;
+mod transition;
+
+pub use contraction::contractions;
+pub use exponent::{Hoelder, Smoothness, SmoothnessError};
+pub use formula::ExponentFormula;
+pub use parametric::ParametricSymbol;
+pub use range::{SmoothRange, SmoothRangeError, smooth_range};
+pub use reproduction::reproduction_degree;
+pub use symbol::Symbol;
+pub use transition::transition_matrices;

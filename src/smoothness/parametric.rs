@@ -1,0 +1,177 @@
+//! Symbols whose coefficients are polynomials in one parameter.
+
+use super::symbol::Symbol;
+use super::transition::windows;
+use crate::exact::{Integer, Rational, RationalPolynomial, Scalar as _};
+use crate::scheme::Rules;
+
+/// A square matrix of polynomials, row by row.
+pub(super) type PolynomialMatrix = Vec<Vec<RationalPolynomial>>;
+
+/// The symbol of a mask in one parameter, up to a power of z.
+#[derive(Clone, Debug)]
+pub struct ParametricSymbol {
+    arity: usize,
+    coefficients: Vec<RationalPolynomial>,
+}
+
+impl ParametricSymbol {
+    /// The symbol of these rules.
+    #[must_use]
+    pub fn of(rules: &Rules<RationalPolynomial>) -> ParametricSymbol {
+        let places = (0..rules.width()).rev();
+        let coefficients = places.flat_map(|j| rules.rows().iter().map(move |row| row[j].clone()));
+        ParametricSymbol { arity: rules.arity(), coefficients: coefficients.collect() }.trimmed()
+    }
+
+    fn trimmed(mut self) -> ParametricSymbol {
+        while self.coefficients.last().is_some_and(RationalPolynomial::is_zero) {
+            self.coefficients.pop();
+        }
+        let zeros = self.coefficients.iter().take_while(|c| c.is_zero()).count();
+        self.coefficients.drain(..zeros);
+        self
+    }
+
+    /// n.
+    #[must_use]
+    pub fn arity(&self) -> usize {
+        self.arity
+    }
+
+    /// The symbol over σ(z) = 1 + z + … + z^{n−1}, if σ divides it for every value of the parameter.
+    #[must_use]
+    pub fn over_sigma(&self) -> Option<ParametricSymbol> {
+        let n = self.arity;
+        let mut rest = self.coefficients.clone();
+        let count = (rest.len() + 1).checked_sub(n)?;
+        let mut quotient = Vec::with_capacity(count);
+        for i in 0..count {
+            let c = rest[i].clone();
+            rest[i..i + n].iter_mut().for_each(|x| x.lessen(&c));
+            quotient.push(c);
+        }
+        let divides = count > 0 && rest.iter().all(RationalPolynomial::is_zero);
+        divides.then(|| ParametricSymbol { arity: n, coefficients: quotient }.trimmed())
+    }
+
+    /// This times a number.
+    #[must_use]
+    pub fn scaled(&self, factor: &Rational) -> ParametricSymbol {
+        let factor = RationalPolynomial::constant(factor.clone());
+        let coefficients = self.coefficients.iter().map(|c| c.times(&factor)).collect();
+        ParametricSymbol { arity: self.arity, coefficients }
+    }
+
+    /// The symbol at a value of the parameter.
+    #[must_use]
+    pub fn at(&self, value: &Rational) -> Symbol {
+        let coefficients: Vec<Rational> =
+            self.coefficients.iter().map(|c| c.value_at(value)).collect();
+        Symbol::new(self.arity, 0, &RationalPolynomial::new(&coefficients))
+    }
+
+    /// Whether one of the n parts is a single coefficient 1: the scheme keeps the points of its data.
+    #[must_use]
+    pub fn is_interpolating(&self) -> bool {
+        let one = RationalPolynomial::constant(Rational::one());
+        (0..self.arity).any(|e| {
+            let part = self.coefficients.iter().skip(e).step_by(self.arity);
+            part.filter(|c| !c.is_zero()).eq([&one])
+        })
+    }
+
+    /// The rules of the symbol.
+    ///
+    /// # Panics
+    /// Never: a mask has no longer rules.
+    #[must_use]
+    pub fn rules(&self) -> Rules<RationalPolynomial> {
+        let width = self.coefficients.len().div_ceil(self.arity).max(1);
+        let zero = RationalPolynomial::constant(Rational::zero());
+        let entry = |alpha: usize, j: usize| {
+            self.coefficients.get(alpha + self.arity * (width - 1 - j)).unwrap_or(&zero).clone()
+        };
+        let row = |alpha| (0..width).map(|j| entry(alpha, j)).collect();
+        Rules::new((0..self.arity).map(row).collect(), 0).expect("rules as long as those of a mask")
+    }
+
+    /// The matrices on windows, in the parameter.
+    pub(super) fn matrices(&self) -> Vec<PolynomialMatrix> {
+        let zero = RationalPolynomial::constant(Rational::zero());
+        windows(&self.coefficients, self.arity, &zero)
+    }
+}
+
+/// The matrices C_0, …, C_D of which a matrix of polynomials is the combination Σ_i C_i·b_i(t), with the
+/// Bernstein polynomials b_i ≥ 0, Σ b_i = 1, where w = a + (b − a)t goes from a to b, and D is the degree.
+pub(super) fn bernstein(
+    matrix: &PolynomialMatrix,
+    degree: usize,
+    (a, b): (&Rational, &Rational),
+) -> Vec<Vec<Vec<Rational>>> {
+    let line = RationalPolynomial::new(&[a.clone(), b - a]);
+    let entry = |p: &RationalPolynomial| -> Vec<Rational> {
+        let zero = RationalPolynomial::constant(Rational::zero());
+        let terms = p.coefficients().into_iter().rev();
+        let moved =
+            terms.fold(zero, |value, c| value.times(&line).plus(&RationalPolynomial::constant(c)));
+        let c = moved.coefficients();
+        let weight = |i: usize, k: usize| Rational::new(choose(i, k), choose(degree, k));
+        let sum = |i: usize| c.iter().enumerate().take(i + 1).map(|(k, c)| c * weight(i, k)).sum();
+        (0..=degree).map(sum).collect()
+    };
+    let all: Vec<Vec<Vec<Rational>>> =
+        matrix.iter().map(|row| row.iter().map(entry).collect()).collect();
+    let pick =
+        |i: usize| all.iter().map(|row| row.iter().map(|c| c[i].clone()).collect()).collect();
+    (0..=degree).map(pick).collect()
+}
+
+fn choose(top: usize, bottom: usize) -> Integer {
+    let small = |x| u32::try_from(x).expect("a low degree");
+    Integer::binomial(small(top), small(bottom))
+}
+
+/// det(I − P) and det(I + P), as polynomials, by the recursion of Faddeev and Le Verrier.
+pub(super) fn unit_determinants(matrix: &PolynomialMatrix) -> [RationalPolynomial; 2] {
+    let size = matrix.len();
+    let one = RationalPolynomial::constant(Rational::one());
+    let (mut power, mut sums) = (matrix.clone(), [one.clone(), one]);
+    for k in 1..=size {
+        if k > 1 {
+            power = multiplied(matrix, &power);
+        }
+        let trace = RationalPolynomial::total((0..size).map(|i| &power[i][i]));
+        let factor = RationalPolynomial::constant(-Rational::from(k).recip());
+        let c = trace.times(&factor);
+        for (i, row) in power.iter_mut().enumerate() {
+            row[i] = row[i].plus(&c);
+        }
+        sums[0] = sums[0].plus(&c);
+        sums[1] = if k.is_multiple_of(2) { sums[1].plus(&c) } else { sums[1].minus(&c) };
+    }
+    sums
+}
+
+/// The matrix on alternating tensors: its eigenvalues are the products λ_i λ_j, i < j.
+pub(super) fn exterior_square(matrix: &PolynomialMatrix) -> PolynomialMatrix {
+    let size = matrix.len();
+    let pairs: Vec<(usize, usize)> =
+        (0..size).flat_map(|a| (a + 1..size).map(move |b| (a, b))).collect();
+    let entry = |(a, b): (usize, usize), (p, q): (usize, usize)| {
+        let minor = matrix[a][p].times(&matrix[b][q]);
+        minor.minus(&matrix[a][q].times(&matrix[b][p]))
+    };
+    pairs.iter().map(|&row| pairs.iter().map(|&column| entry(row, column)).collect()).collect()
+}
+
+/// AB.
+pub(super) fn multiplied(a: &PolynomialMatrix, b: &PolynomialMatrix) -> PolynomialMatrix {
+    let zero = || RationalPolynomial::constant(Rational::zero());
+    let entry = |row: &Vec<RationalPolynomial>, j: usize| {
+        let terms = row.iter().zip(b).filter(|(x, _)| !x.is_zero());
+        terms.fold(zero(), |sum, (x, other)| sum.plus(&x.times(&other[j])))
+    };
+    a.iter().map(|row| (0..b.len()).map(|j| entry(row, j)).collect()).collect()
+}

@@ -1,0 +1,120 @@
+//! For which parameters the limits are C^m, from both sides.
+
+use super::independence::independent;
+use super::parametric::ParametricSymbol;
+use super::search::Search;
+use crate::bound::{ParameterRange, RangeError};
+use crate::exact::{
+    Enclosed as _, Interval, IntervalSet, Rational, RationalPolynomial, RealAlgebraic,
+};
+use crate::joint::MatrixSetError;
+use crate::scheme::Rules;
+use std::ops::Bound;
+
+/// Why there is no range.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SmoothRangeError {
+    /// C^m needs sum rules of a higher order than hold for all parameters.
+    #[error(
+        "C^{m} needs sum rules of order {needed}, and those of order {found} hold for all parameters, but no \
+         more: on no interval are the limits C^{m}"
+    )]
+    SumRules {
+        /// m.
+        m: usize,
+        /// m + 1.
+        needed: usize,
+        /// The order that holds.
+        found: usize,
+    },
+    /// The rules are too long.
+    #[error("the rules are too long for a proof of smoothness: {0}")]
+    TooLong(#[from] MatrixSetError),
+    /// The contraction is beyond a cap.
+    #[error(transparent)]
+    Range(#[from] RangeError),
+}
+
+/// Where the limits are C^m.
+#[derive(Clone, Debug)]
+pub struct SmoothRange {
+    /// For c = 1, 2, … the set where ‖(n^mS_{m+1})^c‖ < 1, as of [`ParameterRange`].
+    pub contraction: ParameterRange,
+    /// There all limits are C^m.
+    pub inside: IntervalSet,
+    /// There not all limits are C^m, or the scheme diverges.
+    pub outside: IntervalSet,
+    /// Whether finitely many parameters of `outside` may be exceptions: those where the shifts of the basic
+    /// limit function are linearly dependent.
+    pub but_finitely_many: bool,
+    /// The length of what is in neither, rounded upwards; `None` where that is unbounded.
+    pub gap: Option<Rational>,
+}
+
+/// Where the limits of a mask in one parameter are C^m.
+///
+/// Inside by contraction, up to `levels` levels, and by hulls that are invariant on whole intervals: for
+/// the matrices of which those of the interval are the mean (`proofs/THEOREMS.md`, 111). Outside where a
+/// product of n^mS_K has the eigenvalue 1 or more in absolute value, by the sign of det(I ∓ P) (112).
+///
+/// # Errors
+/// When the sum rules do not hold, or the work is beyond a cap.
+///
+/// # Panics
+/// Never.
+pub fn smooth_range(
+    rules: &Rules<RationalPolynomial>,
+    m: usize,
+    levels: u32,
+) -> Result<SmoothRange, SmoothRangeError> {
+    let whole = ParametricSymbol::of(rules);
+    let orders = std::iter::successors(Some(whole.clone()), ParametricSymbol::over_sigma);
+    let orders: Vec<ParametricSymbol> = orders.collect();
+    let found = orders.len() - 1;
+    if found < m + 1 {
+        return Err(SmoothRangeError::SumRules { m, needed: m + 1, found });
+    }
+    let n = Rational::from(whole.arity());
+    let factor = (0..m).fold(Rational::one(), |power, _| power * &n);
+    let contraction = ParameterRange::new(&orders[m + 1].scaled(&factor).rules(), levels)?;
+    let matrices = orders[found].scaled(&factor).matrices();
+    let mut search = Search::new(matrices)?;
+    search.run(&contraction.union)?;
+    let inside = search.inside.union(&contraction.union);
+    let sure = m == 0 || whole.is_interpolating();
+    let outside = if sure { search.outside } else { generically(&whole, &search.outside) };
+    let gap = gap(&inside.union(&outside));
+    Ok(SmoothRange { contraction, inside, outside, but_finitely_many: !sure, gap })
+}
+
+/// The intervals in which some parameter has independent shifts: then all but finitely many of each have.
+fn generically(symbol: &ParametricSymbol, outside: &IntervalSet) -> IntervalSet {
+    let proper = |interval: &&Interval| {
+        interval.rational().is_some_and(|value| {
+            let at = symbol.at(&value);
+            independent(&at) == at
+        })
+    };
+    let proper = outside.intervals().iter().filter(proper).cloned().map(IntervalSet::from);
+    proper.fold(IntervalSet::default(), |union, set| union.union(&set))
+}
+
+/// The length of the complement, if it is bounded.
+fn gap(known: &IntervalSet) -> Option<Rational> {
+    let intervals = known.intervals();
+    let bounded = matches!(intervals.first()?.low, Bound::Unbounded)
+        && matches!(intervals.last()?.high, Bound::Unbounded);
+    let place = |end: &Bound<RealAlgebraic>| match end {
+        Bound::Unbounded => None,
+        Bound::Included(place) | Bound::Excluded(place) => Some(place.clone()),
+    };
+    let length = |pair: &[Interval]| {
+        let (low, high) = (place(&pair[0].high)?, place(&pair[1].low)?);
+        Some(high.enclosure(0).upper() - low.enclosure(0).lower())
+    };
+    if !bounded {
+        return None;
+    }
+    intervals.windows(2).map(length).sum()
+}

@@ -1,0 +1,35 @@
+//! Polynomials that a scheme reproduces.
+
+use crate::exact::Rational;
+use crate::limit::natural_shift;
+use crate::scheme::Mask;
+
+/// The largest d such that one refinement takes the values of every polynomial p of degree at most d at
+/// i + s to those at (i + s)/n, with the natural shift s.
+///
+/// That is Σ_j a_{α,j} (o + j + s)^k = ((α + s)/n)^k for all α and k ≤ d: powers of i on both sides follow
+/// by the binomial theorem. Of N points, with no point of level 1 among them, at most polynomials of
+/// degree N − 1 are reproduced, so that d < N.
+///
+/// ```
+/// use subcert::scheme::parse_scheme;
+/// use subcert::smoothness::reproduction_degree;
+///
+/// let degree = |name| Ok::<_, subcert::scheme::SchemeError>(reproduction_degree(parse_scheme(name)?.masks()[0]));
+/// assert_eq!((degree("four-point:w=1/16")?, degree("four-point:w=1/15")?, degree("chaikin")?), (3, 1, 1));
+/// # Ok::<(), subcert::scheme::SchemeError>(())
+/// ```
+#[must_use]
+pub fn reproduction_degree(mask: &Mask) -> usize {
+    let shift = natural_shift(mask).shift;
+    let n = Rational::from(mask.arity());
+    let holds = |degree: usize| {
+        let power = |x: Rational| (0..degree).fold(Rational::one(), |power, _| power * &x);
+        (0..).zip(mask.rules().rows()).all(|(alpha, row)| {
+            let places = (mask.offset()..).map(|i| power(Rational::from(i) + &shift));
+            let sum: Rational = row.iter().zip(places).map(|(a, x)| a * x).sum();
+            sum == power((Rational::from(alpha) + &shift) / &n)
+        })
+    };
+    (1..mask.width()).find(|&degree| !holds(degree)).unwrap_or(mask.width()) - 1
+}
