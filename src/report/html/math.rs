@@ -1,0 +1,216 @@
+//! Formulas as MathML, which browsers typeset by themselves.
+
+use super::names::name;
+use crate::audit::PaperAudit;
+use crate::claim::{Identity, Index, Left};
+use crate::exact::Rational;
+use crate::formula::{Expr, Fold, LocatedFormula, Node, Operator, OptionWord};
+use maud::{Markup, html};
+
+/// A formula; its text stands in it for programs that do not show MathML.
+pub(super) fn formula(expr: &Expr) -> Markup {
+    html! { math alttext=(expr) { (inner(expr)) } }
+}
+
+/// A formula in a line of its own.
+fn block(contents: &Markup) -> Markup {
+    html! { math display="block" { (contents) } }
+}
+
+/// A formula with its text, to copy.
+pub(super) fn named(located: &LocatedFormula) -> Markup {
+    html! { (formula(&located.expr)) }
+}
+
+/// The definitions that a formula uses, as entries of a list.
+pub(super) fn definitions(audit: &PaperAudit<'_>, located: &LocatedFormula) -> Markup {
+    html! {
+        @for (defined, definition) in audit.paper.definitions_in(located) {
+            div {
+                dt { "where" }
+                dd { math { (name(defined)) mo { "=" } (inner(&definition.expr)) } }
+            }
+        }
+    }
+}
+
+/// left = right, for the values of the indices.
+pub(super) fn identity(identity: &Identity) -> Markup {
+    let right = || inner(&identity.right.expr);
+    html! {
+        div.scroll tabindex="0" role="group" aria-label="equation" {
+            @match &identity.left {
+                Left::One(left) => { (block(&html! { (inner(&left.expr)) mo { "=" } (right()) })) }
+                Left::Each(all) => {
+                    @for left in all { (block(&inner(&left.expr))) }
+                    (block(&html! { mtext { "each equal to " } (right()) }))
+                }
+            }
+        }
+        @if !identity.indices.is_empty() {
+            p.indices { "for " (identity.indices.iter().map(index).collect::<Vec<String>>().join(", ")) }
+        }
+    }
+}
+
+/// `i = 2…N-1`.
+fn index(index: &Index) -> String {
+    match index {
+        Index::Range { label, from, to, .. } => format!("{label} = {}…{}", from.text, to.text),
+        Index::Listed { label, values, .. } => {
+            let values: Vec<&str> = values.iter().map(|(_, printed)| printed.as_str()).collect();
+            format!("{label} = {}", values.join(", "))
+        }
+    }
+}
+
+/// How tightly what is shown binds.
+fn binds(expr: &Expr) -> u8 {
+    match &expr.node {
+        Node::Chain(_, rest) if rest.iter().any(|(operator, _)| is_sum(*operator)) => 1,
+        Node::Fold { fold: Fold::Sum, .. } | Node::Negate(_) => 1,
+        Node::Number(number) if number.sign() < 0 => 1,
+        Node::Chain(..) => 2,
+        // A fraction with a bar is one thing, but for an exponent above it.
+        Node::Number(number) if !number.is_integer() => 3,
+        Node::Power(..) => 4,
+        _ => 5,
+    }
+}
+
+fn is_sum(operator: Operator) -> bool {
+    matches!(operator, Operator::Add | Operator::Subtract)
+}
+
+/// In parentheses, unless it binds as tightly as `least`.
+fn at_least(expr: &Expr, least: u8) -> Markup {
+    if binds(expr) < least { bracketed("(", &inner(expr), ")") } else { inner(expr) }
+}
+
+fn bracketed(open: &str, contents: &Markup, close: &str) -> Markup {
+    html! { mrow { mo fence="true" { (open) } (contents) mo fence="true" { (close) } } }
+}
+
+/// What stands in a `math` element; one element.
+fn inner(expr: &Expr) -> Markup {
+    match &expr.node {
+        Node::Number(value) => number(value),
+        Node::Name(text) => name(text),
+        Node::Indexed { name: family, indices } => {
+            html! { msub { (name(family)) mrow { (list(indices)) } } }
+        }
+        Node::Negate(operand) => html! { mrow { mo { "−" } (at_least(operand, 2)) } },
+        Node::Power(base, exponent) => html! { msup { (at_least(base, 5)) (inner(exponent)) } },
+        Node::Chain(first, rest) if rest.iter().any(|(operator, _)| is_sum(*operator)) => {
+            sum(first, rest)
+        }
+        Node::Chain(first, rest) => product(first, rest),
+        Node::Call { function, arguments, options } => call(function, arguments, options),
+        Node::Fold { fold, index, from, to, body } => folded(*fold, index, [from, to, body]),
+    }
+}
+
+fn number(value: &Rational) -> Markup {
+    let size = value.abs();
+    let shown = if size.is_integer() {
+        html! { mn { (size) } }
+    } else {
+        html! { mfrac { mn { (size.numerator()) } mn { (size.denominator()) } } }
+    };
+    if value.sign() < 0 {
+        html! { mrow { mo { "−" } (shown) } }
+    } else {
+        shown
+    }
+}
+
+fn list(parts: &[Expr]) -> Markup {
+    html! {
+        @for (place, part) in parts.iter().enumerate() {
+            @if place > 0 { mo separator="true" { "," } }
+            (inner(part))
+        }
+    }
+}
+
+fn sum(first: &Expr, rest: &[(Operator, Expr)]) -> Markup {
+    html! {
+        mrow {
+            (inner(first))
+            @for (operator, operand) in rest {
+                mo { @if *operator == Operator::Add { "+" } @else { "−" } }
+                (at_least(operand, 2))
+            }
+        }
+    }
+}
+
+/// Factors side by side, and what divides below a bar.
+fn product(first: &Expr, rest: &[(Operator, Expr)]) -> Markup {
+    // Of one factor, the form without parentheses too: a bar takes their place.
+    let mut factors = vec![at_least(first, 2)];
+    let mut alone = Some(inner(first));
+    for (operator, operand) in rest {
+        if *operator == Operator::Divide {
+            let above =
+                alone.unwrap_or_else(|| html! { mrow { @for factor in &factors { (factor) } } });
+            let bar = html! { mfrac { (above) (inner(operand)) } };
+            factors = vec![bar.clone()];
+            alone = Some(bar);
+            continue;
+        }
+        let sign = if matches!(operand.node, Node::Number(_)) { "·" } else { "\u{2062}" };
+        factors.push(html! { mo { (sign) } });
+        factors.push(at_least(operand, 2));
+        alone = None;
+    }
+    html! { mrow { @for factor in &factors { (factor) } } }
+}
+
+fn call(function: &str, arguments: &[Expr], options: &[OptionWord]) -> Markup {
+    let fences = match function {
+        "abs" => Some(("|", "|")),
+        "floor" => Some(("⌊", "⌋")),
+        "ceil" => Some(("⌈", "⌉")),
+        _ => None,
+    };
+    if let (Some((open, close)), [argument], []) = (fences, arguments, options) {
+        return bracketed(open, &inner(argument), close);
+    }
+    if let ("binomial", [above, below], []) = (function, arguments, options) {
+        let pair = html! { mfrac linethickness="0" { (inner(above)) (inner(below)) } };
+        return bracketed("(", &pair, ")");
+    }
+    let contents = html! {
+        (list(arguments))
+        @for (place, option) in options.iter().enumerate() {
+            @if place > 0 || !arguments.is_empty() { mo separator="true" { "," } }
+            mtext { (option.name) " = " (option.word) }
+        }
+    };
+    html! { mrow { (name(function)) mo { "\u{2061}" } (bracketed("(", &contents, ")")) } }
+}
+
+fn folded(fold: Fold, index: &str, [from, to, body]: [&Expr; 3]) -> Markup {
+    match fold {
+        Fold::Sum => html! {
+            mrow {
+                munderover {
+                    mo { "∑" }
+                    mrow { (name(index)) mo { "=" } (inner(from)) }
+                    mrow { (inner(to)) }
+                }
+                (at_least(body, 2))
+            }
+        },
+        Fold::Max | Fold::Min => html! {
+            mrow {
+                munder {
+                    mo { @if fold == Fold::Max { "max" } @else { "min" } }
+                    mrow { (name(index)) mo { "=" } (inner(from)) mo { "…" } (inner(to)) }
+                }
+                (at_least(body, 2))
+            }
+        },
+    }
+}
