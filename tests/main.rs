@@ -23,4 +23,5 @@ mod mesh;
 mod oracle;
 mod patch;
 mod random_papers;
+mod report;
 mod scheme;

@@ -43,7 +43,7 @@ pub(super) fn pages(
     for audit in audits {
         let name = &audit.paper.source.name;
         let file = (!embedded).then_some(name.as_str());
-        write(folder, &audit.paper.key, &audit_page(audit, file))?;
+        write(folder, &audit.paper.key, &audit_page(audit, file)?)?;
     }
     let mut more = Sheet::default();
     if let Some(certified) = certified {

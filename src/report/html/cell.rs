@@ -2,6 +2,7 @@
 
 use super::command;
 use super::filter::is_broken;
+use super::picture::digits;
 use super::sheet::facts;
 use super::verdict::{BROKEN, Look, badge};
 use crate::audit::{CellFinding, PaperAudit};
@@ -39,6 +40,7 @@ pub(super) fn cell(
                     strong { (cell.locus) }
                     " " a.close href={ "#" (table) } { "close" }
                 }
+                @if let Some(digits) = digits(cell) { (digits) }
                 (facts(&cell_facts(cell)))
                 (command::explain(audit, &anchor, file))
             }

@@ -2,10 +2,14 @@
 
 use super::command;
 use super::math::{definitions, formula, identity};
+use super::picture;
 use super::sheet::{facts, lines};
 use super::verdict::{Look, badge};
-use crate::audit::{EquationFinding, FunctionFinding, PaperAudit, RangeFinding, TheoremFinding};
+use crate::audit::{
+    EquationFinding, FunctionFinding, PaperAudit, RangeFinding, TheoremFinding, by_hand,
+};
 use crate::claim::{EquationBody, Statement};
+use crate::diagnostic::Diagnostic;
 use crate::formula::LocatedFormula;
 use crate::report::{equation, function, theorem};
 use maud::{Markup, html};
@@ -121,18 +125,26 @@ pub(super) fn range(
                 }
                 (definitions(audit, &own.value))
             }
-            p.outcome { (lines(&function::range_outcome(finding).join("\n"))) }
+            @if let Some(picture) = picture::range(finding) { (picture) }
+        p.outcome { (lines(&function::range_outcome(finding).join("\n"))) }
         },
     )
 }
 
 /// A theorem, a lemma or a corollary.
+///
+/// # Errors
+/// When a formula of the claim file is wrong.
 pub(super) fn theorem(
     audit: &PaperAudit<'_>,
     finding: &TheoremFinding<'_>,
     file: Option<&str>,
-) -> Markup {
+) -> Result<Markup, Diagnostic> {
     let own = finding.theorem;
+    let hand = by_hand(audit, finding)?;
+    let violation = finding.refutation.as_ref().map(|refutation| &refutation.violation);
+    let drawing = violation.zip(hand.as_ref());
+    let drawing = drawing.and_then(|(violation, hand)| picture::witness(&hand.masks, violation));
     let verdict = finding.verdict.name();
     let claim = Claim {
         id: &own.id,
@@ -141,7 +153,7 @@ pub(super) fn theorem(
         verdict,
         note: own.note.as_deref(),
     };
-    section(
+    Ok(section(
         audit,
         &claim,
         file,
@@ -153,12 +165,13 @@ pub(super) fn theorem(
                 }
             }
             p.outcome { (lines(&theorem::outcome(finding))) }
-            @let details = theorem::details(finding, None);
+            @if let Some(drawing) = &drawing { (drawing) }
+            @let details = theorem::details(finding, hand.as_ref());
             @if !details.is_empty() {
                 details { summary { "Data and cases" } (facts(&details)) }
             }
         },
-    )
+    ))
 }
 
 /// What is stated.

@@ -12,6 +12,7 @@ mod index;
 mod math;
 mod names;
 mod page;
+mod picture;
 mod sheet;
 mod table;
 mod verdict;

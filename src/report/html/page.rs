@@ -7,6 +7,7 @@ use super::sheet::blocks;
 use super::table;
 use super::verdict::{LOOKS, Look};
 use crate::audit::PaperAudit;
+use crate::diagnostic::Diagnostic;
 use crate::report::overview::overview_sheet;
 use crate::report::sheet::Sheet;
 use crate::report::{consistency, summary};
@@ -24,12 +25,16 @@ use maud::{Markup, html};
 /// use subcert::report::html::audit_page;
 ///
 /// let papers = embedded_papers()?;
-/// let page = audit_page(&audit(&papers[1])?, None);
+/// let page = audit_page(&audit(&papers[1])?, None)?;
 /// assert!(page.starts_with("<!DOCTYPE html>"));
 /// # Ok::<(), subcert::diagnostic::Diagnostic>(())
 /// ```
-#[must_use]
-pub fn audit_page(audit: &PaperAudit<'_>, file: Option<&str>) -> String {
+///
+/// # Errors
+/// When a formula of the claim file is wrong.
+pub fn audit_page(audit: &PaperAudit<'_>, file: Option<&str>) -> Result<String, Diagnostic> {
+    let theorems = audit.theorems.iter().map(|one| claims::theorem(audit, one, file));
+    let theorems = theorems.collect::<Result<Vec<Markup>, Diagnostic>>()?;
     let paper = audit.paper;
     let bibliography = &paper.bibliography;
     let main = html! {
@@ -51,12 +56,12 @@ pub fn audit_page(audit: &PaperAudit<'_>, file: Option<&str>) -> String {
             (list("Equations", "equations", &audit.equations, |one| claims::equation(audit, one, file)))
             (list("Functions of a parameter", "functions", &audit.functions, |one| claims::function(audit, one, file)))
             (list("Parameter ranges", "ranges", &audit.ranges, |one| claims::range(audit, one, file)))
-            (list("Theorems", "theorems", &audit.theorems, |one| claims::theorem(audit, one, file)))
+            (list("Theorems", "theorems", &theorems, Markup::clone))
             section.overview { (blocks(&rest(audit), 0)) }
             (legend())
         }
     };
-    document(&format!("{} · audit by subcert", bibliography.short()), &main)
+    Ok(document(&format!("{} · audit by subcert", bibliography.short()), &main))
 }
 
 /// The claims of a kind.

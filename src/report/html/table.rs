@@ -3,6 +3,7 @@
 use super::cell::cell;
 use super::command;
 use super::math::{definitions, named};
+use super::picture::{chart, readings};
 use super::sheet::{facts, lines};
 use super::verdict::{BROKEN, LOOKS, Look};
 use crate::audit::{PaperAudit, TableFinding};
@@ -29,6 +30,10 @@ pub(super) fn section(
             }
             (grid(audit, finding, file))
             (tally(finding))
+            @if let Some(chart) = chart(finding) { (chart) }
+            @for search in finding.searches() {
+                @if let Some(maps) = readings(finding, search) { (maps) }
+            }
             @for line in remarks(finding) { p.remark { (lines(&line)) } }
             @if let Some(note) = &table.note { p.note { (lines(note)) } }
             (command::explain(audit, &table.id, file))

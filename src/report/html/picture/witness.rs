@@ -1,0 +1,119 @@
+//! The data that refute a theorem about curves: control polygon, level k, limit, and the place.
+
+use super::curve::{Level, levels};
+use super::frame::{Frame, picture, points};
+use super::scale::Scale;
+use crate::audit::{Control, Place, Violation};
+use crate::claim::Quantity;
+use crate::exact::format::short;
+use crate::float::nearest;
+use crate::limit::ExtremalPolygon;
+use crate::report::data::value_name;
+use crate::scheme::Mask;
+use maud::{Markup, html};
+
+/// How many levels the polygon that stands for the limit is after level k at least.
+const LEVELS_AFTER: u32 = 3;
+
+/// How far the picture reaches to both sides of the place, in control points.
+const REACH: f64 = 4.0;
+
+const HEIGHT: f64 = 300.0;
+const FRAME: Frame = Frame { x: (56.0, 540.0), y: (264.0, 12.0) };
+
+/// What is drawn at the place: a parameter, and the two values whose distance is bounded.
+struct Shown<'l> {
+    t: f64,
+    ends: [(f64, f64); 2],
+    /// The polygon of level k, and what it is compared with.
+    polygons: [(&'l Level, String); 2],
+}
+
+/// The data of a violation, when they are a polygon; `None` of nets and rings.
+pub(in crate::report::html) fn witness(masks: &[Mask], violation: &Violation) -> Option<Markup> {
+    let ([mask], Control::Polygon(polygon)) = (masks, &violation.attained.control) else {
+        return None;
+    };
+    let found = levels(mask, polygon, violation.level + LEVELS_AFTER)?;
+    let shown = shown(&found, violation)?;
+    let title = format!("The data that refute it: {}", value_name(violation));
+    let says = format!(
+        "Control polygon, level {} and {}. At the marked place the two are {} apart, and at most {} is claimed.",
+        violation.level,
+        shown.polygons[1].1,
+        short(&violation.attained.value, 6),
+        short(&violation.bound, 6),
+    );
+    let drawing = drawn(polygon, &found[0], &shown);
+    Some(html! {
+        figure {
+            (picture(&title, &says, HEIGHT, &drawing))
+            figcaption { (says) }
+        }
+    })
+}
+
+/// The place and what is compared there.
+fn shown<'l>(found: &'l [Level], violation: &Violation) -> Option<Shown<'l>> {
+    let k = usize::try_from(violation.level).ok()?;
+    let (level, next, last) = (found.get(k)?, found.get(k + 1)?, found.last()?);
+    let after = format!("level {}", next.level);
+    Some(match (violation.quantity, &violation.attained.place) {
+        (Quantity::Distance, Place::Parameter(t)) => {
+            let t = nearest(t);
+            let ends = [(t, level.at(t)), (t, last.at(t))];
+            Shown { t, ends, polygons: [(level, String::new()), (last, "limit".to_owned())] }
+        }
+        (Quantity::Step, Place::Point(i)) => {
+            let t = next.parameter(*i);
+            let ends = [(t, level.at(t)), (t, next.point(*i))];
+            Shown { t, ends, polygons: [(level, String::new()), (next, after)] }
+        }
+        (Quantity::Difference, Place::Difference(i)) => {
+            let end = |i: i64| (level.parameter(i), level.point(i));
+            let polygons = [(level, String::new()), (last, "limit".to_owned())];
+            Shown { t: level.parameter(*i), ends: [end(*i), end(*i + 1)], polygons }
+        }
+        _ => return None,
+    })
+}
+
+fn drawn(polygon: &ExtremalPolygon, control: &Level, shown: &Shown<'_>) -> Markup {
+    let window = (shown.t - REACH, shown.t + REACH);
+    let lines =
+        [control, shown.polygons[0].0, shown.polygons[1].0].map(|level| level.between(window));
+    let values = || lines.iter().flatten().map(|(_, value)| *value);
+    let (low, high) = (values().fold(f64::MAX, f64::min), values().fold(f64::MIN, f64::max));
+    let y = Scale::new((low, high), (FRAME.y.0 - 12.0, FRAME.y.1 + 12.0), false);
+    let x = Scale::new(window, FRAME.x, false);
+    let place = |(t, value): &(f64, f64)| (x.at(*t), y.at(*value));
+    let path = |line: &[(f64, f64)]| points(&line.iter().map(place).collect::<Vec<_>>());
+    let indices = (polygon.first - 8..).take(polygon.points.len() + 16);
+    let vertices = indices.map(|i| (control.parameter(i), control.point(i)));
+    let vertices: Vec<(f64, f64)> =
+        vertices.filter(|(t, _)| *t >= window.0 && *t <= window.1).collect();
+    let ticks: Vec<(f64, String)> =
+        x.ticks().into_iter().map(|(value, label)| (x.at(value), label)).collect();
+    let [first, second] = shown.ends.map(|end| place(&end));
+    let same = shown.polygons[0].0.level == 0;
+    html! {
+        (FRAME.drawn(&ticks, &y))
+        g.c6 {
+            polyline.dash points=(path(&lines[0])) {}
+            @for vertex in &vertices {
+                @let (x, y) = place(vertex);
+                circle.dot cx=(x) cy=(y) r="3" {}
+            }
+        }
+        @if !same { g.c1 { polyline.line points=(path(&lines[1])) {} } }
+        g.c2 { polyline.line points=(path(&lines[2])) {} }
+        line.bad x1=(first.0) y1=(first.1) x2=(second.0) y2=(second.1) {}
+        circle.bad cx=(first.0) cy=(first.1) r="3.5" {}
+        circle.bad cx=(second.0) cy=(second.1) r="3.5" {}
+        @let right = FRAME.x.1 + 8.0;
+        text.name.c6 x=(right) y="28" { "– – control" }
+        @if !same { text.name.c1 x=(right) y="46" { "— level " (shown.polygons[0].0.level) } }
+        text.name.c2 x=(right) y="64" { "— " (shown.polygons[1].1) }
+        text.name x=(right) y="82" style="fill:var(--wrong-s)" { "o–o the place" }
+    }
+}

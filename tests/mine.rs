@@ -1,0 +1,5 @@
+//! t
+#![allow(missing_docs)]
+mod architecture;
+mod common;
+mod report;

@@ -1,0 +1,5 @@
+//! Reports: pages.
+
+mod document;
+mod html;
+mod pictures;

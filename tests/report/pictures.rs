@@ -1,0 +1,113 @@
+//! Pictures of findings: what stands where.
+
+use super::document::{Piece, read, text, within};
+use crate::common::claims::{judged, paper};
+use subcert::audit::audit;
+use subcert::claim::embedded_papers;
+use subcert::float::nearest;
+use subcert::report::html::audit_page;
+
+fn page(claims: &str) -> Vec<Piece> {
+    let paper = paper(claims);
+    read(&audit_page(&judged(&paper), None).expect("a page"))
+}
+
+/// The numbers on the vertical axis of a picture, with their places.
+fn ticks(picture: &[Piece]) -> Vec<(f64, f64)> {
+    let labels = picture.windows(2).filter(|pair| pair[0].attribute("text-anchor") == Some("end"));
+    let tick = |pair: &[Piece]| Some((text(&pair[1..]).parse().ok()?, pair[0].number("y") - 4.0));
+    labels.filter_map(tick).collect()
+}
+
+#[test]
+fn printed_numbers_stand_where_their_logarithms_do() {
+    let values = ["1", "0.1", "0.02", "0.0001"];
+    let claims = format!(
+        "[[table]]\nid = 't'\nlocus = 'T'\ntitle = 't'\nvalue = 'w'\n\
+         columns = {{ name = 'w', values = {values:?} }}\ncells = [['1', '0.1', '0.05', '0.0001']]\n"
+    );
+    let pieces = page(&claims);
+    let picture = within(&pieces, |piece| piece.attribute("role") == Some("img"));
+    let rings: Vec<f64> = picture
+        .iter()
+        .filter(|piece| piece.is("circle", "ring"))
+        .map(|ring| ring.number("cy"))
+        .collect();
+    assert_eq!(rings.len(), 4);
+    // Equal quotients are equal distances: from 1 to 0.1 as a third of that from 0.1 to 0.0001.
+    assert!(((rings[1] - rings[0]) * 3.0 - (rings[3] - rings[1])).abs() < 0.5, "{rings:?}");
+    let expected = rings[0] + (rings[1] - rings[0]) * -(0.05_f64.log10());
+    assert!((rings[2] - expected).abs() < 0.2, "{rings:?}");
+    let dots = picture.iter().filter(|piece| piece.is("circle", "dot"));
+    let dots: Vec<f64> = dots.map(|dot| dot.number("cy")).collect();
+    assert!(dots[2] > rings[2] && dots[0] == rings[0], "0.02 is below the printed 0.05: {dots:?}");
+    let crosses = picture.iter().filter(|piece| piece.is("path", "bad")).count();
+    assert_eq!(crosses, 1, "one cell is wrong");
+}
+
+/// The drawing finds the distance by refinement in f64; the audit found it exactly.
+#[test]
+fn the_place_of_a_refutation_is_as_far_as_the_exact_distance() {
+    let mut seen = 0;
+    for paper in &embedded_papers().expect("the embedded papers") {
+        let mut paper = paper.clone();
+        paper.tables.clear();
+        let audit = audit(&paper).expect("an audit");
+        let pieces = read(&audit_page(&audit, None).expect("a page"));
+        for finding in &audit.theorems {
+            let Some(refutation) = &finding.refutation else { continue };
+            let section =
+                within(&pieces, |piece| piece.attribute("id") == Some(&finding.theorem.id));
+            if !section.iter().any(|piece| piece.is("line", "bad")) {
+                continue;
+            }
+            let [first, .., last] = &ticks(&section)[..] else { panic!("ticks") };
+            let bad = section.iter().find(|piece| piece.is("line", "bad")).expect("the place");
+            let height = (bad.number("y1") - bad.number("y2")).abs();
+            let found = height * ((last.0 - first.0) / (last.1 - first.1)).abs();
+            let exact = nearest(&refutation.violation.attained.value);
+            assert!(
+                (found - exact).abs() < 0.01 * exact + 0.01,
+                "{}: {found}, {exact}",
+                finding.id
+            );
+            seen += 1;
+        }
+    }
+    assert!(seen >= 3, "{seen} pictures");
+}
+
+#[test]
+fn digits_of_a_misprint_are_marked() {
+    let pieces = page(
+        "[[table]]\nid = 't'\nlocus = 'T'\ntitle = 't'\nvalue = 'w'\n\
+         columns = { name = 'w', values = ['0.123456', '2'] }\ncells = [['0.128456', '2']]\n",
+    );
+    let digits = within(&pieces, |piece| piece.is("div", "digits"));
+    assert_eq!(text(&digits), "printed 0.128456\nexact   0.123456");
+    let marked = digits
+        .windows(2)
+        .filter(|pair| matches!(&pair[0], Piece::Start(name, _) if name == "mark"));
+    let marked: Vec<String> = marked.map(|pair| text(&pair[1..])).collect();
+    assert_eq!(marked, ["8", "3"]);
+}
+
+#[test]
+fn a_range_stands_above_the_exact_set() {
+    let pieces = page(
+        "[[range]]\nid = 'r'\nlocus = 'R'\ntitle = 'r'\nvariable = 'w'\nvalue = 'w^2'\nbelow = '1/4'\n\
+         from = '-0.25'\nto = '0.5'\nclosed = true\n",
+    );
+    let picture = within(&pieces, |piece| piece.attribute("role") == Some("img"));
+    let lines: Vec<(f64, f64)> = picture
+        .iter()
+        .filter(|piece| piece.is("line", "line"))
+        .map(|line| (line.number("x1"), line.number("x2")))
+        .collect();
+    // Exactly −1/2 < w < 1/2, printed −1/4 ≤ w ≤ 1/2: the printed one begins a quarter of the set later.
+    let [exact, printed] = lines[..] else { panic!("{lines:?}") };
+    assert!((printed.1 - exact.1).abs() < 0.2, "{lines:?}");
+    assert!(((printed.0 - exact.0) * 4.0 - (exact.1 - exact.0)).abs() < 0.8, "{lines:?}");
+    assert_eq!(picture.iter().filter(|piece| piece.is("circle", "ring")).count(), 2);
+    assert_eq!(picture.iter().filter(|piece| piece.is("circle", "dot")).count(), 2);
+}
