@@ -132,29 +132,29 @@ fn formulas_are_typeset() {
     for (text, typeset) in [
         ("w", "{w}"),
         ("3/4", "<mfrac>{3}{4}</mfrac>"),
-        ("beta_1", "<msub>{β}{{1}}</msub>"),
+        ("beta_1", "<msub>{β}{1}</msub>"),
         // A bar takes the place of parentheses, a product does not.
         ("(a + w)/k", "{<mfrac>{{a}<mo>+</mo>{w}}{k}</mfrac>}"),
         (
             "(a + w)*k",
-            "{{<mo fence=\"true\">(</mo>{{a}<mo>+</mo>{w}}<mo fence=\"true\">)</mo>}<mo>\u{2062}</mo>{k}}",
+            "{{<mo stretchy=\"false\">(</mo>{{a}<mo>+</mo>{w}}<mo stretchy=\"false\">)</mo>}<mo>\u{2062}</mo>{k}}",
         ),
         // −(a + w) is not −a + w, and a − (w − k) not a − w − k.
         (
             "-(a + w)",
-            "{<mo>−</mo>{<mo fence=\"true\">(</mo>{{a}<mo>+</mo>{w}}<mo fence=\"true\">)</mo>}}",
+            "{<mo>−</mo>{<mo stretchy=\"false\">(</mo>{{a}<mo>+</mo>{w}}<mo stretchy=\"false\">)</mo>}}",
         ),
         (
             "a - (w - k)",
-            "{{a}<mo>−</mo>{<mo fence=\"true\">(</mo>{{w}<mo>−</mo>{k}}<mo fence=\"true\">)</mo>}}",
+            "{{a}<mo>−</mo>{<mo stretchy=\"false\">(</mo>{{w}<mo>−</mo>{k}}<mo stretchy=\"false\">)</mo>}}",
         ),
         ("a*w/k", "{<mfrac>{{a}<mo>\u{2062}</mo>{w}}{k}</mfrac>}"),
         ("a/w*k", "{<mfrac>{a}{w}</mfrac><mo>\u{2062}</mo>{k}}"),
         (
             "(1/2)^k",
-            "<msup>{<mo fence=\"true\">(</mo><mfrac>{1}{2}</mfrac><mo fence=\"true\">)</mo>}{k}</msup>",
+            "<msup>{<mo stretchy=\"true\">(</mo><mfrac>{1}{2}</mfrac><mo stretchy=\"true\">)</mo>}{k}</msup>",
         ),
-        ("abs(w)", "{<mo fence=\"true\">|</mo>{w}<mo fence=\"true\">|</mo>}"),
+        ("abs(w)", "{<mo stretchy=\"false\">|</mo>{w}<mo stretchy=\"false\">|</mo>}"),
         (
             "sum(j = 1..3, j*w)",
             "{<munderover><mo>∑</mo>{{j}<mo>=</mo>{1}}{{3}}</munderover>{{j}<mo>\u{2062}</mo>{w}}}",

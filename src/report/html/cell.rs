@@ -28,13 +28,7 @@ pub(super) fn cell(
     let link = format!("#{anchor}");
     html! {
         td.cell.(look.class).(broken) id=(anchor) {
-            a.open href=(link) {
-                (cell.printed.as_deref().unwrap_or("lost")) " " (badge(cell.verdict.name()))
-                @if is_broken(cell) {
-                    span.flag aria-hidden="true" { "⚑" }
-                    span.hidden { ", promise broken" }
-                }
-            }
+            // First, so that the next stop of the keyboard is in the panel once it is open.
             div.panel role="group" aria-label=(cell.locus) {
                 p.head {
                     strong { (cell.locus) }
@@ -43,6 +37,13 @@ pub(super) fn cell(
                 @if let Some(digits) = digits(cell) { (digits) }
                 (facts(&cell_facts(cell)))
                 (command::explain(audit, &anchor, file))
+            }
+            a.open href=(link) {
+                (cell.printed.as_deref().unwrap_or("lost")) " " (badge(cell.verdict.name()))
+                @if is_broken(cell) {
+                    span.flag aria-hidden="true" { "⚑" }
+                    span.hidden { ", promise broken" }
+                }
             }
         }
     }

@@ -1,14 +1,14 @@
 //! Equations, functions, ranges and theorems.
 
 use super::command;
-use super::math::{definitions, formula, identity};
+use super::math::{definitions, formula, identity, quantity};
 use super::picture;
 use super::sheet::{facts, lines};
 use super::verdict::{Look, badge};
 use crate::audit::{
     EquationFinding, FunctionFinding, PaperAudit, RangeFinding, TheoremFinding, by_hand,
 };
-use crate::claim::{EquationBody, Statement};
+use crate::claim::{EquationBody, Quantity, Statement};
 use crate::diagnostic::Diagnostic;
 use crate::formula::LocatedFormula;
 use crate::report::{equation, function, theorem};
@@ -178,10 +178,12 @@ pub(super) fn theorem(
 fn statement(statement: &Statement) -> Markup {
     let shown = |by: &LocatedFormula| formula(&by.expr);
     match statement {
-        Statement::Bound { quantity, by, from } => html! {
-            (quantity.notation()) " ≤ " (shown(by)) " for k ≥ " (from)
+        Statement::Bound { quantity: bounded, by, from } => html! {
+            (quantity(*bounded)) " ≤ " (shown(by)) " for k ≥ " (from)
         },
-        Statement::Depth(by) => html! { "‖P^∞ − P^k‖ ≤ ε for k ≥ " (shown(by)) },
+        Statement::Depth(by) => {
+            html! { (quantity(Quantity::Distance)) " ≤ ε for k ≥ " (shown(by)) }
+        }
         Statement::Other(says) => html! { (lines(says)) },
     }
 }

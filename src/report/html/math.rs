@@ -2,7 +2,7 @@
 
 use super::names::name;
 use crate::audit::PaperAudit;
-use crate::claim::{Identity, Index, Left};
+use crate::claim::{Identity, Index, Left, Quantity};
 use crate::exact::Rational;
 use crate::formula::{Expr, Fold, LocatedFormula, Node, Operator, OptionWord};
 use maud::{Markup, html};
@@ -14,12 +14,30 @@ pub(super) fn formula(expr: &Expr) -> Markup {
 
 /// A formula in a line of its own.
 fn block(contents: &Markup) -> Markup {
-    html! { math display="block" { (contents) } }
+    html! { div.equation { math displaystyle="true" { (contents) } } }
 }
 
-/// A formula with its text, to copy.
-pub(super) fn named(located: &LocatedFormula) -> Markup {
-    html! { (formula(&located.expr)) }
+/// What a theorem bounds.
+pub(super) fn quantity(quantity: Quantity) -> Markup {
+    let level = |k: &Markup| html! { msup { mi { "P" } (k) } };
+    let (k, next, limit) = (
+        html! { mi { "k" } },
+        html! { mrow { mi { "k" } mo { "+" } mn { "1" } } },
+        html! { mi { "∞" } },
+    );
+    let norm = |first: &Markup| {
+        let difference = html! { (level(first)) mo { "−" } (level(&k)) };
+        bracketed("‖", &difference, "‖", false)
+    };
+    let inner = match quantity {
+        Quantity::Distance => norm(&limit),
+        Quantity::Step => norm(&next),
+        Quantity::Difference => {
+            let norm = bracketed("‖", &html! { msup { mi { "Δ" } (k) } }, "‖", false);
+            html! { mrow { mo { "max" } (norm) } }
+        }
+    };
+    html! { math alttext=(quantity.notation()) { (inner) } }
 }
 
 /// The definitions that a formula uses, as entries of a list.
@@ -43,7 +61,8 @@ pub(super) fn identity(identity: &Identity) -> Markup {
                 Left::One(left) => { (block(&html! { (inner(&left.expr)) mo { "=" } (right()) })) }
                 Left::Each(all) => {
                     @for left in all { (block(&inner(&left.expr))) }
-                    (block(&html! { mtext { "each equal to " } (right()) }))
+                    p { "each equal to" }
+                    (block(&right()))
                 }
             }
         }
@@ -84,11 +103,25 @@ fn is_sum(operator: Operator) -> bool {
 
 /// In parentheses, unless it binds as tightly as `least`.
 fn at_least(expr: &Expr, least: u8) -> Markup {
-    if binds(expr) < least { bracketed("(", &inner(expr), ")") } else { inner(expr) }
+    if binds(expr) < least { bracketed("(", &inner(expr), ")", is_tall(expr)) } else { inner(expr) }
 }
 
-fn bracketed(open: &str, contents: &Markup, close: &str) -> Markup {
-    html! { mrow { mo fence="true" { (open) } (contents) mo fence="true" { (close) } } }
+/// Between fences, which grow with what is tall.
+fn bracketed(open: &str, contents: &Markup, close: &str, tall: bool) -> Markup {
+    let fence = |sign: &str| html! { mo stretchy=(tall) { (sign) } };
+    html! { mrow { (fence(open)) (contents) (fence(close)) } }
+}
+
+/// Whether a bar of a fraction or the limits of a sum stand in it.
+fn is_tall(expr: &Expr) -> bool {
+    let own = match &expr.node {
+        Node::Number(value) => !value.is_integer(),
+        Node::Chain(_, rest) => rest.iter().any(|(operator, _)| *operator == Operator::Divide),
+        Node::Fold { .. } => true,
+        Node::Call { function, .. } => function == "binomial",
+        _ => false,
+    };
+    own || expr.parts().into_iter().any(is_tall)
 }
 
 /// What stands in a `math` element; one element.
@@ -159,7 +192,9 @@ fn product(first: &Expr, rest: &[(Operator, Expr)]) -> Markup {
             alone = Some(bar);
             continue;
         }
-        let sign = if matches!(operand.node, Node::Number(_)) { "·" } else { "\u{2062}" };
+        // A point where juxtaposition would read as another number or name.
+        let point = matches!(operand.node, Node::Number(_) | Node::Call { .. });
+        let sign = if point { "·" } else { "\u{2062}" };
         factors.push(html! { mo { (sign) } });
         factors.push(at_least(operand, 2));
         alone = None;
@@ -175,11 +210,11 @@ fn call(function: &str, arguments: &[Expr], options: &[OptionWord]) -> Markup {
         _ => None,
     };
     if let (Some((open, close)), [argument], []) = (fences, arguments, options) {
-        return bracketed(open, &inner(argument), close);
+        return bracketed(open, &inner(argument), close, is_tall(argument));
     }
     if let ("binomial", [above, below], []) = (function, arguments, options) {
         let pair = html! { mfrac linethickness="0" { (inner(above)) (inner(below)) } };
-        return bracketed("(", &pair, ")");
+        return bracketed("(", &pair, ")", true);
     }
     let contents = html! {
         (list(arguments))
@@ -188,7 +223,7 @@ fn call(function: &str, arguments: &[Expr], options: &[OptionWord]) -> Markup {
             mtext { (option.name) " = " (option.word) }
         }
     };
-    html! { mrow { (name(function)) mo { "\u{2061}" } (bracketed("(", &contents, ")")) } }
+    html! { mrow { (name(function)) mo { "\u{2061}" } (bracketed("(", &contents, ")", arguments.iter().any(is_tall))) } }
 }
 
 fn folded(fold: Fold, index: &str, [from, to, body]: [&Expr; 3]) -> Markup {

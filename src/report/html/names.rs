@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 /// Greek letters, by their names.
-const GREEK: [(&str, &str); 28] = [
+const GREEK: [(&str, &str); 30] = [
     ("alpha", "α"),
     ("beta", "β"),
     ("gamma", "γ"),
@@ -12,6 +12,8 @@ const GREEK: [(&str, &str); 28] = [
     ("zeta", "ζ"),
     ("eta", "η"),
     ("theta", "θ"),
+    ("vartheta", "ϑ"),
+    ("varphi", "φ"),
     ("kappa", "κ"),
     ("lambda", "λ"),
     ("mu", "μ"),
@@ -34,20 +36,31 @@ const GREEK: [(&str, &str); 28] = [
     ("Omega", "Ω"),
 ];
 
-/// A name: Greek where it names a letter, with an index after its first underscore.
+/// A name: Greek where it names a letter, which may have an index, as in `beta_1` or `p0`; other names as
+/// they are, as `error_bound`.
 pub(super) fn name(text: &str) -> Markup {
-    match text.split_once('_') {
-        Some((base, index)) if !base.is_empty() && !index.is_empty() => {
-            html! { msub { (letter(base)) mrow { (letter(index)) } } }
-        }
-        _ => letter(text),
+    let digits = text.trim_end_matches(|c: char| c.is_ascii_digit()).len();
+    let (base, index) = match text.split_once('_') {
+        Some(parts) => parts,
+        None => text.split_at(digits),
+    };
+    if index.is_empty() || !is_letter(base) {
+        return letter(text);
     }
+    html! { msub { (letter(base)) (letter(index)) } }
+}
+
+fn is_letter(text: &str) -> bool {
+    text.chars().count() == 1 || greek(text).is_some()
+}
+
+fn greek(text: &str) -> Option<&'static str> {
+    GREEK.iter().find(|(spelled, _)| *spelled == text).map(|(_, letter)| *letter)
 }
 
 fn letter(text: &str) -> Markup {
-    let greek = GREEK.iter().find(|(spelled, _)| *spelled == text);
     if text.bytes().all(|byte| byte.is_ascii_digit()) {
         return html! { mn { (text) } };
     }
-    html! { mi { (greek.map_or(text, |(_, letter)| letter)) } }
+    html! { mi { (greek(text).unwrap_or(text)) } }
 }

@@ -3,13 +3,14 @@
 use super::claims;
 use super::document::document;
 use super::filter::buttons;
-use super::sheet::blocks;
+use super::sheet::{blocks, counts};
 use super::table;
 use super::verdict::{LOOKS, Look};
 use crate::audit::PaperAudit;
 use crate::diagnostic::Diagnostic;
+use crate::report::headline::headline;
 use crate::report::overview::overview_sheet;
-use crate::report::sheet::Sheet;
+use crate::report::sheet::{Block, Sheet};
 use crate::report::{consistency, summary};
 use maud::{Markup, html};
 
@@ -49,7 +50,7 @@ pub fn audit_page(audit: &PaperAudit<'_>, file: Option<&str>) -> Result<String, 
             @if let Some(note) = &bibliography.note { p.note { (note) } }
         }
         main id="page:main" tabindex="-1" {
-            section.overview { (blocks(&overview_sheet(std::slice::from_ref(audit)), 1)) }
+            (overview(audit))
             (contents(audit))
             (buttons(audit))
             (list("Tables", "tables", &audit.tables, |one| table::section(audit, one, file)))
@@ -62,6 +63,19 @@ pub fn audit_page(audit: &PaperAudit<'_>, file: Option<&str>) -> Result<String, 
         }
     };
     Ok(document(&format!("{} · audit by subcert", bibliography.short()), &main))
+}
+
+/// A sentence on what the claims come to, and their counts.
+fn overview(audit: &PaperAudit<'_>) -> Markup {
+    let sheet = overview_sheet(std::slice::from_ref(audit));
+    html! {
+        section.overview {
+            p.headline { strong { (headline(audit)) } }
+            @for block in &sheet.blocks {
+                @if let Block::Grid(grid) = block { (counts(grid)) }
+            }
+        }
+    }
 }
 
 /// The claims of a kind.

@@ -91,3 +91,17 @@ pub(super) fn grid(grid: &Grid) -> Markup {
         }
     }
 }
+
+/// The counts of one paper: a table of one row as boxes, which wrap.
+pub(super) fn counts(grid: &Grid) -> Markup {
+    let boxes = |row: &Vec<String>| -> Vec<(String, String)> {
+        grid.header.iter().cloned().zip(row.iter().cloned()).skip(1).collect()
+    };
+    html! {
+        @for row in &grid.rows {
+            dl.counts {
+                @for (name, value) in boxes(row) { div { dt { (lines(&name)) } dd { (value) } } }
+            }
+        }
+    }
+}

@@ -2,7 +2,7 @@
 
 use super::cell::cell;
 use super::command;
-use super::math::{definitions, named};
+use super::math::{definitions, formula};
 use super::picture::{chart, readings};
 use super::sheet::{facts, lines};
 use super::verdict::{BROKEN, LOOKS, Look};
@@ -25,7 +25,7 @@ pub(super) fn section(
             }
             (facts(&headers::schemes(table).into_iter().collect::<Vec<_>>()))
             dl.formulas {
-                div { dt { "said to equal" } dd { (named(&table.value)) } }
+                div { dt { "said to equal" } dd { (formula(&table.value.expr)) } }
                 (definitions(audit, &table.value))
             }
             (grid(audit, finding, file))

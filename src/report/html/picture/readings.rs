@@ -1,7 +1,7 @@
 //! Cells explained against readings: a small map of the table for each of them.
 
 use super::frame::WIDTH;
-use crate::audit::{Search, TableFinding, Verdict};
+use crate::audit::{CellFinding, Search, TableFinding, Verdict};
 use maud::{Markup, html};
 
 /// The most readings that are drawn.
@@ -16,17 +16,18 @@ pub(in crate::report::html) fn readings(
     search: &Search,
 ) -> Option<Markup> {
     search.best.first()?;
-    let printed = finding.cells.iter().map(|row| {
-        row.iter().map(|cell| matches!(cell.verdict, Verdict::Confirmed)).collect::<Vec<bool>>()
-    });
-    let as_printed = ("as printed".to_owned(), search.as_printed, printed.collect());
+    let printed: Vec<Vec<bool>> =
+        finding.cells.iter().map(|row| row.iter().map(is_confirmed).collect()).collect();
+    let confirmed = printed.iter().flatten().filter(|is| **is).count();
+    // Of other searches it is not known which cells these are.
+    let as_printed =
+        (confirmed == search.as_printed).then_some(("as printed".to_owned(), confirmed, printed));
     let named = search.best.iter().take(MAX_MAPS).map(|reading| {
         let name = reading.differs();
         let name = if name.is_empty() { "as printed".to_owned() } else { name };
         (name, reading.count(), reading.explained.clone())
     });
-    let maps: Vec<(String, usize, Vec<Vec<bool>>)> =
-        std::iter::once(as_printed).chain(named).collect();
+    let maps: Vec<(String, usize, Vec<Vec<bool>>)> = as_printed.into_iter().chain(named).collect();
     Some(html! {
         figure.maps {
             @for (name, count, explained) in &maps {
@@ -38,6 +39,10 @@ pub(in crate::report::html) fn readings(
             figcaption { "Cells that are explained, by readings: filled squares are." }
         }
     })
+}
+
+fn is_confirmed(cell: &CellFinding) -> bool {
+    cell.verdict == Verdict::Confirmed
 }
 
 fn map(finding: &TableFinding<'_>, name: &str, count: usize, explained: &[Vec<bool>]) -> Markup {

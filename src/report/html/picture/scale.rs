@@ -55,7 +55,8 @@ impl Scale {
         let mut place = (low / step).ceil();
         while place * step <= high {
             let value = place * step;
-            ticks.push((value, format!("{value:.digits$}")));
+            // Not −0.
+            ticks.push((value, format!("{:.digits$}", value + 0.0)));
             place += 1.0;
         }
         ticks
