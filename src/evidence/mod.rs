@@ -9,7 +9,7 @@ mod working;
 
 pub use by_hand::by_hand;
 pub use constants::{AttainedConstant, Powers, SearchedConstant};
-pub use promise::{PromiseEvidence, promise_evidence};
+pub use promise::{PromiseEvidence, promise_evidence, promise_mask};
 pub use table::{Evidence, SoundCell, evidence};
 pub use theorem::theorem_evidence;
 pub use working::working;

@@ -2,7 +2,7 @@
 
 use super::command;
 use super::math::{definitions, formula, identity, quantity};
-use super::picture;
+use super::picture::{self, Exceeding};
 use super::sheet::{facts, lines};
 use super::verdict::{Look, badge};
 use crate::audit::{
@@ -144,7 +144,9 @@ pub(super) fn theorem(
     let hand = by_hand(audit, finding)?;
     let violation = finding.refutation.as_ref().map(|refutation| &refutation.violation);
     let drawing = violation.zip(hand.as_ref());
-    let drawing = drawing.and_then(|(violation, hand)| picture::witness(&hand.masks, violation));
+    let drawing = drawing.and_then(|(violation, hand)| {
+        picture::witness(&hand.masks, &Exceeding::of_theorem(violation))
+    });
     let verdict = finding.verdict.name();
     let claim = Claim {
         id: &own.id,

@@ -34,6 +34,8 @@ use maud::{Markup, html};
 /// # Errors
 /// When a formula of the claim file is wrong.
 pub fn audit_page(audit: &PaperAudit<'_>, file: Option<&str>) -> Result<String, Diagnostic> {
+    let tables = audit.tables.iter().map(|one| table::section(audit, one, file));
+    let tables = tables.collect::<Result<Vec<Markup>, Diagnostic>>()?;
     let theorems = audit.theorems.iter().map(|one| claims::theorem(audit, one, file));
     let theorems = theorems.collect::<Result<Vec<Markup>, Diagnostic>>()?;
     let paper = audit.paper;
@@ -53,7 +55,7 @@ pub fn audit_page(audit: &PaperAudit<'_>, file: Option<&str>) -> Result<String, 
             (overview(audit))
             (contents(audit))
             (buttons(audit))
-            (list("Tables", "tables", &audit.tables, |one| table::section(audit, one, file)))
+            (list("Tables", "tables", &tables, Markup::clone))
             (list("Equations", "equations", &audit.equations, |one| claims::equation(audit, one, file)))
             (list("Functions of a parameter", "functions", &audit.functions, |one| claims::function(audit, one, file)))
             (list("Parameter ranges", "ranges", &audit.ranges, |one| claims::range(audit, one, file)))

@@ -15,4 +15,4 @@ pub(super) use chart::chart;
 pub(super) use digits::digits;
 pub(super) use range::range;
 pub(super) use readings::readings;
-pub(super) use witness::witness;
+pub(super) use witness::{Exceeding, witness};

@@ -3,12 +3,11 @@
 use super::curve::{Level, levels};
 use super::frame::{Frame, picture, points};
 use super::scale::Scale;
-use crate::audit::{Control, Place, Violation};
+use crate::audit::{Attained, Broken, Control, Place, Violation};
 use crate::claim::Quantity;
-use crate::exact::format::short;
+use crate::exact::{RealCyclotomic, format::short};
 use crate::float::nearest;
 use crate::limit::ExtremalPolygon;
-use crate::report::data::value_name;
 use crate::scheme::Mask;
 use maud::{Markup, html};
 
@@ -17,6 +16,9 @@ const LEVELS_AFTER: u32 = 3;
 
 /// How far the picture reaches to both sides of the place, in control points.
 const REACH: f64 = 4.0;
+
+/// From this distance on, it is seen beside control points that differ by 1.
+const SEEN: f64 = 0.03;
 
 const HEIGHT: f64 = 300.0;
 const FRAME: Frame = Frame { x: (56.0, 540.0), y: (264.0, 12.0) };
@@ -29,36 +31,73 @@ struct Shown<'l> {
     polygons: [(&'l Level, String); 2],
 }
 
-/// The data of a violation, when they are a polygon; `None` of nets and rings.
-pub(in crate::report::html) fn witness(masks: &[Mask], violation: &Violation) -> Option<Markup> {
-    let ([mask], Control::Polygon(polygon)) = (masks, &violation.attained.control) else {
+/// Control data of spread 1 and a place, where a quantity is greater than it is said to be.
+pub(in crate::report::html) struct Exceeding<'v> {
+    pub(in crate::report::html) quantity: Quantity,
+    pub(in crate::report::html) level: u32,
+    pub(in crate::report::html) attained: &'v Attained,
+    /// What it is said to be at most.
+    pub(in crate::report::html) most: RealCyclotomic,
+}
+
+impl<'v> Exceeding<'v> {
+    /// What refutes a theorem.
+    pub(in crate::report::html) fn of_theorem(violation: &'v Violation) -> Exceeding<'v> {
+        let Violation { quantity, level, attained, bound } = violation;
+        Exceeding { quantity: *quantity, level: *level, attained, most: bound.clone() }
+    }
+
+    /// What breaks a promise, divided by the spread.
+    pub(in crate::report::html) fn of_promise(broken: &'v Broken) -> Exceeding<'v> {
+        let Broken { attained, spread, level, most, .. } = broken;
+        let most = (most / spread).into();
+        Exceeding { quantity: Quantity::Distance, level: *level, attained, most }
+    }
+}
+
+impl Shown<'_> {
+    /// How far the picture reaches to both sides: near by, where the distance would not be seen.
+    fn reach(&self) -> f64 {
+        let [first, second] = self.ends;
+        let polygon = self.polygons[0].0;
+        let nearest = REACH * (polygon.parameter(1) - polygon.parameter(0));
+        if (first.1 - second.1).abs() >= SEEN { REACH } else { nearest }
+    }
+}
+
+/// The data, when they are a polygon; `None` of nets and rings.
+pub(in crate::report::html) fn witness(
+    masks: &[Mask],
+    exceeding: &Exceeding<'_>,
+) -> Option<Markup> {
+    let ([mask], Control::Polygon(polygon)) = (masks, &exceeding.attained.control) else {
         return None;
     };
-    let found = levels(mask, polygon, violation.level + LEVELS_AFTER)?;
-    let shown = shown(&found, violation)?;
-    let title = format!("The data that refute it: {}", value_name(violation));
+    let found = levels(mask, polygon, exceeding.level + LEVELS_AFTER)?;
+    let shown = shown(&found, exceeding)?;
     let says = format!(
-        "Control polygon, level {} and {}. At the marked place the two are {} apart, and at most {} is claimed.",
-        violation.level,
+        "Control polygon of spread 1, level {} and {}. At the marked place they are {} apart, and at most {} is \
+         claimed.",
+        exceeding.level,
         shown.polygons[1].1,
-        short(&violation.attained.value, 6),
-        short(&violation.bound, 6),
+        short(&exceeding.attained.value, 6),
+        short(&exceeding.most, 6),
     );
     let drawing = drawn(polygon, &found[0], &shown);
     Some(html! {
         figure {
-            (picture(&title, &says, HEIGHT, &drawing))
+            (picture("Control polygon, level and limit", &says, HEIGHT, &drawing))
             figcaption { (says) }
         }
     })
 }
 
 /// The place and what is compared there.
-fn shown<'l>(found: &'l [Level], violation: &Violation) -> Option<Shown<'l>> {
-    let k = usize::try_from(violation.level).ok()?;
+fn shown<'l>(found: &'l [Level], exceeding: &Exceeding<'_>) -> Option<Shown<'l>> {
+    let k = usize::try_from(exceeding.level).ok()?;
     let (level, next, last) = (found.get(k)?, found.get(k + 1)?, found.last()?);
     let after = format!("level {}", next.level);
-    Some(match (violation.quantity, &violation.attained.place) {
+    Some(match (exceeding.quantity, &exceeding.attained.place) {
         (Quantity::Distance, Place::Parameter(t)) => {
             let t = nearest(t);
             let ends = [(t, level.at(t)), (t, last.at(t))];
@@ -79,7 +118,7 @@ fn shown<'l>(found: &'l [Level], violation: &Violation) -> Option<Shown<'l>> {
 }
 
 fn drawn(polygon: &ExtremalPolygon, control: &Level, shown: &Shown<'_>) -> Markup {
-    let window = (shown.t - REACH, shown.t + REACH);
+    let window = (shown.t - shown.reach(), shown.t + shown.reach());
     let lines =
         [control, shown.polygons[0].0, shown.polygons[1].0].map(|level| level.between(window));
     let values = || lines.iter().flatten().map(|(_, value)| *value);
