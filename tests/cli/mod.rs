@@ -7,6 +7,7 @@ mod names;
 mod new;
 mod offset;
 mod output;
+mod pages;
 mod polygons;
 mod tables;
 mod terminal;

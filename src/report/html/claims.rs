@@ -1,9 +1,10 @@
 //! Equations, functions, ranges and theorems.
 
 use super::command;
-use super::math::{definitions, formula, identity, quantity};
+use super::math::formula;
 use super::picture::{self, Exceeding};
 use super::sheet::{facts, lines};
+use super::statement::{definitions, identity, quantity};
 use super::verdict::{Look, badge};
 use crate::audit::{
     EquationFinding, FunctionFinding, PaperAudit, RangeFinding, TheoremFinding, by_hand,

@@ -14,6 +14,7 @@ mod names;
 mod page;
 mod picture;
 mod sheet;
+mod statement;
 mod table;
 mod verdict;
 

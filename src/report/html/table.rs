@@ -2,9 +2,10 @@
 
 use super::cell::{anchor, cell};
 use super::command;
-use super::math::{definitions, formula};
+use super::math::formula;
 use super::picture::{Exceeding, chart, readings, witness};
 use super::sheet::{facts, lines};
+use super::statement::definitions;
 use super::verdict::{BROKEN, LOOKS, Look};
 use crate::audit::{Kept, PaperAudit, TableFinding, promise_mask};
 use crate::diagnostic::Diagnostic;
