@@ -15,6 +15,7 @@ mod headline;
 pub mod html;
 pub mod json;
 mod latex;
+mod latex_document;
 mod numbers;
 mod overview;
 mod parts;

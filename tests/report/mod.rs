@@ -2,4 +2,5 @@
 
 mod document;
 mod html;
+mod latex;
 mod pictures;

@@ -8,8 +8,8 @@ mod schemes;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 pub(super) use meshes::{LimitArguments, MeshOutput, MeshOutputFormat, RefineArguments};
 pub(super) use papers::{
-    AuditArguments, BROKEN, CoverageArguments, ErrataArguments, ExplainArguments, NewArguments,
-    ProveArguments,
+    AuditArguments, BROKEN, CoverageArguments, ErrataArguments, ErrataFormat, ExplainArguments,
+    NewArguments, ProveArguments,
 };
 pub(super) use schemes::{
     BoundaryArgument, CertifyArguments, ConstantsArguments, DepthArguments, OracleArguments,

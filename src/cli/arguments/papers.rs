@@ -1,6 +1,6 @@
 //! The arguments of the commands about papers.
 
-use super::{Format, Output, TableFormat};
+use super::{Output, TableFormat};
 use clap::builder::PossibleValuesParser;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -95,8 +95,21 @@ pub(in crate::cli) struct ErrataArguments {
     #[arg(short = 'o', long, value_name = "DIR")]
     pub(in crate::cli) output_folder: Option<PathBuf>,
     /// Output format
-    #[arg(long, value_enum, default_value_t = Format::Markdown)]
-    pub(in crate::cli) format: Format,
+    #[arg(long, value_enum, default_value_t = ErrataFormat::Markdown)]
+    pub(in crate::cli) format: ErrataFormat,
+}
+
+/// The formats of errata.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum ErrataFormat {
+    /// For people
+    Text,
+    /// For programs
+    Json,
+    /// For pasting into a report
+    Markdown,
+    /// A document of its own, of the class article
+    Latex,
 }
 
 #[derive(Debug, Args)]
