@@ -95,7 +95,7 @@ fn text_of_claim_files_is_no_markup() {
          doi = \"{evil}\\\"'\"\nnote = \"{evil}\"\n\
          [[table]]\nid = 't'\nlocus = \"{evil}\"\ntitle = \"{evil}\"\nvalue = 'w'\nnote = \"{evil}\"\n\
          columns = {{ name = 'w', label = \"{evil}\", values = ['1', '2'] }}\ncells = [['1', '3']]\n\
-         [[equation]]\nid = 'e'\nlocus = \"{evil}\"\ntitle = \"{evil}\"\nleft = ['1']\nright = '2'\n\
+         [[equation]]\nid = 'e'\nlocus = \"{evil}\"\ntitle = \"{evil}\"\nleft = '1'\nright = '2'\n\
          note = \"{evil}\"\n"
     );
     let paper =
@@ -134,7 +134,7 @@ fn formulas_are_typeset() {
         ("3/4", "<mfrac>{3}{4}</mfrac>"),
         ("beta_1", "<msub>{β}{1}</msub>"),
         // A bar takes the place of parentheses, a product does not.
-        ("(a + w)/k", "{<mfrac>{{a}<mo>+</mo>{w}}{k}</mfrac>}"),
+        ("(a + w)/k", "<mfrac>{{a}<mo>+</mo>{w}}{k}</mfrac>"),
         (
             "(a + w)*k",
             "{{<mo stretchy=\"false\">(</mo>{{a}<mo>+</mo>{w}}<mo stretchy=\"false\">)</mo>}<mo>\u{2062}</mo>{k}}",
@@ -148,7 +148,7 @@ fn formulas_are_typeset() {
             "a - (w - k)",
             "{{a}<mo>−</mo>{<mo stretchy=\"false\">(</mo>{{w}<mo>−</mo>{k}}<mo stretchy=\"false\">)</mo>}}",
         ),
-        ("a*w/k", "{<mfrac>{{a}<mo>\u{2062}</mo>{w}}{k}</mfrac>}"),
+        ("a*w/k", "<mfrac>{{a}<mo>\u{2062}</mo>{w}}{k}</mfrac>"),
         ("a/w*k", "{<mfrac>{a}{w}</mfrac><mo>\u{2062}</mo>{k}}"),
         (
             "(1/2)^k",
@@ -160,9 +160,6 @@ fn formulas_are_typeset() {
             "{<munderover><mo>∑</mo>{{j}<mo>=</mo>{1}}{{3}}</munderover>{{j}<mo>\u{2062}</mo>{w}}}",
         ),
     ] {
-        let found = formula(text);
-        // (1/2) is a chain of numbers in the tree, whose row is no difference to the eye.
-        let plain = |text: &str| text.replace("{<mfrac>{1}{2}</mfrac>}", "<mfrac>{1}{2}</mfrac>");
-        assert_eq!(plain(&found), plain(typeset), "{text}");
+        assert_eq!(formula(text), typeset, "{text}");
     }
 }

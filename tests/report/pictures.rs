@@ -40,7 +40,10 @@ fn printed_numbers_stand_where_their_logarithms_do() {
     assert!((rings[2] - expected).abs() < 0.2, "{rings:?}");
     let dots = picture.iter().filter(|piece| piece.is("circle", "dot"));
     let dots: Vec<f64> = dots.map(|dot| dot.number("cy")).collect();
-    assert!(dots[2] > rings[2] && dots[0] == rings[0], "0.02 is below the printed 0.05: {dots:?}");
+    assert!(
+        dots[2] > rings[2] && (dots[0] - rings[0]).abs() < 0.2,
+        "0.02 is below the printed 0.05: {dots:?}"
+    );
     let crosses = picture.iter().filter(|piece| piece.is("path", "bad")).count();
     assert_eq!(crosses, 1, "one cell is wrong");
 }

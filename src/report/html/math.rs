@@ -126,6 +126,9 @@ fn product(first: &Expr, rest: &[(Operator, Expr)]) -> Markup {
         factors.push(at_least(operand, 2));
         alone = None;
     }
+    if let [one] = &factors[..] {
+        return one.clone();
+    }
     html! { mrow { @for factor in &factors { (factor) } } }
 }
 

@@ -50,6 +50,11 @@ pub(super) fn name(text: &str) -> Markup {
     html! { msub { (letter(base)) (letter(index)) } }
 }
 
+/// A name as text: Greek where it names a letter.
+pub(super) fn plain(text: &str) -> &str {
+    greek(text).unwrap_or(text)
+}
+
 fn is_letter(text: &str) -> bool {
     text.chars().count() == 1 || greek(text).is_some()
 }
@@ -62,5 +67,5 @@ fn letter(text: &str) -> Markup {
     if text.bytes().all(|byte| byte.is_ascii_digit()) {
         return html! { mn { (text) } };
     }
-    html! { mi { (greek(text).unwrap_or(text)) } }
+    html! { mi { (plain(text)) } }
 }

@@ -1,5 +1,6 @@
 //! The set of a parameter range, with its ends, above the range as printed.
 
+use super::super::names::plain;
 use super::frame::{Frame, picture};
 use super::scale::Scale;
 use crate::audit::RangeFinding;
@@ -53,7 +54,7 @@ pub(in crate::report::html) fn range(finding: &RangeFinding<'_>) -> Option<Marku
         }
         text x="4" y="64" { "printed" }
         g.c2 { (drawn(&x, 60.0, end(from), end(to))) }
-        text.soft x=(FRAME.x.1) y=(HEIGHT - 4.0) text-anchor="end" { (claim.variable) }
+        text.soft x=(FRAME.x.1) y=(HEIGHT - 4.0) text-anchor="end" { (plain(&claim.variable)) }
     };
     Some(html! {
         figure {
