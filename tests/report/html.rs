@@ -155,6 +155,12 @@ fn formulas_are_typeset() {
             "<msup>{<mo stretchy=\"true\">(</mo><mfrac>{1}{2}</mfrac><mo stretchy=\"true\">)</mo>}{k}</msup>",
         ),
         ("abs(w)", "{<mo stretchy=\"false\">|</mo>{w}<mo stretchy=\"false\">|</mo>}"),
+        // A sign or a factor after a maximum does not belong to it.
+        (
+            "max(j = 1..k, j)*w",
+            "{{<mo stretchy=\"true\">(</mo>{<munder><mo>max</mo>{{j}<mo>=</mo>{1}<mo>…</mo>{k}}</munder>{j}}\
+             <mo stretchy=\"true\">)</mo>}<mo>\u{2062}</mo>{w}}",
+        ),
         (
             "sum(j = 1..3, j*w)",
             "{<munderover><mo>∑</mo>{{j}<mo>=</mo>{1}}{{3}}</munderover>{{j}<mo>\u{2062}</mo>{w}}}",

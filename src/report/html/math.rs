@@ -14,7 +14,7 @@ pub(super) fn formula(expr: &Expr) -> Markup {
 fn binds(expr: &Expr) -> u8 {
     match &expr.node {
         Node::Chain(_, rest) if rest.iter().any(|(operator, _)| is_sum(*operator)) => 1,
-        Node::Fold { fold: Fold::Sum, .. } | Node::Negate(_) => 1,
+        Node::Fold { .. } | Node::Negate(_) => 1,
         Node::Number(number) if number.sign() < 0 => 1,
         Node::Chain(..) => 2,
         // A fraction with a bar is one thing, but for an exponent above it.
@@ -94,9 +94,11 @@ fn list(parts: &[Expr]) -> Markup {
 }
 
 fn sum(first: &Expr, rest: &[(Operator, Expr)]) -> Markup {
+    // What is summed over an index ends where the sign stands.
+    let folded = matches!(first.node, Node::Fold { .. });
     html! {
         mrow {
-            (inner(first))
+            (at_least(first, if folded { 2 } else { 0 }))
             @for (operator, operand) in rest {
                 mo { @if *operator == Operator::Add { "+" } @else { "−" } }
                 (at_least(operand, 2))
