@@ -2,6 +2,7 @@
 
 mod by_hand;
 mod constants;
+mod depth;
 mod promise;
 mod table;
 mod theorem;
@@ -9,6 +10,7 @@ mod working;
 
 pub use by_hand::by_hand;
 pub use constants::{AttainedConstant, Powers, SearchedConstant};
+pub use depth::{DepthLevels, depth_levels};
 pub use promise::{PromiseEvidence, promise_evidence, promise_mask};
 pub use table::{Evidence, SoundCell, evidence};
 pub use theorem::theorem_evidence;

@@ -165,7 +165,7 @@ fn kept<'f>(
 }
 
 /// The level that a cell speaks of, and what the distance there is promised to be at most.
-fn terms(
+pub(super) fn terms(
     judge: &Evaluator<'_>,
     promise: &Promise,
     at: At<'_>,

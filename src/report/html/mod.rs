@@ -3,6 +3,7 @@
 //! A page loads nothing and runs no script: cells open by their anchors, and filters are radio
 //! buttons that the style sheet reads.
 
+mod broken;
 mod cell;
 mod claims;
 mod command;

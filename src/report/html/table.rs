@@ -1,13 +1,14 @@
 //! A table in its own shape.
 
-use super::cell::{anchor, cell};
+use super::broken::broken;
+use super::cell::cell;
 use super::command;
 use super::math::formula;
-use super::picture::{Exceeding, chart, readings, witness};
+use super::picture::{chart, readings};
 use super::sheet::{facts, lines};
 use super::statement::definitions;
 use super::verdict::{BROKEN, LOOKS, Look};
-use crate::audit::{Kept, PaperAudit, TableFinding, promise_mask};
+use crate::audit::{PaperAudit, TableFinding};
 use crate::diagnostic::Diagnostic;
 use crate::report::audit::remarks;
 use crate::report::headers;
@@ -41,33 +42,11 @@ pub(super) fn section(
                 @if let Some(maps) = readings(finding, search) { (maps) }
             }
             @for line in remarks(finding) { p.remark { (lines(&line)) } }
-            @if let Some(broken) = &broken { (broken) }
+            (broken)
             @if let Some(note) = &table.note { p.note { (lines(note)) } }
             (command::explain(audit, &table.id, file))
         }
     })
-}
-
-/// The first promise of a polygon that is not kept, drawn.
-fn broken(
-    audit: &PaperAudit<'_>,
-    finding: &TableFinding<'_>,
-) -> Result<Option<Markup>, Diagnostic> {
-    for (row, cells) in finding.cells.iter().enumerate() {
-        for (column, cell) in cells.iter().enumerate() {
-            let Some(Kept::No(broken)) = &cell.kept else { continue };
-            let mask = promise_mask(audit.paper, finding, (row, column))?;
-            let Some(drawing) = witness(mask.as_slice(), &Exceeding::of_promise(broken)) else {
-                return Ok(None);
-            };
-            let anchor = anchor(&finding.table.id, row, column);
-            return Ok(Some(html! {
-                p.remark { "The promise of " a href={ "#" (anchor) } { (cell.locus) } " is broken:" }
-                (drawing)
-            }));
-        }
-    }
-    Ok(None)
 }
 
 fn grid(audit: &PaperAudit<'_>, finding: &TableFinding<'_>, file: Option<&str>) -> Markup {

@@ -6,6 +6,7 @@ mod chart;
 mod curve;
 mod digits;
 mod frame;
+mod levels;
 mod range;
 mod readings;
 mod scale;
@@ -13,6 +14,7 @@ mod witness;
 
 pub(super) use chart::chart;
 pub(super) use digits::digits;
+pub(super) use levels::levels;
 pub(super) use range::range;
 pub(super) use readings::readings;
 pub(super) use witness::{Exceeding, witness};
