@@ -114,3 +114,33 @@ fn a_range_stands_above_the_exact_set() {
     assert_eq!(picture.iter().filter(|piece| piece.is("circle", "ring")).count(), 2);
     assert_eq!(picture.iter().filter(|piece| piece.is("circle", "dot")).count(), 2);
 }
+
+/// Chaikin's T_1 is 1/2 and its displacement 1/4, so that the sound bound of level k is 2^−k/2: it meets
+/// 1/1000 from level 9 on.
+#[test]
+fn the_sound_bound_meets_the_tolerance_at_the_ring() {
+    let pieces = page(
+        "[[table]]\nid = 't'\nlocus = 'T'\ntitle = 't'\nscheme = 'chaikin'\nvalue = '1'\n\
+         promise = { tolerance = 'epsilon', spread = '1' }\n\
+         columns = { name = 'epsilon', values = ['1/1000', '1/10'] }\ncells = [['1', '1']]\n",
+    );
+    let title = pieces.windows(2).position(|pair| {
+        matches!(&pair[0], Piece::Start(name, _) if name == "title")
+            && pair[1] == Piece::Text("Sound bound against the level".to_owned())
+    });
+    let picture = within(&pieces[title.expect("the picture") - 1..], |_| true);
+    let place = |piece: &Piece| (piece.number("cx"), piece.number("cy"));
+    let dots: Vec<(f64, f64)> =
+        picture.iter().filter(|piece| piece.is("circle", "dot")).map(place).collect();
+    assert_eq!(dots.len(), 12, "levels 0 to 11");
+    let ring = picture.iter().find(|piece| piece.is("circle", "ring")).map(place).expect("a ring");
+    let at = dots.iter().position(|dot| (dot.0 - ring.0).abs() < 0.01).expect("its dot");
+    assert_eq!(at, 9);
+    let epsilon =
+        picture.iter().find(|piece| piece.is("line", "frame")).expect("a line").number("y1");
+    assert!(dots[9].1 > epsilon && dots[8].1 < epsilon, "{dots:?} {epsilon}");
+    // Halves at each level are equal steps.
+    for pair in dots.windows(3) {
+        assert!((pair[0].1 + pair[2].1 - 2.0 * pair[1].1).abs() < 0.3, "{dots:?}");
+    }
+}
