@@ -7,8 +7,24 @@ use crate::scheme::{Mask, Rules};
 /// From this many points on, a polygon looks like its limit.
 const MANY: usize = 1_200;
 
-/// The most points that are kept of a level.
-const MAX_POINTS: usize = 60_000;
+/// The most points that are drawn of a level.
+const MAX_POINTS: usize = 6_000;
+
+/// A part of the parameters: from t − reach to t + reach.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Window {
+    /// t.
+    pub(super) t: f64,
+    /// How far it reaches to both sides.
+    pub(super) reach: f64,
+}
+
+impl Window {
+    /// Its ends.
+    pub(super) fn ends(self) -> (f64, f64) {
+        (self.t - self.reach, self.t + self.reach)
+    }
+}
 
 /// The points of a level: those of the indices from `first` on; beyond, the first and the last are
 /// repeated.
@@ -39,16 +55,13 @@ impl Level {
         self.points.get(place).copied().unwrap_or(0.0)
     }
 
-    /// The next level; `None` when it has too many points.
+    /// The next level.
     fn refined(&self, rules: &Rules<f64>) -> Option<Level> {
         let [arity, width] = [rules.arity(), rules.width()].map(|n| i64::try_from(n).unwrap_or(0));
         let count = i64::try_from(self.points.len()).ok()?;
         // Beyond these indices, every rule sees one value only.
         let from = self.first - rules.offset() - width;
         let to = self.first + count - rules.offset();
-        if usize::try_from((to - from + 1) * arity).ok()? > MAX_POINTS {
-            return None;
-        }
         let one = |i: i64, row: &Vec<f64>| {
             (i + rules.offset()..).zip(row).map(|(at, weight)| weight * self.point(at)).sum()
         };
@@ -59,6 +72,21 @@ impl Level {
             points: points.collect(),
             scale: self.scale * float(arity),
         })
+    }
+
+    /// Without the points on which nothing in the window depends. A point of the next level depends on those
+    /// within `around` of its place, so that twice as many beyond the window are enough for all later levels:
+    /// with n ≥ 2, n·(2a − a) ≥ 2a.
+    fn trimmed(mut self, window: Window, around: i64) -> Level {
+        let (from, to) = window.ends();
+        let from = Level::index((from * self.scale).floor()) - 2 * around;
+        let to = Level::index((to * self.scale).ceil()) + 2 * around;
+        let last = self.points.len().saturating_sub(1);
+        let place = |i: i64| usize::try_from(i - self.first).unwrap_or(0).min(last);
+        let (from, to) = (place(from), place(to));
+        self.points = self.points[from..=to].to_vec();
+        self.first += i64::try_from(from).unwrap_or(0);
+        self
     }
 
     /// The value at t of the polygon with x_i at i/n^k.
@@ -96,13 +124,25 @@ fn float(i: i64) -> f64 {
     i as f64
 }
 
-/// The levels from 0 to one that looks like the limit, which is after `least` at least; `None` where
-/// that takes too many points.
-pub(super) fn levels(mask: &Mask, polygon: &ExtremalPolygon, least: u32) -> Option<Vec<Level>> {
+/// The levels from 0 to one that looks like the limit in a window, which is after `least` at least; `None`
+/// where that takes too many points.
+pub(super) fn levels(
+    mask: &Mask,
+    polygon: &ExtremalPolygon,
+    least: u32,
+    window: Window,
+) -> Option<Vec<Level>> {
     let rules = mask.rules().map(nearest);
+    let around = i64::try_from(rules.width()).ok()? + rules.offset().abs() + 2;
     let mut levels = vec![Level::control(polygon)];
-    while levels.last()?.level < least || levels.last()?.points.len() < MANY {
-        levels.push(levels.last()?.refined(&rules)?);
+    loop {
+        let last = levels.last()?;
+        if last.points.len() > MAX_POINTS {
+            return None;
+        }
+        if last.level >= least && last.points.len() >= MANY {
+            return Some(levels);
+        }
+        levels.push(last.refined(&rules)?.trimmed(window, around));
     }
-    Some(levels)
 }

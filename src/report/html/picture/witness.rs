@@ -1,11 +1,11 @@
 //! The data that refute a theorem about curves: control polygon, level k, limit, and the place.
 
-use super::curve::{Level, levels};
+use super::curve::{Level, Window, levels};
 use super::frame::{Frame, picture, points};
 use super::scale::Scale;
 use crate::audit::{Attained, Broken, Control, Place, Violation};
 use crate::claim::Quantity;
-use crate::exact::{RealCyclotomic, format::short};
+use crate::exact::{Rational, RealCyclotomic, format::short};
 use crate::float::nearest;
 use crate::limit::ExtremalPolygon;
 use crate::scheme::Mask;
@@ -23,9 +23,8 @@ const SEEN: f64 = 0.03;
 const HEIGHT: f64 = 300.0;
 const FRAME: Frame = Frame { x: (56.0, 540.0), y: (264.0, 12.0) };
 
-/// What is drawn at the place: a parameter, and the two values whose distance is bounded.
+/// What is drawn at the place: the two values whose distance is bounded.
 struct Shown<'l> {
-    t: f64,
     ends: [(f64, f64); 2],
     /// The polygon of level k, and what it is compared with.
     polygons: [(&'l Level, String); 2],
@@ -55,16 +54,6 @@ impl<'v> Exceeding<'v> {
     }
 }
 
-impl Shown<'_> {
-    /// How far the picture reaches to both sides: near by, where the distance would not be seen.
-    fn reach(&self) -> f64 {
-        let [first, second] = self.ends;
-        let polygon = self.polygons[0].0;
-        let nearest = REACH * (polygon.parameter(1) - polygon.parameter(0));
-        if (first.1 - second.1).abs() >= SEEN { REACH } else { nearest }
-    }
-}
-
 /// The data, when they are a polygon; `None` of nets and rings.
 pub(in crate::report::html) fn witness(
     masks: &[Mask],
@@ -73,7 +62,10 @@ pub(in crate::report::html) fn witness(
     let ([mask], Control::Polygon(polygon)) = (masks, &exceeding.attained.control) else {
         return None;
     };
-    let found = levels(mask, polygon, exceeding.level + LEVELS_AFTER)?;
+    let windows = windows(mask, exceeding)?;
+    let (found, window) = windows.into_iter().find_map(|window| {
+        Some((levels(mask, polygon, exceeding.level + LEVELS_AFTER, window)?, window))
+    })?;
     let shown = shown(&found, exceeding)?;
     let says = format!(
         "Control polygon of spread 1, level {} and {}. At the marked place they are {} apart, and at most {} is \
@@ -83,13 +75,32 @@ pub(in crate::report::html) fn witness(
         short(&exceeding.attained.value, 6),
         short(&exceeding.most, 6),
     );
-    let drawing = drawn(polygon, &found[0], &shown);
+    let drawing = drawn(polygon, &found[0], &shown, window);
     Some(html! {
         figure {
             (picture("Control polygon, level and limit", &says, HEIGHT, &drawing))
             figcaption { (says) }
         }
     })
+}
+
+/// The parts of the parameters that may be drawn, the best first: some control points on both sides of the
+/// place, unless the distance would not be seen there, and some points of level k.
+fn windows(mask: &Mask, exceeding: &Exceeding<'_>) -> Option<Vec<Window>> {
+    let arity = Rational::from(mask.arity());
+    let points = |level: u32| arity.pow(level.cast_signed());
+    let k = exceeding.level;
+    let t = match &exceeding.attained.place {
+        Place::Parameter(t) => t.clone(),
+        Place::Point(i) => Rational::from(*i) / points(k + 1),
+        Place::Difference(i) => Rational::from(*i) / points(k),
+        _ => return None,
+    };
+    let t = nearest(&t);
+    let near = Window { t, reach: REACH / nearest(&points(k)) };
+    let far = Window { t, reach: REACH };
+    let is_seen = nearest(&exceeding.attained.value) >= SEEN;
+    Some(if is_seen { vec![far, near] } else { vec![near] })
 }
 
 /// The place and what is compared there.
@@ -101,24 +112,24 @@ fn shown<'l>(found: &'l [Level], exceeding: &Exceeding<'_>) -> Option<Shown<'l>>
         (Quantity::Distance, Place::Parameter(t)) => {
             let t = nearest(t);
             let ends = [(t, level.at(t)), (t, last.at(t))];
-            Shown { t, ends, polygons: [(level, String::new()), (last, "limit".to_owned())] }
+            Shown { ends, polygons: [(level, String::new()), (last, "limit".to_owned())] }
         }
         (Quantity::Step, Place::Point(i)) => {
             let t = next.parameter(*i);
             let ends = [(t, level.at(t)), (t, next.point(*i))];
-            Shown { t, ends, polygons: [(level, String::new()), (next, after)] }
+            Shown { ends, polygons: [(level, String::new()), (next, after)] }
         }
         (Quantity::Difference, Place::Difference(i)) => {
             let end = |i: i64| (level.parameter(i), level.point(i));
             let polygons = [(level, String::new()), (last, "limit".to_owned())];
-            Shown { t: level.parameter(*i), ends: [end(*i), end(*i + 1)], polygons }
+            Shown { ends: [end(*i), end(*i + 1)], polygons }
         }
         _ => return None,
     })
 }
 
-fn drawn(polygon: &ExtremalPolygon, control: &Level, shown: &Shown<'_>) -> Markup {
-    let window = (shown.t - shown.reach(), shown.t + shown.reach());
+fn drawn(polygon: &ExtremalPolygon, control: &Level, shown: &Shown<'_>, window: Window) -> Markup {
+    let window = window.ends();
     let lines =
         [control, shown.polygons[0].0, shown.polygons[1].0].map(|level| level.between(window));
     let values = || lines.iter().flatten().map(|(_, value)| *value);
