@@ -68,7 +68,7 @@ fn the_place_of_a_refutation_is_as_far_as_the_exact_distance() {
     for audit in AUDITS.iter() {
         let pieces = read(&audit_page(audit, None).expect("a page"));
         let section = |id: &str| within(&pieces, |piece| piece.attribute("id") == Some(id));
-        let mut check = |id: &str, exact: &RealCyclotomic| {
+        let check = |id: &str, exact: &RealCyclotomic| {
             let exact = nearest(exact);
             let Some(found) = drawn(&section(id)) else { return 0 };
             assert!((found - exact).abs() < 0.02 * exact, "{id}: {found}, {exact}");
