@@ -4,11 +4,15 @@ use crate::float::nearest;
 use crate::limit::ExtremalPolygon;
 use crate::scheme::{Mask, Rules};
 
-/// From this many points on, a polygon looks like its limit.
-const MANY: usize = 1_200;
+/// From this factor on, the points of a later level are as good as limit points: where those of level k move
+/// away by a shift of the parameter, what is left of it is this small a part.
+const FINER: f64 = 256.0;
 
-/// The most points that are drawn of a level.
-const MAX_POINTS: usize = 6_000;
+/// The most points that are computed of a level.
+const MAX_POINTS: usize = 80_000;
+
+/// The most points of a line: a picture is not wider.
+const MAX_DRAWN: usize = 400;
 
 /// A part of the parameters: from t − reach to t + reach.
 #[derive(Clone, Copy, Debug)]
@@ -109,7 +113,9 @@ impl Level {
             Level::index((from * self.scale).floor()) + 1,
             Level::index((to * self.scale).ceil()) - 1,
         );
-        let inner = (first..=last).map(|i| (self.parameter(i), self.point(i)));
+        let count = usize::try_from(last - first + 1).unwrap_or(0);
+        let step = count.div_ceil(MAX_DRAWN).max(1);
+        let inner = (first..=last).step_by(step).map(|i| (self.parameter(i), self.point(i)));
         std::iter::once((from, self.at(from))).chain(inner).chain([(to, self.at(to))]).collect()
     }
 
@@ -124,12 +130,12 @@ fn float(i: i64) -> f64 {
     i as f64
 }
 
-/// The levels from 0 to one that looks like the limit in a window, which is after `least` at least; `None`
-/// where that takes too many points.
+/// The levels from 0 to one that stands for the limit of level `k` in a window; `None` where that takes too
+/// many points.
 pub(super) fn levels(
     mask: &Mask,
     polygon: &ExtremalPolygon,
-    least: u32,
+    k: u32,
     window: Window,
 ) -> Option<Vec<Level>> {
     let rules = mask.rules().map(nearest);
@@ -140,7 +146,8 @@ pub(super) fn levels(
         if last.points.len() > MAX_POINTS {
             return None;
         }
-        if last.level >= least && last.points.len() >= MANY {
+        let own = levels.get(usize::try_from(k).ok()?);
+        if own.is_some_and(|own| last.scale >= FINER * own.scale) {
             return Some(levels);
         }
         levels.push(last.refined(&rules)?.trimmed(window, around));

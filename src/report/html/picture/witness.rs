@@ -11,9 +11,6 @@ use crate::limit::ExtremalPolygon;
 use crate::scheme::Mask;
 use maud::{Markup, html};
 
-/// How many levels the polygon that stands for the limit is after level k at least.
-const LEVELS_AFTER: u32 = 3;
-
 /// How far the picture reaches to both sides of the place, in control points.
 const REACH: f64 = 4.0;
 
@@ -63,9 +60,9 @@ pub(in crate::report::html) fn witness(
         return None;
     };
     let windows = windows(mask, exceeding)?;
-    let (found, window) = windows.into_iter().find_map(|window| {
-        Some((levels(mask, polygon, exceeding.level + LEVELS_AFTER, window)?, window))
-    })?;
+    let (found, window) = windows
+        .into_iter()
+        .find_map(|window| Some((levels(mask, polygon, exceeding.level, window)?, window)))?;
     let shown = shown(&found, exceeding)?;
     let says = format!(
         "Control polygon of spread 1, level {} and {}. At the marked place they are {} apart, and at most {} is \
