@@ -16,16 +16,20 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 
 
+def missing(package: str) -> bool:
+    return subprocess.run(["kpsewhich", package], capture_output=True).returncode != 0
+
+
 def install() -> None:
     sudo = [] if os.geteuid() == 0 else ["sudo"]
     subprocess.run([*sudo, "apt-get", "update", "-qq"], check=True)
-    packages = ["texlive-latex-base", "texlive-fonts-recommended"]
+    packages = ["texlive-latex-base", "texlive-latex-recommended", "texlive-fonts-recommended"]
     subprocess.run([*sudo, "apt-get", "install", "-y", "-qq", "--no-install-recommends", *packages], check=True)
 
 
 def main() -> int:
     program = sys.argv[1] if len(sys.argv) > 1 else "target/release/subcert"
-    if not shutil.which("pdflatex"):
+    if not shutil.which("pdflatex") or missing("booktabs.sty"):
         install()
     wrong = False
     with tempfile.TemporaryDirectory() as folder:

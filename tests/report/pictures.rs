@@ -49,8 +49,9 @@ fn printed_numbers_stand_where_their_logarithms_do() {
     assert_eq!(crosses, 1, "one cell is wrong");
 }
 
-/// The distance at the marked place of the drawing of data that exceed a bound, in a section that has one.
-fn drawn(section: &[Piece]) -> Option<f64> {
+/// The distance at the marked place of the drawing of data that exceed a bound, in a section that has one, and
+/// what a pixel is.
+fn drawn(section: &[Piece]) -> Option<(f64, f64)> {
     let title = Piece::Text("Control polygon, level and limit".to_owned());
     let place = section.iter().position(|piece| *piece == title)?;
     // Before the text stand the tags of the title and of the picture.
@@ -58,7 +59,8 @@ fn drawn(section: &[Piece]) -> Option<f64> {
     let [first, .., last] = &ticks(&picture)[..] else { panic!("ticks") };
     let bad = picture.iter().find(|piece| piece.is("line", "bad")).expect("the place");
     let height = (bad.number("y1") - bad.number("y2")).abs();
-    Some(height * ((last.0 - first.0) / (last.1 - first.1)).abs())
+    let pixel = ((last.0 - first.0) / (last.1 - first.1)).abs();
+    Some((height * pixel, pixel))
 }
 
 /// The drawing finds the distance by refinement in f64; the audit found it exactly.
@@ -70,8 +72,10 @@ fn the_place_of_a_refutation_is_as_far_as_the_exact_distance() {
         let section = |id: &str| within(&pieces, |piece| piece.attribute("id") == Some(id));
         let check = |id: &str, exact: &RealCyclotomic| {
             let exact = nearest(exact);
-            let Some(found) = drawn(&section(id)) else { return 0 };
-            assert!((found - exact).abs() < 0.02 * exact, "{id}: {found}, {exact}");
+            let Some((found, pixel)) = drawn(&section(id)) else { return 0 };
+            // Both ends are rounded to a tenth of a pixel, and so are the ticks.
+            let near = (found - exact).abs() < 0.02 * exact + 0.25 * pixel;
+            assert!(near, "{id}: {found}, {exact}, {pixel}");
             1
         };
         for finding in &audit.theorems {
