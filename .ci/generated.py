@@ -11,13 +11,15 @@ In README.md and docs/*.md, a block
 holds what that command writes. Before the colon, `from=WORD` begins at the first line that
 begins with WORD, and `head=N` keeps N lines. A block under `<!-- file: PATH -->` holds that
 file, and one under `<!-- part of: PATH -->` some lines of it.
-The files of FILES, and proofs/errata, hold what their command writes, and nothing else.
+The files of FILES, and proofs/errata, hold what their command writes, and nothing else; docs/audits/index.html
+is the index of the pages that `audit --format html` writes.
 """
 
 import os
 import re
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -44,6 +46,12 @@ def output(command: str) -> str:
     return "\n".join(line.rstrip() for line in done.stdout.splitlines()) + "\n"
 
 
+def index() -> str:
+    with tempfile.TemporaryDirectory() as folder:
+        output(f"audit --format html -o {folder}")
+        return (Path(folder) / "index.html").read_text()
+
+
 def excerpt(text: str, start: str | None, head: str | None) -> str:
     lines = text.splitlines()
     if start:
@@ -67,6 +75,7 @@ def block(match: re.Match) -> str:
 def main() -> int:
     generated = {page: BLOCK.sub(block, (ROOT / page).read_text()) for page in PAGES}
     generated |= {name: output(command) for name, command in FILES.items()}
+    generated["docs/audits/index.html"] = index()
     for claims in sorted((ROOT / "proofs" / "claims").glob("*.toml")):
         key = claims.stem
         generated[f"proofs/errata/{key}.md"] = output(f"errata --paper {key}")

@@ -25,6 +25,7 @@ mod net;
 mod oracle;
 mod patch;
 mod random_papers;
+mod report;
 mod scheme;
 mod smoothness;
 mod solid;

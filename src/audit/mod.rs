@@ -9,8 +9,8 @@ pub use crate::digest::{
 };
 pub use crate::evaluation::{Choice, Copied, Effect, FAMILY, QUANTITIES, Way};
 pub use crate::evidence::{
-    AttainedConstant, Evidence, Powers, PromiseEvidence, SearchedConstant, SoundCell, by_hand,
-    evidence, promise_evidence, theorem_evidence, working,
+    AttainedConstant, DepthLevels, Evidence, Powers, PromiseEvidence, SearchedConstant, SoundCell,
+    by_hand, depth_levels, evidence, promise_evidence, promise_mask, theorem_evidence, working,
 };
 pub use crate::finding::{
     AsRead, Assumed, Attained, Broken, ByHand, CaseFinding, CellFinding, CellKind, Contradiction,

@@ -2,50 +2,91 @@
 
 use super::arguments::{AuditArguments, BROKEN, TableFormat};
 use super::certified::Certified;
-use super::output::{Outcome, denied, show_table};
+use super::output::{Failure, Outcome, denied, show_table};
 use super::papers::{judge_all, papers, select};
-use super::{csv, terminal};
+use super::{csv, pages, terminal};
+use std::path::Path;
 use subcert::audit::PaperAudit;
 use subcert::report::json::AuditReport;
 use subcert::report::{Sheet, audit_sheet, overview_sheet};
 
 pub(super) fn audit(arguments: &AuditArguments) -> Outcome {
+    let to = Destination::of(arguments)?;
     let papers = select(papers(&arguments.files)?, arguments.paper.as_deref())?;
-    let audits = judge_all(&papers, arguments.output.format != TableFormat::Json)?;
+    let audits = judge_all(&papers, to != Destination::Output(TableFormat::Json))?;
     let certified = if arguments.certified { Some(Certified::of(&audits)?) } else { None };
+    match to {
+        Destination::Output(format) => show_audit(arguments, format, &audits, certified.as_ref())?,
+        Destination::Pages(folder) => {
+            pages::pages(&audits, certified.as_ref(), arguments.files.is_empty(), folder)?;
+        }
+    }
+    denied(&arguments.deny, |verdict| {
+        let count = audits.iter().map(|audit| count(audit, verdict)).sum();
+        (count, if verdict == BROKEN { ["promise", "promises"] } else { ["claim", "claims"] })
+    })
+}
+
+/// Where an audit goes.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Destination<'a> {
+    /// To the standard output.
+    Output(TableFormat),
+    /// Into this folder.
+    Pages(&'a Path),
+}
+
+impl Destination<'_> {
+    fn of(arguments: &AuditArguments) -> Result<Destination<'_>, Failure> {
+        let folder = arguments.output_folder.as_deref();
+        match arguments.format.of_table() {
+            None => Ok(Destination::Pages(pages::folder(folder)?)),
+            Some(format) if folder.is_none() => Ok(Destination::Output(format)),
+            Some(_) => {
+                let message = "-o is the folder of --format html; other formats go to the standard \
+                               output";
+                Err(Failure::Input(message.to_owned()))
+            }
+        }
+    }
+}
+
+/// Writes the report to the standard output.
+fn show_audit(
+    arguments: &AuditArguments,
+    format: TableFormat,
+    audits: &[PaperAudit<'_>],
+    certified: Option<&Certified>,
+) -> Outcome {
     show_table(
-        arguments.output.format,
+        format,
         || {
-            let mut sheet = audit_sheet(&audits, arguments.all);
+            let mut sheet = audit_sheet(audits, arguments.all);
             sheet.text(
                 "✓ confirmed  = reproduced at values that the paper does not state  ≈ rounded otherwise  ± misprint  ⇄ another reading  ✗ refuted  ? not checkable, or \
                  open. Under a cell: the exact value of the printed definition, and the sound \
                  value where the printed one is not shown to keep its promise. `--all` shows \
                  every table, `subcert explain KEY:ID` one claim, whose ID ends its heading.",
             );
-            if let Some(certified) = &certified {
+            if let Some(certified) = certified {
                 certified.section(&mut sheet);
             }
-            if arguments.output.format == TableFormat::Text && is_longer_than_a_screen(&sheet) {
+            if format == TableFormat::Text && is_longer_than_a_screen(&sheet) {
                 // The summary has scrolled off the screen, and is repeated at the end.
                 sheet.heading(1, "All papers");
-                sheet.blocks.extend(overview_sheet(&audits).blocks);
+                sheet.blocks.extend(overview_sheet(audits).blocks);
             }
             sheet
         },
         || {
-            let mut report = AuditReport::of(&audits);
-            if let Some(certified) = &certified {
+            let mut report = AuditReport::of(audits);
+            if let Some(certified) = certified {
                 certified.mark(&mut report);
             }
             report
         },
-        || csv::cells(&audits),
-    )?;
-    denied(&arguments.deny, |verdict| {
-        let count = audits.iter().map(|audit| count(audit, verdict)).sum();
-        (count, if verdict == BROKEN { ["promise", "promises"] } else { ["claim", "claims"] })
-    })
+        || csv::cells(audits),
+    )
 }
 
 fn is_longer_than_a_screen(sheet: &Sheet) -> bool {

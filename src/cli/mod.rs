@@ -23,6 +23,7 @@ mod new;
 mod offset;
 mod oracle;
 mod output;
+mod pages;
 mod papers;
 mod polygon;
 mod progress;

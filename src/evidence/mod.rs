@@ -2,6 +2,7 @@
 
 mod by_hand;
 mod constants;
+mod depth;
 mod promise;
 mod table;
 mod theorem;
@@ -9,7 +10,8 @@ mod working;
 
 pub use by_hand::by_hand;
 pub use constants::{AttainedConstant, Powers, SearchedConstant};
-pub use promise::{PromiseEvidence, promise_evidence};
+pub use depth::{DepthLevels, depth_levels};
+pub use promise::{PromiseEvidence, promise_evidence, promise_mask};
 pub use table::{Evidence, SoundCell, evidence};
 pub use theorem::theorem_evidence;
 pub use working::working;

@@ -93,7 +93,7 @@ pub fn explain_sheet(
         }
         None => definition(&mut sheet, audit, finding, scheme),
     }
-    sheet.facts(facts(cell));
+    sheet.facts(cell_facts(cell));
     let at = cell_place(finding.table, id);
     if at.is_some() {
         tried::section(&mut sheet, finding, readings, at, all);
@@ -141,7 +141,8 @@ fn definition(
     sheet.facts(facts);
 }
 
-fn facts(cell: &CellFinding) -> Vec<(String, String)> {
+/// What is known of a cell.
+pub(super) fn cell_facts(cell: &CellFinding) -> Vec<(String, String)> {
     let mut facts = Vec::new();
     let mut fact = |name: &str, value: String| facts.push((name.to_owned(), value));
     fact("printed", cell.printed.clone().unwrap_or_else(|| "lost".to_owned()));

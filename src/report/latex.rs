@@ -31,7 +31,7 @@ impl Sheet {
 }
 
 impl Grid {
-    fn write_latex(&self, columns: usize, out: &mut String) {
+    pub(super) fn write_latex(&self, columns: usize, out: &mut String) {
         let alignment = |column| if column < self.left_columns { 'l' } else { 'r' };
         let alignment: String = (0..columns).map(alignment).collect();
         let _ = writeln!(out, "\\begin{{tabular}}{{{alignment}}}\n\\toprule");
@@ -59,7 +59,7 @@ fn one_line(text: &str) -> String {
 }
 
 /// Text that LaTeX shows as it is, with mathematical signs, and indices such as that of `T_c`.
-fn escape(text: &str) -> String {
+pub(super) fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     let mut rest = text;
     let mut after_letter = false;
@@ -130,6 +130,7 @@ fn math(c: char) -> Option<&'static str> {
         'ν' => "\\nu",
         'ξ' => "\\xi",
         'σ' => "\\sigma",
+        'ς' => "\\varsigma",
         'τ' => "\\tau",
         'ω' => "\\omega",
         'ζ' => "\\zeta",

@@ -1,4 +1,4 @@
-//! Findings as text, Markdown, LaTeX and JSON.
+//! Findings as text, Markdown, LaTeX, JSON and HTML.
 
 mod audit;
 mod by_hand;
@@ -12,8 +12,10 @@ mod fit;
 mod function;
 mod headers;
 mod headline;
+pub mod html;
 pub mod json;
 mod latex;
+mod latex_document;
 mod numbers;
 mod overview;
 mod parts;

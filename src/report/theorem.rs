@@ -180,12 +180,21 @@ pub(super) fn explain(audit: &PaperAudit<'_>, id: &str, hand: Option<&ByHand>) -
     }
     let verdict = format!("{} {}", mark(finding.verdict.name()), outcome(finding));
     facts.push(("verdict".to_owned(), verdict));
-    facts.extend(witness::facts(finding, hand));
-    facts.extend(corrections(finding));
-    facts.extend(finding.cases.iter().map(|case| (case.label.clone(), in_case(&case.outcome))));
+    facts.extend(details(finding, hand));
     facts.extend(theorem.note.clone().map(|note| ("note".to_owned(), note)));
     sheet.facts(facts);
     Some(sheet)
+}
+
+/// The data that refute it, what was corrected, and what it was tried on.
+pub(super) fn details(
+    finding: &TheoremFinding<'_>,
+    hand: Option<&ByHand>,
+) -> Vec<(String, String)> {
+    let mut facts = witness::facts(finding, hand);
+    facts.extend(corrections(finding));
+    facts.extend(finding.cases.iter().map(|case| (case.label.clone(), in_case(&case.outcome))));
+    facts
 }
 
 /// Each correction, and whether it is enough by itself.

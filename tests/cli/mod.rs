@@ -8,6 +8,7 @@ mod nets;
 mod new;
 mod offset;
 mod output;
+mod pages;
 mod polygons;
 mod smoothness;
 mod solids;

@@ -4,7 +4,8 @@ pub(super) const AUDIT: &str = "\
 Examples:
   subcert audit
   subcert audit --paper khan2019-newton --all
-  subcert audit examples/my-paper.toml --certified --deny refuted,broken";
+  subcert audit examples/my-paper.toml --certified --deny refuted,broken
+  subcert audit --format html -o pages";
 
 pub(super) const EXPLAIN: &str = "\
 Examples:

@@ -11,8 +11,8 @@ pub(super) use meshes::{
     ClosedArgument, LimitArguments, MeshOutput, MeshOutputFormat, RefineArguments,
 };
 pub(super) use papers::{
-    AuditArguments, BROKEN, CoverageArguments, ErrataArguments, ExplainArguments, NewArguments,
-    ProveArguments,
+    AuditArguments, BROKEN, CoverageArguments, ErrataArguments, ErrataFormat, ExplainArguments,
+    NewArguments, ProveArguments,
 };
 pub(super) use schemes::{
     BoundaryArgument, CertifyArguments, ConstantsArguments, DepthArguments, OracleArguments,

@@ -1,8 +1,8 @@
 //! The arguments of the commands about papers.
 
-use super::{Format, Output, TableOutput};
-use clap::Args;
+use super::{Output, TableFormat};
 use clap::builder::PossibleValuesParser;
+use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 use subcert::audit::Verdict;
 
@@ -22,8 +22,43 @@ pub(in crate::cli) struct AuditArguments {
     /// Exit with code 1 when a claim has one of these verdicts, or a promise is `broken`
     #[arg(long, value_name = "VERDICT,…", value_delimiter = ',', value_parser = verdicts())]
     pub(in crate::cli) deny: Vec<String>,
-    #[command(flatten)]
-    pub(in crate::cli) output: TableOutput,
+    /// Output format
+    #[arg(long, value_enum, default_value_t = AuditFormat::Text)]
+    pub(in crate::cli) format: AuditFormat,
+    /// The folder for the pages of `--format html`, KEY.html and index.html
+    #[arg(short = 'o', long, value_name = "DIR")]
+    pub(in crate::cli) output_folder: Option<PathBuf>,
+}
+
+/// The formats of audits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum AuditFormat {
+    /// For people
+    Text,
+    /// For programs
+    Json,
+    /// For pasting into a report
+    Markdown,
+    /// One row for each number
+    Csv,
+    /// Tables for a paper, with the packages amssymb and booktabs
+    Latex,
+    /// A page for each paper and an index, written into the folder of `-o`
+    Html,
+}
+
+impl AuditFormat {
+    /// The format of what goes to the standard output; `None` of pages.
+    pub(in crate::cli) fn of_table(self) -> Option<TableFormat> {
+        Some(match self {
+            AuditFormat::Text => TableFormat::Text,
+            AuditFormat::Json => TableFormat::Json,
+            AuditFormat::Markdown => TableFormat::Markdown,
+            AuditFormat::Csv => TableFormat::Csv,
+            AuditFormat::Latex => TableFormat::Latex,
+            AuditFormat::Html => return None,
+        })
+    }
 }
 
 /// The value of `--deny` for promises of tables that are not kept.
@@ -60,8 +95,21 @@ pub(in crate::cli) struct ErrataArguments {
     #[arg(short = 'o', long, value_name = "DIR")]
     pub(in crate::cli) output_folder: Option<PathBuf>,
     /// Output format
-    #[arg(long, value_enum, default_value_t = Format::Markdown)]
-    pub(in crate::cli) format: Format,
+    #[arg(long, value_enum, default_value_t = ErrataFormat::Markdown)]
+    pub(in crate::cli) format: ErrataFormat,
+}
+
+/// The formats of errata.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum ErrataFormat {
+    /// For people
+    Text,
+    /// For programs
+    Json,
+    /// For pasting into a report
+    Markdown,
+    /// A document of its own, of the class article
+    Latex,
 }
 
 #[derive(Debug, Args)]

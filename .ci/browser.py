@@ -1,0 +1,276 @@
+#!/usr/bin/env python3
+"""Opens the pages of an audit in headless Chromium, and fails when a reader would be let down.
+
+    .ci/browser.py FOLDER [SCREENSHOTS]
+
+FOLDER holds the pages of `subcert audit --format html -o FOLDER`. Nothing may be written to the console or
+loaded from elsewhere, nothing may be wider than a phone, anchors open their cells, filters hide what they
+should, and all of it works by the keyboard alone and without scripts. With SCREENSHOTS, each page is drawn
+there at 390 and at 1280 pixels, light and dark. Chromium comes from Debian where it is missing; it is
+driven by its own protocol over a pipe, so that Python needs no packages.
+"""
+
+import base64
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from urllib.parse import quote
+
+PHONE, DESKTOP = (390, 844), (1280, 900)
+NAMES = ["chromium", "chromium-browser", "google-chrome"]
+
+
+def browser() -> str:
+    found = next(filter(None, map(shutil.which, NAMES)), None)
+    if found:
+        return found
+    sudo = [] if os.geteuid() == 0 else ["sudo"]
+    subprocess.run([*sudo, "apt-get", "update", "-qq"], check=True)
+    subprocess.run(
+        [*sudo, "apt-get", "install", "-y", "-qq", "--no-install-recommends", "chromium", "fonts-dejavu-core"],
+        check=True,
+    )
+    return shutil.which("chromium") or sys.exit("apt-get has installed no chromium")
+
+
+class Chromium:
+    """A browser with one tab. Messages are JSON texts that end with a zero byte."""
+
+    def __init__(self, profile: str):
+        read, theirs_out = os.pipe()
+        theirs_in, write = os.pipe()
+
+        def descriptors():
+            # The protocol wants 3 and 4; the pipes may have these numbers already.
+            first, second = os.dup(theirs_in), os.dup(theirs_out)
+            high = [os.dup2(first, 63), os.dup2(second, 64)]
+            os.dup2(high[0], 3)
+            os.dup2(high[1], 4)
+
+        self.process = subprocess.Popen(
+            [browser(), "--headless=new", "--no-sandbox", "--disable-gpu", "--remote-debugging-pipe",
+             f"--user-data-dir={profile}", "--hide-scrollbars", "about:blank"],
+            close_fds=False, preexec_fn=descriptors, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+        )
+        os.close(theirs_in)
+        os.close(theirs_out)
+        self.read, self.write = os.fdopen(read, "rb"), os.fdopen(write, "wb")
+        self.count, self.buffer, self.events, self.session = 0, b"", [], None
+        target = self.call("Target.createTarget", url="about:blank")["targetId"]
+        self.session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+        for domain in ["Page", "Runtime", "Log", "Network"]:
+            self.call(f"{domain}.enable")
+
+    def message(self) -> dict:
+        while b"\0" not in self.buffer:
+            more = os.read(self.read.fileno(), 1 << 20)
+            if not more:
+                sys.exit("chromium has gone away")
+            self.buffer += more
+        text, self.buffer = self.buffer.split(b"\0", 1)
+        return json.loads(text)
+
+    def call(self, method: str, **params) -> dict:
+        self.count += 1
+        request = {"id": self.count, "method": method, "params": params}
+        if self.session:
+            request["sessionId"] = self.session
+        self.write.write(json.dumps(request).encode() + b"\0")
+        self.write.flush()
+        while True:
+            answer = self.message()
+            if answer.get("id") == self.count:
+                if "error" in answer:
+                    sys.exit(f"{method}: {answer['error']}")
+                return answer["result"]
+            self.events.append(answer)
+
+    def wait(self, event: str) -> None:
+        while not any(seen.get("method") == event for seen in self.events):
+            self.events.append(self.message())
+
+    def open(self, address: str, size: tuple[int, int]) -> None:
+        width, height = size
+        self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1,
+                  mobile=width < 600)
+        # From a blank page, so that an address that differs in its anchor only is opened anew.
+        for url in ("about:blank", address):
+            self.events.clear()
+            self.call("Page.navigate", url=url)
+            self.wait("Page.loadEventFired")
+
+    def value(self, expression: str):
+        answer = self.call("Runtime.evaluate", expression=expression, returnByValue=True)
+        if "exceptionDetails" in answer:
+            sys.exit(f"{expression}: {answer['exceptionDetails']}")
+        return answer["result"].get("value")
+
+    def key(self, key: str, code: int, shift: bool = False) -> None:
+        shared = {"key": key, "code": key, "windowsVirtualKeyCode": code, "modifiers": 8 if shift else 0}
+        text = {"text": "\r"} if key == "Enter" else {}
+        self.call("Input.dispatchKeyEvent", type="keyDown", **shared, **text)
+        self.call("Input.dispatchKeyEvent", type="keyUp", **shared)
+
+    def picture(self, path: Path) -> None:
+        image = self.call("Page.captureScreenshot", format="png")
+        path.write_bytes(base64.b64decode(image["data"]))
+
+    def complaints(self) -> list[str]:
+        """What was written to the console, and what was loaded beside the page."""
+        found = []
+        for event in self.events:
+            method, params = event.get("method"), event.get("params", {})
+            if method == "Log.entryAdded":
+                found.append(f"console: {params['entry']['text']}")
+            elif method in ("Runtime.consoleAPICalled", "Runtime.exceptionThrown"):
+                found.append(f"console: {params}")
+            elif method == "Network.requestWillBeSent":
+                address = params["request"]["url"]
+                if not address.startswith(("file:", "data:", "about:")):
+                    found.append(f"loaded: {address}")
+        return found
+
+    def close(self) -> None:
+        self.process.terminate()
+        self.process.wait()
+
+
+class Checks:
+    def __init__(self, chromium: Chromium):
+        self.chromium, self.wrong = chromium, []
+
+    def expect(self, what: str, holds: bool) -> None:
+        if not holds:
+            self.wrong.append(what)
+
+    def is_shown(self, selector: str) -> bool:
+        return self.chromium.value(
+            f"(e => !!e && e.getClientRects().length > 0)(document.querySelector({json.dumps(selector)}))"
+        )
+
+    def page(self, page: Path, pictures: Path | None) -> None:
+        address, name = f"file://{quote(str(page))}", page.name
+        for size in (DESKTOP, PHONE):
+            self.chromium.open(address, size)
+            for complaint in self.chromium.complaints():
+                self.wrong.append(f"{name}: {complaint}")
+            wide = self.chromium.value("document.documentElement.scrollWidth")
+            self.expect(f"{name}: {wide} pixels wide in a window of {size[0]}", wide <= size[0])
+            if pictures:
+                self.pictures(pictures, page.stem, size[0])
+        if name != "index.html":
+            self.anchors(address, name)
+            self.filters(address, name)
+            self.keyboard(address, name)
+
+    def pictures(self, folder: Path, name: str, width: int) -> None:
+        folder.mkdir(parents=True, exist_ok=True)
+        for scheme in ("light", "dark"):
+            self.chromium.call("Emulation.setEmulatedMedia",
+                               features=[{"name": "prefers-color-scheme", "value": scheme}])
+            self.chromium.picture(folder / f"{name}-{width}-{scheme}.png")
+        self.chromium.call("Emulation.setEmulatedMedia", features=[])
+
+    def anchors(self, address: str, name: str) -> None:
+        """The address of a cell opens its panel, which stands within the window; `close` closes it."""
+        anchor = self.chromium.value("document.querySelector('td.cell')?.id ?? null")
+        if anchor is None:
+            return
+        for size in (DESKTOP, PHONE):
+            self.chromium.open(f"{address}#{anchor}", size)
+            box = self.chromium.value(
+                "(b => [b.left, b.right, b.top, b.bottom])"
+                "(document.querySelector('td:target > .panel').getBoundingClientRect())"
+            )
+            left, right, top, bottom = box
+            width, height = size
+            within = left >= 0 and right <= width and top >= 0 and bottom <= height + 1 and bottom > top
+            self.expect(f"{name}: the panel of {anchor} stands at {box}", within)
+            # The cell itself is not behind its panel.
+            above = self.chromium.value("document.querySelector('td:target').getBoundingClientRect().bottom")
+            self.expect(f"{name}: {anchor} is hidden by its panel", above <= top + 1)
+        self.chromium.value("document.querySelector('td:target .close').click()")
+        self.expect(f"{name}: the panel does not close", not self.is_shown("td:target > .panel"))
+
+    def filters(self, address: str, name: str) -> None:
+        """Each filter hides the claims that have nothing of it, and no other."""
+        self.chromium.open(address, DESKTOP)
+        kinds = self.chromium.value("[...document.querySelectorAll('.filter input')].map(i => i.value)")
+        self.expect(f"{name}: {kinds} are no filters", len(kinds) > 1 and kinds[0] == "all")
+        for kind in kinds:
+            wrong = self.chromium.value(
+                f"document.getElementById('page:show-{kind}').click();"
+                "[...document.querySelectorAll('.claim')].filter(claim => {"
+                f"const has = '{kind}' === 'all' || claim.matches('.{kind}') || claim.querySelector('td.{kind}');"
+                "return (claim.getClientRects().length > 0) !== !!has}).map(claim => claim.id)"
+            )
+            self.expect(f"{name}: the filter {kind} is wrong for {wrong}", wrong == [])
+
+    def keyboard(self, address: str, name: str) -> None:
+        """The skip link, the filters and a cell by Tab, arrows and Enter, with a visible focus."""
+        chromium = self.chromium
+        chromium.open(address, DESKTOP)
+        chromium.key("Tab", 9)
+        self.expect(f"{name}: the first stop is not the skip link",
+                    chromium.value("document.activeElement.className") == "skip")
+        chromium.key("Enter", 13)
+        self.expect(f"{name}: the skip link does not skip", chromium.value("location.hash") == "#page:main")
+        stops, seen_filter, seen_cell = 0, False, False
+        while stops < 400 and not (seen_filter and seen_cell):
+            chromium.key("Tab", 9)
+            stops += 1
+            if chromium.value("document.activeElement === document.body"):
+                break
+            at = chromium.value(
+                "(e => [e.name ?? '', e.className, getComputedStyle(e).outlineStyle])(document.activeElement)"
+            )
+            self.expect(f"{name}: no visible focus at {at}", at[2] != "none")
+            if at[0] == "show" and not seen_filter:
+                seen_filter = True
+                chromium.key("ArrowDown", 40)
+                checked = chromium.value("document.querySelector('.filter input:checked').value")
+                self.expect(f"{name}: arrows do not change the filter", checked != "all")
+                chromium.key("ArrowUp", 38)
+            if at[1] == "open":
+                seen_cell = True
+                chromium.key("Enter", 13)
+                self.expect(f"{name}: Enter does not open a cell", self.is_shown("td:target > .panel"))
+                chromium.key("Tab", 9)
+                chromium.key("Enter", 13)
+                self.expect(f"{name}: `close` is not the next stop", not self.is_shown("td:target > .panel"))
+        cells = chromium.value("document.querySelectorAll('td.cell').length")
+        self.expect(f"{name}: Tab reaches no filter", seen_filter)
+        self.expect(f"{name}: Tab reaches no cell", seen_cell or cells == 0)
+
+
+def main() -> int:
+    if len(sys.argv) not in (2, 3):
+        print(__doc__, file=sys.stderr)
+        return 2
+    folder = Path(sys.argv[1]).resolve()
+    pictures = Path(sys.argv[2]).resolve() if len(sys.argv) == 3 else None
+    pages = sorted(folder.glob("*.html"))
+    if not pages:
+        print(f"no pages in {folder}", file=sys.stderr)
+        return 2
+    with tempfile.TemporaryDirectory() as profile:
+        chromium = Chromium(profile)
+        try:
+            checks = Checks(chromium)
+            for page in pages:
+                checks.page(page, pictures)
+        finally:
+            chromium.close()
+    for wrong in checks.wrong:
+        print(wrong, file=sys.stderr)
+    if not checks.wrong:
+        print(f"{len(pages)} pages: nothing on the console, anchors, filters and keyboard work")
+    return 1 if checks.wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

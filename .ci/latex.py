@@ -1,0 +1,52 @@
+#!/usr/bin/env python3
+"""Compiles the errata of the papers, as `errata --format latex` writes them, with pdflatex.
+
+    .ci/latex.py [PROGRAM]
+
+PROGRAM is target/release/subcert without it. TeX comes from Debian where it is missing.
+"""
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+
+
+def missing(package: str) -> bool:
+    return subprocess.run(["kpsewhich", package], capture_output=True).returncode != 0
+
+
+def install() -> None:
+    sudo = [] if os.geteuid() == 0 else ["sudo"]
+    subprocess.run([*sudo, "apt-get", "update", "-qq"], check=True)
+    packages = ["texlive-latex-base", "texlive-latex-recommended", "texlive-fonts-recommended"]
+    subprocess.run([*sudo, "apt-get", "install", "-y", "-qq", "--no-install-recommends", *packages], check=True)
+
+
+def main() -> int:
+    program = sys.argv[1] if len(sys.argv) > 1 else "target/release/subcert"
+    if not shutil.which("pdflatex") or missing("booktabs.sty"):
+        install()
+    wrong = False
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run([program, "--quiet", "errata", "--format", "latex", "-o", folder], cwd=ROOT, check=True)
+        papers = sorted(Path(folder).glob("*.tex"))
+        for paper in papers:
+            command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", paper.name]
+            done = subprocess.run(command, cwd=folder, capture_output=True, text=True, errors="replace")
+            if done.returncode:
+                wrong = True
+                errors = [line for line in done.stdout.splitlines() if line.startswith(("!", "l."))]
+                print(f"{paper.name}: {' '.join(errors)}", file=sys.stderr)
+    if not papers or wrong:
+        return 1
+    print(f"the errata of {len(papers)} papers compile")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

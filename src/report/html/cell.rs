@@ -1,0 +1,50 @@
+//! A cell of a table, and what is known of it.
+
+use super::command;
+use super::filter::is_broken;
+use super::picture::digits;
+use super::sheet::facts;
+use super::verdict::{BROKEN, Look, badge};
+use crate::audit::{CellFinding, PaperAudit};
+use crate::report::explain::cell_facts;
+use maud::{Markup, html};
+
+/// The anchor of a cell: the table's id, the row and the column, counted from 1.
+pub(super) fn anchor(table: &str, row: usize, column: usize) -> String {
+    format!("{table}:{}:{}", row + 1, column + 1)
+}
+
+/// The cell at a place of a table; its panel is shown where the address ends with its anchor.
+pub(super) fn cell(
+    audit: &PaperAudit<'_>,
+    table: &str,
+    (row, column): (usize, usize),
+    cell: &CellFinding,
+    file: Option<&str>,
+) -> Markup {
+    let anchor = anchor(table, row, column);
+    let look = Look::of(cell.verdict.name());
+    let broken = if is_broken(cell) { BROKEN } else { "" };
+    let link = format!("#{anchor}");
+    html! {
+        td.cell.(look.class).(broken) id=(anchor) {
+            // First, so that the next stop of the keyboard is in the panel once it is open.
+            div.panel role="group" aria-label=(cell.locus) {
+                p.head {
+                    strong { (cell.locus) }
+                    " " a.close href={ "#" (table) } { "close" }
+                }
+                @if let Some(digits) = digits(cell) { (digits) }
+                (facts(&cell_facts(cell)))
+                (command::explain(audit, &anchor, file))
+            }
+            a.open href=(link) {
+                (cell.printed.as_deref().unwrap_or("lost")) " " (badge(cell.verdict.name()))
+                @if is_broken(cell) {
+                    span.flag aria-hidden="true" { "⚑" }
+                    span.hidden { ", promise broken" }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,24 @@
+//! The command that shows a finding again.
+
+use crate::audit::PaperAudit;
+use maud::{Markup, html};
+
+/// `subcert explain khan2019-newton:table-1:2:3`; `file` is the claim file of a paper that is not
+/// embedded.
+pub(super) fn explain(audit: &PaperAudit<'_>, id: &str, file: Option<&str>) -> Markup {
+    let file = file.map(|file| format!(" {}", quoted(file))).unwrap_or_default();
+    html! {
+        p.command {
+            "Reproduce: " code { "subcert explain " (audit.paper.key) ":" (id) (file) }
+        }
+    }
+}
+
+/// A path as a word of a shell.
+pub(super) fn quoted(path: &str) -> String {
+    let plain = |c: char| c.is_ascii_alphanumeric() || "-_./".contains(c);
+    if !path.is_empty() && path.chars().all(plain) {
+        return path.to_owned();
+    }
+    format!("'{}'", path.replace('\'', "'\\''"))
+}

@@ -1,0 +1,104 @@
+//! A table in its own shape.
+
+use super::broken::broken;
+use super::cell::cell;
+use super::command;
+use super::math::formula;
+use super::picture::{chart, readings};
+use super::sheet::{facts, lines};
+use super::statement::definitions;
+use super::verdict::{BROKEN, LOOKS, Look};
+use crate::audit::{PaperAudit, TableFinding};
+use crate::diagnostic::Diagnostic;
+use crate::report::audit::remarks;
+use crate::report::headers;
+use maud::{Markup, html};
+
+/// The section of a table.
+///
+/// # Errors
+/// When a formula of the claim file is wrong.
+pub(super) fn section(
+    audit: &PaperAudit<'_>,
+    finding: &TableFinding<'_>,
+    file: Option<&str>,
+) -> Result<Markup, Diagnostic> {
+    let table = finding.table;
+    let broken = broken(audit, finding)?;
+    Ok(html! {
+        section.claim id=(table.id) aria-labelledby={ "page:title-" (table.id) } {
+            h3 id={ "page:title-" (table.id) } {
+                a href={ "#" (table.id) } { (table.locus) } " " span.title { (table.title) }
+            }
+            (facts(&headers::schemes(table).into_iter().collect::<Vec<_>>()))
+            dl.formulas {
+                div { dt { "said to equal" } dd { (formula(&table.value.expr)) } }
+                (definitions(audit, &table.value))
+            }
+            (grid(audit, finding, file))
+            (tally(finding))
+            @if let Some(chart) = chart(finding) { (chart) }
+            @for search in finding.searches() {
+                @if let Some(maps) = readings(finding, search) { (maps) }
+            }
+            @for line in remarks(finding) { p.remark { (lines(&line)) } }
+            (broken)
+            @if let Some(note) = &table.note { p.note { (lines(note)) } }
+            (command::explain(audit, &table.id, file))
+        }
+    })
+}
+
+fn grid(audit: &PaperAudit<'_>, finding: &TableFinding<'_>, file: Option<&str>) -> Markup {
+    let table = finding.table;
+    let name = format!("{}: {}", table.locus, table.title);
+    html! {
+        div.scroll tabindex="0" role="group" aria-label=(name) {
+            table.printed {
+                thead {
+                    tr {
+                        th scope="col" {
+                            @if let Some(rows) = &table.rows { (rows.label) " \\ " }
+                            (table.columns.label)
+                        }
+                        @for entry in &table.columns.entries { th scope="col" { (entry.printed) } }
+                    }
+                }
+                tbody {
+                    @for (row, cells) in finding.cells.iter().enumerate() {
+                        tr {
+                            th scope="row" {
+                                @if let Some(rows) = &table.rows { (rows.entries[row].printed) }
+                            }
+                            @for (column, one) in cells.iter().enumerate() {
+                                (cell(audit, &table.id, (row, column), one, file))
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// How many cells have which verdict.
+fn tally(finding: &TableFinding<'_>) -> Markup {
+    let cells = || finding.cells.iter().flatten();
+    let count = |look: &Look| {
+        cells().filter(|cell| Look::of(cell.verdict.name()).class == look.class).count()
+    };
+    let broken = finding.promise_counts().broken;
+    html! {
+        ul.tally {
+            @for look in &LOOKS {
+                @let count = count(look);
+                @if count > 0 {
+                    li { span class={ "sign " (look.class) } aria-hidden="true" { (look.sign()) } " " (count) " " (look.says) }
+                }
+            }
+            @if broken > 0 {
+                li { span class={ "sign " (BROKEN) } aria-hidden="true" { "⚑" } " " (broken) " promises broken" }
+            }
+        }
+    }
+}
