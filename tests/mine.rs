@@ -1,5 +1,0 @@
-#![allow(missing_docs, dead_code)]
-mod common;
-mod mesh;
-mod patch;
-mod solid;
