@@ -47,7 +47,9 @@ pub(crate) fn limit_rows(complex: &Complex, vertices: &[usize]) -> Vec<Vec<(usiz
     let mut rows: Vec<Vec<(usize, Rational)>> = vec![Vec::new(); complex.points];
     let mut counts = vec![0_usize; complex.points];
     let mut wanted = vec![false; complex.points];
-    vertices.iter().for_each(|&vertex| wanted[vertex] = true);
+    for &vertex in vertices {
+        wanted[vertex] = true;
+    }
     for corners in &complex.cells {
         for (i, &vertex) in corners.iter().enumerate() {
             if wanted[vertex] && !boundary[vertex] {

@@ -58,7 +58,7 @@ fn attacked(solid: &Solid, tolerance: &Rational) -> usize {
             assert!(far <= limit, "level {level}: {far} > {limit}");
             assert!(far <= upper * (1.0 + 1e-9) || level > found.level, "{far} > {upper}");
             // Vertices alone are not where the distance is greatest.
-            let sharp = level == found.level && level < 3;
+            let sharp = level == found.level && level < 2;
             assert!(!sharp || far >= 0.5 * lower, "{far} of {lower}");
         }
     }

@@ -31,6 +31,9 @@ const OTHERS: [(usize, &str); 16] = [
     (42, "polyhedron"),
 ];
 
+/// The type of a cell, and where it stands.
+type Kind = (usize, Range<usize>);
+
 /// The words that begin a part of a file.
 const SECTIONS: [&str; 7] =
     ["POINTS", "CELLS", "CELL_TYPES", "POINT_DATA", "CELL_DATA", "METADATA", "FIELD"];
@@ -41,8 +44,8 @@ type Cell = (Vec<usize>, Range<usize>);
 pub(super) fn read(source: &Arc<SourceText>) -> Result<Parts, Diagnostic> {
     let mut words = Words::new(source, header(source)?, false);
     let mut parts = Parts::new(source, 0);
-    let (mut cells, mut types): (Option<Vec<Cell>>, Option<Vec<(usize, Range<usize>)>>) =
-        (None, None);
+    let mut cells: Option<Vec<Cell>> = None;
+    let mut types: Option<Vec<Kind>> = None;
     dataset(&mut words)?;
     while let Some(word) = words.next() {
         match word.text.to_ascii_uppercase().as_str() {
@@ -182,7 +185,7 @@ fn listed(words: &mut Words<'_>, count: usize, size: usize) -> Result<Vec<Cell>,
     offsets.windows(2).map(cell).collect()
 }
 
-fn cell_types(words: &mut Words<'_>) -> Result<Vec<(usize, Range<usize>)>, Diagnostic> {
+fn cell_types(words: &mut Words<'_>) -> Result<Vec<Kind>, Diagnostic> {
     let count = words.count("the number of types")?;
     let mut types = Vec::new();
     for found in 0..count {
