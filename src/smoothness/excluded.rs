@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 use std::ops::Bound;
 
 /// The largest matrices of which the products of two eigenvalues are taken.
-const MAX_SQUARED: usize = 6;
+const MAX_SQUARED: usize = 4;
 
 /// Where a product has a spectral radius of 1 or more, as far as that is looked at.
 ///

@@ -15,6 +15,10 @@ const MAX_FACTORS: usize = 6;
 /// The largest matrices whose determinants are taken as functions of the parameter.
 const MAX_SIZE: usize = 10;
 
+/// The most factors of a product, times the size: the degree of its determinants, for masks that are
+/// linear in the parameter.
+const MAX_DEGREE: usize = 16;
+
 /// The most products.
 const MAX_WORDS: usize = 48;
 
@@ -62,7 +66,8 @@ impl Search {
 
     /// Adds to the outside where this product shows it.
     fn exclude(&mut self, word: &[usize]) {
-        let large = self.matrices.iter().any(|matrix| matrix.len() > MAX_SIZE);
+        let size = self.matrices.first().map_or(0, Vec::len);
+        let large = size > MAX_SIZE || size * word.len() > MAX_DEGREE;
         if large
             || word.len() > MAX_FACTORS
             || self.words.len() == MAX_WORDS
