@@ -1,6 +1,0 @@
-//! t
-#![allow(missing_docs)]
-mod architecture;
-mod cli;
-mod common;
-mod report;
