@@ -2,7 +2,7 @@
 
 mod by_hand;
 mod constants;
-mod depth;
+mod drawn;
 mod promise;
 mod table;
 mod theorem;
@@ -10,8 +10,8 @@ mod working;
 
 pub use by_hand::by_hand;
 pub use constants::{AttainedConstant, Powers, SearchedConstant};
-pub use depth::{DepthLevels, depth_levels};
-pub use promise::{PromiseEvidence, promise_evidence, promise_mask};
+pub use drawn::{DepthLevels, depth_levels, promise_mask};
+pub use promise::{PromiseEvidence, promise_evidence};
 pub use table::{Evidence, SoundCell, evidence};
 pub use theorem::theorem_evidence;
 pub use working::working;

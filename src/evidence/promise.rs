@@ -67,30 +67,6 @@ pub fn promise_evidence<'f>(
     Ok(rows)
 }
 
-/// The mask of the curve that the promise of a cell is about, at the offset at which the paper compares
-/// polygon and limit; `None` of nets and rings, and where the cell has no scheme.
-///
-/// # Errors
-/// When a formula of the claim file is wrong.
-pub fn promise_mask(
-    paper: &Paper,
-    finding: &TableFinding<'_>,
-    (row, column): (usize, usize),
-) -> Result<Option<Mask>, Diagnostic> {
-    let Some(promise) = &finding.table.promise else { return Ok(None) };
-    let library = Library::new(paper);
-    let judge = Evaluator::new(paper, finding.table, &library, &finding.values())?;
-    let assume: BTreeSet<String> = judge.assumed.keys().cloned().collect();
-    let at = At { row, column, assume: &assume, settings: &Settings::default() };
-    let Ok(quantities) = judge.quantities(at)? else { return Ok(None) };
-    let Some(scheme) = quantities.scheme else { return Ok(None) };
-    let (Promise::Depth { offset, .. } | Promise::Bound { offset, .. }) = promise;
-    let offset = offset.as_ref().map(|offset| integer(&judge, offset, at)).transpose()?.flatten();
-    let [curve] = &scheme.constants[..] else { return Ok(None) };
-    let mask = curve.mask();
-    Ok(Some(mask.with_offset(offset.unwrap_or(mask.offset()))))
-}
-
 fn of_cell<'f>(
     judge: &Evaluator<'_>,
     promise: &Promise,

@@ -35,7 +35,7 @@ impl Window {
 #[derive(Clone, Debug)]
 pub(super) struct Level {
     /// k.
-    pub(super) level: u32,
+    pub(super) k: u32,
     first: i64,
     points: Vec<f64>,
     /// n^k.
@@ -49,7 +49,7 @@ impl Level {
             // Control data are small integers.
             f64::from(i32::try_from(*point).unwrap_or(i32::MAX))
         });
-        Level { level: 0, first: polygon.first, points: points.collect(), scale: 1.0 }
+        Level { k: 0, first: polygon.first, points: points.collect(), scale: 1.0 }
     }
 
     /// x_i.
@@ -71,7 +71,7 @@ impl Level {
         };
         let points = (from..=to).flat_map(|i| rules.rows().iter().map(move |row| one(i, row)));
         Some(Level {
-            level: self.level + 1,
+            k: self.k + 1,
             first: from * arity,
             points: points.collect(),
             scale: self.scale * float(arity),

@@ -104,7 +104,7 @@ fn windows(mask: &Mask, exceeding: &Exceeding<'_>) -> Option<Vec<Window>> {
 fn shown<'l>(found: &'l [Level], exceeding: &Exceeding<'_>) -> Option<Shown<'l>> {
     let k = usize::try_from(exceeding.level).ok()?;
     let (level, next, last) = (found.get(k)?, found.get(k + 1)?, found.last()?);
-    let after = format!("level {}", next.level);
+    let after = format!("level {}", next.k);
     Some(match (exceeding.quantity, &exceeding.attained.place) {
         (Quantity::Distance, Place::Parameter(t)) => {
             let t = nearest(t);
@@ -142,7 +142,7 @@ fn drawn(polygon: &ExtremalPolygon, control: &Level, shown: &Shown<'_>, window: 
     let ticks: Vec<(f64, String)> =
         x.ticks().into_iter().map(|(value, label)| (x.at(value), label)).collect();
     let [first, second] = shown.ends.map(|end| place(&end));
-    let same = shown.polygons[0].0.level == 0;
+    let same = shown.polygons[0].0.k == 0;
     html! {
         (FRAME.drawn(&ticks, &y))
         g.c6 {
@@ -159,7 +159,7 @@ fn drawn(polygon: &ExtremalPolygon, control: &Level, shown: &Shown<'_>, window: 
         circle.bad cx=(second.0) cy=(second.1) r="3.5" {}
         @let right = FRAME.x.1 + 8.0;
         text.name.c6 x=(right) y="28" { "– – control" }
-        @if !same { text.name.c1 x=(right) y="46" { "— level " (shown.polygons[0].0.level) } }
+        @if !same { text.name.c1 x=(right) y="46" { "— level " (shown.polygons[0].0.k) } }
         text.name.c2 x=(right) y="64" { "— " (shown.polygons[1].1) }
         text.name x=(right) y="82" style="fill:var(--wrong-s)" { "o–o the place" }
     }
