@@ -39,9 +39,9 @@ pub fn refine_net(net: &Net, scheme: &NetScheme, level: u32) -> Result<Net, NetE
     }
     let closed = net.closed().both();
     let mut lines = Vec::with_capacity(2);
-    for direction in 0..2 {
-        let mask = &scheme.masks()[direction];
-        lines.push(Line::new(mask, direction, net.sizes()[direction], closed[direction])?);
+    let directions = scheme.masks().iter().zip(net.sizes()).zip(closed);
+    for (direction, ((mask, size), closed)) in directions.enumerate() {
+        lines.push(Line::new(mask, direction, size, closed)?);
     }
     let mut sizes = net.sizes();
     for _ in 0..level {

@@ -124,7 +124,7 @@ pub fn origins(control: &Solid, refined: &Solid) -> Vec<Vec<usize>> {
         for (place, &point) in cell.iter().enumerate() {
             let corner = FILE_ORDER[place];
             // The corners that agree with both, where these agree.
-            let between = |c: &usize| (c ^ part) & !(part ^ corner) & 7 == 0;
+            let between = |c: &usize| (c ^ part) & (7 ^ part ^ corner) == 0;
             let mut key: Vec<usize> = (0..8)
                 .filter(between)
                 .map(|c| parent[FILE_ORDER.iter().position(|known| *known == c).expect("8")])

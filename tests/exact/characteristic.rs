@@ -77,7 +77,8 @@ proptest! {
         let decimal = 1.324_717_957_244_746_f64;
         let [a, b, c] = [a, b, c].map(|p| f64::from(i32::try_from(p).expect("small")));
         let near = a + b * decimal + c * decimal * decimal;
-        prop_assert!(near.abs() < 1e-9 || near.signum() == f64::from(value.sign()));
+        let sign = i8::from(near > 0.0) - i8::from(near < 0.0);
+        prop_assert!(near.abs() < 1e-9 || sign == value.sign());
         let enclosure = value.enclosure(0);
         let size = subcert::float::nearest(enclosure.lower());
         prop_assert!((size - near).abs() < 1e-9);

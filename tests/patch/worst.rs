@@ -49,15 +49,8 @@ fn worst_quotient(mesh: &Mesh, scheme: MeshScheme) -> f64 {
     functionals.sort_by(|left, right| norm(right).total_cmp(&norm(left)));
     let quotient = |functional: &Heights, heights: &[i64]| {
         let distances = MeshDistances::new(with_heights(mesh, heights), scheme).expect("a mesh");
-        let terms = functional.iter().zip(heights).map(|(x, &height)| {
-            if height < 0 {
-                -x
-            } else if height > 0 {
-                *x
-            } else {
-                0.0
-            }
-        });
+        let real = |height: i64| f64::from(i32::try_from(height).expect("small"));
+        let terms = functional.iter().zip(heights).map(|(x, &height)| x * real(height));
         let distance = terms.sum::<f64>();
         if distance > 1e-9 { distance / greatest(&distances.guaranteed(1)) } else { 0.0 }
     };

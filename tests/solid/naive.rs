@@ -24,7 +24,7 @@ fn by_definition(solid: &Solid) -> BTreeMap<Vec<usize>, Point<Rational>> {
             // the coordinates.
             let bits = |place: usize| [0, 1, 3, 2, 4, 5, 7, 6][place];
             let part = (0..8_usize).map(|axes| {
-                let inside = |place: &usize| (bits(*place) ^ bits(corner)) & !axes & 7 == 0;
+                let inside = |place: &usize| (bits(*place) ^ bits(corner)) & (7 ^ axes) == 0;
                 let mut key: Vec<usize> = (0..8).filter(inside).map(|place| cell[place]).collect();
                 key.sort_unstable();
                 split.entry(key.clone()).or_insert_with(|| mean(solid.points(), &key));

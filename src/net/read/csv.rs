@@ -61,22 +61,20 @@ fn read_cell(
         point.push(parts.number(word, at..at + word.len(), HELP)?);
     }
     let found = point.len();
-    match <[Rational; 3]>::try_from(point) {
-        Ok(point) => parts.point(point, place),
-        Err(_) => {
-            let numbers = if found == 1 { "number" } else { "numbers" };
-            let message = match found {
-                0 => "there is no point between these commas".to_owned(),
-                _ => format!("{found} {numbers} here, and a point has three: x y z"),
-            };
-            let end = place.end.max(place.start + 1).min(text.len());
-            let help = if found == 1 && count == 3 {
-                "this may be one point on a line; a net has one row on a line: `0 0 1/3, 1 0 0.25`, \
-                 points separated by commas, coordinates by blanks"
-            } else {
-                HELP
-            };
-            Err(parts.wrong(place.start..end, message).with_help(help))
-        }
+    if let Ok(point) = <[Rational; 3]>::try_from(point) {
+        return parts.point(point, place);
     }
+    let numbers = if found == 1 { "number" } else { "numbers" };
+    let message = match found {
+        0 => "there is no point between these commas".to_owned(),
+        _ => format!("{found} {numbers} here, and a point has three: x y z"),
+    };
+    let end = place.end.max(place.start + 1).min(text.len());
+    let help = if found == 1 && count == 3 {
+        "this may be one point on a line; a net has one row on a line: `0 0 1/3, 1 0 0.25`, \
+         points separated by commas, coordinates by blanks"
+    } else {
+        HELP
+    };
+    Err(parts.wrong(place.start..end, message).with_help(help))
 }

@@ -47,14 +47,14 @@ impl NetDistances {
                     &minus(&place.limit, &place.polygon),
                     place.levels[0].max(place.levels[1]),
                 );
-                best = best.max(self.from_whole(&place.limit, known, &judge, level, &balls));
+                best = best.max(self.to_whole(&place.limit, known, &judge, level, &balls));
             }
         }
         best * nearest(&model.scale)
     }
 
     /// A lower bound of the distance of a point, which is at most `known` away, from the net.
-    fn from_whole(
+    fn to_whole(
         &self,
         point: &Point<f64>,
         known: f64,
@@ -97,16 +97,14 @@ impl NetDistances {
         let radius = |points: &[Point<f64>], centre: &Point<f64>| {
             judge.greatest(points.iter().map(|point| minus(point, centre)), cell.level())
         };
-        match &cell.base {
-            Some(base) => (base.points[0], radius(&base.points, &base.points[0])),
-            None => {
-                let centre = cell.points[cell.points.len() / 2];
-                let norm = |direction: &super::direction::Direction| {
-                    direction.constants.polygon_at(level.saturating_sub(cell.level()))
-                };
-                let norm: f64 = self.model.directions.iter().map(norm).product();
-                (centre, radius(&cell.points, &centre) * norm * UP)
-            }
+        if let Some(base) = &cell.base {
+            return (base.points[0], radius(&base.points, &base.points[0]));
         }
+        let centre = cell.points[cell.points.len() / 2];
+        let norm = |direction: &super::direction::Direction| {
+            direction.constants.polygon_at(level.saturating_sub(cell.level()))
+        };
+        let norm: f64 = self.model.directions.iter().map(norm).product();
+        (centre, radius(&cell.points, &centre) * norm * UP)
     }
 }
