@@ -129,7 +129,7 @@ fn quiet_leaves_errors_files_and_the_exit_code() {
     assert!(!written(["new", "k", "-o", "-", "--quiet"]).is_empty());
 }
 
-const COMMANDS: [&str; 16] = [
+const COMMANDS: [&str; 18] = [
     "audit",
     "explain",
     "errata",
@@ -137,6 +137,8 @@ const COMMANDS: [&str; 16] = [
     "constants",
     "depth",
     "range",
+    "smoothness",
+    "jsr",
     "certify",
     "prove",
     "new",

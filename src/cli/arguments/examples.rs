@@ -34,7 +34,6 @@ pub(super) const DEPTH: &str = "\
 Examples:
   subcert depth six-point:w=3/256 --tolerance 1/1000 --spread 1/10
   subcert depth chaikin --tolerance 0.01 --polygon examples/polygon.csv
-  subcert depth doo-sabin:n=5 --tolerance 1/1000
   subcert depth catmull-clark --mesh examples/cube.obj --tolerance 1/100
   subcert depth bajaj --mesh examples/star.vtk --tolerance 1/20";
 
@@ -52,7 +51,7 @@ Examples:
 pub(super) const JSR: &str = "\
 Examples:
   subcert jsr examples/pair.txt
-  subcert jsr matrices.csv --format json";
+  subcert jsr examples/pair.txt --format json";
 
 pub(super) const CERTIFY: &str = "\
 Examples:
@@ -80,7 +79,6 @@ pub(super) const REFINE: &str = "\
 Examples:
   subcert refine catmull-clark --mesh examples/cube.obj --level 2 -o cube2.obj
   subcert refine doo-sabin --mesh examples/cube.obj --format json
-  subcert refine loop --mesh triangles.ply --level 3 -o refined.ply
   subcert refine 'chaikin x four-point:w=1/9' --mesh net.csv --closed u -o fine.csv
   subcert refine bajaj --mesh examples/star.vtk -o refined.vtk";
 
