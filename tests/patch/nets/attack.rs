@@ -138,11 +138,11 @@ fn attack(net: &Net, name: &str, tolerance: &Rational, count: usize) {
 
 #[test]
 fn no_limit_point_is_farther_away_than_certified() {
-    for name in NAMES {
-        for closed in [CLOSED[0], CLOSED[2]] {
-            for tolerance in [r(1, 1), r(1, 20)] {
-                attack(&bumpy(10, 11, closed), name, &tolerance, 100);
-            }
+    for (i, name) in NAMES.into_iter().enumerate() {
+        // Open and closed nets in turn.
+        let net = bumpy(10, 11, CLOSED[2 * (i % 2)]);
+        for tolerance in [r(1, 1), r(1, 20)] {
+            attack(&net, name, &tolerance, 100);
         }
     }
 }
