@@ -29,7 +29,7 @@ def install() -> None:
 
 def main() -> int:
     program = sys.argv[1] if len(sys.argv) > 1 else "target/release/subcert"
-    if not shutil.which("pdflatex") or missing("booktabs.sty"):
+    if not shutil.which("pdflatex") or not shutil.which("kpsewhich") or missing("booktabs.sty"):
         install()
     wrong = False
     with tempfile.TemporaryDirectory() as folder:

@@ -15,7 +15,10 @@ use super::{Enclosure, Integer, Rational};
 /// use subcert::exact::{Rational, natural_logarithm};
 ///
 /// let ten = natural_logarithm(&Rational::from(10), 64);
-/// assert!(ten.contains(&Rational::new(23_025_850_929_940_456_840_i128, 10_000_000_000_000_000_000_i128)));
+/// // 2.302585092994045684017…
+/// let digits = |p: i64| Rational::new(p, 1_000_000_000_000_000_000_i64);
+/// let below = digits(2_302_585_092_994_045_684);
+/// assert!(*ten.lower() > below && ten.upper() - &below < digits(1));
 /// assert!(ten.width() < Rational::new(1, 1_i64 << 60));
 /// ```
 #[must_use]

@@ -29,7 +29,7 @@ impl NetScheme {
     /// let curve = NetScheme::parse("b-spline:degree=3")?;
     /// assert_eq!(bicubic.masks(), curve.masks());
     /// let mixed = NetScheme::parse("chaikin x four-point:w=1/16")?;
-    /// assert_eq!(mixed.masks().map(|mask| mask.width()), [2, 4]);
+    /// assert_eq!(mixed.masks().each_ref().map(|mask| mask.width()), [2, 4]);
     /// # Ok::<(), subcert::net::NetError>(())
     /// ```
     pub fn parse(text: &str) -> Result<NetScheme, NetError> {

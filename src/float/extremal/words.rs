@@ -7,7 +7,7 @@ use super::{Rows, norm, product, spectral_radius};
 pub struct Candidates {
     /// This number.
     pub rate: f64,
-    /// The words w that reach it up to [`NEAR`], each the first of its rotations, and no power of
+    /// The words w that reach it up to `NEAR`, each the first of its rotations, and no power of
     /// another; the shorter ones first.
     pub words: Vec<Vec<usize>>,
 }
