@@ -96,8 +96,7 @@ pub fn mesh_limit(
             let limits = limit_points(&exact, scheme).map_err(plain)?;
             let point = |limit: subcert::mesh::LimitPoint| {
                 let rounded = limit.position.each_ref().map(nearest);
-                let [x, y, z] =
-                    limit.position.each_ref().map(|x| x.as_rational().map(|x| fraction(&x)));
+                let [x, y, z] = limit.position.each_ref().map(|x| x.as_rational().map(fraction));
                 (rounded, x.zip(y).zip(z).map(|((x, y), z)| [x, y, z]))
             };
             Ok(limits.into_iter().map(|limit| limit.map(point)).collect())

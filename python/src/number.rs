@@ -56,16 +56,14 @@ pub(crate) fn rational(value: &Bound<'_, PyAny>) -> PyResult<Rational> {
     if value.is_instance_of::<PyInt>() {
         return integer(&value.extract::<BigInt>()?).map(Rational::from);
     }
-    let parts = match value.getattr("numerator") {
-        Ok(numerator) => (numerator, value.getattr("denominator")?),
-        Err(_) => match value.call_method0("as_integer_ratio") {
-            Ok(parts) => parts.extract()?,
-            Err(_) => {
-                let kind = value.get_type().name()?;
-                let message = format!("a {kind} is no number");
-                return Err(with_remedy(&message, "give an int, a Fraction or a decimal as text"));
-            }
-        },
+    let parts = if let Ok(numerator) = value.getattr("numerator") {
+        (numerator, value.getattr("denominator")?)
+    } else if let Ok(parts) = value.call_method0("as_integer_ratio") {
+        parts.extract()?
+    } else {
+        let kind = value.get_type().name()?;
+        let message = format!("a {kind} is no number");
+        return Err(with_remedy(&message, "give an int, a Fraction or a decimal as text"));
     };
     let read = |part: Bound<'_, PyAny>| integer(&part.call_method0("__index__")?.extract()?);
     let (p, q) = (read(parts.0)?, read(parts.1)?);
