@@ -7,7 +7,7 @@ import textwrap
 import threading
 import time
 
-from subcert import Scheme
+import subcert
 
 LONG = 'subcert.audit("mustafa2020-nary")'
 
@@ -23,11 +23,12 @@ def test_other_threads_run():
     thread = threading.Thread(target=tick)
     thread.start()
     begin = time.monotonic()
-    Scheme("six-point", w="0.01").contraction(18)
+    subcert.audit("mustafa2020-nary")
     passed = time.monotonic() - begin
     done.set()
     thread.join()
-    assert len([t for t in ticks if t >= begin]) >= passed / 0.1
+    # A tick every 5 ms, if nothing holds the lock; a tenth of them will do on a busy machine.
+    assert len([t for t in ticks if t >= begin]) >= passed / 0.05
 
 
 def test_interrupts_end_the_work():
