@@ -3,12 +3,12 @@
 use super::arguments::{ClosedArgument, MeshOutput, MeshOutputFormat};
 use super::forms::OF_NETS;
 use super::json::SCHEMA;
-use super::mesh::{deliver, input};
+use super::mesh::{deliver, input, text_of};
 use super::output::{Failure, Outcome, write_results};
 use std::path::Path;
-use subcert::diagnostic::{SourceText, read_text, read_text_from};
+use subcert::diagnostic::SourceText;
 use subcert::exact::{Rational, RealCyclotomic};
-use subcert::mesh::{LimitPoint, MAX_FILE_BYTES, to_json, to_obj, to_ply};
+use subcert::mesh::{LimitPoint, to_json, to_obj, to_ply};
 use subcert::net::{
     Closed, Net, NetError, NetFormat, NetScheme, limit_net, net_limits, read_net, refine_net,
     to_csv,
@@ -46,15 +46,7 @@ impl NetInput<'_> {
             )));
         }
         let scheme = NetScheme::parse(self.scheme).map_err(failure)?;
-        let standard = path.as_os_str() == "-";
-        let name = if standard { "standard input".to_owned() } else { path.display().to_string() };
-        let text = if standard {
-            read_text_from(std::io::stdin().lock(), MAX_FILE_BYTES)
-        } else {
-            read_text(path, MAX_FILE_BYTES)
-        };
-        let text =
-            text.map_err(|reason| Failure::Input(format!("cannot read `{name}`: {reason}")))?;
+        let (name, text) = text_of(path)?;
         let format = NetFormat::of(path).unwrap_or_else(|| NetFormat::of_text(&text));
         let closed = self.closed.map(|closed| match closed {
             ClosedArgument::None => Closed { u: false, v: false },

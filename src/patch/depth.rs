@@ -1,5 +1,6 @@
 //! How many levels of refinement a mesh needs.
 
+use super::descent::{Descent, Found, Left, descend};
 use super::far::FarPlace;
 use super::judge::{Exactly, Judge};
 use super::kind::Kind;
@@ -16,10 +17,6 @@ use std::sync::Arc;
 
 /// The highest level that is asked for.
 pub const MAX_DEPTH_LEVEL: u32 = 40;
-
-/// How many pieces are looked at, in f64 and exactly; for one level at most a half of what is left.
-pub(super) const STEPS: u64 = 80_000_000;
-const EXACT_STEPS: u64 = 20_000;
 
 /// How many are looked at in one piece of level 1.
 pub(super) const PIECE_STEPS: u64 = 100_000;
@@ -135,21 +132,8 @@ impl MeshDistances {
     pub fn depth(&self, tolerance: &Rational) -> Result<MeshDepth, MeshError> {
         not_positive(tolerance)?;
         let sure = self.sure_level(tolerance)?;
-        let (mut level, mut closed, mut exact_pieces) = (sure, true, 0);
-        let mut beyond = None;
-        let mut left = Left { rounded: STEPS, exact: EXACT_STEPS };
-        for below in (0..sure).rev() {
-            let found = self.examine(below, tolerance, &mut left);
-            exact_pieces += found.exact_pieces;
-            if let Some(place) = found.beyond {
-                beyond = Some((below, place));
-                break;
-            }
-            closed = closed && !found.open;
-            if closed {
-                level = below;
-            }
-        }
+        let descent = descend(sure, |level, left| self.examine(level, tolerance, left));
+        let Descent { level, beyond, exact_pieces } = descent;
         let (mut distance, worst) = self.measured(level);
         // The level is sufficient.
         distance[1] = distance[1].min(upper(tolerance));
@@ -181,7 +165,7 @@ impl MeshDistances {
         let limit = Judge::<Point<f64>>::tolerance(&judge);
         let waiting = model.above(level, limit);
         self.work.begin(level, waiting.len());
-        let mut found = Found { beyond: None, open: false, exact_pieces: 0 };
+        let mut found = Found::default();
         // Something is left for the levels below.
         let least = left.rounded / 2;
         let mut open = Vec::new();
@@ -252,17 +236,4 @@ pub(super) fn not_positive(tolerance: &Rational) -> Result<(), MeshError> {
     }
     let reason = format!("the tolerance must be positive, and is {tolerance}");
     Err(MeshError::TooMuch { reason })
-}
-
-/// How many pieces may still be looked at, in f64 and exactly.
-struct Left {
-    rounded: u64,
-    exact: u64,
-}
-
-/// What was found at a level.
-struct Found {
-    beyond: Option<FarPlace>,
-    open: bool,
-    exact_pieces: usize,
 }

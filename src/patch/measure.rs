@@ -1,14 +1,15 @@
 //! Distances at a level: of the whole mesh, of its faces, and the Hausdorff distance.
 
 use super::apart::WholeMesh;
-use super::depth::{MeshDistances, PIECE_STEPS, STEPS};
+use super::depth::{MeshDistances, PIECE_STEPS};
 use super::far::FarPlace;
+use super::greatest::greatest;
 use super::judge::Judge;
 use super::kind::Kind;
 use super::number::Vector as _;
 use super::search::Search;
 use super::shape::UP;
-use super::threads::{in_rounds, in_threads};
+use super::threads::in_threads;
 use crate::exact::Rational;
 use crate::float::nearest;
 use std::collections::BTreeSet;
@@ -89,33 +90,16 @@ impl MeshDistances {
         let width = if model.kind == Kind::Solid { SOLID_WIDTH } else { WIDTH };
         let waiting = model.above(level, 0.0);
         self.work.begin(level, waiting.len());
-        let (mut best, mut upper, mut worst) = (0.0_f64, 0.0_f64, None);
-        let mut left = STEPS / 4;
-        in_rounds(&waiting, |round| {
-            // Within a round no piece knows of the others, so that threads do not matter.
-            let results = in_threads(round, |&(bound, root)| {
-                self.work.step();
-                let (mut own, mut place) = (best, None);
-                if bound <= best * (1.0 + width) || left == 0 {
-                    return (bound, own, None, 0);
-                }
-                let mut search = Search::new(&model.shapes, model.kind, &judge, level, PIECE_STEPS);
-                let cell = model.rounded_cell(root, level);
-                let upper = search.measure(cell, width, &mut own, &mut place);
-                (upper, own, place.map(|place| (root, place)), PIECE_STEPS - search.steps)
-            });
-            for (bound, lower, place, steps) in results {
-                left = left.saturating_sub(steps);
-                upper = upper.max(bound);
-                if lower > best {
-                    (best, worst) = (lower, place);
-                }
-            }
-            true
+        let found = greatest(&waiting, width, &self.work, |root, best, place| {
+            let mut search = Search::new(&model.shapes, model.kind, &judge, level, PIECE_STEPS);
+            let mut own = None;
+            let upper = search.measure(model.rounded_cell(root, level), width, best, &mut own);
+            *place = own.map(|place| (root, place));
+            (upper, PIECE_STEPS - search.steps)
         });
         let scale = nearest(&model.scale);
-        let worst = worst.map(|(root, place)| FarPlace::rounded(model, root, level, &place));
-        ([best * scale, upper.max(best) * scale], worst)
+        let place = found.place.map(|(root, place)| FarPlace::rounded(model, root, level, &place));
+        ([found.lower * scale, found.upper * scale], place)
     }
 
     /// A lower bound of the one-sided Hausdorff distance at a level: the greatest distance, from the

@@ -1,6 +1,7 @@
 //! How many levels of refinement a net needs.
 
-use super::super::depth::{MAX_DEPTH_LEVEL, MeshDepth, STEPS};
+use super::super::depth::{MAX_DEPTH_LEVEL, MeshDepth};
+use super::super::descent::{Descent, Found, Left, descend};
 use super::super::judge::Judge;
 use super::super::threads::{in_rounds, in_threads};
 use super::super::work::MeshWork;
@@ -11,9 +12,6 @@ use crate::float::upper;
 use crate::mesh::Point;
 use crate::net::{Net, NetError, NetScheme};
 use std::sync::Arc;
-
-/// How many pieces are looked at exactly.
-const EXACT_STEPS: u64 = 20_000;
 
 /// How many are looked at in one piece of level 0.
 pub(super) const PIECE_STEPS: u64 = 1_000_000;
@@ -72,21 +70,8 @@ impl NetDistances {
     pub fn depth(&self, tolerance: &Rational) -> Result<MeshDepth, NetError> {
         positive(tolerance)?;
         let sure = self.sure_level(tolerance)?;
-        let (mut level, mut closed, mut exact_pieces) = (sure, true, 0);
-        let mut beyond = None;
-        let mut left = Left { rounded: STEPS, exact: EXACT_STEPS };
-        for below in (0..sure).rev() {
-            let found = self.examine(below, tolerance, &mut left);
-            exact_pieces += found.exact_pieces;
-            if let Some(place) = found.beyond {
-                beyond = Some((below, place));
-                break;
-            }
-            closed = closed && !found.open;
-            if closed {
-                level = below;
-            }
-        }
+        let descent = descend(sure, |level, left| self.examine(level, tolerance, left));
+        let Descent { level, beyond, exact_pieces } = descent;
         let (mut distance, worst) = self.measured(level);
         // What the level was found to be sufficient for may be less than what was measured.
         distance[1] = distance[1].min(upper(tolerance));
@@ -193,18 +178,4 @@ pub(super) fn positive(tolerance: &Rational) -> Result<(), NetError> {
         return Ok(());
     }
     Err(NetError::TooMuch(format!("the tolerance must be positive, and is {tolerance}")))
-}
-
-/// How many pieces may still be looked at, in f64 and exactly.
-struct Left {
-    rounded: u64,
-    exact: u64,
-}
-
-/// What was found at a level.
-#[derive(Default)]
-struct Found {
-    beyond: Option<super::super::far::FarPlace>,
-    open: bool,
-    exact_pieces: usize,
 }

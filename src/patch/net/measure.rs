@@ -1,8 +1,9 @@
 //! Distances at a level: of the whole net, and of its faces.
 
-use super::super::depth::{PIECE_STEPS as FACE_STEPS, STEPS};
+use super::super::depth::PIECE_STEPS as FACE_STEPS;
 use super::super::far::FarPlace;
-use super::super::threads::{in_rounds, in_threads};
+use super::super::greatest::greatest;
+use super::super::threads::in_threads;
 use super::cell::Cell;
 use super::depth::{NetDistances, PIECE_STEPS};
 use crate::exact::Rational;
@@ -59,31 +60,13 @@ impl NetDistances {
         let judge = model.rounded_judge(&Rational::one());
         let waiting = model.above(level, 0.0);
         self.work.begin(level, waiting.len());
-        let (mut best, mut upper, mut worst) = (0.0_f64, 0.0_f64, None);
-        let mut left = STEPS / 4;
-        in_rounds(&waiting, |round| {
-            // Within a round no piece knows of the others, so that threads do not matter.
-            let results = in_threads(round, |&(bound, root)| {
-                self.work.step();
-                let (mut own, mut place) = (best, None);
-                if bound <= best * (1.0 + WIDTH) || left == 0 {
-                    return (bound, own, None, 0);
-                }
-                let mut search = self.search(&judge, level, PIECE_STEPS);
-                let upper = search.measure(model.rounded_cell(root), WIDTH, &mut own, &mut place);
-                (upper, own, place, PIECE_STEPS - search.steps)
-            });
-            for (bound, lower, place, steps) in results {
-                left = left.saturating_sub(steps);
-                upper = upper.max(bound);
-                if lower > best {
-                    (best, worst) = (lower, place);
-                }
-            }
-            true
+        let found = greatest(&waiting, WIDTH, &self.work, |root, best, place| {
+            let mut search = self.search(&judge, level, PIECE_STEPS);
+            let upper = search.measure(model.rounded_cell(root), WIDTH, best, place);
+            (upper, PIECE_STEPS - search.steps)
         });
         let scale = nearest(&model.scale);
-        let worst = worst.map(|place| model.rounded_place(level, &place));
-        ([best * scale, upper.max(best) * scale], worst)
+        let place = found.place.map(|place| model.rounded_place(level, &place));
+        ([found.lower * scale, found.upper * scale], place)
     }
 }
