@@ -7,7 +7,7 @@ use super::polygon::{Caps, read_grid, read_polygon};
 use std::path::Path;
 use subcert::oracle::{
     Boundary, Control, LocalRequest, MAX_VALUES, OracleError, OracleRequest, OracleValues,
-    reference_values, ring_reference_values, to_csv, to_json,
+    reference_values, ring_reference_values, to_csv, to_json, to_matlab, to_table,
 };
 use subcert::scheme::{AnyScheme, LocalRules, Scheme, parse_any_scheme};
 
@@ -32,6 +32,8 @@ pub(super) fn oracle(arguments: &OracleArguments) -> Outcome {
     write_results(&match arguments.format {
         OracleFormat::Json => to_json(&values),
         OracleFormat::Csv => to_csv(&values),
+        OracleFormat::Table => to_table(&values),
+        OracleFormat::Matlab => to_matlab(&values),
     })
 }
 

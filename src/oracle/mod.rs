@@ -10,6 +10,8 @@
 //! | [`reference_values`], [`OracleRequest`], [`OracleValues`] | all values of a scheme, as plain data |
 //! | [`ring_reference_values`], [`LocalRequest`] | all values of a ring |
 //! | [`to_json`], [`to_csv`], [`write_json`], [`write_csv`] | these values as JSON and CSV |
+//! | [`to_table`], [`write_table`] | the same as CSV without comment lines |
+//! | [`to_matlab`], [`matlab_name`] | a function of MATLAB that tests |
 //! | [`refine_polygon`], [`refine_grid`], [`refine_ring`], [`Control`] | exact refinement |
 //! | [`check_within_ulps`], [`check_slice_within_ulps`], [`check_within`] | checks of f64 against exact values |
 //! | [`assert_within_ulps!`](crate::assert_within_ulps), [`assert_slice_within_ulps!`](crate::assert_slice_within_ulps), [`assert_within!`](crate::assert_within) | these checks as assertions |
@@ -19,8 +21,10 @@ mod control;
 mod header;
 mod local_rules;
 mod macros;
+mod matlab;
 mod mismatch;
 mod refine;
+mod table;
 mod values;
 mod write;
 
@@ -28,9 +32,11 @@ pub use check::{check_slice_within_ulps, check_within, check_within_ulps};
 pub use control::{Control, SplitMix64};
 pub use header::{Header, LocalShape, MaskShape};
 pub use local_rules::{LocalRequest, refine_ring, ring_reference_values};
+pub use matlab::{matlab_name, to_matlab};
 pub use mismatch::{Deviation, Mismatch, Tolerance};
 pub use refine::{
     Boundary, MAX_REFINED_LEVEL, MAX_VALUES, OracleError, refine_grid, refine_polygon,
 };
+pub use table::{to_table, write_table};
 pub use values::{Group, OracleRequest, OracleValues, Value, reference_values};
 pub use write::{to_csv, to_json, write_csv, write_json};

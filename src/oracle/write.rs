@@ -40,7 +40,7 @@ pub fn to_csv(values: &OracleValues) -> String {
     in_memory(|out| write_csv(values, out))
 }
 
-fn in_memory(write: impl FnOnce(&mut Vec<u8>) -> io::Result<()>) -> String {
+pub(super) fn in_memory(write: impl FnOnce(&mut Vec<u8>) -> io::Result<()>) -> String {
     let mut out = Vec::new();
     write(&mut out).expect("memory takes every write");
     String::from_utf8(out).expect("text was written")
@@ -78,7 +78,7 @@ pub fn write_csv(values: &OracleValues, mut out: impl Write) -> io::Result<()> {
     Ok(())
 }
 
-fn header_lines(header: &Header) -> Vec<(&'static str, String)> {
+pub(super) fn header_lines(header: &Header) -> Vec<(&'static str, String)> {
     let masks = header
         .masks
         .iter()
@@ -104,6 +104,6 @@ fn header_lines(header: &Header) -> Vec<(&'static str, String)> {
 
 /// The text with every control character replaced by a space, since a line break would
 /// end the comment.
-fn one_line(text: &str) -> String {
+pub(super) fn one_line(text: &str) -> String {
     text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
 }

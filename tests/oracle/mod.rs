@@ -1,6 +1,7 @@
 //! Reference values and checks for other programs' tests.
 
 mod check;
+mod languages;
 mod local_rules;
 mod refine;
 mod values;

@@ -138,6 +138,10 @@ pub(in crate::cli) enum OracleFormat {
     Json,
     /// With header lines that begin with `#`
     Csv,
+    /// CSV without header lines, as `readtable` of MATLAB, pandas and spreadsheets take it
+    Table,
+    /// A function of MATLAB and Octave that tests an implementation
+    Matlab,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
