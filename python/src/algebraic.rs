@@ -1,9 +1,8 @@
 //! Real algebraic numbers.
 
 use crate::error::plain;
-use crate::number::{Fraction, big, fraction, rational};
+use crate::number::{Fraction, Whole, fraction, rational, whole};
 use crate::run::at_once;
-use num_bigint::BigInt;
 use pyo3::prelude::*;
 use std::cmp::Ordering;
 use subcert::exact::{Enclosed, Rational, RealAlgebraic};
@@ -20,12 +19,12 @@ pub struct Algebraic(pub(crate) RealAlgebraic);
 impl Algebraic {
     /// The coefficients of the minimal polynomial, from the constant one on.
     #[getter]
-    fn minpoly(&self) -> PyResult<Vec<BigInt>> {
+    fn minpoly(&self) -> PyResult<Vec<Whole>> {
         at_once(|| {
             let polynomial = self.0.minimal_polynomial();
             let polynomial =
                 polynomial.ok_or_else(|| plain("the polynomial is too large to factor"))?;
-            Ok(polynomial.coefficients().iter().map(big).collect())
+            Ok(polynomial.coefficients().iter().map(whole).collect())
         })
     }
 

@@ -7,10 +7,13 @@ mod algebraic;
 mod audit;
 mod check;
 mod error;
+mod geometry;
 mod mesh;
+mod net;
 mod number;
 mod run;
 mod scheme;
+mod solid;
 
 use pyo3::prelude::*;
 
@@ -26,5 +29,9 @@ mod _native {
     #[pymodule_export]
     use crate::mesh::{mesh_depth, mesh_limit, mesh_refine};
     #[pymodule_export]
+    use crate::net::{net_depth, net_limit, net_refine};
+    #[pymodule_export]
     use crate::scheme::{Native, parameter_range, scheme_names};
+    #[pymodule_export]
+    use crate::solid::{solid_depth, solid_limit, solid_refine};
 }

@@ -1,35 +1,25 @@
 //! Polygon meshes.
 
 use crate::error::plain;
-use crate::number::{Fraction, fraction, rational};
+use crate::geometry::{Depth, Limit, Points, depth, limit, points, shared_work};
+use crate::number::rational;
 use crate::run::aside;
 use pyo3::prelude::*;
 use subcert::exact::Rational;
 use subcert::float::nearest;
 use subcert::mesh::{MeshScheme, Point, PolygonMesh, limit_points, refine_mesh};
-use subcert::patch::{FarPlace, MeshDistances};
-
-/// The vertices of a mesh as Python has them.
-type Vertices<'py> = Vec<[Bound<'py, PyAny>; 3]>;
+use subcert::patch::MeshDistances;
 
 /// The f64 vertices of a mesh, half a unit in the last place from the exact ones, and its faces.
 type Rounded = (Vec<Point<f64>>, Vec<Vec<usize>>);
 
-/// Level, the greatest level that is too few, bounds of the distance, the face where it is, the point
-/// on the mesh and on the limit, a lower bound of the Hausdorff distance.
-type Depth = (u32, Option<u32>, [f64; 2], Option<(usize, Point<f64>, Point<f64>)>, f64);
-
 fn mesh(
     scheme: &str,
-    vertices: &Vertices<'_>,
+    vertices: &Points<'_>,
     faces: Vec<Vec<usize>>,
 ) -> PyResult<(MeshScheme, PolygonMesh<Rational>)> {
     let scheme = MeshScheme::parse(scheme).map_err(plain)?;
-    let mut points: Vec<Point<Rational>> = Vec::with_capacity(vertices.len());
-    for [x, y, z] in vertices {
-        points.push([rational(x)?, rational(y)?, rational(z)?]);
-    }
-    Ok((scheme, PolygonMesh::new(points, faces).map_err(plain)?))
+    Ok((scheme, PolygonMesh::new(points(vertices)?, faces).map_err(plain)?))
 }
 
 /// How many levels a mesh needs for a tolerance.
@@ -37,20 +27,19 @@ fn mesh(
 pub fn mesh_depth(
     py: Python<'_>,
     scheme: &str,
-    vertices: Vertices<'_>,
+    vertices: Points<'_>,
     faces: Vec<Vec<usize>>,
     tolerance: &Bound<'_, PyAny>,
 ) -> PyResult<Depth> {
     let (scheme, mesh) = mesh(scheme, &vertices, faces)?;
     let tolerance = rational(tolerance)?;
+    let (work, shared) = shared_work();
     aside(
         py,
-        || (),
+        || work.stop(),
         move || {
-            let distances = MeshDistances::new(mesh, scheme).map_err(plain)?;
-            let found = distances.depth(&tolerance).map_err(plain)?;
-            let place = |place: FarPlace| (place.face, place.on_mesh, place.on_limit);
-            Ok((found.level, found.too_few, found.distance, found.worst.map(place), found.apart))
+            let distances = MeshDistances::new(mesh, scheme).map_err(plain)?.with_work(shared);
+            Ok(depth(distances.depth(&tolerance).map_err(plain)?))
         },
     )
 }
@@ -60,7 +49,7 @@ pub fn mesh_depth(
 pub fn mesh_refine(
     py: Python<'_>,
     scheme: &str,
-    vertices: Vertices<'_>,
+    vertices: Points<'_>,
     faces: Vec<Vec<usize>>,
     levels: u32,
 ) -> PyResult<Rounded> {
@@ -80,13 +69,12 @@ pub fn mesh_refine(
 /// The f64 limit points of the vertices, and the exact ones where they are rational; `None` where the
 /// surface does not reach a vertex.
 #[pyfunction]
-#[expect(clippy::type_complexity, reason = "a pair for each vertex")]
 pub fn mesh_limit(
     py: Python<'_>,
     scheme: &str,
-    vertices: Vertices<'_>,
+    vertices: Points<'_>,
     faces: Vec<Vec<usize>>,
-) -> PyResult<Vec<Option<(Point<f64>, Option<Point<Fraction>>)>>> {
+) -> PyResult<Vec<Option<Limit>>> {
     let (scheme, mesh) = mesh(scheme, &vertices, faces)?;
     aside(
         py,
@@ -94,12 +82,7 @@ pub fn mesh_limit(
         move || {
             let exact = mesh.map(|x| subcert::exact::RealCyclotomic::from(x.clone()));
             let limits = limit_points(&exact, scheme).map_err(plain)?;
-            let point = |limit: subcert::mesh::LimitPoint| {
-                let rounded = limit.position.each_ref().map(nearest);
-                let [x, y, z] = limit.position.each_ref().map(|x| x.as_rational().map(fraction));
-                (rounded, x.zip(y).zip(z).map(|((x, y), z)| [x, y, z]))
-            };
-            Ok(limits.into_iter().map(|limit| limit.map(point)).collect())
+            Ok(limits.iter().map(|found| found.as_ref().map(|it| limit(&it.position))).collect())
         },
     )
 }

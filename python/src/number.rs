@@ -6,16 +6,24 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyFloat, PyInt, PyString};
 use subcert::exact::{Integer, Rational, parse_rational};
 
-/// A fraction as Python's integers.
-pub(crate) type Fraction = (BigInt, BigInt);
+/// A fraction in lowest terms as Python's integers.
+pub(crate) type Fraction = (Whole, Whole);
+
+/// An integer on its way to Python: most fit into a word, which is faster.
+#[derive(IntoPyObject)]
+pub(crate) enum Whole {
+    Word(i64),
+    Big(BigInt),
+}
 
 /// The most binary digits of a number that is read.
 const MAX_BITS: u64 = 1 << 20;
 
-fn integer(value: &BigInt) -> PyResult<Integer> {
-    if let Ok(word) = i64::try_from(value) {
+fn integer(value: &Bound<'_, PyAny>) -> PyResult<Integer> {
+    if let Ok(word) = value.extract::<i64>() {
         return Ok(Integer::from(word));
     }
+    let value: BigInt = value.extract()?;
     if value.bits() > MAX_BITS {
         return Err(plain(format!("a number of more than {MAX_BITS} binary digits")));
     }
@@ -24,16 +32,16 @@ fn integer(value: &BigInt) -> PyResult<Integer> {
     Ok(if value.sign() == num_bigint::Sign::Minus { -size } else { size })
 }
 
-pub(crate) fn big(value: &Integer) -> BigInt {
+pub(crate) fn whole(value: &Integer) -> Whole {
     match value.to_i64() {
-        Some(word) => BigInt::from(word),
+        Some(word) => Whole::Word(word),
         // An integer is printed as its decimal digits.
-        None => value.to_string().parse().unwrap_or_default(),
+        None => Whole::Big(value.to_string().parse().unwrap_or_default()),
     }
 }
 
 pub(crate) fn fraction(value: &Rational) -> Fraction {
-    (big(&value.numerator()), big(&value.denominator()))
+    (whole(&value.numerator()), whole(&value.denominator()))
 }
 
 /// An `int`, a `Fraction`, a `Decimal`, or a `str` such as `"3/256"` or `"0.1"`. A `float` is refused,
@@ -54,7 +62,7 @@ pub(crate) fn rational(value: &Bound<'_, PyAny>) -> PyResult<Rational> {
         return Err(with_remedy(&format!("the float {value} is no exact number"), &remedy));
     }
     if value.is_instance_of::<PyInt>() {
-        return integer(&value.extract::<BigInt>()?).map(Rational::from);
+        return integer(value).map(Rational::from);
     }
     let parts = if let Ok(numerator) = value.getattr("numerator") {
         (numerator, value.getattr("denominator")?)
@@ -65,7 +73,7 @@ pub(crate) fn rational(value: &Bound<'_, PyAny>) -> PyResult<Rational> {
         let message = format!("a {kind} is no number");
         return Err(with_remedy(&message, "give an int, a Fraction or a decimal as text"));
     };
-    let read = |part: Bound<'_, PyAny>| integer(&part.call_method0("__index__")?.extract()?);
+    let read = |part: Bound<'_, PyAny>| integer(&part.call_method0("__index__")?);
     let (p, q) = (read(parts.0)?, read(parts.1)?);
     if q.is_zero() {
         return Err(plain("a fraction with denominator 0"));

@@ -91,6 +91,10 @@ impl Constants {
             Operator::Difference => &self.difference,
             Operator::Scheme => self.mask.rules(),
         };
+        if c == 1 {
+            // The rows of one level stand there: no search is needed.
+            return Ok(greatest_sum(rules));
+        }
         self.once((Some(operator), c, order), || {
             let mut searches = self.searches.borrow_mut();
             let search = searches.entry((operator, order));
@@ -138,4 +142,10 @@ impl Constants {
         self.known.borrow_mut().insert(key, value.clone());
         Ok(value)
     }
+}
+
+/// The greatest sum of the absolute values of a row.
+fn greatest_sum(rules: &Rules) -> Rational {
+    let sum = |row: &Vec<Rational>| row.iter().fold(Rational::zero(), |sum, x| sum + x.abs());
+    rules.rows().iter().map(sum).max().unwrap_or_else(Rational::zero)
 }

@@ -122,6 +122,12 @@ impl MeshDistances {
         Arc::clone(&self.work)
     }
 
+    /// The same search, which can be watched and stopped through `work`.
+    #[must_use]
+    pub fn with_work(self, work: Arc<MeshWork>) -> Self {
+        Self { work, ..self }
+    }
+
     /// The depth for a tolerance.
     ///
     /// # Errors
@@ -172,6 +178,9 @@ impl MeshDistances {
         in_rounds(&waiting, |round| {
             let results = in_threads(round, |(_, root)| {
                 self.work.step();
+                if self.work.is_stopped() {
+                    return (*root, Verdict::Open, 0);
+                }
                 let mut search = Search::new(&model.shapes, model.kind, &judge, level, PIECE_STEPS);
                 let verdict = search.examine(model.rounded_cell(root, level));
                 (*root, verdict, PIECE_STEPS - search.steps)
@@ -187,10 +196,10 @@ impl MeshDistances {
                     Verdict::Open => open.push(root),
                 }
             }
-            left.rounded > least
+            left.rounded > least && !self.work.is_stopped()
         });
         if found.beyond.is_none() {
-            found.open = left.rounded <= least;
+            found.open = left.rounded <= least || self.work.is_stopped();
             self.examine_exactly(level, tolerance, &open, left, &mut found);
         }
         found
@@ -210,7 +219,11 @@ impl MeshDistances {
         let steps = left.exact / 2;
         let mut search = Search::new(&model.shapes, model.kind, &judge, level, steps);
         for root in roots {
-            let cell = if search.steps == 0 { None } else { model.exact_cell(root, level) };
+            let cell = if search.steps == 0 || self.work.is_stopped() {
+                None
+            } else {
+                model.exact_cell(root, level)
+            };
             let Some(cell) = cell else {
                 found.open = true;
                 break;

@@ -30,7 +30,7 @@ pub(super) fn greatest<R: Copy + Sync, P: Send>(
         let results = in_threads(round, |&(bound, piece)| {
             work.step();
             let (mut own, mut place) = (best, None);
-            if bound <= best * (1.0 + width) || left == 0 {
+            if bound <= best * (1.0 + width) || left == 0 || work.is_stopped() {
                 return (bound, own, None, 0);
             }
             let (upper, steps) = measure(piece, &mut own, &mut place);

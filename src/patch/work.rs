@@ -1,6 +1,6 @@
-//! How far a search has come, for whoever waits for it.
+//! How far a search has come, and an end to it, for whoever waits for it.
 
-use std::sync::atomic::{AtomicU32, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU32, AtomicUsize, Ordering};
 
 /// The level that is looked at, and how many of its pieces have been; shared between threads.
 #[derive(Debug, Default)]
@@ -8,6 +8,7 @@ pub struct MeshWork {
     level: AtomicU32,
     done: AtomicUsize,
     total: AtomicUsize,
+    stopped: AtomicBool,
 }
 
 impl MeshWork {
@@ -21,6 +22,16 @@ impl MeshWork {
     #[must_use]
     pub fn pieces(&self) -> (usize, usize) {
         (self.done.load(Ordering::Relaxed), self.total.load(Ordering::Relaxed))
+    }
+
+    /// Ends the search soon. What is not decided by then stays open, and distances that are not measured have
+    /// wider bounds: the result holds, and says less.
+    pub fn stop(&self) {
+        self.stopped.store(true, Ordering::Relaxed);
+    }
+
+    pub(super) fn is_stopped(&self) -> bool {
+        self.stopped.load(Ordering::Relaxed)
     }
 
     pub(super) fn begin(&self, level: u32, total: usize) {

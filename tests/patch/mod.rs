@@ -5,6 +5,7 @@ mod laws;
 mod naive;
 mod nets;
 mod solids;
+mod stopped;
 mod tensor;
 mod worst;
 

@@ -9,9 +9,12 @@ Fraction(89, 128)
 
 from ._audit import Audit, Finding, audit, papers
 from ._errors import SubcertError
-from ._mesh import LimitPoint, MeshDepth, RefinedMesh, limit_points, mesh_depth, refine_mesh
+from ._geometry import LimitPoint, MeshDepth
+from ._mesh import RefinedMesh, limit_points, mesh_depth, refine_mesh
+from ._net import limit_net, net_depth, refine_net
 from ._numbers import Algebraic, exact
 from ._scheme import Constants, Depth, Interval, Quantity, Refined, Scheme, schemes
+from ._solid import RefinedSolid, refine_solid, solid_depth, solid_limit_points
 
 __all__ = [
     "Algebraic",
@@ -25,13 +28,20 @@ __all__ = [
     "Quantity",
     "Refined",
     "RefinedMesh",
+    "RefinedSolid",
     "Scheme",
     "SubcertError",
     "audit",
     "exact",
+    "limit_net",
     "limit_points",
     "mesh_depth",
+    "net_depth",
     "papers",
     "refine_mesh",
+    "refine_net",
+    "refine_solid",
     "schemes",
+    "solid_depth",
+    "solid_limit_points",
 ]

@@ -3,30 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from fractions import Fraction
-from typing import Any, List, Optional, Sequence, Tuple
+from typing import Any, List, Optional, Sequence
 
 from . import _native
 from ._errors import SubcertError
-from ._numbers import Number, exact
-
-Point = Tuple[float, float, float]
-
-
-@dataclass(frozen=True)
-class MeshDepth:
-    """How many levels a mesh needs; see ``Depth``. Distances are between mesh and limit surface at
-    the same parameters."""
-
-    level: int
-    too_few: Optional[int]
-    distance: Tuple[float, float]
-    #: The face of the control mesh where the lower bound is attained, and the points there.
-    worst_face: Optional[int]
-    on_mesh: Optional[Point]
-    on_limit: Optional[Point]
-    #: Some point of the limit is at least so far from every point of the mesh.
-    hausdorff_lower: float
+from ._geometry import LimitPoint, MeshDepth, as_given, depth_of, indices, limit_of, points_of
+from ._numbers import Number
 
 
 @dataclass(frozen=True)
@@ -35,14 +17,6 @@ class RefinedMesh:
 
     vertices: Any
     faces: List[List[int]]
-
-
-@dataclass(frozen=True)
-class LimitPoint:
-    """Where the limit surface has a vertex; ``exact`` is None where it is irrational."""
-
-    point: Point
-    exact: Optional[Tuple[Fraction, Fraction, Fraction]]
 
 
 def mesh_depth(
@@ -57,11 +31,7 @@ def mesh_depth(
     >>> found.level, found.too_few
     (4, 3)
     """
-    found = _native.mesh_depth(scheme, _vertices(vertices), _faces(faces), tolerance)
-    level, too_few, distance, worst, apart = found
-    face, on_mesh, on_limit = worst if worst is not None else (None, None, None)
-    place = [None if point is None else tuple(point) for point in (on_mesh, on_limit)]
-    return MeshDepth(level, too_few, tuple(distance), face, place[0], place[1], apart)
+    return depth_of(_native.mesh_depth(scheme, _vertices(vertices), _faces(faces), tolerance))
 
 
 def refine_mesh(
@@ -69,13 +39,7 @@ def refine_mesh(
 ) -> RefinedMesh:
     """The mesh after some levels, computed exactly and rounded once."""
     points, refined = _native.mesh_refine(scheme, _vertices(vertices), _faces(faces), levels)
-    if hasattr(vertices, "dtype"):
-        import numpy
-
-        points = numpy.asarray(points)
-    else:
-        points = [tuple(point) for point in points]
-    return RefinedMesh(points, refined)
+    return RefinedMesh(as_given(points, vertices, (len(points),)), refined)
 
 
 def limit_points(
@@ -83,31 +47,15 @@ def limit_points(
 ) -> List[Optional[LimitPoint]]:
     """Where the limit surface has each vertex; None where it does not reach it."""
     found = _native.mesh_limit(scheme, _vertices(vertices), _faces(faces))
-    return [None if limit is None else _limit(*limit) for limit in found]
-
-
-def _limit(point: Any, fractions: Any) -> LimitPoint:
-    exactly = None if fractions is None else tuple(Fraction(*x) for x in fractions)
-    return LimitPoint(tuple(point), exactly)
+    return [limit_of(limit) for limit in found]
 
 
 def _vertices(vertices: Any) -> List[List[Any]]:
     rows = vertices.tolist() if hasattr(vertices, "tolist") else list(vertices)
     if not rows:
         raise SubcertError("there are no vertices")
-    for i, row in enumerate(rows):
-        if not isinstance(row, (list, tuple)) or len(row) != 3:
-            raise SubcertError(f"vertex {i} is {row!r}", remedy="a vertex has three coordinates")
-    return [[exact(x) if isinstance(x, float) else x for x in row] for row in rows]
+    return points_of(rows, "vertex")
 
 
 def _faces(faces: Any) -> List[List[int]]:
-    rows = faces.tolist() if hasattr(faces, "tolist") else faces
-    lists = [list(face) for face in rows]
-    for i, face in enumerate(lists):
-        for vertex in face:
-            if not isinstance(vertex, int) or isinstance(vertex, bool) or vertex < 0:
-                raise SubcertError(
-                    f"face {i} has the vertex {vertex!r}", remedy="vertices are counted from 0"
-                )
-    return lists
+    return indices(faces, "face", "vertex")

@@ -32,8 +32,17 @@ def exact(value: Any) -> Fraction:
     raise SubcertError(f"{value!r} is no number", remedy="give a finite number")
 
 
+if hasattr(Fraction, "_from_coprime_ints"):  # from Python 3.12 on
+    coprime = Fraction._from_coprime_ints
+else:
+
+    def coprime(numerator: int, denominator: int) -> Fraction:
+        """The fraction of two integers without a common factor, which is not looked for once more."""
+        return Fraction(numerator, denominator, _normalize=False)  # type: ignore[call-arg]
+
+
 def pair(value: Optional[Tuple[int, int]]) -> Optional[Fraction]:
-    return None if value is None else Fraction(*value)
+    return None if value is None else coprime(*value)
 
 
 @total_ordering
@@ -61,7 +70,7 @@ class Algebraic:
     def interval(self, digits: int = 20) -> Tuple[Fraction, Fraction]:
         """Two fractions that the number is between, at most 10^-digits apart."""
         low, high = self._number.interval(digits)
-        return Fraction(*low), Fraction(*high)
+        return coprime(*low), coprime(*high)
 
     def as_fraction(self) -> Optional[Fraction]:
         """The number as a fraction; None if it is irrational."""

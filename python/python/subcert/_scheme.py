@@ -8,7 +8,7 @@ from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 
 from . import _native
 from ._errors import SubcertError
-from ._numbers import Algebraic, Number, exact, pair
+from ._numbers import Algebraic, Number, coprime, exact, pair
 
 
 @dataclass(frozen=True)
@@ -127,7 +127,7 @@ class Scheme:
     @property
     def masks(self) -> List[List[List[Fraction]]]:
         """The coefficients for each direction, rule by rule."""
-        return [[[Fraction(*x) for x in row] for row in rows] for rows, _ in self._native.masks]
+        return [[[coprime(*x) for x in row] for row in rows] for rows, _ in self._native.masks]
 
     @property
     def offsets(self) -> List[int]:
@@ -141,11 +141,11 @@ class Scheme:
         >>> Scheme("four-point", w="1/16").contraction(2)
         Fraction(21, 64)
         """
-        return Fraction(*self._native.contraction(c))
+        return coprime(*self._native.contraction(c))
 
     def norm(self, c: int = 1) -> Fraction:
         """Λ_c: by how much c levels can enlarge the greatest value."""
-        return Fraction(*self._native.norm(c))
+        return coprime(*self._native.norm(c))
 
     def constants(self, levels: int = 4) -> Constants:
         """The constants for c = 1, …, levels."""
@@ -153,7 +153,7 @@ class Scheme:
         return Constants(
             [self.contraction(c) for c in each],
             [self.norm(c) for c in each],
-            Fraction(*self._native.displacement()),
+            coprime(*self._native.displacement()),
             [pair(shift) for shift in self._native.natural_shifts()],
         )
 
@@ -183,7 +183,7 @@ class Scheme:
             coordinates, _, _ = _coordinates(polygon)
             found = self._native.polygon_depth(tolerance, coordinates, closed, natural)
         level, too_few, (low, high, parameter) = found
-        return Depth(level, too_few, (Fraction(*low), Fraction(*high)), pair(parameter))
+        return Depth(level, too_few, (coprime(*low), coprime(*high)), pair(parameter))
 
     def range(self, parameter: str, levels: int = 4) -> List[Interval]:
         """Where in a parameter, which is left open, T_c < 1 for some c up to levels: differences
@@ -204,7 +204,7 @@ class Scheme:
     def certify(self, levels: int = 4) -> List[Quantity]:
         """All constants in floating point, beside their exact values and proven bounds."""
         quantities = self._native.certify(levels)
-        return [Quantity(name, value, Fraction(*p), bound) for name, value, p, bound in quantities]
+        return [Quantity(name, value, coprime(*p), bound) for name, value, p, bound in quantities]
 
     def refine(self, points: Any, levels: int = 1, *, closed: bool = True) -> Refined:
         """The polygon after some levels: numbers, points as tuples, or a numpy array of either.
@@ -216,7 +216,7 @@ class Scheme:
         """
         coordinates, tuples, array = _coordinates(points)
         native = self._native.refine(coordinates, levels, closed)
-        columns = [[Fraction(*x) for x in column] for column in native]
+        columns = [[coprime(*x) for x in column] for column in native]
         floats = [[_native.nearest(x) for x in column] for column in columns]
         pairs = (p for column, other in zip(columns, floats) for p in zip(column, other))
         error = max((abs(x - Fraction(y)) for x, y in pairs), default=Fraction(0))

@@ -63,6 +63,12 @@ impl NetDistances {
         Arc::clone(&self.work)
     }
 
+    /// The same search, which can be watched and stopped through `work`.
+    #[must_use]
+    pub fn with_work(self, work: Arc<MeshWork>) -> Self {
+        Self { work, ..self }
+    }
+
     /// The depth for a tolerance. Faces and vertices are those of the net, row by row.
     ///
     /// # Errors
@@ -107,6 +113,9 @@ impl NetDistances {
         in_rounds(&waiting, |round| {
             let results = in_threads(round, |&(_, root)| {
                 self.work.step();
+                if self.work.is_stopped() {
+                    return (root, Verdict::Open, 0);
+                }
                 let mut search = self.search(&judge, level, PIECE_STEPS);
                 let verdict = search.examine(model.rounded_cell(root));
                 (root, verdict, PIECE_STEPS - search.steps)
@@ -122,10 +131,10 @@ impl NetDistances {
                     Verdict::Open => open.push(root),
                 }
             }
-            left.rounded > least
+            left.rounded > least && !self.work.is_stopped()
         });
         if found.beyond.is_none() {
-            found.open = left.rounded <= least;
+            found.open = left.rounded <= least || self.work.is_stopped();
             self.examine_exactly(level, tolerance, &open, left, &mut found);
         }
         found
@@ -145,7 +154,7 @@ impl NetDistances {
         let steps = left.exact / 2;
         let mut search = self.search(&judge, level, steps);
         for &root in roots {
-            if search.steps == 0 {
+            if search.steps == 0 || self.work.is_stopped() {
                 found.open = true;
                 break;
             }

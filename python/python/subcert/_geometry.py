@@ -1,0 +1,83 @@
+"""What meshes, nets and solids have in common."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any, List, Optional, Sequence, Tuple
+
+from ._errors import SubcertError
+from ._numbers import coprime, exact
+
+Point = Tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class MeshDepth:
+    """How many levels a mesh needs; see ``Depth``. Distances are between mesh and limit surface at
+    the same parameters."""
+
+    level: int
+    too_few: Optional[int]
+    distance: Tuple[float, float]
+    #: The face of the control mesh where the lower bound is attained, and the points there.
+    worst_face: Optional[int]
+    on_mesh: Optional[Point]
+    on_limit: Optional[Point]
+    #: Some point of the limit is at least so far from every point of the mesh.
+    hausdorff_lower: float
+
+
+@dataclass(frozen=True)
+class LimitPoint:
+    """Where the limit surface has a vertex; ``exact`` is None where it is irrational."""
+
+    point: Point
+    exact: Optional[Tuple[Fraction, Fraction, Fraction]]
+
+
+def depth_of(found: Any) -> MeshDepth:
+    level, too_few, distance, worst, apart = found
+    face, on_mesh, on_limit = worst if worst is not None else (None, None, None)
+    place = [None if point is None else tuple(point) for point in (on_mesh, on_limit)]
+    return MeshDepth(level, too_few, tuple(distance), face, place[0], place[1], apart)
+
+
+def limit_of(found: Any) -> Optional[LimitPoint]:
+    if found is None:
+        return None
+    point, fractions = found
+    exactly = None if fractions is None else tuple(coprime(*x) for x in fractions)
+    return LimitPoint(tuple(point), exactly)
+
+
+def points_of(rows: Sequence[Any], name: str) -> List[List[Any]]:
+    """Points for the native part; `name` says what they are called in messages."""
+    for i, row in enumerate(rows):
+        if not isinstance(row, (list, tuple)) or len(row) != 3:
+            raise SubcertError(f"{name} {i} is {row!r}", remedy=f"a {name} has three coordinates")
+    return [[exact(x) if isinstance(x, float) else x for x in row] for row in rows]
+
+
+def as_given(points: List[Any], given: Any, shape: Tuple[int, ...]) -> Any:
+    """Points as an array where an array was given; else as tuples, in rows where `shape` has two numbers."""
+    if hasattr(given, "dtype"):
+        import numpy
+
+        return numpy.asarray(points, dtype=float).reshape(*shape, 3)
+    tuples = [tuple(point) for point in points]
+    if len(shape) == 1:
+        return tuples
+    return [tuples[i * shape[1] : (i + 1) * shape[1]] for i in range(shape[0])]
+
+
+def indices(rows: Any, name: str, member: str) -> List[List[int]]:
+    """Faces or cells for the native part."""
+    lists = [list(row) for row in (rows.tolist() if hasattr(rows, "tolist") else rows)]
+    for i, row in enumerate(lists):
+        for index in row:
+            if not isinstance(index, int) or isinstance(index, bool) or index < 0:
+                raise SubcertError(
+                    f"{name} {i} has the {member} {index!r}", remedy="indices are counted from 0"
+                )
+    return lists

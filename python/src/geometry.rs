@@ -1,0 +1,51 @@
+//! What meshes, nets and solids have in common: points, and depths.
+
+use crate::number::{Fraction, fraction, rational};
+use pyo3::prelude::*;
+use std::sync::Arc;
+use subcert::exact::{Rational, RealCyclotomic};
+use subcert::float::nearest;
+use subcert::mesh::Point;
+use subcert::patch::{FarPlace, MeshDepth, MeshWork};
+
+/// Points as Python has them.
+pub(crate) type Points<'py> = Vec<[Bound<'py, PyAny>; 3]>;
+
+/// Level, the greatest level that is too few, bounds of the distance, the face where it is, the point
+/// on the mesh and on the limit, a lower bound of the Hausdorff distance.
+pub(crate) type Depth = (u32, Option<u32>, [f64; 2], Option<(usize, Point<f64>, Point<f64>)>, f64);
+
+/// The f64 of a limit point, and the exact one where it is rational.
+pub(crate) type Limit = (Point<f64>, Option<Point<Fraction>>);
+
+pub(crate) fn points(points: &Points<'_>) -> PyResult<Vec<Point<Rational>>> {
+    points.iter().map(|[x, y, z]| Ok([rational(x)?, rational(y)?, rational(z)?])).collect()
+}
+
+pub(crate) fn depth(found: MeshDepth) -> Depth {
+    let place = |place: FarPlace| (place.face, place.on_mesh, place.on_limit);
+    (found.level, found.too_few, found.distance, found.worst.map(place), found.apart)
+}
+
+/// Each coordinate half a unit in the last place from the exact one.
+pub(crate) fn rounded(points: &[Point<Rational>]) -> Vec<Point<f64>> {
+    points.iter().map(|point| point.each_ref().map(nearest)).collect()
+}
+
+/// The limit of a point.
+pub(crate) fn limit(position: &Point<RealCyclotomic>) -> Limit {
+    let rounded = position.each_ref().map(nearest);
+    let [x, y, z] = position.each_ref().map(|x| x.as_rational().map(fraction));
+    (rounded, x.zip(y).zip(z).map(|((x, y), z)| [x, y, z]))
+}
+
+/// The limit of a point that is rational.
+pub(crate) fn rational_limit(position: &Point<Rational>) -> Limit {
+    (position.each_ref().map(nearest), Some(position.each_ref().map(fraction)))
+}
+
+/// A search for whoever waits, and for the search.
+pub(crate) fn shared_work() -> (Arc<MeshWork>, Arc<MeshWork>) {
+    let work = Arc::<MeshWork>::default();
+    (Arc::clone(&work), work)
+}

@@ -1,0 +1,76 @@
+//! Tensor nets.
+
+use crate::error::{plain, with_remedy};
+use crate::geometry::{Depth, Limit, Points, depth, points, rational_limit, rounded, shared_work};
+use crate::number::rational;
+use crate::run::aside;
+use pyo3::prelude::*;
+use subcert::mesh::Point;
+use subcert::net::{Closed, Net, NetScheme, net_limits, refine_net};
+use subcert::patch::NetDistances;
+
+/// A net as Python has it: its points row by row, the number of columns, and the directions in which
+/// it is closed.
+type Given<'py> = (Points<'py>, usize, String);
+
+fn net(scheme: &str, (given, columns, closed): Given<'_>) -> PyResult<(NetScheme, Net)> {
+    let scheme = NetScheme::parse(scheme).map_err(plain)?;
+    let closed = Closed::parse(&closed).ok_or_else(|| {
+        with_remedy(&format!("closed is {closed:?}"), "it is \"none\", \"u\", \"v\" or \"uv\"")
+    })?;
+    Ok((scheme, Net::new(points(&given)?, columns, closed).map_err(plain)?))
+}
+
+/// How many levels a net needs for a tolerance.
+#[pyfunction]
+pub fn net_depth(
+    py: Python<'_>,
+    scheme: &str,
+    given: Given<'_>,
+    tolerance: &Bound<'_, PyAny>,
+) -> PyResult<Depth> {
+    let (scheme, net) = net(scheme, given)?;
+    let tolerance = rational(tolerance)?;
+    let (work, shared) = shared_work();
+    aside(
+        py,
+        || work.stop(),
+        move || {
+            let distances = NetDistances::new(net, &scheme).map_err(plain)?.with_work(shared);
+            Ok(depth(distances.depth(&tolerance).map_err(plain)?))
+        },
+    )
+}
+
+/// The net of a level: its points row by row, and the number of columns.
+#[pyfunction]
+pub fn net_refine(
+    py: Python<'_>,
+    scheme: &str,
+    given: Given<'_>,
+    levels: u32,
+) -> PyResult<(Vec<Point<f64>>, usize)> {
+    let (scheme, net) = net(scheme, given)?;
+    aside(
+        py,
+        || (),
+        move || {
+            let refined = refine_net(&net, &scheme, levels).map_err(plain)?;
+            Ok((rounded(refined.points()), refined.columns()))
+        },
+    )
+}
+
+/// The limit of each point, row by row; `None` where the limit does not reach it.
+#[pyfunction]
+pub fn net_limit(py: Python<'_>, scheme: &str, given: Given<'_>) -> PyResult<Vec<Option<Limit>>> {
+    let (scheme, net) = net(scheme, given)?;
+    aside(
+        py,
+        || (),
+        move || {
+            let limits = net_limits(&net, &scheme).map_err(plain)?;
+            Ok(limits.iter().map(|limit| limit.as_ref().map(rational_limit)).collect())
+        },
+    )
+}

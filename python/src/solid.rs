@@ -1,0 +1,66 @@
+//! Hexahedral solids.
+
+use crate::error::plain;
+use crate::geometry::{Depth, Limit, Points, depth, points, rational_limit, rounded, shared_work};
+use crate::number::rational;
+use crate::run::aside;
+use pyo3::prelude::*;
+use subcert::exact::Rational;
+use subcert::mesh::Point;
+use subcert::patch::MeshDistances;
+use subcert::solid::{HexMesh, refine_solid, solid_limit_points};
+
+fn solid(given: &Points<'_>, cells: &[[usize; 8]]) -> PyResult<HexMesh<Rational>> {
+    HexMesh::new(points(given)?, cells).map_err(plain)
+}
+
+/// How many levels a solid needs for a tolerance.
+#[pyfunction]
+pub fn solid_depth(
+    py: Python<'_>,
+    given: Points<'_>,
+    cells: Vec<[usize; 8]>,
+    tolerance: &Bound<'_, PyAny>,
+) -> PyResult<Depth> {
+    let solid = solid(&given, &cells)?;
+    let tolerance = rational(tolerance)?;
+    let (work, shared) = shared_work();
+    aside(
+        py,
+        || work.stop(),
+        move || {
+            let distances = MeshDistances::of_solid(solid).map_err(plain)?.with_work(shared);
+            Ok(depth(distances.depth(&tolerance).map_err(plain)?))
+        },
+    )
+}
+
+/// The solid of a level.
+#[pyfunction]
+pub fn solid_refine(
+    py: Python<'_>,
+    given: Points<'_>,
+    cells: Vec<[usize; 8]>,
+    levels: u32,
+) -> PyResult<(Vec<Point<f64>>, Vec<[usize; 8]>)> {
+    let solid = solid(&given, &cells)?;
+    aside(
+        py,
+        || (),
+        move || {
+            let refined = refine_solid(&solid, levels).map_err(plain)?;
+            Ok((rounded(refined.points()), refined.cells()))
+        },
+    )
+}
+
+/// The limit of each point.
+#[pyfunction]
+pub fn solid_limit(
+    py: Python<'_>,
+    given: Points<'_>,
+    cells: Vec<[usize; 8]>,
+) -> PyResult<Vec<Limit>> {
+    let solid = solid(&given, &cells)?;
+    aside(py, || (), move || Ok(solid_limit_points(&solid).iter().map(rational_limit).collect()))
+}

@@ -1,0 +1,41 @@
+//! Searches that are stopped: what they say holds, and is less.
+
+use super::{cube, depth};
+use crate::common::r;
+use std::sync::Arc;
+use subcert::mesh::{MeshScheme, Point};
+use subcert::net::{Closed, Net, NetScheme};
+use subcert::patch::{MeshDepth, MeshDistances, MeshWork, NetDistances};
+
+fn stopped() -> Arc<MeshWork> {
+    let work = Arc::<MeshWork>::default();
+    work.stop();
+    work
+}
+
+/// The level suffices, none is said not to, and the bounds are around the distance.
+fn holds(found: &MeshDepth, whole: &MeshDepth) {
+    assert!(whole.too_few.is_some(), "there is something to search");
+    assert!(found.level >= whole.level);
+    assert_eq!((found.too_few, found.exact_pieces), (None, 0));
+    if found.level == whole.level {
+        assert!(found.distance[0] <= whole.distance[0] && whole.distance[1] <= found.distance[1]);
+    }
+}
+
+#[test]
+fn meshes_and_nets() {
+    let tolerance = r(1, 100);
+    for scheme in [MeshScheme::CatmullClark, MeshScheme::DooSabin] {
+        let distances = MeshDistances::new(cube(), scheme).expect("a closed mesh");
+        let found = distances.with_work(stopped()).depth(&tolerance).expect("a level");
+        holds(&found, &depth(&cube(), scheme, &tolerance));
+    }
+    let point = |k: u32| -> Point<_> { [k % 5, k / 5, k * k % 7].map(|x| i64::from(x).into()) };
+    let points: Vec<_> = (0..25).map(point).collect();
+    let net = Net::new(points, 5, Closed { u: false, v: true }).expect("a net");
+    let scheme = NetScheme::parse("chaikin x four-point:w=1/16").expect("a scheme");
+    let distances = || NetDistances::new(net.clone(), &scheme).expect("a net within the caps");
+    let found = distances().with_work(stopped()).depth(&tolerance).expect("a level");
+    holds(&found, &distances().depth(&tolerance).expect("a level"));
+}
