@@ -83,6 +83,7 @@ pub mod formula;
 pub mod joint;
 mod judge;
 pub mod limit;
+pub mod literal;
 pub mod mesh;
 pub mod net;
 pub mod oracle;

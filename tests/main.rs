@@ -20,6 +20,7 @@ mod fuzz;
 mod joint;
 mod judge;
 mod limit;
+mod literal;
 mod mesh;
 mod net;
 mod oracle;

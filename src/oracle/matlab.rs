@@ -3,6 +3,7 @@
 use super::header::Header;
 use super::values::{Group, OracleValues, Value};
 use super::write::{header_lines, one_line};
+use crate::diagnostic::wrapped;
 use std::fmt::Write as _;
 
 /// The greatest length of a name in MATLAB, `namelengthmax`.
@@ -119,13 +120,8 @@ impl Array<'_> {
 fn help(text: &mut String, name: &str, header: &Header, arrays: &[Array<'_>]) {
     let upper = name.to_uppercase();
     let mut paragraph = |indent: usize, line: &str| {
-        let indent = " ".repeat(indent);
-        let options = textwrap::Options::new(HELP_WIDTH)
-            .initial_indent(&indent)
-            .subsequent_indent(&indent)
-            .break_words(false);
-        for line in textwrap::wrap(&one_line(line), options) {
-            let _ = writeln!(text, "%{line}");
+        for line in wrapped(&one_line(line), HELP_WIDTH, indent, false) {
+            let _ = writeln!(text, "{}", format!("%{:indent$}{line}", "").trim_end());
         }
     };
     paragraph(0, &format!("{upper} Reference values of subdivision, and a test against them."));

@@ -1,0 +1,63 @@
+//! One number of a table.
+
+use super::expression::Expression;
+use super::language::Precision;
+use crate::exact::Rational;
+use std::ops::Range;
+
+/// How a number is written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Written {
+    /// One literal, perhaps with a sign.
+    Literal {
+        /// The number that its digits say.
+        value: Rational,
+        /// How many significant digits it has, from the first that is not 0; `None` in hexadecimal.
+        digits: Option<usize>,
+    },
+    /// A formula of literals, such as `1.0/6.0`.
+    Expression {
+        /// The value of the formula, computed exactly; where the language divides integers, it rounds
+        /// towards zero here too. `None` after a division by zero.
+        value: Option<Rational>,
+    },
+}
+
+/// One number of a table, and its place in the file.
+#[derive(Clone, Debug)]
+pub struct Entry {
+    pub(super) span: Range<usize>,
+    pub(super) line: usize,
+    pub(super) expression: Expression,
+}
+
+impl Entry {
+    /// Its bytes in the file.
+    #[must_use]
+    pub fn span(&self) -> Range<usize> {
+        self.span.clone()
+    }
+
+    /// Its line, from 1 on.
+    #[must_use]
+    pub fn line(&self) -> usize {
+        self.line
+    }
+
+    /// How it is written.
+    #[must_use]
+    pub fn written(&self) -> Written {
+        match self.expression.literal() {
+            Some((value, digits)) => Written::Literal { value, digits },
+            None => Written::Expression { value: self.expression.exact() },
+        }
+    }
+
+    /// The number that the program holds in a table of this precision: each literal is rounded to
+    /// its type (to nearest, half to even), each operation to its own, and the result to that of
+    /// the table. An f32 is returned as the f64 of the same value. Not finite after an overflow or a division by zero.
+    #[must_use]
+    pub fn held(&self, precision: Precision) -> f64 {
+        self.expression.held(precision)
+    }
+}

@@ -1,0 +1,28 @@
+//! Tables of numbers in the source files of programs.
+//!
+//! Programs ship limit stencils, filter taps and weights as arrays of literals. [`read_literals`] finds such an
+//! array in a file of C, C++, CUDA, GLSL, HLSL, JavaScript, Python or Rust, and reads every number twice: exactly
+//! as it is written, and as the program holds it ([`Entry::held`]), with the language's rules for suffixes and
+//! for sums and quotients of literals. What is no number, such as a macro, is refused with its line.
+//!
+//! | item | what it is |
+//! |---|---|
+//! | [`read_literals`], [`LiteralTable`] | the table after a name |
+//! | [`Entry`], [`Written`] | one number: a literal, or an expression of literals |
+//! | [`Language`] | which rules hold |
+//! | [`Precision`] | the type of the table |
+
+mod arithmetic;
+mod entry;
+mod expression;
+mod language;
+mod locate;
+mod number;
+mod reader;
+mod table;
+mod token;
+
+pub use entry::{Entry, Written};
+pub use language::{Language, Precision};
+pub use reader::MAX_ENTRIES;
+pub use table::{LiteralTable, read_literals};

@@ -1,0 +1,145 @@
+//! One literal: its digits and its suffix.
+
+use super::language::{Language, Precision};
+use crate::exact::{Integer, Rational};
+
+/// What a literal is in its language.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Type {
+    /// An integer.
+    Integer,
+    /// A number of this precision.
+    Float(Precision),
+    /// A number of the precision of the table.
+    Table,
+    /// A `long double`.
+    Long,
+}
+
+/// A literal.
+#[derive(Clone, Debug)]
+pub(super) struct Number {
+    pub(super) value: Rational,
+    pub(super) kind: Type,
+    /// How many significant digits it has; `None` of one in hexadecimal.
+    pub(super) digits: Option<usize>,
+}
+
+/// The most digits of a literal, and the greatest exponent.
+const MAX_DIGITS: usize = 2_000;
+const MAX_EXPONENT: u32 = 5_000;
+
+/// Reads a literal. The error says what is wrong with it.
+pub(super) fn number(text: &str, language: Language) -> Result<Number, String> {
+    if text.len() > MAX_DIGITS {
+        return Err(format!("a literal of more than {MAX_DIGITS} characters"));
+    }
+    let plain: String = text.chars().filter(|&c| c != '_' && c != '\'').collect();
+    let lower = plain.to_ascii_lowercase();
+    let (body, base) = match lower.strip_prefix("0x") {
+        Some(body) => (body, 16),
+        None => (lower.as_str(), 10),
+    };
+    let parts = Parts::read(body, base).ok_or_else(|| "this is no number".to_owned())?;
+    if base == 16 && parts.has_point && !parts.has_exponent {
+        return Err(
+            "a number in hexadecimal with a point needs an exponent, as in 0x1.8p0".to_owned()
+        );
+    }
+    let whole = !parts.has_point && !parts.has_exponent;
+    if whole && base == 10 && parts.digits.len() > 1 && parts.digits.starts_with('0') {
+        return Err("an integer with a leading 0, which some languages read in octal".to_owned());
+    }
+    let kind = kind(parts.suffix, whole, language)?;
+    Ok(Number {
+        value: parts.value(base)?,
+        kind,
+        digits: (base == 10).then(|| parts.significant()),
+    })
+}
+
+/// The type that a suffix gives.
+fn kind(suffix: &str, whole: bool, language: Language) -> Result<Type, String> {
+    use Language::{C, JavaScript, Python, Rust, Shader};
+    let single = Ok(Type::Float(Precision::Single));
+    let double = Ok(Type::Float(Precision::Double));
+    match (suffix, language) {
+        ("", Rust) => Ok(Type::Table),
+        ("", _) if whole => Ok(Type::Integer),
+        ("", C | JavaScript | Python) => double,
+        ("", Shader) | ("f32", Rust) => single,
+        ("f", C | Shader) if !whole || language == Shader => single,
+        ("lf", Shader) | ("f64", Rust) => double,
+        ("l", C) if !whole => Ok(Type::Long),
+        ("u" | "l" | "ul" | "lu" | "ll" | "ull" | "llu", C) | ("u", Shader) if whole => {
+            Ok(Type::Integer)
+        }
+        _ => Err(format!("the suffix `{suffix}` is not one of numbers here")),
+    }
+}
+
+/// A literal in parts, in lower case.
+struct Parts<'a> {
+    /// The digits on both sides of the point.
+    digits: String,
+    /// How many of them stand after the point.
+    after: usize,
+    exponent: i64,
+    has_point: bool,
+    has_exponent: bool,
+    suffix: &'a str,
+}
+
+impl Parts<'_> {
+    fn read(body: &str, base: u32) -> Option<Parts<'_>> {
+        let run =
+            |text: &str, base: u32| text.find(|c: char| !c.is_digit(base)).unwrap_or(text.len());
+        let whole = run(body, base);
+        let mut digits = body[..whole].to_owned();
+        let (mut rest, mut after) = (&body[whole..], 0);
+        let has_point = rest.starts_with('.');
+        if has_point {
+            after = run(&rest[1..], base);
+            digits.push_str(&rest[1..=after]);
+            rest = &rest[after + 1..];
+        }
+        if digits.is_empty() {
+            return None;
+        }
+        let mark = if base == 16 { 'p' } else { 'e' };
+        let (mut exponent, has_exponent) = (0, rest.starts_with(mark));
+        if has_exponent {
+            let signed = &rest[1..];
+            let sign = usize::from(signed.starts_with(['+', '-']));
+            let length = sign + run(&signed[sign..], 10);
+            exponent = signed[..length].parse().ok()?;
+            rest = &signed[length..];
+        }
+        let suffix = rest;
+        Some(Parts { digits, after, exponent, has_point, has_exponent, suffix })
+    }
+
+    fn value(&self, base: u32) -> Result<Rational, String> {
+        let too_large = || format!("an exponent beyond {MAX_EXPONENT}");
+        let after = i64::try_from(self.after).map_err(|_| too_large())?;
+        let per_digit = if base == 16 { 4 } else { 1 };
+        let exponent = self.exponent.checked_sub(after * per_digit).ok_or_else(too_large)?;
+        let size = u32::try_from(exponent.unsigned_abs()).ok().filter(|&e| e <= 4 * MAX_EXPONENT);
+        let radix = Integer::from(if base == 16 { 2_i64 } else { 10 });
+        let power = Rational::from(radix.pow(size.ok_or_else(too_large)?));
+        let mantissa = if base == 16 {
+            let digit = |c: char| Integer::from(i64::from(c.to_digit(16).unwrap_or(0)));
+            let sixteen = Integer::from(16_i64);
+            self.digits.chars().fold(Integer::zero(), |sum, c| &sum * &sixteen + digit(c))
+        } else {
+            Integer::from_digits(&self.digits).unwrap_or_else(Integer::zero)
+        };
+        let mantissa = Rational::from(mantissa);
+        Ok(if exponent < 0 { mantissa / power } else { mantissa * power })
+    }
+
+    /// Digits from the first that is not 0.
+    fn significant(&self) -> usize {
+        self.digits.trim_start_matches('0').len()
+    }
+}

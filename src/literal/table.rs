@@ -1,0 +1,63 @@
+//! A table of numbers in a file.
+
+use super::entry::Entry;
+use super::language::Language;
+use super::locate::{Initialiser, initialiser};
+use super::reader::{MAX_ENTRIES, Reader};
+use crate::diagnostic::{Diagnostic, SourceText};
+use std::ops::Range;
+use std::sync::Arc;
+
+/// The numbers of a table, the last index running fastest.
+#[derive(Clone, Debug)]
+pub struct LiteralTable {
+    /// The number of values of each index; empty for one number.
+    pub shape: Vec<usize>,
+    /// The numbers.
+    pub entries: Vec<Entry>,
+    /// The bytes of the name in the file.
+    pub name: Range<usize>,
+}
+
+/// Reads the numbers that the name `after` gets in a source file, such as `gregoryToLoopMatrix`. Nested
+/// brackets of any kind are taken as they come, as are constructors such as `vec3(…)` or `np.array(…)`; the numbers have to
+/// fill `shape`, in the order in which they stand. A table of one number has the shape `[]`.
+///
+/// # Errors
+/// At its place in the file, whatever is no number: a name, a macro, a call, a preprocessor line, an unknown suffix. Also
+/// when the name does not occur, gets no value or two, and when there are more or fewer numbers than the
+/// shape has, or more than [`MAX_ENTRIES`].
+///
+/// ```
+/// use subcert::diagnostic::SourceText;
+/// use subcert::literal::{Language, Precision, read_literals};
+///
+/// let source = SourceText::new("taps.c", "static const float taps[2] = { .5f, /* half */ 1.0/6 };");
+/// let table = read_literals(&source, Language::C, "taps", &[2])?;
+/// assert_eq!(table.entries[0].held(Precision::Single), 0.5);
+/// assert_eq!(table.entries[1].held(Precision::Single), f64::from(1.0_f32 / 6.0));
+/// # Ok::<(), subcert::diagnostic::Diagnostic>(())
+/// ```
+pub fn read_literals(
+    source: &Arc<SourceText>,
+    language: Language,
+    after: &str,
+    shape: &[usize],
+) -> Result<LiteralTable, Diagnostic> {
+    let wanted = shape.iter().try_fold(1_usize, |product, &size| product.checked_mul(size));
+    let Some(wanted) = wanted.filter(|&wanted| 0 < wanted && wanted <= MAX_ENTRIES) else {
+        let message = format!("a shape of no numbers, or of more than {MAX_ENTRIES}: {shape:?}");
+        return Err(Diagnostic::new(source, 0..0, message));
+    };
+    let Initialiser { tokens, name } = initialiser(source, language, after)?;
+    let mut reader = Reader::new(source, language, &tokens);
+    let mut entries = Vec::new();
+    reader.items(&mut entries, 0)?;
+    if entries.len() != wanted {
+        let count = entries.len();
+        let message =
+            format!("`{after}` has {count} numbers, and the shape {shape:?} has {wanted}");
+        return Err(Diagnostic::new(source, name, message));
+    }
+    Ok(LiteralTable { shape: shape.to_vec(), entries, name })
+}

@@ -1,0 +1,204 @@
+//! The words of a source file.
+
+use super::language::Language;
+use crate::diagnostic::{Diagnostic, SourceText};
+use std::ops::Range;
+use std::sync::Arc;
+
+/// What a word is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// A number, from its first digit or point to its suffix.
+    Number,
+    /// A name, or a keyword.
+    Name,
+    /// A text in quotes.
+    Text,
+    /// A line for the preprocessor.
+    Directive,
+    /// Any other character.
+    Sign(char),
+}
+
+/// A word and its bytes.
+#[derive(Clone, Debug)]
+pub(super) struct Token {
+    pub(super) kind: Kind,
+    pub(super) span: Range<usize>,
+}
+
+/// Reads words from a place on. Comments and white space are left out.
+pub(super) struct Tokens<'a> {
+    source: &'a Arc<SourceText>,
+    language: Language,
+    at: usize,
+}
+
+impl<'a> Tokens<'a> {
+    pub(super) fn new(source: &'a Arc<SourceText>, language: Language) -> Tokens<'a> {
+        Tokens { source, language, at: 0 }
+    }
+
+    fn rest(&self) -> &'a str {
+        &self.source.text[self.at..]
+    }
+
+    /// The next word; `None` at the end of the file.
+    ///
+    /// # Errors
+    /// When a comment or a text has no end.
+    pub(super) fn next(&mut self) -> Result<Option<Token>, Diagnostic> {
+        self.skip()?;
+        let (start, rest) = (self.at, self.rest());
+        let Some(first) = rest.chars().next() else { return Ok(None) };
+        let second = rest[first.len_utf8()..].chars().next();
+        let kind = if first.is_ascii_digit()
+            || first == '.' && second.is_some_and(|c| c.is_ascii_digit())
+        {
+            self.at += number_length(rest, self.language);
+            Kind::Number
+        } else if first.is_alphabetic() || first == '_' {
+            self.at += length(rest, |c| c.is_alphanumeric() || c == '_');
+            Kind::Name
+        } else if first == '#' && self.language.has_preprocessor() && self.begins_line() {
+            self.at += directive_length(rest);
+            Kind::Directive
+        } else if self.is_quote(first, rest) {
+            self.at += self.text_length(first)?;
+            Kind::Text
+        } else {
+            self.at += first.len_utf8();
+            Kind::Sign(first)
+        };
+        Ok(Some(Token { kind, span: start..self.at }))
+    }
+
+    /// Skips white space and comments.
+    fn skip(&mut self) -> Result<(), Diagnostic> {
+        loop {
+            let rest = self.rest();
+            let white = length(rest, char::is_whitespace);
+            let comment = &rest[white..];
+            let slashes = self.language.has_slash_comments();
+            let length = if slashes && comment.starts_with("/*") {
+                self.comment_length(self.at + white, comment)?
+            } else if slashes && comment.starts_with("//")
+                || self.language.has_hash_comments() && comment.starts_with('#')
+            {
+                comment.find('\n').unwrap_or(comment.len())
+            } else {
+                self.at += white;
+                return Ok(());
+            };
+            self.at += white + length;
+        }
+    }
+
+    /// The length of a comment `/* … */`; Rust's may have others within.
+    fn comment_length(&self, start: usize, comment: &str) -> Result<usize, Diagnostic> {
+        let (mut depth, mut at) = (0_usize, 0);
+        while at < comment.len() {
+            let rest = &comment.as_bytes()[at..];
+            if rest.starts_with(b"*/") {
+                depth -= 1;
+                at += 2;
+                if depth == 0 {
+                    return Ok(at);
+                }
+            } else if rest.starts_with(b"/*") && (depth == 0 || self.language == Language::Rust) {
+                depth += 1;
+                at += 2;
+            } else {
+                at += 1;
+            }
+        }
+        let message = "a comment has no end";
+        Err(Diagnostic::new(self.source, start..start + 2, message).with_label("it begins here"))
+    }
+
+    fn begins_line(&self) -> bool {
+        let before = self.source.text[..self.at].bytes().rev().take_while(|&b| b != b'\n');
+        before.into_iter().all(|b| b.is_ascii_whitespace())
+    }
+
+    /// Whether a text begins here. In Rust, `'a` may be a lifetime.
+    fn is_quote(&self, first: char, rest: &str) -> bool {
+        match first {
+            '"' => true,
+            '`' => self.language == Language::JavaScript,
+            '\'' if self.language == Language::Rust => {
+                let mut after = rest.chars().skip(1);
+                let (one, two) = (after.next(), after.next());
+                one == Some('\\') || two == Some('\'')
+            }
+            '\'' => true,
+            _ => false,
+        }
+    }
+
+    fn text_length(&self, quote: char) -> Result<usize, Diagnostic> {
+        let rest = self.rest();
+        let triple: String = std::iter::repeat_n(quote, 3).collect();
+        let open = if self.language == Language::Python && rest.starts_with(&triple) {
+            triple.as_str()
+        } else {
+            &rest[..quote.len_utf8()]
+        };
+        let mut at = open.len();
+        while at < rest.len() {
+            let after = &rest[at..];
+            if after.starts_with(open) {
+                return Ok(at + open.len());
+            }
+            let mut characters = after.chars();
+            let first = characters.next().map_or(0, char::len_utf8);
+            at += first;
+            if after.starts_with('\\') {
+                at += characters.next().map_or(0, char::len_utf8);
+            }
+        }
+        let span = self.at..self.at + open.len();
+        let message = "a text in quotes has no end";
+        Err(Diagnostic::new(self.source, span, message).with_label("it begins here"))
+    }
+}
+
+/// How many bytes of a text have this property.
+fn length(text: &str, has: impl Fn(char) -> bool) -> usize {
+    text.find(|c| !has(c)).unwrap_or(text.len())
+}
+
+/// A line for the preprocessor, with the lines that `\` joins to it.
+fn directive_length(rest: &str) -> usize {
+    let mut length = 0;
+    for line in rest.split_inclusive('\n') {
+        length += line.len();
+        if !line.trim_end().ends_with('\\') {
+            break;
+        }
+    }
+    length
+}
+
+/// A number takes all letters, digits and separators that follow, one point, and signs after an exponent. Two
+/// points in a row are none of it, as in `0..3`.
+fn number_length(rest: &str, language: Language) -> usize {
+    let bytes = rest.as_bytes();
+    let hexadecimal = rest.len() > 1 && bytes[0] == b'0' && bytes[1].eq_ignore_ascii_case(&b'x');
+    let exponents: &[u8] = if hexadecimal { b"pP" } else { b"eE" };
+    let mut at = 0;
+    while at < bytes.len() {
+        let (byte, next) = (bytes[at], bytes.get(at + 1).copied());
+        let taken = match byte {
+            b'.' => next != Some(b'.') && !bytes[..at].contains(&b'.'),
+            b'+' | b'-' => at > 0 && exponents.contains(&bytes[at - 1]),
+            b'\'' => language == Language::C && next.is_some_and(|b| b.is_ascii_alphanumeric()),
+            _ => byte.is_ascii_alphanumeric() || byte == b'_',
+        };
+        if !taken {
+            break;
+        }
+        at += 1;
+    }
+    at
+}

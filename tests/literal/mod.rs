@@ -1,0 +1,108 @@
+//! Tables of numbers in the source files of programs.
+
+mod laws;
+mod refused;
+
+use subcert::diagnostic::{Diagnostic, SourceText};
+use subcert::exact::{Rational, parse_rational};
+use subcert::literal::{Language, LiteralTable, Precision, Written, read_literals};
+
+fn read(language: Language, text: &str, shape: &[usize]) -> Result<LiteralTable, Diagnostic> {
+    read_literals(&SourceText::new("source", text), language, "table", shape)
+}
+
+fn held(language: Language, text: &str, shape: &[usize], precision: Precision) -> Vec<f64> {
+    let table = read(language, text, shape).unwrap_or_else(|error| panic!("{error}"));
+    table.entries.iter().map(|entry| entry.held(precision)).collect()
+}
+
+fn number(text: &str) -> Rational {
+    parse_rational(text).expect("a number")
+}
+
+/// The same six numbers in each language, as programs write them.
+#[test]
+fn every_language() {
+    let expected = [1.0, -0.25, 0.5, 100.0, 0.0, 3.0];
+    for (language, text) in [
+        (
+            Language::C,
+            "// table = {9};\n#define table 7\nstatic float const table[2][3] = {\n  { 1.0f, -.25F, 5e-1f, }, // \
+             table = 3\n  { +1.E2f, 0x0, /* } */ 3 },\n};\nfloat after = table[0];",
+        ),
+        (Language::C, "double table[2][3]{{1.,-0.25,0.5},{1'00.,0.,3u}};"),
+        (
+            Language::C,
+            "std::array<std::array<double, 3>, 2> const table = {{ {{1, -.25, .5}}, {{100, 0, 3}} }};",
+        ),
+        (
+            Language::Shader,
+            "const vec3 table[2] = vec3[2](vec3(1, -0.25, .5), vec3(1e2, 0., 3.0f));\nvoid main() {}",
+        ),
+        (Language::Shader, "static float table[6] = float[](1, -0.25, .5, 100lf, 0, 3);"),
+        (
+            Language::JavaScript,
+            "const text = 'table = [1]', table = [\n [1, -0.25, .5], [1_00, 0, 3]\n]\nfor (;;) {}",
+        ),
+        (
+            Language::Python,
+            "\"\"\"table = [1]\"\"\"\ntable: list = np.array([[1, -0.25, .5],  # table = 1\n [1e2, 0., 3]])\nx = table[0]",
+        ),
+        (
+            Language::Rust,
+            "/* a /* table = [1]; */ b */ pub static table: &'static [[f32; 3]; 2] = \
+             &[[1.0, -0.25, 0.5_f32], [1_00., 0.0, 3.]];",
+        ),
+    ] {
+        assert_eq!(held(language, text, &[2, 3], Precision::Single), expected, "{text}");
+        assert_eq!(held(language, text, &[6], Precision::Double), expected, "{text}");
+    }
+}
+
+#[test]
+fn one_number() {
+    assert_eq!(held(Language::C, "float table = 0.1;", &[], Precision::Double), [0.1]);
+    assert_eq!(held(Language::Python, "table = 0.1\nx = 2", &[], Precision::Double), [0.1]);
+    let table = read(Language::C, "\n\nfloat a, table = 0.1f, b = 2;", &[]).expect("a number");
+    assert_eq!(table.entries[0].line(), 3);
+    let digits = Some(1);
+    assert_eq!(table.entries[0].written(), Written::Literal { value: number("1/10"), digits });
+}
+
+/// A literal of C without a suffix goes through a double; this one is then half-way between two floats.
+#[test]
+fn literals_are_rounded_as_the_language_does() {
+    let text = "float table = 1.00000005960464478;";
+    assert_eq!(held(Language::C, text, &[], Precision::Single), [1.0]);
+    assert_eq!(
+        held(Language::Shader, text, &[], Precision::Single),
+        [1.0 + f64::from(f32::EPSILON)]
+    );
+    assert_eq!(
+        held(Language::C, "float table = 0.1f;", &[], Precision::Double),
+        [f64::from(0.1_f32)]
+    );
+    assert_eq!(held(Language::Rust, "table = 0.1;", &[], Precision::Single), [f64::from(0.1_f32)]);
+    assert_eq!(held(Language::C, "x table = 0x1.8p-1f;", &[], Precision::Single), [0.75]);
+    assert_eq!(held(Language::C, "x table = 1e400;", &[], Precision::Double), [f64::INFINITY]);
+    assert_eq!(held(Language::C, "x table = 1e-60f;", &[], Precision::Single), [0.0]);
+}
+
+#[test]
+fn formulas() {
+    let sixth = |text, language| held(language, text, &[], Precision::Double)[0];
+    assert_eq!(sixth("x table = 1.0/6;", Language::C), 1.0 / 6.0);
+    assert_eq!(sixth("x table = 1.0f/6;", Language::C), f64::from(1.0_f32 / 6.0));
+    assert_eq!(sixth("x table = (float)1/6.f;", Language::C), f64::from(1.0_f32 / 6.0));
+    assert_eq!(sixth("x table = float(1)/6;", Language::Shader), f64::from(1.0_f32 / 6.0));
+    // Integers are divided as the language does.
+    assert_eq!(sixth("x table = -7/6;", Language::C), -1.0);
+    assert_eq!(sixth("table = 1/6", Language::Python), 1.0 / 6.0);
+    assert_eq!(sixth("let table = 2*(3 - -1)/6;", Language::JavaScript), 8.0 / 6.0);
+    let table = read(Language::C, "x table = 1.0/6 - 2;", &[]).expect("a number");
+    let value = Some(number("-11/6"));
+    assert_eq!(table.entries[0].written(), Written::Expression { value });
+    let broken = read(Language::C, "x table = 1/0;", &[]).expect("a number");
+    assert_eq!(broken.entries[0].written(), Written::Expression { value: None });
+    assert!(broken.entries[0].held(Precision::Double).is_nan());
+}
