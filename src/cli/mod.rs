@@ -7,6 +7,7 @@ mod certify;
 mod constants;
 mod coverage;
 mod csv;
+mod curve;
 mod depth;
 mod errata;
 mod explain;

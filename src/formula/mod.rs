@@ -13,6 +13,8 @@
 //! sum(h = 1..m, body)           0 when m < 1
 //! max(h = 1..m, body)  min(…)   over a range, which must not be empty
 //! cos(2*pi*j/n)                 of any rational multiple of pi
+//! sqrt(x)                       of x >= 0
+//! root([c0, c1, …], i)          the real root number i, from 1, of c0 + c1*x + …
 //! T(c, order = forward)         whatever the context offers; options are words
 //! ```
 //!
@@ -24,6 +26,10 @@
 //! definition that is used there, and only in sums, in products and in numerators. A
 //! cosine is a [`RealCyclotomic`](crate::exact::RealCyclotomic) number. Over the
 //! rationals a formula has a value only if all its cosines are rational.
+//!
+//! The real roots of a polynomial are counted from 1 in increasing order, a multiple one once. Over the numbers of real
+//! fields Q(α), [`FieldElement`](crate::exact::FieldElement), `sqrt` and `root` always have values, as long as all numbers
+//! of a formula lie in one field of degree up to 24. Over other values they have one only where it is rational.
 //!
 //! ```
 //! use subcert::exact::{Rational, RealCyclotomic};
@@ -49,9 +55,11 @@ mod evaluate;
 mod free;
 mod located;
 mod parse;
+mod root;
 mod scope;
 mod token;
 mod value;
+mod value_algebraic;
 
 pub use angle::PI;
 pub use ast::{Expr, Fold, Node, Operator, OptionWord, SEQUENCE_INDEX, Span};
@@ -66,4 +74,5 @@ pub use located::LocatedFormula;
 pub use parse::parse;
 pub use scope::{Functions, Scope};
 pub use token::is_identifier;
+pub use root::RootError;
 pub use value::Value;

@@ -1,7 +1,10 @@
 //! The types of values of formulas.
 
+use super::error::FormulaErrorKind;
+use super::root::{RootError, rational_root};
 use crate::exact::{
     CosineError, Integer, Parametric, Polynomial, Rational, Real, RealCyclotomic, Scalar,
+    common_conductor,
 };
 
 /// A type of values of formulas. An operation that the type does not have returns `None`.
@@ -51,6 +54,35 @@ pub trait Value: Scalar + std::fmt::Display {
             Some(value) => Ok(Self::from_rational(value)),
             None => Err(CosineError::irrational(turn)),
         }
+    }
+
+    /// The real root of this number, counted from 1 in increasing order, of the polynomial with these coefficients, from
+    /// the constant term upwards. Types without roots have only the rational ones.
+    ///
+    /// # Errors
+    /// When there is no such root, or the type does not contain it.
+    fn root(coefficients: &[Self], number: i64) -> Result<Self, RootError> {
+        let rational = coefficients.iter().map(Self::as_rational).collect::<Option<Vec<_>>>();
+        let root = rational_root(&rational.ok_or(RootError::Irrational)?, number)?;
+        Ok(Self::from_rational(&root))
+    }
+
+    /// An error unless this and `other` lie in one field within the caps, as they must before they are combined.
+    ///
+    /// # Errors
+    /// When they do not.
+    fn meets(&self, other: &Self) -> Result<(), FormulaErrorKind> {
+        common_conductor(self.conductor(), other.conductor())?;
+        Ok(())
+    }
+
+    /// These values in one field.
+    ///
+    /// # Errors
+    /// When no field within the caps has them.
+    fn together(values: Vec<Self>) -> Result<Vec<Self>, FormulaErrorKind> {
+        values.iter().map(Value::conductor).try_fold(1, common_conductor)?;
+        Ok(values)
     }
 
     /// The conductor n of the field Q(2cos(2π/n)) of this value; 1 for types without such

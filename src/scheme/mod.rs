@@ -34,7 +34,7 @@ pub use local_symmetry::Representatives;
 pub use mask::{Mask, MaskError};
 pub(crate) use parse::find_in_catalogue;
 pub use parse::{
-    AnyScheme, files_without_offset, parse_any_scheme, parse_local_rules, parse_parametric,
+    AnyScheme, files_without_offset, parse_algebraic, parse_any_scheme, parse_local_rules, parse_parametric,
     parse_scheme,
 };
 pub use reference::{Instance, Reference};

@@ -9,7 +9,7 @@ use super::local_rules::LocalRules;
 use super::mask::Mask;
 use super::reference::{Instance, Reference};
 use crate::diagnostic::SourceText;
-use crate::exact::{Polynomial, Rational, RealCyclotomic};
+use crate::exact::{FieldElement, Polynomial, Rational, RealCyclotomic};
 use crate::formula::{Parameters, Value, is_identifier};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -84,6 +84,29 @@ pub fn parse_any_scheme(text: &str) -> Result<AnyScheme, SchemeError> {
         [name] if named.definition(name)?.is_ring() => named.ring().map(AnyScheme::LocalRules),
         _ => named.scheme().map(AnyScheme::Uniform),
     }
+}
+
+/// The mask that SCHEME names, with coefficients of one real field Q(α): in its formulas and in the values of its
+/// parameters, `sqrt` and `root` are numbers.
+///
+/// # Errors
+/// As [`parse_scheme`], when this is a tensor product, and when the coefficients are in no field within the caps.
+///
+/// ```
+/// use subcert::exact::format::fixed;
+/// use subcert::scheme::parse_algebraic;
+///
+/// let mask = parse_algebraic("four-point:w=sqrt(2)/32")?;
+/// assert_eq!(fixed(&mask.rules().rows()[1][0], 8), "-0.04419417");
+/// # Ok::<(), subcert::scheme::SchemeError>(())
+/// ```
+pub fn parse_algebraic(text: &str) -> Result<Mask<FieldElement>, SchemeError> {
+    let named = Named::read(text)?;
+    let mut instances = named.instances()?;
+    let (Some(instance), true) = (instances.pop(), instances.is_empty()) else {
+        return Err(SchemeError::TensorProduct { scheme: text.trim().to_owned() });
+    };
+    named.definition(&instance.name)?.mask(&instance.parameters)
 }
 
 /// The mask that SCHEME names, with one parameter left open. The coefficients are

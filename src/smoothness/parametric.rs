@@ -66,9 +66,7 @@ impl ParametricSymbol {
     /// The symbol at a value of the parameter.
     #[must_use]
     pub fn at(&self, value: &Rational) -> Symbol {
-        let coefficients: Vec<Rational> =
-            self.coefficients.iter().map(|c| c.value_at(value)).collect();
-        Symbol::new(self.arity, 0, &RationalPolynomial::new(&coefficients))
+        Symbol::new(self.arity, 0, self.coefficients.iter().map(|c| c.value_at(value)).collect())
     }
 
     /// Whether one of the n parts is a single coefficient 1: the scheme keeps the points of its data.

@@ -12,6 +12,7 @@ mod decimal;
 mod doo_sabin;
 mod enclosure;
 mod format;
+mod number_field;
 mod linear;
 mod matrix;
 mod piecewise;

@@ -1,2 +1,3 @@
+mod algebraic;
 mod known;
 mod laws;
