@@ -34,6 +34,7 @@ mod range;
 mod save;
 mod schemes;
 mod sets;
+mod smooth_map;
 mod smooth_range;
 mod smoothness;
 mod solid;

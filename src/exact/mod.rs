@@ -11,6 +11,7 @@
 //! | [`RealAlgebraic`] | a root of a polynomial in an interval |
 //! | [`IntegerPolynomial`], [`SturmSequence`] | polynomials in one variable, and their real roots |
 //! | [`Enclosure`], [`Enclosed`] | intervals of any width around a real number |
+//! | [`BivariatePolynomial`] | functions of two free parameters |
 //! | [`RationalPolynomial`], [`PiecewisePolynomial`], [`Parametric`] | functions of a free parameter |
 //! | [`Interval`], [`IntervalSet`] | where a function of the parameter is below a bound |
 //! | [`Scalar`], [`Real`] | the operations that algorithms need of a number type |
@@ -22,6 +23,7 @@
 
 mod algebraic;
 mod backend;
+mod bivariate;
 mod characteristic;
 mod common;
 mod comparable;
@@ -54,6 +56,7 @@ mod vanishing;
 mod word;
 
 pub use algebraic::RealAlgebraic;
+pub use bivariate::BivariatePolynomial;
 pub use characteristic::{
     characteristic_coefficients, characteristic_polynomial, symmetric_square_coefficients,
     symmetric_square_polynomial,

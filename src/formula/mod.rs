@@ -29,7 +29,8 @@
 //!
 //! The real roots of a polynomial are counted from 1 in increasing order, a multiple one once. Over the numbers of real
 //! fields Q(α), [`FieldElement`](crate::exact::FieldElement), `sqrt` and `root` always have values, as long as all numbers
-//! of a formula lie in one field of degree up to 24. Over other values they have one only where it is rational.
+//! of a formula lie in one field of degree up to 24. Over the rationals they have one only where it is rational, and over
+//! the values of claims, never.
 //!
 //! ```
 //! use subcert::exact::{Rational, RealCyclotomic};

@@ -14,8 +14,10 @@ pub(super) const ROOT: &str = "root";
 pub enum RootError {
     /// It does not exist, or is beyond the caps.
     Field(FieldError),
-    /// It is irrational, or the coefficients are, and the values are of a type without such numbers.
+    /// It is irrational, and the values are rational.
     Irrational,
+    /// The values are of a type without roots.
+    NotHere,
 }
 
 impl From<RootError> for FormulaErrorKind {
@@ -23,6 +25,9 @@ impl From<RootError> for FormulaErrorKind {
         match error {
             RootError::Field(error) => FormulaErrorKind::Field(error),
             RootError::Irrational => FormulaErrorKind::Irrational("this root".to_owned()),
+            RootError::NotHere => FormulaErrorKind::Unsupported(
+                "`sqrt` and `root` are for masks without free parameters, and for the parameters of schemes",
+            ),
         }
     }
 }
@@ -63,8 +68,5 @@ pub(super) fn square_root<V: Value>(x: &V) -> Result<V, FormulaErrorKind> {
 /// The real root of this number of the polynomial with these coefficients.
 pub(super) fn root<V: Value>(coefficients: &[V], number: &V) -> Result<V, FormulaErrorKind> {
     let number = integer("the number of a root", number)?;
-    V::root(coefficients, number).map_err(|error| match error {
-        RootError::Irrational => FormulaErrorKind::Irrational("this root".to_owned()),
-        other => FormulaErrorKind::from(other),
-    })
+    V::root(coefficients, number).map_err(FormulaErrorKind::from)
 }

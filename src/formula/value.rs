@@ -57,14 +57,12 @@ pub trait Value: Scalar + std::fmt::Display {
     }
 
     /// The real root of this number, counted from 1 in increasing order, of the polynomial with these coefficients, from
-    /// the constant term upwards. Types without roots have only the rational ones.
+    /// the constant term upwards. Only the types of masks have roots, not those of claims.
     ///
     /// # Errors
     /// When there is no such root, or the type does not contain it.
-    fn root(coefficients: &[Self], number: i64) -> Result<Self, RootError> {
-        let rational = coefficients.iter().map(Self::as_rational).collect::<Option<Vec<_>>>();
-        let root = rational_root(&rational.ok_or(RootError::Irrational)?, number)?;
-        Ok(Self::from_rational(&root))
+    fn root(_coefficients: &[Self], _number: i64) -> Result<Self, RootError> {
+        Err(RootError::NotHere)
     }
 
     /// An error unless this and `other` lie in one field within the caps, as they must before they are combined.
@@ -97,6 +95,9 @@ pub trait Value: Scalar + std::fmt::Display {
 const TERM_BITS: u64 = 10;
 
 impl Value for Rational {
+    fn root(coefficients: &[Self], number: i64) -> Result<Self, RootError> {
+        rational_root(coefficients, number)
+    }
     fn as_rational(&self) -> Option<Rational> {
         Some(self.clone())
     }

@@ -9,8 +9,8 @@ use super::local_rules::LocalRules;
 use super::mask::Mask;
 use super::reference::{Instance, Reference};
 use crate::diagnostic::SourceText;
-use crate::exact::{FieldElement, Polynomial, Rational, RealCyclotomic};
-use crate::formula::{Parameters, Value, is_identifier};
+use crate::exact::{FieldElement, Rational, RealCyclotomic};
+use crate::formula::{Parameters, Value};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -109,49 +109,6 @@ pub fn parse_algebraic(text: &str) -> Result<Mask<FieldElement>, SchemeError> {
     named.definition(&instance.name)?.mask(&instance.parameters)
 }
 
-/// The mask that SCHEME names, with one parameter left open. The coefficients are
-/// polynomials in this parameter. The values given for other parameters may depend on it.
-///
-/// # Errors
-/// As [`parse_scheme`], and when this is a tensor product, or its mask does not depend on
-/// the parameter.
-///
-/// ```
-/// use subcert::scheme::parse_parametric;
-///
-/// let mask = parse_parametric("four-point", "w")?;
-/// assert_eq!(mask.rules().rows()[1][0].to_string(), "-w");
-/// assert!(parse_parametric("four-point:w=1/16", "w").is_err());
-/// # Ok::<(), subcert::scheme::SchemeError>(())
-/// ```
-pub fn parse_parametric(text: &str, parameter: &str) -> Result<Mask<Polynomial>, SchemeError> {
-    let independent = |scheme: &str, known: Vec<String>| SchemeError::Independent {
-        scheme: scheme.to_owned(),
-        parameter: parameter.to_owned(),
-        known,
-    };
-    if !is_identifier(parameter) {
-        return Err(independent(text.trim(), Vec::new()));
-    }
-    let named = Named::read(text)?;
-    let variable = Polynomial::variable(parameter);
-    let mut instances = named.instances_in(&Parameters::from([(parameter, variable.clone())]))?;
-    let (Some(mut instance), true) = (instances.pop(), instances.is_empty()) else {
-        return Err(SchemeError::TensorProduct { scheme: text.trim().to_owned() });
-    };
-    let definition = named.definition(&instance.name)?;
-    let stated = instance.parameters.contains_key(parameter);
-    if !stated && definition.parameters.contains_key(parameter) {
-        instance.parameters.insert(parameter.to_owned(), variable);
-    }
-    let mask = definition.mask(&instance.parameters)?;
-    let depends = |entry: &Polynomial| entry.as_constant().is_none();
-    if mask.rules().rows().iter().flatten().any(depends) {
-        return Ok(mask);
-    }
-    Err(independent(text.trim(), definition.parameters.keys().cloned().collect()))
-}
-
 /// For each factor of SCHEME, the path of its file if the file defines a mask without an offset,
 /// which is then 0. `None` for a scheme of the catalogue, for a ring, and for a file that states an
 /// offset.
@@ -176,14 +133,14 @@ pub(crate) fn find_in_catalogue(name: &str) -> Result<&'static SchemeDefinition,
 }
 
 /// A reference, with the files that it names.
-struct Named<'a> {
+pub(super) struct Named<'a> {
     text: &'a str,
     reference: Reference,
     files: BTreeMap<String, SchemeDefinition>,
 }
 
 impl Named<'_> {
-    fn read(text: &str) -> Result<Named<'_>, SchemeError> {
+    pub(super) fn read(text: &str) -> Result<Named<'_>, SchemeError> {
         let reference = Reference::parse(text)?;
         let mut files = BTreeMap::new();
         for name in reference.names().filter(|name| is_file(name)) {
@@ -192,7 +149,7 @@ impl Named<'_> {
         Ok(Named { text, reference, files })
     }
 
-    fn definition(&self, name: &str) -> Result<&SchemeDefinition, SchemeError> {
+    pub(super) fn definition(&self, name: &str) -> Result<&SchemeDefinition, SchemeError> {
         match self.files.get(name) {
             Some(definition) => Ok(definition),
             None => find_in_catalogue(name).map_err(|error| other_file(name).unwrap_or(error)),
@@ -203,7 +160,7 @@ impl Named<'_> {
         self.instances_in(&Parameters::default())
     }
 
-    fn instances_in<V: Value>(
+    pub(super) fn instances_in<V: Value>(
         &self,
         parameters: &Parameters<V>,
     ) -> Result<Vec<Instance<V>>, SchemeError> {

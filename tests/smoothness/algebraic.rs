@@ -1,7 +1,7 @@
 //! Masks with irrational coefficients.
 
 use subcert::certificate::smoothness_certificate;
-use subcert::exact::{Enclosed as _, FieldElement, Rational, Scalar as _, format::fixed};
+use subcert::exact::{Enclosed as _, FieldElement, Rational, Real as _, Scalar as _, format::fixed};
 use subcert::scheme::{Mask, parse_algebraic, parse_scheme};
 use subcert::smoothness::Smoothness;
 use subcert_check::check_radius;
@@ -94,23 +94,41 @@ fn irrational_parameters_are_between_rational_ones() {
 
 #[test]
 fn dependent_shifts_are_reduced_over_a_field() {
-    // (1 + z)(1 + √2z + z²)(1 + z)/c: no cycle; times g(z²)/g(z) with g = z² − 2cos(2π/5)z + 1, half of Φ_5, whose roots
-    // are e^{±2πi/5}. z ↦ z² takes these to e^{±4πi/5}, so that g alone is on no cycle, and Φ_5 is.
-    let hat = [1, 2, 1].map(Rational::from).to_vec();
-    let multiplied = |a: &[Rational], b: &[i64]| {
-        let mut product = vec![Rational::zero(); a.len() + b.len() - 1];
+    // The roots of order 17 whose exponents are squares modulo 17 are permuted by z ↦ z². They are the roots of g, which
+    // is z⁴h(z + 1/z) with Gauss's quartic h for 2cos(2πk/17), k = 1, 2, 4, 8. g(z²)/g(z) = g(−z) times the symbol of the
+    // hat function has dependent shifts, and Φ_17(−z) does not divide it.
+    let number = |x: i64| FieldElement::from_rational(&Rational::from(x));
+    let root = FieldElement::root(&[number(-17), number(0), number(1)], 2).expect("degree 2");
+    let half = FieldElement::from_rational(&Rational::new(1, 2));
+    let h = [
+        number(-1),
+        number(2).plus(&root),
+        number(-3).minus(&root).times(&half),
+        number(1).minus(&root).times(&half),
+        number(1),
+    ];
+    let multiplied = |a: &[FieldElement], b: &[FieldElement]| {
+        let mut product = vec![FieldElement::zero(); a.len() + b.len() - 1];
         for (i, x) in a.iter().enumerate() {
             for (j, y) in b.iter().enumerate() {
-                product[i + j] += &(x * Rational::from(*y));
+                product[i + j].accumulate(&x.times(y));
             }
         }
         product
     };
-    // Φ_5(z²)/Φ_5(z) = Φ_10.
-    let symbol = multiplied(&hat, &[1, -1, 1, -1, 1]);
-    let sum = symbol.iter().sum::<Rational>();
-    let coefficient = |x: &Rational| FieldElement::from_rational(&(x * Rational::from(2) / &sum));
-    let mut symbol: Vec<FieldElement> = symbol.iter().map(coefficient).collect();
+    let mut mirrored = vec![FieldElement::zero(); 9];
+    let mut power = vec![number(1)];
+    for (k, c) in h.iter().enumerate() {
+        // (−z)^{4−k}(z² + 1)^k.
+        for (i, x) in power.iter().enumerate() {
+            let sign = number(if (4 - k + i) % 2 == 0 { 1 } else { -1 });
+            mirrored[4 - k + i].accumulate(&c.times(x).times(&sign));
+        }
+        power = multiplied(&power, &[number(1), number(0), number(1)]);
+    }
+    let mut symbol = multiplied(&mirrored, &[number(1), number(2), number(1)]);
+    let sum = FieldElement::total(&symbol);
+    symbol = symbol.iter().map(|x| x.times(&number(2)).over(&sum)).collect();
     symbol.push(FieldElement::zero());
     let rule = |alpha: usize| symbol.iter().skip(alpha).step_by(2).rev().cloned().collect();
     let mask = Mask::new(vec![rule(0), rule(1)], 0).expect("affine");

@@ -1,7 +1,7 @@
 //! Numbers of the field Q(α) of a real root α of a polynomial, which need not be irreducible.
 //!
 //! A number p(α) has many coordinates p, if the polynomial is reducible. It is 0 if and only if the greatest common
-//! divisor of p and the polynomial has the root α. THEOREMS.md, 122.
+//! divisor of p and the polynomial has the root α. THEOREMS.md, 120.
 
 use crate::decimal::{Q, int};
 use crate::polynomial::{at, divide, gcd, roots_between, signum, trimmed};
