@@ -1,11 +1,11 @@
 //! The bounds that start from a product of large spectral radius.
 
-use super::convert::{float, floats, scaled};
+use super::convert::{float, floats, on_grid, scaled};
 use super::entry::Entry;
 use super::extremal::{Extremal, Rate};
 use super::hull::Hull;
 use super::matrix_set::MatrixSet;
-use super::product::{Root, largest_real, square_of_radius};
+use super::product::{Root, largest_real, shown, square_of_radius};
 use super::proposal::hull;
 use super::roots::{algebraic_root, rational_root};
 use crate::exact::{Rational, RealAlgebraic};
@@ -24,6 +24,10 @@ const MAX_WORK: u64 = 1_500_000_000;
 /// The excesses of the bounds that are tried in turn when the radius is not found exactly.
 const EXCESSES: [f64; 8] = [0.3, 0.1, 0.03, 1e-2, 1e-3, 1e-4, 1e-5, 1e-7];
 
+/// How far below the rate a rational bound is that takes the place of a root beyond the caps, and its grid.
+const NEAR: f64 = 1e-9;
+const NEAR_BITS: u32 = 60;
+
 /// The excess of the rational bound beside an exact irrational radius.
 const FINE: f64 = 1e-8;
 
@@ -39,7 +43,7 @@ pub(super) enum Exact {
 pub(super) struct Lower<F = Rational> {
     pub(super) product: Vec<usize>,
     pub(super) root: RealAlgebraic,
-    /// The coefficients of a polynomial that has this root.
+    /// The coefficients of a polynomial that has this root; none where the root is only near an eigenvalue.
     polynomial: Vec<F>,
     pub(super) degree: usize,
     /// root^{1/degree} in f64.
@@ -64,7 +68,20 @@ impl<F: Entry> Lower<F> {
         });
         // The polynomial of the products of two eigenvalues has a degree of half the square of the size.
         let conjugate = || (set.size() <= MAX_CONJUGATE).then(|| bound(words.first()?, false))?;
-        real.or_else(conjugate).or_else(|| words.iter().find_map(|word| bound(word, true)))
+        real.or_else(conjugate)
+            .or_else(|| words.iter().find_map(|word| bound(word, true)))
+            .or_else(|| words.iter().find_map(|word| Lower::near(set, word, found.rate)))
+    }
+
+    /// A rational number a little below the rate, if a sign shows it: where no root is found within the caps.
+    fn near(set: &MatrixSet<F>, word: &[usize], rate: f64) -> Option<Lower<F>> {
+        let length = i32::try_from(word.len()).ok()?;
+        let value = on_grid(rate.powi(length) * (1.0 - NEAR), NEAR_BITS)?;
+        let root = RealAlgebraic::from(value);
+        shown(set, word, &root, false)?;
+        let (product, degree) = (word.to_vec(), word.len());
+        let rate = nearest(&root).powf(1.0 / float(degree));
+        Some(Lower { product, root, polynomial: Vec::new(), degree, rate, real: true })
     }
 
     /// Whether an extremal hull of up to so many rows is found, and that hull where it is rational.
@@ -75,7 +92,7 @@ impl<F: Entry> Lower<F> {
         found: &Candidates,
         rows: usize,
     ) -> Option<Exact> {
-        if !self.real {
+        if !self.real || self.polynomial.is_empty() {
             return None;
         }
         let caps = SearchCaps { rows, slack: 1e-10, work: MAX_WORK };

@@ -60,9 +60,14 @@ fn roots_are_counted_from_below() {
 #[test]
 fn the_degree_is_capped() {
     let roots = [2, 3, 5, 7, 11].map(|x| square_root(&number(x)));
-    let error = FieldElement::together(&roots).expect_err("degree 32");
-    assert_eq!(error, FieldError::Degree);
+    assert_eq!(FieldElement::together(&roots).expect_err("a norm of 128"), FieldError::Norm(128));
     assert!(FieldElement::together(&roots[..4]).is_ok());
+    let fifth = |x: i64| {
+        let power = [-x, 0, 0, 0, 0, 1].map(number);
+        FieldElement::root(&power, 1).expect("degree 5")
+    };
+    let error = FieldElement::together(&[fifth(2), fifth(3)]).expect_err("degree 25");
+    assert_eq!(error, FieldError::Degree);
 }
 
 /// a + b√2 + c√3 + d√6 in the basis of the products, multiplied by hand.

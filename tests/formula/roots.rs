@@ -64,8 +64,8 @@ fn errors_say_what_is_wrong() {
         ("root([-2, 0, 1], 1, 2)", "expected `,` or `)`"),
         ("sqrt()", "`sqrt` takes one argument"),
         ("sqrt(2)^1000", "at most 64"),
-        ("sqrt(2) + sqrt(3) + sqrt(5) + sqrt(7) + sqrt(11)", "need a field of degree above 24"),
-        ("root([-2, 0, 1 + 0*sum(k = 1..1, root([-3, 0, 1], 1))], 1) + root([-1, sum(k = 1..70, 0)], 1) + x", "unknown name `x`"),
+        ("root([-2, 0, 0, 0, 0, 1], 1) + root([-3, 0, 0, 0, 0, 1], 1)", "a field of degree above 24"),
+        ("sqrt(2) + sqrt(3) + sqrt(5) + sqrt(7) + sqrt(11)", "the degree can be at most 64"),
     ] {
         let error = value::<FieldElement>(text).expect_err(text);
         assert!(error.contains(message), "{text}: {error}");

@@ -1,3 +1,4 @@
 mod algebraic;
 mod known;
 mod laws;
+mod map;

@@ -117,7 +117,8 @@ impl FieldElement {
         match (&self.field, &other.field) {
             (Some(a), Some(b)) if !Arc::ptr_eq(a, b) => {
                 let [a, b] = shared(self, other).expect("a field of a low degree");
-                f(&a, &b, a.field.as_ref())
+                // The number 0 has no coordinates, and comes without a field.
+                f(&a, &b, a.field.as_ref().or(b.field.as_ref()))
             }
             (a, b) => f(self, other, a.as_ref().or(b.as_ref())),
         }
