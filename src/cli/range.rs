@@ -17,20 +17,22 @@ pub(super) fn range(arguments: &RangeArguments) -> Outcome {
         [first, second] => return smooth_map(arguments, [first, second]),
         more => {
             let count = more.len();
-            let message = format!("`--param` is given {count} times; there are maps of up to two parameters");
+            let message =
+                format!("`--param` is given {count} times; there are maps of up to two parameters");
             return Err(Failure::Input(message));
         }
     };
     if arguments.bounds.is_some() || arguments.boxes.is_some() {
-        let message = "`--bounds` and `--boxes` belong to a map of two parameters: give `--param` twice";
+        let message =
+            "`--bounds` and `--boxes` belong to a map of two parameters: give `--param` twice";
         return Err(Failure::Input(message.to_owned()));
     }
     let mask = parse_parametric(&arguments.scheme, parameter)?;
     if let Some(m) = arguments.smoothness {
         return smooth_range(arguments, parameter, &mask, m);
     }
-    let report =
-        Report::of(arguments, parameter, &mask.difference()).map_err(|e| Failure::Input(e.to_string()))?;
+    let report = Report::of(arguments, parameter, &mask.difference())
+        .map_err(|e| Failure::Input(e.to_string()))?;
     show(arguments.output.format, || report.sheet(), || report.form())
 }
 

@@ -34,7 +34,9 @@ pub(super) fn smooth_map(arguments: &RangeArguments, parameters: [&String; 2]) -
     let mask = parse_in_parameters(&arguments.scheme, &[first, second])?;
     let polynomial = |entry: &Polynomial| entry.in_variables([first, second]);
     if let Some(entry) = mask.rules().rows().iter().flatten().find(|c| polynomial(c).is_none()) {
-        return refuse(format!("the coefficient {entry} is no rational polynomial in `{first}` and `{second}`"));
+        return refuse(format!(
+            "the coefficient {entry} is no rational polynomial in `{first}` and `{second}`"
+        ));
     }
     let rules = mask.rules().map(|entry| polynomial(entry).expect("a polynomial"));
     let done = Arc::new(AtomicUsize::new(0));
@@ -52,7 +54,10 @@ fn region(text: Option<&str>, parameters: [&String; 2]) -> Result<Sides, String>
     for part in text.unwrap_or_default().split(',').filter(|part| !part.trim().is_empty()) {
         let wrong = |reason: &str| {
             let part = part.trim();
-            format!("`{part}` in `--bounds`: {reason}; write {}=-1..1,{}=0..1/2", parameters[0], parameters[1])
+            format!(
+                "`{part}` in `--bounds`: {reason}; write {}=-1..1,{}=0..1/2",
+                parameters[0], parameters[1]
+            )
         };
         let (name, ends) = part.split_once('=').ok_or_else(|| wrong("there is no `=`"))?;
         let which = parameters.iter().position(|parameter| *parameter == name.trim());
@@ -165,7 +170,8 @@ impl Report<'_> {
     }
 
     fn form(&self) -> form::SmoothMap<'_> {
-        let ends = |sides: &Sides| sides.each_ref().map(|side| side.each_ref().map(Rational::to_string));
+        let ends =
+            |sides: &Sides| sides.each_ref().map(|side| side.each_ref().map(Rational::to_string));
         let found = |found: &MapBox| {
             let (state, product) = match &found.certain {
                 Certain::Inside => ("inside", None),

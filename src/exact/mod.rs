@@ -75,8 +75,10 @@ pub use interval_set::IntervalSet;
 pub use linear::{determinant, interpolated, solve};
 pub use logarithm::natural_logarithm;
 pub use matrix::{Matrix, Naming};
+pub use number_field::{
+    AlgebraicNumber, FieldElement, FieldError, MAX_FIELD_DEGREE, MAX_NORM_DEGREE,
+};
 pub(crate) use number_field::{divided, greatest_divisor, square_free, value_at};
-pub use number_field::{FieldElement, FieldError, MAX_FIELD_DEGREE, MAX_NORM_DEGREE};
 pub use parametric::Parametric;
 pub use piecewise::PiecewisePolynomial;
 pub use polynomial::Polynomial;

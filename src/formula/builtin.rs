@@ -8,7 +8,18 @@ use crate::exact::{Integer, Rational};
 
 /// The names of the functions.
 pub(super) const NAMES: [&str; 12] = [
-    "abs", "min", "max", "floor", "ceil", "mod", "kronecker", "binomial", "sum", COSINE, "sqrt", ROOT,
+    "abs",
+    "min",
+    "max",
+    "floor",
+    "ceil",
+    "mod",
+    "kronecker",
+    "binomial",
+    "sum",
+    COSINE,
+    "sqrt",
+    ROOT,
 ];
 
 /// Whether `name` is a built-in function.
@@ -57,7 +68,9 @@ pub(super) fn call<V: Value>(
         ("kronecker", [left, right]) => kronecker(left, right),
         ("binomial", [top, bottom]) => binomial(top, bottom),
         ("sqrt", [x]) => square_root(x),
-        (ROOT, [coefficients @ .., number]) => root(coefficients, number),
+        (ROOT, [coefficients @ .., number]) => {
+            integer("the number of a root", number).and_then(|number| root(coefficients, number))
+        }
         (name, given) => Err(wrong_count(name, given.len())),
     })
 }

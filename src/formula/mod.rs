@@ -27,8 +27,8 @@
 //! cosine is a [`RealCyclotomic`](crate::exact::RealCyclotomic) number. Over the
 //! rationals a formula has a value only if all its cosines are rational.
 //!
-//! The real roots of a polynomial are counted from 1 in increasing order, a multiple one once. Over the numbers of real
-//! fields Q(α), [`FieldElement`](crate::exact::FieldElement), `sqrt` and `root` always have values, as long as all numbers
+//! The real roots of a polynomial are counted from 1 in increasing order, a multiple one once. Over real
+//! algebraic numbers, [`AlgebraicNumber`](crate::exact::AlgebraicNumber), `sqrt` and `root` always have values, as long as all numbers
 //! of a formula lie in one field of degree up to 24. Over the rationals they have one only where it is rational, and over
 //! the values of claims, never.
 //!
@@ -57,6 +57,7 @@ mod free;
 mod located;
 mod parse;
 mod root;
+mod root_error;
 mod scope;
 mod token;
 mod value;
@@ -73,7 +74,7 @@ pub(crate) use evaluate::evaluate_with;
 pub use free::FreeNames;
 pub use located::LocatedFormula;
 pub use parse::parse;
+pub use root_error::RootError;
 pub use scope::{Functions, Scope};
 pub use token::is_identifier;
-pub use root::RootError;
 pub use value::Value;

@@ -1,8 +1,8 @@
 //! Parsing of formulas, with winnow.
 
 use super::ast::{Expr, Fold, Node, Operator, OptionWord};
-use super::root::ROOT;
 use super::error::{FormulaError, FormulaErrorKind, MAX_FORMULA_LENGTH};
+use super::root::ROOT;
 use super::token::{
     Failure, Input, Parsed, continues_name, identifier, located, nested, number, required,
     skip_space, space, starts_name, symbol, token_at,

@@ -1,7 +1,7 @@
 //! The types of values of formulas.
 
 use super::error::FormulaErrorKind;
-use super::root::{RootError, rational_root};
+use super::root_error::{RootError, rational_root};
 use crate::exact::{
     CosineError, Integer, Parametric, Polynomial, Rational, Real, RealCyclotomic, Scalar,
     common_conductor,

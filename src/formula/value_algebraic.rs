@@ -1,18 +1,19 @@
-//! Numbers of real fields Q(α) as values of formulas.
+//! Real algebraic numbers as values of formulas.
 
 use super::error::FormulaErrorKind;
-use super::root::RootError;
+use super::root_error::RootError;
 use super::value::Value;
-use crate::exact::{Enclosed as _, FieldElement, Integer, Rational, Real as _};
+use crate::exact::{AlgebraicNumber, Enclosed as _, Integer, Rational, Real as _};
 
-impl Value for FieldElement {
+impl Value for AlgebraicNumber {
     fn as_rational(&self) -> Option<Rational> {
-        FieldElement::as_rational(self)
+        self.element().as_rational()
     }
     fn size(&self) -> u64 {
         // A product takes the square of the degree many products of coefficients.
-        let degree = self.field().map_or(1, |(_, minimal)| minimal.coefficients().len() as u64);
-        self.coordinates().bits().saturating_mul(degree)
+        let degree =
+            self.element().field().map_or(1, |(_, minimal)| minimal.coefficients().len() as u64);
+        self.element().coordinates().bits().saturating_mul(degree)
     }
     fn quotient(&self, divisor: &Self) -> Option<Self> {
         Some(self.over(divisor))
@@ -27,17 +28,15 @@ impl Value for FieldElement {
         Some(self.step(Rational::floor))
     }
     fn vanishes(&self) -> Option<bool> {
-        Some(self.coordinates().is_zero())
+        Some(self.sign() == 0)
     }
     fn root(coefficients: &[Self], number: i64) -> Result<Self, RootError> {
-        let coefficients = FieldElement::together(coefficients).map_err(RootError::Field)?;
-        FieldElement::root(&coefficients, number).map_err(RootError::Field)
+        AlgebraicNumber::root(coefficients, number).map_err(RootError::Field)
     }
     fn meets(&self, other: &Self) -> Result<(), FormulaErrorKind> {
-        FieldElement::together(&[self.clone(), other.clone()])?;
-        Ok(())
+        Ok(AlgebraicNumber::meets(self, other)?)
     }
     fn together(values: Vec<Self>) -> Result<Vec<Self>, FormulaErrorKind> {
-        Ok(FieldElement::together(&values)?)
+        Ok(AlgebraicNumber::together(&values)?)
     }
 }

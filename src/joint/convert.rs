@@ -1,7 +1,7 @@
 //! Between exact numbers and f64.
 
-use super::matrix_set::MatrixSet;
 use super::entry::Entry;
+use super::matrix_set::MatrixSet;
 use crate::exact::{Enclosed, Integer, Rational};
 use crate::float::extremal::Rows;
 use crate::float::{exact, nearest};

@@ -78,7 +78,9 @@ impl Entry for FieldElement {
         let matrices: Option<Vec<Matrix<FieldElement>>> = set
             .matrices()
             .iter()
-            .map(|rows| rows.iter().map(|row| row.iter().map(|_| entries.next()).collect()).collect())
+            .map(|rows| {
+                rows.iter().map(|row| row.iter().map(|_| entries.next()).collect()).collect()
+            })
             .collect();
         Some((MatrixSet::new(matrices?).ok()?, root))
     }

@@ -1,8 +1,8 @@
 //! Extremal hulls: the proof that the radius is the one of a product.
 
 use super::convert::{float, floats, scaled};
-use super::entry::Entry;
 use super::elimination::{coefficients, null_rows};
+use super::entry::Entry;
 use super::matrix_set::MatrixSet;
 use crate::exact::{Rational, Real};
 use crate::float::extremal::{Closure, Image, Origin, Rows, SearchCaps, close};
@@ -135,11 +135,7 @@ impl<F: Entry> Extremal<F> {
 }
 
 /// Left eigenvectors of the product for the eigenvalues ±θ^l, with Σ|v_k| = 1.
-fn eigenvectors<F: Entry>(
-    set: &MatrixSet<F>,
-    rate: &Rate<F>,
-    word: &[usize],
-) -> Vec<Vertex<F>> {
+fn eigenvectors<F: Entry>(set: &MatrixSet<F>, rate: &Rate<F>, word: &[usize]) -> Vec<Vertex<F>> {
     let product = set.product(word);
     let one = F::from_rational(&Rational::one());
     let power = (0..word.len() / rate.length).fold(one, |power, _| power.times(&rate.root));

@@ -1,7 +1,6 @@
 //! Sets of square matrices of one size.
 
-use super::entry::Entry;
-use crate::exact::{Rational, Scalar};
+use crate::exact::{Rational, Real, Scalar};
 
 /// The most rows of a matrix.
 pub const MAX_SIZE: usize = 24;
@@ -62,7 +61,7 @@ pub enum MatrixSetError {
     },
 }
 
-impl<F: Entry> MatrixSet<F> {
+impl<F: Real + PartialEq> MatrixSet<F> {
     /// The set of these matrices, each row by row.
     ///
     /// # Errors
@@ -141,7 +140,7 @@ impl<F: Entry> MatrixSet<F> {
 }
 
 /// xM.
-pub(super) fn row_times<F: Entry>(x: &[F], matrix: &[Vec<F>]) -> Vec<F> {
+pub(super) fn row_times<F: Real + PartialEq>(x: &[F], matrix: &[Vec<F>]) -> Vec<F> {
     let zero = F::zero();
     let mut sum = vec![zero.clone(); matrix[0].len()];
     for (x, row) in x.iter().zip(matrix).filter(|(x, _)| **x != zero) {
@@ -153,7 +152,7 @@ pub(super) fn row_times<F: Entry>(x: &[F], matrix: &[Vec<F>]) -> Vec<F> {
 }
 
 /// Rows in echelon form with the same span, without rows of zeros.
-pub(super) fn echelon<F: Entry>(mut rows: Vec<Vec<F>>) -> Vec<Vec<F>> {
+pub(super) fn echelon<F: Real + PartialEq>(mut rows: Vec<Vec<F>>) -> Vec<Vec<F>> {
     let zero = F::zero();
     let columns = rows.first().map_or(0, Vec::len);
     let mut done = 0;

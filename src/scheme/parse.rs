@@ -9,7 +9,7 @@ use super::local_rules::LocalRules;
 use super::mask::Mask;
 use super::reference::{Instance, Reference};
 use crate::diagnostic::SourceText;
-use crate::exact::{FieldElement, Rational, RealCyclotomic};
+use crate::exact::{AlgebraicNumber, FieldElement, Rational, RealCyclotomic};
 use crate::formula::{Parameters, Value};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -102,11 +102,13 @@ pub fn parse_any_scheme(text: &str) -> Result<AnyScheme, SchemeError> {
 /// ```
 pub fn parse_algebraic(text: &str) -> Result<Mask<FieldElement>, SchemeError> {
     let named = Named::read(text)?;
-    let mut instances = named.instances()?;
+    let mut instances = named.instances::<AlgebraicNumber>()?;
     let (Some(instance), true) = (instances.pop(), instances.is_empty()) else {
         return Err(SchemeError::TensorProduct { scheme: text.trim().to_owned() });
     };
-    named.definition(&instance.name)?.mask(&instance.parameters)
+    // The coefficients of a mask are in one field.
+    let mask = named.definition(&instance.name)?.mask(&instance.parameters)?;
+    Ok(mask.map(|c| c.element().clone()))
 }
 
 /// For each factor of SCHEME, the path of its file if the file defines a mask without an offset,

@@ -18,6 +18,9 @@ use std::cmp::Ordering;
 /// The longest product in which a Jordan block is looked for.
 const JORDAN_FACTORS: usize = 2;
 
+/// The most rows of matrices over a field, times its degree.
+const MAX_FIELD_WORK: usize = 96;
+
 /// Why the smoothness of a scheme is not computed.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
@@ -25,6 +28,17 @@ pub enum SmoothnessError {
     /// The matrices of the differences are too large.
     #[error("the rules are too long for a proof of smoothness: {0}")]
     TooLong(#[from] MatrixSetError),
+    /// The field of the coefficients is of too large a degree for matrices of this size.
+    #[error(
+        "matrices of {size} rows over a field of degree {degree}: the product of both can be at most \
+         {MAX_FIELD_WORK}; take coefficients of a smaller field"
+    )]
+    Field {
+        /// The number of rows.
+        size: usize,
+        /// The degree over the rationals.
+        degree: usize,
+    },
 }
 
 /// What is proven of the limits of a scheme.
@@ -82,6 +96,12 @@ impl<F: Coefficient> Differences<F> {
     fn of(symbol: &Symbol<F>) -> Result<Differences<F>, SmoothnessError> {
         let (order, _) = symbol.sum_rules();
         let matrices = scaled_matrices(symbol, order)?;
+        let generator = symbol.coefficients().iter().find_map(Coefficient::generator);
+        let degree = generator.and_then(|(_, minimal)| minimal.degree()).unwrap_or(1);
+        let size = matrices.size();
+        if degree > 1 && size * degree > MAX_FIELD_WORK {
+            return Err(SmoothnessError::Field { size, degree });
+        }
         let radius = joint_radius(&matrices);
         Ok(Differences { symbol: symbol.clone(), order, matrices, radius })
     }

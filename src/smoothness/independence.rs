@@ -1,9 +1,7 @@
 //! Masks with linearly independent shifts of φ, and the reduction of others to such.
 
 use super::symbol::Symbol;
-use crate::exact::{
-    Integer, IntegerPolynomial, Rational, divided, greatest_divisor, square_free,
-};
+use crate::exact::{Integer, IntegerPolynomial, Rational, divided, greatest_divisor, square_free};
 use crate::joint::Entry;
 
 /// A symbol of which the basic limit function φ_0 has linearly independent shifts and is as smooth as φ:

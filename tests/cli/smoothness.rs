@@ -141,7 +141,8 @@ fn other_commands_take_rational_masks_only() {
 #[test]
 fn bad_roots() {
     let file = |text: &str| {
-        let mask = format!("name = \"mine\"\nmask = [[\"{text}\", \"1 - ({text})\"], [\"1\", \"0\"]]\n");
+        let mask =
+            format!("name = \"mine\"\nmask = [[\"{text}\", \"1 - ({text})\"], [\"1\", \"0\"]]\n");
         TemporaryFile::new("irrational-mask.toml", &mask)
     };
     for (text, part) in [
@@ -156,7 +157,10 @@ fn bad_roots() {
     let wrong = file("sqrt(3)");
     let text = std::fs::read_to_string(wrong.path()).expect("a file").replace("1 - (sqrt(3))", "1");
     let wrong = TemporaryFile::new("irrational-sum.toml", &text);
-    assert_parts(&refused(["smoothness", wrong.path()]), &["rule 0 sums to 1 + t", "irrational-sum.toml:2"]);
+    assert_parts(
+        &refused(["smoothness", wrong.path()]),
+        &["rule 0 sums to 1 + t", "irrational-sum.toml:2"],
+    );
 }
 
 #[test]

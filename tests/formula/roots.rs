@@ -1,6 +1,6 @@
 //! Square roots, and roots of polynomials.
 
-use subcert::exact::{FieldElement, Rational, RealCyclotomic, Scalar as _};
+use subcert::exact::{AlgebraicNumber, Rational, RealCyclotomic, Scalar as _};
 use subcert::formula::{Parameters, Value, evaluate, parse};
 
 fn value<V: Value>(text: &str) -> Result<V, String> {
@@ -28,7 +28,7 @@ fn identities_of_roots() {
         ("sqrt(0)", "0"),
         ("sum(k = 1..4, sqrt(k^2))", "10"),
     ] {
-        let difference = value::<FieldElement>(&format!("{left} - ({right})")).expect(left);
+        let difference = value::<AlgebraicNumber>(&format!("{left} - ({right})")).expect(left);
         assert_eq!(difference.sign(), 0, "{left} = {right}");
     }
 }
@@ -54,7 +54,10 @@ fn errors_say_what_is_wrong() {
         ("sqrt(-1)", "the square root of the negative number -1"),
         ("sqrt(1 - sqrt(2))", "the square root of the negative number"),
         ("root([1, 0, 1], 1)", "the polynomial has 0 real roots"),
-        ("root([-2, 0, 1], 3)", "the polynomial has 2 real roots, so that there is no root number 3"),
+        (
+            "root([-2, 0, 1], 3)",
+            "the polynomial has 2 real roots, so that there is no root number 3",
+        ),
         ("root([-2, 0, 1], 0)", "no root number 0"),
         ("root([-2, 0, 1], 1/2)", "the number of a root must be an integer, and is 1/2"),
         ("root([0, 0], 1)", "all coefficients of the polynomial are 0"),
@@ -64,15 +67,18 @@ fn errors_say_what_is_wrong() {
         ("root([-2, 0, 1], 1, 2)", "expected `,` or `)`"),
         ("sqrt()", "`sqrt` takes one argument"),
         ("sqrt(2)^1000", "at most 64"),
-        ("root([-2, 0, 0, 0, 0, 1], 1) + root([-3, 0, 0, 0, 0, 1], 1)", "a field of degree above 24"),
+        (
+            "root([-2, 0, 0, 0, 0, 1], 1) + root([-3, 0, 0, 0, 0, 1], 1)",
+            "a field of degree above 24",
+        ),
         ("sqrt(2) + sqrt(3) + sqrt(5) + sqrt(7) + sqrt(11)", "the degree can be at most 64"),
     ] {
-        let error = value::<FieldElement>(text).expect_err(text);
+        let error = value::<AlgebraicNumber>(text).expect_err(text);
         assert!(error.contains(message), "{text}: {error}");
     }
     // A long list is a polynomial of a high degree.
     let long = format!("root([{}1], 1)", "-1, ".repeat(80));
-    let error = value::<FieldElement>(&long).expect_err("degree 80");
+    let error = value::<AlgebraicNumber>(&long).expect_err("degree 80");
     assert!(error.contains("the degree can be at most 64"), "{error}");
     for text in ["sqrt(3)", "1 + root([-2, 0, 0, 1], 1)"] {
         let error = value::<Rational>(text).expect_err(text);
@@ -82,7 +88,7 @@ fn errors_say_what_is_wrong() {
 
 #[test]
 fn coordinates_are_those_of_the_field() {
-    let number = value::<FieldElement>("(1 + sqrt(3))/4").expect("a number");
+    let number = value::<AlgebraicNumber>("(1 + sqrt(3))/4").expect("a number");
     assert_eq!(number.to_string(), "1/4 + 1/4*t");
-    assert_eq!(FieldElement::from_rational(&Rational::new(1, 2)).to_string(), "1/2");
+    assert_eq!(AlgebraicNumber::from_rational(&Rational::new(1, 2)).to_string(), "1/2");
 }

@@ -1,7 +1,9 @@
 //! Masks with irrational coefficients.
 
 use subcert::certificate::smoothness_certificate;
-use subcert::exact::{Enclosed as _, FieldElement, Rational, Real as _, Scalar as _, format::fixed};
+use subcert::exact::{
+    Enclosed as _, FieldElement, Rational, Real as _, Scalar as _, format::fixed,
+};
 use subcert::scheme::{Mask, parse_algebraic, parse_scheme};
 use subcert::smoothness::Smoothness;
 use subcert_check::check_radius;
@@ -57,14 +59,20 @@ fn the_order_of_the_coefficients_does_not_matter() {
 /// The same rational mask over the rationals and over a field.
 #[test]
 fn rational_masks_are_as_smooth_over_a_field() {
-    for name in ["chaikin", "four-point:w=1/16", "six-point:w=1/100", "ternary-four-point:mu=1/11"] {
+    for name in ["chaikin", "four-point:w=1/16", "six-point:w=1/100", "ternary-four-point:mu=1/11"]
+    {
         let scheme = parse_scheme(name).expect("a scheme");
         let rational = Smoothness::of(scheme.masks()[0]).expect("short rules");
         let lifted = Smoothness::of(&scheme.masks()[0].map(FieldElement::from_rational));
         let lifted = lifted.expect("short rules");
         let said = |continuity, fails, hoelder: Option<subcert::smoothness::Hoelder>| {
             let hoelder = hoelder.expect("it converges");
-            (continuity, fails, hoelder.formula.map(|formula| formula.to_string()), hoelder.attained)
+            (
+                continuity,
+                fails,
+                hoelder.formula.map(|formula| formula.to_string()),
+                hoelder.attained,
+            )
         };
         assert_eq!(
             said(rational.continuity, rational.continuity_fails, rational.hoelder),
@@ -87,7 +95,8 @@ fn irrational_parameters_are_between_rational_ones() {
         exponent(Smoothness::of(scheme.masks()[0]).expect("short rules").hoelder)
     };
     let (below, above) = (at("0.04419417"), at("0.04419418"));
-    let (low, high) = exponent(Smoothness::of(&mask("four-point:w=sqrt(2)/32")).expect("short").hoelder);
+    let (low, high) =
+        exponent(Smoothness::of(&mask("four-point:w=sqrt(2)/32")).expect("short").hoelder);
     let slack = Rational::new(1, 1_000_000);
     assert!(&low - &slack <= below.1.max(above.1.clone()) && below.0.min(above.0) <= high + slack);
 }
@@ -144,8 +153,12 @@ fn the_checker_accepts_irrational_masks_and_no_false_number() {
         let mask = daubechies(length);
         let smoothness = Smoothness::of(&mask).expect("short rules");
         let text = smoothness_certificate(&mask, &smoothness).expect("a radius that is not 0");
-        let radius = check_radius(&text).unwrap_or_else(|rejection| panic!("{length}: {rejection:?}"));
-        assert_eq!((radius.continuous, radius.not_continuous), (Some(continuous), Some(continuous + 1)));
+        let radius =
+            check_radius(&text).unwrap_or_else(|rejection| panic!("{length}: {rejection:?}"));
+        assert_eq!(
+            (radius.continuous, radius.not_continuous),
+            (Some(continuous), Some(continuous + 1))
+        );
         let altered = |word: &str, rest: &str| {
             let line = text.lines().find(|line| line.starts_with(word)).expect("a line");
             text.replacen(line, &format!("{word} {rest}"), 1)
@@ -166,4 +179,27 @@ fn the_checker_accepts_irrational_masks_and_no_false_number() {
             assert!(check_radius(&wrong).is_err(), "{length}:\n{}", &wrong[..wrong.len().min(400)]);
         }
     }
+}
+
+#[test]
+fn large_fields_of_large_matrices_are_refused() {
+    let wide = mask("six-point:w=root([-2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1], 1)/500");
+    let error = Smoothness::of(&wide).expect_err("a field of degree 13");
+    assert!(error.to_string().contains("over a field of degree 13"), "{error}");
+}
+
+#[test]
+fn where_no_root_is_found_both_bounds_are_rational() {
+    // The norm of a polynomial of degree 4 over a field of degree 17 has degree 68, which is beyond the cap.
+    let mask =
+        mask("four-point:w=root([-1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0, 3], 1)/12");
+    let smoothness = Smoothness::of(&mask).expect("short rules");
+    assert_eq!((smoothness.continuity, smoothness.continuity_fails), (Some(1), Some(2)));
+    let hoelder = smoothness.hoelder.as_ref().expect("it converges");
+    assert!(
+        hoelder.formula.is_none() && &hoelder.upper - &hoelder.lower < Rational::new(1, 1_000_000)
+    );
+    let text = smoothness_certificate(&mask, &smoothness).expect("a radius that is not 0");
+    let radius = check_radius(&text).expect("a valid certificate");
+    assert_eq!((radius.continuous, radius.not_continuous), (Some(1), Some(2)));
 }

@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicUsize;
 use subcert::bound::polynomial_rules;
 use subcert::exact::{BivariatePolynomial, Polynomial, Rational};
 use subcert::scheme::{Rules, parse_in_parameters, parse_parametric, parse_scheme};
-use subcert::smoothness::{Certain, MapBox, Smoothness, SmoothMap, smooth_map, smooth_range};
+use subcert::smoothness::{Certain, MapBox, SmoothMap, Smoothness, smooth_map, smooth_range};
 
 const FILE: &str = "examples/primal.toml";
 

@@ -59,3 +59,29 @@ pub(crate) fn square_free<F: Real + PartialEq>(p: &[F]) -> Vec<F> {
     let common = greatest_divisor(&p, &derivative);
     if common.len() <= 1 { p } else { divided(&p, &common).0 }
 }
+
+/// p(q(z)) for a polynomial q.
+pub(super) fn composed<F: Real>(p: &[F], q: &[F]) -> Vec<F> {
+    p.iter().rev().fold(Vec::new(), |value, c| {
+        let mut next = product(&value, q);
+        match next.first_mut() {
+            Some(first) => first.accumulate(c),
+            None => next.push(c.clone()),
+        }
+        next
+    })
+}
+
+/// The product.
+pub(super) fn product<F: Real>(p: &[F], q: &[F]) -> Vec<F> {
+    let mut product = vec![F::zero(); (p.len() + q.len()).saturating_sub(1)];
+    if p.is_empty() {
+        return Vec::new();
+    }
+    for (i, a) in p.iter().enumerate() {
+        for (j, b) in q.iter().enumerate() {
+            product[i + j].accumulate(&a.times(b));
+        }
+    }
+    product
+}

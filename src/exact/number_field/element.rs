@@ -1,6 +1,5 @@
 //! Numbers of the field Q(α) of a real algebraic number α.
 
-use super::merge::shared;
 use crate::exact::{Enclosed, Enclosure, IntegerPolynomial, Rational, RationalPolynomial};
 use crate::exact::{Real, RealAlgebraic, Scalar, solve};
 use std::cmp::Ordering;
@@ -35,14 +34,12 @@ impl Field {
     }
 }
 
-/// An operation on numbers of one field.
-type Operation = fn(&FieldElement, &FieldElement, Option<&Arc<Field>>) -> FieldElement;
-
 /// A number p(α), p a polynomial over the rationals of lower degree than the minimal polynomial of
 /// α.
 ///
-/// An operation on numbers of two fields leads to a field that contains both, see [`together`](Self::together). A
-/// rational number is in all fields.
+/// Numbers of two different fields must not meet in one operation; a rational number is in all. Numbers of several
+/// fields are brought into one by [`together`](Self::together), and so does [`AlgebraicNumber`](super::AlgebraicNumber)
+/// in each operation.
 ///
 /// ```
 /// use subcert::exact::{FieldElement, IntegerPolynomial, Rational, Real, RealAlgebraic, Scalar};
@@ -109,19 +106,8 @@ impl FieldElement {
         FieldElement { value, field: field.cloned() }
     }
 
-    /// Both in one field, and this field.
-    ///
-    /// # Panics
-    /// When there is no such field within the caps.
-    fn met(&self, other: &FieldElement, f: Operation) -> FieldElement {
-        match (&self.field, &other.field) {
-            (Some(a), Some(b)) if !Arc::ptr_eq(a, b) => {
-                let [a, b] = shared(self, other).expect("a field of a low degree");
-                // The number 0 has no coordinates, and comes without a field.
-                f(&a, &b, a.field.as_ref().or(b.field.as_ref()))
-            }
-            (a, b) => f(self, other, a.as_ref().or(b.as_ref())),
-        }
+    pub(super) fn common<'a>(&'a self, other: &'a FieldElement) -> Option<&'a Arc<Field>> {
+        self.field.as_ref().or(other.field.as_ref())
     }
 
     /// 1/self. Its coefficients solve the linear system q·p = 1 modulo the minimal polynomial.
@@ -154,11 +140,7 @@ impl FieldElement {
 
 impl PartialEq for FieldElement {
     fn eq(&self, other: &FieldElement) -> bool {
-        match (&self.field, &other.field) {
-            // Another polynomial in the same number is another number.
-            (Some(a), Some(b)) if !Arc::ptr_eq(a, b) && !a.is(b) => self.minus(other).sign() == 0,
-            _ => self.value == other.value,
-        }
+        self.value == other.value
     }
 }
 
@@ -181,20 +163,19 @@ impl Scalar for FieldElement {
         FieldElement { value: RationalPolynomial::constant(value.clone()), field: None }
     }
     fn plus(&self, other: &Self) -> Self {
-        self.met(other, |a, b, field| FieldElement::of(a.value.plus(&b.value), field))
+        FieldElement::of(self.value.plus(&other.value), self.common(other))
     }
     fn minus(&self, other: &Self) -> Self {
-        self.met(other, |a, b, field| FieldElement::of(a.value.minus(&b.value), field))
+        FieldElement::of(self.value.minus(&other.value), self.common(other))
     }
     fn times(&self, other: &Self) -> Self {
-        self.met(other, |a, b, field| {
-            let product = a.value.times(&b.value);
-            let value = match field {
-                Some(field) => product.modulo(&field.minimal),
-                None => product,
-            };
-            FieldElement::of(value, field)
-        })
+        let product = self.value.times(&other.value);
+        let field = self.common(other);
+        let value = match field {
+            Some(field) => product.modulo(&field.minimal),
+            None => product,
+        };
+        FieldElement::of(value, field)
     }
 }
 

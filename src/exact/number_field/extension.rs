@@ -1,6 +1,6 @@
 //! Roots of polynomials over Q(α).
 
-use super::dense::{greatest_divisor, square_free, trimmed, value_at};
+use super::dense::{composed, greatest_divisor, product, square_free, trimmed, value_at};
 use super::element::{Field, FieldElement};
 use super::error::{FieldError, MAX_FIELD_DEGREE, MAX_NORM_DEGREE};
 use crate::exact::{
@@ -176,31 +176,6 @@ fn coordinates(number: &FieldElement, degree: usize) -> Vec<Rational> {
     let mut coordinates = number.value.coefficients();
     coordinates.resize(degree, Rational::zero());
     coordinates
-}
-
-/// p(q(z)) for a polynomial q.
-fn composed(p: &[FieldElement], q: &[FieldElement]) -> Vec<FieldElement> {
-    p.iter().rev().fold(Vec::new(), |value, c| {
-        let mut next = product(&value, q);
-        match next.first_mut() {
-            Some(first) => first.accumulate(c),
-            None => next.push(c.clone()),
-        }
-        next
-    })
-}
-
-fn product(p: &[FieldElement], q: &[FieldElement]) -> Vec<FieldElement> {
-    let mut product = vec![FieldElement::zero(); (p.len() + q.len()).saturating_sub(1)];
-    if p.is_empty() {
-        return Vec::new();
-    }
-    for (i, a) in p.iter().enumerate() {
-        for (j, b) in q.iter().enumerate() {
-            product[i + j].accumulate(&a.times(b));
-        }
-    }
-    product
 }
 
 /// λ + kα as a root of the norm: the only one that enclosures do not tell from it.

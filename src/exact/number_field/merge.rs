@@ -23,7 +23,7 @@ thread_local! {
     static KNOWN: RefCell<Vec<Merged>> = const { RefCell::new(Vec::new()) };
 }
 
-/// Two numbers in one field.
+/// Two numbers in one field. The number 0 may come without a field.
 pub(super) fn shared(a: &FieldElement, b: &FieldElement) -> Result<[FieldElement; 2], FieldError> {
     let (Some(left), Some(right)) = (&a.field, &b.field) else {
         return Ok([a.clone(), b.clone()]);
@@ -76,10 +76,10 @@ impl FieldElement {
     ///     let square = [-x, 0, 1].map(|c| FieldElement::from_rational(&Rational::from(c)));
     ///     FieldElement::root(&square, 2).expect("a square root")
     /// };
-    /// let both = FieldElement::together(&[root(2), root(3)])?;
+    /// let both = FieldElement::together(&[root(2), root(3), root(6)])?;
     /// let (_, minimal) = both[0].field().expect("an irrational number");
     /// assert_eq!(minimal.degree(), Some(4));
-    /// assert_eq!(both[0].times(&both[1]), root(6));
+    /// assert_eq!(both[0].times(&both[1]), both[2]);
     /// # Ok::<(), subcert::exact::FieldError>(())
     /// ```
     pub fn together(numbers: &[FieldElement]) -> Result<Vec<FieldElement>, FieldError> {

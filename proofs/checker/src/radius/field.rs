@@ -150,8 +150,7 @@ impl Element {
             let value = self.p.first().map(Q::recip);
             return Element::new(value.into_iter().collect(), self.field.clone());
         };
-        let (modulus, _) =
-            divide(field.polynomial.clone(), &gcd(&self.p, &field.polynomial));
+        let (modulus, _) = divide(field.polynomial.clone(), &gcd(&self.p, &field.polynomial));
         // The remainders of Euclid's algorithm are r = u·p modulo the modulus.
         let (mut before, mut rest) = (modulus.clone(), divide(self.p.clone(), &modulus).1);
         let (mut factor_before, mut factor) = (Vec::new(), vec![Q::one()]);

@@ -37,7 +37,11 @@ pub struct Radius {
 /// The line that is wrong, and the reason.
 pub fn check_radius(text: &str) -> Result<Radius, RadiusRejection> {
     let certificate = Certificate::read(text)?;
-    if certificate.field.is_some() { checked::<Element>(&certificate) } else { checked::<Q>(&certificate) }
+    if certificate.field.is_some() {
+        checked::<Element>(&certificate)
+    } else {
+        checked::<Q>(&certificate)
+    }
 }
 
 fn checked<N: Number>(certificate: &Certificate) -> Result<Radius, RadiusRejection> {
