@@ -1,9 +1,7 @@
 //! Masks with irrational coefficients.
 
 use subcert::certificate::smoothness_certificate;
-use subcert::exact::{
-    Enclosed as _, FieldElement, Rational, Real as _, Scalar as _, format::fixed,
-};
+use subcert::exact::{Enclosed as _, FieldElement, Rational, Scalar as _, format::fixed};
 use subcert::scheme::{Mask, parse_algebraic, parse_scheme};
 use subcert::smoothness::Smoothness;
 use subcert_check::check_radius;
@@ -103,48 +101,36 @@ fn irrational_parameters_are_between_rational_ones() {
 
 #[test]
 fn dependent_shifts_are_reduced_over_a_field() {
-    // The roots of order 17 whose exponents are squares modulo 17 are permuted by z ↦ z². They are the roots of g, which
-    // is z⁴h(z + 1/z) with Gauss's quartic h for 2cos(2πk/17), k = 1, 2, 4, 8. g(z²)/g(z) = g(−z) times the symbol of the
-    // hat function has dependent shifts, and Φ_17(−z) does not divide it.
+    // z ↦ z⁴ takes e^{2πi/5} to its conjugate, so that the two are the roots of a g over Q(√5), g = z² − 2cos(2π/5)z + 1, and
+    // g(z⁴)/g(z) is a polynomial, which Φ_5(z⁴)/Φ_5(z) does not divide. Times the symbol σ²/4 of the hat function of arity 4,
+    // it has dependent shifts.
     let number = |x: i64| FieldElement::from_rational(&Rational::from(x));
-    let root = FieldElement::root(&[number(-17), number(0), number(1)], 2).expect("degree 2");
-    let half = FieldElement::from_rational(&Rational::new(1, 2));
-    let h = [
-        number(-1),
-        number(2).plus(&root),
-        number(-3).minus(&root).times(&half),
-        number(1).minus(&root).times(&half),
-        number(1),
-    ];
-    let multiplied = |a: &[FieldElement], b: &[FieldElement]| {
-        let mut product = vec![FieldElement::zero(); a.len() + b.len() - 1];
-        for (i, x) in a.iter().enumerate() {
-            for (j, y) in b.iter().enumerate() {
-                product[i + j].accumulate(&x.times(y));
-            }
-        }
-        product
-    };
-    let mut mirrored = vec![FieldElement::zero(); 9];
-    let mut power = vec![number(1)];
-    for (k, c) in h.iter().enumerate() {
-        // (−z)^{4−k}(z² + 1)^k.
-        for (i, x) in power.iter().enumerate() {
-            let sign = number(if (4 - k + i) % 2 == 0 { 1 } else { -1 });
-            mirrored[4 - k + i].accumulate(&c.times(x).times(&sign));
-        }
-        power = multiplied(&power, &[number(1), number(0), number(1)]);
+    let cosine = FieldElement::root(&[number(-1), number(1), number(1)], 2).expect("degree 2");
+    let middle = number(0).minus(&cosine);
+    // z⁸ − cz⁴ + 1 over z² − cz + 1, from the top.
+    let mut rest = vec![FieldElement::zero(); 9];
+    (rest[0], rest[4], rest[8]) = (number(1), middle.clone(), number(1));
+    let mut quotient = vec![FieldElement::zero(); 7];
+    for i in (0..7).rev() {
+        let c = rest[i + 2].clone();
+        rest[i + 1].lessen(&c.times(&middle));
+        rest[i].lessen(&c);
+        quotient[i] = c;
     }
-    let mut symbol = multiplied(&mirrored, &[number(1), number(2), number(1)]);
-    let sum = FieldElement::total(&symbol);
-    symbol = symbol.iter().map(|x| x.times(&number(2)).over(&sum)).collect();
-    symbol.push(FieldElement::zero());
-    let rule = |alpha: usize| symbol.iter().skip(alpha).step_by(2).rev().cloned().collect();
-    let mask = Mask::new(vec![rule(0), rule(1)], 0).expect("affine");
+    assert!(rest[..2].iter().all(|x| x.sign() == 0));
+    let mut symbol = vec![FieldElement::zero(); 16];
+    for (i, x) in [1, 2, 3, 4, 3, 2, 1].into_iter().enumerate() {
+        for (j, y) in quotient.iter().enumerate() {
+            symbol[i + j].accumulate(&y.times(&FieldElement::from_rational(&Rational::new(x, 4))));
+        }
+    }
+    let rule = |alpha: usize| symbol.iter().skip(alpha).step_by(4).rev().cloned().collect();
+    let mask = Mask::new((0..4).map(rule).collect(), 0).expect("affine");
     let smoothness = Smoothness::of(&mask).expect("short rules");
     let reduced = smoothness.reduced.expect("dependent shifts");
-    assert_eq!(reduced.symbol.coefficients().len(), 3);
-    assert_eq!(smoothness.continuity_fails, Some(1));
+    // The hat function is left.
+    assert_eq!(reduced.symbol.coefficients().len(), 7);
+    assert_eq!((smoothness.continuity, smoothness.continuity_fails), (Some(0), Some(1)));
 }
 
 #[test]
