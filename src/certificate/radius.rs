@@ -1,9 +1,9 @@
 //! Certificates of joint spectral radii, and of the smoothness that follows. `proofs/FORMAT.md`.
 
 use crate::exact::Rational;
-use crate::joint::{Hull, JointRadius, Kind, MatrixSet};
+use crate::joint::{Entry, Hull, JointRadius, Kind, MatrixSet};
 use crate::scheme::Mask;
-use crate::smoothness::Smoothness;
+use crate::smoothness::{Coefficient, Smoothness};
 use std::fmt::Write as _;
 
 /// The certificate of what is proven of the limits of a mask; `None` where no hull is found.
@@ -14,12 +14,27 @@ use std::fmt::Write as _;
 /// # Panics
 /// Never.
 #[must_use]
-pub fn smoothness_certificate(mask: &Mask, smoothness: &Smoothness) -> Option<String> {
+pub fn smoothness_certificate<F: Coefficient>(
+    mask: &Mask<F>,
+    smoothness: &Smoothness<F>,
+) -> Option<String> {
     let differences = &smoothness.differences;
     let hull = differences.radius.hull.as_ref()?;
     let mut text = String::from("subcert-radius 1\n");
-    for row in mask.rules().rows() {
-        line(&mut text, "rule", &numbers(row));
+    let rows = mask.rules().rows();
+    if let Some((root, minimal)) = rows.iter().flatten().find_map(Coefficient::generator) {
+        let coefficients: Vec<String> =
+            minimal.coefficients().iter().map(ToString::to_string).collect();
+        line(&mut text, "field", &coefficients.join(" "));
+        let (low, high) = root.bounds();
+        line(&mut text, "between", &format!("{low} {high}"));
+    }
+    for row in rows {
+        let entries = row.iter().map(|entry| {
+            let coordinates = entry.coordinates();
+            coordinates.iter().map(ToString::to_string).collect::<Vec<String>>().join(",")
+        });
+        line(&mut text, "rule", &entries.collect::<Vec<String>>().join(" "));
     }
     line(&mut text, "order", &differences.order.to_string());
     let shown = write_radius(&mut text, &differences.matrices, &differences.radius, hull);
@@ -63,9 +78,9 @@ fn limit(arity: usize, order: usize, m: usize) -> Rational {
 }
 
 /// Writes both bounds, and gives the lower one.
-fn write_radius(
+fn write_radius<F: Entry>(
     text: &mut String,
-    set: &MatrixSet,
+    set: &MatrixSet<F>,
     radius: &JointRadius,
     hull: &Hull,
 ) -> Option<Rational> {

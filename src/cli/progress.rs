@@ -4,6 +4,7 @@ use super::terminal;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal as _;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread::JoinHandle;
 use std::time::Duration;
@@ -54,6 +55,15 @@ impl Progress {
     /// Of a search whose length is not known.
     pub(super) fn of_search(wanted: bool) -> Progress {
         Progress::new(1, "{spinner} searching for products and hulls, {elapsed}", wanted, |_| {})
+    }
+
+    /// The progress of a map: the boxes that have been looked at.
+    pub(super) fn of_boxes(done: Arc<AtomicUsize>, most: usize, wanted: bool) -> Progress {
+        let most = u64::try_from(most).unwrap_or(u64::MAX);
+        let template = "{bar:40} {pos} of at most {len} boxes, {elapsed}";
+        Progress::new(most, template, wanted, move |bar| {
+            bar.set_position(u64::try_from(done.load(Ordering::Relaxed)).unwrap_or(u64::MAX));
+        })
     }
 
     fn new(

@@ -5,7 +5,7 @@ use super::output::{Failure, Outcome};
 use super::save::save;
 use std::path::Path;
 use subcert::exact::{Enclosed, Enclosure, Integer, Rational, format::fixed};
-use subcert::joint::{JointRadius, MatrixSet};
+use subcert::joint::{Entry, JointRadius, MatrixSet};
 use subcert::report::json::Exact;
 
 /// The digits after the point of bounds.
@@ -72,13 +72,13 @@ fn irrational(root: &subcert::exact::RealAlgebraic) -> String {
     format!("x = {} a root of {polynomial}", subcert::exact::format::short(root, 12))
 }
 
-pub(super) fn radius_form(
-    set: &MatrixSet,
+pub(super) fn radius_form<F: Entry>(
+    set: &MatrixSet<F>,
     order: Option<usize>,
     radius: &JointRadius,
 ) -> form::Radius {
-    let texts = |matrix: &Vec<Vec<Rational>>| {
-        matrix.iter().map(|row| row.iter().map(Rational::to_string).collect()).collect()
+    let texts = |matrix: &Vec<Vec<F>>| {
+        matrix.iter().map(|row| row.iter().map(F::to_string).collect()).collect()
     };
     form::Radius {
         size: set.size(),

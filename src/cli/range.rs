@@ -4,6 +4,7 @@ use super::arguments::RangeArguments;
 use super::json::{SCHEMA, range as form};
 use super::output::{Failure, Outcome, show};
 use super::sets::{Parameter, number};
+use super::smooth_map::smooth_map;
 use super::smooth_range::smooth_range;
 use subcert::bound::{Order, ParameterRange, RangeError, norm_function, polynomial_rules};
 use subcert::exact::{IntervalSet, PiecewisePolynomial, RationalPolynomial, RealAlgebraic};
@@ -11,17 +12,33 @@ use subcert::report::{Grid, Sheet};
 use subcert::scheme::parse_parametric;
 
 pub(super) fn range(arguments: &RangeArguments) -> Outcome {
-    let mask = parse_parametric(&arguments.scheme, &arguments.param)?;
-    if let Some(m) = arguments.smoothness {
-        return smooth_range(arguments, &mask, m);
+    let parameter = match &arguments.param[..] {
+        [parameter] => parameter,
+        [first, second] => return smooth_map(arguments, [first, second]),
+        more => {
+            let count = more.len();
+            let message =
+                format!("`--param` is given {count} times; there are maps of up to two parameters");
+            return Err(Failure::Input(message));
+        }
+    };
+    if arguments.bounds.is_some() || arguments.boxes.is_some() {
+        let message =
+            "`--bounds` and `--boxes` belong to a map of two parameters: give `--param` twice";
+        return Err(Failure::Input(message.to_owned()));
     }
-    let report =
-        Report::of(arguments, &mask.difference()).map_err(|e| Failure::Input(e.to_string()))?;
+    let mask = parse_parametric(&arguments.scheme, parameter)?;
+    if let Some(m) = arguments.smoothness {
+        return smooth_range(arguments, parameter, &mask, m);
+    }
+    let report = Report::of(arguments, parameter, &mask.difference())
+        .map_err(|e| Failure::Input(e.to_string()))?;
     show(arguments.output.format, || report.sheet(), || report.form())
 }
 
 struct Report<'a> {
     arguments: &'a RangeArguments,
+    parameter: &'a str,
     range: ParameterRange,
     /// T_c for each c, when it is asked for.
     functions: Vec<PiecewisePolynomial>,
@@ -29,20 +46,21 @@ struct Report<'a> {
 
 impl Report<'_> {
     fn parameter(&self) -> Parameter<'_> {
-        Parameter(&self.arguments.param)
+        Parameter(self.parameter)
     }
 
     fn of<'a>(
         arguments: &'a RangeArguments,
+        parameter: &'a str,
         difference: &subcert::scheme::Rules<subcert::exact::Polynomial>,
     ) -> Result<Report<'a>, RangeError> {
-        let difference = polynomial_rules(difference, &arguments.param)?;
+        let difference = polynomial_rules(difference, parameter)?;
         let levels = arguments.block.levels;
         let range = ParameterRange::new(&difference, levels)?;
         let asked = if arguments.function { levels } else { 0 };
         let function = |c| norm_function(&difference, c, Order::Adjoint);
         let functions = (1..=asked).map(function).collect::<Result<Vec<_>, RangeError>>()?;
-        Ok(Report { arguments, range, functions })
+        Ok(Report { arguments, parameter, range, functions })
     }
 
     fn sheet(&self) -> Sheet {
@@ -79,7 +97,7 @@ impl Report<'_> {
     }
 
     fn pieces(&self, function: &PiecewisePolynomial) -> Grid {
-        let param = &self.arguments.param;
+        let param = self.parameter;
         let breaks = function.breakpoints();
         let text = |place: Option<&RealAlgebraic>| place.map_or_else(String::new, number);
         let row = |(i, piece): (usize, &RationalPolynomial)| {
@@ -102,14 +120,14 @@ impl Report<'_> {
         form::Range {
             schema: SCHEMA,
             scheme: &self.arguments.scheme,
-            parameter: &self.arguments.param,
+            parameter: self.parameter,
             levels: levels.collect(),
             union: self.parameter().set_form(&self.range.union),
         }
     }
 
     fn function_form(&self, function: &PiecewisePolynomial) -> form::Function {
-        let param = &self.arguments.param;
+        let param = self.parameter;
         let pieces = function.pieces().iter();
         form::Function {
             breaks: function

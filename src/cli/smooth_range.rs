@@ -14,27 +14,29 @@ use subcert::smoothness::{SmoothRange, smooth_range as computed};
 
 pub(super) fn smooth_range(
     arguments: &RangeArguments,
+    parameter: &str,
     mask: &Mask<Polynomial>,
     m: usize,
 ) -> Outcome {
     let input = |error: &dyn std::fmt::Display| Failure::Input(error.to_string());
-    let rules = polynomial_rules(mask.rules(), &arguments.param).map_err(|e| input(&e))?;
+    let rules = polynomial_rules(mask.rules(), parameter).map_err(|e| input(&e))?;
     let progress = Progress::of_search(true);
     let range = computed(&rules, m, arguments.block.levels).map_err(|e| input(&e))?;
     drop(progress);
-    let report = Report { arguments, m, range };
+    let report = Report { arguments, parameter, m, range };
     show(arguments.output.format, || report.sheet(), || report.form())
 }
 
 struct Report<'a> {
     arguments: &'a RangeArguments,
+    parameter: &'a str,
     m: usize,
     range: SmoothRange,
 }
 
 impl Report<'_> {
     fn parameter(&self) -> Parameter<'_> {
-        Parameter(&self.arguments.param)
+        Parameter(self.parameter)
     }
 
     fn sheet(&self) -> Sheet {
@@ -83,7 +85,7 @@ impl Report<'_> {
         form::SmoothRange {
             schema: SCHEMA,
             scheme: &self.arguments.scheme,
-            parameter: &self.arguments.param,
+            parameter: self.parameter,
             smoothness: self.m,
             inside: param.set_form(&range.inside),
             outside: param.set_form(&range.outside),

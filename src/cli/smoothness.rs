@@ -1,6 +1,7 @@
 //! `subcert smoothness`.
 
 use super::arguments::SmoothnessArguments;
+use super::curve::{Curve, curve};
 use super::json::{SCHEMA, smoothness as form};
 use super::output::{Failure, Outcome, show, with_decimal};
 use super::progress::Progress;
@@ -9,49 +10,47 @@ use super::radius::{
     write_certificate,
 };
 use subcert::certificate::smoothness_certificate;
-use subcert::exact::Rational;
+use subcert::exact::{Integer, Rational, RationalPolynomial, format::short};
 use subcert::report::{Sheet, json::Exact};
-use subcert::scheme::{AnyScheme, Mask, parse_any_scheme};
-use subcert::smoothness::{Hoelder, Smoothness, contractions};
+use subcert::scheme::Mask;
+use subcert::smoothness::{Coefficient, Hoelder, Smoothness, Symbol, contractions};
 
 pub(super) fn smoothness(arguments: &SmoothnessArguments) -> Outcome {
+    match curve(&arguments.scheme)? {
+        Curve::Rational(mask) => answer(arguments, &mask),
+        Curve::Algebraic(mask) => answer(arguments, &mask),
+    }
+}
+
+fn answer<F: Coefficient>(arguments: &SmoothnessArguments, mask: &Mask<F>) -> Outcome {
     let name = &arguments.scheme;
-    let mask = curve(name)?;
     let progress = Progress::of_search(true);
-    let smoothness = Smoothness::of(&mask).map_err(|error| Failure::Input(error.to_string()))?;
+    let smoothness = Smoothness::of(mask).map_err(|error| Failure::Input(error.to_string()))?;
     drop(progress);
     if let Some(path) = &arguments.certificate {
-        write_certificate(path, smoothness_certificate(&mask, &smoothness))?;
+        write_certificate(path, smoothness_certificate(mask, &smoothness))?;
     }
     let most = smoothness.continuity;
     let contractions = most.map_or_else(Vec::new, |most| contractions(&smoothness.symbol, most));
-    let report = Report { name, smoothness, contractions };
+    let report = Report { name, generator: generator(mask), smoothness, contractions };
     show(arguments.output.format, || report.sheet(), || report.form())
 }
 
-/// The mask of a scheme for curves.
-fn curve(name: &str) -> Result<Mask, Failure> {
-    let reason = match parse_any_scheme(name)? {
-        AnyScheme::Uniform(scheme) => match Mask::try_from(scheme) {
-            Ok(mask) => return Ok(mask),
-            Err(_) => {
-                "is a tensor product; its limits are as smooth as those of its factors, one by one"
-            }
-        },
-        AnyScheme::LocalRules(_) => {
-            "has rules around one vertex or face; `smoothness` needs a mask"
-        }
-    };
-    Err(Failure::Input(format!("`{name}` {reason}")))
+/// The number t in which irrational coefficients are polynomials: its value, and its minimal polynomial.
+fn generator<F: Coefficient>(mask: &Mask<F>) -> Option<(String, RationalPolynomial)> {
+    let mut all = mask.rules().rows().iter().flatten();
+    let (root, minimal) = all.find_map(Coefficient::generator)?;
+    Some((short(root, 12), RationalPolynomial::over(minimal, &Integer::one())))
 }
 
-struct Report<'a> {
+struct Report<'a, F> {
     name: &'a str,
-    smoothness: Smoothness,
+    generator: Option<(String, RationalPolynomial)>,
+    smoothness: Smoothness<F>,
     contractions: Vec<Option<(u32, Rational)>>,
 }
 
-impl Report<'_> {
+impl<F: Coefficient> Report<'_, F> {
     fn sheet(&self) -> Sheet {
         let mut sheet = Sheet::default();
         sheet.heading(1, format!("{}: smoothness", self.name));
@@ -81,16 +80,20 @@ impl Report<'_> {
         } else {
             "only constants: lines are not kept".to_owned()
         };
-        [
+        let field = self.generator.as_ref().map(|(value, minimal)| {
+            let minimal = minimal.describe("t");
+            ("coefficients", format!("polynomials in t, t = {value} a root of {minimal}"))
+        });
+        let facts = [
             ("arity n", symbol.arity().to_string()),
             ("support", format!("of the basic limit function: from {low} to {high}")),
             ("sum rules", format!("of order {sum_rules}")),
             ("polynomials generated", generated),
             ("reproduced", reproduced),
             ("approximation order", (reproduction + 1).to_string()),
-        ]
-        .map(|(name, text)| (name.to_owned(), text))
-        .to_vec()
+        ];
+        let facts = field.into_iter().chain(facts);
+        facts.map(|(name, text)| (name.to_owned(), text)).collect()
     }
 
     fn continuity(&self) -> Vec<(String, String)> {
@@ -156,7 +159,7 @@ impl Report<'_> {
             sheet.text(format!(
                 "The shifts of the basic limit function are linearly dependent. It is a combination of \
                  shifts of another, with the symbol {}, which is as smooth; its radius decides.",
-                reduced.symbol.polynomial().describe("z")
+                polynomial(&reduced.symbol)
             ));
         }
         if hoelder.as_ref().is_some_and(|hoelder| hoelder.formula.is_none()) {
@@ -178,6 +181,10 @@ impl Report<'_> {
         form::Smoothness {
             schema: SCHEMA,
             scheme: self.name,
+            field: self.generator.as_ref().map(|(value, minimal)| form::Field {
+                minimal_polynomial: minimal.describe("t"),
+                decimal: value.clone(),
+            }),
             arity: symbol.arity(),
             support: [Exact::of(&low), Exact::of(&high)],
             sum_rules: *sum_rules,
@@ -193,6 +200,19 @@ impl Report<'_> {
             hoelder: self.smoothness.hoelder.as_ref().map(hoelder_form),
         }
     }
+}
+
+/// A symbol up to a power of z.
+fn polynomial<F: Coefficient>(symbol: &Symbol<F>) -> String {
+    let rational = symbol.coefficients().iter().map(|c| match &c.coordinates()[..] {
+        [value] => Some(value.clone()),
+        _ => None,
+    });
+    if let Some(rational) = rational.collect::<Option<Vec<Rational>>>() {
+        return RationalPolynomial::new(&rational).describe("z");
+    }
+    let terms = symbol.coefficients().iter().enumerate();
+    terms.map(|(i, c)| format!("({c})*z^{i}")).collect::<Vec<String>>().join(" + ")
 }
 
 /// The ends of the exponent.

@@ -11,17 +11,19 @@
 //! | [`RealAlgebraic`] | a root of a polynomial in an interval |
 //! | [`IntegerPolynomial`], [`SturmSequence`] | polynomials in one variable, and their real roots |
 //! | [`Enclosure`], [`Enclosed`] | intervals of any width around a real number |
+//! | [`BivariatePolynomial`] | functions of two free parameters |
 //! | [`RationalPolynomial`], [`PiecewisePolynomial`], [`Parametric`] | functions of a free parameter |
 //! | [`Interval`], [`IntervalSet`] | where a function of the parameter is below a bound |
 //! | [`Scalar`], [`Real`] | the operations that algorithms need of a number type |
 //! | [`Matrix`] | matrices with few distinct entries |
-//! | [`solve`] | systems of linear equations |
+//! | [`solve`], [`determinant`], [`interpolated`] | systems of linear equations |
 //! | [`characteristic_polynomial`], [`FieldElement`] | eigenvalues of rational matrices, and the fields that they generate |
 //! | [`natural_logarithm`] | enclosures of logarithms |
 //! | [`CommonDenominator`] | rationals as integers over one denominator, for hot loops |
 
 mod algebraic;
 mod backend;
+mod bivariate;
 mod characteristic;
 mod common;
 mod comparable;
@@ -54,7 +56,11 @@ mod vanishing;
 mod word;
 
 pub use algebraic::RealAlgebraic;
-pub use characteristic::{characteristic_polynomial, symmetric_square_polynomial};
+pub use bivariate::BivariatePolynomial;
+pub use characteristic::{
+    characteristic_coefficients, characteristic_polynomial, symmetric_square_coefficients,
+    symmetric_square_polynomial,
+};
 pub use common::CommonDenominator;
 pub(crate) use common::common_denominator;
 pub(crate) use comparable::comparable;
@@ -66,10 +72,13 @@ pub use enclosure::{Enclosed, Enclosure};
 pub use integer::Integer;
 pub use interval::Interval;
 pub use interval_set::IntervalSet;
-pub use linear::solve;
+pub use linear::{determinant, interpolated, solve};
 pub use logarithm::natural_logarithm;
 pub use matrix::{Matrix, Naming};
-pub use number_field::FieldElement;
+pub use number_field::{
+    AlgebraicNumber, FieldElement, FieldError, MAX_FIELD_DEGREE, MAX_NORM_DEGREE,
+};
+pub(crate) use number_field::{divided, greatest_divisor, square_free, value_at};
 pub use parametric::Parametric;
 pub use piecewise::PiecewisePolynomial;
 pub use polynomial::Polynomial;

@@ -2,12 +2,25 @@
 
 use super::ast::{Operator, OptionWord};
 use super::error::FormulaErrorKind;
+use super::root::{ROOT, root, square_root};
 use super::value::Value;
-use crate::exact::{Integer, Rational, common_conductor};
+use crate::exact::{Integer, Rational};
 
 /// The names of the functions.
-pub(super) const NAMES: [&str; 10] =
-    ["abs", "min", "max", "floor", "ceil", "mod", "kronecker", "binomial", "sum", COSINE];
+pub(super) const NAMES: [&str; 12] = [
+    "abs",
+    "min",
+    "max",
+    "floor",
+    "ceil",
+    "mod",
+    "kronecker",
+    "binomial",
+    "sum",
+    COSINE,
+    "sqrt",
+    ROOT,
+];
 
 /// Whether `name` is a built-in function.
 pub(crate) fn is_builtin(name: &str) -> bool {
@@ -54,6 +67,10 @@ pub(super) fn call<V: Value>(
         ("mod", [x, modulus]) => modulo(x, modulus),
         ("kronecker", [left, right]) => kronecker(left, right),
         ("binomial", [top, bottom]) => binomial(top, bottom),
+        ("sqrt", [x]) => square_root(x),
+        (ROOT, [coefficients @ .., number]) => {
+            integer("the number of a root", number).and_then(|number| root(coefficients, number))
+        }
         (name, given) => Err(wrong_count(name, given.len())),
     })
 }
@@ -69,6 +86,7 @@ pub(super) fn wrong_count(name: &str, given: usize) -> FormulaErrorKind {
     let takes = match name {
         "min" | "max" => "one argument or more",
         "binomial" | "kronecker" | "mod" => "two arguments",
+        ROOT => "a list of coefficients and a number",
         _ => "one argument",
     };
     FormulaErrorKind::Call(format!("`{name}` takes {takes}, and was given {given} arguments"))
@@ -96,8 +114,7 @@ fn kronecker<V: Value>(left: &V, right: &V) -> Result<V, FormulaErrorKind> {
 
 /// An error unless some field within the cap contains both values.
 fn together<V: Value>(left: &V, right: &V) -> Result<(), FormulaErrorKind> {
-    common_conductor(left.conductor(), right.conductor())?;
-    Ok(())
+    left.meets(right)
 }
 
 /// max(left, right).

@@ -1,6 +1,7 @@
 //! Prints a formula as text that parses to the same formula.
 
 use super::ast::{Expr, Node, Operator};
+use super::root::ROOT;
 use std::fmt;
 
 /// The binding strength of a node, from 1 for sums to 5 for names and positive integers.
@@ -63,6 +64,12 @@ impl fmt::Display for Expr {
                     write!(f, "{sign}{}", AtLeast(operand, level + 1))?;
                 }
                 Ok(())
+            }
+            Node::Call { function, arguments, .. } if function == ROOT && !arguments.is_empty() => {
+                let (number, coefficients) = arguments.split_last().expect("an argument");
+                f.write_str("root([")?;
+                list(f, coefficients)?;
+                write!(f, "], {number})")
             }
             Node::Call { function, arguments, options } => {
                 write!(f, "{function}(")?;

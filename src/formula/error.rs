@@ -84,6 +84,12 @@ pub enum FormulaErrorKind {
     /// A cosine that is not a number of the type of values.
     #[error(transparent)]
     Cosine(#[from] crate::exact::CosineError),
+    /// A root that is not a number of the type of values.
+    #[error("{0} is not rational; only `subcert smoothness` takes masks with such numbers")]
+    Irrational(String),
+    /// A root that does not exist, or is beyond the caps.
+    #[error(transparent)]
+    Field(#[from] crate::exact::FieldError),
     /// An angle other than a rational multiple of π.
     #[error("`cos` needs a rational multiple of `pi`, such as cos(2*pi*j/n); this is {0}")]
     Angle(String),

@@ -13,6 +13,8 @@
 //! sum(h = 1..m, body)           0 when m < 1
 //! max(h = 1..m, body)  min(…)   over a range, which must not be empty
 //! cos(2*pi*j/n)                 of any rational multiple of pi
+//! sqrt(x)                       of x >= 0
+//! root([c0, c1, …], i)          the real root number i, from 1, of c0 + c1*x + …
 //! T(c, order = forward)         whatever the context offers; options are words
 //! ```
 //!
@@ -24,6 +26,11 @@
 //! definition that is used there, and only in sums, in products and in numerators. A
 //! cosine is a [`RealCyclotomic`](crate::exact::RealCyclotomic) number. Over the
 //! rationals a formula has a value only if all its cosines are rational.
+//!
+//! The real roots of a polynomial are counted from 1 in increasing order, a multiple one once. Over real
+//! algebraic numbers, [`AlgebraicNumber`](crate::exact::AlgebraicNumber), `sqrt` and `root` always have values, as long as all numbers
+//! of a formula lie in one field of degree up to 24. Over the rationals they have one only where it is rational, and over
+//! the values of claims, never.
 //!
 //! ```
 //! use subcert::exact::{Rational, RealCyclotomic};
@@ -49,9 +56,12 @@ mod evaluate;
 mod free;
 mod located;
 mod parse;
+mod root;
+mod root_error;
 mod scope;
 mod token;
 mod value;
+mod value_algebraic;
 
 pub use angle::PI;
 pub use ast::{Expr, Fold, Node, Operator, OptionWord, SEQUENCE_INDEX, Span};
@@ -64,6 +74,7 @@ pub(crate) use evaluate::evaluate_with;
 pub use free::FreeNames;
 pub use located::LocatedFormula;
 pub use parse::parse;
+pub use root_error::RootError;
 pub use scope::{Functions, Scope};
 pub use token::is_identifier;
 pub use value::Value;

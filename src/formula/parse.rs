@@ -2,6 +2,7 @@
 
 use super::ast::{Expr, Fold, Node, Operator, OptionWord};
 use super::error::{FormulaError, FormulaErrorKind, MAX_FORMULA_LENGTH};
+use super::root::ROOT;
 use super::token::{
     Failure, Input, Parsed, continues_name, identifier, located, nested, number, required,
     skip_space, space, starts_name, symbol, token_at,
@@ -134,6 +135,7 @@ fn name_or_call(input: &mut Input<'_>) -> Parsed<Expr> {
         Some(fold) if fold == Fold::Sum || peek(opt(index)).parse_next(input)?.is_some() => {
             nested(|input: &mut Input<'_>| over_range(input, fold)).parse_next(input)?
         }
+        _ if name == ROOT => nested(root).parse_next(input)?,
         _ => nested(|input: &mut Input<'_>| call(input, name)).parse_next(input)?,
     };
     required("`,` or `)`", ')').parse_next(input)?;
@@ -187,6 +189,16 @@ fn call(input: &mut Input<'_>, function: &str) -> Parsed<Node> {
         }
     }
     Ok(Node::Call { function: function.to_owned(), arguments, options })
+}
+
+/// `[c0, c1, …], i`
+fn root(input: &mut Input<'_>) -> Parsed<Node> {
+    required("a list of coefficients, as in root([-3, 0, 1], 2)", symbol('[')).parse_next(input)?;
+    let mut arguments = nested(indices).parse_next(input)?;
+    required("`,` or `]`", symbol(']')).parse_next(input)?;
+    required("`,` and the number of the root", symbol(',')).parse_next(input)?;
+    arguments.push(cut_err(expression).parse_next(input)?);
+    Ok(Node::Call { function: ROOT.to_owned(), arguments, options: Vec::new() })
 }
 
 fn option_word(input: &mut Input<'_>) -> Parsed<OptionWord> {

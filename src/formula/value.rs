@@ -1,7 +1,10 @@
 //! The types of values of formulas.
 
+use super::error::FormulaErrorKind;
+use super::root_error::{RootError, rational_root};
 use crate::exact::{
     CosineError, Integer, Parametric, Polynomial, Rational, Real, RealCyclotomic, Scalar,
+    common_conductor,
 };
 
 /// A type of values of formulas. An operation that the type does not have returns `None`.
@@ -53,6 +56,33 @@ pub trait Value: Scalar + std::fmt::Display {
         }
     }
 
+    /// The real root of this number, counted from 1 in increasing order, of the polynomial with these coefficients, from
+    /// the constant term upwards. Only the types of masks have roots, not those of claims.
+    ///
+    /// # Errors
+    /// When there is no such root, or the type does not contain it.
+    fn root(_coefficients: &[Self], _number: i64) -> Result<Self, RootError> {
+        Err(RootError::NotHere)
+    }
+
+    /// An error unless this and `other` lie in one field within the caps, as they must before they are combined.
+    ///
+    /// # Errors
+    /// When they do not.
+    fn meets(&self, other: &Self) -> Result<(), FormulaErrorKind> {
+        common_conductor(self.conductor(), other.conductor())?;
+        Ok(())
+    }
+
+    /// These values in one field.
+    ///
+    /// # Errors
+    /// When no field within the caps has them.
+    fn together(values: Vec<Self>) -> Result<Vec<Self>, FormulaErrorKind> {
+        values.iter().map(Value::conductor).try_fold(1, common_conductor)?;
+        Ok(values)
+    }
+
     /// The conductor n of the field Q(2cos(2π/n)) of this value; 1 for types without such
     /// fields. Before two values are combined, the caller must check that they have a
     /// [`common_conductor`](crate::exact::common_conductor).
@@ -65,6 +95,9 @@ pub trait Value: Scalar + std::fmt::Display {
 const TERM_BITS: u64 = 10;
 
 impl Value for Rational {
+    fn root(coefficients: &[Self], number: i64) -> Result<Self, RootError> {
+        rational_root(coefficients, number)
+    }
     fn as_rational(&self) -> Option<Rational> {
         Some(self.clone())
     }

@@ -2,8 +2,9 @@
 
 use super::convert::{float, floats, scaled};
 use super::elimination::{coefficients, null_rows};
+use super::entry::Entry;
 use super::matrix_set::MatrixSet;
-use crate::exact::{Enclosed, Rational, Real};
+use crate::exact::{Rational, Real};
 use crate::float::extremal::{Closure, Image, Origin, Rows, SearchCaps, close};
 use crate::float::nearest;
 
@@ -36,11 +37,15 @@ impl<F: Real> Rate<F> {
     }
 
     /// θ^{−1}·vM.
-    pub(super) fn step(&self, vertex: &Vertex<F>, matrix: &[Vec<Rational>]) -> Vertex<F> {
+    pub(super) fn step(&self, vertex: &Vertex<F>, matrix: &[Vec<F>]) -> Vertex<F>
+    where
+        F: PartialEq,
+    {
+        let zero = F::zero();
         let mut row = vec![F::zero(); matrix.len()];
         for (x, entries) in vertex.row.iter().zip(matrix) {
-            for (sum, entry) in row.iter_mut().zip(entries).filter(|(_, entry)| !entry.is_zero()) {
-                sum.accumulate(&x.times(&F::from_rational(entry)));
+            for (sum, entry) in row.iter_mut().zip(entries).filter(|(_, entry)| **entry != zero) {
+                sum.accumulate(&x.times(entry));
             }
         }
         let power = vertex.power + 1;
@@ -54,13 +59,13 @@ impl<F: Real> Rate<F> {
     }
 }
 
-impl<F: Real + PartialEq + Enclosed> Extremal<F> {
+impl<F: Entry> Extremal<F> {
     /// Searches for an extremal hull: of τ times the unit rows, and of the left eigenvectors of these
     /// words, of which the first has the rate.
     ///
     /// `None` where no eigenvector of the words has this rate, or the search meets its caps.
     pub(super) fn search(
-        set: &MatrixSet,
+        set: &MatrixSet<F>,
         rate: Rate<F>,
         unit: &Rational,
         words: &[Vec<usize>],
@@ -130,20 +135,15 @@ impl<F: Real + PartialEq + Enclosed> Extremal<F> {
 }
 
 /// Left eigenvectors of the product for the eigenvalues ±θ^l, with Σ|v_k| = 1.
-fn eigenvectors<F: Real + PartialEq>(
-    set: &MatrixSet,
-    rate: &Rate<F>,
-    word: &[usize],
-) -> Vec<Vertex<F>> {
+fn eigenvectors<F: Entry>(set: &MatrixSet<F>, rate: &Rate<F>, word: &[usize]) -> Vec<Vertex<F>> {
     let product = set.product(word);
     let one = F::from_rational(&Rational::one());
     let power = (0..word.len() / rate.length).fold(one, |power, _| power.times(&rate.root));
     let shifted = |eigenvalue: &F| -> Vec<Vec<F>> {
-        let entry = |i: usize, j: usize, x: &Rational| {
-            let x = F::from_rational(x);
-            if i == j { x.minus(eigenvalue) } else { x }
+        let entry = |i: usize, j: usize, x: &F| {
+            if i == j { x.minus(eigenvalue) } else { x.clone() }
         };
-        let row = |(i, row): (usize, &Vec<Rational>)| {
+        let row = |(i, row): (usize, &Vec<F>)| {
             row.iter().enumerate().map(|(j, x)| entry(i, j, x)).collect()
         };
         product.iter().enumerate().map(row).collect()

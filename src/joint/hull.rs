@@ -1,6 +1,8 @@
 //! Invariant hulls with rational rows: the proof of an upper bound.
 
-use super::matrix_set::{MatrixSet, row_times};
+use super::convert::at_most;
+use super::entry::Entry;
+use super::matrix_set::MatrixSet;
 use crate::exact::Rational;
 
 /// Rows v_1, …, v_m, of which the first d are τ times the unit rows, and for each row and each matrix
@@ -23,19 +25,20 @@ pub struct Hull {
 }
 
 impl Hull {
-    /// The norm ‖·‖_∞ as a hull: of the unit rows alone, with the largest row sum as u.
+    /// The norm ‖·‖_∞ as a hull: of the unit rows alone, with the largest row sum as u, or a rational number
+    /// next to it.
     #[must_use]
-    pub fn norm(set: &MatrixSet) -> Hull {
-        let sum = |row: &Vec<Rational>| row.iter().map(Rational::abs).sum::<Rational>();
-        let sums = set.matrices().iter().flatten().map(sum);
-        let bound = sums.max().unwrap_or_else(Rational::zero);
+    pub fn norm<F: Entry>(set: &MatrixSet<F>) -> Hull {
+        let sums = set.matrices().iter().flatten().map(F::sum_of_magnitudes);
+        let bound = at_most(&F::maximum(sums));
         let images = vec![vec![Vec::new(); set.matrices().len()]; set.size()];
         Hull { bound, unit: Rational::one(), rows: Vec::new(), images }
     }
 
     /// Whether this proves that the radius of the set is at most u.
     #[must_use]
-    pub fn proves(&self, set: &MatrixSet) -> bool {
+    pub fn proves<F: Entry>(&self, set: &MatrixSet<F>) -> bool {
+        let bound = F::from_rational(&self.bound);
         let count = set.size() + self.rows.len();
         let shape = self.unit.sign() > 0
             && self.bound.sign() > 0
@@ -46,7 +49,7 @@ impl Hull {
             images.len() == set.matrices().len()
                 && images.iter().zip(set.matrices()).all(|(combination, matrix)| {
                     combination.iter().all(|(j, _)| *j < count)
-                        && self.cost(&row, matrix, combination) <= self.bound
+                        && self.cost(&row, matrix, combination) <= bound
                 })
         };
         shape && self.images.iter().enumerate().all(inside)
@@ -62,25 +65,32 @@ impl Hull {
     }
 
     /// Σ|c_j| + Σ|r_k|/τ.
-    pub(super) fn cost(
+    pub(super) fn cost<F: Entry>(
         &self,
         row: &[Rational],
-        matrix: &[Vec<Rational>],
+        matrix: &[Vec<F>],
         combination: &[(usize, Rational)],
-    ) -> Rational {
-        let mut rest = row_times(row, matrix);
+    ) -> F {
+        let zero = F::zero();
+        let mut rest = vec![zero.clone(); row.len()];
+        for (x, entries) in row.iter().zip(matrix).filter(|(x, _)| !x.is_zero()) {
+            let x = F::from_rational(x);
+            for (sum, entry) in rest.iter_mut().zip(entries).filter(|(_, entry)| **entry != zero) {
+                sum.accumulate(&x.times(entry));
+            }
+        }
         for (j, c) in combination {
             match j.checked_sub(row.len()) {
                 Some(j) => {
                     for (x, v) in rest.iter_mut().zip(&self.rows[j]) {
-                        *x -= &(c * v);
+                        x.lessen(&F::from_rational(&(c * v)));
                     }
                 }
-                None => rest[*j] -= &(c * &self.unit),
+                None => rest[*j].lessen(&F::from_rational(&(c * &self.unit))),
             }
         }
         let coefficients: Rational = combination.iter().map(|(_, c)| c.abs()).sum();
-        let remainder: Rational = rest.iter().map(Rational::abs).sum();
-        coefficients + remainder / &self.unit
+        let remainder = F::sum_of_magnitudes(&rest).over(&F::from_rational(&self.unit));
+        remainder.plus(&F::from_rational(&coefficients))
     }
 }

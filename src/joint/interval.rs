@@ -49,5 +49,6 @@ pub fn expanding_product(set: &MatrixSet) -> Option<Vec<usize>> {
 #[must_use]
 pub fn expands(set: &MatrixSet, word: &[usize]) -> bool {
     let reaches = |root: RealAlgebraic| root.cmp_rational(&Rational::one()).is_ge();
-    largest_real(set, word).is_some_and(reaches) || square_of_radius(set, word).is_some_and(reaches)
+    largest_real(set, word).is_some_and(|found| reaches(found.root))
+        || square_of_radius(set, word).is_some_and(|found| reaches(found.root))
 }

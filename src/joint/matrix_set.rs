@@ -1,6 +1,6 @@
 //! Sets of square matrices of one size.
 
-use crate::exact::Rational;
+use crate::exact::{Rational, Real, Scalar};
 
 /// The most rows of a matrix.
 pub const MAX_SIZE: usize = 24;
@@ -8,10 +8,13 @@ pub const MAX_SIZE: usize = 24;
 /// The most matrices of a set.
 pub const MAX_MATRICES: usize = 64;
 
-/// Square matrices of one size, over the rationals.
+/// A matrix, row by row.
+pub(super) type Matrix<F> = Vec<Vec<F>>;
+
+/// Square matrices of one size, over the rationals or over one real field.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct MatrixSet {
-    matrices: Vec<Vec<Vec<Rational>>>,
+pub struct MatrixSet<F = Rational> {
+    matrices: Vec<Matrix<F>>,
 }
 
 /// Why matrices are no set of square matrices, or too large a one.
@@ -58,12 +61,12 @@ pub enum MatrixSetError {
     },
 }
 
-impl MatrixSet {
+impl<F: Real + PartialEq> MatrixSet<F> {
     /// The set of these matrices, each row by row.
     ///
     /// # Errors
     /// When they are not square and of one size, or beyond the caps.
-    pub fn new(matrices: Vec<Vec<Vec<Rational>>>) -> Result<MatrixSet, MatrixSetError> {
+    pub fn new(matrices: Vec<Matrix<F>>) -> Result<MatrixSet<F>, MatrixSetError> {
         if !(1..=MAX_MATRICES).contains(&matrices.len()) {
             return Err(MatrixSetError::Count(matrices.len()));
         }
@@ -87,7 +90,7 @@ impl MatrixSet {
 
     /// The matrices, row by row.
     #[must_use]
-    pub fn matrices(&self) -> &[Vec<Vec<Rational>>] {
+    pub fn matrices(&self) -> &[Matrix<F>] {
         &self.matrices
     }
 
@@ -102,13 +105,21 @@ impl MatrixSet {
     /// # Panics
     /// When there is no such matrix.
     #[must_use]
-    pub fn product(&self, word: &[usize]) -> Vec<Vec<Rational>> {
+    pub fn product(&self, word: &[usize]) -> Vec<Vec<F>> {
         let size = self.size();
-        let unit = |i: usize| (0..size).map(|j| Rational::from(i64::from(i == j))).collect();
-        let start: Vec<Vec<Rational>> = (0..size).map(unit).collect();
+        let entry = |i: usize, j: usize| F::from_rational(&Rational::from(i64::from(i == j)));
+        let unit = |i: usize| (0..size).map(|j| entry(i, j)).collect();
+        let start: Matrix<F> = (0..size).map(unit).collect();
         word.iter().fold(start, |product, &i| {
             product.iter().map(|row| row_times(row, &self.matrices[i])).collect()
         })
+    }
+
+    /// The matrices with every entry mapped.
+    pub(super) fn map<T: Scalar>(&self, map: impl Fn(&F) -> T + Copy) -> MatrixSet<T> {
+        let row = |row: &Vec<F>| row.iter().map(map).collect();
+        let matrix = |rows: &Matrix<F>| rows.iter().map(row).collect();
+        MatrixSet { matrices: self.matrices.iter().map(matrix).collect() }
     }
 
     /// Whether every product of d factors is 0: the radius is then 0, and otherwise it is positive.
@@ -129,31 +140,33 @@ impl MatrixSet {
 }
 
 /// xM.
-pub(super) fn row_times(x: &[Rational], matrix: &[Vec<Rational>]) -> Vec<Rational> {
-    let mut sum = vec![Rational::zero(); matrix[0].len()];
-    for (x, row) in x.iter().zip(matrix).filter(|(x, _)| !x.is_zero()) {
-        for (sum, entry) in sum.iter_mut().zip(row).filter(|(_, entry)| !entry.is_zero()) {
-            *sum += &(x * entry);
+pub(super) fn row_times<F: Real + PartialEq>(x: &[F], matrix: &[Vec<F>]) -> Vec<F> {
+    let zero = F::zero();
+    let mut sum = vec![zero.clone(); matrix[0].len()];
+    for (x, row) in x.iter().zip(matrix).filter(|(x, _)| **x != zero) {
+        for (sum, entry) in sum.iter_mut().zip(row).filter(|(_, entry)| **entry != zero) {
+            sum.accumulate(&x.times(entry));
         }
     }
     sum
 }
 
 /// Rows in echelon form with the same span, without rows of zeros.
-pub(super) fn echelon(mut rows: Vec<Vec<Rational>>) -> Vec<Vec<Rational>> {
+pub(super) fn echelon<F: Real + PartialEq>(mut rows: Vec<Vec<F>>) -> Vec<Vec<F>> {
+    let zero = F::zero();
     let columns = rows.first().map_or(0, Vec::len);
     let mut done = 0;
     for column in 0..columns {
-        let Some(pivot) = (done..rows.len()).find(|&i| !rows[i][column].is_zero()) else {
+        let Some(pivot) = (done..rows.len()).find(|&i| rows[i][column] != zero) else {
             continue;
         };
         rows.swap(done, pivot);
         let (above, below) = rows.split_at_mut(done + 1);
         let top = &above[done];
-        for row in below.iter_mut().filter(|row| !row[column].is_zero()) {
-            let factor = &row[column] / &top[column];
+        for row in below.iter_mut().filter(|row| row[column] != zero) {
+            let factor = row[column].over(&top[column]);
             for (x, t) in row.iter_mut().zip(top).skip(column) {
-                *x -= &(&factor * t);
+                x.lessen(&factor.times(t));
             }
         }
         done += 1;

@@ -1,9 +1,10 @@
-//! The joint spectral radius of rational matrices M_1, …, M_n: the limit of max ‖M_{w_1}⋯M_{w_l}‖^{1/l}
+//! The joint spectral radius of matrices M_1, …, M_n: the limit of max ‖M_{w_1}⋯M_{w_l}‖^{1/l}
 //! over all words w of length l → ∞.
 //!
 //! From below: ϱ ≥ |λ|^{1/l} for an eigenvalue λ of one product of l factors. From above: if the
 //! absolutely convex hull of rows that span the space contains each of their images by each M_i, divided
-//! by u, then ϱ ≤ u. The rows are found in f64 and verified exactly. `proofs/THEOREMS.md`, 103 to 105.
+//! by u, then ϱ ≤ u. The rows are found in f64 and verified exactly. The entries are rational, or of one real
+//! field Q(α). `proofs/THEOREMS.md`, 103 to 105.
 //!
 //! ```
 //! use subcert::exact::{Rational, format::short};
@@ -19,6 +20,7 @@
 
 mod convert;
 mod elimination;
+mod entry;
 mod extremal;
 mod hull;
 mod interval;
@@ -30,6 +32,7 @@ mod radius;
 mod roots;
 mod verify;
 
+pub use entry::Entry;
 pub use hull::Hull;
 pub use interval::{contracts, expanding_product, expands};
 pub use matrix_set::{MAX_MATRICES, MAX_SIZE, MatrixSet, MatrixSetError};

@@ -1,17 +1,36 @@
 //! Eigenvalues of single products, exactly.
 
+use super::entry::Entry;
 use super::matrix_set::{MatrixSet, echelon, row_times};
 use crate::exact::{
-    Enclosed as _, Rational, RealAlgebraic, characteristic_polynomial, symmetric_square_polynomial,
+    Enclosed as _, Rational, RealAlgebraic, characteristic_coefficients,
+    symmetric_square_coefficients, value_at,
 };
 
-/// The largest absolute value of a real eigenvalue of a product; `None` where it has none other than 0.
-pub(super) fn largest_real(set: &MatrixSet, word: &[usize]) -> Option<RealAlgebraic> {
-    let polynomial = characteristic_polynomial(&set.product(word));
-    let roots = RealAlgebraic::roots_of(&polynomial);
+/// A positive root of a polynomial.
+pub(super) struct Root<F> {
+    pub(super) root: RealAlgebraic,
+    pub(super) polynomial: Vec<F>,
+}
+
+/// The largest absolute value of a real eigenvalue of a product; `None` where it has none other than 0, or the
+/// roots are beyond the caps.
+pub(super) fn largest_real<F: Entry>(set: &MatrixSet<F>, word: &[usize]) -> Option<Root<F>> {
+    let polynomial = characteristic_coefficients(&set.product(word));
+    let roots = F::real_roots(&polynomial)?;
     let least = roots.first().filter(|root| root.sign() < 0).map(negated);
     let greatest = roots.last().filter(|root| root.sign() > 0).cloned();
-    least.into_iter().chain(greatest).max()
+    let negative = least > greatest;
+    let root = if negative { least? } else { greatest? };
+    Some(Root { root, polynomial: if negative { mirrored(polynomial) } else { polynomial } })
+}
+
+/// p(−x).
+fn mirrored<F: Entry>(mut p: Vec<F>) -> Vec<F> {
+    for c in p.iter_mut().skip(1).step_by(2) {
+        *c = F::zero().minus(c);
+    }
+    p
 }
 
 /// −α.
@@ -32,9 +51,10 @@ fn negated(root: &RealAlgebraic) -> RealAlgebraic {
 }
 
 /// The square of the spectral radius of a product, which may have no real eigenvalue.
-pub(super) fn square_of_radius(set: &MatrixSet, word: &[usize]) -> Option<RealAlgebraic> {
-    let polynomial = symmetric_square_polynomial(&set.product(word));
-    RealAlgebraic::roots_of(&polynomial).pop().filter(|root| root.sign() > 0)
+pub(super) fn square_of_radius<F: Entry>(set: &MatrixSet<F>, word: &[usize]) -> Option<Root<F>> {
+    let polynomial = symmetric_square_coefficients(&set.product(word));
+    let root = F::real_roots(&polynomial)?.pop().filter(|root| root.sign() > 0)?;
+    Some(Root { root, polynomial })
 }
 
 /// Which eigenvalue bounds the radius from below.
@@ -59,8 +79,8 @@ pub struct Eigenvalue {
 }
 
 /// The eigenvalue of a product that is next to `root`, by a sign; `None` where no sign shows it.
-pub(super) fn shown(
-    set: &MatrixSet,
+pub(super) fn shown<F: Entry>(
+    set: &MatrixSet<F>,
     word: &[usize],
     root: &RealAlgebraic,
     conjugate: bool,
@@ -70,15 +90,16 @@ pub(super) fn shown(
         return None;
     }
     let product = set.product(word);
+    let at = |p: &[F], x: &Rational| value_at(p, &F::from_rational(x)).signum();
     if conjugate {
-        let shows = symmetric_square_polynomial(&product).sign_at(&at_least) <= 0;
+        let shows = at(&symmetric_square_coefficients(&product), &at_least) <= 0;
         return shows.then_some(Eigenvalue { kind: Kind::Conjugate, at_least });
     }
-    let polynomial = characteristic_polynomial(&product);
-    if polynomial.sign_at(&at_least) <= 0 {
+    let polynomial = characteristic_coefficients(&product);
+    if at(&polynomial, &at_least) <= 0 {
         return Some(Eigenvalue { kind: Kind::Positive, at_least });
     }
-    let mirrored = polynomial.sign_at(&-&at_least);
+    let mirrored = at(&polynomial, &-&at_least);
     let shows = if product.len().is_multiple_of(2) { mirrored <= 0 } else { mirrored >= 0 };
     shows.then_some(Eigenvalue { kind: Kind::Negative, at_least })
 }
@@ -96,7 +117,11 @@ pub struct JordanBlock {
 /// size 2 or more: there the rank of (P − λI)² is less than that of P − λI. The powers of this product
 /// then grow faster than q^{lk}.
 #[must_use]
-pub fn jordan_block(set: &MatrixSet, q: &Rational, longest: usize) -> Option<JordanBlock> {
+pub fn jordan_block<F: Entry>(
+    set: &MatrixSet<F>,
+    q: &Rational,
+    longest: usize,
+) -> Option<JordanBlock> {
     let mut words = vec![Vec::new()];
     for length in 1..=longest {
         let extend = |word: &Vec<usize>| {
@@ -116,15 +141,16 @@ pub fn jordan_block(set: &MatrixSet, q: &Rational, longest: usize) -> Option<Jor
     None
 }
 
-fn is_defective(matrix: &[Vec<Rational>], eigenvalue: &Rational) -> bool {
+fn is_defective<F: Entry>(matrix: &[Vec<F>], eigenvalue: &Rational) -> bool {
+    let eigenvalue = F::from_rational(eigenvalue);
     let mut shifted = matrix.to_vec();
     for (i, row) in shifted.iter_mut().enumerate() {
-        row[i] -= eigenvalue;
+        row[i].lessen(&eigenvalue);
     }
     let rank = echelon(shifted.clone()).len();
     if rank == matrix.len() {
         return false;
     }
-    let square = shifted.iter().map(|row| row_times(row, &shifted)).collect();
+    let square: Vec<Vec<F>> = shifted.iter().map(|row| row_times(row, &shifted)).collect();
     echelon(square).len() < rank
 }

@@ -1,6 +1,7 @@
 //! Hulls that prove an upper bound a little above the rate of a product.
 
 use super::convert::{floats, on_grid, scaled};
+use super::entry::Entry;
 use super::hull::Hull;
 use super::matrix_set::MatrixSet;
 use crate::exact::Rational;
@@ -11,8 +12,8 @@ use crate::float::{exact, nearest};
 ///
 /// It is closed under the matrices over `rate`·(1 + `excess`/2). The other half of the excess is room for
 /// rounding, and for the gauges of the images.
-pub(super) fn hull(
-    set: &MatrixSet,
+pub(super) fn hull<F: Entry>(
+    set: &MatrixSet<F>,
     seeds: &[Vec<f64>],
     unit: &Rational,
     (rate, excess): (f64, f64),
@@ -51,7 +52,7 @@ pub(super) fn hull(
 const MAX_PRODUCTS: usize = 60_000_000;
 
 /// How many products of each length are continued, within the work.
-pub(super) fn beam(set: &MatrixSet, most: usize) -> usize {
+pub(super) fn beam<F: Entry>(set: &MatrixSet<F>, most: usize) -> usize {
     let each = set.matrices().len() * set.size().pow(3);
     (MAX_PRODUCTS / each / 14).clamp(4, most)
 }

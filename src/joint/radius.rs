@@ -1,6 +1,7 @@
 //! Both bounds of the joint spectral radius.
 
 use super::convert::floats;
+use super::entry::Entry;
 use super::hull::Hull;
 use super::lower::{Exact, Lower, MAX_ROWS};
 use super::matrix_set::MatrixSet;
@@ -37,7 +38,7 @@ pub struct JointRadius {
 impl JointRadius {
     /// A rational lower bound that a sign shows; `None` where ϱ = 0, or no sign shows it.
     #[must_use]
-    pub fn eigenvalue(&self, set: &MatrixSet) -> Option<Eigenvalue> {
+    pub fn eigenvalue<F: Entry>(&self, set: &MatrixSet<F>) -> Option<Eigenvalue> {
         shown(set, &self.product, &self.root, self.degree != self.product.len())
     }
 }
@@ -49,7 +50,7 @@ impl JointRadius {
 /// # Panics
 /// Never.
 #[must_use]
-pub fn joint_radius(set: &MatrixSet) -> JointRadius {
+pub fn joint_radius<F: Entry>(set: &MatrixSet<F>) -> JointRadius {
     if set.is_nilpotent() {
         let root = RealAlgebraic::from(Rational::zero());
         return JointRadius { product: Vec::new(), root, degree: 1, exact: true, hull: None };
@@ -71,7 +72,7 @@ pub fn joint_radius(set: &MatrixSet) -> JointRadius {
 /// Whether the radius is that of a product, by an extremal hull; then all products of l factors are at most
 /// Cϱ^l. `None` where none of up to 300 rows is found.
 #[must_use]
-pub fn extremal_rate(set: &MatrixSet) -> Option<(RealAlgebraic, usize)> {
+pub fn extremal_rate<F: Entry>(set: &MatrixSet<F>) -> Option<(RealAlgebraic, usize)> {
     let found = candidates(&floats(set), MAX_FACTORS, beam(set, BEAM));
     let lower = Lower::of(set, &found)?;
     lower.extremal(set, &Rational::new(1, 16), &found, FEW_ROWS)?;
@@ -79,7 +80,7 @@ pub fn extremal_rate(set: &MatrixSet) -> Option<(RealAlgebraic, usize)> {
 }
 
 /// What is known when f64 finds no product with an eigenvalue other than 0.
-fn by_norm(set: &MatrixSet) -> JointRadius {
+fn by_norm<F: Entry>(set: &MatrixSet<F>) -> JointRadius {
     let root = RealAlgebraic::from(Rational::zero());
     let hull = Some(Hull::norm(set));
     JointRadius { product: vec![0], root, degree: 1, exact: false, hull }

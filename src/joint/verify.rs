@@ -1,10 +1,11 @@
 //! Extremal hulls, verified.
 
 use super::convert::{float, on_grid};
+use super::entry::Entry;
 use super::extremal::{Extremal, Rate, Vertex};
 use super::hull::Hull;
 use super::matrix_set::MatrixSet;
-use crate::exact::{Enclosed, Enclosure, Integer, Rational, Real};
+use crate::exact::{Enclosed, Enclosure, Integer, Rational};
 use crate::float::extremal::Image;
 use crate::float::nearest;
 
@@ -54,23 +55,25 @@ impl Extremal<Rational> {
     }
 }
 
-impl<F: Real + PartialEq + Enclosed> Extremal<F> {
+impl<F: Entry> Extremal<F> {
     /// Whether the hull is invariant under the matrices over the rate, which is that of a product of
     /// `length` factors: by enclosures of the rows θ^{−power}·row, and exactly where these do not decide.
-    pub(super) fn is_invariant(&self, set: &MatrixSet, unit: &Rational) -> bool {
+    pub(super) fn is_invariant(&self, set: &MatrixSet<F>, unit: &Rational) -> bool {
         let theta = enclosed_root(&self.rate);
         let inverse = reciprocal(&theta);
         let near: Vec<Vec<Enclosure>> =
             self.vertices.iter().map(|vertex| enclosed(vertex, &inverse)).collect();
+        let row = |row: &Vec<F>| row.iter().map(|x| outward(&x.enclosure(1))).collect();
+        let matrices = set.matrices().iter().map(|rows| rows.iter().map(row).collect());
+        let matrices: Vec<Vec<Vec<Enclosure>>> = matrices.collect();
         self.images().all(|(i, by, image)| {
             // A row is the image of another, and a cycle of eigenvectors closes, by construction.
             let Image::Combination(terms) = image else { return true };
-            let matrix = &set.matrices()[by];
-            let inside = cost(&near, (&near[i], matrix, &inverse), terms, unit);
+            let inside = cost(&near, (&near[i], &matrices[by], &inverse), terms, unit);
             if inside.is_some_and(|cost| cost <= Rational::one()) {
                 return true;
             }
-            let exact = self.rate.step(&self.vertices[i], matrix);
+            let exact = self.rate.step(&self.vertices[i], &set.matrices()[by]);
             self.exact_combination(&exact, terms).is_some()
         })
     }
@@ -79,14 +82,15 @@ impl<F: Real + PartialEq + Enclosed> Extremal<F> {
 /// An upper bound of Σ|c_j| + Σ|r_k|/τ.
 fn cost(
     near: &[Vec<Enclosure>],
-    (row, matrix, inverse): (&[Enclosure], &[Vec<Rational>], &Enclosure),
+    (row, matrix, inverse): (&[Enclosure], &[Vec<Enclosure>], &Enclosure),
     terms: &[(usize, f64)],
     unit: &Rational,
 ) -> Option<Rational> {
-    let mut rest = vec![Enclosure::exact(Rational::zero()); row.len()];
+    let zero = Enclosure::exact(Rational::zero());
+    let mut rest = vec![zero.clone(); row.len()];
     for (x, entries) in row.iter().zip(matrix) {
-        for (sum, entry) in rest.iter_mut().zip(entries).filter(|(_, entry)| !entry.is_zero()) {
-            *sum = &*sum + &(x * &(&Enclosure::exact(entry.clone()) * inverse));
+        for (sum, entry) in rest.iter_mut().zip(entries).filter(|(_, entry)| **entry != zero) {
+            *sum = &*sum + &(x * &(entry * inverse));
         }
     }
     let mut total = Rational::zero();
@@ -103,7 +107,7 @@ fn cost(
 }
 
 /// θ^{−power}·row.
-fn enclosed<F: Real + Enclosed>(vertex: &Vertex<F>, inverse: &Enclosure) -> Vec<Enclosure> {
+fn enclosed<F: Enclosed>(vertex: &Vertex<F>, inverse: &Enclosure) -> Vec<Enclosure> {
     let one = Enclosure::exact(Rational::one());
     let scale = (0..vertex.power).fold(one, |scale, _| outward(&(&scale * inverse)));
     vertex.row.iter().map(|x| outward(&(&outward(&x.enclosure(1)) * &scale))).collect()
@@ -120,7 +124,7 @@ fn reciprocal(x: &Enclosure) -> Enclosure {
 }
 
 /// θ = α^{1/length}, by bisection around what f64 gives.
-fn enclosed_root<F: Real + Enclosed>(rate: &Rate<F>) -> Enclosure {
+fn enclosed_root<F: Enclosed>(rate: &Rate<F>) -> Enclosure {
     let root = rate.root.enclosure(1);
     let length = i32::try_from(rate.length).expect("a short word");
     let near = nearest(&rate.root).powf(1.0 / float(rate.length));

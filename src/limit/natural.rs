@@ -1,6 +1,6 @@
 //! The parameters at which the points of a polygon are compared with the limit.
 
-use crate::exact::Rational;
+use crate::exact::{Enclosed, Rational, Real};
 use crate::scheme::Mask;
 
 /// How parameters are assigned to the points of a level.
@@ -31,14 +31,14 @@ impl Parametrisation {
 
 /// The natural parameters of the points of a polygon: x^k_i is at (i + s)/n^k.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct NaturalShift {
+pub struct NaturalShift<F = Rational> {
     /// s.
-    pub shift: Rational,
+    pub shift: F,
     /// Whether the scheme takes lines to lines. If so, s is the only shift with which it
     /// reproduces lines. Otherwise s is near the centre of mass of the basic limit function.
     pub keeps_lines: bool,
     /// s_α, the shift with which rule α alone takes lines to lines.
-    pub of_rules: Vec<Rational>,
+    pub of_rules: Vec<F>,
 }
 
 /// If the scheme does not take lines to lines, s is rounded to a multiple of 1/((n − 1)n^m) for the
@@ -65,22 +65,25 @@ const PARTS: usize = 1 << 10;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[must_use]
-pub fn natural_shift(mask: &Mask) -> NaturalShift {
+pub fn natural_shift<F: Real + PartialEq + Enclosed>(mask: &Mask<F>) -> NaturalShift<F> {
+    let number = |x: Rational| F::from_rational(&x);
     let n = Rational::from(mask.arity());
     let offset = Rational::from(mask.offset());
-    let shift = |(alpha, row): (usize, &Vec<Rational>)| {
-        let weighted = row.iter().enumerate().map(|(j, entry)| entry * Rational::from(j));
-        let mean: Rational = weighted.sum();
-        (Rational::from(alpha) - &n * (mean + &offset)) / (&n - Rational::one())
+    let shift = |(alpha, row): (usize, &Vec<F>)| {
+        let weighted = row.iter().enumerate().map(|(j, entry)| entry.times(&number(j.into())));
+        let mean = weighted.fold(number(offset.clone()), |sum, term| sum.plus(&term));
+        let rest = number(Rational::from(alpha)).minus(&number(n.clone()).times(&mean));
+        rest.times(&number((&n - Rational::one()).recip()))
     };
-    let shifts: Vec<Rational> = mask.rules().rows().iter().enumerate().map(shift).collect();
+    let shifts: Vec<F> = mask.rules().rows().iter().enumerate().map(shift).collect();
     let keeps_lines = shifts.iter().all(|shift| *shift == shifts[0]);
-    let mean = shifts.iter().sum::<Rational>() / &n;
+    let mean = F::total(&shifts).times(&number(n.recip()));
     if keeps_lines {
         return NaturalShift { shift: mean, keeps_lines, of_rules: shifts };
     }
     let power = mask.arity().pow(PARTS.ilog(mask.arity()) + 1);
     let parts = Rational::from(power) * (&n - Rational::one());
-    let nearest = (mean * &parts + Rational::new(1, 2)).floor();
-    NaturalShift { shift: Rational::from(nearest) / parts, keeps_lines, of_rules: shifts }
+    let scaled = mean.times(&number(parts.clone())).plus(&number(Rational::new(1, 2)));
+    let nearest = scaled.step(Rational::floor);
+    NaturalShift { shift: number(Rational::from(nearest) / parts), keeps_lines, of_rules: shifts }
 }

@@ -97,7 +97,7 @@ impl SchemeDefinition {
                 return Err(SchemeError::LocalRules { scheme: self.name.clone() });
             }
         };
-        self.check_common_field(rows.iter().flatten())?;
+        let rows = self.in_one_field(rows)?;
         Mask::new(rows, offset).map_err(|error| {
             let refusal = self.refusal(&error);
             SchemeError::File(Box::new(at_values(refusal, &parameters)))
@@ -119,6 +119,17 @@ impl SchemeDefinition {
             let (source, span) = self.whole();
             SchemeError::File(Box::new(Diagnostic::new(source, span, error.to_string())))
         })
+    }
+
+    /// The coefficients in one field; an error when no field within the caps has them.
+    fn in_one_field<V: Value>(&self, rows: Vec<Vec<V>>) -> Result<Vec<Vec<V>>, SchemeError> {
+        let lengths: Vec<usize> = rows.iter().map(Vec::len).collect();
+        let all = V::together(rows.into_iter().flatten().collect()).map_err(|error| {
+            let (source, span) = self.whole();
+            SchemeError::File(Box::new(Diagnostic::new(source, span, error.to_string())))
+        })?;
+        let mut all = all.into_iter();
+        Ok(lengths.into_iter().map(|length| all.by_ref().take(length).collect()).collect())
     }
 
     /// The given values, completed by defaults.

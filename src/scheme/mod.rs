@@ -18,6 +18,7 @@ mod local_rules;
 mod local_symmetry;
 mod mask;
 mod parse;
+mod parse_open;
 mod reference;
 mod rules;
 mod tensor;
@@ -34,9 +35,10 @@ pub use local_symmetry::Representatives;
 pub use mask::{Mask, MaskError};
 pub(crate) use parse::find_in_catalogue;
 pub use parse::{
-    AnyScheme, files_without_offset, parse_any_scheme, parse_local_rules, parse_parametric,
+    AnyScheme, files_without_offset, parse_algebraic, parse_any_scheme, parse_local_rules,
     parse_scheme,
 };
+pub use parse_open::{parse_in_parameters, parse_parametric};
 pub use reference::{Instance, Reference};
 pub use rules::{MAX_ARITY, MAX_WIDTH, Rules, RulesError};
 pub use tensor::Scheme;

@@ -9,8 +9,8 @@ use super::local_rules::LocalRules;
 use super::mask::Mask;
 use super::reference::{Instance, Reference};
 use crate::diagnostic::SourceText;
-use crate::exact::{Polynomial, Rational, RealCyclotomic};
-use crate::formula::{Parameters, Value, is_identifier};
+use crate::exact::{AlgebraicNumber, FieldElement, Rational, RealCyclotomic};
+use crate::formula::{Parameters, Value};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -86,47 +86,29 @@ pub fn parse_any_scheme(text: &str) -> Result<AnyScheme, SchemeError> {
     }
 }
 
-/// The mask that SCHEME names, with one parameter left open. The coefficients are
-/// polynomials in this parameter. The values given for other parameters may depend on it.
+/// The mask that SCHEME names, with coefficients of one real field Q(α): in its formulas and in the values of its
+/// parameters, `sqrt` and `root` are numbers.
 ///
 /// # Errors
-/// As [`parse_scheme`], and when this is a tensor product, or its mask does not depend on
-/// the parameter.
+/// As [`parse_scheme`], when this is a tensor product, and when the coefficients are in no field within the caps.
 ///
 /// ```
-/// use subcert::scheme::parse_parametric;
+/// use subcert::exact::format::fixed;
+/// use subcert::scheme::parse_algebraic;
 ///
-/// let mask = parse_parametric("four-point", "w")?;
-/// assert_eq!(mask.rules().rows()[1][0].to_string(), "-w");
-/// assert!(parse_parametric("four-point:w=1/16", "w").is_err());
+/// let mask = parse_algebraic("four-point:w=sqrt(2)/32")?;
+/// assert_eq!(fixed(&mask.rules().rows()[1][0], 8), "-0.04419417");
 /// # Ok::<(), subcert::scheme::SchemeError>(())
 /// ```
-pub fn parse_parametric(text: &str, parameter: &str) -> Result<Mask<Polynomial>, SchemeError> {
-    let independent = |scheme: &str, known: Vec<String>| SchemeError::Independent {
-        scheme: scheme.to_owned(),
-        parameter: parameter.to_owned(),
-        known,
-    };
-    if !is_identifier(parameter) {
-        return Err(independent(text.trim(), Vec::new()));
-    }
+pub fn parse_algebraic(text: &str) -> Result<Mask<FieldElement>, SchemeError> {
     let named = Named::read(text)?;
-    let variable = Polynomial::variable(parameter);
-    let mut instances = named.instances_in(&Parameters::from([(parameter, variable.clone())]))?;
-    let (Some(mut instance), true) = (instances.pop(), instances.is_empty()) else {
+    let mut instances = named.instances::<AlgebraicNumber>()?;
+    let (Some(instance), true) = (instances.pop(), instances.is_empty()) else {
         return Err(SchemeError::TensorProduct { scheme: text.trim().to_owned() });
     };
-    let definition = named.definition(&instance.name)?;
-    let stated = instance.parameters.contains_key(parameter);
-    if !stated && definition.parameters.contains_key(parameter) {
-        instance.parameters.insert(parameter.to_owned(), variable);
-    }
-    let mask = definition.mask(&instance.parameters)?;
-    let depends = |entry: &Polynomial| entry.as_constant().is_none();
-    if mask.rules().rows().iter().flatten().any(depends) {
-        return Ok(mask);
-    }
-    Err(independent(text.trim(), definition.parameters.keys().cloned().collect()))
+    // The coefficients of a mask are in one field.
+    let mask = named.definition(&instance.name)?.mask(&instance.parameters)?;
+    Ok(mask.map(|c| c.element().clone()))
 }
 
 /// For each factor of SCHEME, the path of its file if the file defines a mask without an offset,
@@ -153,14 +135,14 @@ pub(crate) fn find_in_catalogue(name: &str) -> Result<&'static SchemeDefinition,
 }
 
 /// A reference, with the files that it names.
-struct Named<'a> {
+pub(super) struct Named<'a> {
     text: &'a str,
     reference: Reference,
     files: BTreeMap<String, SchemeDefinition>,
 }
 
 impl Named<'_> {
-    fn read(text: &str) -> Result<Named<'_>, SchemeError> {
+    pub(super) fn read(text: &str) -> Result<Named<'_>, SchemeError> {
         let reference = Reference::parse(text)?;
         let mut files = BTreeMap::new();
         for name in reference.names().filter(|name| is_file(name)) {
@@ -169,7 +151,7 @@ impl Named<'_> {
         Ok(Named { text, reference, files })
     }
 
-    fn definition(&self, name: &str) -> Result<&SchemeDefinition, SchemeError> {
+    pub(super) fn definition(&self, name: &str) -> Result<&SchemeDefinition, SchemeError> {
         match self.files.get(name) {
             Some(definition) => Ok(definition),
             None => find_in_catalogue(name).map_err(|error| other_file(name).unwrap_or(error)),
@@ -180,7 +162,7 @@ impl Named<'_> {
         self.instances_in(&Parameters::default())
     }
 
-    fn instances_in<V: Value>(
+    pub(super) fn instances_in<V: Value>(
         &self,
         parameters: &Parameters<V>,
     ) -> Result<Vec<Instance<V>>, SchemeError> {

@@ -1,5 +1,6 @@
 //! Continuity and the Hölder exponent.
 
+use super::coefficient::Coefficient;
 use super::contraction::derived;
 use super::formula::{ExponentFormula, log_of};
 use super::independence::independent;
@@ -17,6 +18,9 @@ use std::cmp::Ordering;
 /// The longest product in which a Jordan block is looked for.
 const JORDAN_FACTORS: usize = 2;
 
+/// The most rows of matrices over a field, times its degree.
+const MAX_FIELD_WORK: usize = 96;
+
 /// Why the smoothness of a scheme is not computed.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
@@ -24,24 +28,35 @@ pub enum SmoothnessError {
     /// The matrices of the differences are too large.
     #[error("the rules are too long for a proof of smoothness: {0}")]
     TooLong(#[from] MatrixSetError),
+    /// The field of the coefficients is of too large a degree for matrices of this size.
+    #[error(
+        "matrices of {size} rows over a field of degree {degree}: the product of both can be at most \
+         {MAX_FIELD_WORK}; take coefficients of a smaller field"
+    )]
+    Field {
+        /// The number of rows.
+        size: usize,
+        /// The degree over the rationals.
+        degree: usize,
+    },
 }
 
 /// What is proven of the limits of a scheme.
 #[derive(Clone, Debug)]
-pub struct Smoothness {
+pub struct Smoothness<F = Rational> {
     /// The symbol.
-    pub symbol: Symbol,
+    pub symbol: Symbol<F>,
     /// The order K of the sum rules. Polynomials up to degree K − 1 are generated.
     pub sum_rules: usize,
     /// The degree up to which polynomials are reproduced at the natural shift.
     pub reproduction: usize,
     /// The natural shift.
-    pub shift: NaturalShift,
+    pub shift: NaturalShift<F>,
     /// The radius that decides on convergence.
-    pub differences: Differences,
+    pub differences: Differences<F>,
     /// The radius that decides on the smoothness of the limits, where that is another: the shifts of the
     /// basic limit function are linearly dependent.
-    pub reduced: Option<Differences>,
+    pub reduced: Option<Differences<F>>,
     /// The largest m for which the limits are proven to be C^m; `None` where convergence is not proven.
     pub continuity: Option<usize>,
     /// The least m for which it is proven that not all limits are C^m; 0 where the scheme diverges.
@@ -52,13 +67,13 @@ pub struct Smoothness {
 
 /// The scheme n^K·B of the differences of the order K of the sum rules, A = σ^K B.
 #[derive(Clone, Debug)]
-pub struct Differences {
+pub struct Differences<F = Rational> {
     /// A.
-    pub symbol: Symbol,
+    pub symbol: Symbol<F>,
     /// K.
     pub order: usize,
     /// The matrices of n^K·B.
-    pub matrices: MatrixSet,
+    pub matrices: MatrixSet<F>,
     /// Their joint spectral radius ϱ.
     pub radius: JointRadius,
 }
@@ -77,10 +92,16 @@ pub struct Hoelder {
     pub attained: Option<bool>,
 }
 
-impl Differences {
-    fn of(symbol: &Symbol) -> Result<Differences, SmoothnessError> {
+impl<F: Coefficient> Differences<F> {
+    fn of(symbol: &Symbol<F>) -> Result<Differences<F>, SmoothnessError> {
         let (order, _) = symbol.sum_rules();
         let matrices = scaled_matrices(symbol, order)?;
+        let generator = symbol.coefficients().iter().find_map(Coefficient::generator);
+        let degree = generator.and_then(|(_, minimal)| minimal.degree()).unwrap_or(1);
+        let size = matrices.size();
+        if degree > 1 && size * degree > MAX_FIELD_WORK {
+            return Err(SmoothnessError::Field { size, degree });
+        }
         let radius = joint_radius(&matrices);
         Ok(Differences { symbol: symbol.clone(), order, matrices, radius })
     }
@@ -109,12 +130,15 @@ fn difference(a: usize, b: usize) -> i32 {
 }
 
 /// The matrices of n^k·A/σ^k.
-fn scaled_matrices(symbol: &Symbol, k: usize) -> Result<MatrixSet, MatrixSetError> {
+fn scaled_matrices<F: Coefficient>(
+    symbol: &Symbol<F>,
+    k: usize,
+) -> Result<MatrixSet<F>, MatrixSetError> {
     let factor = Rational::from(symbol.arity()).pow(difference(k, 0));
     transition_matrices(&symbol.difference(k, &factor).expect("sum rules of this order"))
 }
 
-impl Smoothness {
+impl<F: Coefficient> Smoothness<F> {
     /// What can be proven of the limits of this mask.
     ///
     /// # Errors
@@ -122,7 +146,7 @@ impl Smoothness {
     ///
     /// # Panics
     /// Never.
-    pub fn of(mask: &Mask) -> Result<Smoothness, SmoothnessError> {
+    pub fn of(mask: &Mask<F>) -> Result<Smoothness<F>, SmoothnessError> {
         let symbol = Symbol::of(mask);
         let differences = Differences::of(&symbol)?;
         // Where the hull leaves a question open, a contraction may answer it.
@@ -167,13 +191,13 @@ impl Smoothness {
 
     /// The radius that decides on the smoothness of the limits.
     #[must_use]
-    pub fn deciding(&self) -> &Differences {
+    pub fn deciding(&self) -> &Differences<F> {
         self.reduced.as_ref().unwrap_or(&self.differences)
     }
 }
 
 impl Hoelder {
-    fn of(differences: &Differences) -> Result<Hoelder, SmoothnessError> {
+    fn of<F: Coefficient>(differences: &Differences<F>) -> Result<Hoelder, SmoothnessError> {
         let Differences { symbol, order, radius, .. } = differences;
         let n = symbol.arity();
         let formula = ExponentFormula::new(*order, n, &radius.root, radius.degree);
@@ -194,8 +218,8 @@ impl Hoelder {
 
 /// Whether the exponent s is attained: whether the powers of n^s S_k are bounded, k = ⌈s⌉, where S_k
 /// refines the differences of order k. `proofs/THEOREMS.md`, 110.
-fn attained(
-    differences: &Differences,
+fn attained<F: Coefficient>(
+    differences: &Differences<F>,
     formula: &ExponentFormula,
 ) -> Result<Option<bool>, SmoothnessError> {
     let Differences { symbol, order, .. } = differences;

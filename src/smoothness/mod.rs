@@ -3,7 +3,8 @@
 //! A scheme of arity n has the symbol A(z) = Σ_s a_s z^s, where x'_r = Σ_k a_{r−nk} x_k. With
 //! σ(z) = 1 + z + … + z^{n−1}, A = σ^K B, and B not divisible by σ, K is the order of the sum rules. The differences
 //! of order K are refined by the scheme of B. Its spectral radius is the joint spectral radius of n
-//! matrices, which [`joint`](crate::joint) bounds. `proofs/THEOREMS.md`, 103 to 112.
+//! matrices, which [`joint`](crate::joint) bounds. `proofs/THEOREMS.md`, 103 to 112. The coefficients are rational, or of one
+//! real field Q(α) (120, 121).
 //!
 //! ```
 //! use subcert::scheme::parse_scheme;
@@ -17,23 +18,29 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod coefficient;
 mod contraction;
 mod excluded;
 mod exponent;
 mod formula;
 mod independence;
+mod map;
 mod parametric;
 mod range;
+mod region;
 mod reproduction;
 mod search;
 mod symbol;
 mod transition;
 
+pub use coefficient::Coefficient;
 pub use contraction::contractions;
 pub use exponent::{Hoelder, Smoothness, SmoothnessError};
 pub use formula::ExponentFormula;
+pub use map::{MAX_BOXES, MapBox, SmoothMap, smooth_map};
 pub use parametric::ParametricSymbol;
 pub use range::{SmoothRange, SmoothRangeError, smooth_range};
+pub use region::{Certain, Sides};
 pub use reproduction::reproduction_degree;
 pub use symbol::Symbol;
 pub use transition::transition_matrices;

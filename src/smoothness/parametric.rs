@@ -1,34 +1,35 @@
-//! Symbols whose coefficients are polynomials in one parameter.
+//! Symbols whose coefficients are polynomials in parameters.
 
 use super::symbol::Symbol;
 use super::transition::windows;
-use crate::exact::{Integer, Rational, RationalPolynomial, Scalar as _};
+use crate::exact::{Integer, Rational, RationalPolynomial, Scalar};
 use crate::scheme::Rules;
 
 /// A square matrix of polynomials, row by row.
 pub(super) type PolynomialMatrix = Vec<Vec<RationalPolynomial>>;
 
-/// The symbol of a mask in one parameter, up to a power of z.
+/// The symbol of a mask in parameters, up to a power of z: with polynomials in one or in several.
 #[derive(Clone, Debug)]
-pub struct ParametricSymbol {
+pub struct ParametricSymbol<P = RationalPolynomial> {
     arity: usize,
-    coefficients: Vec<RationalPolynomial>,
+    coefficients: Vec<P>,
 }
 
-impl ParametricSymbol {
+impl<P: Scalar + PartialEq> ParametricSymbol<P> {
     /// The symbol of these rules.
     #[must_use]
-    pub fn of(rules: &Rules<RationalPolynomial>) -> ParametricSymbol {
+    pub fn of(rules: &Rules<P>) -> ParametricSymbol<P> {
         let places = (0..rules.width()).rev();
         let coefficients = places.flat_map(|j| rules.rows().iter().map(move |row| row[j].clone()));
         ParametricSymbol { arity: rules.arity(), coefficients: coefficients.collect() }.trimmed()
     }
 
-    fn trimmed(mut self) -> ParametricSymbol {
-        while self.coefficients.last().is_some_and(RationalPolynomial::is_zero) {
+    fn trimmed(mut self) -> ParametricSymbol<P> {
+        let zero = P::zero();
+        while self.coefficients.last() == Some(&zero) {
             self.coefficients.pop();
         }
-        let zeros = self.coefficients.iter().take_while(|c| c.is_zero()).count();
+        let zeros = self.coefficients.iter().take_while(|c| **c == zero).count();
         self.coefficients.drain(..zeros);
         self
     }
@@ -41,7 +42,7 @@ impl ParametricSymbol {
 
     /// The symbol over σ(z) = 1 + z + … + z^{n−1}, if σ divides it for every value of the parameter.
     #[must_use]
-    pub fn over_sigma(&self) -> Option<ParametricSymbol> {
+    pub fn over_sigma(&self) -> Option<ParametricSymbol<P>> {
         let n = self.arity;
         let mut rest = self.coefficients.clone();
         let count = (rest.len() + 1).checked_sub(n)?;
@@ -51,33 +52,31 @@ impl ParametricSymbol {
             rest[i..i + n].iter_mut().for_each(|x| x.lessen(&c));
             quotient.push(c);
         }
-        let divides = count > 0 && rest.iter().all(RationalPolynomial::is_zero);
+        let zero = P::zero();
+        let divides = count > 0 && rest.iter().all(|x| *x == zero);
         divides.then(|| ParametricSymbol { arity: n, coefficients: quotient }.trimmed())
     }
 
     /// This times a number.
     #[must_use]
-    pub fn scaled(&self, factor: &Rational) -> ParametricSymbol {
-        let factor = RationalPolynomial::constant(factor.clone());
+    pub fn scaled(&self, factor: &Rational) -> ParametricSymbol<P> {
+        let factor = P::from_rational(factor);
         let coefficients = self.coefficients.iter().map(|c| c.times(&factor)).collect();
         ParametricSymbol { arity: self.arity, coefficients }
     }
 
-    /// The symbol at a value of the parameter.
-    #[must_use]
-    pub fn at(&self, value: &Rational) -> Symbol {
-        let coefficients: Vec<Rational> =
-            self.coefficients.iter().map(|c| c.value_at(value)).collect();
-        Symbol::new(self.arity, 0, &RationalPolynomial::new(&coefficients))
+    /// The symbol with the values of the coefficients.
+    pub(super) fn value(&self, value: impl Fn(&P) -> Rational) -> Symbol {
+        Symbol::new(self.arity, 0, self.coefficients.iter().map(value).collect())
     }
 
     /// Whether one of the n parts is a single coefficient 1: the scheme keeps the points of its data.
     #[must_use]
     pub fn is_interpolating(&self) -> bool {
-        let one = RationalPolynomial::constant(Rational::one());
+        let (zero, one) = (P::zero(), P::from_rational(&Rational::one()));
         (0..self.arity).any(|e| {
             let part = self.coefficients.iter().skip(e).step_by(self.arity);
-            part.filter(|c| !c.is_zero()).eq([&one])
+            part.filter(|c| **c != zero).eq([&one])
         })
     }
 
@@ -86,9 +85,9 @@ impl ParametricSymbol {
     /// # Panics
     /// Never: a mask has no longer rules.
     #[must_use]
-    pub fn rules(&self) -> Rules<RationalPolynomial> {
+    pub fn rules(&self) -> Rules<P> {
         let width = self.coefficients.len().div_ceil(self.arity).max(1);
-        let zero = RationalPolynomial::constant(Rational::zero());
+        let zero = P::zero();
         let entry = |alpha: usize, j: usize| {
             self.coefficients.get(alpha + self.arity * (width - 1 - j)).unwrap_or(&zero).clone()
         };
@@ -96,10 +95,17 @@ impl ParametricSymbol {
         Rules::new((0..self.arity).map(row).collect(), 0).expect("rules as long as those of a mask")
     }
 
-    /// The matrices on windows, in the parameter.
-    pub(super) fn matrices(&self) -> Vec<PolynomialMatrix> {
-        let zero = RationalPolynomial::constant(Rational::zero());
-        windows(&self.coefficients, self.arity, &zero)
+    /// The matrices on windows, in the parameters.
+    pub(super) fn matrices(&self) -> Vec<Vec<Vec<P>>> {
+        windows(&self.coefficients, self.arity, &P::zero())
+    }
+}
+
+impl ParametricSymbol {
+    /// The symbol at a value of the parameter.
+    #[must_use]
+    pub fn at(&self, value: &Rational) -> Symbol {
+        self.value(|c| c.value_at(value))
     }
 }
 
@@ -167,11 +173,11 @@ pub(super) fn exterior_square(matrix: &PolynomialMatrix) -> PolynomialMatrix {
 }
 
 /// AB.
-pub(super) fn multiplied(a: &PolynomialMatrix, b: &PolynomialMatrix) -> PolynomialMatrix {
-    let zero = || RationalPolynomial::constant(Rational::zero());
-    let entry = |row: &Vec<RationalPolynomial>, j: usize| {
-        let terms = row.iter().zip(b).filter(|(x, _)| !x.is_zero());
-        terms.fold(zero(), |sum, (x, other)| sum.plus(&x.times(&other[j])))
+pub(super) fn multiplied<P: Scalar + PartialEq>(a: &[Vec<P>], b: &[Vec<P>]) -> Vec<Vec<P>> {
+    let zero = P::zero();
+    let entry = |row: &Vec<P>, j: usize| {
+        let terms = row.iter().zip(b).filter(|(x, _)| **x != zero);
+        terms.fold(P::zero(), |sum, (x, other)| sum.plus(&x.times(&other[j])))
     };
     a.iter().map(|row| (0..b.len()).map(|j| entry(row, j)).collect()).collect()
 }

@@ -1,6 +1,7 @@
 //! Polynomials that a scheme reproduces.
 
 use crate::exact::Rational;
+use crate::joint::Entry;
 use crate::limit::natural_shift;
 use crate::scheme::Mask;
 
@@ -20,15 +21,17 @@ use crate::scheme::Mask;
 /// # Ok::<(), subcert::scheme::SchemeError>(())
 /// ```
 #[must_use]
-pub fn reproduction_degree(mask: &Mask) -> usize {
+pub fn reproduction_degree<F: Entry>(mask: &Mask<F>) -> usize {
+    let number = |x: Rational| F::from_rational(&x);
     let shift = natural_shift(mask).shift;
-    let n = Rational::from(mask.arity());
+    let inverse = number(Rational::from(mask.arity()).recip());
     let holds = |degree: usize| {
-        let power = |x: Rational| (0..degree).fold(Rational::one(), |power, _| power * &x);
+        let power = |x: F| (0..degree).fold(number(Rational::one()), |power, _| power.times(&x));
         (0..).zip(mask.rules().rows()).all(|(alpha, row)| {
-            let places = (mask.offset()..).map(|i| power(Rational::from(i) + &shift));
-            let sum: Rational = row.iter().zip(places).map(|(a, x)| a * x).sum();
-            sum == power((Rational::from(alpha) + &shift) / &n)
+            let places = (mask.offset()..).map(|i| power(number(Rational::from(i)).plus(&shift)));
+            let terms = row.iter().zip(places);
+            let sum = terms.fold(F::zero(), |sum, (a, x)| sum.plus(&a.times(&x)));
+            sum == power(number(Rational::from(alpha)).plus(&shift).times(&inverse))
         })
     };
     (1..mask.width()).find(|&degree| !holds(degree)).unwrap_or(mask.width()) - 1

@@ -1,8 +1,7 @@
 //! The matrices of a scheme on windows of its data.
 
 use super::symbol::Symbol;
-use crate::exact::Rational;
-use crate::joint::{MatrixSet, MatrixSetError};
+use crate::joint::{Entry, MatrixSet, MatrixSetError};
 
 /// The n matrices T_e, e = 0, …, n−1, of a symbol B = Σ_{s=0}^{L} b_s z^s (up to a power of z), with the
 /// entries b_{L−n+1+e+i−nj}, i, j = 0, …, w−1, w = max(1, ⌈(L−1)/(n−1)⌉ + 1).
@@ -16,9 +15,8 @@ use crate::joint::{MatrixSet, MatrixSetError};
 ///
 /// # Panics
 /// Never.
-pub fn transition_matrices(symbol: &Symbol) -> Result<MatrixSet, MatrixSetError> {
-    let b = symbol.polynomial().coefficients();
-    MatrixSet::new(windows(&b, symbol.arity(), &Rational::zero()))
+pub fn transition_matrices<F: Entry>(symbol: &Symbol<F>) -> Result<MatrixSet<F>, MatrixSetError> {
+    MatrixSet::new(windows(symbol.coefficients(), symbol.arity(), &F::zero()))
 }
 
 /// The matrices of [`transition_matrices`] for the coefficients b_0, …, b_L.

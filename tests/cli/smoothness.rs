@@ -98,3 +98,107 @@ fn bad_input_of_these() {
     assert_parts(&range("2"), &["sum rules of order 3", "order 2"]);
     assert_parts(&range("-1"), &["no whole number"]);
 }
+
+#[test]
+fn irrational_coefficients() {
+    let text = written(["smoothness", "examples/daubechies-4.toml"]);
+    for part in [
+        "polynomials in t, t = 1.73205080757 a root of -3 + t^2",
+        "2 - log_2(x), x = 2.73205080757 the root of x^2 - 2x - 2 from 2 to 3",
+    ] {
+        assert!(text.contains(part), "no `{part}` in {text}");
+    }
+    let four = json(["smoothness", "examples/daubechies-4.toml"]);
+    assert_eq!(four["field"]["minimal_polynomial"], "-3 + t^2");
+    assert_eq!(four["radius"]["matrices"][0][0][0], "1 + t");
+    assert!(json(["smoothness", "four-point:w=1/16"]).get("field").is_none());
+    // The value of a parameter may be irrational as well.
+    let w = json(["smoothness", "four-point:w=(sqrt(5) - 1)/8"]);
+    assert_eq!((&w["continuity"], &w["sum_rules"]), (&1.into(), &2.into()));
+    // Where a root is rational, so is the mask.
+    let rational = json(["smoothness", "four-point:w=sqrt(1/256)"]);
+    assert_eq!(rational["hoelder"]["exact"], "2");
+}
+
+#[test]
+fn other_commands_take_rational_masks_only() {
+    let mine = "examples/daubechies-4.toml";
+    for command in [
+        &["constants", mine][..],
+        &["depth", mine, "--tolerance", "1/100"],
+        &["certify", mine],
+        &["oracle", mine],
+        &["constants", "four-point:w=sqrt(2)/32"],
+        &["constants", "chaikin x four-point:w=sqrt(2)/32"],
+    ] {
+        let error = refused(command.iter().copied());
+        assert_parts(&error, &["is not rational", "subcert smoothness"]);
+    }
+    let range = ["range", "four-point:w=sqrt(2)*v", "--param", "v"];
+    assert_parts(&refused(range), &["`sqrt` and `root` are for masks without free parameters"]);
+}
+
+#[test]
+fn bad_roots() {
+    let file = |text: &str| {
+        let mask =
+            format!("name = \"mine\"\nmask = [[\"{text}\", \"1 - ({text})\"], [\"1\", \"0\"]]\n");
+        TemporaryFile::new("irrational-mask.toml", &mask)
+    };
+    for (text, part) in [
+        ("sqrt(-3)", "the square root of the negative number -3"),
+        ("root([1, 0, 1], 1)", "the polynomial has 0 real roots"),
+        ("root(3, 1)", "expected a list of coefficients"),
+        (
+            "root([-2, 0, 0, 0, 0, 1], 1) + root([-3, 0, 0, 0, 0, 1], 1)",
+            "a field of degree above 24",
+        ),
+    ] {
+        let file = file(text);
+        assert_parts(&refused(["smoothness", file.path()]), &[part, "irrational-mask.toml:2"]);
+    }
+    let wrong = file("sqrt(3)");
+    let text = std::fs::read_to_string(wrong.path()).expect("a file").replace("1 - (sqrt(3))", "1");
+    let wrong = TemporaryFile::new("irrational-sum.toml", &text);
+    assert_parts(
+        &refused(["smoothness", wrong.path()]),
+        &["rule 0 sums to 1 + t", "irrational-sum.toml:2"],
+    );
+}
+
+#[test]
+fn maps_of_two_parameters() {
+    let map = |extra: &[&'static str]| {
+        let base = ["range", "examples/primal.toml", "--param", "a", "--param", "b"];
+        base.into_iter().chain(extra.iter().copied()).collect::<Vec<&str>>()
+    };
+    let wanted = ["--smoothness", "1", "--boxes", "21", "--bounds", "a=-1/4..1/4,b=-1/4..1/2"];
+    let found = json(map(&wanted));
+    assert_eq!(found["parameters"], serde_json::json!(["a", "b"]));
+    assert_eq!(found["bounds"], serde_json::json!([["-1/4", "1/4"], ["-1/4", "1/2"]]));
+    let boxes = found["boxes"].as_array().expect("boxes");
+    let states: std::collections::BTreeSet<&str> =
+        boxes.iter().map(|found| found["state"].as_str().expect("a word")).collect();
+    assert!(states.contains("outside") && states.contains("open"), "{states:?}");
+    let text = written(map(&wanted));
+    assert!(text.contains("% of the area") && text.contains("from -1/4 to 1/2"), "{text}");
+    for (extra, part) in [
+        (&[][..], "add `--smoothness M`"),
+        (&["--smoothness", "2"], "sum rules of order 3"),
+        (&["--smoothness", "1", "--boxes", "0"], "from 1 to 20000 boxes"),
+        (&["--smoothness", "1", "--bounds", "c=0..1"], "none of the two parameters"),
+        (&["--smoothness", "1", "--bounds", "a=1..0"], "is not below"),
+        (&["--smoothness", "1", "--bounds", "a=0..1,a=0..1"], "has bounds already"),
+        (&["--smoothness", "1", "--bounds", "a=0-1"], "there is no `..`"),
+        (&["--smoothness", "1", "--bounds", "a=x..1"], "in `--bounds`"),
+        (&["--smoothness", "1", "--param", "c"], "`--param` is given 3 times"),
+    ] {
+        assert_parts(&refused(map(extra)), &[part]);
+    }
+    let twice = ["range", "four-point", "--param", "w", "--param", "w", "--smoothness", "1"];
+    assert_parts(&refused(twice), &["`--param w` is given twice"]);
+    let one = ["range", "four-point", "--param", "w", "--smoothness", "1", "--boxes", "9"];
+    assert_parts(&refused(one), &["give `--param` twice"]);
+    let unused = ["range", "four-point", "--param", "w", "--param", "v", "--smoothness", "1"];
+    assert_parts(&refused(unused), &["`v`"]);
+}

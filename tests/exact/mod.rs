@@ -14,6 +14,7 @@ mod enclosure;
 mod format;
 mod linear;
 mod matrix;
+mod number_field;
 mod piecewise;
 mod polynomial;
 mod reading;

@@ -32,7 +32,7 @@ fn largest_difference(mask: &Mask, k: usize, levels: u32) -> Rational {
 fn power_norm(symbol: &Symbol, k: usize, levels: u32) -> Rational {
     let n = symbol.arity();
     let b = symbol.difference(k, &Rational::one()).expect("sum rules");
-    let b = b.polynomial().coefficients();
+    let b = b.coefficients();
     let mut product = vec![Rational::one()];
     let mut step = 1;
     for _ in 0..levels {
@@ -100,7 +100,7 @@ proptest! {
     #[test]
     fn one_factor_more_is_one_derivative_more(mask in masks(2, 3)) {
         let smoothness = Smoothness::of(&mask).expect("short rules");
-        let coefficients = smoothness.symbol.polynomial().coefficients();
+        let coefficients = smoothness.symbol.coefficients();
         let half = Rational::new(1, 2);
         let at = |i: usize| coefficients.get(i).cloned().unwrap_or_else(Rational::zero);
         let mut longer: Vec<Rational> = (0..=coefficients.len())

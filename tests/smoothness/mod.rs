@@ -1,2 +1,4 @@
+mod algebraic;
 mod known;
 mod laws;
+mod map;

@@ -137,6 +137,7 @@ reasons! {
     Malformed(what: &'static str) "the line does not have the form that is expected: {what}"
     Truncated "the certificate is cut off: `end`, `at-most` or `unit` is missing"
     AfterEnd "the certificate goes on after its end, or it is too long"
+    Field "the polynomial of the field has a multiple root, or not just one root between the two numbers"
     Rule "the rules differ in length, or one does not sum to 1"
     SumRules "the sum rules do not hold up to this order"
     Size "the matrices or rows are not of one size, or beyond a cap"

@@ -99,14 +99,20 @@ pub(in crate::cli) struct RangeArguments {
     /// The scheme, without a value for the parameter
     #[arg(value_name = "SCHEME")]
     pub(in crate::cli) scheme: String,
-    /// The parameter, in which the mask is polynomial
-    #[arg(long, value_name = "NAME")]
-    pub(in crate::cli) param: String,
+    /// The parameter, in which the mask is polynomial; twice, with `--smoothness`, for a map of two
+    #[arg(long, value_name = "NAME", required = true)]
+    pub(in crate::cli) param: Vec<String>,
     #[command(flatten)]
     pub(in crate::cli) block: Block,
     /// Where the limits are C^M, and where they are not, in place of T_c < 1
     #[arg(long, value_name = "M", conflicts_with = "function", allow_negative_numbers = true, value_parser = count)]
     pub(in crate::cli) smoothness: Option<usize>,
+    /// The region of a map of two parameters, such as a=-1..1,b=0..1/2 [default: from -1 to 1]
+    #[arg(long, value_name = "BOX", requires = "smoothness", allow_hyphen_values = true)]
+    pub(in crate::cli) bounds: Option<String>,
+    /// How many boxes of a map are looked at, up to 20000 [default: 1000]
+    #[arg(long, value_name = "N", requires = "smoothness")]
+    pub(in crate::cli) boxes: Option<usize>,
     /// Show T_c itself, a piecewise polynomial function of the parameter
     #[arg(long)]
     pub(in crate::cli) function: bool,

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct SmoothnessArguments {
-    /// The scheme: a mask with rational coefficients, of matrices of up to 24 rows
+    /// The scheme: a mask, also with coefficients such as sqrt(3), of matrices of up to 24 rows
     #[arg(value_name = "SCHEME")]
     pub(in crate::cli) scheme: String,
     /// Write a certificate of the radius and of what follows, for subcert-check --radius

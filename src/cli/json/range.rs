@@ -81,3 +81,47 @@ pub struct SmoothRange<'a> {
     /// For c = 1, 2, … the part of `inside` where the differences contract in c levels.
     pub levels: Vec<Level>,
 }
+
+/// Where, in a plane of two parameters, the limits are C^m.
+#[derive(Serialize)]
+pub struct SmoothMap<'a> {
+    /// The version of this form.
+    pub schema: u32,
+    /// The scheme as it was given.
+    pub scheme: &'a str,
+    /// The two parameters.
+    pub parameters: [&'a str; 2],
+    /// m.
+    pub smoothness: usize,
+    /// The ends of the region, for both parameters.
+    pub bounds: [[String; 2]; 2],
+    /// The parts of the area.
+    pub shares: Shares,
+    /// Whether parameters outside may be exceptions: zeros of a polynomial.
+    pub but_exceptions: bool,
+    /// The boxes, which fill the region.
+    pub boxes: Vec<MapBox>,
+}
+
+/// Parts of an area, which sum to 1.
+#[derive(Serialize)]
+pub struct Shares {
+    /// Where all limits are C^m.
+    pub inside: String,
+    /// Where not all are, or the scheme diverges.
+    pub outside: String,
+    /// Where neither is shown.
+    pub open: String,
+}
+
+/// A box of parameters.
+#[derive(Serialize)]
+pub struct MapBox {
+    /// `inside`, `outside` or `open`.
+    pub state: &'static str,
+    /// The ends, for both parameters.
+    pub sides: [[String; 2]; 2],
+    /// The factors of the product that shows that the box is outside, counted from 0; absent elsewhere.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub product: Option<Vec<usize>>,
+}

@@ -10,6 +10,9 @@ pub struct Smoothness<'a> {
     pub schema: u32,
     /// The scheme as it was given.
     pub scheme: &'a str,
+    /// The number t in which the coefficients are polynomials; absent where all are rational.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub field: Option<Field>,
     /// The arity.
     pub arity: usize,
     /// The ends of the support of the basic limit function, when x^k_i belongs to i/n^k.
@@ -37,6 +40,15 @@ pub struct Smoothness<'a> {
     pub radius: Radius,
     /// The Hölder exponent; null where convergence is not proven.
     pub hoelder: Option<Hoelder>,
+}
+
+/// The field of irrational coefficients.
+#[derive(Serialize)]
+pub struct Field {
+    /// The minimal polynomial of t.
+    pub minimal_polynomial: String,
+    /// t.
+    pub decimal: String,
 }
 
 /// That the differences of a derived scheme contract.
@@ -70,7 +82,7 @@ pub struct Radius {
     /// matrices of a file.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub order: Option<usize>,
-    /// The matrices.
+    /// The matrices; irrational entries are polynomials in t.
     pub matrices: Vec<Vec<Vec<String>>>,
     /// The factors of a product of large spectral radius, in the order of multiplication, counted from 0.
     pub product: Vec<usize>,

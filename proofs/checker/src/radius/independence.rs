@@ -1,68 +1,84 @@
-//! Whether the shifts of the limit function of a mask are linearly independent. THEOREMS.md, 108.
+//! Whether the shifts of the limit function of a mask are linearly independent. THEOREMS.md, 108 and 121.
 
-use crate::decimal::{Q, int};
-use crate::polynomial::{divide, gcd, trimmed};
-use num_traits::{One, Zero};
+use super::number::Number;
 
-/// Whether no z ≠ 0 is a common zero of the n parts of the symbol, and Φ_M(z^n)/Φ_M(z) divides it for no M >
-/// 1 without a common divisor with n.
-pub fn is_independent(symbol: &[Q], n: usize) -> bool {
-    let start = symbol.iter().position(|a| !a.is_zero()).unwrap_or(0);
-    let symbol = trimmed(symbol[start..].to_vec());
-    let part = |e: usize| trimmed(symbol.iter().skip(e).step_by(n).cloned().collect());
-    let common = (0..n).map(part).fold(Vec::new(), |common, part| {
-        if part.is_empty() {
-            common
-        } else if common.is_empty() {
-            part
-        } else {
-            gcd(&common, &part)
-        }
-    });
-    let most = (symbol.len() - 1) / (n - 1);
-    // φ(M) ≥ √(M/2).
-    let cycle = |m: usize| {
-        totient(m) <= most && divisor(m, n) == 1 && {
-            let phi = cyclotomic(m);
-            let mut stretched = vec![Q::zero(); (phi.len() - 1) * n + 1];
-            for (i, c) in phi.iter().enumerate() {
-                stretched[i * n] = c.clone();
-            }
-            let mut product = vec![Q::zero(); symbol.len() + phi.len() - 1];
-            for (i, a) in symbol.iter().enumerate() {
-                for (j, c) in phi.iter().enumerate() {
-                    product[i + j] += a * c;
-                }
-            }
-            product.len() >= stretched.len() && divide(product, &stretched).1.iter().all(Q::is_zero)
-        }
+/// Whether no z ≠ 0 is a common zero of the n parts of the symbol, and there is no z ≠ 1 such that A(wω) = 0 for all w =
+/// z, z^n, z^{n²}, …, and all ω ≠ 1 with ω^n = 1.
+pub fn is_independent<N: Number>(symbol: &[N], n: usize) -> bool {
+    let start = symbol.iter().position(|a| a.sign() != 0).unwrap_or(0);
+    let symbol = &symbol[start..];
+    let part = |e: usize| symbol.iter().skip(e).step_by(n).cloned().collect();
+    let common = (0..n).map(part).fold(Vec::new(), |common, part: Vec<N>| gcd(&common, &part));
+    common.len() == 1 && closed(symbol, n).len() == 1
+}
+
+/// The square-free polynomial of these z.
+///
+/// A(wω) = Σ ω^e·w^eA_e(w^n) with the parts A_e. This is 0 for all these ω if and only if all w^eA_e(w^n) agree.
+fn closed<N: Number>(symbol: &[N], n: usize) -> Vec<N> {
+    let difference = |e: usize| -> Vec<N> {
+        let term = |(i, a): (usize, &N)| match i % n {
+            class if class == e => a.clone(),
+            class if class == e + 1 => N::whole(0).minus(a),
+            _ => N::whole(0),
+        };
+        symbol.iter().enumerate().map(term).collect()
     };
-    common.len() == 1 && !(2..=2 * most * most).any(cycle)
-}
-
-fn divisor(a: usize, b: usize) -> usize {
-    if b == 0 { a } else { divisor(b, a % b) }
-}
-
-/// φ(m), by the primes that divide m.
-fn totient(m: usize) -> usize {
-    let (mut rest, mut totient, mut p) = (m, m, 2);
-    while p * p <= rest {
-        if rest.is_multiple_of(p) {
-            totient -= totient / p;
-            while rest.is_multiple_of(p) {
-                rest /= p;
-            }
-        }
-        p += 1;
+    let common = (0..n - 1).map(difference).fold(Vec::new(), |common, p| gcd(&common, &p));
+    let place = |i: usize| N::fraction(&crate::decimal::int(i64::try_from(i).unwrap_or(i64::MAX)));
+    let derivative: Vec<N> = (1..common.len()).map(|i| common[i].times(&place(i))).collect();
+    let mut closed = divided(&common, &gcd(&common, &derivative)).0;
+    let (without, rest) = divided(&closed, &[N::whole(0).minus(&N::whole(1)), N::whole(1)]);
+    if rest.is_empty() {
+        closed = without;
     }
-    if rest > 1 { totient - totient / rest } else { totient }
+    loop {
+        let mut stretched = vec![N::whole(0); (closed.len() - 1) * n + 1];
+        for (i, c) in closed.iter().enumerate() {
+            stretched[i * n] = c.clone();
+        }
+        let next = gcd(&closed, &stretched);
+        if next.len() == closed.len() {
+            return next;
+        }
+        closed = next;
+    }
 }
 
-/// Φ_m.
-fn cyclotomic(m: usize) -> Vec<Q> {
-    let mut whole = vec![Q::zero(); m + 1];
-    (whole[0], whole[m]) = (int(-1), Q::one());
-    let divisors = (1..m).filter(|d| m.is_multiple_of(*d));
-    divisors.fold(whole, |rest, d| divide(rest, &cyclotomic(d)).0)
+fn trimmed<N: Number>(mut p: Vec<N>) -> Vec<N> {
+    while p.last().is_some_and(|c| c.sign() == 0) {
+        p.pop();
+    }
+    p
+}
+
+/// The quotient and the remainder by a polynomial whose last coefficient is not 0.
+fn divided<N: Number>(p: &[N], q: &[N]) -> (Vec<N>, Vec<N>) {
+    let degree = q.len() - 1;
+    let inverse = q[degree].inverse();
+    let mut rest = p.to_vec();
+    let mut quotient = vec![N::whole(0); rest.len().saturating_sub(degree)];
+    for i in (0..quotient.len()).rev() {
+        quotient[i] = rest[i + degree].times(&inverse);
+        for (j, c) in q.iter().enumerate() {
+            rest[i + j] = rest[i + j].minus(&quotient[i].times(c));
+        }
+    }
+    rest.truncate(degree);
+    (quotient, trimmed(rest))
+}
+
+/// The monic greatest common divisor.
+fn gcd<N: Number>(p: &[N], q: &[N]) -> Vec<N> {
+    let monic = |p: Vec<N>| -> Vec<N> {
+        let p = trimmed(p);
+        let inverse = p.last().map(N::inverse);
+        inverse.map_or(Vec::new(), |inverse| p.iter().map(|c| c.times(&inverse)).collect())
+    };
+    let (mut one, mut other) = (monic(p.to_vec()), monic(q.to_vec()));
+    while !other.is_empty() {
+        let rest = monic(divided(&one, &other).1);
+        (one, other) = (other, rest);
+    }
+    one
 }

@@ -1,51 +1,63 @@
-//! Matrices of fractions.
+//! Matrices of real numbers.
 
+use super::number::Number;
 use crate::decimal::{Q, int};
-use num_traits::{One, Zero};
 
 /// A square matrix, row by row.
-pub type Matrix = Vec<Vec<Q>>;
+pub type Matrix<N> = Vec<Vec<N>>;
 
 /// The unit matrix.
-pub fn unit(size: usize) -> Matrix {
-    let row = |i| (0..size).map(|j| if i == j { Q::one() } else { Q::zero() }).collect();
+pub fn unit<N: Number>(size: usize) -> Matrix<N> {
+    let row = |i| (0..size).map(|j| if i == j { N::whole(1) } else { N::whole(0) }).collect();
     (0..size).map(row).collect()
 }
 
 /// A row times a matrix.
-pub fn times(row: &[Q], matrix: &Matrix) -> Vec<Q> {
-    let mut sum = vec![Q::zero(); matrix.len()];
-    for (x, entries) in row.iter().zip(matrix).filter(|(x, _)| !x.is_zero()) {
+fn times<N: Number>(row: &[N], matrix: &Matrix<N>) -> Vec<N> {
+    let mut sum = vec![N::whole(0); matrix.len()];
+    for (x, entries) in row.iter().zip(matrix).filter(|(x, _)| x.sign() != 0) {
         for (sum, entry) in sum.iter_mut().zip(entries) {
-            *sum += x * entry;
+            *sum = sum.plus(&x.times(entry));
+        }
+    }
+    sum
+}
+
+/// A row of fractions times a matrix.
+pub fn scaled_times<N: Number>(row: &[Q], matrix: &Matrix<N>) -> Vec<N> {
+    let mut sum = vec![N::whole(0); matrix.len()];
+    for (x, entries) in row.iter().zip(matrix).filter(|(x, _)| x.sign() != 0) {
+        for (sum, entry) in sum.iter_mut().zip(entries) {
+            *sum = sum.plus(&entry.scaled(x));
         }
     }
     sum
 }
 
 /// The product of two matrices.
-pub fn multiplied(a: &Matrix, b: &Matrix) -> Matrix {
+pub fn multiplied<N: Number>(a: &Matrix<N>, b: &Matrix<N>) -> Matrix<N> {
     a.iter().map(|row| times(row, b)).collect()
 }
 
 /// The determinant, by elimination.
-pub fn determinant(mut rows: Matrix) -> Q {
-    let (size, mut value) = (rows.len(), Q::one());
+pub fn determinant<N: Number>(mut rows: Matrix<N>) -> N {
+    let (size, mut value) = (rows.len(), N::whole(1));
     for step in 0..size {
-        let Some(pivot) = (step..size).find(|&i| !rows[i][step].is_zero()) else {
-            return Q::zero();
+        let Some(pivot) = (step..size).find(|&i| rows[i][step].sign() != 0) else {
+            return N::whole(0);
         };
         if pivot != step {
             rows.swap(step, pivot);
-            value = -value;
+            value = value.scaled(&int(-1));
         }
-        value *= &rows[step][step];
+        value = value.times(&rows[step][step]);
         let top = rows[step].clone();
+        let inverse = top[step].inverse();
         for row in &mut rows[step + 1..] {
-            let factor = &row[step] / &top[step];
-            if !factor.is_zero() {
+            let factor = row[step].times(&inverse);
+            if factor.sign() != 0 {
                 for (x, t) in row.iter_mut().zip(&top).skip(step) {
-                    *x -= &factor * t;
+                    *x = x.minus(&factor.times(t));
                 }
             }
         }
@@ -56,13 +68,15 @@ pub fn determinant(mut rows: Matrix) -> Q {
 /// The matrix on symmetric tensors: its eigenvalues are the products λ_i λ_j, i ≤ j.
 ///
 /// x_a x_b becomes Σ m_{a,p} m_{b,q} x_p x_q.
-pub fn symmetric_square(matrix: &Matrix) -> Matrix {
+pub fn symmetric_square<N: Number>(matrix: &Matrix<N>) -> Matrix<N> {
     let size = matrix.len();
+    let half = Q::new(1.into(), 2.into());
     let pairs: Vec<(usize, usize)> =
         (0..size).flat_map(|a| (a..size).map(move |b| (a, b))).collect();
     let entry = |(a, b): (usize, usize), (p, q): (usize, usize)| {
-        let both = &matrix[a][p] * &matrix[b][q] + &matrix[a][q] * &matrix[b][p];
-        if p == q { both / int(2) } else { both }
+        let one = matrix[a][p].times(&matrix[b][q]);
+        let both = one.plus(&matrix[a][q].times(&matrix[b][p]));
+        if p == q { both.scaled(&half) } else { both }
     };
     pairs.iter().map(|&row| pairs.iter().map(|&column| entry(row, column)).collect()).collect()
 }

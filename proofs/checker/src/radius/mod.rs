@@ -1,15 +1,20 @@
 //! Certificates of joint spectral radii, and of the smoothness that follows from them. FORMAT.md,
 //! «Joint spectral radii».
 
+mod field;
+mod given;
 mod independence;
 mod matrices;
+mod number;
 mod read;
 mod smoothness;
 
-use crate::decimal::Q;
+use crate::decimal::{Q, int};
 use crate::reject::{RadiusReason, RadiusRejection, Text};
-use matrices::{Matrix, determinant, multiplied, symmetric_square, times};
-use num_traits::{Signed, Zero};
+use field::Element;
+use matrices::{Matrix, determinant, multiplied, scaled_times, symmetric_square};
+use num_traits::Signed as _;
+use number::Number;
 use read::{Certificate, Lower};
 use std::fmt;
 
@@ -32,18 +37,26 @@ pub struct Radius {
 /// The line that is wrong, and the reason.
 pub fn check_radius(text: &str) -> Result<Radius, RadiusRejection> {
     let certificate = Certificate::read(text)?;
-    let matrices = certificate.matrices()?;
+    if certificate.field.is_some() {
+        checked::<Element>(&certificate)
+    } else {
+        checked::<Q>(&certificate)
+    }
+}
+
+fn checked<N: Number>(certificate: &Certificate) -> Result<Radius, RadiusRejection> {
+    let matrices: Vec<Matrix<N>> = certificate.matrices()?;
     if let Some(lower) = &certificate.lower {
         check_lower(&matrices, lower)?;
     }
-    check_hull(&matrices, &certificate)?;
+    check_hull(&matrices, certificate)?;
     let at_least = certificate.lower.as_ref().map(|lower| (lower.bound.clone(), lower.degree()));
-    let (continuous, not_continuous) = smoothness::check(&certificate)?;
+    let (continuous, not_continuous) = smoothness::check::<N>(certificate)?;
     Ok(Radius { at_least, at_most: certificate.bound.clone(), continuous, not_continuous })
 }
 
 /// A real eigenvalue of at least q shows itself by the sign of the characteristic polynomial at q.
-fn check_lower(matrices: &[Matrix], lower: &Lower) -> Result<(), RadiusRejection> {
+fn check_lower<N: Number>(matrices: &[Matrix<N>], lower: &Lower) -> Result<(), RadiusRejection> {
     let at = |reason| RadiusRejection { line: lower.line, reason };
     let size = matrices[0].len();
     let mut product = matrices::unit(size);
@@ -54,23 +67,28 @@ fn check_lower(matrices: &[Matrix], lower: &Lower) -> Result<(), RadiusRejection
     let mut shifted = if lower.conjugate { symmetric_square(&product) } else { product };
     for (i, row) in shifted.iter_mut().enumerate() {
         for (j, x) in row.iter_mut().enumerate() {
-            *x = if lower.negative { x.clone() } else { -x.clone() };
+            *x = if lower.negative { x.clone() } else { N::whole(0).minus(x) };
             if i == j {
-                *x += &lower.bound;
+                *x = x.plus(&N::fraction(&lower.bound));
             }
         }
     }
     let value = determinant(shifted);
-    if lower.bound.is_positive() && !value.is_positive() {
+    if lower.bound.is_positive() && value.sign() <= 0 {
         return Ok(());
     }
     Err(at(RadiusReason::NoEigenvalue(Text(lower.bound.to_string()))))
 }
 
 /// Every image of a row is a combination whose coefficients, with the remainder, are at most the bound.
-fn check_hull(matrices: &[Matrix], certificate: &Certificate) -> Result<(), RadiusRejection> {
+fn check_hull<N: Number>(
+    matrices: &[Matrix<N>],
+    certificate: &Certificate,
+) -> Result<(), RadiusRejection> {
     let size = matrices[0].len();
     let at = |line, reason| RadiusRejection { line, reason };
+    let bound = N::fraction(&certificate.bound);
+    let inverse = certificate.unit.recip();
     let mut rows: Vec<Vec<Q>> = matrices::unit(size);
     for row in rows.iter_mut().flatten() {
         *row *= &certificate.unit;
@@ -86,19 +104,19 @@ fn check_hull(matrices: &[Matrix], certificate: &Certificate) -> Result<(), Radi
         for matrix in matrices {
             let (line, terms) =
                 images.next().ok_or(at(certificate.end, RadiusReason::ImagesMissing))?;
-            let mut rest = times(row, matrix);
-            let mut cost = Q::zero();
+            let mut rest = scaled_times(row, matrix);
+            let mut coefficients = int(0);
             for (place, factor) in terms {
                 let other = rows.get(*place).ok_or(at(*line, RadiusReason::NoSuch))?;
                 for (x, v) in rest.iter_mut().zip(other) {
-                    *x -= factor * v;
+                    *x = x.minus(&N::fraction(&(factor * v)));
                 }
-                cost += factor.abs();
+                coefficients += factor.abs();
             }
-            let remainder = rest.iter().fold(Q::zero(), |sum, x| sum + x.abs());
-            cost += remainder / &certificate.unit;
-            if cost > certificate.bound {
-                let (cost, bound) = (Text(cost.to_string()), Text(certificate.bound.to_string()));
+            let remainder = rest.iter().fold(N::whole(0), |sum, x| sum.plus(&x.size()));
+            let cost = remainder.scaled(&inverse).plus(&N::fraction(&coefficients));
+            if cost.minus(&bound).sign() > 0 {
+                let (cost, bound) = (Text(cost.text()), Text(certificate.bound.to_string()));
                 return Err(at(*line, RadiusReason::Outside(cost, bound)));
             }
         }

@@ -1,16 +1,16 @@
 //! The lines of a certificate of a joint spectral radius.
 
-use super::matrices::Matrix;
-use crate::decimal::{Q, int, read_rational};
-use crate::polynomial::divide;
+use super::field::Field;
+use crate::decimal::{Q, read_rational};
 use crate::reject::{RadiusReason, RadiusRejection};
-use num_traits::{One, Signed, Zero};
+use num_traits::{Signed, Zero};
+use std::rc::Rc;
 
 /// The first line.
 const VERSION: &str = "subcert-radius 1";
 
-/// The most rows of a matrix, and the most matrices.
-const MAX_SIZE: usize = 64;
+/// The greatest degree of the polynomial of a field.
+const MAX_DEGREE: usize = 64;
 
 /// The most bytes of a certificate.
 const MAX_BYTES: usize = 64 << 20;
@@ -34,14 +34,21 @@ impl Lower {
 /// A number and the line where it stands.
 pub type Said = (usize, usize);
 
+/// The coordinates of a number in the basis 1, α, α², …
+pub type Coordinates = Vec<Q>;
+
 /// What a certificate says.
 pub struct Certificate {
+    /// The polynomial of α.
+    polynomial: Vec<Q>,
+    /// The field of the entries, if they are irrational.
+    pub field: Option<Rc<Field>>,
     /// The rules of a mask.
-    pub rules: Vec<(usize, Vec<Q>)>,
+    pub rules: Vec<(usize, Vec<Coordinates>)>,
     /// The order of the differences.
     pub order: Option<Said>,
     /// The matrices, where there is no mask.
-    given: Vec<(usize, Matrix)>,
+    pub given: Vec<(usize, Vec<Vec<Coordinates>>)>,
     pub lower: Option<Lower>,
     pub bound: Q,
     pub unit: Q,
@@ -74,6 +81,8 @@ impl Certificate {
     /// Reads a certificate.
     pub fn read(text: &str) -> Result<Certificate, RadiusRejection> {
         let mut read = Certificate {
+            polynomial: Vec::new(),
+            field: None,
             rules: Vec::new(),
             order: None,
             given: Vec::new(),
@@ -112,13 +121,34 @@ impl Certificate {
         if whole { Ok(read) } else { Err(RadiusRejection { line: place, reason }) }
     }
 
+    /// Numbers by their coordinates, of which a fraction has one.
+    fn entries(&self, text: &str) -> Read<Vec<Coordinates>> {
+        let most = self.field.as_ref().map_or(1, |field| field.degree());
+        let entry = |word: &str| {
+            let coordinates: Option<Vec<Q>> = word.split(',').map(read_rational).collect();
+            coordinates.filter(|c| c.len() <= most).ok_or(RadiusReason::Malformed("coordinates"))
+        };
+        text.split_whitespace().map(entry).collect()
+    }
+
     fn take(&mut self, line: usize, words: &str) -> Read<()> {
         let (word, rest) = words.split_once(' ').unwrap_or((words, ""));
         match word {
-            "rule" => self.rules.push((line, numbers(rest)?)),
+            "field" => self.polynomial = numbers(rest)?,
+            "between" => {
+                let [low, high] = &numbers(rest)?[..] else {
+                    return Err(RadiusReason::Malformed("two numbers"));
+                };
+                let polynomial = std::mem::take(&mut self.polynomial);
+                let small = polynomial.len() <= MAX_DEGREE + 1;
+                let field = small.then(|| Field::new(polynomial, low.clone(), high.clone()));
+                self.field = Some(Rc::new(field.flatten().ok_or(RadiusReason::Field)?));
+            }
+            "rule" => self.rules.push((line, self.entries(rest)?)),
             "order" => self.order = Some((line, count(rest)?)),
             "matrix" => {
-                let matrix = rest.split('|').map(numbers).collect::<Read<Matrix>>()?;
+                let rows = rest.split('|').map(|row| self.entries(row));
+                let matrix = rows.collect::<Read<Vec<Vec<Coordinates>>>>()?;
                 self.given.push((line, matrix));
             }
             "product" => {
@@ -157,65 +187,4 @@ impl Certificate {
         }
         Ok(())
     }
-
-    /// The coefficients a_0, a_1, … of the symbol of the mask, from the lowest power.
-    pub fn symbol(&self) -> Vec<Q> {
-        let width = self.rules.first().map_or(0, |(_, rule)| rule.len());
-        let places = (0..width).rev().flat_map(|j| self.rules.iter().map(move |rule| (j, rule)));
-        places.map(|(j, (_, rule))| rule[j].clone()).collect()
-    }
-
-    /// The matrices that the certificate is about.
-    pub fn matrices(&self) -> Result<Vec<Matrix>, RadiusRejection> {
-        let Some((line, order)) = self.order else {
-            let size = self.given.first().map_or(0, |(_, matrix)| matrix.len());
-            let square = |matrix: &Matrix| {
-                matrix.len() == size && matrix.iter().all(|row| row.len() == size)
-            };
-            let wrong = self.given.iter().find(|(_, matrix)| !square(matrix));
-            let beyond = size == 0 || size > MAX_SIZE || self.given.len() > MAX_SIZE;
-            let reason = RadiusReason::Size;
-            return match wrong {
-                Some((line, _)) => Err(RadiusRejection { line: *line, reason }),
-                None if beyond => Err(RadiusRejection { line: self.end, reason }),
-                None => Ok(self.given.iter().map(|(_, matrix)| matrix.clone()).collect()),
-            };
-        };
-        let n = self.rules.len();
-        let width = self.rules.first().map_or(0, |(_, rule)| rule.len());
-        for (line, rule) in &self.rules {
-            let affine = rule.iter().fold(Q::zero(), |sum, x| sum + x) == Q::one();
-            if rule.len() != width || !affine {
-                return Err(RadiusRejection { line: *line, reason: RadiusReason::Rule });
-            }
-        }
-        if !(2..=MAX_SIZE).contains(&n) || width * n > 4 * MAX_SIZE || order > width * n {
-            return Err(RadiusRejection { line, reason: RadiusReason::Size });
-        }
-        let sigma = vec![Q::one(); n];
-        let mut rest = self.symbol();
-        for _ in 0..order {
-            let (quotient, remainder) = divide(rest, &sigma);
-            if remainder.iter().any(|x| !x.is_zero()) {
-                return Err(RadiusRejection { line, reason: RadiusReason::SumRules });
-            }
-            rest = quotient.into_iter().map(|x| x * int(i64::try_from(n).unwrap_or(0))).collect();
-        }
-        Ok(windows(&rest, n))
-    }
-}
-
-/// The matrices of a scheme with this symbol and n rules on windows: b_{L−n+1+e+i−nj}.
-fn windows(symbol: &[Q], n: usize) -> Vec<Matrix> {
-    let start = symbol.iter().position(|b| !b.is_zero()).unwrap_or(0);
-    let last = symbol.iter().rposition(|b| !b.is_zero()).unwrap_or(0);
-    let b = &symbol[start..=last];
-    let degree = b.len() - 1;
-    let width = if degree == 0 { 1 } else { (degree - 1).div_ceil(n - 1) + 1 };
-    let entry = |e: usize, i: usize, j: usize| {
-        let place = (degree + 1 + e + i).checked_sub(n * (j + 1));
-        place.and_then(|place| b.get(place)).cloned().unwrap_or_else(Q::zero)
-    };
-    let row = |e, i| (0..width).map(|j| entry(e, i, j)).collect();
-    (0..n).map(|e| (0..width).map(|i| row(e, i)).collect()).collect()
 }

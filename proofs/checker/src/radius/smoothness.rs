@@ -1,13 +1,16 @@
 //! What a radius says of the limits of a scheme. THEOREMS.md, 107, 108 and 110.
 
 use super::independence::is_independent;
+use super::number::Number;
 use super::read::Certificate;
 use crate::decimal::{Q, int};
 use crate::reject::{RadiusReason, RadiusRejection};
-use num_traits::{One, Pow};
+use num_traits::Pow as _;
 
 /// The m for which the limits are C^m, and that for which not all are.
-pub fn check(certificate: &Certificate) -> Result<(Option<usize>, Option<usize>), RadiusRejection> {
+pub fn check<N: Number>(
+    certificate: &Certificate,
+) -> Result<(Option<usize>, Option<usize>), RadiusRejection> {
     let at = |line, reason| RadiusRejection { line, reason };
     let said = certificate.continuous.or(certificate.not_continuous);
     let Some((_, order)) = certificate.order else {
@@ -20,7 +23,7 @@ pub fn check(certificate: &Certificate) -> Result<(Option<usize>, Option<usize>)
     // n^{K − m}.
     let limit = |m: usize| -> Q {
         let base = int(i64::try_from(n).unwrap_or(i64::MAX));
-        (m..order).fold(Q::one(), |power, _| power * &base)
+        (m..order).fold(int(1), |power, _| power * &base)
     };
     if let Some((line, m)) = certificate.continuous
         && (m >= order || certificate.bound >= limit(m))
@@ -32,7 +35,7 @@ pub fn check(certificate: &Certificate) -> Result<(Option<usize>, Option<usize>)
         if m > 0 && certificate.continuous.is_none() {
             return Err(at(line, RadiusReason::NotConvergent));
         }
-        if m > 0 && !is_independent(&certificate.symbol(), n) {
+        if m > 0 && !is_independent::<N>(&certificate.symbol(), n) {
             return Err(at(line, RadiusReason::Dependent));
         }
         let lower = certificate.lower.as_ref();

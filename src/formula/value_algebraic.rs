@@ -1,0 +1,42 @@
+//! Real algebraic numbers as values of formulas.
+
+use super::error::FormulaErrorKind;
+use super::root_error::RootError;
+use super::value::Value;
+use crate::exact::{AlgebraicNumber, Enclosed as _, Integer, Rational, Real as _};
+
+impl Value for AlgebraicNumber {
+    fn as_rational(&self) -> Option<Rational> {
+        self.element().as_rational()
+    }
+    fn size(&self) -> u64 {
+        // A product takes the square of the degree many products of coefficients.
+        let degree =
+            self.element().field().map_or(1, |(_, minimal)| minimal.coefficients().len() as u64);
+        self.element().coordinates().bits().saturating_mul(degree)
+    }
+    fn quotient(&self, divisor: &Self) -> Option<Self> {
+        Some(self.over(divisor))
+    }
+    fn absolute(&self) -> Option<Self> {
+        Some(self.magnitude())
+    }
+    fn larger(&self, other: &Self) -> Option<Self> {
+        Some(self.greater(other))
+    }
+    fn floor(&self) -> Option<Integer> {
+        Some(self.step(Rational::floor))
+    }
+    fn vanishes(&self) -> Option<bool> {
+        Some(self.sign() == 0)
+    }
+    fn root(coefficients: &[Self], number: i64) -> Result<Self, RootError> {
+        AlgebraicNumber::root(coefficients, number).map_err(RootError::Field)
+    }
+    fn meets(&self, other: &Self) -> Result<(), FormulaErrorKind> {
+        Ok(AlgebraicNumber::meets(self, other)?)
+    }
+    fn together(values: Vec<Self>) -> Result<Vec<Self>, FormulaErrorKind> {
+        Ok(AlgebraicNumber::together(&values)?)
+    }
+}

@@ -1,0 +1,128 @@
+//! Where, in a plane of two parameters, the limits are C^m: boxes inside, boxes outside, and open boxes.
+
+use super::independence::independent;
+use super::parametric::ParametricSymbol;
+use super::range::SmoothRangeError;
+use super::region::{Certain, Search, Sides};
+use super::symbol::Symbol;
+use crate::exact::{BivariatePolynomial, Rational};
+use crate::scheme::Rules;
+use std::collections::VecDeque;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// The most boxes that can be asked for.
+pub const MAX_BOXES: usize = 20_000;
+
+/// A closed box, and what is certain in it.
+#[derive(Clone, Debug)]
+pub struct MapBox {
+    /// The box.
+    pub sides: Sides,
+    /// What is certain.
+    pub certain: Certain,
+}
+
+/// A map of two parameters.
+#[derive(Clone, Debug)]
+pub struct SmoothMap {
+    /// Boxes that meet in their sides only, and fill the region.
+    pub boxes: Vec<MapBox>,
+    /// Whether parameters outside may be exceptions: those where the shifts of the basic limit function are linearly
+    /// dependent, which are zeros of a polynomial that is not 0.
+    pub but_exceptions: bool,
+    /// How many boxes were looked at.
+    pub looked_at: usize,
+}
+
+impl SmoothMap {
+    /// The part of the area of the region that is inside, outside and open.
+    #[must_use]
+    pub fn shares(&self) -> [Rational; 3] {
+        let area = |sides: &Sides| -> Rational {
+            sides.iter().fold(Rational::one(), |area, [low, high]| area * (high - low))
+        };
+        let whole: Rational = self.boxes.iter().map(|found| area(&found.sides)).sum();
+        let share = |which: fn(&Certain) -> bool| {
+            let boxes = self.boxes.iter().filter(|found| which(&found.certain));
+            boxes.map(|found| area(&found.sides)).sum::<Rational>() / &whole
+        };
+        [
+            share(|certain| *certain == Certain::Inside),
+            share(|certain| matches!(certain, Certain::Outside(_))),
+            share(|certain| *certain == Certain::Open),
+        ]
+    }
+}
+
+/// A map of where the limits of a mask in two parameters are C^m, by halving both sides of open boxes until `most`
+/// boxes have been looked at. `done` counts them.
+///
+/// Inside: a hull is invariant under the matrices of which those of the box are the mean. Outside: a polynomial in
+/// the parameters, which has a sign in the whole box by its Bernstein coefficients, shows that a product has an
+/// eigenvalue of 1 or more in absolute value. `proofs/THEOREMS.md`, 122.
+///
+/// # Errors
+/// When the sum rules do not hold for all parameters, or the matrices are beyond a cap.
+pub fn smooth_map(
+    rules: &Rules<BivariatePolynomial>,
+    m: usize,
+    region: &Sides,
+    most: usize,
+    done: &AtomicUsize,
+) -> Result<SmoothMap, SmoothRangeError> {
+    let whole = ParametricSymbol::of(rules);
+    let orders = std::iter::successors(Some(whole.clone()), ParametricSymbol::over_sigma);
+    let orders: Vec<ParametricSymbol<BivariatePolynomial>> = orders.collect();
+    let found = orders.len() - 1;
+    if found < m + 1 {
+        return Err(SmoothRangeError::SumRules { m, needed: m + 1, found });
+    }
+    let n = Rational::from(whole.arity());
+    let factor = (0..m).fold(Rational::one(), |power, _| power * &n);
+    let mut search = Search::new(orders[found].scaled(&factor).matrices(), region)?;
+    let mut waiting = VecDeque::from([region.clone()]);
+    let (mut boxes, mut looked_at) = (Vec::new(), 0);
+    while let Some(sides) = waiting.pop_front() {
+        if looked_at == most {
+            boxes.push(MapBox { sides, certain: Certain::Open });
+            continue;
+        }
+        looked_at += 1;
+        done.store(looked_at, Ordering::Relaxed);
+        match search.look_at(&sides)? {
+            Certain::Open => waiting.extend(quarters(&sides)),
+            certain => boxes.push(MapBox { sides, certain }),
+        }
+    }
+    let sure = m == 0 || whole.is_interpolating();
+    if !sure && !boxes.iter().any(|found| is_independent(&whole, found)) {
+        for found in boxes.iter_mut().filter(|found| found.certain != Certain::Inside) {
+            found.certain = Certain::Open;
+        }
+    }
+    Ok(SmoothMap { boxes, but_exceptions: !sure, looked_at })
+}
+
+fn middle([low, high]: &[Rational; 2]) -> Rational {
+    (low + high) / Rational::from(2)
+}
+
+fn quarters([x, y]: &Sides) -> Vec<Sides> {
+    let halves = |side: &[Rational; 2]| {
+        let middle = middle(side);
+        [[side[0].clone(), middle.clone()], [middle, side[1].clone()]]
+    };
+    let [first, second] = [halves(x), halves(y)];
+    let pair = |b: &[Rational; 2]| first.clone().map(|a| [a, b.clone()]);
+    second.iter().flat_map(pair).collect()
+}
+
+/// Whether the shifts are linearly independent in the middle of an outer box.
+fn is_independent(symbol: &ParametricSymbol<BivariatePolynomial>, found: &MapBox) -> bool {
+    if !matches!(found.certain, Certain::Outside(_)) {
+        return false;
+    }
+    let [x, y] = [middle(&found.sides[0]), middle(&found.sides[1])];
+    let at: Symbol = symbol.value(|c| c.value_at([&x, &y]));
+    independent(&at) == at
+}
