@@ -35,7 +35,7 @@ pub use mask::{Mask, MaskError};
 pub(crate) use parse::find_in_catalogue;
 pub use parse::{
     AnyScheme, files_without_offset, parse_any_scheme, parse_local_rules, parse_parametric,
-    parse_scheme,
+    parse_rules_of_valence, parse_scheme,
 };
 pub use reference::{Instance, Reference};
 pub use rules::{MAX_ARITY, MAX_WIDTH, Rules, RulesError};

@@ -8,8 +8,6 @@ use crate::scheme::LocalRules;
 /// The points p, p + step, …: n points that the rotation permutes, or a single point.
 #[derive(Clone, Debug)]
 pub(super) struct Cycle {
-    /// The orbit of the ring.
-    pub(super) orbit: usize,
     /// The points in the order of the rotation.
     pub(super) points: Vec<usize>,
 }
@@ -94,12 +92,12 @@ impl Blocks {
 /// In an orbit of tn points, the rotation takes point i to point i + t.
 fn cycles(ring: &LocalRules, order: usize) -> Vec<Cycle> {
     let (mut cycles, mut first) = (Vec::new(), 0);
-    for (orbit, found) in ring.orbits().iter().enumerate() {
-        let count = found.count;
+    for orbit in ring.orbits() {
+        let count = orbit.count;
         let step = if count == 1 { 1 } else { count / order };
         for start in 0..step {
             let points = (start..count).step_by(step).map(|i| first + i).collect();
-            cycles.push(Cycle { orbit, points });
+            cycles.push(Cycle { points });
         }
         first += count;
     }
