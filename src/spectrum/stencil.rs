@@ -13,9 +13,10 @@ pub type Stencil<W> = Vec<W>;
 
 /// The left eigenvector of the eigenvalue 1 whose weights sum to 1, if this eigenvalue is simple.
 ///
-/// It is a combination of the eigenvectors of block 0: constant on each cycle. The columns of M̂_0 − 1
-/// sum to 0, so that any one of the equations Σ_a u_a (M̂_0 − 1)_{a,b} = 0 follows from the others, and
-/// the condition on the sum takes its place.
+/// It is constant on each cycle: w_{(a,i)} = u_a/n_a for a cycle of n_a points (n or 1) and a left
+/// eigenvector u of block 0 with Σ_a u_a = 1. The columns of M̂_0 − 1 sum to 0, so that any one of the
+/// equations Σ_a u_a (M̂_0 − 1)_{a,b} = 0 follows from the others, and the condition on the sum takes its
+/// place.
 pub(super) fn limit(blocks: &Blocks) -> Option<Stencil<RealCyclotomic>> {
     let count = blocks.cycles.len();
     let one = RealCyclotomic::from(1);
@@ -28,9 +29,11 @@ pub(super) fn limit(blocks: &Blocks) -> Option<Stencil<RealCyclotomic>> {
             (0..count).map(entry).chain([RealCyclotomic::zero()]).collect()
         })
         .collect();
-    let sizes = blocks.cycles.iter().map(|cycle| Rational::from(cycle.points.len()));
-    rows[count - 1] = sizes.map(RealCyclotomic::from).chain([one]).collect();
-    let weights = solution(rows)?;
+    rows[count - 1] = vec![one; count + 1];
+    let sums = solution(rows)?;
+    let share = |cycle: usize| Rational::new(1, blocks.cycles[cycle].points.len());
+    let weights: Vec<RealCyclotomic> =
+        sums.iter().enumerate().map(|(cycle, sum)| sum.times(&share(cycle).into())).collect();
     Some(by_point(blocks, |cycle, _| weights[cycle].clone()))
 }
 
