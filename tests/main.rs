@@ -29,3 +29,4 @@ mod report;
 mod scheme;
 mod smoothness;
 mod solid;
+mod spectrum;

@@ -39,29 +39,27 @@ fn stencils_are_left_eigenvectors() {
     }
 }
 
-/// A closed mesh: two poles with n faces each, which meet in a ring of points; quadrilaterals, or
-/// triangles.
+/// A closed mesh with two vertices of valence n: a double pyramid of triangles, or two rings of 2n points
+/// with n quadrilaterals on either side.
 fn lantern(n: usize, triangles: bool) -> PolygonMesh<RealCyclotomic> {
-    let ring = if triangles { n } else { 2 * n };
+    let (ring, pole) = if triangles { (n, n) } else { (2 * n, 4 * n) };
     let point = |i: usize| {
         let i = i64::try_from(i).expect("a small number");
         [3 * i % 7 + i, i * i % 11, 5 * i % 13].map(RealCyclotomic::from)
     };
     let mut faces = Vec::new();
     for i in 0..n {
-        for (pole, turn) in [(ring, false), (ring + 1, true)] {
-            let mut face = if triangles {
-                vec![pole, i, (i + 1) % n]
-            } else {
-                vec![pole, 2 * i, 2 * i + 1, (2 * i + 2) % ring]
-            };
-            if turn {
-                face.reverse();
-            }
-            faces.push(face);
+        if triangles {
+            faces.push(vec![pole, i, (i + 1) % n]);
+            faces.push(vec![pole + 1, (i + 1) % n, i]);
+        } else {
+            let (a, b, c) = (2 * i, 2 * i + 1, (2 * i + 2) % ring);
+            faces.push(vec![pole, a, b, c]);
+            faces.push(vec![pole + 1, ring + c, ring + b, ring + a]);
+            faces.extend([vec![b, a, ring + a, ring + b], vec![c, b, ring + b, ring + c]]);
         }
     }
-    PolygonMesh::new((0..ring + 2).map(point).collect(), faces).expect("a closed mesh")
+    PolygonMesh::new((0..pole + 2).map(point).collect(), faces).expect("a closed mesh")
 }
 
 // The limits of meshes come from formulas of their own.

@@ -16,6 +16,8 @@ fn table(rows: &[Row], scheme: &str, language: Language, real: RealType) -> Stri
 
 /// The literals of an array, as they stand between brackets of any kind.
 fn literals(text: &str, name: &str) -> Vec<String> {
+    // The header of JSON is a list of texts.
+    let text = &text[text.find("\"first_valence\"").unwrap_or(0)..];
     let line = text.lines().position(|line| {
         let words = line.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
         let is = |word: &str| word.to_lowercase().ends_with(name);
@@ -26,7 +28,8 @@ fn literals(text: &str, name: &str) -> Vec<String> {
     // What follows the last sign of the declaration, up to the end of the list.
     let start = from.find('=').or_else(|| from.find("\": ")).expect("a declaration");
     let body = &from[start + 1..];
-    let end = body.find(';').or_else(|| body.find("]\n")).unwrap_or(body.len());
+    let ends = [";", "]\n\n", "\n  \"", "\n}"].into_iter().filter_map(|end| body.find(end));
+    let end = ends.min().unwrap_or(body.len());
     let plain = |word: &str| word.starts_with(|c: char| c.is_ascii_digit() || c == '-');
     body[..end]
         .split(|c: char| c.is_whitespace() || "[](){},:".contains(c))

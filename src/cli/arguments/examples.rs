@@ -52,12 +52,12 @@ pub(super) const SPECTRUM: &str = "\
 Examples:
   subcert spectrum catmull-clark --valence 5
   subcert spectrum loop --valence 7 --format json
-  subcert spectrum examples/my-ring.toml:w=1/16 --valence 6";
+  subcert spectrum examples/loop.toml --valence 6";
 
 pub(super) const TABLE: &str = "\
 Examples:
   subcert table loop --valences 3..12 --format c --type f32
-  subcert table catmull-clark --valences 3..50 --format rust -o stencils.rs";
+  subcert table catmull-clark --valences 3..50 --format rust";
 
 pub(super) const JSR: &str = "\
 Examples:

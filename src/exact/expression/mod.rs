@@ -7,7 +7,9 @@
 //! | `square` | integer square roots, and square factors |
 //! | `isolated` | a real root of a polynomial with cyclotomic coefficients |
 //! | `error` | the errors of roots |
-//! | `node` | the number type: constructors and accessors |
+//! | `node` | the number type, and the field that a number is known to be in |
+//! | `arithmetic` | the four operations |
+//! | `roots` | square roots, and roots of polynomials |
 //! | `enclose` | enclosures |
 //! | `order` | sign, equality, order, and whether a number is rational |
 //! | `display` | numbers as formulas |
@@ -15,6 +17,7 @@
 //! | `minimal` | minimal polynomials |
 
 mod algebra;
+mod arithmetic;
 mod display;
 mod enclose;
 mod error;
@@ -22,6 +25,7 @@ mod isolated;
 mod minimal;
 mod node;
 mod order;
+mod roots;
 mod size;
 mod square;
 
