@@ -222,7 +222,7 @@ def by_c(scheme: str, source: str) -> list[float]:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "table.c"
         path.write_text(program)
-        subprocess.run(["cc", "-std=c99", "-Wall", "-o", path.with_suffix(""), path], check=True)
+        subprocess.run(["cc", "-std=c99", "-o", path.with_suffix(""), path], check=True)
         lines = subprocess.run([path.with_suffix("")], capture_output=True, text=True, check=True).stdout.split()
     return [float.fromhex(line) for line in lines]
 

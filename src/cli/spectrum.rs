@@ -9,7 +9,9 @@ use std::fmt::Display;
 use subcert::exact::{Enclosed, Scalar as _, format::short};
 use subcert::report::{Grid, Sheet, json::Exact};
 use subcert::scheme::LocalRules;
-use subcert::spectrum::{Curvature, Eigenvalue, Spectrum, SpectrumError, Surroundings, surroundings};
+use subcert::spectrum::{
+    Curvature, Eigenvalue, Spectrum, SpectrumError, Surroundings, surroundings,
+};
 
 /// The most weights of an orbit that the text shows.
 const SHOWN_WEIGHTS: usize = 12;
@@ -199,7 +201,9 @@ fn eigenvalue_texts(one: &Eigenvalue) -> [String; 2] {
 /// The blocks: runs of neighbours that have the eigenvalue equally often, as `0–4 (2 each), 7`.
 fn blocks_text(blocks: &[usize]) -> String {
     let mut counts: BTreeMap<usize, usize> = BTreeMap::new();
-    blocks.iter().for_each(|block| *counts.entry(*block).or_default() += 1);
+    for block in blocks {
+        *counts.entry(*block).or_default() += 1;
+    }
     let mut runs: Vec<(usize, usize, usize)> = Vec::new();
     for (block, count) in counts {
         match runs.last_mut().filter(|(_, last, times)| last + 1 == block && *times == count) {

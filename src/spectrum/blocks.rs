@@ -50,15 +50,14 @@ impl Blocks {
             let (a, b) = (&cycles[a], &cycles[b]);
             Circulant::new(order, b.points.iter().map(|&point| weight(a, point)).enumerate())
         };
-        let turning =
-            full.iter().map(|a| full.iter().map(|b| circulant(a, b)).collect()).collect();
+        let turning = full.iter().map(|a| full.iter().map(|b| circulant(a, b)).collect()).collect();
         let sum = |a: &Cycle, b: &Cycle| {
             let terms: Vec<RealCyclotomic> =
                 b.points.iter().map(|&point| weight(a, point)).collect();
             RealCyclotomic::total(&terms)
         };
         let still = cycles.iter().map(|a| cycles.iter().map(|b| sum(a, b)).collect()).collect();
-        Ok(Blocks { order, full, turning, still, cycles })
+        Ok(Blocks { order, cycles, full, turning, still })
     }
 
     /// The cycles of n points.

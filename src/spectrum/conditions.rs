@@ -53,7 +53,8 @@ impl Conditions {
         let simple_one = first.is_some_and(|first| {
             first.imaginary.is_none() && first.real == one && first.multiplicity == 1
         }) && eigenvalues.get(1).is_none_or(|next| next.modulus < one);
-        let mut conditions = Conditions { simple_one, subdominant: None, next: None, curvature: None };
+        let mut conditions =
+            Conditions { simple_one, subdominant: None, next: None, curvature: None };
         let [_, second, rest @ ..] = eigenvalues else { return conditions };
         let alone = rest.first().is_none_or(|next| next.modulus < second.modulus);
         let right = second.imaginary.is_none()

@@ -53,11 +53,15 @@ pub(super) fn eigenvalues(
             let polynomial = at_block(&characteristic, k, cosines);
             let both = if 2 * k == n { vec![k] } else { vec![k, n - k] };
             if let Some((_, roots)) = known.iter().find(|(one, _)| *one == polynomial) {
-                roots.iter().for_each(|root| add(root, &both));
+                for root in roots {
+                    add(root, &both);
+                }
                 continue;
             }
             let roots = block_roots(k, polynomial.clone())?;
-            roots.iter().for_each(|root| add(root, &both));
+            for root in &roots {
+                add(root, &both);
+            }
             known.push((polynomial, roots));
         }
     }

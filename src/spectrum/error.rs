@@ -17,7 +17,9 @@ pub enum SpectrumError {
     )]
     NotSymmetric,
     /// No orbits of several points.
-    #[error("the ring has no rotation of order 3 or more; its orbits must be single points or have multiples of the valence")]
+    #[error(
+        "the ring has no rotation of order 3 or more; its orbits must be single points or have multiples of the valence"
+    )]
     NoRotation,
     /// The coefficients of the characteristic polynomials are not real.
     #[error(

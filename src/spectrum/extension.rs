@@ -16,7 +16,11 @@ pub(super) struct Extension {
 enum Form {
     Number(RealCyclotomic),
     /// half + scale·√radicand.
-    Quadratic { half: RealCyclotomic, scale: Rational, surd: RealExpression },
+    Quadratic {
+        half: RealCyclotomic,
+        scale: Rational,
+        surd: RealExpression,
+    },
     General(RealExpression),
 }
 

@@ -22,17 +22,17 @@ mod eigenvalues;
 mod error;
 mod extension;
 mod polynomial;
+mod ring_spectrum;
 mod roots;
 mod schemes;
-mod ring_spectrum;
 mod stencil;
 pub mod table;
 
 pub use conditions::{Conditions, Curvature};
 pub use eigenvalues::Eigenvalue;
 pub use error::SpectrumError;
-pub use schemes::{Surroundings, surroundings};
 pub use ring_spectrum::Spectrum;
+pub use schemes::{Surroundings, surroundings};
 pub use stencil::Stencil;
 
 /// The most orbits that depend on each other.

@@ -2,8 +2,8 @@
 
 use super::blocks::Blocks;
 use super::circulant::Circulant;
-use super::error::SpectrumError;
 use super::eigenvalues::{at_block, block_roots, check, turning_characteristic};
+use super::error::SpectrumError;
 use super::extension::{Extension, solution};
 use crate::exact::{Adjugate, Rational, RealCyclotomic, RealExpression, Scalar};
 use std::collections::BTreeMap;

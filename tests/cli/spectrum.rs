@@ -15,7 +15,10 @@ fn spectra_as_json() {
     assert_eq!((&second["exact"], &second["multiplicity"]), (&"1/2".into(), &2.into()));
     assert_eq!(second["block"], serde_json::json!([1, 3]));
     assert_eq!(found["conditions"]["curvature"], "bounded");
-    assert_eq!((&found["limit"][0]["point"], &found["limit"][0]["exact"]), (&"vertex".into(), &"4/9".into()));
+    assert_eq!(
+        (&found["limit"][0]["point"], &found["limit"][0]["exact"]),
+        (&"vertex".into(), &"4/9".into())
+    );
     assert_eq!(found["tangents"][1][2]["decimal"], "1");
     assert_eq!(found["neighbourhood"].as_array().map(Vec::len), Some(7));
     let five = json("catmull-clark", "5");
@@ -31,7 +34,13 @@ fn spectra_as_text() {
     let text = written(["spectrum", "loop", "--valence", "3"]);
     assert_parts(
         &text,
-        &["3 corner", "1/16", "0 (2), 1, 2", "unbounded in general", "tangent 1, edge  1  -0.5  -0.5"],
+        &[
+            "3 corner",
+            "1/16",
+            "0 (2), 1, 2",
+            "unbounded in general",
+            "tangent 1, edge  1  -0.5  -0.5",
+        ],
     );
     // A parameter of the scheme is as good as --valence.
     assert_eq!(
@@ -45,14 +54,14 @@ fn files_are_rings_of_their_own() {
     let found = json("examples/loop.toml", "7");
     assert_eq!(found["orbits"], found["neighbourhood"]);
     assert_eq!(found["conditions"]["subdominant"]["exact"], "3/8 + 1/4*cos(2*pi/7)");
-    let table =
-        written(["table", "examples/loop.toml", "--valences", "3..4", "--format", "cpp"]);
+    let table = written(["table", "examples/loop.toml", "--valences", "3..4", "--format", "cpp"]);
     assert_parts(&table, &["namespace loop {", "constexpr double limit[2][2]", "--type f64"]);
 }
 
 #[test]
 fn bad_input() {
-    let spectrum = |scheme: &str, valence: &str| refused(["spectrum", scheme, "--valence", valence]);
+    let spectrum =
+        |scheme: &str, valence: &str| refused(["spectrum", scheme, "--valence", valence]);
     assert_parts(&spectrum("loop", "2"), &["N", "at least 3"]);
     assert_parts(&spectrum("loop", "x"), &["a valence is a whole number"]);
     assert_parts(&spectrum("loop", "600"), &["from 1 to 600"]);
@@ -67,9 +76,8 @@ fn bad_input() {
          a = '(kronecker(j, i) + kronecker(mod(j - i, n), 1))/2'\n",
     );
     assert_parts(&spectrum(turned.path(), "5"), &["mirror image", "two steps"]);
-    let table = |valences: &str| {
-        refused(["table", "loop", "--valences", valences, "--format", "c"])
-    };
+    let table =
+        |valences: &str| refused(["table", "loop", "--valences", valences, "--format", "c"]);
     assert_parts(&table("3"), &["such as 3..12"]);
     assert_parts(&table("9..3"), &["is above the last"]);
     assert_parts(&table("3..999999999999"), &["at most 256"]);

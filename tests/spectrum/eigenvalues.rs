@@ -110,7 +110,13 @@ fn regular_valences() {
 
 #[test]
 fn at_most_as_large_as_stated() {
-    assert_eq!(surroundings("catmull-clark", Some(99)).expect("rules").wider.map(|ring| ring.point_count()), Some(595));
+    assert_eq!(
+        surroundings("catmull-clark", Some(99))
+            .expect("rules")
+            .wider
+            .map(|ring| ring.point_count()),
+        Some(595)
+    );
     assert_eq!(surroundings("catmull-clark", Some(100)).expect("rules").wider, None);
 }
 

@@ -7,7 +7,9 @@ use subcert::spectrum::surroundings;
 use subcert::spectrum::table::{Language, Origin, RealType, Row, write};
 
 fn rows(scheme: &str) -> Vec<Row> {
-    (3..=9).map(|n| Row::of(&surroundings(scheme, Some(n)).expect("rules")).expect("a row")).collect()
+    (3..=9)
+        .map(|n| Row::of(&surroundings(scheme, Some(n)).expect("rules")).expect("a row"))
+        .collect()
 }
 
 fn table(rows: &[Row], scheme: &str, language: Language, real: RealType) -> String {
@@ -76,7 +78,10 @@ fn literals_are_nearest() {
                                 let single: f32 = word.parse().expect("a number");
                                 if matches!(language, Language::Python | Language::Json) {
                                     let wide: f64 = word.parse().expect("a number");
-                                    assert!(wide.to_bits() == f64::from(single).to_bits(), "{word}");
+                                    assert!(
+                                        wide.to_bits() == f64::from(single).to_bits(),
+                                        "{word}"
+                                    );
                                 }
                                 let around = [single.next_down(), single.next_up()];
                                 nearest(value, single.into(), around.map(f64::from))

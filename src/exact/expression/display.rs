@@ -36,7 +36,7 @@ impl Text {
     }
 
     /// `first` + `second`, where a minus of the second becomes a difference.
-    fn sum(first: Text, second: Text) -> Text {
+    fn sum(first: &Text, second: &Text) -> Text {
         let text = match second.text.strip_prefix('-') {
             Some(rest) => format!("{} - {rest}", first.text),
             None => format!("{} + {}", first.text, second.text),
@@ -49,7 +49,7 @@ impl RealExpression {
     fn written(&self) -> Text {
         match &self.0.operation {
             Operation::Number(value) => Text::of_number(value),
-            Operation::Sum(a, b) => Text::sum(a.written(), b.written()),
+            Operation::Sum(a, b) => Text::sum(&a.written(), &b.written()),
             Operation::Difference(a, b) => {
                 let b = b.written().at_least(Binding::Product);
                 let text = match a.written().text {

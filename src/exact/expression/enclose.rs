@@ -35,10 +35,12 @@ impl RealExpression {
                 &a * &b
             }
             Operation::Quotient(a, b) => {
-                let divisor = (level..)
-                    .map(|level| b.approximation(level))
-                    .find(|divisor| divisor.sign().is_some())
-                    .expect("a divisor other than 0");
+                // The divisor is not 0, so that some enclosure excludes 0.
+                let (mut finer, mut divisor) = (level, b.approximation(level));
+                while divisor.sign().is_none() {
+                    finer += 1;
+                    divisor = b.approximation(finer);
+                }
                 let inverse = Enclosure::new(divisor.upper().recip(), divisor.lower().recip());
                 &a.approximation(level) * &inverse
             }

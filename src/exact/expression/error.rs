@@ -16,7 +16,9 @@ pub enum RootError {
         decimal: String,
     },
     /// A polynomial without a term that depends on x.
-    #[error("the polynomial is a constant; give at least two coefficients, from the constant term upwards, the last not 0")]
+    #[error(
+        "the polynomial is a constant; give at least two coefficients, from the constant term upwards, the last not 0"
+    )]
     Constant,
     /// A polynomial of too large a degree.
     #[error("a polynomial of degree {0}; roots are computed of degrees up to {MAX_ROOT_DEGREE}")]

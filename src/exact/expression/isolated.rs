@@ -50,7 +50,14 @@ impl Isolated {
                 let sign = sign_at(square_free, &lower);
                 if sign != 0 {
                     let square_free = square_free.clone();
-                    return Found::Irrational(Isolated { given, index, square_free, lower, upper, sign });
+                    return Found::Irrational(Isolated {
+                        given,
+                        index,
+                        square_free,
+                        lower,
+                        upper,
+                        sign,
+                    });
                 }
             }
             let middle = (&lower + &upper) / Rational::from(2);
@@ -110,7 +117,8 @@ impl Sturm {
     /// The number of sign changes just to the right of a point.
     fn changes(&self, at: &Rational) -> usize {
         let (mut count, mut last) = (0, 0);
-        for sign in self.members.iter().map(|member| sign_at(member, at)).filter(|sign| *sign != 0) {
+        for sign in self.members.iter().map(|member| sign_at(member, at)).filter(|sign| *sign != 0)
+        {
             count += usize::from(sign == -last);
             last = sign;
         }

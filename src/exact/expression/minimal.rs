@@ -2,9 +2,7 @@
 
 use super::algebra::Algebra;
 use super::node::RealExpression;
-use crate::exact::{
-    Enclosed, IntegerPolynomial, MAX_CONDUCTOR, RealAlgebraic, SturmSequence,
-};
+use crate::exact::{Enclosed, IntegerPolynomial, MAX_CONDUCTOR, RealAlgebraic, SturmSequence};
 use std::sync::Arc;
 
 /// The greatest degree over Q of the field in which a minimal polynomial is looked for.

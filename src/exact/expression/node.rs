@@ -99,10 +99,8 @@ impl Field {
 
     pub(super) fn with(&self, other: &Field) -> Field {
         let mut joined = self.clone();
-        joined.conductor = joined
-            .conductor
-            .checked_mul(other.conductor / num_integer::gcd(self.conductor, other.conductor))
-            .unwrap_or(u64::MAX);
+        let factor = other.conductor / num_integer::gcd(self.conductor, other.conductor);
+        joined.conductor = joined.conductor.saturating_mul(factor);
         other.generators.iter().for_each(|generator| joined.adjoin(generator));
         joined
     }

@@ -55,7 +55,9 @@ pub enum TableError {
         count: usize,
     },
     /// Too many numbers.
-    #[error("the tangents of all valences have more than {MAX_TABLE_WEIGHTS} weights; take fewer valences")]
+    #[error(
+        "the tangents of all valences have more than {MAX_TABLE_WEIGHTS} weights; take fewer valences"
+    )]
     TooMany,
     /// The rules of two valences have different orbits.
     #[error("the orbits at valence {valence} are others than at the first valence")]

@@ -39,7 +39,8 @@ pub fn write(
 ) -> Result<String, TableError> {
     let arrays = arrays(rows, real)?;
     let (first, last) = (rows[0].valence, rows[rows.len() - 1].valence);
-    let writer = Writer { language, real, name: identifier(origin.scheme), first, count: rows.len() };
+    let writer =
+        Writer { language, real, name: identifier(origin.scheme), first, count: rows.len() };
     let header = header(rows, real, origin);
     Ok(match language {
         Language::Json => writer.json(&header, &arrays, last),
@@ -94,16 +95,21 @@ struct Writer {
 
 impl Writer {
     fn source(&self, header: &[String], arrays: &[Array]) -> String {
-        let mut lines: Vec<String> = header.iter().map(|line| self.language.comment(line)).collect();
+        let mut lines: Vec<String> =
+            header.iter().map(|line| self.language.comment(line)).collect();
         lines.push(String::new());
         let (first, last) = (self.first, self.first + self.count - 1);
         match self.language {
             Language::C => {
-                lines.push(format!("enum {{ {0}_first_valence = {first}, {0}_last_valence = {last} }};", self.name));
+                lines.push(format!(
+                    "enum {{ {0}_first_valence = {first}, {0}_last_valence = {last} }};",
+                    self.name
+                ));
             }
             Language::Cpp => {
                 lines.push(format!("namespace {} {{", self.name));
-                lines.push(format!("constexpr int first_valence = {first}, last_valence = {last};"));
+                lines
+                    .push(format!("constexpr int first_valence = {first}, last_valence = {last};"));
             }
             Language::Rust => {
                 lines.push(format!("pub const FIRST_VALENCE: usize = {first};"));
@@ -160,18 +166,19 @@ impl Writer {
     /// One list of the entries of all rows, with a line for each row.
     fn list(&self, name: &str, kind: &str, rows: &[Vec<String>]) -> String {
         let length: usize = rows.iter().map(Vec::len).sum();
-        let body = match rows {
-            [row] => row.join(", "),
-            _ => {
-                let lines = rows.iter().map(|row| format!("\n    {},", row.join(", ")));
-                let body = lines.collect::<String>();
-                // GLSL allows no comma before the closing parenthesis.
-                let cut = if self.language == Language::Glsl { body.len() - 1 } else { body.len() };
-                format!("{}\n", &body[..cut])
-            }
+        let body = if let [row] = rows {
+            row.join(", ")
+        } else {
+            let lines = rows.iter().map(|row| format!("\n    {},", row.join(", ")));
+            let body = lines.collect::<String>();
+            // GLSL allows no comma before the closing parenthesis.
+            let cut = if self.language == Language::Glsl { body.len() - 1 } else { body.len() };
+            format!("{}\n", &body[..cut])
         };
         match self.language {
-            Language::C => format!("static const {kind} {}_{name}[{length}] = {{{body}}};", self.name),
+            Language::C => {
+                format!("static const {kind} {}_{name}[{length}] = {{{body}}};", self.name)
+            }
             Language::Cpp => format!("constexpr {kind} {name}[{length}] = {{{body}}};"),
             Language::Rust => {
                 format!("pub const {}: [{kind}; {length}] = [{body}];", name.to_uppercase())
@@ -198,7 +205,10 @@ impl Writer {
             }
             Language::Cpp => format!("constexpr {kind} {name}[{count}][{width}] = {{{body}}};"),
             Language::Rust => {
-                format!("pub const {}: [[{kind}; {width}]; {count}] = [{body}];", name.to_uppercase())
+                format!(
+                    "pub const {}: [[{kind}; {width}]; {count}] = [{body}];",
+                    name.to_uppercase()
+                )
             }
             // Arrays of arrays came with GLSL 4.30.
             Language::Glsl => self.list(name, kind, rows),
@@ -223,7 +233,9 @@ impl Writer {
                 Entries::Integers(values) => {
                     values.iter().map(ToString::to_string).collect::<Vec<String>>().join(", ")
                 }
-                Entries::List(rows) => rows.iter().map(row).collect::<Vec<String>>().join(",\n    "),
+                Entries::List(rows) => {
+                    rows.iter().map(row).collect::<Vec<String>>().join(",\n    ")
+                }
                 Entries::Table(rows) => {
                     let rows = rows.iter().map(|entries| format!("[{}]", row(entries)));
                     rows.collect::<Vec<String>>().join(",\n    ")
