@@ -6,6 +6,8 @@ use super::output::{Failure, Outcome, show, with_decimal};
 use super::progress::Progress;
 use std::collections::BTreeMap;
 use std::fmt::Display;
+use std::sync::Arc;
+use std::sync::atomic::AtomicU64;
 use subcert::exact::{Enclosed, Scalar as _, format::short};
 use subcert::report::{Grid, Sheet, json::Exact};
 use subcert::scheme::LocalRules;
@@ -18,7 +20,7 @@ const SHOWN_WEIGHTS: usize = 12;
 
 pub(super) fn spectrum(arguments: &SpectrumArguments) -> Outcome {
     let rings = surroundings(&arguments.scheme, arguments.valence).map_err(failure)?;
-    let progress = Progress::of_search(true);
+    let progress = Progress::of_spectra(Arc::new(AtomicU64::new(0)), 1, true);
     let spectrum = rings.spectrum().map_err(failure)?;
     drop(progress);
     let report = Report { name: &arguments.scheme, rings, spectrum };

@@ -39,4 +39,4 @@ pub use stencil::Stencil;
 pub const MAX_COMPONENT: usize = 12;
 
 /// The greatest value of (number of orbits that depend on each other)³·(order of the rotation).
-pub const MAX_WORK: usize = 50_000;
+pub const MAX_WORK: usize = 20_000;

@@ -38,7 +38,7 @@ pub(super) fn arrays(rows: &[Row], real: RealType) -> Result<Vec<Array>, TableEr
         if *full { format!("each {name}") } else { name.clone() }
     };
     let columns = first.orbits.iter().map(each).collect::<Vec<String>>().join(", ");
-    let points = full.join("[0], …, [n - 1], then ") + "[0], …, [n - 1]";
+    let points = full.join("[0], ..., [n - 1], then ") + "[0], ..., [n - 1]";
     let start = format!("from offset[n - {}] on", first.valence);
     let numbers = |row: &dyn Fn(&Row) -> Vec<Real>| rows.iter().map(row).collect::<Vec<_>>();
     let single = !first.orbits[0].1;
