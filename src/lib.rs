@@ -50,6 +50,7 @@
 //! | [`float`] | the same in f64, certified against the exact path |
 //! | [`joint`] | the joint spectral radius of rational matrices, from both sides |
 //! | [`smoothness`] | how smooth limits are: C^m, and the Hölder exponent |
+//! | [`spectrum`] | eigenvalues of the rules around a vertex or on a face, stencils of limits and tangents |
 //! | [`mesh`] | polygon meshes: files, refinement, limit points and normals |
 //! | [`net`] | tensor nets: files, refinement, limit points |
 //! | [`solid`] | hexahedral meshes: files, refinement by Bajaj's scheme, limit points |
@@ -93,6 +94,7 @@ pub mod report;
 pub mod scheme;
 pub mod smoothness;
 pub mod solid;
+pub mod spectrum;
 pub mod suggestion;
 
 /// The examples of README.md, run as tests.

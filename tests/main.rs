@@ -30,3 +30,4 @@ mod report;
 mod scheme;
 mod smoothness;
 mod solid;
+mod spectrum;

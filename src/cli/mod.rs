@@ -38,6 +38,8 @@ mod smooth_map;
 mod smooth_range;
 mod smoothness;
 mod solid;
+mod spectrum;
+mod table;
 mod terminal;
 
 use arguments::{Arguments, Command};
@@ -78,6 +80,8 @@ pub(crate) fn run() -> ExitCode {
         Command::Depth(command) => depth::depth(&command),
         Command::Range(command) => range::range(&command),
         Command::Smoothness(command) => smoothness::smoothness(&command),
+        Command::Spectrum(command) => spectrum::spectrum(&command),
+        Command::Table(command) => table::table(&command),
         Command::Jsr(command) => jsr::jsr(&command),
         Command::Certify(command) => certify::certify(&command),
         Command::Prove(command) => prove::prove(&command),

@@ -4,7 +4,7 @@ use super::terminal;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal as _;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread::JoinHandle;
 use std::time::Duration;
@@ -29,6 +29,15 @@ impl Progress {
     pub(super) fn of_tables(tables: usize, wanted: bool) -> Progress {
         let tables = u64::try_from(tables).unwrap_or(u64::MAX);
         Progress::new(tables, "{bar:40} {pos} of {len} tables, {elapsed}", wanted, |_| {})
+    }
+
+    /// The progress of the spectra of so many rings.
+    pub(super) fn of_spectra(done: Arc<AtomicU64>, rings: usize, wanted: bool) -> Progress {
+        let rings = u64::try_from(rings).unwrap_or(u64::MAX);
+        let template = "{bar:40} {pos} of {len} spectra, {elapsed}";
+        Progress::new(rings, template, wanted, move |bar| {
+            bar.set_position(done.load(Ordering::Relaxed));
+        })
     }
 
     /// The progress of searches: the steps that are spent of their budgets.

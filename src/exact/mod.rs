@@ -9,6 +9,7 @@
 //! | [`RealCyclotomic`] | real numbers of Q(2cos(2π/n)): sums of cosines |
 //! | [`cosine_polynomial`] | the minimal polynomial of 2cos(2π/n) |
 //! | [`RealAlgebraic`] | a root of a polynomial in an interval |
+//! | [`RealExpression`] | expressions in cosines, square roots and roots of polynomials |
 //! | [`IntegerPolynomial`], [`SturmSequence`] | polynomials in one variable, and their real roots |
 //! | [`Enclosure`], [`Enclosed`] | intervals of any width around a real number |
 //! | [`BivariatePolynomial`] | functions of two free parameters |
@@ -18,9 +19,11 @@
 //! | [`Matrix`] | matrices with few distinct entries |
 //! | [`solve`], [`determinant`], [`interpolated`] | systems of linear equations |
 //! | [`characteristic_polynomial`], [`FieldElement`] | eigenvalues of rational matrices, and the fields that they generate |
+//! | [`Adjugate`] | characteristic polynomials and eigenvectors over any ring |
 //! | [`natural_logarithm`] | enclosures of logarithms |
 //! | [`CommonDenominator`] | rationals as integers over one denominator, for hot loops |
 
+mod adjugate;
 mod algebraic;
 mod backend;
 mod bivariate;
@@ -30,6 +33,7 @@ mod comparable;
 mod cyclotomic;
 mod decimal;
 mod enclosure;
+mod expression;
 mod factor;
 pub mod format;
 mod integer;
@@ -55,6 +59,7 @@ mod univariate;
 mod vanishing;
 mod word;
 
+pub use adjugate::Adjugate;
 pub use algebraic::RealAlgebraic;
 pub use bivariate::BivariatePolynomial;
 pub use characteristic::{
@@ -69,6 +74,7 @@ pub use cyclotomic::{
 };
 pub use decimal::{Decimal, Rounding};
 pub use enclosure::{Enclosed, Enclosure};
+pub use expression::{MAX_ROOT_DEGREE, RealExpression, RootError};
 pub use integer::Integer;
 pub use interval::Interval;
 pub use interval_set::IntervalSet;

@@ -37,36 +37,83 @@ pub fn nearest(value: &impl Enclosed) -> f64 {
 }
 
 fn nearest_rational(value: &Rational) -> f64 {
-    let magnitude = nearest_magnitude(value.numerator().abs(), value.denominator());
+    let magnitude = f64::from_bits(nearest_bits(value, &DOUBLE));
     if value.sign() < 0 { -magnitude } else { magnitude }
 }
 
-/// [`nearest`] of p/q ≥ 0.
-fn nearest_magnitude(p: Integer, q: Integer) -> f64 {
+/// The f32 nearest to `value`, as [`nearest`] for f64. It is not the f32 nearest to that f64: rounding
+/// twice may miss by a unit in the last place.
+///
+/// ```
+/// use subcert::exact::Rational;
+/// use subcert::float::{nearest, nearest_f32};
+///
+/// assert_eq!(nearest_f32(&Rational::new(1, 10)), 0.1);
+/// // Just above half-way between 1 and the next f32, and nearer to half-way than an f64 can tell.
+/// let half_way = Rational::one() + Rational::from(2).pow(-24);
+/// let above = half_way + Rational::from(2).pow(-60);
+/// assert_eq!(nearest_f32(&above), 1.0 + f32::EPSILON);
+/// assert_eq!(nearest(&above) as f32, 1.0);
+/// ```
+///
+/// # Panics
+/// Never.
+#[must_use]
+pub fn nearest_f32(value: &impl Enclosed) -> f32 {
+    f32::from_bits(value.step(|value| {
+        let bits = nearest_bits(value, &SINGLE);
+        let sign = if value.sign() < 0 { 1 << 31 } else { 0 };
+        sign | u32::try_from(bits).expect("at most that of the infinity")
+    }))
+}
+
+/// A binary format of IEEE 754.
+struct Layout {
+    /// The number of bits of the fraction field.
+    fraction: u32,
+    /// 2 to this power is the least positive number.
+    least: i64,
+    /// The bits of the infinity.
+    infinity: u64,
+    /// Every number of at least 2 to this power rounds to the infinity.
+    beyond: i64,
+}
+
+const DOUBLE: Layout = Layout {
+    fraction: FRACTION_BITS,
+    least: LEAST_EXPONENT,
+    infinity: 0x7ff0_0000_0000_0000,
+    beyond: 1_024,
+};
+
+const SINGLE: Layout = Layout { fraction: 23, least: -149, infinity: 0x7f80_0000, beyond: 128 };
+
+/// The bits of the number of a format that is nearest to |`value`|.
+fn nearest_bits(value: &Rational, layout: &Layout) -> u64 {
+    let (p, q) = (value.numerator().abs(), value.denominator());
     if p.is_zero() {
-        return 0.0;
+        return 0;
     }
     let bits = |integer: &Integer| i64::try_from(integer.bits()).expect("it fits in memory");
     // 2^(guess−1) < p/q < 2^(guess+1).
     let guess = bits(&p) - bits(&q);
-    if guess > 1_026 {
-        return f64::INFINITY;
+    if guess > layout.beyond + 2 {
+        return layout.infinity;
     }
-    if guess < LEAST_EXPONENT - 2 {
-        return 0.0;
+    if guess < layout.least - 2 {
+        return 0;
     }
     let (left, right) = scaled(p.clone(), q.clone(), guess);
     let exponent = if left >= right { guess } else { guess - 1 };
-    let unit = (exponent - i64::from(FRACTION_BITS)).max(LEAST_EXPONENT);
+    let unit = (exponent - i64::from(layout.fraction)).max(layout.least);
     let (left, right) = scaled(p, q, unit);
     let mantissa = round_half_even(&left, &right);
     let mantissa = mantissa.to_i128().and_then(|m| u64::try_from(m).ok()).expect("m ≤ 2^53");
-    // m < 2^52 occurs only at the least s; then m itself is the bit pattern of the
-    // subnormal number. Otherwise the hidden bit of m adds 1 to the exponent field
-    // s + 1074. If rounding gives m = 2^53, the carry adds 1 once more.
-    let field = u64::try_from(unit - LEAST_EXPONENT).expect("s ≥ −1074");
-    let infinity = f64::INFINITY.to_bits();
-    f64::from_bits(((field << FRACTION_BITS) + mantissa).min(infinity))
+    // With f bits of the fraction, m < 2^f occurs only at the least s; then m itself is the bit pattern
+    // of the subnormal number. Otherwise the hidden bit of m adds 1 to the exponent field
+    // s − least. If rounding gives m = 2^(f+1), the carry adds 1 once more.
+    let field = u64::try_from(unit - layout.least).expect("s is not below the least");
+    ((field << layout.fraction) + mantissa).min(layout.infinity)
 }
 
 /// (p/q)/2^`exponent` as a fraction of integers.

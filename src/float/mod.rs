@@ -7,7 +7,7 @@
 //!
 //! | item | what it is |
 //! |---|---|
-//! | [`nearest`], [`exact`], [`upper`], [`lower`], [`ulp`], [`ulps_between`] | conversion between exact numbers and f64 |
+//! | [`nearest`], [`nearest_f32`], [`exact`], [`upper`], [`lower`], [`ulp`], [`ulps_between`] | conversion between exact numbers and f64 |
 //! | [`shortest`], [`hexadecimal`], [`parse_hexadecimal`] | f64 as text |
 //! | `f64` as [`Real`](crate::exact::Real) | the arithmetic of the machine |
 //! | [`Tracked`] | an exact value with a proven bound on the error of the f64 computation |
@@ -33,7 +33,7 @@ mod upward;
 
 pub use apriori::Tracked;
 pub use certify::{Certification, CertifyOptions, MAX_TRACKED_STEPS, certify};
-pub use convert::{exact, lower, nearest, shortest, ulp, ulps_between, upper};
+pub use convert::{exact, lower, nearest, nearest_f32, shortest, ulp, ulps_between, upper};
 pub use depth::{DepthDecision, Margin, float_depth};
 pub use error::{CertifyError, MAX_CERTIFIED_LEVEL, MAX_STEPS};
 pub use hexadecimal::{HexadecimalError, hexadecimal, parse_hexadecimal};

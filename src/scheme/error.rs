@@ -107,6 +107,15 @@ pub enum SchemeError {
         /// The scheme.
         scheme: String,
     },
+    /// A valence for a ring that leaves no parameter for it open.
+    #[error(
+        "`{scheme}` leaves no parameter `N` or `n` open, which a valence could be the value of; give it no \
+         valence, or leave that parameter out"
+    )]
+    NoValence {
+        /// The scheme.
+        scheme: String,
+    },
     /// A mask that does not depend on the parameter that is left open.
     #[error(
         "the mask of `{scheme}` does not depend on `{parameter}`: name a parameter of the scheme \

@@ -36,7 +36,7 @@ pub use mask::{Mask, MaskError};
 pub(crate) use parse::find_in_catalogue;
 pub use parse::{
     AnyScheme, files_without_offset, parse_algebraic, parse_any_scheme, parse_local_rules,
-    parse_scheme,
+    parse_rules_of_valence, parse_scheme,
 };
 pub use parse_open::{parse_in_parameters, parse_parametric};
 pub use reference::{Instance, Reference};

@@ -14,6 +14,9 @@ use crate::formula::{Parameters, Value};
 use std::collections::BTreeMap;
 use std::path::Path;
 
+/// The names of a parameter that is a valence.
+const VALENCE_NAMES: [&str; 2] = ["N", "n"];
+
 /// The greatest size of a scheme file, in bytes.
 const MAX_FILE_BYTES: u64 = 1 << 20;
 
@@ -63,6 +66,41 @@ pub fn parse_scheme(text: &str) -> Result<Scheme<Rational>, SchemeError> {
 /// ```
 pub fn parse_local_rules(text: &str) -> Result<LocalRules<RealCyclotomic>, SchemeError> {
     Named::read(text)?.ring()
+}
+
+/// The ring that SCHEME names, with `valence` for its parameter `N` or `n`, if one is given.
+///
+/// # Errors
+/// As [`parse_local_rules`], and when a valence is given and the ring has no such parameter, or SCHEME
+/// states it too.
+///
+/// ```
+/// use subcert::scheme::{parse_local_rules, parse_rules_of_valence};
+///
+/// assert_eq!(parse_rules_of_valence("loop", Some(5))?, parse_local_rules("loop:N=5")?);
+/// assert!(parse_rules_of_valence("loop:N=5", Some(5)).is_err());
+/// # Ok::<(), subcert::scheme::SchemeError>(())
+/// ```
+pub fn parse_rules_of_valence(
+    text: &str,
+    valence: Option<usize>,
+) -> Result<LocalRules<RealCyclotomic>, SchemeError> {
+    let named = Named::read(text)?;
+    let (Some(valence), [instance]) = (valence, &named.instances()?[..]) else {
+        return named.ring();
+    };
+    let definition = named.definition(&instance.name)?;
+    if !definition.is_ring() {
+        return named.ring();
+    }
+    let open = |name: &&str| {
+        definition.parameters.contains_key(*name) && !instance.parameters.contains_key(*name)
+    };
+    let name = VALENCE_NAMES.into_iter().find(open);
+    let name = name.ok_or_else(|| SchemeError::NoValence { scheme: text.trim().to_owned() })?;
+    let mut parameters = instance.parameters.clone();
+    parameters.insert(name.to_owned(), RealCyclotomic::from(Rational::from(valence)));
+    definition.ring(&parameters)
 }
 
 /// The scheme or the ring that SCHEME names.

@@ -23,6 +23,7 @@ const LAYERS: [&str; 27] = [
     "float",
     "joint",
     "smoothness",
+    "spectrum",
     "mesh",
     "net",
     "solid",

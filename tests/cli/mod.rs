@@ -12,6 +12,7 @@ mod pages;
 mod polygons;
 mod smoothness;
 mod solids;
+mod spectrum;
 mod tables;
 mod terminal;
 

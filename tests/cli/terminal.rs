@@ -129,7 +129,7 @@ fn quiet_leaves_errors_files_and_the_exit_code() {
     assert!(!written(["new", "k", "-o", "-", "--quiet"]).is_empty());
 }
 
-const COMMANDS: [&str; 18] = [
+const COMMANDS: [&str; 20] = [
     "audit",
     "explain",
     "errata",
@@ -138,6 +138,8 @@ const COMMANDS: [&str; 18] = [
     "depth",
     "range",
     "smoothness",
+    "spectrum",
+    "table",
     "jsr",
     "certify",
     "prove",

@@ -11,6 +11,7 @@ mod cosine_polynomial;
 mod decimal;
 mod doo_sabin;
 mod enclosure;
+mod expression;
 mod format;
 mod linear;
 mod matrix;

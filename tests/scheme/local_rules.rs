@@ -54,6 +54,7 @@ fn rings_of_the_catalogue() {
         ("bajaj", "N", 3..=12),
         ("loop", "N", 3..=12),
         ("loop-warren", "N", 3..=12),
+        ("sqrt3", "N", 3..=12),
     ] {
         for valence in valences.chain([24]) {
             let ring = ring(&format!("{name}:{parameter}={valence}"));

@@ -3,7 +3,7 @@
 use crate::toml::Toml;
 
 /// The schemes that every claim file may name. They are data.
-const CATALOGUE: [&str; 15] = [
+const CATALOGUE: [&str; 16] = [
     include_str!("../catalogue/b-spline.toml"),
     include_str!("../catalogue/bajaj.toml"),
     include_str!("../catalogue/catmull-clark.toml"),
@@ -16,6 +16,7 @@ const CATALOGUE: [&str; 15] = [
     include_str!("../catalogue/quaternary-four-point.toml"),
     include_str!("../catalogue/quinary-three-point.toml"),
     include_str!("../catalogue/six-point.toml"),
+    include_str!("../catalogue/sqrt3.toml"),
     include_str!("../catalogue/ternary-four-point.toml"),
     include_str!("../catalogue/ternary-four-point-approximating.toml"),
     include_str!("../catalogue/ternary-three-point.toml"),

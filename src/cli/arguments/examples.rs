@@ -48,6 +48,17 @@ Examples:
   subcert smoothness four-point:w=1/16
   subcert smoothness ternary-four-point:mu=1/11 --format json";
 
+pub(super) const SPECTRUM: &str = "\
+Examples:
+  subcert spectrum catmull-clark --valence 5
+  subcert spectrum loop --valence 7 --format json
+  subcert spectrum examples/loop.toml --valence 6";
+
+pub(super) const TABLE: &str = "\
+Examples:
+  subcert table loop --valences 3..12 --format c --type f32
+  subcert table catmull-clark --valences 3..50 --format rust";
+
 pub(super) const JSR: &str = "\
 Examples:
   subcert jsr examples/pair.txt

@@ -5,6 +5,7 @@ mod meshes;
 mod papers;
 mod schemes;
 mod smoothness;
+mod spectrum;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 pub(super) use meshes::{
@@ -19,6 +20,7 @@ pub(super) use schemes::{
     OracleFormat, RangeArguments, SchemesArguments,
 };
 pub(super) use smoothness::{JsrArguments, SmoothnessArguments};
+pub(super) use spectrum::{SpectrumArguments, TableArguments, TypeArgument};
 use std::path::PathBuf;
 
 const AFTER_HELP: &str = "\
@@ -72,6 +74,13 @@ pub(super) enum Command {
     /// How smooth the limits of a scheme are: C^m, and the Hölder exponent from both sides
     #[command(after_help = examples::SMOOTHNESS)]
     Smoothness(SmoothnessArguments),
+    /// The eigenvalues of the rules around a vertex or on a face, exactly, and the stencils of limits and
+    /// tangents
+    #[command(after_help = examples::SPECTRUM)]
+    Spectrum(SpectrumArguments),
+    /// Weights and stencils by valence as source code, correctly rounded
+    #[command(after_help = examples::TABLE)]
+    Table(TableArguments),
     /// The joint spectral radius of matrices, from both sides
     #[command(after_help = examples::JSR)]
     Jsr(JsrArguments),

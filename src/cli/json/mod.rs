@@ -10,6 +10,7 @@ pub(super) mod offset;
 pub(super) mod range;
 pub(super) mod schemes;
 pub(super) mod smoothness;
+pub(super) mod spectrum;
 
 /// The version of the JSON form.
 pub(super) const SCHEMA: u32 = 1;

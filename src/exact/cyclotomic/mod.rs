@@ -13,6 +13,7 @@
 //! | `sparse` | numbers as sums of few cosines |
 //! | `norm` | inverses, by norms modulo primes |
 //! | `minimal` | the minimal polynomial of a number |
+//! | `size` | bounds of conjugates, and the content |
 
 mod arithmetic;
 mod error;
@@ -23,6 +24,7 @@ mod norm;
 mod number;
 mod order;
 mod row_product;
+mod size;
 mod sparse;
 mod symmetric;
 

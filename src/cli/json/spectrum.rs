@@ -1,0 +1,77 @@
+//! What `subcert spectrum` writes.
+
+use serde::Serialize;
+use subcert::report::json::Exact;
+
+/// The spectrum of a ring and its stencils.
+#[derive(Serialize)]
+pub struct Spectrum<'a> {
+    /// The version of this form.
+    pub schema: u32,
+    /// The scheme as it was given.
+    pub scheme: &'a str,
+    /// The order n of the rotation.
+    pub valence: usize,
+    /// The orbits of the ring of the stencils.
+    pub orbits: Vec<Orbit<'a>>,
+    /// The orbits of the ring whose eigenvalues these are.
+    pub neighbourhood: Vec<Orbit<'a>>,
+    /// All eigenvalues, in descending order of the absolute value.
+    pub eigenvalues: Vec<Eigenvalue>,
+    /// The conditions on them.
+    pub conditions: Conditions,
+    /// The weights of the points in their limit; null where 1 is no simple eigenvalue.
+    pub limit: Option<Vec<Weight>>,
+    /// The weights of the points in two tangents, whose cross product in this order is a normal; null
+    /// without a subdominant eigenvalue.
+    pub tangents: Option<[Vec<Weight>; 2]>,
+}
+
+/// The points of one kind.
+#[derive(Serialize)]
+pub struct Orbit<'a> {
+    /// Their name.
+    pub name: &'a str,
+    /// Their number.
+    pub count: usize,
+}
+
+/// An eigenvalue.
+#[derive(Serialize)]
+pub struct Eigenvalue {
+    /// The value; the real part of a pair of complex eigenvalues.
+    #[serde(flatten)]
+    pub value: Exact,
+    /// The positive imaginary part y of a pair x ± iy; absent for a real eigenvalue.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub imaginary: Option<Exact>,
+    /// The algebraic multiplicity, of each of a pair.
+    pub multiplicity: usize,
+    /// The Fourier blocks, each as often as it has the eigenvalue.
+    pub block: Vec<usize>,
+}
+
+/// What the literature asks of the eigenvalues.
+#[derive(Serialize)]
+pub struct Conditions {
+    /// Whether 1 is simple, and all others are below 1 in absolute value.
+    pub simple_one: bool,
+    /// λ, if it is positive, double, from the blocks 1 and n − 1, and above all that follow; or null.
+    pub subdominant: Option<Exact>,
+    /// λ².
+    pub square: Option<Exact>,
+    /// The greatest absolute value μ after λ.
+    pub next: Option<Exact>,
+    /// `bounded` where μ = λ², `vanishing` where it is less, `unbounded` where it is greater.
+    pub curvature: Option<&'static str>,
+}
+
+/// The weight of a point.
+#[derive(Serialize)]
+pub struct Weight {
+    /// The point, such as `edge[3]`.
+    pub point: String,
+    /// The weight.
+    #[serde(flatten)]
+    pub weight: Exact,
+}

@@ -1,0 +1,132 @@
+//! The eigenvalues of a ring, by Fourier blocks.
+
+use super::blocks::Blocks;
+use super::circulant::Circulant;
+use super::error::SpectrumError;
+use super::polynomial::Polynomial;
+use super::roots::{Root, roots};
+use super::{MAX_COMPONENT, MAX_WORK};
+use crate::exact::{Adjugate, RealCyclotomic, RealExpression};
+use std::cmp::Ordering;
+
+/// An eigenvalue of a ring.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Eigenvalue {
+    /// The real part.
+    pub real: RealExpression,
+    /// The positive imaginary part y of a pair of complex eigenvalues x ± iy; `None` of a real one.
+    pub imaginary: Option<RealExpression>,
+    /// The absolute value.
+    pub modulus: RealExpression,
+    /// The algebraic multiplicity; of each of a pair.
+    pub multiplicity: usize,
+    /// The Fourier blocks that have it, in ascending order, each as often as it has it.
+    pub blocks: Vec<usize>,
+}
+
+/// All eigenvalues, in descending order of the absolute value, and then of the value.
+pub(super) fn eigenvalues(
+    blocks: &Blocks,
+    cosines: &[RealCyclotomic],
+) -> Result<Vec<Eigenvalue>, SpectrumError> {
+    let mut found: Vec<Eigenvalue> = Vec::new();
+    let mut add = |root: &Root, of: &[usize]| {
+        let Root { real, imaginary, modulus, multiplicity, .. } = root.clone();
+        let mut blocks: Vec<usize> =
+            of.iter().flat_map(|k| std::iter::repeat_n(*k, multiplicity)).collect();
+        blocks.sort_unstable();
+        let multiplicity = blocks.len();
+        found.push(Eigenvalue { real, imaginary, modulus, multiplicity, blocks });
+    };
+    for component in blocks.still_components() {
+        check(component.len(), 1)?;
+        let rows = |&a: &usize| component.iter().map(|&b| blocks.still[a][b].clone()).collect();
+        let matrix: Vec<Vec<RealCyclotomic>> = component.iter().map(rows).collect();
+        let polynomial = Adjugate::of(&matrix).characteristic;
+        block_roots(0, polynomial)?.iter().for_each(|root| add(root, &[0]));
+    }
+    let n = blocks.order;
+    for component in blocks.turning_components() {
+        let characteristic = turning_characteristic(blocks, &component)?;
+        let mut known: Vec<(Polynomial, Vec<Root>)> = Vec::new();
+        for k in 1..=n / 2 {
+            let polynomial = at_block(&characteristic, k, cosines);
+            let both = if 2 * k == n { vec![k] } else { vec![k, n - k] };
+            if let Some((_, roots)) = known.iter().find(|(one, _)| *one == polynomial) {
+                for root in roots {
+                    add(root, &both);
+                }
+                continue;
+            }
+            let roots = block_roots(k, polynomial.clone())?;
+            for root in &roots {
+                add(root, &both);
+            }
+            known.push((polynomial, roots));
+        }
+    }
+    Ok(merged(found))
+}
+
+/// The roots of the characteristic polynomial of block k.
+pub(super) fn block_roots(k: usize, polynomial: Polynomial) -> Result<Vec<Root>, SpectrumError> {
+    roots(polynomial).map_err(|complex| SpectrumError::Complex { block: k, degree: complex.0 })
+}
+
+/// The coefficients of det(x − M̂_k) for all k, of the cycles of a component.
+pub(super) fn turning_characteristic(
+    blocks: &Blocks,
+    component: &[usize],
+) -> Result<Vec<Circulant>, SpectrumError> {
+    check(component.len(), blocks.order)?;
+    let turning = blocks.turning();
+    let rows = |&a: &usize| component.iter().map(|&b| turning[a][b].clone()).collect();
+    let matrix: Vec<Vec<Circulant>> = component.iter().map(rows).collect();
+    let characteristic = Adjugate::of(&matrix).characteristic;
+    if characteristic.iter().all(Circulant::is_even) {
+        Ok(characteristic)
+    } else {
+        Err(SpectrumError::NoReflection { block: 1 })
+    }
+}
+
+/// The polynomial with the coefficients Σ_d a_d cos(2πkd/n).
+pub(super) fn at_block(
+    characteristic: &[Circulant],
+    k: usize,
+    cosines: &[RealCyclotomic],
+) -> Polynomial {
+    characteristic.iter().map(|coefficient| coefficient.real_part(k, cosines)).collect()
+}
+
+/// Checks that the polynomials of a component are not too much work.
+pub(super) fn check(orbits: usize, points: usize) -> Result<(), SpectrumError> {
+    let work = orbits.saturating_pow(3).saturating_mul(points);
+    if orbits > MAX_COMPONENT || work > MAX_WORK {
+        return Err(SpectrumError::TooLarge { orbits, points });
+    }
+    Ok(())
+}
+
+/// The same eigenvalues, each once.
+fn merged(mut found: Vec<Eigenvalue>) -> Vec<Eigenvalue> {
+    found.sort_by(order);
+    let mut merged: Vec<Eigenvalue> = Vec::new();
+    for next in found {
+        match merged.last_mut().filter(|last| order(last, &next) == Ordering::Equal) {
+            Some(last) => {
+                last.multiplicity += next.multiplicity;
+                last.blocks.extend(next.blocks);
+                last.blocks.sort_unstable();
+            }
+            None => merged.push(next),
+        }
+    }
+    merged
+}
+
+/// Descending, by the modulus and then by the real part. A real number and a pair of complex ones with
+/// both in common do not exist.
+fn order(a: &Eigenvalue, b: &Eigenvalue) -> Ordering {
+    b.modulus.cmp(&a.modulus).then_with(|| b.real.cmp(&a.real))
+}

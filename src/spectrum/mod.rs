@@ -1,0 +1,42 @@
+//! The spectra of the rules around a vertex or on a face, and the stencils that follow.
+//!
+//! | file | subject |
+//! |---|---|
+//! | `error` | the errors |
+//! | `circulant` | circulant matrices |
+//! | `blocks` | the Fourier blocks of a ring |
+//! | `polynomial` | monic polynomials over Q(2cos(2π/n)) |
+//! | `extension` | the field that a root generates |
+//! | `roots` | roots of these polynomials |
+//! | `eigenvalues` | all eigenvalues with their multiplicities |
+//! | `stencil` | left eigenvectors: limit and tangents |
+//! | `conditions` | what the literature asks of the eigenvalues |
+//! | `schemes` | schemes by name, and the wider rings whose eigenvalues are taken |
+//! | `ring_spectrum` | all of this for one ring |
+//! | [`table`] | tables by valence, as source code |
+
+mod blocks;
+mod circulant;
+mod conditions;
+mod eigenvalues;
+mod error;
+mod extension;
+mod polynomial;
+mod ring_spectrum;
+mod roots;
+mod schemes;
+mod stencil;
+pub mod table;
+
+pub use conditions::{Conditions, Curvature};
+pub use eigenvalues::Eigenvalue;
+pub use error::SpectrumError;
+pub use ring_spectrum::Spectrum;
+pub use schemes::{Surroundings, surroundings};
+pub use stencil::Stencil;
+
+/// The most orbits that depend on each other.
+pub const MAX_COMPONENT: usize = 12;
+
+/// The greatest value of (number of orbits that depend on each other)³·(order of the rotation).
+pub const MAX_WORK: usize = 20_000;

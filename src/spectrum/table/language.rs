@@ -1,0 +1,73 @@
+//! The languages of tables.
+
+use super::real::{Real, RealType};
+
+/// A language that tables are written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Language {
+    /// C99.
+    C,
+    /// C++11.
+    Cpp,
+    /// Rust.
+    Rust,
+    /// Python.
+    Python,
+    /// GLSL 3.30, or 4.00 for f64.
+    Glsl,
+    /// JSON.
+    Json,
+}
+
+impl Language {
+    /// All languages.
+    pub const ALL: [Language; 6] = [
+        Language::C,
+        Language::Cpp,
+        Language::Rust,
+        Language::Python,
+        Language::Glsl,
+        Language::Json,
+    ];
+
+    /// The name, as in `--format`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Language::C => "c",
+            Language::Cpp => "cpp",
+            Language::Rust => "rust",
+            Language::Python => "python",
+            Language::Glsl => "glsl",
+            Language::Json => "json",
+        }
+    }
+
+    /// The literal of a number. Readers of Python and JSON know f64 only; there an f32 is written as the
+    /// f64 that equals it.
+    pub(super) fn literal(self, value: Real) -> String {
+        let single = matches!(value, Real::F32(_));
+        match self {
+            Language::C | Language::Cpp if single => format!("{}f", value.shortest()),
+            Language::Glsl if !single => format!("{}lf", value.shortest()),
+            Language::Python | Language::Json => value.as_f64(),
+            _ => value.shortest(),
+        }
+    }
+
+    /// The name of the type.
+    pub(super) fn type_name(self, real: RealType) -> &'static str {
+        match (self, real) {
+            (Language::Rust, RealType::F32) => "f32",
+            (Language::Rust, RealType::F64) => "f64",
+            (_, RealType::F32) => "float",
+            (_, RealType::F64) => "double",
+        }
+    }
+
+    /// A line of a comment.
+    pub(super) fn comment(self, line: &str) -> String {
+        let mark = if self == Language::Python { "#" } else { "//" };
+        format!("{mark} {line}").trim_end().to_owned()
+    }
+}

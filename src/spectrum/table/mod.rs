@@ -1,0 +1,20 @@
+//! Tables of spectra and stencils by valence, as source code.
+//!
+//! | file | subject |
+//! |---|---|
+//! | `real` | numbers as literals of a type |
+//! | `rows` | the numbers of each valence |
+//! | `arrays` | the numbers of all valences as arrays |
+//! | `language` | the languages |
+//! | `write` | arrays as source code |
+
+mod arrays;
+mod language;
+mod real;
+mod rows;
+mod write;
+
+pub use language::Language;
+pub use real::RealType;
+pub use rows::{MAX_TABLE_WEIGHTS, Row, TableError};
+pub use write::{Origin, write};

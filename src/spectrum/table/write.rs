@@ -1,0 +1,248 @@
+//! Arrays as source code.
+
+use super::arrays::{Array, Entries, arrays};
+use super::language::Language;
+use super::real::{Real, RealType};
+use super::rows::{Row, TableError};
+
+/// What the header of a table says of where it comes from.
+#[derive(Clone, Copy, Debug)]
+pub struct Origin<'a> {
+    /// The scheme as it was given.
+    pub scheme: &'a str,
+    /// The command that writes the table.
+    pub command: &'a str,
+}
+
+/// A table of rows of consecutive valences as source code. The first lines say how to check it.
+///
+/// # Errors
+/// When the rows have different orbits, or too many weights.
+///
+/// # Panics
+/// When there are no rows.
+///
+/// ```
+/// use subcert::spectrum::{surroundings, table::{Language, Origin, RealType, Row, write}};
+///
+/// let rows = (3..=4).map(|n| Row::of(&surroundings("loop", Some(n))?)).collect::<Result<Vec<_>, _>>()?;
+/// let origin = Origin { scheme: "loop", command: "subcert table loop --valences 3..4 --format rust" };
+/// let text = write(&rows, Language::Rust, RealType::F64, &origin)?;
+/// assert!(text.contains("pub const SUBDOMINANT: [f64; 2] = [0.25, 0.375];"));
+/// # Ok::<(), subcert::spectrum::table::TableError>(())
+/// ```
+pub fn write(
+    rows: &[Row],
+    language: Language,
+    real: RealType,
+    origin: &Origin<'_>,
+) -> Result<String, TableError> {
+    let arrays = arrays(rows, real)?;
+    let (first, last) = (rows[0].valence, rows[rows.len() - 1].valence);
+    let writer =
+        Writer { language, real, name: identifier(origin.scheme), first, count: rows.len() };
+    let header = header(rows, real, origin);
+    Ok(match language {
+        Language::Json => writer.json(&header, &arrays, last),
+        _ => writer.source(&header, &arrays),
+    })
+}
+
+/// The lines at the head of a table.
+fn header(rows: &[Row], real: RealType, origin: &Origin<'_>) -> Vec<String> {
+    let (first, last) = (rows[0].valence, rows[rows.len() - 1].valence);
+    let (name, bits) = match real {
+        RealType::F32 => ("f32", 32),
+        RealType::F64 => ("f64", 64),
+    };
+    vec![
+        format!("Weights and stencils of {} by valence n = {first}, ..., {last}.", origin.scheme),
+        format!("Every number is the {name} (IEEE 754, {bits} bits) nearest to its exact value."),
+        format!("Written by subcert {}:", env!("CARGO_PKG_VERSION")),
+        format!("    {}", origin.command),
+        "To check a copy, write it again by this command and compare; the exact values are written by"
+            .to_owned(),
+        format!("    subcert spectrum {} --valence n --format json", quoted(origin.scheme)),
+        format!("Row n - {first} of a table is that of valence n. The cross product of tangent 1 and tangent 2"),
+        "is a normal; a common positive factor of both is free.".to_owned(),
+    ]
+}
+
+/// The text as one word of a shell.
+fn quoted(text: &str) -> String {
+    let plain = |c: char| c.is_ascii_alphanumeric() || "-_./:=,".contains(c);
+    if text.chars().all(plain) { text.to_owned() } else { format!("'{text}'") }
+}
+
+/// The name of a scheme as an identifier: that of a file is its stem.
+fn identifier(scheme: &str) -> String {
+    let path = scheme.split_once(".toml").map_or_else(
+        || scheme.split(':').next().unwrap_or_default(),
+        |(path, _)| path.rsplit(['/', '\\']).next().unwrap_or_default(),
+    );
+    let plain = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' };
+    let name: String = path.chars().map(plain).collect();
+    if name.starts_with(|c: char| c.is_ascii_alphabetic()) { name } else { format!("s_{name}") }
+}
+
+struct Writer {
+    language: Language,
+    real: RealType,
+    name: String,
+    first: usize,
+    count: usize,
+}
+
+impl Writer {
+    fn source(&self, header: &[String], arrays: &[Array]) -> String {
+        let mut lines: Vec<String> =
+            header.iter().map(|line| self.language.comment(line)).collect();
+        lines.push(String::new());
+        let (first, last) = (self.first, self.first + self.count - 1);
+        match self.language {
+            Language::C => {
+                lines.push(format!(
+                    "enum {{ {0}_first_valence = {first}, {0}_last_valence = {last} }};",
+                    self.name
+                ));
+            }
+            Language::Cpp => {
+                lines.push(format!("namespace {} {{", self.name));
+                lines
+                    .push(format!("constexpr int first_valence = {first}, last_valence = {last};"));
+            }
+            Language::Rust => {
+                lines.push(format!("pub const FIRST_VALENCE: usize = {first};"));
+                lines.push(format!("pub const LAST_VALENCE: usize = {last};"));
+            }
+            Language::Glsl => {
+                lines.push(format!("const int {}_first_valence = {first};", self.name));
+                lines.push(format!("const int {}_last_valence = {last};", self.name));
+            }
+            Language::Python | Language::Json => {
+                lines.push(format!("first_valence = {first}"));
+                lines.push(format!("last_valence = {last}"));
+            }
+        }
+        for array in arrays {
+            lines.push(String::new());
+            lines.extend(array.about.iter().map(|line| self.language.comment(line)));
+            lines.push(self.array(array));
+        }
+        if self.language == Language::Cpp {
+            lines.push(String::new());
+            lines.push("}".to_owned());
+        }
+        lines.join("\n") + "\n"
+    }
+
+    fn literal(&self, value: &Real) -> String {
+        self.language.literal(*value)
+    }
+
+    /// The declaration of an array.
+    fn array(&self, array: &Array) -> String {
+        let Array { name, entries, .. } = array;
+        let kind = self.language.type_name(self.real);
+        match entries {
+            Entries::Integers(values) => {
+                let kind = if self.language == Language::Rust { "usize" } else { "int" };
+                let values = vec![values.iter().map(ToString::to_string).collect()];
+                self.list(name, kind, &values)
+            }
+            Entries::List(rows) => {
+                let rows: Vec<Vec<String>> =
+                    rows.iter().map(|row| row.iter().map(|x| self.literal(x)).collect()).collect();
+                self.list(name, kind, &rows)
+            }
+            Entries::Table(rows) => {
+                let rows: Vec<Vec<String>> =
+                    rows.iter().map(|row| row.iter().map(|x| self.literal(x)).collect()).collect();
+                self.table(name, kind, &rows)
+            }
+        }
+    }
+
+    /// One list of the entries of all rows, with a line for each row.
+    fn list(&self, name: &str, kind: &str, rows: &[Vec<String>]) -> String {
+        let length: usize = rows.iter().map(Vec::len).sum();
+        let body = if let [row] = rows {
+            row.join(", ")
+        } else {
+            let lines = rows.iter().map(|row| format!("\n    {},", row.join(", ")));
+            let body = lines.collect::<String>();
+            // GLSL allows no comma before the closing parenthesis.
+            let cut = if self.language == Language::Glsl { body.len() - 1 } else { body.len() };
+            format!("{}\n", &body[..cut])
+        };
+        match self.language {
+            Language::C => {
+                format!("static const {kind} {}_{name}[{length}] = {{{body}}};", self.name)
+            }
+            Language::Cpp => format!("constexpr {kind} {name}[{length}] = {{{body}}};"),
+            Language::Rust => {
+                format!("pub const {}: [{kind}; {length}] = [{body}];", name.to_uppercase())
+            }
+            Language::Glsl => {
+                format!("const {kind} {}_{name}[{length}] = {kind}[]({body});", self.name)
+            }
+            Language::Python | Language::Json => format!("{name} = [{body}]"),
+        }
+    }
+
+    /// A list of lists.
+    fn table(&self, name: &str, kind: &str, rows: &[Vec<String>]) -> String {
+        let (count, width) = (rows.len(), rows.first().map_or(0, Vec::len));
+        let [open, close] = match self.language {
+            Language::C | Language::Cpp => ["{", "}"],
+            _ => ["[", "]"],
+        };
+        let lines = rows.iter().map(|row| format!("\n    {open}{}{close},", row.join(", ")));
+        let body = lines.collect::<String>() + "\n";
+        match self.language {
+            Language::C => {
+                format!("static const {kind} {}_{name}[{count}][{width}] = {{{body}}};", self.name)
+            }
+            Language::Cpp => format!("constexpr {kind} {name}[{count}][{width}] = {{{body}}};"),
+            Language::Rust => {
+                format!(
+                    "pub const {}: [[{kind}; {width}]; {count}] = [{body}];",
+                    name.to_uppercase()
+                )
+            }
+            // Arrays of arrays came with GLSL 4.30.
+            Language::Glsl => self.list(name, kind, rows),
+            Language::Python | Language::Json => format!("{name} = [{body}]"),
+        }
+    }
+
+    fn json(&self, header: &[String], arrays: &[Array], last: usize) -> String {
+        let text = |text: &str| serde_json::to_string(text).expect("a text");
+        let header = header.iter().map(|line| format!("    {}", text(line.trim_start())));
+        let mut fields = vec![
+            format!("  \"about\": [\n{}\n  ]", header.collect::<Vec<String>>().join(",\n")),
+            format!("  \"first_valence\": {}", self.first),
+            format!("  \"last_valence\": {last}"),
+        ];
+        for array in arrays {
+            let row = |row: &Vec<Real>| {
+                let entries: Vec<String> = row.iter().map(|x| self.literal(x)).collect();
+                entries.join(", ")
+            };
+            let body = match &array.entries {
+                Entries::Integers(values) => {
+                    values.iter().map(ToString::to_string).collect::<Vec<String>>().join(", ")
+                }
+                Entries::List(rows) => {
+                    rows.iter().map(row).collect::<Vec<String>>().join(",\n    ")
+                }
+                Entries::Table(rows) => {
+                    let rows = rows.iter().map(|entries| format!("[{}]", row(entries)));
+                    rows.collect::<Vec<String>>().join(",\n    ")
+                }
+            };
+            fields.push(format!("  \"{}\": [{body}]", array.name));
+        }
+        format!("{{\n{}\n}}\n", fields.join(",\n"))
+    }
+}

@@ -1,0 +1,89 @@
+//! `spectrum` and `table`.
+
+use super::{TemporaryFile, assert_parts, refused, written};
+use serde_json::Value;
+
+fn json(scheme: &str, valence: &str) -> Value {
+    let text = written(["spectrum", scheme, "--valence", valence, "--format", "json"]);
+    serde_json::from_str(&text).expect("JSON")
+}
+
+#[test]
+fn spectra_as_json() {
+    let found = json("catmull-clark", "4");
+    let second = &found["eigenvalues"][1];
+    assert_eq!((&second["exact"], &second["multiplicity"]), (&"1/2".into(), &2.into()));
+    assert_eq!(second["block"], serde_json::json!([1, 3]));
+    assert_eq!(found["conditions"]["curvature"], "bounded");
+    assert_eq!(
+        (&found["limit"][0]["point"], &found["limit"][0]["exact"]),
+        (&"vertex".into(), &"4/9".into())
+    );
+    assert_eq!(found["tangents"][1][2]["decimal"], "1");
+    assert_eq!(found["neighbourhood"].as_array().map(Vec::len), Some(7));
+    let five = json("catmull-clark", "5");
+    assert_eq!(five["eigenvalues"][1]["decimal"], "0.54998835451829718");
+    assert_eq!(
+        five["eigenvalues"][1]["exact"],
+        "5/16 + 1/16*cos(2*pi/5) + 1/32*sqrt(37 + 38*cos(2*pi/5))"
+    );
+}
+
+#[test]
+fn spectra_as_text() {
+    let text = written(["spectrum", "loop", "--valence", "3"]);
+    assert_parts(
+        &text,
+        &[
+            "3 corner",
+            "1/16",
+            "0 (2), 1, 2",
+            "unbounded in general",
+            "tangent 1, edge  1  -0.5  -0.5",
+        ],
+    );
+    // A parameter of the scheme is as good as --valence.
+    assert_eq!(
+        written(["spectrum", "loop:N=3"]).lines().skip(2).collect::<Vec<_>>(),
+        text.lines().skip(2).collect::<Vec<_>>()
+    );
+}
+
+#[test]
+fn files_are_rings_of_their_own() {
+    let found = json("examples/loop.toml", "7");
+    assert_eq!(found["orbits"], found["neighbourhood"]);
+    assert_eq!(found["conditions"]["subdominant"]["exact"], "3/8 + 1/4*cos(2*pi/7)");
+    let table = written(["table", "examples/loop.toml", "--valences", "3..4", "--format", "cpp"]);
+    assert_parts(&table, &["namespace loop {", "constexpr double limit[2][2]", "--type f64"]);
+}
+
+#[test]
+fn bad_input() {
+    let spectrum =
+        |scheme: &str, valence: &str| refused(["spectrum", scheme, "--valence", valence]);
+    assert_parts(&spectrum("loop", "2"), &["needs N >= 3", "N is 2"]);
+    assert_parts(&spectrum("loop", "x"), &["a valence is a whole number"]);
+    assert_parts(&spectrum("loop", "600"), &["601 points", "from 2 to 600"]);
+    assert_parts(&spectrum("loop:N=5", "5"), &["leaves no parameter `N` or `n` open"]);
+    assert_parts(&spectrum("chaikin", "5"), &["is no ring of points"]);
+    assert_parts(&spectrum("lop", "5"), &["did you mean `loop`?"]);
+    assert_parts(&refused(["spectrum", "loop"]), &["needs its parameter `N`"]);
+    let turned = TemporaryFile::new(
+        "turned.toml",
+        "name = 'turned'\ntitle = 't'\nsource = 's 2000'\nparameters.n = { about = 'the valence' }\n\
+         orbits = { a = 'n' }\nedges = [['a[i]', 'a[i + 1]']]\n[weights.a]\n\
+         a = '(kronecker(j, i) + kronecker(mod(j - i, n), 1))/2'\n",
+    );
+    assert_parts(&spectrum(turned.path(), "5"), &["mirror image", "two steps"]);
+    let table =
+        |valences: &str| refused(["table", "loop", "--valences", valences, "--format", "c"]);
+    assert_parts(&table("3"), &["such as 3..12"]);
+    assert_parts(&table("9..3"), &["is above the last"]);
+    assert_parts(&table("3..999999999999"), &["at most 256"]);
+    assert_parts(&table("0..4"), &["needs N >= 3"]);
+    assert_parts(
+        &refused(["table", "loop", "--valences", "3..4", "--format", "c", "-o", "/proc/none/x.c"]),
+        &["cannot write /proc/none/x.c"],
+    );
+}
