@@ -5,8 +5,10 @@
 
 mod broken;
 mod cell;
+mod certified;
 mod claims;
 mod command;
+mod context;
 mod document;
 mod filter;
 mod index;

@@ -6,10 +6,15 @@ mod chart;
 mod curve;
 mod digits;
 mod frame;
+mod grid;
+mod legend;
 mod levels;
+mod line;
 mod range;
 mod readings;
+mod ring_places;
 mod scale;
+mod space;
 mod witness;
 
 pub(super) use chart::chart;

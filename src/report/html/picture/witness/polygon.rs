@@ -1,11 +1,13 @@
-//! The data that refute a theorem about curves: control polygon, level k, limit, and the place.
+//! Data of a curve that exceed a bound: control polygon, level k, limit, and the place.
 
-use super::curve::{Level, Window, levels};
-use super::frame::{Frame, picture, points};
-use super::scale::Scale;
-use crate::audit::{Attained, Broken, Control, Place, Violation};
+use super::super::curve::{Level, Window, levels};
+use super::super::frame::{Frame, picture, points};
+use super::super::line::{Line, float};
+use super::super::scale::Scale;
+use super::exceeding::{Exceeding, SEEN};
+use crate::audit::Place;
 use crate::claim::Quantity;
-use crate::exact::{Rational, RealCyclotomic, format::short};
+use crate::exact::Rational;
 use crate::float::nearest;
 use crate::limit::ExtremalPolygon;
 use crate::scheme::Mask;
@@ -13,9 +15,6 @@ use maud::{Markup, html};
 
 /// How far the picture reaches to both sides of the place, in control points.
 const REACH: f64 = 4.0;
-
-/// From this distance on, it is seen beside control points that differ by 1.
-const SEEN: f64 = 0.03;
 
 const HEIGHT: f64 = 300.0;
 const FRAME: Frame = Frame { x: (56.0, 540.0), y: (264.0, 12.0) };
@@ -27,51 +26,21 @@ struct Shown<'l> {
     polygons: [(&'l Level, String); 2],
 }
 
-/// Control data of spread 1 and a place, where a quantity is greater than it is said to be.
-pub(in crate::report::html) struct Exceeding<'v> {
-    pub(in crate::report::html) quantity: Quantity,
-    pub(in crate::report::html) level: u32,
-    pub(in crate::report::html) attained: &'v Attained,
-    /// What it is said to be at most.
-    pub(in crate::report::html) most: RealCyclotomic,
-}
-
-impl<'v> Exceeding<'v> {
-    /// What refutes a theorem.
-    pub(in crate::report::html) fn of_theorem(violation: &'v Violation) -> Exceeding<'v> {
-        let Violation { quantity, level, attained, bound } = violation;
-        Exceeding { quantity: *quantity, level: *level, attained, most: bound.clone() }
-    }
-
-    /// What breaks a promise, divided by the spread.
-    pub(in crate::report::html) fn of_promise(broken: &'v Broken) -> Exceeding<'v> {
-        let Broken { attained, spread, level, most, .. } = broken;
-        let most = (most / spread).into();
-        Exceeding { quantity: Quantity::Distance, level: *level, attained, most }
-    }
-}
-
-/// The data, when they are a polygon; `None` of nets and rings.
-pub(in crate::report::html) fn witness(
-    masks: &[Mask],
+/// A piece of a control polygon, with its points at i + s.
+pub(super) fn drawing(
+    mask: &Mask,
+    polygon: &ExtremalPolygon,
     exceeding: &Exceeding<'_>,
 ) -> Option<Markup> {
-    let ([mask], Control::Polygon(polygon)) = (masks, &exceeding.attained.control) else {
-        return None;
-    };
     let windows = windows(mask, exceeding)?;
-    let (found, window) = windows
-        .into_iter()
-        .find_map(|window| Some((levels(mask, polygon, exceeding.level, window)?, window)))?;
+    let points = polygon.points.iter().map(|point| float(*point)).collect();
+    let [shift, _] = exceeding.shift;
+    let control = Level::control(Line { first: polygon.first, points }, shift);
+    let (found, window) = windows.into_iter().find_map(|window| {
+        Some((levels(mask, control.clone(), exceeding.level, window)?, window))
+    })?;
     let shown = shown(&found, exceeding)?;
-    let says = format!(
-        "Control polygon of spread 1, level {} and {}. At the marked place they are {} apart, and at most {} is \
-         claimed.",
-        exceeding.level,
-        shown.polygons[1].1,
-        short(&exceeding.attained.value, 6),
-        short(&exceeding.most, 6),
-    );
+    let says = exceeding.says("polygon", &shown.polygons[1].1);
     let drawing = drawn(polygon, &found[0], &shown, window);
     Some(html! {
         figure {

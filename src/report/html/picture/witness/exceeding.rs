@@ -1,0 +1,48 @@
+//! Control data of spread 1 and a place, where a quantity is greater than it is said to be.
+
+use crate::audit::{Attained, Broken, Violation};
+use crate::claim::Quantity;
+use crate::exact::{RealCyclotomic, format::short};
+
+/// From this distance on, it is seen beside control points that differ by 1.
+pub(super) const SEEN: f64 = 0.03;
+
+/// Data that exceed a bound.
+pub(in crate::report::html) struct Exceeding<'v> {
+    pub(super) quantity: Quantity,
+    pub(super) level: u32,
+    pub(super) attained: &'v Attained,
+    /// What it is said to be at most.
+    pub(super) most: RealCyclotomic,
+    /// The points are compared with the limit at (i + s)/n^k, and of a net at (j + t)/m^k.
+    pub(super) shift: [f64; 2],
+}
+
+impl<'v> Exceeding<'v> {
+    /// What refutes a theorem.
+    pub(in crate::report::html) fn of_theorem(violation: &'v Violation) -> Exceeding<'v> {
+        let Violation { quantity, level, attained, bound } = violation;
+        let (quantity, level, most) = (*quantity, *level, bound.clone());
+        Exceeding { quantity, level, attained, most, shift: [0.0; 2] }
+    }
+
+    /// What breaks a promise, divided by the spread.
+    pub(in crate::report::html) fn of_promise(broken: &'v Broken) -> Exceeding<'v> {
+        let Broken { attained, spread, level, most, .. } = broken;
+        let most = (most / spread).into();
+        let quantity = Quantity::Distance;
+        Exceeding { quantity, level: *level, attained, most, shift: [0.0; 2] }
+    }
+
+    /// What a picture of them shows, in words; `data` is what they are, and `other` what level k is compared
+    /// with.
+    pub(super) fn says(&self, data: &str, other: &str) -> String {
+        format!(
+            "Control {data} of spread 1, level {} and {other}. At the marked place they are {} apart, and at \
+             most {} is claimed.",
+            self.level,
+            short(&self.attained.value, 6),
+            short(&self.most, 6),
+        )
+    }
+}
