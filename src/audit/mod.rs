@@ -18,8 +18,8 @@ pub use crate::finding::{
     EquationVerdict, EveryShift, Example, Explanation, FailingPremise, Failure, FunctionFinding,
     FunctionVerdict, HandCell, HandConstant, Kept, Later, LeftOut, LevelEvidence, Levels, Line,
     LineReading, MAX_DIFFERENCES, Missing, Naturally, Need, Needed, Outcome, PaperAudit, Place,
-    PromiseCounts, RangeFinding, RangeVerdict, Recovered, RecoveredFrom, Refiner, Refutation, Repair,
-    Search, Side, Slip, Solved, Sound, Supremum, TableFinding, TablePart, TheoremFinding,
+    PromiseCounts, RangeFinding, RangeVerdict, Recovered, RecoveredFrom, Refiner, Refutation,
+    Repair, Search, Side, Slip, Solved, Sound, Supremum, TableFinding, TablePart, TheoremFinding,
     TheoremVerdict, Unshiftable, Verdict, Violation, Working,
 };
 pub use crate::judge::MAX_CASES;

@@ -16,7 +16,8 @@ pub(super) fn broken(
     finding: &TableFinding<'_>,
 ) -> Result<Markup, Diagnostic> {
     let rows = finding.cells.iter().enumerate();
-    let mut places = rows.flat_map(|(row, cells)| (0..cells.len()).map(move |column| (row, column)));
+    let mut places =
+        rows.flat_map(|(row, cells)| (0..cells.len()).map(move |column| (row, column)));
     let first = places.find(|(row, column)| promise(&finding.cells[*row][*column]).is_some());
     let Some(at) = first else { return Ok(html! {}) };
     let drawn = of_cell(context, finding, at)?;

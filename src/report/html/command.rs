@@ -13,11 +13,18 @@ pub(super) fn explain(context: &Context<'_, '_>, id: &str) -> Markup {
     }
 }
 
-/// A path as a word of a shell.
-pub(super) fn quoted(path: &str) -> String {
-    let plain = |c: char| c.is_ascii_alphanumeric() || "-_./".contains(c);
-    if !path.is_empty() && path.chars().all(plain) {
-        return path.to_owned();
+/// A text as a word of a shell.
+///
+/// ```
+/// use subcert::report::html::shell_word;
+///
+/// assert_eq!(shell_word("my paper.toml"), "'my paper.toml'");
+/// ```
+#[must_use]
+pub fn quoted(text: &str) -> String {
+    let plain = |c: char| c.is_ascii_alphanumeric() || "-_./:=,".contains(c);
+    if !text.is_empty() && text.chars().all(plain) {
+        return text.to_owned();
     }
-    format!("'{}'", path.replace('\'', "'\\''"))
+    format!("'{}'", text.replace('\'', "'\\''"))
 }

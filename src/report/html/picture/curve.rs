@@ -6,13 +6,17 @@ use crate::scheme::{Mask, Rules};
 
 /// From this factor on, the points of a later level are as good as limit points: where those of level k move
 /// away by a shift of the parameter, what is left of it is this small a part.
-const FINER: f64 = 256.0;
+pub(super) const FINER: f64 = 256.0;
 
 /// The most points that are computed of a level.
 const MAX_POINTS: usize = 80_000;
 
 /// The most points of a line: a picture is not wider.
 const MAX_DRAWN: usize = 400;
+
+/// How many points beyond the ends, which have the values of these, are shown.
+const BEYOND: i64 = 8;
+const BEYOND_COUNT: usize = 8;
 
 /// A part of the parameters: from t − reach to t + reach.
 #[derive(Clone, Copy, Debug)]
@@ -85,6 +89,13 @@ impl Level {
         (float(i) + self.shift) / self.scale
     }
 
+    /// The points between two parameters, as far as they are there.
+    pub(super) fn vertices(&self, (from, to): (f64, f64)) -> impl Iterator<Item = (f64, f64)> {
+        let indices = (self.line.first - BEYOND..).take(self.line.points.len() + 2 * BEYOND_COUNT);
+        let all = indices.map(|i| (self.parameter(i), self.point(i)));
+        all.filter(move |(t, _)| (from..=to).contains(t))
+    }
+
     /// The polygon between two parameters.
     pub(super) fn between(&self, (from, to): (f64, f64)) -> Vec<(f64, f64)> {
         let (first, last) = (
@@ -98,12 +109,12 @@ impl Level {
     }
 }
 
-/// The levels from 0 to one that stands for the limit of level `k` in a window; `None` where that takes too
-/// many points.
+/// The levels from 0 to one that stands for the limit of level `k` in a window, `finer` times as fine; `None` where
+/// that takes too many points.
 pub(super) fn levels(
     mask: &Mask,
     control: Level,
-    k: u32,
+    (k, finer): (u32, f64),
     window: Window,
 ) -> Option<Vec<Level>> {
     let rules = mask.rules().map(nearest);
@@ -117,7 +128,7 @@ pub(super) fn levels(
             return None;
         }
         let own = levels.get(usize::try_from(k).ok()?);
-        if own.is_some_and(|own| last.scale >= FINER * own.scale) {
+        if own.is_some_and(|own| last.scale >= finer * own.scale) {
             return Some(levels);
         }
         levels.push(last.refined(&rules)?.trimmed(window, around));

@@ -47,10 +47,7 @@ impl Grid {
 
     /// Where x_{i,j} is.
     pub(super) fn parameters(&self, [i, j]: [i64; 2]) -> [f64; 2] {
-        [
-            (float(i) + self.shift[0]) / self.scale[0],
-            (float(j) + self.shift[1]) / self.scale[1],
-        ]
+        [(float(i) + self.shift[0]) / self.scale[0], (float(j) + self.shift[1]) / self.scale[1]]
     }
 
     /// The parameters of the points along an axis that are strictly between two.

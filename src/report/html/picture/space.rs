@@ -84,9 +84,8 @@ impl Scene {
             values.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)))
         };
         let (x, y) = (side(|place| place.0), side(|place| place.1));
-        let room = [(width, x), (HEIGHT, y)].map(|(room, (low, high))| {
-            (room - 2.0 * MARGIN) / (high - low).max(f64::MIN_POSITIVE)
-        });
+        let room = [(width, x), (HEIGHT, y)]
+            .map(|(room, (low, high))| (room - 2.0 * MARGIN) / (high - low).max(f64::MIN_POSITIVE));
         let scale = room[0].min(room[1]);
         let middle = (f64::midpoint(x.0, x.1), f64::midpoint(y.0, y.1));
         let at = |place: &Place| {

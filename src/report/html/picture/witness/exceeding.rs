@@ -9,13 +9,13 @@ pub(super) const SEEN: f64 = 0.03;
 
 /// Data that exceed a bound.
 pub(in crate::report::html) struct Exceeding<'v> {
-    pub(super) quantity: Quantity,
-    pub(super) level: u32,
-    pub(super) attained: &'v Attained,
+    pub(in crate::report::html) quantity: Quantity,
+    pub(in crate::report::html) level: u32,
+    pub(in crate::report::html) attained: &'v Attained,
     /// What it is said to be at most.
-    pub(super) most: RealCyclotomic,
+    pub(in crate::report::html) most: RealCyclotomic,
     /// The points are compared with the limit at (i + s)/n^k, and of a net at (j + t)/m^k.
-    pub(super) shift: [f64; 2],
+    pub(in crate::report::html) shift: [f64; 2],
 }
 
 impl<'v> Exceeding<'v> {
@@ -37,12 +37,15 @@ impl<'v> Exceeding<'v> {
     /// What a picture of them shows, in words; `data` is what they are, and `other` what level k is compared
     /// with.
     pub(super) fn says(&self, data: &str, other: &str) -> String {
+        let (found, most) = (short(&self.attained.value, 6), short(&self.most, 6));
+        let apart = if self.quantity == Quantity::Difference {
+            format!("The two marked points of level {} differ by {found}", self.level)
+        } else {
+            format!("At the marked place they are {found} apart")
+        };
         format!(
-            "Control {data} of spread 1, level {} and {other}. At the marked place they are {} apart, and at \
-             most {} is claimed.",
-            self.level,
-            short(&self.attained.value, 6),
-            short(&self.most, 6),
+            "Control {data} of spread 1, level {} and {other}. {apart}, and at most {most} is claimed.",
+            self.level
         )
     }
 }

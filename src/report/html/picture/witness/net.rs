@@ -72,7 +72,8 @@ impl Shown<'_> {
 /// place, unless the distance would not be seen there, and some points of level k.
 fn windows(masks: [&Mask; 2], exceeding: &Exceeding<'_>) -> Option<Vec<[Window; 2]>> {
     let k = exceeding.level;
-    let count = |axis: usize, level: u32| Rational::from(masks[axis].arity()).pow(level.cast_signed());
+    let count =
+        |axis: usize, level: u32| Rational::from(masks[axis].arity()).pow(level.cast_signed());
     let place = match &exceeding.attained.place {
         Place::Parameters(both) => both.each_ref().map(nearest),
         Place::Points([i, j]) => {
@@ -122,9 +123,9 @@ fn scene(control: &Grid, shown: &Shown<'_>, windows: [Window; 2]) -> Scene {
         (0..=PARTS).map(at).collect::<Vec<f64>>()
     };
     let even = [even(0), even(1)];
-    let values = [control, shown.level, shown.other].into_iter().flat_map(|grid| {
-        even[0].iter().flat_map(|s| even[1].iter().map(|t| grid.at([*s, *t])))
-    });
+    let values = [control, shown.level, shown.other]
+        .into_iter()
+        .flat_map(|grid| even[0].iter().flat_map(|s| even[1].iter().map(|t| grid.at([*s, *t]))));
     let values = values.chain(shown.ends.iter().map(|(_, value)| *value));
     let (low, high) = values.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
     // Both sides are as long, and the graphs are as high as is seen well.

@@ -57,7 +57,8 @@ pub(super) fn drawing(
         return None;
     }
     let says = exceeding.says("ring", &shown.name);
-    let (scene, height) = scene(ring, [&control, &level], &shown, exceeding.level).drawn(Views::Above);
+    let (scene, height) =
+        scene(ring, [&control, &level], &shown, exceeding.level).drawn(Views::Above);
     let mut names = vec![("c6", "control ring".to_owned()), ("c2", shown.name)];
     if exceeding.level > 0 {
         names.insert(1, ("c1", format!("level {}", exceeding.level)));
@@ -105,7 +106,8 @@ fn shown(
 fn limit(points: Vec<f64>, refined: &impl Fn(&[f64]) -> Vec<f64>) -> Option<f64> {
     let mut points = points;
     for _ in 0..MAX_LEVELS {
-        let ends = points.iter().fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(*x), high.max(*x)));
+        let ends =
+            points.iter().fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(*x), high.max(*x)));
         if ends.1 - ends.0 <= NEAR {
             return Some(f64::midpoint(ends.0, ends.1));
         }
@@ -117,7 +119,8 @@ fn limit(points: Vec<f64>, refined: &impl Fn(&[f64]) -> Vec<f64>) -> Option<f64>
 fn scene(ring: &LocalRules, [control, level]: [&[f64]; 2], shown: &Shown, k: u32) -> Scene {
     let places = places(ring);
     let values = control.iter().chain(level).chain(&shown.other);
-    let (low, high) = values.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(*x), high.max(*x)));
+    let (low, high) =
+        values.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(*x), high.max(*x)));
     let scale = HIGH / (high - low).max(f64::MIN_POSITIVE);
     let at = |a: usize, value: f64| [places[a][0], places[a][1], scale * (value - low)];
     let mut scene = Scene::default();
