@@ -10,6 +10,7 @@ mod csv;
 mod depth;
 mod errata;
 mod explain;
+mod finding;
 mod forms;
 mod geometry;
 mod json;
