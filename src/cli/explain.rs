@@ -3,13 +3,13 @@
 use super::arguments::{ExplainArguments, FindingFormat, TableFormat};
 use super::finding::Destination;
 use super::listing::{Listed, listing};
-use super::output::{Failure, Outcome};
+use super::output::{Failure, Outcome, write_results};
 use super::papers::{judge_claim, papers, select};
 use subcert::audit::{self, by_hand, readings};
 use subcert::claim::{Paper, Table};
 use subcert::report::html::explain_page;
 use subcert::report::json::Explained;
-use subcert::report::{Background, explain_sheet, table_of};
+use subcert::report::{Background, corrected_table, explain_sheet, table_of};
 use subcert::suggestion::did_you_mean;
 
 pub(super) fn explain(arguments: &ExplainArguments) -> Outcome {
@@ -51,6 +51,11 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Outcome {
         let page = explain_page(audit, id, background, arguments.all, file)?;
         page.ok_or_else(|| Failure::Input(format!("no claim has the id `{id}`")))
     };
+    if let (Destination::Output(TableFormat::Latex), Some((finding, None))) =
+        (&to, table_of(&audits, id))
+    {
+        return write_results(&corrected_table(finding));
+    }
     to.deliver(|| sheet, || Explained::of(&audits, id, background), page)
 }
 

@@ -3,6 +3,7 @@
 use super::faces::FacesFormat;
 use super::kind::Kind;
 use super::pictures::{Drawn, Pieces};
+use super::refined::Refined;
 use crate::cli::arguments::{DepthArguments, FindingFormat};
 use crate::cli::finding::{Destination, command};
 use crate::cli::json::{SCHEMA, mesh_depth as form};
@@ -44,7 +45,8 @@ pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments, to: &Destinati
         }
         if arguments.output.is_page() {
             let pieces = Pieces::of_mesh(file.mesh(), distances.faces(depth.level));
-            let drawn = Drawn { name: &name, tolerance: &tolerance, depth: &depth };
+            let refined = Refined::of_mesh(file.mesh(), scheme, depth.level);
+            let drawn = Drawn { name: &name, tolerance: &tolerance, depth: &depth, refined };
             let promised = promises(promised.as_ref(), &guaranteed);
             pictures = drawn.pictures(&pieces, promised, |level| distances.distance(level));
         }

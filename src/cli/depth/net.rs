@@ -4,6 +4,7 @@ use super::faces::FacesFormat;
 use super::kind::Kind;
 use super::mesh::{Formula, Report, promises};
 use super::pictures::{Drawn, Pieces};
+use super::refined::Refined;
 use crate::cli::arguments::{DepthArguments, FindingFormat};
 use crate::cli::finding::Destination;
 use crate::cli::net::{NetFile, NetInput, failure};
@@ -33,6 +34,7 @@ pub(super) fn net_depth(
         None
     } else {
         let mesh = net.mesh().map_err(|error| Failure::Input(error.to_string()))?;
+        let control = net.clone();
         let distances = NetDistances::new(net, &scheme).map_err(failure)?;
         let wanted = arguments.output.format != FindingFormat::Json;
         let progress = Progress::of_pieces(distances.work(), wanted);
@@ -41,8 +43,9 @@ pub(super) fn net_depth(
             format.write(path, &mesh, depth.level, &distances.faces(depth.level))?;
         }
         if arguments.output.is_page() {
+            let refined = Refined::of_net(&control, &scheme, depth.level);
             let pieces = Pieces::of_mesh(&mesh, distances.faces(depth.level));
-            let drawn = Drawn { name: &name, tolerance: &tolerance, depth: &depth };
+            let drawn = Drawn { name: &name, tolerance: &tolerance, depth: &depth, refined };
             let promised = promises(promised.as_ref(), &guaranteed);
             pictures = drawn.pictures(&pieces, promised, |level| distances.distance(level));
         }

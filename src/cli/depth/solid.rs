@@ -3,6 +3,7 @@
 use super::kind::Kind;
 use super::mesh::{Formula, Report, promises};
 use super::pictures::{Drawn, Pieces};
+use super::refined::Refined;
 use crate::cli::arguments::{DepthArguments, FindingFormat};
 use crate::cli::finding::Destination;
 use crate::cli::output::{Failure, Outcome, positive};
@@ -42,7 +43,8 @@ pub(super) fn solid_depth(path: &Path, arguments: &DepthArguments, to: &Destinat
         }
         if arguments.output.is_page() {
             let pieces = Pieces::of_solid(mesh, &distances.faces(depth.level));
-            let drawn = Drawn { name: &name, tolerance: &tolerance, depth: &depth };
+            let refined = Refined::of_solid(mesh, depth.level);
+            let drawn = Drawn { name: &name, tolerance: &tolerance, depth: &depth, refined };
             let promised = promises(promised.as_ref(), &guaranteed);
             pictures = drawn.pictures(&pieces, promised, |level| distances.distance(level));
         }

@@ -136,7 +136,7 @@ pub(super) fn theorem(
             p.outcome { (lines(&theorem::outcome(finding))) }
             @if let Some(drawing) = &drawing { (drawing) }
             @let details = theorem::details(finding, hand.as_ref());
-            @if !details.is_empty() {
+            @if !details.is_empty() && !context.is_whole {
                 details { summary { "Data and cases" } (facts(&details)) }
             }
         },

@@ -9,6 +9,8 @@ pub(super) struct Context<'p, 'a> {
     pub(super) audit: &'p PaperAudit<'a>,
     /// The claim file of a paper that is not embedded.
     pub(super) file: Option<&'p str>,
+    /// Whether all of a finding stands on the page beside its section.
+    pub(super) is_whole: bool,
     /// For each claim the lines of its certificate, or why there are none.
     pub(super) certificate: BTreeMap<String, Result<String, String>>,
 }
@@ -17,6 +19,6 @@ impl<'p, 'a> Context<'p, 'a> {
     pub(super) fn new(audit: &'p PaperAudit<'a>, file: Option<&'p str>) -> Context<'p, 'a> {
         let claims = certificate_lines(audit).into_iter();
         let certificate = claims.map(|claim| (claim.id, claim.lines)).collect();
-        Context { audit, file, certificate }
+        Context { audit, file, is_whole: false, certificate }
     }
 }

@@ -56,10 +56,10 @@ impl Picture {
         let names: Vec<&str> = lines.iter().map(|line| line.name.as_str()).collect();
         let met = lines.iter().filter_map(|line| Some((line, line.met?)));
         let met =
-            met.map(|(line, level)| format!(" {}: ε is met from level {level} on.", line.name));
+            met.map(|(line, level)| format!(" The {} meets it from level {level} on.", line.name));
         let says = format!(
-            "Against the level, on a logarithmic scale: {}. The line across is the tolerance ε = {}.{}",
-            names.join(", "),
+            "The {} against the level, on a logarithmic scale. The line across is the tolerance ε = {}.{}",
+            names.join(", the "),
             short(*tolerance, 6),
             met.collect::<String>()
         );
@@ -90,8 +90,8 @@ impl Picture {
         most: &Rational,
         shift: [f64; 2],
     ) -> Option<Picture> {
-        let (quantity, most) = (Quantity::Distance, most.clone().into());
-        picture::witness(refiner, &Exceeding { quantity, level, attained, most, shift })
+        let (quantity, most, said) = (Quantity::Distance, most.clone().into(), "wanted");
+        picture::witness(refiner, &Exceeding { quantity, level, attained, most, said, shift })
             .map(Picture)
     }
 

@@ -48,7 +48,7 @@ pub fn explain_page(
 ) -> Result<Option<String>, Diagnostic> {
     let audits = std::slice::from_ref(audit);
     let Some(sheet) = explain_sheet(audits, id, background, all) else { return Ok(None) };
-    let context = Context::new(audit, file);
+    let context = Context { is_whole: true, ..Context::new(audit, file) };
     let Some(Shown { sentence, contents, grid }) = shown(&context, id)? else { return Ok(None) };
     let (title, rest) = parts(sheet, grid);
     let bibliography = &audit.paper.bibliography;
@@ -105,23 +105,27 @@ fn shown(context: &Context<'_, '_>, id: &str) -> Result<Option<Shown>, Diagnosti
             of_cell(context, finding, id, at)
         };
     }
-    let claim = |outcome: &str, contents: Markup| {
-        let sentence = outcome.lines().next().unwrap_or_default().to_owned();
+    let claim = |locus: &str, outcome: &str, contents: Markup| {
+        let sentence = format!("{locus}: {}", outcome.lines().next().unwrap_or_default());
         Some(Shown { sentence, contents, grid: false })
     };
     if let Some(one) = audit.equations.iter().find(|one| one.id == id) {
-        return Ok(claim(&equation::outcome(one), claims::equation(context, one)));
+        return Ok(claim(
+            &one.equation.locus,
+            &equation::outcome(one),
+            claims::equation(context, one),
+        ));
     }
     if let Some(one) = audit.functions.iter().find(|one| one.id == id) {
         let outcome = function::function_outcome(one).join("\n");
-        return Ok(claim(&outcome, claims::function(context, one)));
+        return Ok(claim(&one.claim.locus, &outcome, claims::function(context, one)));
     }
     if let Some(one) = audit.ranges.iter().find(|one| one.id == id) {
         let outcome = function::range_outcome(one).join("\n");
-        return Ok(claim(&outcome, claims::range(context, one)));
+        return Ok(claim(&one.claim.locus, &outcome, claims::range(context, one)));
     }
     let Some(one) = audit.theorems.iter().find(|one| one.id == id) else { return Ok(None) };
-    Ok(claim(&theorem::outcome(one), claims::theorem(context, one)?))
+    Ok(claim(&one.theorem.locus, &theorem::outcome(one), claims::theorem(context, one)?))
 }
 
 fn of_table(

@@ -6,7 +6,7 @@ use super::certified::certified;
 use super::command;
 use super::context::Context;
 use super::math::formula;
-use super::picture::{chart, readings};
+use super::picture::{chart, figure as figure_of, readings};
 use super::sheet::{facts, lines};
 use super::statement::definitions;
 use super::verdict::{BROKEN, LOOKS, Look};
@@ -44,6 +44,7 @@ pub(super) fn section(
             }
             @for line in remarks(finding) { p.remark { (lines(&line)) } }
             (broken)
+            @for figure in table.figures.iter().filter_map(|figure| figure_of(finding, figure)) { (figure) }
             @if let Some(note) = &table.note { p.note { (lines(note)) } }
             (certified(context, &table.id))
             (command::explain(context, &table.id))

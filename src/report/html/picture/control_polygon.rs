@@ -18,7 +18,7 @@ const DRAWN: f64 = 4_000.0;
 const WHOLE_FINER: f64 = 64.0;
 
 /// How far the picture of the place reaches, in points of the level.
-const REACH: f64 = 3.0;
+const REACH: f64 = 1.0;
 
 /// The most points of a polygon with a picture of the whole of it.
 const MAX_POINTS: usize = 1_500;

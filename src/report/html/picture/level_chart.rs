@@ -55,12 +55,15 @@ impl LevelChart {
         let right = FRAME.x.1 + 8.0;
         let drawing = html! {
             (FRAME.drawn(&ticks, &y))
+            @for (level, _) in promised {
+                @let place = x.at(f64::from(*level));
+                line.bad x1=(place) x2=(place) y1=(FRAME.y.0) y2=(FRAME.y.1) {}
+            }
             @for ((level, what), row) in promised.iter().zip(1_u8..) {
                 @let place = x.at(f64::from(*level));
                 // Words stand on the side where there is room for them.
                 @let is_left = place > f64::midpoint(FRAME.x.0, FRAME.x.1);
-                line.bad x1=(place) x2=(place) y1=(FRAME.y.0) y2=(FRAME.y.1) {}
-                text x=(if is_left { place - 5.0 } else { place + 5.0 }) y=(FRAME.y.1 + APART * f64::from(row)) text-anchor=(if is_left { "end" } else { "start" }) style="fill:var(--wrong-s)" { (what) }
+                text.over x=(if is_left { place - 5.0 } else { place + 5.0 }) y=(FRAME.y.1 + APART * f64::from(row)) text-anchor=(if is_left { "end" } else { "start" }) style="fill:var(--wrong-s)" { (what) }
             }
             @if is_shown(*tolerance) {
                 line.frame x1=(FRAME.x.0) x2=(FRAME.x.1) y1=(y.at(*tolerance)) y2=(y.at(*tolerance)) {}

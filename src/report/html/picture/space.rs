@@ -6,8 +6,8 @@ use maud::{Markup, html};
 /// A point in space.
 pub(super) type Place = [f64; 3];
 
-/// The height of the pictures.
-const HEIGHT: f64 = 300.0;
+/// The greatest height of the pictures.
+const MAX_HEIGHT: f64 = 300.0;
 
 /// What is left free around the shapes.
 const MARGIN: f64 = 14.0;
@@ -62,20 +62,26 @@ impl Scene {
         self.marks.push(ends);
     }
 
-    /// Both views side by side; what stands below them begins at this height.
+    /// Both views side by side, each of its own size; what stands below them begins at the height.
     pub(super) fn drawn(&self, views: Views) -> (Markup, f64) {
         let width = WIDTH / 2.0;
         let panels = views.angles().into_iter().zip([0.0, width]);
+        let panels: Vec<(&str, Panel)> = panels
+            .map(|((name, around, above), left)| {
+                (name, self.panel(Camera::at(around, above), (left, width)))
+            })
+            .collect();
+        let height = panels.iter().map(|(_, panel)| panel.height()).fold(0.0, f64::max);
         let drawing = html! {
-            @for ((name, around, above), left) in panels {
-                (self.view(Camera::at(around, above), (left, width)))
-                text.soft x=(left + width / 2.0) y=(HEIGHT + 12.0) text-anchor="middle" { (name) }
+            @for (name, panel) in &panels {
+                (self.view(panel, height))
+                text.soft x=(panel.left + width / 2.0) y=(height + 12.0) text-anchor="middle" { (name) }
             }
         };
-        (drawing, HEIGHT + 24.0)
+        (drawing, height + 24.0)
     }
 
-    fn view(&self, camera: Camera, (left, width): (f64, f64)) -> Markup {
+    fn panel(&self, camera: Camera, (left, width): (f64, f64)) -> Panel {
         let places = self.shapes.iter().flat_map(|shape| &shape.corners);
         let all: Vec<(f64, f64)> =
             places.chain(self.marks.iter().flatten()).map(|place| camera.plane(place)).collect();
@@ -84,18 +90,16 @@ impl Scene {
             values.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)))
         };
         let (x, y) = (side(|place| place.0), side(|place| place.1));
-        let room = [(width, x), (HEIGHT, y)]
+        let room = [(width, x), (MAX_HEIGHT, y)]
             .map(|(room, (low, high))| (room - 2.0 * MARGIN) / (high - low).max(f64::MIN_POSITIVE));
-        let scale = room[0].min(room[1]);
-        let middle = (f64::midpoint(x.0, x.1), f64::midpoint(y.0, y.1));
-        let at = |place: &Place| {
-            let (right, up) = camera.plane(place);
-            let x = left + width / 2.0 + scale * (right - middle.0);
-            let y = HEIGHT / 2.0 - scale * (up - middle.1);
-            (tenth(x), tenth(y))
-        };
+        Panel { camera, left, width, x, y, scale: room[0].min(room[1]) }
+    }
+
+    fn view(&self, panel: &Panel, height: f64) -> Markup {
+        let at = |place: &Place| panel.at(place, height);
+        let depth = |shape: &Shape| panel.camera.depth(&shape.corners);
         let mut order: Vec<(f64, &Shape)> =
-            self.shapes.iter().map(|shape| (camera.depth(&shape.corners), shape)).collect();
+            self.shapes.iter().map(|shape| (depth(shape), shape)).collect();
         order.sort_by(|one, other| one.0.total_cmp(&other.0));
         html! {
             @for (_, shape) in order {
@@ -104,10 +108,37 @@ impl Scene {
             @for [one, other] in &self.marks {
                 @let (one, other) = (at(one), at(other));
                 line.bad x1=(one.0) y1=(one.1) x2=(other.0) y2=(other.1) {}
-                circle.bad cx=(one.0) cy=(one.1) r="3.5" {}
-                circle.bad cx=(other.0) cy=(other.1) r="3.5" {}
+                @for (x, y) in [one, other] {
+                    circle.halo cx=(x) cy=(y) r="4.5" {}
+                    circle.bad cx=(x) cy=(y) r="4.5" {}
+                }
             }
         }
+    }
+}
+
+/// A view in its half of the picture.
+struct Panel {
+    camera: Camera,
+    left: f64,
+    width: f64,
+    /// The ends of all shapes, to the right and upwards.
+    x: (f64, f64),
+    y: (f64, f64),
+    scale: f64,
+}
+
+impl Panel {
+    fn height(&self) -> f64 {
+        (self.scale * (self.y.1 - self.y.0) + 2.0 * MARGIN).ceil()
+    }
+
+    fn at(&self, place: &Place, height: f64) -> (f64, f64) {
+        let (right, up) = self.camera.plane(place);
+        let x =
+            self.left + self.width / 2.0 + self.scale * (right - f64::midpoint(self.x.0, self.x.1));
+        let y = height / 2.0 - self.scale * (up - f64::midpoint(self.y.0, self.y.1));
+        (tenth(x), tenth(y))
     }
 }
 

@@ -14,6 +14,8 @@ pub(in crate::report::html) struct Exceeding<'v> {
     pub(in crate::report::html) attained: &'v Attained,
     /// What it is said to be at most.
     pub(in crate::report::html) most: RealCyclotomic,
+    /// By whom: `claimed` or `wanted`.
+    pub(in crate::report::html) said: &'static str,
     /// The points are compared with the limit at (i + s)/n^k, and of a net at (j + t)/m^k.
     pub(in crate::report::html) shift: [f64; 2],
 }
@@ -23,7 +25,7 @@ impl<'v> Exceeding<'v> {
     pub(in crate::report::html) fn of_theorem(violation: &'v Violation) -> Exceeding<'v> {
         let Violation { quantity, level, attained, bound } = violation;
         let (quantity, level, most) = (*quantity, *level, bound.clone());
-        Exceeding { quantity, level, attained, most, shift: [0.0; 2] }
+        Exceeding { quantity, level, attained, most, said: "claimed", shift: [0.0; 2] }
     }
 
     /// What breaks a promise, divided by the spread.
@@ -31,7 +33,7 @@ impl<'v> Exceeding<'v> {
         let Broken { attained, spread, level, most, .. } = broken;
         let most = (most / spread).into();
         let quantity = Quantity::Distance;
-        Exceeding { quantity, level: *level, attained, most, shift: [0.0; 2] }
+        Exceeding { quantity, level: *level, attained, most, said: "claimed", shift: [0.0; 2] }
     }
 
     /// What a picture of them shows, in words; `data` is what they are, and `other` what level k is compared
@@ -44,8 +46,8 @@ impl<'v> Exceeding<'v> {
             format!("At the marked place they are {found} apart")
         };
         format!(
-            "Control {data} of spread 1, level {} and {other}. {apart}, and at most {most} is claimed.",
-            self.level
+            "Control {data} of spread 1, level {} and {other}. {apart}, and at most {most} is {}.",
+            self.level, self.said
         )
     }
 }

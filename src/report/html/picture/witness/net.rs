@@ -24,6 +24,9 @@ const PARTS: u32 = 14;
 /// How high the graphs are, by the side of their window.
 const HIGH: f64 = 0.6;
 
+/// How much the drawn distance may differ from the exact one, relative to it; otherwise nothing is drawn.
+const SAME: f64 = 0.03;
+
 /// What is drawn at the place: two values whose distance is bounded, at their parameters.
 struct Shown<'l> {
     ends: [([f64; 2], f64); 2],
@@ -45,6 +48,11 @@ pub(super) fn drawing(
         Some((found, windows))
     })?;
     let shown = shown(&found, exceeding)?;
+    let (apart, exact) =
+        ((shown.ends[0].1 - shown.ends[1].1).abs(), nearest(&exceeding.attained.value));
+    if (apart - exact).abs() > SAME * exact {
+        return None;
+    }
     let says = exceeding.says("net", &shown.name);
     let (scene, height) = scene(&found[0], &shown, windows).drawn(Views::Above);
     let (legend, height) = legend(&shown.names(), height);
