@@ -189,7 +189,7 @@ class Checks:
         )
         self.expect(f"{name}: {bare} pictures have no words", bare == 0)
         lost = self.chromium.value(
-            "[...document.querySelectorAll('a[href^=\"#\"]')].map(a => decodeURIComponent(a.hash.slice(1)))"
+            "[...document.querySelectorAll('a[href^=\"#\"]')].map(a => decodeURIComponent(a.getAttribute('href').slice(1)))"
             ".filter(id => !document.getElementById(id))"
         )
         self.expect(f"{name}: links lead nowhere: {lost}", lost == [])
