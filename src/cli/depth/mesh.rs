@@ -3,6 +3,7 @@
 use super::faces::FacesFormat;
 use super::kind::Kind;
 use super::pictures::{Drawn, Pieces};
+use super::promise::{Formula, Promise, promises};
 use super::refined::Refined;
 use crate::cli::arguments::{DepthArguments, FindingFormat};
 use crate::cli::finding::{Destination, command};
@@ -69,51 +70,6 @@ pub(super) struct Report {
     pub(super) found: Option<MeshDepth>,
     pub(super) kind: Kind,
     pub(super) pictures: Vec<Picture>,
-}
-
-/// The levels that a formula promises to be enough, and that are guaranteed, in words.
-pub(super) fn promises(promised: Option<&Formula>, guaranteed: &APriori) -> Vec<(u32, String)> {
-    let by_formula = promised.and_then(|formula| Some((formula.level?, "by formula".to_owned())));
-    by_formula.into_iter().chain([(guaranteed.level, "a priori".to_owned())]).collect()
-}
-
-/// How many levels a formula promises to be enough; `None` where it promises nothing.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Formula {
-    pub(super) paper: &'static str,
-    pub(super) level: Option<u32>,
-}
-
-/// A promised number of levels, compared with what is known.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Promise {
-    TooFew,
-    Enough,
-    TooMany,
-    Open,
-}
-
-impl Promise {
-    fn of(level: u32, found: &MeshDepth) -> Promise {
-        if found.too_few.is_some_and(|few| level <= few) {
-            Promise::TooFew
-        } else if level > found.level {
-            Promise::TooMany
-        } else if level == found.level {
-            Promise::Enough
-        } else {
-            Promise::Open
-        }
-    }
-
-    fn name(self) -> &'static str {
-        match self {
-            Promise::TooFew => "too few",
-            Promise::Enough => "enough",
-            Promise::TooMany => "more than needed",
-            Promise::Open => "open",
-        }
-    }
 }
 
 /// An f64 in at most nine digits.

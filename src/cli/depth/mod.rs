@@ -12,6 +12,7 @@ mod net;
 mod pictures;
 mod place;
 mod polygon;
+mod promise;
 mod refined;
 mod scheme_pictures;
 mod solid;

@@ -2,8 +2,9 @@
 
 use super::faces::FacesFormat;
 use super::kind::Kind;
-use super::mesh::{Formula, Report, promises};
+use super::mesh::Report;
 use super::pictures::{Drawn, Pieces};
+use super::promise::{Formula, promises};
 use super::refined::Refined;
 use crate::cli::arguments::{DepthArguments, FindingFormat};
 use crate::cli::finding::Destination;

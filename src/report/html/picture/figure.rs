@@ -82,7 +82,7 @@ pub(in crate::report::html) fn figure(
     let (legend, height) = legend(&names, HEIGHT - 24.0);
     let drawing = html! {
         (panel(FRAMES[0], "as printed", |mark| mark.printed))
-        (panel(FRAMES[1], "as it should be", due))
+        (panel(FRAMES[1], if table.promise.is_some() { "sound" } else { "exact" }, due))
         (legend)
     };
     Some(html! {
