@@ -3,8 +3,8 @@
 use super::errata::cells::correct;
 use super::latex::escape;
 use crate::audit::{CellFinding, Sound, TableFinding};
-use crate::claim::{Cell, Printed};
-use crate::exact::{Rational, format::short};
+use crate::claim::Cell;
+use crate::exact::{Rational, RealCyclotomic, format::short};
 use std::fmt::Write as _;
 
 /// The most decimals of a bound.
@@ -25,19 +25,22 @@ enum Corrected {
 }
 
 /// The table as LaTeX, for the packages `amssymb` and `booktabs`. A number that is as the printed definition gives it
-/// stays as it is. Another one becomes the value of the definition, in as many digits as are printed, in bold. A bound
-/// or depth that breaks its promise becomes one that keeps it, in bold with an asterisk; bounds are rounded up. A question
-/// mark stands at numbers that are not checkable.
+/// stays as it is, and another one becomes the value of the definition, in bold. A bound or a depth also has to keep its
+/// promise: where neither the printed number nor the definition is shown to, the sound bound or depth takes its place, in
+/// bold with an asterisk. Bounds are rounded up. A question mark stands at numbers that are not checkable.
 #[must_use]
 pub fn corrected_table(finding: &TableFinding<'_>) -> String {
     let table = finding.table;
-    let mut out = String::new();
+    let (mut out, promises) = (String::new(), table.promise.is_some());
     let rows: Vec<Vec<Corrected>> = finding
         .cells
         .iter()
         .zip(&table.cells)
         .map(|(row, cells)| {
-            row.iter().zip(cells).map(|(cell, printed)| corrected(cell, printed)).collect()
+            row.iter()
+                .zip(cells)
+                .map(|(cell, printed)| corrected(cell, printed, promises))
+                .collect()
         })
         .collect();
     let title = if table.title.is_empty() { &table.locus } else { &table.title };
@@ -82,29 +85,37 @@ pub fn corrected_table(finding: &TableFinding<'_>) -> String {
     out
 }
 
-fn corrected(cell: &CellFinding, printed: &Cell) -> Corrected {
+fn corrected(cell: &CellFinding, printed: &Cell, promises: bool) -> Corrected {
     let Some(number) = printed.printed() else { return Corrected::Lost };
-    let Printed { text, .. } = number;
-    if let Some(kept) = kept(cell) {
-        return Corrected::Kept(kept);
-    }
-    match (cell.verdict.name(), &cell.exact) {
-        ("confirmed" | "reproduced", _) => Corrected::Printed(text.clone()),
-        ("not-checkable", _) | (_, None) => Corrected::Open(text.clone()),
-        (_, Some(exact)) => Corrected::Defined(correct(Some(exact), number)),
+    let text = number.text.clone();
+    let is_right = ["confirmed", "reproduced"].contains(&cell.verdict.name());
+    let exact = cell.exact.as_ref().filter(|_| cell.verdict.name() != "not-checkable");
+    match exact {
+        None => Corrected::Open(text),
+        Some(_) if is_right && (!promises || cell.keeps_promise() == Some(true)) => {
+            Corrected::Printed(text)
+        }
+        Some(exact) if !promises => Corrected::Defined(correct(Some(exact), number)),
+        Some(exact) => match &cell.sound {
+            None | Some(Sound::None(_)) => Corrected::Open(text),
+            Some(Sound::Depth { level, .. } | Sound::Least(level)) => {
+                let is_enough = is_at_least(exact, &Rational::from(*level));
+                if is_enough && !is_right {
+                    Corrected::Defined(correct(Some(exact), number))
+                } else {
+                    Corrected::Kept(level.to_string())
+                }
+            }
+            Some(Sound::Bound(bound)) => match exact.as_rational() {
+                Some(exact) if exact >= bound && !is_right => Corrected::Defined(above(exact)),
+                _ => Corrected::Kept(above(bound)),
+            },
+        },
     }
 }
 
-/// For a number that breaks its promise, one that keeps it.
-fn kept(cell: &CellFinding) -> Option<String> {
-    if cell.keeps_promise() != Some(false) {
-        return None;
-    }
-    match cell.sound.as_ref()? {
-        Sound::Depth { level, .. } | Sound::Least(level) => Some(level.to_string()),
-        Sound::Bound(bound) => Some(above(bound)),
-        Sound::None(_) => None,
-    }
+fn is_at_least(value: &RealCyclotomic, least: &Rational) -> bool {
+    value.as_rational().is_some_and(|value| value >= least)
 }
 
 /// A positive number rounded up, with six significant digits or one more.

@@ -135,6 +135,6 @@ fn a_table_is_corrected_in_latex() {
     let latex = written(["explain", "khan2019-newton:table-1", "--format", "latex"]);
     assert_parts(
         &latex,
-        &["\\begin{tabular}{lrrrrrr}", "1 & \\textbf{0.012500}", "0 & 0.002500 &"],
+        &["\\begin{tabular}{lrrrrrr}", "1 & \\textbf{0.0180654}$^{*}$", "0 & 0.002500 &"],
     );
 }

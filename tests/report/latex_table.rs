@@ -46,3 +46,17 @@ fn a_broken_promise_is_replaced_by_one_that_is_kept() {
     assert!(*second <= sound(7) * Rational::new(100_001, 100_000), "{latex}");
     assert!(latex.contains("keeps the promise"), "{latex}");
 }
+
+/// A definition that keeps the promise replaces a wrong number, rounded up: 2/3/2^k is more than 2^−k/2.
+#[test]
+fn a_definition_that_keeps_the_promise_stays() {
+    let paper = paper(
+        "[[table]]\nid = 't'\nlocus = 'T'\ntitle = 't'\nscheme = 'chaikin'\nvalue = '2/3/2^k'\n\
+         promise = { level = 'k', spread = '1' }\n\
+         columns = { name = 'k', values = ['1', '2'] }\ncells = [['0.3334', '0.9']]\n",
+    );
+    let latex = corrected_table(&judged(&paper).tables[0]);
+    // 1/3 is not 0.3334, and 1/6 not 0.9.
+    assert!(latex.contains("\\textbf{0.333334} & \\textbf{0.166667}"), "{latex}");
+    assert!(!latex.contains('*'), "{latex}");
+}
