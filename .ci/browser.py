@@ -3,9 +3,9 @@
 
     .ci/browser.py FOLDER [SCREENSHOTS]
 
-FOLDER holds the pages of `subcert audit --format html -o FOLDER`. Nothing may be written to the console or
+FOLDER holds the pages of `subcert audit --format html -o FOLDER`, and of `explain` and `depth`. Nothing may be written to the console or
 loaded from elsewhere, nothing may be wider than a phone, anchors open their cells, filters hide what they
-should, and all of it works by the keyboard alone and without scripts. With SCREENSHOTS, each page is drawn
+should, certificates unfold, pictures have words, and all of it works by the keyboard alone and without scripts. With SCREENSHOTS, each page is drawn
 there at 390 and at 1280 pixels, light and dark. Chromium comes from Debian where it is missing; it is
 driven by its own protocol over a pipe, so that Python needs no packages.
 """
@@ -162,10 +162,16 @@ class Checks:
             self.expect(f"{name}: {wide} pixels wide in a window of {size[0]}", wide <= size[0])
             if pictures:
                 self.pictures(pictures, page.stem, size[0])
-        if name != "index.html":
-            self.anchors(address, name)
+        self.texts(name)
+        if name == "index.html":
+            return
+        self.anchors(address, name)
+        self.folds(address, name)
+        if self.chromium.value("!!document.querySelector('.filter')"):
             self.filters(address, name)
             self.keyboard(address, name)
+        else:
+            self.skip(address, name)
 
     def pictures(self, folder: Path, name: str, width: int) -> None:
         folder.mkdir(parents=True, exist_ok=True)
@@ -174,6 +180,46 @@ class Checks:
                                features=[{"name": "prefers-color-scheme", "value": scheme}])
             self.chromium.picture(folder / f"{name}-{width}-{scheme}.png")
         self.chromium.call("Emulation.setEmulatedMedia", features=[])
+
+    def texts(self, name: str) -> None:
+        """Every picture has a title and a description, and no link leads nowhere."""
+        bare = self.chromium.value(
+            "[...document.querySelectorAll('svg')].filter(s => s.getAttribute('role') !== 'img' ||"
+            " !s.querySelector('title')?.textContent || !s.querySelector('desc')?.textContent).length"
+        )
+        self.expect(f"{name}: {bare} pictures have no words", bare == 0)
+        lost = self.chromium.value(
+            "[...document.querySelectorAll('a[href^=\"#\"]')].map(a => decodeURIComponent(a.getAttribute('href').slice(1)))"
+            ".filter(id => !document.getElementById(id))"
+        )
+        self.expect(f"{name}: links lead nowhere: {lost}", lost == [])
+
+    def folds(self, address: str, name: str) -> None:
+        """What is folded opens by Enter and closes again, with the lines of certificates among it."""
+        self.chromium.open(address, DESKTOP)
+        chosen = "document.querySelector('details.certificate')"
+        if not self.chromium.value(f"!!{chosen}"):
+            return
+        self.chromium.value(f"{chosen}.querySelector('summary').focus()")
+        for wanted in (True, False):
+            self.chromium.key("Enter", 13)
+            opened = self.chromium.value(f"{chosen}.open && {chosen}.querySelector('pre').getClientRects().length > 0")
+            self.expect(f"{name}: Enter leaves a certificate {'closed' if wanted else 'open'}", opened == wanted)
+
+    def skip(self, address: str, name: str) -> None:
+        """The first stop is the skip link, which skips, and all later stops have a visible focus."""
+        self.chromium.open(address, DESKTOP)
+        self.chromium.key("Tab", 9)
+        self.expect(f"{name}: the first stop is not the skip link",
+                    self.chromium.value("document.activeElement.className") == "skip")
+        self.chromium.key("Enter", 13)
+        self.expect(f"{name}: the skip link does not skip", self.chromium.value("location.hash") == "#page:main")
+        for _ in range(40):
+            self.chromium.key("Tab", 9)
+            if self.chromium.value("document.activeElement === document.body"):
+                return
+            style = self.chromium.value("getComputedStyle(document.activeElement).outlineStyle")
+            self.expect(f"{name}: no visible focus", style != "none")
 
     def anchors(self, address: str, name: str) -> None:
         """The address of a cell opens its panel, which stands within the window; `close` closes it."""

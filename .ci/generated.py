@@ -12,7 +12,8 @@ holds what that command writes. Before the colon, `from=WORD` begins at the firs
 begins with WORD, and `head=N` keeps N lines. A block under `<!-- file: PATH -->` holds that
 file, and one under `<!-- part of: PATH -->` some lines of it.
 The files of FILES, and proofs/errata, hold what their command writes, and nothing else; docs/audits/index.html
-is the index of the pages that `audit --format html` writes.
+is the index of the pages that `audit --format html` writes, with links to the errata in place of pages, which are not
+in the repository. docs/depth.svg is a picture of a page of `depth`, with the styles of the page.
 """
 
 import os
@@ -49,7 +50,30 @@ def output(command: str) -> str:
 def index() -> str:
     with tempfile.TemporaryDirectory() as folder:
         output(f"audit --format html -o {folder}")
-        return (Path(folder) / "index.html").read_text()
+        page = (Path(folder) / "index.html").read_text()
+    says = "Each paper has a page with its tables, cell by cell."
+    here = (
+        "Each link leads to what is wrong in a paper. <code>subcert audit --format html -o DIR</code> writes a page for "
+        "each, with its tables cell by cell, and this index with links to them."
+    )
+    page, links = re.subn(r'href="([\w.-]+)\.html"', r'href="../../proofs/errata/\1.md"', page)
+    if says not in page or not links:
+        sys.exit("the index of pages has no links to pages, or does not say what they are")
+    return page.replace(says, here)
+
+
+def picture() -> str:
+    """The first picture of levels of a page of `depth`, as a file of its own."""
+    page = output("depth examples/my-scheme.toml --tolerance 1/1000 --format html")
+    drawings = re.findall(r"<svg .*?</svg>", page, re.DOTALL)
+    drawing = next(one for one in drawings if "<title>Against the level</title>" in one)
+    style = re.search(r"<style>(.*?)</style>", page, re.DOTALL)[1]
+    used = [line for line in style.splitlines() if line.startswith((":root", "--", "@media (prefers", "svg"))]
+    ground = '<rect width="100%" height="100%" style="fill:var(--paper)"/>'
+    head, rest = drawing.split(">", 1)
+    words, rest = rest.split("</desc>", 1)
+    head = head.replace("<svg ", '<svg xmlns="http://www.w3.org/2000/svg" ')
+    return f"{head}>{words}</desc><style>\n" + "\n".join(used) + f"\n</style>{ground}{rest}\n"
 
 
 def excerpt(text: str, start: str | None, head: str | None) -> str:
@@ -76,6 +100,7 @@ def main() -> int:
     generated = {page: BLOCK.sub(block, (ROOT / page).read_text()) for page in PAGES}
     generated |= {name: output(command) for name, command in FILES.items()}
     generated["docs/audits/index.html"] = index()
+    generated["docs/depth.svg"] = picture()
     for claims in sorted((ROOT / "proofs" / "claims").glob("*.toml")):
         key = claims.stem
         generated[f"proofs/errata/{key}.md"] = output(f"errata --paper {key}")

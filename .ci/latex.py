@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
-"""Compiles the errata of the papers, as `errata --format latex` writes them, with pdflatex.
+"""Compiles the errata of the papers, as `errata --format latex` writes them, and their corrected tables, as
+`explain KEY:ID --format latex` does, with pdflatex.
 
     .ci/latex.py [PROGRAM]
 
 PROGRAM is target/release/subcert without it. TeX comes from Debian where it is missing.
 """
 
+import json
 import os
 import shutil
 import subprocess
@@ -27,6 +29,26 @@ def install() -> None:
     subprocess.run([*sudo, "apt-get", "install", "-y", "-qq", "--no-install-recommends", *packages], check=True)
 
 
+HEAD = "\\documentclass{article}\n\\usepackage{amssymb,booktabs}\n\\begin{document}\n"
+
+
+def tables(program: str, folder: str) -> None:
+    """A document for each paper with all its corrected tables."""
+
+    def output(*arguments: str) -> str:
+        return subprocess.run(
+            [program, *arguments], cwd=ROOT, check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
+        ).stdout
+
+    for claims in sorted((ROOT / "proofs" / "claims").glob("*.toml")):
+        listed = json.loads(output("explain", claims.stem, "--format", "json"))["claims"]
+        ids = [claim["id"] for claim in listed if claim["kind"] == "table"]
+        texts = [output("explain", one, "--format", "latex") for one in ids]
+        if texts:
+            document = HEAD + "\n\\clearpage\n".join(texts) + "\\end{document}\n"
+            (Path(folder) / f"{claims.stem}-tables.tex").write_text(document)
+
+
 def main() -> int:
     program = sys.argv[1] if len(sys.argv) > 1 else "target/release/subcert"
     if not shutil.which("pdflatex") or not shutil.which("kpsewhich") or missing("booktabs.sty"):
@@ -34,6 +56,7 @@ def main() -> int:
     wrong = False
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([program, "--quiet", "errata", "--format", "latex", "-o", folder], cwd=ROOT, check=True)
+        tables(program, folder)
         papers = sorted(Path(folder).glob("*.tex"))
         for paper in papers:
             command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", paper.name]
@@ -44,7 +67,7 @@ def main() -> int:
                 print(f"{paper.name}: {' '.join(errors)}", file=sys.stderr)
     if not papers or wrong:
         return 1
-    print(f"the errata of {len(papers)} papers compile")
+    print(f"{len(papers)} documents of errata and corrected tables compile")
     return 0
 
 

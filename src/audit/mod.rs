@@ -10,7 +10,7 @@ pub use crate::digest::{
 pub use crate::evaluation::{Choice, Copied, Effect, FAMILY, QUANTITIES, Way};
 pub use crate::evidence::{
     AttainedConstant, DepthLevels, Evidence, Powers, PromiseEvidence, SearchedConstant, SoundCell,
-    by_hand, depth_levels, evidence, promise_evidence, promise_mask, theorem_evidence, working,
+    by_hand, depth_levels, evidence, promise_evidence, promise_refiner, theorem_evidence, working,
 };
 pub use crate::finding::{
     AsRead, Assumed, Attained, Broken, ByHand, CaseFinding, CellFinding, CellKind, Contradiction,
@@ -18,8 +18,8 @@ pub use crate::finding::{
     EquationVerdict, EveryShift, Example, Explanation, FailingPremise, Failure, FunctionFinding,
     FunctionVerdict, HandCell, HandConstant, Kept, Later, LeftOut, LevelEvidence, Levels, Line,
     LineReading, MAX_DIFFERENCES, Missing, Naturally, Need, Needed, Outcome, PaperAudit, Place,
-    PromiseCounts, RangeFinding, RangeVerdict, Recovered, RecoveredFrom, Refutation, Repair,
-    Search, Side, Slip, Solved, Sound, Supremum, TableFinding, TablePart, TheoremFinding,
+    PromiseCounts, RangeFinding, RangeVerdict, Recovered, RecoveredFrom, Refiner, Refutation,
+    Repair, Search, Side, Slip, Solved, Sound, Supremum, TableFinding, TablePart, TheoremFinding,
     TheoremVerdict, Unshiftable, Verdict, Violation, Working,
 };
 pub use crate::judge::MAX_CASES;

@@ -40,20 +40,25 @@ impl Block {
         }
     }
 
-    /// The block as text; or the claim's id, and why there is none.
-    pub(super) fn text(self) -> Result<String, (String, String)> {
+    /// The claim's id.
+    pub(super) fn id(&self) -> &str {
+        &self.id
+    }
+
+    /// The block as text; or why there is none.
+    pub(super) fn text(self) -> Result<String, String> {
         let Block { kind, id, lines, fault } = self;
         let mut text = format!("{kind} {id}\n");
         for line in &lines {
             if line.contains(['\n', '\r']) {
-                return Err((id, "a printed text has several lines".to_owned()));
+                return Err("a printed text has several lines".to_owned());
             }
             if line.len() + 2 > MAX_LINE {
-                return Err((id, format!("a line would have more than {MAX_LINE} bytes")));
+                return Err(format!("a line would have more than {MAX_LINE} bytes"));
             }
             text.extend(["  ", line, "\n"]);
         }
-        fault.map_or(Ok(text), |why| Err((id, why)))
+        fault.map_or(Ok(text), Err)
     }
 }
 

@@ -16,7 +16,7 @@ mod theorem;
 mod witness;
 
 use crate::audit::PaperAudit;
-use block::words;
+use block::{Block, words};
 pub use radius::{radius_certificate, smoothness_certificate};
 
 /// The version of the format.
@@ -61,23 +61,16 @@ pub struct Omission {
 pub fn certificate(audit: &PaperAudit<'_>) -> Certificate {
     let paper = audit.paper;
     let key = &paper.key;
-    let tables = audit.tables.iter().map(|finding| table::block(paper, finding));
-    let equations = audit.equations.iter().map(equation::block);
-    let functions = audit.functions.iter().map(parametric::function);
-    let ranges = audit.ranges.iter().map(parametric::range);
-    let theorems = audit.theorems.iter().map(|finding| theorem::block(paper, finding));
-    let blocks = tables.chain(equations).chain(functions).chain(ranges).chain(theorems);
     let mut text = format!("{VERSION}\npaper {key}\n");
     text.extend(["# ", &words(&paper.bibliography.short()), "\n"]);
     let (mut count, mut omitted) = (0, Vec::new());
-    for block in blocks {
-        match block.text() {
-            Ok(block) => {
-                text.push_str(&block);
+    for CertifiedClaim { id, lines } in certificate_lines(audit) {
+        match lines {
+            Ok(lines) => {
+                text.push_str(&lines);
                 count += 1;
             }
-            Err((id, why)) => {
-                let why = words(&why);
+            Err(why) => {
                 text.extend(["# nothing of ", &id, ": ", &why, "\n"]);
                 omitted.push(Omission { id: format!("{key}:{id}"), why });
             }
@@ -85,4 +78,44 @@ pub fn certificate(audit: &PaperAudit<'_>) -> Certificate {
     }
     text.extend(["end ", &count.to_string(), "\n"]);
     Certificate { key: key.clone(), text, blocks: count, omitted }
+}
+
+/// What a certificate says of one claim.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CertifiedClaim {
+    /// The id of the claim within its paper.
+    pub id: String,
+    /// Its lines; the error says why the format cannot express it.
+    pub lines: Result<String, String>,
+}
+
+/// The lines of the certificate, claim by claim, in its order.
+///
+/// ```
+/// use subcert::audit::audit;
+/// use subcert::certificate::{certificate, certificate_lines};
+/// use subcert::claim::embedded_papers;
+///
+/// let papers = embedded_papers()?;
+/// let audit = audit(&papers[2])?;
+/// let claims = certificate_lines(&audit);
+/// assert_eq!(claims[0].id, "table-1");
+/// let lines = claims[0].lines.as_deref().unwrap_or_default();
+/// assert!(lines.starts_with("table table-1\n") && certificate(&audit).text.contains(lines));
+/// # Ok::<(), subcert::diagnostic::Diagnostic>(())
+/// ```
+#[must_use]
+pub fn certificate_lines(audit: &PaperAudit<'_>) -> Vec<CertifiedClaim> {
+    let paper = audit.paper;
+    let tables = audit.tables.iter().map(|finding| table::block(paper, finding));
+    let equations = audit.equations.iter().map(equation::block);
+    let functions = audit.functions.iter().map(parametric::function);
+    let ranges = audit.ranges.iter().map(parametric::range);
+    let theorems = audit.theorems.iter().map(|finding| theorem::block(paper, finding));
+    let blocks = tables.chain(equations).chain(functions).chain(ranges).chain(theorems);
+    let claim = |block: Block| {
+        let id = block.id().to_owned();
+        CertifiedClaim { id, lines: block.text().map_err(|why| words(&why)) }
+    };
+    blocks.map(claim).collect()
 }

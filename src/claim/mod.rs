@@ -20,5 +20,7 @@ pub use equation::{Equation, EquationBody, Hypothesis, Identity, Index, Left};
 pub use function::{FunctionClaim, Limit, RangeClaim};
 pub use paper::{Alternative, Bibliography, Paper, SchemeSource};
 pub use read::{MAX_CLAIM_FILE_BYTES, is_id, read_paper, read_paper_file, read_whole_paper};
-pub use table::{Axis, AxisEntry, Cell, Headers, LocatedReference, Printed, Promise, Table};
+pub use table::{
+    Axis, AxisEntry, Cell, Figure, Headers, LocatedReference, Printed, Promise, Table,
+};
 pub use theorem::{ByHand, Quantity, Rewriting, Statement, THEOREM_NAMES, Theorem, Trial};

@@ -36,8 +36,19 @@ pub struct Table {
     /// numbers where it can. With a value to assume, it shows what the formula gives there, and
     /// the cells stay not checkable.
     pub unstated: BTreeMap<String, Option<LocatedFormula>>,
+    /// The figures of the paper that plot numbers of this table.
+    pub figures: Vec<Figure>,
     /// A note for the reader.
     pub note: Option<String>,
+}
+
+/// A figure that plots numbers of a table.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Figure {
+    /// What the paper calls it: `Figure 1(a)`.
+    pub locus: String,
+    /// The rows that it plots, or else the columns, by their headers as printed; none where it plots all numbers.
+    pub lines: Vec<String>,
 }
 
 impl Table {

@@ -1,13 +1,15 @@
 //! `subcert explain`.
 
-use super::arguments::{ExplainArguments, Format};
+use super::arguments::{ExplainArguments, FindingFormat, TableFormat};
+use super::finding::Destination;
 use super::listing::{Listed, listing};
-use super::output::{Failure, Outcome, show};
+use super::output::{Failure, Outcome, write_results};
 use super::papers::{judge_claim, papers, select};
 use subcert::audit::{self, by_hand, readings};
 use subcert::claim::{Paper, Table};
+use subcert::report::html::explain_page;
 use subcert::report::json::Explained;
-use subcert::report::{Background, explain_sheet, table_of};
+use subcert::report::{Background, corrected_table, explain_sheet, table_of};
 use subcert::suggestion::did_you_mean;
 
 pub(super) fn explain(arguments: &ExplainArguments) -> Outcome {
@@ -19,11 +21,12 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Outcome {
     let chosen = select(papers(&arguments.files)?, Some(key))?;
     let [paper] = &chosen[..] else { return Ok(()) };
     if claim.is_empty() {
-        return listing(paper, arguments.output.format);
+        return list(paper, arguments);
     }
     check(paper, claim)?;
     let name = claim.split(':').next().unwrap_or(claim);
-    let bar = arguments.output.format != Format::Json;
+    let to = Destination::of(&arguments.output, &id.replace(':', "."))?;
+    let bar = arguments.output.format != FindingFormat::Json;
     let audits = [judge_claim(paper, name, bar)?];
     let audit = &audits[0];
     let (mut tried, mut working) = (Vec::new(), None);
@@ -42,7 +45,32 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Outcome {
         Background { readings: &tried, by_hand: by_hand.as_ref(), working: working.as_ref() };
     let sheet = explain_sheet(&audits, id, background, arguments.all)
         .ok_or_else(|| Failure::Input(format!("no claim has the id `{id}`")))?;
-    show(arguments.output.format, || sheet, || Explained::of(&audits, id, background))
+    let source = &paper.source.name;
+    let file = (!arguments.files.is_empty()).then_some(source.as_str());
+    let page = || {
+        let page = explain_page(audit, id, background, arguments.all, file)?;
+        page.ok_or_else(|| Failure::Input(format!("no claim has the id `{id}`")))
+    };
+    if let (Destination::Output(TableFormat::Latex), Some((finding, None))) =
+        (&to, table_of(&audits, id))
+    {
+        return write_results(&corrected_table(finding));
+    }
+    to.deliver(|| sheet, || Explained::of(&audits, id, background), page)
+}
+
+/// Lists the claims of a paper.
+fn list(paper: &Paper, arguments: &ExplainArguments) -> Outcome {
+    match Destination::of(&arguments.output, &paper.key)? {
+        Destination::Output(format) if format != TableFormat::Latex => {
+            listing(paper, format.of_sheet())
+        }
+        _ => Err(Failure::Input(format!(
+            "a list of claims is text, JSON or Markdown; name a claim, or write the pages of all of them with \
+             `subcert audit --paper {} --format html -o DIR`",
+            paper.key
+        ))),
+    }
 }
 
 /// Checks that the paper has this claim, before all of its claims are judged.

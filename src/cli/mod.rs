@@ -11,6 +11,7 @@ mod curve;
 mod depth;
 mod errata;
 mod explain;
+mod finding;
 mod forms;
 mod geometry;
 mod json;

@@ -1,4 +1,4 @@
-//! `subcert audit --format html`: a page for each paper, and their index.
+//! Pages in files, and `subcert audit --format html`: a page for each paper, and their index.
 
 use super::certified::Certified;
 use super::output::{Failure, Outcome, write_results};
@@ -56,8 +56,12 @@ pub(super) fn pages(
 }
 
 fn write(folder: &Path, name: &str, text: &str) -> Outcome {
-    let path = folder.join(format!("{name}.html"));
-    save(&path, text).map_err(|error| {
+    write_page(&folder.join(format!("{name}.html")), text)
+}
+
+/// Writes a page, whole or not at all.
+pub(super) fn write_page(path: &Path, text: &str) -> Outcome {
+    save(path, text).map_err(|error| {
         let path = path.display();
         Failure::Input(match error.kind() {
             ErrorKind::PermissionDenied => format!(

@@ -40,14 +40,14 @@ pub fn by_hand(
     let mut hand = ByHand {
         constants,
         bound: instance.bound,
-        masks: instance.masks,
+        refiner: instance.refiner,
         contraction: None,
         weights: None,
         refined: Vec::new(),
         sides: None,
         left_out: None,
     };
-    match (&hand.masks.clone()[..], &violation.attained.control) {
+    match (hand.refiner.clone().masks(), &violation.attained.control) {
         ([mask], Control::Polygon(polygon)) => curve(&mut hand, mask, polygon, violation),
         ([], _) => hand.left_out = Some(LeftOut::Ring),
         _ => hand.left_out = Some(LeftOut::Net),

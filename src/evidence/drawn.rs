@@ -1,4 +1,4 @@
-//! What pictures of promises are drawn from: the mask, and the sound bound level by level.
+//! What pictures of promises are drawn from: what refines the data, and the sound bound level by level.
 
 use crate::claim::{Paper, Promise};
 use crate::diagnostic::Diagnostic;
@@ -9,8 +9,7 @@ use crate::evaluation::table::Evaluator;
 use crate::evidence::promise::terms;
 use crate::evidence::table::{integer, number};
 use crate::exact::Rational;
-use crate::finding::{Sound, TableFinding};
-use crate::scheme::Mask;
+use crate::finding::{Refiner, Sound, TableFinding};
 use std::collections::BTreeSet;
 
 /// The most levels.
@@ -73,26 +72,29 @@ pub fn depth_levels(
     }))
 }
 
-/// The mask of the curve that the promise of a cell is about, at the offset at which the paper compares
-/// polygon and limit; `None` of nets and rings, and where the cell has no scheme.
+/// What refines the data of the promise of a cell, masks at the offset at which the paper compares points and
+/// limit; `None` where the cell has no scheme.
 ///
 /// # Errors
 /// When a formula of the claim file is wrong.
-pub fn promise_mask(
+pub fn promise_refiner(
     paper: &Paper,
     finding: &TableFinding<'_>,
     (row, column): (usize, usize),
-) -> Result<Option<Mask>, Diagnostic> {
+) -> Result<Option<Refiner>, Diagnostic> {
     let Some(promise) = &finding.table.promise else { return Ok(None) };
     let library = Library::new(paper);
     let judge = Evaluator::new(paper, finding.table, &library, &finding.values())?;
     let assume: BTreeSet<String> = judge.assumed.keys().cloned().collect();
     let at = At { row, column, assume: &assume, settings: &Settings::default() };
+    let (Promise::Depth { offset, ring, .. } | Promise::Bound { offset, ring, .. }) = promise;
+    if let Some(ring) = ring {
+        return Ok(judge.ring(ring, at)?.ok().map(|(_, ring)| Refiner::Ring(ring)));
+    }
     let Ok(quantities) = judge.quantities(at)? else { return Ok(None) };
     let Some(scheme) = quantities.scheme else { return Ok(None) };
-    let (Promise::Depth { offset, .. } | Promise::Bound { offset, .. }) = promise;
     let offset = offset.as_ref().map(|offset| integer(&judge, offset, at)).transpose()?.flatten();
-    let [curve] = &scheme.constants[..] else { return Ok(None) };
-    let mask = curve.mask();
-    Ok(Some(mask.with_offset(offset.unwrap_or(mask.offset()))))
+    let masks = scheme.constants.iter().map(|axis| axis.mask());
+    let masks = masks.map(|mask| mask.with_offset(offset.unwrap_or(mask.offset())));
+    Ok(Some(Refiner::Masks(masks.collect())))
 }

@@ -10,7 +10,7 @@ mod working;
 
 pub use by_hand::by_hand;
 pub use constants::{AttainedConstant, Powers, SearchedConstant};
-pub use drawn::{DepthLevels, depth_levels, promise_mask};
+pub use drawn::{DepthLevels, depth_levels, promise_refiner};
 pub use promise::{PromiseEvidence, promise_evidence};
 pub use table::{Evidence, SoundCell, evidence};
 pub use theorem::theorem_evidence;

@@ -1,16 +1,15 @@
 //! The computation that checks a refutation with paper and pencil.
 
 use crate::exact::{Rational, RealCyclotomic};
+use crate::finding::witness::Refiner;
 use crate::limit::{Combination, LimitWeights};
-use crate::scheme::Mask;
 
 /// The computation behind the data that refute a theorem with points at i/n^k, in the order in which
 /// one would check it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ByHand {
-    /// The mask, or the masks of both factors of a tensor product, at the offsets at which they are
-    /// compared with their limit; empty for a ring.
-    pub masks: Vec<Mask>,
+    /// What refines the data.
+    pub refiner: Refiner,
     /// The constants in the bound.
     pub constants: Vec<HandConstant>,
     /// The bound with all numbers put in.

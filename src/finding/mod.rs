@@ -36,5 +36,5 @@ pub use theorem::{
     CaseFinding, Correction, EveryShift, FailingPremise, Naturally, Outcome, Refutation, Repair,
     TheoremFinding, TheoremVerdict,
 };
-pub use witness::{Attained, Control, Place, Supremum, Unshiftable, Violation};
+pub use witness::{Attained, Control, Place, Refiner, Supremum, Unshiftable, Violation};
 pub use working::Working;

@@ -3,6 +3,7 @@
 use crate::claim::Quantity;
 use crate::exact::{Rational, RealCyclotomic};
 use crate::limit::{ExtremalPolygon, Overshoot};
+use crate::scheme::{LocalRules, Mask};
 
 /// Control data of spread 1 and a place where a quantity is greater than claimed.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,6 +29,27 @@ pub struct Unshiftable {
     pub overshoot: Overshoot,
     /// The theorem's bound of the quantity, for β = 1.
     pub bound: RealCyclotomic,
+}
+
+/// What refines control data.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Refiner {
+    /// The mask of a curve, or the masks of both factors of a tensor product, at the offsets at which
+    /// they are compared with their limit.
+    Masks(Vec<Mask>),
+    /// The rules around a vertex or on a face.
+    Ring(LocalRules),
+}
+
+impl Refiner {
+    /// The masks; none of a ring.
+    #[must_use]
+    pub fn masks(&self) -> &[Mask] {
+        match self {
+            Refiner::Masks(masks) => masks,
+            Refiner::Ring(_) => &[],
+        }
+    }
 }
 
 /// Control data of spread 1, and a value that they attain.

@@ -19,7 +19,7 @@ pub(super) fn facts(
     fact: &mut impl FnMut(&str, String),
 ) {
     let violation = &refutation.violation;
-    for mask in &hand.masks {
+    for mask in hand.refiner.masks() {
         fact("mask", rules(mask));
     }
     for constant in &hand.constants {

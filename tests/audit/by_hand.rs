@@ -90,7 +90,7 @@ fn every_number_of_a_small_refutation() {
     assert_eq!((&cell.id[..], &cell.printed[..]), ("k:constants:2:2", "0.25"));
     assert_eq!(cell.locus, "Table 1, scheme = chaikin, c = 2");
     assert_eq!((&contraction.name[..], &contraction.cell), ("contraction(1)", &None));
-    assert_eq!(hand.masks[0].offset(), 0);
+    assert_eq!(hand.refiner.masks()[0].offset(), 0);
     assert_eq!(hand.contraction, Some((1, r(1, 2))));
     let weights = hand.weights.as_ref().expect("a limit");
     assert_eq!(weights.weights, [(0, r(1, 2)), (1, r(1, 2))]);

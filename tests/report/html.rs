@@ -19,7 +19,7 @@ fn page(audit: &PaperAudit<'_>) -> String {
 
 /// Checks what every page keeps: well-formed, one element for each anchor, links that lead somewhere, and
 /// nothing that is loaded or run.
-fn check(page: &str) -> Vec<Piece> {
+pub(super) fn check(page: &str) -> Vec<Piece> {
     assert!(page.len() < MAX_BYTES, "{} bytes", page.len());
     let pieces = read(page);
     let mut ids = BTreeSet::new();

@@ -1,9 +1,14 @@
 //! Reports: pages and documents.
 
+mod depth_pictures;
 mod document;
+mod explained;
+mod figures;
 mod html;
 mod latex;
+mod latex_table;
 mod pictures;
+mod witnesses;
 
 use std::sync::LazyLock;
 use subcert::audit::{PaperAudit, audit_all};

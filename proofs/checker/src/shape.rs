@@ -16,7 +16,8 @@ scheme: name=text title=text source=text parameters=%parameter let=%text offset=
 parameter: default=text least=text about=text
 claim: id=text locus=text title=text scheme=text note=text
 table: value=text promise=promise rows=axis columns=axis cells=text|**number given=%text \
- unstated=%text|*text
+ unstated=%text|*text figures=*figure
+figure: locus=text lines=*text
 equation: symbols=*text hypotheses=*text indices=*axis left=text|*text right=text absent=text
 function: variable=text left=text right=text
 range: variable=text value=text below=text at_most=text from=number to=number closed=flag

@@ -7,6 +7,7 @@ mod axis;
 mod contents;
 mod equation;
 mod fields;
+mod figure;
 mod file;
 mod function;
 mod indices;

@@ -2,6 +2,7 @@
 
 use super::axis::AxisTable;
 use super::fields::{Formulas, NumberField, Unstated, claim_table};
+use super::figure::FigureTable;
 use super::reader::{Head, Reader};
 use crate::claim::{Cell, Promise, Table};
 use crate::diagnostic::Diagnostic;
@@ -23,6 +24,8 @@ claim_table!(TableTable {
     pub(super) given: Formulas,
     #[serde(default)]
     pub(super) unstated: Unstated,
+    #[serde(default)]
+    figures: Vec<Spanned<FigureTable>>,
 });
 
 #[derive(Debug, Deserialize)]
@@ -83,6 +86,7 @@ impl Reader<'_> {
             value: formula(self.source, &table.value)?,
             promise: table.promise.as_ref().map(|promise| self.promise(promise)).transpose()?,
             cells: self.cells(table, shape)?,
+            figures: self.figures(&table.figures, [rows.as_ref(), Some(&columns)])?,
             rows,
             columns,
             given: definitions(self.source, &table.given)?,

@@ -11,7 +11,8 @@ pub(super) const EXPLAIN: &str = "\
 Examples:
   subcert explain khan2019-newton
   subcert explain mustafa2020-nary:table-2:4:7
-  subcert explain doe2026-corner:eq-3 examples/my-paper.toml";
+  subcert explain doe2026-corner:eq-3 examples/my-paper.toml
+  subcert explain khan2022-doo-sabin:theorem-3 --format html -o theorem-3.html";
 
 pub(super) const ERRATA: &str = "\
 Examples:
@@ -34,7 +35,7 @@ pub(super) const DEPTH: &str = "\
 Examples:
   subcert depth six-point:w=3/256 --tolerance 1/1000 --spread 1/10
   subcert depth chaikin --tolerance 0.01 --polygon examples/polygon.csv
-  subcert depth catmull-clark --mesh examples/cube.obj --tolerance 1/100
+  subcert depth catmull-clark --mesh examples/cube.obj --tolerance 1/100 --format html -o cube.html
   subcert depth bajaj --mesh examples/star.vtk --tolerance 1/20";
 
 pub(super) const RANGE: &str = "\

@@ -1,6 +1,7 @@
 //! The arguments.
 
 mod examples;
+mod findings;
 mod meshes;
 mod papers;
 mod schemes;
@@ -8,6 +9,7 @@ mod smoothness;
 mod spectrum;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+pub(super) use findings::{FindingFormat, FindingOutput};
 pub(super) use meshes::{
     ClosedArgument, LimitArguments, MeshOutput, MeshOutputFormat, RefineArguments,
 };
@@ -154,6 +156,17 @@ pub(super) enum TableFormat {
     Csv,
     /// Tables for a paper, with the packages amssymb and booktabs
     Latex,
+}
+
+impl TableFormat {
+    /// The format of a report that is text; text for the formats of tables.
+    pub(super) fn of_sheet(self) -> Format {
+        match self {
+            TableFormat::Json => Format::Json,
+            TableFormat::Markdown => Format::Markdown,
+            TableFormat::Text | TableFormat::Csv | TableFormat::Latex => Format::Text,
+        }
+    }
 }
 
 /// How tables are written.

@@ -1,6 +1,6 @@
 //! The arguments of the commands about papers.
 
-use super::{Output, TableFormat};
+use super::{FindingOutput, Output, TableFormat};
 use clap::builder::PossibleValuesParser;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -81,7 +81,7 @@ pub(in crate::cli) struct ExplainArguments {
     #[arg(long)]
     pub(in crate::cli) all: bool,
     #[command(flatten)]
-    pub(in crate::cli) output: Output,
+    pub(in crate::cli) output: FindingOutput,
 }
 
 #[derive(Debug, Args)]

@@ -1,7 +1,7 @@
 //! The arguments of the commands about schemes.
 
 use super::meshes::ClosedArgument;
-use super::{Output, TableOutput};
+use super::{FindingOutput, Output, TableOutput};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -91,7 +91,7 @@ pub(in crate::cli) struct DepthArguments {
     #[command(flatten)]
     pub(in crate::cli) block: Block,
     #[command(flatten)]
-    pub(in crate::cli) output: Output,
+    pub(in crate::cli) output: FindingOutput,
 }
 
 #[derive(Debug, Args)]

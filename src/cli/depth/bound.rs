@@ -6,14 +6,21 @@ use subcert::bound::{
     least_level, surface_displacement,
 };
 use subcert::exact::{Rational, format::short};
+use subcert::float::nearest;
+use subcert::report::html::LevelLine;
 use subcert::report::{Grid, json::Exact};
 
 /// The most residue classes for which the sound bound takes longer blocks than were asked for.
 const SOUND_CLASSES: u64 = 1 << 12;
 
+/// How many levels after the last one of interest a picture shows, and how many at most.
+const AFTER: u32 = 1;
+const MAX_LEVELS: u32 = 60;
+
 type Depth = Result<u32, DepthError>;
 
 pub(super) struct Bounds {
+    bound: SoundBound,
     sound: Result<SoundDepth, DepthError>,
     /// For each c: the constant as papers print it, and the depth it gives.
     printed: Vec<(Rational, Depth)>,
@@ -58,7 +65,32 @@ impl Bounds {
             Ok((constant, depth))
         });
         let printed = printed.collect::<Result<Vec<_>, ClassCap>>()?;
-        Ok(Bounds { sound: bound.depth(spread, tolerance), printed })
+        Ok(Bounds { sound: bound.depth(spread, tolerance), bound, printed })
+    }
+
+    /// The sound bound against the level, and the constants, up to `last` and to where the bound meets the tolerance;
+    /// and what the formula of papers promises.
+    pub(super) fn lines(
+        &self,
+        spread: &Rational,
+        last: u32,
+    ) -> (Vec<LevelLine>, Vec<(u32, String)>) {
+        let met = self.sound.as_ref().ok().map(|depth| depth.level);
+        let last = met.unwrap_or(0).max(last).saturating_add(AFTER).min(MAX_LEVELS);
+        let bounds = self.bound.levels(last).unwrap_or_default();
+        let bounds = bounds.iter().map(|bound| nearest(&(bound * spread)));
+        let constants = self.bound.constants().iter().take(last as usize + 1).map(nearest);
+        let line = |name: &str, values: Vec<f64>, met, is_constant| LevelLine {
+            name: name.to_owned(),
+            values: (0..).zip(values).collect(),
+            met,
+            is_constant,
+        };
+        let bound = line("sound bound", bounds.collect(), met, false);
+        let constants = line("constants", constants.collect(), None, true);
+        let printed = self.printed.iter().filter_map(|(_, depth)| depth.as_ref().ok()).min();
+        let promised = printed.map(|level| (*level, "by the printed formula".to_owned()));
+        (vec![bound, constants], promised.into_iter().collect())
     }
 
     pub(super) fn facts(&self) -> Vec<(String, String)> {

@@ -3,7 +3,9 @@
 use super::interval::{interval_form, interval_text};
 use super::place::Place;
 use crate::cli::json::depth as form;
+use subcert::audit::{Attained, Control, Place as AttainedAt};
 use subcert::exact::{Enclosure, Rational, format::short};
+use subcert::float::nearest;
 use subcert::limit::{
     Comparison, Distance, Distances, LimitError, Parametrisation, TwoSidedDepth, Witness,
 };
@@ -19,6 +21,8 @@ pub(super) struct Asked<'a> {
     pub(super) spread: &'a Rational,
     /// How narrow the intervals of distances are to be.
     pub(super) width: &'a Rational,
+    /// Whether the distances of the levels before the depth are asked for, for a picture.
+    pub(super) levels: bool,
 }
 
 /// The true depth, the distance constant at that level, and data that show that one level less is
@@ -30,6 +34,8 @@ pub(super) struct Exact {
     pub(super) distance: Known,
     /// Control data that are too far from their limit at the level below the depth.
     pub(super) too_far: Option<TooFar>,
+    /// The distances of levels up to the depth, where they are asked for and the caps allow.
+    pub(super) levels: Vec<(u32, f64)>,
     /// The caps of the search.
     pub(super) caps: String,
 }
@@ -39,6 +45,8 @@ pub(super) struct TooFar {
     pub(super) level: u32,
     pub(super) text: String,
     pub(super) form: form::Witness,
+    /// The data of spread 1.
+    pub(super) attained: Attained,
 }
 
 /// An enclosure of a distance.
@@ -93,7 +101,8 @@ impl Exact {
         };
         let (shifts, caps) = (vec![distances.shift().clone()], distances.caps());
         let place = Place::of(&[mask], parametrisation, shifts);
-        Ok(Exact { place, depth, distance, too_far, caps })
+        let levels = if asked.levels { levels(distances, depth.upper, asked) } else { Vec::new() };
+        Ok(Exact { place, depth, distance, too_far, levels, caps })
     }
 
     /// All facts about the depth.
@@ -108,6 +117,11 @@ impl Exact {
             facts.push((format!("too far at level {level}"), text.clone()));
         }
         facts
+    }
+
+    /// The depth alone.
+    pub(super) fn depth_text(&self) -> String {
+        depth_text(self.depth, self.place.whom(), &self.caps)
     }
 
     /// The depth, and where the points are.
@@ -127,6 +141,22 @@ impl Exact {
         }
     }
 }
+
+/// The most levels of a picture.
+const MAX_LEVELS: u32 = 16;
+
+/// The distances of the levels up to the depth, as far as the caps allow.
+fn levels(distances: &Distances, depth: u32, asked: &Asked<'_>) -> Vec<(u32, f64)> {
+    let width = asked.tolerance / asked.spread / Rational::from(WIDTHS);
+    let distance = |level: u32| {
+        let found = distances.constant(level, &width).ok()?;
+        Some((level, nearest(&(found.enclosure.upper() * asked.spread))))
+    };
+    (depth.saturating_sub(MAX_LEVELS)..=depth).map_while(distance).collect()
+}
+
+/// How much narrower than the tolerance the intervals for a picture are.
+const WIDTHS: i64 = 20;
 
 pub(super) fn depth_text(depth: TwoSidedDepth, whom: &str, caps: &str) -> String {
     let TwoSidedDepth { lower, upper } = depth;
@@ -174,7 +204,12 @@ fn too_far(witness: &Witness, spread: &Rational) -> TooFar {
         parameter: parameter.to_string(),
         distance: ExactForm::of(&distance),
     };
-    TooFar { level: *level, text, form }
+    let attained = Attained {
+        control: Control::Polygon(polygon.clone()),
+        place: AttainedAt::Parameter(parameter.clone()),
+        value: witness.distance.clone().into(),
+    };
+    TooFar { level: *level, text, form, attained }
 }
 
 /// Points; of many, the first ones.

@@ -1,10 +1,15 @@
 //! The depth of one polygon mesh.
 
 use super::faces::FacesFormat;
-use crate::cli::arguments::{DepthArguments, Format};
+use super::kind::Kind;
+use super::pictures::{Drawn, Pieces};
+use super::promise::{Formula, Promise, promises};
+use super::refined::Refined;
+use crate::cli::arguments::{DepthArguments, FindingFormat};
+use crate::cli::finding::{Destination, command};
 use crate::cli::json::{SCHEMA, mesh_depth as form};
 use crate::cli::mesh::{failure, read};
-use crate::cli::output::{Outcome, positive, show};
+use crate::cli::output::{Outcome, positive};
 use crate::cli::progress::Progress;
 use std::path::Path;
 use subcert::exact::{Rational, format::short};
@@ -14,8 +19,9 @@ use subcert::patch::{
     APriori, FORMULA_PAPER, FarPlace, MeshDepth, MeshDistances, a_priori, formula_level,
 };
 use subcert::report::Sheet;
+use subcert::report::html::{FindingPage, Picture};
 
-pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments) -> Outcome {
+pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments, to: &Destination) -> Outcome {
     let tolerance = positive("--tolerance", &arguments.tolerance)?;
     let (scheme, name, file) = read(&arguments.scheme, path)?;
     let refused = |error| failure(&file, &error);
@@ -27,21 +33,30 @@ pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments) -> Outcome {
     let per_face = arguments.per_face.as_deref();
     let per_face =
         per_face.map(|path| FacesFormat::of(path).map(|format| (path, format))).transpose()?;
+    let mut pictures = Vec::new();
     let found = if arguments.a_priori {
         None
     } else {
         let distances = MeshDistances::new(file.mesh().clone(), scheme).map_err(refused)?;
-        let wanted = arguments.output.format != Format::Json;
+        let wanted = arguments.output.format != FindingFormat::Json;
         let progress = Progress::of_pieces(distances.work(), wanted);
         let depth = distances.depth(&tolerance).map_err(refused)?;
         if let Some((path, format)) = per_face {
             format.write(path, file.mesh(), depth.level, &distances.faces(depth.level))?;
         }
+        if arguments.output.is_page() {
+            let pieces = Pieces::of_mesh(file.mesh(), distances.faces(depth.level));
+            let refined = Refined::of_mesh(file.mesh(), scheme, depth.level);
+            let drawn = Drawn { name: &name, tolerance: &tolerance, depth: &depth, refined };
+            let promised = promises(promised.as_ref(), &guaranteed);
+            pictures = drawn.pictures(&pieces, promised, |level| distances.distance(level));
+        }
         drop(progress);
         Some(depth)
     };
     let (scheme, kind) = (scheme.name().to_owned(), Kind::Mesh);
-    Report { scheme, name, tolerance, guaranteed, promised, found, kind }.show(arguments)
+    Report { scheme, name, tolerance, guaranteed, promised, found, kind, pictures }
+        .show(arguments, to)
 }
 
 /// The answers for one mesh, net or solid.
@@ -54,107 +69,7 @@ pub(super) struct Report {
     pub(super) promised: Option<Formula>,
     pub(super) found: Option<MeshDepth>,
     pub(super) kind: Kind,
-}
-
-/// What the depth is of.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
-    Mesh,
-    /// A tensor net, with so many faces along a row.
-    Net {
-        faces_in_row: usize,
-    },
-    /// A hexahedral solid, the pieces of which are cells.
-    Solid,
-}
-
-impl Kind {
-    fn name(self) -> &'static str {
-        match self {
-            Kind::Mesh | Kind::Solid => "mesh",
-            Kind::Net { .. } => "net",
-        }
-    }
-
-    fn piece(self) -> &'static str {
-        if self == Kind::Solid { "cell" } else { "face" }
-    }
-
-    /// The cell (i, j) of a face of a net.
-    fn cell(self, face: usize) -> Option<[usize; 2]> {
-        match self {
-            Kind::Mesh | Kind::Solid => None,
-            Kind::Net { faces_in_row } => Some([face / faces_in_row, face % faces_in_row]),
-        }
-    }
-
-    /// Whose edges the level a priori is about.
-    fn all(self) -> &'static str {
-        match self {
-            Kind::Mesh => "meshes with these valences and",
-            Kind::Net { .. } => "nets with",
-            Kind::Solid => "meshes whose cells meet so, with",
-        }
-    }
-
-    /// What the distance is.
-    fn distance(self) -> &'static str {
-        match self {
-            Kind::Mesh => {
-                "The distance is that of each face of the level from its own piece of the limit \
-                 surface, point by point at the same parameters. Faces and vertices are numbered from 0."
-            }
-            Kind::Net { .. } => {
-                "The distance is that of the net of the level, bilinear on each face, from the limit \
-                 surface, point by point at the same natural parameters. Cells, faces and vertices are \
-                 numbered from 0, row by row."
-            }
-            Kind::Solid => {
-                "The distance is that of each cell of the level from its own piece of the limit solid, \
-                 point by point at the same parameters; the boundary is a part of it. Cells and vertices \
-                 are numbered from 0."
-            }
-        }
-    }
-}
-
-/// How many levels a formula promises to be enough; `None` where it promises nothing.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Formula {
-    pub(super) paper: &'static str,
-    pub(super) level: Option<u32>,
-}
-
-/// A promised number of levels, compared with what is known.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Promise {
-    TooFew,
-    Enough,
-    TooMany,
-    Open,
-}
-
-impl Promise {
-    fn of(level: u32, found: &MeshDepth) -> Promise {
-        if found.too_few.is_some_and(|few| level <= few) {
-            Promise::TooFew
-        } else if level > found.level {
-            Promise::TooMany
-        } else if level == found.level {
-            Promise::Enough
-        } else {
-            Promise::Open
-        }
-    }
-
-    fn name(self) -> &'static str {
-        match self {
-            Promise::TooFew => "too few",
-            Promise::Enough => "enough",
-            Promise::TooMany => "more than needed",
-            Promise::Open => "open",
-        }
-    }
+    pub(super) pictures: Vec<Picture>,
 }
 
 /// An f64 in at most nine digits.
@@ -182,8 +97,31 @@ fn place_text(place: &FarPlace, kind: Kind) -> String {
 }
 
 impl Report {
-    pub(super) fn show(&self, arguments: &DepthArguments) -> Outcome {
-        show(arguments.output.format, || self.sheet(arguments), || self.form())
+    pub(super) fn show(&self, arguments: &DepthArguments, to: &Destination) -> Outcome {
+        let page = || {
+            let (sentence, command) = (self.sentence(), command());
+            let sheet = &self.sheet(arguments);
+            let pictures = &self.pictures;
+            Ok(FindingPage { sentence: &sentence, sheet, pictures, command: &command }.to_html())
+        };
+        to.deliver(|| self.sheet(arguments), || self.form(), page)
+    }
+
+    /// The depth in a sentence.
+    fn sentence(&self) -> String {
+        let Report { guaranteed, tolerance, kind, .. } = self;
+        let tolerance = short(tolerance, 6);
+        let Some(found) = &self.found else {
+            let level = guaranteed.level;
+            return format!("A priori, {} are enough for {tolerance}.", levels(level));
+        };
+        let few = found.too_few.map(|few| format!(", and not after {few}"));
+        format!(
+            "The {} is within {tolerance} of its limit after {} of refinement{}.",
+            kind.name(),
+            levels(found.level),
+            few.unwrap_or_default()
+        )
     }
 
     fn sheet(&self, arguments: &DepthArguments) -> Sheet {
@@ -285,4 +223,9 @@ impl Report {
             }),
         }
     }
+}
+
+/// `1 level`, `2 levels`.
+fn levels(count: u32) -> String {
+    if count == 1 { "1 level".to_owned() } else { format!("{count} levels") }
 }

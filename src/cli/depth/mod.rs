@@ -1,50 +1,75 @@
 //! `subcert depth`.
 
+mod answer;
 mod bound;
 mod exact;
 mod faces;
 mod interval;
+mod kind;
 mod local_rules;
 mod mesh;
 mod net;
+mod pictures;
 mod place;
 mod polygon;
+mod promise;
+mod refined;
+mod scheme_pictures;
 mod solid;
 mod surface;
 
-use super::arguments::{BoundaryArgument, DepthArguments, Format};
+use super::arguments::{BoundaryArgument, DepthArguments, FindingFormat};
+use super::finding::{Destination, command};
 use super::geometry::Geometry;
 use super::json::{SCHEMA, depth as form};
 use super::net::NetInput;
 use super::offset::BetterOffset;
-use super::output::{Failure, Outcome, positive, show};
+use super::output::{Failure, Outcome, positive};
 use super::polygon::{Caps, read_polygon};
 use super::progress::Progress;
+use answer::{Answer, MAX_STEPS};
 use bound::Bounds;
 use exact::{Asked, Exact};
 use local_rules::ring_depth;
 use polygon::{OfPolygon, Points};
+use scheme_pictures::Drawn;
 use subcert::bound::{Budget, Constants};
 use subcert::exact::{Rational, format::short};
-use subcert::limit::{Distances, Limit, LimitError, Parametrisation};
+use subcert::limit::Parametrisation;
 use subcert::report::Sheet;
-use subcert::scheme::{AnyScheme, Mask, Scheme, parse_any_scheme};
+use subcert::report::html::FindingPage;
+use subcert::scheme::{AnyScheme, Scheme, parse_any_scheme};
 
 pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
+    let to = Destination::of(&arguments.output, &page_name(arguments))?;
     if let Some(path) = &arguments.mesh {
         let net = NetInput { scheme: &arguments.scheme, path, closed: arguments.closed };
         return match Geometry::of(&net)? {
-            Geometry::Mesh => mesh::mesh_depth(path, arguments),
-            Geometry::Net => net::net_depth(&net, arguments),
-            Geometry::Solid => solid::solid_depth(path, arguments),
+            Geometry::Mesh => mesh::mesh_depth(path, arguments, &to),
+            Geometry::Net => net::net_depth(&net, arguments, &to),
+            Geometry::Solid => solid::solid_depth(path, arguments, &to),
         };
     }
     let scheme = match parse_any_scheme(&arguments.scheme)? {
         AnyScheme::Uniform(scheme) => scheme,
-        AnyScheme::LocalRules(ring) => return ring_depth(&ring, arguments),
+        AnyScheme::LocalRules(ring) => return ring_depth(&ring, arguments, &to),
     };
     let report = Report::of(&scheme, arguments)?;
-    show(arguments.output.format, || report.sheet(arguments), || report.form(arguments))
+    let page = || {
+        let (sentence, command) = (report.sentence(), command());
+        let pictures = report.drawn().pictures(&scheme);
+        let sheet = &report.sheet(arguments);
+        let pictures = &pictures;
+        Ok(FindingPage { sentence: &sentence, sheet, pictures, command: &command }.to_html())
+    };
+    to.deliver(|| report.sheet(arguments), || report.form(arguments), page)
+}
+
+/// The name of a page in a folder: `depth-` and that of the file, or of the scheme.
+fn page_name(arguments: &DepthArguments) -> String {
+    let path = arguments.mesh.as_ref().or(arguments.polygon.as_ref());
+    let stem = path.and_then(|path| path.file_stem()).map(|stem| stem.to_string_lossy());
+    format!("depth-{}", stem.as_deref().unwrap_or(&arguments.scheme))
 }
 
 /// The results of one command.
@@ -55,13 +80,6 @@ struct Report {
     answers: Vec<Answer>,
     points: Option<Points>,
     better_offsets: Vec<BetterOffset>,
-}
-
-/// The answers in one parametrisation; the error says why no limit is shown to exist.
-struct Answer {
-    exact: Result<Exact, String>,
-    /// The answer for the control polygon, if one was given.
-    polygon: Option<Result<OfPolygon, String>>,
 }
 
 impl Report {
@@ -85,12 +103,13 @@ impl Report {
         let count = wanted.len() * if points.is_some() { 2 } else { 1 };
         let budget = || Budget::new(MAX_STEPS / count as u64);
         let budgets: Vec<Budget> = (0..count).map(|_| budget()).collect();
-        let progress = Progress::of_steps(&budgets, arguments.output.format != Format::Json);
+        let progress = Progress::of_steps(&budgets, arguments.output.format != FindingFormat::Json);
         let constants: Vec<Constants> =
             scheme.masks().into_iter().cloned().map(Constants::new).collect();
         let bounds = Bounds::of(&constants, arguments.block.levels, &tolerance, &spread)
             .map_err(|error| Failure::Input(error.to_string()))?;
-        let asked = Asked { tolerance: &tolerance, spread: &spread, width: &width };
+        let levels = arguments.output.is_page();
+        let asked = Asked { tolerance: &tolerance, spread: &spread, width: &width, levels };
         let answer = |(&parametrisation, budgets): (&Parametrisation, &[Budget])| {
             Answer::of(scheme, parametrisation, points.as_ref(), &asked, budgets)
         };
@@ -99,6 +118,28 @@ impl Report {
         drop(progress);
         let better_offsets = BetterOffset::all_of(&arguments.scheme, scheme)?;
         Ok(Report { tolerance, spread, bounds, answers, points, better_offsets })
+    }
+
+    /// What pictures show.
+    fn drawn(&self) -> Drawn<'_> {
+        let Report { tolerance, spread, bounds, points, .. } = self;
+        Drawn { tolerance, spread, bounds, answer: self.natural(), points: points.as_ref() }
+    }
+
+    /// The depth in a sentence.
+    fn sentence(&self) -> String {
+        let natural = self.natural();
+        let tolerance = short(&self.tolerance, 6);
+        if let Some(own) = &natural.polygon {
+            return match own {
+                Ok(own) => format!("For the tolerance {tolerance}: {}.", own.depth_text()),
+                Err(why) => format!("No depth is known: {why}."),
+            };
+        }
+        match &natural.exact {
+            Ok(exact) => format!("For the tolerance {tolerance}: {}.", exact.depth_text()),
+            Err(why) => format!("No depth is known: {why}."),
+        }
     }
 
     /// The answer with the points at their natural parameters.
@@ -192,56 +233,6 @@ fn or_none<'a, T, F>(answer: &'a Result<T, String>, form: impl Fn(&'a T) -> F) -
         Ok(answer) => form::OrNone::Found(form(answer)),
         Err(why) => form::OrNone::None { none: why.clone() },
     }
-}
-
-impl Answer {
-    /// Finds the answer in one parametrisation: `budgets` has one for all control data, and one
-    /// more for the polygon, if there is one.
-    fn of(
-        scheme: &Scheme,
-        parametrisation: Parametrisation,
-        points: Option<&Points>,
-        asked: &Asked<'_>,
-        budgets: &[Budget],
-    ) -> Result<Answer, Failure> {
-        let mask = match scheme {
-            Scheme::Curve(mask) => mask,
-            Scheme::Tensor(first, second) => {
-                let masks = [first, second];
-                let exact = Exact::of_surface(masks, parametrisation, asked, &budgets[0]);
-                return Ok(Answer { exact: exact.map_err(|e| e.to_string()), polygon: None });
-            }
-        };
-        let distances = match distances(mask, parametrisation) {
-            Ok(distances) => distances,
-            Err(error) => {
-                let why = Err(error.to_string());
-                let polygon = points.map(|_| Err(error.to_string()));
-                return Ok(Answer { exact: why, polygon });
-            }
-        };
-        let all = distances.clone().with_budget(budgets[0].clone());
-        let exact = Exact::of(mask, parametrisation, &all, asked);
-        let own = |points: &Points| {
-            let distances = distances.clone().with_budget(budgets[1].clone());
-            match OfPolygon::of(&distances, points, asked.tolerance, asked.width) {
-                Err(error @ LimitError::TooFew { .. }) => {
-                    Err(Failure::Input(format!("--polygon: {error}")))
-                }
-                own => Ok(own.map_err(|error| error.to_string())),
-            }
-        };
-        let polygon = points.map(own).transpose()?;
-        Ok(Answer { exact: exact.map_err(|error| error.to_string()), polygon })
-    }
-}
-
-/// The steps that the exact distances of one command may take.
-const MAX_STEPS: u64 = 1_000_000_000;
-
-fn distances(mask: &Mask, parametrisation: Parametrisation) -> Result<Distances, LimitError> {
-    let distances = Distances::placed(&Limit::new(mask)?, parametrisation)?;
-    Ok(distances.with_cells(u32::MAX))
 }
 
 /// The caps on a control polygon whose depth is asked for.

@@ -4,12 +4,16 @@ use super::exact::{Known, depth_form, depth_text, distance_form};
 use crate::cli::json::depth as form;
 use subcert::exact::{Enclosure, Rational, format::short};
 use subcert::limit::{Comparison, ControlPolygon, Distances, LimitError, TwoSidedDepth};
+use subcert::report::html::FarPolygon;
 use subcert::report::json::Exact;
+use subcert::scheme::Mask;
 
 /// A control polygon of points.
 pub(super) struct Points {
     /// One polygon of numbers for each coordinate.
     pub(super) coordinates: Vec<ControlPolygon>,
+    /// Its points: all x, then all y, and so on.
+    pub(super) numbers: Vec<Vec<Rational>>,
     /// How many points there are.
     pub(super) count: usize,
     pub(super) closed: bool,
@@ -22,7 +26,8 @@ impl Points {
             if closed { ControlPolygon::closed(points) } else { ControlPolygon::open(points) }
         };
         let count = coordinates.first().map_or(0, Vec::len);
-        Points { coordinates: coordinates.iter().map(polygon).collect(), count, closed }
+        let numbers = coordinates.to_vec();
+        Points { coordinates: coordinates.iter().map(polygon).collect(), numbers, count, closed }
     }
 
     /// The largest difference of neighbouring points in any coordinate.
@@ -104,6 +109,36 @@ impl OfPolygon {
             facts.push((format!("too far at level {level}"), text));
         }
         facts
+    }
+
+    /// Where the polygon is far from its limit: too far at the level below the depth, or else as far as it is at the
+    /// depth.
+    pub(super) fn far<'f>(
+        &'f self,
+        mask: &'f Mask,
+        points: &'f Points,
+        shift: &'f Rational,
+    ) -> Option<FarPolygon<'f>> {
+        let (level, coordinate, parameter, distance) = match &self.too_far {
+            Some(TooFar { level, coordinate, parameter, distance }) => {
+                (*level, *coordinate, parameter, distance)
+            }
+            None => {
+                let parameter = self.distance.parameter.as_ref()?;
+                (self.depth.upper, self.coordinate, parameter, self.distance.enclosure.lower())
+            }
+        };
+        let (coordinates, closed) = (&points.numbers[..], points.closed);
+        Some(FarPolygon {
+            mask,
+            coordinates,
+            closed,
+            shift,
+            level,
+            coordinate,
+            parameter,
+            distance,
+        })
     }
 
     /// The depth alone.

@@ -1,7 +1,12 @@
 //! The depth of one hexahedral solid.
 
-use super::mesh::{Formula, Kind, Report};
-use crate::cli::arguments::{DepthArguments, Format};
+use super::kind::Kind;
+use super::mesh::Report;
+use super::pictures::{Drawn, Pieces};
+use super::promise::{Formula, promises};
+use super::refined::Refined;
+use crate::cli::arguments::{DepthArguments, FindingFormat};
+use crate::cli::finding::Destination;
 use crate::cli::output::{Failure, Outcome, positive};
 use crate::cli::progress::Progress;
 use crate::cli::save::save;
@@ -14,7 +19,7 @@ use subcert::mesh::MeshError;
 use subcert::patch::{MeshDistances, SOLID_FORMULA_PAPER, solid_a_priori, solid_formula_level};
 use subcert::solid::{HexMesh, SOLID_SCHEME, to_vtk};
 
-pub(super) fn solid_depth(path: &Path, arguments: &DepthArguments) -> Outcome {
+pub(super) fn solid_depth(path: &Path, arguments: &DepthArguments, to: &Destination) -> Outcome {
     let tolerance = positive("--tolerance", &arguments.tolerance)?;
     let per_face = arguments.per_face.as_deref();
     let per_face =
@@ -27,20 +32,29 @@ pub(super) fn solid_depth(path: &Path, arguments: &DepthArguments) -> Outcome {
     let guaranteed = solid_a_priori(mesh, &distances, &tolerance).map_err(refused)?;
     let level = Some(solid_formula_level(mesh, &tolerance));
     let promised = Some(Formula { paper: SOLID_FORMULA_PAPER, level });
+    let mut pictures = Vec::new();
     let found = if arguments.a_priori {
         None
     } else {
-        let wanted = arguments.output.format != Format::Json;
+        let wanted = arguments.output.format != FindingFormat::Json;
         let progress = Progress::of_pieces(distances.work(), wanted);
         let depth = distances.depth(&tolerance).map_err(refused)?;
         if let Some((path, format)) = per_face {
             format.write(path, mesh, depth.level, &distances.faces(depth.level))?;
         }
+        if arguments.output.is_page() {
+            let pieces = Pieces::of_solid(mesh, &distances.faces(depth.level));
+            let refined = Refined::of_solid(mesh, depth.level);
+            let drawn = Drawn { name: &name, tolerance: &tolerance, depth: &depth, refined };
+            let promised = promises(promised.as_ref(), &guaranteed);
+            pictures = drawn.pictures(&pieces, promised, |level| distances.distance(level));
+        }
         drop(progress);
         Some(depth)
     };
     let (scheme, kind) = (SOLID_SCHEME.to_owned(), Kind::Solid);
-    Report { scheme, name, tolerance, guaranteed, promised, found, kind }.show(arguments)
+    Report { scheme, name, tolerance, guaranteed, promised, found, kind, pictures }
+        .show(arguments, to)
 }
 
 /// The forms of the file of the distances of all cells.

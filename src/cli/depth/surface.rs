@@ -3,6 +3,7 @@
 use super::exact::{Asked, Exact, Known, TooFar, points_text};
 use super::place::Place;
 use crate::cli::json::depth as form;
+use subcert::audit::{Attained, Control, Place as AttainedAt};
 use subcert::bound::Budget;
 use subcert::exact::format::short;
 use subcert::limit::{
@@ -38,7 +39,7 @@ impl Exact {
         let distance = Known { enclosure, narrow, parameter: None };
         let shifts = distances.shifts().map(Clone::clone).to_vec();
         let place = Place::of(&masks, parametrisation, shifts);
-        Ok(Exact { place, depth, distance, too_far, caps: distances.caps() })
+        Ok(Exact { place, depth, distance, too_far, levels: Vec::new(), caps: distances.caps() })
     }
 }
 
@@ -59,5 +60,10 @@ fn too_far(witness: &SurfaceWitness) -> TooFar {
         parameters: [s.to_string(), t.to_string()],
         distance: ExactForm::of(distance),
     };
-    TooFar { level: *level, text, form }
+    let attained = Attained {
+        control: Control::Net { first: [*i, *j], rows: net.clone() },
+        place: AttainedAt::Parameters([s.clone(), t.clone()]),
+        value: (distance / unit).into(),
+    };
+    TooFar { level: *level, text, form, attained }
 }

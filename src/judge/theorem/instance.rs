@@ -5,19 +5,18 @@ use crate::diagnostic::Diagnostic;
 use crate::evaluation::library::{Library, Resolved};
 use crate::evaluation::settings::Settings;
 use crate::exact::{Rational, RealCyclotomic};
-use crate::finding::HandConstant;
+use crate::finding::{HandConstant, Refiner};
 use crate::formula::{Expr, LocatedFormula, Node, is_builtin};
 use crate::judge::theorem::case::{Case, Stage};
 use crate::judge::theorem::evaluate::{LEVEL, TOLERANCE};
-use crate::scheme::Mask;
 use std::collections::BTreeMap;
 
 /// An instance of a theorem, with numbers in place of names.
 pub(crate) struct Instance {
     /// The scheme of masks.
     pub(crate) resolved: Option<Resolved>,
-    /// The masks at the offsets at which they are compared with their limit.
-    pub(crate) masks: Vec<Mask>,
+    /// What refines its data; masks at the offsets at which they are compared with their limit.
+    pub(crate) refiner: Refiner,
     /// The values of parameters.
     pub(crate) values: BTreeMap<String, Rational>,
     /// The constants in the bound; the cells that print them are not yet looked for.
@@ -50,9 +49,11 @@ pub(crate) fn instance(
     let offset = theorem.tried.offset;
     let axes = case.resolved.iter().flat_map(|scheme| &scheme.constants);
     let masks = axes.map(|axis| axis.mask());
+    let masks = masks.map(|mask| mask.with_offset(offset.unwrap_or(mask.offset()))).collect();
+    let ring = case.setting.as_ref().and_then(|setting| setting.ring());
     Ok(Some(Instance {
         resolved: case.resolved.clone(),
-        masks: masks.map(|mask| mask.with_offset(offset.unwrap_or(mask.offset()))).collect(),
+        refiner: ring.map_or(Refiner::Masks(masks), |ring| Refiner::Ring(ring.clone())),
         values: case.values.clone(),
         constants,
         bound,

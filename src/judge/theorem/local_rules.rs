@@ -118,6 +118,10 @@ fn text(error: impl std::fmt::Display) -> String {
 }
 
 impl Setting for AroundPoint {
+    fn ring(&self) -> Option<&LocalRules> {
+        Some(&self.ring)
+    }
+
     fn compare(
         &self,
         quantity: Quantity,

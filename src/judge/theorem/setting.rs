@@ -4,11 +4,17 @@ use crate::claim::Quantity;
 use crate::exact::{RealCyclotomic, comparable};
 use crate::finding::{Attained, LevelEvidence, Supremum};
 use crate::limit::{Comparison, Later, Overshoot};
+use crate::scheme::LocalRules;
 
 /// The suprema of a scheme, over all control data of spread 1, at level k.
 ///
 /// Errors are texts that say why the program gives no answer.
 pub(crate) trait Setting {
+    /// The rules, if it is a ring.
+    fn ring(&self) -> Option<&LocalRules> {
+        None
+    }
+
     /// Compares a supremum with a bound. If it exceeds the bound, the result has data that attain a
     /// greater value.
     fn compare(

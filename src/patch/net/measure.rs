@@ -54,6 +54,12 @@ impl NetDistances {
         faces
     }
 
+    /// A lower and an upper bound of the distance at a level.
+    #[must_use]
+    pub fn distance(&self, level: u32) -> [f64; 2] {
+        self.measured(level).0
+    }
+
     /// An enclosure of the distance at a level.
     pub(super) fn measured(&self, level: u32) -> ([f64; 2], Option<FarPlace>) {
         let model = &self.model;

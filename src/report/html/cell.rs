@@ -1,11 +1,12 @@
 //! A cell of a table, and what is known of it.
 
 use super::command;
+use super::context::Context;
 use super::filter::is_broken;
 use super::picture::digits;
 use super::sheet::facts;
 use super::verdict::{BROKEN, Look, badge};
-use crate::audit::{CellFinding, PaperAudit};
+use crate::audit::CellFinding;
 use crate::report::explain::cell_facts;
 use maud::{Markup, html};
 
@@ -16,11 +17,10 @@ pub(super) fn anchor(table: &str, row: usize, column: usize) -> String {
 
 /// The cell at a place of a table; its panel is shown where the address ends with its anchor.
 pub(super) fn cell(
-    audit: &PaperAudit<'_>,
+    context: &Context<'_, '_>,
     table: &str,
     (row, column): (usize, usize),
     cell: &CellFinding,
-    file: Option<&str>,
 ) -> Markup {
     let anchor = anchor(table, row, column);
     let look = Look::of(cell.verdict.name());
@@ -36,7 +36,7 @@ pub(super) fn cell(
                 }
                 @if let Some(digits) = digits(cell) { (digits) }
                 (facts(&cell_facts(cell)))
-                (command::explain(audit, &anchor, file))
+                (command::explain(context, &anchor))
             }
             a.open href=(link) {
                 (cell.printed.as_deref().unwrap_or("lost")) " " (badge(cell.verdict.name()))

@@ -1,14 +1,14 @@
 //! Equations, functions, ranges and theorems.
 
+use super::certified::certified;
 use super::command;
+use super::context::Context;
 use super::math::formula;
 use super::picture::{self, Exceeding};
 use super::sheet::{facts, lines};
 use super::statement::{definitions, identity, quantity};
 use super::verdict::{Look, badge};
-use crate::audit::{
-    EquationFinding, FunctionFinding, PaperAudit, RangeFinding, TheoremFinding, by_hand,
-};
+use crate::audit::{EquationFinding, FunctionFinding, RangeFinding, TheoremFinding, by_hand};
 use crate::claim::{EquationBody, Quantity, Statement};
 use crate::diagnostic::Diagnostic;
 use crate::formula::LocatedFormula;
@@ -24,71 +24,59 @@ struct Claim<'c> {
     note: Option<&'c str>,
 }
 
-fn section(
-    audit: &PaperAudit<'_>,
-    claim: &Claim<'_>,
-    file: Option<&str>,
-    contents: &Markup,
-) -> Markup {
-    let Claim { id, locus, title, verdict, note } = claim;
-    html! {
-        section.claim.(Look::of(verdict).class) id=(id) aria-labelledby={ "page:title-" (id) } {
-            h3 id={ "page:title-" (id) } {
-                (badge(verdict)) " " a href={ "#" (id) } { (locus) } " " span.title { (title) }
+impl<'c> Claim<'c> {
+    fn new(
+        [id, locus, title]: [&'c String; 3],
+        note: Option<&'c String>,
+        verdict: &'static str,
+    ) -> Claim<'c> {
+        Claim { id, locus, title, verdict, note: note.map(String::as_str) }
+    }
+
+    /// Its section, with what is particular to its kind.
+    fn section(&self, context: &Context<'_, '_>, contents: &Markup) -> Markup {
+        let Claim { id, locus, title, verdict, note } = self;
+        html! {
+            section.claim.(Look::of(verdict).class) id=(id) aria-labelledby={ "page:title-" (id) } {
+                h3 id={ "page:title-" (id) } {
+                    (badge(verdict)) " " a href={ "#" (id) } { (locus) } " " span.title { (title) }
+                }
+                (contents)
+                @if let Some(note) = note { p.note { (lines(note)) } }
+                (certified(context, id))
+                (command::explain(context, id))
             }
-            (contents)
-            @if let Some(note) = note { p.note { (lines(note)) } }
-            (command::explain(audit, id, file))
         }
     }
 }
 
 /// An equation.
-pub(super) fn equation(
-    audit: &PaperAudit<'_>,
-    finding: &EquationFinding<'_>,
-    file: Option<&str>,
-) -> Markup {
-    let equation = finding.equation;
+pub(super) fn equation(context: &Context<'_, '_>, finding: &EquationFinding<'_>) -> Markup {
+    let own = finding.equation;
     // What fails or is not checkable says its note itself.
     let verdict = finding.verdict.name();
-    let note = if verdict == "fails" { None } else { equation.note.as_deref() };
-    let claim =
-        Claim { id: &equation.id, locus: &equation.locus, title: &equation.title, verdict, note };
-    section(
-        audit,
-        &claim,
-        file,
+    let note = own.note.as_ref().filter(|_| verdict != "fails");
+    let claim = Claim::new([&own.id, &own.locus, &own.title], note, verdict);
+    claim.section(
+        context,
         &html! {
-            @if let EquationBody::Identity(body) = &equation.body { (identity(body)) }
+            @if let EquationBody::Identity(body) = &own.body { (identity(body)) }
             p.outcome { (lines(&equation::outcome(finding))) }
         },
     )
 }
 
 /// A closed form in a free parameter.
-pub(super) fn function(
-    audit: &PaperAudit<'_>,
-    finding: &FunctionFinding<'_>,
-    file: Option<&str>,
-) -> Markup {
+pub(super) fn function(context: &Context<'_, '_>, finding: &FunctionFinding<'_>) -> Markup {
     let own = finding.claim;
-    let verdict = finding.verdict.name();
-    let claim = Claim {
-        id: &own.id,
-        locus: &own.locus,
-        title: &own.title,
-        verdict,
-        note: own.note.as_deref(),
-    };
-    section(
-        audit,
-        &claim,
-        file,
+    let claim =
+        Claim::new([&own.id, &own.locus, &own.title], own.note.as_ref(), finding.verdict.name());
+    claim.section(
+        context,
         &html! {
             dl.formulas {
                 div { dt { "printed" } dd { (formula(&own.left.expr)) " = " (formula(&own.right.expr)) } }
-                (definitions(audit, &own.left))
+                (definitions(context.audit, &own.left))
             }
             p.outcome { (lines(&function::function_outcome(finding).join("\n"))) }
         },
@@ -96,38 +84,26 @@ pub(super) fn function(
 }
 
 /// A range of a free parameter.
-pub(super) fn range(
-    audit: &PaperAudit<'_>,
-    finding: &RangeFinding<'_>,
-    file: Option<&str>,
-) -> Markup {
+pub(super) fn range(context: &Context<'_, '_>, finding: &RangeFinding<'_>) -> Markup {
     let own = finding.claim;
-    let verdict = finding.verdict.name();
-    let claim = Claim {
-        id: &own.id,
-        locus: &own.locus,
-        title: &own.title,
-        verdict,
-        note: own.note.as_deref(),
-    };
+    let claim =
+        Claim::new([&own.id, &own.locus, &own.title], own.note.as_ref(), finding.verdict.name());
     let relation = match own.limit.relation() {
         "<" => "<",
         _ => "≤",
     };
-    section(
-        audit,
-        &claim,
-        file,
+    claim.section(
+        context,
         &html! {
             dl.formulas {
                 div {
                     dt { "condition" }
                     dd { (formula(&own.value.expr)) " " (relation) " " (formula(&own.limit.formula().expr)) }
                 }
-                (definitions(audit, &own.value))
+                (definitions(context.audit, &own.value))
             }
             @if let Some(picture) = picture::range(finding) { (picture) }
-        p.outcome { (lines(&function::range_outcome(finding).join("\n"))) }
+            p.outcome { (lines(&function::range_outcome(finding).join("\n"))) }
         },
     )
 }
@@ -137,40 +113,30 @@ pub(super) fn range(
 /// # Errors
 /// When a formula of the claim file is wrong.
 pub(super) fn theorem(
-    audit: &PaperAudit<'_>,
+    context: &Context<'_, '_>,
     finding: &TheoremFinding<'_>,
-    file: Option<&str>,
 ) -> Result<Markup, Diagnostic> {
     let own = finding.theorem;
-    let hand = by_hand(audit, finding)?;
+    let hand = by_hand(context.audit, finding)?;
     let violation = finding.refutation.as_ref().map(|refutation| &refutation.violation);
-    let drawing = violation.zip(hand.as_ref());
-    let drawing = drawing.and_then(|(violation, hand)| {
-        picture::witness(&hand.masks, &Exceeding::of_theorem(violation))
+    let drawing = violation.zip(hand.as_ref()).and_then(|(violation, hand)| {
+        picture::witness(&hand.refiner, &Exceeding::of_theorem(violation))
     });
-    let verdict = finding.verdict.name();
-    let claim = Claim {
-        id: &own.id,
-        locus: &own.locus,
-        title: &own.title,
-        verdict,
-        note: own.note.as_deref(),
-    };
-    Ok(section(
-        audit,
-        &claim,
-        file,
+    let claim =
+        Claim::new([&own.id, &own.locus, &own.title], own.note.as_ref(), finding.verdict.name());
+    Ok(claim.section(
+        context,
         &html! {
             dl.formulas {
                 div { dt { "states" } dd { (statement(&own.statement)) } }
                 @if let Statement::Bound { by, .. } | Statement::Depth(by) = &own.statement {
-                    (definitions(audit, by))
+                    (definitions(context.audit, by))
                 }
             }
             p.outcome { (lines(&theorem::outcome(finding))) }
             @if let Some(drawing) = &drawing { (drawing) }
             @let details = theorem::details(finding, hand.as_ref());
-            @if !details.is_empty() {
+            @if !details.is_empty() && !context.is_whole {
                 details { summary { "Data and cases" } (facts(&details)) }
             }
         },

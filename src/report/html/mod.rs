@@ -1,14 +1,20 @@
-//! An audit as pages that a browser shows: one file for each paper, and an index of them.
+//! Findings as pages that a browser shows: one file for each paper of an audit and an index of them, and one
+//! for a single finding.
 //!
 //! A page loads nothing and runs no script: cells open by their anchors, and filters are radio
 //! buttons that the style sheet reads.
 
 mod broken;
 mod cell;
+mod certified;
 mod claims;
 mod command;
+mod context;
+mod depth;
 mod document;
+mod explain;
 mod filter;
+mod finding;
 mod index;
 mod math;
 mod names;
@@ -19,5 +25,10 @@ mod statement;
 mod table;
 mod verdict;
 
+pub use command::quoted as shell_word;
+pub use depth::{LevelLine, Levels};
+pub use explain::explain_page;
+pub use finding::{FindingPage, Picture};
 pub use index::index_page;
 pub use page::audit_page;
+pub use picture::{ColouredFaces, FarPolygon};

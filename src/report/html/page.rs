@@ -1,6 +1,7 @@
 //! The page of a paper.
 
 use super::claims;
+use super::context::Context;
 use super::document::document;
 use super::filter::buttons;
 use super::sheet::{blocks, counts};
@@ -34,9 +35,10 @@ use maud::{Markup, html};
 /// # Errors
 /// When a formula of the claim file is wrong.
 pub fn audit_page(audit: &PaperAudit<'_>, file: Option<&str>) -> Result<String, Diagnostic> {
-    let tables = audit.tables.iter().map(|one| table::section(audit, one, file));
+    let context = Context::new(audit, file);
+    let tables = audit.tables.iter().map(|one| table::section(&context, one));
     let tables = tables.collect::<Result<Vec<Markup>, Diagnostic>>()?;
-    let theorems = audit.theorems.iter().map(|one| claims::theorem(audit, one, file));
+    let theorems = audit.theorems.iter().map(|one| claims::theorem(&context, one));
     let theorems = theorems.collect::<Result<Vec<Markup>, Diagnostic>>()?;
     let paper = audit.paper;
     let bibliography = &paper.bibliography;
@@ -56,9 +58,9 @@ pub fn audit_page(audit: &PaperAudit<'_>, file: Option<&str>) -> Result<String, 
             (contents(audit))
             (buttons(audit))
             (list("Tables", "tables", &tables, Markup::clone))
-            (list("Equations", "equations", &audit.equations, |one| claims::equation(audit, one, file)))
-            (list("Functions of a parameter", "functions", &audit.functions, |one| claims::function(audit, one, file)))
-            (list("Parameter ranges", "ranges", &audit.ranges, |one| claims::range(audit, one, file)))
+            (list("Equations", "equations", &audit.equations, |one| claims::equation(&context, one)))
+            (list("Functions of a parameter", "functions", &audit.functions, |one| claims::function(&context, one)))
+            (list("Parameter ranges", "ranges", &audit.ranges, |one| claims::range(&context, one)))
             (list("Theorems", "theorems", &theorems, Markup::clone))
             section.overview { (blocks(&rest(audit), 0)) }
             (legend())

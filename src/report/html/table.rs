@@ -2,13 +2,15 @@
 
 use super::broken::broken;
 use super::cell::cell;
+use super::certified::certified;
 use super::command;
+use super::context::Context;
 use super::math::formula;
-use super::picture::{chart, readings};
+use super::picture::{chart, figure as figure_of, readings};
 use super::sheet::{facts, lines};
 use super::statement::definitions;
 use super::verdict::{BROKEN, LOOKS, Look};
-use crate::audit::{PaperAudit, TableFinding};
+use crate::audit::TableFinding;
 use crate::diagnostic::Diagnostic;
 use crate::report::audit::remarks;
 use crate::report::headers;
@@ -19,12 +21,11 @@ use maud::{Markup, html};
 /// # Errors
 /// When a formula of the claim file is wrong.
 pub(super) fn section(
-    audit: &PaperAudit<'_>,
+    context: &Context<'_, '_>,
     finding: &TableFinding<'_>,
-    file: Option<&str>,
 ) -> Result<Markup, Diagnostic> {
     let table = finding.table;
-    let broken = broken(audit, finding)?;
+    let broken = broken(context, finding)?;
     Ok(html! {
         section.claim id=(table.id) aria-labelledby={ "page:title-" (table.id) } {
             h3 id={ "page:title-" (table.id) } {
@@ -33,9 +34,9 @@ pub(super) fn section(
             (facts(&headers::schemes(table).into_iter().collect::<Vec<_>>()))
             dl.formulas {
                 div { dt { "said to equal" } dd { (formula(&table.value.expr)) } }
-                (definitions(audit, &table.value))
+                (definitions(context.audit, &table.value))
             }
-            (grid(audit, finding, file))
+            (grid(context, finding))
             (tally(finding))
             @if let Some(chart) = chart(finding) { (chart) }
             @for search in finding.searches() {
@@ -43,13 +44,15 @@ pub(super) fn section(
             }
             @for line in remarks(finding) { p.remark { (lines(&line)) } }
             (broken)
+            @for figure in table.figures.iter().filter_map(|figure| figure_of(finding, figure)) { (figure) }
             @if let Some(note) = &table.note { p.note { (lines(note)) } }
-            (command::explain(audit, &table.id, file))
+            (certified(context, &table.id))
+            (command::explain(context, &table.id))
         }
     })
 }
 
-fn grid(audit: &PaperAudit<'_>, finding: &TableFinding<'_>, file: Option<&str>) -> Markup {
+fn grid(context: &Context<'_, '_>, finding: &TableFinding<'_>) -> Markup {
     let table = finding.table;
     let name = format!("{}: {}", table.locus, table.title);
     html! {
@@ -71,7 +74,7 @@ fn grid(audit: &PaperAudit<'_>, finding: &TableFinding<'_>, file: Option<&str>) 
                                 @if let Some(rows) = &table.rows { (rows.entries[row].printed) }
                             }
                             @for (column, one) in cells.iter().enumerate() {
-                                (cell(audit, &table.id, (row, column), one, file))
+                                (cell(context, &table.id, (row, column), one))
                             }
                         }
                     }

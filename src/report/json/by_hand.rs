@@ -104,7 +104,7 @@ impl<'a> ByHand<'a> {
             contraction: hand.contraction.as_ref().map(|(c, norm)| (*c, norm.to_string())),
         };
         ByHand {
-            masks: hand.masks.iter().map(HandMask::of).collect(),
+            masks: hand.refiner.masks().iter().map(HandMask::of).collect(),
             constants: hand.constants.iter().map(Constant::of).collect(),
             bound: &hand.bound,
             refined: hand.refined.iter().map(level).collect(),

@@ -26,13 +26,13 @@ struct Line<'f> {
 }
 
 /// A cell, with the values that it shows.
-struct Mark<'f> {
-    place: usize,
+pub(super) struct Mark<'f> {
+    pub(super) place: usize,
     anchor: String,
     cell: &'f CellFinding,
-    printed: Option<f64>,
-    exact: Option<f64>,
-    sound: Option<f64>,
+    pub(super) printed: Option<f64>,
+    pub(super) exact: Option<f64>,
+    pub(super) sound: Option<f64>,
 }
 
 impl Mark<'_> {
@@ -96,7 +96,8 @@ pub(in crate::report::html) fn chart(finding: &TableFinding<'_>) -> Option<Marku
     })
 }
 
-fn mark<'f>(
+/// The values of a cell; `None` where it has none.
+pub(super) fn mark<'f>(
     finding: &'f TableFinding<'_>,
     (row, column): (usize, usize),
     place: usize,
@@ -126,7 +127,7 @@ fn mark<'f>(
 }
 
 /// The headers below the picture, not too many of them.
-fn labels(along: &Axis, x: &Scale) -> Vec<(f64, String)> {
+pub(super) fn labels(along: &Axis, x: &Scale) -> Vec<(f64, String)> {
     let step = along.entries.len().div_ceil(MAX_LABELS);
     let label = |place: usize| {
         let at = x.at(f64::from(u32::try_from(place).unwrap_or(u32::MAX)));

@@ -3,17 +3,33 @@
 //! Positions on a page are f64; what they show is computed exactly before.
 
 mod chart;
+mod control_polygon;
 mod curve;
 mod digits;
+mod faces;
+mod figure;
 mod frame;
+mod graph;
+mod grid;
+mod legend;
+mod level_chart;
 mod levels;
+mod line;
 mod range;
 mod readings;
+mod ring_places;
 mod scale;
+mod space;
 mod witness;
 
 pub(super) use chart::chart;
+pub use control_polygon::FarPolygon;
+pub(super) use control_polygon::control_polygon;
 pub(super) use digits::digits;
+pub use faces::ColouredFaces;
+pub(super) use faces::faces;
+pub(super) use figure::figure;
+pub(super) use level_chart::{LevelChart, Line};
 pub(super) use levels::levels;
 pub(super) use range::range;
 pub(super) use readings::readings;

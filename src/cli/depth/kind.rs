@@ -1,0 +1,63 @@
+//! Meshes, nets and solids, in words.
+
+/// What the depth is of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    Mesh,
+    /// A tensor net, with so many faces along a row.
+    Net {
+        faces_in_row: usize,
+    },
+    /// A hexahedral solid, the pieces of which are cells.
+    Solid,
+}
+
+impl Kind {
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Kind::Mesh | Kind::Solid => "mesh",
+            Kind::Net { .. } => "net",
+        }
+    }
+
+    pub(super) fn piece(self) -> &'static str {
+        if self == Kind::Solid { "cell" } else { "face" }
+    }
+
+    /// The cell (i, j) of a face of a net.
+    pub(super) fn cell(self, face: usize) -> Option<[usize; 2]> {
+        match self {
+            Kind::Mesh | Kind::Solid => None,
+            Kind::Net { faces_in_row } => Some([face / faces_in_row, face % faces_in_row]),
+        }
+    }
+
+    /// Whose edges the level a priori is about.
+    pub(super) fn all(self) -> &'static str {
+        match self {
+            Kind::Mesh => "meshes with these valences and",
+            Kind::Net { .. } => "nets with",
+            Kind::Solid => "meshes whose cells meet so, with",
+        }
+    }
+
+    /// What the distance is.
+    pub(super) fn distance(self) -> &'static str {
+        match self {
+            Kind::Mesh => {
+                "The distance is that of each face of the level from its own piece of the limit \
+                 surface, point by point at the same parameters. Faces and vertices are numbered from 0."
+            }
+            Kind::Net { .. } => {
+                "The distance is that of the net of the level, bilinear on each face, from the limit \
+                 surface, point by point at the same natural parameters. Cells, faces and vertices are \
+                 numbered from 0, row by row."
+            }
+            Kind::Solid => {
+                "The distance is that of each cell of the level from its own piece of the limit solid, \
+                 point by point at the same parameters; the boundary is a part of it. Cells and vertices \
+                 are numbered from 0."
+            }
+        }
+    }
+}

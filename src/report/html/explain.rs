@@ -1,0 +1,168 @@
+//! One finding as a page of its own.
+
+use super::broken::of_cell as broken_promise;
+use super::certified::of_cell as certified_cell;
+use super::claims;
+use super::command;
+use super::context::Context;
+use super::document::document;
+use super::picture::digits;
+use super::sheet::blocks;
+use super::table;
+use crate::audit::{PaperAudit, TableFinding};
+use crate::diagnostic::Diagnostic;
+use crate::exact::format::short;
+use crate::report::explain::{Background, explain_sheet, table_of};
+use crate::report::sheet::{Block, Sheet};
+use crate::report::{equation, function, theorem};
+use maud::{Markup, html};
+
+/// How many digits the exact value of a cell has in the sentence on top.
+const DIGITS: u32 = 9;
+
+/// The claim, table or cell of this id (`key:table-1`, `key:table-1:2:3`, `key:theorem-1`) as a page in one file
+/// that loads nothing: a sentence, its pictures, all that [`explain_sheet`] says, and the lines of its certificate.
+/// `None` where there is none. `file` is the claim file of a paper that is not embedded.
+///
+/// ```
+/// use subcert::audit::audit;
+/// use subcert::claim::embedded_papers;
+/// use subcert::report::Background;
+/// use subcert::report::html::explain_page;
+///
+/// let papers = embedded_papers()?;
+/// let audit = audit(&papers[2])?;
+/// let page = explain_page(&audit, "khan2019-newton:table-1:2:1", Background::default(), false, None)?;
+/// assert!(page.is_some_and(|page| page.contains("0.023863")));
+/// # Ok::<(), subcert::diagnostic::Diagnostic>(())
+/// ```
+///
+/// # Errors
+/// When a formula of the claim file is wrong.
+pub fn explain_page(
+    audit: &PaperAudit<'_>,
+    id: &str,
+    background: Background<'_>,
+    all: bool,
+    file: Option<&str>,
+) -> Result<Option<String>, Diagnostic> {
+    let audits = std::slice::from_ref(audit);
+    let Some(sheet) = explain_sheet(audits, id, background, all) else { return Ok(None) };
+    let context = Context { is_whole: true, ..Context::new(audit, file) };
+    let Some(Shown { sentence, contents, grid }) = shown(&context, id)? else { return Ok(None) };
+    let (title, rest) = parts(sheet, grid);
+    let bibliography = &audit.paper.bibliography;
+    let main = html! {
+        header {
+            h1 { (title) }
+            p {
+                (bibliography.short()) ", " (bibliography.title) "."
+                @if let Some(doi) = &bibliography.doi {
+                    " " a href={ "https://doi.org/" (doi) } { "doi:" (doi) }
+                }
+            }
+        }
+        main id="page:main" tabindex="-1" {
+            p.headline { strong { (sentence) } }
+            (contents)
+            @if !rest.blocks.is_empty() {
+                section.overview { h2 { "In full" } (blocks(&rest, 1)) }
+            }
+        }
+    };
+    Ok(Some(document(&format!("{title} · subcert"), &main)))
+}
+
+/// The heading of a sheet, and what stands below it; without the first grid, where this is shown already.
+fn parts(sheet: Sheet, mut grid: bool) -> (String, Sheet) {
+    let mut title = String::new();
+    let mut rest = Sheet::default();
+    for block in sheet.blocks {
+        match block {
+            Block::Heading(1, text) if title.is_empty() => title = text,
+            Block::Grid(_) if grid => grid = false,
+            block => rest.blocks.push(block),
+        }
+    }
+    (title, rest)
+}
+
+/// What a finding shows beyond its sheet.
+struct Shown {
+    sentence: String,
+    contents: Markup,
+    /// Whether the first grid of the sheet is among it.
+    grid: bool,
+}
+
+fn shown(context: &Context<'_, '_>, id: &str) -> Result<Option<Shown>, Diagnostic> {
+    let audit = context.audit;
+    if let Some((finding, at)) = table_of(std::slice::from_ref(audit), id) {
+        let own = format!("{}:{}", audit.paper.key, finding.table.id);
+        return if id == own {
+            of_table(context, finding)
+        } else {
+            of_cell(context, finding, id, at)
+        };
+    }
+    let claim = |locus: &str, outcome: &str, contents: Markup| {
+        let sentence = format!("{locus}: {}", outcome.lines().next().unwrap_or_default());
+        Some(Shown { sentence, contents, grid: false })
+    };
+    if let Some(one) = audit.equations.iter().find(|one| one.id == id) {
+        return Ok(claim(
+            &one.equation.locus,
+            &equation::outcome(one),
+            claims::equation(context, one),
+        ));
+    }
+    if let Some(one) = audit.functions.iter().find(|one| one.id == id) {
+        let outcome = function::function_outcome(one).join("\n");
+        return Ok(claim(&one.claim.locus, &outcome, claims::function(context, one)));
+    }
+    if let Some(one) = audit.ranges.iter().find(|one| one.id == id) {
+        let outcome = function::range_outcome(one).join("\n");
+        return Ok(claim(&one.claim.locus, &outcome, claims::range(context, one)));
+    }
+    let Some(one) = audit.theorems.iter().find(|one| one.id == id) else { return Ok(None) };
+    Ok(claim(&one.theorem.locus, &theorem::outcome(one), claims::theorem(context, one)?))
+}
+
+fn of_table(
+    context: &Context<'_, '_>,
+    finding: &TableFinding<'_>,
+) -> Result<Option<Shown>, Diagnostic> {
+    let cells = || finding.cells.iter().flatten();
+    let good = cells().filter(|cell| ["confirmed", "reproduced"].contains(&cell.verdict.name()));
+    let sentence = format!(
+        "{} of the {} numbers of {} are as the printed definition gives them.",
+        good.count(),
+        cells().filter(|cell| cell.printed.is_some()).count(),
+        finding.table.locus
+    );
+    Ok(Some(Shown { sentence, contents: table::section(context, finding)?, grid: true }))
+}
+
+fn of_cell(
+    context: &Context<'_, '_>,
+    finding: &TableFinding<'_>,
+    id: &str,
+    at: Option<(usize, usize)>,
+) -> Result<Option<Shown>, Diagnostic> {
+    let Some(cell) = finding.cells.iter().flatten().find(|cell| cell.id == id) else {
+        return Ok(None);
+    };
+    let printed = cell.printed.as_deref().unwrap_or("nothing that is left");
+    let exact = cell.exact.as_ref().map(|exact| format!(", exactly {}", short(exact, DIGITS)));
+    let verdict = cell.verdict.name();
+    let sentence = format!("Printed {printed}{}: {verdict}.", exact.unwrap_or_default());
+    let pictures = at.map(|at| broken_promise(context, finding, at)).transpose()?;
+    let anchor = id.split_once(':').map_or(id, |(_, anchor)| anchor);
+    let contents = html! {
+        @if let Some(digits) = digits(cell) { (digits) }
+        @for picture in pictures.iter().flatten() { (picture) }
+        @if let Some(at) = at { (certified_cell(context, &finding.table.id, at)) }
+        (command::explain(context, anchor))
+    };
+    Ok(Some(Shown { sentence, contents, grid: false }))
+}
