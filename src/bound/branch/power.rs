@@ -4,9 +4,13 @@ use super::growth::Growth;
 use super::search_tree::SearchTree;
 use super::searched::{Searched, either, unscaled};
 use crate::bound::budget::Budget;
+use crate::bound::extreme::ExtremeSearch;
 use crate::bound::power::{ClassCap, MAX_LEVELS, MAX_WORK, Order, PowerNorm, oriented};
 use crate::bound::walked_norm::walked_norm;
 use crate::scheme::Rules;
+
+/// The products of words after which a tree is given up for extreme rows.
+const SMALL_TREE: u64 = 1 << 24;
 
 /// ‖R^c‖ for several c. Later searches use what earlier ones found about R.
 ///
@@ -30,6 +34,10 @@ pub struct PowerSearch {
     rules: Rules,
     growth: Growth,
     budget: Budget,
+    /// The search by extreme rows, if it may be used; `None` in it where it does not apply.
+    extreme: Option<Option<ExtremeSearch>>,
+    /// Whether the tree was given up for extreme rows.
+    grown: bool,
 }
 
 impl PowerSearch {
@@ -38,7 +46,7 @@ impl PowerSearch {
     pub fn new(rules: &Rules, order: Order) -> PowerSearch {
         let rules = oriented(rules, order);
         let [growth] = Growth::of([&rules]);
-        PowerSearch { rules, growth, budget: Budget::unlimited() }
+        PowerSearch { rules, growth, budget: Budget::unlimited(), extreme: None, grown: false }
     }
 
     /// This search with a budget in products of words, which other computations may
@@ -48,6 +56,14 @@ impl PowerSearch {
         PowerSearch { budget, ..self }
     }
 
+    /// This search with extreme rows for [`norm`](PowerSearch::norm), where the tree is large: the rows of
+    /// R^m for m < c of which no other row of R^c comes that is as long are not continued
+    /// (`proofs/THEOREMS.md`, 113 to 115). There is no tree that proves these norms.
+    #[must_use]
+    pub fn with_extreme_rows(self) -> PowerSearch {
+        PowerSearch { extreme: Some(ExtremeSearch::new(&self.rules)), ..self }
+    }
+
     /// ‖R^c‖ and the least class that attains it, as
     /// [`power_norm`](crate::bound::power_norm).
     ///
@@ -55,14 +71,25 @@ impl PowerSearch {
     /// When c is above [`MAX_LEVELS`], or when the search does not end within 2^33 products
     /// and there are more than 2^24 residue classes; or when the budget does not suffice.
     pub fn norm(&mut self, levels: u32) -> Result<PowerNorm, ClassCap> {
-        let (rules, growth) = (&self.rules, &mut self.growth);
-        either(
-            [rules],
-            levels,
-            &self.budget,
-            || walked_norm(rules, levels, Order::Adjoint),
-            |work| Some(found(growth, levels, work)?.norm),
-        )
+        let PowerSearch { rules, growth, budget, extreme, grown } = self;
+        let walk = || walked_norm(rules, levels, Order::Adjoint);
+        either([rules], levels, budget, walk, |work| {
+            let Some(extreme) = extreme.as_mut().and_then(Option::as_mut) else {
+                return Some(found(growth, levels, work)?.norm);
+            };
+            if !*grown {
+                let mut share = SMALL_TREE.min(*work);
+                let whole = share;
+                let norm = found(growth, levels, &mut share);
+                *work -= whole - share;
+                match norm {
+                    Some(found) => return Some(found.norm),
+                    None => *grown = true,
+                }
+            }
+            let norm = (1..=MAX_LEVELS).contains(&levels).then(|| extreme.norm(levels, work));
+            norm?.or_else(|| Some(found(growth, levels, work)?.norm))
+        })
     }
 
     /// ‖R^c‖ by branch and bound, however few residue classes there are; `None` when the
