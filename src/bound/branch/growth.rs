@@ -5,6 +5,7 @@ use super::reach::{Moments, place, rounded_up};
 use super::scaled::Scaled;
 use super::search_tree::{Leaf, SearchTree, SearchedOperator};
 use super::uniform::{self, UniformBound};
+use crate::bound::budget::Budget;
 use crate::exact::{Integer, Rational};
 use crate::scheme::Rules;
 use std::collections::BTreeMap;
@@ -27,6 +28,8 @@ pub(super) struct Growth {
     reach: Vec<Reach>,
     /// The moments of E^m, where m is the length of `reach`.
     moments: Moments,
+    /// Searches end when this is stopped.
+    budget: Budget,
 }
 
 impl Growth {
@@ -39,7 +42,13 @@ impl Growth {
             sought: false,
             reach: Vec::new(),
             moments: Moments::start(),
+            budget: Budget::unlimited(),
         })
+    }
+
+    /// Searches end from now on when this budget is stopped.
+    pub(super) fn watch(&mut self, budget: Budget) {
+        self.budget = budget;
     }
 
     pub(super) fn operator(&self) -> &Scaled {
@@ -67,7 +76,8 @@ impl Growth {
     }
 
     fn problem(&self, levels: u32, threads: usize) -> Problem<'_, 1> {
-        Problem { operators: [&self.operator], reach: [&self.reach], levels, threads }
+        let (operators, reach) = ([&self.operator], [&self.reach[..]]);
+        Problem { operators, reach, levels, threads, budget: &self.budget }
     }
 
     /// A tree that proves the norm of the c-th power.

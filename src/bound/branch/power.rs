@@ -52,7 +52,8 @@ impl PowerSearch {
     /// This search with a budget in products of words, which other computations may
     /// share.
     #[must_use]
-    pub fn with_budget(self, budget: Budget) -> PowerSearch {
+    pub fn with_budget(mut self, budget: Budget) -> PowerSearch {
+        self.growth.watch(budget.clone());
         PowerSearch { budget, ..self }
     }
 
@@ -73,7 +74,11 @@ impl PowerSearch {
     pub fn norm(&mut self, levels: u32) -> Result<PowerNorm, ClassCap> {
         let PowerSearch { rules, growth, budget, extreme, grown } = self;
         let walk = || walked_norm(rules, levels, Order::Adjoint);
+        let watched = budget.clone();
         either([rules], levels, budget, walk, |work| {
+            if !(1..=MAX_LEVELS).contains(&levels) {
+                return None;
+            }
             let Some(extreme) = extreme.as_mut().and_then(Option::as_mut) else {
                 return Some(found(growth, levels, work)?.norm);
             };
@@ -87,8 +92,8 @@ impl PowerSearch {
                     None => *grown = true,
                 }
             }
-            let norm = (1..=MAX_LEVELS).contains(&levels).then(|| extreme.norm(levels, work));
-            norm?.or_else(|| Some(found(growth, levels, work)?.norm))
+            let norm = extreme.norm(levels, work, &watched);
+            norm.or_else(|| Some(found(growth, levels, work)?.norm))
         })
     }
 

@@ -2,6 +2,7 @@
 
 use super::estimate::{Place, margin};
 use super::scaled::Scaled;
+use crate::bound::budget::Budget;
 use crate::exact::Integer;
 use std::num::NonZero;
 use std::sync::LazyLock;
@@ -34,6 +35,8 @@ pub(super) struct Problem<'a, const K: usize> {
     pub(super) reach: [&'a [Reach]; K],
     pub(super) levels: u32,
     pub(super) threads: usize,
+    /// The search ends when this is stopped.
+    pub(super) budget: &'a Budget,
 }
 
 /// The greatest number of threads of a search.

@@ -3,6 +3,7 @@
 use super::exact_rows::ExactRows;
 use super::levels::Levels;
 use super::step::Steps;
+use crate::bound::budget::Budget;
 use crate::bound::power::PowerNorm;
 use crate::exact::CommonDenominator;
 use crate::scheme::Rules;
@@ -24,12 +25,21 @@ impl ExtremeSearch {
     }
 
     /// ‖R^c‖ and a class that attains it, for c ≥ 1. `None` when a cap is met, the work does not suffice,
+    /// the budget is stopped,
     /// or the rows that were dropped leave it open.
     ///
     /// The class is the least one, unless for some m < c two rows of R^m are equal or opposite.
-    pub(in crate::bound) fn norm(&mut self, levels: u32, work: &mut u64) -> Option<PowerNorm> {
+    pub(in crate::bound) fn norm(
+        &mut self,
+        levels: u32,
+        work: &mut u64,
+        budget: &Budget,
+    ) -> Option<PowerNorm> {
         let count = levels as usize;
         while self.levels.done().len() < count {
+            if budget.is_stopped() {
+                return None;
+            }
             self.advance(work)?;
         }
         let level = &self.levels.done()[count - 1];
