@@ -1,6 +1,6 @@
 //! The rows of each level that are continued.
 
-use super::select::Selection;
+use super::select::{Group, NEAR, Selection};
 use super::step::{Steps, TINY, length, lengths, upward};
 
 /// The most rows of a level that are continued.
@@ -14,7 +14,7 @@ const FEW: usize = 256;
 const UNIT: f64 = 1.0 / 1024.0;
 
 /// τ is at least this many times the error of a row, so that errors do not hide that a row is inside.
-const ABOVE_ERROR: f64 = 67_108_864.0;
+const ABOVE_ERROR: f64 = 4_194_304.0;
 
 /// Where a row comes from: the row of the level before, and the digit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -26,9 +26,9 @@ pub(super) struct Origin {
 /// What is known of one level m. All lengths are times 2^exponent.
 #[derive(Clone, Debug)]
 pub(super) struct Level {
-    /// The rows that are continued.
-    pub(super) origins: Vec<Origin>,
-    /// The places of those that may be the longest.
+    /// The groups of rows that are continued, each as one.
+    pub(super) groups: Vec<Vec<Origin>>,
+    /// The places of those that may have the longest row.
     pub(super) longest: Vec<usize>,
     /// Whether the longest row of all is proven to be among them.
     pub(super) proven: bool,
@@ -69,27 +69,8 @@ impl Levels {
         &self.done
     }
 
-    /// The digits of the row at this place of level m, the finest first.
-    pub(super) fn word(&self, levels: usize, at: usize) -> Vec<usize> {
-        let mut at = at;
-        let mut word: Vec<usize> = Vec::with_capacity(levels);
-        for level in self.done[..levels].iter().rev() {
-            let origin = level.origins[at];
-            word.push(origin.digit as usize);
-            at = origin.parent as usize;
-        }
-        word.reverse();
-        word
-    }
-
     /// Adds a level; `None` when a cap is met or the work does not suffice.
-    ///
-    /// `same` says whether two images, of these origins, are exactly equal or opposite.
-    pub(super) fn advance(
-        &mut self,
-        work: &mut u64,
-        mut same: impl FnMut(Origin, Origin) -> bool,
-    ) -> Option<()> {
+    pub(super) fn advance(&mut self, work: &mut u64) -> Option<()> {
         if self.over {
             return None;
         }
@@ -116,28 +97,34 @@ impl Levels {
         let error = upward(self.sum(exponent, |level| level.rounding) + rounding, 1);
         let unit = UNIT.max(ABOVE_ERROR * error);
         let selection = Selection { unit, error, most: MOST };
-        let exact = |i: usize, j: usize| same(origins[i], origins[j]);
-        let kept = selection.keep(&images, work, exact);
-        let useful = |kept: &Vec<usize>| kept.len() <= FEW || 10 * kept.len() <= 9 * images.len();
+        let kept = selection.keep(&images, work);
+        let useful =
+            |kept: &Vec<Group>| kept.len() <= FEW || 10 * kept.len() <= 9 * images.len();
         let Some(kept) = kept.filter(useful) else {
             self.over = true;
             return None;
         };
-        let known: Vec<[f64; 2]> = kept.iter().map(|&i| lengths(&images[i])).collect();
+        // The other rows of a group are continued as its first row.
+        let moved = if kept.iter().any(|group| group.len() > 1) { NEAR } else { 0.0 };
+        let error = upward(error + moved, 1);
+        let known: Vec<[f64; 2]> = kept.iter().map(|group| lengths(&images[group[0]])).collect();
         let least = known.iter().map(|known| known[0]).fold(0.0, f64::max) - error;
         let most = known.iter().map(|known| known[1]).fold(0.0, f64::max) + error;
         let hidden = self.greatest(exponent, |level| level.unit).max(unit);
-        let places = (0..kept.len()).filter(|&i| known[i][1] + error >= least - error);
+        let longest = (0..kept.len()).filter(|&i| known[i][1] + 2.0 * error >= least);
         self.done.push(Level {
-            longest: places.collect(),
+            longest: longest.collect(),
             proven: hidden < least * (1.0 - 1e-12),
             exponent,
-            rounding,
+            rounding: upward(rounding + moved, 1),
             unit,
             norm: upward(most.max(hidden), 4),
-            origins: kept.iter().map(|&i| origins[i]).collect(),
+            groups: kept
+                .iter()
+                .map(|group| group.iter().map(|&i| origins[i]).collect())
+                .collect(),
         });
-        self.rows = kept.into_iter().map(|i| std::mem::take(&mut images[i])).collect();
+        self.rows = kept.into_iter().map(|group| std::mem::take(&mut images[group[0]])).collect();
         self.exponent = exponent;
         Some(())
     }

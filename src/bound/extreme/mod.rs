@@ -14,7 +14,7 @@
 //! | `inside` | the proof that a row is inside a hull |
 //! | `select` | the extreme points of a set of rows |
 //! | `levels` | the rows of each level that are continued |
-//! | `exact_rows` | rows in integers |
+//! | `exact_rows` | the longest rows, in integers |
 //! | `search` | the exact norms |
 
 mod exact_rows;

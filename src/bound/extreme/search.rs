@@ -40,28 +40,12 @@ impl ExtremeSearch {
             if budget.is_stopped() {
                 return None;
             }
-            self.advance(work)?;
+            self.levels.advance(work)?;
         }
         let level = &self.levels.done()[count - 1];
-        let found = level.longest.iter().map(|&at| {
-            let word = self.levels.word(count, at);
-            let value = self.exact.norm(&self.exact.row(&word), levels);
-            PowerNorm { value, class: self.exact.class(&word) }
-        });
-        let better = |one: &PowerNorm, other: &PowerNorm| {
-            one.value.cmp(&other.value).then_with(|| other.class.cmp(&one.class))
-        };
-        if level.proven { found.max_by(better) } else { None }
-    }
-
-    /// Adds a level. Rows that are equal up to rounding are computed exactly.
-    fn advance(&mut self, work: &mut u64) -> Option<()> {
-        let last = self.levels.done().len();
-        let count = self.levels.done().last().map_or(1, |level| level.origins.len());
-        let words: Vec<Vec<usize>> = (0..count).map(|at| self.levels.word(last, at)).collect();
-        let exact = &mut self.exact;
-        self.levels.advance(work, |one, other| exact.same(one, other, &words))?;
-        self.exact.advance(&self.levels.done()[last].origins);
-        Some(())
+        if !level.proven {
+            return None;
+        }
+        self.exact.longest(&self.levels.done()[..count], &level.longest)
     }
 }
