@@ -47,7 +47,6 @@ pub(super) fn columns(mask: &Mask, difference: &Rules, wanted: &Wanted) -> Colum
 
 /// The norms of the powers up to the first that is out of reach.
 fn column(rules: &Rules, order: Order, budget: &Budget, levels: u32) -> Vec<Rational> {
-    let mut search =
-        PowerSearch::new(rules, order).with_budget(budget.clone()).with_extreme_rows();
+    let mut search = PowerSearch::new(rules, order).with_budget(budget.clone()).with_extreme_rows();
     (1..=levels).map_while(|c| Some(search.norm(c).ok()?.value)).collect()
 }

@@ -63,6 +63,24 @@ proptest! {
     }
 }
 
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    // More classes than are visited one by one: the tree, with bounds of single entries of the rows below a
+    // node, and extreme rows where it is large.
+    #[test]
+    fn both_together(mask in affine(4, 6)) {
+        for rules in [mask.difference(), mask.rules().clone()] {
+            let mut search = PowerSearch::new(&rules, Order::Adjoint).with_extreme_rows();
+            let c = levels(&rules, 4096) + 1;
+            for c in c..=c + 1 {
+                let walked = walked_norm(&rules, c, Order::Adjoint).unwrap();
+                prop_assert_eq!(search.norm(c).unwrap().value, walked.value, "c = {}", c);
+            }
+        }
+    }
+}
+
 // x'_{3i} = x_i and two points on the line through x_i and x_{i+1}: the differences are multiplied by 4/5, −1/2
 // and 7/10, each in one of three thirds.
 #[test]

@@ -56,7 +56,7 @@ fn numbers_and_flags() {
 
 #[test]
 fn rings() {
-    let cases: [(&[&str], &[&str]); 13] = [
+    let cases: [(&[&str], &[&str]); 14] = [
         (
             &["depth", "doo-sabin:n=5", "--tolerance", "1", "--polygon", "rustfmt.toml"],
             &["--polygon and --width are for curves"],

@@ -63,7 +63,8 @@ impl PowerSearch {
     ///
     /// Source: `proofs/THEOREMS.md`, 113 to 115.
     #[must_use]
-    pub fn with_extreme_rows(self) -> PowerSearch {
+    pub fn with_extreme_rows(mut self) -> PowerSearch {
+        self.growth.sharpen();
         PowerSearch { extreme: Some(ExtremeSearch::new(&self.rules)), ..self }
     }
 

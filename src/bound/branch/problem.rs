@@ -17,6 +17,14 @@ pub(super) struct Reach {
     pub(super) place: Option<Place<Integer>>,
 }
 
+impl Reach {
+    /// These data without bounds of single entries.
+    pub(super) fn without_entries(&self) -> Reach {
+        let place = self.place.as_ref().map(Place::without_entries);
+        Reach { total: self.total.clone(), place }
+    }
+}
+
 /// The greatest row, and the effort of the search.
 #[derive(Clone, Debug)]
 pub(super) struct Greatest {
@@ -58,7 +66,11 @@ impl<const K: usize> Problem<'_, K> {
             let bits = reach.iter().zip(reach.iter().rev()).map(|(upper, lower)| {
                 (&upper.total * &lower.total).bits() - operator.fraction.bits() + 1
             });
-            bits.max().unwrap_or(0) + operator.largest().bits() + margin(operator.size)
+            bits.max().unwrap_or(0)
+                + operator.largest().bits()
+                + margin(operator.size)
+                + u64::from(operator.size.ilog2())
+                + 1
         });
         values.sum::<u64>().max(classes)
     }

@@ -37,9 +37,10 @@ impl ExactRows {
         for (level, needed) in levels.iter().zip(&needed) {
             rows = self.next(&rows, level, needed)?;
         }
-        let found = rows.into_values().flatten().map(|(row, word)| {
-            (row.iter().map(Integer::abs).sum::<Integer>(), word)
-        });
+        let found = rows
+            .into_values()
+            .flatten()
+            .map(|(row, word)| (row.iter().map(Integer::abs).sum::<Integer>(), word));
         let found: Vec<(Integer, Vec<usize>)> = found.collect();
         let value = found.iter().map(|(value, _)| value).max()?.clone();
         let equal = found.iter().filter(|one| one.0 == value);
@@ -84,9 +85,10 @@ impl ExactRows {
     fn class(&self, word: &[usize]) -> Integer {
         let arity = Integer::from(self.matrices.edges.len());
         let offset = Integer::from(self.offset);
-        let base = word.iter().rev().fold(Integer::zero(), |base, &digit| {
-            (base - &offset) * &arity + Integer::from(digit)
-        });
+        let base = word
+            .iter()
+            .rev()
+            .fold(Integer::zero(), |base, &digit| (base - &offset) * &arity + Integer::from(digit));
         let count = u32::try_from(word.len()).expect("at most 256 levels");
         base.div_rem_floor(&arity.pow(count)).1
     }

@@ -77,7 +77,8 @@ impl Levels {
         let steps = &self.steps;
         *work = work.checked_sub(steps.work() * self.rows.len() as u64)?;
         let longest = self.rows.iter().map(|row| lengths(row)[1]).fold(0.0, f64::max);
-        let of = |parent: u32| (0_u32..).take(steps.arity()).map(move |digit| Origin { parent, digit });
+        let of =
+            |parent: u32| (0_u32..).take(steps.arity()).map(move |digit| Origin { parent, digit });
         let origins: Vec<Origin> = (0..).zip(&self.rows).flat_map(|(at, _)| of(at)).collect();
         let image = |origin: &Origin| {
             steps.image(&self.rows[origin.parent as usize], origin.digit as usize)
@@ -98,8 +99,7 @@ impl Levels {
         let unit = UNIT.max(ABOVE_ERROR * error);
         let selection = Selection { unit, error, most: MOST };
         let kept = selection.keep(&images, work);
-        let useful =
-            |kept: &Vec<Group>| kept.len() <= FEW || 10 * kept.len() <= 9 * images.len();
+        let useful = |kept: &Vec<Group>| kept.len() <= FEW || 10 * kept.len() <= 9 * images.len();
         let Some(kept) = kept.filter(useful) else {
             self.over = true;
             return None;
@@ -119,10 +119,7 @@ impl Levels {
             rounding: upward(rounding + moved, 1),
             unit,
             norm: upward(most.max(hidden), 4),
-            groups: kept
-                .iter()
-                .map(|group| group.iter().map(|&i| origins[i]).collect())
-                .collect(),
+            groups: kept.iter().map(|group| group.iter().map(|&i| origins[i]).collect()).collect(),
         });
         self.rows = kept.into_iter().map(|group| std::mem::take(&mut images[group[0]])).collect();
         self.exponent = exponent;

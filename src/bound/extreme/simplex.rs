@@ -42,8 +42,7 @@ impl Simplex {
         let columns = vec![Vec::new(); size];
         let (basis, inverse) = (Vec::new(), Vec::new());
         let (updates, work) = (0, 0);
-        let mut simplex =
-            Simplex { size, unit, count: 0, columns, basis, inverse, updates, work };
+        let mut simplex = Simplex { size, unit, count: 0, columns, basis, inverse, updates, work };
         for i in 0..size {
             simplex.push((0..size).map(|j| if i == j { unit } else { 0.0 }));
         }
