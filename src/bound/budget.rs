@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 /// A number of steps that several computations may take together. A step is roughly a product of
 /// two 64-bit words. Clones share the remaining steps.
@@ -33,13 +33,15 @@ use std::sync::atomic::{AtomicU64, Ordering};
 pub struct Budget {
     total: u64,
     left: Arc<AtomicU64>,
+    stopped: Arc<AtomicBool>,
 }
 
 impl Budget {
     /// A budget of `steps` steps.
     #[must_use]
     pub fn new(steps: u64) -> Budget {
-        Budget { total: steps, left: Arc::new(AtomicU64::new(steps)) }
+        let (left, stopped) = (Arc::new(AtomicU64::new(steps)), Arc::default());
+        Budget { total: steps, left, stopped }
     }
 
     /// A budget that never runs out: only the other caps apply.
@@ -73,6 +75,12 @@ impl Budget {
     /// ```
     pub fn stop(&self) {
         self.left.store(0, Ordering::Relaxed);
+        self.stopped.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether [`stop`](Budget::stop) was called. Searches that run look at it now and then.
+    pub(crate) fn is_stopped(&self) -> bool {
+        self.stopped.load(Ordering::Relaxed)
     }
 
     /// Takes `steps` steps and returns `true`; takes none and returns `false` if fewer

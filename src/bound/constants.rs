@@ -52,6 +52,7 @@ pub struct Constants {
     known: RefCell<BTreeMap<Key, Rational>>,
     searches: RefCell<BTreeMap<(Operator, Order), PowerSearch>>,
     budget: Budget,
+    extreme: bool,
 }
 
 impl Constants {
@@ -60,7 +61,7 @@ impl Constants {
     pub fn new(mask: Mask) -> Constants {
         let difference = mask.difference();
         let (known, searches) = Default::default();
-        Constants { mask, difference, known, searches, budget: Budget::unlimited() }
+        Constants { mask, difference, known, searches, budget: Budget::unlimited(), extreme: false }
     }
 
     /// These constants with a budget in products of words, which other computations may
@@ -68,6 +69,13 @@ impl Constants {
     #[must_use]
     pub fn with_budget(self, budget: Budget) -> Constants {
         Constants { budget, ..self }
+    }
+
+    /// These constants with extreme rows, as in
+    /// [`PowerSearch::with_extreme_rows`](super::PowerSearch::with_extreme_rows).
+    #[must_use]
+    pub fn with_extreme_rows(self) -> Constants {
+        Constants { extreme: true, ..self }
     }
 
     /// The mask.
@@ -98,7 +106,10 @@ impl Constants {
         self.once((Some(operator), c, order), || {
             let mut searches = self.searches.borrow_mut();
             let search = searches.entry((operator, order));
-            let new = || PowerSearch::new(rules, order).with_budget(self.budget.clone());
+            let new = || {
+                let search = PowerSearch::new(rules, order).with_budget(self.budget.clone());
+                if self.extreme { search.with_extreme_rows() } else { search }
+            };
             Ok(search.or_insert_with(new).norm(c)?.value)
         })
     }

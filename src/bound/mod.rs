@@ -8,6 +8,7 @@ mod convolution;
 mod delta;
 mod depth;
 mod displacement;
+mod extreme;
 mod local_power;
 mod local_rules;
 mod norm;

@@ -105,10 +105,11 @@ impl Kernel for IntegerPolynomial {
 
 /// One term of a transition: the entry at `from`, times the coefficient, is added to the
 /// entry at `to`.
-struct Edge<T> {
-    from: usize,
-    to: usize,
-    coefficient: T,
+#[derive(Clone, Debug)]
+pub(super) struct Edge<T> {
+    pub(super) from: usize,
+    pub(super) to: usize,
+    pub(super) coefficient: T,
 }
 
 /// The transitions of a row vector by one level, one list for each digit d.
@@ -118,9 +119,10 @@ struct Edge<T> {
 /// coefficients j of rule (d+p) mod n, and added at base′ + ⌊(d+p)/n⌋ + j. As r runs
 /// through the residues mod n^c, (d_1, …, d_c) runs through all words, for every offset
 /// o.
-struct Transitions<T> {
-    length: usize,
-    edges: Vec<Vec<Edge<T>>>,
+#[derive(Clone, Debug)]
+pub(super) struct Transitions<T> {
+    pub(super) length: usize,
+    pub(super) edges: Vec<Vec<Edge<T>>>,
 }
 
 /// The number L of entries of a row vector that are stored.
@@ -154,7 +156,7 @@ pub(crate) fn steps_of_visit(arity: usize, width: usize, levels: u32) -> u64 {
 }
 
 impl<T: Kernel> Transitions<T> {
-    fn new(rows: &[Vec<T>]) -> Transitions<T> {
+    pub(super) fn new(rows: &[Vec<T>]) -> Transitions<T> {
         let (arity, width) = (rows.len(), rows[0].len());
         let length = row_length(arity, width);
         let edges_of = |digit: usize| {
@@ -173,7 +175,7 @@ impl<T: Kernel> Transitions<T> {
         Transitions { length, edges: (0..arity).map(edges_of).collect() }
     }
 
-    fn advance(&self, digit: usize, from: &[T], to: &mut [T]) {
+    pub(super) fn advance(&self, digit: usize, from: &[T], to: &mut [T]) {
         to.fill(T::nothing());
         for edge in &self.edges[digit] {
             to[edge.to].accumulate(&from[edge.from], &edge.coefficient);

@@ -1,14 +1,14 @@
 //! `subcert constants`.
 
-use super::arguments::ConstantsArguments;
+use super::arguments::{ConstantsArguments, TableFormat};
+use super::columns::{Columns, Wanted, columns};
 use super::csv;
 use super::json::{SCHEMA, constants as form};
 use super::local_constants::local_constants;
 use super::offset::BetterOffset;
 use super::output::{Failure, Outcome, show_table, with_decimal};
 use subcert::bound::{
-    Budget, ClassCap, Constants, DeltaCondition, Order, PowerSearch, Terms, best_offset,
-    displacement, surface_factor,
+    ClassCap, Constants, DeltaCondition, Terms, best_offset, displacement, surface_factor,
 };
 use subcert::exact::{Rational, format::short};
 use subcert::limit::{NaturalShift, natural_shift};
@@ -18,10 +18,18 @@ use subcert::scheme::{AnyScheme, Mask, Rules, Scheme, parse_any_scheme};
 pub(super) fn constants(arguments: &ConstantsArguments) -> Outcome {
     let scheme = match parse_any_scheme(&arguments.scheme)? {
         AnyScheme::Uniform(scheme) => scheme,
+        AnyScheme::LocalRules(_) if arguments.forward => {
+            let problem = "--forward: the rules of a ring have no order; leave it out";
+            return Err(Failure::Input(problem.to_owned()));
+        }
         AnyScheme::LocalRules(ring) => return local_constants(&ring, arguments),
     };
-    let levels = arguments.block.levels;
-    let mut report = Report::of(&scheme, levels).map_err(|e| Failure::Input(e.to_string()))?;
+    let wanted = Wanted {
+        levels: arguments.block.levels,
+        forward: arguments.forward,
+        progress: arguments.output.format != TableFormat::Json,
+    };
+    let mut report = Report::of(&scheme, &wanted).map_err(|e| Failure::Input(e.to_string()))?;
     let name = &arguments.scheme;
     report.better_offsets = BetterOffset::all_of(name, &scheme)?;
     show_table(
@@ -50,20 +58,18 @@ struct Direction {
     delta: DeltaCondition,
     mask: Mask,
     difference: Rules,
-    /// T_c and Λ_c for c = 1, 2, …, as far as they are in reach, in adjoint order, then both
-    /// in forward order.
-    columns: [Vec<Rational>; 4],
+    columns: Columns,
     sigma: Vec<(String, Rational)>,
     shift: NaturalShift,
 }
 
 impl Report {
-    fn of(scheme: &Scheme, levels: u32) -> Result<Report, ClassCap> {
+    fn of(scheme: &Scheme, wanted: &Wanted) -> Result<Report, ClassCap> {
         let constants: Vec<Constants> =
             scheme.masks().into_iter().cloned().map(Constants::new).collect();
         let directions = constants
             .iter()
-            .map(|one| Direction::of(one, levels))
+            .map(|one| Direction::of(one, wanted))
             .collect::<Result<Vec<Direction>, ClassCap>>()?;
         let surface = match &constants[..] {
             [first, second] => {
@@ -86,7 +92,7 @@ impl Report {
 }
 
 impl Direction {
-    fn of(constants: &Constants, levels: u32) -> Result<Direction, ClassCap> {
+    fn of(constants: &Constants, wanted: &Wanted) -> Result<Direction, ClassCap> {
         let mask = constants.mask().clone();
         let (best, least) = best_offset(&mask);
         let own = mask.offset();
@@ -98,41 +104,17 @@ impl Direction {
             ("|Σ| in place of σ at offset 0".to_owned(), displacement(&unshifted, Terms::Total)),
         ];
         let difference = constants.difference().clone();
-        let columns = columns(&mask, &difference, levels);
+        let columns = columns(&mask, &difference, wanted);
         let delta = DeltaCondition::curve(constants)?;
         let shift = natural_shift(&mask);
         Ok(Direction { delta, mask, difference, columns, sigma, shift })
     }
 
     /// For each c the values of all columns; `None` beyond reach.
-    fn rows(&self) -> impl Iterator<Item = (usize, [Option<&Rational>; 4])> {
+    fn rows(&self) -> impl Iterator<Item = (usize, Vec<Option<&Rational>>)> {
         let longest = self.columns.iter().map(Vec::len).max().unwrap_or(0);
-        (0..longest).map(|i| (i + 1, self.columns.each_ref().map(|column| column.get(i))))
+        (0..longest).map(|i| (i + 1, self.columns.iter().map(|column| column.get(i)).collect()))
     }
-}
-
-/// The most steps for the constants of one column.
-const MAX_STEPS: u64 = 1_000_000_000;
-
-/// The norms of the powers of both operators in both orders, each up to the first that is out of
-/// reach. Each column has a thread and a budget of its own, so that how far it gets does not depend
-/// on the others.
-fn columns(mask: &Mask, difference: &Rules, levels: u32) -> [Vec<Rational>; 4] {
-    let column = |rules: &Rules, order| {
-        let budget = Budget::new(MAX_STEPS);
-        let mut search = PowerSearch::new(rules, order).with_budget(budget);
-        (1..=levels).map_while(|c| Some(search.norm(c).ok()?.value)).collect::<Vec<Rational>>()
-    };
-    std::thread::scope(|scope| {
-        let orders = [Order::Adjoint, Order::Forward];
-        let threads = orders.map(|order| {
-            [difference, mask.rules()].map(|rules| scope.spawn(move || column(rules, order)))
-        });
-        let [adjoint, forward] =
-            threads.map(|pair| pair.map(|thread| thread.join().expect("a column")));
-        let ([a, b], [c, d]) = (adjoint, forward);
-        [a, b, c, d]
-    })
 }
 
 impl Report {
@@ -201,18 +183,24 @@ impl Direction {
         facts.push(("δ = T_1".to_owned(), delta_text(&self.delta)));
         facts.extend(self.sigma.iter().map(|(name, value)| (name.clone(), with_decimal(value))));
         sheet.facts(facts);
-        let header = ["c", "T_c", "Λ_c", "T_c forward", "Λ_c forward"].map(str::to_owned).to_vec();
+        let names = ["c", "T_c", "Λ_c", "T_c forward", "Λ_c forward"];
+        let header = names[..=self.columns.len()].iter().map(|&name| name.to_owned()).collect();
         let rows = self.rows().map(|(c, row)| {
             let cell = |value: Option<&Rational>| value.map_or("–".to_owned(), |x| short(x, 10));
-            std::iter::once(c.to_string()).chain(row.map(cell)).collect()
+            std::iter::once(c.to_string()).chain(row.into_iter().map(cell)).collect()
         });
         sheet.grid(Grid { header, rows: rows.collect(), left_columns: 0 });
-        sheet.text(
-            "T_c bounds the differences after c levels; the forward columns are what papers that \
-             read the masks forwards compute, and bound nothing.",
-        );
+        let mut meaning = "T_c bounds the differences after c levels".to_owned();
+        if self.columns.len() > 2 {
+            meaning += "; the forward columns are what papers that read the masks forwards \
+                        compute, and bound nothing";
+        }
+        sheet.text(meaning + ".");
         if self.rows().any(|(_, row)| row.contains(&None)) {
-            sheet.text("–: neither branch and bound nor a visit of all rows settles it.");
+            sheet.text(
+                "–: not found within the caps on work, by branch and bound, by extreme rows or by a \
+                 visit of all rows.",
+            );
         }
         if !self.shift.keeps_lines {
             let shifts = self.shift.of_rules.iter().map(|shift| short(shift, 6));
@@ -228,8 +216,9 @@ impl Direction {
 
     fn form(&self) -> form::Direction<'_> {
         let levels = self.rows().map(|(c, row)| {
-            let [contraction, norm, contraction_forward, norm_forward] =
-                row.map(|value| value.map(Exact::of));
+            let mut row = row.into_iter().map(|value| value.map(Exact::of));
+            let (contraction, norm) = (row.next().flatten(), row.next().flatten());
+            let (contraction_forward, norm_forward) = (row.next(), row.next());
             form::Level { c, contraction, norm, contraction_forward, norm_forward }
         });
         let sigma = self.sigma.iter();

@@ -21,10 +21,10 @@ pub(super) fn constants(constants: &Constants<'_>) -> String {
         }
         for level in &direction.levels {
             for (quantity, value) in [
-                ("contraction", &level.contraction),
-                ("norm", &level.norm),
-                ("contraction_forward", &level.contraction_forward),
-                ("norm_forward", &level.norm_forward),
+                ("contraction", level.contraction.as_ref()),
+                ("norm", level.norm.as_ref()),
+                ("contraction_forward", flat(&level.contraction_forward)),
+                ("norm_forward", flat(&level.norm_forward)),
             ] {
                 if let Some(value) = value {
                     row(quantity, level.c.to_string(), value);
@@ -43,6 +43,10 @@ pub(super) fn constants(constants: &Constants<'_>) -> String {
         }
     }
     out.text
+}
+
+fn flat(value: &Option<Option<Exact>>) -> Option<&Exact> {
+    value.as_ref().and_then(Option::as_ref)
 }
 
 /// The constants of a ring: one row for each number.

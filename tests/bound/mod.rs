@@ -6,6 +6,7 @@ mod constants;
 mod convolution;
 mod depth;
 mod displacement;
+mod extreme;
 mod local_rules;
 mod norm;
 mod parameter_range;

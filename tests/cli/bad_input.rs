@@ -56,13 +56,14 @@ fn numbers_and_flags() {
 
 #[test]
 fn rings() {
-    let cases: [(&[&str], &[&str]); 13] = [
+    let cases: [(&[&str], &[&str]); 14] = [
         (
             &["depth", "doo-sabin:n=5", "--tolerance", "1", "--polygon", "rustfmt.toml"],
             &["--polygon and --width are for curves"],
         ),
         (&["constants", "chaikin x doo-sabin:n=5"], &["`doo-sabin` is a ring", "needs a mask"]),
         (&["constants", "doo-sabin"], &["needs its parameter `n`"]),
+        (&["constants", "doo-sabin:n=5", "--forward"], &["--forward", "a ring", "leave it out"]),
         (&["constants", "doo-sabin:n=7/2"], &["points of `face` is 7/2", "from 1 to 600"]),
         (&["constants", "doo-sabin:n=2"], &["needs n >= 3, and n is 2", "vertices of the face"]),
         (&["constants", "catmull-clark:N=2"], &["needs N >= 3, and N is 2: it is valence"]),

@@ -80,11 +80,11 @@ fn explain_a_cell_an_equation_and_a_theorem() {
 
 #[test]
 fn constants_of_a_curve_and_of_a_surface() {
-    subcert(["constants", "newton:j=1,n=3"])
+    subcert(["constants", "newton:j=1,n=3", "--forward"])
         .assert()
         .success()
         .stdout_eq(file!["snapshots/constants.txt"]);
-    subcert(["constants", "chaikin x four-point", "-c", "2", "--format", "json"])
+    subcert(["constants", "chaikin x four-point", "-c", "2", "--forward", "--format", "json"])
         .assert()
         .success()
         .stdout_eq(file!["snapshots/constants-surface.json": Text]);

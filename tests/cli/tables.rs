@@ -4,11 +4,14 @@ use super::written;
 
 #[test]
 fn constants_as_csv() {
-    let csv = written(["constants", "chaikin", "-c", "2", "--format", "csv"]);
+    let csv = written(["constants", "chaikin", "-c", "2", "--forward", "--format", "csv"]);
     let lines: Vec<&str> = csv.lines().collect();
     assert_eq!(lines[0], "direction,quantity,c,exact,decimal");
     assert!(lines.contains(&"1,contraction,2,1/4,0.25"), "{csv}");
     assert!(lines.contains(&"1,norm_forward,1,1,1"), "{csv}");
+    let sound = written(["constants", "chaikin", "-c", "2", "--format", "csv"]);
+    let kept: Vec<&str> = lines.into_iter().filter(|line| !line.contains("_forward")).collect();
+    assert_eq!(sound.lines().collect::<Vec<&str>>(), kept);
     let surface = written(["constants", "chaikin x four-point", "-c", "1", "--format", "csv"]);
     assert!(surface.contains("\nsurface,delta,,"), "{surface}");
     let ring = written(["constants", "doo-sabin:n=4", "-c", "1", "--format", "csv"]);
@@ -26,7 +29,7 @@ fn cells_as_csv() {
 
 #[test]
 fn tables_as_latex() {
-    let latex = written(["constants", "chaikin", "-c", "2", "--format", "latex"]);
+    let latex = written(["constants", "chaikin", "-c", "2", "--forward", "--format", "latex"]);
     for part in [
         "% chaikin\n",
         "\\begin{tabular}{rrrrr}\n\\toprule\n",

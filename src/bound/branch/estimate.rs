@@ -27,6 +27,8 @@ pub(super) struct Place<N> {
     stray: N,
     /// fraction·q^m.
     unit: N,
+    /// Bounds of the single |λ_p|, times 2^PLACES and times `unit`; empty if none are known.
+    entries: Vec<(i64, N)>,
 }
 
 /// Upper bounds of the norms of the rows t = 0, …, n^m − 1 below a node, as a function that is
@@ -79,7 +81,30 @@ impl Place<Integer> {
         let fits = |factor: &i64| factor.abs() < LARGEST_FACTOR;
         let factor = -(-total.shifted_left(PLACES)).div_floor(&unit);
         let factor = factor.to_i64().filter(fits);
-        coarse.iter().all(fits).then_some(Place { base, coarse, fine, total, factor, stray, unit })
+        let entries = Vec::new();
+        coarse.iter().all(fits).then_some(Place {
+            base,
+            coarse,
+            fine,
+            total,
+            factor,
+            stray,
+            unit,
+            entries,
+        })
+    }
+
+    /// This place with these bounds of the single |λ_p|, times 2^PLACES.
+    pub(super) fn with_entries(self, entries: &[i64]) -> Place<Integer> {
+        let scaled = |x: &i64| (&self.unit * Integer::from(*x)).shifted_right(PLACES);
+        // `unit` is a multiple of 2^PLACES.
+        let entries = entries.iter().map(|x| (*x, scaled(x))).collect();
+        Place { entries, ..self }
+    }
+
+    /// This place without bounds of the single |λ_p|.
+    pub(super) fn without_entries(&self) -> Place<Integer> {
+        Place { entries: Vec::new(), ..self.clone() }
     }
 
     /// This place with its numbers in another type of integers.
@@ -92,6 +117,7 @@ impl Place<Integer> {
             factor: self.factor,
             stray: T::from_integer(&self.stray),
             unit: T::from_integer(&self.unit),
+            entries: self.entries.iter().map(|(x, y)| (*x, T::from_integer(y))).collect(),
         }
     }
 }
@@ -156,7 +182,7 @@ impl<T: Number> Estimator<T> {
                 line[0].add_times(first, sign);
                 line[1].add_times(second, sign);
             }
-            let certain = sign != 0 && self.within(column, &values, place.factor);
+            let certain = sign != 0 && self.within(column, &values, place);
             self.gather(column, size, if certain { sign } else { 0 });
         }
         let at_ends = place.at_ends(&line[0], &line[1]);
@@ -168,7 +194,13 @@ impl<T: Number> Estimator<T> {
                 deviation.clone_from(rest);
             }
         }
-        let deviation = deviation.product(&place.total);
+        let mut deviation = deviation.product(&place.total);
+        if !place.entries.is_empty() {
+            let terms = self.rest.iter().zip(&place.entries);
+            let single =
+                terms.fold(T::zero(), |sum, (rest, (_, bound))| sum.plus(&rest.product(bound)));
+            deviation = deviation.min(single);
+        }
         Line { bounds: ends.clone().map(|end| end.plus(&deviation)), norms: ends }
     }
 
@@ -185,9 +217,19 @@ impl<T: Number> Estimator<T> {
 
     /// Whether the largest deviation in a column, times the bound of Σ_p |λ_p|, is at most
     /// the column's absolute value at both ends.
-    fn within(&self, column: usize, values: &[T; 2], factor: Option<i64>) -> bool {
+    fn within(&self, column: usize, values: &[T; 2], place: &Place<T>) -> bool {
         let spread = &self.spreads[column];
-        let radius = match factor {
+        if !place.entries.is_empty() {
+            let deviations = self.deviations.iter().skip(column).step_by(place.entries.len());
+            let mut radius = T::zero();
+            for (deviation, (bound, _)) in deviations.zip(&place.entries) {
+                radius.add_times(&deviation.magnitude(), *bound);
+            }
+            if values.iter().all(|value| value.magnitude() >= radius) {
+                return true;
+            }
+        }
+        let radius = match place.factor {
             Some(factor) => T::times(spread, factor),
             None if *spread == T::zero() => return true,
             None => return false,

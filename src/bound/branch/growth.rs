@@ -1,10 +1,12 @@
 //! The norms ‖E^m‖, or bounds of them, that a search needs.
 
+use super::entries::Entries;
 use super::problem::{Greatest, Problem, Reach, threads};
 use super::reach::{Moments, place, rounded_up};
 use super::scaled::Scaled;
 use super::search_tree::{Leaf, SearchTree, SearchedOperator};
 use super::uniform::{self, UniformBound};
+use crate::bound::budget::Budget;
 use crate::exact::{Integer, Rational};
 use crate::scheme::Rules;
 use std::collections::BTreeMap;
@@ -27,6 +29,10 @@ pub(super) struct Growth {
     reach: Vec<Reach>,
     /// The moments of E^m, where m is the length of `reach`.
     moments: Moments,
+    /// Searches end when this is stopped.
+    budget: Budget,
+    /// Bounds of single entries, if they are used.
+    entries: Option<Entries>,
 }
 
 impl Growth {
@@ -39,7 +45,37 @@ impl Growth {
             sought: false,
             reach: Vec::new(),
             moments: Moments::start(),
+            budget: Budget::unlimited(),
+            entries: None,
         })
+    }
+
+    /// From now on, searches use bounds of single entries. Trees that prove norms do not.
+    pub(super) fn sharpen(&mut self) {
+        if self.entries.is_none() && self.operator.shift.is_some() {
+            self.entries = Entries::new(&self.operator);
+            // The bounds so far have none.
+            for m in 0..self.reach.len() {
+                self.add_entries(m);
+            }
+        }
+    }
+
+    /// Adds the bounds of single entries of E^m.
+    fn add_entries(&mut self, m: usize) {
+        let Growth { entries: Some(entries), operator, reach, .. } = self else { return };
+        let total = |i: usize| {
+            let power = operator.denominator.pow(u32::try_from(i).expect("at most 256 levels"));
+            Rational::new(reach[i].total.clone(), power * &operator.fraction)
+        };
+        let bounds = entries.of(m, total).to_vec();
+        let place = reach[m].place.take();
+        reach[m].place = place.map(|place| place.with_entries(&bounds));
+    }
+
+    /// Searches end from now on when this budget is stopped.
+    pub(super) fn watch(&mut self, budget: Budget) {
+        self.budget = budget;
     }
 
     pub(super) fn operator(&self) -> &Scaled {
@@ -67,13 +103,16 @@ impl Growth {
     }
 
     fn problem(&self, levels: u32, threads: usize) -> Problem<'_, 1> {
-        Problem { operators: [&self.operator], reach: [&self.reach], levels, threads }
+        let (operators, reach) = ([&self.operator], [&self.reach[..]]);
+        Problem { operators, reach, levels, threads, budget: &self.budget }
     }
 
     /// A tree that proves the norm of the c-th power.
     pub(super) fn tree(&mut self, levels: u32, work: &mut u64) -> Option<SearchTree> {
         let greatest = self.greatest(levels, work)?;
-        let leaves = self.problem(levels, 1).leaves(&greatest, work)?;
+        let plain: Vec<Reach> = self.reach.iter().map(Reach::without_entries).collect();
+        let problem = Problem { reach: [&plain], ..self.problem(levels, 1) };
+        let leaves = problem.leaves(&greatest, work)?;
         Some(Growth::search_tree([self], levels, greatest, leaves))
     }
 
@@ -169,6 +208,7 @@ impl Growth {
             place
         });
         self.reach.push(Reach { total, place });
+        self.add_entries(self.reach.len() - 1);
     }
 
     /// The least product of the bounds of ‖E^a‖ and ‖E^{m−a}‖ over 0 < a < m, for m ≥ 2.

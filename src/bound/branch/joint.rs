@@ -96,6 +96,6 @@ impl JointSearch {
         }
         let operators = self.growths.each_ref().map(Growth::operator);
         let reach = self.growths.each_ref().map(Growth::reach);
-        Some(Problem { operators, reach, levels, threads: threads() })
+        Some(Problem { operators, reach, levels, threads: threads(), budget: &self.budget })
     }
 }

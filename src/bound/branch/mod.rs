@@ -13,7 +13,7 @@
 //! |---|---|
 //! | `number`, `wide` | the integers that a search runs on |
 //! | `scaled`, `tree` | the operator, and the rows of its powers |
-//! | `estimate`, `reach`, `uniform` | bounds of the rows below a node |
+//! | `estimate`, `reach`, `uniform`, `entries` | bounds of the rows below a node |
 //! | `problem` | the input and the result of a search |
 //! | `descent` | nodes, their parts and their bounds |
 //! | `search` | the order in which nodes are split |
@@ -25,6 +25,7 @@
 mod cover;
 mod descent;
 mod dispatch;
+mod entries;
 mod estimate;
 mod growth;
 mod joint;

@@ -4,9 +4,13 @@ use super::growth::Growth;
 use super::search_tree::SearchTree;
 use super::searched::{Searched, either, unscaled};
 use crate::bound::budget::Budget;
+use crate::bound::extreme::ExtremeSearch;
 use crate::bound::power::{ClassCap, MAX_LEVELS, MAX_WORK, Order, PowerNorm, oriented};
 use crate::bound::walked_norm::walked_norm;
 use crate::scheme::Rules;
+
+/// The products of words after which a tree is given up for extreme rows.
+const SMALL_TREE: u64 = 1 << 24;
 
 /// ‖R^c‖ for several c. Later searches use what earlier ones found about R.
 ///
@@ -30,6 +34,10 @@ pub struct PowerSearch {
     rules: Rules,
     growth: Growth,
     budget: Budget,
+    /// The search by extreme rows, if it may be used; `None` in it where it does not apply.
+    extreme: Option<Option<ExtremeSearch>>,
+    /// Whether the tree was given up for extreme rows.
+    given_up: bool,
 }
 
 impl PowerSearch {
@@ -38,31 +46,85 @@ impl PowerSearch {
     pub fn new(rules: &Rules, order: Order) -> PowerSearch {
         let rules = oriented(rules, order);
         let [growth] = Growth::of([&rules]);
-        PowerSearch { rules, growth, budget: Budget::unlimited() }
+        PowerSearch { rules, growth, budget: Budget::unlimited(), extreme: None, given_up: false }
     }
 
     /// This search with a budget in products of words, which other computations may
     /// share.
     #[must_use]
-    pub fn with_budget(self, budget: Budget) -> PowerSearch {
+    pub fn with_budget(mut self, budget: Budget) -> PowerSearch {
+        self.growth.watch(budget.clone());
         PowerSearch { budget, ..self }
     }
 
+    /// This search with extreme rows for [`norm`](PowerSearch::norm), where the tree is large: of the rows of
+    /// lower powers only the extreme points of their hull are continued. Certificates have no proof of these
+    /// norms.
+    ///
+    /// Source: `proofs/THEOREMS.md`, 113 to 115.
+    #[must_use]
+    pub fn with_extreme_rows(mut self) -> PowerSearch {
+        self.growth.sharpen();
+        PowerSearch { extreme: Some(ExtremeSearch::new(&self.rules)), ..self }
+    }
+
     /// ‖R^c‖ and the least class that attains it, as
-    /// [`power_norm`](crate::bound::power_norm).
+    /// [`power_norm`](crate::bound::power_norm); after
+    /// [`with_extreme_rows`](PowerSearch::with_extreme_rows) possibly another class that attains it.
     ///
     /// # Errors
     /// When c is above [`MAX_LEVELS`], or when the search does not end within 2^33 products
     /// and there are more than 2^24 residue classes; or when the budget does not suffice.
     pub fn norm(&mut self, levels: u32) -> Result<PowerNorm, ClassCap> {
-        let (rules, growth) = (&self.rules, &mut self.growth);
-        either(
-            [rules],
-            levels,
-            &self.budget,
-            || walked_norm(rules, levels, Order::Adjoint),
-            |work| Some(found(growth, levels, work)?.norm),
-        )
+        let PowerSearch { rules, growth, budget, extreme, given_up } = self;
+        let walk = || walked_norm(rules, levels, Order::Adjoint);
+        let watched = budget.clone();
+        either([rules], levels, budget, walk, |work| {
+            if !(1..=MAX_LEVELS).contains(&levels) {
+                return None;
+            }
+            let Some(extreme) = extreme.as_mut().and_then(Option::as_mut) else {
+                return Some(found(growth, levels, work)?.norm);
+            };
+            if !*given_up {
+                let mut share = SMALL_TREE.min(*work);
+                let whole = share;
+                let norm = found(growth, levels, &mut share);
+                *work -= whole - share;
+                match norm {
+                    Some(found) => return Some(found.norm),
+                    None => *given_up = true,
+                }
+            }
+            let norm = extreme.norm(levels, work, &watched);
+            norm.or_else(|| Some(found(growth, levels, work)?.norm))
+        })
+    }
+
+    /// ‖R^c‖ and a class that attains it, by extreme rows, however few residue classes there are; the class is
+    /// the least one, unless two rows of a lower power are equal or opposite. `None` when a coefficient over
+    /// the common denominator is above 2^53, a level has more than 4,096 extreme rows or hardly any others,
+    /// the search does not end within 2^33 products and the budget, or c is 0 or above [`MAX_LEVELS`].
+    ///
+    /// ```
+    /// use subcert::bound::{Order, PowerSearch};
+    /// use subcert::exact::Rational;
+    /// use subcert::scheme::Rules;
+    ///
+    /// // x'_{2i} = 3/5 x_i, x'_{2i+1} = −7/10 x_i.
+    /// let rules = Rules::new(vec![vec![Rational::new(3, 5)], vec![Rational::new(-7, 10)]], 0)?;
+    /// let mut search = PowerSearch::new(&rules, Order::Adjoint);
+    /// let norm = search.extreme_rows(200).expect("one row of each level is the longest");
+    /// assert_eq!(norm.value, Rational::new(7, 10).pow(200));
+    /// # Ok::<(), subcert::scheme::RulesError>(())
+    /// ```
+    pub fn extreme_rows(&mut self, levels: u32) -> Option<PowerNorm> {
+        if !(1..=MAX_LEVELS).contains(&levels) {
+            return None;
+        }
+        let search = self.extreme.get_or_insert_with(|| ExtremeSearch::new(&self.rules));
+        let (search, budget) = (search.as_mut()?, &self.budget);
+        budget.spend(MAX_WORK, |work| search.norm(levels, work, budget))
     }
 
     /// ‖R^c‖ by branch and bound, however few residue classes there are; `None` when the

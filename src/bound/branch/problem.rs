@@ -2,6 +2,7 @@
 
 use super::estimate::{Place, margin};
 use super::scaled::Scaled;
+use crate::bound::budget::Budget;
 use crate::exact::Integer;
 use std::num::NonZero;
 use std::sync::LazyLock;
@@ -14,6 +15,14 @@ pub(super) struct Reach {
     pub(super) total: Integer,
     /// The data for bounds by lines; present only if the rows of E sum to 1.
     pub(super) place: Option<Place<Integer>>,
+}
+
+impl Reach {
+    /// These data without bounds of single entries.
+    pub(super) fn without_entries(&self) -> Reach {
+        let place = self.place.as_ref().map(Place::without_entries);
+        Reach { total: self.total.clone(), place }
+    }
 }
 
 /// The greatest row, and the effort of the search.
@@ -34,6 +43,8 @@ pub(super) struct Problem<'a, const K: usize> {
     pub(super) reach: [&'a [Reach]; K],
     pub(super) levels: u32,
     pub(super) threads: usize,
+    /// The search ends when this is stopped.
+    pub(super) budget: &'a Budget,
 }
 
 /// The greatest number of threads of a search.
@@ -55,7 +66,11 @@ impl<const K: usize> Problem<'_, K> {
             let bits = reach.iter().zip(reach.iter().rev()).map(|(upper, lower)| {
                 (&upper.total * &lower.total).bits() - operator.fraction.bits() + 1
             });
-            bits.max().unwrap_or(0) + operator.largest().bits() + margin(operator.size)
+            bits.max().unwrap_or(0)
+                + operator.largest().bits()
+                + margin(operator.size)
+                + u64::from(operator.size.ilog2())
+                + 1
         });
         values.sum::<u64>().max(classes)
     }

@@ -44,7 +44,7 @@ impl<'a, T: Number, const K: usize> Search<'a, T, K> {
         Search { descent, work, spaces, best: None, splits: 0 }
     }
 
-    /// The greatest row; `None` when the work does not suffice.
+    /// The greatest row; `None` when the work does not suffice, or the budget is stopped.
     pub(super) fn run(mut self) -> Option<Greatest> {
         let mut complete = self.exhaust(PATIENCE * u64::from(self.descent.problem.levels))?;
         for width in WIDTHS {
@@ -103,6 +103,9 @@ impl<'a, T: Number, const K: usize> Search<'a, T, K> {
 
     /// The parts of these nodes that are not closed. Also updates the best row.
     fn split(&mut self, nodes: Vec<Node<T, K>>) -> Option<Vec<Node<T, K>>> {
+        if self.descent.problem.budget.is_stopped() {
+            return None;
+        }
         let cost = self.cost(nodes.len());
         *self.work = self.work.checked_sub(cost)?;
         self.splits += nodes.len() as u64;

@@ -48,6 +48,9 @@ pub(in crate::cli) struct ConstantsArguments {
     pub(in crate::cli) scheme: String,
     #[command(flatten)]
     pub(in crate::cli) block: DeepBlock,
+    /// Add the constants that papers compute that read the masks forwards. They bound nothing
+    #[arg(long)]
+    pub(in crate::cli) forward: bool,
     #[command(flatten)]
     pub(in crate::cli) output: TableOutput,
 }

@@ -106,6 +106,7 @@ impl Report {
         let progress = Progress::of_steps(&budgets, arguments.output.format != FindingFormat::Json);
         let constants: Vec<Constants> =
             scheme.masks().into_iter().cloned().map(Constants::new).collect();
+        let constants = constants.into_iter().map(Constants::with_extreme_rows).collect::<Vec<_>>();
         let bounds = Bounds::of(&constants, arguments.block.levels, &tolerance, &spread)
             .map_err(|error| Failure::Input(error.to_string()))?;
         let levels = arguments.output.is_page();

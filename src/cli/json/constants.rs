@@ -72,10 +72,12 @@ pub struct Level {
     pub contraction: Option<Exact>,
     /// Λ_c.
     pub norm: Option<Exact>,
-    /// T_c with the masks read forwards.
-    pub contraction_forward: Option<Exact>,
-    /// Λ_c with the masks read forwards.
-    pub norm_forward: Option<Exact>,
+    /// T_c with the masks read forwards; missing where it was not asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub contraction_forward: Option<Option<Exact>>,
+    /// Λ_c with the masks read forwards; missing where it was not asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub norm_forward: Option<Option<Exact>>,
 }
 
 /// The constants of a tensor product.
