@@ -17,7 +17,7 @@
 //! | [`Matrix`] | matrices with few distinct entries |
 //! | [`solve`] | systems of linear equations |
 //! | [`characteristic_polynomial`], [`FieldElement`] | eigenvalues of rational matrices, and the fields that they generate |
-//! | [`natural_logarithm`] | enclosures of logarithms |
+//! | [`natural_logarithm`], [`LogSum`] | enclosures of logarithms, and of rational combinations of them |
 //! | [`CommonDenominator`] | rationals as integers over one denominator, for hot loops |
 
 mod algebraic;
@@ -34,6 +34,7 @@ mod integer;
 mod interval;
 mod interval_set;
 mod linear;
+mod log_sum;
 mod logarithm;
 mod matrix;
 mod monomial;
@@ -67,6 +68,7 @@ pub use integer::Integer;
 pub use interval::Interval;
 pub use interval_set::IntervalSet;
 pub use linear::solve;
+pub use log_sum::{LogSum, LogTerm};
 pub use logarithm::natural_logarithm;
 pub use matrix::{Matrix, Naming};
 pub use number_field::FieldElement;

@@ -6,6 +6,7 @@
 mod axis;
 mod contents;
 mod equation;
+mod exponent;
 mod fields;
 mod file;
 mod function;
@@ -13,6 +14,7 @@ mod indices;
 mod paper;
 mod reader;
 mod roles;
+mod smoothness;
 mod table;
 mod theorem;
 mod trial;

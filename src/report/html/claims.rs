@@ -1,4 +1,4 @@
-//! Equations, functions, ranges and theorems.
+//! Equations, functions, ranges, smoothness and theorems.
 
 use super::command;
 use super::math::formula;
@@ -7,12 +7,13 @@ use super::sheet::{facts, lines};
 use super::statement::{definitions, identity, quantity};
 use super::verdict::{Look, badge};
 use crate::audit::{
-    EquationFinding, FunctionFinding, PaperAudit, RangeFinding, TheoremFinding, by_hand,
+    EquationFinding, FunctionFinding, PaperAudit, RangeFinding, SmoothnessFinding, TheoremFinding,
+    by_hand,
 };
-use crate::claim::{EquationBody, Quantity, Statement};
+use crate::claim::{EquationBody, Quantity, SmoothnessBody, Statement};
 use crate::diagnostic::Diagnostic;
 use crate::formula::LocatedFormula;
-use crate::report::{equation, function, theorem};
+use crate::report::{equation, function, smoothness, theorem};
 use maud::{Markup, html};
 
 /// What claims of all kinds have.
@@ -128,6 +129,44 @@ pub(super) fn range(
             }
             @if let Some(picture) = picture::range(finding) { (picture) }
         p.outcome { (lines(&function::range_outcome(finding).join("\n"))) }
+        },
+    )
+}
+
+/// A claim about the smoothness of limits.
+pub(super) fn smoothness(
+    audit: &PaperAudit<'_>,
+    finding: &SmoothnessFinding<'_>,
+    file: Option<&str>,
+) -> Markup {
+    let own = finding.claim;
+    let verdict = finding.verdict.name();
+    let claim = Claim {
+        id: &own.id,
+        locus: &own.locus,
+        title: &own.title,
+        verdict,
+        note: own.note.as_deref(),
+    };
+    let details = smoothness::details(finding);
+    section(
+        audit,
+        &claim,
+        file,
+        &html! {
+            dl.formulas {
+                @if let SmoothnessBody::Statement(scheme, _) = &own.body {
+                    div { dt { "scheme" } dd { (scheme.reference.to_string()) } }
+                }
+                @if let Some(states) = smoothness::statement(own) {
+                    div { dt { "states" } dd { (states) } }
+                }
+            }
+            @if let Some(picture) = picture::smooth_range(finding) { (picture) }
+            p.outcome { (lines(&smoothness::outcome(finding).join("\n"))) }
+            @if !details.is_empty() {
+                details { summary { "Spectral radius" } (facts(&details)) }
+            }
         },
     )
 }

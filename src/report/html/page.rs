@@ -59,6 +59,7 @@ pub fn audit_page(audit: &PaperAudit<'_>, file: Option<&str>) -> Result<String, 
             (list("Equations", "equations", &audit.equations, |one| claims::equation(audit, one, file)))
             (list("Functions of a parameter", "functions", &audit.functions, |one| claims::function(audit, one, file)))
             (list("Parameter ranges", "ranges", &audit.ranges, |one| claims::range(audit, one, file)))
+            (list("Smoothness", "smoothness", &audit.smoothness, |one| claims::smoothness(audit, one, file)))
             (list("Theorems", "theorems", &theorems, Markup::clone))
             section.overview { (blocks(&rest(audit), 0)) }
             (legend())

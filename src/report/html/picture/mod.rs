@@ -10,6 +10,7 @@ mod levels;
 mod range;
 mod readings;
 mod scale;
+mod smooth_range;
 mod witness;
 
 pub(super) use chart::chart;
@@ -17,4 +18,5 @@ pub(super) use digits::digits;
 pub(super) use levels::levels;
 pub(super) use range::range;
 pub(super) use readings::readings;
+pub(super) use smooth_range::smooth_range;
 pub(super) use witness::{Exceeding, witness};

@@ -1,0 +1,156 @@
+//! Judging the values of a parameter for which the limits are said to be C^m.
+
+use super::{is_continuous, limits};
+use crate::claim::{RangeEnd, SmoothRangeStatement};
+use crate::diagnostic::Diagnostic;
+use crate::evaluation::limits::LimitScheme;
+use crate::exact::{Interval, IntervalSet, Rational, RationalPolynomial, RealAlgebraic};
+use crate::finding::{Known, RangeOfLimits, SmoothnessVerdict, Witness};
+use crate::scheme::Rules;
+use crate::smoothness::{SmoothRange, SmoothRangeError, smooth_range};
+use std::ops::Bound;
+
+/// The numbers of levels up to which contraction is looked for; the next one where the first is beyond a
+/// cap.
+const LEVELS: [u32; 3] = [4, 2, 1];
+
+/// The digits that an end needs to be called rounded.
+const MIN_DIGITS: usize = 2;
+
+/// Judges a range.
+pub(super) fn judge(
+    scheme: &LimitScheme<'_>,
+    statement: &SmoothRangeStatement,
+) -> Result<(SmoothnessVerdict, Known), Diagnostic> {
+    let rules = scheme.rules(&statement.variable)?;
+    let sets = match sets(&rules, statement.m) {
+        Ok(sets) => sets,
+        Err(capped) => return Ok((SmoothnessVerdict::NotCheckable, Known::Capped(capped))),
+    };
+    let trial = Trial { scheme, statement, sets };
+    let printed = trial.printed(0);
+    let undecided = trial.undecided(&printed, &printed);
+    let (witness, verdict) = match trial.witness(&printed, &printed)? {
+        None if trial.excludes(&printed) => (None, SmoothnessVerdict::Refuted),
+        None if undecided.is_empty() => (None, SmoothnessVerdict::Confirmed),
+        found => {
+            // The range without the last unit of its rounded ends, and with one unit more.
+            let (less, more) = (trial.printed(-1), trial.printed(1));
+            let right = trial.undecided(&less, &more).is_empty()
+                && trial.witness(&less, &more)?.is_none()
+                && !trial.excludes(&less);
+            match found {
+                found if right => (found, SmoothnessVerdict::RoundedEnds),
+                Some(witness) => (Some(witness), SmoothnessVerdict::Refuted),
+                None => (None, SmoothnessVerdict::Open),
+            }
+        }
+    };
+    let range = RangeOfLimits { sets: trial.sets, printed, undecided, witness };
+    Ok((verdict, Known::Range(Box::new(range))))
+}
+
+/// Where the limits are C^m, and where not; `None` where the sum rules that this needs do not hold for
+/// all values. An error says which cap is met.
+fn sets(rules: &Rules<RationalPolynomial>, m: usize) -> Result<Option<SmoothRange>, String> {
+    let mut reason = String::new();
+    for levels in LEVELS {
+        match smooth_range(rules, m, levels) {
+            Ok(range) => return Ok(Some(range)),
+            Err(SmoothRangeError::SumRules { .. }) => return Ok(None),
+            Err(error @ SmoothRangeError::TooLong(_)) => return Err(error.to_string()),
+            Err(error) => reason = error.to_string(),
+        }
+    }
+    Err(reason)
+}
+
+struct Trial<'t> {
+    scheme: &'t LimitScheme<'t>,
+    statement: &'t SmoothRangeStatement,
+    sets: Option<SmoothRange>,
+}
+
+impl Trial<'_> {
+    /// The printed range, with so many units of the last digit more at each rounded end.
+    fn printed(&self, units: i64) -> IntervalSet {
+        let SmoothRangeStatement { from, to, closed, .. } = self.statement;
+        let end = |end: &Option<RangeEnd>, outwards: i64| {
+            let Some(end) = end else { return Bound::Unbounded };
+            let place = match &end.decimal {
+                Some(decimal) if units != 0 && decimal.significant_digits() >= MIN_DIGITS => {
+                    let more = decimal.unit() * Rational::from(units * outwards);
+                    RealAlgebraic::from(decimal.value() + more)
+                }
+                _ => end.value.clone(),
+            };
+            if *closed { Bound::Included(place) } else { Bound::Excluded(place) }
+        };
+        let (low, high) = (end(from, -1), end(to, 1));
+        let ordered = match (&low, &high) {
+            (
+                Bound::Included(low) | Bound::Excluded(low),
+                Bound::Included(high) | Bound::Excluded(high),
+            ) => low < high,
+            _ => true,
+        };
+        if ordered { IntervalSet::from(Interval { low, high }) } else { IntervalSet::default() }
+    }
+
+    /// The values that decide nothing: those of `inner` at which C^m is not proved; and, if the paper says
+    /// that there are no others, those beyond `outer` at which it is not refuted.
+    fn undecided(&self, inner: &IntervalSet, outer: &IntervalSet) -> IntervalSet {
+        let beyond = IntervalSet::everything().without(outer);
+        let Some(sets) = &self.sets else { return inner.clone() };
+        let open = inner.without(&sets.inside);
+        if !self.statement.only {
+            return open;
+        }
+        // With exceptions, of which there are finitely many, nothing is sure outside.
+        let refuted = if sets.but_finitely_many { &IntervalSet::default() } else { &sets.outside };
+        open.union(&beyond.without(refuted))
+    }
+
+    /// Whether a value of the range is certainly excluded.
+    fn excludes(&self, range: &IntervalSet) -> bool {
+        self.sets.as_ref().is_some_and(|sets| {
+            !sets.but_finitely_many && !range.intersection(&sets.outside).is_empty()
+        })
+    }
+
+    /// A rational value of `inner` at which not all limits are C^m; or, if the paper says that there are no
+    /// others, one beyond `outer` at which they are.
+    fn witness(
+        &self,
+        inner: &IntervalSet,
+        outer: &IntervalSet,
+    ) -> Result<Option<Witness>, Diagnostic> {
+        let everything = IntervalSet::everything();
+        let failing = match &self.sets {
+            Some(sets) => inner.intersection(&sets.outside),
+            None => inner.clone(),
+        };
+        if let Some(witness) = self.first(&failing, true)? {
+            return Ok(Some(witness));
+        }
+        match &self.sets {
+            Some(sets) if self.statement.only => {
+                self.first(&everything.without(outer).intersection(&sets.inside), false)
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// The first interval of these with a rational value that decides as expected.
+    fn first(&self, set: &IntervalSet, inside: bool) -> Result<Option<Witness>, Diagnostic> {
+        let SmoothRangeStatement { variable, m, .. } = self.statement;
+        for at in set.intervals().iter().filter_map(Interval::rational) {
+            let mask = self.scheme.mask(Some((variable, &at)))?;
+            let Ok(limits) = limits(mask) else { continue };
+            if is_continuous(&limits.smoothness, *m) == Some(!inside) {
+                return Ok(Some(Witness { at, inside, limits }));
+            }
+        }
+        Ok(None)
+    }
+}
