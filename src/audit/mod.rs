@@ -13,7 +13,8 @@ pub use crate::evidence::{
     by_hand, depth_levels, evidence, promise_evidence, promise_mask, theorem_evidence, working,
 };
 pub use crate::finding::{
-    AsRead, Assumed, Attained, Broken, ByHand, CaseFinding, CellFinding, CellKind, Contradiction,
+    AsRead, Assumed, Attained, Broken, ByHand, CaseFinding, CellFinding, CellKind, Contraction,
+    Contradiction,
     Control, Correction, Difference, Direction, EndFinding, EndRelation, EquationFinding,
     EquationVerdict, EveryShift, Example, Explanation, FailingPremise, Failure, FunctionFinding,
     FunctionVerdict, HandCell, HandConstant, Kept, Known, Later, LeftOut, LevelEvidence, Levels, Limits, Line,

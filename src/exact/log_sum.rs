@@ -1,6 +1,7 @@
 //! Rational numbers plus multiples of logarithms.
 
-use super::{Enclosed, Enclosure, Rational, natural_logarithm};
+use super::{Enclosed, Enclosure, Integer, Rational, natural_logarithm};
+use std::cmp::Ordering;
 use std::fmt;
 
 /// r + Σ c·log_b(x), with rational r and c, and rational x > 0.
@@ -55,6 +56,60 @@ impl LogSum {
         self.rational += &other.rational;
         self.terms.extend(other.terms);
         self
+    }
+}
+
+/// The level of the finest enclosures that are compared: 64·2^4 binary digits.
+const MAX_LEVEL: u32 = 4;
+
+/// The greatest exponent of a power that is computed exactly.
+const MAX_POWER: i32 = 4_096;
+
+impl LogSum {
+    /// How this number compares with another one: by enclosures, and exactly where all logarithms have one
+    /// base and small factors. `None` where neither tells.
+    ///
+    /// ```
+    /// use std::cmp::Ordering;
+    /// use subcert::exact::{LogSum, LogTerm, Rational};
+    ///
+    /// let log = |factor: i64, of: i64| LogTerm { factor: factor.into(), base: 2, of: of.into() };
+    /// let sum = |whole: i64, term| LogSum { rational: whole.into(), terms: vec![term] };
+    /// // 6 − log_2(9) = 5 + log_2(2/9) < 5 − 2·log_2(2)
+    /// let exponent = sum(6, log(-1, 9));
+    /// let other = LogTerm { of: Rational::new(2, 9), ..log(1, 1) };
+    /// assert_eq!(exponent.compare(&sum(5, other)), Some(Ordering::Equal));
+    /// assert_eq!(exponent.compare(&sum(5, log(-2, 2))), Some(Ordering::Less));
+    /// ```
+    #[must_use]
+    pub fn compare(&self, other: &LogSum) -> Option<Ordering> {
+        let difference = self.clone().plus(other.clone().scaled(&Rational::from(-1)));
+        let decided = (0..=MAX_LEVEL).find_map(|level| {
+            let enclosure = difference.enclosure(level);
+            let sign = enclosure.sign().filter(|sign| *sign != 0)?;
+            Some(sign.cmp(&0))
+        });
+        decided.or_else(|| difference.vanishes().then_some(Ordering::Equal))
+    }
+
+    /// Whether this number is shown to be 0: b^{rD} Π x^{cD} = 1, with D for which these exponents are
+    /// integers.
+    fn vanishes(&self) -> bool {
+        let Some(base) = self.terms.first().map(|term| term.base) else {
+            return self.rational.is_zero();
+        };
+        let one = LogTerm { factor: self.rational.clone(), base, of: Rational::from(base) };
+        let terms = || self.terms.iter().chain([&one]);
+        let common = terms().fold(Integer::one(), |lcm, term| lcm.lcm(&term.factor.denominator()));
+        let scale = Rational::from(common);
+        let powers = terms().map(|LogTerm { factor, base: own, of }| {
+            let exponent = (factor * &scale).numerator().to_i64();
+            let exponent = exponent.and_then(|e| i32::try_from(e).ok());
+            let exponent = exponent.filter(|e| e.abs() <= MAX_POWER && *own == base)?;
+            Some(of.pow(exponent))
+        });
+        let product = powers.reduce(|product, power| Some(product? * power?)).flatten();
+        product == Some(Rational::one())
     }
 }
 

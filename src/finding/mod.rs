@@ -33,7 +33,7 @@ pub use reading::{
 pub(crate) use recovered::values;
 pub use recovered::{Recovered, RecoveredFrom};
 pub use smoothness::{
-    Known, Limits, RangeOfLimits, SmoothnessFinding, SmoothnessVerdict, Witness,
+    Contraction, Known, Limits, RangeOfLimits, SmoothnessFinding, SmoothnessVerdict, Witness,
 };
 pub use table::TableFinding;
 pub use theorem::{

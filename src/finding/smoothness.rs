@@ -85,6 +85,19 @@ pub struct RangeOfLimits {
     pub undecided: IntervalSet,
     /// A value that refutes the claim.
     pub witness: Option<Witness>,
+    /// The contraction that proves it in the whole printed interval.
+    pub contraction: Option<Contraction>,
+}
+
+/// The norm of so many levels of the differences of a derived scheme, which proves C^m where it is below 1.
+#[derive(Clone, Debug)]
+pub struct Contraction {
+    /// The number of levels.
+    pub levels: u32,
+    /// Where the norm is below 1.
+    pub below: IntervalSet,
+    /// Where it is above 1.
+    pub above: IntervalSet,
 }
 
 /// A value of the parameter that refutes a printed range.

@@ -20,7 +20,7 @@ pub fn verdict(kind: &str, block: &Block<'_>) -> String {
             ("sides", both) => sides.extend(both.split_once(' ')),
             (
                 word
-                @ ("holds" | "exact" | "inexact" | "rounding" | "fails" | "proved" | "refuted"),
+                @ ("confirmed" | "holds" | "exact" | "inexact" | "rounding" | "fails" | "proved" | "refuted"),
                 cases,
             ) => verdict = (word, cases),
             _ => {}

@@ -1,18 +1,24 @@
 //! Judging the values of a parameter for which the limits are said to be C^m.
 
 use super::{is_continuous, limits};
+use crate::bound::{Order, norm_function};
 use crate::claim::{RangeEnd, SmoothRangeStatement};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::limits::LimitScheme;
-use crate::exact::{Interval, IntervalSet, Rational, RationalPolynomial, RealAlgebraic};
-use crate::finding::{Known, RangeOfLimits, SmoothnessVerdict, Witness};
+use crate::exact::{
+    Interval, IntervalSet, PiecewisePolynomial, Rational, RationalPolynomial, RealAlgebraic,
+};
+use crate::finding::{Contraction, Known, RangeOfLimits, SmoothnessVerdict, Witness};
 use crate::scheme::Rules;
-use crate::smoothness::{SmoothRange, SmoothRangeError, smooth_range};
+use crate::smoothness::{ParametricSymbol, SmoothRange, SmoothRangeError, smooth_range};
 use std::ops::Bound;
 
 /// The numbers of levels up to which contraction is looked for; the next one where the first is beyond a
 /// cap.
 const LEVELS: [u32; 3] = [4, 2, 1];
+
+/// The greatest denominator of the simple values that are tried.
+const MAX_DENOMINATOR: i64 = 1_000;
 
 /// The digits that an end needs to be called rounded.
 const MIN_DIGITS: usize = 2;
@@ -46,8 +52,24 @@ pub(super) fn judge(
             }
         }
     };
-    let range = RangeOfLimits { sets: trial.sets, printed, undecided, witness };
+    let contraction = match verdict {
+        SmoothnessVerdict::Confirmed => trial.contraction(&rules, &printed),
+        _ => None,
+    };
+    let range = RangeOfLimits { sets: trial.sets, printed, undecided, witness, contraction };
     Ok((verdict, Known::Range(Box::new(range))))
+}
+
+/// A number of an interval with a small denominator, if there is one.
+fn simple(interval: &Interval) -> Option<Rational> {
+    let any = interval.rational()?;
+    let near = (1..=MAX_DENOMINATOR).find_map(|d| {
+        let d = Rational::from(d);
+        let below = Rational::from((&any * &d).floor());
+        let ends = [&below / &d, (below + Rational::one()) / &d];
+        ends.into_iter().find(|x| interval.contains(x))
+    });
+    near.or(Some(any))
 }
 
 /// Where the limits are C^m, and where not; `None` where the sum rules that this needs do not hold for
@@ -111,6 +133,23 @@ impl Trial<'_> {
         open.union(&beyond.without(refuted))
     }
 
+    /// The least number of levels in which the differences contract for all values of the range.
+    fn contraction(
+        &self,
+        rules: &Rules<RationalPolynomial>,
+        range: &IntervalSet,
+    ) -> Option<Contraction> {
+        let levels = (1_u32..).zip(&self.sets.as_ref()?.contraction.levels);
+        let covers = |set: &IntervalSet| range.without(set).is_empty();
+        let (levels, below) = levels.into_iter().find(|(_, set)| covers(set))?;
+        let m = self.statement.m;
+        let derived = (0..=m).try_fold(ParametricSymbol::of(rules), |s, _| s.over_sigma())?;
+        let factor = Rational::from(rules.arity()).pow(i32::try_from(m).ok()?);
+        let norm = norm_function(&derived.scaled(&factor).rules(), levels, Order::Adjoint).ok()?;
+        let above = norm.exceeds(&PiecewisePolynomial::constant(Rational::one()));
+        Some(Contraction { levels, below: below.clone(), above })
+    }
+
     /// Whether a value of the range is certainly excluded.
     fn excludes(&self, range: &IntervalSet) -> bool {
         self.sets.as_ref().is_some_and(|sets| {
@@ -144,7 +183,7 @@ impl Trial<'_> {
     /// The first interval of these with a rational value that decides as expected.
     fn first(&self, set: &IntervalSet, inside: bool) -> Result<Option<Witness>, Diagnostic> {
         let SmoothRangeStatement { variable, m, .. } = self.statement;
-        for at in set.intervals().iter().filter_map(Interval::rational) {
+        for at in set.intervals().iter().filter_map(simple) {
             let mask = self.scheme.mask(Some((variable, &at)))?;
             let Ok(limits) = limits(mask) else { continue };
             if is_continuous(&limits.smoothness, *m) == Some(!inside) {
