@@ -104,7 +104,12 @@ fn of_limits(
         SmoothnessStatement::Range(_) => None,
     };
     if shown != Some(said) {
-        block.give_up(NOT_SHOWN);
+        let attained = matches!(statement, SmoothnessStatement::Exponent { attained: Some(_), .. });
+        block.give_up(if attained {
+            "whether an exponent is attained is not certified"
+        } else {
+            NOT_SHOWN
+        });
     }
     block.line(said);
 }

@@ -6,8 +6,18 @@ use crate::audit::{Known, Limits, PaperAudit, RangeOfLimits, SmoothnessFinding, 
 use crate::claim::{
     ExponentStatement, SmoothRangeStatement, SmoothnessBody, SmoothnessClaim, SmoothnessStatement,
 };
-use crate::exact::{Enclosed as _, Integer, IntervalSet, Rational, format::fixed};
+use crate::exact::{
+    Enclosed as _, Integer, Interval, IntervalSet, Rational, RealAlgebraic,
+    format::{fixed, short},
+};
 use crate::smoothness::Hoelder;
+use std::ops::Bound;
+
+/// The longest formula of an exponent that stands beside its decimals.
+const LONGEST: usize = 100;
+
+/// The digits of an irrational end of a set.
+const DIGITS: u32 = 12;
 
 /// The places of decimals.
 const PLACES: u32 = 12;
@@ -145,7 +155,11 @@ pub(super) fn of_exponent(hoelder: &Hoelder) -> String {
     let between = between(hoelder);
     let value = match &hoelder.formula {
         Some(formula) if formula.as_rational().is_some() => formula.to_string(),
-        Some(formula) => format!("{formula}, {between}"),
+        Some(formula) => {
+            let formula = formula.to_string();
+            let short = formula.chars().count() <= LONGEST;
+            if short { format!("{formula}, {between}") } else { between }
+        }
         None => between,
     };
     let attained = match hoelder.attained {
@@ -182,7 +196,7 @@ fn of_range(finding: &SmoothnessFinding<'_>, range: &RangeOfLimits) -> Vec<Strin
         return Vec::new();
     };
     let SmoothRangeStatement { variable, m, .. } = said;
-    let set = |set: &IntervalSet| set.describe(variable);
+    let set = |set: &IntervalSet| set_text(set, variable);
     let mut lines = match &range.sets {
         Some(sets) => {
             let mut lines = vec![
@@ -207,6 +221,36 @@ fn of_range(finding: &SmoothnessFinding<'_>, range: &RangeOfLimits) -> Vec<Strin
         lines.push(format!("At {variable} = {}, {place}, {limits}.", witness.at));
     }
     lines
+}
+
+/// A set of values of a parameter: its irrational ends are decimals.
+pub(super) fn set_text(set: &IntervalSet, variable: &str) -> String {
+    if set.is_empty() {
+        return format!("no {variable}");
+    }
+    let sign = |end: &Bound<RealAlgebraic>| match end {
+        Bound::Included(_) => "<=",
+        _ => "<",
+    };
+    let interval = |interval: &Interval| match (&interval.low, &interval.high) {
+        (Bound::Unbounded, Bound::Unbounded) => format!("every {variable}"),
+        (Bound::Included(low), Bound::Included(high)) if low == high => {
+            format!("{variable} = {}", short(low, DIGITS))
+        }
+        (low, high) => {
+            let left = place(low).map(|place| format!("{place} {} ", sign(low)));
+            let right = place(high).map(|place| format!(" {} {place}", sign(high)));
+            format!("{}{variable}{}", left.unwrap_or_default(), right.unwrap_or_default())
+        }
+    };
+    set.intervals().iter().map(interval).collect::<Vec<String>>().join(" or ")
+}
+
+fn place(end: &Bound<RealAlgebraic>) -> Option<String> {
+    let (Bound::Included(place) | Bound::Excluded(place)) = end else { return None };
+    let rational = place.as_rational().map(ToString::to_string);
+    let brief = rational.filter(|text| text.len() <= 12);
+    Some(brief.unwrap_or_else(|| short(place, DIGITS)))
 }
 
 /// What else is known of the limits.

@@ -128,7 +128,8 @@ impl Reader<'_> {
 
     /// m of C^m.
     pub(super) fn order(&self, text: &Spanned<String>) -> Result<usize, Diagnostic> {
-        let order = text.get_ref().parse().ok().filter(|order| *order <= MAX_ORDER);
+        let order = text.get_ref().parse().ok();
+        let order = order.filter(|m: &usize| *m <= MAX_ORDER && m.to_string() == *text.get_ref());
         order.ok_or_else(|| {
             let message = format!("`{}` is no order of smoothness", text.get_ref());
             self.error(text.span(), message)

@@ -17,6 +17,9 @@ use std::ops::Bound;
 /// cap.
 const LEVELS: [u32; 3] = [4, 2, 1];
 
+/// Intervals that are not wider than this are not divided.
+const CLOSER: (i64, i64) = (1, 1 << 20);
+
 /// The greatest denominator of the simple values that are tried.
 const MAX_DENOMINATOR: i64 = 1_000;
 
@@ -33,23 +36,23 @@ pub(super) fn judge(
         Ok(sets) => sets,
         Err(capped) => return Ok((SmoothnessVerdict::NotCheckable, Known::Capped(capped))),
     };
-    let trial = Trial { scheme, statement, sets };
+    let mut trial = Trial { scheme, statement, sets };
     let printed = trial.printed(0);
+    trial.look_closer(&rules, &printed);
     let undecided = trial.undecided(&printed, &printed);
-    let (witness, verdict) = match trial.witness(&printed, &printed)? {
-        None if trial.excludes(&printed) => (None, SmoothnessVerdict::Refuted),
-        None if undecided.is_empty() => (None, SmoothnessVerdict::Confirmed),
-        found => {
-            // The range without the last unit of its rounded ends, and with one unit more.
-            let (less, more) = (trial.printed(-1), trial.printed(1));
-            let right = trial.undecided(&less, &more).is_empty()
-                && trial.witness(&less, &more)?.is_none()
-                && !trial.excludes(&less);
-            match found {
-                found if right => (found, SmoothnessVerdict::RoundedEnds),
-                Some(witness) => (Some(witness), SmoothnessVerdict::Refuted),
-                None => (None, SmoothnessVerdict::Open),
+    let right = trial.witness(&printed, &printed)?.is_none() && !trial.excludes(&printed);
+    let (witness, verdict) = if right && undecided.is_empty() {
+        (None, SmoothnessVerdict::Confirmed)
+    } else {
+        // The range without the last unit of its rounded ends, and with one unit more.
+        let (less, more) = (trial.printed(-1), trial.printed(1));
+        match trial.witness(&less, &more)? {
+            Some(witness) => (Some(witness), SmoothnessVerdict::Refuted),
+            None if trial.excludes(&less) => (None, SmoothnessVerdict::Refuted),
+            None if trial.undecided(&less, &more).is_empty() => {
+                (None, SmoothnessVerdict::RoundedEnds)
             }
+            None => (None, SmoothnessVerdict::Open),
         }
     };
     let contraction = match verdict {
@@ -131,6 +134,18 @@ impl Trial<'_> {
         // With exceptions, of which there are finitely many, nothing is sure outside.
         let refuted = if sets.but_finitely_many { &IntervalSet::default() } else { &sets.outside };
         open.union(&beyond.without(refuted))
+    }
+
+    /// Looks closer at the bounded parts of what is open.
+    fn look_closer(&mut self, rules: &Rules<RationalPolynomial>, printed: &IntervalSet) {
+        let open = self.undecided(printed, printed);
+        let m = self.statement.m;
+        if let Some(sets) = self.sets.as_mut().filter(|_| !open.is_empty()) {
+            let known = sets.inside.union(&sets.outside);
+            let width = Rational::new(CLOSER.0, CLOSER.1);
+            // The sets are computed already, so that no cap is met.
+            let _ = sets.look_closer(rules, m, &open.without(&known), &width);
+        }
     }
 
     /// The least number of levels in which the differences contract for all values of the range.

@@ -8,7 +8,7 @@ use crate::audit::{Known, SmoothnessFinding};
 use crate::claim::{SmoothnessBody, SmoothnessStatement};
 use crate::exact::IntervalSet;
 use crate::float::nearest;
-use crate::report::smoothness::printed;
+use crate::report::smoothness::{printed, set_text};
 use maud::{Markup, html};
 
 const HEIGHT: f64 = 150.0;
@@ -38,7 +38,7 @@ pub(in crate::report::html) fn smooth_range(finding: &SmoothnessFinding<'_>) -> 
     let margin = ((high - low) * BEYOND).max(high.abs().max(1e-3) * 1e-3);
     let x = Scale::new((low - margin, high + margin), FRAME.x, false);
     let title = format!("{}: the range as printed, and what is proved", finding.claim.locus);
-    let set = |set: &IntervalSet| set.describe(&said.variable);
+    let set = |set: &IntervalSet| set_text(set, &said.variable);
     let says = format!(
         "Printed {}; C^{m} for {}; not C^{m} for {}.",
         printed(said),
