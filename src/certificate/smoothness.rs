@@ -103,6 +103,11 @@ fn of_limits(
         }
         SmoothnessStatement::Range(_) => None,
     };
+    if let SmoothnessStatement::Exponent { exponent, .. } = statement
+        && bases(exponent).any(|base| base != known.mask.arity())
+    {
+        block.give_up("logarithms to another base than the arity are not certified");
+    }
     if shown != Some(said) {
         let attained = matches!(statement, SmoothnessStatement::Exponent { attained: Some(_), .. });
         block.give_up(if attained {
@@ -112,6 +117,16 @@ fn of_limits(
         });
     }
     block.line(said);
+}
+
+/// The bases of the logarithms of a printed exponent.
+fn bases(exponent: &ExponentStatement) -> impl Iterator<Item = usize> {
+    let printed = match exponent {
+        ExponentStatement::Value(value) => [Some(value), None],
+        ExponentStatement::Bounds { at_least, at_most } => [at_least.as_ref(), at_most.as_ref()],
+        ExponentStatement::Decimal { .. } => [None, None],
+    };
+    printed.into_iter().flatten().flat_map(|value| &value.value.terms).map(|term| term.base)
 }
 
 /// Writes the lines about the radius.
