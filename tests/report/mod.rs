@@ -4,6 +4,7 @@ mod document;
 mod html;
 mod latex;
 mod pictures;
+mod smoothness;
 
 use std::sync::LazyLock;
 use subcert::audit::{PaperAudit, audit_all};

@@ -5,6 +5,7 @@ use crate::claim::{ExponentStatement, PrintedExponent};
 use crate::exact::{Decimal, Enclosed as _, Enclosure, LogSum, Rounding};
 use crate::finding::{Direction, SmoothnessVerdict};
 use crate::smoothness::{Hoelder, Smoothness};
+use std::cmp::Ordering;
 
 /// The level of the finest enclosures that are compared: 64·2^4 binary digits.
 const MAX_LEVEL: u32 = 4;
@@ -49,18 +50,22 @@ fn enclosures(hoelder: &Hoelder) -> Vec<Enclosure> {
 
 /// Whether the exponent is this number.
 fn equals(hoelder: &Hoelder, value: &LogSum) -> Option<bool> {
-    if let Some(formula) = &hoelder.formula
-        && let Some(equal) = formula.equals(value)
-    {
-        return Some(equal);
-    }
-    bounds(hoelder, value).contains(&Some(false)).then_some(false)
+    let exact = is_equal(hoelder, value);
+    exact.or_else(|| bounds(hoelder, value).contains(&Some(false)).then_some(false))
+}
+
+/// The same by exact arithmetic, where the exponent is known exactly and that decides.
+fn is_equal(hoelder: &Hoelder, value: &LogSum) -> Option<bool> {
+    let formula = hoelder.formula.as_ref()?;
+    formula.equals(value).or_else(|| {
+        let rational = LogSum::from(formula.as_rational()?.clone());
+        rational.compare(value).map(Ordering::is_eq)
+    })
 }
 
 /// Whether the exponent is at least this number, and whether it is at most this number.
 fn bounds(hoelder: &Hoelder, value: &LogSum) -> [Option<bool>; 2] {
-    let equal = hoelder.formula.as_ref().and_then(|formula| formula.equals(value));
-    if equal == Some(true) {
+    if is_equal(hoelder, value) == Some(true) {
         return [Some(true); 2];
     }
     for (exponent, level) in enclosures(hoelder).iter().zip(0..) {
