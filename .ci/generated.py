@@ -34,6 +34,11 @@ FILES = {"proofs/COVERAGE.md": "coverage --format markdown"} | {
     f"proofs/certificates/{claims.stem}.cert": f"prove {claims.stem} -o -"
     for claims in sorted((ROOT / "proofs" / "claims").glob("*.toml"))
 }
+# Claims about smoothness, which are no part of the program.
+SMOOTHNESS = sorted((ROOT / "proofs" / "claims" / "smoothness").glob("*.toml"))
+for claims in SMOOTHNESS:
+    FILES[f"proofs/certificates/smoothness/{claims.stem}.cert"] = f"prove {claims.relative_to(ROOT)} -o -"
+    FILES[f"proofs/errata/smoothness/{claims.stem}.md"] = f"errata {claims.relative_to(ROOT)}"
 
 
 def output(command: str) -> str:

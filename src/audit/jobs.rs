@@ -6,9 +6,10 @@ use crate::diagnostic::{Collected, Diagnostic, Errors};
 use crate::digest::{consistency, premises};
 use crate::evaluation::library::Library;
 use crate::finding::{
-    EquationFinding, FunctionFinding, PaperAudit, RangeFinding, TableFinding, TheoremFinding,
+    EquationFinding, FunctionFinding, PaperAudit, RangeFinding, SmoothnessFinding, TableFinding,
+    TheoremFinding,
 };
-use crate::judge::{equation, function, range, related, theorem};
+use crate::judge::{equation, function, range, related, smoothness, theorem};
 use std::cmp::Reverse;
 use std::num::NonZero;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -21,23 +22,30 @@ enum Part {
     /// The tables at these places, which share schemes.
     Tables(Vec<usize>),
     Formulas,
+    /// The claim about smoothness at this place.
+    Smoothness(usize),
     Theorems,
 }
+
+/// The work of a claim about smoothness, in cells of tables.
+const SMOOTHNESS_WORK: usize = 20;
 
 /// The findings of a part, or its errors: of a group of tables or of the theorems only the first
 /// error.
 enum Found<'a> {
     Tables(Vec<(usize, TableFinding<'a>)>),
     Formulas(Vec<EquationFinding<'a>>, Vec<FunctionFinding<'a>>, Vec<RangeFinding<'a>>),
+    Smoothness(usize, Box<SmoothnessFinding<'a>>),
     Theorems(Vec<TheoremFinding<'a>>),
     Errors(Collected),
 }
 
-/// Judges the chosen claims of these papers, on all cores; calls `after_table` after each table.
+/// Judges the chosen claims of these papers, on all cores; calls `after_claim` after each
+/// table and each claim about smoothness.
 pub(super) fn judge<'a>(
     papers: &'a [Paper],
     chosen: &dyn Fn(&Paper) -> Chosen,
-    after_table: &(dyn Fn() + Sync),
+    after_claim: &(dyn Fn() + Sync),
 ) -> Result<Vec<PaperAudit<'a>>, Errors> {
     let chosen: Vec<Chosen> = papers.iter().map(chosen).collect();
     let mut jobs: Vec<(usize, Part)> = Vec::new();
@@ -45,12 +53,17 @@ pub(super) fn judge<'a>(
         let has =
             |group: &Vec<usize>| group.iter().any(|&place| chosen[at].has(&paper.tables[place].id));
         let tables = related::related(paper).into_iter().filter(has).map(Part::Tables);
-        jobs.extend(tables.chain([Part::Theorems, Part::Formulas]).map(|part| (at, part)));
+        let smooth = (0..paper.smoothness.len())
+            .filter(|&place| chosen[at].has(&paper.smoothness[place].id))
+            .map(Part::Smoothness);
+        jobs.extend(
+            tables.chain(smooth).chain([Part::Theorems, Part::Formulas]).map(|part| (at, part)),
+        );
     }
     // The longest first, so that they end together.
     jobs.sort_by_key(|(at, part)| Reverse(part.size(&papers[*at])));
     let found = on_all_cores(&jobs, |(at, part)| {
-        (*at, part.judge(&papers[*at], &chosen[*at], after_table))
+        (*at, part.judge(&papers[*at], &chosen[*at], after_claim))
     });
     let mut parts: Vec<Vec<Found<'a>>> = papers.iter().map(|_| Vec::new()).collect();
     for (at, found) in found {
@@ -67,17 +80,25 @@ impl Part {
                 places.iter().map(|&place| paper.tables[place].cells.iter().flatten().count()).sum()
             }
             Part::Formulas => paper.equations.len(),
+            Part::Smoothness(_) => SMOOTHNESS_WORK,
             Part::Theorems => 2 * paper.theorems.len(),
         }
     }
 
-    fn judge<'a>(&self, paper: &'a Paper, chosen: &Chosen, after_table: &dyn Fn()) -> Found<'a> {
+    fn judge<'a>(&self, paper: &'a Paper, chosen: &Chosen, after_claim: &dyn Fn()) -> Found<'a> {
         match self {
-            Part::Tables(places) => match related::judge_all(paper, places, after_table) {
+            Part::Tables(places) => match related::judge_all(paper, places, after_claim) {
                 Ok(findings) => Found::Tables(findings),
                 Err((_, error)) => Found::error(error),
             },
             Part::Formulas => formulas(paper, chosen),
+            Part::Smoothness(place) => {
+                let claim = &paper.smoothness[*place];
+                let found = smoothness::judge(paper, claim, &Library::new(paper));
+                after_claim();
+                let found = found.map(|finding| Found::Smoothness(*place, Box::new(finding)));
+                found.unwrap_or_else(Found::error)
+            }
             Part::Theorems => {
                 let theorems = paper.theorems.iter().filter(|theorem| chosen.has(&theorem.id));
                 theorem::trials(paper, theorems).map_or_else(Found::error, Found::Theorems)
@@ -120,16 +141,18 @@ fn together<'a>(paper: &'a Paper, parts: Vec<Found<'a>>) -> Result<PaperAudit<'a
         equations: Vec::new(),
         functions: Vec::new(),
         ranges: Vec::new(),
+        smoothness: Vec::new(),
         theorems: Vec::new(),
         contradictions: Vec::new(),
     };
-    let (mut tables, mut errors) = (Vec::new(), Collected::default());
+    let (mut tables, mut smooth, mut errors) = (Vec::new(), Vec::new(), Collected::default());
     for part in parts {
         match part {
             Found::Tables(findings) => tables.extend(findings),
             Found::Formulas(equations, functions, ranges) => {
                 (audit.equations, audit.functions, audit.ranges) = (equations, functions, ranges);
             }
+            Found::Smoothness(place, finding) => smooth.push((place, *finding)),
             Found::Theorems(theorems) => audit.theorems = theorems,
             Found::Errors(others) => errors.append(others),
         }
@@ -137,6 +160,8 @@ fn together<'a>(paper: &'a Paper, parts: Vec<Found<'a>>) -> Result<PaperAudit<'a
     errors.none()?;
     tables.sort_by_key(|(place, _)| *place);
     audit.tables = tables.into_iter().map(|(_, finding)| finding).collect();
+    smooth.sort_by_key(|(place, _)| *place);
+    audit.smoothness = smooth.into_iter().map(|(_, finding)| finding).collect();
     related::borrow(paper, &mut audit.tables)?;
     audit.contradictions = consistency::judge(paper, &audit.tables, &Library::new(paper))?;
     premises::premises(&mut audit);

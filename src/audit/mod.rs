@@ -13,14 +13,15 @@ pub use crate::evidence::{
     by_hand, depth_levels, evidence, promise_evidence, promise_refiner, theorem_evidence, working,
 };
 pub use crate::finding::{
-    AsRead, Assumed, Attained, Broken, ByHand, CaseFinding, CellFinding, CellKind, Contradiction,
-    Control, Correction, Difference, Direction, EndFinding, EndRelation, EquationFinding,
-    EquationVerdict, EveryShift, Example, Explanation, FailingPremise, Failure, FunctionFinding,
-    FunctionVerdict, HandCell, HandConstant, Kept, Later, LeftOut, LevelEvidence, Levels, Line,
-    LineReading, MAX_DIFFERENCES, Missing, Naturally, Need, Needed, Outcome, PaperAudit, Place,
-    PromiseCounts, RangeFinding, RangeVerdict, Recovered, RecoveredFrom, Refiner, Refutation,
-    Repair, Search, Side, Slip, Solved, Sound, Supremum, TableFinding, TablePart, TheoremFinding,
-    TheoremVerdict, Unshiftable, Verdict, Violation, Working,
+    AsRead, Assumed, Attained, Broken, ByHand, CaseFinding, CellFinding, CellKind, Contraction,
+    Contradiction, Control, Correction, Difference, Direction, EndFinding, EndRelation,
+    EquationFinding, EquationVerdict, EveryShift, Example, Explanation, FailingPremise, Failure,
+    FunctionFinding, FunctionVerdict, HandCell, HandConstant, Kept, Known, Later, LeftOut,
+    LevelEvidence, Levels, Limits, Line, LineReading, MAX_DIFFERENCES, Missing, Naturally, Need,
+    Needed, Outcome, PaperAudit, Place, PromiseCounts, RangeFinding, RangeOfLimits, RangeVerdict,
+    Recovered, RecoveredFrom, Refiner, Refutation, Repair, Search, Side, Slip, SmoothnessFinding,
+    SmoothnessVerdict, Solved, Sound, Supremum, TableFinding, TablePart, TheoremFinding,
+    TheoremVerdict, Unshiftable, Verdict, Violation, Witness, Working,
 };
 pub use crate::judge::MAX_CASES;
 
@@ -52,16 +53,16 @@ pub fn audit(paper: &Paper) -> Result<PaperAudit<'_>, Diagnostic> {
     Ok(audits.pop().expect("an audit for the paper"))
 }
 
-/// Judges every claim of these papers, each paper by itself, on all cores; calls `after_table`
-/// after each table.
+/// Judges every claim of these papers, each paper by itself, on all cores; calls `after_claim`
+/// after each table and each claim about smoothness.
 ///
 /// # Errors
 /// As [`audit`]: the first error of the first paper that has one.
 pub fn audit_all<'a>(
     papers: &'a [Paper],
-    after_table: &(dyn Fn() + Sync),
+    after_claim: &(dyn Fn() + Sync),
 ) -> Result<Vec<PaperAudit<'a>>, Diagnostic> {
-    audit_whole(papers, after_table).map_err(Errors::first)
+    audit_whole(papers, after_claim).map_err(Errors::first)
 }
 
 /// As [`audit_all`], but fails with all errors of the first paper that has some, if they do not
@@ -71,9 +72,9 @@ pub fn audit_all<'a>(
 /// As [`audit`].
 pub fn audit_whole<'a>(
     papers: &'a [Paper],
-    after_table: &(dyn Fn() + Sync),
+    after_claim: &(dyn Fn() + Sync),
 ) -> Result<Vec<PaperAudit<'a>>, Errors> {
-    jobs::judge(papers, &|_| Chosen::all(), after_table)
+    jobs::judge(papers, &|_| Chosen::all(), after_claim)
 }
 
 /// Judges one claim of a paper, on all cores, and the claims that it needs: those on which a
@@ -89,18 +90,20 @@ pub fn audit_whole<'a>(
 pub fn audit_claim<'a>(
     paper: &'a Paper,
     id: &str,
-    after_table: &(dyn Fn() + Sync),
+    after_claim: &(dyn Fn() + Sync),
 ) -> Result<PaperAudit<'a>, Errors> {
     let mut audits =
-        jobs::judge(std::slice::from_ref(paper), &|paper| Chosen::claim(paper, id), after_table)?;
+        jobs::judge(std::slice::from_ref(paper), &|paper| Chosen::claim(paper, id), after_claim)?;
     Ok(audits.pop().expect("an audit for the paper"))
 }
 
-/// The number of tables that [`audit_claim`] judges.
+/// The number of tables and claims about smoothness that [`audit_claim`] judges.
 #[must_use]
-pub fn tables_needed(paper: &Paper, id: &str) -> usize {
+pub fn claims_needed(paper: &Paper, id: &str) -> usize {
     let chosen = Chosen::claim(paper, id);
-    paper.tables.iter().filter(|table| chosen.has(&table.id)).count()
+    let tables = paper.tables.iter().map(|table| &table.id);
+    let smoothness = paper.smoothness.iter().map(|claim| &claim.id);
+    tables.chain(smoothness).filter(|id| chosen.has(id)).count()
 }
 
 /// Every reading that the search compares for the cells of one kind, with the cells that it

@@ -11,6 +11,8 @@ mod parametric;
 mod promise;
 mod radius;
 mod reading;
+mod smooth_range;
+mod smoothness;
 mod table;
 mod theorem;
 mod witness;
@@ -111,8 +113,10 @@ pub fn certificate_lines(audit: &PaperAudit<'_>) -> Vec<CertifiedClaim> {
     let equations = audit.equations.iter().map(equation::block);
     let functions = audit.functions.iter().map(parametric::function);
     let ranges = audit.ranges.iter().map(parametric::range);
+    let smooth = audit.smoothness.iter().map(smoothness::block);
     let theorems = audit.theorems.iter().map(|finding| theorem::block(paper, finding));
-    let blocks = tables.chain(equations).chain(functions).chain(ranges).chain(theorems);
+    let blocks = tables.chain(equations).chain(functions).chain(ranges);
+    let blocks = blocks.chain(smooth).chain(theorems);
     let claim = |block: Block| {
         let id = block.id().to_owned();
         CertifiedClaim { id, lines: block.text().map_err(|why| words(&why)) }

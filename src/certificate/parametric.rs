@@ -58,7 +58,7 @@ fn head(block: &mut Block, variable: &str, scheme: Option<&LocatedReference>) {
 
 /// The lines `breaks` and `signs` of a function that is negative on one set and positive on
 /// another, and 0 elsewhere.
-fn pieces(block: &mut Block, below: &IntervalSet, above: &IntervalSet) {
+pub(super) fn pieces(block: &mut Block, below: &IntervalSet, above: &IntervalSet) {
     let intervals = below.intervals().iter().chain(above.intervals());
     let ends = intervals.flat_map(|interval| [&interval.low, &interval.high]);
     let mut breaks: Vec<RealAlgebraic> = ends

@@ -18,8 +18,7 @@ pub fn smoothness_certificate<F: Coefficient>(
     mask: &Mask<F>,
     smoothness: &Smoothness<F>,
 ) -> Option<String> {
-    let differences = &smoothness.differences;
-    let hull = differences.radius.hull.as_ref()?;
+    let limits = limits(mask, smoothness)?;
     let mut text = String::from("subcert-radius 1\n");
     let rows = mask.rules().rows();
     if let Some((root, minimal)) = rows.iter().flatten().find_map(Coefficient::generator) {
@@ -36,6 +35,34 @@ pub fn smoothness_certificate<F: Coefficient>(
         });
         line(&mut text, "rule", &entries.collect::<Vec<String>>().join(" "));
     }
+    text.push_str(&limits.text);
+    Some(text)
+}
+
+/// The lines about the limits of a mask, and what they show.
+pub(super) struct LimitLines {
+    /// The lines from `order` to `end`.
+    pub(super) text: String,
+    /// The order K of the sum rules.
+    pub(super) order: usize,
+    /// A number that is not below the joint spectral radius.
+    pub(super) at_most: Rational,
+    /// A number that is not above a power of it, and the exponent, if the shifts are independent.
+    pub(super) at_least: Option<(Rational, usize)>,
+    /// The limits are C^m for this m.
+    pub(super) continuous: Option<usize>,
+    /// Not all limits are C^m for this m.
+    pub(super) not_continuous: Option<usize>,
+}
+
+/// The lines about the limits of a mask; `None` where no hull is found.
+pub(super) fn limits<F: Coefficient>(
+    mask: &Mask<F>,
+    smoothness: &Smoothness<F>,
+) -> Option<LimitLines> {
+    let differences = &smoothness.differences;
+    let hull = differences.radius.hull.as_ref()?;
+    let mut text = String::new();
     line(&mut text, "order", &differences.order.to_string());
     let shown = write_radius(&mut text, &differences.matrices, &differences.radius, hull);
     let proven = |m: &usize| hull.bound < limit(mask.arity(), differences.order, *m);
@@ -55,7 +82,15 @@ pub fn smoothness_certificate<F: Coefficient>(
         line(&mut text, "not-continuous", &m.to_string());
     }
     text.push_str("end\n");
-    Some(text)
+    let lower = shown.filter(|_| independent && continuous.is_some());
+    Some(LimitLines {
+        text,
+        order: differences.order,
+        at_most: hull.bound.clone(),
+        at_least: lower.map(|bound| (bound, differences.radius.degree)),
+        continuous,
+        not_continuous: fails,
+    })
 }
 
 /// The certificate of the bounds of a joint spectral radius; `None` where the radius is 0.

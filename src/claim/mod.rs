@@ -1,5 +1,5 @@
 //! The assertions of a paper, as data: schemes, tables, equations, closed forms in a free parameter
-//! and ranges of it, and theorems.
+//! and ranges of it, the smoothness of limits, and theorems.
 //!
 //! A claim file is TOML; [`read_paper`] reads one, [`embedded`] lists those that
 //! are part of the program. Every number and formula is a string: TOML's own
@@ -11,6 +11,7 @@ mod equation;
 mod function;
 mod paper;
 mod read;
+mod smoothness;
 mod table;
 mod theorem;
 
@@ -20,6 +21,10 @@ pub use equation::{Equation, EquationBody, Hypothesis, Identity, Index, Left};
 pub use function::{FunctionClaim, Limit, RangeClaim};
 pub use paper::{Alternative, Bibliography, Paper, SchemeSource};
 pub use read::{MAX_CLAIM_FILE_BYTES, is_id, read_paper, read_paper_file, read_whole_paper};
+pub use smoothness::{
+    ExponentStatement, PrintedExponent, RangeEnd, SmoothRangeStatement, SmoothnessBody,
+    SmoothnessClaim, SmoothnessKind, SmoothnessStatement,
+};
 pub use table::{
     Axis, AxisEntry, Cell, Figure, Headers, LocatedReference, Printed, Promise, Table,
 };

@@ -3,6 +3,7 @@
 use super::contents::Item;
 use super::equation::Equation;
 use super::function::{FunctionClaim, RangeClaim};
+use super::smoothness::SmoothnessClaim;
 use super::table::Table;
 use super::theorem::Theorem;
 use crate::diagnostic::SourceText;
@@ -37,6 +38,9 @@ pub struct Paper {
     pub functions: Vec<FunctionClaim>,
     /// The ranges of a free parameter, in the paper's order.
     pub ranges: Vec<RangeClaim>,
+    /// What it says of the smoothness of limits: of C^m, then of Hölder exponents, then of ranges of a
+    /// parameter, each in the paper's order.
+    pub smoothness: Vec<SmoothnessClaim>,
     /// The theorems, lemmas and corollaries, in the paper's order.
     pub theorems: Vec<Theorem>,
     /// The claim file.

@@ -32,6 +32,12 @@ impl Listed<'_> {
             .chain(of!("equation", paper.equations))
             .chain(of!("function", paper.functions))
             .chain(of!("range", paper.ranges))
+            .chain(paper.smoothness.iter().map(|claim| Listed {
+                id: &claim.id,
+                kind: claim.kind.name(),
+                locus: &claim.locus,
+                title: &claim.title,
+            }))
             .chain(of!("theorem", paper.theorems))
             .collect()
     }

@@ -3,7 +3,7 @@
 use super::output::Failure;
 use super::progress::Progress;
 use std::path::{Path, PathBuf};
-use subcert::audit::{PaperAudit, audit_claim, audit_whole, tables_needed};
+use subcert::audit::{PaperAudit, audit_claim, audit_whole, claims_needed};
 use subcert::claim::{
     MAX_CLAIM_FILE_BYTES, Paper, embedded_papers, read_paper_file, read_whole_paper,
 };
@@ -87,13 +87,13 @@ pub(super) fn judge_claim<'a>(
     id: &str,
     bar: bool,
 ) -> Result<PaperAudit<'a>, Failure> {
-    let progress = Progress::of_tables(tables_needed(paper, id), bar);
+    let progress = Progress::of_claims(claims_needed(paper, id), bar);
     Ok(audit_claim(paper, id, &|| progress.step())?)
 }
 
 /// Judges every claim of the papers, on all cores. With `bar`, a bar shows the progress.
 pub(super) fn judge_all(papers: &[Paper], bar: bool) -> Result<Vec<PaperAudit<'_>>, Failure> {
-    let tables = papers.iter().map(|paper| paper.tables.len()).sum();
-    let progress = Progress::of_tables(tables, bar);
+    let claims = papers.iter().map(|paper| paper.tables.len() + paper.smoothness.len()).sum();
+    let progress = Progress::of_claims(claims, bar);
     Ok(audit_whole(papers, &|| progress.step())?)
 }

@@ -25,10 +25,11 @@ pub(super) struct Progress {
 }
 
 impl Progress {
-    /// The progress of an audit of so many tables.
-    pub(super) fn of_tables(tables: usize, wanted: bool) -> Progress {
-        let tables = u64::try_from(tables).unwrap_or(u64::MAX);
-        Progress::new(tables, "{bar:40} {pos} of {len} tables, {elapsed}", wanted, |_| {})
+    /// The progress of an audit of so many tables and claims about smoothness.
+    pub(super) fn of_claims(claims: usize, wanted: bool) -> Progress {
+        let claims = u64::try_from(claims).unwrap_or(u64::MAX);
+        let template = "{bar:40} {pos} of {len} tables and claims about smoothness, {elapsed}";
+        Progress::new(claims, template, wanted, |_| {})
     }
 
     /// The progress of the spectra of so many rings.
@@ -106,7 +107,7 @@ impl Progress {
         Progress { bar, waiting }
     }
 
-    /// Counts one more table.
+    /// Counts one more claim.
     pub(super) fn step(&self) {
         self.bar.inc(1);
     }

@@ -61,7 +61,12 @@ impl<'a> PaperAudit<'a> {
         let theorems = self.theorems.iter().map(|finding| {
             one(&finding.theorem.id, &finding.theorem.locus, finding.verdict.name())
         });
-        tables.chain(equations).chain(functions).chain(ranges).chain(theorems).collect()
+        let smoothness = self
+            .smoothness
+            .iter()
+            .map(|finding| one(&finding.claim.id, &finding.claim.locus, finding.verdict.name()));
+        let claims = tables.chain(equations).chain(functions).chain(ranges);
+        claims.chain(smoothness).chain(theorems).collect()
     }
 }
 
@@ -101,6 +106,12 @@ impl PaperAudit<'_> {
     #[must_use]
     pub fn range_counts(&self) -> BTreeMap<&'static str, usize> {
         count(self.ranges.iter().map(|finding| finding.verdict.name()))
+    }
+
+    /// How many claims about smoothness have each verdict.
+    #[must_use]
+    pub fn smoothness_counts(&self) -> BTreeMap<&'static str, usize> {
+        count(self.smoothness.iter().map(|finding| finding.verdict.name()))
     }
 
     /// How many theorems have each verdict.

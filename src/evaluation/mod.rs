@@ -13,6 +13,7 @@ pub(crate) mod copied;
 mod elsewhere;
 mod functions;
 pub(crate) mod library;
+pub(crate) mod limits;
 mod options;
 pub(crate) mod parametric;
 pub(crate) mod quantity;

@@ -238,7 +238,7 @@ impl Constants<'_> {
 }
 
 /// Rules whose coefficients are polynomials.
-fn polynomial(rules: &Rules<Parametric>) -> Option<Rules<RationalPolynomial>> {
+pub(crate) fn polynomial(rules: &Rules<Parametric>) -> Option<Rules<RationalPolynomial>> {
     let polynomial = |entry: &Parametric| match entry.function()?.pieces() {
         [only] => Some(only.clone()),
         _ => None,

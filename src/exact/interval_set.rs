@@ -70,6 +70,20 @@ impl IntervalSet {
         self.combined(other, |left, right| left || right)
     }
 
+    /// The numbers in this set that are not in the other one.
+    ///
+    /// ```
+    /// use subcert::exact::{IntervalSet, PiecewisePolynomial, Rational};
+    ///
+    /// let positive = IntervalSet::everything()
+    ///     .without(&PiecewisePolynomial::variable().at_most(&Rational::zero()));
+    /// assert!(positive.contains(&Rational::new(1, 9)) && !positive.contains(&Rational::zero()));
+    /// ```
+    #[must_use]
+    pub fn without(&self, other: &IntervalSet) -> IntervalSet {
+        self.combined(other, |left, right| left && !right)
+    }
+
     fn combined(&self, other: &IntervalSet, keep: impl Fn(bool, bool) -> bool) -> IntervalSet {
         let mut points: Vec<RealAlgebraic> =
             self.ends().chain(other.ends()).map(|(place, _)| place.clone()).collect();

@@ -20,7 +20,7 @@
 //! | [`solve`], [`determinant`], [`interpolated`] | systems of linear equations |
 //! | [`characteristic_polynomial`], [`FieldElement`] | eigenvalues of rational matrices, and the fields that they generate |
 //! | [`Adjugate`] | characteristic polynomials and eigenvectors over any ring |
-//! | [`natural_logarithm`] | enclosures of logarithms |
+//! | [`natural_logarithm`], [`LogSum`] | enclosures of logarithms, and of rational combinations of them |
 //! | [`CommonDenominator`] | rationals as integers over one denominator, for hot loops |
 
 mod adjugate;
@@ -40,6 +40,7 @@ mod integer;
 mod interval;
 mod interval_set;
 mod linear;
+mod log_sum;
 mod logarithm;
 mod matrix;
 mod monomial;
@@ -79,6 +80,7 @@ pub use integer::Integer;
 pub use interval::Interval;
 pub use interval_set::IntervalSet;
 pub use linear::{determinant, interpolated, solve};
+pub use log_sum::{LogSum, LogTerm};
 pub use logarithm::natural_logarithm;
 pub use matrix::{Matrix, Naming};
 pub use number_field::{

@@ -1,7 +1,12 @@
 //! The real roots of a polynomial, found with its Sturm sequence.
 
-use super::{Integer, IntegerPolynomial, Rational, RealAlgebraic, SturmSequence};
+use super::{
+    Enclosed, Integer, IntegerPolynomial, Rational, RealAlgebraic, RealCyclotomic, SturmSequence,
+};
 use std::sync::Arc;
+
+/// The greatest conductor of a number whose minimal polynomial is computed.
+const MAX_CONDUCTOR: u32 = 60;
 
 impl RealAlgebraic {
     /// The distinct real roots of `polynomial`, in increasing order.
@@ -11,6 +16,41 @@ impl RealAlgebraic {
     #[must_use]
     pub fn roots_of(polynomial: &IntegerPolynomial) -> Vec<RealAlgebraic> {
         SturmSequence::new(polynomial).roots()
+    }
+
+    /// This number as a root of its minimal polynomial; `None` where its conductor is above 60.
+    ///
+    /// ```
+    /// use subcert::exact::{Rational, RealAlgebraic, RealCyclotomic};
+    ///
+    /// // cos(2π/5) = (√5 − 1)/4
+    /// let cosine = RealCyclotomic::cosine(&Rational::new(1, 5))?;
+    /// let root = RealAlgebraic::of_cyclotomic(&cosine).expect("a small conductor");
+    /// assert_eq!(root.polynomial().to_string(), "4x^2 + 2x - 1");
+    /// assert!(root > RealAlgebraic::from(Rational::new(3, 10)));
+    /// # Ok::<(), subcert::exact::CosineError>(())
+    /// ```
+    #[must_use]
+    pub fn of_cyclotomic(number: &RealCyclotomic) -> Option<RealAlgebraic> {
+        if let Some(rational) = number.as_rational() {
+            return Some(RealAlgebraic::from(rational.clone()));
+        }
+        if number.conductor() > MAX_CONDUCTOR {
+            return None;
+        }
+        let mut roots = RealAlgebraic::roots_of(&number.minimal_polynomial());
+        // The conjugates are apart from this number, so that one of them is left at some level.
+        for level in 0.. {
+            let near = number.enclosure(level);
+            roots.retain(|root| {
+                let other = root.enclosure(level);
+                other.lower() <= near.upper() && near.lower() <= other.upper()
+            });
+            if roots.len() <= 1 {
+                break;
+            }
+        }
+        roots.pop()
     }
 }
 

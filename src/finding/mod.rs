@@ -11,6 +11,7 @@ mod promise;
 mod range;
 mod reading;
 mod recovered;
+mod smoothness;
 mod table;
 mod theorem;
 mod witness;
@@ -31,6 +32,9 @@ pub use reading::{
 };
 pub(crate) use recovered::values;
 pub use recovered::{Recovered, RecoveredFrom};
+pub use smoothness::{
+    Contraction, Known, Limits, RangeOfLimits, SmoothnessFinding, SmoothnessVerdict, Witness,
+};
 pub use table::TableFinding;
 pub use theorem::{
     CaseFinding, Correction, EveryShift, FailingPremise, Naturally, Outcome, Refutation, Repair,

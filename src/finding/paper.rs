@@ -5,6 +5,7 @@ use crate::finding::consistency::Contradiction;
 use crate::finding::equation::EquationFinding;
 use crate::finding::function::FunctionFinding;
 use crate::finding::range::RangeFinding;
+use crate::finding::smoothness::SmoothnessFinding;
 use crate::finding::table::TableFinding;
 use crate::finding::theorem::TheoremFinding;
 
@@ -21,6 +22,8 @@ pub struct PaperAudit<'a> {
     pub functions: Vec<FunctionFinding<'a>>,
     /// Its ranges of a free parameter.
     pub ranges: Vec<RangeFinding<'a>>,
+    /// What it says of the smoothness of limits.
+    pub smoothness: Vec<SmoothnessFinding<'a>>,
     /// Its theorems.
     pub theorems: Vec<TheoremFinding<'a>>,
     /// Where its tables need different readings or values of a parameter.

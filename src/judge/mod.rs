@@ -14,6 +14,7 @@ pub(crate) mod reading;
 mod recovery;
 pub(crate) mod related;
 mod slips;
+pub(crate) mod smoothness;
 pub(crate) mod table;
 pub(crate) mod theorem;
 

@@ -9,6 +9,7 @@ use super::parts::{mark, titled};
 use super::promise;
 use super::reading;
 use super::sheet::{Grid, Sheet};
+use super::smoothness;
 use super::theorem;
 use crate::audit::{CellFinding, Direction, PaperAudit, TableFinding, Verdict};
 use crate::exact::{Rational, format::short};
@@ -56,6 +57,7 @@ fn paper(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {
     }
     equations(sheet, &audit.equations, all);
     function::sections(sheet, audit, all);
+    smoothness::section(sheet, audit, all);
     theorem::section(sheet, audit);
     consistency::section(sheet, audit);
     super::summary::section(sheet, audit);

@@ -8,6 +8,7 @@ use super::parts::{definitions, mark};
 use super::promise;
 use super::reading;
 use super::sheet::Sheet;
+use super::smoothness;
 use super::theorem;
 use super::tried;
 use super::working;
@@ -42,7 +43,8 @@ pub fn explain_sheet(
     let Background { readings, by_hand, working } = background;
     let (key, rest) = id.split_once(':')?;
     let audit = audits.iter().find(|audit| audit.paper.key == key)?;
-    let other = function::explain(audit, id).or_else(|| theorem::explain(audit, id, by_hand));
+    let other = function::explain(audit, id).or_else(|| smoothness::explain(audit, id));
+    let other = other.or_else(|| theorem::explain(audit, id, by_hand));
     if let Some(sheet) = other {
         return Some(sheet);
     }

@@ -123,9 +123,16 @@ type Kind =
 
 /// `15 of 43 equations fail, 8 of 10 theorems are refuted.`
 fn claims(audit: &PaperAudit<'_>) -> Option<String> {
-    let kinds: [Kind; 3] = [
+    let kinds: [Kind; 4] = [
         (audit.equation_counts(), "equations", "equation", "fails", ["fails", "fail"]),
         (audit.range_counts(), "ranges", "range", "inexact", ["is wrong", "are wrong"]),
+        (
+            audit.smoothness_counts(),
+            "statements about smoothness",
+            "statement about smoothness",
+            "refuted",
+            ["is refuted", "are refuted"],
+        ),
         (audit.theorem_counts(), "theorems", "theorem", "refuted", ["is refuted", "are refuted"]),
     ];
     let (mut wrong, mut right) = (Vec::new(), Vec::new());

@@ -24,6 +24,7 @@ mod promise;
 mod reading;
 mod sheet;
 mod shift;
+mod smoothness;
 mod summary;
 mod text;
 mod theorem;

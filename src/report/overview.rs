@@ -15,10 +15,11 @@ type Counts = BTreeMap<&'static str, usize>;
 /// A kind of claim other than cells: its heading, and its counts in a paper.
 type Kind = (&'static str, fn(&PaperAudit<'_>) -> Counts);
 
-const KINDS: [Kind; 4] = [
+const KINDS: [Kind; 5] = [
     ("promises\n✓ kept ✗ broken ? open", promises),
     ("equations\n✓ hold ✗ fail", |audit| audit.equation_counts()),
     ("ranges\n✓ exact ≈ ✗", |audit| audit.range_counts()),
+    ("smoothness\n✓ confirmed ≈ ✗ ?", |audit| audit.smoothness_counts()),
     ("theorems\n✓ proved ✗ refuted ? open", |audit| audit.theorem_counts()),
 ];
 

@@ -1,7 +1,7 @@
 //! Exponents in closed form.
 
 use crate::exact::{Enclosed, Enclosure, Rational, RealAlgebraic, SturmSequence, format::short};
-use crate::exact::{IntegerPolynomial, natural_logarithm};
+use crate::exact::{Integer, IntegerPolynomial, LogSum, LogTerm, natural_logarithm};
 use std::cmp::Ordering;
 use std::fmt;
 
@@ -71,6 +71,53 @@ impl ExponentFormula {
         let exponent = exponent.numerator().to_i64().and_then(|e| i32::try_from(e).ok());
         let power = Rational::from(self.arity).pow(exponent.expect("a small exponent"));
         self.root.cmp_rational(&power).reverse()
+    }
+}
+
+/// The greatest common denominator of the exponents of powers that are compared.
+const MAX_ROOT: u32 = 64;
+
+/// The greatest exponent of these powers.
+const MAX_POWER: i32 = 4_096;
+
+impl ExponentFormula {
+    /// Whether the exponent is this number; `None` where a logarithm is to a base that is no power of a
+    /// root of n with a small exponent, or where the powers are beyond a cap.
+    ///
+    /// whole − log_n(ρ)/d = a + Σ c_i log_n(x_i) holds if and only if ρ^L is the rational number n^{Ld(whole − a)} Π
+    /// x_i^{−Ldc_i}, with L ≥ 1 for which these exponents are integers.
+    ///
+    /// # Panics
+    /// Never.
+    #[must_use]
+    pub fn equals(&self, value: &LogSum) -> Option<bool> {
+        let degree = Rational::from(self.degree);
+        let first = (&self.whole - &value.rational) * &degree;
+        let mut powers = vec![(Rational::from(self.arity), first)];
+        for LogTerm { factor, base, of } in &value.terms {
+            let base = rational_logarithm(&Rational::from(*base), self.arity)?;
+            powers.push((of.clone(), -(factor * &degree / base)));
+        }
+        let small = |x: &Integer| x.to_i64().and_then(|x| i32::try_from(x).ok());
+        let one = Integer::one();
+        let denominator = powers.iter().fold(one, |lcm, (_, e)| lcm.lcm(&e.denominator()));
+        let root = small(&denominator).and_then(|l| u32::try_from(l).ok());
+        let root = root.filter(|root| *root <= MAX_ROOT)?;
+        let scale = Rational::from(denominator);
+        let mut power = Rational::one();
+        for (of, exponent) in powers {
+            let exponent = small(&(exponent * &scale).numerator())?;
+            if exponent.abs() > MAX_POWER {
+                return None;
+            }
+            power *= &of.pow(exponent);
+        }
+        // The positive root of q·x^L − p.
+        let mut coefficients = vec![Integer::zero(); root as usize + 1];
+        coefficients[0] = -power.numerator();
+        coefficients[root as usize] = power.denominator();
+        let roots = RealAlgebraic::roots_of(&IntegerPolynomial::new(coefficients));
+        Some(roots.last() == Some(&self.root))
     }
 }
 

@@ -1,7 +1,7 @@
 //! For which parameters the limits are C^m, from both sides.
 
 use super::independence::independent;
-use super::parametric::ParametricSymbol;
+use super::parametric::{ParametricSymbol, PolynomialMatrix};
 use super::search::Search;
 use crate::bound::{ParameterRange, RangeError};
 use crate::exact::{
@@ -68,17 +68,12 @@ pub fn smooth_range(
     m: usize,
     levels: u32,
 ) -> Result<SmoothRange, SmoothRangeError> {
-    let whole = ParametricSymbol::of(rules);
-    let orders = std::iter::successors(Some(whole.clone()), ParametricSymbol::over_sigma);
-    let orders: Vec<ParametricSymbol> = orders.collect();
-    let found = orders.len() - 1;
-    if found < m + 1 {
-        return Err(SmoothRangeError::SumRules { m, needed: m + 1, found });
-    }
+    let (whole, matrices) = scaled_matrices(rules, m)?;
     let n = Rational::from(whole.arity());
     let factor = (0..m).fold(Rational::one(), |power, _| power * &n);
-    let contraction = ParameterRange::new(&orders[m + 1].scaled(&factor).rules(), levels)?;
-    let matrices = orders[found].scaled(&factor).matrices();
+    let derived = (0..=m).try_fold(whole.clone(), |symbol, _| symbol.over_sigma());
+    let derived = derived.expect("sum rules of this order").scaled(&factor);
+    let contraction = ParameterRange::new(&derived.rules(), levels)?;
     let mut search = Search::new(matrices)?;
     search.run(&contraction.union)?;
     let inside = search.inside.union(&contraction.union);
@@ -86,6 +81,74 @@ pub fn smooth_range(
     let outside = if sure { search.outside } else { generically(&whole, &search.outside) };
     let gap = gap(&inside.union(&outside));
     Ok(SmoothRange { contraction, inside, outside, but_finitely_many: !sure, gap })
+}
+
+impl SmoothRange {
+    /// Looks closer at these values: adds to both sets what can be decided there, with intervals that are no
+    /// wider than `width`. Of a set that is not bounded nothing is looked at beyond its finite ends.
+    ///
+    /// # Errors
+    /// As [`smooth_range`], for the same arguments.
+    ///
+    /// ```
+    /// use subcert::bound::polynomial_rules;
+    /// use subcert::exact::{IntervalSet, Rational};
+    /// use subcert::scheme::parse_parametric;
+    /// use subcert::smoothness::smooth_range;
+    ///
+    /// // C^1 ends at 0.1927292…
+    /// let mask = parse_parametric("four-point", "w")?;
+    /// let rules = polynomial_rules(mask.rules(), "w")?;
+    /// let mut range = smooth_range(&rules, 1, 2)?;
+    /// let end = Rational::new(19_272, 100_000);
+    /// assert!(!range.inside.contains(&end));
+    /// let open = IntervalSet::everything().without(&range.inside).without(&range.outside);
+    /// range.look_closer(&rules, 1, &open, &Rational::new(1, 1_000_000))?;
+    /// assert!(range.inside.contains(&end));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn look_closer(
+        &mut self,
+        rules: &Rules<RationalPolynomial>,
+        m: usize,
+        values: &IntervalSet,
+        width: &Rational,
+    ) -> Result<(), SmoothRangeError> {
+        let (whole, matrices) = scaled_matrices(rules, m)?;
+        let mut search = Search::new(matrices)?;
+        for interval in values.intervals() {
+            let (Some(low), Some(high)) = (place(&interval.low), place(&interval.high)) else {
+                continue;
+            };
+            let ends = (low.bounds().0, high.bounds().1);
+            search.divide(ends, &self.inside, width)?;
+        }
+        self.inside = self.inside.union(&search.inside);
+        let outside = if self.but_finitely_many {
+            generically(&whole, &search.outside)
+        } else {
+            search.outside
+        };
+        self.outside = self.outside.union(&outside);
+        self.gap = gap(&self.inside.union(&self.outside));
+        Ok(())
+    }
+}
+
+/// The symbol, and the matrices of n^mB_K for its order K of the sum rules.
+fn scaled_matrices(
+    rules: &Rules<RationalPolynomial>,
+    m: usize,
+) -> Result<(ParametricSymbol, Vec<PolynomialMatrix>), SmoothRangeError> {
+    let whole = ParametricSymbol::of(rules);
+    let orders = std::iter::successors(Some(whole.clone()), ParametricSymbol::over_sigma);
+    let (found, last) = orders.enumerate().last().expect("the symbol itself");
+    if found < m + 1 {
+        return Err(SmoothRangeError::SumRules { m, needed: m + 1, found });
+    }
+    let n = Rational::from(whole.arity());
+    let factor = (0..m).fold(Rational::one(), |power, _| power * &n);
+    Ok((whole, last.scaled(&factor).matrices()))
 }
 
 /// The intervals in which some parameter has independent shifts: then all but finitely many of each have.
@@ -100,15 +163,18 @@ fn generically(symbol: &ParametricSymbol, outside: &IntervalSet) -> IntervalSet 
     proper.fold(IntervalSet::default(), |union, set| union.union(&set))
 }
 
+fn place(end: &Bound<RealAlgebraic>) -> Option<RealAlgebraic> {
+    match end {
+        Bound::Unbounded => None,
+        Bound::Included(place) | Bound::Excluded(place) => Some(place.clone()),
+    }
+}
+
 /// The length of the complement, if it is bounded.
 fn gap(known: &IntervalSet) -> Option<Rational> {
     let intervals = known.intervals();
     let bounded = matches!(intervals.first()?.low, Bound::Unbounded)
         && matches!(intervals.last()?.high, Bound::Unbounded);
-    let place = |end: &Bound<RealAlgebraic>| match end {
-        Bound::Unbounded => None,
-        Bound::Included(place) | Bound::Excluded(place) => Some(place.clone()),
-    };
     let length = |pair: &[Interval]| {
         let (low, high) = (place(&pair[0].high)?, place(&pair[1].low)?);
         Some(high.enclosure(0).upper() - low.enclosure(0).lower())

@@ -95,8 +95,18 @@ impl Search {
         let zero = Rational::zero();
         let low = (ends.iter().min().unwrap_or(&zero) - &one).floor();
         let high = (ends.iter().max().unwrap_or(&zero) + &one).ceil();
-        let mut waiting = vec![(Rational::from(low), Rational::from(high))];
-        let width = Rational::new(WIDTH.0, WIDTH.1);
+        let line = (Rational::from(low), Rational::from(high));
+        self.divide(line, known, &Rational::new(WIDTH.0, WIDTH.1))
+    }
+
+    /// Divides an interval until all is decided, or narrower than `width`.
+    pub(super) fn divide(
+        &mut self,
+        interval: (Rational, Rational),
+        known: &IntervalSet,
+        width: &Rational,
+    ) -> Result<(), MatrixSetError> {
+        let mut waiting = vec![interval];
         while let Some((a, b)) = waiting.pop() {
             let piece = closed(&a, &b);
             if self.outside.covers(&piece) || known.covers(&piece) || self.pieces == MAX_PIECES {
@@ -107,7 +117,7 @@ impl Search {
                 self.inside = self.inside.union(&IntervalSet::from(piece));
                 continue;
             }
-            if &b - &a <= width {
+            if &b - &a <= *width {
                 continue;
             }
             let middle = (&a + &b) / Rational::from(2);

@@ -3,4 +3,5 @@
 mod constants;
 mod levels;
 mod papers;
+mod smoothness;
 mod theorems;

@@ -3,3 +3,4 @@
 mod axes;
 mod embedded;
 mod names;
+mod smoothness;

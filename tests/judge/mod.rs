@@ -1,4 +1,4 @@
-//! Judging tables, functions, ranges and theorems.
+//! Judging tables, functions, ranges, smoothness and theorems.
 
 mod copied;
 mod every_shift;
@@ -8,5 +8,6 @@ mod proportional;
 mod readings;
 mod recovered;
 mod scheme_headers;
+mod smoothness;
 mod theorem_verdicts;
 mod theorems;

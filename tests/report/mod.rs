@@ -8,6 +8,7 @@ mod html;
 mod latex;
 mod latex_table;
 mod pictures;
+mod smoothness;
 mod witnesses;
 
 use std::sync::LazyLock;

@@ -20,6 +20,7 @@ mod decimal;
 mod element;
 mod field;
 mod linear;
+mod magnitude;
 mod number;
 mod piece;
 mod polygon;
@@ -52,6 +53,7 @@ mod products;
 // The functions that formulas call.
 mod call;
 mod depth;
+mod exponent;
 mod functions;
 mod sums;
 

@@ -127,6 +127,10 @@ reasons! {
     NoLimit "the scheme is not shown to converge"
     NegativeSpread "the spread of the data is negative"
     Negative "the bound is negative: it presupposes something that does not hold"
+    Radius(why: RadiusReason) "the certificate of the radius: {why}"
+    NotShown "the radius does not show this verdict"
+    NoRefutation(at: Text) "the value {at} does not refute this range"
+    Uncovered "the condition is not shown in the whole printed range"
     NotViolated(value: Text, bound: Text) "the value is {value}, which does not violate the bound {bound}"
 }
 

@@ -59,13 +59,23 @@ impl Root {
         (self.low == self.high).then_some(&self.low)
     }
 
+    /// The ends of the interval.
+    pub fn ends(&self) -> [&Q; 2] {
+        [&self.low, &self.high]
+    }
+
+    /// The coefficients of the polynomial.
+    pub fn polynomial(&self) -> &[Q] {
+        &self.polynomial
+    }
+
     /// The number of roots of a polynomial in the interval. It is not 0 at the ends.
     fn count(&self, p: &[Q]) -> usize {
         roots_between(p, &self.low, &self.high)
     }
 
     /// The number in half of the interval.
-    fn halved(&self) -> Root {
+    pub fn halved(&self) -> Root {
         let (polynomial, middle) = (self.polynomial.clone(), (&self.low + &self.high) / int(2));
         if at(&polynomial, &middle).is_zero() {
             return middle.into();

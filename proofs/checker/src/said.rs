@@ -19,8 +19,8 @@ pub fn verdict(kind: &str, block: &Block<'_>) -> String {
             ("case", _) => failing += 1,
             ("sides", both) => sides.extend(both.split_once(' ')),
             (
-                word
-                @ ("holds" | "exact" | "inexact" | "rounding" | "fails" | "proved" | "refuted"),
+                word @ ("confirmed" | "holds" | "exact" | "inexact" | "rounding" | "fails"
+                | "proved" | "refuted"),
                 cases,
             ) => verdict = (word, cases),
             _ => {}
@@ -34,6 +34,7 @@ pub fn verdict(kind: &str, block: &Block<'_>) -> String {
             let [left, right] = [1, 2].map(|i| shortened(words[i]));
             format!("{word}: {left} is not {right}, at {}", words[0])
         }
+        (word @ "rounding", how) if !how.is_empty() => format!("{word}, {how}"),
         (word, "" | "1") => word.to_owned(),
         (word @ "fails", cases) => format!("{word} in {failing} of {cases} cases"),
         (word, cases) => format!("{word} in {cases} cases"),

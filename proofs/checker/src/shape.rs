@@ -3,13 +3,14 @@
 use crate::toml::Toml;
 
 /// The kinds of claims.
-pub const KINDS: [&str; 5] = ["table", "equation", "function", "range", "theorem"];
+pub const KINDS: [&str; 7] =
+    ["table", "equation", "function", "range", "smoothness", "exponent", "theorem"];
 
 /// The fields of each kind of table with their types. `*t` is a list of t, `%t` is a table of t
 /// with any names, and `s|t` is s or t.
 const SHAPES: &str = "
 file: key=text paper=any define=%text given=%text alternative=*alternative scheme=*scheme \
- table=*any equation=*any function=*any range=*any theorem=*any unclaimed=any
+ table=*any equation=*any function=*any range=*any smoothness=*any exponent=*any theorem=*any unclaimed=any
 alternative: of=text label=text value=text
 scheme: name=text title=text source=text parameters=%parameter let=%text offset=text arity=text \
  width=text entry=text mask=**text orbits=%text weights=%%text edges=**text use=text
@@ -20,7 +21,10 @@ table: value=text promise=promise rows=axis columns=axis cells=text|**number giv
 figure: locus=text lines=*text
 equation: symbols=*text hypotheses=*text indices=*axis left=text|*text right=text absent=text
 function: variable=text left=text right=text
-range: variable=text value=text below=text at_most=text from=number to=number closed=flag
+range: variable=text value=text below=text at_most=text smoothness=text from=number to=number \
+ closed=flag only=flag
+smoothness: continuous=text not_continuous=text absent=text
+exponent: value=text printed=number at_least=text at_most=text attained=flag absent=text
 theorem: bounds=text by=text from=text says=text rests=*text schemes=*text values=%*text \
  offset=text interpolant=text supposes=supposes block=text corrections=*correction \
  proved_by=text refuted_by=text proof_uses=*text

@@ -4,6 +4,7 @@ use super::contents::UnclaimedTable;
 use super::equation::EquationTable;
 use super::fields::{CommonFields, Formulas};
 use super::function::{FunctionTable, RangeTable};
+use super::smoothness::{ExponentTable, SmoothnessTable};
 use super::table::TableTable;
 use super::theorem::TheoremTable;
 use crate::claim::Bibliography;
@@ -33,6 +34,10 @@ pub(super) struct PaperFile {
     pub(super) function: Vec<FunctionTable>,
     #[serde(default)]
     pub(super) range: Vec<RangeTable>,
+    #[serde(default)]
+    pub(super) smoothness: Vec<SmoothnessTable>,
+    #[serde(default)]
+    pub(super) exponent: Vec<ExponentTable>,
     #[serde(default)]
     pub(super) theorem: Vec<TheoremTable>,
     #[serde(default)]
@@ -82,7 +87,10 @@ impl PaperFile {
         let equations = self.equation.iter().map(EquationTable::common);
         let functions = self.function.iter().map(FunctionTable::common);
         let ranges = self.range.iter().map(RangeTable::common);
+        let smoothness = self.smoothness.iter().map(SmoothnessTable::common);
+        let exponents = self.exponent.iter().map(ExponentTable::common);
         let theorems = self.theorem.iter().map(TheoremTable::common);
-        tables.chain(equations).chain(functions).chain(ranges).chain(theorems)
+        let claims = tables.chain(equations).chain(functions).chain(ranges);
+        claims.chain(smoothness).chain(exponents).chain(theorems)
     }
 }

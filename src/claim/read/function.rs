@@ -2,9 +2,15 @@
 
 use super::fields::{NumberField, claim_table};
 use super::reader::{Head, Reader};
-use crate::claim::{FunctionClaim, Limit, RangeClaim};
+use crate::claim::{
+    FunctionClaim, Limit, RangeClaim, RangeEnd, SmoothRangeStatement, SmoothnessClaim,
+    SmoothnessKind, SmoothnessStatement,
+};
 use crate::diagnostic::Diagnostic;
+use crate::exact::{RealAlgebraic, RealCyclotomic, parse_decimal};
+use crate::formula::{LocatedFormula, Parameters, evaluate};
 use crate::scheme::{formula, identifier};
+use std::ops::Range;
 use toml::Spanned;
 
 claim_table!(FunctionTable {
@@ -15,13 +21,21 @@ claim_table!(FunctionTable {
 
 claim_table!(RangeTable {
     pub(super) variable: Spanned<String>,
-    value: Spanned<String>,
+    value: Option<Spanned<String>>,
+    pub(super) smoothness: Option<Spanned<String>>,
     below: Option<Spanned<String>>,
     at_most: Option<Spanned<String>>,
     from: Option<Spanned<NumberField>>,
     to: Option<Spanned<NumberField>>,
     closed: Option<bool>,
+    only: Option<Spanned<bool>>,
 });
+
+/// A range of a free parameter, of one of the two kinds.
+pub(super) enum AnyRange {
+    Value(RangeClaim),
+    Smoothness(SmoothnessClaim),
+}
 
 impl Reader<'_> {
     pub(super) fn function(&self, table: &FunctionTable) -> Result<FunctionClaim, Diagnostic> {
@@ -32,7 +46,97 @@ impl Reader<'_> {
         Ok(FunctionClaim { id, locus, title, variable, scheme, left, right, note })
     }
 
-    pub(super) fn range(&self, table: &RangeTable) -> Result<RangeClaim, Diagnostic> {
+    pub(super) fn range(&self, table: &RangeTable) -> Result<AnyRange, Diagnostic> {
+        match (&table.value, &table.smoothness) {
+            (Some(value), None) => self.value_range(table, value).map(AnyRange::Value),
+            (None, Some(m)) => self.smooth_range(table, m).map(AnyRange::Smoothness),
+            _ => Err(self
+                .error(table.id.span(), "a range needs either `value` or `smoothness`")
+                .with_help(
+                    "value = 'contraction(1)' with below = '1' is where a value is limited, \
+                     smoothness = '2' is where the limits are C^2",
+                )),
+        }
+    }
+
+    /// The range of a parameter for which the limits are C^m.
+    fn smooth_range(
+        &self,
+        table: &RangeTable,
+        m: &Spanned<String>,
+    ) -> Result<SmoothnessClaim, Diagnostic> {
+        if let Some(limit) = table.below.as_ref().or(table.at_most.as_ref()) {
+            return Err(self
+                .error(limit.span(), "the limits of a `value` have no place beside `smoothness`")
+                .with_help(
+                    "remove `below` and `at_most`, or say `value` in place of `smoothness`",
+                ));
+        }
+        let end = |field: &Option<Spanned<NumberField>>| {
+            field.as_ref().map(|field| self.range_end(field)).transpose()
+        };
+        let (from, to) = (end(&table.from)?, end(&table.to)?);
+        if from.is_none() && to.is_none() {
+            return Err(self.no_ends(table));
+        }
+        if let (Some(from), Some(to)) = (&from, &to)
+            && from.value >= to.value
+        {
+            return Err(self.ends_exchanged(&to.text, to.span.clone()));
+        }
+        let statement = SmoothRangeStatement {
+            variable: identifier(self.source, &table.variable)?,
+            m: self.order(m)?,
+            from,
+            to,
+            closed: table.closed.unwrap_or(false),
+            only: table.only.as_ref().is_some_and(|only| *only.get_ref()),
+        };
+        let statement = Ok(SmoothnessStatement::Range(statement));
+        self.about_limits(table.common(), SmoothnessKind::Range, statement)
+    }
+
+    /// An end that is printed as a decimal or as a closed formula.
+    fn range_end(&self, field: &Spanned<NumberField>) -> Result<RangeEnd, Diagnostic> {
+        let NumberField { printed, read, .. } = field.get_ref();
+        let text = read.as_ref().unwrap_or(printed);
+        let (decimal, value) = match parse_decimal(text) {
+            Ok(decimal) => (Some(decimal.clone()), RealAlgebraic::from(decimal.value())),
+            Err(_) => {
+                let formula = LocatedFormula::read(self.source, field.span(), text)?;
+                let value = evaluate(&formula.expr, &Parameters::<RealCyclotomic>::default())
+                    .map_err(|error| formula.diagnostic(&error))?;
+                let value = RealAlgebraic::of_cyclotomic(&value).ok_or_else(|| {
+                    self.error(field.span(), "cosines of these angles are too complicated for an end of a range")
+                        .with_help("cosines of multiples of 2*pi/n may stand here for n up to 60; other ends are decimals")
+                })?;
+                (None, value)
+            }
+        };
+        Ok(RangeEnd { text: printed.clone(), decimal, value, span: field.span() })
+    }
+
+    fn no_ends(&self, table: &RangeTable) -> Diagnostic {
+        self.error(table.id.span(), "a range needs its printed ends")
+            .with_help("from = '0.1679', to = '0.6666'; one of them for a half line")
+    }
+
+    fn ends_exchanged(&self, to: &str, span: Range<usize>) -> Diagnostic {
+        self.error(span, format!("the upper end {to} is not above the lower one"))
+            .with_help("`from` is the lower end, `to` the upper one")
+    }
+
+    /// The range of a parameter in which a value is limited.
+    fn value_range(
+        &self,
+        table: &RangeTable,
+        value: &Spanned<String>,
+    ) -> Result<RangeClaim, Diagnostic> {
+        if let Some(only) = &table.only {
+            return Err(self
+                .error(only.span(), "`only` has a meaning beside `smoothness` alone")
+                .with_help("a range of a `value` is always the exact one: remove `only`"));
+        }
         let limit = match (&table.below, &table.at_most) {
             (Some(limit), None) => Limit::Below(formula(self.source, limit)?),
             (None, Some(limit)) => Limit::AtMost(formula(self.source, limit)?),
@@ -50,22 +154,15 @@ impl Reader<'_> {
         };
         let (from, to) = (end(&table.from)?, end(&table.to)?);
         match (&from, &to) {
-            (None, None) => {
-                return Err(self
-                    .error(table.id.span(), "a range needs its printed ends")
-                    .with_help("from = '0.1679', to = '0.6666'; one of them for a half line"));
-            }
+            (None, None) => return Err(self.no_ends(table)),
             (Some(from), Some(to)) if from.decimal.value() >= to.decimal.value() => {
-                let message = format!("the upper end {} is not above the lower one", to.text);
-                return Err(self
-                    .error(to.span.clone(), message)
-                    .with_help("`from` is the lower end, `to` the upper one"));
+                return Err(self.ends_exchanged(&to.text, to.span.clone()));
             }
             _ => {}
         }
         let Head { id, locus, title, scheme, note } = self.head(table.common())?;
         let variable = identifier(self.source, &table.variable)?;
-        let (value, closed) = (formula(self.source, &table.value)?, table.closed);
+        let (value, closed) = (formula(self.source, value)?, table.closed);
         Ok(RangeClaim { id, locus, title, variable, scheme, value, limit, from, to, closed, note })
     }
 }

@@ -4,8 +4,8 @@
 use super::reader::Reader;
 use super::roles::{AllRoles, Role, Roles};
 use crate::claim::{
-    Equation, EquationBody, Index, Left, LocatedReference, Paper, Promise, Statement,
-    THEOREM_NAMES, Table, Theorem,
+    Equation, EquationBody, Index, Left, LocatedReference, Paper, Promise, SmoothnessBody,
+    Statement, THEOREM_NAMES, Table, Theorem,
 };
 use crate::diagnostic::Diagnostic;
 use crate::formula::{Expr, LocatedFormula};
@@ -39,6 +39,11 @@ impl Reader<'_> {
             let mut formulas = vec![placed(&claim.value)];
             formulas.extend(claim.scheme.iter().flat_map(of_reference));
             self.claim(paper, formulas, all.of(&claim.id), all)?;
+        }
+        for claim in &paper.smoothness {
+            if let SmoothnessBody::Statement(scheme, _) = &claim.body {
+                self.claim(paper, of_reference(scheme).collect(), all.of(&claim.id), all)?;
+            }
         }
         for theorem in &paper.theorems {
             let (bound, others) = of_theorem(theorem);

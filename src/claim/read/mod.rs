@@ -6,6 +6,7 @@
 mod axis;
 mod contents;
 mod equation;
+mod exponent;
 mod fields;
 mod figure;
 mod file;
@@ -14,6 +15,7 @@ mod indices;
 mod paper;
 mod reader;
 mod roles;
+mod smoothness;
 mod table;
 mod theorem;
 mod trial;

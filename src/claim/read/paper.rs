@@ -2,8 +2,9 @@
 
 use super::fields::{CommonFields, Formulas};
 use super::file::{AlternativeTable, PaperFile};
+use super::function::AnyRange;
 use super::reader::Reader;
-use crate::claim::{Alternative, Paper, SchemeSource};
+use crate::claim::{Alternative, Paper, RangeClaim, SchemeSource, SmoothnessClaim};
 use crate::diagnostic::{Collected, Diagnostic, Errors, SourceText, read_text};
 use crate::formula::LocatedFormula;
 use crate::scheme::{SchemeTable, formula, from_toml, identifier};
@@ -54,6 +55,10 @@ pub fn read_whole_paper(source: &Arc<SourceText>) -> Result<Paper, Errors> {
         file.theorem.iter().map(|theorem| theorem.common().id.get_ref().as_str()).collect();
     let roles = errors.take(reader.roles(&file));
     let contents = reader.contents(&file.paper.numbered, file.claims(), &file.unclaimed);
+    let (ranges, smooth_ranges) = ranges(errors.all(&file.range, |range| reader.range(range)));
+    let mut smoothness = errors.all(&file.smoothness, |claim| reader.smoothness(claim));
+    smoothness.extend(errors.all(&file.exponent, |claim| reader.exponent(claim)));
+    smoothness.extend(smooth_ranges);
     let paper = Paper {
         key: file.key.get_ref().clone(),
         bibliography: file.paper.bibliography(),
@@ -67,7 +72,8 @@ pub fn read_whole_paper(source: &Arc<SourceText>) -> Result<Paper, Errors> {
         tables: errors.all(&file.table, |table| reader.table(table)),
         equations: errors.all(&file.equation, |equation| reader.equation(equation)),
         functions: errors.all(&file.function, |function| reader.function(function)),
-        ranges: errors.all(&file.range, |range| reader.range(range)),
+        ranges,
+        smoothness,
         theorems: errors.all(&file.theorem, |theorem| reader.theorem(theorem, &ids, &theorems)),
         source: Arc::clone(source),
     };
@@ -77,6 +83,18 @@ pub fn read_whole_paper(source: &Arc<SourceText>) -> Result<Paper, Errors> {
         (_, none) => none?,
     }
     Ok(paper)
+}
+
+/// Ranges of a parameter: those in which a value is limited, and those of smoothness.
+fn ranges(all: Vec<AnyRange>) -> (Vec<RangeClaim>, Vec<SmoothnessClaim>) {
+    let (mut values, mut smoothness) = (Vec::new(), Vec::new());
+    for range in all {
+        match range {
+            AnyRange::Value(claim) => values.push(claim),
+            AnyRange::Smoothness(claim) => smoothness.push(claim),
+        }
+    }
+    (values, smoothness)
 }
 
 /// Named formulas, each read by itself.

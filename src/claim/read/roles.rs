@@ -2,6 +2,7 @@
 
 use super::file::PaperFile;
 use super::reader::Reader;
+use super::smoothness::{ExponentTable, SmoothnessTable};
 use crate::claim::THEOREM_NAMES;
 use crate::diagnostic::Diagnostic;
 use std::collections::BTreeMap;
@@ -122,6 +123,10 @@ impl Reader<'_> {
             let mut roles = common.clone();
             self.add(&mut roles, variable, Role::Variable)?;
             claims.insert(claim.id.get_ref().as_str(), roles);
+        }
+        let smoothness = file.smoothness.iter().map(SmoothnessTable::common);
+        for claim in smoothness.chain(file.exponent.iter().map(ExponentTable::common)) {
+            claims.insert(claim.id.get_ref().as_str(), common.clone());
         }
         for theorem in &file.theorem {
             let mut roles = common.clone();

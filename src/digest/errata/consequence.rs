@@ -69,7 +69,10 @@ impl<'a> PaperAudit<'a> {
             Subject::Function(finding) => {
                 consequences.used_by = self.used_by(&finding.claim.left.text);
             }
-            Subject::Equation(_) | Subject::Range(_) | Subject::Theorem(_) => {}
+            Subject::Equation(_)
+            | Subject::Range(_)
+            | Subject::Smoothness(_)
+            | Subject::Theorem(_) => {}
         }
         consequences
     }

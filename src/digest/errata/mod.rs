@@ -10,7 +10,7 @@ use crate::digest::summary::{CellOutcome, CellSummary, Standing};
 use crate::exact::Rounding;
 use crate::finding::{
     CellFinding, EquationFinding, EquationVerdict, FunctionFinding, FunctionVerdict, PaperAudit,
-    RangeFinding, RangeVerdict, TableFinding, TheoremFinding,
+    RangeFinding, RangeVerdict, SmoothnessFinding, SmoothnessVerdict, TableFinding, TheoremFinding,
 };
 use std::collections::BTreeMap;
 
@@ -20,7 +20,7 @@ pub struct Errata<'e, 'a> {
     /// The audit that they come from.
     pub audit: &'e PaperAudit<'a>,
     /// What is wrong, in the order of the claims: tables, equations, functions,
-    /// ranges, theorems.
+    /// ranges, smoothness, theorems.
     pub errata: Vec<Erratum<'e, 'a>>,
     /// The tables some of whose parameters the paper does not state and were recovered.
     pub recovered: Vec<&'e TableFinding<'a>>,
@@ -48,6 +48,8 @@ pub enum Subject<'e, 'a> {
     Function(&'e FunctionFinding<'a>),
     /// A range of a free parameter.
     Range(&'e RangeFinding<'a>),
+    /// A refuted claim about smoothness.
+    Smoothness(&'e SmoothnessFinding<'a>),
     /// A refuted theorem.
     Theorem(&'e TheoremFinding<'a>),
 }
@@ -104,11 +106,14 @@ impl<'a> PaperAudit<'a> {
         let fails = |verdict: &FunctionVerdict| *verdict != FunctionVerdict::Holds;
         let functions = self.functions.iter().filter(|finding| fails(&finding.verdict));
         let ranges = self.ranges.iter().filter(|finding| finding.verdict == RangeVerdict::Inexact);
+        let smoothness = self.smoothness.iter();
+        let smoothness = smoothness.filter(|finding| finding.verdict == SmoothnessVerdict::Refuted);
         let theorems = self.theorems.iter().filter(|finding| finding.verdict.name() == "refuted");
         let subjects = tables
             .chain(equations.map(Subject::Equation))
             .chain(functions.map(Subject::Function))
             .chain(ranges.map(Subject::Range))
+            .chain(smoothness.map(Subject::Smoothness))
             .chain(theorems.map(Subject::Theorem));
         let errata = subjects.map(|subject| {
             let consequences = self.consequences(&subject);
@@ -130,6 +135,7 @@ impl<'a> Subject<'_, 'a> {
             Subject::Equation(finding) => &finding.equation.id,
             Subject::Function(finding) => &finding.claim.id,
             Subject::Range(finding) => &finding.claim.id,
+            Subject::Smoothness(finding) => &finding.claim.id,
             Subject::Theorem(finding) => &finding.theorem.id,
         }
     }
@@ -142,6 +148,7 @@ impl<'a> Subject<'_, 'a> {
             Subject::Equation(finding) => &finding.equation.locus,
             Subject::Function(finding) => &finding.claim.locus,
             Subject::Range(finding) => &finding.claim.locus,
+            Subject::Smoothness(finding) => &finding.claim.locus,
             Subject::Theorem(finding) => &finding.theorem.locus,
         }
     }
@@ -158,6 +165,7 @@ impl Subject<'_, '_> {
             Subject::Equation(finding) => finding.verdict.name(),
             Subject::Function(finding) => finding.verdict.name(),
             Subject::Range(finding) => finding.verdict.name(),
+            Subject::Smoothness(finding) => finding.verdict.name(),
             Subject::Theorem(finding) => finding.verdict.name(),
         }
     }

@@ -1,12 +1,13 @@
 //! Wrong equations, closed forms, ranges and theorems.
 
 use crate::audit::{
-    EquationFinding, EquationVerdict, FunctionFinding, RangeFinding, TheoremFinding,
+    EquationFinding, EquationVerdict, FunctionFinding, RangeFinding, SmoothnessFinding,
+    TheoremFinding,
 };
-use crate::claim::{EquationBody, Left};
+use crate::claim::{EquationBody, Left, SmoothnessBody};
 use crate::report::theorem as theorems;
 use crate::report::witness::compared;
-use crate::report::{equation, function};
+use crate::report::{equation, function, smoothness};
 
 /// How many cases of a failing equation are listed.
 const MAX_CASES: usize = 6;
@@ -63,6 +64,17 @@ pub(super) fn range(finding: &RangeFinding<'_>) -> Described {
         fact("correct", finding.exact.describe(&claim.variable)),
         fact("in detail", function::range_outcome(finding).join("\n")),
     ];
+    (Some(claim.title.clone()), facts, stated(claim.note.as_slice()))
+}
+
+pub(super) fn smoothness(finding: &SmoothnessFinding<'_>) -> Described {
+    let claim = finding.claim;
+    let mut facts = Vec::new();
+    if let SmoothnessBody::Statement(scheme, _) = &claim.body {
+        facts.push(fact("scheme", scheme.reference.to_string()));
+    }
+    facts.extend(smoothness::statement(claim).map(|states| fact("states", states)));
+    facts.push(fact("correct", smoothness::outcome(finding).join("\n")));
     (Some(claim.title.clone()), facts, stated(claim.note.as_slice()))
 }
 

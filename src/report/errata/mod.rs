@@ -86,6 +86,7 @@ impl Entry {
             Subject::Equation(finding) => claims::equation(finding),
             Subject::Function(finding) => claims::function(finding),
             Subject::Range(finding) => claims::range(finding),
+            Subject::Smoothness(finding) => claims::smoothness(finding),
             Subject::Theorem(finding) => claims::theorem(finding),
         };
         let mut causes = vec![("how it came about".to_owned(), origin)];

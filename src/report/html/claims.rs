@@ -1,4 +1,4 @@
-//! Equations, functions, ranges and theorems.
+//! Equations, functions, ranges, smoothness and theorems.
 
 use super::certified::certified;
 use super::command;
@@ -8,11 +8,13 @@ use super::picture::{self, Exceeding};
 use super::sheet::{facts, lines};
 use super::statement::{definitions, identity, quantity};
 use super::verdict::{Look, badge};
-use crate::audit::{EquationFinding, FunctionFinding, RangeFinding, TheoremFinding, by_hand};
-use crate::claim::{EquationBody, Quantity, Statement};
+use crate::audit::{
+    EquationFinding, FunctionFinding, RangeFinding, SmoothnessFinding, TheoremFinding, by_hand,
+};
+use crate::claim::{EquationBody, Quantity, SmoothnessBody, Statement};
 use crate::diagnostic::Diagnostic;
 use crate::formula::LocatedFormula;
-use crate::report::{equation, function, theorem};
+use crate::report::{equation, function, smoothness, theorem};
 use maud::{Markup, html};
 
 /// What claims of all kinds have.
@@ -104,6 +106,32 @@ pub(super) fn range(context: &Context<'_, '_>, finding: &RangeFinding<'_>) -> Ma
             }
             @if let Some(picture) = picture::range(finding) { (picture) }
             p.outcome { (lines(&function::range_outcome(finding).join("\n"))) }
+        },
+    )
+}
+
+/// A claim about the smoothness of limits.
+pub(super) fn smoothness(context: &Context<'_, '_>, finding: &SmoothnessFinding<'_>) -> Markup {
+    let own = finding.claim;
+    let claim =
+        Claim::new([&own.id, &own.locus, &own.title], own.note.as_ref(), finding.verdict.name());
+    let details = smoothness::details(finding);
+    claim.section(
+        context,
+        &html! {
+            dl.formulas {
+                @if let SmoothnessBody::Statement(scheme, _) = &own.body {
+                    div { dt { "scheme" } dd { (scheme.reference.to_string()) } }
+                }
+                @if let Some(states) = smoothness::statement(own) {
+                    div { dt { "states" } dd { (states) } }
+                }
+            }
+            @if let Some(picture) = picture::smooth_range(finding) { (picture) }
+            p.outcome { (lines(&smoothness::outcome(finding).join("\n"))) }
+            @if !details.is_empty() {
+                details { summary { "Spectral radius" } (facts(&details)) }
+            }
         },
     )
 }

@@ -14,7 +14,7 @@ use crate::diagnostic::Diagnostic;
 use crate::exact::format::short;
 use crate::report::explain::{Background, explain_sheet, table_of};
 use crate::report::sheet::{Block, Sheet};
-use crate::report::{equation, function, theorem};
+use crate::report::{equation, function, smoothness, theorem};
 use maud::{Markup, html};
 
 /// How many digits the exact value of a cell has in the sentence on top.
@@ -123,6 +123,10 @@ fn shown(context: &Context<'_, '_>, id: &str) -> Result<Option<Shown>, Diagnosti
     if let Some(one) = audit.ranges.iter().find(|one| one.id == id) {
         let outcome = function::range_outcome(one).join("\n");
         return Ok(claim(&one.claim.locus, &outcome, claims::range(context, one)));
+    }
+    if let Some(one) = audit.smoothness.iter().find(|one| one.id == id) {
+        let outcome = smoothness::outcome(one).join("\n");
+        return Ok(claim(&one.claim.locus, &outcome, claims::smoothness(context, one)));
     }
     let Some(one) = audit.theorems.iter().find(|one| one.id == id) else { return Ok(None) };
     Ok(claim(&one.theorem.locus, &theorem::outcome(one), claims::theorem(context, one)?))

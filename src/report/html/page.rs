@@ -61,6 +61,7 @@ pub fn audit_page(audit: &PaperAudit<'_>, file: Option<&str>) -> Result<String, 
             (list("Equations", "equations", &audit.equations, |one| claims::equation(&context, one)))
             (list("Functions of a parameter", "functions", &audit.functions, |one| claims::function(&context, one)))
             (list("Parameter ranges", "ranges", &audit.ranges, |one| claims::range(&context, one)))
+            (list("Smoothness", "smoothness", &audit.smoothness, |one| claims::smoothness(&context, one)))
             (list("Theorems", "theorems", &theorems, Markup::clone))
             section.overview { (blocks(&rest(audit), 0)) }
             (legend())

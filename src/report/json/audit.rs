@@ -24,7 +24,8 @@ pub struct AuditReport<'a> {
 pub struct Paper<'a> {
     /// The paper's key.
     pub key: &'a str,
-    /// Its claims: the cells of its tables, its equations, closed forms, ranges and theorems.
+    /// Its claims: the cells of its tables, its equations, closed forms, ranges, claims about smoothness
+    /// and theorems.
     pub claims: Vec<Claim<'a>>,
     /// How many claims have each verdict.
     pub summary: BTreeMap<&'static str, usize>,
@@ -85,11 +86,13 @@ impl<'a> Paper<'a> {
             cells.map(Claim::of_cell).chain(audit.equations.iter().map(Claim::of_equation));
         let functions = audit.functions.iter().map(|finding| Claim::of_function(audit, finding));
         let claims = claims.chain(functions).chain(audit.ranges.iter().map(Claim::of_range));
+        let claims = claims.chain(audit.smoothness.iter().map(Claim::of_smoothness));
         let claims = claims.chain(audit.theorems.iter().map(Claim::of_theorem)).collect();
         let mut summary: BTreeMap<&str, usize> =
             Verdict::NAMES.iter().map(|name| (*name, 0)).collect();
         let counts = audit.cell_counts().into_iter().chain(audit.equation_counts());
-        for (name, count) in counts.chain(audit.range_counts()).chain(audit.theorem_counts()) {
+        let counts = counts.chain(audit.range_counts()).chain(audit.smoothness_counts());
+        for (name, count) in counts.chain(audit.theorem_counts()) {
             *summary.entry(name).or_insert(0) += count;
         }
         let PromiseCounts { kept, broken, open } = audit.promise_counts();

@@ -2,6 +2,7 @@
 
 use super::cell::{AsRead, CellSound};
 use super::exact::{Named, decimal};
+use super::smoothness::SmoothnessDetails;
 use super::theorem::Trial;
 use crate::audit::{
     self, CellFinding, EndFinding, EquationFinding, EquationVerdict, FunctionFinding,
@@ -12,14 +13,15 @@ use crate::report::function::printed;
 use serde::Serialize;
 use std::borrow::Cow;
 
-/// A claim: a cell of a table, an equation, a closed form, a range or a theorem.
+/// A claim: a cell of a table, an equation, a closed form, a range, a claim about smoothness or a theorem.
 #[derive(Debug, Serialize)]
 pub struct Claim<'a> {
     /// The id: `key:table:row:column` for a cell, `key:claim` for other claims.
     pub id: &'a str,
     /// Where in the paper it is.
     pub locus: &'a str,
-    /// `number` for a cell, `equation` for an equation or a closed form, `range` or `theorem`.
+    /// `number` for a cell, `equation` for an equation or a closed form, `range`, `smoothness`, `exponent`
+    /// or `theorem`.
     pub kind: &'static str,
     /// What is printed; null where a cell is lost.
     pub printed: Option<Cow<'a, str>>,
@@ -96,6 +98,8 @@ pub enum Details<'a> {
         /// The printed ends.
         ends: Vec<End<'a>>,
     },
+    /// Of a claim about smoothness.
+    Smoothness(Box<SmoothnessDetails>),
     /// Of a theorem.
     Theorem {
         /// What it bounds: `distance`, `step`, `difference` or `depth`; null where it says
@@ -179,7 +183,7 @@ impl<'a> Claim<'a> {
     }
 
     /// A claim that has no exact value.
-    fn plain(
+    pub(super) fn plain(
         id: &'a str,
         locus: &'a str,
         kind: &'static str,

@@ -205,6 +205,7 @@ impl<'a> Detail<'a> {
             Subject::Equation(finding) => Claim::of_equation(finding),
             Subject::Function(finding) => Claim::of_function(audit, finding),
             Subject::Range(finding) => Claim::of_range(finding),
+            Subject::Smoothness(finding) => Claim::of_smoothness(finding),
             Subject::Theorem(finding) => Claim::of_theorem(finding),
         };
         Detail::Claim(Box::new(claim))

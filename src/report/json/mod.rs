@@ -16,6 +16,7 @@ mod promise;
 mod reading;
 mod recovered;
 mod shift;
+mod smoothness;
 mod summary;
 mod theorem;
 mod witness;

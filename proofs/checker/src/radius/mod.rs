@@ -12,6 +12,7 @@ mod smoothness;
 use crate::decimal::{Q, int};
 use crate::reject::{RadiusReason, RadiusRejection, Text};
 use field::Element;
+use independence::is_independent;
 use matrices::{Matrix, determinant, multiplied, scaled_times, symmetric_square};
 use num_traits::Signed as _;
 use number::Number;
@@ -25,6 +26,8 @@ pub struct Radius {
     pub at_least: Option<(Q, usize)>,
     /// It is at most this.
     pub at_most: Q,
+    /// The order of the differences, of a mask.
+    pub order: Option<usize>,
     /// The limits of the scheme are C^m for this m.
     pub continuous: Option<usize>,
     /// Not all of them are C^m for this m.
@@ -44,6 +47,35 @@ pub fn check_radius(text: &str) -> Result<Radius, RadiusRejection> {
     }
 }
 
+/// The rules of a mask that a claim speaks of, and the line of the certificate where they are needed.
+pub struct Mask {
+    /// The rules.
+    pub rules: Vec<Vec<Q>>,
+    /// The line.
+    pub line: usize,
+}
+
+impl Mask {
+    /// Whether the shifts of the limit function are linearly independent (THEOREMS.md, 108).
+    pub fn is_independent(&self) -> bool {
+        let width = self.rules.first().map_or(0, Vec::len);
+        let places = (0..width).rev().flat_map(|j| self.rules.iter().map(move |rule| (j, rule)));
+        let symbol: Vec<Q> = places.map(|(j, rule)| rule[j].clone()).collect();
+        is_independent(&symbol, self.rules.len())
+    }
+}
+
+/// Checks the numbered lines of a certificate about a mask, which end with the line `end`.
+pub fn check_mask(
+    mask: &Mask,
+    lines: &[(usize, &str)],
+    end: usize,
+) -> Result<Radius, RadiusRejection> {
+    let coordinates = |rule: &Vec<Q>| rule.iter().map(|entry| vec![entry.clone()]).collect();
+    let rules = mask.rules.iter().map(|rule| (mask.line, coordinates(rule))).collect();
+    checked::<Q>(&Certificate::embedded(rules, lines, end)?)
+}
+
 fn checked<N: Number>(certificate: &Certificate) -> Result<Radius, RadiusRejection> {
     let matrices: Vec<Matrix<N>> = certificate.matrices()?;
     if let Some(lower) = &certificate.lower {
@@ -52,7 +84,8 @@ fn checked<N: Number>(certificate: &Certificate) -> Result<Radius, RadiusRejecti
     check_hull(&matrices, certificate)?;
     let at_least = certificate.lower.as_ref().map(|lower| (lower.bound.clone(), lower.degree()));
     let (continuous, not_continuous) = smoothness::check::<N>(certificate)?;
-    Ok(Radius { at_least, at_most: certificate.bound.clone(), continuous, not_continuous })
+    let order = certificate.order.map(|(_, order)| order);
+    Ok(Radius { at_least, at_most: certificate.bound.clone(), order, continuous, not_continuous })
 }
 
 /// A real eigenvalue of at least q shows itself by the sign of the characteristic polynomial at q.

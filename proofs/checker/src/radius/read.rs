@@ -80,21 +80,7 @@ fn positive(text: &str) -> Read<Q> {
 impl Certificate {
     /// Reads a certificate.
     pub fn read(text: &str) -> Result<Certificate, RadiusRejection> {
-        let mut read = Certificate {
-            polynomial: Vec::new(),
-            field: None,
-            rules: Vec::new(),
-            order: None,
-            given: Vec::new(),
-            lower: None,
-            bound: Q::zero(),
-            unit: Q::zero(),
-            rows: Vec::new(),
-            images: Vec::new(),
-            continuous: None,
-            not_continuous: None,
-            end: 0,
-        };
+        let mut read = Certificate::of(Vec::new());
         let mut ended = text.len() > MAX_BYTES;
         let mut place = 1;
         for (line, raw) in (1..).zip(text.lines()) {
@@ -115,10 +101,54 @@ impl Certificate {
                 read.take(line, words).map_err(reject)?;
             }
         }
-        read.end = place;
-        let whole = ended && read.bound.is_positive() && read.unit.is_positive();
+        read.finished(ended, place)
+    }
+
+    /// Reads the numbered lines of a certificate about these rules, without rules, matrices and `end`,
+    /// which is the line `end`.
+    pub fn embedded(
+        rules: Vec<(usize, Vec<Coordinates>)>,
+        lines: &[(usize, &str)],
+        end: usize,
+    ) -> Result<Certificate, RadiusRejection> {
+        let mut read = Certificate::of(rules);
+        for &(line, words) in lines {
+            let own =
+                ["rule", "matrix", "field", "between"].iter().any(|word| words.starts_with(word));
+            let reason = RadiusReason::Malformed("no rules, which are those of the claim");
+            let taken = if own { Err(reason) } else { read.take(line, words) };
+            taken.map_err(|reason| RadiusRejection { line, reason })?;
+        }
+        let read = read.finished(true, end)?;
+        let reason = RadiusReason::Malformed("the order of the sum rules");
+        let order = read.order.is_some();
+        if order { Ok(read) } else { Err(RadiusRejection { line: end, reason }) }
+    }
+
+    /// A certificate that says nothing about these rules.
+    fn of(rules: Vec<(usize, Vec<Coordinates>)>) -> Certificate {
+        Certificate {
+            polynomial: Vec::new(),
+            field: None,
+            rules,
+            order: None,
+            given: Vec::new(),
+            lower: None,
+            bound: Q::zero(),
+            unit: Q::zero(),
+            rows: Vec::new(),
+            images: Vec::new(),
+            continuous: None,
+            not_continuous: None,
+            end: 0,
+        }
+    }
+
+    fn finished(mut self, ended: bool, place: usize) -> Result<Certificate, RadiusRejection> {
+        self.end = place;
+        let whole = ended && self.bound.is_positive() && self.unit.is_positive();
         let reason = RadiusReason::Truncated;
-        if whole { Ok(read) } else { Err(RadiusRejection { line: place, reason }) }
+        if whole { Ok(self) } else { Err(RadiusRejection { line: place, reason }) }
     }
 
     /// Numbers by their coordinates, of which a fraction has one.

@@ -12,6 +12,7 @@ mod growth;
 mod hypotheses;
 mod instance;
 mod levels;
+mod limits;
 mod listed;
 mod luck;
 mod members;
@@ -23,6 +24,8 @@ mod recovered;
 mod scale;
 mod shift;
 mod sides;
+mod smooth_range;
+mod smoothness;
 mod sound;
 mod table;
 mod theorem;
@@ -37,7 +40,7 @@ use theorem::Citation;
 
 /// The verdict that a valid certificate proves.
 pub enum Verdict {
-    /// An identity, a closed form or a range holds.
+    /// An identity, a closed form, a range or a claim about smoothness holds.
     Holds,
     /// Another verdict that needs no other claim.
     Other,
@@ -76,12 +79,15 @@ fn judge<'a>(
         "table" => recovered = Some(table::check(paper, claim, block)?),
         "equation" => equation::check(paper, claim, block)?,
         "function" => function::check(paper, claim, block)?,
+        "range" if claim.get("smoothness").is_some() => smooth_range::check(paper, claim, block)?,
         "range" => range::check(paper, claim, block)?,
+        "smoothness" => smoothness::check(paper, claim, block)?,
+        "exponent" => smoothness::exponent(paper, claim, block)?,
         "theorem" => cited = theorem::check(paper, claim, block)?,
         _ => return Err(Reason::NoSuchClaim.into()),
     }
     block.finished()?;
-    let holds = ["holds", "exact"].contains(&block.last().word().0);
+    let holds = ["holds", "exact", "confirmed"].contains(&block.last().word().0);
     let table = recovered.map(Verdict::Recovers);
     let other = cited.map(Verdict::Cited).or(table).unwrap_or(Verdict::Other);
     Ok(if holds { Verdict::Holds } else { other })

@@ -19,6 +19,7 @@ mod range;
 mod readings;
 mod ring_places;
 mod scale;
+mod smooth_range;
 mod space;
 mod witness;
 
@@ -33,4 +34,5 @@ pub(super) use level_chart::{LevelChart, Line};
 pub(super) use levels::levels;
 pub(super) use range::range;
 pub(super) use readings::readings;
+pub(super) use smooth_range::smooth_range;
 pub(super) use witness::{Exceeding, witness};

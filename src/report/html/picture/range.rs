@@ -65,7 +65,7 @@ pub(in crate::report::html) fn range(finding: &RangeFinding<'_>) -> Option<Marku
 }
 
 /// An end, and whether it belongs to the set.
-fn bound(end: &Bound<RealAlgebraic>) -> Option<(f64, bool)> {
+pub(super) fn bound(end: &Bound<RealAlgebraic>) -> Option<(f64, bool)> {
     match end {
         Bound::Unbounded => None,
         Bound::Included(end) => Some((place(end), true)),
@@ -77,7 +77,12 @@ fn place(end: &RealAlgebraic) -> f64 {
     nearest(end)
 }
 
-fn drawn(x: &Scale, y: f64, low: Option<(f64, bool)>, high: Option<(f64, bool)>) -> Markup {
+pub(super) fn drawn(
+    x: &Scale,
+    y: f64,
+    low: Option<(f64, bool)>,
+    high: Option<(f64, bool)>,
+) -> Markup {
     let from = low.map_or(FRAME.x.0, |(value, _)| x.at(value));
     let to = high.map_or(FRAME.x.1, |(value, _)| x.at(value));
     html! {

@@ -1,0 +1,95 @@
+//! What a certificate of a joint spectral radius, embedded in a block, shows of the limits of a mask.
+
+use crate::certificate::Block;
+use crate::decimal::Q;
+use crate::evaluate::Scope;
+use crate::exponent::{Bound, LogSum};
+use crate::paper::Paper;
+use crate::radius::{Mask, Radius, check_mask};
+use crate::reject::{Checked, Reason, Stop, require};
+use crate::toml::Toml;
+
+/// What is shown of the limits of a mask.
+pub struct Shown {
+    arity: usize,
+    radius: Radius,
+    mask: Mask,
+}
+
+/// The mask of the claim's scheme, in this scope.
+pub fn mask(paper: &Paper<'_>, claim: &Toml, scope: &Scope<'_>) -> Checked<Vec<Vec<Q>>> {
+    let reference = claim.text("scheme").ok_or(Reason::Single)?;
+    let schemes = paper.library.resolve(reference, scope)?;
+    let [scheme] = &schemes[..] else { return Err(Reason::Single.into()) };
+    let rational = |row: &Vec<crate::value::Value>| row.iter().map(|x| x.rational()).collect();
+    let mask: Option<Vec<Vec<Q>>> = scheme.mask.iter().map(rational).collect();
+    mask.ok_or(Stop::Undefined("a coefficient of the mask is irrational").into())
+}
+
+impl Shown {
+    /// Reads the lines from `order` to `end` and checks them.
+    pub fn read(rules: Vec<Vec<Q>>, block: &mut Block<'_>) -> Checked<Shown> {
+        let mut lines = Vec::new();
+        block.look();
+        let first = block.at;
+        while let Some(line) = block.peek() {
+            block.any()?;
+            if line.text == "end" {
+                let mask = Mask { rules, line: first };
+                let arity = mask.rules.len();
+                let radius = check_mask(&mask, &lines, line.number).map_err(|rejection| {
+                    block.at = rejection.line;
+                    Reason::Radius(rejection.reason)
+                })?;
+                return Ok(Shown { arity, radius, mask });
+            }
+            lines.push((line.number, line.text));
+        }
+        Err(Reason::Malformed("the end of the radius").into())
+    }
+
+    /// Whether all limits are C^m.
+    pub fn continuous(&self, m: usize) -> bool {
+        self.radius.continuous.is_some_and(|shown| m <= shown)
+    }
+
+    /// Whether not all limits are C^m.
+    pub fn not_continuous(&self, m: usize) -> bool {
+        self.radius.not_continuous.is_some_and(|shown| shown <= m)
+    }
+
+    /// Whether the scheme diverges.
+    pub fn diverges(&self) -> bool {
+        self.not_continuous(0)
+    }
+
+    /// Whether the exponent is at least this number; with `strictly`, greater.
+    pub fn at_least(&self, value: &LogSum, strictly: bool) -> Checked<bool> {
+        let Some(order) = self.radius.order.filter(|_| self.radius.continuous.is_some()) else {
+            return Ok(false);
+        };
+        let bound = Bound { order, arity: self.arity, radius: &self.radius.at_most, degree: 1 };
+        let found = bound.compare(value)?;
+        Ok(if strictly { found.is_gt() } else { found.is_ge() })
+    }
+
+    /// Whether the exponent is at most this number; with `strictly`, less.
+    pub fn at_most(&self, value: &LogSum, strictly: bool) -> Checked<bool> {
+        let (Some(order), Some((radius, degree))) = (self.radius.order, &self.radius.at_least)
+        else {
+            return Ok(false);
+        };
+        let converges = self.radius.continuous.is_some();
+        if !converges || !self.mask.is_independent() {
+            return Ok(false);
+        }
+        let found = Bound { order, arity: self.arity, radius, degree: *degree }.compare(value)?;
+        Ok(if strictly { found.is_lt() } else { found.is_le() })
+    }
+}
+
+/// The verdict that follows: `refuted` if a part is refuted, `confirmed` if all are shown.
+pub fn verdict(confirmed: bool, refuted: bool) -> Checked<&'static str> {
+    require(confirmed || refuted, Reason::NotShown)?;
+    Ok(if refuted { "refuted" } else { "confirmed" })
+}

@@ -1,0 +1,164 @@
+//! The rule `range` of smoothness: the values of a parameter for which the limits of a scheme are C^m.
+
+use super::limits::{Shown, mask};
+use super::pieces::Free;
+use super::smoothness::order;
+use crate::certificate::Block;
+use crate::convolution::{Convolution, MAX_LENGTH};
+use crate::decimal::{Decimal, read_rational};
+use crate::definitions::formula;
+use crate::evaluate::Scope;
+use crate::paper::{Paper, printed};
+use crate::reject::{Checked, Reason, Stop, Text, agree, require};
+use crate::root::Root;
+use crate::toml::Toml;
+use crate::value::Value;
+use std::cmp::Ordering;
+
+/// The most levels of a contraction.
+const MAX_LEVELS: u32 = 16;
+
+/// The most halvings of an interval.
+const MAX_HALVINGS: usize = 1_000;
+
+/// Checks a range.
+pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<()> {
+    let other = ["value", "below", "at_most"].iter().find(|key| claim.get(key).is_some());
+    require(other.is_none(), Reason::Malformed("`smoothness` alone"))?;
+    let free = Free::read(paper, claim, block)?;
+    block.restates("smoothness", claim.text("smoothness"))?;
+    let m = order(claim.text("smoothness").unwrap_or_default())?;
+    let [closed, only] =
+        ["closed", "only"].map(|key| matches!(claim.get(key), Some(Toml::Flag(true))));
+    let ends = [end(paper, claim, "from")?, end(paper, claim, "to")?];
+    require(ends.iter().any(Option::is_some), Reason::Malformed("an end"))?;
+    if let Some(said) = block.maybe("contraction") {
+        // For other values nothing is shown.
+        require(!only, Reason::NotShown)?;
+        let levels = said.parse().ok().filter(|c| (1..=MAX_LEVELS).contains(c));
+        let levels = levels.ok_or(Reason::Malformed("a number of levels"))?;
+        let pieces =
+            free.pieces(block, &|scope| norm(paper, scope, m, levels)?.minus(&Value::int(1)))?;
+        let within = covered(&pieces.breaks, &pieces.signs, &ends, closed)?;
+        require(within, Reason::Uncovered)?;
+        return agree(block.any()?.0, "confirmed", Reason::Verdict);
+    }
+    let said = block.after("at")?;
+    let at = read_rational(said).ok_or(Reason::Malformed("a number"))?;
+    let place = Root::from(at.clone());
+    let scope = free.scope([Some(place.clone()), Some(place)])?;
+    let shown = Shown::read(mask(paper, claim, &scope)?, block)?;
+    // −1 outside, 0 at an end, 1 inside.
+    let mut side = 1;
+    for (end, outwards) in ends.iter().zip([Ordering::Less, Ordering::Greater]) {
+        let Some(end) = end else { continue };
+        let order = Value::from(at.clone()).compare(end)?;
+        side = side.min(if order == outwards { -1 } else { i32::from(order.is_ne()) });
+    }
+    let inside = side > 0 || side == 0 && closed;
+    let refutes = if inside { shown.not_continuous(m) } else { only && shown.continuous(m) };
+    require(refutes, Reason::NoRefutation(Text(said.to_string())))?;
+    agree(block.any()?.0, "refuted", Reason::Verdict)
+}
+
+/// An end of the printed range.
+fn end(paper: &Paper<'_>, claim: &Toml, key: &str) -> Checked<Option<Value>> {
+    let Some((_, read)) = claim.get(key).and_then(printed) else { return Ok(None) };
+    Ok(Some(match Decimal::read(read) {
+        Some(decimal) => decimal.value.into(),
+        None => paper.library.closed().value(&formula(read)?)?,
+    }))
+}
+
+/// Whether the signs are negative in the whole range.
+fn covered(
+    breaks: &[Root],
+    signs: &[i8],
+    [from, to]: &[Option<Value>; 2],
+    closed: bool,
+) -> Result<bool, Stop> {
+    let against = |at: &Root, end: &Option<Value>| -> Result<Option<Ordering>, Stop> {
+        end.as_ref().map(|end| self::against(at, end)).transpose()
+    };
+    for (place, _) in signs.iter().enumerate().filter(|(_, sign)| **sign >= 0) {
+        // The break itself, or the piece between the break before it and this one.
+        let (at, half) = (place % 2 == 1, place / 2);
+        let (low, high) = if at {
+            (Some(&breaks[half]), Some(&breaks[half]))
+        } else {
+            (half.checked_sub(1).map(|i| &breaks[i]), breaks.get(half))
+        };
+        let touching = !at || !closed;
+        let below = match high {
+            Some(high) => {
+                let order = against(high, from)?;
+                order.is_some_and(|order| order.is_lt() || touching && order.is_eq())
+            }
+            None => false,
+        };
+        let above = match low {
+            Some(low) => {
+                let order = against(low, to)?;
+                order.is_some_and(|order| order.is_gt() || touching && order.is_eq())
+            }
+            None => false,
+        };
+        if !below && !above {
+            return Ok(false);
+        }
+    }
+    Ok(true)
+}
+
+/// How a root compares with a closed value.
+fn against(at: &Root, value: &Value) -> Result<Ordering, Stop> {
+    let terms = at.polynomial().iter().rev().cloned().map(Value::from);
+    let of_value = terms.fold(Ok(Value::int(0)), |sum: Result<Value, Stop>, term| {
+        sum?.times(value)?.plus(1, &term)
+    })?;
+    let mut at = at.clone();
+    for _ in 0..MAX_HALVINGS {
+        let [low, high] = at.ends().map(|end| Value::from(end.clone()));
+        let sides = [low.compare(value)?, high.compare(value)?];
+        match sides {
+            [low, high] if low.is_eq() && high.is_eq() => return Ok(Ordering::Equal),
+            [Ordering::Greater | Ordering::Equal, _] => return Ok(Ordering::Greater),
+            [_, Ordering::Less | Ordering::Equal] => return Ok(Ordering::Less),
+            // The interval has one root of the polynomial.
+            _ if of_value.is_zero() => return Ok(Ordering::Equal),
+            _ => at = at.halved(),
+        }
+    }
+    Err(Stop::Capped("the halvings of an interval"))
+}
+
+/// ‖(n^m S_{m+1})^c‖ for the symbol n^m A/σ^{m+1} of the differences of order m + 1.
+fn norm(paper: &Paper<'_>, scope: &Scope<'_>, m: usize, c: u32) -> Result<Value, Stop> {
+    let scheme = scope.scheme.as_ref().ok_or_else(|| Stop::Wrong("`scheme` is missing".into()))?;
+    let (n, width) = (scheme.arity(), scheme.width());
+    let columns = (0..width).rev();
+    let mut symbol: Vec<Value> =
+        columns.flat_map(|j| scheme.mask.iter().map(move |rule| rule[j].clone())).collect();
+    for order in 0..=m {
+        let mut quotient: Vec<Value> = Vec::new();
+        for (i, a) in symbol.iter().enumerate() {
+            let known = quotient.iter().rev().take((n - 1).min(i));
+            let rest = known.cloned().try_fold(a.clone(), |rest, q| rest.minus(&q))?;
+            quotient.push(rest);
+        }
+        // The quotient has n − 1 coefficients less than the symbol; the others are the remainder.
+        let kept = quotient.len().saturating_sub(n - 1);
+        if quotient[kept..].iter().any(|x| !x.is_zero()) {
+            return Err(Stop::Undefined("the sum rules do not hold for all values"));
+        }
+        quotient.truncate(kept);
+        let factor = Value::int(if order < m { i64::try_from(n).unwrap_or(0) } else { 1 });
+        symbol = quotient.iter().map(|x| x.times(&factor)).collect::<Result<_, _>>()?;
+    }
+    let (library, how) = (paper.library, Convolution { c, arity: n, printed: false });
+    let product = library.products.of(how, &symbol, MAX_LENGTH + 1)?;
+    if product.is_long() {
+        return Err(Stop::Capped("the length of a product of sequences"));
+    }
+    product.classes(library.meter, scope.piece.as_ref())?.greatest(scope.piece.as_ref())
+}

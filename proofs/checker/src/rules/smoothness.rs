@@ -1,0 +1,133 @@
+//! The rules `smoothness` and `exponent`: how smooth the limits of a scheme are.
+
+use super::limits::{Shown, mask, verdict};
+use crate::certificate::Block;
+use crate::decimal::{Decimal, int};
+use crate::definitions::formula;
+use crate::exponent::LogSum;
+use crate::paper::{Paper, printed};
+use crate::reject::{Checked, Reason, Stop, agree, require};
+use crate::toml::Toml;
+
+/// The greatest m of a C^m.
+const MAX_ORDER: usize = 64;
+
+/// Checks a claim that all limits are C^m, or not all.
+pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<()> {
+    let keys = ["continuous", "not_continuous"];
+    if lacking(claim, &keys, block)? {
+        return Ok(());
+    }
+    block.restates("scheme", claim.text("scheme"))?;
+    let orders = keys.map(|key| claim.text(key).map(order));
+    let [continuous, not_continuous] = orders.map(Option::transpose);
+    let (continuous, not_continuous) = (continuous?, not_continuous?);
+    for (word, key) in [("states-continuous", keys[0]), ("states-not-continuous", keys[1])] {
+        if claim.get(key).is_some() {
+            block.restates(word, claim.text(key))?;
+        }
+    }
+    let stated = continuous.is_some() || not_continuous.is_some();
+    require(stated, Reason::Malformed("continuous or not_continuous"))?;
+    let shown = Shown::read(mask(paper, claim, &scope(paper))?, block)?;
+    let found = verdict(
+        continuous.is_none_or(|m| shown.continuous(m))
+            && not_continuous.is_none_or(|m| shown.not_continuous(m)),
+        continuous.is_some_and(|m| shown.not_continuous(m))
+            || not_continuous.is_some_and(|m| shown.continuous(m)),
+    )?;
+    agree(block.any()?.0, found, Reason::Verdict)
+}
+
+/// Checks a claim about the Hölder exponent.
+pub fn exponent<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<()> {
+    if lacking(claim, &["value", "printed", "at_least", "at_most", "attained"], block)? {
+        return Ok(());
+    }
+    block.restates("scheme", claim.text("scheme"))?;
+    for (word, key) in [("value", "value"), ("at-least", "at_least"), ("at-most", "at_most")] {
+        if claim.get(key).is_some() {
+            block.restates(word, claim.text(key))?;
+        }
+    }
+    if let Some(field) = claim.get("printed") {
+        block.restates("printed", printed(field).map(|(text, _)| text))?;
+    }
+    let shown = Shown::read(mask(paper, claim, &scope(paper))?, block)?;
+    let closed = paper.library.closed();
+    let number = |key: &str| -> Checked<Option<LogSum>> {
+        let text = claim.text(key).map(|text| formula(text));
+        Ok(text.transpose()?.map(|expr| LogSum::of(&expr, &closed)).transpose()?)
+    };
+    let of_value = number("value")?;
+    let [lower, upper] = [number("at_least")?, number("at_most")?];
+    let (word, rest) = block.any()?;
+    let found = if shown.diverges() {
+        "refuted"
+    } else if let Some(field) = claim.get("printed") {
+        let read = printed(field).and_then(|(_, read)| Decimal::read(read));
+        decimal(&shown, &read.ok_or(Reason::Malformed("a decimal"))?)?
+    } else {
+        let (lower, upper) =
+            (lower.as_ref().or(of_value.as_ref()), upper.as_ref().or(of_value.as_ref()));
+        require(lower.or(upper).is_some(), Reason::Malformed("an exponent"))?;
+        let part = |value: Option<&LogSum>, test: &dyn Fn(&LogSum) -> Checked<bool>, none: bool| {
+            value.map_or(Ok(none), test)
+        };
+        verdict(
+            part(lower, &|value| shown.at_least(value, false), true)?
+                && part(upper, &|value| shown.at_most(value, false), true)?,
+            part(lower, &|value| shown.at_most(value, true), false)?
+                || part(upper, &|value| shown.at_least(value, true), false)?,
+        )?
+    };
+    // The certificate does not show whether an exponent is attained.
+    require(claim.get("attained").is_none() || found == "refuted", Reason::NotShown)?;
+    agree(format!("{word} {rest}").trim(), found, Reason::Verdict)
+}
+
+/// How the decimal came from the exponent.
+fn decimal(shown: &Shown, decimal: &Decimal) -> Checked<&'static str> {
+    require(decimal.value > int(0), Reason::Malformed("a positive decimal"))?;
+    let half = &decimal.unit / int(2);
+    let place = |halves: i64| LogSum::from(&decimal.value + &half * int(halves));
+    let between = |low: i64, high: i64, strictly: bool| -> Checked<bool> {
+        Ok(shown.at_least(&place(low), strictly)? && shown.at_most(&place(high), strictly)?)
+    };
+    let far = shown.at_least(&place(2), false)? || shown.at_most(&place(-2), false)?;
+    if far {
+        Ok("refuted")
+    } else if between(-1, 1, false)? {
+        Ok("confirmed")
+    } else if between(1, 2, true)? {
+        Ok("rounding cut")
+    } else if between(-2, -1, true)? {
+        Ok("rounding away")
+    } else {
+        Err(Reason::NotShown.into())
+    }
+}
+
+/// Whether the paper lacks what the claim would need. Then the claim states nothing.
+fn lacking(claim: &Toml, stated: &[&str], block: &mut Block<'_>) -> Checked<bool> {
+    if claim.get("absent").is_none() {
+        return Ok(false);
+    }
+    let none = stated.iter().all(|key| claim.get(key).is_none());
+    require(none, Reason::Malformed("a statement, or what is absent, but not both"))?;
+    block.restates("absent", claim.text("absent"))?;
+    Ok(true)
+}
+
+/// m of C^m.
+pub fn order(text: &str) -> Checked<usize> {
+    let order = text.parse().ok().filter(|order| *order <= MAX_ORDER);
+    Ok(order.ok_or_else(|| Stop::Wrong(format!("`{text}` is no order of smoothness")))?)
+}
+
+/// The scope of a claim without names of its own.
+fn scope<'a>(paper: &'a Paper<'a>) -> crate::evaluate::Scope<'a> {
+    let mut scope = paper.scope();
+    scope.values.clone_from(&paper.given);
+    scope
+}

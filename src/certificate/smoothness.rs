@@ -1,0 +1,203 @@
+//! Claims about smoothness: the joint spectral radius of the matrices, and what it shows.
+
+use super::block::Block;
+use super::radius::{LimitLines, limits};
+use super::smooth_range;
+use crate::audit::{Direction, Known, Limits, SmoothnessFinding, SmoothnessVerdict};
+use crate::claim::{ExponentStatement, PrintedExponent, SmoothnessBody, SmoothnessStatement};
+use crate::exact::{Decimal, LogSum, LogTerm, Rational};
+use std::cmp::Ordering;
+
+/// Why a finding has no certificate: the radius is enclosed by rational numbers.
+const NOT_SHOWN: &str = "the rational bounds of the joint spectral radius do not show this";
+
+pub(super) fn block(finding: &SmoothnessFinding<'_>) -> Block {
+    let claim = finding.claim;
+    let mut block = Block::new(claim.kind.name(), &claim.id);
+    let (scheme, statement) = match &claim.body {
+        SmoothnessBody::NotCheckable(absent) => {
+            block.restate("absent", absent);
+            return block;
+        }
+        SmoothnessBody::Statement(scheme, statement) => (scheme, statement),
+    };
+    match finding.verdict {
+        SmoothnessVerdict::Open => block.give_up("it is open"),
+        SmoothnessVerdict::NotCheckable => block.give_up("the rules are beyond a cap"),
+        _ => {}
+    }
+    let scheme = scheme.reference.to_string();
+    match (statement, &finding.known) {
+        (SmoothnessStatement::Range(range), Known::Range(known)) => {
+            smooth_range::lines(&mut block, range, &scheme, known, finding.verdict);
+        }
+        (_, Known::Limits(known)) => {
+            block.restate("scheme", &scheme);
+            restate(&mut block, statement);
+            of_limits(&mut block, statement, known, finding.verdict);
+        }
+        _ => block.give_up("nothing is known of the limits"),
+    }
+    block
+}
+
+fn restate(block: &mut Block, statement: &SmoothnessStatement) {
+    match statement {
+        SmoothnessStatement::Continuity { continuous, not_continuous } => {
+            let orders =
+                [("states-continuous", continuous), ("states-not-continuous", not_continuous)];
+            for (word, order) in orders {
+                if let Some(m) = order {
+                    block.line(format!("{word} {m}"));
+                }
+            }
+        }
+        SmoothnessStatement::Exponent { exponent, .. } => match exponent {
+            ExponentStatement::Value(printed) => block.restate("value", &printed.text),
+            ExponentStatement::Decimal { text, .. } => block.restate("printed", text),
+            ExponentStatement::Bounds { at_least, at_most } => {
+                for (word, bound) in [("at-least", at_least), ("at-most", at_most)] {
+                    if let Some(bound) = bound {
+                        block.restate(word, &bound.text);
+                    }
+                }
+            }
+        },
+        SmoothnessStatement::Range(_) => {}
+    }
+}
+
+fn of_limits(
+    block: &mut Block,
+    statement: &SmoothnessStatement,
+    known: &Limits,
+    verdict: SmoothnessVerdict,
+) {
+    let Some(lines) = radius(block, known) else { return };
+    let said = match verdict {
+        SmoothnessVerdict::Rounding(Direction::Cut) => "rounding cut",
+        SmoothnessVerdict::Rounding(_) => "rounding away",
+        other => other.name(),
+    };
+    let shown = match statement {
+        SmoothnessStatement::Continuity { continuous, not_continuous } => {
+            let [yes, no] = [continuous, not_continuous].map(|m| {
+                m.map(|m| {
+                    let yes = lines.continuous.is_some_and(|shown| m <= shown);
+                    (yes, lines.not_continuous.is_some_and(|shown| shown <= m))
+                })
+            });
+            let refuted = yes.is_some_and(|(_, fails)| fails) || no.is_some_and(|(holds, _)| holds);
+            let confirmed = yes.is_none_or(|(holds, _)| holds) && no.is_none_or(|(_, fails)| fails);
+            if refuted { Some("refuted") } else { confirmed.then_some("confirmed") }
+        }
+        SmoothnessStatement::Exponent { exponent, attained } => {
+            let arity = known.mask.arity();
+            let found = Exponent::of(&lines, arity).judged(exponent);
+            let diverges = lines.not_continuous == Some(0);
+            let found = if diverges { Some("refuted") } else { found };
+            found.filter(|found| attained.is_none() || *found == "refuted")
+        }
+        SmoothnessStatement::Range(_) => None,
+    };
+    if let SmoothnessStatement::Exponent { exponent, .. } = statement
+        && bases(exponent).any(|base| base != known.mask.arity())
+    {
+        block.give_up("logarithms to another base than the arity are not certified");
+    }
+    if shown != Some(said) {
+        let attained = matches!(statement, SmoothnessStatement::Exponent { attained: Some(_), .. });
+        block.give_up(if attained {
+            "whether an exponent is attained is not certified"
+        } else {
+            NOT_SHOWN
+        });
+    }
+    block.line(said);
+}
+
+/// The bases of the logarithms of a printed exponent.
+fn bases(exponent: &ExponentStatement) -> impl Iterator<Item = usize> {
+    let printed = match exponent {
+        ExponentStatement::Value(value) => [Some(value), None],
+        ExponentStatement::Bounds { at_least, at_most } => [at_least.as_ref(), at_most.as_ref()],
+        ExponentStatement::Decimal { .. } => [None, None],
+    };
+    printed.into_iter().flatten().flat_map(|value| &value.value.terms).map(|term| term.base)
+}
+
+/// Writes the lines about the radius.
+pub(super) fn radius(block: &mut Block, known: &Limits) -> Option<LimitLines> {
+    let found = limits(&known.mask, &known.smoothness);
+    match &found {
+        Some(lines) => lines.text.lines().for_each(|line| block.line(line)),
+        None => block.give_up("no invariant hull is found"),
+    }
+    found
+}
+
+/// The bounds of an exponent that the lines show.
+struct Exponent {
+    lower: Option<LogSum>,
+    upper: Option<LogSum>,
+}
+
+impl Exponent {
+    fn of(lines: &LimitLines, arity: usize) -> Exponent {
+        let bound = |of: &Rational, degree: usize| {
+            let factor = -Rational::from(degree).recip();
+            let term = LogTerm { factor, base: arity, of: of.clone() };
+            LogSum { rational: Rational::from(lines.order), terms: vec![term] }
+        };
+        Exponent {
+            lower: lines.continuous.map(|_| bound(&lines.at_most, 1)),
+            upper: lines.at_least.as_ref().map(|(of, degree)| bound(of, *degree)),
+        }
+    }
+
+    /// Whether the exponent is at least this number; with `strictly`, greater.
+    fn at_least(&self, value: &LogSum, strictly: bool) -> bool {
+        let order = self.lower.as_ref().and_then(|lower| lower.compare(value));
+        order == Some(Ordering::Greater) || !strictly && order == Some(Ordering::Equal)
+    }
+
+    /// Whether the exponent is at most this number; with `strictly`, less.
+    fn at_most(&self, value: &LogSum, strictly: bool) -> bool {
+        let order = self.upper.as_ref().and_then(|upper| upper.compare(value));
+        order == Some(Ordering::Less) || !strictly && order == Some(Ordering::Equal)
+    }
+
+    fn judged(&self, statement: &ExponentStatement) -> Option<&'static str> {
+        let bounds = |low: Option<&PrintedExponent>, high: Option<&PrintedExponent>| {
+            let refuted = low.is_some_and(|value| self.at_most(&value.value, true))
+                || high.is_some_and(|value| self.at_least(&value.value, true));
+            let confirmed = low.is_none_or(|value| self.at_least(&value.value, false))
+                && high.is_none_or(|value| self.at_most(&value.value, false));
+            if refuted { Some("refuted") } else { confirmed.then_some("confirmed") }
+        };
+        match statement {
+            ExponentStatement::Value(value) => bounds(Some(value), Some(value)),
+            ExponentStatement::Bounds { at_least, at_most } => {
+                bounds(at_least.as_ref(), at_most.as_ref())
+            }
+            ExponentStatement::Decimal { decimal, .. } => self.rounded(decimal),
+        }
+    }
+
+    fn rounded(&self, decimal: &Decimal) -> Option<&'static str> {
+        let half = decimal.unit() / Rational::from(2);
+        let place = |halves: i64| LogSum::from(decimal.value() + &half * Rational::from(halves));
+        let between = |low, high, strictly| {
+            self.at_least(&place(low), strictly) && self.at_most(&place(high), strictly)
+        };
+        if self.at_least(&place(2), false) || self.at_most(&place(-2), false) {
+            Some("refuted")
+        } else if between(-1, 1, false) {
+            Some("confirmed")
+        } else if between(1, 2, true) {
+            Some("rounding cut")
+        } else {
+            between(-2, -1, true).then_some("rounding away")
+        }
+    }
+}

@@ -1,0 +1,141 @@
+//! Reading claims about smoothness.
+
+use super::exponent::exponent;
+use super::fields::{CommonFields, NumberField, claim_table};
+use super::reader::{Head, Reader};
+use crate::claim::{
+    ExponentStatement, SmoothnessBody, SmoothnessClaim, SmoothnessKind, SmoothnessStatement,
+};
+use crate::diagnostic::Diagnostic;
+use toml::Spanned;
+
+/// The greatest m of a C^m.
+const MAX_ORDER: usize = 64;
+
+claim_table!(SmoothnessTable {
+    continuous: Option<Spanned<String>>,
+    not_continuous: Option<Spanned<String>>,
+    absent: Option<String>,
+});
+
+claim_table!(ExponentTable {
+    value: Option<Spanned<String>>,
+    printed: Option<Spanned<NumberField>>,
+    at_least: Option<Spanned<String>>,
+    at_most: Option<Spanned<String>>,
+    attained: Option<bool>,
+    absent: Option<String>,
+});
+
+impl Reader<'_> {
+    /// Reads a claim that the limits are C^m, or not.
+    pub(super) fn smoothness(
+        &self,
+        table: &SmoothnessTable,
+    ) -> Result<SmoothnessClaim, Diagnostic> {
+        let statement = match (&table.continuous, &table.not_continuous, &table.absent) {
+            (None, None, Some(absent)) => Err(absent),
+            (None, None, None) | (_, _, Some(_)) => {
+                return Err(self
+                    .error(
+                        table.id.span(),
+                        "a claim about smoothness needs `continuous` or `not_continuous`, or `absent`",
+                    )
+                    .with_help(
+                        "continuous = '2' says that the limits are C^2, not_continuous = '3' that \
+                         not all of them are C^3; absent = \"…\" says what the paper lacks",
+                    ));
+            }
+            (continuous, not_continuous, None) => {
+                let order = |text: &Option<Spanned<String>>| {
+                    text.as_ref().map(|text| self.order(text)).transpose()
+                };
+                let (continuous, not_continuous) = (order(continuous)?, order(not_continuous)?);
+                if let (Some(m), Some(fails)) = (continuous, not_continuous)
+                    && fails <= m
+                {
+                    let message = format!("limits that are C^{m} are C^{fails} too");
+                    return Err(self.error(table.id.span(), message).with_help(
+                        "`not_continuous` is greater than `continuous`; a paper that contradicts \
+                         itself has two claims",
+                    ));
+                }
+                Ok(SmoothnessStatement::Continuity { continuous, not_continuous })
+            }
+        };
+        self.about_limits(table.common(), SmoothnessKind::Continuity, statement)
+    }
+
+    /// Reads a claim about the Hölder exponent.
+    pub(super) fn exponent(&self, table: &ExponentTable) -> Result<SmoothnessClaim, Diagnostic> {
+        let ExponentTable { value, printed, at_least, at_most, attained, absent, .. } = table;
+        let printed_exponent =
+            |text: &Spanned<String>| exponent(self.source, text.span(), text.get_ref());
+        let bound =
+            |text: &Option<Spanned<String>>| text.as_ref().map(printed_exponent).transpose();
+        let exponent = match (value, printed, at_least.as_ref().or(at_most.as_ref()), absent) {
+            (Some(value), None, None, None) => {
+                Ok(ExponentStatement::Value(printed_exponent(value)?))
+            }
+            (None, Some(field), None, None) => {
+                let printed = self.printed(field)?;
+                Ok(ExponentStatement::Decimal { text: printed.text, decimal: printed.decimal })
+            }
+            (None, None, Some(_), None) => Ok(ExponentStatement::Bounds {
+                at_least: bound(at_least)?,
+                at_most: bound(at_most)?,
+            }),
+            (None, None, None, Some(absent)) if attained.is_none() => Err(absent),
+            _ => {
+                return Err(self
+                    .error(
+                        table.id.span(),
+                        "an exponent needs one of `value`, `printed`, bounds and `absent`",
+                    )
+                    .with_help(
+                        "value = '6 - log_2(9)' is a formula, printed = '2.830' a rounded decimal; \
+                         at_least = '2' and at_most = '3' are bounds, of which one will do; absent \
+                         = \"…\" says what the paper lacks",
+                    ));
+            }
+        };
+        let attained = *attained;
+        let statement =
+            exponent.map(|exponent| SmoothnessStatement::Exponent { exponent, attained });
+        self.about_limits(table.common(), SmoothnessKind::Exponent, statement)
+    }
+
+    /// A claim about the limits of a scheme, or what the paper lacks.
+    pub(super) fn about_limits(
+        &self,
+        common: CommonFields<'_>,
+        kind: SmoothnessKind,
+        statement: Result<SmoothnessStatement, &String>,
+    ) -> Result<SmoothnessClaim, Diagnostic> {
+        let Head { id, locus, title, scheme, note } = self.head(common)?;
+        let body = match (statement, scheme) {
+            (Err(absent), _) => SmoothnessBody::NotCheckable(absent.clone()),
+            (Ok(statement), Some(scheme)) => SmoothnessBody::Statement(scheme, statement),
+            (Ok(_), None) => {
+                return Err(self
+                    .error(
+                        common.id.span(),
+                        "smoothness is that of a scheme, and `scheme` is missing",
+                    )
+                    .with_help("scheme = \"four-point:w=1/16\""));
+            }
+        };
+        Ok(SmoothnessClaim { id, locus, title, kind, body, note })
+    }
+
+    /// m of C^m.
+    pub(super) fn order(&self, text: &Spanned<String>) -> Result<usize, Diagnostic> {
+        let order = text.get_ref().parse().ok();
+        let order = order.filter(|m: &usize| *m <= MAX_ORDER && m.to_string() == *text.get_ref());
+        order.ok_or_else(|| {
+            let message = format!("`{}` is no order of smoothness", text.get_ref());
+            self.error(text.span(), message)
+                .with_help(format!("write '2' for C^2; m is at most {MAX_ORDER}"))
+        })
+    }
+}

@@ -1,0 +1,135 @@
+//! Claims about the smoothness of the limits of a scheme.
+
+use super::table::LocatedReference;
+use crate::exact::{Decimal, LogSum, RealAlgebraic};
+use std::ops::Range;
+
+/// A claim about the limits of a scheme for curves.
+#[derive(Clone, Debug)]
+pub struct SmoothnessClaim {
+    /// Its id within the paper.
+    pub id: String,
+    /// Where it stands: `Theorem 3`.
+    pub locus: String,
+    /// Its statement, in words.
+    pub title: String,
+    /// Its kind.
+    pub kind: SmoothnessKind,
+    /// What it says of which scheme.
+    pub body: SmoothnessBody,
+    /// A note for the reader.
+    pub note: Option<String>,
+}
+
+/// What a claim about smoothness says, or why nothing can be checked.
+#[derive(Clone, Debug)]
+pub enum SmoothnessBody {
+    /// A statement about the limits of a scheme, whose parameters may depend on the variable of a range.
+    Statement(LocatedReference, SmoothnessStatement),
+    /// The paper lacks something that the claim would need; the text says what.
+    NotCheckable(String),
+}
+
+/// The kinds of claims about smoothness.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SmoothnessKind {
+    /// The limits are C^m, or not all of them are.
+    Continuity,
+    /// The Hölder exponent.
+    Exponent,
+    /// The values of a parameter for which the limits are C^m.
+    Range,
+}
+
+impl SmoothnessKind {
+    /// The name of its table in a claim file.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            SmoothnessKind::Continuity => "smoothness",
+            SmoothnessKind::Exponent => "exponent",
+            SmoothnessKind::Range => "range",
+        }
+    }
+}
+
+/// A statement about the limits of a scheme.
+#[derive(Clone, Debug)]
+pub enum SmoothnessStatement {
+    /// One of the two, or both.
+    Continuity {
+        /// All limits are C^m for this m.
+        continuous: Option<usize>,
+        /// Not all limits are C^m for this m; 0 says that the scheme diverges for some data.
+        not_continuous: Option<usize>,
+    },
+    /// A statement about the Hölder exponent.
+    Exponent {
+        /// What it says of the exponent.
+        exponent: ExponentStatement,
+        /// Whether the exponent is attained, where the paper says so.
+        attained: Option<bool>,
+    },
+    /// The values of a parameter for which the limits are C^m.
+    Range(SmoothRangeStatement),
+}
+
+/// A statement about the Hölder exponent.
+#[derive(Clone, Debug)]
+pub enum ExponentStatement {
+    /// It is this number.
+    Value(PrintedExponent),
+    /// It is this decimal, rounded.
+    Decimal {
+        /// The decimal as printed.
+        text: String,
+        /// Its value and its unit.
+        decimal: Decimal,
+    },
+    /// It is not below the first number, and not above the second; one of them, or both.
+    Bounds {
+        /// The lower bound.
+        at_least: Option<PrintedExponent>,
+        /// The upper bound.
+        at_most: Option<PrintedExponent>,
+    },
+}
+
+/// A number such as `6 - log_2(9)`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PrintedExponent {
+    /// The formula as the claim file has it.
+    pub text: String,
+    /// Its value.
+    pub value: LogSum,
+}
+
+/// All limits are C^m for the values of a parameter in an interval.
+#[derive(Clone, Debug)]
+pub struct SmoothRangeStatement {
+    /// The parameter's name in formulas.
+    pub variable: String,
+    /// m.
+    pub m: usize,
+    /// The lower end; `None` when the interval has none.
+    pub from: Option<RangeEnd>,
+    /// The upper end; `None` when the interval has none.
+    pub to: Option<RangeEnd>,
+    /// Whether the ends belong to the interval. Where the paper does not say it, they do not.
+    pub closed: bool,
+    /// Whether the paper says that the limits are C^m for no other values.
+    pub only: bool,
+}
+
+/// An end of a printed interval.
+#[derive(Clone, Debug)]
+pub struct RangeEnd {
+    /// The end as printed.
+    pub text: String,
+    /// The decimal, where a decimal is printed.
+    pub decimal: Option<Decimal>,
+    /// Its value.
+    pub value: RealAlgebraic,
+    /// Its range of bytes in the file.
+    pub span: Range<usize>,
+}

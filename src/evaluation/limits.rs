@@ -1,0 +1,78 @@
+//! The masks of claims about limits: at values of all parameters, and with one parameter left open.
+
+use crate::claim::{LocatedReference, Paper};
+use crate::diagnostic::Diagnostic;
+use crate::evaluation::library::{Library, values};
+use crate::evaluation::parametric::polynomial;
+use crate::evaluation::reference::{Unresolved, scheme_error};
+use crate::exact::{Parametric, Rational, RationalPolynomial, RealCyclotomic};
+use crate::formula::{Context, Scope, Value};
+use crate::scheme::{Mask, Rules};
+
+/// The scheme of a claim about limits, in its paper.
+pub(crate) struct LimitScheme<'a> {
+    pub(crate) paper: &'a Paper,
+    pub(crate) library: &'a Library<'a>,
+    pub(crate) located: &'a LocatedReference,
+}
+
+impl LimitScheme<'_> {
+    /// The mask, where the variable of a range, if there is one, has this value.
+    pub(crate) fn mask(&self, variable: Option<(&str, &Rational)>) -> Result<Mask, Diagnostic> {
+        let mut scope: Scope<'_, RealCyclotomic> = self.scope()?;
+        if let Some((name, value)) = variable {
+            scope = scope.with(name, RealCyclotomic::from(value.clone()));
+        }
+        self.check_one(&scope)?;
+        let resolved = self.library.resolve(&self.located.reference, &scope);
+        let resolved = resolved.map_err(|error| self.unresolved(error))?;
+        Ok(resolved.constants[0].mask().clone())
+    }
+
+    /// The rules, with polynomials in the variable as coefficients.
+    pub(crate) fn rules(&self, variable: &str) -> Result<Rules<RationalPolynomial>, Diagnostic> {
+        let scope = self.scope()?.with(variable, Parametric::variable());
+        self.check_one(&scope)?;
+        let masks = self.library.instances(&self.located.reference, &scope);
+        let masks = masks.and_then(|instances| self.library.masks(&instances));
+        let masks = masks.map_err(|error| self.unresolved(error))?;
+        polynomial(masks[0].rules()).ok_or_else(|| {
+            let message = format!("the mask is not polynomial in `{variable}`");
+            self.error(message).with_help(
+                "a range of smoothness needs a mask whose coefficients are polynomials in its `variable`; \
+                 for single values of a parameter write [[smoothness]]",
+            )
+        })
+    }
+
+    fn scope<V: Value>(&self) -> Result<Scope<'_, V>, Diagnostic> {
+        let mut scope = Scope::new(&self.paper.definitions, &());
+        for (name, value) in values(&self.paper.given)? {
+            scope = scope.with(&name, V::from_rational(&value));
+        }
+        Ok(scope)
+    }
+
+    /// A tensor product has two masks.
+    fn check_one<V: Value>(&self, scope: &dyn Context<V>) -> Result<(), Diagnostic> {
+        let instances = self.library.instances(&self.located.reference, scope);
+        match instances.map_err(|error| self.unresolved(error))?.len() {
+            1 => Ok(()),
+            _ => Err(self.error("smoothness is that of a scheme for curves").with_help(
+                "the limits of a tensor product are as smooth as those of its factors: claim the smoothness \
+                 of each",
+            )),
+        }
+    }
+
+    fn unresolved(&self, error: Unresolved) -> Diagnostic {
+        match error {
+            Unresolved::Scheme(error) => scheme_error(self.located, &error),
+            Unresolved::Formula(error) => self.error(format!("in its parameters: {error}")),
+        }
+    }
+
+    fn error(&self, message: impl Into<String>) -> Diagnostic {
+        Diagnostic::new(&self.located.source, self.located.span.clone(), message)
+    }
+}

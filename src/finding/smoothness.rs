@@ -1,0 +1,113 @@
+//! The finding about a claim of smoothness.
+
+use crate::claim::SmoothnessClaim;
+use crate::exact::{IntervalSet, Rational};
+use crate::finding::cell::Direction;
+use crate::scheme::Mask;
+use crate::smoothness::{SmoothRange, Smoothness};
+
+/// The finding about a claim of smoothness.
+#[derive(Clone, Debug)]
+pub struct SmoothnessFinding<'a> {
+    /// `key:claim`.
+    pub id: String,
+    /// The claim.
+    pub claim: &'a SmoothnessClaim,
+    /// The verdict.
+    pub verdict: SmoothnessVerdict,
+    /// What is known of the limits.
+    pub known: Known,
+}
+
+/// The verdict of a claim of smoothness.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum SmoothnessVerdict {
+    /// It is proved.
+    Confirmed,
+    /// A printed decimal is cut, or rounded away from zero.
+    Rounding(Direction),
+    /// A printed range is right up to the rounding of its ends.
+    RoundedEnds,
+    /// It is wrong.
+    Refuted,
+    /// Neither is shown.
+    Open,
+    /// The paper lacks something, or the rules are beyond a cap.
+    NotCheckable,
+}
+
+impl SmoothnessVerdict {
+    /// The verdict's name.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            SmoothnessVerdict::Confirmed => "confirmed",
+            SmoothnessVerdict::Rounding(_) | SmoothnessVerdict::RoundedEnds => "rounding",
+            SmoothnessVerdict::Refuted => "refuted",
+            SmoothnessVerdict::Open => "open",
+            SmoothnessVerdict::NotCheckable => "not-checkable",
+        }
+    }
+}
+
+/// What is known of the limits that a claim is about.
+#[derive(Clone, Debug)]
+pub enum Known {
+    /// The limits of one mask.
+    Limits(Box<Limits>),
+    /// The limits for all values of a parameter.
+    Range(Box<RangeOfLimits>),
+    /// What the paper lacks.
+    Absent(String),
+    /// The cap that the rules are beyond.
+    Capped(String),
+}
+
+/// A mask, and what is proved of its limits.
+#[derive(Clone, Debug)]
+pub struct Limits {
+    /// The mask.
+    pub mask: Mask,
+    /// What is proved.
+    pub smoothness: Smoothness,
+}
+
+/// What is proved of the limits for the values of a parameter.
+#[derive(Clone, Debug)]
+pub struct RangeOfLimits {
+    /// The sets inside and outside; `None` where the sum rules that C^m needs hold at single values only.
+    pub sets: Option<SmoothRange>,
+    /// The printed interval.
+    pub printed: IntervalSet,
+    /// Values of the printed interval that are in neither set, and where the paper says that there are no
+    /// other values, such values beyond it.
+    pub undecided: IntervalSet,
+    /// A value that refutes the claim.
+    pub witness: Option<Witness>,
+    /// The contraction that proves it in the whole printed interval.
+    pub contraction: Option<Contraction>,
+}
+
+/// The norm of so many levels of the differences of a derived scheme, which proves C^m where it is below 1.
+#[derive(Clone, Debug)]
+pub struct Contraction {
+    /// The number of levels.
+    pub levels: u32,
+    /// Where the norm is below 1.
+    pub below: IntervalSet,
+    /// Where it is above 1.
+    pub above: IntervalSet,
+}
+
+/// A value of the parameter that refutes a printed range.
+#[derive(Clone, Debug)]
+pub struct Witness {
+    /// The value.
+    pub at: Rational,
+    /// Whether it is in the printed range; then the limits are not all C^m there. Otherwise they are, and
+    /// the paper says that they are not.
+    pub inside: bool,
+    /// The limits at this value.
+    pub limits: Limits,
+}

@@ -1,0 +1,119 @@
+//! Claims about smoothness as JSON.
+
+use super::claim::{Claim, Details};
+use super::exact::decimal;
+use crate::audit::{Known, Limits, RangeOfLimits, SmoothnessFinding};
+use crate::report::smoothness::{decimals, statement};
+use crate::smoothness::Hoelder;
+use serde::Serialize;
+use std::borrow::Cow;
+
+/// The fields that only claims about smoothness have.
+#[derive(Debug, Default, Serialize)]
+pub struct SmoothnessDetails {
+    /// What is proved of the limits; null for a range without a value that refutes it.
+    pub limits: Option<LimitsForm>,
+    /// What is proved for all values of the parameter; null unless the claim is a range.
+    pub parameter: Option<RangeForm>,
+}
+
+/// What is proved of the limits of a mask.
+#[derive(Debug, Serialize)]
+pub struct LimitsForm {
+    /// The greatest m for which they are C^m; null where convergence is not proved.
+    pub continuity: Option<usize>,
+    /// The least m for which not all of them are C^m, as far as that is proved.
+    pub continuity_fails: Option<usize>,
+    /// The Hölder exponent; null where convergence is not proved.
+    pub hoelder: Option<HoelderForm>,
+}
+
+/// The Hölder exponent.
+#[derive(Debug, Serialize)]
+pub struct HoelderForm {
+    /// A decimal that is not above it.
+    pub lower: String,
+    /// A decimal that is not below it.
+    pub upper: String,
+    /// A formula; null where it is not known exactly.
+    pub exact: Option<String>,
+    /// Whether it is attained; null where that is open.
+    pub attained: Option<bool>,
+}
+
+/// What is proved for all values of a parameter.
+#[derive(Debug, Serialize)]
+pub struct RangeForm {
+    /// Where the limits are C^m.
+    pub inside: Option<String>,
+    /// Where not all of them are.
+    pub outside: Option<String>,
+    /// Whether finitely many values outside may be exceptions.
+    pub but_finitely_many: bool,
+    /// The values of which the claim speaks and that are in neither set.
+    pub undecided: String,
+    /// A value that refutes the claim.
+    pub refuted_at: Option<String>,
+    /// That value as a decimal.
+    pub refuted_at_decimal: Option<String>,
+}
+
+impl<'a> Claim<'a> {
+    pub(super) fn of_smoothness(finding: &'a SmoothnessFinding<'_>) -> Claim<'a> {
+        let claim = finding.claim;
+        let mut details = SmoothnessDetails::default();
+        let mut why = None;
+        match &finding.known {
+            Known::Limits(limits) => details.limits = Some(LimitsForm::of(limits)),
+            Known::Range(range) => {
+                details.limits =
+                    range.witness.as_ref().map(|witness| LimitsForm::of(&witness.limits));
+                details.parameter = Some(RangeForm::of(range));
+            }
+            Known::Absent(absent) => why = Some(format!("missing: {absent}")),
+            Known::Capped(reason) => why = Some(reason.clone()),
+        }
+        let exact =
+            details.limits.as_ref().and_then(|limits| limits.hoelder.as_ref()?.exact.clone());
+        let note = why.into_iter().chain(claim.note.clone()).collect::<Vec<String>>().join("; ");
+        let printed = statement(claim).map(Cow::Owned);
+        let (kind, verdict) = (claim.kind.name(), finding.verdict.name());
+        let details = Details::Smoothness(Box::new(details));
+        let plain = Claim::plain(&finding.id, &claim.locus, kind, "", verdict, details);
+        Claim { printed, exact, note: (!note.is_empty()).then_some(note.into()), ..plain }
+    }
+}
+
+impl LimitsForm {
+    fn of(limits: &Limits) -> LimitsForm {
+        let smoothness = &limits.smoothness;
+        LimitsForm {
+            continuity: smoothness.continuity,
+            continuity_fails: smoothness.continuity_fails,
+            hoelder: smoothness.hoelder.as_ref().map(HoelderForm::of),
+        }
+    }
+}
+
+impl HoelderForm {
+    fn of(hoelder: &Hoelder) -> HoelderForm {
+        let [lower, upper] = decimals(hoelder);
+        let exact = hoelder.formula.as_ref().map(ToString::to_string);
+        HoelderForm { lower, upper, exact, attained: hoelder.attained }
+    }
+}
+
+impl RangeForm {
+    fn of(range: &RangeOfLimits) -> RangeForm {
+        let sets = range.sets.as_ref();
+        let at = range.witness.as_ref().map(|witness| &witness.at);
+        RangeForm {
+            inside: sets.map(|sets| sets.inside.to_string()),
+            outside: sets.map(|sets| sets.outside.to_string()),
+            but_finitely_many: sets.is_some_and(|sets| sets.but_finitely_many),
+            undecided: range.undecided.to_string(),
+            refuted_at: at.map(ToString::to_string),
+            refuted_at_decimal: at.map(decimal),
+        }
+    }
+}

@@ -1,0 +1,301 @@
+//! Findings about the smoothness of limits.
+
+use super::parts::{mark, titled};
+use super::sheet::Sheet;
+use crate::audit::{
+    Known, Limits, PaperAudit, RangeOfLimits, SmoothnessFinding, SmoothnessVerdict,
+};
+use crate::claim::{
+    ExponentStatement, SmoothRangeStatement, SmoothnessBody, SmoothnessClaim, SmoothnessStatement,
+};
+use crate::exact::{
+    Enclosed as _, Integer, Interval, IntervalSet, Rational, RealAlgebraic,
+    format::{fixed, short},
+};
+use crate::smoothness::Hoelder;
+use std::ops::Bound;
+
+/// The longest formula of an exponent that stands beside its decimals.
+const LONGEST: usize = 100;
+
+/// The digits of an irrational end of a set.
+const DIGITS: u32 = 12;
+
+/// The places of decimals.
+const PLACES: u32 = 12;
+
+/// The section on smoothness; without `all`, on the claims that are not confirmed.
+pub(super) fn section(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {
+    let shown =
+        |finding: &&SmoothnessFinding<'_>| all || finding.verdict != SmoothnessVerdict::Confirmed;
+    let facts = audit.smoothness.iter().filter(shown).map(|finding| {
+        let claim = finding.claim;
+        let title = titled(&[&claim.title, &claim.id]);
+        let states = statement(claim).map(|statement| format!("states: {statement}"));
+        let lines = [title].into_iter().chain(states).chain(outcome(finding));
+        let lines = lines.chain(claim.note.clone()).collect::<Vec<String>>().join("\n");
+        (format!("{} {}", mark(finding.verdict.name()), claim.locus), lines)
+    });
+    let facts: Vec<(String, String)> = facts.collect();
+    if !facts.is_empty() {
+        sheet.heading(2, "Smoothness");
+        sheet.facts(facts);
+    }
+}
+
+/// The claim of this id in full, if it is one about smoothness.
+pub(super) fn explain(audit: &PaperAudit<'_>, id: &str) -> Option<Sheet> {
+    let finding = audit.smoothness.iter().find(|finding| finding.id == id)?;
+    let claim = finding.claim;
+    let mut sheet = Sheet::default();
+    sheet.heading(1, format!("{id} · {}", claim.locus));
+    sheet.text(claim.title.clone());
+    let fact = |name: &str, text: String| (name.to_owned(), text);
+    let mut facts = Vec::new();
+    if let SmoothnessBody::Statement(scheme, _) = &claim.body {
+        facts.push(fact("scheme", scheme.reference.to_string()));
+    }
+    facts.extend(statement(claim).map(|statement| fact("states", statement)));
+    let name = finding.verdict.name();
+    facts.push((format!("{} {name}", mark(name)), outcome(finding).join("\n")));
+    facts.extend(details(finding));
+    facts.extend(claim.note.clone().map(|note| fact("note", note)));
+    sheet.facts(facts);
+    Some(sheet)
+}
+
+/// What the paper states.
+pub(super) fn statement(claim: &SmoothnessClaim) -> Option<String> {
+    let SmoothnessBody::Statement(_, statement) = &claim.body else { return None };
+    Some(match statement {
+        SmoothnessStatement::Continuity { continuous, not_continuous } => {
+            let parts = [continuous.map(smooth), not_continuous.map(not_smooth)];
+            parts.into_iter().flatten().collect::<Vec<String>>().join(", and ")
+        }
+        SmoothnessStatement::Exponent { exponent, attained } => {
+            let said = match exponent {
+                ExponentStatement::Value(printed) => printed.text.clone(),
+                ExponentStatement::Decimal { text, .. } => text.clone(),
+                ExponentStatement::Bounds { at_least, at_most } => {
+                    let lower = at_least.as_ref().map(|bound| format!("at least {}", bound.text));
+                    let upper = at_most.as_ref().map(|bound| format!("at most {}", bound.text));
+                    lower.into_iter().chain(upper).collect::<Vec<String>>().join(", ")
+                }
+            };
+            let attained = match attained {
+                None => "",
+                Some(true) => ", attained",
+                Some(false) => ", not attained",
+            };
+            format!("the Hölder exponent is {said}{attained}")
+        }
+        SmoothnessStatement::Range(range) => {
+            let only = if range.only {
+                format!(", and for no other {}", range.variable)
+            } else {
+                String::new()
+            };
+            format!("{} for {}{only}", smooth(range.m), printed(range))
+        }
+    })
+}
+
+fn smooth(m: usize) -> String {
+    format!("the limits are C^{m}")
+}
+
+fn not_smooth(m: usize) -> String {
+    if m == 0 {
+        "the scheme diverges for some data".to_owned()
+    } else {
+        format!("not all limits are C^{m}")
+    }
+}
+
+/// The range as printed.
+pub(super) fn printed(range: &SmoothRangeStatement) -> String {
+    let relation = if range.closed { "<=" } else { "<" };
+    let from = range.from.as_ref().map(|from| format!("{} {relation} ", from.text));
+    let to = range.to.as_ref().map(|to| format!(" {relation} {}", to.text));
+    format!("{}{}{}", from.unwrap_or_default(), range.variable, to.unwrap_or_default())
+}
+
+/// What is known, in lines.
+pub(super) fn outcome(finding: &SmoothnessFinding<'_>) -> Vec<String> {
+    let mut lines = match &finding.known {
+        Known::Absent(absent) => vec![format!("not checkable without {absent}")],
+        Known::Capped(reason) => vec![format!("not checkable: {reason}")],
+        Known::Limits(limits) => vec![of_limits(limits)],
+        Known::Range(range) => of_range(finding, range),
+    };
+    match finding.verdict {
+        SmoothnessVerdict::Rounding(direction) => {
+            lines.push(format!("The decimal is {direction}."))
+        }
+        SmoothnessVerdict::RoundedEnds => {
+            lines.push("The printed range is right up to the rounding of its ends.".to_owned());
+        }
+        _ => {}
+    }
+    lines
+}
+
+/// `the limits are C^1, and not all limits are C^2; Hölder exponent 2, not attained`.
+fn of_limits(limits: &Limits) -> String {
+    let smoothness = &limits.smoothness;
+    let known = [smoothness.continuity.map(smooth), smoothness.continuity_fails.map(not_smooth)];
+    let known: Vec<String> = known.into_iter().flatten().collect();
+    let known = if known.is_empty() {
+        "it is open whether the scheme converges".to_owned()
+    } else {
+        known.join(", and ")
+    };
+    let exponent = smoothness.hoelder.as_ref();
+    format!(
+        "{known}{}",
+        exponent.map(|e| format!("; Hölder exponent {}", of_exponent(e))).unwrap_or_default()
+    )
+}
+
+/// `6 - log_2(9), 2.830074998557 to 2.830074998558, attained`.
+pub(super) fn of_exponent(hoelder: &Hoelder) -> String {
+    let between = between(hoelder);
+    let value = match &hoelder.formula {
+        Some(formula) if formula.as_rational().is_some() => formula.to_string(),
+        Some(formula) => {
+            let formula = formula.to_string();
+            let short = formula.chars().count() <= LONGEST;
+            if short { format!("{formula}, {between}") } else { between }
+        }
+        None => between,
+    };
+    let attained = match hoelder.attained {
+        None => "",
+        Some(true) => ", attained",
+        Some(false) => ", not attained",
+    };
+    format!("{value}{attained}")
+}
+
+/// Decimals around the exponent.
+fn between(hoelder: &Hoelder) -> String {
+    let [low, high] = decimals(hoelder);
+    if low == high { low } else { format!("{low} to {high}") }
+}
+
+/// A decimal that is not above the exponent, and one that is not below it.
+pub(super) fn decimals(hoelder: &Hoelder) -> [String; 2] {
+    let (low, high) = match &hoelder.formula {
+        Some(formula) => {
+            let enclosure = formula.enclosure(1);
+            (enclosure.lower().clone(), enclosure.upper().clone())
+        }
+        None => (hoelder.lower.clone(), hoelder.upper.clone()),
+    };
+    let unit = Rational::from(Integer::power_of_ten(PLACES));
+    let low = Rational::from((low * &unit).floor()) / &unit;
+    let high = Rational::from((high * &unit).ceil()) / unit;
+    [low, high].map(|end| fixed(&end, PLACES))
+}
+
+fn of_range(finding: &SmoothnessFinding<'_>, range: &RangeOfLimits) -> Vec<String> {
+    let SmoothnessBody::Statement(_, SmoothnessStatement::Range(said)) = &finding.claim.body else {
+        return Vec::new();
+    };
+    let SmoothRangeStatement { variable, m, .. } = said;
+    let set = |set: &IntervalSet| set_text(set, variable);
+    let mut lines = match &range.sets {
+        Some(sets) => {
+            let mut lines = vec![
+                format!("{} for {}", smooth(*m), set(&sets.inside)),
+                format!("{} for {}", not_smooth(*m), set(&sets.outside)),
+            ];
+            if sets.but_finitely_many && !sets.outside.is_empty() {
+                lines.push(format!("with finitely many exceptions of {variable}"));
+            }
+            lines
+        }
+        None => vec![format!(
+            "the sum rules that C^{m} needs hold for single values of {variable} at most"
+        )],
+    };
+    if finding.verdict == SmoothnessVerdict::Open {
+        lines.push(format!("It is open for {}.", set(&range.undecided)));
+    }
+    if let Some(witness) = &range.witness {
+        let place =
+            if witness.inside { "in the printed range" } else { "beyond the printed range" };
+        let limits = of_limits(&witness.limits);
+        lines.push(format!("At {variable} = {}, {place}, {limits}.", witness.at));
+    }
+    lines
+}
+
+/// A set of values of a parameter: its irrational ends are decimals.
+pub(super) fn set_text(set: &IntervalSet, variable: &str) -> String {
+    if set.is_empty() {
+        return format!("no {variable}");
+    }
+    let sign = |end: &Bound<RealAlgebraic>| match end {
+        Bound::Included(_) => "<=",
+        _ => "<",
+    };
+    let interval = |interval: &Interval| match (&interval.low, &interval.high) {
+        (Bound::Unbounded, Bound::Unbounded) => format!("every {variable}"),
+        (Bound::Included(low), Bound::Included(high)) if low == high => {
+            format!("{variable} = {}", short(low, DIGITS))
+        }
+        (low, high) => {
+            let left = place(low).map(|place| format!("{place} {} ", sign(low)));
+            let right = place(high).map(|place| format!(" {} {place}", sign(high)));
+            format!("{}{variable}{}", left.unwrap_or_default(), right.unwrap_or_default())
+        }
+    };
+    set.intervals().iter().map(interval).collect::<Vec<String>>().join(" or ")
+}
+
+fn place(end: &Bound<RealAlgebraic>) -> Option<String> {
+    let (Bound::Included(place) | Bound::Excluded(place)) = end else { return None };
+    let rational = place.as_rational().map(ToString::to_string);
+    let brief = rational.filter(|text| text.len() <= 12);
+    Some(brief.unwrap_or_else(|| short(place, DIGITS)))
+}
+
+/// What else is known of the limits.
+pub(super) fn details(finding: &SmoothnessFinding<'_>) -> Vec<(String, String)> {
+    let limits = match &finding.known {
+        Known::Limits(limits) => limits,
+        Known::Range(range) => match &range.witness {
+            Some(witness) => &witness.limits,
+            None => return Vec::new(),
+        },
+        Known::Absent(_) | Known::Capped(_) => return Vec::new(),
+    };
+    let deciding = limits.smoothness.deciding();
+    let (n, size) = (deciding.symbol.arity(), deciding.matrices.size());
+    let factors: Vec<String> = deciding.radius.product.iter().map(|i| format!("T_{i}")).collect();
+    let above = match &deciding.radius.hull {
+        Some(hull) => format!("by an invariant hull of {} rows", size + hull.rows.len()),
+        None => "by no hull: the radius is 0".to_owned(),
+    };
+    let fact = |name: &str, text: String| (name.to_owned(), text);
+    let mut facts = vec![
+        fact("sum rules", format!("of order {}", limits.smoothness.sum_rules)),
+        fact(
+            "matrices",
+            format!(
+                "{n}, {size}×{size}, of {n}^{} times the differences of order {0}",
+                deciding.order
+            ),
+        ),
+        fact(
+            "spectral radius",
+            format!("from below by the product {}\nfrom above {above}", factors.join(" ")),
+        ),
+    ];
+    if limits.smoothness.reduced.is_some() {
+        let text = "linearly dependent; another symbol, of which they are not, decides";
+        facts.push(fact("shifts", text.to_owned()));
+    }
+    facts
+}

@@ -1,0 +1,59 @@
+//! Claims about smoothness in words, and as JSON.
+
+use crate::common::claims::{judged, paper};
+use subcert::report::json::AuditReport;
+use subcert::report::{Background, audit_sheet, errata_sheet, explain_sheet};
+
+const CLAIMS: &str = "[[smoothness]]\nid = 's'\nlocus = 'Theorem 1'\ntitle = 'Too smooth'\nscheme = 'chaikin'\n\
+                      continuous = '2'\n\
+                      [[smoothness]]\nid = 'a'\nlocus = 'Theorem 2'\nabsent = 'the mask'\n\
+                      [[exponent]]\nid = 'e'\nlocus = 'Theorem 3'\nscheme = 'six-point:w=3/256'\nprinted = '2.830'\n\
+                      [[range]]\nid = 'r'\nlocus = 'Theorem 4'\nscheme = 'four-point:w=w'\nvariable = 'w'\n\
+                      smoothness = '1'\nfrom = '0'\nto = '1/5'\n";
+
+#[test]
+fn reports_say_what_is_stated_and_what_is_known() {
+    let paper = paper(CLAIMS);
+    let audits = [judged(&paper)];
+    let words = |text: String| text.split_whitespace().collect::<Vec<&str>>().join(" ");
+    let report = words(audit_sheet(&audits, false).to_text(None));
+    for part in [
+        "2 of 4 statements about smoothness are refuted.",
+        "✗ Theorem 1 Too smooth · s states: the limits are C^2 the limits are C^1, and not all limits are C^2; \
+         Hölder exponent 2, attained",
+        "? Theorem 2 a not checkable without the mask",
+        "✗ Theorem 4 r states: the limits are C^1 for 0 < w < 1/5",
+    ] {
+        assert!(report.contains(part), "{part} is not in {report}");
+    }
+    // What is confirmed is shown with `--all`.
+    assert!(!report.contains("Theorem 3"));
+    let whole = words(audit_sheet(&audits, true).to_text(None));
+    assert!(whole.contains("✓ Theorem 3 e states: the Hölder exponent is 2.830"), "{whole}");
+    let explained = explain_sheet(&audits, "k:e", Background::default(), false).expect("a claim");
+    let explained = words(explained.to_text(None));
+    assert!(explained.contains("✓ confirmed the limits are C^2, and not all limits are C^3"));
+    assert!(explained.contains("matrices 2, "), "{explained}");
+    let errata = words(errata_sheet(&audits).to_text(None));
+    assert!(errata.contains("1. Theorem 1 · ✗ refuted") && errata.contains("2. Theorem 4 · ✗"));
+}
+
+#[test]
+fn json_has_the_bounds() {
+    let paper = paper(CLAIMS);
+    let audits = [judged(&paper)];
+    let report = serde_json::to_value(AuditReport::of(&audits)).expect("JSON");
+    let claims = &report["papers"][0]["claims"];
+    assert_eq!(claims[0]["kind"], "smoothness");
+    assert_eq!(claims[0]["printed"], "the limits are C^2");
+    assert_eq!(claims[0]["limits"]["continuity"], 1);
+    assert_eq!(claims[0]["limits"]["continuity_fails"], 2);
+    assert_eq!(claims[1]["verdict"], "not-checkable");
+    assert_eq!(claims[1]["printed"], serde_json::Value::Null);
+    assert_eq!(claims[2]["limits"]["hoelder"]["exact"], "6 - log_2(9)");
+    assert_eq!(claims[2]["limits"]["hoelder"]["lower"], "2.830074998557");
+    assert_eq!(claims[3]["kind"], "range");
+    let at = claims[3]["parameter"]["refuted_at_decimal"].as_str().expect("a value");
+    assert!(at.starts_with("0.19"), "{at}");
+    assert_eq!(report["papers"][0]["summary"]["refuted"], 2);
+}
