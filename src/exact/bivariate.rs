@@ -81,7 +81,9 @@ fn bernstein(c: &[Rational], [low, high]: &[Rational; 2], degree: usize) -> Vec<
     let mut moved: Vec<Rational> = Vec::with_capacity(c.len());
     for c in c.iter().rev() {
         let above: Vec<Rational> = moved.iter().map(|m| m * &width).collect();
-        moved.iter_mut().for_each(|m| *m *= low);
+        for m in &mut moved {
+            *m *= low;
+        }
         moved.push(Rational::zero());
         for (m, a) in moved[1..].iter_mut().zip(&above) {
             *m += a;

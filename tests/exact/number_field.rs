@@ -100,7 +100,8 @@ proptest! {
         let (x, y) = (combined(a), combined(b));
         prop_assert_eq!(x.times(&y), combined(naive_product(a, b)));
         let decimal = |c: [i64; 4]| {
-            c[0] as f64 + c[1] as f64 * 2_f64.sqrt() + c[2] as f64 * 3_f64.sqrt() + c[3] as f64 * 6_f64.sqrt()
+            let f = |i: usize| f64::from(i32::try_from(c[i]).expect("a small number"));
+            f(0) + f(1) * 2_f64.sqrt() + f(2) * 3_f64.sqrt() + f(3) * 6_f64.sqrt()
         };
         let gap = decimal(a) - decimal(b);
         let sign = if gap.abs() < 1e-9 { 0 } else { gap.total_cmp(&0.0) as i8 };

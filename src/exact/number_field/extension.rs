@@ -64,6 +64,7 @@ impl FieldElement {
             check_norm(p.len() - 1)?;
             return Ok(RealAlgebraic::roots_of(&norm));
         };
+        check_norm(field.degree() * (p.len() - 1))?;
         let p = square_free(&p);
         let roots = RealAlgebraic::roots_of(&norm(&p, field)?);
         let sign = |x: &Rational| value_at(&p, &FieldElement::from_rational(x)).sign();
