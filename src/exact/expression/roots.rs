@@ -64,7 +64,7 @@ impl RealExpression {
     /// When the polynomial is a constant, its degree is above [`MAX_ROOT_DEGREE`], or it has no such root.
     ///
     /// # Panics
-    /// When the coefficients have no [`common_conductor`].
+    /// When the coefficients have no [`common_conductor`](crate::exact::common_conductor).
     ///
     /// ```
     /// use subcert::exact::{RealCyclotomic, RealExpression, format::fixed};
