@@ -7,7 +7,7 @@ use crate::exact::{Integer, Rational};
 /// The nodes of so many levels at a time are looked at: the most with at most this number of nodes.
 const NODES: usize = 4096;
 
-/// Bounds are at most this number, times 2^−PLACES.
+/// No bound is above this number, times 2^−PLACES; where one would be, there are none.
 const LARGEST: i64 = 1 << 38;
 
 /// β_p ≥ |λ_p| for all rows λ of E^m, m = 0, 1, …, where the rows of E sum to 1.
@@ -28,10 +28,10 @@ pub(super) struct Entries {
     known: Vec<Vec<i64>>,
 }
 
-/// 2^PLACES·x, rounded up; at most [`LARGEST`].
-fn raised(x: &Rational) -> i64 {
+/// 2^PLACES·x, rounded up; `None` above [`LARGEST`].
+fn raised(x: &Rational) -> Option<i64> {
     let scaled = (x * Rational::from(Integer::one().shifted_left(PLACES))).ceil();
-    scaled.to_i64().map_or(LARGEST, |x| x.min(LARGEST))
+    scaled.to_i64().filter(|x| *x <= LARGEST)
 }
 
 impl Entries {
@@ -41,7 +41,7 @@ impl Entries {
         let size = tree.size;
         let step = NODES.checked_ilog(operator.arity).filter(|&step| step > 0)?;
         let mut level = vec![tree.root()];
-        let mut known = vec![largest_of_own(&level, &tree, &Integer::one())];
+        let mut known = vec![largest_of_own(&level, &tree, &Integer::one())?];
         for depth in 1..=step {
             let part = |(rows, digit): (&Vec<Integer>, usize)| {
                 let mut part = tree.root();
@@ -50,51 +50,60 @@ impl Entries {
             };
             let all = level.iter().flat_map(|rows| (0..operator.arity).map(move |d| (rows, d)));
             level = all.map(part).collect();
-            known.push(largest_of_own(&level, &tree, &operator.denominator.pow(depth)));
+            known.push(largest_of_own(&level, &tree, &operator.denominator.pow(depth))?);
         }
         // Beyond level k − 1 the bounds follow from those of k levels before.
         known.pop();
         let scale = operator.denominator.pow(step);
-        let raise = |x: Integer| raised(&Rational::new(x.abs(), scale.clone()));
-        let nodes = level.iter().flat_map(|rows| {
-            (0..size).map(move |p| {
-                let entry = |q: usize| &rows[q * size + p];
-                let own = entry(tree.own);
-                (raise(own.clone()), (0..size).map(|q| raise(entry(q) - own)).collect())
-            })
-        });
-        Some(Entries { size, step: step as usize, nodes: nodes.collect(), known })
+        let raise = |x: &Integer| raised(&Rational::new(x.abs(), scale.clone()));
+        let node = |rows: &Vec<Integer>, p: usize| {
+            let entry = |q: usize| &rows[q * size + p];
+            let own = entry(tree.own);
+            let steps = (0..size).map(|q| raise(&(entry(q) - own))).collect::<Option<_>>()?;
+            Some((raise(own)?, steps))
+        };
+        let nodes = level.iter().flat_map(|rows| (0..size).map(move |p| (rows, p)));
+        let nodes: Vec<(i64, Vec<i64>)> =
+            nodes.map(|(rows, p)| node(rows, p)).collect::<Option<_>>()?;
+        Some(Entries { size, step: step as usize, nodes, known })
     }
 
-    /// 2^PLACES times the bounds for m, where τ ≥ ‖E^i‖ for each i is `totals`[i], i ≤ m.
-    pub(super) fn of(&mut self, m: usize, total: impl Fn(usize) -> Rational) -> &[i64] {
+    /// 2^PLACES times the bounds for m, where `total`(i) ≥ ‖E^i‖ for i ≤ m; `None` where they are too large.
+    pub(super) fn of(&mut self, m: usize, total: impl Fn(usize) -> Rational) -> Option<&[i64]> {
         while self.known.len() <= m {
-            let next = self.known.len();
-            let before = &self.known[next - self.step];
-            let tau = raised(&total(next - self.step));
-            // Σμ_q = 1 and Σ|μ_q| ≤ τ: no entry is above (τ + 1)/2.
-            let most = (raised(&total(next)) + (1 << PLACES)) / 2 + 1;
-            let mut bounds = vec![0; self.size];
-            for (i, (own, steps)) in self.nodes.iter().enumerate() {
-                let sum: i128 = steps
-                    .iter()
-                    .zip(before)
-                    .map(|(step, bound)| i128::from(*step) * i128::from(*bound))
-                    .sum();
-                let widest = steps.iter().max().copied().unwrap_or(0);
-                let sum = sum.min(i128::from(widest) * i128::from(tau));
-                let sum = i64::try_from((sum >> PLACES) + 1).unwrap_or(LARGEST);
-                let bound = &mut bounds[i % self.size];
-                *bound = (*bound).max(own.saturating_add(sum)).min(most);
-            }
-            self.known.push(bounds);
+            let next = self.next(&total)?;
+            self.known.push(next);
         }
-        &self.known[m]
+        Some(&self.known[m])
+    }
+
+    /// The bounds for the next m.
+    fn next(&self, total: impl Fn(usize) -> Rational) -> Option<Vec<i64>> {
+        let next = self.known.len();
+        let before = &self.known[next - self.step];
+        let tau = raised(&total(next - self.step))?;
+        // Σμ_q = 1 and Σ|μ_q| ≤ τ: no entry is above (τ + 1)/2.
+        let most = i128::from((raised(&total(next))? + (1 << PLACES)) / 2 + 1);
+        let mut bounds = vec![0; self.size];
+        for (i, (own, steps)) in self.nodes.iter().enumerate() {
+            let terms = steps.iter().zip(before);
+            let sum: i128 = terms.map(|(x, y)| i128::from(*x) * i128::from(*y)).sum();
+            let widest = steps.iter().max().copied().unwrap_or(0);
+            let sum = sum.min(i128::from(widest) * i128::from(tau));
+            let bound = (i128::from(*own) + (sum >> PLACES) + 1).min(most);
+            let largest = &mut bounds[i % self.size];
+            *largest = i64::try_from(bound).ok()?.max(*largest);
+        }
+        Some(bounds)
     }
 }
 
 /// 2^PLACES times the largest entries at each place of the rows of these nodes over `scale`, rounded up.
-fn largest_of_own(level: &[Vec<Integer>], tree: &Tree<Integer>, scale: &Integer) -> Vec<i64> {
+fn largest_of_own(
+    level: &[Vec<Integer>],
+    tree: &Tree<Integer>,
+    scale: &Integer,
+) -> Option<Vec<i64>> {
     let own = tree.own * tree.size;
     let at = |p: usize| {
         let largest = level.iter().map(|rows| rows[own + p].abs()).max();

@@ -68,7 +68,7 @@ impl Growth {
             let power = operator.denominator.pow(u32::try_from(i).expect("at most 256 levels"));
             Rational::new(reach[i].total.clone(), power * &operator.fraction)
         };
-        let bounds = entries.of(m, total).to_vec();
+        let Some(bounds) = entries.of(m, total).map(<[i64]>::to_vec) else { return };
         let place = reach[m].place.take();
         reach[m].place = place.map(|place| place.with_entries(&bounds));
     }
