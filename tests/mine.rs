@@ -1,3 +1,5 @@
+//! Temporary.
+
 #[path = "architecture/mod.rs"]
 mod architecture;
 #[path = "cli/mod.rs"]
