@@ -49,7 +49,9 @@ impl Pieces {
         let points: Vec<[f64; 3]> = mesh.points().iter().map(rounded).collect();
         let mut around = vec![Vec::new(); points.len()];
         for (cell, corners) in mesh.cells().iter().enumerate() {
-            corners.iter().for_each(|corner| around[*corner].push(cell));
+            for corner in corners {
+                around[*corner].push(cell);
+            }
         }
         let faces = mesh.boundary_faces();
         // The one cell that has all corners of the face.

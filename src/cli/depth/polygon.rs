@@ -119,14 +119,11 @@ impl OfPolygon {
         points: &'f Points,
         shift: &'f Rational,
     ) -> Option<FarPolygon<'f>> {
-        let (level, coordinate, parameter, distance) = match &self.too_far {
-            Some(TooFar { level, coordinate, parameter, distance }) => {
-                (*level, *coordinate, parameter, distance)
-            }
-            None => {
-                let parameter = self.distance.parameter.as_ref()?;
-                (self.depth.upper, self.coordinate, parameter, self.distance.enclosure.lower())
-            }
+        let (level, coordinate, parameter, distance) = if let Some(far) = &self.too_far {
+            (far.level, far.coordinate, &far.parameter, &far.distance)
+        } else {
+            let parameter = self.distance.parameter.as_ref()?;
+            (self.depth.upper, self.coordinate, parameter, self.distance.enclosure.lower())
         };
         let (coordinates, closed) = (&points.numbers[..], points.closed);
         Some(FarPolygon {

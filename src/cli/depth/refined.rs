@@ -4,6 +4,7 @@ use subcert::exact::{Enclosed, Rational, RealCyclotomic};
 use subcert::float::nearest;
 use subcert::mesh::{MeshScheme, PolygonMesh, limit_points, refine_mesh};
 use subcert::net::{Net, NetScheme, net_limits, refine_net};
+use subcert::scheme::Mask;
 use subcert::solid::{HexMesh, refine_solid, solid_limit_points};
 
 /// The most faces; as many are drawn in colour.
@@ -36,22 +37,22 @@ impl Refined {
         let control = mesh.map(|x| RealCyclotomic::from(x.clone()));
         let refined = refine_mesh(&control, scheme, level).ok()?;
         let limits = limit_points(&refined, scheme).ok()?.into_iter();
-        let limits = limits.map(|limit| Some(rounded(&limit?.position)));
+        let limits: Vec<_> = limits.map(|limit| Some(rounded(&limit?.position))).collect();
         let points = refined.points().iter().map(rounded).collect();
-        Some(Refined::new(level, points, refined.faces().to_vec(), limits.collect()))
+        Some(Refined::new(level, points, refined.faces().to_vec(), &limits))
     }
 
     /// The same of a net.
     pub(super) fn of_net(net: &Net, scheme: &NetScheme, depth: u32) -> Option<Refined> {
-        let factor = scheme.masks().iter().map(|mask| mask.arity()).product::<usize>();
+        let factor = scheme.masks().iter().map(Mask::arity).product::<usize>();
         let count = net.faces().iter().product::<usize>();
         let level = level(count, count.max(1) * factor, factor, depth, MAX_FACES)?;
         let refined = refine_net(net, scheme, level).ok()?;
         let limits = net_limits(&refined, scheme).ok()?.into_iter();
-        let limits = limits.map(|limit| Some(rounded(&limit?))).collect();
+        let limits: Vec<_> = limits.map(|limit| Some(rounded(&limit?))).collect();
         let mesh = refined.mesh().ok()?;
         let points = mesh.points().iter().map(rounded).collect();
-        Some(Refined::new(level, points, mesh.faces().to_vec(), limits))
+        Some(Refined::new(level, points, mesh.faces().to_vec(), &limits))
     }
 
     /// The boundary of a solid.
@@ -60,23 +61,23 @@ impl Refined {
         let by_faces = level(faces, 4 * faces.max(1), 4, depth, MAX_FACES)?;
         let level = by_faces.min(level(cells, 8 * cells.max(1), 8, depth, MAX_CELLS)?);
         let refined = refine_solid(mesh, level).ok()?;
-        let limits =
-            solid_limit_points(&refined).iter().map(|limit| Some(rounded(limit))).collect();
+        let limits = solid_limit_points(&refined);
+        let limits: Vec<_> = limits.iter().map(|limit| Some(rounded(limit))).collect();
         let faces = refined.boundary_faces().iter().map(|face| face.to_vec()).collect();
-        Some(Refined::new(level, refined.points().iter().map(rounded).collect(), faces, limits))
+        Some(Refined::new(level, refined.points().iter().map(rounded).collect(), faces, &limits))
     }
 
     fn new(
         level: u32,
         points: Vec<[f64; 3]>,
         faces: Vec<Vec<usize>>,
-        limits: Vec<Option<[f64; 3]>>,
+        limits: &[Option<[f64; 3]>],
     ) -> Refined {
         let apart = |(point, limit): (&[f64; 3], &Option<[f64; 3]>)| {
             let differences = limit.iter().flat_map(|limit| point.iter().zip(limit));
             differences.fold(0.0_f64, |sum, (x, y)| sum.hypot(x - y))
         };
-        let distances: Vec<f64> = points.iter().zip(&limits).map(apart).collect();
+        let distances: Vec<f64> = points.iter().zip(limits).map(apart).collect();
         let greatest = |face: &Vec<usize>| face.iter().map(|i| distances[*i]).fold(0.0, f64::max);
         let values = faces.iter().map(greatest).collect();
         Refined { level, points, faces, values }

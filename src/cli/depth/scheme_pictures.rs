@@ -25,7 +25,7 @@ impl Drawn<'_> {
         let masks: Vec<Mask> = scheme.masks().into_iter().cloned().collect();
         let exact = self.answer.exact.as_ref().ok();
         let polygon = self.polygon(&masks, exact);
-        let data = exact.and_then(|exact| self.data(Refiner::Masks(masks), exact));
+        let data = exact.and_then(|exact| self.data(&Refiner::Masks(masks), exact));
         polygon.into_iter().chain(self.levels(exact)).chain(data).collect()
     }
 
@@ -59,11 +59,11 @@ impl Drawn<'_> {
     }
 
     /// The data of spread 1 that one level less leaves too far from their limit.
-    fn data(&self, refiner: Refiner, exact: &Exact) -> Option<Picture> {
+    fn data(&self, refiner: &Refiner, exact: &Exact) -> Option<Picture> {
         let far = exact.too_far.as_ref()?;
         let mut shift = [0.0; 2];
         shift.iter_mut().zip(&exact.place.shifts).for_each(|(to, s)| *to = nearest(s));
         let most = self.tolerance / self.spread;
-        Picture::of_data(&refiner, &far.attained, far.level, &most, shift)
+        Picture::of_data(refiner, &far.attained, far.level, &most, shift)
     }
 }

@@ -144,21 +144,14 @@ impl Panel {
 
 /// The commands of a path, with steps from corner to corner: these are short.
 fn path(shape: &Shape, at: impl Fn(&Place) -> (f64, f64)) -> String {
-    let mut text = String::new();
-    let mut last: Option<(f64, f64)> = None;
-    for (x, y) in shape.corners.iter().map(at) {
-        match last {
-            None => text.push_str(&format!("M{x} {y}l")),
-            Some((from_x, from_y)) => {
-                text.push_str(&format!("{} {} ", tenth(x - from_x), tenth(y - from_y)));
-            }
-        }
-        last = Some((x, y));
-    }
-    let end = text.trim_end().len();
-    text.truncate(end);
-    text.extend(shape.closed.then_some('z'));
-    text
+    let places: Vec<(f64, f64)> = shape.corners.iter().map(at).collect();
+    let Some((x, y)) = places.first() else { return String::new() };
+    let steps = places.windows(2).map(|pair| {
+        let (from, to) = (pair[0], pair[1]);
+        format!("{} {}", tenth(to.0 - from.0), tenth(to.1 - from.1))
+    });
+    let end = if shape.closed { "z" } else { "" };
+    format!("M{x} {y}l{}{end}", steps.collect::<Vec<String>>().join(" "))
 }
 
 /// To a tenth of a pixel.
