@@ -56,7 +56,9 @@ pub(super) fn judge<'a>(
         let smooth = (0..paper.smoothness.len())
             .filter(|&place| chosen[at].has(&paper.smoothness[place].id))
             .map(Part::Smoothness);
-        jobs.extend(tables.chain(smooth).chain([Part::Theorems, Part::Formulas]).map(|part| (at, part)));
+        jobs.extend(
+            tables.chain(smooth).chain([Part::Theorems, Part::Formulas]).map(|part| (at, part)),
+        );
     }
     // The longest first, so that they end together.
     jobs.sort_by_key(|(at, part)| Reverse(part.size(&papers[*at])));

@@ -14,13 +14,13 @@ pub use crate::evidence::{
 };
 pub use crate::finding::{
     AsRead, Assumed, Attained, Broken, ByHand, CaseFinding, CellFinding, CellKind, Contraction,
-    Contradiction,
-    Control, Correction, Difference, Direction, EndFinding, EndRelation, EquationFinding,
-    EquationVerdict, EveryShift, Example, Explanation, FailingPremise, Failure, FunctionFinding,
-    FunctionVerdict, HandCell, HandConstant, Kept, Known, Later, LeftOut, LevelEvidence, Levels, Limits, Line,
-    LineReading, MAX_DIFFERENCES, Missing, Naturally, Need, Needed, Outcome, PaperAudit, Place,
-    PromiseCounts, RangeFinding, RangeOfLimits, RangeVerdict, Recovered, RecoveredFrom, Refutation,
-    Repair, Search, Side, Slip, SmoothnessFinding, SmoothnessVerdict, Solved, Sound, Supremum, TableFinding, TablePart, TheoremFinding,
+    Contradiction, Control, Correction, Difference, Direction, EndFinding, EndRelation,
+    EquationFinding, EquationVerdict, EveryShift, Example, Explanation, FailingPremise, Failure,
+    FunctionFinding, FunctionVerdict, HandCell, HandConstant, Kept, Known, Later, LeftOut,
+    LevelEvidence, Levels, Limits, Line, LineReading, MAX_DIFFERENCES, Missing, Naturally, Need,
+    Needed, Outcome, PaperAudit, Place, PromiseCounts, RangeFinding, RangeOfLimits, RangeVerdict,
+    Recovered, RecoveredFrom, Refutation, Repair, Search, Side, Slip, SmoothnessFinding,
+    SmoothnessVerdict, Solved, Sound, Supremum, TableFinding, TablePart, TheoremFinding,
     TheoremVerdict, Unshiftable, Verdict, Violation, Witness, Working,
 };
 pub use crate::judge::MAX_CASES;

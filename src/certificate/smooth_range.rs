@@ -1,8 +1,8 @@
 //! Ranges of a parameter for which limits are C^m: a contraction, or a value that refutes the range.
 
 use super::block::Block;
+use super::limits::radius;
 use super::parametric::pieces;
-use super::smoothness::radius;
 use crate::audit::{RangeOfLimits, SmoothnessVerdict};
 use crate::claim::SmoothRangeStatement;
 
@@ -37,7 +37,9 @@ pub(super) fn lines(
                     shown.continuous.is_some_and(|holds| said.m <= holds)
                 };
                 if !refutes {
-                    block.give_up("the rational bounds of the joint spectral radius do not show this");
+                    block.give_up(
+                        "the rational bounds of the joint spectral radius do not show this",
+                    );
                 }
             }
             block.line("refuted");

@@ -1,23 +1,19 @@
 //! Findings about the smoothness of limits.
 
 use super::parts::{mark, titled};
+use super::set::set_text;
 use super::sheet::Sheet;
-use crate::audit::{Known, Limits, PaperAudit, RangeOfLimits, SmoothnessFinding, SmoothnessVerdict};
+use crate::audit::{
+    Known, Limits, PaperAudit, RangeOfLimits, SmoothnessFinding, SmoothnessVerdict,
+};
 use crate::claim::{
     ExponentStatement, SmoothRangeStatement, SmoothnessBody, SmoothnessClaim, SmoothnessStatement,
 };
-use crate::exact::{
-    Enclosed as _, Integer, Interval, IntervalSet, Rational, RealAlgebraic,
-    format::{fixed, short},
-};
+use crate::exact::{Enclosed as _, Integer, IntervalSet, Rational, format::fixed};
 use crate::smoothness::Hoelder;
-use std::ops::Bound;
 
 /// The longest formula of an exponent that stands beside its decimals.
 const LONGEST: usize = 100;
-
-/// The digits of an irrational end of a set.
-const DIGITS: u32 = 12;
 
 /// The places of decimals.
 const PLACES: u32 = 12;
@@ -127,7 +123,9 @@ pub(super) fn outcome(finding: &SmoothnessFinding<'_>) -> Vec<String> {
         Known::Range(range) => of_range(finding, range),
     };
     match finding.verdict {
-        SmoothnessVerdict::Rounding(direction) => lines.push(format!("The decimal is {direction}.")),
+        SmoothnessVerdict::Rounding(direction) => {
+            lines.push(format!("The decimal is {direction}."))
+        }
         SmoothnessVerdict::RoundedEnds => {
             lines.push("The printed range is right up to the rounding of its ends.".to_owned());
         }
@@ -147,7 +145,10 @@ fn of_limits(limits: &Limits) -> String {
         known.join(", and ")
     };
     let exponent = smoothness.hoelder.as_ref();
-    format!("{known}{}", exponent.map(|e| format!("; Hölder exponent {}", of_exponent(e))).unwrap_or_default())
+    format!(
+        "{known}{}",
+        exponent.map(|e| format!("; Hölder exponent {}", of_exponent(e))).unwrap_or_default()
+    )
 }
 
 /// `6 - log_2(9), 2.830074998557 to 2.830074998558, attained`.
@@ -216,41 +217,12 @@ fn of_range(finding: &SmoothnessFinding<'_>, range: &RangeOfLimits) -> Vec<Strin
         lines.push(format!("It is open for {}.", set(&range.undecided)));
     }
     if let Some(witness) = &range.witness {
-        let place = if witness.inside { "in the printed range" } else { "beyond the printed range" };
+        let place =
+            if witness.inside { "in the printed range" } else { "beyond the printed range" };
         let limits = of_limits(&witness.limits);
         lines.push(format!("At {variable} = {}, {place}, {limits}.", witness.at));
     }
     lines
-}
-
-/// A set of values of a parameter: its irrational ends are decimals.
-pub(super) fn set_text(set: &IntervalSet, variable: &str) -> String {
-    if set.is_empty() {
-        return format!("no {variable}");
-    }
-    let sign = |end: &Bound<RealAlgebraic>| match end {
-        Bound::Included(_) => "<=",
-        _ => "<",
-    };
-    let interval = |interval: &Interval| match (&interval.low, &interval.high) {
-        (Bound::Unbounded, Bound::Unbounded) => format!("every {variable}"),
-        (Bound::Included(low), Bound::Included(high)) if low == high => {
-            format!("{variable} = {}", short(low, DIGITS))
-        }
-        (low, high) => {
-            let left = place(low).map(|place| format!("{place} {} ", sign(low)));
-            let right = place(high).map(|place| format!(" {} {place}", sign(high)));
-            format!("{}{variable}{}", left.unwrap_or_default(), right.unwrap_or_default())
-        }
-    };
-    set.intervals().iter().map(interval).collect::<Vec<String>>().join(" or ")
-}
-
-fn place(end: &Bound<RealAlgebraic>) -> Option<String> {
-    let (Bound::Included(place) | Bound::Excluded(place)) = end else { return None };
-    let rational = place.as_rational().map(ToString::to_string);
-    let brief = rational.filter(|text| text.len() <= 12);
-    Some(brief.unwrap_or_else(|| short(place, DIGITS)))
 }
 
 /// What else is known of the limits.
@@ -280,7 +252,10 @@ pub(super) fn details(finding: &SmoothnessFinding<'_>) -> Vec<(String, String)> 
                 deciding.order
             ),
         ),
-        fact("spectral radius", format!("from below by the product {}\nfrom above {above}", factors.join(" "))),
+        fact(
+            "spectral radius",
+            format!("from below by the product {}\nfrom above {above}", factors.join(" ")),
+        ),
     ];
     if limits.smoothness.reduced.is_some() {
         let text = "linearly dependent; another symbol, of which they are not, decides";

@@ -42,17 +42,37 @@ fn bad_claims_are_refused_with_their_place() {
             "'chaikin x chaikin'",
             "for curves",
         ),
-        ("smoothness", "scheme = 'doo-sabin:n=5'\ncontinuous = '1'".to_owned(), "'doo-sabin:n=5'", ""),
-        ("smoothness", "scheme = 'four-point:w=z'\ncontinuous = '1'".to_owned(), "'four-point:w=z'", "z"),
+        (
+            "smoothness",
+            "scheme = 'doo-sabin:n=5'\ncontinuous = '1'".to_owned(),
+            "'doo-sabin:n=5'",
+            "",
+        ),
+        (
+            "smoothness",
+            "scheme = 'four-point:w=z'\ncontinuous = '1'".to_owned(),
+            "'four-point:w=z'",
+            "z",
+        ),
         ("exponent", "scheme = 'chaikin'".to_owned(), "'c'", "needs one of"),
-        ("exponent", "scheme = 'chaikin'\nvalue = '2'\nprinted = '2'".to_owned(), "'c'", "needs one of"),
+        (
+            "exponent",
+            "scheme = 'chaikin'\nvalue = '2'\nprinted = '2'".to_owned(),
+            "'c'",
+            "needs one of",
+        ),
         ("exponent", "scheme = 'chaikin'\nprinted = '4 - log'".to_owned(), "'4 - log'", ""),
         ("exponent", "scheme = 'chaikin'\nvalue = 'log_2(0)'".to_owned(), "'log_2(0)'", "form"),
         ("exponent", "scheme = 'chaikin'\nvalue = 'log_2(3)^2'".to_owned(), "'log_2(3)^2'", "form"),
         ("exponent", "scheme = 'chaikin'\nvalue = '1/log_2(3)'".to_owned(), "'1/log_2(3)'", "form"),
         ("exponent", "scheme = 'chaikin'\nvalue = 'log_1(3)'".to_owned(), "log_1(3)", "log_1"),
         ("exponent", "scheme = 'chaikin'\nvalue = 'w'".to_owned(), "w", "w"),
-        ("exponent", "scheme = 'chaikin'\nvalue = '2^1000'".to_owned(), "'2^1000'", "binary digits"),
+        (
+            "exponent",
+            "scheme = 'chaikin'\nvalue = '2^1000'".to_owned(),
+            "'2^1000'",
+            "binary digits",
+        ),
         ("range", format!("{smooth}below = '1'\nfrom = '0'"), "'1'", "no place beside"),
         ("range", format!("{range}from = '0'"), "'c'", "either `value` or `smoothness`"),
         ("range", smooth.clone(), "'c'", "printed ends"),
@@ -60,17 +80,25 @@ fn bad_claims_are_refused_with_their_place() {
         ("range", format!("{smooth}from = 'x'"), "x", "x"),
         (
             "range",
-            format!("{range}value = 'contraction(1)'\nbelow = '1'\nfrom = '0'\nto = '1'\nonly = true"),
+            format!(
+                "{range}value = 'contraction(1)'\nbelow = '1'\nfrom = '0'\nto = '1'\nonly = true"
+            ),
             "true",
             "`only`",
         ),
         (
             "range",
-            "scheme = 'four-point:w=1/(1+w)'\nvariable = 'w'\nsmoothness = '1'\nfrom = '0'".to_owned(),
+            "scheme = 'four-point:w=1/(1+w)'\nvariable = 'w'\nsmoothness = '1'\nfrom = '0'"
+                .to_owned(),
             "'four-point:w=1/(1+w)'",
             "not polynomial",
         ),
-        ("range", format!("{smooth}from = '0'\nto = 'cos(pi/101)'"), "'cos(pi/101)'", "too complicated"),
+        (
+            "range",
+            format!("{smooth}from = '0'\nto = 'cos(pi/101)'"),
+            "'cos(pi/101)'",
+            "too complicated",
+        ),
     ] {
         let error = error(kind, &fields);
         let place = &error.source.text[error.span.clone()];

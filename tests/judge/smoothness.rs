@@ -102,7 +102,11 @@ fn ranges() {
         (ternary, "from = '1/14'\nto = '1/9'", CONFIRMED),
         (ternary, "from = '1/16'\nto = '1/9'", REFUTED),
         // C^5 needs more sum rules than hold for all w.
-        ("scheme = 'four-point:w=w'\nvariable = 'w'\nsmoothness = '5'", "from = '0'\nto = '1/8'", REFUTED),
+        (
+            "scheme = 'four-point:w=w'\nvariable = 'w'\nsmoothness = '5'",
+            "from = '0'\nto = '1/8'",
+            REFUTED,
+        ),
     ] {
         let fields = format!("{scheme}\n{says}");
         assert_eq!(verdict("range", &fields), expected, "{fields}");
@@ -151,6 +155,8 @@ fn the_digits_of_an_exponent_decide() {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
     /// a·log_b(x^e) = a·e·log_b(x), and log_b(xy) = log_b(x) + log_b(y): exactly equal, and no longer if
     /// anything is added. Enclosures agree with f64.
     #[test]

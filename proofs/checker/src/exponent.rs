@@ -57,9 +57,10 @@ impl LogSum {
             Head::Chain(operators) => {
                 let mut values = parts.iter().map(|part| LogSum::of(part, scope));
                 let Some(first) = values.next() else { return wrong() };
-                operators.iter().zip(values).try_fold(first?, |sum, (operator, other)| {
-                    sum.joined(*operator, other?)
-                })
+                operators
+                    .iter()
+                    .zip(values)
+                    .try_fold(first?, |sum, (operator, other)| sum.joined(*operator, other?))
             }
             Head::Call(function, options) => match (base(function), &parts[..]) {
                 (Some(base), [part]) if options.is_empty() => {

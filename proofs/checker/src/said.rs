@@ -19,8 +19,8 @@ pub fn verdict(kind: &str, block: &Block<'_>) -> String {
             ("case", _) => failing += 1,
             ("sides", both) => sides.extend(both.split_once(' ')),
             (
-                word
-                @ ("confirmed" | "holds" | "exact" | "inexact" | "rounding" | "fails" | "proved" | "refuted"),
+                word @ ("confirmed" | "holds" | "exact" | "inexact" | "rounding" | "fails"
+                | "proved" | "refuted"),
                 cases,
             ) => verdict = (word, cases),
             _ => {}

@@ -47,8 +47,12 @@ fn sum(formula: &LocatedFormula, expr: &Expr) -> Result<LogSum, Diagnostic> {
                 match operator {
                     Operator::Add => Ok(value.plus(other)),
                     Operator::Subtract => Ok(value.plus(other.scaled(&minus))),
-                    Operator::Multiply if other.terms.is_empty() => Ok(value.scaled(&other.rational)),
-                    Operator::Multiply if value.terms.is_empty() => Ok(other.scaled(&value.rational)),
+                    Operator::Multiply if other.terms.is_empty() => {
+                        Ok(value.scaled(&other.rational))
+                    }
+                    Operator::Multiply if value.terms.is_empty() => {
+                        Ok(other.scaled(&value.rational))
+                    }
                     Operator::Divide if other.terms.is_empty() && !other.rational.is_zero() => {
                         Ok(value.scaled(&other.rational.recip()))
                     }

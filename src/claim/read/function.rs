@@ -68,7 +68,9 @@ impl Reader<'_> {
         if let Some(limit) = table.below.as_ref().or(table.at_most.as_ref()) {
             return Err(self
                 .error(limit.span(), "the limits of a `value` have no place beside `smoothness`")
-                .with_help("remove `below` and `at_most`, or say `value` in place of `smoothness`"));
+                .with_help(
+                    "remove `below` and `at_most`, or say `value` in place of `smoothness`",
+                ));
         }
         let end = |field: &Option<Spanned<NumberField>>| {
             field.as_ref().map(|field| self.range_end(field)).transpose()

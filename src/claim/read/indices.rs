@@ -4,8 +4,8 @@
 use super::reader::Reader;
 use super::roles::{AllRoles, Role, Roles};
 use crate::claim::{
-    Equation, EquationBody, Index, Left, LocatedReference, Paper, Promise, SmoothnessBody, Statement,
-    THEOREM_NAMES, Table, Theorem,
+    Equation, EquationBody, Index, Left, LocatedReference, Paper, Promise, SmoothnessBody,
+    Statement, THEOREM_NAMES, Table, Theorem,
 };
 use crate::diagnostic::Diagnostic;
 use crate::formula::{Expr, LocatedFormula};

@@ -71,9 +71,8 @@ impl Reader<'_> {
         let ExponentTable { value, printed, at_least, at_most, attained, absent, .. } = table;
         let printed_exponent =
             |text: &Spanned<String>| exponent(self.source, text.span(), text.get_ref());
-        let bound = |text: &Option<Spanned<String>>| {
-            text.as_ref().map(printed_exponent).transpose()
-        };
+        let bound =
+            |text: &Option<Spanned<String>>| text.as_ref().map(printed_exponent).transpose();
         let exponent = match (value, printed, at_least.as_ref().or(at_most.as_ref()), absent) {
             (Some(value), None, None, None) => {
                 Ok(ExponentStatement::Value(printed_exponent(value)?))
@@ -119,7 +118,10 @@ impl Reader<'_> {
             (Ok(statement), Some(scheme)) => SmoothnessBody::Statement(scheme, statement),
             (Ok(_), None) => {
                 return Err(self
-                    .error(common.id.span(), "smoothness is that of a scheme, and `scheme` is missing")
+                    .error(
+                        common.id.span(),
+                        "smoothness is that of a scheme, and `scheme` is missing",
+                    )
                     .with_help("scheme = \"four-point:w=1/16\""));
             }
         };

@@ -107,8 +107,7 @@ impl<'a> PaperAudit<'a> {
         let functions = self.functions.iter().filter(|finding| fails(&finding.verdict));
         let ranges = self.ranges.iter().filter(|finding| finding.verdict == RangeVerdict::Inexact);
         let smoothness = self.smoothness.iter();
-        let smoothness =
-            smoothness.filter(|finding| finding.verdict == SmoothnessVerdict::Refuted);
+        let smoothness = smoothness.filter(|finding| finding.verdict == SmoothnessVerdict::Refuted);
         let theorems = self.theorems.iter().filter(|finding| finding.verdict.name() == "refuted");
         let subjects = tables
             .chain(equations.map(Subject::Equation))

@@ -3,9 +3,7 @@
 mod exponent;
 mod range;
 
-use crate::claim::{
-    LocatedReference, Paper, SmoothnessBody, SmoothnessClaim, SmoothnessStatement,
-};
+use crate::claim::{LocatedReference, Paper, SmoothnessBody, SmoothnessClaim, SmoothnessStatement};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::library::Library;
 use crate::evaluation::limits::LimitScheme;

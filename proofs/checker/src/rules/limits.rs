@@ -68,8 +68,7 @@ impl Shown {
         let Some(order) = self.radius.order.filter(|_| self.radius.continuous.is_some()) else {
             return Ok(false);
         };
-        let bound =
-            Bound { order, arity: self.arity, radius: &self.radius.at_most, degree: 1 };
+        let bound = Bound { order, arity: self.arity, radius: &self.radius.at_most, degree: 1 };
         let found = bound.compare(value)?;
         Ok(if strictly { found.is_gt() } else { found.is_ge() })
     }

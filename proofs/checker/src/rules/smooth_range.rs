@@ -28,7 +28,8 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     let free = Free::read(paper, claim, block)?;
     block.restates("smoothness", claim.text("smoothness"))?;
     let m = order(claim.text("smoothness").unwrap_or_default())?;
-    let [closed, only] = ["closed", "only"].map(|key| matches!(claim.get(key), Some(Toml::Flag(true))));
+    let [closed, only] =
+        ["closed", "only"].map(|key| matches!(claim.get(key), Some(Toml::Flag(true))));
     let ends = [end(paper, claim, "from")?, end(paper, claim, "to")?];
     require(ends.iter().any(Option::is_some), Reason::Malformed("an end"))?;
     if let Some(said) = block.maybe("contraction") {
@@ -36,9 +37,8 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         require(!only, Reason::NotShown)?;
         let levels = said.parse().ok().filter(|c| (1..=MAX_LEVELS).contains(c));
         let levels = levels.ok_or(Reason::Malformed("a number of levels"))?;
-        let pieces = free.pieces(block, &|scope| {
-            norm(paper, scope, m, levels)?.minus(&Value::int(1))
-        })?;
+        let pieces =
+            free.pieces(block, &|scope| norm(paper, scope, m, levels)?.minus(&Value::int(1)))?;
         let within = covered(&pieces.breaks, &pieces.signs, &ends, closed)?;
         require(within, Reason::Uncovered)?;
         return agree(block.any()?.0, "confirmed", Reason::Verdict);

@@ -68,7 +68,8 @@ pub fn exponent<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>
         let read = printed(field).and_then(|(_, read)| Decimal::read(read));
         decimal(&shown, &read.ok_or(Reason::Malformed("a decimal"))?)?
     } else {
-        let (lower, upper) = (lower.as_ref().or(of_value.as_ref()), upper.as_ref().or(of_value.as_ref()));
+        let (lower, upper) =
+            (lower.as_ref().or(of_value.as_ref()), upper.as_ref().or(of_value.as_ref()));
         require(lower.or(upper).is_some(), Reason::Malformed("an exponent"))?;
         let part = |value: Option<&LogSum>, test: &dyn Fn(&LogSum) -> Checked<bool>, none: bool| {
             value.map_or(Ok(none), test)
@@ -130,4 +131,3 @@ fn scope<'a>(paper: &'a Paper<'a>) -> crate::evaluate::Scope<'a> {
     scope.values.clone_from(&paper.given);
     scope
 }
-

@@ -77,7 +77,12 @@ fn place(end: &RealAlgebraic) -> f64 {
     nearest(end)
 }
 
-pub(super) fn drawn(x: &Scale, y: f64, low: Option<(f64, bool)>, high: Option<(f64, bool)>) -> Markup {
+pub(super) fn drawn(
+    x: &Scale,
+    y: f64,
+    low: Option<(f64, bool)>,
+    high: Option<(f64, bool)>,
+) -> Markup {
     let from = low.map_or(FRAME.x.0, |(value, _)| x.at(value));
     let to = high.map_or(FRAME.x.1, |(value, _)| x.at(value));
     html! {

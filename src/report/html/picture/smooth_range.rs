@@ -8,7 +8,8 @@ use crate::audit::{Known, SmoothnessFinding};
 use crate::claim::{SmoothnessBody, SmoothnessStatement};
 use crate::exact::IntervalSet;
 use crate::float::nearest;
-use crate::report::smoothness::{printed, set_text};
+use crate::report::set::set_text;
+use crate::report::smoothness::printed;
 use maud::{Markup, html};
 
 const HEIGHT: f64 = 150.0;
@@ -25,7 +26,11 @@ pub(in crate::report::html) fn smooth_range(finding: &SmoothnessFinding<'_>) -> 
         return None;
     };
     let sets = range.sets.as_ref()?;
-    let rows = [("smooth", &sets.inside, "c3"), ("not", &sets.outside, "c1"), ("printed", &range.printed, "c2")];
+    let rows = [
+        ("smooth", &sets.inside, "c3"),
+        ("not", &sets.outside, "c1"),
+        ("printed", &range.printed, "c2"),
+    ];
     let ends: Vec<f64> =
         rows.iter().flat_map(|(_, set, _)| set.ends()).map(|(end, _)| nearest(end)).collect();
     let (low, high) = (
