@@ -7,6 +7,7 @@ mod block;
 mod constant;
 mod equation;
 mod family;
+mod limits;
 mod parametric;
 mod promise;
 mod radius;

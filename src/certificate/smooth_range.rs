@@ -1,8 +1,8 @@
 //! Ranges of a parameter for which limits are C^m: a contraction, or a value that refutes the range.
 
 use super::block::Block;
+use super::limits::radius;
 use super::parametric::pieces;
-use super::smoothness::radius;
 use crate::audit::{RangeOfLimits, SmoothnessVerdict};
 use crate::claim::SmoothRangeStatement;
 

@@ -1,7 +1,8 @@
 //! Claims about smoothness: the joint spectral radius of the matrices, and what it shows.
 
 use super::block::Block;
-use super::radius::{LimitLines, limits};
+use super::limits::radius;
+use super::radius::LimitLines;
 use super::smooth_range;
 use crate::audit::{Direction, Known, Limits, SmoothnessFinding, SmoothnessVerdict};
 use crate::claim::{ExponentStatement, PrintedExponent, SmoothnessBody, SmoothnessStatement};
@@ -124,16 +125,6 @@ fn bases(exponent: &ExponentStatement) -> impl Iterator<Item = usize> {
         ExponentStatement::Decimal { .. } => [None, None],
     };
     printed.into_iter().flatten().flat_map(|value| &value.value.terms).map(|term| term.base)
-}
-
-/// Writes the lines about the radius.
-pub(super) fn radius(block: &mut Block, known: &Limits) -> Option<LimitLines> {
-    let found = limits(&known.mask, &known.smoothness);
-    match &found {
-        Some(lines) => lines.text.lines().for_each(|line| block.line(line)),
-        None => block.give_up("no invariant hull is found"),
-    }
-    found
 }
 
 /// The bounds of an exponent that the lines show.

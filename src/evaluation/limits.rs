@@ -7,7 +7,7 @@ use crate::evaluation::parametric::polynomial;
 use crate::evaluation::reference::{Unresolved, scheme_error};
 use crate::exact::{Parametric, Rational, RationalPolynomial, RealCyclotomic};
 use crate::formula::{Context, Scope, Value};
-use crate::scheme::{Mask, Rules};
+use crate::scheme::{Mask, Rules, SchemeError};
 
 /// The scheme of a claim about limits, in its paper.
 pub(crate) struct LimitScheme<'a> {
@@ -35,14 +35,21 @@ impl LimitScheme<'_> {
         self.check_one(&scope)?;
         let masks = self.library.instances(&self.located.reference, &scope);
         let masks = masks.and_then(|instances| self.library.masks(&instances));
-        let masks = masks.map_err(|error| self.unresolved(error))?;
-        polynomial(masks[0].rules()).ok_or_else(|| {
-            let message = format!("the mask is not polynomial in `{variable}`");
-            self.error(message).with_help(
-                "a range of smoothness needs a mask whose coefficients are polynomials in its `variable`; \
-                 for single values of a parameter write [[smoothness]]",
-            )
-        })
+        let masks = masks.map_err(|error| match error {
+            // The rules of a scheme of the catalogue sum to 1, unless they are no polynomials.
+            Unresolved::Scheme(SchemeError::File(inner)) if inner.source != self.located.source => {
+                self.not_polynomial(variable)
+            }
+            other => self.unresolved(other),
+        })?;
+        polynomial(masks[0].rules()).ok_or_else(|| self.not_polynomial(variable))
+    }
+
+    fn not_polynomial(&self, variable: &str) -> Diagnostic {
+        self.error(format!("the mask is not polynomial in `{variable}`")).with_help(
+            "a range of smoothness needs a mask whose coefficients are polynomials in its `variable`; for \
+             single values of a parameter write [[smoothness]]",
+        )
     }
 
     fn scope<V: Value>(&self) -> Result<Scope<'_, V>, Diagnostic> {

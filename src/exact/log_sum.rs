@@ -59,8 +59,8 @@ impl LogSum {
     }
 }
 
-/// The level of the finest enclosures that are compared: 64·2^4 binary digits.
-const MAX_LEVEL: u32 = 4;
+/// The level of the finest enclosures that are compared: 64·2^3 binary digits.
+const MAX_LEVEL: u32 = 3;
 
 /// The greatest exponent of a power that is computed exactly.
 const MAX_POWER: i32 = 4_096;
@@ -84,12 +84,15 @@ impl LogSum {
     #[must_use]
     pub fn compare(&self, other: &LogSum) -> Option<Ordering> {
         let difference = self.clone().plus(other.clone().scaled(&Rational::from(-1)));
-        let decided = (0..=MAX_LEVEL).find_map(|level| {
-            let enclosure = difference.enclosure(level);
-            let sign = enclosure.sign().filter(|sign| *sign != 0)?;
+        let order = |level| {
+            let sign = difference.enclosure(level).sign().filter(|sign| *sign != 0)?;
             Some(sign.cmp(&0))
-        });
-        decided.or_else(|| difference.vanishes().then_some(Ordering::Equal))
+        };
+        // Fine enclosures take longer than exact arithmetic with small exponents.
+        (0..2)
+            .find_map(order)
+            .or_else(|| difference.vanishes().then_some(Ordering::Equal))
+            .or_else(|| (2..=MAX_LEVEL).find_map(order))
     }
 
     /// Whether this number is shown to be 0: b^{rD} Π x^{cD} = 1, with D for which these exponents are

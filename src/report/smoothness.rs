@@ -1,6 +1,7 @@
 //! Findings about the smoothness of limits.
 
 use super::parts::{mark, titled};
+use super::set::set_text;
 use super::sheet::Sheet;
 use crate::audit::{
     Known, Limits, PaperAudit, RangeOfLimits, SmoothnessFinding, SmoothnessVerdict,
@@ -8,18 +9,11 @@ use crate::audit::{
 use crate::claim::{
     ExponentStatement, SmoothRangeStatement, SmoothnessBody, SmoothnessClaim, SmoothnessStatement,
 };
-use crate::exact::{
-    Enclosed as _, Integer, Interval, IntervalSet, Rational, RealAlgebraic,
-    format::{fixed, short},
-};
+use crate::exact::{Enclosed as _, Integer, IntervalSet, Rational, format::fixed};
 use crate::smoothness::Hoelder;
-use std::ops::Bound;
 
 /// The longest formula of an exponent that stands beside its decimals.
 const LONGEST: usize = 100;
-
-/// The digits of an irrational end of a set.
-const DIGITS: u32 = 12;
 
 /// The places of decimals.
 const PLACES: u32 = 12;
@@ -229,36 +223,6 @@ fn of_range(finding: &SmoothnessFinding<'_>, range: &RangeOfLimits) -> Vec<Strin
         lines.push(format!("At {variable} = {}, {place}, {limits}.", witness.at));
     }
     lines
-}
-
-/// A set of values of a parameter: its irrational ends are decimals.
-pub(super) fn set_text(set: &IntervalSet, variable: &str) -> String {
-    if set.is_empty() {
-        return format!("no {variable}");
-    }
-    let sign = |end: &Bound<RealAlgebraic>| match end {
-        Bound::Included(_) => "<=",
-        _ => "<",
-    };
-    let interval = |interval: &Interval| match (&interval.low, &interval.high) {
-        (Bound::Unbounded, Bound::Unbounded) => format!("every {variable}"),
-        (Bound::Included(low), Bound::Included(high)) if low == high => {
-            format!("{variable} = {}", short(low, DIGITS))
-        }
-        (low, high) => {
-            let left = place(low).map(|place| format!("{place} {} ", sign(low)));
-            let right = place(high).map(|place| format!(" {} {place}", sign(high)));
-            format!("{}{variable}{}", left.unwrap_or_default(), right.unwrap_or_default())
-        }
-    };
-    set.intervals().iter().map(interval).collect::<Vec<String>>().join(" or ")
-}
-
-fn place(end: &Bound<RealAlgebraic>) -> Option<String> {
-    let (Bound::Included(place) | Bound::Excluded(place)) = end else { return None };
-    let rational = place.as_rational().map(ToString::to_string);
-    let brief = rational.filter(|text| text.len() <= 12);
-    Some(brief.unwrap_or_else(|| short(place, DIGITS)))
 }
 
 /// What else is known of the limits.

@@ -7,8 +7,8 @@ use crate::finding::{Direction, SmoothnessVerdict};
 use crate::smoothness::{Hoelder, Smoothness};
 use std::cmp::Ordering;
 
-/// The level of the finest enclosures that are compared: 64·2^4 binary digits.
-const MAX_LEVEL: u32 = 4;
+/// The level of the finest enclosures that are compared: 64·2^3 binary digits.
+const MAX_LEVEL: u32 = 3;
 
 /// Judges what a paper says of the exponent.
 pub(super) fn judge(

@@ -17,6 +17,7 @@ mod reading;
 mod recovered;
 mod shift;
 mod smoothness;
+mod smoothness_claim;
 mod summary;
 mod theorem;
 mod witness;

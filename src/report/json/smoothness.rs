@@ -1,12 +1,10 @@
-//! Claims about smoothness as JSON.
+//! What is known of limits, as JSON.
 
-use super::claim::{Claim, Details};
 use super::exact::decimal;
-use crate::audit::{Known, Limits, RangeOfLimits, SmoothnessFinding};
-use crate::report::smoothness::{decimals, statement};
+use crate::audit::{Known, Limits, RangeOfLimits};
+use crate::report::smoothness::decimals;
 use crate::smoothness::Hoelder;
 use serde::Serialize;
-use std::borrow::Cow;
 
 /// The fields that only claims about smoothness have.
 #[derive(Debug, Default, Serialize)]
@@ -58,29 +56,23 @@ pub struct RangeForm {
     pub refuted_at_decimal: Option<String>,
 }
 
-impl<'a> Claim<'a> {
-    pub(super) fn of_smoothness(finding: &'a SmoothnessFinding<'_>) -> Claim<'a> {
-        let claim = finding.claim;
-        let mut details = SmoothnessDetails::default();
-        let mut why = None;
-        match &finding.known {
-            Known::Limits(limits) => details.limits = Some(LimitsForm::of(limits)),
-            Known::Range(range) => {
-                details.limits =
-                    range.witness.as_ref().map(|witness| LimitsForm::of(&witness.limits));
-                details.parameter = Some(RangeForm::of(range));
+impl SmoothnessDetails {
+    pub(super) fn of(known: &Known) -> SmoothnessDetails {
+        match known {
+            Known::Limits(limits) => {
+                SmoothnessDetails { limits: Some(LimitsForm::of(limits)), parameter: None }
             }
-            Known::Absent(absent) => why = Some(format!("missing: {absent}")),
-            Known::Capped(reason) => why = Some(reason.clone()),
+            Known::Range(range) => {
+                let limits = range.witness.as_ref().map(|witness| LimitsForm::of(&witness.limits));
+                SmoothnessDetails { limits, parameter: Some(RangeForm::of(range)) }
+            }
+            Known::Absent(_) | Known::Capped(_) => SmoothnessDetails::default(),
         }
-        let exact =
-            details.limits.as_ref().and_then(|limits| limits.hoelder.as_ref()?.exact.clone());
-        let note = why.into_iter().chain(claim.note.clone()).collect::<Vec<String>>().join("; ");
-        let printed = statement(claim).map(Cow::Owned);
-        let (kind, verdict) = (claim.kind.name(), finding.verdict.name());
-        let details = Details::Smoothness(Box::new(details));
-        let plain = Claim::plain(&finding.id, &claim.locus, kind, "", verdict, details);
-        Claim { printed, exact, note: (!note.is_empty()).then_some(note.into()), ..plain }
+    }
+
+    /// The exponent as a formula.
+    pub(super) fn exact(&self) -> Option<&String> {
+        self.limits.as_ref()?.hoelder.as_ref()?.exact.as_ref()
     }
 }
 

@@ -8,7 +8,8 @@ use crate::audit::{Known, SmoothnessFinding};
 use crate::claim::{SmoothnessBody, SmoothnessStatement};
 use crate::exact::IntervalSet;
 use crate::float::nearest;
-use crate::report::smoothness::{printed, set_text};
+use crate::report::set::set_text;
+use crate::report::smoothness::printed;
 use maud::{Markup, html};
 
 const HEIGHT: f64 = 150.0;
