@@ -218,8 +218,11 @@ impl Direction {
         let levels = self.rows().map(|(c, row)| {
             let mut row = row.into_iter().map(|value| value.map(Exact::of));
             let (contraction, norm) = (row.next().flatten(), row.next().flatten());
-            let (contraction_forward, norm_forward) = (row.next(), row.next());
-            form::Level { c, contraction, norm, contraction_forward, norm_forward }
+            let forward = (self.columns.len() > 2).then(|| form::Forward {
+                contraction_forward: row.next().flatten(),
+                norm_forward: row.next().flatten(),
+            });
+            form::Level { c, contraction, norm, forward }
         });
         let sigma = self.sigma.iter();
         let sigma = sigma.map(|(name, value)| form::Displacement { value: Exact::of(value), name });

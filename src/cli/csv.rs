@@ -20,11 +20,12 @@ pub(super) fn constants(constants: &Constants<'_>) -> String {
             row(sigma.name, String::new(), &sigma.value);
         }
         for level in &direction.levels {
+            let forward = level.forward.as_ref();
             for (quantity, value) in [
                 ("contraction", level.contraction.as_ref()),
                 ("norm", level.norm.as_ref()),
-                ("contraction_forward", flat(&level.contraction_forward)),
-                ("norm_forward", flat(&level.norm_forward)),
+                ("contraction_forward", forward.and_then(|both| both.contraction_forward.as_ref())),
+                ("norm_forward", forward.and_then(|both| both.norm_forward.as_ref())),
             ] {
                 if let Some(value) = value {
                     row(quantity, level.c.to_string(), value);
@@ -43,10 +44,6 @@ pub(super) fn constants(constants: &Constants<'_>) -> String {
         }
     }
     out.text
-}
-
-fn flat(value: &Option<Option<Exact>>) -> Option<&Exact> {
-    value.as_ref().and_then(Option::as_ref)
 }
 
 /// The constants of a ring: one row for each number.

@@ -83,7 +83,7 @@ impl Entries {
         let before = &self.known[next - self.step];
         let tau = raised(&total(next - self.step))?;
         // Σμ_q = 1 and Σ|μ_q| ≤ τ: no entry is above (τ + 1)/2.
-        let most = i128::from((raised(&total(next))? + (1 << PLACES)) / 2 + 1);
+        let most = i128::from(raised(&total(next))?.midpoint(1 << PLACES) + 1);
         let mut bounds = vec![0; self.size];
         for (i, (own, steps)) in self.nodes.iter().enumerate() {
             let terms = steps.iter().zip(before);

@@ -34,10 +34,25 @@ pub struct PowerSearch {
     rules: Rules,
     growth: Growth,
     budget: Budget,
-    /// The search by extreme rows, if it may be used; `None` in it where it does not apply.
-    extreme: Option<Option<ExtremeSearch>>,
+    extreme: Extreme,
     /// Whether the tree was given up for extreme rows.
     given_up: bool,
+}
+
+/// The search by extreme rows.
+#[derive(Clone, Debug)]
+enum Extreme {
+    /// It was not asked for.
+    Unused,
+    /// It does not take these rules.
+    Unfit,
+    Search(Box<ExtremeSearch>),
+}
+
+impl Extreme {
+    fn of(rules: &Rules) -> Extreme {
+        ExtremeSearch::new(rules).map_or(Extreme::Unfit, |search| Extreme::Search(Box::new(search)))
+    }
 }
 
 impl PowerSearch {
@@ -46,7 +61,13 @@ impl PowerSearch {
     pub fn new(rules: &Rules, order: Order) -> PowerSearch {
         let rules = oriented(rules, order);
         let [growth] = Growth::of([&rules]);
-        PowerSearch { rules, growth, budget: Budget::unlimited(), extreme: None, given_up: false }
+        PowerSearch {
+            rules,
+            growth,
+            budget: Budget::unlimited(),
+            extreme: Extreme::Unused,
+            given_up: false,
+        }
     }
 
     /// This search with a budget in products of words, which other computations may
@@ -65,7 +86,7 @@ impl PowerSearch {
     #[must_use]
     pub fn with_extreme_rows(mut self) -> PowerSearch {
         self.growth.sharpen();
-        PowerSearch { extreme: Some(ExtremeSearch::new(&self.rules)), ..self }
+        PowerSearch { extreme: Extreme::of(&self.rules), ..self }
     }
 
     /// ‖R^c‖ and the least class that attains it, as
@@ -83,7 +104,7 @@ impl PowerSearch {
             if !(1..=MAX_LEVELS).contains(&levels) {
                 return None;
             }
-            let Some(extreme) = extreme.as_mut().and_then(Option::as_mut) else {
+            let Extreme::Search(extreme) = extreme else {
                 return Some(found(growth, levels, work)?.norm);
             };
             if !*given_up {
@@ -122,8 +143,11 @@ impl PowerSearch {
         if !(1..=MAX_LEVELS).contains(&levels) {
             return None;
         }
-        let search = self.extreme.get_or_insert_with(|| ExtremeSearch::new(&self.rules));
-        let (search, budget) = (search.as_mut()?, &self.budget);
+        if matches!(self.extreme, Extreme::Unused) {
+            self.extreme = Extreme::of(&self.rules);
+        }
+        let Extreme::Search(search) = &mut self.extreme else { return None };
+        let budget = &self.budget;
         budget.spend(MAX_WORK, |work| search.norm(levels, work, budget))
     }
 

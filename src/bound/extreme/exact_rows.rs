@@ -65,7 +65,9 @@ impl ExactRows {
                     self.matrices.advance(digit as usize, row, &mut image);
                     // Opposite rows are as long as each other for ever.
                     if image.iter().find(|x| !x.is_zero()).is_some_and(|x| x.sign() < 0) {
-                        image.iter_mut().for_each(|x| *x = -&*x);
+                        for x in &mut image {
+                            *x = -&*x;
+                        }
                     }
                     let word = [&word[..], &[digit as usize]].concat();
                     images.entry(image).or_insert(word);

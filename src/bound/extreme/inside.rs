@@ -1,7 +1,7 @@
 //! The proof that a row is inside a hull.
 
 use super::simplex::Simplex;
-use super::step::{length, upward};
+use super::step::{count, length, upward};
 
 /// How far below 1 the cost of a row must be, so that it is dropped.
 const MARGIN: f64 = 1.0 / 1_073_741_824.0;
@@ -28,7 +28,7 @@ pub(super) fn is_inside(
         }
     }
     let terms = 2 * combination.len() + x.len();
-    let rounding = upward(f64::EPSILON * (terms as f64 + 2.0) * upward(added, terms * x.len()), 4);
+    let rounding = upward(f64::EPSILON * (count(terms) + 2.0) * upward(added, terms * x.len()), 4);
     let coefficients = upward(combination.iter().map(|(_, c)| c.abs()).sum(), combination.len());
     let remainder = upward(length(&rest), x.len()) + rounding + (1.0 + coefficients) * error;
     let cost = coefficients + upward(remainder, 4) / unit;

@@ -57,6 +57,11 @@ fn power_of_two(e: i64) -> f64 {
     2.0_f64.powi(i32::try_from(e.max(-1000)).unwrap_or(i32::MAX))
 }
 
+/// ⌊log_2 x⌋ of a positive normal number.
+fn binary_exponent(x: f64) -> i64 {
+    i64::try_from(x.to_bits() >> 52).expect("12 bits") - 1023
+}
+
 impl Levels {
     pub(super) fn new(steps: Steps) -> Levels {
         let mut first = vec![0.0; steps.size];
@@ -90,7 +95,7 @@ impl Levels {
             return None;
         }
         // Products with a power of two are exact.
-        let shift = -(greatest.log2().floor() as i64);
+        let shift = -binary_exponent(greatest);
         let scale = power_of_two(shift);
         images.iter_mut().flatten().for_each(|x| *x *= scale);
         let exponent = self.exponent + shift;

@@ -25,9 +25,19 @@ pub(super) struct Steps {
     norm: f64,
 }
 
+/// A number of operations; there are far fewer than 2^32.
+pub(super) fn count(operations: usize) -> f64 {
+    u32::try_from(operations).map_or(f64::INFINITY, f64::from)
+}
+
+#[expect(clippy::cast_precision_loss, reason = "an integer up to 2^53 in absolute value is a f64")]
+fn exact_float(x: i64) -> f64 {
+    x as f64
+}
+
 /// An upper bound of a sum of non-negative numbers that was computed with `terms` operations.
 pub(super) fn upward(sum: f64, terms: usize) -> f64 {
-    sum * (1.0 + ROUNDING * (terms as f64 + 2.0)) + TINY
+    sum * (1.0 + ROUNDING * (count(terms) + 2.0)) + TINY
 }
 
 /// Σ|x| as computed.
@@ -38,7 +48,7 @@ pub(super) fn length(row: &[f64]) -> f64 {
 /// Lower and upper bounds of Σ|x|.
 pub(super) fn lengths(row: &[f64]) -> [f64; 2] {
     let sum = length(row);
-    let error = sum * ROUNDING * (row.len() as f64 + 2.0) + TINY;
+    let error = sum * ROUNDING * (count(row.len()) + 2.0) + TINY;
     [sum - error, sum + error]
 }
 
@@ -47,8 +57,7 @@ impl Steps {
     pub(super) fn new(matrices: &Transitions<Integer>) -> Option<Steps> {
         let exact = |edge: &Edge<Integer>| {
             let x = edge.coefficient.to_i64().filter(|x| x.abs() <= LARGEST)?;
-            // Exact: |x| is at most 2^53.
-            Some((edge.from, edge.to, x as f64))
+            Some((edge.from, edge.to, exact_float(x)))
         };
         let of_digit = |edges: &Vec<_>| edges.iter().map(exact).collect::<Option<Vec<_>>>();
         let edges: Vec<Vec<(usize, usize, f64)>> =
@@ -89,6 +98,6 @@ impl Steps {
     /// The error of a sum of k products is at most γ_k times the sum of their absolute values, with γ_k =
     /// ku/(1 − ku) and u = 2^−53. Over all entries these are at most Σ|x| times the largest row sum.
     pub(super) fn error(&self, length: f64) -> f64 {
-        upward(ROUNDING * (self.terms as f64 + 1.0) * self.norm * length, 4)
+        upward(ROUNDING * (count(self.terms) + 1.0) * self.norm * length, 4)
     }
 }

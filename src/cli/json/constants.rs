@@ -72,12 +72,18 @@ pub struct Level {
     pub contraction: Option<Exact>,
     /// Λ_c.
     pub norm: Option<Exact>,
-    /// T_c with the masks read forwards; missing where it was not asked for.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub contraction_forward: Option<Option<Exact>>,
-    /// Λ_c with the masks read forwards; missing where it was not asked for.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub norm_forward: Option<Option<Exact>>,
+    /// Both with the masks read forwards; its fields stand here, and are missing where they were not asked for.
+    #[serde(flatten)]
+    pub forward: Option<Forward>,
+}
+
+/// The constants for blocks of c levels with the masks read forwards; null where they are beyond reach.
+#[derive(Serialize)]
+pub struct Forward {
+    /// T_c.
+    pub contraction_forward: Option<Exact>,
+    /// Λ_c.
+    pub norm_forward: Option<Exact>,
 }
 
 /// The constants of a tensor product.
