@@ -20,7 +20,7 @@ pub(super) fn block(finding: &SmoothnessFinding<'_>) -> Block {
             block.restate("absent", absent);
             return block;
         }
-        SmoothnessBody::Statement(scheme, statement) => (scheme, statement),
+        SmoothnessBody::Statement(scheme, statement) => (scheme, &**statement),
     };
     match finding.verdict {
         SmoothnessVerdict::Open => block.give_up("it is open"),

@@ -21,11 +21,25 @@ pub struct SmoothnessClaim {
     pub note: Option<String>,
 }
 
+impl SmoothnessClaim {
+    /// The range that it states, if it is about one.
+    #[must_use]
+    pub fn range(&self) -> Option<&SmoothRangeStatement> {
+        match &self.body {
+            SmoothnessBody::Statement(_, statement) => match &**statement {
+                SmoothnessStatement::Range(range) => Some(range),
+                _ => None,
+            },
+            SmoothnessBody::NotCheckable(_) => None,
+        }
+    }
+}
+
 /// What a claim about smoothness says, or why nothing can be checked.
 #[derive(Clone, Debug)]
 pub enum SmoothnessBody {
     /// A statement about the limits of a scheme, whose parameters may depend on the variable of a range.
-    Statement(LocatedReference, SmoothnessStatement),
+    Statement(LocatedReference, Box<SmoothnessStatement>),
     /// The paper lacks something that the claim would need; the text says what.
     NotCheckable(String),
 }

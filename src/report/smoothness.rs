@@ -61,7 +61,7 @@ pub(super) fn explain(audit: &PaperAudit<'_>, id: &str) -> Option<Sheet> {
 /// What the paper states.
 pub(super) fn statement(claim: &SmoothnessClaim) -> Option<String> {
     let SmoothnessBody::Statement(_, statement) = &claim.body else { return None };
-    Some(match statement {
+    Some(match &**statement {
         SmoothnessStatement::Continuity { continuous, not_continuous } => {
             let parts = [continuous.map(smooth), not_continuous.map(not_smooth)];
             parts.into_iter().flatten().collect::<Vec<String>>().join(", and ")
@@ -124,7 +124,7 @@ pub(super) fn outcome(finding: &SmoothnessFinding<'_>) -> Vec<String> {
     };
     match finding.verdict {
         SmoothnessVerdict::Rounding(direction) => {
-            lines.push(format!("The decimal is {direction}."))
+            lines.push(format!("The decimal is {direction}."));
         }
         SmoothnessVerdict::RoundedEnds => {
             lines.push("The printed range is right up to the rounding of its ends.".to_owned());
@@ -193,9 +193,7 @@ pub(super) fn decimals(hoelder: &Hoelder) -> [String; 2] {
 }
 
 fn of_range(finding: &SmoothnessFinding<'_>, range: &RangeOfLimits) -> Vec<String> {
-    let SmoothnessBody::Statement(_, SmoothnessStatement::Range(said)) = &finding.claim.body else {
-        return Vec::new();
-    };
+    let Some(said) = finding.claim.range() else { return Vec::new() };
     let SmoothRangeStatement { variable, m, .. } = said;
     let set = |set: &IntervalSet| set_text(set, variable);
     let mut lines = match &range.sets {

@@ -33,7 +33,7 @@ claim_table!(RangeTable {
 
 /// A range of a free parameter, of one of the two kinds.
 pub(super) enum AnyRange {
-    Value(RangeClaim),
+    Value(Box<RangeClaim>),
     Smoothness(SmoothnessClaim),
 }
 
@@ -48,7 +48,9 @@ impl Reader<'_> {
 
     pub(super) fn range(&self, table: &RangeTable) -> Result<AnyRange, Diagnostic> {
         match (&table.value, &table.smoothness) {
-            (Some(value), None) => self.value_range(table, value).map(AnyRange::Value),
+            (Some(value), None) => {
+                self.value_range(table, value).map(|claim| AnyRange::Value(Box::new(claim)))
+            }
             (None, Some(m)) => self.smooth_range(table, m).map(AnyRange::Smoothness),
             _ => Err(self
                 .error(table.id.span(), "a range needs either `value` or `smoothness`")
@@ -100,18 +102,21 @@ impl Reader<'_> {
     fn range_end(&self, field: &Spanned<NumberField>) -> Result<RangeEnd, Diagnostic> {
         let NumberField { printed, read, .. } = field.get_ref();
         let text = read.as_ref().unwrap_or(printed);
-        let (decimal, value) = match parse_decimal(text) {
-            Ok(decimal) => (Some(decimal.clone()), RealAlgebraic::from(decimal.value())),
-            Err(_) => {
-                let formula = LocatedFormula::read(self.source, field.span(), text)?;
-                let value = evaluate(&formula.expr, &Parameters::<RealCyclotomic>::default())
-                    .map_err(|error| formula.diagnostic(&error))?;
-                let value = RealAlgebraic::of_cyclotomic(&value).ok_or_else(|| {
-                    self.error(field.span(), "cosines of these angles are too complicated for an end of a range")
-                        .with_help("cosines of multiples of 2*pi/n may stand here for n up to 60; other ends are decimals")
-                })?;
-                (None, value)
-            }
+        let (decimal, value) = if let Ok(decimal) = parse_decimal(text) {
+            let value = RealAlgebraic::from(decimal.value());
+            (Some(decimal), value)
+        } else {
+            let formula = LocatedFormula::read(self.source, field.span(), text)?;
+            let value = evaluate(&formula.expr, &Parameters::<RealCyclotomic>::default())
+                .map_err(|error| formula.diagnostic(&error))?;
+            let value = RealAlgebraic::of_cyclotomic(&value).ok_or_else(|| {
+                let message = "cosines of these angles are too complicated for an end of a range";
+                self.error(field.span(), message).with_help(
+                    "cosines of multiples of 2*pi/n may stand here for n up to 60; other ends are \
+                     decimals",
+                )
+            })?;
+            (None, value)
         };
         Ok(RangeEnd { text: printed.clone(), decimal, value, span: field.span() })
     }

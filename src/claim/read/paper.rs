@@ -90,7 +90,7 @@ fn ranges(all: Vec<AnyRange>) -> (Vec<RangeClaim>, Vec<SmoothnessClaim>) {
     let (mut values, mut smoothness) = (Vec::new(), Vec::new());
     for range in all {
         match range {
-            AnyRange::Value(claim) => values.push(claim),
+            AnyRange::Value(claim) => values.push(*claim),
             AnyRange::Smoothness(claim) => smoothness.push(claim),
         }
     }

@@ -115,7 +115,7 @@ impl Reader<'_> {
         let Head { id, locus, title, scheme, note } = self.head(common)?;
         let body = match (statement, scheme) {
             (Err(absent), _) => SmoothnessBody::NotCheckable(absent.clone()),
-            (Ok(statement), Some(scheme)) => SmoothnessBody::Statement(scheme, statement),
+            (Ok(statement), Some(scheme)) => SmoothnessBody::Statement(scheme, Box::new(statement)),
             (Ok(_), None) => {
                 return Err(self
                     .error(

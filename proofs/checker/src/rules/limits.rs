@@ -8,6 +8,7 @@ use crate::paper::Paper;
 use crate::radius::{Mask, Radius, check_mask};
 use crate::reject::{Checked, Reason, Stop, require};
 use crate::toml::Toml;
+use crate::value::Value;
 
 /// What is shown of the limits of a mask.
 pub struct Shown {
@@ -21,7 +22,7 @@ pub fn mask(paper: &Paper<'_>, claim: &Toml, scope: &Scope<'_>) -> Checked<Vec<V
     let reference = claim.text("scheme").ok_or(Reason::Single)?;
     let schemes = paper.library.resolve(reference, scope)?;
     let [scheme] = &schemes[..] else { return Err(Reason::Single.into()) };
-    let rational = |row: &Vec<crate::value::Value>| row.iter().map(|x| x.rational()).collect();
+    let rational = |row: &Vec<Value>| row.iter().map(Value::rational).collect();
     let mask: Option<Vec<Vec<Q>>> = scheme.mask.iter().map(rational).collect();
     mask.ok_or(Stop::Undefined("a coefficient of the mask is irrational").into())
 }

@@ -112,10 +112,9 @@ fn covered(
 
 /// How a root compares with a closed value.
 fn against(at: &Root, value: &Value) -> Result<Ordering, Stop> {
-    let terms = at.polynomial().iter().rev().cloned().map(Value::from);
-    let of_value = terms.fold(Ok(Value::int(0)), |sum: Result<Value, Stop>, term| {
-        sum?.times(value)?.plus(1, &term)
-    })?;
+    let mut terms = at.polynomial().iter().rev().cloned().map(Value::from);
+    let of_value =
+        terms.try_fold(Value::int(0), |sum: Value, term| sum.times(value)?.plus(1, &term))?;
     let mut at = at.clone();
     for _ in 0..MAX_HALVINGS {
         let [low, high] = at.ends().map(|end| Value::from(end.clone()));

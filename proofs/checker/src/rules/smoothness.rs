@@ -56,7 +56,7 @@ pub fn exponent<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>
     let shown = Shown::read(mask(paper, claim, &scope(paper))?, block)?;
     let closed = paper.library.closed();
     let number = |key: &str| -> Checked<Option<LogSum>> {
-        let text = claim.text(key).map(|text| formula(text));
+        let text = claim.text(key).map(formula);
         Ok(text.transpose()?.map(|expr| LogSum::of(&expr, &closed)).transpose()?)
     };
     let of_value = number("value")?;

@@ -5,7 +5,6 @@ use super::frame::{Frame, picture};
 use super::range::{bound, drawn};
 use super::scale::Scale;
 use crate::audit::{Known, SmoothnessFinding};
-use crate::claim::{SmoothnessBody, SmoothnessStatement};
 use crate::exact::IntervalSet;
 use crate::float::nearest;
 use crate::report::set::set_text;
@@ -20,11 +19,8 @@ const BEYOND: f64 = 0.15;
 
 /// The sets inside and outside and the printed one on one axis; `None` where none of them has an end.
 pub(in crate::report::html) fn smooth_range(finding: &SmoothnessFinding<'_>) -> Option<Markup> {
-    let (Known::Range(range), SmoothnessBody::Statement(_, SmoothnessStatement::Range(said))) =
-        (&finding.known, &finding.claim.body)
-    else {
-        return None;
-    };
+    let said = finding.claim.range()?;
+    let Known::Range(range) = &finding.known else { return None };
     let sets = range.sets.as_ref()?;
     let rows = [
         ("smooth", &sets.inside, "c3"),
