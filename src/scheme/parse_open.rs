@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 /// polynomials in this parameter. The values given for other parameters may depend on it.
 ///
 /// # Errors
-/// As [`parse_scheme`], and when this is a tensor product, or its mask does not depend on
+/// As [`parse_scheme`](super::parse_scheme), and when this is a tensor product, or its mask does not depend on
 /// the parameter.
 ///
 /// ```
