@@ -42,7 +42,7 @@ def tables(program: str, folder: str) -> None:
 
     for claims in sorted((ROOT / "proofs" / "claims").glob("*.toml")):
         listed = json.loads(output("explain", claims.stem, "--format", "json"))["claims"]
-        ids = [claim["id"] for claim in listed if claim["kind"] == "table"]
+        ids = [f"{claims.stem}:{claim['id']}" for claim in listed if claim["kind"] == "table"]
         texts = [output("explain", one, "--format", "latex") for one in ids]
         if texts:
             document = HEAD + "\n\\clearpage\n".join(texts) + "\\end{document}\n"
