@@ -3,7 +3,7 @@
 use super::language::{Language, Precision};
 use super::number::{Number, Type};
 use crate::exact::Rational;
-use crate::float::nearest;
+use crate::float::{nearest, nearest_f32};
 
 /// A formula.
 #[derive(Clone, Debug)]
@@ -107,7 +107,7 @@ impl Language {
 impl Held {
     fn new(value: &Rational, precision: Precision) -> Held {
         match precision {
-            Precision::Single => Held::Single(nearest_single(value)),
+            Precision::Single => Held::Single(nearest_f32(value)),
             Precision::Double => Held::Double(nearest(value)),
         }
     }
@@ -122,7 +122,7 @@ impl Held {
     fn to(&self, precision: Precision) -> f64 {
         match (self, precision) {
             (Held::Integer(value) | Held::Long(value), Precision::Single) => {
-                f64::from(nearest_single(value))
+                f64::from(nearest_f32(value))
             }
             (Held::Integer(value) | Held::Long(value), Precision::Double) => nearest(value),
             (Held::Single(value), _) => f64::from(*value),
@@ -136,27 +136,6 @@ impl Held {
 #[expect(clippy::cast_possible_truncation, reason = "rounding is what the program does")]
 fn single(value: f64) -> f32 {
     value as f32
-}
-
-/// The f32 nearest to a number, half to even. The f64 that is rounded to odd decides, as it has more
-/// than two bits to spare (Boldo and Melquiond, 2008).
-fn nearest_single(value: &Rational) -> f32 {
-    let double = nearest(value);
-    let exactly = crate::float::exact(double);
-    let odd = match exactly {
-        Some(exactly) if exactly != *value && double.to_bits() & 1 == 0 => {
-            // The neighbour on the other side of the value has an odd last bit.
-            let outwards = (*value > exactly) == (double >= 0.0);
-            let bits = double.to_bits();
-            if double == 0.0 {
-                f64::from_bits(1).copysign(if value.sign() < 0 { -1.0 } else { 1.0 })
-            } else {
-                f64::from_bits(if outwards { bits + 1 } else { bits - 1 })
-            }
-        }
-        _ => double,
-    };
-    single(odd)
 }
 
 fn compute(sign: char, left: &Held, right: &Held, language: Language) -> Held {

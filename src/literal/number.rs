@@ -66,10 +66,9 @@ fn kind(suffix: &str, whole: bool, language: Language) -> Result<Type, String> {
     match (suffix, language) {
         ("", Rust) => Ok(Type::Table),
         ("", _) if whole => Ok(Type::Integer),
-        ("", C | JavaScript | Python) => double,
         ("", Shader) | ("f32", Rust) => single,
         ("f", C | Shader) if !whole || language == Shader => single,
-        ("lf", Shader) | ("f64", Rust) => double,
+        ("", C | JavaScript | Python) | ("lf", Shader) | ("f64", Rust) => double,
         ("l", C) if !whole => Ok(Type::Long),
         ("u" | "l" | "ul" | "lu" | "ll" | "ull" | "llu", C) | ("u", Shader) if whole => {
             Ok(Type::Integer)

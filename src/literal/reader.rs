@@ -26,8 +26,8 @@ impl<'a> Lines<'a> {
     }
 
     fn of(&mut self, place: usize) -> usize {
-        let between = self.text.as_bytes().get(self.at..place).unwrap_or_default();
-        self.line += between.iter().filter(|&&byte| byte == b'\n').count();
+        let between = self.text.get(self.at..place).unwrap_or_default();
+        self.line += between.matches('\n').count();
         self.at = place.max(self.at);
         self.line
     }
@@ -129,8 +129,7 @@ impl<'a> Reader<'a> {
         loop {
             let sign = |at: usize| self.tokens.get(at).map(|token| token.kind);
             match sign(at)? {
-                Kind::Name => at += 1,
-                Kind::Sign('.' | ':' | '!') => at += 1,
+                Kind::Name | Kind::Sign('.' | ':' | '!') => at += 1,
                 // The size in `float[7](…)`.
                 Kind::Sign('[') => {
                     let close = at + 1 + usize::from(sign(at + 1) == Some(Kind::Number));

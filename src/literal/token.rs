@@ -124,14 +124,13 @@ impl<'a> Tokens<'a> {
     /// Whether a text begins here. In Rust, `'a` may be a lifetime.
     fn is_quote(&self, first: char, rest: &str) -> bool {
         match first {
-            '"' => true,
             '`' => self.language == Language::JavaScript,
             '\'' if self.language == Language::Rust => {
                 let mut after = rest.chars().skip(1);
                 let (one, two) = (after.next(), after.next());
                 one == Some('\\') || two == Some('\'')
             }
-            '\'' => true,
+            '"' | '\'' => true,
             _ => false,
         }
     }

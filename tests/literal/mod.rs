@@ -90,15 +90,15 @@ fn literals_are_rounded_as_the_language_does() {
 
 #[test]
 fn formulas() {
-    let sixth = |text, language| held(language, text, &[], Precision::Double)[0];
-    assert_eq!(sixth("x table = 1.0/6;", Language::C), 1.0 / 6.0);
-    assert_eq!(sixth("x table = 1.0f/6;", Language::C), f64::from(1.0_f32 / 6.0));
-    assert_eq!(sixth("x table = (float)1/6.f;", Language::C), f64::from(1.0_f32 / 6.0));
-    assert_eq!(sixth("x table = float(1)/6;", Language::Shader), f64::from(1.0_f32 / 6.0));
+    let sixth = |text, language| held(language, text, &[], Precision::Double);
+    assert_eq!(sixth("x table = 1.0/6;", Language::C), [1.0 / 6.0]);
+    assert_eq!(sixth("x table = 1.0f/6;", Language::C), [f64::from(1.0_f32 / 6.0)]);
+    assert_eq!(sixth("x table = (float)1/6.f;", Language::C), [f64::from(1.0_f32 / 6.0)]);
+    assert_eq!(sixth("x table = float(1)/6;", Language::Shader), [f64::from(1.0_f32 / 6.0)]);
     // Integers are divided as the language does.
-    assert_eq!(sixth("x table = -7/6;", Language::C), -1.0);
-    assert_eq!(sixth("table = 1/6", Language::Python), 1.0 / 6.0);
-    assert_eq!(sixth("let table = 2*(3 - -1)/6;", Language::JavaScript), 8.0 / 6.0);
+    assert_eq!(sixth("x table = -7/6;", Language::C), [-1.0]);
+    assert_eq!(sixth("table = 1/6", Language::Python), [1.0 / 6.0]);
+    assert_eq!(sixth("let table = 2*(3 - -1)/6;", Language::JavaScript), [8.0 / 6.0]);
     let table = read(Language::C, "x table = 1.0/6 - 2;", &[]).expect("a number");
     let value = Some(number("-11/6"));
     assert_eq!(table.entries[0].written(), Written::Expression { value });
