@@ -10,6 +10,9 @@ use subcert::mesh::Point;
 use subcert::patch::MeshDistances;
 use subcert::solid::{HexMesh, refine_solid, solid_limit_points};
 
+/// The f64 points of a solid, half a unit in the last place from the exact ones, and its cells.
+type Rounded = (Vec<Point<f64>>, Vec<[usize; 8]>);
+
 fn solid(given: &Points<'_>, cells: &[[usize; 8]]) -> PyResult<HexMesh<Rational>> {
     HexMesh::new(points(given)?, cells).map_err(plain)
 }
@@ -42,7 +45,7 @@ pub fn solid_refine(
     given: Points<'_>,
     cells: Vec<[usize; 8]>,
     levels: u32,
-) -> PyResult<(Vec<Point<f64>>, Vec<[usize; 8]>)> {
+) -> PyResult<Rounded> {
     let solid = solid(&given, &cells)?;
     aside(
         py,
