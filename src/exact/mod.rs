@@ -75,6 +75,7 @@ pub use cyclotomic::{
 };
 pub use decimal::{Decimal, Rounding};
 pub use enclosure::{Enclosed, Enclosure};
+pub(crate) use expression::floor_root;
 pub use expression::{MAX_ROOT_DEGREE, RealExpression, RootError};
 pub use integer::Integer;
 pub use interval::Interval;

@@ -1,6 +1,6 @@
 //! Square roots, enclosed as narrowly as one likes.
 
-use crate::exact::{Enclosed, Enclosure, Integer, Rational, RealCyclotomic};
+use crate::exact::{Enclosed, Enclosure, Integer, Rational, RealCyclotomic, floor_root};
 
 /// The level at which an enclosure is narrow enough for any f64: 2^−2048 wide.
 const NARROW: u32 = 5;
@@ -57,20 +57,4 @@ fn rational_root(x: &Rational) -> Option<Rational> {
     let (p, q) = (floor_root(&x.numerator()), floor_root(&x.denominator()));
     let root = Rational::new(p, q);
     (&root * &root == *x).then_some(root)
-}
-
-/// ⌊√x⌋ for x ≥ 0, by Newton's method from above.
-fn floor_root(x: &Integer) -> Integer {
-    if x.is_zero() {
-        return Integer::zero();
-    }
-    let bits = u32::try_from(x.bits()).expect("it fits in memory");
-    let mut root = Integer::one().shifted_left(bits.div_ceil(2));
-    loop {
-        let next = (&root + x.div_floor(&root)).shifted_right(1);
-        if next >= root {
-            return root;
-        }
-        root = next;
-    }
 }

@@ -31,3 +31,4 @@ mod square;
 
 pub use error::{MAX_ROOT_DEGREE, RootError};
 pub use node::RealExpression;
+pub(crate) use square::floor_root;

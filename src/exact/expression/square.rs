@@ -6,7 +6,7 @@ use crate::exact::{Integer, Rational};
 const MAX_FACTOR: u32 = 1_000;
 
 /// ⌊√x⌋ for x ≥ 0, by Newton's method from above.
-pub(super) fn floor_root(x: &Integer) -> Integer {
+pub(crate) fn floor_root(x: &Integer) -> Integer {
     if x.is_zero() {
         return Integer::zero();
     }
