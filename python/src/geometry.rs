@@ -1,9 +1,10 @@
 //! What meshes, nets and solids have in common: points, and depths.
 
 use crate::number::{Fraction, fraction, rational};
+use crate::run::aside;
 use pyo3::prelude::*;
 use std::sync::Arc;
-use subcert::exact::{Rational, RealCyclotomic};
+use subcert::exact::{Enclosed, Rational, RealCyclotomic};
 use subcert::float::nearest;
 use subcert::mesh::Point;
 use subcert::patch::{FarPlace, MeshDepth, MeshWork};
@@ -22,13 +23,13 @@ pub(crate) fn points(points: &Points<'_>) -> PyResult<Vec<Point<Rational>>> {
     points.iter().map(|[x, y, z]| Ok([rational(x)?, rational(y)?, rational(z)?])).collect()
 }
 
-pub(crate) fn depth(found: MeshDepth) -> Depth {
+fn depth(found: MeshDepth) -> Depth {
     let place = |place: FarPlace| (place.face, place.on_mesh, place.on_limit);
     (found.level, found.too_few, found.distance, found.worst.map(place), found.apart)
 }
 
 /// Each coordinate half a unit in the last place from the exact one.
-pub(crate) fn rounded(points: &[Point<Rational>]) -> Vec<Point<f64>> {
+pub(crate) fn rounded(points: &[Point<impl Enclosed>]) -> Vec<Point<f64>> {
     points.iter().map(|point| point.each_ref().map(nearest)).collect()
 }
 
@@ -44,8 +45,12 @@ pub(crate) fn rational_limit(position: &Point<Rational>) -> Limit {
     (position.each_ref().map(nearest), Some(position.each_ref().map(fraction)))
 }
 
-/// A search for whoever waits, and for the search.
-pub(crate) fn shared_work() -> (Arc<MeshWork>, Arc<MeshWork>) {
+/// A depth that is found beside Python. Ctrl-C stops the search through the work that it is given.
+pub(crate) fn depth_aside(
+    py: Python<'_>,
+    find: impl FnOnce(Arc<MeshWork>) -> PyResult<MeshDepth> + Send + 'static,
+) -> PyResult<Depth> {
     let work = Arc::<MeshWork>::default();
-    (Arc::clone(&work), work)
+    let shared = Arc::clone(&work);
+    aside(py, || work.stop(), move || Ok(depth(find(shared)?)))
 }

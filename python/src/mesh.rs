@@ -1,12 +1,11 @@
 //! Polygon meshes.
 
 use crate::error::plain;
-use crate::geometry::{Depth, Limit, Points, depth, limit, points, shared_work};
+use crate::geometry::{Depth, Limit, Points, depth_aside, limit, points, rounded};
 use crate::number::rational;
 use crate::run::aside;
 use pyo3::prelude::*;
 use subcert::exact::Rational;
-use subcert::float::nearest;
 use subcert::mesh::{MeshScheme, Point, PolygonMesh, limit_points, refine_mesh};
 use subcert::patch::MeshDistances;
 
@@ -33,15 +32,10 @@ pub fn mesh_depth(
 ) -> PyResult<Depth> {
     let (scheme, mesh) = mesh(scheme, &vertices, faces)?;
     let tolerance = rational(tolerance)?;
-    let (work, shared) = shared_work();
-    aside(
-        py,
-        || work.stop(),
-        move || {
-            let distances = MeshDistances::new(mesh, scheme).map_err(plain)?.with_work(shared);
-            Ok(depth(distances.depth(&tolerance).map_err(plain)?))
-        },
-    )
+    depth_aside(py, move |work| {
+        let distances = MeshDistances::new(mesh, scheme).map_err(plain)?.with_work(work);
+        distances.depth(&tolerance).map_err(plain)
+    })
 }
 
 /// The mesh of a level.
@@ -60,8 +54,7 @@ pub fn mesh_refine(
         move || {
             let exact = mesh.map(|x| subcert::exact::RealCyclotomic::from(x.clone()));
             let refined = refine_mesh(&exact, scheme, levels).map_err(plain)?;
-            let points = refined.points().iter().map(|point| point.each_ref().map(nearest));
-            Ok((points.collect(), refined.faces().to_vec()))
+            Ok((rounded(refined.points()), refined.faces().to_vec()))
         },
     )
 }

@@ -1,7 +1,7 @@
 //! Tensor nets.
 
 use crate::error::{plain, with_remedy};
-use crate::geometry::{Depth, Limit, Points, depth, points, rational_limit, rounded, shared_work};
+use crate::geometry::{Depth, Limit, Points, depth_aside, points, rational_limit, rounded};
 use crate::number::rational;
 use crate::run::aside;
 use pyo3::prelude::*;
@@ -31,15 +31,10 @@ pub fn net_depth(
 ) -> PyResult<Depth> {
     let (scheme, net) = net(scheme, given)?;
     let tolerance = rational(tolerance)?;
-    let (work, shared) = shared_work();
-    aside(
-        py,
-        || work.stop(),
-        move || {
-            let distances = NetDistances::new(net, &scheme).map_err(plain)?.with_work(shared);
-            Ok(depth(distances.depth(&tolerance).map_err(plain)?))
-        },
-    )
+    depth_aside(py, move |work| {
+        let distances = NetDistances::new(net, &scheme).map_err(plain)?.with_work(work);
+        distances.depth(&tolerance).map_err(plain)
+    })
 }
 
 /// The net of a level: its points row by row, and the number of columns.

@@ -1,7 +1,7 @@
 //! Hexahedral solids.
 
 use crate::error::plain;
-use crate::geometry::{Depth, Limit, Points, depth, points, rational_limit, rounded, shared_work};
+use crate::geometry::{Depth, Limit, Points, depth_aside, points, rational_limit, rounded};
 use crate::number::rational;
 use crate::run::aside;
 use pyo3::prelude::*;
@@ -27,15 +27,10 @@ pub fn solid_depth(
 ) -> PyResult<Depth> {
     let solid = solid(&given, &cells)?;
     let tolerance = rational(tolerance)?;
-    let (work, shared) = shared_work();
-    aside(
-        py,
-        || work.stop(),
-        move || {
-            let distances = MeshDistances::of_solid(solid).map_err(plain)?.with_work(shared);
-            Ok(depth(distances.depth(&tolerance).map_err(plain)?))
-        },
-    )
+    depth_aside(py, move |work| {
+        let distances = MeshDistances::of_solid(solid).map_err(plain)?.with_work(work);
+        distances.depth(&tolerance).map_err(plain)
+    })
 }
 
 /// The solid of a level.
