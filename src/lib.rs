@@ -57,6 +57,7 @@
 //! | [`patch`] | how far meshes, nets and solids are from their limits |
 //! | [`oracle`] | reference values and checks for other programs' tests |
 //! | [`claim`] | what a paper asserts |
+//! | [`shipped`] | tables of constants in programs: claim files about them, and verdicts |
 //! | `evaluation` | from the formulas of claims to values, under a reading |
 //! | `finding` | what the audit says of claims, as plain data |
 //! | `judge` | verdicts, one file for each kind of claim |
@@ -92,6 +93,7 @@ pub mod patch;
 #[cfg(feature = "cli")]
 pub mod report;
 pub mod scheme;
+pub mod shipped;
 pub mod smoothness;
 pub mod solid;
 pub mod spectrum;

@@ -92,7 +92,8 @@ pub(super) fn wrong_count(name: &str, given: usize) -> FormulaErrorKind {
     FormulaErrorKind::Call(format!("`{name}` takes {takes}, and was given {given} arguments"))
 }
 
-const SYMBOLIC: &str = "this has no value while a parameter is symbolic";
+const SYMBOLIC: &str =
+    "this has no value while a parameter is symbolic, or while its sign is not decided";
 
 fn floor<V: Value>(value: &V) -> Result<Integer, FormulaErrorKind> {
     value.floor().ok_or(FormulaErrorKind::Unsupported(SYMBOLIC))
@@ -163,7 +164,7 @@ fn divide<V: Value>(left: &V, right: &V) -> Result<V, FormulaErrorKind> {
         return Err(FormulaErrorKind::TooLarge { what: "the number of bits", cap: MAX_BITS });
     }
     left.quotient(right).ok_or(FormulaErrorKind::Unsupported(
-        "division by a symbolic parameter is not an identity of polynomials",
+        "division by a symbolic parameter is not an identity of polynomials, and by what may be 0 it has no value",
     ))
 }
 

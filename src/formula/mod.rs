@@ -29,8 +29,9 @@
 //!
 //! The real roots of a polynomial are counted from 1 in increasing order, a multiple one once. Over real
 //! algebraic numbers, [`AlgebraicNumber`](crate::exact::AlgebraicNumber), `sqrt` and `root` always have values, as long as all numbers
-//! of a formula lie in one field of degree up to 24. Over the rationals they have one only where it is rational, and over
-//! the values of claims, never.
+//! of a formula lie in one field of degree up to 24. Over [`RealExpression`](crate::exact::RealExpression) they have values without
+//! such a cap, but the coefficients of `root` have no roots in them. Over the rationals they have one only where it is
+//! rational, and over the values of claims about papers, never.
 //!
 //! ```
 //! use subcert::exact::{Rational, RealCyclotomic};
@@ -62,6 +63,7 @@ mod scope;
 mod token;
 mod value;
 mod value_algebraic;
+mod value_expression;
 
 pub use angle::PI;
 pub use ast::{Expr, Fold, Node, Operator, OptionWord, SEQUENCE_INDEX, Span};

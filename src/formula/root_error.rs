@@ -1,7 +1,9 @@
 //! Rational roots of polynomials, and why a root is not a value.
 
 use super::error::FormulaErrorKind;
-use crate::exact::{FieldError, IntegerPolynomial, MAX_NORM_DEGREE, Rational, RealAlgebraic};
+use crate::exact::{
+    FieldError, IntegerPolynomial, MAX_NORM_DEGREE, MAX_ROOT_DEGREE, Rational, RealAlgebraic,
+};
 
 /// Why a root is not a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -12,6 +14,12 @@ pub enum RootError {
     Irrational,
     /// The values are of a type without roots.
     NotHere,
+    /// The polynomial has this degree, which is too large.
+    Degree(usize),
+    /// The coefficients themselves have roots in them.
+    Coefficients,
+    /// The sign of a radicand is not decided.
+    Undecided,
 }
 
 impl From<RootError> for FormulaErrorKind {
@@ -20,8 +28,18 @@ impl From<RootError> for FormulaErrorKind {
             RootError::Field(error) => FormulaErrorKind::Field(error),
             RootError::Irrational => FormulaErrorKind::Irrational("this root".to_owned()),
             RootError::NotHere => FormulaErrorKind::Unsupported(
-                "`sqrt` and `root` are for masks without free parameters, and for the parameters of schemes",
+                "`sqrt` and `root` are for masks without free parameters, for the parameters of schemes, and for \
+                 constants of programs",
             ),
+            RootError::Degree(degree) => FormulaErrorKind::Undefined(format!(
+                "a root of a polynomial of degree {degree}, which is above {MAX_ROOT_DEGREE},"
+            )),
+            RootError::Coefficients => FormulaErrorKind::Unsupported(
+                "the coefficients of `root` are numbers without `sqrt` and `root` here",
+            ),
+            RootError::Undecided => {
+                FormulaErrorKind::Unsupported("it is not decided whether this is 0 or positive")
+            }
         }
     }
 }

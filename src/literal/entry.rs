@@ -14,6 +14,9 @@ pub enum Written {
         value: Rational,
         /// How many significant digits it has, from the first that is not 0; `None` in hexadecimal.
         digits: Option<usize>,
+        /// How many digits it has after the point, with the exponent applied: 3 for `1.5e-2`, −1 for `2e1`; `None` in
+        /// hexadecimal.
+        places: Option<i64>,
     },
     /// A formula of literals, such as `1.0/6.0`.
     Expression {
@@ -48,7 +51,11 @@ impl Entry {
     #[must_use]
     pub fn written(&self) -> Written {
         match self.expression.literal() {
-            Some((value, digits)) => Written::Literal { value, digits },
+            Some((sign, number)) => Written::Literal {
+                value: if sign { -&number.value } else { number.value.clone() },
+                digits: number.digits,
+                places: number.places,
+            },
             None => Written::Expression { value: self.expression.exact() },
         }
     }

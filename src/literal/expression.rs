@@ -29,11 +29,11 @@ enum Held {
 }
 
 impl Expression {
-    /// The value and the significant digits, if this is one literal.
-    pub(super) fn literal(&self) -> Option<(Rational, Option<usize>)> {
+    /// The literal, if this is one, and whether a minus stands before it.
+    pub(super) fn literal(&self) -> Option<(bool, &Number)> {
         match self {
-            Expression::Number(number) => Some((number.value.clone(), number.digits)),
-            Expression::Minus(inner) => inner.literal().map(|(value, digits)| (-value, digits)),
+            Expression::Number(number) => Some((false, number)),
+            Expression::Minus(inner) => inner.literal().map(|(minus, number)| (!minus, number)),
             Expression::Cast(_, inner) => inner.literal(),
             Expression::Operation { .. } => None,
         }

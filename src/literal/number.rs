@@ -23,6 +23,8 @@ pub(super) struct Number {
     pub(super) kind: Type,
     /// How many significant digits it has; `None` of one in hexadecimal.
     pub(super) digits: Option<usize>,
+    /// How many digits stand after the point, with the exponent applied, so that it may be negative; `None` of one in hexadecimal.
+    pub(super) places: Option<i64>,
 }
 
 /// The most digits of a literal, and the greatest exponent.
@@ -55,6 +57,7 @@ pub(super) fn number(text: &str, language: Language) -> Result<Number, String> {
         value: parts.value(base)?,
         kind,
         digits: (base == 10).then(|| parts.significant()),
+        places: parts.places().filter(|_| base == 10),
     })
 }
 
@@ -135,6 +138,11 @@ impl Parts<'_> {
         };
         let mantissa = Rational::from(mantissa);
         Ok(if exponent < 0 { mantissa / power } else { mantissa * power })
+    }
+
+    /// Digits after the point, with the exponent applied.
+    fn places(&self) -> Option<i64> {
+        i64::try_from(self.after).ok()?.checked_sub(self.exponent)
     }
 
     /// Digits from the first that is not 0.

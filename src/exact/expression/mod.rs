@@ -12,12 +12,14 @@
 //! | `roots` | square roots, and roots of polynomials |
 //! | `enclose` | enclosures |
 //! | `order` | sign, equality, order, and whether a number is rational |
+//! | `bounded` | signs with a bounded number of digits |
 //! | `display` | numbers as formulas |
 //! | `algebra` | numbers as elements of an algebra over one cyclotomic field |
 //! | `minimal` | minimal polynomials |
 
 mod algebra;
 mod arithmetic;
+mod bounded;
 mod display;
 mod enclose;
 mod error;

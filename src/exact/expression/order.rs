@@ -59,7 +59,7 @@ impl RealExpression {
 }
 
 /// 2^−`bits`.
-fn power_of_half(bits: u64) -> Rational {
+pub(super) fn power_of_half(bits: u64) -> Rational {
     let bits = u32::try_from(bits).expect("a bound that fits in memory");
     Rational::new(1, Integer::one().shifted_left(bits))
 }

@@ -1,0 +1,75 @@
+//! Judging the tables of a project.
+
+use super::claim::{NumberType, Project, ShippedClaim};
+use super::exact::Values;
+use super::finding::{Outcome, ProjectAudit, ShippedCell, ShippedFinding, Verdict};
+use super::verdict::verdict;
+use super::{follows, reading};
+use crate::diagnostic::{Collected, Diagnostic, Errors};
+use crate::exact::{Rational, RealExpression};
+
+/// Judges every table of a project.
+///
+/// # Errors
+/// When a formula has no value for some number: all such errors, one of each table.
+pub fn audit_project(project: &Project) -> Result<ProjectAudit<'_>, Errors> {
+    let mut errors = Collected::default();
+    let findings = errors.all(&project.shipped, |claim| judge(project, claim));
+    errors.none()?;
+    Ok(ProjectAudit { project, findings })
+}
+
+fn judge<'a>(
+    project: &'a Project,
+    claim: &'a ShippedClaim,
+) -> Result<ShippedFinding<'a>, Diagnostic> {
+    let values = Values::new(project, claim, None);
+    let cell = |place: usize| {
+        let exact = values.at(&claim.exact, place)?;
+        let number = &claim.numbers[place];
+        let verdict = verdict(&exact, number, claim.kind);
+        let error = error(&exact, &number.held, claim.kind);
+        Ok(ShippedCell { exact, verdict, error })
+    };
+    let cells = (0..claim.numbers.len()).map(cell).collect::<Result<Vec<_>, Diagnostic>>()?;
+    let worst = cells.iter().map(|cell| cell.verdict.outcome()).max().unwrap_or(Outcome::Nearest);
+    let needs_reading = cells.iter().any(|cell| {
+        !matches!(cell.verdict, Verdict::Nearest | Verdict::Rounded(_) | Verdict::Truncated(_))
+    });
+    let reading = needs_reading.then(|| reading::reading(project, claim, &cells)).flatten();
+    let farthest = farthest(&cells);
+    Ok(ShippedFinding {
+        id: format!("{}:{}", project.key, claim.id),
+        claim,
+        outcome: if reading.is_some() { Outcome::Otherwise } else { worst },
+        reading,
+        farthest,
+        sums: follows::sums(claim, &cells),
+        equals: follows::equals(claim, &cells),
+        cells,
+    })
+}
+
+/// |held − x|, from an enclosure that is much finer than the type.
+fn error(x: &RealExpression, held: &Rational, kind: NumberType) -> Rational {
+    let bits = match kind {
+        NumberType::Single | NumberType::Double => 128,
+        NumberType::Decimal(digits) => 4 * digits + 64,
+    };
+    let level = (0..8).find(|level| 64 << level >= bits).unwrap_or(8);
+    let near = x.near(level);
+    let middle = (near.lower() + near.upper()) * Rational::new(1, 2);
+    (held - middle).abs()
+}
+
+/// The place of the greatest error.
+fn farthest(cells: &[ShippedCell]) -> Option<usize> {
+    let mut places = (0..cells.len()).filter(|&place| !cells[place].error.is_zero());
+    let first = places.next()?;
+    Some(places.fold(
+        first,
+        |best, place| {
+            if cells[place].error > cells[best].error { place } else { best }
+        },
+    ))
+}

@@ -1,0 +1,152 @@
+//! The numbers of a table: typed into the claim file, or read from a source file.
+
+use super::file::CellsFrom;
+use super::nested::{Nested, flattened};
+use super::project::{MAX_DESCRIBED, Reader};
+use crate::diagnostic::{Diagnostic, SourceText, read_text};
+use crate::exact::Rational;
+use crate::float::exact;
+use crate::literal::{Entry, Language, Precision, Written, read_literals};
+use crate::shipped::claim::{Digits, NumberType, ShippedNumber};
+use std::path::Path;
+use std::sync::Arc;
+use toml::Spanned;
+
+/// The largest source file that is read, in bytes.
+const MAX_SOURCE_BYTES: u64 = 16 << 20;
+
+/// The name that a typed number gets, so that it can be read as a table of one.
+const NAME: &str = "x";
+
+impl Reader<'_> {
+    /// The numbers that are typed into the claim file.
+    pub(super) fn typed(
+        &self,
+        list: &Spanned<Vec<Spanned<Nested>>>,
+        language: Language,
+        kind: NumberType,
+        count: usize,
+    ) -> Result<Vec<ShippedNumber>, Diagnostic> {
+        let texts = flattened(list.get_ref());
+        if texts.len() != count {
+            let found = texts.len();
+            let message = format!("{found} numbers, and the indices have {count} combinations");
+            return Err(self.error(list.span(), message).with_help(
+                "give one number for each combination of the indices, the last index fastest",
+            ));
+        }
+        texts.iter().map(|text| self.one(text, language, kind)).collect()
+    }
+
+    fn one(
+        &self,
+        text: &Spanned<&str>,
+        language: Language,
+        kind: NumberType,
+    ) -> Result<ShippedNumber, Diagnostic> {
+        let plain = |c: char| c.is_ascii_alphanumeric() || " ._+-*/()'".contains(c);
+        let comment = ["//", "/*"].iter().any(|sign| text.get_ref().contains(sign));
+        let refuse = |message: String| {
+            self.error(text.span(), message).with_help(
+                "type each number as the source has it, such as \"0.8128f\" or \"1.0/6.0\"; \
+                 `language` says by which rules it is read",
+            )
+        };
+        if comment || !text.get_ref().chars().all(plain) {
+            return Err(refuse(format!("`{}` is no number", text.get_ref())));
+        }
+        let source = SourceText::new(NAME, format!("{NAME} = {}\n", text.get_ref()));
+        let table = read_literals(&source, language, NAME, &[])
+            .map_err(|error| refuse(format!("`{}`: {}", text.get_ref(), error.message)))?;
+        number(&table.entries[0], &source, kind).ok_or_else(|| {
+            refuse(format!("`{}` has no finite value in the type of the table", text.get_ref()))
+        })
+    }
+
+    /// The numbers of a table in a source file.
+    pub(super) fn from_source(
+        &self,
+        from: &Spanned<CellsFrom>,
+        language: Option<Language>,
+        kind: NumberType,
+        sizes: &[usize],
+    ) -> Result<Vec<ShippedNumber>, Diagnostic> {
+        let CellsFrom { file, after, shape, skip } = from.get_ref();
+        let source = self.source_file(file)?;
+        let language = language.or_else(|| Language::of(Path::new(file.get_ref())));
+        let language = language.ok_or_else(|| {
+            self.error(file.span(), format!("the language of `{}` is not known", file.get_ref()))
+                .with_help("language = \"c\", or shader, javascript, python, rust")
+        })?;
+        let skipped = skip.as_ref().map_or(Ok(0), |skip| self.count(skip))?;
+        let wanted: usize = sizes.iter().product();
+        let shape = match shape {
+            Some(shape) => shape.get_ref().iter().map(|&size| size as usize).collect(),
+            None if skipped == 0 => sizes.to_vec(),
+            None => {
+                return Err(self
+                    .error(from.span(), "`skip` needs the `shape` of the table in the source")
+                    .with_help(
+                        "shape = [10], skip = \"3\" passes over the first 3 of 10 numbers",
+                    ));
+            }
+        };
+        let table = read_literals(&source, language, after.get_ref(), &shape)?;
+        let entries = table.entries.get(skipped..).and_then(|rest| rest.get(..wanted));
+        let entries = entries.ok_or_else(|| {
+            let found = table.entries.len();
+            let message = format!(
+                "the source has {found} numbers, and {wanted} are described after {skipped}"
+            );
+            self.error(from.span(), message)
+                .with_help("let the indices run over numbers that the table has")
+        })?;
+        let read = |entry: &Entry| {
+            number(entry, &source, kind).ok_or_else(|| {
+                let message = "this has no finite value in the type of the table";
+                Diagnostic::new(&source, entry.span(), message)
+            })
+        };
+        let numbers = entries
+            .iter()
+            .map(|entry| Ok(ShippedNumber { line: Some(entry.line()), ..read(entry)? }));
+        numbers.collect()
+    }
+
+    /// The source file, beside the claim file.
+    fn source_file(&self, file: &Spanned<String>) -> Result<Arc<SourceText>, Diagnostic> {
+        let folder = Path::new(&self.source.name).parent().unwrap_or(Path::new(""));
+        let path = folder.join(file.get_ref());
+        let text = read_text(&path, MAX_SOURCE_BYTES).map_err(|reason| {
+            self.error(file.span(), format!("cannot read `{}`: {reason}", path.display()))
+                .with_help("the path is relative to the folder of the claim file")
+        })?;
+        Ok(SourceText::new(path.display().to_string(), text))
+    }
+
+    fn count(&self, text: &Spanned<String>) -> Result<usize, Diagnostic> {
+        let count: Option<usize> = text.get_ref().parse().ok();
+        count.filter(|count| *count <= MAX_DESCRIBED).ok_or_else(|| {
+            let message = format!("`{}` is no count up to {MAX_DESCRIBED}", text.get_ref());
+            self.error(text.span(), message)
+        })
+    }
+}
+
+/// The number of an entry; `None` if its value is not finite.
+fn number(entry: &Entry, source: &SourceText, kind: NumberType) -> Option<ShippedNumber> {
+    let text = source.text[entry.span()].split_whitespace().collect::<Vec<_>>().join(" ");
+    let (value, written) = match entry.written() {
+        Written::Literal { value, digits, places } => {
+            let count = digits.zip(places);
+            (Some(value.clone()), Some(Digits { value, count }))
+        }
+        Written::Expression { value } => (value, None),
+    };
+    let held: Rational = match kind {
+        NumberType::Single => exact(entry.held(Precision::Single))?,
+        NumberType::Double => exact(entry.held(Precision::Double))?,
+        NumberType::Decimal(_) => value?,
+    };
+    Some(ShippedNumber { text, written, held, line: None })
+}

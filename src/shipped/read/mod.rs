@@ -1,0 +1,11 @@
+//! Reading claim files about constants of programs.
+
+mod exact;
+mod file;
+mod indices;
+mod literals;
+mod names;
+mod nested;
+mod project;
+
+pub use project::{MAX_DESCRIBED, MAX_PROJECT_FILE_BYTES, MAX_SHIPPED, is_project, read_project};
