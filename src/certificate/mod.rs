@@ -12,6 +12,7 @@ mod parametric;
 mod promise;
 mod radius;
 mod reading;
+mod shipped;
 mod smooth_range;
 mod smoothness;
 mod table;
@@ -21,6 +22,7 @@ mod witness;
 use crate::audit::PaperAudit;
 use block::{Block, words};
 pub use radius::{radius_certificate, smoothness_certificate};
+pub use shipped::project_certificate;
 
 /// The version of the format.
 const VERSION: &str = "subcert-certificate 4";

@@ -1,10 +1,11 @@
 //! `subcert audit`.
 
-use super::arguments::{AuditArguments, BROKEN, TableFormat};
+use super::arguments::{AuditArguments, BROKEN, TableFormat, is_of_papers};
 use super::certified::Certified;
+use super::claim_files::{Claims, claims};
 use super::output::{Failure, Outcome, denied, show_table};
-use super::papers::{judge_all, papers, select};
-use super::{csv, pages, terminal};
+use super::papers::{judge_all, select};
+use super::{csv, pages, projects, terminal};
 use std::path::Path;
 use subcert::audit::PaperAudit;
 use subcert::report::json::AuditReport;
@@ -12,7 +13,14 @@ use subcert::report::{Sheet, audit_sheet, overview_sheet};
 
 pub(super) fn audit(arguments: &AuditArguments) -> Outcome {
     let to = Destination::of(arguments)?;
-    let papers = select(papers(&arguments.files)?, arguments.paper.as_deref())?;
+    let papers = match claims(&arguments.files)? {
+        Claims::Papers(papers) => select(papers, arguments.paper.as_deref())?,
+        Claims::Projects(projects) => return projects::audit(arguments, to, projects),
+    };
+    if let Some(word) = arguments.deny.iter().find(|word| !is_of_papers(word)) {
+        let message = format!("--deny {word}: this is said only of constants that programs ship");
+        return Err(Failure::Input(message));
+    }
     let audits = judge_all(&papers, to != Destination::Output(TableFormat::Json))?;
     let certified = if arguments.certified { Some(Certified::of(&audits)?) } else { None };
     match to {
@@ -29,7 +37,7 @@ pub(super) fn audit(arguments: &AuditArguments) -> Outcome {
 
 /// Where an audit goes.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Destination<'a> {
+pub(super) enum Destination<'a> {
     /// To the standard output.
     Output(TableFormat),
     /// Into this folder.

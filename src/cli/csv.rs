@@ -3,7 +3,8 @@
 use super::json::constants::{Constants, LocalConstants};
 use subcert::audit::PaperAudit;
 use subcert::exact::format::short;
-use subcert::report::json::Exact;
+use subcert::report::json::{Exact, ProjectsReport};
+use subcert::shipped::ProjectAudit;
 
 /// How many significant digits a decimal beside an exact value has.
 const DIGITS: u32 = 17;
@@ -69,6 +70,35 @@ pub(super) fn cells(audits: &[PaperAudit<'_>]) -> String {
         let exact = cell.exact.as_ref().map(ToString::to_string).unwrap_or_default();
         let decimal = cell.exact.as_ref().map(|exact| short(exact, DIGITS)).unwrap_or_default();
         out.row(&[&cell.id, printed, &exact, &decimal, cell.verdict.name()]);
+    }
+    out.text
+}
+
+/// Constants that programs ship: one row for each number.
+pub(super) fn shipped(audits: &[ProjectAudit<'_>]) -> String {
+    let header = ["project", "table", "at", "shipped", "verdict", "exact", "nearest", "error"];
+    let mut out = Table::new(&header);
+    let report = ProjectsReport::of(audits);
+    for project in &report.projects {
+        for table in &project.tables {
+            for number in &table.numbers {
+                let at: Vec<String> =
+                    number.at.iter().map(|(name, value)| format!("{name}={value}")).collect();
+                let nearest = number.nearest.as_deref().unwrap_or_default();
+                let (shipped, verdict) = (number.shipped, number.verdict);
+                let (exact, error) = (&number.exact, &number.error);
+                out.row(&[
+                    project.key,
+                    table.id,
+                    &at.join(" "),
+                    shipped,
+                    verdict,
+                    exact,
+                    nearest,
+                    error,
+                ]);
+            }
+        }
     }
     out.text
 }

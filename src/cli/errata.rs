@@ -1,42 +1,75 @@
 //! `subcert errata`.
 
 use super::arguments::{ErrataArguments, ErrataFormat};
+use super::claim_files::{Claims, claims};
 use super::output::{Failure, Outcome, json_text, write_results};
-use super::papers::{judge_all, papers, select};
+use super::papers::{judge_all, select};
+use super::projects::{judge_projects, select_project};
 use super::terminal;
 use std::path::Path;
-use subcert::audit::PaperAudit;
-use subcert::report::{errata_sheet, json::ErrataReport};
+use subcert::report::json::{ErrataReport, ProjectsReport};
+use subcert::report::{Sheet, errata_sheet, issue_sheet};
 
 pub(super) fn errata(arguments: &ErrataArguments) -> Outcome {
-    let papers = select(papers(&arguments.files)?, arguments.paper.as_deref())?;
-    let audits = judge_all(&papers, arguments.format != ErrataFormat::Json)?;
-    match &arguments.output_folder {
-        None => write_results(&text(arguments.format, &audits, terminal::width())),
-        Some(folder) => audits.iter().try_for_each(|audit| save(folder, arguments.format, audit)),
+    let bar = arguments.format != ErrataFormat::Json;
+    match claims(&arguments.files)? {
+        Claims::Papers(papers) => {
+            let papers = select(papers, arguments.paper.as_deref())?;
+            let audits = judge_all(&papers, bar)?;
+            deliver(
+                arguments,
+                &audits,
+                |audit| &audit.paper.key,
+                errata_sheet,
+                |audits| json_text(&ErrataReport::of(audits)),
+            )
+        }
+        Claims::Projects(projects) => {
+            let projects = select_project(projects, arguments.paper.as_deref())?;
+            let audits = judge_projects(&projects, bar)?;
+            deliver(
+                arguments,
+                &audits,
+                |audit| &audit.project.key,
+                issue_sheet,
+                |audits| json_text(&ProjectsReport::of(audits)),
+            )
+        }
     }
 }
 
-/// The errata of papers; those for people in lines of at most `width` characters.
-fn text(format: ErrataFormat, audits: &[PaperAudit<'_>], width: Option<usize>) -> String {
-    match format {
-        ErrataFormat::Text => errata_sheet(audits).to_text(width),
-        ErrataFormat::Markdown => errata_sheet(audits).to_markdown(),
-        ErrataFormat::Latex => errata_sheet(audits).to_latex_document(),
-        ErrataFormat::Json => json_text(&ErrataReport::of(audits)),
+/// Writes the errata of all to the standard output, or those of each into a file of its own, named by its key.
+fn deliver<A>(
+    arguments: &ErrataArguments,
+    audits: &[A],
+    key: impl Fn(&A) -> &str,
+    sheet: impl Fn(&[A]) -> Sheet,
+    json: impl Fn(&[A]) -> String,
+) -> Outcome {
+    let text = |audits: &[A], width: Option<usize>| match arguments.format {
+        ErrataFormat::Text => sheet(audits).to_text(width),
+        ErrataFormat::Markdown => sheet(audits).to_markdown(),
+        ErrataFormat::Latex => sheet(audits).to_latex_document(),
+        ErrataFormat::Json => json(audits),
+    };
+    let Some(folder) = &arguments.output_folder else {
+        return write_results(&text(audits, terminal::width()));
+    };
+    for audit in audits {
+        save(folder, arguments.format, key(audit), text(std::slice::from_ref(audit), None))?;
     }
+    Ok(())
 }
 
-/// Writes the errata of one paper into the folder, which is made if it is missing.
-fn save(folder: &Path, format: ErrataFormat, audit: &PaperAudit<'_>) -> Outcome {
-    let text = text(format, std::slice::from_ref(audit), None);
+/// Writes one text into the folder, which is made if it is missing.
+fn save(folder: &Path, format: ErrataFormat, key: &str, text: String) -> Outcome {
     let (extension, text) = match format {
         ErrataFormat::Text => ("txt", anstream::adapter::strip_str(&text).to_string()),
         ErrataFormat::Markdown => ("md", text),
         ErrataFormat::Json => ("json", text),
         ErrataFormat::Latex => ("tex", text),
     };
-    let path = folder.join(format!("{}.{extension}", audit.paper.key));
+    let path = folder.join(format!("{key}.{extension}"));
     let written = std::fs::create_dir_all(folder).and_then(|()| std::fs::write(&path, text));
     written.map_err(|error| Failure::Input(format!("cannot write {}: {error}", path.display())))
 }

@@ -1,10 +1,12 @@
 //! `subcert explain`.
 
 use super::arguments::{ExplainArguments, FindingFormat, TableFormat};
+use super::claim_files::{Claims, claims};
 use super::finding::Destination;
 use super::listing::{Listed, listing};
 use super::output::{Failure, Outcome, write_results};
-use super::papers::{judge_claim, papers, select};
+use super::papers::{judge_claim, select};
+use super::projects;
 use subcert::audit::{self, by_hand, readings};
 use subcert::claim::{Paper, Table};
 use subcert::report::html::explain_page;
@@ -18,7 +20,11 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Outcome {
         Some((key, claim)) => (key, claim),
         None => (id.as_str(), ""),
     };
-    let chosen = select(papers(&arguments.files)?, Some(key))?;
+    let papers = match claims(&arguments.files)? {
+        Claims::Papers(papers) => papers,
+        Claims::Projects(projects) => return projects::explain(arguments, projects),
+    };
+    let chosen = select(papers, Some(key))?;
     let [paper] = &chosen[..] else { return Ok(()) };
     if claim.is_empty() {
         return list(paper, arguments);

@@ -10,7 +10,7 @@ use subcert::report::Sheet;
 use subcert::report::html::{audit_page, index_page};
 
 /// The name of the index, without its extension.
-const INDEX: &str = "index";
+pub(super) const INDEX: &str = "index";
 
 /// The folder for pages, as far as it can be told before the papers are judged.
 pub(super) fn folder(given: Option<&Path>) -> Result<&Path, Failure> {
@@ -55,7 +55,8 @@ pub(super) fn pages(
     write_results(&format!("{folder}: {count} {pages}, and index.html, which leads to them\n"))
 }
 
-fn write(folder: &Path, name: &str, text: &str) -> Outcome {
+/// Writes the page of this name into a folder.
+pub(super) fn write(folder: &Path, name: &str, text: &str) -> Outcome {
     write_page(&folder.join(format!("{name}.html")), text)
 }
 

@@ -32,6 +32,12 @@ impl Progress {
         Progress::new(claims, template, wanted, |_| {})
     }
 
+    /// The progress of an audit of so many tables of constants.
+    pub(super) fn of_tables(tables: usize, wanted: bool) -> Progress {
+        let tables = u64::try_from(tables).unwrap_or(u64::MAX);
+        Progress::new(tables, "{bar:40} {pos} of {len} tables, {elapsed}", wanted, |_| {})
+    }
+
     /// The progress of the spectra of so many rings.
     pub(super) fn of_spectra(done: Arc<AtomicU64>, rings: usize, wanted: bool) -> Progress {
         let rings = u64::try_from(rings).unwrap_or(u64::MAX);

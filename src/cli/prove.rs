@@ -1,26 +1,37 @@
 //! `subcert prove`.
 
 use super::arguments::ProveArguments;
+use super::claim_files::{Claims, claims_or_keys};
 use super::output::{Failure, Outcome, write, write_results};
-use super::papers::{judge_all, papers_or_keys};
+use super::papers::judge_all;
+use super::projects::judge_projects;
 use super::save::save;
 use std::fmt::Write as _;
-use subcert::certificate::{Certificate, certificate};
+use std::path::Path;
+use subcert::certificate::{Certificate, certificate, project_certificate};
 
 pub(super) fn prove(arguments: &ProveArguments) -> Outcome {
-    let papers = papers_or_keys(&arguments.what)?;
-    let certificates: Vec<Certificate> =
-        judge_all(&papers, true)?.iter().map(certificate).collect();
-    let folder = &arguments.output;
+    let certificates: Vec<Certificate> = match claims_or_keys(&arguments.what)? {
+        Claims::Papers(papers) => judge_all(&papers, true)?.iter().map(certificate).collect(),
+        Claims::Projects(projects) => {
+            judge_projects(&projects, true)?.iter().map(project_certificate).collect()
+        }
+    };
+    deliver(&certificates, &arguments.output)
+}
+
+/// Writes certificates into a folder, or the only one to the standard output.
+fn deliver(certificates: &[Certificate], folder: &Path) -> Outcome {
     if folder.as_os_str() == "-" {
-        let [only] = &certificates[..] else {
-            let message = "one certificate at a time goes to the standard output: name one paper";
+        let [only] = certificates else {
+            let message = "one certificate at a time goes to the standard output: name one paper or \
+                           project";
             return Err(Failure::Input(message.to_owned()));
         };
         return write(&only.text);
     }
     let mut said = String::new();
-    for certificate in &certificates {
+    for certificate in certificates {
         let path = folder.join(format!("{}.cert", certificate.key));
         save(&path, &certificate.text).map_err(|error| {
             Failure::Input(format!("cannot write `{}`: {error}", path.display()))

@@ -40,26 +40,6 @@ impl<'a> Values<'a> {
         values
     }
 
-    /// The definitions that the formulas use, directly or not.
-    pub(super) fn used(&self, exact: &ExactValues) -> BTreeSet<&'a str> {
-        let mut used = BTreeSet::new();
-        let mut waiting: Vec<&LocatedFormula> = exact.formulas().iter().collect();
-        let mut next = Vec::new();
-        while !waiting.is_empty() {
-            for formula in waiting.drain(..) {
-                for name in formula.expr.names() {
-                    if let Some((name, definition)) = self.definitions.get_key_value(name)
-                        && used.insert(name.as_str())
-                    {
-                        next.push(definition);
-                    }
-                }
-            }
-            waiting.append(&mut next);
-        }
-        used
-    }
-
     /// The exact value of number `place`, under these formulas.
     pub(super) fn at(
         &self,
@@ -91,6 +71,25 @@ impl<'a> Values<'a> {
             }
         }
         evaluate(&formula.expr, &scope).map_err(|error| formula.diagnostic(&error))
+    }
+}
+
+impl Project {
+    /// The names of the definitions that formulas use, directly or not, in the order of the alphabet.
+    #[must_use]
+    pub fn used_by(&self, exact: &ExactValues) -> Vec<&str> {
+        let mut used = BTreeSet::new();
+        let mut waiting: Vec<&LocatedFormula> = exact.formulas().iter().collect();
+        while let Some(formula) = waiting.pop() {
+            for name in formula.expr.names() {
+                if let Some((name, definition)) = self.definitions.get_key_value(name)
+                    && used.insert(name.as_str())
+                {
+                    waiting.push(definition);
+                }
+            }
+        }
+        used.into_iter().collect()
     }
 }
 

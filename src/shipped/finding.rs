@@ -40,6 +40,15 @@ impl ShippedFinding<'_> {
         self.outcome == Outcome::Nearest
     }
 
+    /// Whether the table has this outcome, or a number in it where no reading explains the table.
+    #[must_use]
+    pub fn has(&self, outcome: Outcome) -> bool {
+        if self.reading.is_some() {
+            return outcome == Outcome::Otherwise;
+        }
+        self.count(|verdict| verdict.outcome() == outcome) > 0
+    }
+
     /// How many numbers have a verdict for which `is` holds.
     #[must_use]
     pub fn count(&self, is: impl Fn(Verdict) -> bool) -> usize {
@@ -123,6 +132,20 @@ pub enum Misprint {
     Dropped,
 }
 
+impl Misprint {
+    /// Its name, as in certificates.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Misprint::Sign => "sign",
+            Misprint::Point => "point",
+            Misprint::Digit => "digit",
+            Misprint::Exchanged => "exchanged",
+            Misprint::Dropped => "dropped",
+        }
+    }
+}
+
 /// How a table came about.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Reading {
@@ -200,7 +223,7 @@ pub struct BrokenSums {
     pub held: Rational,
     /// The greatest distance of a sum of the nearest numbers of the type.
     pub nearest: Rational,
-    /// How many lines have another sum.
+    /// How many lines are farther from it.
     pub lines: usize,
 }
 

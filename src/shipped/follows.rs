@@ -9,39 +9,39 @@ use std::collections::BTreeMap;
 /// The most binary digits that are computed to see that two values are equal.
 const EQUALITY_BITS: u64 = 10_000;
 
-/// Lines along the last index that do not have their exact sum, if all lines have one exact sum, a rational number.
+/// Lines along the last index whose sums are farther from the exact one than those of the nearest numbers are
+/// anywhere, if all lines have one exact sum, a rational number.
+///
+/// The numbers of a single line may be unrelated, and any rational numbers have a rational sum: there only the sums 0, 1
+/// and 2 count, which weights and filters have.
 pub(super) fn sums(claim: &ShippedClaim, cells: &[ShippedCell]) -> Option<BrokenSums> {
     let length = claim.line();
     if length < 2 {
         return None;
     }
     let exact = common_sum(cells, length)?;
-    let mut broken: Option<BrokenSums> = None;
-    let (mut lines, mut nearest) = (0, Rational::zero());
-    for first in (0..cells.len()).step_by(length) {
-        let line = first..first + length;
-        let held = line.clone().fold(Rational::zero(), |sum, at| sum + &claim.numbers[at].held);
-        let right = line.map(|at| cells[at].exact.settled(|x| claim.kind.nearest(x)).flatten());
-        let right = right.collect::<Option<Vec<Rational>>>()?;
-        let right = right.iter().fold(Rational::zero(), |sum, one| sum + one);
-        let distance = (&right - &exact).abs();
-        nearest = if distance > nearest { distance } else { nearest };
-        let error = (&held - &exact).abs();
-        if error.is_zero() {
-            continue;
-        }
-        lines += 1;
-        if broken.as_ref().is_none_or(|worst| (&worst.held - &exact).abs() < error) {
-            broken = Some(BrokenSums {
-                exact: exact.clone(),
-                first,
-                held,
-                nearest: Rational::zero(),
-                lines: 0,
-            });
-        }
+    let usual = |sum: i64| exact == Rational::from(sum);
+    if cells.len() == length && !(0..=2).any(usual) {
+        return None;
     }
-    broken.map(|worst| BrokenSums { nearest, lines, ..worst })
+    let right = cells.iter().map(|cell| cell.exact.settled(|x| claim.kind.nearest(x)).flatten());
+    let right = right.collect::<Option<Vec<Rational>>>()?;
+    let held: Vec<Rational> = claim.numbers.iter().map(|number| number.held.clone()).collect();
+    let sums = |numbers: &[Rational]| -> Vec<Rational> {
+        numbers.chunks(length).map(|line| Rational::total(line.iter())).collect()
+    };
+    let away = |sum: &Rational| (sum - &exact).abs();
+    let nearest = sums(&right).iter().map(away).max()?;
+    let held = sums(&held);
+    let broken = held.iter().filter(|sum| away(sum) > nearest).count();
+    let farthest = (0..held.len()).rev().max_by_key(|&line| away(&held[line]))?;
+    (broken > 0).then(|| BrokenSums {
+        first: farthest * length,
+        held: held[farthest].clone(),
+        exact,
+        nearest,
+        lines: broken,
+    })
 }
 
 /// The exact sum of every line, if they have one and it is a short fraction.

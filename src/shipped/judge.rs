@@ -13,13 +13,39 @@ use crate::exact::{Rational, RealExpression};
 /// # Errors
 /// When a formula has no value for some number: all such errors, one of each table.
 pub fn audit_project(project: &Project) -> Result<ProjectAudit<'_>, Errors> {
+    audit_with(project, &|| {})
+}
+
+/// Judges every table of several projects; calls `after_table` after each.
+///
+/// # Errors
+/// As [`audit_project`], of the first project that has errors.
+pub fn audit_projects<'a>(
+    projects: &'a [Project],
+    after_table: &dyn Fn(),
+) -> Result<Vec<ProjectAudit<'a>>, Errors> {
+    projects.iter().map(|project| audit_with(project, after_table)).collect()
+}
+
+fn audit_with<'a>(
+    project: &'a Project,
+    after_table: &dyn Fn(),
+) -> Result<ProjectAudit<'a>, Errors> {
     let mut errors = Collected::default();
-    let findings = errors.all(&project.shipped, |claim| judge(project, claim));
+    let findings = errors.all(&project.shipped, |claim| {
+        let finding = audit_shipped(project, claim);
+        after_table();
+        finding
+    });
     errors.none()?;
     Ok(ProjectAudit { project, findings })
 }
 
-fn judge<'a>(
+/// Judges one table of a project.
+///
+/// # Errors
+/// When a formula has no value for some number.
+pub fn audit_shipped<'a>(
     project: &'a Project,
     claim: &'a ShippedClaim,
 ) -> Result<ShippedFinding<'a>, Diagnostic> {

@@ -8,7 +8,8 @@
 //! |---|---|
 //! | [`Project`], [`ShippedClaim`] | a claim file, and a table in it |
 //! | [`read_project`], [`is_project`] | reading |
-//! | [`audit_project`] | judging |
+//! | [`audit_project`], [`audit_projects`], [`audit_shipped`] | judging |
+//! | [`decimal`], [`nearest_text`] | an exact number as one would print or type it |
 //! | [`ProjectAudit`], [`ShippedFinding`] | what was found |
 //!
 //! ```
@@ -52,6 +53,6 @@ pub use finding::{
     BrokenSums, Early, Misprint, Outcome, ProjectAudit, Reading, ShippedCell, ShippedFinding,
     SplitEquals, Verdict,
 };
-pub use judge::audit_project;
-pub use number::nearest_text;
-pub use read::{MAX_DESCRIBED, MAX_PROJECT_FILE_BYTES, MAX_SHIPPED, is_project, read_project};
+pub use judge::{audit_project, audit_projects, audit_shipped};
+pub use number::{decimal, nearest_text};
+pub use read::{MAX_DESCRIBED, MAX_SHIPPED, is_project, read_project};

@@ -149,3 +149,24 @@ pub fn nearest_text(value: &RealExpression, kind: NumberType) -> Option<String> 
         NumberType::Decimal(digits) => value.settled(|value| format::fixed(value, digits)),
     }
 }
+
+/// The decimal of a number with so many significant digits, rounded to the nearest; shorter where it ends. Of a number
+/// that is not told apart from a tie of two decimals, one of them.
+///
+/// ```
+/// use subcert::exact::{Rational, RealExpression};
+/// use subcert::shipped::decimal;
+///
+/// assert_eq!(decimal(&RealExpression::from(Rational::new(2, 3)), 5), "0.66667");
+/// assert_eq!(decimal(&RealExpression::from(Rational::new(1, 4)), 5), "0.25");
+/// ```
+#[must_use]
+pub fn decimal(value: &RealExpression, digits: u32) -> String {
+    value.settled(|value| format::short(value, digits)).unwrap_or_else(|| {
+        let near = value.near(LEVELS.end - 1);
+        if near.contains(&Rational::zero()) {
+            return "0".to_owned();
+        }
+        format::short(near.lower(), digits)
+    })
+}

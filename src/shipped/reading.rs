@@ -28,7 +28,7 @@ pub(super) fn reading(
 
 /// The definition that was rounded before it was used, with the most digits.
 fn early(project: &Project, claim: &ShippedClaim, cells: &[ShippedCell]) -> Option<Reading> {
-    let used = Values::new(project, claim, None).used(&claim.exact);
+    let used = project.used_by(&claim.exact);
     let mut ways = vec![Early::Single];
     for places in (1..=MAX_PLACES).rev() {
         ways.extend([Early::Places(places), Early::Cut(places)]);

@@ -12,7 +12,7 @@ const CRATES: [(&str, &str); 2] = [("src", "subcert"), ("proofs/checker/src", "s
 
 /// The layers of `subcert` from below: folders or files of `src`. A module imports its own layer and
 /// those before it. A new folder gets a line here.
-const LAYERS: [&str; 28] = [
+const LAYERS: [&str; 29] = [
     "diagnostic",
     "suggestion",
     "exact",
@@ -31,6 +31,7 @@ const LAYERS: [&str; 28] = [
     "oracle",
     "literal",
     "claim",
+    "shipped",
     "evaluation",
     "finding",
     "judge",

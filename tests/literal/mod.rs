@@ -65,8 +65,11 @@ fn one_number() {
     assert_eq!(held(Language::Python, "table = 0.1\nx = 2", &[], Precision::Double), [0.1]);
     let table = read(Language::C, "\n\nfloat a, table = 0.1f, b = 2;", &[]).expect("a number");
     assert_eq!(table.entries[0].line(), 3);
-    let digits = Some(1);
-    assert_eq!(table.entries[0].written(), Written::Literal { value: number("1/10"), digits });
+    let (digits, places) = (Some(1), Some(1));
+    assert_eq!(
+        table.entries[0].written(),
+        Written::Literal { value: number("1/10"), digits, places }
+    );
 }
 
 /// A literal of C without a suffix goes through a double; this one is then half-way between two floats.

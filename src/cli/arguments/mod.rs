@@ -15,7 +15,7 @@ pub(super) use meshes::{
 };
 pub(super) use papers::{
     AuditArguments, BROKEN, CoverageArguments, ErrataArguments, ErrataFormat, ExplainArguments,
-    NewArguments, ProveArguments,
+    NewArguments, ProveArguments, is_of_papers,
 };
 pub(super) use schemes::{
     BoundaryArgument, CertifyArguments, ConstantsArguments, DepthArguments, OracleArguments,

@@ -5,6 +5,7 @@ use clap::builder::PossibleValuesParser;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 use subcert::audit::Verdict;
+use subcert::shipped::Outcome;
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct AuditArguments {
@@ -64,10 +65,18 @@ impl AuditFormat {
 /// The value of `--deny` for promises of tables that are not kept.
 pub(in crate::cli) const BROKEN: &str = "broken";
 
-/// The verdicts of numbers, then those of equations, ranges and theorems, and of promises.
+/// What is said of claims of papers other than numbers: of equations, ranges and theorems, and of promises.
+const OTHERS: [&str; 7] = ["holds", "fails", "exact", "inexact", "proved", "open", BROKEN];
+
+/// Whether this is said of claims of papers.
+pub(in crate::cli) fn is_of_papers(verdict: &str) -> bool {
+    Verdict::NAMES.contains(&verdict) || OTHERS.contains(&verdict)
+}
+
+/// The verdicts of claims of papers, then those of constants that programs ship.
 fn verdicts() -> PossibleValuesParser {
-    let others = ["holds", "fails", "exact", "inexact", "proved", "open", BROKEN];
-    PossibleValuesParser::new(Verdict::NAMES.into_iter().chain(others))
+    let shipped = Outcome::ALL.map(Outcome::name).into_iter().filter(|name| !is_of_papers(name));
+    PossibleValuesParser::new(Verdict::NAMES.into_iter().chain(OTHERS).chain(shipped))
 }
 
 #[derive(Debug, Args)]

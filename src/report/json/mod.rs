@@ -16,6 +16,7 @@ mod promise;
 mod reading;
 mod recovered;
 mod shift;
+mod shipped;
 mod smoothness;
 mod smoothness_claim;
 mod summary;
@@ -38,6 +39,10 @@ pub use promise::{Broken, ControlData, Natural as NaturalPromise, Promise};
 pub use reading::{Explanation, Line, Reading, ReadingOfCell, Search, Shift, Solved};
 pub use recovered::Recovered;
 pub use shift::{EveryShift, Greatest, Polygon};
+pub use shipped::{
+    Number, ProjectReport, ProjectsReport, ShippedTable, SplitValues, Sums,
+    Tolerance as AcceptedError,
+};
 pub use summary::{Group, Outcome, Summary};
 pub use theorem::{Case, Repair, Trial};
 pub use witness::{Control, Exceeding, Natural as NaturalTheorem, Place, Supremum, Witness};

@@ -8,4 +8,4 @@ mod names;
 mod nested;
 mod project;
 
-pub use project::{MAX_DESCRIBED, MAX_PROJECT_FILE_BYTES, MAX_SHIPPED, is_project, read_project};
+pub use project::{MAX_DESCRIBED, MAX_SHIPPED, is_project, read_project};

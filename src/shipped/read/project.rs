@@ -13,9 +13,6 @@ use std::ops::Range;
 use std::sync::Arc;
 use toml::Spanned;
 
-/// The largest claim file that is read, in bytes.
-pub const MAX_PROJECT_FILE_BYTES: u64 = 4 << 20;
-
 /// The most tables of a claim file.
 pub const MAX_SHIPPED: usize = 64;
 

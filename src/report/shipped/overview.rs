@@ -1,0 +1,117 @@
+//! The report about the tables of projects.
+
+use super::table::section;
+use super::words::{count, outcome_mark};
+use crate::report::sheet::{Grid, Sheet};
+use crate::shipped::{Outcome, Project, ProjectAudit, ShippedFinding, Verdict};
+
+/// The text in place of a count of 0.
+const NONE: &str = "·";
+
+/// The report about projects: what is found in each, then table by table; with `all`, with every number, and tables in which
+/// nothing is wrong have a section too.
+#[must_use]
+pub fn projects_sheet(audits: &[ProjectAudit<'_>], all: bool) -> Sheet {
+    let mut sheet = Sheet::default();
+    for audit in audits {
+        sheet.text(sentence(audit));
+    }
+    if audits.iter().map(|audit| audit.findings.len()).sum::<usize>() > 1 {
+        sheet.grid(counts(audits));
+    }
+    for audit in audits {
+        project(&mut sheet, audit, all);
+    }
+    sheet
+}
+
+/// `opensubdiv (OpenSubdiv): of 4 tables, 2 are right, …`.
+pub(in crate::report) fn sentence(audit: &ProjectAudit<'_>) -> String {
+    let Project { key, name, .. } = audit.project;
+    let all = audit.findings.len();
+    let parts: Vec<String> = Outcome::ALL
+        .into_iter()
+        .filter_map(|outcome| {
+            let found = audit.findings.iter().filter(|finding| finding.outcome == outcome).count();
+            (found > 0).then(|| format!("{found} {}", outcome_text(outcome, found)))
+        })
+        .collect();
+    format!("{name} ({key}): of {}, {}.", count(all, "table", "tables"), parts.join(", "))
+}
+
+fn outcome_text(outcome: Outcome, count: usize) -> &'static str {
+    match (outcome, count) {
+        (Outcome::Nearest, 1) => "is right to the last bit",
+        (Outcome::Nearest, _) => "are right to the last bit",
+        (Outcome::Cut, 1) => "is right to the digits that are written",
+        (Outcome::Cut, _) => "are right to the digits that are written",
+        (Outcome::Ulps, 1) => "is right but for the last places",
+        (Outcome::Ulps, _) => "are right but for the last places",
+        (Outcome::Otherwise, 1) => "is another table than it is said to be",
+        (Outcome::Otherwise, _) => "are other tables than they are said to be",
+        (Outcome::Open, 1) => "is not decided",
+        (Outcome::Open, _) => "are not decided",
+        (Outcome::Misprint, 1) => "has misprints",
+        (Outcome::Misprint, _) => "have misprints",
+        (Outcome::Refuted, 1) => "has wrong numbers",
+        (Outcome::Refuted, _) => "have wrong numbers",
+    }
+}
+
+/// A count of verdicts: its heading, and whether a verdict is counted.
+type Column = (&'static str, fn(Verdict) -> bool);
+
+const COLUMNS: [Column; 7] = [
+    ("✓ nearest", |verdict| verdict == Verdict::Nearest),
+    ("≈ rounded", |verdict| matches!(verdict, Verdict::Rounded(_))),
+    ("≈ cut", |verdict| matches!(verdict, Verdict::Truncated(_))),
+    ("≈ last\nplaces", |verdict| matches!(verdict, Verdict::Ulps(_))),
+    ("± mis-\nprint", |verdict| matches!(verdict, Verdict::Misprint(_))),
+    ("✗ wrong", |verdict| matches!(verdict, Verdict::Refuted(_))),
+    ("? open", |verdict| verdict == Verdict::Open),
+];
+
+/// The numbers of each table by verdict.
+pub(in crate::report) fn counts(audits: &[ProjectAudit<'_>]) -> Grid {
+    let header = ["table", "numbers"].into_iter().chain(COLUMNS.iter().map(|(name, _)| *name));
+    let row = |finding: &ShippedFinding<'_>| {
+        let counted = COLUMNS.iter().map(|(_, is)| match finding.count(is) {
+            0 => NONE.to_owned(),
+            count => count.to_string(),
+        });
+        let name = format!("{} {}", outcome_mark(finding.outcome), finding.id);
+        [name, finding.cells.len().to_string()].into_iter().chain(counted).collect()
+    };
+    Grid {
+        header: header.map(str::to_owned).collect(),
+        rows: audits.iter().flat_map(|audit| &audit.findings).map(row).collect(),
+        left_columns: 1,
+    }
+}
+
+fn project(sheet: &mut Sheet, audit: &ProjectAudit<'_>, all: bool) {
+    let Project { key, name, repository, commit, licence, note, .. } = audit.project;
+    sheet.heading(1, format!("{key} · {name}"));
+    sheet.text(format!("{repository}, commit {commit}, licence {licence}."));
+    if let Some(note) = note {
+        sheet.text(note.clone());
+    }
+    let is_shown = |finding: &&ShippedFinding<'_>| all || !finding.is_right();
+    let (shown, right): (Vec<_>, Vec<_>) = audit.findings.iter().partition(is_shown);
+    for finding in shown {
+        section(sheet, 2, audit.project, finding, all);
+    }
+    if !right.is_empty() {
+        sheet.heading(2, "Right to the last bit");
+        let row = |finding: &&ShippedFinding<'_>| {
+            let claim = finding.claim;
+            let numbers = claim.numbers.len().to_string();
+            vec![claim.id.clone(), claim.locus.clone(), claim.title.clone(), numbers]
+        };
+        sheet.grid(Grid {
+            header: ["id", "where", "what", "numbers"].map(str::to_owned).to_vec(),
+            rows: right.iter().map(row).collect(),
+            left_columns: 3,
+        });
+    }
+}

@@ -1,0 +1,232 @@
+//! The section of a report about one table.
+
+use super::facts;
+use super::words::{self, at, count, mark, outcome_mark, type_name};
+use crate::report::parts::titled;
+use crate::report::sheet::{Grid, Sheet};
+use crate::shipped::{
+    ExactValues, Origin, Project, ShippedFinding, TableIndex, Verdict, decimal, nearest_text,
+};
+
+/// The most rows of a list of numbers, unless all are asked for.
+const MAX_ROWS: usize = 12;
+
+/// The digits of an exact value beside a shipped one.
+const DIGITS: u32 = 20;
+
+/// The report about one table; with `all`, with every number.
+#[must_use]
+pub fn finding_sheet(project: &Project, finding: &ShippedFinding<'_>, all: bool) -> Sheet {
+    let mut sheet = Sheet::default();
+    section(&mut sheet, 1, project, finding, all);
+    sheet
+}
+
+/// Appends the section, with a heading of this level.
+pub(super) fn section(
+    sheet: &mut Sheet,
+    level: u8,
+    project: &Project,
+    finding: &ShippedFinding<'_>,
+    all: bool,
+) {
+    let claim = finding.claim;
+    let title = titled(&[&claim.locus, &claim.title, &claim.id]);
+    sheet.heading(level, format!("{} {title}", outcome_mark(finding.outcome)));
+    sheet.text(headline(finding));
+    sheet.facts(facts_of(project, finding));
+    grid(sheet, finding, all);
+    if let Some(note) = &claim.note {
+        sheet.text(note.clone());
+    }
+}
+
+/// What is found of a table, in a sentence or two.
+#[must_use]
+pub fn headline(finding: &ShippedFinding<'_>) -> String {
+    let claim = finding.claim;
+    let all = finding.cells.len();
+    let kind = type_name(claim.kind);
+    if finding.is_right() {
+        return match all {
+            1 => format!("The number is the nearest {kind}."),
+            _ => format!("All {all} numbers are the nearest {kind}."),
+        };
+    }
+    let parts: [(usize, String); 7] = [
+        (finding.count(|verdict| matches!(verdict, Verdict::Refuted(_))), "wrong".to_owned()),
+        (finding.count(|verdict| matches!(verdict, Verdict::Misprint(_))), misprints(finding)),
+        (finding.count(|verdict| verdict == Verdict::Open), "not decided".to_owned()),
+        (finding.count(|verdict| matches!(verdict, Verdict::Ulps(_))), ulps(finding)),
+        (finding.count(|verdict| matches!(verdict, Verdict::Truncated(_))), "cut".to_owned()),
+        (
+            finding.count(|verdict| matches!(verdict, Verdict::Rounded(_))),
+            "rounded to the digits that are written".to_owned(),
+        ),
+        (finding.count(|verdict| verdict == Verdict::Nearest), format!("the nearest {kind}")),
+    ];
+    let parts: Vec<(usize, String)> = parts.into_iter().filter(|(count, _)| *count > 0).collect();
+    let said: Vec<String> = parts
+        .iter()
+        .map(|(count, what)| format!("{count} {} {what}", if *count == 1 { "is" } else { "are" }))
+        .collect();
+    let sentence = match &parts[..] {
+        [(_, what)] if all == 1 => format!("The number is {what}."),
+        [(_, what)] => format!("All {all} numbers are {what}."),
+        _ => format!("Of {}, {}.", count(all, "number", "numbers"), said.join(", ")),
+    };
+    match &finding.reading {
+        Some(reading) => {
+            format!("{} As printed: {}", words::reading(claim, reading), lower(&sentence))
+        }
+        None => sentence,
+    }
+}
+
+/// A sentence that goes on after a colon.
+fn lower(sentence: &str) -> String {
+    let mut letters = sentence.chars();
+    letters.next().map(|first| first.to_lowercase().chain(letters).collect()).unwrap_or_default()
+}
+
+fn misprints(finding: &ShippedFinding<'_>) -> String {
+    match finding.count(|verdict| matches!(verdict, Verdict::Misprint(_))) {
+        1 => "a misprint".to_owned(),
+        _ => "misprints".to_owned(),
+    }
+}
+
+/// How far those are away that are units in the last place away.
+fn ulps(finding: &ShippedFinding<'_>) -> String {
+    let units = finding.cells.iter().filter_map(|cell| match cell.verdict {
+        Verdict::Ulps(units) => Some(units),
+        _ => None,
+    });
+    match units.max() {
+        Some(1) => "1 unit in the last place away".to_owned(),
+        Some(most) => format!("up to {most} units in the last place away"),
+        None => String::new(),
+    }
+}
+
+/// What is known of a table, by name.
+pub(in crate::report) fn facts_of(
+    project: &Project,
+    finding: &ShippedFinding<'_>,
+) -> Vec<(String, String)> {
+    let claim = finding.claim;
+    let mut facts = vec![("numbers".to_owned(), numbers(finding))];
+    facts.extend(source(finding).map(|text| ("read from".to_owned(), text)));
+    facts.push(("said to equal".to_owned(), equals(&claim.exact)));
+    facts.extend(words::definitions(project, claim));
+    let optional = [
+        ("greatest error", facts::greatest_error(finding)),
+        ("accepted", facts::tolerance(finding)),
+        ("sums", facts::sums(finding)),
+        ("equal values", facts::equals(finding)),
+    ];
+    let optional = optional.into_iter().filter_map(|(name, text)| Some((name.to_owned(), text?)));
+    facts.extend(optional);
+    facts
+}
+
+/// `21 of type f32: n = 3, …, 9, k = 0, …, 2`.
+pub(super) fn numbers(finding: &ShippedFinding<'_>) -> String {
+    let claim = finding.claim;
+    let range = |index: &TableIndex| {
+        let TableIndex { name, from, to } = index;
+        match to - from {
+            0 => format!("{name} = {from}"),
+            1 => format!("{name} = {from}, {to}"),
+            _ => format!("{name} = {from}, …, {to}"),
+        }
+    };
+    let ranges: Vec<String> = claim.indices.iter().map(range).collect();
+    let ranges = if ranges.is_empty() { String::new() } else { format!(": {}", ranges.join("; ")) };
+    format!("{} of type {}{ranges}", claim.numbers.len(), claim.kind.name())
+}
+
+/// Where the numbers were read, of a source file.
+fn source(finding: &ShippedFinding<'_>) -> Option<String> {
+    let Origin::Source { file, after } = &finding.claim.origin else { return None };
+    let line = finding.claim.numbers.first()?.line?;
+    Some(format!("{file}, line {line}, after {after}"))
+}
+
+/// The formula of a table.
+pub(super) fn equals(exact: &ExactValues) -> String {
+    match exact {
+        ExactValues::Formula(formula) => formula.text.clone(),
+        ExactValues::Each(_) => "a formula of its own for each number".to_owned(),
+    }
+}
+
+/// The numbers that are off; with `all`, every number.
+fn grid(sheet: &mut Sheet, finding: &ShippedFinding<'_>, all: bool) {
+    if all {
+        let places: Vec<usize> = (0..finding.cells.len()).collect();
+        sheet.grid(rows(finding, &places));
+        return;
+    }
+    let places = shown(finding);
+    if places.is_empty() {
+        return;
+    }
+    sheet.grid(rows(finding, &places));
+    let count = (0..finding.cells.len()).filter(|&place| is_off(finding, place)).count();
+    if places.len() < count {
+        sheet
+            .text(format!("{} of {count} such numbers; `--all` shows every number.", places.len()));
+    }
+}
+
+/// Whether a number is neither the nearest nor rounded or cut to its digits.
+fn is_off(finding: &ShippedFinding<'_>, place: usize) -> bool {
+    !matches!(
+        finding.cells[place].verdict,
+        Verdict::Nearest | Verdict::Rounded(_) | Verdict::Truncated(_)
+    )
+}
+
+/// The numbers that are listed of a table: some of those that are off, the worst verdicts first.
+pub(in crate::report) fn shown(finding: &ShippedFinding<'_>) -> Vec<usize> {
+    let mut off: Vec<usize> =
+        (0..finding.cells.len()).filter(|&place| is_off(finding, place)).collect();
+    if off.len() > MAX_ROWS {
+        // Numbers of one outcome stay in order.
+        off.sort_by_key(|&place| std::cmp::Reverse(finding.cells[place].verdict.outcome()));
+        off.truncate(MAX_ROWS);
+    }
+    off
+}
+
+/// Numbers of a table with their exact values and verdicts.
+pub(in crate::report) fn rows(finding: &ShippedFinding<'_>, places: &[usize]) -> Grid {
+    let claim = finding.claim;
+    let each = matches!(claim.exact, ExactValues::Each(_));
+    let has_lines = claim.numbers.iter().any(|number| number.line.is_some());
+    let mut header = vec!["at"];
+    header.extend(has_lines.then_some("line"));
+    header.push("shipped");
+    header.extend(each.then_some("formula"));
+    let nearest = format!("nearest {}", type_name(claim.kind));
+    header.extend(["exact", &nearest, "verdict"]);
+    let row = |&place: &usize| {
+        let (cell, number) = (&finding.cells[place], &claim.numbers[place]);
+        let mut row = vec![at(claim, place)];
+        if has_lines {
+            row.push(number.line.map(|line| line.to_string()).unwrap_or_default());
+        }
+        row.push(number.text.clone());
+        row.extend(each.then(|| claim.exact.of(place).text.clone()));
+        row.push(decimal(&cell.exact, DIGITS));
+        row.push(nearest_text(&cell.exact, claim.kind).unwrap_or_else(|| "?".to_owned()));
+        row.push(format!("{} {}", mark(cell.verdict), words::verdict(cell.verdict, claim.kind)));
+        row
+    };
+    Grid {
+        rows: places.iter().map(row).collect(),
+        left_columns: header.len(),
+        header: header.into_iter().map(str::to_owned).collect(),
+    }
+}

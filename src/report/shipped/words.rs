@@ -1,0 +1,124 @@
+//! Verdicts, readings and places of shipped constants in words.
+
+use crate::exact::{Rational, format::short};
+use crate::shipped::{
+    Early, Misprint, NumberType, Outcome, Project, Reading, ShippedClaim, Verdict,
+};
+
+/// The digits of an error.
+const ERROR_DIGITS: u32 = 3;
+
+/// The mark of a verdict.
+pub(super) fn mark(verdict: Verdict) -> &'static str {
+    outcome_mark(verdict.outcome())
+}
+
+/// The mark of what is said of a table.
+pub(in crate::report) fn outcome_mark(outcome: Outcome) -> &'static str {
+    match outcome {
+        Outcome::Nearest => "✓",
+        Outcome::Cut | Outcome::Ulps => "≈",
+        Outcome::Misprint => "±",
+        Outcome::Otherwise => "⇄",
+        Outcome::Refuted => "✗",
+        Outcome::Open => "?",
+    }
+}
+
+/// What a mark means.
+pub(in crate::report) fn meaning(outcome: Outcome) -> &'static str {
+    match outcome {
+        Outcome::Nearest => "the nearest number of its type",
+        Outcome::Cut | Outcome::Ulps => "rounded or cut to its digits, or off in the last places",
+        Outcome::Misprint => "a misprint",
+        Outcome::Otherwise => "another table than it is said to be",
+        Outcome::Refuted => "wrong",
+        Outcome::Open => "not decided",
+    }
+}
+
+/// What is said of a number of this type.
+pub(super) fn verdict(verdict: Verdict, kind: NumberType) -> String {
+    match verdict {
+        Verdict::Nearest => format!("the nearest {}", type_name(kind)),
+        Verdict::Rounded(digits) => format!("rounded to {digits} digits"),
+        Verdict::Truncated(digits) => format!("cut after {digits} digits"),
+        Verdict::Ulps(1) => "1 unit in the last place away".to_owned(),
+        Verdict::Ulps(units) => format!("{units} units in the last place away"),
+        Verdict::Misprint(slip) => format!("misprint: {}", slip_text(slip)),
+        Verdict::Refuted(0) => "wrong from the first digit on".to_owned(),
+        Verdict::Refuted(1) => "wrong after 1 digit".to_owned(),
+        Verdict::Refuted(agree) => format!("wrong after {agree} digits"),
+        Verdict::Open => "not decided within 10,000 binary digits".to_owned(),
+    }
+}
+
+fn slip_text(slip: Misprint) -> &'static str {
+    match slip {
+        Misprint::Sign => "the sign is wrong",
+        Misprint::Point => "the point stands in the wrong place",
+        Misprint::Digit => "one digit is wrong",
+        Misprint::Exchanged => "two digits are exchanged",
+        Misprint::Dropped => "a digit is missing",
+    }
+}
+
+/// What a type is called in a sentence: `f32`, `decimal of 6 places`.
+pub(super) fn type_name(kind: NumberType) -> String {
+    match kind {
+        NumberType::Single => "f32".to_owned(),
+        NumberType::Double => "f64".to_owned(),
+        NumberType::Decimal(1) => "decimal of 1 place".to_owned(),
+        NumberType::Decimal(digits) => format!("decimal of {digits} places"),
+    }
+}
+
+/// How a table came about.
+pub(in crate::report) fn reading(claim: &ShippedClaim, reading: &Reading) -> String {
+    match reading {
+        Reading::Convention(number) => {
+            format!("The numbers follow another convention: {}.", claim.conventions[*number].label)
+        }
+        Reading::Early(name, early) => {
+            let how = match early {
+                Early::Places(1) => "rounded to 1 digit after the point".to_owned(),
+                Early::Places(digits) => format!("rounded to {digits} digits after the point"),
+                Early::Cut(1) => "cut after 1 digit behind the point".to_owned(),
+                Early::Cut(digits) => format!("cut after {digits} digits behind the point"),
+                Early::Single => "rounded to f32".to_owned(),
+            };
+            format!("{name} was {how} before it was used. This gives all numbers of the table.")
+        }
+    }
+}
+
+/// Where a number stands: `n = 3, k = 1`; empty of a table of one number.
+pub(super) fn at(claim: &ShippedClaim, place: usize) -> String {
+    let parts: Vec<String> =
+        claim.at(place).iter().map(|(name, value)| format!("{name} = {value}")).collect();
+    parts.join(", ")
+}
+
+/// As [`at`], after ` at `.
+pub(super) fn after_at(claim: &ShippedClaim, place: usize) -> String {
+    let at = at(claim, place);
+    if at.is_empty() { at } else { format!(" at {at}") }
+}
+
+/// An error, to three digits.
+pub(super) fn error(error: &Rational) -> String {
+    short(error, ERROR_DIGITS)
+}
+
+/// The definitions that the formulas of a table use, with their formulas.
+pub(super) fn definitions(project: &Project, claim: &ShippedClaim) -> Vec<(String, String)> {
+    let used = project.used_by(&claim.exact);
+    used.into_iter()
+        .map(|name| (format!("where {name}"), project.definitions[name].text.clone()))
+        .collect()
+}
+
+/// `1 number`, `3 numbers`.
+pub(super) fn count(count: usize, one: &str, several: &str) -> String {
+    if count == 1 { format!("1 {one}") } else { format!("{count} {several}") }
+}
