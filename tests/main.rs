@@ -28,6 +28,7 @@ mod patch;
 mod random_papers;
 mod report;
 mod scheme;
+mod shipped;
 mod smoothness;
 mod solid;
 mod spectrum;

@@ -2,8 +2,7 @@
 
 use super::claim::NumberType;
 use super::finding::Misprint;
-use super::number::Settled as _;
-use super::verdict::unit;
+use super::number::{Settled as _, unit};
 use crate::exact::{Rational, RealExpression};
 
 /// The fewest digits of which a moved point is recognised.

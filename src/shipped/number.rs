@@ -45,6 +45,11 @@ impl Settled for RealExpression {
     }
 }
 
+/// 10^−`places`.
+pub(super) fn unit(places: i64) -> Rational {
+    Rational::power_of_ten(i32::try_from(-places).unwrap_or(0))
+}
+
 /// The f32 nearest to a number, if it is finite.
 pub(super) fn nearest_single(value: &Rational) -> Option<Rational> {
     exact(f64::from(nearest_f32(value)))

@@ -3,7 +3,7 @@
 use super::claim::{Digits, NumberType, ShippedNumber};
 use super::finding::Verdict;
 use super::misprint::misprint;
-use super::number::Settled as _;
+use super::number::{Settled as _, unit};
 use crate::exact::{Rational, RealExpression};
 use std::cmp::Ordering;
 
@@ -44,11 +44,6 @@ fn decided(x: &RealExpression, number: &ShippedNumber, kind: NumberType) -> Opti
         return Some(Verdict::Misprint(slip));
     }
     Some(Verdict::Refuted(agreeing(x, &number.held)?))
-}
-
-/// 10^−`places`.
-pub(super) fn unit(places: i64) -> Rational {
-    Rational::power_of_ten(i32::try_from(-places).unwrap_or(0))
 }
 
 /// Whether `value` is x without its digits beyond `places`: 0 ≤ |x| − |value| < 10^−places, with one sign.

@@ -3,10 +3,12 @@
 
 use std::str::from_utf8;
 use subcert::audit::audit;
-use subcert::certificate::certificate as written;
+use subcert::certificate::{certificate as written, project_certificate};
 use subcert::claim::read_paper;
 use subcert::diagnostic::SourceText;
 use subcert::formula::{MAX_FORMULA_LENGTH, parse};
+use subcert::report::issue_sheet;
+use subcert::shipped::{audit_project, read_project};
 use subcert_check::{Outcome, check, is_formula};
 
 /// The code block of FORMAT.md in this language.
@@ -89,4 +91,13 @@ pub fn value(data: &[u8]) {
         let Outcome::Invalid(_, rejection) = outcome else { continue };
         panic!("{text}: {:?}: {}", rejection.reason, certificate.text);
     }
+}
+
+/// A claim file of a project for the program: reading and judging it end, and what is said of its numbers has words.
+pub fn project_file(data: &[u8]) {
+    let Ok(text) = from_utf8(data) else { return };
+    let Ok(project) = read_project(&SourceText::new("fuzz", text)) else { return };
+    let Ok(audit) = audit_project(&project) else { return };
+    let _ = project_certificate(&audit);
+    let _ = issue_sheet(&[audit]).to_markdown();
 }

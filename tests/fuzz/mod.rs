@@ -121,6 +121,42 @@ fn claim_files() {
     run("claim_file", &inputs, 700, entry::claim_file);
 }
 
+/// A claim file of a project with numbers of every kind.
+const PROJECT: &str = r#"key = "k"
+[project]
+name = "Program"
+repository = "https://example.org/program"
+commit = "0123456789012345678901234567890123456789"
+licence = "MIT"
+[define]
+lambda = '3/8 + 1/4*cos(2*pi/n)'
+t = 'root([-1, -1, 0, 1], 1)'
+[[shipped]]
+id = "weights"
+locus = "f.c, weights"
+title = "weights"
+type = "f32"
+indices = ["n = 3..5", "k = 0..1"]
+equals = 'sqrt(5/8 - lambda^2)/(n + k)'
+cells = [["0.25f", "0.1875f"], ["1.0f/7", "-.17e0f"], ["0x1p-3", "0.1"]]
+tolerance = "1e-3"
+[[shipped]]
+id = "each"
+locus = "f.c, each"
+title = "each"
+type = "decimal:4"
+equals_cells = ["t*(1 + kronecker(1, 1))"]
+cells = ["2.6494"]
+[[shipped.convention]]
+label = "other"
+equals = "t"
+"#;
+
+#[test]
+fn claim_files_of_projects() {
+    run("project_file", &[PROJECT], 700, entry::project_file);
+}
+
 #[test]
 fn formulas() {
     run("formula", &FORMULAS, 1_000, entry::formula);

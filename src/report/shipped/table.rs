@@ -11,6 +11,9 @@ use crate::shipped::{
 /// The most rows of a list of numbers, unless all are asked for.
 const MAX_ROWS: usize = 12;
 
+/// The most characters of a formula in a list of numbers.
+const MAX_FORMULA: usize = 24;
+
 /// The digits of an exact value beside a shipped one.
 const DIGITS: u32 = 20;
 
@@ -203,30 +206,39 @@ pub(in crate::report) fn shown(finding: &ShippedFinding<'_>) -> Vec<usize> {
 /// Numbers of a table with their exact values and verdicts.
 pub(in crate::report) fn rows(finding: &ShippedFinding<'_>, places: &[usize]) -> Grid {
     let claim = finding.claim;
-    let each = matches!(claim.exact, ExactValues::Each(_));
+    let kind = claim.kind;
+    let formulas = matches!(claim.exact, ExactValues::Each(_));
     let has_lines = claim.numbers.iter().any(|number| number.line.is_some());
-    let mut header = vec!["at"];
-    header.extend(has_lines.then_some("line"));
-    header.push("shipped");
-    header.extend(each.then_some("formula"));
-    let nearest = format!("nearest {}", type_name(claim.kind));
-    header.extend(["exact", &nearest, "verdict"]);
-    let row = |&place: &usize| {
-        let (cell, number) = (&finding.cells[place], &claim.numbers[place]);
-        let mut row = vec![at(claim, place)];
-        if has_lines {
-            row.push(number.line.map(|line| line.to_string()).unwrap_or_default());
-        }
-        row.push(number.text.clone());
-        row.extend(each.then(|| claim.exact.of(place).text.clone()));
-        row.push(decimal(&cell.exact, DIGITS));
-        row.push(nearest_text(&cell.exact, claim.kind).unwrap_or_else(|| "?".to_owned()));
-        row.push(format!("{} {}", mark(cell.verdict), words::verdict(cell.verdict, claim.kind)));
-        row
-    };
-    Grid {
-        rows: places.iter().map(row).collect(),
-        left_columns: header.len(),
-        header: header.into_iter().map(str::to_owned).collect(),
+    let nearest = format!("nearest {}", type_name(kind));
+    // A column: whether this table has it, its header, and its text.
+    type Column<'c> = (bool, &'c str, &'c dyn Fn(usize) -> String);
+    let columns: [Column<'_>; 7] = [
+        (!claim.indices.is_empty(), "at", &|place| at(claim, place)),
+        (has_lines, "line", &|place| {
+            claim.numbers[place].line.map(|line| line.to_string()).unwrap_or_default()
+        }),
+        (true, "shipped", &|place| claim.numbers[place].text.clone()),
+        (formulas, "formula", &|place| shortened(&claim.exact.of(place).text)),
+        (true, "exact", &|place| decimal(&finding.cells[place].exact, DIGITS)),
+        (true, &nearest, &|place| {
+            nearest_text(&finding.cells[place].exact, kind).unwrap_or_else(|| "?".to_owned())
+        }),
+        (true, "verdict", &|place| {
+            let cell = &finding.cells[place];
+            format!("{} {}", mark(cell.verdict), words::verdict(cell, kind))
+        }),
+    ];
+    let columns = columns.iter().filter(|(is_there, ..)| *is_there);
+    let row = |&place: &usize| columns.clone().map(|(.., text)| text(place)).collect();
+    let header: Vec<String> = columns.clone().map(|(_, header, _)| (*header).to_owned()).collect();
+    Grid { rows: places.iter().map(row).collect(), left_columns: header.len(), header }
+}
+
+/// A formula, cut where it would make a table too wide; the claim file has it whole.
+fn shortened(formula: &str) -> String {
+    if formula.chars().count() <= MAX_FORMULA {
+        return formula.to_owned();
     }
+    let part: String = formula.chars().take(MAX_FORMULA - 1).collect();
+    format!("{part}…")
 }

@@ -2,7 +2,7 @@
 
 use crate::exact::{Rational, format::short};
 use crate::shipped::{
-    Early, Misprint, NumberType, Outcome, Project, Reading, ShippedClaim, Verdict,
+    Early, Misprint, NumberType, Outcome, Project, Reading, ShippedCell, ShippedClaim, Verdict,
 };
 
 /// The digits of an error.
@@ -38,17 +38,15 @@ pub(in crate::report) fn meaning(outcome: Outcome) -> &'static str {
 }
 
 /// What is said of a number of this type.
-pub(super) fn verdict(verdict: Verdict, kind: NumberType) -> String {
-    match verdict {
+pub(super) fn verdict(cell: &ShippedCell, kind: NumberType) -> String {
+    match cell.verdict {
         Verdict::Nearest => format!("the nearest {}", type_name(kind)),
         Verdict::Rounded(digits) => format!("rounded to {digits} digits"),
         Verdict::Truncated(digits) => format!("cut after {digits} digits"),
         Verdict::Ulps(1) => "1 unit in the last place away".to_owned(),
         Verdict::Ulps(units) => format!("{units} units in the last place away"),
         Verdict::Misprint(slip) => format!("misprint: {}", slip_text(slip)),
-        Verdict::Refuted(0) => "wrong from the first digit on".to_owned(),
-        Verdict::Refuted(1) => "wrong after 1 digit".to_owned(),
-        Verdict::Refuted(agree) => format!("wrong after {agree} digits"),
+        Verdict::Refuted(_) => format!("wrong by {}", error(&cell.error)),
         Verdict::Open => "not decided within 10,000 binary digits".to_owned(),
     }
 }

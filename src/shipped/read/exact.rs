@@ -1,7 +1,7 @@
 //! Exact values of a table: one formula, or one for each number.
 
 use super::nested::{Nested, flattened};
-use super::project::Reader;
+use super::reader::Reader;
 use crate::diagnostic::Diagnostic;
 use crate::formula::LocatedFormula;
 use crate::scheme::formula;

@@ -1,6 +1,6 @@
 //! Indices of tables: `n = 3..9`.
 
-use super::project::Reader;
+use super::reader::Reader;
 use crate::diagnostic::Diagnostic;
 use crate::scheme::identifier;
 use crate::shipped::claim::TableIndex;

@@ -2,7 +2,7 @@
 
 use super::file::CellsFrom;
 use super::nested::{Nested, flattened};
-use super::project::{MAX_DESCRIBED, Reader};
+use super::reader::{MAX_DESCRIBED, Reader};
 use crate::diagnostic::{Diagnostic, SourceText, read_text};
 use crate::exact::Rational;
 use crate::float::exact;

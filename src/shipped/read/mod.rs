@@ -7,5 +7,7 @@ mod literals;
 mod names;
 mod nested;
 mod project;
+mod reader;
 
-pub use project::{MAX_DESCRIBED, MAX_SHIPPED, is_project, read_project};
+pub use project::{MAX_SHIPPED, is_project, read_project};
+pub use reader::MAX_DESCRIBED;

@@ -1,6 +1,6 @@
 //! Checks of names: each has one meaning.
 
-use super::project::Reader;
+use super::reader::Reader;
 use crate::diagnostic::Diagnostic;
 use crate::formula::LocatedFormula;
 use crate::shipped::claim::ShippedClaim;

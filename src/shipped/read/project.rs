@@ -2,6 +2,7 @@
 
 use super::exact::ExactFields;
 use super::file::{ProjectFile, ProjectTable, ShippedTable};
+use super::reader::{MAX_DESCRIBED, Reader};
 use crate::claim::is_id;
 use crate::diagnostic::{Collected, Diagnostic, Errors, SourceText};
 use crate::exact::{Rational, parse_rational};
@@ -9,20 +10,11 @@ use crate::literal::Language;
 use crate::scheme::{definitions, from_toml};
 use crate::shipped::claim::{NumberType, Origin, Project, ShippedClaim, TableIndex};
 use std::collections::BTreeSet;
-use std::ops::Range;
 use std::sync::Arc;
 use toml::Spanned;
 
 /// The most tables of a claim file.
 pub const MAX_SHIPPED: usize = 64;
-
-/// The most numbers of a table that are described.
-pub const MAX_DESCRIBED: usize = 20_000;
-
-/// Reads parts of a claim file.
-pub(super) struct Reader<'a> {
-    pub(super) source: &'a Arc<SourceText>,
-}
 
 /// Whether a claim file is about a project: it has a table `[project]`. Of a text that is not TOML, whether a line
 /// begins so.
@@ -93,10 +85,6 @@ pub fn read_project(source: &Arc<SourceText>) -> Result<Project, Errors> {
 }
 
 impl Reader<'_> {
-    pub(super) fn error(&self, span: Range<usize>, message: impl Into<String>) -> Diagnostic {
-        Diagnostic::new(self.source, span, message)
-    }
-
     fn id(&self, text: &Spanned<String>, what: &str) -> Result<(), Diagnostic> {
         if is_id(text.get_ref()) {
             return Ok(());

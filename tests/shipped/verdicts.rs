@@ -1,0 +1,96 @@
+//! Verdicts that follow by hand.
+
+use super::{found, project, table};
+use subcert::shipped::{Misprint, Outcome, Verdict};
+
+fn verdict(kind: &str, equals: &str, cell: &str) -> Verdict {
+    let project = project(&table(kind, "", equals, &[cell]));
+    found(&project).cells[0].verdict
+}
+
+#[test]
+fn of_numbers_that_are_right_to_their_digits() {
+    for (kind, equals, cell, expected) in [
+        ("f32", "1/3", "0.33333334f", Verdict::Nearest),
+        ("f64", "1/3", "1.0/3.0", Verdict::Nearest),
+        ("f64", "1/3", "1.0f/3.0f", Verdict::Refuted(7)),
+        ("f64", "-1/3", "-0.3333333333333333", Verdict::Nearest),
+        ("f32", "0", "0.0f", Verdict::Nearest),
+        ("f32", "2/3", "0.667f", Verdict::Rounded(3)),
+        ("f32", "2/3", "0.666f", Verdict::Truncated(3)),
+        ("f32", "-2/3", "-0.666f", Verdict::Truncated(3)),
+        ("f32", "2/3", "6.667e-1f", Verdict::Rounded(4)),
+        // The digits begin with the first one that is not 0.
+        ("f32", "2/300", "0.0067f", Verdict::Rounded(2)),
+        ("decimal:4", "1/3", "0.3333", Verdict::Nearest),
+        ("decimal:4", "1/3", "0.33", Verdict::Rounded(2)),
+        ("decimal:4", "1/3", "0.3334", Verdict::Ulps(1)),
+        // A tie of two decimals: either will do.
+        ("decimal:1", "1/4", "0.2", Verdict::Nearest),
+        ("decimal:1", "1/4", "0.3", Verdict::Nearest),
+        // 1/3 lies between the doubles 0.33333333333333331483 and 0.33333333333333337034.
+        ("f64", "1/3", "0.33333333333333337", Verdict::Ulps(1)),
+        ("f64", "1/3", "0.33333333333333343", Verdict::Ulps(2)),
+        ("f64", "1/3", "0x1.5555555555557p-2", Verdict::Ulps(2)),
+    ] {
+        assert_eq!(verdict(kind, equals, cell), expected, "{equals} as {cell}");
+    }
+}
+
+/// The square root of 2 is 1.41421356…
+#[test]
+fn of_slips() {
+    for (cell, expected) in [
+        ("-1.41421f", Verdict::Misprint(Misprint::Sign)),
+        ("14.1421f", Verdict::Misprint(Misprint::Point)),
+        ("0.0141421f", Verdict::Misprint(Misprint::Point)),
+        ("1.41521f", Verdict::Misprint(Misprint::Digit)),
+        ("1.14421f", Verdict::Misprint(Misprint::Exchanged)),
+        ("1.4421f", Verdict::Misprint(Misprint::Dropped)),
+        // Two wrong digits, and one of the last two.
+        ("1.51521f", Verdict::Refuted(0)),
+        ("1.41431f", Verdict::Refuted(3)),
+        // Too few digits for more than chance.
+        ("-1.4f", Verdict::Refuted(0)),
+    ] {
+        assert_eq!(verdict("f32", "sqrt(2)", cell), expected, "{cell}");
+    }
+}
+
+#[test]
+fn of_wrong_numbers() {
+    // 0.149 − 1/7 = 0.00614…, within 5 % of 1/7, and not within 0.5 %.
+    assert_eq!(verdict("f32", "1/7", "0.1490f"), Verdict::Refuted(1));
+    assert_eq!(verdict("f32", "1/7", "0.9f"), Verdict::Refuted(0));
+    assert_eq!(verdict("f32", "0", "1e-9f"), Verdict::Refuted(0));
+    assert_eq!(verdict("f64", "1", "0.99"), Verdict::Refuted(1));
+}
+
+/// Catmull–Clark's λ_5 is 0.54998835451…, a root of a polynomial in the field of cos(2π/5); the golden ratio and the
+/// real root of x³ − x − 1, 1.3247179572….
+#[test]
+fn of_algebraic_numbers() {
+    let lambda = "(cos(2*pi/5) + 5 + sqrt((cos(2*pi/5) + 9)*(cos(2*pi/5) + 1)))/16";
+    assert_eq!(verdict("f32", lambda, "0.549988f"), Verdict::Rounded(6));
+    assert_eq!(verdict("f64", lambda, "0.5499883545182972"), Verdict::Nearest);
+    assert_eq!(verdict("f64", "root([-1, -1, 0, 1], 1)", "1.3247179572"), Verdict::Rounded(11));
+    assert_eq!(verdict("f64", "2*cos(pi/5)", "(1.0 + 2.236067977499790) / 2.0"), Verdict::Nearest);
+    // A number that is rational in disguise, at the very end of an interval.
+    assert_eq!(
+        verdict("decimal:2", "(sqrt(2) + sqrt(3))^2 - sqrt(24) - 4.995", "0.00"),
+        Verdict::Nearest
+    );
+}
+
+#[test]
+fn of_tables() {
+    let outcome = |cells: &[&str]| {
+        let project = project(&table("f32", "\"k = 1..3\"", "k/3", cells));
+        found(&project).outcome
+    };
+    assert_eq!(outcome(&["1.f/3.f", "0.6666667f", "1"]), Outcome::Nearest);
+    assert_eq!(outcome(&["1.f/3.f", "0.667f", "1"]), Outcome::Cut);
+    assert_eq!(outcome(&["0.33333337f", "0.667f", "1"]), Outcome::Ulps);
+    assert_eq!(outcome(&["0.33333337f", "6.66667f", "1"]), Outcome::Misprint);
+    assert_eq!(outcome(&["0.33333337f", "6.66667f", "2"]), Outcome::Refuted);
+}
