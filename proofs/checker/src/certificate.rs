@@ -1,6 +1,6 @@
 //! Certificates: lines, and blocks of lines.
 
-use crate::reject::{Checked, Reason, Rejection, Text, agree, compare, require};
+use crate::reject::{Checked, Compared, Reason, Rejection, Text, agree, compare, require};
 
 /// The first line of a certificate.
 const VERSION: &str = "subcert-certificate 4";
@@ -112,15 +112,35 @@ impl<'a> Block<'a> {
     }
 }
 
-/// The blocks of a certificate about the paper of this key.
-pub fn blocks<'a>(text: &'a str, key: &str) -> Checked<Vec<Block<'a>>> {
+/// What a certificate is about, as its second line says: a paper or a project, and its key.
+#[derive(Clone, Copy)]
+pub enum About<'k> {
+    /// The claims of a paper.
+    Paper(&'k str),
+    /// The constants of a project.
+    Project(&'k str),
+}
+
+impl About<'_> {
+    /// Checks the second line.
+    fn check(self, line: Line<'_>) -> Checked<()> {
+        let (kind, key, otherwise): (_, _, Compared) = match self {
+            About::Paper(key) => ("paper", key, Reason::Paper),
+            About::Project(key) => ("project", key, Reason::Project),
+        };
+        compare(line.word() == (kind, key), line.text, key, otherwise)
+    }
+}
+
+/// The blocks of a certificate about this.
+pub fn blocks<'a>(text: &'a str, about: About<'_>) -> Checked<Vec<Block<'a>>> {
     let mut number = 0;
-    let blocks = read(text, key, &mut number);
+    let blocks = read(text, about, &mut number);
     blocks.map_err(|rejection| rejection.at(number.max(1)))
 }
 
 /// Reads the blocks. It counts the lines up to the one that is wrong.
-fn read<'a>(text: &'a str, key: &str, number: &mut usize) -> Checked<Vec<Block<'a>>> {
+fn read<'a>(text: &'a str, about: About<'_>, number: &mut usize) -> Checked<Vec<Block<'a>>> {
     let (mut blocks, mut heads, mut ended) = (Vec::<Block<'a>>::new(), 0, false);
     require(text.len() <= MAX_BYTES, Reason::LongLine)?;
     for raw in text.lines() {
@@ -136,8 +156,8 @@ fn read<'a>(text: &'a str, key: &str, number: &mut usize) -> Checked<Vec<Block<'
         require(!ended, Reason::AfterFooter)?;
         match (heads, line.word()) {
             (0, _) => heads = 1,
-            (1, head) => {
-                compare(head == ("paper", key), line.text, key, Reason::Paper)?;
+            (1, _) => {
+                about.check(line)?;
                 heads = 2;
             }
             _ if raw.starts_with(' ') => {

@@ -191,6 +191,7 @@ impl Parser {
         let expr = match index {
             Some(index) => self.nested(|parser| parser.over(&name, &index))?,
             None if name == "sum" => return Err("an index, as in sum(h = 1..m, …)"),
+            None if name == "root" => self.nested(Self::root)?,
             None => self.nested(|parser| parser.call(&name))?,
         };
         self.expect(")", "`,` or `)`")?;
@@ -216,6 +217,16 @@ impl Parser {
         self.expect(",", "`,` and what is summed or compared")?;
         let body = self.sum()?;
         Ok(Expr::Of(Head::Over(fold.to_owned(), index.to_owned()), vec![from, to, body]))
+    }
+
+    /// `[c0, c1, …], i`: the coefficients and the number of the root become the arguments.
+    fn root(&mut self) -> Parsed<Expr> {
+        self.expect("[", "a list of coefficients, as in root([-3, 0, 1], 2)")?;
+        let mut arguments = self.nested(Self::list)?;
+        self.expect("]", "`,` or `]`")?;
+        self.expect(",", "`,` and the number of the root")?;
+        arguments.push(self.sum()?);
+        Ok(Expr::Of(Head::Call("root".to_owned(), Vec::new()), arguments))
     }
 
     fn call(&mut self, name: &str) -> Parsed<Expr> {

@@ -68,11 +68,12 @@ mod setting;
 mod table;
 mod witness;
 
-// Joint spectral radii.
+// Joint spectral radii, and constants that programs ship.
 mod radius;
+mod shipped;
 
 use catalogue::catalogue;
-use certificate::Block;
+use certificate::{About, Block};
 use library::Library;
 use meter::Meter;
 use paper::Paper;
@@ -107,7 +108,7 @@ pub enum Outcome {
 /// The claims of a file and the outcomes of their checks.
 #[derive(Debug)]
 pub struct Report {
-    /// The key of the paper.
+    /// The key of the paper or project.
     pub key: String,
     /// The kind, id and outcome of every claim, in the order of the file.
     pub claims: Vec<(&'static str, String, Outcome)>,
@@ -129,7 +130,11 @@ pub fn is_formula(text: &str) -> bool {
 /// # Errors
 /// The claim file is wrong; the message says why.
 pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
-    let (file, known) = (Toml::read(claims)?, catalogue()?);
+    let file = Toml::read(claims)?;
+    if file.get("project").is_some() {
+        return check_project(&file, certificates);
+    }
+    let known = catalogue()?;
     if let Some(path) = shape::misfit(&file, "file") {
         return Err(format!("`{path}` is unknown, or not of its type"));
     }
@@ -149,7 +154,7 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
     }
     let (mut tasks, mut broken) = (Vec::new(), Vec::new());
     for (place, text) in certificates.iter().enumerate() {
-        let blocks = certificate::blocks(text, &key).unwrap_or_else(|rejection| {
+        let blocks = certificate::blocks(text, About::Paper(&key)).unwrap_or_else(|rejection| {
             broken.push((place, rejection));
             Vec::new()
         });
@@ -215,6 +220,39 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
         (kind, id.to_owned(), outcomes.remove(&(kind, id)).unwrap_or(Outcome::Incomplete(None)))
     });
     Ok(Report { key, claims: claims.collect(), verdicts: verdicts_said, broken })
+}
+
+/// Checks certificates against the claim file of a project.
+fn check_project(file: &Toml, certificates: &[&str]) -> Result<Report, String> {
+    if let Some(path) = shape::misfit(file, "project-file") {
+        return Err(format!("`{path}` is unknown, or not of its type"));
+    }
+    let checks = shipped::check(file, certificates)?;
+    let mut ids = BTreeSet::new();
+    for (id, _) in &checks.tables {
+        if !is_id(id) || !ids.insert(*id) {
+            return Err(format!("{id:?} cannot be an id, or two tables have it"));
+        }
+    }
+    if !is_id(checks.key) {
+        return Err(format!("{:?} cannot be a key", checks.key));
+    }
+    let (mut claims, mut verdicts) = (Vec::new(), BTreeMap::new());
+    for (id, checked) in checks.tables {
+        let outcome = match checked {
+            None => Outcome::Incomplete(None),
+            Some((_, Ok(verdict))) => {
+                verdicts.insert(id.to_owned(), verdict);
+                Outcome::Valid
+            }
+            Some((_, Err(rejection))) if rejection.given_up() => {
+                Outcome::Incomplete(Some(rejection))
+            }
+            Some((place, Err(rejection))) => Outcome::Invalid(place, rejection),
+        };
+        claims.push(("shipped", id.to_owned(), outcome));
+    }
+    Ok(Report { key: checks.key.to_owned(), claims, verdicts, broken: checks.broken })
 }
 
 /// Whether a text can be the id of a claim or the key of a file. It has to fit in one line.

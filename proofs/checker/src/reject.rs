@@ -44,6 +44,7 @@ reasons! {
     Undefined(why: &'static str) "the definition has no value here: {why}"
     Capped(cap: &'static str) "this is beyond a cap of the checker: {cap}"
     Wrong(why: String) "the formula is wrong: {why}"
+    Undecided(what: &'static str) "enclosures of so many digits do not decide {what}"
 }
 
 reasons! {
@@ -51,6 +52,7 @@ reasons! {
     Reason:
     Version(said: Text) "the first line is `{said}`, and not `subcert-certificate 4`"
     Paper(said: Text, key: Text) "the second line is `{said}`, and not `paper {key}`"
+    Project(said: Text, key: Text) "the second line is `{said}`, and not `project {key}`"
     Malformed(what: &'static str) "the line does not have the form that is expected: {what}"
     LongLine "the line, or the certificate, is too long"
     AfterFooter "the certificate goes on after its footer"
@@ -131,6 +133,9 @@ reasons! {
     NotShown "the radius does not show this verdict"
     NoRefutation(at: Text) "the value {at} does not refute this range"
     Uncovered "the condition is not shown in the whole printed range"
+    NoLiteral(said: Text, what: &'static str) "`{said}` is no number in the language of the table: expected is {what}"
+    NotRight(number: Text, verdict: Text) "by the reading the number {number} is {verdict}"
+    NoNeed "every number is right as the table is described; a reading explains nothing"
     NotViolated(value: Text, bound: Text) "the value is {value}, which does not violate the bound {bound}"
 }
 
@@ -181,7 +186,10 @@ impl Rejection {
     pub fn given_up(&self) -> bool {
         matches!(
             self.reason,
-            Reason::Open | Reason::Premise(_) | Reason::Field(_) | Reason::Stopped(Stop::Capped(_))
+            Reason::Open
+                | Reason::Premise(_)
+                | Reason::Field(_)
+                | Reason::Stopped(Stop::Capped(_) | Stop::Undecided(_))
         )
     }
 

@@ -7,7 +7,7 @@ pub const KINDS: [&str; 7] =
     ["table", "equation", "function", "range", "smoothness", "exponent", "theorem"];
 
 /// The fields of each kind of table with their types. `*t` is a list of t, `%t` is a table of t
-/// with any names, and `s|t` is s or t.
+/// with any names, `s|t` is s or t, and `nested` is a text or a list of such.
 const SHAPES: &str = "
 file: key=text paper=any define=%text given=%text alternative=*alternative scheme=*scheme \
  table=*any equation=*any function=*any range=*any smoothness=*any exponent=*any theorem=*any unclaimed=any
@@ -34,6 +34,12 @@ header: printed=text scheme=text note=text
 number: printed=text read=text note=text
 supposes: value=text below=text
 correction: of=text says=text value=text
+project-file: key=text project=project define=%text shipped=*any
+project: name=text repository=text commit=text licence=text note=text
+shipped: id=text locus=text title=text type=text indices=*text equals=text equals_cells=nested \
+ cells=nested cells_from=source language=text tolerance=text note=text convention=*convention
+source: file=text after=text shape=*size skip=text
+convention: label=text equals=text equals_cells=nested
 ";
 
 /// The type of a field of a kind of table, or of every claim.
@@ -60,12 +66,14 @@ fn path(value: &Toml, of: &str) -> Option<String> {
         return path(value, one).and(path(value, other));
     }
     match (value, of.strip_prefix('*'), of.strip_prefix('%')) {
+        (Toml::List(list), ..) if of == "nested" => list.iter().find_map(|value| path(value, of)),
         (Toml::List(list), Some(of), _) => list.iter().find_map(|value| path(value, of)),
         (Toml::Table(table), _, Some(of)) => table.iter().find_map(|entry| nested(entry, of)),
         (Toml::Table(table), None, None) if !["text", "flag", "any"].contains(&of) => {
             table.iter().find_map(|entry| nested(entry, field(of, &entry.0).unwrap_or("none")))
         }
-        (Toml::Text(_), ..) if ["text", "number", "header"].contains(&of) => None,
+        (Toml::Text(_), ..) if ["text", "number", "header", "nested"].contains(&of) => None,
+        (Toml::Size(_), ..) if of == "size" => None,
         (Toml::Flag(_), ..) if of == "flag" => None,
         _ if of == "any" => None,
         _ => Some(String::new()),

@@ -1,4 +1,4 @@
-//! The part of TOML that claim files use: strings, booleans, lists and tables.
+//! The part of TOML that claim files use: strings, booleans, lists, tables, and whole numbers for sizes.
 
 use crate::cursor::{Cursor, Parsed};
 use std::collections::BTreeSet;
@@ -14,6 +14,8 @@ const MAX_NESTING: usize = 32;
 pub enum Toml {
     /// A string.
     Text(String),
+    /// A whole number, such as a size of a table. Other numbers stand in quotes.
+    Size(String),
     /// `true` or `false`.
     Flag(bool),
     /// `[…]`, or the tables under `[[…]]`.
@@ -190,6 +192,8 @@ fn value(c: &mut Cursor, depth: usize) -> Parsed<Toml> {
         let mut table = Table::new();
         items(c, "}", |c| entry(c, &mut table, depth + 1))?;
         Ok(Toml::Table(table))
+    } else if c.peek().is_some_and(|c| c.is_ascii_digit()) {
+        Ok(Toml::Size(c.take(|c| c.is_ascii_digit())))
     } else {
         Err("a string, a list or a table; numbers stand in quotes")
     }

@@ -1,0 +1,124 @@
+//! Numbers as programs hold them, and operations on them.
+
+use super::number::Language;
+use super::rounding::{DOUBLE, Format, SINGLE, Type};
+use crate::decimal::Q;
+use crate::reject::Stop;
+use num_traits::Zero;
+
+/// The type of the table in which a number stands.
+pub type Target = Type;
+
+/// The type of a number in an expression.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// An integer.
+    Integer,
+    /// IEEE binary32.
+    Single,
+    /// IEEE binary64.
+    Double,
+    /// A `long double`, whose format depends on the machine.
+    Long,
+    /// The type of the table.
+    Table,
+    /// A number that is not rounded: in tables of decimals.
+    Exact,
+}
+
+/// A number that a program holds.
+#[derive(Clone, Debug)]
+pub struct Held {
+    /// The value; `None` if it is infinite or no number.
+    value: Option<Q>,
+    kind: Kind,
+}
+
+impl Kind {
+    fn format(self) -> Option<Format> {
+        match self {
+            Kind::Single => Some(SINGLE),
+            Kind::Double => Some(DOUBLE),
+            _ => None,
+        }
+    }
+
+    /// What it is in a table of this type.
+    fn within(self, target: Target) -> Kind {
+        match (self, target) {
+            (Kind::Integer, _) => Kind::Integer,
+            (_, Type::Decimal(_)) => Kind::Exact,
+            (Kind::Table, Type::Binary(format)) if format == SINGLE => Kind::Single,
+            (Kind::Table, _) => Kind::Double,
+            (kind, _) => kind,
+        }
+    }
+}
+
+/// A value in this type, rounded half to even.
+fn rounded(value: Q, kind: Kind) -> Option<Q> {
+    match kind.format() {
+        Some(format) => format.round(&value),
+        None => Some(value),
+    }
+}
+
+impl Held {
+    /// A literal of this kind.
+    pub fn new(value: Q, kind: Kind, target: Target) -> Held {
+        let kind = kind.within(target);
+        Held { value: rounded(value, kind), kind }
+    }
+
+    /// −x.
+    pub fn negated(self) -> Held {
+        Held { value: self.value.map(|value| -value), kind: self.kind }
+    }
+
+    /// The number as one of this kind.
+    pub fn cast(self, kind: Kind, target: Target) -> Held {
+        let kind = kind.within(target);
+        Held { value: self.value.and_then(|value| rounded(value, kind)), kind }
+    }
+
+    /// The number that a table of this type gets; `None` if it is not finite.
+    pub fn stored(self, target: Target) -> Option<Q> {
+        match target {
+            Type::Binary(format) => self.value.and_then(|value| format.round(&value)),
+            Type::Decimal(_) => self.value,
+        }
+    }
+
+    /// The result of an operation.
+    pub fn operate(self, sign: char, right: Held, language: Language) -> Result<Held, Stop> {
+        let kinds = [self.kind, right.kind];
+        if kinds.contains(&Kind::Long) {
+            return Err(Stop::Capped("arithmetic of long doubles depends on the machine"));
+        }
+        let (Some(x), Some(y)) = (self.value, right.value) else {
+            return Err(Stop::Capped("arithmetic of numbers that are not finite"));
+        };
+        let integers = kinds == [Kind::Integer; 2];
+        let truncates = integers && sign == '/' && language.truncates();
+        let kind = match kinds {
+            _ if integers && (sign != '/' || truncates) => Kind::Integer,
+            _ if kinds.contains(&Kind::Exact) => Kind::Exact,
+            _ if kinds.contains(&Kind::Double) || integers => Kind::Double,
+            _ => Kind::Single,
+        };
+        // An integer becomes a number of the type first, except in a quotient of two.
+        let convert = |value: Q| if integers { Some(value) } else { rounded(value, kind) };
+        let (Some(x), Some(y)) = (convert(x), convert(y)) else {
+            return Err(Stop::Capped("arithmetic of numbers that are not finite"));
+        };
+        let value = match sign {
+            '+' => x + y,
+            '-' => x - y,
+            '*' => x * y,
+            _ if y.is_zero() => return Ok(Held { value: None, kind }),
+            _ if truncates => (x / y).trunc(),
+            _ => x / y,
+        };
+        Ok(Held { value: rounded(value, kind), kind })
+    }
+}

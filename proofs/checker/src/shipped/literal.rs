@@ -1,0 +1,198 @@
+//! One number of a table as its source has it: a literal, or an expression of literals.
+
+use super::held::{Kind, Target};
+use super::number::{Language, Literal, Written, literal};
+use super::rounding::Type;
+use crate::cursor::Cursor;
+use crate::decimal::Q;
+use crate::reject::{Checked, Reason, Stop, Text};
+
+/// The most characters.
+const MAX_LENGTH: usize = 2_000;
+
+/// How deep signs and brackets may be nested.
+const MAX_NESTING: usize = 64;
+
+/// A number of a table.
+#[derive(Clone, Debug)]
+pub struct Shipped {
+    /// What is written, if it is one decimal literal, perhaps with signs and conversions.
+    pub written: Option<Written>,
+    /// The number that the program holds. `None` if it is not finite.
+    pub held: Option<Q>,
+}
+
+/// What is wrong with a text: it is no number, or what it does is not known.
+enum Wrong {
+    Text(&'static str),
+    Stop(Stop),
+}
+
+impl From<&'static str> for Wrong {
+    fn from(what: &'static str) -> Wrong {
+        Wrong::Text(what)
+    }
+}
+
+/// Reads the text of a number in a table of this type.
+pub fn read(text: &str, language: Language, target: Target) -> Checked<Shipped> {
+    let mut parser = Parser { text: Cursor::new(text), language, target, depth: 0 };
+    let read = if text.chars().count() > MAX_LENGTH {
+        Err("a text that is not too long".into())
+    } else {
+        parser.space();
+        parser.sum().and_then(|value| match parser.text.peek() {
+            None => Ok(value),
+            Some(_) => Err("an operator or the end".into()),
+        })
+    };
+    let (written, held) = read.map_err(|wrong| match wrong {
+        Wrong::Text(what) => Reason::NoLiteral(Text(text.to_owned()), what),
+        Wrong::Stop(stop) => Reason::Stopped(stop),
+    })?;
+    Ok(Shipped { written, held: held.stored(target) })
+}
+
+struct Parser {
+    text: Cursor,
+    language: Language,
+    target: Target,
+    depth: usize,
+}
+
+type Parsed = Result<Literal, Wrong>;
+
+impl Parser {
+    fn space(&mut self) {
+        self.text.take(char::is_whitespace);
+    }
+
+    fn eat(&mut self, token: &str) -> bool {
+        let found = self.text.eat(token);
+        if found {
+            self.space();
+        }
+        found
+    }
+
+    fn sum(&mut self) -> Parsed {
+        self.chain(['+', '-'], |parser| parser.chain(['*', '/'], Self::factor))
+    }
+
+    fn chain(&mut self, signs: [char; 2], part: impl Fn(&mut Self) -> Parsed) -> Parsed {
+        let mut left = part(self)?;
+        while let Some(sign) = self.text.peek().filter(|sign| signs.contains(sign)) {
+            self.text.next();
+            if matches!(self.text.peek(), Some('*' | '/')) {
+                return Err("a number: `**`, `//` and comments are not read".into());
+            }
+            self.space();
+            let (_, right) = part(self)?;
+            let held = left.1.operate(sign, right, self.language).map_err(Wrong::Stop)?;
+            left = (None, held);
+        }
+        Ok(left)
+    }
+
+    fn nested(&mut self, part: impl Fn(&mut Self) -> Parsed) -> Parsed {
+        if self.depth == MAX_NESTING {
+            return Err("less nesting".into());
+        }
+        self.depth += 1;
+        let parsed = part(self);
+        self.depth -= 1;
+        parsed
+    }
+
+    fn factor(&mut self) -> Parsed {
+        if self.eat("-") {
+            let (written, held) = self.nested(Self::factor)?;
+            let written = written.map(|w| Written { value: -w.value, ..w });
+            return Ok((written, held.negated()));
+        }
+        if self.eat("+") {
+            return self.nested(Self::factor);
+        }
+        if self.eat("(") {
+            // `(float)x`
+            let start = self.text.at();
+            if let Some(kind) = self.conversion() {
+                if self.eat(")") {
+                    return self.cast(kind, Self::factor);
+                }
+                self.text.back(start);
+            }
+            return self.bracket();
+        }
+        if let Some(kind) = self.conversion() {
+            if !self.eat("(") {
+                return Err("`(`".into());
+            }
+            return self.cast(kind, Self::bracket);
+        }
+        self.number()
+    }
+
+    fn cast(&mut self, kind: Kind, part: fn(&mut Self) -> Parsed) -> Parsed {
+        let (written, held) = self.nested(part)?;
+        Ok((written, held.cast(kind, self.target)))
+    }
+
+    /// What follows an opening bracket.
+    fn bracket(&mut self) -> Parsed {
+        let inner = self.nested(Self::sum)?;
+        if self.eat(")") { Ok(inner) } else { Err("an operator or `)`".into()) }
+    }
+
+    /// The type that a number is converted to.
+    fn conversion(&mut self) -> Option<Kind> {
+        let start = self.text.at();
+        let name = self.text.take(|c| c.is_alphanumeric() || c == '_');
+        let kind = match (&name[..], self.language) {
+            ("float", Language::Python) => Some(Kind::Double),
+            ("float", _) => Some(Kind::Single),
+            ("double", Language::C | Language::Shader) => Some(Kind::Double),
+            _ => None,
+        };
+        if kind.is_some() {
+            self.space();
+        } else {
+            self.text.back(start);
+        }
+        kind
+    }
+
+    fn number(&mut self) -> Parsed {
+        let start = self.text.at();
+        let word = |c: char| c.is_ascii_alphanumeric() || matches!(c, '.' | '_' | '\'');
+        let mut text = self.text.take(word);
+        // The sign of an exponent.
+        let hexadecimal = text.starts_with("0x") || text.starts_with("0X");
+        let marks: [char; 2] = if hexadecimal { ['p', 'P'] } else { ['e', 'E'] };
+        if text.starts_with(|c: char| c.is_ascii_digit() || c == '.')
+            && text.ends_with(marks)
+            && let Some(sign) = self.text.peek().filter(|c| matches!(c, '+' | '-'))
+        {
+            self.text.next();
+            text = format!("{text}{sign}{}", self.text.take(word));
+        }
+        let read = literal(&text, self.language, self.target);
+        if read.is_err() {
+            self.text.back(start);
+        }
+        self.space();
+        Ok(read?)
+    }
+}
+
+/// Whether two texts say the same, up to blanks.
+pub fn same(one: &str, other: &str) -> bool {
+    one.split_whitespace().eq(other.split_whitespace())
+}
+
+impl Shipped {
+    /// The number of the type that is nearest to what is written with the other sign.
+    pub fn turned(&self, target: Type) -> Option<Q> {
+        self.written.as_ref().and_then(|written| target.nearest(&-&written.value))
+    }
+}

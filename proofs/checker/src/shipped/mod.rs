@@ -1,0 +1,24 @@
+//! Constants that programs ship: certificates about claim files of projects (FORMAT.md, Constants in
+//! programs). Nothing here is shared with the checks of papers but texts, formulas and rational numbers.
+
+// Enclosures of real numbers, and formulas on them.
+mod cosine;
+mod functions;
+mod interval;
+mod roots;
+mod value;
+
+// Numbers in programs, and what is said of them.
+mod held;
+mod literal;
+mod number;
+mod rounding;
+mod slip;
+mod verdict;
+
+// Claim files, and the rule.
+mod reading;
+mod rule;
+mod table;
+
+pub use rule::check;

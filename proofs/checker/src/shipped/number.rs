@@ -1,0 +1,179 @@
+//! Literals of numbers in the languages of programs.
+
+use super::held::{Held, Kind, Target};
+use super::rounding::ten;
+use crate::decimal::Q;
+use num_bigint::BigInt;
+use num_traits::{One, Zero};
+
+/// The greatest absolute value of an exponent.
+const MAX_EXPONENT: i64 = 5_000;
+
+/// A language, or a family of languages with the same rules.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Language {
+    /// C, C++ and CUDA.
+    C,
+    /// GLSL and HLSL.
+    Shader,
+    /// JavaScript and TypeScript.
+    JavaScript,
+    /// Python.
+    Python,
+    /// Rust.
+    Rust,
+}
+
+/// The endings of file names, by language.
+const ENDINGS: [(Language, &str); 5] = [
+    (Language::C, "c h cc cpp cxx hh hpp hxx inl ipp cu cuh cl m mm metal"),
+    (Language::Shader, "glsl vert frag geom comp tesc tese hlsl fx"),
+    (Language::JavaScript, "js mjs cjs ts jsx tsx"),
+    (Language::Python, "py pyx pyi"),
+    (Language::Rust, "rs"),
+];
+
+impl Language {
+    /// The language of a name in a claim file.
+    pub fn read(name: &str) -> Option<Language> {
+        Some(match name {
+            "c" => Language::C,
+            "shader" => Language::Shader,
+            "javascript" => Language::JavaScript,
+            "python" => Language::Python,
+            "rust" => Language::Rust,
+            _ => return None,
+        })
+    }
+
+    /// The language of a source file, by the ending of its name.
+    pub fn of_file(name: &str) -> Option<Language> {
+        let (_, ending) = name.rsplit_once('.')?;
+        let ending = ending.to_ascii_lowercase();
+        let known = |endings: &str| endings.split(' ').any(|known| known == ending);
+        ENDINGS.iter().find(|(_, endings)| known(endings)).map(|(language, _)| *language)
+    }
+
+    /// Whether a quotient of integers is an integer.
+    pub fn truncates(self) -> bool {
+        matches!(self, Language::C | Language::Shader)
+    }
+
+    /// The sign that may stand between digits.
+    fn separator(self) -> Option<char> {
+        match self {
+            Language::C => Some('\''),
+            Language::Shader => None,
+            _ => Some('_'),
+        }
+    }
+}
+
+/// A decimal as it is written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Written {
+    /// The value.
+    pub value: Q,
+    /// The number of digits from the first that is not 0.
+    pub digits: usize,
+    /// How many digits stand after the point, with the exponent applied.
+    pub places: i64,
+}
+
+/// A literal: what is written, of a decimal, and what the program holds.
+pub type Literal = (Option<Written>, Held);
+
+/// Reads a literal without a sign. The error says what is wrong.
+pub fn literal(text: &str, language: Language, target: Target) -> Result<Literal, &'static str> {
+    let plain: String = text.chars().filter(|c| Some(*c) != language.separator()).collect();
+    let plain = plain.to_ascii_lowercase();
+    match plain.strip_prefix("0x") {
+        Some(digits) => hexadecimal(digits, language, target),
+        None => decimal(&plain, language, target),
+    }
+}
+
+/// The digits before and after a point, whether there is a point, and what follows.
+fn digits(text: &str, radix: u32) -> Result<(&str, &str, bool, &str), &'static str> {
+    let end = |text: &str| text.find(|c: char| !c.is_digit(radix)).unwrap_or(text.len());
+    let (whole, rest) = text.split_at(end(text));
+    let (fraction, rest, point) = match rest.strip_prefix('.') {
+        Some(after) => {
+            let (fraction, rest) = after.split_at(end(after));
+            (fraction, rest, true)
+        }
+        None => ("", rest, false),
+    };
+    if whole.is_empty() && fraction.is_empty() {
+        return Err("a digit is missing");
+    }
+    Ok((whole, fraction, point, rest))
+}
+
+/// An exponent after its mark, and what follows it.
+fn exponent(text: &str, mark: char) -> Result<(Option<i64>, &str), &'static str> {
+    let Some(rest) = text.strip_prefix(mark) else { return Ok((None, text)) };
+    let (sign, rest) = match rest.strip_prefix('-') {
+        Some(rest) => (-1, rest),
+        None => (1, rest.strip_prefix('+').unwrap_or(rest)),
+    };
+    let (size, rest) =
+        rest.split_at(rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len()));
+    let size: Option<i64> = size.parse().ok().filter(|size| *size <= MAX_EXPONENT);
+    Ok((Some(sign * size.ok_or("the exponent is missing or too large")?), rest))
+}
+
+fn decimal(text: &str, language: Language, target: Target) -> Result<Literal, &'static str> {
+    let (whole, fraction, point, rest) = digits(text, 10)?;
+    let (exponent, suffix) = exponent(rest, 'e')?;
+    let is_whole = !point && exponent.is_none();
+    if is_whole && whole.len() > 1 && whole.starts_with('0') {
+        return Err("an integer that begins with 0");
+    }
+    let all = format!("{whole}{fraction}");
+    let places = i64::try_from(fraction.len()).map_err(|_| "too many digits")?;
+    let places = places - exponent.unwrap_or(0);
+    let mantissa: BigInt = all.parse().map_err(|_| "no digits")?;
+    let value = Q::from_integer(mantissa) * ten(-places);
+    let held = Held::new(value.clone(), kind(suffix, is_whole, language)?, target);
+    let digits = all.trim_start_matches('0').len();
+    Ok((Some(Written { value, digits, places }), held))
+}
+
+/// A number in hexadecimal; it has no decimal digits.
+fn hexadecimal(text: &str, language: Language, target: Target) -> Result<Literal, &'static str> {
+    let (whole, fraction, point, rest) = digits(text, 16)?;
+    let (exponent, suffix) = exponent(rest, 'p')?;
+    let is_float = point || exponent.is_some();
+    if is_float && (language != Language::C || exponent.is_none()) {
+        return Err("a number in hexadecimal of a form that the language does not have");
+    }
+    let mantissa = BigInt::parse_bytes(format!("{whole}{fraction}").as_bytes(), 16);
+    let places = i64::try_from(fraction.len()).map_err(|_| "too many digits")? * 4;
+    let power = exponent.unwrap_or(0) - places;
+    let scale = Q::from_integer(BigInt::one() << power.unsigned_abs());
+    let value = Q::from_integer(mantissa.unwrap_or_else(BigInt::zero));
+    let value = if power < 0 { value / scale } else { value * scale };
+    Ok((None, Held::new(value, kind(suffix, !is_float, language)?, target)))
+}
+
+/// What a literal is by its suffix.
+fn kind(suffix: &str, is_whole: bool, language: Language) -> Result<Kind, &'static str> {
+    use Language::{C, JavaScript, Python, Rust, Shader};
+    Ok(match (language, suffix) {
+        (Rust, "") => Kind::Table,
+        (Rust, "f32") => Kind::Single,
+        (Rust, "f64") => Kind::Double,
+        (JavaScript, "") => Kind::Double,
+        (Python, "") if !is_whole => Kind::Double,
+        (C | Shader | Python, "") if is_whole => Kind::Integer,
+        (C, "u" | "l" | "ul" | "lu" | "ll" | "ull" | "llu") if is_whole => Kind::Integer,
+        (Shader, "u") if is_whole => Kind::Integer,
+        (C, "") => Kind::Double,
+        (C, "f") if !is_whole => Kind::Single,
+        (C, "l") => Kind::Long,
+        (Shader, "" | "f") => Kind::Single,
+        (Shader, "lf") => Kind::Double,
+        _ => return Err("the language has no such suffix"),
+    })
+}

@@ -1,0 +1,156 @@
+//! The rule for constants of programs (FORMAT.md, Constants in programs).
+
+use super::interval::Interval;
+use super::literal::{read as read_literal, same};
+use super::reading::Reading;
+use super::table::Table;
+use super::value::{Change, Values};
+use super::verdict::{Verdict, verdict};
+use crate::certificate::{About, Block, blocks};
+use crate::definitions::{Definitions, formulas};
+use crate::meter::Meter;
+use crate::reject::{Checked, Reason, Rejection, Stop, Text, compare, require};
+use crate::toml::Toml;
+use std::collections::BTreeMap;
+
+/// The least and the greatest number of binary digits of enclosures.
+const BITS: std::ops::RangeInclusive<u64> = 64..=20_000;
+
+/// What is found of the tables of a project: for each id the certificate, by its index, and the
+/// verdict in a few words.
+pub struct Checks<'a> {
+    /// The key of the project.
+    pub key: &'a str,
+    /// The ids of the tables, in the order of the file, with the check of each.
+    pub tables: Vec<(&'a str, Option<(usize, Checked<String>)>)>,
+    /// The rejections of whole certificates.
+    pub broken: Vec<(usize, Rejection)>,
+}
+
+/// Checks certificates about a claim file of a project.
+pub fn check<'a>(file: &'a Toml, certificates: &[&str]) -> Result<Checks<'a>, String> {
+    let key = file.text("key").ok_or("`key` is missing")?;
+    let definitions = formulas(file.entries("define")).map_err(|stop| stop.to_string())?;
+    let tables: Vec<(&str, &Toml)> =
+        file.list("shipped").iter().map(|table| (table.text("id").unwrap_or(""), table)).collect();
+    let (mut broken, mut found) = (Vec::new(), BTreeMap::new());
+    for (place, text) in certificates.iter().enumerate() {
+        let blocks = blocks(text, About::Project(key)).unwrap_or_else(|rejection| {
+            broken.push((place, rejection));
+            Vec::new()
+        });
+        for mut block in blocks {
+            let (kind, id) = block.head.word();
+            let Some((id, table)) =
+                tables.iter().find(|(known, _)| kind == "shipped" && *known == id)
+            else {
+                broken.push((place, block.head.reject(Reason::NoSuchClaim)));
+                continue;
+            };
+            let meter = Meter::default();
+            let checked = judge(table, &definitions, &mut block, &meter);
+            let checked = checked.map_err(|rejection| rejection.at(block.at));
+            if found.insert(*id, (place, checked)).is_some() {
+                found.insert(*id, (place, Err(block.head.reject(Reason::Twice))));
+            }
+        }
+    }
+    let tables = tables.iter().map(|(id, _)| (*id, found.remove(id))).collect();
+    Ok(Checks { key, tables, broken })
+}
+
+/// Checks a block, and says the outcome with the counts of the verdicts.
+fn judge(
+    claim: &Toml,
+    definitions: &Definitions,
+    block: &mut Block<'_>,
+    meter: &Meter,
+) -> Checked<String> {
+    let table = Table::read(claim, definitions)?;
+    let bits: Option<u64> = block.after("bits")?.parse().ok();
+    let bits = bits.filter(|bits| BITS.contains(bits));
+    let bits = bits.ok_or(Reason::Malformed("`bits` and a number from 64 to 20000"))?;
+    let reading = if let Some(text) = block.maybe("convention") {
+        Some(Reading::convention(text, &table)?)
+    } else if let Some(text) = block.maybe("early") {
+        Some(Reading::early(text, definitions)?)
+    } else {
+        None
+    };
+    let rounding = |value: &Interval| match &reading {
+        Some(Reading::Early(_, rounding)) => rounding.of(value),
+        _ => Ok(value.clone()),
+    };
+    let change: Option<Change<'_>> = match &reading {
+        Some(Reading::Early(name, _)) => Some((name, &rounding)),
+        _ => None,
+    };
+    let printed = Values::new(definitions, bits, meter, None);
+    let read = Values::new(definitions, bits, meter, change);
+    let mut counts: Vec<(String, usize)> = Vec::new();
+    let mut worst = Verdict::Nearest;
+    for place in 0..table.count {
+        meter.restart();
+        let (said, number) = cell(&table, block, place)?;
+        let found = if said == "open" {
+            Verdict::Open
+        } else {
+            verdict(&table.value(&table.exact, place, &printed)?, &number, table.of)?
+        };
+        compare(found.to_string() == said, said, &found, Reason::Verdict)?;
+        if let Some(reading) = &reading {
+            let by_reading = table.value(reading.exact(&table), place, &read)?;
+            let by_reading = verdict(&by_reading, &number, table.of)?;
+            let wrong = || (Text(format!("{}", place + 1)), Text(by_reading.to_string()));
+            require(by_reading.is_right(), {
+                let (number, verdict) = wrong();
+                Reason::NotRight(number, verdict)
+            })?;
+        }
+        let name = found.outcome().1;
+        match counts.iter_mut().find(|(known, _)| known == name) {
+            Some((_, count)) => *count += 1,
+            None => counts.push((name.to_owned(), 1)),
+        }
+        worst = if found.outcome().0 > worst.outcome().0 { found } else { worst };
+    }
+    let outcome = match &reading {
+        // Numbers that are the nearest, rounded or cut need no reading.
+        Some(_) if worst.outcome().0 < 2 => return Err(Reason::NoNeed.into()),
+        Some(_) => "otherwise",
+        None => worst.outcome().1,
+    };
+    let said = block.after("outcome")?;
+    compare(said == outcome, said, outcome, Reason::Verdict)?;
+    block.finished()?;
+    let counts: Vec<String> =
+        counts.iter().map(|(verdict, count)| format!("{count} {verdict}")).collect();
+    Ok(format!("{outcome}: {}", counts.join(", ")))
+}
+
+/// Takes the line of a number: `cell I… "LITERAL" VERDICT`. Gives the verdict that it states, and
+/// the number.
+fn cell<'b>(
+    table: &Table<'_>,
+    block: &mut Block<'b>,
+    place: usize,
+) -> Checked<(&'b str, super::literal::Shipped)> {
+    require(block.next_word() == "cell", Reason::CellsMissing)?;
+    let line = block.after("cell")?;
+    let malformed = || Reason::Malformed("a number in quotes, and its verdict");
+    let (at, rest) = line.split_once('"').ok_or_else(malformed)?;
+    let (literal, said) = rest.rsplit_once('"').ok_or_else(malformed)?;
+    let at: Vec<&str> = at.split_whitespace().collect();
+    let indices = table.at(place);
+    let is_here = |(text, (_, value)): (&&str, &(String, i64))| *text == value.to_string();
+    let here = at.len() == indices.len() && at.iter().zip(&indices).all(is_here);
+    require(here, Reason::Cell)?;
+    if let Some(typed) = &table.typed {
+        compare(same(typed[place], literal), literal, typed[place], Reason::Printed)?;
+    }
+    let number = read_literal(literal, table.language, table.of)?;
+    if number.held.is_none() {
+        return Err(Stop::Wrong(format!("{literal} is not finite")).into());
+    }
+    Ok((said.trim(), number))
+}

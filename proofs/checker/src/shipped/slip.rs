@@ -1,0 +1,111 @@
+//! Slips by which the digits of a number may have come from those of the exact value.
+
+use super::number::Written;
+use super::rounding::{Type, half_even, ten};
+use super::verdict::{Ends, decided, is_rounded, within};
+use crate::decimal::{Q, int};
+use crate::reject::Stop;
+use num_bigint::BigInt;
+use num_traits::{Signed, Zero};
+
+/// The fewest digits of a number with another sign, with the point elsewhere, and with other digits.
+const SIGN: usize = 3;
+const POINT: usize = 4;
+const DIGITS: usize = 5;
+
+/// How many of the last digits are not changed by a slip in one digit.
+const LAST: usize = 2;
+
+/// The first slip that leads from x to what is written. `turned` is the number of the type nearest to −w.
+pub fn slip(
+    x: &Ends,
+    written: &Written,
+    turned: Option<Q>,
+    of: Type,
+) -> Result<Option<&'static str>, Stop> {
+    if written.digits >= SIGN {
+        if let Some(turned) = turned {
+            let (low, high) = of.cell(&turned);
+            if within(x, &low, &high, "whether the sign is wrong")? {
+                return Ok(Some("sign"));
+            }
+        }
+        if is_rounded(&(-&x.1, -&x.0), written)? {
+            return Ok(Some("sign"));
+        }
+    }
+    if written.digits >= POINT {
+        for shift in [-3, -2, -1, 1, 2, 3] {
+            let moved = (&x.0 * ten(shift), &x.1 * ten(shift));
+            if is_rounded(&moved, written)? {
+                return Ok(Some("point"));
+            }
+        }
+    }
+    if written.digits < DIGITS {
+        return Ok(None);
+    }
+    let zero = Q::zero();
+    let negative = decided(x.1 < zero, x.0 >= zero, "a sign")?;
+    if negative != written.value.is_negative() {
+        return Ok(None);
+    }
+    let typed = digits(&(&written.value * ten(written.places)));
+    let kinds: [(&'static str, i64, fn(&str, &str) -> bool); 3] =
+        [("digit", 0, is_digit), ("exchanged", 0, is_exchanged), ("dropped", 1, is_dropped)];
+    for (kind, more, test) in kinds {
+        let found = candidates(x, written.places + more)?.map(|right| test(&typed, &right));
+        if decided(found[0] && found[1], !found[0] && !found[1], "which digits are right")? {
+            return Ok(Some(kind));
+        }
+    }
+    Ok(None)
+}
+
+/// The digits of x rounded to so many places after the point, for both ends. Between the ends there are
+/// no other integers than theirs, or the slip is not decided.
+fn candidates(x: &Ends, places: i64) -> Result<[String; 2], Stop> {
+    let [low, high] = [&x.0, &x.1].map(|end| half_even(&(end * ten(places))));
+    if &high - &low > BigInt::from(1) {
+        return Err(Stop::Undecided("which digits are right"));
+    }
+    Ok([digits_of(&low), digits_of(&high)])
+}
+
+fn digits(x: &Q) -> String {
+    digits_of(&(x + int(0)).to_integer())
+}
+
+fn digits_of(n: &BigInt) -> String {
+    n.abs().to_string()
+}
+
+/// The places at which two texts of one length differ.
+fn differing(typed: &str, right: &str) -> Vec<usize> {
+    let (typed, right) = (typed.as_bytes(), right.as_bytes());
+    if typed.len() != right.len() {
+        return Vec::new();
+    }
+    (0..typed.len()).filter(|&at| typed[at] != right[at]).collect()
+}
+
+/// Whether one digit is another one, which is not among the last.
+fn is_digit(typed: &str, right: &str) -> bool {
+    matches!(differing(typed, right)[..], [at] if at + LAST < typed.len())
+}
+
+/// Whether two neighbouring digits are exchanged.
+fn is_exchanged(typed: &str, right: &str) -> bool {
+    let (one, other) = (typed.as_bytes(), right.as_bytes());
+    matches!(differing(typed, right)[..],
+        [i, j] if j == i + 1 && one[i] == other[j] && one[j] == other[i])
+}
+
+/// Whether a digit other than the last is missing.
+fn is_dropped(typed: &str, longer: &str) -> bool {
+    let without = |at: usize| {
+        let kept = longer.bytes().enumerate().filter(move |(place, _)| *place != at);
+        kept.map(|(_, digit)| digit)
+    };
+    typed.len() + 1 == longer.len() && (0..typed.len()).any(|at| without(at).eq(typed.bytes()))
+}
