@@ -103,15 +103,12 @@ impl NumberType {
     /// How many steps two numbers of this type are apart.
     pub(super) fn steps(self, one: &Rational, other: &Rational) -> Option<u64> {
         let place = |value: &Rational| -> i128 {
-            let (bits, negative) = match self {
-                NumberType::Single => {
-                    let value = nearest_f32(value);
-                    (u64::from(value.abs().to_bits()), value < 0.0)
-                }
-                _ => {
-                    let value = nearest(value);
-                    (value.abs().to_bits(), value < 0.0)
-                }
+            let (bits, negative) = if self == NumberType::Single {
+                let value = nearest_f32(value);
+                (u64::from(value.abs().to_bits()), value < 0.0)
+            } else {
+                let value = nearest(value);
+                (value.abs().to_bits(), value < 0.0)
             };
             if negative { -i128::from(bits) } else { i128::from(bits) }
         };

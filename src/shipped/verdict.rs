@@ -2,7 +2,7 @@
 
 use super::claim::{Digits, NumberType, ShippedNumber};
 use super::finding::Verdict;
-use super::misprint::misprint;
+use super::misprint::{Slip, misprint};
 use super::number::{Settled as _, unit};
 use crate::exact::{Rational, RealExpression};
 use std::cmp::Ordering;
@@ -39,7 +39,7 @@ fn decided(x: &RealExpression, number: &ShippedNumber, kind: NumberType) -> Opti
         return Some(Verdict::Ulps(steps));
     }
     if let Some(Digits { value, count: Some(count) }) = &number.written
-        && let Some(slip) = misprint(x, value, *count, kind)?
+        && let Slip::Of(slip) = misprint(x, value, *count, kind)?
     {
         return Some(Verdict::Misprint(slip));
     }

@@ -1,5 +1,7 @@
 //! Constants that programs ship.
 
+#[cfg(feature = "cli")]
+mod certificates;
 mod follows;
 mod naive;
 mod reader;

@@ -9,6 +9,13 @@ use subcert_check::{Outcome, Rejection, Report, check};
 
 const CLAIMS: &str = include_str!("rules/claims.toml");
 
+const PROJECT: &str = include_str!("rules/project.toml");
+
+/// The claim file that the certificates of a folder are about.
+fn claims(folder: &str) -> &'static str {
+    if folder.starts_with("project") { PROJECT } else { CLAIMS }
+}
+
 /// The names and texts of the certificates of a folder.
 fn certificates(folder: &str) -> Vec<(String, String)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/rules").join(folder);
@@ -43,8 +50,10 @@ fn name(rejection: &Rejection) -> String {
 #[test]
 fn what_keeps_every_side_condition_is_accepted() {
     let mut count = 0;
-    for (file, text) in certificates("accepted") {
-        let report = check(CLAIMS, &[&text]).expect("a claim file");
+    let of_projects = certificates("project/accepted").into_iter().map(|one| (PROJECT, one));
+    let all = certificates("accepted").into_iter().map(|one| (CLAIMS, one)).chain(of_projects);
+    for (claims, (file, text)) in all {
+        let report = check(claims, &[&text]).expect("a claim file");
         assert!(refused(&report).is_empty(), "{file}: {:?}", refused(&report));
         let accepted = |outcome: &Outcome| matches!(outcome, Outcome::Valid | Outcome::Cited(_));
         let count_accepted = report.claims.iter().filter(|(_, _, outcome)| accepted(outcome));
@@ -57,16 +66,17 @@ fn what_keeps_every_side_condition_is_accepted() {
 #[test]
 fn what_violates_one_is_rejected_for_that() {
     let (mut reasons, mut wrong) = (BTreeSet::new(), Vec::new());
-    for folder in ["rejected", "malformed"] {
+    for folder in ["rejected", "malformed", "project/rejected"] {
         for (file, text) in certificates(folder) {
             let (_, expected) = text.rsplit_once("#! ").expect("an expectation");
-            let report = check(CLAIMS, &[&text]).expect("a claim file");
+            let report = check(claims(folder), &[&text]).expect("a claim file");
             let [(rejection, open)] = refused(&report)[..] else {
                 wrong.push(format!("{folder}/{file}: {:?}", refused(&report)));
                 continue;
             };
             let found = format!("{} {}", rejection.line, name(rejection));
-            let left_open = ["endless", "theorem-open", "unknown-field"].contains(&&*file)
+            let left_open = ["endless", "theorem-open", "unknown-field", "undecided"]
+                .contains(&&*file)
                 || file.starts_with("theorem-premise")
                 || file.starts_with("beyond-");
             if found != expected.trim() || open != left_open {

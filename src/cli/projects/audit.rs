@@ -1,12 +1,12 @@
 //! `subcert audit` of constants that programs ship.
 
-use super::{judge_projects, pages, select_project};
+use super::{certified, judge_projects, pages, select_project};
 use crate::cli::arguments::{AuditArguments, TableFormat};
 use crate::cli::audit::Destination;
 use crate::cli::csv;
 use crate::cli::output::{Failure, denied, show_table};
 use subcert::report::json::ProjectsReport;
-use subcert::report::projects_sheet;
+use subcert::report::{Sheet, projects_sheet};
 use subcert::shipped::{Outcome, Project};
 
 /// Judges the tables of projects and shows what is found.
@@ -18,6 +18,10 @@ pub(in crate::cli) fn audit(
     let denies = arguments.deny.iter().map(|word| outcome(word)).collect::<Result<Vec<_>, _>>()?;
     let projects = select_project(projects, arguments.paper.as_deref())?;
     let audits = judge_projects(&projects, to != Destination::Output(TableFormat::Json))?;
+    let mut certificates = Sheet::default();
+    if arguments.certified {
+        certified::section(&mut certificates, &audits)?;
+    }
     match to {
         Destination::Output(format) => show_table(
             format,
@@ -28,12 +32,13 @@ pub(in crate::cli) fn audit(
                      ✗ wrong  ? not decided. `--all` shows every number, `subcert explain KEY:ID FILE` those of one table, \
                      `subcert errata FILE` a text for the project's issue tracker.",
                 );
+                sheet.blocks.extend(certificates.blocks.clone());
                 sheet
             },
             || ProjectsReport::of(&audits),
             || csv::shipped(&audits),
         )?,
-        Destination::Pages(folder) => pages::pages(&audits, folder)?,
+        Destination::Pages(folder) => pages::pages(&audits, &certificates, folder)?,
     }
     denied(&arguments.deny, |word| {
         let findings = audits.iter().flat_map(|audit| &audit.findings);

@@ -1,6 +1,7 @@
 //! The commands about claim files, where these are about constants that programs ship.
 
 mod audit;
+mod certified;
 mod explain;
 mod pages;
 

@@ -3,11 +3,12 @@
 use crate::cli::output::{Failure, Outcome, write_results};
 use crate::cli::pages::{INDEX, write};
 use std::path::Path;
+use subcert::report::Sheet;
 use subcert::report::html::{project_page, projects_page};
 use subcert::shipped::ProjectAudit;
 
-/// Writes a page for each project, and an index of them.
-pub(super) fn pages(audits: &[ProjectAudit<'_>], folder: &Path) -> Outcome {
+/// Writes a page for each project, and an index of them with `more` below it.
+pub(super) fn pages(audits: &[ProjectAudit<'_>], more: &Sheet, folder: &Path) -> Outcome {
     if audits.iter().any(|audit| audit.project.key == INDEX) {
         let message =
             "a project of the key `index` would take the place of the index: give it another key";
@@ -16,7 +17,7 @@ pub(super) fn pages(audits: &[ProjectAudit<'_>], folder: &Path) -> Outcome {
     for audit in audits {
         write(folder, &audit.project.key, &project_page(audit))?;
     }
-    write(folder, INDEX, &projects_page(audits))?;
+    write(folder, INDEX, &projects_page(audits, more))?;
     let count = audits.len();
     let pages = if count == 1 { "page" } else { "pages" };
     let folder = folder.display();

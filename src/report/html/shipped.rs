@@ -31,9 +31,10 @@ pub fn project_page(audit: &ProjectAudit<'_>) -> String {
     document(&format!("{name} · audit by subcert"), &main)
 }
 
-/// The index over the pages of projects, `KEY.html` beside it.
+/// The index over the pages of projects, `KEY.html` beside it; `more` stands below, such as what the checker says of
+/// certificates.
 #[must_use]
-pub fn projects_page(audits: &[ProjectAudit<'_>]) -> String {
+pub fn projects_page(audits: &[ProjectAudit<'_>], more: &Sheet) -> String {
     let main = html! {
         header {
             h1 { "Audits of constants that programs ship" }
@@ -51,6 +52,7 @@ pub fn projects_page(audits: &[ProjectAudit<'_>]) -> String {
             }
             h2 { "Counts" }
             (grid(&counts(audits)))
+            (blocks(more, 1))
             (legend())
         }
     };

@@ -203,6 +203,9 @@ pub(in crate::report) fn shown(finding: &ShippedFinding<'_>) -> Vec<usize> {
     off
 }
 
+/// A column of a list of numbers: whether this table has it, its header, and its text.
+type Column<'c> = (bool, &'c str, &'c dyn Fn(usize) -> String);
+
 /// Numbers of a table with their exact values and verdicts.
 pub(in crate::report) fn rows(finding: &ShippedFinding<'_>, places: &[usize]) -> Grid {
     let claim = finding.claim;
@@ -210,8 +213,6 @@ pub(in crate::report) fn rows(finding: &ShippedFinding<'_>, places: &[usize]) ->
     let formulas = matches!(claim.exact, ExactValues::Each(_));
     let has_lines = claim.numbers.iter().any(|number| number.line.is_some());
     let nearest = format!("nearest {}", type_name(kind));
-    // A column: whether this table has it, its header, and its text.
-    type Column<'c> = (bool, &'c str, &'c dyn Fn(usize) -> String);
     let columns: [Column<'_>; 7] = [
         (!claim.indices.is_empty(), "at", &|place| at(claim, place)),
         (has_lines, "line", &|place| {

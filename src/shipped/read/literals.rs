@@ -64,7 +64,7 @@ impl Reader<'_> {
     }
 
     /// The numbers of a table in a source file.
-    pub(super) fn from_source(
+    pub(super) fn sourced(
         &self,
         from: &Spanned<CellsFrom>,
         language: Option<Language>,

@@ -126,7 +126,7 @@ impl Reader<'_> {
             (None, Some(from)) => {
                 let file = from.get_ref().file.get_ref().clone();
                 let after = from.get_ref().after.get_ref().clone();
-                let numbers = self.from_source(from, language, kind, &sizes)?;
+                let numbers = self.sourced(from, language, kind, &sizes)?;
                 (numbers, Origin::Source { file, after })
             }
             _ => {

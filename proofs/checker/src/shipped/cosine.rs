@@ -98,7 +98,7 @@ impl Circle {
         let mut term = [unit.clone(), unit.clone()];
         let mut sum = term.clone();
         for k in 1_u64.. {
-            let divisor = BigInt::from(2 * k) * (2 * k - 1) << self.places;
+            let divisor = (BigInt::from(2 * k) * (2 * k - 1)) << self.places;
             term = [
                 (&term[0] * &square[0]).div_floor(&divisor),
                 ceil(&(&term[1] * &square[1]), &divisor),

@@ -1,6 +1,6 @@
 //! Numbers as programs hold them, and operations on them.
 
-use super::number::Language;
+use super::language::Language;
 use super::rounding::{DOUBLE, Format, SINGLE, Type};
 use crate::decimal::Q;
 use crate::reject::Stop;

@@ -1,7 +1,8 @@
 //! One number of a table as its source has it: a literal, or an expression of literals.
 
 use super::held::{Kind, Target};
-use super::number::{Language, Literal, Written, literal};
+use super::language::Language;
+use super::number::{Literal, Written, literal};
 use super::rounding::Type;
 use crate::cursor::Cursor;
 use crate::decimal::Q;
@@ -149,9 +150,10 @@ impl Parser {
         let start = self.text.at();
         let name = self.text.take(|c| c.is_alphanumeric() || c == '_');
         let kind = match (&name[..], self.language) {
-            ("float", Language::Python) => Some(Kind::Double),
+            ("float", Language::Python) | ("double", Language::C | Language::Shader) => {
+                Some(Kind::Double)
+            }
             ("float", _) => Some(Kind::Single),
-            ("double", Language::C | Language::Shader) => Some(Kind::Double),
             _ => None,
         };
         if kind.is_some() {

@@ -2,6 +2,7 @@
 //! programs). Nothing here is shared with the checks of papers but texts, formulas and rational numbers.
 
 // Enclosures of real numbers, and formulas on them.
+mod arithmetic;
 mod cosine;
 mod functions;
 mod interval;
@@ -9,7 +10,9 @@ mod roots;
 mod value;
 
 // Numbers in programs, and what is said of them.
+mod decided;
 mod held;
+mod language;
 mod literal;
 mod number;
 mod rounding;

@@ -1,6 +1,7 @@
 //! Literals of numbers in the languages of programs.
 
 use super::held::{Held, Kind, Target};
+use super::language::Language;
 use super::rounding::ten;
 use crate::decimal::Q;
 use num_bigint::BigInt;
@@ -8,66 +9,6 @@ use num_traits::{One, Zero};
 
 /// The greatest absolute value of an exponent.
 const MAX_EXPONENT: i64 = 5_000;
-
-/// A language, or a family of languages with the same rules.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Language {
-    /// C, C++ and CUDA.
-    C,
-    /// GLSL and HLSL.
-    Shader,
-    /// JavaScript and TypeScript.
-    JavaScript,
-    /// Python.
-    Python,
-    /// Rust.
-    Rust,
-}
-
-/// The endings of file names, by language.
-const ENDINGS: [(Language, &str); 5] = [
-    (Language::C, "c h cc cpp cxx hh hpp hxx inl ipp cu cuh cl m mm metal"),
-    (Language::Shader, "glsl vert frag geom comp tesc tese hlsl fx"),
-    (Language::JavaScript, "js mjs cjs ts jsx tsx"),
-    (Language::Python, "py pyx pyi"),
-    (Language::Rust, "rs"),
-];
-
-impl Language {
-    /// The language of a name in a claim file.
-    pub fn read(name: &str) -> Option<Language> {
-        Some(match name {
-            "c" => Language::C,
-            "shader" => Language::Shader,
-            "javascript" => Language::JavaScript,
-            "python" => Language::Python,
-            "rust" => Language::Rust,
-            _ => return None,
-        })
-    }
-
-    /// The language of a source file, by the ending of its name.
-    pub fn of_file(name: &str) -> Option<Language> {
-        let (_, ending) = name.rsplit_once('.')?;
-        let ending = ending.to_ascii_lowercase();
-        let known = |endings: &str| endings.split(' ').any(|known| known == ending);
-        ENDINGS.iter().find(|(_, endings)| known(endings)).map(|(language, _)| *language)
-    }
-
-    /// Whether a quotient of integers is an integer.
-    pub fn truncates(self) -> bool {
-        matches!(self, Language::C | Language::Shader)
-    }
-
-    /// The sign that may stand between digits.
-    fn separator(self) -> Option<char> {
-        match self {
-            Language::C => Some('\''),
-            Language::Shader => None,
-            _ => Some('_'),
-        }
-    }
-}
 
 /// A decimal as it is written.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -162,18 +103,17 @@ fn kind(suffix: &str, is_whole: bool, language: Language) -> Result<Kind, &'stat
     use Language::{C, JavaScript, Python, Rust, Shader};
     Ok(match (language, suffix) {
         (Rust, "") => Kind::Table,
-        (Rust, "f32") => Kind::Single,
-        (Rust, "f64") => Kind::Double,
-        (JavaScript, "") => Kind::Double,
-        (Python, "") if !is_whole => Kind::Double,
-        (C | Shader | Python, "") if is_whole => Kind::Integer,
-        (C, "u" | "l" | "ul" | "lu" | "ll" | "ull" | "llu") if is_whole => Kind::Integer,
-        (Shader, "u") if is_whole => Kind::Integer,
-        (C, "") => Kind::Double,
-        (C, "f") if !is_whole => Kind::Single,
+        (C, "" | "u" | "l" | "ul" | "lu" | "ll" | "ull" | "llu")
+        | (Shader, "" | "u")
+        | (Python, "")
+            if is_whole =>
+        {
+            Kind::Integer
+        }
+        (C | JavaScript | Python, "") | (Rust, "f64") | (Shader, "lf") => Kind::Double,
+        (C, "f") if is_whole => return Err("a suffix of floating point after an integer"),
+        (C, "f") | (Rust, "f32") | (Shader, "" | "f") => Kind::Single,
         (C, "l") => Kind::Long,
-        (Shader, "" | "f") => Kind::Single,
-        (Shader, "lf") => Kind::Double,
         _ => return Err("the language has no such suffix"),
     })
 }

@@ -16,13 +16,15 @@ use std::collections::BTreeMap;
 /// The least and the greatest number of binary digits of enclosures.
 const BITS: std::ops::RangeInclusive<u64> = 64..=20_000;
 
-/// What is found of the tables of a project: for each id the certificate, by its index, and the
-/// verdict in a few words.
+/// The certificate of a table, by its index, and the verdict in a few words.
+type Check = (usize, Checked<String>);
+
+/// What is found of the tables of a project.
 pub struct Checks<'a> {
     /// The key of the project.
     pub key: &'a str,
     /// The ids of the tables, in the order of the file, with the check of each.
-    pub tables: Vec<(&'a str, Option<(usize, Checked<String>)>)>,
+    pub tables: Vec<(&'a str, Option<Check>)>,
     /// The rejections of whole certificates.
     pub broken: Vec<(usize, Rejection)>,
 }

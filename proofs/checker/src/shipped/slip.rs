@@ -1,8 +1,8 @@
 //! Slips by which the digits of a number may have come from those of the exact value.
 
+use super::decided::{Ends, decided, is_rounded, within};
 use super::number::Written;
 use super::rounding::{Type, half_even, ten};
-use super::verdict::{Ends, decided, is_rounded, within};
 use crate::decimal::{Q, int};
 use crate::reject::Stop;
 use num_bigint::BigInt;
@@ -13,8 +13,12 @@ const SIGN: usize = 3;
 const POINT: usize = 4;
 const DIGITS: usize = 5;
 
-/// How many of the last digits are not changed by a slip in one digit.
+/// How many of the last digits are not changed by a slip in one digit, and not left out.
 const LAST: usize = 2;
+
+/// The name of a slip in digits, the digits after the point that are needed beyond those written, and
+/// whether the slip leads from the right digits to the typed ones, which come first.
+type Kind = (&'static str, i64, fn(&str, &str) -> bool);
 
 /// The first slip that leads from x to what is written. `turned` is the number of the type nearest to −w.
 pub fn slip(
@@ -51,7 +55,7 @@ pub fn slip(
         return Ok(None);
     }
     let typed = digits(&(&written.value * ten(written.places)));
-    let kinds: [(&'static str, i64, fn(&str, &str) -> bool); 3] =
+    let kinds: [Kind; 3] =
         [("digit", 0, is_digit), ("exchanged", 0, is_exchanged), ("dropped", 1, is_dropped)];
     for (kind, more, test) in kinds {
         let found = candidates(x, written.places + more)?.map(|right| test(&typed, &right));
@@ -101,11 +105,12 @@ fn is_exchanged(typed: &str, right: &str) -> bool {
         [i, j] if j == i + 1 && one[i] == other[j] && one[j] == other[i])
 }
 
-/// Whether a digit other than the last is missing.
+/// Whether a digit is missing that is not among the last.
 fn is_dropped(typed: &str, longer: &str) -> bool {
     let without = |at: usize| {
         let kept = longer.bytes().enumerate().filter(move |(place, _)| *place != at);
         kept.map(|(_, digit)| digit)
     };
-    typed.len() + 1 == longer.len() && (0..typed.len()).any(|at| without(at).eq(typed.bytes()))
+    let places = 0..longer.len().saturating_sub(LAST);
+    typed.len() + 1 == longer.len() && places.into_iter().any(|at| without(at).eq(typed.bytes()))
 }

@@ -1,6 +1,6 @@
 //! Tables of constants as a claim file describes them.
 
-use super::number::Language;
+use super::language::Language;
 use super::rounding::Type;
 use super::value::Values;
 use crate::definitions::{Definitions, formula};
@@ -115,7 +115,7 @@ impl<'a> Table<'a> {
         exact: &Exact,
         place: usize,
         values: &Values<'_>,
-    ) -> Result<super::verdict::Ends, Stop> {
+    ) -> Result<super::decided::Ends, Stop> {
         let formula = match exact {
             Exact::One(formula) => formula,
             Exact::Each(formulas) => &formulas[place],

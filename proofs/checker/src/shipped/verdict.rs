@@ -1,6 +1,7 @@
 //! The verdict of a number (FORMAT.md, Constants in programs). It is that of every point of an
 //! enclosure of the exact value.
 
+use super::decided::{Ends, decided, is_rounded, within};
 use super::literal::Shipped;
 use super::number::Written;
 use super::rounding::{Type, ten};
@@ -18,9 +19,6 @@ const MAX_AGREEING: usize = 60;
 
 /// The most steps of a number that is right under a reading.
 const RIGHT_STEPS: u64 = 4;
-
-/// The ends of an enclosure.
-pub type Ends = (Q, Q);
 
 /// What is said of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,16 +75,6 @@ impl Verdict {
     }
 }
 
-/// A statement that holds for all points, for none, or perhaps for some.
-pub fn decided(all: bool, none: bool, what: &'static str) -> Result<bool, Stop> {
-    if all || none { Ok(all) } else { Err(Stop::Undecided(what)) }
-}
-
-/// Whether all points are in a closed interval.
-pub fn within(x: &Ends, low: &Q, high: &Q, what: &'static str) -> Result<bool, Stop> {
-    decided(*low <= x.0 && x.1 <= *high, x.1 < *low || *high < x.0, what)
-}
-
 /// The verdict of a number of this type with the exact value x.
 pub fn verdict(x: &Ends, number: &Shipped, of: Type) -> Result<Verdict, Stop> {
     if let Some(held) = &number.held {
@@ -121,13 +109,6 @@ pub fn verdict(x: &Ends, number: &Shipped, of: Type) -> Result<Verdict, Stop> {
         Some(held) => agreeing(x, held)?,
         None => 0,
     }))
-}
-
-/// Whether w is x, rounded to its digits.
-pub fn is_rounded(x: &Ends, written: &Written) -> Result<bool, Stop> {
-    let half = ten(-written.places) / int(2);
-    let (low, high) = (&written.value - &half, &written.value + &half);
-    within(x, &low, &high, "whether the number is rounded")
 }
 
 /// Whether w is x without its further digits: 0 ≤ |x| − |w| < 10^−places, with the same sign.

@@ -1,0 +1,102 @@
+//! Certificates of shipped constants, by the word of the checker, which finds every verdict in its own way.
+
+use super::{HEAD, table};
+use proptest::prelude::*;
+use subcert::certificate::project_certificate;
+use subcert::diagnostic::SourceText;
+use subcert::shipped::{audit_project, read_project};
+use subcert_check::{Outcome, check};
+
+/// The certificate of a claim file.
+fn written(text: &str) -> String {
+    let project = read_project(&SourceText::new("k.toml", text.to_owned()));
+    let project = project.unwrap_or_else(|errors| panic!("{errors}"));
+    project_certificate(&audit_project(&project).expect("an audit")).text
+}
+
+/// What the checker says of the only table.
+fn checked(text: &str, certificate: &str) -> Outcome {
+    let report = check(text, &[certificate]).expect("a claim file");
+    match report.broken.first() {
+        Some((place, rejection)) => Outcome::Invalid(*place, rejection.clone()),
+        None => report.claims[0].2.clone(),
+    }
+}
+
+/// Formulas in k of every kind, irrational but for the first two.
+const FORMULAS: [&str; 9] = [
+    "k/7",
+    "binomial(k + 3, 2)/2^k - mod(k, 3)",
+    "cos(2*pi*k/11)",
+    "sqrt(k + 1/3)",
+    "(g + 5 + sqrt((g + 9)*(g + 1)))/16",
+    "root([-k, -1, 0, 1], 1)",
+    "sum(h = 1..k, sqrt(h)/h)",
+    "max(g, g^2) - min(0, 1 - k)*abs(g)",
+    "root([1, -3*g, 0, 1], 1)*sqrt(2)",
+];
+
+/// A decimal near a value: so many digits, then one digit changed.
+fn near(value: f64, digits: usize, change: Option<(usize, u8)>, suffix: &str) -> String {
+    let mut text = format!("{value:.digits$}").into_bytes();
+    if let Some((place, digit)) = change {
+        let places: Vec<usize> =
+            (0..text.len()).filter(|&at| text[at].is_ascii_digit() && at > 0).collect();
+        text[places[place % places.len()]] = b'0' + digit;
+    }
+    format!("{}{suffix}", String::from_utf8(text).expect("ASCII"))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    /// Whatever the program says of numbers, the checker finds too.
+    #[test]
+    fn what_the_program_finds_the_checker_finds(
+        formula in 0..FORMULAS.len(),
+        digits in proptest::collection::vec(1_usize..18, 4),
+        changes in proptest::collection::vec(proptest::option::of((0_usize..20, 0_u8..10)), 4),
+        kind in 0..3_usize,
+    ) {
+        let (kind, suffix) = [("f32", "f"), ("f64", ""), ("decimal:6", "")][kind];
+        let exact = table(kind, "'k = 1..4'", FORMULAS[formula], &["0.5"; 4]);
+        let define = "[define]\ng = 'cos(2*pi/7)'\n";
+        let project = read_project(&SourceText::new("k.toml", format!("{HEAD}{define}{exact}"))).expect("a file");
+        let audit = audit_project(&project).expect("an audit");
+        let cells: Vec<String> = audit.findings[0].cells.iter().zip(digits.iter().zip(&changes)).map(|(cell, (digits, change))| {
+            let value: f64 = subcert::shipped::decimal(&cell.exact, 17).parse().expect("a number");
+            near(value, *digits, *change, suffix)
+        }).collect();
+        let cells: Vec<&str> = cells.iter().map(String::as_str).collect();
+        let text = format!("{HEAD}{define}{}", table(kind, "'k = 1..4'", FORMULAS[formula], &cells));
+        let certificate = written(&text);
+        prop_assert_eq!(checked(&text, &certificate), Outcome::Valid, "{}", certificate);
+        // Another verdict of any number is refused.
+        for word in ["nearest", "rounded 5", "truncated 5", "ulps 3", "misprint digit", "refuted 2"] {
+            let changed: String = certificate.lines().map(|line| match line.rsplit_once('"') {
+                Some((cell, said)) if said.trim() != word && cell.starts_with("  cell 2 ") => format!("{cell}\" {word}\n"),
+                _ => format!("{line}\n"),
+            }).collect();
+            if changed != certificate {
+                let outcome = checked(&text, &changed);
+                prop_assert!(matches!(outcome, Outcome::Invalid(..)), "{:?}: {}", outcome, changed);
+            }
+        }
+    }
+}
+
+/// Readings are certified too: the numbers of a definition that was rounded, and of another convention.
+#[test]
+fn readings() {
+    let early = table("f64", "'k = 1..4'", "k*g", &["1.41400", "2.82800", "4.24200", "5.65600"]);
+    let early = format!("{HEAD}[define]\ng = 'sqrt(2)'\n{early}");
+    let certificate = written(&early);
+    assert!(certificate.contains("\n  early g 3\n"), "{certificate}");
+    assert_eq!(checked(&early, &certificate), Outcome::Valid);
+    let other = table("f32", "'n = 4..6'", "1/n", &["0.09375f", "0.075f", "0.0625f"]);
+    let other =
+        format!("{HEAD}{other}[[shipped.convention]]\nlabel = 'Warren'\nequals = '3/(8*n)'\n");
+    let certificate = written(&other);
+    assert!(certificate.contains("\n  convention 1\n"), "{certificate}");
+    assert_eq!(checked(&other, &certificate), Outcome::Valid);
+}
