@@ -13,7 +13,7 @@ begins with WORD, and `head=N` keeps N lines. A block under `<!-- file: PATH -->
 file, and one under `<!-- part of: PATH -->` some lines of it.
 The files of FILES, and proofs/errata, hold what their command writes, and nothing else; docs/audits/index.html
 is the index of the pages that `audit --format html` writes, with links to the errata in place of pages, which are not
-in the repository. docs/depth.svg is a picture of a page of `depth`, with the styles of the page.
+in the repository. docs/gallery.md has the audits of proofs/projects. docs/depth.svg is a picture of a page of `depth`, with the styles of the page.
 """
 
 import os
@@ -39,6 +39,30 @@ SMOOTHNESS = sorted((ROOT / "proofs" / "claims" / "smoothness").glob("*.toml"))
 for claims in SMOOTHNESS:
     FILES[f"proofs/certificates/smoothness/{claims.stem}.cert"] = f"prove {claims.relative_to(ROOT)} -o -"
     FILES[f"proofs/errata/smoothness/{claims.stem}.md"] = f"errata {claims.relative_to(ROOT)}"
+# Constants that public programs ship.
+PROJECTS = sorted((ROOT / "proofs" / "projects").glob("*.toml"))
+for claims in PROJECTS:
+    FILES[f"proofs/certificates/projects/{claims.stem}.cert"] = f"prove {claims.relative_to(ROOT)} -o -"
+    FILES[f"proofs/errata/projects/{claims.stem}.md"] = f"errata {claims.relative_to(ROOT)}"
+GALLERY = """\
+# What public programs ship
+
+Tables of constants in public source code, compared with their exact values. Each was read at the commit that is named;
+facts and figures stand here, and no code. The claim files are in [`proofs/projects`](../proofs/projects), with
+[certificates](../proofs/certificates/projects) and a [text for each project](../proofs/errata/projects).
+[Constants in programs](programs.md) says what the words mean. To judge all of them again:
+
+```sh
+subcert audit proofs/projects/*.toml
+```
+
+"""
+
+
+def gallery() -> str:
+    files = " ".join(str(claims.relative_to(ROOT)) for claims in PROJECTS)
+    text = output(f"audit {files} --format markdown")
+    return GALLERY + re.sub(r"^(#+ )", r"#\1", text, flags=re.MULTILINE)
 
 
 def output(command: str) -> str:
@@ -106,12 +130,13 @@ def main() -> int:
     generated |= {name: output(command) for name, command in FILES.items()}
     generated["docs/audits/index.html"] = index()
     generated["docs/depth.svg"] = picture()
+    generated["docs/gallery.md"] = gallery()
     for claims in sorted((ROOT / "proofs" / "claims").glob("*.toml")):
         key = claims.stem
         generated[f"proofs/errata/{key}.md"] = output(f"errata --paper {key}")
     if "--check" not in sys.argv[1:]:
         for name, text in generated.items():
-            (ROOT / name).parent.mkdir(exist_ok=True)
+            (ROOT / name).parent.mkdir(parents=True, exist_ok=True)
             (ROOT / name).write_text(text)
         return 0
     stale = [

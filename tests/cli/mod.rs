@@ -10,6 +10,7 @@ mod offset;
 mod output;
 mod pages;
 mod polygons;
+mod projects;
 mod smoothness;
 mod solids;
 mod spectrum;
