@@ -7,6 +7,7 @@ use subcert::certificate::{certificate as written, project_certificate};
 use subcert::claim::read_paper;
 use subcert::diagnostic::SourceText;
 use subcert::formula::{MAX_FORMULA_LENGTH, parse};
+use subcert::literal::{Language, read_literals};
 use subcert::report::issue_sheet;
 use subcert::shipped::{audit_project, read_project};
 use subcert_check::{Outcome, check, is_formula};
@@ -100,4 +101,17 @@ pub fn project_file(data: &[u8]) {
     let Ok(audit) = audit_project(&project) else { return };
     let _ = project_certificate(&audit);
     let _ = issue_sheet(&[audit]).to_markdown();
+}
+
+/// A source file with a table, in each language: it is read, or refused with its place.
+pub fn source_file(data: &[u8]) {
+    let Ok(text) = from_utf8(data) else { return };
+    let source = SourceText::new("fuzz", text);
+    for language in
+        [Language::C, Language::Shader, Language::JavaScript, Language::Python, Language::Rust]
+    {
+        if let Ok(table) = read_literals(&source, language, "table", &[2, 2]) {
+            assert_eq!(table.entries.len(), 4, "{text}");
+        }
+    }
 }

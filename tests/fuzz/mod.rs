@@ -158,6 +158,17 @@ fn claim_files_of_projects() {
 }
 
 #[test]
+fn source_files() {
+    let inputs = [
+        "static const float table[2][2] = { /* a */ { 1.0f, -.5e0 }, { 0x1p-2, (float)1 / 3 } }; // end",
+        "const table = [[1, 0.25], [-2.5e-1, 1 / 3]]; let other = 1;",
+        "table = [[1, .25],  # a\n [-2.5e-1, 1 / 3]]\n",
+        "pub const table: [[f64; 2]; 2] = [[1.0, 0.25_f64], [-2.5e-1, 1.0 / 3.0]];",
+    ];
+    run("source_file", &inputs, 1_000, entry::source_file);
+}
+
+#[test]
 fn formulas() {
     run("formula", &FORMULAS, 1_000, entry::formula);
 }

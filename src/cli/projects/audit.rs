@@ -29,7 +29,7 @@ pub(in crate::cli) fn audit(
                 let mut sheet = projects_sheet(&audits, arguments.all);
                 sheet.text(
                     "✓ nearest of its type  ≈ rounded, cut, or off in the last places  ± misprint  ⇄ another table than it is said to be  \
-                     ✗ wrong  ? not decided. `--all` shows every number, `subcert explain KEY:ID FILE` those of one table, \
+                     ✗ wrong, or right to fewer digits than are written  ? not decided. `--all` shows every number, `subcert explain KEY:ID FILE` those of one table, \
                      `subcert errata FILE` a text for the project's issue tracker.",
                 );
                 sheet.blocks.extend(certificates.blocks.clone());

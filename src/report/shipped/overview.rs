@@ -1,7 +1,7 @@
 //! The report about the tables of projects.
 
 use super::table::section;
-use super::words::{count, outcome_mark};
+use super::words::{FAIR_DIGITS, count, outcome_mark};
 use crate::report::sheet::{Grid, Sheet};
 use crate::shipped::{Outcome, Project, ProjectAudit, ShippedFinding, Verdict};
 
@@ -29,17 +29,28 @@ pub fn projects_sheet(audits: &[ProjectAudit<'_>], all: bool) -> Sheet {
 pub(in crate::report) fn sentence(audit: &ProjectAudit<'_>) -> String {
     let Project { key, name, .. } = audit.project;
     let all = audit.findings.len();
-    let parts: Vec<String> = Outcome::ALL
-        .into_iter()
-        .filter_map(|outcome| {
-            let found = audit.findings.iter().filter(|finding| finding.outcome == outcome).count();
-            (found > 0).then(|| format!("{found} {}", outcome_text(outcome, found)))
+    let states = Outcome::ALL.into_iter().flat_map(|outcome| [(outcome, false), (outcome, true)]);
+    let parts: Vec<String> = states
+        .filter_map(|(outcome, wrong)| {
+            let is = |finding: &&ShippedFinding<'_>| {
+                finding.outcome == outcome && has_wrong(finding) == wrong
+            };
+            let found = audit.findings.iter().filter(is).count();
+            (found > 0).then(|| format!("{found} {}", outcome_text(outcome, wrong, found)))
         })
         .collect();
-    format!("{name} ({key}): of {}, {}.", count(all, "table", "tables"), parts.join(", "))
+    let key = if key == name { String::new() } else { format!(" ({key})") };
+    format!("{name}{key}: of {}, {}.", count(all, "table", "tables"), parts.join(", "))
 }
 
-fn outcome_text(outcome: Outcome, count: usize) -> &'static str {
+/// Whether a refuted table has numbers of which few digits are right, and not only some that are right to fewer digits than
+/// are written.
+fn has_wrong(finding: &ShippedFinding<'_>) -> bool {
+    let wrong = |verdict| matches!(verdict, Verdict::Refuted(agree) if agree < FAIR_DIGITS);
+    finding.outcome == Outcome::Refuted && finding.count(wrong) > 0
+}
+
+fn outcome_text(outcome: Outcome, wrong: bool, count: usize) -> &'static str {
     match (outcome, count) {
         (Outcome::Nearest, 1) => "is right to the last bit",
         (Outcome::Nearest, _) => "are right to the last bit",
@@ -53,6 +64,8 @@ fn outcome_text(outcome: Outcome, count: usize) -> &'static str {
         (Outcome::Open, _) => "are not decided",
         (Outcome::Misprint, 1) => "has misprints",
         (Outcome::Misprint, _) => "have misprints",
+        (Outcome::Refuted, 1) if !wrong => "is right to fewer digits than are written",
+        (Outcome::Refuted, _) if !wrong => "are right to fewer digits than are written",
         (Outcome::Refuted, 1) => "has wrong numbers",
         (Outcome::Refuted, _) => "have wrong numbers",
     }
@@ -67,7 +80,7 @@ const COLUMNS: [Column; 7] = [
     ("≈ cut", |verdict| matches!(verdict, Verdict::Truncated(_))),
     ("≈ last\nplaces", |verdict| matches!(verdict, Verdict::Ulps(_))),
     ("± mis-\nprint", |verdict| matches!(verdict, Verdict::Misprint(_))),
-    ("✗ wrong", |verdict| matches!(verdict, Verdict::Refuted(_))),
+    ("✗ other", |verdict| matches!(verdict, Verdict::Refuted(_))),
     ("? open", |verdict| verdict == Verdict::Open),
 ];
 

@@ -1,7 +1,7 @@
 //! The section of a report about one table.
 
 use super::facts;
-use super::words::{self, at, count, mark, outcome_mark, type_name};
+use super::words::{self, FAIR_DIGITS, at, count, mark, outcome_mark, type_name};
 use crate::report::parts::titled;
 use crate::report::sheet::{Grid, Sheet};
 use crate::shipped::{
@@ -56,8 +56,11 @@ pub fn headline(finding: &ShippedFinding<'_>) -> String {
             _ => format!("All {all} numbers are the nearest {kind}."),
         };
     }
-    let parts: [(usize, String); 7] = [
-        (finding.count(|verdict| matches!(verdict, Verdict::Refuted(_))), "wrong".to_owned()),
+    let fair = |verdict| matches!(verdict, Verdict::Refuted(agree) if agree >= FAIR_DIGITS);
+    let is_wrong = |verdict| matches!(verdict, Verdict::Refuted(_)) && !fair(verdict);
+    let parts: [(usize, String); 8] = [
+        (finding.count(is_wrong), "wrong".to_owned()),
+        (finding.count(fair), "right to fewer digits than are written".to_owned()),
         (finding.count(|verdict| matches!(verdict, Verdict::Misprint(_))), misprints(finding)),
         (finding.count(|verdict| verdict == Verdict::Open), "not decided".to_owned()),
         (finding.count(|verdict| matches!(verdict, Verdict::Ulps(_))), ulps(finding)),
@@ -226,7 +229,9 @@ pub(in crate::report) fn rows(finding: &ShippedFinding<'_>, places: &[usize]) ->
         }),
         (true, "verdict", &|place| {
             let cell = &finding.cells[place];
-            format!("{} {}", mark(cell.verdict), words::verdict(cell, kind))
+            let written = claim.numbers[place].written.as_ref();
+            let digits = written.and_then(|written| written.count).map(|(digits, _)| digits);
+            format!("{} {}", mark(cell.verdict), words::verdict(cell, kind, digits))
         }),
     ];
     let columns = columns.iter().filter(|(is_there, ..)| *is_there);

@@ -32,13 +32,16 @@ pub(in crate::report) fn meaning(outcome: Outcome) -> &'static str {
         Outcome::Cut | Outcome::Ulps => "rounded or cut to its digits, or off in the last places",
         Outcome::Misprint => "a misprint",
         Outcome::Otherwise => "another table than it is said to be",
-        Outcome::Refuted => "wrong",
+        Outcome::Refuted => "wrong, or right to fewer digits than are written",
         Outcome::Open => "not decided",
     }
 }
 
-/// What is said of a number of this type.
-pub(super) fn verdict(cell: &ShippedCell, kind: NumberType) -> String {
+/// From so many digits on that agree, a number is not called wrong.
+pub(super) const FAIR_DIGITS: u32 = 3;
+
+/// What is said of a number of this type, which is written with so many digits.
+pub(super) fn verdict(cell: &ShippedCell, kind: NumberType, written: Option<usize>) -> String {
     match cell.verdict {
         Verdict::Nearest => format!("the nearest {}", type_name(kind)),
         Verdict::Rounded(digits) => format!("rounded to {digits} digits"),
@@ -46,6 +49,10 @@ pub(super) fn verdict(cell: &ShippedCell, kind: NumberType) -> String {
         Verdict::Ulps(1) => "1 unit in the last place away".to_owned(),
         Verdict::Ulps(units) => format!("{units} units in the last place away"),
         Verdict::Misprint(slip) => format!("misprint: {}", slip_text(slip)),
+        Verdict::Refuted(agree) if agree >= FAIR_DIGITS => {
+            let of = written.map(|digits| format!(" of {digits}")).unwrap_or_default();
+            format!("right to {agree}{of} digits only")
+        }
         Verdict::Refuted(_) => format!("wrong by {}", error(&cell.error)),
         Verdict::Open => "not decided within 10,000 binary digits".to_owned(),
     }
