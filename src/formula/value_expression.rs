@@ -10,8 +10,12 @@ use crate::exact::{
 /// How many binary digits are computed to find a sign. Where they do not decide, a formula has no value.
 const SIGN_BITS: u64 = 10_000;
 
-/// The size that counts for a number with roots: enclosures of it are short.
+/// The size that counts for a number with roots: enclosures of it are short, but all of its operations are done
+/// again for each. This is the size of four nested operations.
 const ROOT_BITS: u64 = 512;
+
+/// The most nested operations in a number with roots: its functions call themselves for the inner ones.
+const MAX_DEPTH: u32 = 600;
 
 impl Value for RealExpression {
     fn as_rational(&self) -> Option<Rational> {
@@ -19,7 +23,11 @@ impl Value for RealExpression {
         self.as_number()?.as_rational().cloned()
     }
     fn size(&self) -> u64 {
-        self.as_number().map_or(ROOT_BITS, RealCyclotomic::bits)
+        match (self.as_number(), self.depth()) {
+            (Some(number), _) => number.bits(),
+            (None, depth) if depth <= MAX_DEPTH => ROOT_BITS * (1 + u64::from(depth) / 4),
+            (None, _) => u64::MAX,
+        }
     }
     fn product_size(&self, other: &Self) -> u64 {
         match (self.as_number(), other.as_number()) {

@@ -38,6 +38,8 @@ pub(super) struct Node {
     pub(super) operation: Operation,
     pub(super) size: Size,
     pub(super) field: Field,
+    /// How many operations and roots are nested in it.
+    depth: u32,
     /// The first enclosures.
     pub(super) enclosures: [OnceLock<Enclosure>; 4],
     /// Whether the number is rational.
@@ -52,6 +54,23 @@ pub(super) enum Operation {
     Product(RealExpression, RealExpression),
     Quotient(RealExpression, RealExpression),
     Root(Arc<Generator>),
+}
+
+impl Operation {
+    fn depth(&self) -> u32 {
+        let inner = match self {
+            Operation::Number(_) => return 0,
+            Operation::Sum(a, b)
+            | Operation::Difference(a, b)
+            | Operation::Product(a, b)
+            | Operation::Quotient(a, b) => a.depth().max(b.depth()),
+            Operation::Root(generator) => match &**generator {
+                Generator::Square(radicand) => radicand.depth(),
+                Generator::Isolated(_) => 0,
+            },
+        };
+        inner.saturating_add(1)
+    }
 }
 
 /// A root that is adjoined.
@@ -137,7 +156,14 @@ impl From<Rational> for RealExpression {
 impl RealExpression {
     pub(super) fn node(operation: Operation, size: Size, field: Field) -> RealExpression {
         let (enclosures, rational) = Default::default();
-        RealExpression(Arc::new(Node { operation, size, field, enclosures, rational }))
+        let depth = operation.depth();
+        RealExpression(Arc::new(Node { operation, size, field, depth, enclosures, rational }))
+    }
+
+    /// How many operations and roots are nested in this expression: 0 for a number of a field Q(2cos(2π/n)).
+    #[must_use]
+    pub fn depth(&self) -> u32 {
+        self.0.depth
     }
 
     /// This, if it is written as a number of a field Q(2cos(2π/n)).
