@@ -77,8 +77,10 @@ pub(super) fn cyclotomic(n: usize) -> Vec<i64> {
 ///
 /// Φ_n(x) = x^m Ψ_n(x + 1/x) with m = φ(n)/2. With Φ_n(x) = x^m (a_0 + Σ_k a_k C_k)
 /// and C_k = S_k − S_{k−2}, where S_k(2cos t) = sin((k+1)t)/sin t, this gives
-/// Ψ_n = Σ_k (a_k − a_{k+2}) S_k; summed by Clenshaw's recurrence b_k = y b_{k+1} −
-/// b_{k+2} + (a_k − a_{k+2}), Ψ_n = b_0, in m²/2 additions of integers.
+/// Ψ_n = Σ_k (a_k − a_{k+2}) S_k. The coefficients of S_k are binomial coefficients. Where few
+/// of these S_k occur, they are added one by one, which takes a product and a quotient by a small
+/// number for each; a prime n = 2m + 1 has two, Ψ_n = S_m + S_{m−1}. Otherwise Clenshaw's
+/// recurrence b_k = y b_{k+1} − b_{k+2} + (a_k − a_{k+2}), Ψ_n = b_0, takes m²/2 additions.
 ///
 /// # Panics
 /// When n is 0.
@@ -99,7 +101,37 @@ pub fn cosine_polynomial(n: u32) -> IntegerPolynomial {
         _ => {}
     }
     let a = cyclotomic(n as usize);
-    let m = a.len() - 1;
+    let factors: Vec<i64> =
+        a.iter().enumerate().map(|(k, a_k)| a_k - a.get(k + 2).unwrap_or(&0)).collect();
+    let occurring = factors.iter().filter(|factor| **factor != 0).count();
+    let few = occurring * ADDITIONS < factors.len();
+    IntegerPolynomial::new(if few { one_by_one(&factors) } else { by_clenshaw(&factors) })
+}
+
+/// So many additions take about as long as a product and a quotient by a small number.
+const ADDITIONS: usize = 12;
+
+/// Σ_k f_k S_k from S_k = Σ_j (−1)^j C(k−j, j) y^{k−2j}, where C(k−j−1, j+1) =
+/// C(k−j, j)·(k−2j)(k−2j−1)/((k−j)(j+1)).
+fn one_by_one(factors: &[i64]) -> Vec<Integer> {
+    let product = |a: usize, b: usize| Integer::from(a) * Integer::from(b);
+    let mut sum = vec![Integer::zero(); factors.len()];
+    for (k, &factor) in factors.iter().enumerate().filter(|(_, factor)| **factor != 0) {
+        let mut term = Integer::from(factor);
+        for j in 0..=k / 2 {
+            sum[k - 2 * j] += &term;
+            let rest = k - 2 * j;
+            if rest >= 2 {
+                term *= &-product(rest, rest - 1);
+                term = term.div_exact(&product(k - j, j + 1));
+            }
+        }
+    }
+    sum
+}
+
+fn by_clenshaw(factors: &[i64]) -> Vec<Integer> {
+    let m = factors.len() - 1;
     // ±b_k and ±b_{k+1}, where the sign changes at every second k. With these signs
     // b_{k+2} becomes b_k in place, by additions only or by subtractions only.
     let (mut this, mut other) = (vec![Integer::zero(); m + 1], vec![Integer::zero(); m + 1]);
@@ -114,7 +146,7 @@ pub fn cosine_polynomial(n: u32) -> IntegerPolynomial {
                 *to += from;
             }
         }
-        let start = Integer::from(a[k] - a.get(k + 2).unwrap_or(&0));
+        let start = Integer::from(factors[k]);
         if negated(k) {
             this[0] -= &start;
         } else {
@@ -122,5 +154,5 @@ pub fn cosine_polynomial(n: u32) -> IntegerPolynomial {
         }
         std::mem::swap(&mut this, &mut other);
     }
-    IntegerPolynomial::new(other)
+    other
 }
