@@ -71,11 +71,12 @@ fn sign(n: u32, bits: u32) -> Value {
 /// w: between them T_c is a polynomial in w.
 fn range(c: u32) -> Value {
     let polynomials = four_point_entries(c);
-    let zero_to_quarter =
-        |root: &RealAlgebraic| root.sign() >= 0 && root.cmp_rational(&Rational::new(1, 4)).is_le();
+    let quarter = Rational::new(1, 4);
     let (count, seconds) = timed(|| {
-        let roots = polynomials.iter().map(RealAlgebraic::roots_of);
-        roots.map(|roots| roots.iter().filter(|root| zero_to_quarter(root)).count()).sum::<usize>()
+        let found = |p: &IntegerPolynomial| {
+            RealAlgebraic::roots_between(p, Some(Rational::zero()), Some(quarter.clone())).len()
+        };
+        polynomials.iter().map(found).sum::<usize>()
     });
     let polynomials: Vec<Vec<String>> =
         polynomials.iter().map(|polynomial| texts(polynomial.coefficients())).collect();

@@ -4,7 +4,7 @@ use super::parametric_rows::{RangeError, check, distinct_rows};
 use super::power::Order;
 use crate::exact::{
     Integer, IntegerPolynomial, IntervalSet, PiecewisePolynomial, Rational, RationalPolynomial,
-    RealAlgebraic, SturmSequence,
+    RealAlgebraic,
 };
 use crate::scheme::Rules;
 use std::collections::{BTreeSet, HashSet};
@@ -106,7 +106,7 @@ fn signed_sums(row: &[IntegerPolynomial], set: &IntervalSet) -> Vec<IntegerPolyn
         if away {
             return Vec::new();
         }
-        SturmSequence::new(p).roots_between(low.clone(), high.clone())
+        RealAlgebraic::roots_between(p, low.clone(), high.clone())
     });
     let ends = low.iter().chain(&high).cloned().map(RealAlgebraic::from);
     let points: BTreeSet<RealAlgebraic> = roots.chain(ends).collect();

@@ -1,6 +1,6 @@
 //! Continuous piecewise polynomial functions of one real variable.
 
-use super::{IntervalSet, Rational, RationalPolynomial, RealAlgebraic, SturmSequence};
+use super::{IntervalSet, Rational, RationalPolynomial, RealAlgebraic};
 use std::fmt;
 
 /// A continuous piecewise polynomial function of one real variable over Q, in normal
@@ -82,9 +82,8 @@ impl PiecewisePolynomial {
             .iter()
             .map(RationalPolynomial::numerator)
             .filter(|p| p.degree().unwrap_or(0) > 0 && p.may_vanish_between(low, high));
-        let roots = near.flat_map(|p| {
-            SturmSequence::new(p).roots_between(Some(low.clone()), Some(high.clone()))
-        });
+        let roots = near
+            .flat_map(|p| RealAlgebraic::roots_between(p, Some(low.clone()), Some(high.clone())));
         let ends = [low, high].map(|end| RealAlgebraic::from(end.clone()));
         let inside = |root: &RealAlgebraic| !ends.contains(root);
         let breaks = sorted(roots.filter(inside).collect());
@@ -250,9 +249,11 @@ impl PiecewisePolynomial {
             }
             let low = place.checked_sub(1).map(|below| &self.breaks[below]);
             let high = self.breaks.get(place);
-            let sturm = SturmSequence::new(piece.numerator());
-            let roots = sturm
-                .roots_between(low.map(|low| low.bounds().0), high.map(|high| high.bounds().1));
+            let roots = RealAlgebraic::roots_between(
+                piece.numerator(),
+                low.map(|low| low.bounds().0),
+                high.map(|high| high.bounds().1),
+            );
             zeros.extend(roots.into_iter().filter(|root| {
                 low.is_none_or(|low| low <= root) && high.is_none_or(|high| root <= high)
             }));

@@ -1,5 +1,6 @@
-//! The real roots of a polynomial, found with its Sturm sequence.
+//! The real roots of a polynomial.
 
+use super::descartes::{Place, isolated};
 use super::{
     Enclosed, Integer, IntegerPolynomial, Rational, RealAlgebraic, RealCyclotomic, SturmSequence,
 };
@@ -8,6 +9,42 @@ use std::sync::Arc;
 /// The greatest conductor of a number whose minimal polynomial is computed.
 const MAX_CONDUCTOR: u32 = 60;
 
+/// A polynomial of degree d with fewer than (d + 1)/4 terms has a short Sturm sequence.
+const SPARSE: usize = 4;
+
+/// A power of 2 above all roots in absolute value. Cauchy: every root is below 1 + max |c_i/c_d|.
+fn bound(polynomial: &IntegerPolynomial) -> Rational {
+    let largest = polynomial.coefficients().iter().map(Integer::abs).max();
+    let ratio = Rational::new(largest.unwrap_or_else(Integer::zero), polynomial.leading().abs());
+    let bits = u32::try_from(ratio.ceil().bits()).expect("a number that fits in memory");
+    Rational::from(Integer::one().shifted_left(bits + 1))
+}
+
+/// The roots of a square-free polynomial in the open interval (low, high).
+fn inside(
+    polynomial: &Arc<IntegerPolynomial>,
+    low: &Rational,
+    high: &Rational,
+) -> impl Iterator<Item = RealAlgebraic> {
+    let denominator = low.denominator().lcm(&high.denominator());
+    let scale = Rational::from(denominator.clone());
+    let [start, end] = [low, high].map(|end| (end * &scale).numerator());
+    let places = isolated(&polynomial.on(&start, &end, &denominator));
+    let length = &end - &start;
+    let at = move |numerator: &Integer, level: u32| {
+        let places = start.shifted_left(level) + &length * numerator;
+        Rational::new(places, denominator.shifted_left(level))
+    };
+    let polynomial = Arc::clone(polynomial);
+    places.into_iter().map(move |place| match place {
+        Place::Point { numerator, level } => RealAlgebraic::from(at(&numerator, level)),
+        Place::Between { numerator, level, sign, touches } => {
+            let ends = [at(&numerator, level), at(&(numerator + Integer::one()), level)];
+            RealAlgebraic::between(&polynomial, ends, sign, touches)
+        }
+    })
+}
+
 impl RealAlgebraic {
     /// The distinct real roots of `polynomial`, in increasing order.
     ///
@@ -15,7 +52,69 @@ impl RealAlgebraic {
     /// When `polynomial` is 0.
     #[must_use]
     pub fn roots_of(polynomial: &IntegerPolynomial) -> Vec<RealAlgebraic> {
-        SturmSequence::new(polynomial).roots()
+        RealAlgebraic::roots_between(polynomial, None, None)
+    }
+
+    /// The distinct real roots of `polynomial` from `low` to `high`, both included, in increasing order. `None` means
+    /// no bound on that side.
+    ///
+    /// They are isolated by Descartes' rule of signs, and where most coefficients are 0, by Sturm's theorem.
+    ///
+    /// # Panics
+    /// When `polynomial` is 0.
+    ///
+    /// ```
+    /// use subcert::exact::{IntegerPolynomial, Rational, RealAlgebraic};
+    ///
+    /// // (x² − 2)(x − 3)
+    /// let polynomial = IntegerPolynomial::from([6, -2, -3, 1]);
+    /// let (low, high) = (Some(Rational::zero()), Some(Rational::from(3)));
+    /// assert_eq!(RealAlgebraic::roots_between(&polynomial, low, high).len(), 2);
+    /// ```
+    #[must_use]
+    pub fn roots_between(
+        polynomial: &IntegerPolynomial,
+        low: Option<Rational>,
+        high: Option<Rational>,
+    ) -> Vec<RealAlgebraic> {
+        assert!(!polynomial.is_zero(), "every number is a root of 0");
+        let polynomial = polynomial.square_free();
+        if let [constant, factor] = polynomial.coefficients() {
+            let root = Rational::new(-constant, factor.clone());
+            let inside = low.is_none_or(|low| low <= root) && high.is_none_or(|high| root <= high);
+            return if inside { vec![RealAlgebraic::from(root)] } else { Vec::new() };
+        }
+        let everywhere = low.is_none() && high.is_none();
+        let bound = bound(&polynomial);
+        let (low, high) = (low.unwrap_or_else(|| -&bound), high.unwrap_or(bound));
+        let mut roots = Vec::new();
+        if polynomial.sign_at(&low) == 0 {
+            roots.push(RealAlgebraic::from(low.clone()));
+        }
+        if low >= high {
+            return roots;
+        }
+        let terms = polynomial.coefficients().iter().filter(|c| !c.is_zero()).count();
+        if terms * SPARSE < polynomial.coefficients().len() {
+            roots.extend(SturmSequence::new(&polynomial).roots_between(&low, &high));
+            return roots;
+        }
+        let polynomial = Arc::new(polynomial);
+        if everywhere {
+            // On each side of 0 the numbers are shorter.
+            let zero = Rational::zero();
+            roots.extend(inside(&polynomial, &low, &zero));
+            if polynomial.sign_at(&zero) == 0 {
+                roots.push(RealAlgebraic::from(zero.clone()));
+            }
+            roots.extend(inside(&polynomial, &zero, &high));
+        } else {
+            roots.extend(inside(&polynomial, &low, &high));
+        }
+        if polynomial.sign_at(&high) == 0 {
+            roots.push(RealAlgebraic::from(high));
+        }
+        roots
     }
 
     /// This number as a root of its minimal polynomial; `None` where its conductor is above 60.
@@ -55,39 +154,12 @@ impl RealAlgebraic {
 }
 
 impl SturmSequence {
-    /// The real roots of the polynomial, in increasing order.
-    ///
-    /// # Panics
-    /// Never.
-    #[must_use]
-    pub fn roots(&self) -> Vec<RealAlgebraic> {
-        self.roots_between(None, None)
-    }
-
-    /// The real roots from `low` to `high`, both included, in increasing order. `None`
-    /// means no bound on that side.
-    ///
-    /// # Panics
-    /// Never.
-    #[must_use]
-    pub fn roots_between(
-        &self,
-        low: Option<Rational>,
-        high: Option<Rational>,
-    ) -> Vec<RealAlgebraic> {
+    /// As [`RealAlgebraic::roots_between`], for this square-free polynomial.
+    fn roots_between(&self, low: &Rational, high: &Rational) -> Vec<RealAlgebraic> {
         let polynomial = Arc::new(self.polynomial().clone());
-        // Cauchy: every root is below 1 + max |c_i/c_d| in absolute value.
-        let largest = polynomial.coefficients().iter().map(Integer::abs).max();
-        let ratio =
-            Rational::new(largest.unwrap_or_else(Integer::zero), polynomial.leading().abs());
-        let bits = u32::try_from(ratio.ceil().bits()).expect("a number that fits in memory");
-        let bound = Rational::from(Integer::one().shifted_left(bits + 1));
         let mut roots = Vec::new();
-        roots.extend(
-            low.clone().filter(|low| polynomial.sign_at(low) == 0).map(RealAlgebraic::from),
-        );
         // Bisection. The left half is on top of the stack.
-        let mut stack = vec![(low.unwrap_or_else(|| -&bound), high.unwrap_or(bound))];
+        let mut stack = vec![(low.clone(), high.clone())];
         while let Some((lower, upper)) = stack.pop() {
             match self.count_roots(&lower, &upper) {
                 0 => {}

@@ -78,12 +78,6 @@ impl IntegerPolynomial {
         Rational::new(value, scale)
     }
 
-    /// The sign of the value at `point`: −1, 0 or 1.
-    #[must_use]
-    pub fn sign_at(&self, point: &Rational) -> i8 {
-        self.scaled_value(point).0.sign()
-    }
-
     /// (q^d·f(p/q), q^d), by Horner's rule on integers.
     pub(super) fn scaled_value(&self, point: &Rational) -> (Integer, Integer) {
         let (p, q) = (point.numerator(), point.denominator());
@@ -184,15 +178,6 @@ impl IntegerPolynomial {
             (a, b) = (b.clone(), a.remainder(&b));
         }
         a.primitive()
-    }
-
-    /// The primitive polynomial with the same roots, each of them simple; 0 for 0.
-    #[must_use]
-    pub fn square_free(&self) -> IntegerPolynomial {
-        if self.is_zero() {
-            return self.clone();
-        }
-        self.div_rem(&self.gcd(&self.derivative())).1.primitive()
     }
 }
 

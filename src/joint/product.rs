@@ -45,7 +45,7 @@ fn negated(root: &RealAlgebraic) -> RealAlgebraic {
         coefficients.map(|(c, sign)| Rational::from(c.clone()) * sign).collect();
     let mirrored = crate::exact::IntegerPolynomial::over_common_denominator(&coefficients);
     let (low, high) = root.bounds();
-    let found = crate::exact::SturmSequence::new(&mirrored).roots_between(Some(-high), Some(-low));
+    let found = RealAlgebraic::roots_between(&mirrored, Some(-high), Some(-low));
     // The ends are no roots unless the number is rational, so that just one root is between them.
     found.into_iter().next().expect("the mirrored root")
 }

@@ -6,8 +6,7 @@ use subcert::bound::{
     Order, ParameterRange, RangeError, norm_below, norm_function, polynomial_rules, power_norm,
 };
 use subcert::exact::{
-    IntegerPolynomial, IntervalSet, Rational, RationalPolynomial, RealAlgebraic, SturmSequence,
-    format::fixed,
+    IntegerPolynomial, IntervalSet, Rational, RationalPolynomial, RealAlgebraic, format::fixed,
 };
 use subcert::scheme::{Rules, parse_parametric};
 
@@ -81,7 +80,7 @@ proptest! {
             for (end, _) in set.ends() {
                 let minimal = end.minimal_polynomial().expect("few factors");
                 let (low, high) = end.bounds();
-                let roots = SturmSequence::new(&minimal).roots_between(Some(low), Some(high));
+                let roots = RealAlgebraic::roots_between(&minimal, Some(low), Some(high));
                 prop_assert_eq!(&roots[..], std::slice::from_ref(end));
                 prop_assert_eq!(minimal.irreducible_factors(), Some(vec![minimal.clone()]));
             }

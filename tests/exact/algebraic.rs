@@ -75,8 +75,26 @@ proptest! {
             let all = RealAlgebraic::roots_of(&p).into_iter().filter(|root| {
                 root.cmp_rational(&lower).is_ge() && root.cmp_rational(&upper).is_le()
             });
-            let found = sturm.roots_between(Some(lower.clone()), Some(upper.clone()));
+            let found = RealAlgebraic::roots_between(&p, Some(lower.clone()), Some(upper.clone()));
+            let at_end = usize::from(p.sign_at(&lower) == 0);
+            prop_assert_eq!(found.len(), sturm.count_roots(&lower, &upper) + at_end);
             prop_assert_eq!(found, all.collect::<Vec<_>>());
+        }
+    }
+
+    // Descartes' rule isolates the roots of dense polynomials, and Sturm's theorem counts them.
+    #[test]
+    fn every_isolated_interval_holds_one_root(p in polynomial(6), q in polynomial(5), roots in rationals(2)) {
+        prop_assume!(!p.is_zero() && !q.is_zero());
+        let product = &(&p * &q) * &with_roots(&roots);
+        let sturm = SturmSequence::new(&product);
+        let found = RealAlgebraic::roots_of(&product);
+        prop_assert_eq!(found.len(), sturm.count_real_roots());
+        prop_assert!(found.windows(2).all(|pair| pair[0] < pair[1]));
+        for root in found {
+            let (low, high) = root.bounds();
+            let at_end = usize::from(product.sign_at(&low) == 0);
+            prop_assert_eq!(sturm.count_roots(&low, &high) + at_end, 1);
         }
     }
 

@@ -71,6 +71,24 @@ impl RealAlgebraic {
         root.normal()
     }
 
+    /// The only root of the square-free `polynomial` in an open interval; `sign` is that of the polynomial just to the
+    /// right of its lower end. With `touches`, an end may be another root.
+    pub(in crate::exact) fn between(
+        polynomial: &Arc<IntegerPolynomial>,
+        [lower, upper]: [Rational; 2],
+        sign: i8,
+        touches: bool,
+    ) -> RealAlgebraic {
+        let mut root = Root { polynomial: Arc::clone(polynomial), lower, upper, sign };
+        let vanishes = |end: &Rational| polynomial.sign_at(end) == 0;
+        while touches && (vanishes(&root.lower) || vanishes(&root.upper)) {
+            if let Some(value) = root.halve() {
+                return RealAlgebraic::from(value);
+            }
+        }
+        root.normal()
+    }
+
     /// This, if it is rational.
     #[must_use]
     pub fn as_rational(&self) -> Option<&Rational> {

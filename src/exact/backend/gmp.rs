@@ -49,6 +49,11 @@ pub(in crate::exact) fn is_even(a: &Int) -> bool {
     a.is_even()
 }
 
+/// How often 2 divides a; `None` for 0.
+pub(in crate::exact) fn trailing_zeros(a: &Int) -> Option<u32> {
+    a.find_one(0)
+}
+
 pub(in crate::exact) fn to_i64(a: &Int) -> Option<i64> {
     a.to_i64()
 }

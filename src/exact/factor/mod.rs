@@ -1,6 +1,7 @@
 //! Irreducible factors of integer polynomials.
 
 mod modular;
+mod square_free;
 
 use super::{Integer, IntegerPolynomial};
 use modular::Modular;

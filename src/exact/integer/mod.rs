@@ -233,6 +233,15 @@ impl Integer {
         if let Word(value) = self.0 { Some(value) } else { None }
     }
 
+    /// How often 2 divides this; `None` for 0.
+    pub(super) fn trailing_zeros(&self) -> Option<u32> {
+        match &self.0 {
+            Word(0) => None,
+            Word(value) => Some(value.trailing_zeros()),
+            Large(value) => backend::trailing_zeros(value),
+        }
+    }
+
     /// The binomial coefficient C(top, bottom); 0 when `bottom` > `top`.
     ///
     /// ```

@@ -83,6 +83,14 @@ impl Rational {
         }
     }
 
+    /// p and q, if both are `i64`.
+    pub(super) fn as_words(&self) -> Option<(i64, i64)> {
+        match &self.0 {
+            Words(p, q) => Some((*p, *q)),
+            Large(_) => None,
+        }
+    }
+
     /// Whether this is 0.
     #[must_use]
     pub fn is_zero(&self) -> bool {
