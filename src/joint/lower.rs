@@ -22,7 +22,7 @@ pub(super) const MAX_ROWS: usize = 1_200;
 const MAX_WORK: u64 = 1_500_000_000;
 
 /// The excesses of the bounds that are tried in turn when the radius is not found exactly.
-const EXCESSES: [f64; 8] = [0.3, 0.1, 0.03, 1e-2, 1e-3, 1e-4, 1e-5, 1e-7];
+const EXCESSES: [f64; 9] = [0.3, 0.1, 0.03, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7];
 
 /// How far below the rate a rational bound is that takes the place of a root beyond the caps, and its grid.
 const NEAR: f64 = 1e-9;

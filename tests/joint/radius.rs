@@ -112,6 +112,21 @@ fn a_rotation_by_an_irrational_angle_has_two_sided_bounds() {
     assert!(bound >= Rational::from(5) && bound < Rational::new(501, 100), "{bound}");
 }
 
+#[test]
+fn conjugate_eigenvalues_that_lead_have_near_bounds() {
+    // The first matrix alone has the radius of the pair, by two conjugate eigenvalues. Their rows turn, so that no
+    // hull of few rows is extremal, and many bases of the hulls have coefficients of 0.
+    let pair = set(&[
+        &[&[-1, -2, 0, 3], &[1, -3, 2, -2], &[3, -2, -3, -2], &[-2, 3, 2, 2]],
+        &[&[-1, -1, -1, -2], &[-1, 2, 0, 1], &[2, 3, 1, 0], &[2, -1, -2, -3]],
+    ]);
+    let radius = joint_radius(&pair);
+    assert_eq!((radius.product.clone(), radius.degree), (vec![0], 2));
+    let lower = radius.root.enclosure(0).lower().clone();
+    let excess = radius.hull.expect("a hull").bound.pow(2) / lower;
+    assert!(excess < Rational::new(100_001, 100_000), "{excess}");
+}
+
 fn matrices(count: usize, size: usize) -> impl Strategy<Value = MatrixSet> {
     let entry = (-4_i64..=4, 1_i64..=3).prop_map(|(p, q)| Rational::new(p, q));
     let row = proptest::collection::vec(entry, size);

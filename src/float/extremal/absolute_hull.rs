@@ -30,6 +30,15 @@ const TOLERANCE: f64 = 1e-11;
 /// The most exchanges for one gauge; then the combination at hand is returned, which is a valid one.
 const MAX_EXCHANGES: usize = 2_000;
 
+/// After so many exchanges the row is moved a little: where several coefficients are 0, exchanges may go round in a
+/// circle. It is moved by [`MOVED`] times its largest entry. The basis that is best for the moved row is so for the
+/// row itself, as a coefficient of 0 may have any sign.
+const MANY_EXCHANGES: usize = 60;
+const MOVED: f64 = 1e-9;
+
+/// A combination may miss its row by so much, as a part of the row's largest entry, before it is computed anew.
+const ACCURATE: f64 = 1e-13;
+
 /// The inverse is computed anew after so many updates, which each add a rounding error.
 const MAX_UPDATES: usize = 20;
 
@@ -68,15 +77,50 @@ impl AbsoluteHull {
         for exchanges in 0.. {
             let coefficients = row_times(x, &self.inverse);
             let value: f64 = coefficients.iter().map(|c| c.abs()).sum();
-            let done = value <= enough || exchanges == MAX_EXCHANGES;
-            let entering = if done { None } else { self.entering(&coefficients) };
-            let exchanged = entering.is_some_and(|entering| self.exchange(&coefficients, entering));
+            let done = value <= enough || exchanges >= MAX_EXCHANGES;
+            let many = exchanges >= MANY_EXCHANGES;
+            let steering =
+                if many { row_times(&moved(x), &self.inverse) } else { coefficients.clone() };
+            let entering = if done { None } else { self.entering(&steering) };
+            let exchanged = entering.is_some_and(|entering| self.exchange(&steering, entering));
             if !exchanged {
-                let combination = self.basis.iter().copied().zip(coefficients).collect();
-                return Gauge { value, combination };
+                // Nearly dependent rows make the errors of updates large.
+                let rest = self.rest(x, &coefficients);
+                let error = largest(&rest);
+                let doubtful = value > enough || error > ACCURATE * largest(x);
+                if doubtful && self.updates > 0 && self.renew() {
+                    continue;
+                }
+                return self.refined(&coefficients, &rest);
             }
         }
-        unreachable!("the loop ends at the most exchanges")
+        unreachable!("the loop ends soon after the most exchanges")
+    }
+
+    /// x less its combination of the basis.
+    fn rest(&self, x: &[f64], coefficients: &[f64]) -> Vec<f64> {
+        let mut rest = x.to_vec();
+        for (c, j) in coefficients.iter().zip(&self.basis) {
+            rest.iter_mut().zip(&self.rows[*j]).for_each(|(rest, v)| *rest -= c * v);
+        }
+        rest
+    }
+
+    /// The combination, with that of the rest added.
+    fn refined(&self, coefficients: &[f64], rest: &[f64]) -> Gauge {
+        let more = row_times(rest, &self.inverse);
+        let sums = coefficients.iter().zip(more).map(|(c, more)| c + more);
+        let combination: Vec<(usize, f64)> = self.basis.iter().copied().zip(sums).collect();
+        let value = combination.iter().map(|(_, c)| c.abs()).sum();
+        Gauge { value, combination }
+    }
+
+    /// Computes the inverse anew; `false` where f64 cannot.
+    fn renew(&mut self) -> bool {
+        let rows: Vec<Vec<f64>> = self.basis.iter().map(|&j| self.rows[j].clone()).collect();
+        let Some(inverse) = inverse(&rows) else { return false };
+        (self.inverse, self.updates) = (inverse, 0);
+        true
     }
 
     /// The row with the greatest |v·y|, where y has v_b·y = sign c_b at the basis.
@@ -105,9 +149,7 @@ impl AbsoluteHull {
             self.update(&direction, leaving);
             return true;
         }
-        let rows: Vec<Vec<f64>> = self.basis.iter().map(|&j| self.rows[j].clone()).collect();
-        if let Some(inverse) = inverse(&rows) {
-            (self.inverse, self.updates) = (inverse, 0);
+        if self.renew() {
             return true;
         }
         self.basis[leaving] = before;
@@ -126,6 +168,18 @@ impl AbsoluteHull {
         }
         self.updates += 1;
     }
+}
+
+fn largest(x: &[f64]) -> f64 {
+    x.iter().fold(0.0, |largest, x| x.abs().max(largest))
+}
+
+/// The row with different small numbers added to its entries: fractional parts of multiples of the golden ratio.
+fn moved(x: &[f64]) -> Vec<f64> {
+    let largest = largest(x);
+    let step = (5.0_f64.sqrt() - 1.0) / 2.0;
+    let parts = std::iter::successors(Some(step), |part| Some((part + step).fract()));
+    x.iter().zip(parts).map(|(x, part)| x + MOVED * largest * (0.5 + part)).collect()
 }
 
 /// The places of d independent rows, the longest remainder first.
