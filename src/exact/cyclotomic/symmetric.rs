@@ -130,6 +130,7 @@ fn one_by_one(factors: &[i64]) -> Vec<Integer> {
     sum
 }
 
+/// Σ_k f_k S_k by Clenshaw's recurrence.
 fn by_clenshaw(factors: &[i64]) -> Vec<Integer> {
     let m = factors.len() - 1;
     // ±b_k and ±b_{k+1}, where the sign changes at every second k. With these signs
