@@ -1,5 +1,6 @@
 //! Isolating intervals of real roots by Descartes' rule of signs.
 
+use super::sturm::changes;
 use super::{Integer, IntegerPolynomial};
 
 /// A place in the interval [0, 1] that holds one root of a polynomial in it.
@@ -48,17 +49,15 @@ pub(super) fn isolated(coefficients: &[Integer]) -> Vec<Place> {
                 continue;
             }
         };
-        let mut signs = part.bernstein.iter().map(Integer::sign).filter(|&sign| sign != 0);
-        let first = signs.next().unwrap_or(0);
-        let (changes, _) = signs.fold((0_usize, first), |(changes, last), sign| {
-            (changes + usize::from(sign != last), sign)
-        });
+        let signs = || part.bernstein.iter().map(Integer::sign);
+        let changes = changes(signs());
         if changes == 1 {
+            let sign = signs().find(|&sign| sign != 0).unwrap_or(0);
             let touches = [part.bernstein.first(), part.bernstein.last()]
                 .iter()
                 .any(|end| end.is_some_and(Integer::is_zero));
             let (numerator, level) = (part.numerator, part.level);
-            found.push(Place::Between { numerator, level, sign: first, touches });
+            found.push(Place::Between { numerator, level, sign, touches });
         } else if changes > 1 {
             let [left, right] = part.halves();
             let middle = right.bernstein[0]
@@ -112,7 +111,7 @@ fn reduced(mut numbers: Vec<Integer>) -> Vec<Integer> {
 
 /// The Bernstein coefficients on [0, 1], times the least common multiple of the C(d, j): b_i = Σ_{j≤i} C(i, j)
 /// c_j/C(d, j).
-fn bernstein(coefficients: &[Integer]) -> Vec<Integer> {
+pub(super) fn bernstein(coefficients: &[Integer]) -> Vec<Integer> {
     let degree = u32::try_from(coefficients.len() - 1).expect("a degree that fits in memory");
     let binomials: Vec<Integer> = (0..=degree).map(|j| Integer::binomial(degree, j)).collect();
     let common = binomials.iter().fold(Integer::one(), |common, binomial| common.lcm(binomial));

@@ -3,6 +3,7 @@
 use super::descartes::{Place, isolated};
 use super::{
     Enclosed, Integer, IntegerPolynomial, Rational, RealAlgebraic, RealCyclotomic, SturmSequence,
+    common_denominator,
 };
 use std::sync::Arc;
 
@@ -26,7 +27,7 @@ fn inside(
     low: &Rational,
     high: &Rational,
 ) -> impl Iterator<Item = RealAlgebraic> {
-    let denominator = low.denominator().lcm(&high.denominator());
+    let denominator = common_denominator([low, high]);
     let scale = Rational::from(denominator.clone());
     let [start, end] = [low, high].map(|end| (end * &scale).numerator());
     let places = isolated(&polynomial.on(&start, &end, &denominator));
@@ -84,35 +85,35 @@ impl RealAlgebraic {
             let inside = low.is_none_or(|low| low <= root) && high.is_none_or(|high| root <= high);
             return if inside { vec![RealAlgebraic::from(root)] } else { Vec::new() };
         }
-        let everywhere = low.is_none() && high.is_none();
-        let bound = bound(&polynomial);
-        let (low, high) = (low.unwrap_or_else(|| -&bound), high.unwrap_or(bound));
-        let mut roots = Vec::new();
-        if polynomial.sign_at(&low) == 0 {
-            roots.push(RealAlgebraic::from(low.clone()));
-        }
+        let ends = match (low, high) {
+            (Some(low), Some(high)) => vec![low, high],
+            (None, None) => {
+                // On each side of 0 the numbers are shorter.
+                let bound = bound(&polynomial);
+                vec![-&bound, Rational::zero(), bound]
+            }
+            (low, high) => {
+                let bound = bound(&polynomial);
+                vec![low.unwrap_or_else(|| -&bound), high.unwrap_or(bound)]
+            }
+        };
+        let (low, high) = (&ends[0], &ends[ends.len() - 1]);
+        let root_at = |end: &Rational| {
+            (polynomial.sign_at(end) == 0).then(|| RealAlgebraic::from(end.clone()))
+        };
+        let mut roots: Vec<RealAlgebraic> = root_at(low).into_iter().collect();
         if low >= high {
             return roots;
         }
         let terms = polynomial.coefficients().iter().filter(|c| !c.is_zero()).count();
         if terms * SPARSE < polynomial.coefficients().len() {
-            roots.extend(SturmSequence::new(&polynomial).roots_between(&low, &high));
+            roots.extend(SturmSequence::of_square_free(polynomial).roots_between(low, high));
             return roots;
         }
-        let polynomial = Arc::new(polynomial);
-        if everywhere {
-            // On each side of 0 the numbers are shorter.
-            let zero = Rational::zero();
-            roots.extend(inside(&polynomial, &low, &zero));
-            if polynomial.sign_at(&zero) == 0 {
-                roots.push(RealAlgebraic::from(zero.clone()));
-            }
-            roots.extend(inside(&polynomial, &zero, &high));
-        } else {
-            roots.extend(inside(&polynomial, &low, &high));
-        }
-        if polynomial.sign_at(&high) == 0 {
-            roots.push(RealAlgebraic::from(high));
+        let shared = Arc::new(polynomial.clone());
+        for pair in ends.windows(2) {
+            roots.extend(inside(&shared, &pair[0], &pair[1]));
+            roots.extend(root_at(&pair[1]));
         }
         roots
     }
@@ -154,7 +155,7 @@ impl RealAlgebraic {
 }
 
 impl SturmSequence {
-    /// As [`RealAlgebraic::roots_between`], for this square-free polynomial.
+    /// The roots of this square-free polynomial in (low, high], in increasing order.
     fn roots_between(&self, low: &Rational, high: &Rational) -> Vec<RealAlgebraic> {
         let polynomial = Arc::new(self.polynomial().clone());
         let mut roots = Vec::new();

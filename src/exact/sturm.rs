@@ -31,7 +31,8 @@ impl SturmSequence {
         SturmSequence::of_square_free(polynomial.square_free())
     }
 
-    fn of_square_free(polynomial: IntegerPolynomial) -> SturmSequence {
+    /// The sequence of a square-free polynomial.
+    pub(super) fn of_square_free(polynomial: IntegerPolynomial) -> SturmSequence {
         let derivative = polynomial.derivative();
         let mut sequence = vec![polynomial, derivative];
         while let [.., a, b] = &sequence[..]
@@ -82,7 +83,7 @@ impl SturmSequence {
 }
 
 /// The number of sign changes, zeros left out.
-fn changes(signs: impl Iterator<Item = i8>) -> usize {
+pub(super) fn changes(signs: impl Iterator<Item = i8>) -> usize {
     let (mut count, mut last) = (0, 0);
     for sign in signs.filter(|&sign| sign != 0) {
         count += usize::from(sign == -last);

@@ -1,5 +1,7 @@
 //! Whether a polynomial has a root in an interval, without finding it.
 
+use super::descartes::bernstein;
+use super::sturm::changes;
 use super::{Integer, IntegerPolynomial, Rational};
 
 impl IntegerPolynomial {
@@ -22,18 +24,8 @@ impl IntegerPolynomial {
         }
         let (a, b) = (lower.denominator(), upper.denominator());
         let (low, high) = (lower.numerator() * &b, upper.numerator() * &a);
-        // f((low + high·x)/(ab(1 + x))) times the denominator.
-        let top = IntegerPolynomial::new(vec![low, high]);
-        let bottom = IntegerPolynomial::new(vec![&a * &b, a * b]);
-        let mut scale = IntegerPolynomial::from([1]);
-        let mut sum = IntegerPolynomial::default();
-        for coefficient in self.coefficients().iter().rev() {
-            sum = &(&sum * &top) + &(&scale * &IntegerPolynomial::new(vec![coefficient.clone()]));
-            scale = &scale * &bottom;
-        }
-        let signs = sum.coefficients().iter().map(Integer::sign).filter(|&sign| sign != 0);
-        let signs: Vec<i8> = signs.collect();
-        signs.windows(2).any(|pair| pair[0] != pair[1])
+        !self.is_zero()
+            && changes(bernstein(&self.on(&low, &high, &(a * b))).iter().map(Integer::sign)) > 0
     }
 
     /// Whether |f(m)| > h·Σ i|c_i|b^(i−1), where m is the midpoint of the interval, h half

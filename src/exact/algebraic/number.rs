@@ -60,15 +60,7 @@ impl RealAlgebraic {
             return RealAlgebraic::from(upper);
         }
         let sign = -polynomial.sign_at(&upper);
-        let mut root = Root { polynomial: Arc::clone(polynomial), lower, upper, sign };
-        // The lower end may be another root. Just to its right the polynomial still has
-        // the sign `sign`.
-        while root.polynomial.sign_at(&root.lower) == 0 {
-            if let Some(value) = root.halve() {
-                return RealAlgebraic::from(value);
-            }
-        }
-        root.normal()
+        RealAlgebraic::between(polynomial, [lower, upper], sign, true)
     }
 
     /// The only root of the square-free `polynomial` in an open interval; `sign` is that of the polynomial just to the
@@ -80,6 +72,7 @@ impl RealAlgebraic {
         touches: bool,
     ) -> RealAlgebraic {
         let mut root = Root { polynomial: Arc::clone(polynomial), lower, upper, sign };
+        // Just to the right of its lower end the polynomial keeps its sign, also where that is another root.
         let vanishes = |end: &Rational| polynomial.sign_at(end) == 0;
         while touches && (vanishes(&root.lower) || vanishes(&root.upper)) {
             if let Some(value) = root.halve() {

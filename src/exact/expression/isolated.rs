@@ -1,5 +1,6 @@
 //! A real root of a polynomial with cyclotomic coefficients.
 
+use crate::exact::sturm::changes;
 use crate::exact::{Enclosed, Enclosure, Integer, Rational, Real, RealCyclotomic, Scalar};
 
 /// A polynomial Σ c_k x^k with numbers c_k of one field, from the constant term upwards, without leading
@@ -116,13 +117,7 @@ impl Sturm {
 
     /// The number of sign changes just to the right of a point.
     fn changes(&self, at: &Rational) -> usize {
-        let (mut count, mut last) = (0, 0);
-        for sign in self.members.iter().map(|member| sign_at(member, at)).filter(|sign| *sign != 0)
-        {
-            count += usize::from(sign == -last);
-            last = sign;
-        }
-        count
+        changes(self.members.iter().map(|member| sign_at(member, at)))
     }
 }
 

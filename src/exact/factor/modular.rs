@@ -96,8 +96,31 @@ pub(super) fn inverse_mod(f: &[u64], g: &[u64], p: u64) -> Modular {
 }
 
 pub(super) fn is_square_free(f: &[u64], p: u64) -> bool {
-    let derivative: Modular = (0_u64..).zip(f).skip(1).map(|(i, c)| i % p * c % p).collect();
-    gcd(f, &trimmed(derivative), p).len() == 1
+    let derivative = (0_u64..).zip(f).skip(1).map(|(i, c)| i % p * c % p).collect();
+    are_coprime(f.to_vec(), derivative, p)
+}
+
+/// Whether f and g have no common root, by Euclid's algorithm without inverses: b_m·a − a_n·x^(n−m)·b takes the place
+/// of the longer one, a.
+fn are_coprime(f: Modular, g: Modular, p: u64) -> bool {
+    let (mut a, mut b) = (trimmed(f), trimmed(g));
+    loop {
+        if a.len() < b.len() {
+            std::mem::swap(&mut a, &mut b);
+        }
+        let (Some(&a_n), Some(&b_m)) = (a.last(), b.last()) else { return a.len() == 1 };
+        if b.len() == 1 {
+            return true;
+        }
+        let shift = a.len() - b.len();
+        for c in &mut a {
+            *c = *c * b_m % p;
+        }
+        for (c, d) in a[shift..].iter_mut().zip(&b) {
+            *c = (*c + (p - a_n) * d) % p;
+        }
+        a = trimmed(a);
+    }
 }
 
 /// f^exponent mod the monic g.

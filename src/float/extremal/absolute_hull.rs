@@ -79,10 +79,10 @@ impl AbsoluteHull {
             let value: f64 = coefficients.iter().map(|c| c.abs()).sum();
             let done = value <= enough || exchanges >= MAX_EXCHANGES;
             let many = exchanges >= MANY_EXCHANGES;
-            let steering =
-                if many { row_times(&moved(x), &self.inverse) } else { coefficients.clone() };
-            let entering = if done { None } else { self.entering(&steering) };
-            let exchanged = entering.is_some_and(|entering| self.exchange(&steering, entering));
+            let moved = (many && !done).then(|| row_times(&moved(x), &self.inverse));
+            let steering = moved.as_ref().unwrap_or(&coefficients);
+            let entering = if done { None } else { self.entering(steering) };
+            let exchanged = entering.is_some_and(|entering| self.exchange(steering, entering));
             if !exchanged {
                 // Nearly dependent rows make the errors of updates large.
                 let rest = self.rest(x, &coefficients);

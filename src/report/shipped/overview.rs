@@ -1,7 +1,7 @@
 //! The report about the tables of projects.
 
 use super::table::section;
-use super::words::{FAIR_DIGITS, count, outcome_mark};
+use super::words::{count, is_wrong, outcome_mark};
 use crate::report::sheet::{Grid, Sheet};
 use crate::shipped::{Outcome, Project, ProjectAudit, ShippedFinding, Verdict};
 
@@ -46,8 +46,7 @@ pub(in crate::report) fn sentence(audit: &ProjectAudit<'_>) -> String {
 /// Whether a refuted table has numbers of which few digits are right, and not only some that are right to fewer digits than
 /// are written.
 fn has_wrong(finding: &ShippedFinding<'_>) -> bool {
-    let wrong = |verdict| matches!(verdict, Verdict::Refuted(agree) if agree < FAIR_DIGITS);
-    finding.outcome == Outcome::Refuted && finding.count(wrong) > 0
+    finding.outcome == Outcome::Refuted && finding.count(is_wrong) > 0
 }
 
 fn outcome_text(outcome: Outcome, wrong: bool, count: usize) -> &'static str {

@@ -1,7 +1,7 @@
 //! The section of a report about one table.
 
 use super::facts;
-use super::words::{self, FAIR_DIGITS, at, count, mark, outcome_mark, type_name};
+use super::words::{self, at, count, is_wrong, mark, outcome_mark, type_name};
 use crate::report::parts::titled;
 use crate::report::sheet::{Grid, Sheet};
 use crate::shipped::{
@@ -56,8 +56,7 @@ pub fn headline(finding: &ShippedFinding<'_>) -> String {
             _ => format!("All {all} numbers are the nearest {kind}."),
         };
     }
-    let fair = |verdict| matches!(verdict, Verdict::Refuted(agree) if agree >= FAIR_DIGITS);
-    let is_wrong = |verdict| matches!(verdict, Verdict::Refuted(_)) && !fair(verdict);
+    let fair = |verdict| matches!(verdict, Verdict::Refuted(_)) && !is_wrong(verdict);
     let parts: [(usize, String); 8] = [
         (finding.count(is_wrong), "wrong".to_owned()),
         (finding.count(fair), "right to fewer digits than are written".to_owned()),

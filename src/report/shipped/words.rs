@@ -38,7 +38,12 @@ pub(in crate::report) fn meaning(outcome: Outcome) -> &'static str {
 }
 
 /// From so many digits on that agree, a number is not called wrong.
-pub(super) const FAIR_DIGITS: u32 = 3;
+const FAIR_DIGITS: u32 = 3;
+
+/// Whether a number is called wrong, and not right to fewer digits than are written.
+pub(super) fn is_wrong(verdict: Verdict) -> bool {
+    matches!(verdict, Verdict::Refuted(agree) if agree < FAIR_DIGITS)
+}
 
 /// What is said of a number of this type, which is written with so many digits.
 pub(super) fn verdict(cell: &ShippedCell, kind: NumberType, written: Option<usize>) -> String {
