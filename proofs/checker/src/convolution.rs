@@ -69,7 +69,7 @@ impl Sums {
     }
 
     /// The greatest sum.
-    pub fn greatest(&self, piece: Option<&Piece>) -> Result<Value, Stop> {
+    pub fn greatest(&self, piece: Option<&Piece<'_>>) -> Result<Value, Stop> {
         Value::greatest(&self.units, piece)?.times(&self.scale)
     }
 }
@@ -139,7 +139,7 @@ impl Product {
         &self,
         meter: &Meter,
         (first, last): (usize, usize),
-        piece: Option<&Piece>,
+        piece: Option<&Piece<'_>>,
     ) -> Result<Sums, Stop> {
         let known = self.known.borrow().get(&(first, last)).cloned();
         if let Some(known) = known.filter(|_| piece.is_none()) {
@@ -163,7 +163,7 @@ impl Product {
 
     /// Σ_s |(R^c)_{r,s}| for every residue class r mod n^c, up to a shift of r that depends on
     /// n, N and c only.
-    pub fn classes(&self, meter: &Meter, piece: Option<&Piece>) -> Result<Sums, Stop> {
+    pub fn classes(&self, meter: &Meter, piece: Option<&Piece<'_>>) -> Result<Sums, Stop> {
         // From here on, f is beyond all coefficients, and those of its class are E^c_{l,f}.
         let beyond = self.coefficients.len().next_multiple_of(self.classes);
         let sums = self.sums(meter, (beyond, beyond + self.classes - 1), piece)?;

@@ -7,7 +7,7 @@ use crate::scheme::Scheme;
 use crate::value::Value;
 
 /// The sum of the absolute values (terms = 0), or the absolute value of the sum (terms = 1).
-pub fn gather(piece: Option<&Piece>, values: &[Value], terms: usize) -> Result<Value, Stop> {
+pub fn gather(piece: Option<&Piece<'_>>, values: &[Value], terms: usize) -> Result<Value, Stop> {
     if terms == 1 {
         return Value::total(values)?.abs(piece);
     }
@@ -39,7 +39,7 @@ fn fraction(top: usize, bottom: usize) -> Value {
 
 /// The sums x1·η¹ + x2·η² + x3·η³ of FORMAT.md, one for each α and β.
 pub fn surface(
-    piece: Option<&Piece>,
+    piece: Option<&Piece<'_>>,
     scheme: &Scheme,
     spreads: [&Value; 3],
     terms: usize,

@@ -62,7 +62,7 @@ pub struct Scope<'a> {
     /// Names with values that an index may have. They are the indices of an equation.
     pub hidden: BTreeSet<String>,
     /// The piece on which polynomials have signs.
-    pub piece: Option<Piece>,
+    pub piece: Option<Piece<'a>>,
     /// The reading of the options of functions.
     pub reading: &'a Reading,
     functions: &'a dyn Functions,

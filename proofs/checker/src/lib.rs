@@ -172,7 +172,17 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
     let mut given: Vec<(&str, Given)> = Vec::new();
     let mut borrowed: Vec<(&Task<'_>, (Given, String))> = Vec::new();
     let mut verdicts_said = BTreeMap::new();
+    let mut blocks_of: BTreeMap<(&str, &str), usize> = BTreeMap::new();
+    for task in &tasks {
+        *blocks_of.entry((task.kind, task.id)).or_default() += 1;
+    }
     for (task, verdict) in tasks.iter().zip(verdicts(&file, &known, &tasks)) {
+        // Of two blocks none counts, neither for this claim nor for others.
+        if blocks_of[&(task.kind, task.id)] > 1 {
+            let twice = task.block.head.reject(Reason::Twice);
+            outcomes.insert((task.kind, task.id), Outcome::Invalid(task.place, twice));
+            continue;
+        }
         let outcome = match verdict {
             Ok(Verdict::Other) => Outcome::Valid,
             Ok(Verdict::Recovers(Recovered { own, from })) => {
@@ -194,10 +204,7 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
         if matches!(outcome, Outcome::Valid | Outcome::Cited(_)) {
             verdicts_said.insert(task.id.to_owned(), said::verdict(task.kind, &task.block));
         }
-        if outcomes.insert((task.kind, task.id), outcome).is_some() {
-            let twice = task.block.head.reject(Reason::Twice);
-            outcomes.insert((task.kind, task.id), Outcome::Invalid(task.place, twice));
-        }
+        outcomes.insert((task.kind, task.id), outcome);
     }
     // The value has to be given by another table that is valid, from that table's own numbers.
     let lacks = |given: &[(&str, Given)], (value, other): &(Given, String)| {

@@ -1,6 +1,7 @@
 //! The signs of numbers, and of polynomials on a piece of a line.
 
 use crate::decimal::Q;
+use crate::meter::Meter;
 use crate::reject::Stop;
 use crate::root::{Root, sign_between};
 use crate::value::Value;
@@ -17,17 +18,18 @@ pub type Ends = [Option<Root>; 2];
 ///
 /// A polynomial with a root in the interval has no sign there. If its sign is asked for, the piece
 /// is cut at the root and becomes the part above. The signs that were found before hold there too.
-#[derive(Debug)]
-pub struct Piece {
+pub struct Piece<'m> {
     symbol: String,
+    meter: &'m Meter,
     ends: RefCell<Ends>,
     cuts: RefCell<Vec<Root>>,
 }
 
-impl Piece {
-    /// A piece that is not cut.
-    pub fn new(symbol: &str, ends: Ends) -> Piece {
-        Piece { symbol: symbol.to_owned(), ends: RefCell::new(ends), cuts: RefCell::default() }
+impl<'m> Piece<'m> {
+    /// A piece that is not cut. The meter counts the steps of signs.
+    pub fn new(symbol: &str, ends: Ends, meter: &'m Meter) -> Piece<'m> {
+        let (symbol, cuts) = (symbol.to_owned(), RefCell::default());
+        Piece { symbol, meter, ends: RefCell::new(ends), cuts }
     }
 
     /// The cuts, from below.
@@ -40,8 +42,8 @@ impl Piece {
         loop {
             let [low, high] = &mut *self.ends.borrow_mut();
             let root = match (&low, &high) {
-                (Some(low), Some(high)) if low == high => return low.sign_of(p),
-                (low, high) => match sign_between(p, low.as_ref(), high.as_ref())? {
+                (Some(low), Some(high)) if low == high => return low.sign_of(p, self.meter),
+                (low, high) => match sign_between(p, low.as_ref(), high.as_ref(), self.meter)? {
                     Ok(sign) => return Ok(sign),
                     Err(root) => *root,
                 },
@@ -58,7 +60,7 @@ impl Piece {
 
 impl Value {
     /// The sign of a number, or of a polynomial on a piece.
-    pub fn sign(&self, piece: Option<&Piece>) -> Result<i8, Stop> {
+    pub fn sign(&self, piece: Option<&Piece<'_>>) -> Result<i8, Stop> {
         match (self.number(), piece) {
             (Err(_), Some(piece)) => {
                 let polynomial = self.univariate(&piece.symbol);
@@ -70,18 +72,18 @@ impl Value {
     }
 
     /// |self|.
-    pub fn abs(&self, piece: Option<&Piece>) -> Result<Value, Stop> {
+    pub fn abs(&self, piece: Option<&Piece<'_>>) -> Result<Value, Stop> {
         if self.sign(piece)? < 0 { self.negated() } else { Ok(self.clone()) }
     }
 
     /// The greater of the two.
-    pub fn max(&self, other: &Value, piece: Option<&Piece>) -> Result<Value, Stop> {
+    pub fn max(&self, other: &Value, piece: Option<&Piece<'_>>) -> Result<Value, Stop> {
         let less = self.compare_on(other, piece)?.is_lt();
         Ok(if less { other.clone() } else { self.clone() })
     }
 
     /// The greatest of these, and of 0.
-    pub fn greatest(values: &[Value], piece: Option<&Piece>) -> Result<Value, Stop> {
+    pub fn greatest(values: &[Value], piece: Option<&Piece<'_>>) -> Result<Value, Stop> {
         values.iter().try_fold(Value::int(0), |best, value| best.max(value, piece))
     }
 
@@ -91,7 +93,7 @@ impl Value {
     }
 
     /// How two numbers compare, or two polynomials on a piece.
-    pub fn compare_on(&self, other: &Value, piece: Option<&Piece>) -> Result<Ordering, Stop> {
+    pub fn compare_on(&self, other: &Value, piece: Option<&Piece<'_>>) -> Result<Ordering, Stop> {
         match (self.number(), other.number()) {
             (Ok(one), Ok(other)) => one.compare(other),
             _ => Ok(self.minus(other)?.sign(piece)?.cmp(&0)),

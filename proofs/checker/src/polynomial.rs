@@ -1,7 +1,9 @@
 //! Polynomials in one variable, and their roots by Sturm's theorem. The constant coefficient
 //! comes first.
 
-use crate::decimal::Q;
+use crate::decimal::{Q, bits};
+use num_bigint::BigInt;
+use num_integer::Integer as _;
 use num_traits::{Num, One, Signed, Zero};
 
 /// The quotient and the remainder. The leading coefficient of the divisor has to divide the
@@ -54,22 +56,49 @@ pub fn beyond_roots(p: &[Q]) -> Q {
     p.iter().map(|coefficient| (coefficient / leading).abs()).sum::<Q>() + Q::one()
 }
 
+/// The steps of [`roots_between`]: for each of so many coefficients, the squares of the lengths that the remainders and
+/// their values have.
+pub fn steps_between(p: &[Q], low: &Q, high: &Q) -> u64 {
+    let length = p.len() as u64;
+    let longest = p.iter().map(bits).max().unwrap_or(0) + bits(low) + bits(high);
+    let blocks = length * longest / 1024;
+    length * length * (1 + blocks + blocks * blocks / 16)
+}
+
 /// The number of distinct roots of p ≠ 0 between low and high, which are no roots themselves.
 pub fn roots_between(p: &[Q], low: &Q, high: &Q) -> usize {
-    // Sturm's chain is p, p′ and then the negated remainders.
-    let p = trimmed(p.to_vec());
-    let powers = (1_i64..).map(|i| Q::from_integer(i.into()));
-    let derivative = p.iter().skip(1).zip(powers).map(|(c, i)| c * i).collect();
+    // Sturm's chain is p, p′ and then the negated remainders. Positive factors do not matter.
+    let p = whole(&trimmed(p.to_vec()));
+    let derivative = (1..).zip(p.iter().skip(1)).map(|(i, c)| c * BigInt::from(i)).collect();
     let mut chain = vec![p, derivative];
     while let [.., before, last] = &chain[..]
         && !last.is_empty()
     {
-        let (_, remainder) = divide(before.clone(), last);
-        chain.push(trimmed(remainder).into_iter().map(|c| -c).collect());
+        let rational = |p: &[BigInt]| p.iter().cloned().map(Q::from_integer).collect::<Vec<Q>>();
+        let (_, remainder) = divide(rational(before), &rational(last));
+        chain.push(whole(&trimmed(remainder)).into_iter().map(|c| -c).collect());
     }
     let changes = |x: &Q| {
-        let signs = chain.iter().map(|p| signum(&at(p, x))).filter(|sign| *sign != 0);
+        let signs = chain.iter().map(|p| sign_at(p, x)).filter(|sign| *sign != 0);
         signs.collect::<Vec<i8>>().windows(2).filter(|pair| pair[0] != pair[1]).count()
     };
     changes(low).saturating_sub(changes(high))
+}
+
+/// The positive multiple with integer coefficients without a common divisor.
+fn whole(p: &[Q]) -> Vec<BigInt> {
+    let over = p.iter().fold(BigInt::one(), |over, c| over.lcm(c.denom()));
+    let whole: Vec<BigInt> = p.iter().map(|c| c.numer() * (&over / c.denom())).collect();
+    let divisor = whole.iter().fold(BigInt::zero(), |divisor, c| divisor.gcd(c));
+    whole.into_iter().map(|c| c / &divisor).collect()
+}
+
+/// The sign of p(x), that of Σ c_i·a^i·b^{d−i} for x = a/b.
+fn sign_at(p: &[BigInt], x: &Q) -> i8 {
+    let (mut value, mut power) = (BigInt::zero(), BigInt::one());
+    for c in p.iter().rev() {
+        value = value * x.numer() + c * &power;
+        power *= x.denom();
+    }
+    signum(&value)
 }

@@ -86,7 +86,7 @@ impl<'m> Products<'m> {
         &self,
         of: Sequence<'_>,
         c: &Value,
-        piece: Option<&Piece>,
+        piece: Option<&Piece<'_>>,
     ) -> Result<Sums, Stop> {
         let c = u32::try_from(c.integer(64)?);
         let c = c.map_err(|_| Stop::Wrong("the level is negative".into()))?;

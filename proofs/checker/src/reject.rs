@@ -146,9 +146,11 @@ reasons! {
     Malformed(what: &'static str) "the line does not have the form that is expected: {what}"
     Truncated "the certificate is cut off: `end`, `at-most` or `unit` is missing"
     AfterEnd "the certificate goes on after its end, or it is too long"
+    Order "this line stands twice, or after lines that have to follow it"
     Field "the polynomial of the field has a multiple root, or not just one root between the two numbers"
     Rule "the rules differ in length, or one does not sum to 1"
     SumRules "the sum rules do not hold up to this order"
+    NotGreatest "the sum rules hold beyond this order"
     Size "the matrices or rows are not of one size, or beyond a cap"
     NoSuch "there is no such matrix or row"
     NoEigenvalue(bound: Text) "the characteristic polynomial is positive at {bound}"
@@ -160,6 +162,7 @@ reasons! {
     NotAbove "the lower bound of the radius does not show this"
     NotConvergent "the scheme is not shown to converge"
     Dependent "the shifts of the limit function may be linearly dependent"
+    Stopped(why: Stop) "{why}"
 }
 
 /// A reason to refuse a certificate, and the line.

@@ -1,7 +1,10 @@
 //! Real numbers as roots of polynomials, and the signs of polynomials at and between them.
 
-use crate::decimal::{Q, int, read_rational};
-use crate::polynomial::{at, beyond_roots, divide, gcd, roots_between, signum, trimmed};
+use crate::decimal::{Q, bits, int, read_rational};
+use crate::meter::Meter;
+use crate::polynomial::{
+    at, beyond_roots, divide, gcd, roots_between, signum, steps_between, trimmed,
+};
 use crate::reject::Stop;
 use num_traits::{Signed, Zero};
 use std::cmp::Ordering;
@@ -9,6 +12,9 @@ use std::fmt;
 
 /// The most coefficients of a polynomial.
 const MAX_LENGTH: usize = 65;
+
+/// The most binary digits of a coefficient, times the number of coefficients.
+const MAX_BITS: u64 = 1 << 16;
 
 /// The most halvings of an interval.
 const MAX_HALVINGS: usize = 1_000;
@@ -48,8 +54,12 @@ impl Root {
         };
         let polynomial: Vec<Q> = polynomial.split(',').map(read_rational).collect::<Option<_>>()?;
         let (low, high) = (read_rational(low)?, read_rational(high)?);
-        let ends = [&low, &high].iter().all(|end| !at(&polynomial, end).is_zero());
-        let proper = low < high && ends && (2..=MAX_LENGTH).contains(&polynomial.len());
+        let ends = || [&low, &high].iter().all(|end| !at(&polynomial, end).is_zero());
+        let long = polynomial.iter().chain([&low, &high]).map(bits).max().unwrap_or(0);
+        let proper = low < high
+            && (2..=MAX_LENGTH).contains(&polynomial.len())
+            && long * polynomial.len() as u64 <= MAX_BITS
+            && ends();
         let one = proper && roots_between(&polynomial, &low, &high) == 1;
         one.then_some(Root { polynomial, low, high })
     }
@@ -70,65 +80,66 @@ impl Root {
     }
 
     /// The number of roots of a polynomial in the interval. It is not 0 at the ends.
-    fn count(&self, p: &[Q]) -> usize {
-        roots_between(p, &self.low, &self.high)
+    fn count(&self, p: &[Q], meter: &Meter) -> Result<usize, Stop> {
+        count(p, [&self.low, &self.high], meter)
     }
 
     /// The number in half of the interval.
-    pub fn halved(&self) -> Root {
+    pub fn halved(&self, meter: &Meter) -> Result<Root, Stop> {
         let (polynomial, middle) = (self.polynomial.clone(), (&self.low + &self.high) / int(2));
         if at(&polynomial, &middle).is_zero() {
-            return middle.into();
+            return Ok(middle.into());
         }
         let lower = Root { polynomial, low: self.low.clone(), high: middle.clone() };
-        if lower.count(&self.polynomial) == 1 {
-            return lower;
+        if lower.count(&self.polynomial, meter)? == 1 {
+            return Ok(lower);
         }
-        Root { low: middle, high: self.high.clone(), ..lower }
+        Ok(Root { low: middle, high: self.high.clone(), ..lower })
     }
 
     /// The number in an interval without other roots of a polynomial.
-    fn apart_from(&self, p: &[Q]) -> Result<Root, Stop> {
-        let (own, mut root) = (usize::from(self.sign_of(p)? == 0), self.clone());
+    fn apart_from(&self, p: &[Q], meter: &Meter) -> Result<Root, Stop> {
+        let (own, mut root) = (usize::from(self.sign_of(p, meter)? == 0), self.clone());
         for _ in 0..MAX_HALVINGS {
             let ends = || [&root.low, &root.high].iter().all(|end| !at(p, end).is_zero());
-            if root.rational().is_some() || ends() && root.count(p) == own {
+            if root.rational().is_some() || ends() && root.count(p, meter)? == own {
                 return Ok(root);
             }
-            root = root.halved();
+            root = root.halved(meter)?;
         }
         Err(Stop::Capped("the halvings of an interval"))
     }
 
     /// The sign of a polynomial at this number.
-    pub fn sign_of(&self, p: &[Q]) -> Result<i8, Stop> {
+    pub fn sign_of(&self, p: &[Q], meter: &Meter) -> Result<i8, Stop> {
         if let Some(value) = self.rational() {
             return Ok(signum(&at(p, value)));
         }
         // A common divisor is not 0 at the ends.
-        if self.count(&gcd(p, &self.polynomial)) > 0 {
+        if self.count(&gcd(p, &self.polynomial), meter)? > 0 {
             return Ok(0);
         }
         let mut root = self.clone();
         for _ in 0..MAX_HALVINGS {
             let signs = [&root.low, &root.high].map(|end| signum(&at(p, end)));
-            if signs[0] != 0 && signs[1] != 0 && root.count(p) == 0 {
+            if signs[0] != 0 && signs[1] != 0 && root.count(p, meter)? == 0 {
                 return Ok(signs[0]);
             }
-            root = root.halved();
+            root = root.halved(meter)?;
         }
         Err(Stop::Capped("the halvings of an interval"))
     }
 
     /// How two numbers compare.
-    pub fn compare(&self, other: &Root) -> Result<Ordering, Stop> {
+    pub fn compare(&self, other: &Root, meter: &Meter) -> Result<Ordering, Stop> {
         match (self.rational(), other.rational()) {
-            (_, Some(value)) => return Ok(self.sign_of(&[-value, int(1)])?.cmp(&0)),
-            (Some(_), None) => return Ok(other.compare(self)?.reverse()),
+            (_, Some(value)) => return Ok(self.sign_of(&[-value, int(1)], meter)?.cmp(&0)),
+            (Some(_), None) => return Ok(other.compare(self, meter)?.reverse()),
             (None, None) => {}
         }
-        let [low, high] = [&other.low, &other.high].map(|end| self.compare(&end.clone().into()));
-        if self.sign_of(&other.polynomial)? == 0 && low?.is_gt() && high?.is_lt() {
+        let against = |end: &Q| self.compare(&end.clone().into(), meter);
+        let [low, high] = [&other.low, &other.high].map(against);
+        if self.sign_of(&other.polynomial, meter)? == 0 && low?.is_gt() && high?.is_lt() {
             return Ok(Ordering::Equal);
         }
         let (mut one, mut other) = (self.clone(), other.clone());
@@ -139,13 +150,13 @@ impl Root {
             if other.high <= one.low {
                 return Ok(Ordering::Greater);
             }
-            (one, other) = (one.halved(), other.halved());
+            (one, other) = (one.halved(meter)?, other.halved(meter)?);
         }
         Err(Stop::Capped("the halvings of an interval"))
     }
 
     /// Compares the distances of two numbers from a rational number.
-    pub fn nearer(&self, other: &Root, to: &Q) -> Result<Ordering, Stop> {
+    pub fn nearer(&self, other: &Root, to: &Q, meter: &Meter) -> Result<Ordering, Stop> {
         let (mut one, mut other) = (self.clone(), other.clone());
         let off = |root: &Root| {
             let off = [&root.low, &root.high].map(|end| (end - to).abs());
@@ -165,10 +176,16 @@ impl Root {
             if one.rational().is_some() && other.rational().is_some() {
                 return Ok(Ordering::Equal);
             }
-            (one, other) = (one.halved(), other.halved());
+            (one, other) = (one.halved(meter)?, other.halved(meter)?);
         }
         Err(Stop::Capped("the halvings of an interval"))
     }
+}
+
+/// The number of roots of a polynomial between two numbers that are no roots.
+fn count(p: &[Q], [low, high]: [&Q; 2], meter: &Meter) -> Result<usize, Stop> {
+    meter.spend(steps_between(p, low, high))?;
+    Ok(roots_between(p, low, high))
 }
 
 /// The sign of p between two numbers, or a root of p there. The lower number comes first.
@@ -176,6 +193,7 @@ pub fn sign_between(
     p: &[Q],
     low: Option<&Root>,
     high: Option<&Root>,
+    meter: &Meter,
 ) -> Result<Result<i8, Box<Root>>, Stop> {
     if p.iter().all(Zero::is_zero) {
         return Ok(Ok(0));
@@ -184,19 +202,24 @@ pub fn sign_between(
     // end is replaced by a number beyond all roots of p and the other end.
     let ends = [low, high].into_iter().flatten();
     let bound = beyond_roots(p) + ends.map(|end| end.low.abs() + end.high.abs()).sum::<Q>();
-    let mut low = low.map_or(Ok((-&bound).into()), |low| low.apart_from(p))?;
-    let mut high = high.map_or(Ok(bound.into()), |high| high.apart_from(p))?;
+    let mut low = low.map_or(Ok((-&bound).into()), |low| low.apart_from(p, meter))?;
+    let mut high = high.map_or(Ok(bound.into()), |high| high.apart_from(p, meter))?;
     for _ in 0..MAX_HALVINGS {
         if low.high < high.low {
-            return Ok(sign_or_root(p, low.high, high.low));
+            return sign_or_root(p, low.high, high.low, meter);
         }
-        (low, high) = (low.halved(), high.halved());
+        (low, high) = (low.halved(meter)?, high.halved(meter)?);
     }
     Err(Stop::Capped("the halvings of an interval"))
 }
 
 /// The sign of p between two rational numbers, or a root of p there.
-fn sign_or_root(p: &[Q], mut low: Q, mut high: Q) -> Result<i8, Box<Root>> {
+fn sign_or_root(
+    p: &[Q],
+    mut low: Q,
+    mut high: Q,
+    meter: &Meter,
+) -> Result<Result<i8, Box<Root>>, Stop> {
     // Roots at the ends are divided out. In between, x − low is positive and x − high is negative.
     let (mut p, mut turned) = (trimmed(p.to_vec()), 1);
     for (end, factor) in [(&low, 1), (&high, -1)] {
@@ -205,18 +228,19 @@ fn sign_or_root(p: &[Q], mut low: Q, mut high: Q) -> Result<i8, Box<Root>> {
             turned *= factor;
         }
     }
-    loop {
-        match roots_between(&p, &low, &high) {
-            0 => return Ok(turned * signum(&at(&p, &low))),
-            1 if p.len() == 2 => return Err(Box::new((-&p[0] / &p[1]).into())),
-            1 => return Err(Box::new(Root { polynomial: p, low, high })),
+    for _ in 0..MAX_HALVINGS {
+        match count(&p, [&low, &high], meter)? {
+            0 => return Ok(Ok(turned * signum(&at(&p, &low)))),
+            1 if p.len() == 2 => return Ok(Err(Box::new((-&p[0] / &p[1]).into()))),
+            1 => return Ok(Err(Box::new(Root { polynomial: p, low, high }))),
             _ => {}
         }
         let middle = (&low + &high) / int(2);
         if at(&p, &middle).is_zero() {
-            return Err(Box::new(middle.into()));
+            return Ok(Err(Box::new(middle.into())));
         }
-        (low, high) =
-            if roots_between(&p, &low, &middle) > 0 { (low, middle) } else { (middle, high) };
+        let below = count(&p, [&low, &middle], meter)? > 0;
+        (low, high) = if below { (low, middle) } else { (middle, high) };
     }
+    Err(Stop::Capped("the halvings of an interval"))
 }

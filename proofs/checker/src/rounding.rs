@@ -18,7 +18,7 @@ pub fn rounding(decimal: &Decimal, value: &Value) -> Result<&'static str, Stop> 
 pub fn rounding_on(
     decimal: &Decimal,
     value: &Value,
-    piece: Option<&Piece>,
+    piece: Option<&Piece<'_>>,
 ) -> Result<&'static str, Stop> {
     let (shown, unit) = (Value::from(decimal.value.clone()), Value::from(decimal.unit.clone()));
     let off = shown.minus(value)?.abs(piece)?;

@@ -399,3 +399,26 @@ proptest! {
         prop_assert!(report.claims.iter().all(|(_, _, outcome)| *outcome != Outcome::Valid));
     }
 }
+
+#[test]
+fn what_is_certified_twice_is_no_premise() {
+    let block = "function equal\n  variable w\n  left abs(w)\n  right max(w, -w)\n  breaks\n  signs 0\n  holds\n";
+    let cited = "theorem cited\n  says the step is attained at a point\n  proved-by THEOREMS 44\n  proved\n";
+    let claims = include_str!("rules/claims.toml");
+    let outcomes = |certificates: &[String]| {
+        let texts: Vec<&str> = certificates.iter().map(String::as_str).collect();
+        let report = check(claims, &texts).expect("a claim file");
+        let of = |id: &str| {
+            let found = report.claims.iter().find(|(_, known, _)| known == id);
+            found.expect("a claim").2.clone()
+        };
+        [of("equal"), of("cited")]
+    };
+    let head = "subcert-certificate 4\npaper rules\n";
+    let once = format!("{head}{block}{cited}end 2\n");
+    assert!(matches!(outcomes(&[once.clone()]), [Outcome::Valid, Outcome::Cited(_)]));
+    let again = format!("{head}{block}end 1\n");
+    let [equal, cited] = outcomes(&[once, again]);
+    assert!(matches!(equal, Outcome::Invalid(..)), "{equal:?}");
+    assert!(matches!(cited, Outcome::Incomplete(Some(_))), "{cited:?}");
+}

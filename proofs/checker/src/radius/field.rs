@@ -3,11 +3,17 @@
 //! A number p(α) has many coordinates p, if the polynomial is reducible. It is 0 if and only if the greatest common
 //! divisor of p and the polynomial has the root α. THEOREMS.md, 120.
 
-use crate::decimal::{Q, int};
+use crate::decimal::{Q, bits, int};
 use crate::polynomial::{at, divide, gcd, roots_between, signum, trimmed};
 use num_traits::{One, Zero};
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::rc::Rc;
+
+/// The most halvings for one sign.
+const MAX_HALVINGS: usize = 1_000;
+
+/// The most binary digits of a coefficient, times the degree.
+const MAX_BITS: u64 = 1 << 15;
 
 /// A square-free polynomial, and an interval with one of its roots α.
 pub struct Field {
@@ -16,6 +22,8 @@ pub struct Field {
     high: Q,
     /// An interval around α that becomes narrower when a sign needs it.
     near: RefCell<(Q, Q)>,
+    /// Whether a sign was not found within the halvings that are allowed.
+    gave_up: Cell<bool>,
 }
 
 impl Field {
@@ -23,7 +31,8 @@ impl Field {
     /// root between them, and none at them.
     pub fn new(polynomial: Vec<Q>, low: Q, high: Q) -> Option<Field> {
         let polynomial = trimmed(polynomial);
-        if polynomial.len() < 3 || low >= high {
+        let long = polynomial.iter().chain([&low, &high]).map(bits).max().unwrap_or(0);
+        if polynomial.len() < 3 || low >= high || long * polynomial.len() as u64 > MAX_BITS {
             return None;
         }
         let derivative: Vec<Q> = (1_i64..).zip(&polynomial[1..]).map(|(i, c)| c * int(i)).collect();
@@ -31,7 +40,8 @@ impl Field {
         let ends = [&low, &high].map(|x| signum(&at(&polynomial, x)));
         let one = ends[0] * ends[1] < 0 && roots_between(&polynomial, &low, &high) == 1;
         let near = RefCell::new((low.clone(), high.clone()));
-        (simple && one).then_some(Field { polynomial, low, high, near })
+        let gave_up = Cell::new(false);
+        (simple && one).then_some(Field { polynomial, low, high, near, gave_up })
     }
 
     /// The degree of the polynomial.
@@ -75,12 +85,19 @@ impl Field {
         if self.is_root(&gcd(p, &self.polynomial)) {
             return 0;
         }
-        loop {
+        for _ in 0..MAX_HALVINGS {
             self.halve();
             if let Some(sign) = self.sign_near(p) {
                 return sign;
             }
         }
+        self.gave_up.set(true);
+        0
+    }
+
+    /// Whether a sign was not found. Then nothing is known.
+    pub fn gave_up(&self) -> bool {
+        self.gave_up.get()
     }
 }
 

@@ -22,6 +22,10 @@ impl Certificate {
     }
 
     fn given_matrices<N: Number>(&self) -> Result<Vec<Matrix<N>>, RadiusRejection> {
+        if let Some((line, _)) = self.rules.first() {
+            let reason = RadiusReason::Malformed("the order of the sum rules, after the rules");
+            return Err(RadiusRejection { line: *line, reason });
+        }
         let size = self.given.first().map_or(0, |(_, matrix)| matrix.len());
         let square = |matrix: &Vec<Vec<Coordinates>>| {
             matrix.len() == size && matrix.iter().all(|row| row.len() == size)
@@ -43,6 +47,10 @@ impl Certificate {
     /// The matrices that the certificate is about.
     pub fn matrices<N: Number>(&self) -> Result<Vec<Matrix<N>>, RadiusRejection> {
         let Some((line, order)) = self.order else { return self.given_matrices() };
+        if let Some((line, _)) = self.given.first() {
+            let reason = RadiusReason::Malformed("rules of a mask or matrices, but not both");
+            return Err(RadiusRejection { line: *line, reason });
+        }
         let n = self.rules.len();
         let width = self.rules.first().map_or(0, |(_, rule)| rule.len());
         for (line, rule) in &self.rules {
@@ -58,6 +66,10 @@ impl Certificate {
         for _ in 0..order {
             rest = over_sigma(rest, n)
                 .ok_or(RadiusRejection { line, reason: RadiusReason::SumRules })?;
+        }
+        // With a smaller order the radius of the differences is 1 or more, whatever the limits are.
+        if over_sigma(rest.clone(), n).is_some() {
+            return Err(RadiusRejection { line, reason: RadiusReason::NotGreatest });
         }
         Ok(windows(&rest, n))
     }

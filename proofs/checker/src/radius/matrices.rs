@@ -2,6 +2,8 @@
 
 use super::number::Number;
 use crate::decimal::{Q, int};
+use crate::meter::Meter;
+use crate::reject::Stop;
 
 /// A square matrix, row by row.
 pub type Matrix<N> = Vec<Vec<N>>;
@@ -34,18 +36,29 @@ pub fn scaled_times<N: Number>(row: &[Q], matrix: &Matrix<N>) -> Vec<N> {
     sum
 }
 
+/// The steps of an operation with each entry of a matrix.
+fn cost<N: Number>(matrix: &Matrix<N>) -> u64 {
+    matrix.iter().flatten().map(Number::cost).sum()
+}
+
 /// The product of two matrices.
-pub fn multiplied<N: Number>(a: &Matrix<N>, b: &Matrix<N>) -> Matrix<N> {
-    a.iter().map(|row| times(row, b)).collect()
+pub fn multiplied<N: Number>(
+    a: &Matrix<N>,
+    b: &Matrix<N>,
+    meter: &Meter,
+) -> Result<Matrix<N>, Stop> {
+    meter.spend(a.len() as u64 * (cost(a) + cost(b)))?;
+    Ok(a.iter().map(|row| times(row, b)).collect())
 }
 
 /// The determinant, by elimination.
-pub fn determinant<N: Number>(mut rows: Matrix<N>) -> N {
+pub fn determinant<N: Number>(mut rows: Matrix<N>, meter: &Meter) -> Result<N, Stop> {
     let (size, mut value) = (rows.len(), N::whole(1));
     for step in 0..size {
         let Some(pivot) = (step..size).find(|&i| rows[i][step].sign() != 0) else {
-            return N::whole(0);
+            return Ok(N::whole(0));
         };
+        meter.spend(cost(&rows))?;
         if pivot != step {
             rows.swap(step, pivot);
             value = value.scaled(&int(-1));
@@ -62,7 +75,7 @@ pub fn determinant<N: Number>(mut rows: Matrix<N>) -> N {
             }
         }
     }
-    value
+    Ok(value)
 }
 
 /// The matrix on symmetric tensors: its eigenvalues are the products λ_i λ_j, i ≤ j.

@@ -10,7 +10,8 @@ mod read;
 mod smoothness;
 
 use crate::decimal::{Q, int};
-use crate::reject::{RadiusReason, RadiusRejection, Text};
+use crate::meter::Meter;
+use crate::reject::{RadiusReason, RadiusRejection, Stop, Text};
 use field::Element;
 use independence::is_independent;
 use matrices::{Matrix, determinant, multiplied, scaled_times, symmetric_square};
@@ -39,11 +40,11 @@ pub struct Radius {
 /// # Errors
 /// The line that is wrong, and the reason.
 pub fn check_radius(text: &str) -> Result<Radius, RadiusRejection> {
-    let certificate = Certificate::read(text)?;
+    let (certificate, meter) = (Certificate::read(text)?, Meter::default());
     if certificate.field.is_some() {
-        checked::<Element>(&certificate)
+        checked::<Element>(&certificate, &meter)
     } else {
-        checked::<Q>(&certificate)
+        checked::<Q>(&certificate, &meter)
     }
 }
 
@@ -70,34 +71,50 @@ pub fn check_mask(
     mask: &Mask,
     lines: &[(usize, &str)],
     end: usize,
+    meter: &Meter,
 ) -> Result<Radius, RadiusRejection> {
     let coordinates = |rule: &Vec<Q>| rule.iter().map(|entry| vec![entry.clone()]).collect();
     let rules = mask.rules.iter().map(|rule| (mask.line, coordinates(rule))).collect();
-    checked::<Q>(&Certificate::embedded(rules, lines, end)?)
+    checked::<Q>(&Certificate::embedded(rules, lines, end)?, meter)
 }
 
-fn checked<N: Number>(certificate: &Certificate) -> Result<Radius, RadiusRejection> {
+fn checked<N: Number>(certificate: &Certificate, meter: &Meter) -> Result<Radius, RadiusRejection> {
     let matrices: Vec<Matrix<N>> = certificate.matrices()?;
     if let Some(lower) = &certificate.lower {
-        check_lower(&matrices, lower)?;
+        check_lower(&matrices, lower, meter)?;
     }
-    check_hull(&matrices, certificate)?;
+    check_hull(&matrices, certificate, meter)?;
     let at_least = certificate.lower.as_ref().map(|lower| (lower.bound.clone(), lower.degree()));
     let (continuous, not_continuous) = smoothness::check::<N>(certificate)?;
+    if certificate.field.as_ref().is_some_and(|field| field.gave_up()) {
+        let reason = RadiusReason::Stopped(Stop::Capped("the halvings of an interval"));
+        return Err(RadiusRejection { line: certificate.end, reason });
+    }
     let order = certificate.order.map(|(_, order)| order);
     Ok(Radius { at_least, at_most: certificate.bound.clone(), order, continuous, not_continuous })
 }
 
 /// A real eigenvalue of at least q shows itself by the sign of the characteristic polynomial at q.
-fn check_lower<N: Number>(matrices: &[Matrix<N>], lower: &Lower) -> Result<(), RadiusRejection> {
+fn check_lower<N: Number>(
+    matrices: &[Matrix<N>],
+    lower: &Lower,
+    meter: &Meter,
+) -> Result<(), RadiusRejection> {
     let at = |reason| RadiusRejection { line: lower.line, reason };
+    let capped = |stop: Stop| at(RadiusReason::Stopped(stop));
     let size = matrices[0].len();
     let mut product = matrices::unit(size);
     for &factor in &lower.product {
         let matrix = matrices.get(factor).ok_or_else(|| at(RadiusReason::NoSuch))?;
-        product = multiplied(&product, matrix);
+        product = multiplied(&product, matrix, meter).map_err(capped)?;
     }
-    let mut shifted = if lower.conjugate { symmetric_square(&product) } else { product };
+    let mut shifted = if lower.conjugate {
+        let pairs = (size * (size + 1) / 2) as u64;
+        meter.spend(8 * pairs * pairs).map_err(capped)?;
+        symmetric_square(&product)
+    } else {
+        product
+    };
     for (i, row) in shifted.iter_mut().enumerate() {
         for (j, x) in row.iter_mut().enumerate() {
             *x = if lower.negative { x.clone() } else { N::whole(0).minus(x) };
@@ -106,7 +123,7 @@ fn check_lower<N: Number>(matrices: &[Matrix<N>], lower: &Lower) -> Result<(), R
             }
         }
     }
-    let value = determinant(shifted);
+    let value = determinant(shifted, meter).map_err(capped)?;
     if lower.bound.is_positive() && value.sign() <= 0 {
         return Ok(());
     }
@@ -117,8 +134,10 @@ fn check_lower<N: Number>(matrices: &[Matrix<N>], lower: &Lower) -> Result<(), R
 fn check_hull<N: Number>(
     matrices: &[Matrix<N>],
     certificate: &Certificate,
+    meter: &Meter,
 ) -> Result<(), RadiusRejection> {
     let size = matrices[0].len();
+    let entries = matrices.iter().flatten().flatten().map(Number::cost).sum::<u64>();
     let at = |line, reason| RadiusRejection { line, reason };
     let bound = N::fraction(&certificate.bound);
     let inverse = certificate.unit.recip();
@@ -134,9 +153,12 @@ fn check_hull<N: Number>(
     }
     let mut images = certificate.images.iter();
     for row in &rows {
+        let of_row: u64 = row.iter().map(Number::cost).sum();
         for matrix in matrices {
             let (line, terms) =
                 images.next().ok_or(at(certificate.end, RadiusReason::ImagesMissing))?;
+            let steps = size as u64 * (of_row + terms.len() as u64) + entries;
+            meter.spend(steps).map_err(|stop| at(*line, RadiusReason::Stopped(stop)))?;
             let mut rest = scaled_times(row, matrix);
             let mut coefficients = int(0);
             for (place, factor) in terms {

@@ -1,7 +1,7 @@
 //! Entries of matrices: fractions, or numbers of one real field.
 
 use super::field::{Element, Field};
-use crate::decimal::{Q, int};
+use crate::decimal::{Q, bits, int};
 use num_traits::Signed as _;
 use std::rc::Rc;
 
@@ -21,6 +21,8 @@ pub trait Number: Clone {
     fn sign(&self) -> i8;
     /// As a certificate writes it.
     fn text(&self) -> String;
+    /// The steps of an operation with it.
+    fn cost(&self) -> u64;
 
     /// A fraction.
     fn fraction(value: &Q) -> Self {
@@ -38,6 +40,12 @@ pub trait Number: Clone {
     fn size(&self) -> Self {
         if self.sign() < 0 { self.scaled(&int(-1)) } else { self.clone() }
     }
+}
+
+/// The steps of an operation with a number of so many binary digits. Multiplication and division are quadratic.
+fn steps(bits: u64) -> u64 {
+    let blocks = bits / 512;
+    1 + blocks + blocks * blocks
 }
 
 impl Number for Q {
@@ -65,6 +73,9 @@ impl Number for Q {
     fn text(&self) -> String {
         self.to_string()
     }
+    fn cost(&self) -> u64 {
+        steps(bits(self))
+    }
 }
 
 impl Number for Element {
@@ -89,5 +100,10 @@ impl Number for Element {
     fn text(&self) -> String {
         let coordinates: Vec<String> = self.coordinates().iter().map(Q::to_string).collect();
         coordinates.join(",")
+    }
+    fn cost(&self) -> u64 {
+        let coordinates = self.coordinates();
+        let longest = coordinates.iter().map(bits).max().unwrap_or(0);
+        1 + (coordinates.len() * coordinates.len()) as u64 * steps(longest)
     }
 }

@@ -15,6 +15,23 @@ const MAX_DEGREE: usize = 64;
 /// The most bytes of a certificate.
 const MAX_BYTES: usize = 64 << 20;
 
+/// The lines in their order, and whether there may be several of a kind.
+const LINES: [(&str, bool); 13] = [
+    ("field", false),
+    ("between", false),
+    ("rule", true),
+    ("order", false),
+    ("matrix", true),
+    ("product", false),
+    ("eigenvalue", false),
+    ("at-most", false),
+    ("unit", false),
+    ("row", true),
+    ("image", true),
+    ("continuous", false),
+    ("not-continuous", false),
+];
+
 /// An eigenvalue of a product.
 pub struct Lower {
     pub line: usize,
@@ -59,6 +76,8 @@ pub struct Certificate {
     pub not_continuous: Option<Said>,
     /// The last line.
     pub end: usize,
+    /// The place in [`LINES`] from which the next line has to come.
+    next: usize,
 }
 
 type Read<T> = Result<T, RadiusReason>;
@@ -141,6 +160,7 @@ impl Certificate {
             continuous: None,
             not_continuous: None,
             end: 0,
+            next: 0,
         }
     }
 
@@ -163,6 +183,12 @@ impl Certificate {
 
     fn take(&mut self, line: usize, words: &str) -> Read<()> {
         let (word, rest) = words.split_once(' ').unwrap_or((words, ""));
+        let known = LINES.iter().position(|(known, _)| *known == word);
+        let place = known.ok_or(RadiusReason::Malformed("a line of this format"))?;
+        if place < self.next {
+            return Err(RadiusReason::Order);
+        }
+        self.next = if LINES[place].1 { place } else { place + 1 };
         match word {
             "field" => self.polynomial = numbers(rest)?,
             "between" => {
@@ -183,6 +209,9 @@ impl Certificate {
             }
             "product" => {
                 let product = rest.split_whitespace().map(count).collect::<Read<Vec<usize>>>()?;
+                if product.is_empty() {
+                    return Err(RadiusReason::Malformed("one factor at least"));
+                }
                 let bound = Q::zero();
                 let lower = Lower { line, product, bound, negative: false, conjugate: false };
                 self.lower = Some(lower);
@@ -212,8 +241,7 @@ impl Certificate {
                 self.images.push((line, terms));
             }
             "continuous" => self.continuous = Some((line, count(rest)?)),
-            "not-continuous" => self.not_continuous = Some((line, count(rest)?)),
-            _ => return Err(RadiusReason::Malformed("a line of this format")),
+            _ => self.not_continuous = Some((line, count(rest)?)),
         }
         Ok(())
     }

@@ -6,7 +6,7 @@ use crate::evaluate::Scope;
 use crate::exponent::{Bound, LogSum};
 use crate::paper::Paper;
 use crate::radius::{Mask, Radius, check_mask};
-use crate::reject::{Checked, Reason, Stop, require};
+use crate::reject::{Checked, RadiusReason, Reason, Stop, require};
 use crate::toml::Toml;
 use crate::value::Value;
 
@@ -29,7 +29,7 @@ pub fn mask(paper: &Paper<'_>, claim: &Toml, scope: &Scope<'_>) -> Checked<Vec<V
 
 impl Shown {
     /// Reads the lines from `order` to `end` and checks them.
-    pub fn read(rules: Vec<Vec<Q>>, block: &mut Block<'_>) -> Checked<Shown> {
+    pub fn read(paper: &Paper<'_>, rules: Vec<Vec<Q>>, block: &mut Block<'_>) -> Checked<Shown> {
         let mut lines = Vec::new();
         block.look();
         let first = block.at;
@@ -38,9 +38,13 @@ impl Shown {
             if line.text == "end" {
                 let mask = Mask { rules, line: first };
                 let arity = mask.rules.len();
-                let radius = check_mask(&mask, &lines, line.number).map_err(|rejection| {
+                let radius = check_mask(&mask, &lines, line.number, paper.library.meter);
+                let radius = radius.map_err(|rejection| {
                     block.at = rejection.line;
-                    Reason::Radius(rejection.reason)
+                    match rejection.reason {
+                        RadiusReason::Stopped(stop) => Reason::Stopped(stop),
+                        reason => Reason::Radius(reason),
+                    }
                 })?;
                 return Ok(Shown { arity, radius, mask });
             }

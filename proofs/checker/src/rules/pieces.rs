@@ -48,7 +48,7 @@ impl<'a> Free<'a> {
         let number = low.as_ref().filter(|_| low == high).and_then(Root::rational);
         let value = number.map_or(Value::symbol(self.variable), |value| value.clone().into());
         scope.values.insert(self.variable.to_owned(), value);
-        scope.piece = Some(Piece::new(self.variable, ends));
+        scope.piece = Some(Piece::new(self.variable, ends, self.paper.library.meter));
         if let Some(reference) = self.claim.text("scheme") {
             scope.scheme = self.paper.library.resolve(reference, &scope)?.first().cloned();
             if scope.piece.as_ref().is_some_and(|piece| !piece.cuts().is_empty()) {
@@ -65,7 +65,7 @@ impl<'a> Free<'a> {
             breaks.collect::<Option<_>>().ok_or(Reason::Malformed("numbers"))?;
         require(breaks.len() <= MAX_BREAKS, Reason::Breaks)?;
         for pair in breaks.windows(2) {
-            require(pair[0].compare(&pair[1])?.is_lt(), Reason::Breaks)?;
+            require(pair[0].compare(&pair[1], self.paper.library.meter)?.is_lt(), Reason::Breaks)?;
         }
         let said = block.after("signs")?;
         let mut signs = Vec::new();

@@ -4,6 +4,7 @@ use super::pieces::{Free, Pieces};
 use crate::certificate::Block;
 use crate::decimal::{Decimal, int};
 use crate::definitions::formula_of;
+use crate::meter::Meter;
 use crate::paper::{Paper, printed};
 use crate::piece::Piece;
 use crate::reject::{Checked, Reason, Stop, Text, agree, compare};
@@ -29,7 +30,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     let limit = paper.library.closed().value(&formula_of(claim, key)?)?;
     let pieces = free.pieces(block, &|scope| scope.value(&value)?.minus(&limit))?;
     let set = intervals(&pieces, below);
-    let mut relations = Vec::new();
+    let (mut relations, meter) = (Vec::new(), paper.library.meter);
     for (side, name, outwards) in [(0, "from", -1), (1, "to", 1)] {
         let Some(field) = claim.get(name) else {
             let infinite = matches!(&set[..], [only] if only[side].0.is_none());
@@ -49,14 +50,14 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         let mut nearest: Option<(&Root, bool)> = None;
         for (end, belongs) in ends {
             let nearer = match nearest {
-                Some((other, _)) => end.nearer(other, &decimal.value)?.is_lt(),
+                Some((other, _)) => end.nearer(other, &decimal.value, meter)?.is_lt(),
                 None => true,
             };
             nearest = if nearer { Some((end, belongs)) } else { nearest };
         }
         let found = match (&nearest, Root::read(exact)) {
             (None, _) => exact == "none",
-            (Some((end, _)), Some(exact)) => end.compare(&exact)?.is_eq(),
+            (Some((end, _)), Some(exact)) => end.compare(&exact, meter)?.is_eq(),
             _ => false,
         };
         let end = nearest.map_or("none".to_owned(), |(end, _)| end.to_string());
@@ -65,7 +66,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
             Some(Toml::Flag(closed)) => Some(*closed),
             _ => None,
         };
-        let expected = self::relation(&decimal, closed, outwards, nearest, &set)?;
+        let expected = self::relation(&decimal, closed, outwards, nearest, &set, meter)?;
         agree(relation.trim(), expected, Reason::Relation)?;
         relations.push(expected);
     }
@@ -104,26 +105,28 @@ fn relation(
     outwards: i64,
     exact: Option<(&Root, bool)>,
     set: &[[End; 2]],
+    meter: &Meter,
 ) -> Result<&'static str, Stop> {
     let Some((end, belongs)) = exact else { return Ok("apart") };
     let at = Root::from(printed.value.clone());
-    if at.compare(end)?.is_eq() {
+    if at.compare(end, meter)?.is_eq() {
         let same = closed.is_none_or(|closed| closed == belongs);
         return Ok(if same { "equal" } else { "belonging" });
     }
     // The end is a symbol that has this value alone.
-    let piece = Piece::new("x", [Some(end.clone()), Some(end.clone())]);
+    let piece = Piece::new("x", [Some(end.clone()), Some(end.clone())], meter);
     let found = rounding_on(printed, &Value::symbol("x"), Some(&piece))?;
     if found != "neither" {
         return Ok(found);
     }
     let next = Root::from(&printed.value + &printed.unit * int(outwards));
-    if belongs || closed == Some(false) || !next.compare(end)?.is_eq() {
+    if belongs || closed == Some(false) || !next.compare(end, meter)?.is_eq() {
         return Ok("apart");
     }
     for [low, high] in set {
-        let above = low.0.as_ref().map_or(Ok(true), |low| Ok(low.compare(&at)?.is_lt()))?;
-        let below = high.0.as_ref().map_or(Ok(true), |high| Ok(at.compare(high)?.is_lt()))?;
+        let above = low.0.as_ref().map_or(Ok(true), |low| Ok(low.compare(&at, meter)?.is_lt()))?;
+        let below =
+            high.0.as_ref().map_or(Ok(true), |high| Ok(at.compare(high, meter)?.is_lt()))?;
         if above && below {
             return Ok("last-inside");
         }

@@ -67,9 +67,9 @@ impl<'a> Stated<'a> {
             // The theorem calls this level deep enough.
             require(by.compare(&Value::int(self.level.into()))?.is_le(), Reason::Level)?;
         }
-        let right = self.tolerance.unwrap_or(by);
         // A negative bound presupposes something that does not hold, such as a constant below 1.
-        require(right.sign(None)? >= 0, Reason::Negative)?;
+        require(by.sign(None)? >= 0, Reason::Negative)?;
+        let right = self.tolerance.unwrap_or(by);
         violated(paper, said, left, &right)
     }
 }

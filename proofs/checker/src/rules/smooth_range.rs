@@ -8,6 +8,7 @@ use crate::convolution::{Convolution, MAX_LENGTH};
 use crate::decimal::{Decimal, read_rational};
 use crate::definitions::formula;
 use crate::evaluate::Scope;
+use crate::meter::Meter;
 use crate::paper::{Paper, printed};
 use crate::reject::{Checked, Reason, Stop, Text, agree, require};
 use crate::root::Root;
@@ -32,14 +33,20 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         ["closed", "only"].map(|key| matches!(claim.get(key), Some(Toml::Flag(true))));
     let ends = [end(paper, claim, "from")?, end(paper, claim, "to")?];
     require(ends.iter().any(Option::is_some), Reason::Malformed("an end"))?;
+    if let [Some(from), Some(to)] = &ends {
+        // In an empty range everything holds.
+        require(from.compare(to)?.is_lt(), Reason::Malformed("an end `to` above `from`"))?;
+    }
     if let Some(said) = block.maybe("contraction") {
         // For other values nothing is shown.
         require(!only, Reason::NotShown)?;
         let levels = said.parse().ok().filter(|c| (1..=MAX_LEVELS).contains(c));
         let levels = levels.ok_or(Reason::Malformed("a number of levels"))?;
-        let pieces =
-            free.pieces(block, &|scope| norm(paper, scope, m, levels)?.minus(&Value::int(1)))?;
-        let within = covered(&pieces.breaks, &pieces.signs, &ends, closed)?;
+        let reference = claim.text("scheme").unwrap_or_default();
+        let above =
+            |scope: &Scope<'_>| norm(paper, (scope, reference), m, levels)?.minus(&Value::int(1));
+        let pieces = free.pieces(block, &above)?;
+        let within = covered(&pieces.breaks, &pieces.signs, &ends, closed, paper.library.meter)?;
         require(within, Reason::Uncovered)?;
         return agree(block.any()?.0, "confirmed", Reason::Verdict);
     }
@@ -47,7 +54,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     let at = read_rational(said).ok_or(Reason::Malformed("a number"))?;
     let place = Root::from(at.clone());
     let scope = free.scope([Some(place.clone()), Some(place)])?;
-    let shown = Shown::read(mask(paper, claim, &scope)?, block)?;
+    let shown = Shown::read(paper, mask(paper, claim, &scope)?, block)?;
     // −1 outside, 0 at an end, 1 inside.
     let mut side = 1;
     for (end, outwards) in ends.iter().zip([Ordering::Less, Ordering::Greater]) {
@@ -76,9 +83,10 @@ fn covered(
     signs: &[i8],
     [from, to]: &[Option<Value>; 2],
     closed: bool,
+    meter: &Meter,
 ) -> Result<bool, Stop> {
     let against = |at: &Root, end: &Option<Value>| -> Result<Option<Ordering>, Stop> {
-        end.as_ref().map(|end| self::against(at, end)).transpose()
+        end.as_ref().map(|end| self::against(at, end, meter)).transpose()
     };
     for (place, _) in signs.iter().enumerate().filter(|(_, sign)| **sign >= 0) {
         // The break itself, or the piece between the break before it and this one.
@@ -111,7 +119,7 @@ fn covered(
 }
 
 /// How a root compares with a closed value.
-fn against(at: &Root, value: &Value) -> Result<Ordering, Stop> {
+fn against(at: &Root, value: &Value, meter: &Meter) -> Result<Ordering, Stop> {
     let mut terms = at.polynomial().iter().rev().cloned().map(Value::from);
     let of_value =
         terms.try_fold(Value::int(0), |sum: Value, term| sum.times(value)?.plus(1, &term))?;
@@ -125,15 +133,23 @@ fn against(at: &Root, value: &Value) -> Result<Ordering, Stop> {
             [_, Ordering::Less | Ordering::Equal] => return Ok(Ordering::Less),
             // The interval has one root of the polynomial.
             _ if of_value.is_zero() => return Ok(Ordering::Equal),
-            _ => at = at.halved(),
+            _ => at = at.halved(meter)?,
         }
     }
     Err(Stop::Capped("the halvings of an interval"))
 }
 
 /// ‖(n^m S_{m+1})^c‖ for the symbol n^m A/σ^{m+1} of the differences of order m + 1.
-fn norm(paper: &Paper<'_>, scope: &Scope<'_>, m: usize, c: u32) -> Result<Value, Stop> {
-    let scheme = scope.scheme.as_ref().ok_or_else(|| Stop::Wrong("`scheme` is missing".into()))?;
+fn norm(
+    paper: &Paper<'_>,
+    (scope, reference): (&Scope<'_>, &str),
+    m: usize,
+    c: u32,
+) -> Result<Value, Stop> {
+    let schemes = paper.library.resolve(reference, scope)?;
+    let [scheme] = &schemes[..] else {
+        return Err(Stop::Wrong("smoothness is that of one scheme alone".into()));
+    };
     let (n, width) = (scheme.arity(), scheme.width());
     let columns = (0..width).rev();
     let mut symbol: Vec<Value> =

@@ -29,7 +29,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     }
     let stated = continuous.is_some() || not_continuous.is_some();
     require(stated, Reason::Malformed("continuous or not_continuous"))?;
-    let shown = Shown::read(mask(paper, claim, &scope(paper))?, block)?;
+    let shown = Shown::read(paper, mask(paper, claim, &scope(paper))?, block)?;
     let found = verdict(
         continuous.is_none_or(|m| shown.continuous(m))
             && not_continuous.is_none_or(|m| shown.not_continuous(m)),
@@ -53,7 +53,11 @@ pub fn exponent<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>
     if let Some(field) = claim.get("printed") {
         block.restates("printed", printed(field).map(|(text, _)| text))?;
     }
-    let shown = Shown::read(mask(paper, claim, &scope(paper))?, block)?;
+    let has = |keys: &[&str]| keys.iter().any(|key| claim.get(key).is_some());
+    let statements = [&["value"][..], &["printed"], &["at_least", "at_most"]];
+    let one = statements.iter().filter(|keys| has(keys)).count() == 1;
+    require(one, Reason::Malformed("one of `value`, `printed` and bounds"))?;
+    let shown = Shown::read(paper, mask(paper, claim, &scope(paper))?, block)?;
     let closed = paper.library.closed();
     let number = |key: &str| -> Checked<Option<LogSum>> {
         let text = claim.text(key).map(formula);
@@ -70,7 +74,6 @@ pub fn exponent<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>
     } else {
         let (lower, upper) =
             (lower.as_ref().or(of_value.as_ref()), upper.as_ref().or(of_value.as_ref()));
-        require(lower.or(upper).is_some(), Reason::Malformed("an exponent"))?;
         let part = |value: Option<&LogSum>, test: &dyn Fn(&LogSum) -> Checked<bool>, none: bool| {
             value.map_or(Ok(none), test)
         };
