@@ -199,6 +199,9 @@ fn known_bounds_and_bounds_a_little_smaller() {
         ("b-spline:degree=3", "distance", "beta/15*(1/4)^floor(k/2)", TheoremVerdict::Refuted),
         ("b-spline:degree=3", "depth", "levels(1/4, epsilon*3)", TheoremVerdict::Open),
         ("b-spline:degree=3", "depth", "levels(1/4, epsilon*4)", TheoremVerdict::Refuted),
+        // A negative number of levels presupposes something that does not hold.
+        ("chaikin", "depth", "-7", TheoremVerdict::Open),
+        ("chaikin", "depth", "1", TheoremVerdict::Refuted),
     ];
     for (scheme, bounds, by, verdict) in cases {
         let from = if bounds == "depth" { "" } else { "from = '0'\n" };

@@ -416,7 +416,7 @@ fn what_is_certified_twice_is_no_premise() {
     };
     let head = "subcert-certificate 4\npaper rules\n";
     let once = format!("{head}{block}{cited}end 2\n");
-    assert!(matches!(outcomes(&[once.clone()]), [Outcome::Valid, Outcome::Cited(_)]));
+    assert!(matches!(outcomes(std::slice::from_ref(&once)), [Outcome::Valid, Outcome::Cited(_)]));
     let again = format!("{head}{block}end 1\n");
     let [equal, cited] = outcomes(&[once, again]);
     assert!(matches!(equal, Outcome::Invalid(..)), "{equal:?}");

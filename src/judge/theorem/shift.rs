@@ -88,7 +88,9 @@ fn exceeding(
             Some(tolerance) => {
                 let settings = case.prepared(by, Settings::default());
                 let depth = case.evaluate(by, &[(TOLERANCE, tolerance.clone())], &settings)?;
-                let deep = |depth: RealCyclotomic| depth <= RealCyclotomic::from(level);
+                let deep = |depth: RealCyclotomic| {
+                    depth.sign() >= 0 && depth <= RealCyclotomic::from(level)
+                };
                 depth.is_ok_and(deep).then(|| tolerance.into())
             }
         },

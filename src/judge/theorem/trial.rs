@@ -236,7 +236,7 @@ impl Bound<'_> {
             Ok(contribution) => contribution,
             Err(why) => return Ok(Outcome::Unknown(why)),
         };
-        let mut shown = None;
+        let (mut shown, mut negative) = (None, false);
         for level in 0..self.setting.levels() {
             for parts in PARTS {
                 let supremum = match self.setting.supremum(quantity, level, parts) {
@@ -247,9 +247,9 @@ impl Bound<'_> {
                     }
                 };
                 let Some(tolerance) = slightly_less(&supremum.lower) else { break };
-                match self.deep_enough(by, &tolerance, &contribution, level)? {
+                match self.asked(by, &tolerance, &contribution, level)? {
                     Err(why) => return Ok(Outcome::Unknown(why)),
-                    Ok(true) => {
+                    Ok(Asked::Reached) => {
                         let bound = RealCyclotomic::from(tolerance);
                         if let Ok(Comparison::Exceeds(attained)) =
                             self.setting.compare(quantity, level, &bound)
@@ -258,41 +258,63 @@ impl Bound<'_> {
                             return Ok(Outcome::Refuted(Box::new(violation)));
                         }
                     }
-                    Ok(false) => {}
+                    Ok(Asked::Negative) => negative = true,
+                    Ok(Asked::More) => {}
                 }
                 // If the formula does not promise even a tolerance above the supremum at this
                 // level, it promises none below the supremum.
                 let above = supremum.upper.map(|upper| upper.enclosure(0).upper().clone());
                 let possible = match above {
-                    Some(above) => self.deep_enough(by, &above, &contribution, level)?,
-                    None => Ok(true),
+                    Some(above) => self.asked(by, &above, &contribution, level)?,
+                    None => Ok(Asked::Reached),
                 };
-                if possible != Ok(true) {
+                if possible != Ok(Asked::Reached) {
                     break;
                 }
             }
             shown = Some(level);
         }
+        if negative {
+            return Ok(Outcome::Unknown("the depth is negative, which nothing is".to_owned()));
+        }
         Ok(shown.map_or_else(|| Outcome::Unknown("it has no distance".to_owned()), Outcome::UpTo))
     }
 
     /// Whether the formula says that this level is deep enough for the tolerance.
-    fn deep_enough(
+    fn asked(
         &self,
         by: &LocatedFormula,
         tolerance: &Rational,
         contribution: &RealCyclotomic,
         level: u32,
-    ) -> Result<Result<bool, String>, Diagnostic> {
+    ) -> Result<Result<Asked, String>, Diagnostic> {
         let asked = &RealCyclotomic::from(tolerance.clone()) / contribution;
         let Some(asked) = asked.as_rational().cloned().or_else(|| slightly_less(&asked)) else {
-            return Ok(Ok(false));
+            return Ok(Ok(Asked::More));
         };
         let depth = self.case.evaluate(by, &[(TOLERANCE, asked)], self.settings)?;
         Ok(depth.map(|depth| {
-            depth.times(&RealCyclotomic::from(self.stretch())) <= RealCyclotomic::from(level)
+            let levels = depth.times(&RealCyclotomic::from(self.stretch()));
+            if levels.sign() < 0 {
+                Asked::Negative
+            } else if levels <= RealCyclotomic::from(level) {
+                Asked::Reached
+            } else {
+                Asked::More
+            }
         }))
     }
+}
+
+/// The number of levels that a formula asks for, against a level.
+#[derive(PartialEq, Eq)]
+enum Asked {
+    /// It asks for this level or an earlier one.
+    Reached,
+    /// It asks for more levels.
+    More,
+    /// A negative number presupposes something that does not hold, such as a constant below 1.
+    Negative,
 }
 
 /// The precisions of the enclosures of a distance below which a tolerance is sought, as parts of
