@@ -1,8 +1,6 @@
 //! Altered certificates: none is accepted that says something else.
 
-mod altered;
-
-use altered::{Block, Paper, accepted, alterations, blocks, certificate, papers};
+use crate::altered::{Block, Paper, accepted, alterations, blocks, certificate, papers};
 use proptest::prelude::*;
 use std::collections::BTreeSet;
 use subcert_check::{Outcome, check};

@@ -1,0 +1,15 @@
+//! The tests of the checker, in one program: one link, and `cargo test -p subcert-check rules::` runs one file.
+
+#![allow(missing_docs)]
+
+mod altered;
+mod arithmetic;
+mod certificates;
+mod claims;
+mod command;
+mod family;
+mod format;
+mod mutation;
+mod names;
+mod radius;
+mod rules;
