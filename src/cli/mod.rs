@@ -47,8 +47,8 @@ mod spectrum;
 mod table;
 mod terminal;
 
-use arguments::{Arguments, Command};
-use clap::{CommandFactory as _, FromArgMatches as _};
+use arguments::{Arguments, Command, grouped};
+use clap::FromArgMatches as _;
 use std::process::ExitCode;
 
 /// The exit code of an internal fault.
@@ -62,7 +62,7 @@ pub(crate) fn run() -> ExitCode {
         report(panic);
         std::process::exit(FAULT);
     }));
-    let command = Arguments::command().color(terminal::early_color(std::env::args_os()));
+    let command = grouped().color(terminal::early_color(std::env::args_os()));
     let parsed = command.try_get_matches().and_then(|found| Arguments::from_arg_matches(&found));
     let arguments = match parsed {
         Ok(arguments) => arguments,

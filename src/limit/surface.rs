@@ -170,7 +170,9 @@ impl SurfaceDistances {
         budget: &Budget,
     ) -> Result<SurfaceDistances, SurfaceError> {
         let axis = |limit: &Limit| Axis::new(Distances::placed(limit, parametrisation)?, budget);
-        Ok(SurfaceDistances { axes: [axis(first)?, axis(second)?], budget: budget.clone() })
+        let own = axis(first)?;
+        let other = if first.mask() == second.mask() { own.clone() } else { axis(second)? };
+        Ok(SurfaceDistances { axes: [own, other], budget: budget.clone() })
     }
 
     /// The shifts along both directions.

@@ -97,6 +97,12 @@ impl Axis {
         self.distances.limit()
     }
 
+    /// Whether both have the same mask in the same parametrisation.
+    pub(super) fn is_like(&self, other: &Axis) -> bool {
+        self.limit().mask() == other.limit().mask()
+            && self.distances.shift() == other.distances.shift()
+    }
+
     /// Λ_c; there must be few residue classes.
     pub(super) fn growth(&self, c: u32) -> Rational {
         if self.averages {

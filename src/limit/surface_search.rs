@@ -205,9 +205,12 @@ impl SurfaceDistances {
         spreads: &Spreads,
         share: &Share<'_>,
     ) -> Result<Known, SurfaceError> {
-        let curve =
-            |axis: usize| self.axes[axis].constant(level, &(width / spreads.along(axis)), share);
-        let curves = [curve(0)?, curve(1)?];
+        let widths = [0, 1].map(|axis| width / spreads.along(axis));
+        let curve = |axis: usize| self.axes[axis].constant(level, &widths[axis], share);
+        let first = curve(0)?;
+        let alike = widths[0] == widths[1] && self.axes[0].is_like(&self.axes[1]);
+        let second = if alike { first.clone() } else { curve(1)? };
+        let curves = [first, second];
         let parameters = curves.each_ref().map(|curve| curve.parameter.clone());
         let best = self.separable(level, parameters, spreads)?;
         Ok(Known { curves, best })

@@ -152,6 +152,21 @@ const COMMANDS: [&str; 20] = [
     "man",
 ];
 
+/// The help text of the program has every command in a group, with what it does and an example that parses.
+#[test]
+fn commands_stand_in_groups() {
+    let help = written(["--help"]);
+    let (_, groups) = help.split_once("\n\nAudit a paper").expect("the first group");
+    let (groups, _) = groups.split_once("\nOptions:\n").expect("the options");
+    for command in COMMANDS {
+        let lines = groups.lines().filter(|line| line.starts_with(&format!("  {command} ")));
+        let lines: Vec<&str> = lines.collect();
+        assert!(!lines.is_empty(), "{command} is in no group:\n{groups}");
+        assert!(lines.iter().all(|line| line.len() > 20), "{command} has no description");
+    }
+    assert_eq!(groups.matches("(`subcert ").count(), 4, "{groups}");
+}
+
 /// The examples of every help text run, those that write files apart.
 #[test]
 fn examples_of_the_help_run() {

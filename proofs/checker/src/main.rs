@@ -64,6 +64,21 @@ impl Arguments {
         };
         let (claims, certificates) = (&self.files[0], &self.files[1..]);
         let claim_text = read(claims)?;
+        match claim_text.split_whitespace().next() {
+            Some("subcert-certificate") => {
+                return Err(format!(
+                    "`{claims}` is a certificate, and the claim file that it is about has to stand \
+                     before it: subcert-check CLAIMS.toml {claims}"
+                ));
+            }
+            Some("subcert-radius") => {
+                return Err(format!(
+                    "`{claims}` is about a joint spectral radius, which needs no claim file: \
+                     subcert-check --radius {claims}"
+                ));
+            }
+            _ => {}
+        }
         let texts = certificates.iter().map(read).collect::<Result<Vec<String>, String>>()?;
         let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
         let report = check(&claim_text, &texts).map_err(|error| format!("`{claims}`: {error}"))?;

@@ -56,6 +56,24 @@ fn verdicts_are_shown_with_both_sides() {
     assert!(cited.contains(", says THEOREMS.md, "), "{cited}");
 }
 
+/// A certificate in place of the claim file is named as what it is.
+#[test]
+fn a_missing_claim_file_is_named() {
+    let tests = concat!(env!("CARGO_MANIFEST_DIR"), "/tests");
+    let cases = [
+        ("rules/accepted/theorem-cited", "subcert-check CLAIMS.toml "),
+        ("radius/accepted/fourpoint", "subcert-check --radius "),
+    ];
+    for (certificate, remedy) in cases {
+        let output = Command::new(env!("CARGO_BIN_EXE_subcert-check"))
+            .arg(format!("{tests}/{certificate}.cert"))
+            .output()
+            .expect("the program runs");
+        assert_eq!(output.status.code(), Some(2));
+        assert!(text(&output.stderr).contains(remedy), "{}", text(&output.stderr));
+    }
+}
+
 /// `--only` takes the names that are printed, and nothing that is no name.
 #[test]
 fn selections() {

@@ -2,6 +2,7 @@
 
 mod examples;
 mod findings;
+mod groups;
 mod meshes;
 mod papers;
 mod schemes;
@@ -10,6 +11,7 @@ mod spectrum;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 pub(super) use findings::{FindingFormat, FindingOutput};
+pub(super) use groups::grouped;
 pub(super) use meshes::{
     ClosedArgument, LimitArguments, MeshOutput, MeshOutputFormat, RefineArguments,
 };
