@@ -3,7 +3,7 @@
 use crate::claim::{Paper, Table};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::library::Library;
-use crate::finding::{Recovered, RecoveredFrom, TableFinding, Verdict, values};
+use crate::finding::{CellKind, Recovered, RecoveredFrom, TableFinding, Verdict, values};
 use crate::judge::reading::plain::plain_numbers;
 use crate::judge::reading::recover::solved;
 use crate::judge::reading::space::Family;
@@ -21,7 +21,8 @@ pub(crate) fn recover<'a>(
     table: &'a Table,
     offers: &[(String, Vec<Recovered>)],
 ) -> Result<Option<TableFinding<'a>>, Diagnostic> {
-    let mut recovery = Recovery { paper, table, library: Library::new(paper), best: None };
+    let library = Library::new(paper);
+    let mut recovery = Recovery { paper, table, library, best: None, likeliest: None };
     for (name, _) in offers {
         let others: Vec<_> = offers.iter().filter(|(other, _)| other != name).cloned().collect();
         for others in combinations(&others) {
@@ -43,6 +44,11 @@ pub(crate) fn recover<'a>(
             }
         }
     }
+    if let (None, Some((_, values))) = (&recovery.best, recovery.likeliest.take()) {
+        // What the first part of the family gives may be luck, and what the whole family gives none.
+        let found = judge(paper, table, values, Family::Whole)?;
+        return Ok((reproduced(&found) > 0).then_some(found));
+    }
     Ok(recovery.best.map(|(_, finding)| finding))
 }
 
@@ -59,6 +65,8 @@ struct Recovery<'a> {
     library: Library<'a>,
     /// How many cells are reproduced, and the table judged there.
     best: Option<(usize, TableFinding<'a>)>,
+    /// The values at which a reading gives most cells, and how many, while no cell is reproduced.
+    likeliest: Option<(usize, Values)>,
 }
 
 impl Recovery<'_> {
@@ -77,8 +85,12 @@ impl Recovery<'_> {
     }
 
     fn attempt(&mut self, values: Values) -> Result<(), Diagnostic> {
-        let found = judge(self.paper, self.table, values, Family::Plain)?;
+        let found = judge(self.paper, self.table, values.clone(), Family::Plain)?;
         let count = reproduced(&found);
+        let most = found.search_of(CellKind::Assumed).map_or(0, |search| search.most);
+        if most > self.likeliest.as_ref().map_or(0, |(most, _)| *most) {
+            self.likeliest = Some((most, values));
+        }
         if count > self.count() {
             self.best = Some((count, found));
         }

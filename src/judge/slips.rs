@@ -10,8 +10,9 @@ use crate::judge::compare;
 /// The part of a table that a reading is about.
 #[derive(Clone, Copy)]
 pub(crate) enum Part {
-    /// The whole table.
-    Table,
+    /// The whole table, and whether the reading gives half of its cells or more. Otherwise roundings and slips from its
+    /// values are no more than luck.
+    Table(bool),
     /// A row or column whose values stand so many rows down and columns to the right. The cells
     /// around it have other readings.
     Line((i32, i32)),
@@ -42,10 +43,9 @@ impl Evaluator<'_> {
                     {
                         Verdict::OtherReading
                     }
-                    Verdict::Refuted if !self.is_depth() && shift == (0, 0) => match part {
-                        Part::Table => self.slip(&printed.decimal, &reading.values, row, column),
-                        Part::Line(_) => compare::judge(&printed.decimal, &value, &[]),
-                    },
+                    Verdict::Refuted if !self.is_depth() && matches!(part, Part::Table(true)) => {
+                        self.slip(&printed.decimal, &reading.values, row, column)
+                    }
                     _ => continue,
                 };
                 let mut rounded = None;

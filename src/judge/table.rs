@@ -48,7 +48,8 @@ pub(crate) fn judge<'a>(
     }
     for search in finding.searches() {
         if let Some(best) = search.best.first() {
-            judge.read_as(best, Part::Table, &mut cells);
+            let bears = best.count() * 2 >= search.cells;
+            judge.read_as(best, Part::Table(bears), &mut cells);
         }
         for line in &search.lines {
             judge.read_as(&line.best, Part::Line(line.shift), &mut cells);
@@ -60,7 +61,7 @@ pub(crate) fn judge<'a>(
 }
 
 /// The number of candidates for each recovered value: the values that are as plain or, if another
-/// table gave it, the tables of the paper that may give one.
+/// table gave it, the tables of the paper that may give one; and whether it is the table's own.
 fn candidates(paper: &Paper, recovered: &BTreeMap<String, Recovered>) -> Candidates {
     let count = |(name, recovered): (&String, &Recovered)| {
         let open = |table: &&Table| table.unstated.get(name).is_some_and(Option::is_none);
@@ -68,7 +69,7 @@ fn candidates(paper: &Paper, recovered: &BTreeMap<String, Recovered>) -> Candida
             RecoveredFrom::Solved(..) | RecoveredFrom::Tried => as_plain(&recovered.value),
             RecoveredFrom::Table { .. } => Integer::from(paper.tables.iter().filter(open).count()),
         };
-        (name.clone(), count)
+        (name.clone(), (count, recovered.is_own()))
     };
     recovered.iter().map(count).collect()
 }

@@ -72,6 +72,8 @@ reasons! {
     Assumed(said: Text, found: Text) "the assumptions do not fit: the certificate says {said}, and it is {found}"
     NotRecovered "the cell is not reproduced: its parameters are stated, or not recovered, or the reading does not give it as it stands"
     Recovered(name: String) "the paper states this parameter, or it has a value already: {name}"
+    GivesFew "the reading gives fewer than half of the cells that it is about, or is that of a row or column"
+    Undetermined(name: String) "the numbers that tell the value of {name} may give it by luck"
     NotGiven(name: String, value: Text, table: String) "the numbers of {table} do not give {name} = {value}"
     NotNearest(printed: Text, value: Text) "the printed {printed} is not the correctly rounded value of {value}"
     Nearest(printed: Text, value: Text) "the printed {printed} is a rounded value of {value}"

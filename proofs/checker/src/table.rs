@@ -34,8 +34,9 @@ pub struct Table<'a> {
     pub unstated: BTreeSet<String>,
     /// The values of unstated parameters that may be assumed, or that were recovered.
     pub assumed: BTreeMap<String, Value>,
-    /// For each recovered parameter, the number of candidates for its value.
-    pub recovered: BTreeMap<String, Q>,
+    /// For each recovered parameter, the number of candidates for its value, and whether the
+    /// numbers of this table give it.
+    pub recovered: BTreeMap<String, (Q, bool)>,
     /// The name of the tolerance, if the cells are depths.
     pub tolerance: Option<&'a str>,
     /// The reading of the table as printed.
@@ -281,6 +282,11 @@ impl<'a> Table<'a> {
     pub fn cells(&self, plain: bool) -> Cells {
         let places = self.places().filter(|at| self.is_plain(*at) == plain);
         places.filter_map(|at| Some((at, self.printed(at)?.1))).collect()
+    }
+
+    /// The recovered parameters that the table's own numbers give.
+    pub fn own(&self) -> impl Iterator<Item = &String> {
+        self.recovered.iter().filter(|(_, (_, own))| *own).map(|(name, _)| name)
     }
 
     /// Whether a reading is that of this table as printed.

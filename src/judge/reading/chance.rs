@@ -11,6 +11,10 @@ const MOST_LUCK: i64 = 1_000;
 /// likelihood: it is often a level or two off.
 const LIKELY_DEPTHS: i64 = 4;
 
+/// The fewest cells that a reading explains, where there are so many. One cell of several is no explanation, whatever
+/// its odds are.
+pub(crate) const LEAST_CELLS: usize = 2;
+
 /// An upper bound on how many readings of unrelated values would explain `m` of these
 /// cells: candidates · e_m(p_1, …, p_n), where the candidates are the readings, each with every
 /// value of a recovered parameter that is as plain as its own; p_i is how likely an unrelated value

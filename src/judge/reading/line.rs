@@ -4,9 +4,9 @@
 use crate::exact::{Integer, Rational};
 use crate::finding::{Explanation, Line, LineReading, Values};
 use crate::judge::compare;
-use crate::judge::reading::chance::{chance, is_small};
+use crate::judge::reading::chance::{LEAST_CELLS, chance, is_small};
 use crate::judge::reading::space::Space;
-use crate::judge::reading::tried::{Evaluated, PARTS, Part, best};
+use crate::judge::reading::tried::{self, Evaluated, Part, best};
 
 /// Where the values of a cell may stand by mistake: in the cell, or how many rows
 /// down and columns to the right of it.
@@ -17,10 +17,6 @@ const MAX_CELLS: usize = 400;
 
 /// The most rows and columns that have readings of their own.
 const MAX_LINES: usize = 8;
-
-/// The fewest cells of a row or column that has a reading of its own; a single cell is only
-/// compared for slips.
-const LEAST_CELLS: usize = 2;
 
 /// The cells of a table, by row.
 type Cells = Vec<Vec<bool>>;
@@ -79,7 +75,7 @@ fn one(
         let here = cells.iter().enumerate().filter(|(column, _)| inside(row, *column));
         of_line.extend(here.filter_map(|(_, likelihood)| likelihood.clone()));
     }
-    let factor = Integer::from(PARTS * SHIFTS.len() * lines) * recovered;
+    let factor = Integer::from(tried::parts(space.judge.paper) * SHIFTS.len() * lines) * recovered;
     let least = Integer::from(parts.first()?.all.len()) * &factor;
     // If explaining all of these cells would still be luck, no reading is searched.
     if of_line.is_empty() || !is_small(&chance(&of_line, of_line.len(), least)) {

@@ -4,15 +4,16 @@ use crate::claim::Printed;
 use crate::evaluation::table::Evaluator;
 use crate::exact::{Integer, Rational};
 use crate::finding::{COPIED, CellFinding, CellKind, Explanation, Need, Search};
-use crate::judge::reading::chance::{chance, is_small, of_decimal, of_depth};
+use crate::judge::reading::chance::{LEAST_CELLS, chance, is_small, of_decimal, of_depth};
 use crate::judge::reading::space::{Family, PrintedCells, Space, needed, printed};
-use crate::judge::reading::tried::{PARTS, Part};
+use crate::judge::reading::tried::{Part, parts};
 use crate::judge::reading::{line, tried};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
-/// For each recovered parameter, the number of values from which its value was taken.
-pub(crate) type Candidates = BTreeMap<String, Integer>;
+/// For each recovered parameter, the number of values from which its value was taken, and whether the numbers of this
+/// table give it.
+pub(crate) type Candidates = BTreeMap<String, (Integer, bool)>;
 
 /// Searches the family for readings of the cells of one kind, where `findings` are all cells of the
 /// table as printed. Gives the search, or `None` for it if every cell is as printed and no
@@ -36,8 +37,9 @@ pub(crate) fn search(
     let plain = space.evaluated(space.readings());
     let explanations = space.all_explanations(&plain);
     let mut needs = space.needs(&explanations);
-    let counts = space.assume.iter().filter_map(|name| recovered.get(name).cloned());
-    let recovered = counts.reduce(|all, count| all * count);
+    let candidates = recovered;
+    let counts = space.assume.iter().filter_map(|name| candidates.get(name));
+    let recovered = counts.map(|(count, _)| count.clone()).reduce(|all, count| all * count);
     if count == cells.len() && recovered.is_none() {
         return Some((None, needs));
     }
@@ -49,13 +51,35 @@ pub(crate) fn search(
     let others = printed.iter().flatten().zip(given).filter(|(_, given)| !given);
     let others: Vec<Rational> = others.filter_map(|(cell, _)| cell.map(likelihood)).collect();
     let values = recovered.clone().unwrap_or_else(Integer::one);
+    let shares = parts(judge.paper);
+    let determined = |best: &Explanation, tried: usize| {
+        let own = candidates.iter().filter(|(_, (_, own))| *own).map(|(name, _)| name);
+        recovered.is_none()
+            || own.into_iter().all(|name| {
+                let telling = tried::telling(&space, best, name);
+                let cells = printed.iter().flatten().zip(telling.iter().flatten());
+                let cells: Vec<(Rational, bool)> = cells
+                    .filter_map(|(cell, telling)| Some((likelihood((*cell)?), (*telling)?)))
+                    .collect();
+                let m = cells.iter().filter(|(_, telling)| *telling).count();
+                let likelihoods: Vec<Rational> = cells.into_iter().map(|(p, _)| p).collect();
+                let needed = space.needed_with(name);
+                let values = needed.iter().filter_map(|name| candidates.get(name));
+                let values = values.fold(Integer::one(), |all, (count, _)| all * count.clone());
+                is_small(&chance(&likelihoods, m, Integer::from(shares * tried) * values))
+            })
+    };
     let least = if recovered.is_some() { 0 } else { count };
     let judged = |explanations: &[Explanation], tried: usize| {
         let best = tried::best(explanations);
         let most = best.first().map_or(0, Explanation::count);
         let beyond = most.saturating_sub(cells.len() - others.len());
-        let chance = chance(&others, beyond, Integer::from(PARTS * tried) * &values);
-        let best = if most > least && is_small(&chance) { best } else { Vec::new() };
+        let chance = chance(&others, beyond, Integer::from(shares * tried) * &values);
+        let sure = most > least
+            && beyond >= others.len().min(LEAST_CELLS)
+            && is_small(&chance)
+            && best.first().is_some_and(|best| determined(best, tried));
+        let best = if sure { best } else { Vec::new() };
         Found { best, most, chance }
     };
     let mut tried = space.count(&plain);
@@ -85,7 +109,14 @@ pub(crate) fn search(
     let likelihoods: Vec<Vec<Option<Rational>>> = printed.iter().map(of_row).collect();
     let explained = best.first().map(|best| &best.explained).into_iter().chain([&as_printed]);
     let left = left(&printed, explained);
-    let lines = line::search(&space, &parts, &likelihoods, left, &values);
+    // Without a reading of the table nothing determines the values that its numbers give.
+    let undetermined =
+        best.is_empty() && recovered.is_some() && candidates.values().any(|(_, own)| *own);
+    let lines = if undetermined {
+        Vec::new()
+    } else {
+        line::search(&space, &parts, &likelihoods, left, &values)
+    };
     let mut choices = space.names();
     if !copied.is_empty() {
         choices.push(COPIED.to_owned());

@@ -95,6 +95,18 @@ pub(crate) struct Space<'s> {
 }
 
 impl<'s> Space<'s> {
+    /// Whether a cell needs an unstated parameter.
+    pub(crate) fn needs_name(&self, row: usize, column: usize, name: &str) -> bool {
+        self.needed[row][column].contains(name)
+    }
+
+    /// The unstated parameters that the printed cells need which need this one.
+    pub(crate) fn needed_with(&self, name: &str) -> BTreeSet<String> {
+        let cells = self.needed.iter().flatten().zip(self.printed.iter().flatten());
+        let cells = cells.filter(|(names, printed)| printed.is_some() && names.contains(name));
+        cells.flat_map(|(names, _)| names).cloned().collect()
+    }
+
     pub(crate) fn new(
         judge: &'s Evaluator<'s>,
         needed: Needed,

@@ -1,5 +1,6 @@
 //! The readings of a table, with their values and the cells that they explain.
 
+use crate::claim::{Cell, Paper, Table};
 use crate::evaluation::table::Evaluator;
 use crate::evaluation::trace::LevelCall;
 use crate::exact::Rational;
@@ -19,8 +20,12 @@ pub(crate) struct Evaluated {
     scaled: OnceCell<bool>,
 }
 
-/// The number of parts of the family; each may have half of the luck that is allowed.
-pub(crate) const PARTS: usize = 2;
+/// The number of parts of the families of a paper's tables. Each has the same share of the luck that is allowed.
+pub(crate) fn parts(paper: &Paper) -> usize {
+    let printed =
+        |table: &&Table| table.cells.iter().flatten().any(|cell| matches!(cell, Cell::Printed(_)));
+    2 * paper.tables.iter().filter(printed).count()
+}
 
 /// A part of the family: its readings, and the number of readings of this part and of the part
 /// before.
@@ -115,19 +120,7 @@ pub(crate) fn remaining(
 /// As [`remaining`], for the cells of one kind.
 fn of_cells(space: &Space<'_>, by: Option<&Explanation>, name: &str, value: &Rational) -> usize {
     let differences = by.map_or(&[][..], |by| &by.differences);
-    let named = |difference: &Difference| differences.contains(difference);
-    let changes = |reading: &Vec<Change>| {
-        let own = reading.iter().map(|change| space.difference(change));
-        own.filter(named).count() == reading.len()
-    };
-    // The longest of the readings whose changes are all among the differences.
-    let readings = space.readings().into_iter().chain(space.copied_readings());
-    let readings = readings.filter(changes);
-    let Some(reading) = readings.max_by_key(Vec::len) else { return 0 };
-    let roundings = DecimalRounding::ALL.into_iter().map(|(_, rounding)| rounding);
-    let mut roundings =
-        roundings.filter(|rounding| rounding.difference().is_some_and(|d| named(&d)));
-    let rounding = roundings.next().unwrap_or(DecimalRounding::Nearest);
+    let Some((reading, rounding)) = reading(space, differences) else { return 0 };
     let mut settings = space.settings(&reading);
     settings.parameters.insert(name.to_owned(), value.clone());
     let now = space.explained(&space.values(&settings), rounding);
@@ -136,6 +129,76 @@ fn of_cells(space: &Space<'_>, by: Option<&Explanation>, name: &str, value: &Rat
         cells.iter().enumerate().filter(move |(column, now)| **now && before(row, *column))
     });
     cells.count()
+}
+
+/// The reading with these differences, and its rounding of decimals.
+fn reading(
+    space: &Space<'_>,
+    differences: &[Difference],
+) -> Option<(Vec<Change>, DecimalRounding)> {
+    let named = |difference: &Difference| differences.contains(difference);
+    let changes = |reading: &Vec<Change>| {
+        let own = reading.iter().map(|change| space.difference(change));
+        own.filter(named).count() == reading.len()
+    };
+    // The longest of the readings whose changes are all among the differences.
+    let readings = space.readings().into_iter().chain(space.copied_readings());
+    let reading = readings.filter(changes).max_by_key(Vec::len)?;
+    let roundings = DecimalRounding::ALL.into_iter().map(|(_, rounding)| rounding);
+    let mut roundings =
+        roundings.filter(|rounding| rounding.difference().is_some_and(|d| named(&d)));
+    Some((reading, roundings.next().unwrap_or(DecimalRounding::Nearest)))
+}
+
+/// Of the cells that need a parameter, for each by row whether the reading gives it and its number tells something of
+/// the parameter's value, or whether the reading does not give it; `None` for the others. A number tells something if
+/// the reading does not give it at one of a few other values, where it has a value.
+pub(crate) fn telling(space: &Space<'_>, by: &Explanation, name: &str) -> Vec<Vec<Option<bool>>> {
+    let row = |row: usize| {
+        let cell = |column: usize| {
+            let needs = space.printed[row][column].is_some() && space.needs_name(row, column, name);
+            (needs && !by.explained[row][column]).then_some(false)
+        };
+        (0..space.printed[row].len()).map(cell).collect()
+    };
+    let mut all: Vec<Vec<Option<bool>>> = (0..space.printed.len()).map(row).collect();
+    let (Some(value), Some((reading, rounding))) =
+        (space.judge.assumed.get(name), reading(space, &by.differences))
+    else {
+        return all;
+    };
+    for probe in probes(value) {
+        let mut settings = space.settings(&reading);
+        settings.parameters.insert(name.to_owned(), probe);
+        for (row, cells) in all.iter_mut().enumerate() {
+            for (column, cell) in cells.iter_mut().enumerate() {
+                let Some(printed) = space.printed[row][column] else { continue };
+                if cell.is_some() || !space.needs_name(row, column, name) {
+                    continue;
+                }
+                let value = space.value(space.at(row, column, &settings));
+                if value.is_some_and(|value| !rounding.gives(&printed.decimal, &value)) {
+                    *cell = Some(true);
+                }
+            }
+        }
+    }
+    all
+}
+
+/// Other values of a parameter.
+fn probes(value: &Rational) -> [Rational; 7] {
+    let [one, two, ten] = [1, 2, 10].map(Rational::from);
+    let tenth = &one / &ten;
+    [
+        value + &one,
+        value - &one,
+        value + tenth,
+        value * &two,
+        value / &two,
+        value * &ten,
+        value / &ten,
+    ]
 }
 
 /// The explanations of most cells and, among these, those with the fewest differences.

@@ -1,5 +1,6 @@
 //! The rule `cell`: a printed number and its verdict.
 
+use super::members::{explained, values};
 use super::reading::{PartRead, Reads};
 use crate::decimal::Decimal;
 use crate::reject::{Checked, Compared, Reason, Stop, Text, agree, compare, require};
@@ -174,12 +175,14 @@ impl Cell<'_> {
             }
             ([], None) => self.need(given, known, Reason::NotExplained),
             (["rounding", way @ ("cut" | "away")], None) => {
+                require(self.bears(part)?, Reason::GivesFew)?;
                 self.need(self.rounding(exact)? == "neither", exact, Reason::Nearest)?;
                 self.rounded(known, way)?;
                 self.digits("rounding")
             }
             ([word, slip @ ..], None) => {
                 require(*word == "misprint", Reason::Depth)?;
+                require(self.bears(part)?, Reason::GivesFew)?;
                 self.slip(&slip.join(" "), known, around(part))
             }
         }
@@ -193,7 +196,7 @@ impl Cell<'_> {
             let Some(value) = value.as_ref() else { continue };
             let given = self.gives(part, Some(value))?;
             self.need(!given, Some(value), Reason::Explained)?;
-            if part.slip().is_none() {
+            if part.slip().is_none() && self.bears(part)? {
                 let near = ["cut", "away"].contains(&self.rounding(Some(value))?);
                 let near = near && !self.is_depth() && has_digits(&self.decimal, "rounding");
                 self.need(!near, Some(value), Reason::Explained)?;
@@ -201,6 +204,18 @@ impl Cell<'_> {
             }
         }
         Ok(())
+    }
+
+    /// Whether a reading bears roundings and slips: it is one of the whole table, and gives half of the cells that it is
+    /// about, or more. A reading that gives few of them may give these by luck, and a slip from its value even more so.
+    fn bears(&self, part: &PartRead) -> Checked<bool> {
+        if !part.is_whole() {
+            return Ok(false);
+        }
+        let cells = self.table.cells(self.plain);
+        let given =
+            explained(&cells, &values(self.table, &cells, &part.read)?, part.read.decimals())?;
+        Ok(given.len() * 2 >= cells.len())
     }
 
     /// Checks a side condition on the printed number and a value.

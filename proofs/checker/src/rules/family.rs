@@ -5,17 +5,18 @@ use super::cell::Kind;
 use super::copied::copied;
 use super::listed::{Listed, same};
 use super::luck::is_luck;
-use super::members::{Members, explained, members, read, values};
+use super::members::{self, Members, explained, members, read, values};
 use super::reading::{MAX_DIFFERENCES, PartRead, Reads};
 use super::scale::{SCALES, at_best_scale, is_scale, is_simple, scale};
 use crate::certificate::Block;
 use crate::decimal::{Q, int};
 use crate::reject::{Checked, Reason, Stop, agree, compare, require};
 use crate::table::{Cells, Place, Read, Table};
+use crate::toml::Toml;
 use crate::value::Value;
 use std::collections::BTreeSet;
 
-/// The fewest cells that a row or column with a reading of its own explains.
+/// The fewest cells that a reading explains, where there are so many.
 const LEAST_CELLS: usize = 2;
 
 /// The number of places from which the value of a cell may be taken: its own and the four around
@@ -164,6 +165,12 @@ fn belongs(
     Ok(())
 }
 
+/// Other values of a parameter. What a cell tells of its value v shows where it is not given at one of them.
+fn probes(v: &Q) -> [Q; 7] {
+    let tenth = int(10).recip();
+    [v + int(1), v - int(1), v + tenth, v * int(2), v / int(2), v * int(10), v / int(10)]
+}
+
 /// A family all of whose members have been checked.
 struct Family<'f> {
     table: &'f Table<'f>,
@@ -192,9 +199,13 @@ impl Family<'_> {
         let given = if *plain { printed.len() } else { 0 };
         let counts = |at: &Place| !plain || left.contains(at);
         let others: Cells = cells.iter().filter(|(at, _)| counts(at)).cloned().collect();
-        let sizes = self.readings()?;
-        let lucky =
-            |m: usize, part: usize| is_luck(table, &others, m.saturating_sub(given), &sizes[part]);
+        let sizes = self.readings(&self.cells)?;
+        // One cell of several is no explanation, whatever its odds are.
+        let few = others.len().min(LEAST_CELLS);
+        let lucky = |m: usize, part: usize| {
+            let m = m.saturating_sub(given);
+            m < few || is_luck(table, &others, m, &sizes[part])
+        };
         // No member of this part explains more than `than` cells, or that would be luck.
         let no_better = |most: usize, part: usize, than: usize| most <= than || lucky(most, part);
         let second = self.second.unwrap_or(0);
@@ -210,10 +221,13 @@ impl Family<'_> {
             } else {
                 require(no_better(second, 1, most), Reason::NotLuck)?;
             }
+            self.determined(read, &found, part)?;
             left.retain(|place| !found.contains(place));
         } else if *plain {
             let none = no_better(*best, 0, given) && no_better(second, 1, given);
             require(none, Reason::NotLuck)?;
+        } else if let Some(name) = table.own().next() {
+            return Err(Reason::Undetermined(name.clone()).into());
         }
         // Rows and columns with readings explain some of the cells that are left.
         let (rows, columns) = table.size();
@@ -234,16 +248,53 @@ impl Family<'_> {
         Ok(())
     }
 
+    /// Checks that the cells which tell a parameter's value are no luck by themselves, for each
+    /// parameter that the table's own numbers give. `found` are the cells that the reading gives.
+    fn determined(&self, read: &Read, found: &[Place], part: usize) -> Checked<()> {
+        let table = self.table;
+        for name in table.own().filter(|_| !self.plain) {
+            let undetermined = || Reason::Undetermined(name.clone());
+            let value = table.assumed[name].rational().ok_or_else(undetermined)?;
+            let needs = |place: &Place| table.needed(*place).0.contains(name);
+            let cells: Cells =
+                self.cells.iter().filter(|(place, _)| needs(place)).cloned().collect();
+            let (mut rest, mut tried): (Cells, Cells) =
+                cells.iter().cloned().partition(|(place, _)| found.contains(place));
+            let missed = tried.len();
+            for probe in probes(&value) {
+                let mut other = members::read(table, &read.differences)?;
+                other.reading.words.clone_from(&read.reading.words);
+                other.parameters.insert(name.clone(), probe.into());
+                let values = values(table, &rest, &other)?;
+                let given = explained(&rest, &values, read.decimals())?;
+                let (telling, others): (Vec<_>, Vec<_>) = rest
+                    .into_iter()
+                    .zip(&values)
+                    .partition(|((place, _), value)| value.is_some() && !given.contains(place));
+                tried.extend(telling.into_iter().map(|(cell, _)| cell));
+                rest = others.into_iter().map(|(cell, _)| cell).collect();
+            }
+            let size = &self.readings(&cells)?[part];
+            require(!is_luck(table, &tried, tried.len() - missed, size), undetermined())?;
+        }
+        Ok(())
+    }
+
     /// The numbers of readings of the first part and of both parts, times the numbers of candidates
-    /// for the recovered parameters, and doubled, since each part has half of the luck.
-    fn readings(&self) -> Checked<[Q; 2]> {
+    /// for the recovered parameters of these cells, twice the number of tables, since each part of
+    /// each table has its share of the luck.
+    fn readings(&self, cells: &Cells) -> Checked<[Q; 2]> {
         let [first, second] = self.sizes;
-        let mut sizes = [int(2 * first), int(2 * (first + second))];
+        // The tables of a paper share the luck that is allowed.
+        let printed = |table: &&Toml| table.text("cells") != Some("lost");
+        let tables = self.table.paper.file.list("table").iter().filter(printed).count();
+        let parts = int(2 * i64::try_from(tables).unwrap_or(i64::MAX));
+        let mut sizes = [int(first) * &parts, int(first + second) * &parts];
         if !self.plain {
-            let needed = self.cells.iter().map(|(place, _)| self.table.needed(*place).0);
+            let needed = cells.iter().map(|(place, _)| self.table.needed(*place).0);
             for name in needed.reduce(|one, other| &one | &other).unwrap_or_default() {
                 let count = self.table.recovered.get(&name);
-                let count = count.ok_or_else(|| Reason::Recovered(name.clone()))?;
+                let (count, _) = count.ok_or_else(|| Reason::Recovered(name.clone()))?;
                 for size in &mut sizes {
                     *size *= count;
                 }

@@ -40,7 +40,7 @@ pub fn read(table: &mut Table<'_>, block: &mut Block<'_>) -> Checked<Recovered> 
         require(open, Reason::Recovered(name.to_owned()))?;
         let value = read_rational(value).ok_or(Reason::Malformed("a fraction"))?;
         let count = if other.is_some() { tables(table, name) } else { as_plain(&value) };
-        table.recovered.insert(name.to_owned(), count);
+        table.recovered.insert(name.to_owned(), (count, other.is_none()));
         table.assumed.insert(name.to_owned(), value.clone().into());
         let given = (name.to_owned(), value);
         match other {
