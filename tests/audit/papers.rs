@@ -5,8 +5,7 @@ use crate::common::claims::{judged, paper};
 use crate::common::papers::AUDITS;
 use crate::common::r;
 use subcert::audit::{
-    CellFinding, Control, Direction, EquationVerdict, Kept, Missing, Slip, Sound,
-    Verdict, audit,
+    CellFinding, Control, Direction, EquationVerdict, Kept, Missing, Slip, Sound, Verdict, audit,
 };
 use subcert::certificate::certificate;
 use subcert::claim::{embedded, read_paper};

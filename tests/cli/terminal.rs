@@ -33,7 +33,9 @@ fn nothing_is_wider_than_the_terminal() {
             let text = String::from_utf8_lossy(&output.get_output().stdout).into_owned();
             fits(arguments, &text, width);
         }
-        fits(&["coverage of all papers"], &coverage_sheet(&AUDITS).to_text(Some(width)), width);
+        let coverage = coverage_sheet(&AUDITS).to_text(Some(width));
+        let plain = anstream::adapter::strip_str(&coverage).to_string();
+        fits(&["coverage of all papers"], &plain, width);
     }
 }
 
@@ -169,7 +171,10 @@ fn examples_of_the_help_run() {
         for example in examples {
             let line = example.strip_prefix("subcert ").expect("a command");
             let folder = line.contains("-o ") && !line.ends_with("-o -");
-            if folder || ["man", "new"].contains(&command) || line.starts_with("audit") {
+            // What the tests of the output run.
+            let elsewhere =
+                line.starts_with("audit") || line == "explain mustafa2020-nary:table-2:4:7";
+            if folder || ["man", "new"].contains(&command) || elsewhere {
                 continue;
             }
             // Only schemes with ` x ` are in quotes.

@@ -237,6 +237,12 @@ proptest! {
         }
     }
 
+}
+
+proptest! {
+    // A table of twenty depths has many readings, and takes as long as ten others.
+    #![proptest_config(ProptestConfig::with_cases(10))]
+
     /// Depths computed with a hidden spread: the interval found holds it, or another reading gives
     /// them at a plainer value.
     #[test]
@@ -272,6 +278,11 @@ proptest! {
         let reproduced = |cell: &CellFinding| cell.verdict == Verdict::Reproduced;
         prop_assert!(audit.tables[0].cells.iter().flatten().all(reproduced));
     }
+
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(30))]
 
     /// Random digits are explained by nothing, whatever the parameter.
     #[test]
