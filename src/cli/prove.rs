@@ -11,7 +11,18 @@ use std::path::Path;
 use subcert::certificate::{Certificate, certificate, project_certificate};
 
 pub(super) fn prove(arguments: &ProveArguments) -> Outcome {
-    let certificates: Vec<Certificate> = match claims_or_keys(&arguments.what)? {
+    let claims = claims_or_keys(&arguments.what)?;
+    let count = match &claims {
+        Claims::Papers(papers) => papers.len(),
+        Claims::Projects(projects) => projects.len(),
+    };
+    // Before anything is judged.
+    if arguments.output.as_os_str() == "-" && count != 1 {
+        let message = "one certificate at a time goes to the standard output: name one paper or \
+                       project";
+        return Err(Failure::Input(message.to_owned()));
+    }
+    let certificates: Vec<Certificate> = match claims {
         Claims::Papers(papers) => judge_all(&papers, true)?.iter().map(certificate).collect(),
         Claims::Projects(projects) => {
             judge_projects(&projects, true)?.iter().map(project_certificate).collect()
@@ -20,15 +31,10 @@ pub(super) fn prove(arguments: &ProveArguments) -> Outcome {
     deliver(&certificates, &arguments.output)
 }
 
-/// Writes certificates into a folder, or the only one to the standard output.
+/// Writes certificates into a folder, or to the standard output.
 fn deliver(certificates: &[Certificate], folder: &Path) -> Outcome {
     if folder.as_os_str() == "-" {
-        let [only] = certificates else {
-            let message = "one certificate at a time goes to the standard output: name one paper or \
-                           project";
-            return Err(Failure::Input(message.to_owned()));
-        };
-        return write(&only.text);
+        return certificates.iter().try_for_each(|certificate| write(&certificate.text));
     }
     let mut said = String::new();
     for certificate in certificates {

@@ -10,7 +10,7 @@ use crate::finding::table::TableFinding;
 use crate::finding::theorem::TheoremFinding;
 
 /// The verdicts of a paper's claims.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct PaperAudit<'a> {
     /// The paper.
     pub paper: &'a Paper,

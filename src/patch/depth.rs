@@ -3,7 +3,6 @@
 use super::descent::{Descent, Found, Left, descend};
 use super::far::FarPlace;
 use super::judge::{Exactly, Judge};
-use super::kind::Kind;
 use super::model::Model;
 use super::roots::Root;
 use super::search::{Search, Verdict};
@@ -72,6 +71,7 @@ pub struct MeshDepth {
 pub struct MeshDistances {
     pub(super) model: Model,
     pub(super) work: Arc<MeshWork>,
+    looks_apart: bool,
 }
 
 impl MeshDistances {
@@ -89,7 +89,7 @@ impl MeshDistances {
                     .to_owned();
             return Err(MeshError::TooMuch { reason });
         }
-        Ok(MeshDistances { model, work: Arc::default() })
+        Ok(MeshDistances::of(model))
     }
 
     /// The pieces of a solid, which Bajaj's scheme refines. P^k is trilinear on each hexahedron.
@@ -113,7 +113,12 @@ impl MeshDistances {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn of_solid(mesh: HexMesh<Rational>) -> Result<Self, SolidError> {
-        Ok(MeshDistances { model: Model::of_solid(mesh)?, work: Arc::default() })
+        // A point of the limit of a solid is mostly inside the mesh: 0 says no less than is looked for.
+        Ok(MeshDistances::of(Model::of_solid(mesh)?).without_apart())
+    }
+
+    fn of(model: Model) -> Self {
+        MeshDistances { model, work: Arc::default(), looks_apart: true }
     }
 
     /// How far the search has come.
@@ -126,6 +131,12 @@ impl MeshDistances {
     #[must_use]
     pub fn with_work(self, work: Arc<MeshWork>) -> Self {
         Self { work, ..self }
+    }
+
+    /// The same search without [`MeshDepth::apart`], which takes most of its time: that is 0.
+    #[must_use]
+    pub fn without_apart(self) -> Self {
+        Self { looks_apart: false, ..self }
     }
 
     /// The depth for a tolerance.
@@ -143,8 +154,7 @@ impl MeshDistances {
         let (mut distance, worst) = self.measured(level);
         // The level is sufficient.
         distance[1] = distance[1].min(upper(tolerance));
-        // A point of the limit of a solid is mostly inside the mesh: 0 says no less than is looked for.
-        let apart = if self.model.kind == Kind::Solid { 0.0 } else { self.apart(level) };
+        let apart = if self.looks_apart { self.apart(level) } else { 0.0 };
         let (too_few, beyond) = beyond.unzip();
         Ok(MeshDepth { level, too_few, beyond, distance, worst, apart, exact_pieces })
     }

@@ -148,3 +148,13 @@ fn what_is_no_import_makes_no_circle() {
         assert!(circles(&[("", ""), ("a", a), ("b", "use crate::a::A;")]).is_empty(), "{a}");
     }
 }
+
+/// `cargo test` tries the same random cases every time: `.cargo/config.toml` has their seed.
+#[test]
+fn random_cases_have_a_seed() {
+    let seed = proptest::test_runner::Config::default().rng_seed;
+    assert!(
+        matches!(seed, proptest::test_runner::RngSeed::Fixed(_)),
+        "PROPTEST_RNG_SEED is not set"
+    );
+}

@@ -2,13 +2,13 @@
 //! small papers made for the purpose.
 
 use crate::common::claims::{judged, paper};
+use crate::common::papers::AUDITS;
 use crate::common::r;
 use subcert::audit::{
-    CellFinding, Control, Direction, EquationVerdict, Kept, Missing, PaperAudit, Slip, Sound,
-    Verdict, audit,
+    CellFinding, Control, Direction, EquationVerdict, Kept, Missing, Slip, Sound, Verdict, audit,
 };
 use subcert::certificate::certificate;
-use subcert::claim::{embedded, embedded_papers, read_paper};
+use subcert::claim::{embedded, read_paper};
 use subcert::diagnostic::SourceText;
 use subcert::exact::{Rational, RealCyclotomic, parse_decimal};
 
@@ -102,15 +102,13 @@ fn slips_are_rarely_luck() {
 
 #[test]
 fn every_embedded_paper_reads_and_counts() {
-    let papers = embedded_papers().unwrap_or_else(|error| panic!("{error}"));
-    assert_eq!(papers.len(), embedded().len());
-    let counts: Vec<(String, usize)> = papers
+    assert_eq!(AUDITS.len(), embedded().len());
+    let counts: Vec<(String, usize)> = AUDITS
         .iter()
-        .map(|paper| {
+        .map(|audit| {
             let printed = |cell: &CellFinding| cell.printed.is_some();
-            let audit = judged(paper);
             let cells = audit.tables.iter().flat_map(|table| table.cells.iter().flatten());
-            (paper.key.clone(), cells.filter(|cell| printed(cell)).count())
+            (audit.paper.key.clone(), cells.filter(|cell| printed(cell)).count())
         })
         .collect();
     assert_eq!(
@@ -128,10 +126,8 @@ fn every_embedded_paper_reads_and_counts() {
 /// Values computed once with another program (plain Python fractions).
 #[test]
 fn cells_of_the_papers() {
-    let papers = embedded_papers().expect("the embedded papers");
-    let audits: Vec<PaperAudit<'_>> = papers.iter().map(judged).collect();
     let cell = |id: &str| -> CellFinding {
-        let cells = audits.iter().flat_map(|audit| &audit.tables).flat_map(|t| t.cells.iter());
+        let cells = AUDITS.iter().flat_map(|audit| &audit.tables).flat_map(|t| t.cells.iter());
         let cell = cells.flatten().find(|cell| cell.id == id);
         cell.unwrap_or_else(|| panic!("no cell {id}")).clone()
     };
@@ -181,9 +177,8 @@ fn cells_of_the_papers() {
 
 #[test]
 fn equations_of_the_papers() {
-    let papers = embedded_papers().expect("the embedded papers");
-    for paper in &papers {
-        for finding in judged(paper).equations {
+    for audit in &*AUDITS {
+        for finding in &audit.equations {
             let expected = match finding.id.as_str() {
                 "khan2019-newton:eq-2.1"
                 | "khan2019-newton:eq-2.4"

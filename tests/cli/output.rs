@@ -1,19 +1,28 @@
 //! What the commands write.
 
-use super::subcert;
-use snapbox::file;
+use super::{TemporaryFile, subcert, written};
+use crate::common::papers::AUDITS;
+use snapbox::{assert_data_eq, file};
+use subcert::audit::audit;
+use subcert::claim::read_paper_file;
+use subcert::report::audit_sheet;
+
+const PAPER: &str = "examples/my-paper.toml";
 
 #[test]
 fn audit_of_the_embedded_papers() {
     subcert(["audit"]).assert().success().stdout_eq(file!["snapshots/audit.txt"]);
 }
 
+/// The report of the embedded papers, and what the program adds to that of a small file.
 #[test]
 fn audit_in_full() {
-    subcert(["audit", "--all", "--format", "markdown"])
-        .assert()
-        .success()
-        .stdout_eq(file!["snapshots/audit-all.md"]);
+    let small = read_paper_file(PAPER.as_ref()).expect("a file").expect("claims");
+    let report = audit_sheet(&[audit(&small).expect("an audit")], true).to_markdown();
+    let whole = written(["audit", PAPER, "--all", "--format", "markdown"]);
+    let added = whole.strip_prefix(&report).expect("the report first");
+    let whole = audit_sheet(&AUDITS, true).to_markdown() + added;
+    assert_data_eq!(whole, file!["snapshots/audit-all.md"]);
 }
 
 /// The form; what is found in the five papers stands in the ledger of tests/audit.
@@ -50,7 +59,9 @@ fn coverage_of_a_claim_file() {
         .assert()
         .success()
         .stdout_eq(file!["snapshots/coverage.txt"]);
-    let output = subcert(["coverage", "--format", "json", "--deny", "unclaimed"]).assert().code(1);
+    let paper = ["coverage", "proofs/claims/mustafa2007-bajaj.toml"];
+    let denied = ["--format", "json", "--deny", "unclaimed"];
+    let output = subcert(paper.into_iter().chain(denied)).assert().code(1);
     let output = output.get_output();
     let json: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
     assert_eq!(json["papers"][0]["items"][0]["item"], "(1)");
@@ -202,13 +213,24 @@ fn schemes_of_the_catalogue() {
 
 #[test]
 fn a_denied_verdict_gives_exit_code_1_after_the_results() {
-    let output = subcert(["audit", "--deny", "refuted"]).assert().code(1);
-    let output = output.get_output();
-    assert!(!output.stdout.is_empty());
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert!(message.contains("claims: refuted"), "{message}");
-    subcert(["audit", "--deny", "inexact"]).assert().code(1);
-    subcert(["audit", "--deny", "exact"]).assert().code(0);
+    // A range that is exact, and one that is not.
+    let text = std::fs::read_to_string(PAPER).expect("the example");
+    let narrow = text.replace("to = '0.5'", "to = '0.4'");
+    assert_ne!(narrow, text);
+    let narrow = TemporaryFile::new("narrow.toml", &narrow);
+    for (file, verdict, code, says) in [
+        (PAPER, "confirmed", 1, "subcert: 7 claims: confirmed\n"),
+        (PAPER, "refuted", 1, "subcert: 1 claim: refuted\n"),
+        (PAPER, "exact", 1, "subcert: 1 claim: exact\n"),
+        (PAPER, "inexact", 0, ""),
+        (narrow.path(), "inexact", 1, "subcert: 1 claim: inexact\n"),
+        (narrow.path(), "exact", 0, ""),
+    ] {
+        let output = subcert(["audit", file, "--deny", verdict]).assert().code(code);
+        let output = output.get_output();
+        assert!(!output.stdout.is_empty());
+        assert_eq!(String::from_utf8_lossy(&output.stderr), says, "{verdict}");
+    }
 }
 
 #[test]
@@ -216,9 +238,9 @@ fn colour_goes_to_terminals_only() {
     let coloured = |command: snapbox::cmd::Command| {
         command.assert().success().get_output().stdout.contains(&0x1b)
     };
-    assert!(!coloured(subcert(["audit"])));
-    assert!(coloured(subcert(["audit"]).env("CLICOLOR_FORCE", "1")));
-    assert!(!coloured(subcert(["audit"]).env("NO_COLOR", "1")));
+    assert!(!coloured(subcert(["audit", PAPER])));
+    assert!(coloured(subcert(["audit", PAPER]).env("CLICOLOR_FORCE", "1")));
+    assert!(!coloured(subcert(["audit", PAPER]).env("NO_COLOR", "1")));
 }
 
 #[test]
@@ -233,14 +255,16 @@ fn help_and_completions() {
 #[test]
 fn a_closed_pipe_is_success() {
     use std::process::{Command, Stdio};
-    for arguments in [&["audit", "--format", "json"][..], &["--help"]] {
-        let mut child = Command::new(snapbox::cmd::cargo_bin!("subcert"))
+    for arguments in [&["audit", PAPER, "--format", "json"][..], &["--help"]] {
+        let (reader, writer) = std::io::pipe().expect("a pipe");
+        drop(reader);
+        let child = Command::new(snapbox::cmd::cargo_bin!("subcert"))
             .args(arguments)
-            .stdout(Stdio::piped())
+            .current_dir(env!("CARGO_MANIFEST_DIR"))
+            .stdout(writer)
             .stderr(Stdio::piped())
             .spawn()
             .expect("the program starts");
-        drop(child.stdout.take());
         let output = child.wait_with_output().expect("the program ends");
         assert!(output.status.success(), "{arguments:?}: {:?}", output.status);
         assert!(output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));

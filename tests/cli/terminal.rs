@@ -1,6 +1,8 @@
 //! Widths, colours, quiet runs, and what every command says of itself.
 
 use super::{subcert, written};
+use crate::common::papers::AUDITS;
+use subcert::report::coverage_sheet;
 
 /// Commands whose answers are wide: exact numbers, tables of many columns, long titles.
 const WIDE: [&[&str]; 10] = [
@@ -8,7 +10,7 @@ const WIDE: [&[&str]; 10] = [
     &["explain", "khan2019-newton"],
     &["explain", "mustafa2007-bajaj:theorem-2"],
     &["errata", "examples/my-paper.toml", "--format", "text"],
-    &["coverage"],
+    &["coverage", "proofs/claims/khan2019-newton.toml"],
     &["constants", "newton:j=1,n=3"],
     &["constants", "catmull-clark:N=7", "-c", "2"],
     &["depth", "four-point", "--tolerance", "1/100", "--polygon", "examples/polygon.csv"],
@@ -18,16 +20,22 @@ const WIDE: [&[&str]; 10] = [
 
 #[test]
 fn nothing_is_wider_than_the_terminal() {
-    for arguments in WIDE {
-        for width in [60, 80, 120] {
+    let fits = |what: &[&str], text: &str, width: usize| {
+        for line in text.lines() {
+            let wide = line.chars().count();
+            assert!(wide <= width, "{what:?}: {wide} characters, not {width}: {line}");
+        }
+    };
+    for width in [60, 80, 120] {
+        for arguments in WIDE {
             let command = subcert(arguments.iter().copied()).env("COLUMNS", width.to_string());
             let output = command.assert().success();
             let text = String::from_utf8_lossy(&output.get_output().stdout).into_owned();
-            for line in text.lines() {
-                let wide = line.chars().count();
-                assert!(wide <= width, "{arguments:?}: {wide} characters, not {width}: {line}");
-            }
+            fits(arguments, &text, width);
         }
+        let coverage = coverage_sheet(&AUDITS).to_text(Some(width));
+        let plain = anstream::adapter::strip_str(&coverage).to_string();
+        fits(&["coverage of all papers"], &plain, width);
     }
 }
 
@@ -178,7 +186,10 @@ fn examples_of_the_help_run() {
         for example in examples {
             let line = example.strip_prefix("subcert ").expect("a command");
             let folder = line.contains("-o ") && !line.ends_with("-o -");
-            if folder || ["man", "new"].contains(&command) || line.starts_with("audit") {
+            // What the tests of the output run.
+            let elsewhere =
+                line.starts_with("audit") || line == "explain mustafa2020-nary:table-2:4:7";
+            if folder || ["man", "new"].contains(&command) || elsewhere {
                 continue;
             }
             // Only schemes with ` x ` are in quotes.

@@ -4,6 +4,7 @@
 
 pub mod claims;
 pub mod meshes;
+pub mod papers;
 pub mod solids;
 
 use proptest::prelude::*;

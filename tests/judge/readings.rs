@@ -1,5 +1,6 @@
 //! The search for readings: on tables that were computed under a known one.
 
+use crate::common::papers::audit_of;
 use crate::common::r;
 use proptest::prelude::*;
 use subcert::audit::{
@@ -7,7 +8,7 @@ use subcert::audit::{
 };
 use subcert::bound::{Constants, Suprema};
 use subcert::bound::{Operator, Order, Rounded, Terms, displacement, log_level};
-use subcert::claim::{Paper, embedded_papers, read_paper};
+use subcert::claim::{Paper, read_paper};
 use subcert::diagnostic::SourceText;
 use subcert::exact::{Integer, Rational};
 use subcert::scheme::Mask;
@@ -236,6 +237,12 @@ proptest! {
         }
     }
 
+}
+
+proptest! {
+    // A table of twenty depths has many readings, and takes as long as ten others.
+    #![proptest_config(ProptestConfig::with_cases(10))]
+
     /// Depths computed with a hidden spread: the interval found holds it, or another reading gives
     /// them at a plainer value.
     #[test]
@@ -271,6 +278,11 @@ proptest! {
         let reproduced = |cell: &CellFinding| cell.verdict == Verdict::Reproduced;
         prop_assert!(audit.tables[0].cells.iter().flatten().all(reproduced));
     }
+
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(30))]
 
     /// Random digits are explained by nothing, whatever the parameter.
     #[test]
@@ -436,12 +448,12 @@ fn powers_have_no_scale() {
 /// The tables of the founding papers that a reading explains whole.
 #[test]
 fn tables_of_the_papers() {
-    let papers = embedded_papers().expect("the embedded papers");
+    let table_of = |key: &str, table: &str| {
+        audit_of(key).tables.iter().find(|finding| finding.table.id == table).unwrap()
+    };
     let explained = |id: &str| {
         let (key, table) = id.split_once(':').unwrap();
-        let paper = papers.iter().find(|paper| paper.key == key).unwrap();
-        let audit = judged(paper);
-        let finding = audit.tables.iter().find(|finding| finding.table.id == table).unwrap();
+        let finding = table_of(key, table);
         let search = finding.search.clone().expect("a search");
         (search.best[0].count(), search.cells, says(&search).remove(0))
     };
@@ -456,9 +468,7 @@ fn tables_of_the_papers() {
     let joint = "one supremum over a common index";
     assert_eq!(explained("mustafa2020-nary:table-3"), whole(4, &[joint]));
     let solved = |table: &str| {
-        let paper = papers.iter().find(|paper| paper.key == "mustafa2020-nary").unwrap();
-        let audit = judged(paper);
-        let finding = audit.tables.iter().find(|finding| finding.table.id == table).unwrap();
+        let finding = table_of("mustafa2020-nary", table);
         let recovered = finding.recovered.values().map(|one| one.value.clone());
         recovered.collect::<Vec<_>>()
     };

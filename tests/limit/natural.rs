@@ -150,7 +150,7 @@ fn seen(mask: &Mask, points: &[Rational], k: u32, m: u32, s: &Rational) -> Ratio
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(ProptestConfig::with_cases(12))]
 
     /// What naive refinement of closed polygons shows is within the constant and the distance of
     /// the polygon; a witness is as far as it says.
@@ -194,6 +194,11 @@ proptest! {
             prop_assert!(error.apply(|_| Rational::one()).is_zero());
         }
     }
+
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
 
     /// Where (n − 1)s is an integer, the natural parametrisation is that of another offset.
     #[test]

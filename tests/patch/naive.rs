@@ -1,7 +1,7 @@
 //! The definition: meshes refined as a whole, and their limit points against the mesh of a level at
 //! the same parameters.
 
-use super::{Mesh, depth, examples, moved};
+use super::{Mesh, depth, distances, examples, moved};
 use crate::common::r;
 use proptest::prelude::*;
 use subcert::exact::{Rational, RealCyclotomic, Scalar};
@@ -138,7 +138,7 @@ fn small(mesh: &Mesh, level: u32) -> bool {
 }
 
 fn check(mesh: &Mesh, scheme: MeshScheme, tolerance: &Rational) -> Result<(), TestCaseError> {
-    let found = depth(mesh, scheme, tolerance);
+    let found = distances(mesh, scheme).depth(tolerance).expect("a depth");
     let limit = nearest(tolerance);
     let [lower, upper] = found.distance;
     prop_assert!(lower <= upper && upper <= 1.05 * limit.max(lower), "{found:?}");

@@ -1,6 +1,6 @@
 //! Regular meshes against curves, whose distances another part of the program computes exactly.
 
-use super::{depth, grid};
+use super::{depth, distances, grid};
 use crate::common::r;
 use subcert::exact::Rational;
 use subcert::float::nearest;
@@ -66,7 +66,7 @@ fn a_third_of_the_second_differences() {
 fn the_distance_from_the_whole_mesh() {
     let height = |i: usize, j: usize| Rational::from(if (i, j) == (3, 3) { 3 } else { 0 });
     let mesh = grid(7, 7, false, height);
-    let found = depth(&mesh, MeshScheme::CatmullClark, &r(2, 1));
+    let found = distances(&mesh, MeshScheme::CatmullClark).depth(&r(2, 1)).expect("a depth");
     assert_eq!(found.level, 0);
     // The limit of the top is at 3·16/36, and the bilinear slopes are 3(1 − s)(1 − t) high.
     let distance = |i: i32, j: i32| {

@@ -1,11 +1,11 @@
 //! Pages of single findings, and the lines of certificates.
 
-use super::AUDITS;
 use super::document::{read, text, within};
 use super::html::check;
+use crate::common::papers::{AUDITS, CERTIFICATES, PAGES, audit_of};
 use subcert::audit::PaperAudit;
-use subcert::certificate::{certificate, certificate_lines};
-use subcert::report::html::{audit_page, explain_page};
+use subcert::certificate::certificate_lines;
+use subcert::report::html::explain_page;
 use subcert::report::{Background, Block, explain_sheet};
 
 fn page(audit: &PaperAudit<'_>, id: &str) -> Option<String> {
@@ -59,15 +59,15 @@ fn a_page_says_what_the_report_says() {
 /// The lines of all claims are the certificate, and each claim of a page shows its own.
 #[test]
 fn each_claim_shows_its_lines() {
-    for audit in AUDITS.iter() {
+    for ((audit, page), whole) in AUDITS.iter().zip(&*PAGES).zip(&*CERTIFICATES) {
         let claims = certificate_lines(audit);
-        let whole = certificate(audit).text;
+        let whole = &whole.text;
         let together: String = claims.iter().filter_map(|claim| claim.lines.clone().ok()).collect();
         // The certificate has them after two lines, between comments.
         let is_own = |line: &&str| !line.starts_with('#') && !line.starts_with("end ");
         let kept: Vec<&str> = whole.lines().skip(2).filter(is_own).collect();
         assert_eq!(kept, together.lines().collect::<Vec<&str>>());
-        let pieces = read(&audit_page(audit, None).expect("a page"));
+        let pieces = read(page);
         assert_eq!(claims.len(), audit.claims().len());
         for claim in &claims {
             let section = within(&pieces, |piece| piece.attribute("id") == Some(&claim.id));
@@ -86,9 +86,7 @@ fn each_claim_shows_its_lines() {
 /// The page of a cell has the lines about that cell only.
 #[test]
 fn a_cell_shows_its_own_lines() {
-    let audit =
-        AUDITS.iter().find(|audit| audit.paper.key == "khan2019-newton").expect("the paper");
-    let page = page(audit, "khan2019-newton:table-1:2:1").expect("a page");
+    let page = page(audit_of("khan2019-newton"), "khan2019-newton:table-1:2:1").expect("a page");
     let pieces = read(&page);
     let lines = text(&within(
         &pieces,

@@ -1,8 +1,8 @@
 //! Pages of audits.
 
-use super::AUDITS;
 use super::document::{Piece, read, text, within};
 use crate::common::claims::{judged, paper};
+use crate::common::papers::{AUDITS, PAGES};
 use std::collections::BTreeSet;
 use subcert::audit::PaperAudit;
 use subcert::claim::read_paper;
@@ -58,8 +58,8 @@ pub(super) fn check(page: &str) -> Vec<Piece> {
 
 #[test]
 fn every_claim_and_every_cell_has_its_anchor() {
-    for audit in AUDITS.iter() {
-        let pieces = check(&page(audit));
+    for (audit, page) in AUDITS.iter().zip(&*PAGES) {
+        let pieces = check(page);
         let with_id = |id: &str| {
             let found = pieces.iter().find(|piece| piece.attribute("id") == Some(id));
             found.unwrap_or_else(|| panic!("no {id} in {}", audit.paper.key))

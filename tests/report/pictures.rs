@@ -1,8 +1,8 @@
 //! Pictures of findings: what stands where.
 
-use super::AUDITS;
 use super::document::{Piece, read, text, within};
 use crate::common::claims::{judged, paper};
+use crate::common::papers::{AUDITS, PAGES};
 use subcert::audit::Kept;
 use subcert::exact::RealCyclotomic;
 use subcert::float::nearest;
@@ -67,8 +67,8 @@ fn drawn(section: &[Piece]) -> Option<(f64, f64)> {
 #[test]
 fn the_place_of_a_refutation_is_as_far_as_the_exact_distance() {
     let mut seen = [0, 0];
-    for audit in AUDITS.iter() {
-        let pieces = read(&audit_page(audit, None).expect("a page"));
+    for (audit, page) in AUDITS.iter().zip(&*PAGES) {
+        let pieces = read(page);
         let section = |id: &str| within(&pieces, |piece| piece.attribute("id") == Some(id));
         let check = |id: &str, exact: &RealCyclotomic| {
             let exact = nearest(exact);

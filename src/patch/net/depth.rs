@@ -45,6 +45,7 @@ pub(super) const PIECE_STEPS: u64 = 1_000_000;
 pub struct NetDistances {
     pub(super) model: Model,
     pub(super) work: Arc<MeshWork>,
+    looks_apart: bool,
 }
 
 impl NetDistances {
@@ -54,7 +55,8 @@ impl NetDistances {
     /// When the net has too few points for a piece, or a curve is not shown to converge or is beyond the
     /// caps.
     pub fn new(net: Net, scheme: &NetScheme) -> Result<NetDistances, NetError> {
-        Ok(NetDistances { model: Model::new(net, scheme)?, work: Arc::default() })
+        let model = Model::new(net, scheme)?;
+        Ok(NetDistances { model, work: Arc::default(), looks_apart: true })
     }
 
     /// How far the search has come.
@@ -69,6 +71,12 @@ impl NetDistances {
         Self { work, ..self }
     }
 
+    /// The same search without [`MeshDepth::apart`], which takes most of its time: that is 0.
+    #[must_use]
+    pub fn without_apart(self) -> Self {
+        Self { looks_apart: false, ..self }
+    }
+
     /// The depth for a tolerance. Faces and vertices are those of the net, row by row.
     ///
     /// # Errors
@@ -81,7 +89,7 @@ impl NetDistances {
         let (mut distance, worst) = self.measured(level);
         // What the level was found to be sufficient for may be less than what was measured.
         distance[1] = distance[1].min(upper(tolerance));
-        let apart = self.apart(level);
+        let apart = if self.looks_apart { self.apart(level) } else { 0.0 };
         let (too_few, beyond) = beyond.unzip();
         Ok(MeshDepth { level, too_few, beyond, distance, worst, apart, exact_pieces })
     }

@@ -1,6 +1,6 @@
 //! The certified level against thousands of limit points, each by its functional of the control points.
 
-use super::{depth, length};
+use super::{depth, distances, length};
 use crate::common::{int, r};
 use crate::net::{CLOSED, bumpy, heights, nets, scheme};
 use proptest::prelude::*;
@@ -116,7 +116,7 @@ const NAMES: [&str; 8] = [
 fn attack(net: &Net, name: &str, tolerance: &Rational, count: usize) {
     let scheme = scheme(name);
     let lines = lines(net, &scheme);
-    let found = depth(net, &scheme, tolerance);
+    let found = distances(net, &scheme).depth(tolerance).expect("a depth");
     let epsilon = nearest(tolerance);
     for level in found.level..found.level + 2 {
         let greatest = greatest(net, &lines, level, count);

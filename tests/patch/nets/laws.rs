@@ -66,9 +66,9 @@ proptest! {
         for (name, of_meshes) in
             [("bicubic", MeshScheme::CatmullClark), ("chaikin", MeshScheme::DooSabin)]
         {
-            let of_net = distances(&net, &scheme(name));
+            let of_net = distances(&net, &scheme(name)).without_apart();
             let of_mesh = MeshDistances::new(net.mesh().expect("a surface"), of_meshes);
-            let of_mesh = of_mesh.expect("a mesh");
+            let of_mesh = of_mesh.expect("a mesh").without_apart();
             let own = of_net.depth(&tolerance).expect("a depth");
             let other = of_mesh.depth(&tolerance).expect("a depth");
             prop_assert_eq!((own.level, own.too_few), (other.level, other.too_few));
@@ -86,7 +86,7 @@ proptest! {
 fn faces_make_up_the_net() {
     for name in ["bicubic", "chaikin", "four-point:w=1/16", "ternary-four-point-approximating"] {
         let net = bumpy(9, 10, CLOSED[0]);
-        let distances = distances(&net, &scheme(name));
+        let distances = distances(&net, &scheme(name)).without_apart();
         let found = distances.depth(&r(1, 10)).expect("a depth");
         let faces = distances.faces(found.level);
         assert_eq!(faces.len(), 72);

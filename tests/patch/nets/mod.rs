@@ -13,8 +13,9 @@ fn distances(net: &Net, scheme: &NetScheme) -> NetDistances {
     NetDistances::new(net.clone(), scheme).expect("a net within the caps")
 }
 
+/// The depth, without what few tests ask for and most of the time goes to.
 fn depth(net: &Net, scheme: &NetScheme, tolerance: &Rational) -> MeshDepth {
-    distances(net, scheme).depth(tolerance).expect("a depth")
+    distances(net, scheme).without_apart().depth(tolerance).expect("a depth")
 }
 
 fn length(error: [f64; 3]) -> f64 {
