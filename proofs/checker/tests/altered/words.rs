@@ -1,0 +1,36 @@
+//! The words of certificates.
+
+/// Words of the format that may stand in each other's place.
+pub const WORDS: [&[&str]; 25] = [
+    &["confirmed", "refuted", "differs", "undefined", "lost"],
+    &["confirmed", "rounding cut", "rounding away", "rounding down", "rounding nearest"],
+    &[
+        "misprint sign",
+        "misprint exponent 1",
+        "misprint neighbour 0 1",
+        "misprint digit 1",
+        "refuted",
+    ],
+    &["cut", "away", "down", "nearest"],
+    &["holds", "fails"],
+    &["exact", "rounding", "inexact"],
+    &["equal", "belonging", "nearest", "cut", "away", "last-inside", "apart"],
+    &["+", "-", "0"],
+    &["adjoint", "forward"],
+    &["each", "total"],
+    &["contraction-terms", "displacement-terms", "order", "suprema", "recursion", "offset"],
+    &["derived", "printed"],
+    &["exact", "less", "more"],
+    &["below", "at-most", "at-least"],
+    &["naturally", "in-every-shift"],
+    &["proved", "refuted", "open"],
+    &["proved-by", "refuted-by", "says"],
+    &["difference", "step", "distance", "depth"],
+    &["kept", "broken", "undecided", "naturally"],
+    &["polygon", "net", "row", "ring", "weights"],
+    &["level", "tolerance", "at", "let"],
+    &["grows", "times", "flow", "weights", "level"],
+    &["positive", "negative", "conjugate"],
+    &["continuous", "not-continuous"],
+    &["confirmed", "refuted", "rounding cut", "rounding away", "open"],
+];
