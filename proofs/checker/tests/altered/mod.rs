@@ -1,9 +1,6 @@
 //! The committed certificates, claim by claim, and how they can be altered.
 
 use subcert_check::{Outcome, check};
-use words::WORDS;
-
-mod words;
 
 /// A claim file and its certificate.
 pub struct Paper {
@@ -80,6 +77,41 @@ pub fn accepted(paper: &Paper, block: &Block) -> bool {
     let accepts = |outcome: &Outcome| matches!(outcome, Outcome::Valid | Outcome::Cited(_));
     report.claims.iter().any(|(_, _, outcome)| accepts(outcome))
 }
+
+/// Words of the format that may stand in each other's place.
+pub const WORDS: [&[&str]; 25] = [
+    &["confirmed", "refuted", "differs", "undefined", "lost"],
+    &["confirmed", "rounding cut", "rounding away", "rounding down", "rounding nearest"],
+    &[
+        "misprint sign",
+        "misprint exponent 1",
+        "misprint neighbour 0 1",
+        "misprint digit 1",
+        "refuted",
+    ],
+    &["cut", "away", "down", "nearest"],
+    &["holds", "fails"],
+    &["exact", "rounding", "inexact"],
+    &["equal", "belonging", "nearest", "cut", "away", "last-inside", "apart"],
+    &["+", "-", "0"],
+    &["adjoint", "forward"],
+    &["each", "total"],
+    &["contraction-terms", "displacement-terms", "order", "suprema", "recursion", "offset"],
+    &["derived", "printed"],
+    &["exact", "less", "more"],
+    &["below", "at-most", "at-least"],
+    &["naturally", "in-every-shift"],
+    &["proved", "refuted", "open"],
+    &["proved-by", "refuted-by", "says"],
+    &["difference", "step", "distance", "depth"],
+    &["kept", "broken", "undecided", "naturally"],
+    &["polygon", "net", "row", "ring", "weights"],
+    &["level", "tolerance", "at", "let"],
+    &["grows", "times", "flow", "weights", "level"],
+    &["positive", "negative", "conjugate"],
+    &["continuous", "not-continuous"],
+    &["confirmed", "refuted", "rounding cut", "rounding away", "open"],
+];
 
 /// Every alteration of a block: lines dropped, repeated and exchanged; of every field
 /// digits, signs and words changed, and fields dropped, repeated and exchanged.

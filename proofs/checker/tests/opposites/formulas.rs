@@ -12,16 +12,31 @@ fn lines(texts: &[&str]) -> Vec<String> {
 }
 
 /// A claim that is true or false.
-fn claim(head: String, restated: Vec<String>, seeds: Vec<Vec<String>>, lies: &[&str], is_true: bool) -> Claim {
+fn claim(
+    head: String,
+    restated: Vec<String>,
+    seeds: Vec<Vec<String>>,
+    lies: &[&str],
+    is_true: bool,
+) -> Claim {
     let falsehood = move |block: &[String]| {
         let word = block.iter().rev().find_map(|line| {
             let word = line.split(' ').next().unwrap_or_default();
-            ["holds", "exact", "rounding", "fails", "inexact"].contains(&word).then(|| word.to_owned())
+            ["holds", "exact", "rounding", "fails", "inexact"]
+                .contains(&word)
+                .then(|| word.to_owned())
         });
         let says = !["fails", "inexact"].contains(&word.as_deref().unwrap_or_default());
         (says != is_true).then(|| format!("it is {is_true}"))
     };
-    Claim { head, restated, seeds, lies: lines(lies), replaced: Default::default(), falsehood: Box::new(falsehood) }
+    Claim {
+        head,
+        restated,
+        seeds,
+        lies: lines(lies),
+        replaced: Default::default(),
+        falsehood: Box::new(falsehood),
+    }
 }
 
 /// The pairs.
@@ -55,10 +70,14 @@ fn table(random: &mut Random, claims: &mut String, place: usize) -> Pair {
         let id = format!("{kind}-table-{place}");
         let digits = &nearest + off;
         let printed = decimal(&digits, places);
-        let _ = writeln!(claims, "[[table]]\nid = '{id}'\nvalue = 'x'\ncolumns = {{ name = 'x', values = ['{x}'] }}\ncells = [['{printed}']]");
+        let _ = writeln!(
+            claims,
+            "[[table]]\nid = '{id}'\nvalue = 'x'\ncolumns = {{ name = 'x', values = ['{x}'] }}\ncells = [['{printed}']]"
+        );
         let distance = (Q::from_integer(digits) * &unit - &x).abs();
         let cell = |verdict: &str| vec![format!("cell 1 1 \"{printed}\" {x} {verdict}")];
-        let refuted = || [cell("refuted"), vec!["family 0".to_owned(), "member : 0 0 0".to_owned()]].concat();
+        let refuted =
+            || [cell("refuted"), vec!["family 0".to_owned(), "member : 0 0 0".to_owned()]].concat();
         let (is_nearest, is_next) = (&distance * int(2) <= unit, distance < unit);
         let falsehood = move |block: &[String]| {
             let cell = block.iter().find(|line| line.starts_with("cell "))?;
@@ -91,11 +110,16 @@ fn equation(random: &mut Random, claims: &mut String, place: usize) -> Pair {
     let left = format!("({a}*x + ({b}))*({c}*x + ({d})*y)");
     let mut one = |kind: &str, off: i64| {
         let id = format!("{kind}-equation-{place}");
-        let right = format!("{}*x^2 + ({})*x*y + ({})*x + ({})*y + {off}", a * c, a * d, b * c, b * d);
-        let _ = writeln!(claims, "[[equation]]\nid = '{id}'\nsymbols = ['x', 'y']\nleft = '{left}'\nright = '{right}'");
+        let right =
+            format!("{}*x^2 + ({})*x*y + ({})*x + ({})*y + {off}", a * c, a * d, b * c, b * d);
+        let _ = writeln!(
+            claims,
+            "[[equation]]\nid = '{id}'\nsymbols = ['x', 'y']\nleft = '{left}'\nright = '{right}'"
+        );
         // Both are polynomials of degrees at most 2 in x and y.
         let differ = |x: i64, y: i64| {
-            (a * x + b) * (c * x + d * y) != a * c * x * x + a * d * x * y + b * c * x + b * d * y + off
+            (a * x + b) * (c * x + d * y)
+                != a * c * x * x + a * d * x * y + b * c * x + b * d * y + off
         };
         let is_true = !(-1..=1).any(|x| (-1..=1).any(|y| differ(x, y)));
         let seeds = vec![
@@ -104,7 +128,13 @@ fn equation(random: &mut Random, claims: &mut String, place: usize) -> Pair {
             lines(&["fails 1", "case = 0"]),
             lines(&["fails 1"]),
         ];
-        claim(format!("equation {id}"), vec![format!("left {left}"), format!("right {right}")], seeds, &["holds 1", "holds 0"], is_true)
+        claim(
+            format!("equation {id}"),
+            vec![format!("left {left}"), format!("right {right}")],
+            seeds,
+            &["holds 1", "holds 0"],
+            is_true,
+        )
     };
     let claims = [one("same", 0), one("other", off)];
     Pair { claims, exclusive: true, complementary: false }
@@ -120,15 +150,26 @@ fn function(random: &mut Random, claims: &mut String, place: usize) -> Pair {
         let id = format!("{kind}-function-{place}");
         let middle = b - a + off;
         let right = format!("max({a} + ({b}) - 2*w, {middle}, 2*w - ({a}) - ({b}))");
-        let _ = writeln!(claims, "[[function]]\nid = '{id}'\nvariable = 'w'\nleft = '{left}'\nright = '{right}'");
-        let differs = |w: i64| (w - a).abs() + (w - b).abs() != (a + b - 2 * w).max(middle).max(2 * w - a - b);
+        let _ = writeln!(
+            claims,
+            "[[function]]\nid = '{id}'\nvariable = 'w'\nleft = '{left}'\nright = '{right}'"
+        );
+        let differs = |w: i64| {
+            (w - a).abs() + (w - b).abs() != (a + b - 2 * w).max(middle).max(2 * w - a - b)
+        };
         let is_true = !(-20..=20).any(differs);
-        let (low, high) = (Q::new((2 * a - off).into(), 2.into()), Q::new((2 * b + off).into(), 2.into()));
+        let (low, high) =
+            (Q::new((2 * a - off).into(), 2.into()), Q::new((2 * b + off).into(), 2.into()));
         let seeds = vec![
             lines(&["breaks", "signs 0", "holds"]),
-            vec![format!("breaks {low} {high}"), "signs 0 0 - 0 0".to_owned(), format!("fails {a} {} {middle}", b - a)],
+            vec![
+                format!("breaks {low} {high}"),
+                "signs 0 0 - 0 0".to_owned(),
+                format!("fails {a} {} {middle}", b - a),
+            ],
         ];
-        let restated = vec!["variable w".to_owned(), format!("left {left}"), format!("right {right}")];
+        let restated =
+            vec!["variable w".to_owned(), format!("left {left}"), format!("right {right}")];
         claim(format!("function {id}"), restated, seeds, &["holds"], is_true)
     };
     Pair { claims: [one("same", 0), one("other", off)], exclusive: true, complementary: false }
@@ -143,9 +184,14 @@ fn range(random: &mut Random, claims: &mut String, place: usize) -> Pair {
         let id = format!("{kind}-range-{place}");
         let value = format!("(w - ({a}/10))*(w - ({b}/10))");
         let [from, to] = [a, b + off].map(|end| decimal(&BigInt::from(end * 10), 2));
-        let _ = writeln!(claims, "[[range]]\nid = '{id}'\nvariable = 'w'\nvalue = '{value}'\nbelow = '0'\nfrom = '{from}'\nto = '{to}'");
+        let _ = writeln!(
+            claims,
+            "[[range]]\nid = '{id}'\nvariable = 'w'\nvalue = '{value}'\nbelow = '0'\nfrom = '{from}'\nto = '{to}'"
+        );
         let at = |end: i64| Q::new(end.into(), 10.into());
-        let is_end = |printed: &str, end: i64| (printed.parse::<f64>().unwrap_or(9.0) - float(&at(end))).abs() < 1e-9;
+        let is_end = |printed: &str, end: i64| {
+            (printed.parse::<f64>().unwrap_or(9.0) - float(&at(end))).abs() < 1e-9
+        };
         let is_true = is_end(&from, a) && is_end(&to, b);
         let ends = |relation: &str, verdict: &str| {
             vec![
@@ -156,8 +202,10 @@ fn range(random: &mut Random, claims: &mut String, place: usize) -> Pair {
                 verdict.to_owned(),
             ]
         };
-        let seeds = vec![ends("equal", "exact"), ends("apart", "inexact"), ends("nearest", "rounding")];
-        let restated = vec!["variable w".to_owned(), format!("value {value}"), "below 0".to_owned()];
+        let seeds =
+            vec![ends("equal", "exact"), ends("apart", "inexact"), ends("nearest", "rounding")];
+        let restated =
+            vec!["variable w".to_owned(), format!("value {value}"), "below 0".to_owned()];
         claim(format!("range {id}"), restated, seeds, &["exact", "rounding", "inexact"], is_true)
     };
     let claims = [one("same", 0), one("other", off)];

@@ -7,6 +7,20 @@ use std::path::Path;
 
 const CLAIMS: &str = include_str!("../rules/claims.toml");
 
+/// Claims that no certificate shows or refutes.
+const NEITHER: &str = r#"
+[[theorem]]
+id = "shallow"
+scheme = "chaikin"
+bounds = "depth"
+by = '-7'
+[[theorem]]
+id = "shallow-not"
+scheme = "chaikin"
+bounds = "depth"
+by = '-7*beta'
+"#;
+
 /// The most lines of a certificate, so that all are quick to check.
 const MOST_LINES: usize = 60;
 
@@ -24,13 +38,16 @@ struct Change {
 fn accepted() -> BTreeMap<String, Vec<String>> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/rules/accepted");
     let mut blocks = BTreeMap::new();
-    let mut files: Vec<_> =
-        std::fs::read_dir(folder).expect("a folder").map(|file| file.expect("a file").path()).collect();
+    let mut files: Vec<_> = std::fs::read_dir(folder)
+        .expect("a folder")
+        .map(|file| file.expect("a file").path())
+        .collect();
     files.sort();
     for file in files {
         let text = std::fs::read_to_string(file).expect("a text");
         let mut head = String::new();
-        let lines = text.lines().skip(2).filter(|line| !line.starts_with('#') && !line.trim().is_empty());
+        let lines =
+            text.lines().skip(2).filter(|line| !line.starts_with('#') && !line.trim().is_empty());
         let mut block: Vec<String> = Vec::new();
         for line in lines {
             if line.starts_with(' ') {
@@ -85,7 +102,8 @@ fn said(kind: &str, lines: &[String]) -> BTreeMap<String, &'static str> {
     }
     if kind != "table" {
         let words = ["holds", "fails", "exact", "rounding", "inexact", "proved", "refuted"];
-        let is = |line: &String| words.iter().copied().find(|word| line.split(' ').next() == Some(word));
+        let is =
+            |line: &String| words.iter().copied().find(|word| line.split(' ').next() == Some(word));
         let verdict = lines.iter().rev().find_map(is).unwrap_or_default();
         said.insert("verdict".to_owned(), verdict);
     }
@@ -110,7 +128,9 @@ fn change(kind: &str, claim: &str, lines: &[String]) -> Option<Change> {
     match (kind, verdict) {
         ("table", _) => {
             // The first cell that is confirmed, with another digit.
-            let cell = lines.iter().find(|line| line.starts_with("cell ") && line.ends_with(" confirmed"))?;
+            let cell = lines
+                .iter()
+                .find(|line| line.starts_with("cell ") && line.ends_with(" confirmed"))?;
             let (place, rest) = cell.split_once(" \"")?;
             let (printed, _) = rest.split_once('"')?;
             let (last, digit) = printed.char_indices().rev().find(|(_, c)| c.is_ascii_digit())?;
@@ -119,7 +139,9 @@ fn change(kind: &str, claim: &str, lines: &[String]) -> Option<Change> {
             let (before, cells) = claim.split_once("\ncells = ")?;
             // The first cell that is printed so is in the same row.
             let changed = cells.replacen(&format!("'{printed}'"), &format!("'{now}'"), 1);
-            let first = lines.iter().find(|line| line.starts_with("cell ") && line.contains(&format!("\"{printed}\"")));
+            let first = lines
+                .iter()
+                .find(|line| line.starts_with("cell ") && line.contains(&format!("\"{printed}\"")));
             (first == Some(cell) && changed != cells && before.len() > 1).then(|| Change {
                 claim: [format!("\ncells = {cells}"), format!("\ncells = {changed}")],
                 certificate: [format!("{place} \"{printed}\""), format!("{place} \"{now}\"")],
@@ -133,7 +155,8 @@ fn change(kind: &str, claim: &str, lines: &[String]) -> Option<Change> {
         ("equation" | "function", "fails") => of("right", text("left")?, &["fails"], "right"),
         ("range", _) => {
             // The complement. No two intervals are one.
-            let (word, other) = if line("below").is_some() { ("below", "at_most") } else { ("at_most", "below") };
+            let (word, other) =
+                if line("below").is_some() { ("below", "at_most") } else { ("at_most", "below") };
             let (value, limit) = (text("value")?, text(word)?);
             let keyword = |word: &str| word.replace('_', "-");
             Some(Change {
@@ -165,7 +188,9 @@ fn change(kind: &str, claim: &str, lines: &[String]) -> Option<Change> {
 fn against(kind: String, known: BTreeMap<String, &'static str>) -> Falsehood {
     Box::new(move |lines| {
         let found = said(&kind, lines);
-        let other = found.iter().find(|(of, verdict)| known.get(*of).is_some_and(|known| known != *verdict));
+        let other = found
+            .iter()
+            .find(|(of, verdict)| known.get(*of).is_some_and(|known| known != *verdict));
         other.map(|(of, verdict)| format!("{of} is not {verdict}"))
     })
 }
@@ -180,14 +205,30 @@ fn wrong(kind: String, change: &Change) -> Falsehood {
     })
 }
 
+/// Depths below 0: data refute no such bound.
+fn neither(depth: &[String]) -> Pair {
+    let claim = |id: &str, by: &str| Claim {
+        head: format!("theorem {id}"),
+        restated: vec!["bounds depth".to_owned(), format!("by {by}")],
+        seeds: vec![depth[2..].iter().filter(|line| !line.starts_with("let ")).cloned().collect()],
+        lies: vec!["refuted".to_owned(), "proved".to_owned()],
+        replaced: Default::default(),
+        falsehood: Box::new(|_| Some("it is not decided".to_owned())),
+    };
+    let claims = [claim("shallow", "-7"), claim("shallow-not", "-7*beta")];
+    Pair { claims, exclusive: false, complementary: false }
+}
+
 /// The pairs.
 pub fn suite() -> Suite {
     let accepted = accepted();
-    let mut claims = CLAIMS.to_owned();
-    let mut pairs = Vec::new();
+    let mut claims = format!("{CLAIMS}{NEITHER}");
+    let mut pairs = vec![neither(&accepted["theorem depth"])];
     for segment in CLAIMS.split("\n[[").skip(1) {
         let Some((kind, claim)) = segment.split_once("]]\n") else { continue };
-        let Some(id) = claim.split("id = \"").nth(1).and_then(|rest| rest.split('"').next()) else { continue };
+        let Some(id) = claim.split("id = \"").nth(1).and_then(|rest| rest.split('"').next()) else {
+            continue;
+        };
         let head = format!("{kind} {id}");
         let Some(lines) = accepted.get(&head) else { continue };
         // These rest on other claims.
@@ -198,11 +239,13 @@ pub fn suite() -> Suite {
         let claim = claim.split("\n#").next().unwrap_or_default().trim_end();
         let Some(change) = change(kind, claim, lines) else { continue };
         let opposite = claim.replacen(&change.claim[0], &change.claim[1], 1);
-        let opposite = opposite.replacen(&format!("id = \"{id}\""), &format!("id = \"{id}-not\""), 1);
+        let opposite =
+            opposite.replacen(&format!("id = \"{id}\""), &format!("id = \"{id}-not\""), 1);
         claims.push_str(&format!("\n[[{kind}]]\n{opposite}\n"));
         let [was, now] = &change.certificate;
         let otherwise = repeated.join("\n").replacen(&was[..], now, 1);
-        let last: Vec<String> = body.last().filter(|_| kind != "table").cloned().into_iter().collect();
+        let last: Vec<String> =
+            body.last().filter(|_| kind != "table").cloned().into_iter().collect();
         let replaced = |from: &String, to: &String| {
             if kind == "table" { [from.clone(), to.clone()] } else { Default::default() }
         };

@@ -66,7 +66,8 @@ impl Mask {
         if mask.exponent[0] < 0.05 || !mask.is_independent() {
             // Then it may be that some factor has no part in the limits; but a scheme that does not
             // contract does not converge.
-            mask.exponent[1] = if mask.exponent[1] < 0.0 { mask.exponent[1] } else { f64::INFINITY };
+            mask.exponent[1] =
+                if mask.exponent[1] < 0.0 { mask.exponent[1] } else { f64::INFINITY };
         }
         mask
     }
@@ -96,7 +97,8 @@ impl Mask {
                 }
             }
             (product, stretch) = (next, stretch * n);
-            let class = |class: usize| product.iter().skip(class).step_by(stretch).map(|x| x.abs()).sum();
+            let class =
+                |class: usize| product.iter().skip(class).step_by(stretch).map(|x| x.abs()).sum();
             let norm = (0..stretch).map(class).fold(0.0, f64::max);
             above = above.min(norm.powf(1.0 / f64::from(l)));
         }
@@ -127,13 +129,15 @@ impl Mask {
         }
         let shifts = (symbol.len() - 1).div_ceil(self.n - 1);
         let at = |place: usize| values.get(place).copied().unwrap_or(0.0);
-        let mut rows: Vec<Vec<f64>> = (0..samples)
-            .map(|s| (0..shifts).map(|j| at(s + j * samples)).collect())
-            .collect();
+        let mut rows: Vec<Vec<f64>> =
+            (0..samples).map(|s| (0..shifts).map(|j| at(s + j * samples)).collect()).collect();
         for step in 0..shifts {
             let size = |row: &Vec<f64>| row[step].abs();
-            let pivot = (step..rows.len()).max_by(|a, b| size(&rows[*a]).total_cmp(&size(&rows[*b])));
-            let Some(pivot) = pivot.filter(|pivot| size(&rows[*pivot]) > 1e-7) else { return false };
+            let pivot =
+                (step..rows.len()).max_by(|a, b| size(&rows[*a]).total_cmp(&size(&rows[*b])));
+            let Some(pivot) = pivot.filter(|pivot| size(&rows[*pivot]) > 1e-7) else {
+                return false;
+            };
             rows.swap(step, pivot);
             let top = rows[step].clone();
             for row in &mut rows[step + 1..] {
@@ -185,17 +189,19 @@ impl Mask {
             lines.push(format!("product {}", words.join(" ")));
             let n = int(self.n.try_into().unwrap_or(2));
             let power = random.below(order + 2);
-            let q = match random.below(4) {
+            let q = match random.below(8) {
                 0 => (0..power).fold(Q::one(), |q, _| q * &n),
                 1 => factors.iter().fold(Q::one(), |q, _| q * &norm),
-                _ => diagonal(&matrices, &factors, random),
+                2 => diagonal(&matrices, &factors, random),
+                _ => eigenvalue(&matrices, &factors),
             };
             let kind = if q.is_negative() { "negative" } else { "positive" };
             lines.push(format!("eigenvalue {kind} {}", q.abs()));
         }
         lines.extend(trivial_hull(&norm, matrices[0].len() * self.n));
         let n = self.n as f64;
-        let most = (0..order).rev().find(|m| float(&norm) < n.powi((order - m).try_into().unwrap_or(0)));
+        let most =
+            (0..order).rev().find(|m| float(&norm) < n.powi((order - m).try_into().unwrap_or(0)));
         if let Some(most) = most {
             lines.push(format!("continuous {}", most.saturating_sub(random.below(4) / 3)));
         }
@@ -231,13 +237,63 @@ pub fn diagonal(matrices: &[Vec<Vec<Q>>], factors: &[usize], random: &mut Random
     if row[at].is_zero() { Q::one() } else { row[at].clone() }
 }
 
+/// A number of either sign, as large as a few steps make it, beyond which the product has a real eigenvalue.
+fn eigenvalue(matrices: &[Vec<Vec<Q>>], factors: &[usize]) -> Q {
+    let size = matrices[0].len();
+    let norm = factors.iter().fold(Q::one(), |most, _| most * norm(matrices));
+    let float = |m: &Vec<Vec<Q>>| m.iter().map(|row| row.iter().map(float).collect()).collect();
+    let floats: Vec<Vec<Vec<f64>>> = matrices.iter().map(float).collect();
+    let product = factors[1..]
+        .iter()
+        .fold(floats[factors[0]].clone(), |p, factor| multiply(&p, &floats[*factor]));
+    for step in (1..=32).rev() {
+        for sign in [1, -1] {
+            let q = &norm * int(sign * step) / int(32);
+            let shifted = |i: usize, j: usize| {
+                let own = if i == j { self::float(&q.abs()) } else { 0.0 };
+                own - f64::from(i32::try_from(sign).unwrap_or(1)) * product[i][j]
+            };
+            let rows = (0..size).map(|i| (0..size).map(|j| shifted(i, j)).collect()).collect();
+            if determinant(rows) < 1e-9 {
+                return q;
+            }
+        }
+    }
+    Q::one()
+}
+
+fn determinant(mut rows: Vec<Vec<f64>>) -> f64 {
+    let mut value = 1.0;
+    for step in 0..rows.len() {
+        let pivot =
+            (step..rows.len()).max_by(|a, b| rows[*a][step].abs().total_cmp(&rows[*b][step].abs()));
+        let pivot = pivot.unwrap_or(step);
+        if pivot != step {
+            rows.swap(pivot, step);
+            value = -value;
+        }
+        let top = rows[step].clone();
+        value *= top[step];
+        if top[step] == 0.0 {
+            return 0.0;
+        }
+        for row in &mut rows[step + 1..] {
+            let factor = row[step] / top[step];
+            row.iter_mut().zip(&top).for_each(|(x, t)| *x -= factor * t);
+        }
+    }
+    value
+}
+
+/// The product of two matrices.
+pub fn multiply(a: &[Vec<f64>], b: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    let entry = |row: &Vec<f64>, j: usize| row.iter().zip(b).map(|(x, other)| x * other[j]).sum();
+    a.iter().map(|row| (0..b.len()).map(|j| entry(row, j)).collect()).collect()
+}
+
 /// A bound from below of the joint spectral radius: |tr P^k/w|^{1/kl} for products of up to so many factors.
 pub fn radius_from_below(matrices: &[Vec<Vec<f64>>], longest: u32) -> f64 {
     let size = matrices[0].len();
-    let multiply = |a: &Vec<Vec<f64>>, b: &Vec<Vec<f64>>| -> Vec<Vec<f64>> {
-        let entry = |i: usize, j: usize| (0..size).map(|k| a[i][k] * b[k][j]).sum();
-        (0..size).map(|i| (0..size).map(|j| entry(i, j)).collect()).collect()
-    };
     let mut best: f64 = 0.0;
     let mut products = matrices.to_vec();
     for l in 1..=longest {
@@ -249,7 +305,8 @@ pub fn radius_from_below(matrices: &[Vec<Vec<f64>>], longest: u32) -> f64 {
                 power = multiply(&power, product);
             }
         }
-        let longer = |p| matrices.iter().map(move |m| multiply(p, m));
+        let longer =
+            |p: &Vec<Vec<f64>>| matrices.iter().map(|m| multiply(p, m)).collect::<Vec<_>>();
         products = if l < longest { products.iter().flat_map(longer).collect() } else { products };
     }
     best

@@ -1,7 +1,7 @@
 //! Certificates that someone might make of valid ones: lines and numbers changed, left out, repeated and
 //! exchanged, and parts of one certificate in another.
 
-use crate::words::WORDS;
+use crate::altered::WORDS;
 
 /// Where the random numbers begin, if the environment does not say.
 const SEED: u64 = 0x0dd5_0b1e_c7ed_5eed;
@@ -14,7 +14,9 @@ impl Random {
     pub fn new(test: &str) -> Random {
         let seed = std::env::var("OPPOSITES_SEED").ok().and_then(|seed| seed.parse().ok());
         let begin: u64 = seed.unwrap_or(SEED);
-        Random(test.bytes().fold(begin | 1, |state, b| state.wrapping_mul(31).wrapping_add(b.into())))
+        Random(
+            test.bytes().fold(begin | 1, |state, b| state.wrapping_mul(31).wrapping_add(b.into())),
+        )
     }
 
     /// A number less than this.
@@ -94,7 +96,8 @@ fn change(random: &mut Random, lines: &mut Vec<String>, other: &[String]) {
 fn words(random: &mut Random, line: &str) -> String {
     let mut words: Vec<&str> = line.split_whitespace().collect();
     let at = random.below(words.len());
-    let known: Vec<_> = WORDS.iter().filter(|group| words.get(at).is_some_and(|w| group.contains(w))).collect();
+    let known: Vec<_> =
+        WORDS.iter().filter(|group| words.get(at).is_some_and(|w| group.contains(w))).collect();
     match random.below(4) {
         _ if words.is_empty() => {}
         0 => _ = words.remove(at),
@@ -150,7 +153,8 @@ fn number(random: &mut Random, text: &str) -> String {
         (14, Some(n)) => (n.saturating_sub(1)).to_string(),
         (15, Some(n)) => (n / 2).to_string(),
         _ => {
-            let digits: Vec<usize> = text.char_indices().filter(|(_, c)| c.is_ascii_digit()).map(|(i, _)| i).collect();
+            let digits: Vec<usize> =
+                text.char_indices().filter(|(_, c)| c.is_ascii_digit()).map(|(i, _)| i).collect();
             if digits.is_empty() {
                 return text.to_owned();
             }

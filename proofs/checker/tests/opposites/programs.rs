@@ -45,13 +45,25 @@ pub fn suite(_: &mut Random) -> Suite {
                 lines
             };
             let verdicts = [
-                ("nearest", "nearest"), ("ulps 1", "ulps"), ("ulps 2", "ulps"), ("ulps 18", "ulps"), ("rounded 6", "cut"),
-                ("rounded 3", "cut"), ("truncated 6", "cut"), ("misprint exchanged", "misprint"), ("misprint digit", "misprint"),
-                ("refuted 0", "refuted"), ("refuted 1", "refuted"), ("open", "open"),
+                ("nearest", "nearest"),
+                ("ulps 1", "ulps"),
+                ("ulps 2", "ulps"),
+                ("ulps 18", "ulps"),
+                ("rounded 6", "cut"),
+                ("rounded 3", "cut"),
+                ("truncated 6", "cut"),
+                ("misprint exchanged", "misprint"),
+                ("misprint digit", "misprint"),
+                ("refuted 0", "refuted"),
+                ("refuted 1", "refuted"),
+                ("open", "open"),
             ];
-            let mut seeds: Vec<_> = verdicts.iter().map(|(verdict, outcome)| lines(verdict, "", outcome)).collect();
+            let mut seeds: Vec<_> =
+                verdicts.iter().map(|(verdict, outcome)| lines(verdict, "", outcome)).collect();
             for reading in ["convention 1", "early unused 17", "early g 17", "early g single"] {
-                seeds.extend(verdicts.iter().map(|(verdict, _)| lines(verdict, reading, "otherwise")));
+                seeds.extend(
+                    verdicts.iter().map(|(verdict, _)| lines(verdict, reading, "otherwise")),
+                );
             }
             // What is wrong may be far off in one number, and a digit or more in another.
             let falsehood = move |block: &[String]| {

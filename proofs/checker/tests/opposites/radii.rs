@@ -1,7 +1,9 @@
 //! Certificates of joint spectral radii, changed at random: whatever is accepted is true, as products of few
 //! factors show in floating point.
 
-use super::masks::{Mask, Q, diagonal, float, int, norm, radius_from_below, random_mask, trivial_hull};
+use super::masks::{
+    Mask, Q, diagonal, float, int, multiply, norm, radius_from_below, random_mask, trivial_hull,
+};
 use super::mutator::{Random, mutant};
 use num_traits::Signed;
 use subcert_check::{Radius, check_radius};
@@ -49,8 +51,9 @@ fn rules(mask: &Mask) -> Vec<String> {
 fn matrices(random: &mut Random) -> Vec<String> {
     let (size, count) = (1 + random.below(3), 1 + random.below(2));
     let mut entry = || Q::new(random.within(-4, 4).into(), random.within(1, 2).into());
-    let matrices: Vec<Vec<Vec<Q>>> =
-        (0..count).map(|_| (0..size).map(|_| (0..size).map(|_| entry()).collect()).collect()).collect();
+    let matrices: Vec<Vec<Vec<Q>>> = (0..count)
+        .map(|_| (0..size).map(|_| (0..size).map(|_| entry()).collect()).collect())
+        .collect();
     let row = |row: &Vec<Q>| row.iter().map(Q::to_string).collect::<Vec<_>>().join(" ");
     let words = |m: &Vec<Vec<Q>>| m.iter().map(row).collect::<Vec<_>>().join(" | ");
     let mut lines: Vec<String> = matrices.iter().map(|m| format!("matrix {}", words(m))).collect();
@@ -118,7 +121,8 @@ impl About {
 
     /// What of this radius is false.
     fn falsehood(&self, radius: &Radius) -> Option<String> {
-        let of_mask = self.order.is_some() && self.mask.len() == self.rules.len() && !self.rules.is_empty();
+        let of_mask =
+            self.order.is_some() && self.mask.len() == self.rules.len() && !self.rules.is_empty();
         let matrices = if let (true, Some(order)) = (of_mask, self.order) {
             let mask = mask(&self.mask);
             let [low, high] = mask.exponent;
@@ -128,7 +132,8 @@ impl About {
             if radius.not_continuous.is_some_and(|m| low > m as f64 + MARGIN) {
                 return Some(format!("the exponent is at least {low}"));
             }
-            let float = |m: &Vec<Vec<Q>>| m.iter().map(|row| row.iter().map(float).collect()).collect();
+            let float =
+                |m: &Vec<Vec<Q>>| m.iter().map(|row| row.iter().map(float).collect()).collect();
             mask.matrices(order).iter().map(float).collect()
         } else if self.order.is_some() {
             // A mask with irrational entries: its two bounds have to agree.
@@ -141,7 +146,8 @@ impl About {
             return Some(format!("the radius is more than {most}"));
         }
         if let Some((q, degree)) = &radius.at_least {
-            let least = if *degree == 0 { f64::INFINITY } else { float(q).powf(1.0 / *degree as f64) };
+            let least =
+                if *degree == 0 { f64::INFINITY } else { float(q).powf(1.0 / *degree as f64) };
             if radius_from_above(&matrices) < least * (1.0 - MARGIN) {
                 return Some(format!("the radius is less than {least}"));
             }
@@ -163,7 +169,6 @@ fn contradiction(radius: &Radius) -> Option<String> {
 
 /// A bound from above: norms of products.
 fn radius_from_above(matrices: &[Vec<Vec<f64>>]) -> f64 {
-    let size = matrices[0].len();
     let mut best = f64::INFINITY;
     let mut products = matrices.to_vec();
     let longest: usize = if matrices.len() == 1 { 30 } else { 8 };
@@ -174,11 +179,8 @@ fn radius_from_above(matrices: &[Vec<Vec<f64>>]) -> f64 {
         if l == longest || products.len() * matrices.len() > 600 {
             break;
         }
-        let entry = |p: &Vec<Vec<f64>>, m: &Vec<Vec<f64>>, i: usize, j: usize| (0..size).map(|k| p[i][k] * m[k][j]).sum();
-        let product = |p: &Vec<Vec<f64>>, m: &Vec<Vec<f64>>| -> Vec<Vec<f64>> {
-            (0..size).map(|i| (0..size).map(|j| entry(p, m, i, j)).collect()).collect()
-        };
-        products = products.iter().flat_map(|p| matrices.iter().map(move |m| product(p, m))).collect();
+        products =
+            products.iter().flat_map(|p| matrices.iter().map(move |m| multiply(p, m))).collect();
     }
     best
 }
@@ -187,7 +189,10 @@ fn radius_from_above(matrices: &[Vec<Vec<f64>>]) -> f64 {
 fn mask(rules: &[Vec<Q>]) -> Mask {
     let width = rules[0].len();
     let columns = (0..width).rev();
-    Mask::new(rules.len(), columns.flat_map(|j| rules.iter().map(move |rule| rule[j].clone())).collect())
+    Mask::new(
+        rules.len(),
+        columns.flat_map(|j| rules.iter().map(move |rule| rule[j].clone())).collect(),
+    )
 }
 
 fn exact(word: &str) -> Option<Q> {
@@ -219,7 +224,8 @@ pub fn run(random: &mut Random, times: usize) -> (usize, Vec<String>) {
     let (mut accepted, mut wrong) = (0, Vec::new());
     for time in 0..times {
         let (from, other) = (random.one(&seeds).clone(), random.one(&seeds).clone());
-        let lines = if time < seeds.len() { seeds[time].clone() } else { mutant(random, &from, &other) };
+        let lines =
+            if time < seeds.len() { seeds[time].clone() } else { mutant(random, &from, &other) };
         let text = format!("subcert-radius 1\n{}\n", lines.join("\n"));
         let begin = std::time::Instant::now();
         if let Ok(radius) = check_radius(&text) {

@@ -48,7 +48,8 @@ fn falsehood(parts: Vec<Option<bool>>, rounded: Vec<(&'static str, Option<bool>)
             "confirmed" if refutable => Some("the claim is false".to_owned()),
             "refuted" if sure => Some("the claim is true".to_owned()),
             last => {
-                let wrong = rounded.iter().any(|(word, holds)| *word == last && *holds == Some(false));
+                let wrong =
+                    rounded.iter().any(|(word, holds)| *word == last && *holds == Some(false));
                 wrong.then(|| "the decimal is not rounded so".to_owned())
             }
         }
@@ -64,10 +65,17 @@ fn masks(random: &mut Random) -> Vec<Mask> {
     let one = [int(1)];
     let dependent = [int(1), int(-1), int(1)];
     let four_point = [int(-1), int(4), int(-1)];
-    let mut masks: Vec<Mask> = [(2, 6, &one[..]), (2, 4, &one), (2, 2, &one), (3, 3, &one), (2, 4, &dependent), (2, 4, &four_point)]
-        .into_iter()
-        .map(|(n, order, b)| Mask::new(n, spline_times(n, order, b)))
-        .collect();
+    let mut masks: Vec<Mask> = [
+        (2, 6, &one[..]),
+        (2, 4, &one),
+        (2, 2, &one),
+        (3, 3, &one),
+        (2, 4, &dependent),
+        (2, 4, &four_point),
+    ]
+    .into_iter()
+    .map(|(n, order, b)| Mask::new(n, spline_times(n, order, b)))
+    .collect();
     // The factor z² − z + 1 combines shifts of the spline of the same order, and takes nothing away from its smoothness.
     masks[4].exponent = [3.0; 2];
     masks.extend((0..8).map(|_| random_mask(random, 5)));
@@ -91,12 +99,17 @@ pub fn suite(random: &mut Random) -> Suite {
         };
         for m in 0..=4 {
             let [low, high] = mask.exponent;
-            let is = |m: f64| if low > m + MARGIN { Some(true) } else { (high < m - MARGIN).then_some(false) };
+            let is = |m: f64| {
+                if low > m + MARGIN { Some(true) } else { (high < m - MARGIN).then_some(false) }
+            };
             let smooth = is(f64::from(m));
             let mut claim = |kind: &str, word: &str, stated: Option<bool>| {
                 let id = format!("{kind}-{name}-{m}");
                 let field = word.replace('-', "_");
-                let _ = writeln!(claims, "[[smoothness]]\nid = '{id}'\nscheme = '{name}'\n{field} = '{m}'");
+                let _ = writeln!(
+                    claims,
+                    "[[smoothness]]\nid = '{id}'\nscheme = '{name}'\n{field} = '{m}'"
+                );
                 Claim {
                     head: format!("smoothness {id}"),
                     restated: vec![format!("scheme {name}"), format!("states-{word} {m}")],
@@ -116,7 +129,12 @@ pub fn suite(random: &mut Random) -> Suite {
 }
 
 /// Claims about the exponent.
-fn exponents(claims: &mut String, name: &str, mask: &Mask, radius: &mut dyn FnMut(&str) -> Vec<Vec<String>>) -> Vec<Pair> {
+fn exponents(
+    claims: &mut String,
+    name: &str,
+    mask: &Mask,
+    radius: &mut dyn FnMut(&str) -> Vec<Vec<String>>,
+) -> Vec<Pair> {
     let mut pairs = Vec::new();
     let mut claim = |id: String, stated: &[(&str, &str, Stated)]| {
         let _ = writeln!(claims, "[[exponent]]\nid = '{id}'\nscheme = '{name}'");
@@ -138,7 +156,8 @@ fn exponents(claims: &mut String, name: &str, mask: &Mask, radius: &mut dyn FnMu
                 continue;
             };
             let [low, high] = mask.exponent;
-            let apart = |from: f64, to: f64| (low > to + MARGIN || high < from - MARGIN).then_some(false);
+            let apart =
+                |from: f64, to: f64| (low > to + MARGIN || high < from - MARGIN).then_some(false);
             rounded.push(("rounding cut", apart(x + half, x + 2.0 * half)));
             rounded.push(("rounding away", apart(x - 2.0 * half, x - half)));
         }
@@ -160,9 +179,13 @@ fn exponents(claims: &mut String, name: &str, mask: &Mask, radius: &mut dyn FnMu
     };
     for (place, x) in ["1", "3/2", "2", "5/2"].into_iter().enumerate() {
         let number = [1.0, 1.5, 2.0, 2.5][place];
-        let one = claim(format!("least-{name}-{place}"), &[("at-least", x, Stated::AtLeast(number))]);
+        let one =
+            claim(format!("least-{name}-{place}"), &[("at-least", x, Stated::AtLeast(number))]);
         let below = format!("{x} - 1/10");
-        let other = claim(format!("most-{name}-{place}"), &[("at-most", &below, Stated::AtMost(number - 0.1))]);
+        let other = claim(
+            format!("most-{name}-{place}"),
+            &[("at-most", &below, Stated::AtMost(number - 0.1))],
+        );
         pairs.push(Pair { claims: [one, other], exclusive: true, complementary: false });
     }
     // The decimal next to the exponent, another one, and both with a bound that contradicts it.
@@ -194,23 +217,47 @@ pub fn ranges(random: &mut Random) -> Suite {
         [&[levels], rest].concat().iter().map(|&text| text.to_owned()).collect::<Vec<String>>()
     };
     let mut pairs = Vec::new();
-    for (place, (from, to)) in [(10, 100), (0, 125), (-100, 100), (20, 400), (30, 140)].into_iter().enumerate() {
-        for (which, scheme) in ["four-point:w=w", "four-point:w=w x linear", "rough x four-point:w=w", "four-point:w=w x rough"].into_iter().enumerate() {
-            let factor = match which { 0 => f64::INFINITY, 1 => 1.0, _ => 0.0 };
+    for (place, (from, to)) in
+        [(10, 100), (0, 125), (-100, 100), (20, 400), (30, 140)].into_iter().enumerate()
+    {
+        for (which, scheme) in [
+            "four-point:w=w",
+            "four-point:w=w x linear",
+            "rough x four-point:w=w",
+            "four-point:w=w x rough",
+        ]
+        .into_iter()
+        .enumerate()
+        {
+            let factor = match which {
+                0 => f64::INFINITY,
+                1 => 1.0,
+                _ => 0.0,
+            };
             let mut claim = |kind: &str, m: i64, only: bool| {
                 let id = format!("{kind}-{place}-{which}");
-                let _ = writeln!(claims, "[[range]]\nid = '{id}'\nvariable = 'w'\nscheme = '{scheme}'\nsmoothness = '{m}'\nfrom = '{from}/1000'\nto = '{to}/1000'\nonly = {only}");
+                let _ = writeln!(
+                    claims,
+                    "[[range]]\nid = '{id}'\nvariable = 'w'\nscheme = '{scheme}'\nsmoothness = '{m}'\nfrom = '{from}/1000'\nto = '{to}/1000'\nonly = {only}"
+                );
                 let m = m as f64;
                 let exponent = |w: i64| at(w).exponent.map(|x| x.min(factor));
-                let inside: Vec<[f64; 2]> = (1..8).map(|i| exponent(from + (to - from) * i / 8)).collect();
+                let inside: Vec<[f64; 2]> =
+                    (1..8).map(|i| exponent(from + (to - from) * i / 8)).collect();
                 let fails = |[_, high]: &[f64; 2]| *high < m - MARGIN;
                 let holds = |[low, _]: &[f64; 2]| *low > m + MARGIN;
                 let wrong = inside.iter().any(fails) || factor < m;
                 // Only where all of a grid holds, it is nearly sure that the claim is true.
                 let right = !only && inside.iter().all(holds);
                 let mut seeds = vec![
-                    contraction("contraction 1", &["breaks -1/4 1/4", "signs + 0 - 0 +", "confirmed"]),
-                    contraction("contraction 2", &["breaks 0 root:-1,4,16:1/8:5/32", "signs + 0 - 0 +", "confirmed"]),
+                    contraction(
+                        "contraction 1",
+                        &["breaks -1/4 1/4", "signs + 0 - 0 +", "confirmed"],
+                    ),
+                    contraction(
+                        "contraction 2",
+                        &["breaks 0 root:-1,4,16:1/8:5/32", "signs + 0 - 0 +", "confirmed"],
+                    ),
                 ];
                 for w in [from - 30, (from + to) / 2, to - 1, to + 30] {
                     let mask = at(w);
@@ -223,14 +270,24 @@ pub fn ranges(random: &mut Random) -> Suite {
                 }
                 Claim {
                     head: format!("range {id}"),
-                    restated: vec!["variable w".to_owned(), format!("scheme {scheme}"), format!("smoothness {m}")],
+                    restated: vec![
+                        "variable w".to_owned(),
+                        format!("scheme {scheme}"),
+                        format!("smoothness {m}"),
+                    ],
                     seeds,
                     lies: lines(&["confirmed", "refuted"]),
                     replaced: Default::default(),
-                    falsehood: falsehood(vec![if wrong { Some(false) } else { right.then_some(true) }], Vec::new()),
+                    falsehood: falsehood(
+                        vec![if wrong { Some(false) } else { right.then_some(true) }],
+                        Vec::new(),
+                    ),
                 }
             };
-            for kinds in [[("all", 1, false), ("only", 1, true)], [("continuous", 0, false), ("smoother", 2, false)]] {
+            for kinds in [
+                [("all", 1, false), ("only", 1, true)],
+                [("continuous", 0, false), ("smoother", 2, false)],
+            ] {
                 let claims = kinds.map(|(kind, m, only)| claim(kind, m, only));
                 pairs.push(Pair { claims, exclusive: false, complementary: false });
             }

@@ -58,6 +58,8 @@ pub struct Suite {
 pub struct Found {
     /// The pairs that were tried.
     pub tried: usize,
+    /// The claims that one of their own seeds proves.
+    pub proved: usize,
     /// The blocks that were accepted.
     pub accepted: usize,
     /// What is wrong.
@@ -77,32 +79,39 @@ impl Suite {
     fn certificate(&self, claim: &Claim, body: &[String]) -> (String, Vec<String>) {
         let lines: Vec<String> = claim.restated.iter().chain(body).cloned().collect();
         let head = &claim.head;
-        (format!("subcert-certificate 4\n{}\n{head}\n  {}\nend 1\n", self.about, lines.join("\n  ")), lines)
+        (
+            format!(
+                "subcert-certificate 4\n{}\n{head}\n  {}\nend 1\n",
+                self.about,
+                lines.join("\n  ")
+            ),
+            lines,
+        )
     }
 
-    /// The claims that one of their own seeds proves.
-    pub fn proved(&self) -> usize {
-        let claims = self.pairs.iter().flat_map(|pair| &pair.claims);
+    /// The seeds of each pair's claims that are valid.
+    fn valid(&self) -> Vec<[Vec<Vec<String>>; 2]> {
         let valid = |claim: &Claim| {
-            let seed = |seed: &Vec<String>| {
+            let is_valid = |seed: &&Vec<String>| {
                 let (text, _) = self.certificate(claim, seed);
-                let report = check(&self.claims, &[&text]).expect("a claim file");
-                is_accepted(&report, claim)
+                is_accepted(&check(&self.claims, &[&text]).expect("a claim file"), claim)
             };
-            claim.seeds.iter().any(seed)
+            claim.seeds.iter().filter(is_valid).cloned().collect()
         };
-        claims.filter(|claim| valid(claim)).count()
+        self.pairs.iter().map(|pair| pair.claims.each_ref().map(valid)).collect()
     }
 
     /// Gives each claim so many certificates.
     pub fn run(&self, random: &mut Random, rounds: usize) -> Found {
-        let mut found = Found::default();
+        let valid = self.valid();
+        let proved = valid.iter().flatten().filter(|valid| !valid.is_empty()).count();
+        let mut found = Found { proved, ..Found::default() };
         let mut seen = vec![[[false; 2]; 2]; self.pairs.len()];
         for round in 0..rounds {
             let mut blocks = Vec::new();
             for (place, pair) in self.pairs.iter().enumerate() {
                 for (side, claim) in pair.claims.iter().enumerate() {
-                    let body = self.body(random, pair, side, round);
+                    let body = self.body(random, (pair, &valid[place]), side, round);
                     blocks.push((place, side, claim, self.certificate(claim, &body)));
                 }
             }
@@ -137,7 +146,9 @@ impl Suite {
                         || pair.exclusive && both(1)
                         || pair.complementary && both(0);
                     if contradicts {
-                        found.wrong.push(format!("this contradicts what was accepted before:\n{text}"));
+                        found
+                            .wrong
+                            .push(format!("this contradicts what was accepted before:\n{text}"));
                         *seen = [[false; 2]; 2];
                     }
                 }
@@ -149,14 +160,26 @@ impl Suite {
         found
     }
 
-    /// What follows the repeated lines: a seed of the claim or of its opposite, with changes.
-    fn body(&self, random: &mut Random, pair: &Pair, side: usize, round: usize) -> Vec<String> {
-        let own = &pair.claims[side].seeds;
-        let opposite = &pair.claims[1 - side].seeds;
+    /// What follows the repeated lines: a seed of the claim or of its opposite, with changes. Every other
+    /// one is valid for one of them.
+    fn body(
+        &self,
+        random: &mut Random,
+        (pair, valid): (&Pair, &[Vec<Vec<String>>; 2]),
+        side: usize,
+        round: usize,
+    ) -> Vec<String> {
+        let other = &pair.claims[1 - side].seeds;
         let elsewhere = &random.one(&self.pairs).claims[random.below(2)].seeds;
-        let all = [own, opposite, opposite, elsewhere].map(|seeds| random.one_of(seeds));
+        let mut all =
+            [&pair.claims[side].seeds, other, other, elsewhere].map(|seeds| random.one_of(seeds));
+        for (own, valid) in all.iter_mut().zip([&valid[side], &valid[1 - side]]) {
+            if !valid.is_empty() && random.once_in(2) {
+                own.clone_from(random.one(valid));
+            }
+        }
         // The first rounds try the seeds as they are.
-        let from = all[random.below(3)].clone();
+        let from = all[random.below(2)].clone();
         let mut body = from.clone();
         if round > 1 && !random.once_in(8) {
             let other = random.below(4);
@@ -175,7 +198,8 @@ impl Suite {
     }
 
     fn panics(&self, texts: &[&str]) -> Vec<String> {
-        let panics = |text: &&&str| catch_unwind(AssertUnwindSafe(|| check(&self.claims, &[text]))).is_err();
+        let panics =
+            |text: &&&str| catch_unwind(AssertUnwindSafe(|| check(&self.claims, &[text]))).is_err();
         let found = texts.iter().filter(panics).map(|text| format!("a panic:\n{text}"));
         found.chain(["the checker panics".to_owned()]).collect()
     }

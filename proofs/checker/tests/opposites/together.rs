@@ -67,9 +67,13 @@ fn takes(id: &str, q: &str, cells: [(&str, &str); 3]) -> String {
 
 /// A table that gives p by its first row. Its second row says nothing of q, which it takes to be this number.
 fn gives(q: &str, sums: [&str; 3]) -> String {
-    let mut text = format!("table gives-more\n value x*p + sum(i = 2..y, q)\n recovered p 7/20\n recovered q {q}\n");
+    let mut text = format!(
+        "table gives-more\n value x*p + sum(i = 2..y, q)\n recovered p 7/20\n recovered q {q}\n"
+    );
     let values = ["17283/40000", "164199/200000", "241927/200000"];
-    for (place, (printed, value)) in (1..).zip(["0.432075", "0.820995", "1.209635"].iter().zip(values)) {
+    for (place, (printed, value)) in
+        (1..).zip(["0.432075", "0.820995", "1.209635"].iter().zip(values))
+    {
         text += &format!(" cell 1 {place} \"{printed}\" {value} reproduced assuming p\n");
     }
     for (place, sum) in (1..).zip(sums) {
@@ -82,7 +86,9 @@ fn gives(q: &str, sums: [&str; 3]) -> String {
 #[test]
 fn a_premise_that_is_certified_twice() {
     assert!(matches!(outcome(&[TRUE, CITES], "cites"), Outcome::Cited(_)));
-    for blocks in [[TRUE, TRUE, CITES], [TRUE, CITES, TRUE], [CITES, TRUE, TRUE], [TRUE, CITES, CITES]] {
+    for blocks in
+        [[TRUE, TRUE, CITES], [TRUE, CITES, TRUE], [CITES, TRUE, TRUE], [TRUE, CITES, CITES]]
+    {
         assert!(!matches!(outcome(&blocks, "cites"), Outcome::Cited(_)));
     }
 }
@@ -90,12 +96,15 @@ fn a_premise_that_is_certified_twice() {
 /// A table may not get any number from a table that does not need it.
 #[test]
 fn a_value_that_another_table_hands_over() {
-    let first = [("0.432075", "17283/40000"), ("0.820995", "164199/200000"), ("1.209635", "241927/200000")];
-    let second = [("1.666575", "66663/40000"), ("3.166695", "633339/200000"), ("4.665735", "933147/200000")];
+    let first =
+        [("0.432075", "17283/40000"), ("0.820995", "164199/200000"), ("1.209635", "241927/200000")];
+    let second =
+        [("1.666575", "66663/40000"), ("3.166695", "633339/200000"), ("4.665735", "933147/200000")];
     let sums = ["31283/40000", "234199/200000", "311927/200000"];
     let others = ["71283/40000", "434199/200000", "511927/200000"];
     let one = outcome(&[&gives("7/20", sums), &takes("takes", "7/20", first)], "takes");
-    let other = outcome(&[&gives("27/20", others), &takes("takes-other", "27/20", second)], "takes-other");
+    let other =
+        outcome(&[&gives("27/20", others), &takes("takes-other", "27/20", second)], "takes-other");
     for outcome in [&one, &other] {
         assert!(matches!(outcome, Outcome::Invalid(..)), "{one:?} {other:?}");
     }
