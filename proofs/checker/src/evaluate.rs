@@ -142,14 +142,16 @@ impl<'a> Scope<'a> {
         let mut value = self.evaluate(first, indices)?;
         for (operator, part) in operators.iter().zip(rest) {
             let right = self.evaluate(part, indices)?;
+            self.spend(match operator {
+                '+' | '-' => value.cost_of_sum(&right),
+                '/' => value.cost_of_quotient(&right),
+                _ => value.cost(&right),
+            })?;
             match operator {
                 '+' => value.add(1, &right)?,
                 '-' => value.add(-1, &right)?,
                 '/' => value = value.over(&right)?,
-                _ => {
-                    self.spend(value.cost(&right))?;
-                    value = value.times(&right)?;
-                }
+                _ => value = value.times(&right)?,
             }
         }
         Ok(value)
@@ -254,7 +256,10 @@ impl<'a> Scope<'a> {
     /// The `sum`, `max` or `min` of two values.
     pub fn join(&self, fold: &str, a: &Value, b: &Value) -> Result<Value, Stop> {
         match fold {
-            "sum" => a.plus(1, b),
+            "sum" => {
+                self.spend(a.cost_of_sum(b))?;
+                a.plus(1, b)
+            }
             "max" => a.max(b, self.piece.as_ref()),
             _ => a.negated()?.max(&b.negated()?, self.piece.as_ref())?.negated(),
         }

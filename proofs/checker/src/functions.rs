@@ -30,7 +30,13 @@ fn value(call: &mut Call<'_>, indices: &mut Indices) -> Result<Value, Stop> {
     let piece = scope.piece.as_ref();
     match (function, call.arguments) {
         ("cos", [angle]) => match angle.multiple_of("pi") {
-            Some(multiple) => Ok(Number::cosine(&(multiple / Q::from_integer(2.into())))?.into()),
+            Some(multiple) => {
+                let turns = multiple / Q::from_integer(2.into());
+                // The fields end at a denominator of 1000.
+                let n = u64::try_from(turns.denom()).unwrap_or(0).min(1_000);
+                library.meter.spend(n * n / 16)?;
+                Ok(Number::cosine(&turns)?.into())
+            }
             None => wrong("`cos` takes one rational multiple of pi"),
         },
         ("abs", [x]) => x.abs(piece),
@@ -39,7 +45,10 @@ fn value(call: &mut Call<'_>, indices: &mut Indices) -> Result<Value, Stop> {
         }
         ("floor", [x]) => floor(x),
         ("ceil", [x]) => floor(&x.negated()?)?.negated(),
-        ("mod", [x, m]) => x.minus(&m.times(&floor(&x.over(m)?)?)?),
+        ("mod", [x, m]) => {
+            scope.spend(x.cost_of_quotient(m))?;
+            x.minus(&m.times(&floor(&x.over(m)?)?)?)
+        }
         ("kronecker", [a, b]) => {
             let difference = a.minus(b)?;
             Ok(Value::int(difference.number()?.is_zero().into()))
@@ -107,8 +116,9 @@ fn coefficient(product: &Product, l: &Value, f: i64) -> Result<Value, Stop> {
 
 /// top(top − 1)…(top − bottom + 1)/bottom!, and 0 for bottom < 0.
 fn binomial(scope: &Scope<'_>, top: &Value, bottom: i64) -> Result<Value, Stop> {
-    scope.spend(u64::try_from(bottom).unwrap_or(0))?;
     (0..bottom).try_fold(Value::int((bottom >= 0).into()), |product, i| {
+        // A product of fractions needs their common divisors.
+        scope.spend(product.cost(&product))?;
         product.times(&top.minus(&Value::int(i))?)?.over(&Value::int(i + 1))
     })
 }

@@ -218,6 +218,28 @@ impl Number {
         self.element().floor()
     }
 
+    /// An estimate of the steps of a sum with it: those of the common divisors of its numerators and its denominator.
+    pub fn cost_of_sum(&self) -> u64 {
+        match self {
+            Number::Large(element) if !element.bottom.is_one() => {
+                let (limbs, bottom) = (self.bits() / 64, element.bottom.bits() / 64);
+                1 + limbs * bottom / 16
+            }
+            _ => 0,
+        }
+    }
+
+    /// An estimate of the steps of a quotient by it: linear equations for as many unknowns as the degree of its field.
+    pub fn cost_of_inverse(&self) -> u64 {
+        match self {
+            Number::Large(element) if element.n > 1 => {
+                let degree = element.top.len() as u64;
+                degree.pow(3) * (1 + self.bits() / 1024)
+            }
+            _ => self.cost_of_sum(),
+        }
+    }
+
     /// The size in binary digits.
     pub fn bits(&self) -> u64 {
         match self {

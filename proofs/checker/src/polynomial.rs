@@ -41,12 +41,27 @@ pub fn at(p: &[Q], x: &Q) -> Q {
 
 /// A greatest common divisor.
 pub fn gcd(p: &[Q], q: &[Q]) -> Vec<Q> {
-    let (mut one, mut other) = (trimmed(p.to_vec()), trimmed(q.to_vec()));
-    while !other.is_empty() {
-        let rest = divide(one, &other).1;
-        (one, other) = (other, trimmed(rest));
-    }
-    one
+    let last = remainders(whole(p), whole(q)).into_iter().rfind(|p| !p.is_empty());
+    let last: Vec<Q> = last.unwrap_or_default().into_iter().map(Q::from_integer).collect();
+    whole(&last).into_iter().map(Q::from_integer).collect()
+}
+
+/// The steps of [`gcd`].
+pub fn steps_of_gcd(p: &[Q], q: &[Q]) -> u64 {
+    let [p, q] = [p, q].map(whole);
+    steps(p.len().max(q.len()), longest(&p) + longest(&q))
+}
+
+/// The steps of the remainders of polynomials with so many coefficients, each of so many binary digits: those of products of
+/// pairs of numbers that are as long as all coefficients together, for each pair of coefficients.
+fn steps(count: usize, bits: u64) -> u64 {
+    let count = count as u64;
+    let blocks = count * bits / 1024;
+    count * count * (1 + blocks + 3 * blocks * blocks)
+}
+
+fn longest(p: &[BigInt]) -> u64 {
+    p.iter().map(BigInt::bits).max().unwrap_or(0)
 }
 
 /// An upper bound of the absolute values of the roots of p ≠ 0.
@@ -56,28 +71,18 @@ pub fn beyond_roots(p: &[Q]) -> Q {
     p.iter().map(|coefficient| (coefficient / leading).abs()).sum::<Q>() + Q::one()
 }
 
-/// The steps of [`roots_between`]: for each of so many coefficients, the squares of the lengths that the remainders and
-/// their values have.
+/// The steps of [`roots_between`].
 pub fn steps_between(p: &[Q], low: &Q, high: &Q) -> u64 {
-    let length = p.len() as u64;
-    let longest = p.iter().map(bits).max().unwrap_or(0) + bits(low) + bits(high);
-    let blocks = length * longest / 1024;
-    length * length * (1 + blocks + blocks * blocks / 16)
+    let p = whole(p);
+    steps(p.len(), longest(&p) + bits(low) + bits(high))
 }
 
 /// The number of distinct roots of p ≠ 0 between low and high, which are no roots themselves.
 pub fn roots_between(p: &[Q], low: &Q, high: &Q) -> usize {
     // Sturm's chain is p, p′ and then the negated remainders. Positive factors do not matter.
-    let p = whole(&trimmed(p.to_vec()));
+    let p = whole(p);
     let derivative = (1..).zip(p.iter().skip(1)).map(|(i, c)| c * BigInt::from(i)).collect();
-    let mut chain = vec![p, derivative];
-    while let [.., before, last] = &chain[..]
-        && !last.is_empty()
-    {
-        let rational = |p: &[BigInt]| p.iter().cloned().map(Q::from_integer).collect::<Vec<Q>>();
-        let (_, remainder) = divide(rational(before), &rational(last));
-        chain.push(whole(&trimmed(remainder)).into_iter().map(|c| -c).collect());
-    }
+    let chain = remainders(p, derivative);
     let changes = |x: &Q| {
         let signs = chain.iter().map(|p| sign_at(p, x)).filter(|sign| *sign != 0);
         signs.collect::<Vec<i8>>().windows(2).filter(|pair| pair[0] != pair[1]).count()
@@ -85,8 +90,49 @@ pub fn roots_between(p: &[Q], low: &Q, high: &Q) -> usize {
     changes(low).saturating_sub(changes(high))
 }
 
-/// The positive multiple with integer coefficients without a common divisor.
+/// Two polynomials, and the negated remainders up to the last that is not 0, each with a positive factor: that of a
+/// subresultant, so that the coefficients remain short without their common divisors.
+fn remainders(p: Vec<BigInt>, q: Vec<BigInt>) -> Vec<Vec<BigInt>> {
+    let (p, q) = if p.len() < q.len() { (q, p) } else { (p, q) };
+    let leading = |p: &[BigInt]| p.last().map(Signed::abs).unwrap_or_default();
+    let (mut lead, mut factor) = (BigInt::one(), BigInt::one());
+    let mut chain = vec![p, q];
+    while let [.., before, last] = &chain[..]
+        && last.len() > 1
+    {
+        let fall = u32::try_from(before.len() - last.len()).unwrap_or(u32::MAX);
+        let by = &lead * factor.pow(fall);
+        let rest = pseudo_remainder(before.clone(), last);
+        lead = leading(last);
+        // g^δ/h^{δ−1}
+        factor = if fall == 0 { factor } else { lead.pow(fall) / factor.pow(fall - 1) };
+        chain.push(rest.into_iter().map(|c| -c / &by).collect());
+    }
+    chain
+}
+
+/// The remainder of |b|^{δ+1}·p by the divisor of the leading coefficient b, where δ is the difference of the degrees.
+fn pseudo_remainder(mut p: Vec<BigInt>, divisor: &[BigInt]) -> Vec<BigInt> {
+    let degree = divisor.len() - 1;
+    let (lead, negative) = (divisor[degree].abs(), divisor[degree].is_negative());
+    while p.len() > degree {
+        let top = p.pop().unwrap_or_default();
+        let top = if negative { -top } else { top };
+        p.iter_mut().for_each(|c| *c *= &lead);
+        let from = p.len() - degree;
+        for (c, d) in p[from..].iter_mut().zip(divisor) {
+            *c -= &top * d;
+        }
+    }
+    while p.last().is_some_and(Zero::is_zero) {
+        p.pop();
+    }
+    p
+}
+
+/// The positive multiple with integer coefficients without a common divisor, and without leading zeros.
 fn whole(p: &[Q]) -> Vec<BigInt> {
+    let p = trimmed(p.to_vec());
     let over = p.iter().fold(BigInt::one(), |over, c| over.lcm(c.denom()));
     let whole: Vec<BigInt> = p.iter().map(|c| c.numer() * (&over / c.denom())).collect();
     let divisor = whole.iter().fold(BigInt::zero(), |divisor, c| divisor.gcd(c));

@@ -3,7 +3,7 @@
 use crate::decimal::{Q, bits, int, read_rational};
 use crate::meter::Meter;
 use crate::polynomial::{
-    at, beyond_roots, divide, gcd, roots_between, signum, steps_between, trimmed,
+    at, beyond_roots, divide, gcd, roots_between, signum, steps_between, steps_of_gcd, trimmed,
 };
 use crate::reject::Stop;
 use num_traits::{Signed, Zero};
@@ -45,23 +45,24 @@ impl fmt::Display for Root {
 
 impl Root {
     /// Reads a number, or `root:COEFFICIENT,…:LOW:HIGH`.
-    pub fn read(text: &str) -> Option<Root> {
+    pub fn read(text: &str, meter: &Meter) -> Result<Option<Root>, Stop> {
         let Some(said) = text.strip_prefix("root:") else {
-            return read_rational(text).map(Root::from);
+            return Ok(read_rational(text).map(Root::from));
         };
         let [polynomial, low, high] = said.split(':').collect::<Vec<&str>>()[..] else {
-            return None;
+            return Ok(None);
         };
-        let polynomial: Vec<Q> = polynomial.split(',').map(read_rational).collect::<Option<_>>()?;
-        let (low, high) = (read_rational(low)?, read_rational(high)?);
+        let polynomial: Option<Vec<Q>> = polynomial.split(',').map(read_rational).collect();
+        let ends = read_rational(low).zip(read_rational(high));
+        let Some((polynomial, (low, high))) = polynomial.zip(ends) else { return Ok(None) };
         let ends = || [&low, &high].iter().all(|end| !at(&polynomial, end).is_zero());
         let long = polynomial.iter().chain([&low, &high]).map(bits).max().unwrap_or(0);
         let proper = low < high
             && (2..=MAX_LENGTH).contains(&polynomial.len())
             && long * polynomial.len() as u64 <= MAX_BITS
             && ends();
-        let one = proper && roots_between(&polynomial, &low, &high) == 1;
-        one.then_some(Root { polynomial, low, high })
+        let one = proper && count(&polynomial, [&low, &high], meter)? == 1;
+        Ok(one.then_some(Root { polynomial, low, high }))
     }
 
     /// The rational number that this is, if that is known.
@@ -116,6 +117,7 @@ impl Root {
             return Ok(signum(&at(p, value)));
         }
         // A common divisor is not 0 at the ends.
+        meter.spend(steps_of_gcd(p, &self.polynomial))?;
         if self.count(&gcd(p, &self.polynomial), meter)? > 0 {
             return Ok(0);
         }

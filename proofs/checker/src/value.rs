@@ -100,6 +100,17 @@ impl Value {
         (self.count() * other.count()).saturating_add(limbs / 16)
     }
 
+    /// An estimate of the steps of self + other, where these are fractions of large numbers.
+    pub fn cost_of_sum(&self, other: &Value) -> u64 {
+        self.all().chain(other.all()).map(|(_, number)| number.cost_of_sum()).sum()
+    }
+
+    /// An estimate of the steps of self/divisor.
+    pub fn cost_of_quotient(&self, divisor: &Value) -> u64 {
+        let inverse = divisor.number().map_or(0, Number::cost_of_inverse);
+        inverse.saturating_add(self.cost(divisor))
+    }
+
     /// self + factor·other.
     pub fn plus(&self, factor: i64, other: &Value) -> Result<Value, Stop> {
         let mut sum = self.clone();

@@ -11,5 +11,6 @@ mod family;
 mod format;
 mod mutation;
 mod names;
+mod opposites;
 mod radius;
 mod rules;

@@ -4,7 +4,8 @@
 //! divisor of p and the polynomial has the root α. THEOREMS.md, 120.
 
 use crate::decimal::{Q, bits, int};
-use crate::polynomial::{at, divide, gcd, roots_between, signum, trimmed};
+use crate::meter::Meter;
+use crate::polynomial::{at, divide, gcd, roots_between, signum, steps_of_gcd, trimmed};
 use num_traits::{One, Zero};
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
@@ -22,8 +23,10 @@ pub struct Field {
     high: Q,
     /// An interval around α that becomes narrower when a sign needs it.
     near: RefCell<(Q, Q)>,
-    /// Whether a sign was not found within the halvings that are allowed.
+    /// Whether a sign or an inverse was not found within the halvings and steps that are allowed.
     gave_up: Cell<bool>,
+    /// The steps of common divisors.
+    meter: Meter,
 }
 
 impl Field {
@@ -40,8 +43,8 @@ impl Field {
         let ends = [&low, &high].map(|x| signum(&at(&polynomial, x)));
         let one = ends[0] * ends[1] < 0 && roots_between(&polynomial, &low, &high) == 1;
         let near = RefCell::new((low.clone(), high.clone()));
-        let gave_up = Cell::new(false);
-        (simple && one).then_some(Field { polynomial, low, high, near, gave_up })
+        let (gave_up, meter) = (Cell::new(false), Meter::default());
+        (simple && one).then_some(Field { polynomial, low, high, near, gave_up, meter })
     }
 
     /// The degree of the polynomial.
@@ -82,7 +85,7 @@ impl Field {
         if let Some(sign) = self.sign_near(p) {
             return sign;
         }
-        if self.is_root(&gcd(p, &self.polynomial)) {
+        if !self.affords(p) || self.is_root(&gcd(p, &self.polynomial)) {
             return 0;
         }
         for _ in 0..MAX_HALVINGS {
@@ -93,6 +96,14 @@ impl Field {
         }
         self.gave_up.set(true);
         0
+    }
+
+    /// Whether a common divisor with the polynomial is within the steps that are allowed.
+    fn affords(&self, p: &[Q]) -> bool {
+        if self.meter.spend(steps_of_gcd(p, &self.polynomial)).is_err() {
+            self.gave_up.set(true);
+        }
+        !self.gave_up()
     }
 
     /// Whether a sign was not found. Then nothing is known.
@@ -167,6 +178,9 @@ impl Element {
             let value = self.p.first().map(Q::recip);
             return Element::new(value.into_iter().collect(), self.field.clone());
         };
+        if !field.affords(&self.p) {
+            return Element::new(Vec::new(), self.field.clone());
+        }
         let (modulus, _) = divide(field.polynomial.clone(), &gcd(&self.p, &field.polynomial));
         // The remainders of Euclid's algorithm are r = u·p modulo the modulus.
         let (mut before, mut rest) = (modulus.clone(), divide(self.p.clone(), &modulus).1);
@@ -180,7 +194,11 @@ impl Element {
             for (x, y) in difference.iter_mut().zip(&product) {
                 *x -= y;
             }
-            (before, rest) = (rest, trimmed(next));
+            // With the leading coefficient 1 the fractions remain short.
+            let mut next = trimmed(next);
+            let scale = next.last().map_or_else(Q::one, Q::recip);
+            next.iter_mut().chain(&mut difference).for_each(|x| *x *= &scale);
+            (before, rest) = (rest, next);
             (factor_before, factor) = (factor, difference);
         }
         let scale = rest.first().map_or_else(Q::zero, Q::recip);

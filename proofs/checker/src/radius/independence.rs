@@ -25,6 +25,9 @@ fn closed<N: Number>(symbol: &[N], n: usize) -> Vec<N> {
         symbol.iter().enumerate().map(term).collect()
     };
     let common = (0..n - 1).map(difference).fold(Vec::new(), |common, p| gcd(&common, &p));
+    if common.is_empty() {
+        return common;
+    }
     let place = |i: usize| N::fraction(&crate::decimal::int(i64::try_from(i).unwrap_or(i64::MAX)));
     let derivative: Vec<N> = (1..common.len()).map(|i| common[i].times(&place(i))).collect();
     let mut closed = divided(&common, &gcd(&common, &derivative)).0;
@@ -33,7 +36,7 @@ fn closed<N: Number>(symbol: &[N], n: usize) -> Vec<N> {
         closed = without;
     }
     loop {
-        let mut stretched = vec![N::whole(0); (closed.len() - 1) * n + 1];
+        let mut stretched = vec![N::whole(0); closed.len().saturating_sub(1) * n + 1];
         for (i, c) in closed.iter().enumerate() {
             stretched[i * n] = c.clone();
         }
@@ -54,7 +57,8 @@ fn trimmed<N: Number>(mut p: Vec<N>) -> Vec<N> {
 
 /// The quotient and the remainder by a polynomial whose last coefficient is not 0.
 fn divided<N: Number>(p: &[N], q: &[N]) -> (Vec<N>, Vec<N>) {
-    let degree = q.len() - 1;
+    // None is left where a sign was not found, and then nothing counts.
+    let Some(degree) = q.len().checked_sub(1) else { return Default::default() };
     let inverse = q[degree].inverse();
     let mut rest = p.to_vec();
     let mut quotient = vec![N::whole(0); rest.len().saturating_sub(degree)];

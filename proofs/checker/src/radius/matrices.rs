@@ -69,6 +69,7 @@ pub fn determinant<N: Number>(mut rows: Matrix<N>, meter: &Meter) -> Result<N, S
         for row in &mut rows[step + 1..] {
             let factor = row[step].times(&inverse);
             if factor.sign() != 0 {
+                meter.spend(top.iter().map(|t| t.cost().max(factor.cost())).sum())?;
                 for (x, t) in row.iter_mut().zip(&top).skip(step) {
                     *x = x.minus(&factor.times(t));
                 }

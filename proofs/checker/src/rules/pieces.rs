@@ -60,12 +60,14 @@ impl<'a> Free<'a> {
 
     /// Reads the lines `breaks` and `signs`, and compares them with the signs of a value.
     pub fn pieces(&self, block: &mut Block<'_>, value: &Formula<'_>) -> Checked<Pieces> {
-        let breaks = block.after("breaks")?.split_whitespace().map(Root::read);
-        let breaks: Vec<Root> =
-            breaks.collect::<Option<_>>().ok_or(Reason::Malformed("numbers"))?;
+        let meter = self.paper.library.meter;
+        let said = block.after("breaks")?.split_whitespace();
+        let breaks = said.map(|word| Root::read(word, meter)).collect::<Result<Vec<_>, Stop>>()?;
+        let breaks: Option<Vec<Root>> = breaks.into_iter().collect();
+        let breaks = breaks.ok_or(Reason::Malformed("numbers"))?;
         require(breaks.len() <= MAX_BREAKS, Reason::Breaks)?;
         for pair in breaks.windows(2) {
-            require(pair[0].compare(&pair[1], self.paper.library.meter)?.is_lt(), Reason::Breaks)?;
+            require(pair[0].compare(&pair[1], meter)?.is_lt(), Reason::Breaks)?;
         }
         let said = block.after("signs")?;
         let mut signs = Vec::new();

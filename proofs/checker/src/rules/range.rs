@@ -55,7 +55,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
             };
             nearest = if nearer { Some((end, belongs)) } else { nearest };
         }
-        let found = match (&nearest, Root::read(exact)) {
+        let found = match (&nearest, Root::read(exact, meter)?) {
             (None, _) => exact == "none",
             (Some((end, _)), Some(exact)) => end.compare(&exact, meter)?.is_eq(),
             _ => false,

@@ -79,7 +79,7 @@ pub fn accepted(paper: &Paper, block: &Block) -> bool {
 }
 
 /// Words of the format that may stand in each other's place.
-const WORDS: [&[&str]; 22] = [
+pub const WORDS: [&[&str]; 25] = [
     &["confirmed", "refuted", "differs", "undefined", "lost"],
     &["confirmed", "rounding cut", "rounding away", "rounding down", "rounding nearest"],
     &[
@@ -108,6 +108,9 @@ const WORDS: [&[&str]; 22] = [
     &["polygon", "net", "row", "ring", "weights"],
     &["level", "tolerance", "at", "let"],
     &["grows", "times", "flow", "weights", "level"],
+    &["positive", "negative", "conjugate"],
+    &["continuous", "not-continuous"],
+    &["confirmed", "refuted", "rounding cut", "rounding away", "open"],
 ];
 
 /// Every alteration of a block: lines dropped, repeated and exchanged; of every field
