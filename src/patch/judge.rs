@@ -59,7 +59,7 @@ impl Rounded {
     /// `proofs/THEOREMS.md`, 95.
     pub(super) fn new(tolerance: &Rational, size: f64, terms: usize) -> Rounded {
         let terms = f64::from(u32::try_from(terms + 8).unwrap_or(u32::MAX));
-        let unit = 32.0 * terms * size * (f64::EPSILON / 2.0);
+        let unit = 98.0 * terms * size * (f64::EPSILON / 2.0);
         Rounded::with_unit(tolerance, unit)
     }
 

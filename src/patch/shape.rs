@@ -84,14 +84,13 @@ pub(super) struct Growth {
     pub(super) repeated: Option<(usize, Vec<f64>)>,
 }
 
-/// Entry i of a list that falls, the last one beyond its end.
+/// Entry i of a list. Beyond its end nothing is known.
 fn entry(bounds: &[f64], i: u32) -> f64 {
-    let last = bounds.len().saturating_sub(1);
-    bounds.get((i as usize).min(last)).copied().unwrap_or(f64::INFINITY)
+    bounds.get(i as usize).copied().unwrap_or(f64::INFINITY)
 }
 
 impl Growth {
-    /// G_i; that of a lower level if i is beyond those that are known.
+    /// G_i; infinite beyond those that are known.
     pub(super) fn bound(&self, i: u32) -> f64 {
         entry(&self.bounds, i)
     }

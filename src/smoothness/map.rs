@@ -1,10 +1,8 @@
 //! Where, in a plane of two parameters, the limits are C^m: boxes inside, boxes outside, and open boxes.
 
-use super::independence::independent;
 use super::parametric::ParametricSymbol;
 use super::range::SmoothRangeError;
 use super::region::{Certain, Search, Sides};
-use super::symbol::Symbol;
 use crate::exact::{BivariatePolynomial, Rational};
 use crate::scheme::Rules;
 use std::collections::VecDeque;
@@ -95,7 +93,7 @@ pub fn smooth_map(
         }
     }
     let sure = m == 0 || whole.is_interpolating();
-    if !sure && !boxes.iter().any(|found| is_independent(&whole, found)) {
+    if !sure && !whole.is_independent(|c, at| c.value_at(at)) {
         for found in boxes.iter_mut().filter(|found| found.certain != Certain::Inside) {
             found.certain = Certain::Open;
         }
@@ -115,14 +113,4 @@ fn quarters([x, y]: &Sides) -> Vec<Sides> {
     let [first, second] = [halves(x), halves(y)];
     let pair = |b: &[Rational; 2]| first.clone().map(|a| [a, b.clone()]);
     second.iter().flat_map(pair).collect()
-}
-
-/// Whether the shifts are linearly independent in the middle of an outer box.
-fn is_independent(symbol: &ParametricSymbol<BivariatePolynomial>, found: &MapBox) -> bool {
-    if !matches!(found.certain, Certain::Outside(_)) {
-        return false;
-    }
-    let [x, y] = [middle(&found.sides[0]), middle(&found.sides[1])];
-    let at: Symbol = symbol.value(|c| c.value_at([&x, &y]));
-    independent(&at) == at
 }

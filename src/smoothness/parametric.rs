@@ -1,9 +1,14 @@
 //! Symbols whose coefficients are polynomials in parameters.
 
+use super::independence::independent;
 use super::symbol::Symbol;
 use super::transition::windows;
 use crate::exact::{Integer, Rational, RationalPolynomial, Scalar};
 use crate::scheme::Rules;
+
+/// The values at which the independence of shifts is tried. They are no special ones.
+const PROBES: [[(i64, i64); 2]; 4] =
+    [[(3, 17), (5, 19)], [(-7, 23), (11, 29)], [(13, 7), (-17, 11)], [(-31, 13), (-37, 17)]];
 
 /// A square matrix of polynomials, row by row.
 pub(super) type PolynomialMatrix = Vec<Vec<RationalPolynomial>>;
@@ -68,6 +73,17 @@ impl<P: Scalar + PartialEq> ParametricSymbol<P> {
     /// The symbol with the values of the coefficients.
     pub(super) fn value(&self, value: impl Fn(&P) -> Rational) -> Symbol {
         Symbol::new(self.arity, 0, self.coefficients.iter().map(value).collect())
+    }
+
+    /// Whether the shifts of the basic limit function are linearly independent for all values of the parameters but the
+    /// zeros of a polynomial that is not 0; `value` gives a coefficient at two values. One probe shows it, at which
+    /// neither end of the symbol vanishes: `proofs/THEOREMS.md`, 112 (c).
+    pub(super) fn is_independent(&self, value: impl Fn(&P, [&Rational; 2]) -> Rational) -> bool {
+        PROBES.iter().any(|[one, other]| {
+            let [one, other] = [one, other].map(|(top, bottom)| Rational::new(*top, *bottom));
+            let at = self.value(|c| value(c, [&one, &other]));
+            at.coefficients().len() == self.coefficients.len() && independent(&at) == at
+        })
     }
 
     /// Whether one of the n parts is a single coefficient 1: the scheme keeps the points of its data.

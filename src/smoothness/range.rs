@@ -1,6 +1,5 @@
 //! For which parameters the limits are C^m, from both sides.
 
-use super::independence::independent;
 use super::parametric::{ParametricSymbol, PolynomialMatrix};
 use super::search::Search;
 use crate::bound::{ParameterRange, RangeError};
@@ -78,7 +77,8 @@ pub fn smooth_range(
     search.run(&contraction.union)?;
     let inside = search.inside.union(&contraction.union);
     let sure = m == 0 || whole.is_interpolating();
-    let outside = if sure { search.outside } else { generically(&whole, &search.outside) };
+    let known = sure || is_independent(&whole);
+    let outside = if known { search.outside } else { IntervalSet::default() };
     let gap = gap(&inside.union(&outside));
     Ok(SmoothRange { contraction, inside, outside, but_finitely_many: !sure, gap })
 }
@@ -124,12 +124,9 @@ impl SmoothRange {
             search.divide(ends, &self.inside, width)?;
         }
         self.inside = self.inside.union(&search.inside);
-        let outside = if self.but_finitely_many {
-            generically(&whole, &search.outside)
-        } else {
-            search.outside
-        };
-        self.outside = self.outside.union(&outside);
+        if !self.but_finitely_many || is_independent(&whole) {
+            self.outside = self.outside.union(&search.outside);
+        }
         self.gap = gap(&self.inside.union(&self.outside));
         Ok(())
     }
@@ -151,16 +148,9 @@ fn scaled_matrices(
     Ok((whole, last.scaled(&factor).matrices()))
 }
 
-/// The intervals in which some parameter has independent shifts: then all but finitely many of each have.
-fn generically(symbol: &ParametricSymbol, outside: &IntervalSet) -> IntervalSet {
-    let proper = |interval: &&Interval| {
-        interval.rational().is_some_and(|value| {
-            let at = symbol.at(&value);
-            independent(&at) == at
-        })
-    };
-    let proper = outside.intervals().iter().filter(proper).cloned().map(IntervalSet::from);
-    proper.fold(IntervalSet::default(), |union, set| union.union(&set))
+/// Whether the shifts are linearly independent for all but finitely many values.
+fn is_independent(symbol: &ParametricSymbol) -> bool {
+    symbol.is_independent(|c, [value, _]| c.value_at(value))
 }
 
 fn place(end: &Bound<RealAlgebraic>) -> Option<RealAlgebraic> {

@@ -152,7 +152,7 @@ fn reading(
 
 /// Of the cells that need a parameter, for each by row whether the reading gives it and its number tells something of
 /// the parameter's value, or whether the reading does not give it; `None` for the others. A number tells something if
-/// the reading does not give it at one of a few other values, where it has a value.
+/// the reading does not give it at one of a few other values.
 pub(crate) fn telling(space: &Space<'_>, by: &Explanation, name: &str) -> Vec<Vec<Option<bool>>> {
     let row = |row: usize| {
         let cell = |column: usize| {
@@ -177,7 +177,7 @@ pub(crate) fn telling(space: &Space<'_>, by: &Explanation, name: &str) -> Vec<Ve
                     continue;
                 }
                 let value = space.value(space.at(row, column, &settings));
-                if value.is_some_and(|value| !rounding.gives(&printed.decimal, &value)) {
+                if value.is_none_or(|value| !rounding.gives(&printed.decimal, &value)) {
                     *cell = Some(true);
                 }
             }
