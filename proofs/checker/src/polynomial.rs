@@ -118,7 +118,9 @@ fn pseudo_remainder(mut p: Vec<BigInt>, divisor: &[BigInt]) -> Vec<BigInt> {
     while p.len() > degree {
         let top = p.pop().unwrap_or_default();
         let top = if negative { -top } else { top };
-        p.iter_mut().for_each(|c| *c *= &lead);
+        for c in &mut p {
+            *c *= &lead;
+        }
         let from = p.len() - degree;
         for (c, d) in p[from..].iter_mut().zip(divisor) {
             *c -= &top * d;

@@ -131,6 +131,13 @@ impl Element {
         &self.p
     }
 
+    /// By how many binary digits the coordinates of a product grow where the polynomial divides it.
+    pub fn growth(&self) -> u64 {
+        let polynomial =
+            self.field.as_ref().filter(|_| self.p.len() > 1).map(|field| &field.polynomial);
+        polynomial.map_or(0, |p| self.p.len() as u64 * p.last().map_or(0, bits))
+    }
+
     fn with(&self, other: &Element, p: Vec<Q>) -> Element {
         let field = self.field.as_ref().or(other.field.as_ref()).cloned();
         Element::new(p, field)

@@ -104,6 +104,7 @@ impl Number for Element {
     fn cost(&self) -> u64 {
         let coordinates = self.coordinates();
         let longest = coordinates.iter().map(bits).max().unwrap_or(0);
+        let longest = longest + self.growth();
         // Each of these fractions takes a common divisor.
         1 + (coordinates.len() * coordinates.len()) as u64 * (longest / 32 + steps(longest))
     }

@@ -3,6 +3,7 @@
 
 use super::suite::{Claim, Falsehood, Pair, Suite};
 use std::collections::BTreeMap;
+use std::fmt::Write as _;
 use std::path::Path;
 
 const CLAIMS: &str = include_str!("../rules/claims.toml");
@@ -241,7 +242,7 @@ pub fn suite() -> Suite {
         let opposite = claim.replacen(&change.claim[0], &change.claim[1], 1);
         let opposite =
             opposite.replacen(&format!("id = \"{id}\""), &format!("id = \"{id}-not\""), 1);
-        claims.push_str(&format!("\n[[{kind}]]\n{opposite}\n"));
+        let _ = write!(claims, "\n[[{kind}]]\n{opposite}\n");
         let [was, now] = &change.certificate;
         let otherwise = repeated.join("\n").replacen(&was[..], now, 1);
         let last: Vec<String> =

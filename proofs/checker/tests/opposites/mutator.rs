@@ -84,7 +84,7 @@ fn change(random: &mut Random, lines: &mut Vec<String>, other: &[String]) {
             let same: Vec<&String> =
                 other.iter().filter(|line| line.split(' ').next() == Some(&word)).collect();
             if !same.is_empty() {
-                lines[at] = (*random.one(&same)).clone();
+                lines[at].clone_from(same[random.below(same.len())]);
             }
         }
         9 | 10 => lines[at] = words(random, &lines[at]),

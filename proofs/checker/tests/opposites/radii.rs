@@ -1,9 +1,8 @@
 //! Certificates of joint spectral radii, changed at random: whatever is accepted is true, as products of few
 //! factors show in floating point.
 
-use super::masks::{
-    Mask, Q, diagonal, float, int, multiply, norm, radius_from_below, random_mask, trivial_hull,
-};
+use super::floats::{multiply, radius_from_below};
+use super::masks::{Mask, Q, diagonal, float, int, norm, random_mask, trivial_hull};
 use super::mutator::{Random, mutant};
 use num_traits::Signed;
 use subcert_check::{Radius, check_radius};
@@ -57,7 +56,7 @@ fn matrices(random: &mut Random) -> Vec<String> {
     let row = |row: &Vec<Q>| row.iter().map(Q::to_string).collect::<Vec<_>>().join(" ");
     let words = |m: &Vec<Vec<Q>>| m.iter().map(row).collect::<Vec<_>>().join(" | ");
     let mut lines: Vec<String> = matrices.iter().map(|m| format!("matrix {}", words(m))).collect();
-    let factors: Vec<usize> = (0..1 + random.below(3)).map(|_| random.below(count)).collect();
+    let factors: Vec<usize> = (0..=random.below(3)).map(|_| random.below(count)).collect();
     let q = diagonal(&matrices, &factors, random);
     let kind = if q.is_negative() { "negative" } else { "positive" };
     let factors: Vec<String> = factors.iter().map(usize::to_string).collect();
@@ -173,7 +172,7 @@ fn radius_from_above(matrices: &[Vec<Vec<f64>>]) -> f64 {
     let mut products = matrices.to_vec();
     let longest: usize = if matrices.len() == 1 { 30 } else { 8 };
     for l in 1..=longest {
-        let sum = |row: &Vec<f64>| row.iter().map(|x| x.abs()).sum::<f64>();
+        let sum = |row: &Vec<f64>| row.iter().copied().map(f64::abs).sum::<f64>();
         let norm = products.iter().flatten().map(sum).fold(0.0, f64::max);
         best = best.min(norm.powf(1.0 / l as f64));
         if l == longest || products.len() * matrices.len() > 600 {

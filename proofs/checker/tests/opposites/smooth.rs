@@ -1,12 +1,12 @@
 //! Claims about smoothness, exponents and ranges of smoothness, and their opposites.
 
-use super::masks::{Mask, Q, int, random_mask, spline_times};
+use super::masks::{Mask, int, random_mask, spline_times};
 use super::mutator::Random;
 use super::suite::{Claim, Falsehood, Pair, Suite};
 use std::fmt::Write as _;
 
 /// How far a number is from a bound that floating-point numbers show.
-const MARGIN: f64 = 1e-6;
+pub const MARGIN: f64 = 1e-6;
 
 /// What is claimed of an exponent.
 #[derive(Clone)]
@@ -39,7 +39,7 @@ impl Stated {
 }
 
 /// What is false of a claim that all of these hold, if its block is accepted.
-fn falsehood(parts: Vec<Option<bool>>, rounded: Vec<(&'static str, Option<bool>)>) -> Falsehood {
+pub fn falsehood(parts: &[Option<bool>], rounded: Vec<(&'static str, Option<bool>)>) -> Falsehood {
     let known = |truth: bool| move |part: &Option<bool>| *part == Some(truth);
     let (refutable, sure) = (parts.iter().any(known(false)), parts.iter().all(known(true)));
     Box::new(move |block| {
@@ -56,7 +56,7 @@ fn falsehood(parts: Vec<Option<bool>>, rounded: Vec<(&'static str, Option<bool>)
     })
 }
 
-fn lines(texts: &[&str]) -> Vec<String> {
+pub fn lines(texts: &[&str]) -> Vec<String> {
     texts.iter().map(|&text| text.to_owned()).collect()
 }
 
@@ -116,7 +116,7 @@ pub fn suite(random: &mut Random) -> Suite {
                     seeds: radius(if stated == Some(false) { "refuted" } else { "confirmed" }),
                     lies: lines(&["confirmed", "refuted"]),
                     replaced: Default::default(),
-                    falsehood: falsehood(vec![stated], Vec::new()),
+                    falsehood: falsehood(&[stated], Vec::new()),
                 }
             };
             let one = claim("c", "continuous", smooth);
@@ -174,7 +174,7 @@ fn exponents(
             seeds: radius("confirmed"),
             lies: lines(&["confirmed", "refuted", "rounding cut", "rounding away"]),
             replaced: Default::default(),
-            falsehood: falsehood(parts, rounded),
+            falsehood: falsehood(&parts, rounded),
         }
     };
     for (place, x) in ["1", "3/2", "2", "5/2"].into_iter().enumerate() {
@@ -195,110 +195,11 @@ fn exponents(
     let one = claim(format!("near-{name}"), &[("printed", &near, stated(&near))]);
     let other = claim(format!("far-{name}"), &[("printed", &far, stated(&far))]);
     pairs.push(Pair { claims: [one, other], exclusive: true, complementary: false });
-    let beyond = format!("{} + 1", near);
+    let beyond = format!("{near} + 1");
     let value: f64 = near.parse::<f64>().unwrap_or(0.0) + 1.0;
     let both = |word, part| [("printed", &near[..], stated(&near)), (word, &beyond[..], part)];
     let one = claim(format!("equal-{name}"), &both("value", Stated::Equal(value)));
     let other = claim(format!("more-{name}"), &both("at-least", Stated::AtLeast(value)));
     pairs.push(Pair { claims: [one, other], exclusive: false, complementary: false });
     pairs
-}
-
-/// Ranges of the tension of the four-point scheme, of one mask and of tensor products with it.
-pub fn ranges(random: &mut Random) -> Suite {
-    let mut claims = "key = 'ranges'\n".to_owned();
-    let rough = Mask::new(2, spline_times(2, 1, &[int(1)]));
-    let linear = Mask::new(2, spline_times(2, 2, &[int(1)]));
-    for (name, mask) in [("rough", &rough), ("linear", &linear)] {
-        let _ = writeln!(claims, "[[scheme]]\nname = '{name}'\n{}", mask.toml());
-    }
-    let at = |w: i64| four_point(&Q::new(w.into(), 1000.into()));
-    let contraction = |levels: &str, rest: &[&str]| {
-        [&[levels], rest].concat().iter().map(|&text| text.to_owned()).collect::<Vec<String>>()
-    };
-    let mut pairs = Vec::new();
-    for (place, (from, to)) in
-        [(10, 100), (0, 125), (-100, 100), (20, 400), (30, 140)].into_iter().enumerate()
-    {
-        for (which, scheme) in [
-            "four-point:w=w",
-            "four-point:w=w x linear",
-            "rough x four-point:w=w",
-            "four-point:w=w x rough",
-        ]
-        .into_iter()
-        .enumerate()
-        {
-            let factor = match which {
-                0 => f64::INFINITY,
-                1 => 1.0,
-                _ => 0.0,
-            };
-            let mut claim = |kind: &str, m: i64, only: bool| {
-                let id = format!("{kind}-{place}-{which}");
-                let _ = writeln!(
-                    claims,
-                    "[[range]]\nid = '{id}'\nvariable = 'w'\nscheme = '{scheme}'\nsmoothness = '{m}'\nfrom = '{from}/1000'\nto = '{to}/1000'\nonly = {only}"
-                );
-                let m = m as f64;
-                let exponent = |w: i64| at(w).exponent.map(|x| x.min(factor));
-                let inside: Vec<[f64; 2]> =
-                    (1..8).map(|i| exponent(from + (to - from) * i / 8)).collect();
-                let fails = |[_, high]: &[f64; 2]| *high < m - MARGIN;
-                let holds = |[low, _]: &[f64; 2]| *low > m + MARGIN;
-                let wrong = inside.iter().any(fails) || factor < m;
-                // Only where all of a grid holds, it is nearly sure that the claim is true.
-                let right = !only && inside.iter().all(holds);
-                let mut seeds = vec![
-                    contraction(
-                        "contraction 1",
-                        &["breaks -1/4 1/4", "signs + 0 - 0 +", "confirmed"],
-                    ),
-                    contraction(
-                        "contraction 2",
-                        &["breaks 0 root:-1,4,16:1/8:5/32", "signs + 0 - 0 +", "confirmed"],
-                    ),
-                ];
-                for w in [from - 30, (from + to) / 2, to - 1, to + 30] {
-                    let mask = at(w);
-                    for order in [1, mask.order] {
-                        let mut lines = vec![format!("at {w}/1000")];
-                        lines.extend(mask.radius(random, order));
-                        lines.push("refuted".to_owned());
-                        seeds.push(lines);
-                    }
-                }
-                Claim {
-                    head: format!("range {id}"),
-                    restated: vec![
-                        "variable w".to_owned(),
-                        format!("scheme {scheme}"),
-                        format!("smoothness {m}"),
-                    ],
-                    seeds,
-                    lies: lines(&["confirmed", "refuted"]),
-                    replaced: Default::default(),
-                    falsehood: falsehood(
-                        vec![if wrong { Some(false) } else { right.then_some(true) }],
-                        Vec::new(),
-                    ),
-                }
-            };
-            for kinds in [
-                [("all", 1, false), ("only", 1, true)],
-                [("continuous", 0, false), ("smoother", 2, false)],
-            ] {
-                let claims = kinds.map(|(kind, m, only)| claim(kind, m, only));
-                pairs.push(Pair { claims, exclusive: false, complementary: false });
-            }
-        }
-    }
-    Suite { about: "paper ranges", claims, pairs }
-}
-
-/// The four-point scheme of Dyn, Gregory and Levin: −w(1 + z^6) + (1/2 + w)(z² + z⁴) + z³.
-fn four_point(w: &Q) -> Mask {
-    let side = Q::new(1.into(), 2.into()) + w;
-    let zero = int(0);
-    Mask::new(2, vec![-w, zero.clone(), side.clone(), int(1), side, zero, -w])
 }

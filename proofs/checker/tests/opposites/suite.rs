@@ -187,12 +187,14 @@ impl Suite {
         }
         let [theirs, own] = &pair.claims[side].replaced;
         if !theirs.is_empty() {
-            body.iter_mut().for_each(|line| *line = line.replace(&theirs[..], own));
+            for line in &mut body {
+                *line = line.replace(&theirs[..], own);
+            }
         }
         let lies = &pair.claims[side].lies;
         if !lies.is_empty() && !body.is_empty() && !random.once_in(3) {
             let last = body.len() - 1;
-            body[last] = random.one(lies).clone();
+            body[last].clone_from(random.one(lies));
         }
         body
     }

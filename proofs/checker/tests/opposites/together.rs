@@ -1,5 +1,6 @@
 //! Certificates that rest on each other.
 
+use std::fmt::Write as _;
 use subcert_check::{Outcome, check};
 
 const CLAIMS: &str = r#"
@@ -60,7 +61,7 @@ fn outcome(blocks: &[&str], id: &str) -> Outcome {
 fn takes(id: &str, q: &str, cells: [(&str, &str); 3]) -> String {
     let mut text = format!("table {id}\n value x*q\n recovered q {q} from gives-more\n");
     for (place, (printed, value)) in (1..).zip(cells) {
-        text += &format!(" cell 1 {place} \"{printed}\" {value} reproduced assuming q\n");
+        let _ = writeln!(text, " cell 1 {place} \"{printed}\" {value} reproduced assuming q");
     }
     text + " family 3\n member : 3 3 3\n"
 }
@@ -74,10 +75,10 @@ fn gives(q: &str, sums: [&str; 3]) -> String {
     for (place, (printed, value)) in
         (1..).zip(["0.432075", "0.820995", "1.209635"].iter().zip(values))
     {
-        text += &format!(" cell 1 {place} \"{printed}\" {value} reproduced assuming p\n");
+        let _ = writeln!(text, " cell 1 {place} \"{printed}\" {value} reproduced assuming p");
     }
     for (place, sum) in (1..).zip(sums) {
-        text += &format!(" cell 2 {place} \"7.123457\" {sum} differs assuming p q\n");
+        let _ = writeln!(text, " cell 2 {place} \"7.123457\" {sum} differs assuming p q");
     }
     text + " family 3\n member : 3 3 3\n"
 }
