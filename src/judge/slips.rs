@@ -43,9 +43,13 @@ impl Evaluator<'_> {
                     {
                         Verdict::OtherReading
                     }
-                    Verdict::Refuted if !self.is_depth() && matches!(part, Part::Table(true)) => {
-                        self.slip(&printed.decimal, &reading.values, row, column)
-                    }
+                    Verdict::Refuted if !self.is_depth() && shift == (0, 0) => match part {
+                        Part::Table(true) => {
+                            self.slip(&printed.decimal, &reading.values, row, column)
+                        }
+                        Part::Table(false) => continue,
+                        Part::Line(_) => compare::judge(&printed.decimal, &value, &[]),
+                    },
                     _ => continue,
                 };
                 let mut rounded = None;

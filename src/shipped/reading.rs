@@ -12,12 +12,16 @@ const MAX_PLACES: u32 = 17;
 /// and the number of readings have to leave a factor of 10 to this power.
 const MARGIN: u32 = 3;
 
-/// The reading that explains every number of the table, if there is one.
+/// The reading that explains every number of the table, if there is one. A number that is open is not shown to be wrong, so
+/// that nothing explains it.
 pub(super) fn reading(
     project: &Project,
     claim: &ShippedClaim,
     cells: &[ShippedCell],
 ) -> Option<Reading> {
+    if cells.iter().any(|cell| cell.verdict == Verdict::Open) {
+        return None;
+    }
     let convention = (0..claim.conventions.len()).find(|&number| {
         let values = Values::new(project, claim, None);
         let exact = &claim.conventions[number].exact;
@@ -61,7 +65,7 @@ fn kept(way: Early) -> u32 {
     }
 }
 
-/// Whether a reading accepts all numbers. Those that are wrong as printed come first: most readings fail there.
+/// Whether a reading accepts all numbers, and one is better by it than as printed. Those that are wrong as printed come first: most readings fail there.
 fn all_accepted(
     claim: &ShippedClaim,
     cells: &[ShippedCell],
@@ -69,10 +73,16 @@ fn all_accepted(
 ) -> bool {
     let wrong = |place: &usize| !cells[*place].verdict.is_accepted();
     let (first, rest): (Vec<usize>, Vec<usize>) = (0..cells.len()).partition(wrong);
-    first.into_iter().chain(rest).all(|place| {
+    let mut better = false;
+    let all = first.into_iter().chain(rest).all(|place| {
         let number = &claim.numbers[place];
-        exact(place).is_some_and(|x| verdict(&x, number, claim.kind).is_accepted())
-    })
+        exact(place).is_some_and(|x| {
+            let found = verdict(&x, number, claim.kind);
+            better |= found.outcome() < cells[place].verdict.outcome();
+            found.is_accepted()
+        })
+    });
+    all && better
 }
 
 /// How many digits a reading has to explain: of each number that is not accepted as printed, those that do not agree.
@@ -83,7 +93,7 @@ fn explained_digits(claim: &ShippedClaim, cells: &[ShippedCell]) -> u32 {
         super::NumberType::Decimal(digits) => digits,
     };
     let digits = |(place, cell): (usize, &ShippedCell)| {
-        if cell.verdict.is_accepted() || cell.verdict == Verdict::Open {
+        if cell.verdict.is_accepted() {
             return 0;
         }
         let number = &claim.numbers[place];

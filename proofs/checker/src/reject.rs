@@ -72,7 +72,7 @@ reasons! {
     Assumed(said: Text, found: Text) "the assumptions do not fit: the certificate says {said}, and it is {found}"
     NotRecovered "the cell is not reproduced: its parameters are stated, or not recovered, or the reading does not give it as it stands"
     Recovered(name: String) "the paper states this parameter, or it has a value already: {name}"
-    GivesFew "the reading gives fewer than half of the cells that it is about, or is that of a row or column"
+    GivesFew "the reading gives fewer than half of the cells that it is about"
     Undetermined(name: String) "the numbers that tell the value of {name} may give it by luck"
     NotGiven(name: String, value: Text, table: String) "the numbers of {table} do not give {name} = {value}"
     NotNearest(printed: Text, value: Text) "the printed {printed} is not the correctly rounded value of {value}"
@@ -113,6 +113,7 @@ reasons! {
     NoContraction "the constant of the block is not below 1"
     TooLarge(bound: Text, claimed: Text) "the bound is {bound}, above the {claimed} that is claimed"
     Open "the theorem is open"
+    OpenNumber "a number is open"
     NoStatement "THEOREMS.md has no such statement"
     Premise(id: String) "the proof uses a claim that is not shown to hold: {id}"
     NotListed(name: String) "the claim lists another parameter here, or other values of it: {name}"
@@ -137,7 +138,7 @@ reasons! {
     Uncovered "the condition is not shown in the whole printed range"
     NoLiteral(said: Text, what: &'static str) "`{said}` is no number in the language of the table: expected is {what}"
     NotRight(number: Text, verdict: Text) "by the reading the number {number} is {verdict}"
-    NoNeed "every number is right as the table is described; a reading explains nothing"
+    NoNeed "a number is open, or none is wrong and better by the reading, which explains nothing"
     NotViolated(value: Text, bound: Text) "the value is {value}, which does not violate the bound {bound}"
 }
 
@@ -192,6 +193,7 @@ impl Rejection {
         matches!(
             self.reason,
             Reason::Open
+                | Reason::OpenNumber
                 | Reason::Premise(_)
                 | Reason::Field(_)
                 | Reason::Stopped(Stop::Capped(_) | Stop::Undecided(_))

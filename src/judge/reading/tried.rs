@@ -187,18 +187,11 @@ pub(crate) fn telling(space: &Space<'_>, by: &Explanation, name: &str) -> Vec<Ve
 }
 
 /// Other values of a parameter.
-fn probes(value: &Rational) -> [Rational; 7] {
+fn probes(value: &Rational) -> [Rational; 8] {
     let [one, two, ten] = [1, 2, 10].map(Rational::from);
-    let tenth = &one / &ten;
-    [
-        value + &one,
-        value - &one,
-        value + tenth,
-        value * &two,
-        value / &two,
-        value * &ten,
-        value / &ten,
-    ]
+    let near = [value + &one, value - &one, value + &one / &ten, value + &ten];
+    let [a, b, c, d] = near;
+    [a, b, c, d, value * &two, value / &two, value * &ten, value / &ten]
 }
 
 /// The explanations of most cells and, among these, those with the fewest differences.

@@ -175,15 +175,15 @@ impl Cell<'_> {
             }
             ([], None) => self.need(given, known, Reason::NotExplained),
             (["rounding", way @ ("cut" | "away")], None) => {
-                require(self.bears(part)?, Reason::GivesFew)?;
                 self.need(self.rounding(exact)? == "neither", exact, Reason::Nearest)?;
                 self.rounded(known, way)?;
-                self.digits("rounding")
+                self.digits("rounding")?;
+                require(self.bears(part)?, Reason::GivesFew)
             }
             ([word, slip @ ..], None) => {
                 require(*word == "misprint", Reason::Depth)?;
-                require(self.bears(part)?, Reason::GivesFew)?;
-                self.slip(&slip.join(" "), known, around(part))
+                self.slip(&slip.join(" "), known, around(part))?;
+                require(self.bears(part)?, Reason::GivesFew)
             }
         }
     }
@@ -206,11 +206,11 @@ impl Cell<'_> {
         Ok(())
     }
 
-    /// Whether a reading bears roundings and slips: it is one of the whole table, and gives half of the cells that it is
+    /// Whether a reading bears roundings and slips: it is that of a row or column, or gives half of the cells that it is
     /// about, or more. A reading that gives few of them may give these by luck, and a slip from its value even more so.
     fn bears(&self, part: &PartRead) -> Checked<bool> {
         if !part.is_whole() {
-            return Ok(false);
+            return Ok(true);
         }
         let cells = self.table.cells(self.plain);
         let given =

@@ -166,9 +166,11 @@ fn belongs(
 }
 
 /// Other values of a parameter. What a cell tells of its value v shows where it is not given at one of them.
-fn probes(v: &Q) -> [Q; 7] {
-    let tenth = int(10).recip();
-    [v + int(1), v - int(1), v + tenth, v * int(2), v / int(2), v * int(10), v / int(10)]
+fn probes(v: &Q) -> [Q; 8] {
+    let ten = int(10);
+    let near = [v + int(1), v - int(1), v + ten.recip(), v + &ten];
+    let [a, b, c, d] = near;
+    [a, b, c, d, v * int(2), v / int(2), v * &ten, v / ten]
 }
 
 /// A family all of whose members have been checked.

@@ -90,7 +90,7 @@ fn judge(
     let printed = Values::new(definitions, bits, meter, None);
     let read = Values::new(definitions, bits, meter, change);
     let mut counts: Vec<(String, usize)> = Vec::new();
-    let mut worst = Verdict::Nearest;
+    let (mut worst, mut better, mut is_open) = (Verdict::Nearest, false, false);
     for place in 0..table.count {
         meter.restart();
         let (said, number) = cell(&table, block, place)?;
@@ -100,6 +100,9 @@ fn judge(
             verdict(&table.value(&table.exact, place, &printed)?, &number, table.of)?
         };
         compare(found.to_string() == said, said, &found, Reason::Verdict)?;
+        is_open |= found == Verdict::Open;
+        // What is open is not shown to be wrong, and so no need of a reading.
+        require(reading.is_none() || found != Verdict::Open, Reason::NoNeed)?;
         if let Some(reading) = &reading {
             let by_reading = table.value(reading.exact(&table), place, &read)?;
             let by_reading = verdict(&by_reading, &number, table.of)?;
@@ -108,6 +111,7 @@ fn judge(
                 let (number, verdict) = wrong();
                 Reason::NotRight(number, verdict)
             })?;
+            better |= by_reading.outcome().0 < found.outcome().0;
         }
         let name = found.outcome().1;
         match counts.iter_mut().find(|(known, _)| known == name) {
@@ -118,13 +122,16 @@ fn judge(
     }
     let outcome = match &reading {
         // Numbers that are the nearest, rounded or cut need no reading.
-        Some(_) if worst.outcome().0 < 2 => return Err(Reason::NoNeed.into()),
+        // A reading by which no number is better explains nothing.
+        Some(_) if worst.outcome().0 < 2 || !better => return Err(Reason::NoNeed.into()),
         Some(_) => "otherwise",
         None => worst.outcome().1,
     };
     let said = block.after("outcome")?;
     compare(said == outcome, said, outcome, Reason::Verdict)?;
     block.finished()?;
+    // Nothing is computed of a number that is open, and so nothing of the table is certified.
+    require(!is_open, Reason::OpenNumber)?;
     let counts: Vec<String> =
         counts.iter().map(|(verdict, count)| format!("{count} {verdict}")).collect();
     Ok(format!("{outcome}: {}", counts.join(", ")))
