@@ -93,7 +93,7 @@ pub fn smooth_map(
         }
     }
     let sure = m == 0 || whole.is_interpolating();
-    if !sure && !whole.is_independent(|c, at| c.value_at(at)) {
+    if !sure && !whole.is_independent(BivariatePolynomial::value_at) {
         for found in boxes.iter_mut().filter(|found| found.certain != Certain::Inside) {
             found.certain = Certain::Open;
         }

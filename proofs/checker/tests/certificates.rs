@@ -227,12 +227,11 @@ const LEVELS: [&str; 11] = [
 
 /// Tables with depths, sound bounds, recovered parameters, readings of rows and columns, and
 /// refuted cells, of whose alterations some are tried.
-const LARGE: [(&str, &str); 8] = [
+const LARGE: [(&str, &str); 7] = [
     ("khan2019-newton", "table-1"),
     ("khan2019-newton", "table-3"),
     ("khan2022-doo-sabin", "table-1"),
     ("khan2022-doo-sabin", "table-2-2"),
-    ("khan2022-doo-sabin", "table-2-3"),
     ("mustafa2020-nary", "table-3"),
     ("mustafa2020-nary", "table-8"),
     ("mustafa2020-nary", "table-14"),
