@@ -77,6 +77,18 @@ impl<'a> FreeParameter<'a> {
     }
 }
 
+/// The functions of schemes that are not computed as functions of a free parameter.
+const NO_FUNCTIONS: [&str; 2] = ["surface_displacement", "levels"];
+
+/// Whether no part of a table's formula is a quantity that is not computed as a function of a free
+/// parameter. It is asked first, as the arguments of such a quantity may take long.
+pub(crate) fn is_function(judge: &Evaluator<'_>) -> bool {
+    let value = &judge.table.value;
+    let led = judge.paper.definitions_in(value).into_values();
+    let mut all = [value].into_iter().chain(led);
+    all.all(|formula| NO_FUNCTIONS.iter().all(|name| !formula.expr.functions().contains(name)))
+}
+
 /// The value of a table's formula in one cell as a function of an unstated parameter. The function
 /// is exact on `window`. `None` where the value is not piecewise polynomial.
 pub(crate) fn of_cell(
@@ -183,7 +195,7 @@ impl Functions<Parametric> for Constants<'_> {
                     Suprema::Joint => self.joint([found.difference(), mask.rules()], c, order)?,
                 }
             }
-            (name @ ("surface_displacement" | "levels"), _) => {
+            (name, _) if NO_FUNCTIONS.contains(&name) => {
                 let message = format!("`{name}` is not computed as a function of a free parameter");
                 return Err(CallError::Misuse(message));
             }

@@ -25,14 +25,15 @@ pub(crate) const RANGE: i64 = 10;
 const MAX_INTERVALS: usize = 64;
 
 /// Solves for the unknown parameter under each reading, with the other parameters at their values.
-/// Finds nothing for tables of depths, or if the values are proportional to the parameter.
+/// Finds nothing for tables of depths, if the values are proportional to the parameter, or if the
+/// formula is no function of it that is computed.
 pub(crate) fn search(
     space: &Space<'_>,
     readings: &[Vec<Change>],
     least: usize,
 ) -> Vec<Explanation> {
     let mut found = Vec::new();
-    let solvable = !space.is_depth() && space.scale.is_none();
+    let solvable = !space.is_depth() && space.scale.is_none() && parametric::is_function(space.judge);
     let Some(name) = space.unknown.filter(|_| solvable) else { return found };
     for reading in readings {
         let settings = space.settings(reading);
