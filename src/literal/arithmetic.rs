@@ -37,8 +37,8 @@ impl Reader<'_> {
         if repeated {
             return Err(self.wrong("`**` and `//` are not computed".to_owned()));
         }
-        let sides = Box::new([left, right(self)?]);
-        Ok(Expression::Operation { sign, language: self.language, sides })
+        let right = right(self)?;
+        Expression::operation(sign, left, right, self.language).map_err(|why| self.wrong(why))
     }
 
     fn factor(&mut self, depth: usize) -> Result<Expression, Diagnostic> {
@@ -48,7 +48,7 @@ impl Reader<'_> {
         match self.peek() {
             Some(Kind::Sign('-')) => {
                 self.at += 1;
-                Ok(Expression::Minus(Box::new(self.factor(depth + 1)?)))
+                self.factor(depth + 1)?.minus().map_err(|why| self.wrong(why))
             }
             Some(Kind::Sign('+')) => {
                 self.at += 1;

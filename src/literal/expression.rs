@@ -2,6 +2,7 @@
 
 use super::language::{Language, Precision};
 use super::number::{Number, Type};
+use super::whole::Whole;
 use crate::exact::Rational;
 use crate::float::{nearest, nearest_f32};
 
@@ -9,12 +10,15 @@ use crate::float::{nearest, nearest_f32};
 #[derive(Clone, Debug)]
 pub(super) enum Expression {
     Number(Number),
+    /// The result of operations on integers.
+    Whole(Whole),
+    /// The same value with the other sign.
     Minus(Box<Expression>),
     /// A conversion to a type.
     Cast(Precision, Box<Expression>),
+    /// An operation on floating-point numbers, or a quotient of Python's integers.
     Operation {
         sign: char,
-        language: Language,
         sides: Box<[Expression; 2]>,
     },
 }
@@ -29,39 +33,79 @@ enum Held {
 }
 
 impl Expression {
+    /// −x.
+    pub(super) fn minus(self) -> Result<Expression, String> {
+        if let Some(whole) = self.whole() {
+            let value = -whole.value.clone();
+            let negated = whole.negated()?;
+            if negated.value != value {
+                return Ok(Expression::Whole(negated));
+            }
+        }
+        Ok(Expression::Minus(Box::new(self)))
+    }
+
+    /// An operation; the error says why it is not computed.
+    pub(super) fn operation(
+        sign: char,
+        left: Expression,
+        right: Expression,
+        language: Language,
+    ) -> Result<Expression, String> {
+        if left.is_long() || right.is_long() {
+            return Err("arithmetic of long doubles depends on the machine".to_owned());
+        }
+        match (left.whole(), right.whole()) {
+            (Some(x), Some(y)) if sign != '/' || language.truncates() => {
+                Ok(Expression::Whole(x.operate(sign, y)?))
+            }
+            (Some(_), Some(y)) if y.value.is_zero() => Err("a division by zero".to_owned()),
+            _ => Ok(Expression::Operation { sign, sides: Box::new([left, right]) }),
+        }
+    }
+
+    /// The integer, if the language computes with integers here.
+    fn whole(&self) -> Option<Whole> {
+        match self {
+            Expression::Number(number) => match number.kind {
+                Type::Integer(width) => Some(Whole { value: number.value.numerator(), width }),
+                _ => None,
+            },
+            Expression::Whole(whole) => Some(whole.clone()),
+            Expression::Minus(inner) => {
+                inner.whole().map(|whole| Whole { value: -whole.value, ..whole })
+            }
+            Expression::Cast(..) | Expression::Operation { .. } => None,
+        }
+    }
+
+    fn is_long(&self) -> bool {
+        match self {
+            Expression::Number(number) => number.kind == Type::Long,
+            Expression::Minus(inner) => inner.is_long(),
+            _ => false,
+        }
+    }
+
     /// The literal, if this is one, and whether a minus stands before it.
     pub(super) fn literal(&self) -> Option<(bool, &Number)> {
         match self {
             Expression::Number(number) => Some((false, number)),
             Expression::Minus(inner) => inner.literal().map(|(minus, number)| (!minus, number)),
             Expression::Cast(_, inner) => inner.literal(),
-            Expression::Operation { .. } => None,
+            Expression::Whole(_) | Expression::Operation { .. } => None,
         }
     }
 
-    /// The value without any rounding but that of a division of integers.
+    /// The value without any rounding; integers are computed as the language does.
     pub(super) fn exact(&self) -> Option<Rational> {
         match self {
             Expression::Number(number) => Some(number.value.clone()),
             Expression::Minus(inner) => inner.exact().map(|value| -value),
             Expression::Cast(_, inner) => inner.exact(),
-            Expression::Operation { sign, sides, .. } => {
-                let [left, right] = [sides[0].exact()?, sides[1].exact()?];
-                let truncates = self.is_integer();
-                operate(*sign, left, right, truncates)
-            }
-        }
-    }
-
-    /// Whether the language computes with integers here.
-    fn is_integer(&self) -> bool {
-        match self {
-            Expression::Number(number) => number.kind == Type::Integer,
-            Expression::Minus(inner) => inner.is_integer(),
-            Expression::Cast(..) => false,
-            Expression::Operation { sign, language, sides } => {
-                let quotient = *sign == '/' && !language.truncates();
-                !quotient && sides.iter().all(Expression::is_integer)
+            Expression::Whole(whole) => Some(whole.value.clone().into()),
+            Expression::Operation { sign, sides } => {
+                operate(*sign, sides[0].exact()?, sides[1].exact()?)
             }
         }
     }
@@ -74,11 +118,12 @@ impl Expression {
     fn evaluate(&self, table: Precision) -> Held {
         match self {
             Expression::Number(number) => match number.kind {
-                Type::Integer => Held::Integer(number.value.clone()),
+                Type::Integer(_) => Held::Integer(number.value.clone()),
                 Type::Long => Held::Long(number.value.clone()),
                 Type::Float(precision) => Held::new(&number.value, precision),
                 Type::Table => Held::new(&number.value, table),
             },
+            Expression::Whole(whole) => Held::Integer(whole.value.clone().into()),
             Expression::Minus(inner) => match inner.evaluate(table) {
                 Held::Integer(value) => Held::Integer(-value),
                 Held::Single(value) => Held::Single(-value),
@@ -89,9 +134,8 @@ impl Expression {
                 let value = inner.evaluate(table).to(*precision);
                 Held::rounded(value, *precision)
             }
-            Expression::Operation { sign, language, sides } => {
-                let [left, right] = [sides[0].evaluate(table), sides[1].evaluate(table)];
-                compute(*sign, &left, &right, *language)
+            Expression::Operation { sign, sides } => {
+                compute(*sign, &sides[0].evaluate(table), &sides[1].evaluate(table))
             }
         }
     }
@@ -138,13 +182,11 @@ fn single(value: f64) -> f32 {
     value as f32
 }
 
-fn compute(sign: char, left: &Held, right: &Held, language: Language) -> Held {
+fn compute(sign: char, left: &Held, right: &Held) -> Held {
     match (left, right) {
-        (Held::Integer(x), Held::Integer(y)) if sign != '/' || language.truncates() => {
-            match operate(sign, x.clone(), y.clone(), true) {
-                Some(value) => Held::Integer(value),
-                None => Held::Double(f64::NAN),
-            }
+        // Python rounds the quotient of two integers once.
+        (Held::Integer(x), Held::Integer(y)) => {
+            Held::Double(operate(sign, x.clone(), y.clone()).as_ref().map_or(f64::NAN, nearest))
         }
         (Held::Single(_), Held::Single(_) | Held::Integer(_))
         | (Held::Integer(_), Held::Single(_)) => {
@@ -168,19 +210,12 @@ fn arithmetic(sign: char, x: f64, y: f64) -> f64 {
 }
 
 /// The exact result; `None` of a division by zero.
-fn operate(sign: char, x: Rational, y: Rational, truncates: bool) -> Option<Rational> {
+fn operate(sign: char, x: Rational, y: Rational) -> Option<Rational> {
     Some(match sign {
         '+' => x + y,
         '-' => x - y,
         '*' => x * y,
         _ if y.is_zero() => return None,
-        _ if truncates => {
-            let quotient = (x / y).clone();
-            let size = quotient.abs();
-            let (whole, _) = size.numerator().div_rem_floor(&size.denominator());
-            let whole = Rational::from(whole);
-            if quotient.sign() < 0 { -whole } else { whole }
-        }
         _ => x / y,
     })
 }

@@ -21,6 +21,7 @@ mod number;
 mod reader;
 mod table;
 mod token;
+mod whole;
 
 pub use entry::{Entry, Written};
 pub use language::{Language, Precision};

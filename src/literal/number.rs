@@ -1,13 +1,14 @@
 //! One literal: its digits and its suffix.
 
 use super::language::{Language, Precision};
+use super::whole::{Whole, Width};
 use crate::exact::{Integer, Rational};
 
 /// What a literal is in its language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Type {
-    /// An integer.
-    Integer,
+    /// An integer of this type.
+    Integer(Width),
     /// A number of this precision.
     Float(Precision),
     /// A number of the precision of the table.
@@ -52,30 +53,36 @@ pub(super) fn number(text: &str, language: Language) -> Result<Number, String> {
     if whole && base == 10 && parts.digits.len() > 1 && parts.digits.starts_with('0') {
         return Err("an integer with a leading 0, which some languages read in octal".to_owned());
     }
-    let kind = kind(parts.suffix, whole, language)?;
+    let value = parts.value(base)?;
+    let kind = match kind(parts.suffix, whole, language)? {
+        Some(kind) => kind,
+        None => {
+            let whole = Whole::literal(value.numerator(), parts.suffix, base == 10, language)?;
+            Type::Integer(whole.width)
+        }
+    };
     Ok(Number {
-        value: parts.value(base)?,
+        value,
         kind,
         digits: (base == 10).then(|| parts.significant()),
         places: parts.places().filter(|_| base == 10),
     })
 }
 
-/// The type that a suffix gives.
-fn kind(suffix: &str, whole: bool, language: Language) -> Result<Type, String> {
+/// The type that a suffix gives; `None` of an integer. In JavaScript, all numbers are doubles.
+fn kind(suffix: &str, whole: bool, language: Language) -> Result<Option<Type>, String> {
     use Language::{C, JavaScript, Python, Rust, Shader};
-    let single = Ok(Type::Float(Precision::Single));
-    let double = Ok(Type::Float(Precision::Double));
+    let single = Ok(Some(Type::Float(Precision::Single)));
+    let double = Ok(Some(Type::Float(Precision::Double)));
     match (suffix, language) {
-        ("", Rust) => Ok(Type::Table),
-        ("", _) if whole => Ok(Type::Integer),
+        ("", Rust) => Ok(Some(Type::Table)),
+        ("", JavaScript) => double,
+        ("", _) if whole => Ok(None),
         ("", Shader) | ("f32", Rust) => single,
         ("f", C | Shader) if !whole || language == Shader => single,
-        ("", C | JavaScript | Python) | ("lf", Shader) | ("f64", Rust) => double,
-        ("l", C) if !whole => Ok(Type::Long),
-        ("u" | "l" | "ul" | "lu" | "ll" | "ull" | "llu", C) | ("u", Shader) if whole => {
-            Ok(Type::Integer)
-        }
+        ("", C | Python) | ("lf", Shader) | ("f64", Rust) => double,
+        ("l", C) if !whole => Ok(Some(Type::Long)),
+        ("u" | "l" | "ul" | "lu" | "ll" | "ull" | "llu", C) | ("u", Shader) if whole => Ok(None),
         _ => Err(format!("the suffix `{suffix}` is not one of numbers here")),
     }
 }

@@ -105,7 +105,39 @@ fn formulas() {
     let table = read(Language::C, "x table = 1.0/6 - 2;", &[]).expect("a number");
     let value = Some(number("-11/6"));
     assert_eq!(table.entries[0].written(), Written::Expression { value });
-    let broken = read(Language::C, "x table = 1/0;", &[]).expect("a number");
+    let broken = read(Language::C, "x table = 1/0.0;", &[]).expect("a number");
     assert_eq!(broken.entries[0].written(), Written::Expression { value: None });
-    assert!(broken.entries[0].held(Precision::Double).is_nan());
+    assert!(broken.entries[0].held(Precision::Double).is_infinite());
+}
+
+/// As gcc, node and Python compute them.
+#[test]
+fn integers_have_the_types_of_the_language() {
+    use Language::{C, JavaScript, Python, Shader};
+    for (language, text, value) in [
+        (C, "1u-2", 4_294_967_295.0),
+        (C, "-1/2u", 2_147_483_647.0),
+        (C, "0xFFFFFFFF + 1", 0.0),
+        (C, "4294967295 + 1", 4_294_967_296.0),
+        (C, "4000000000u + 4000000000u", 3_705_032_704.0),
+        (C, "4000000000u + 4000000000", 8_000_000_000.0),
+        (C, "-0x80000000", 2_147_483_648.0),
+        (C, "-2147483648", -2_147_483_648.0),
+        (C, "-1/2ul", 9_223_372_036_854_775_807.0),
+        (C, "1u - 2.0", -1.0),
+        (C, "-1u*1.0f", 4_294_967_296.0),
+        (Shader, "1u-2u", 4_294_967_295.0),
+        (JavaScript, "9007199254740993 - 9007199254740992", 0.0),
+        (JavaScript, "9007199254740992 + 1 + 1 - 9007199254740992", 0.0),
+        (Python, "9007199254740992 + 1 + 1 - 9007199254740992", 2.0),
+        (Python, "100000000000000000000001/100000000000000000000000", 1.0),
+        (Python, "9007199254740993/3", 3_002_399_751_580_331.0),
+    ] {
+        let text = format!("x table = {text};");
+        assert_eq!(held(language, &text, &[], Precision::Double), [value], "{language:?}: {text}");
+    }
+    // What the type makes of a literal is no literal with a sign.
+    let turned = read(C, "x table = -1u;", &[]).expect("a number");
+    let value = Some(number("4294967295"));
+    assert_eq!(turned.entries[0].written(), Written::Expression { value });
 }

@@ -1,7 +1,7 @@
 //! What is no table of numbers, with the place.
 
 use super::read;
-use subcert::literal::Language::{C, JavaScript, Python, Rust};
+use subcert::literal::Language::{C, JavaScript, Python, Rust, Shader};
 
 #[test]
 fn what_is_no_number() {
@@ -18,6 +18,13 @@ fn what_is_no_number() {
         (C, "f table[2] = { 1, 1e99999 };", 1, "exponent beyond"),
         (C, "f table[2] = { 1, 2, 3 };", 1, "3 numbers"),
         (C, "f table[2] = { 1 };", 1, "1 numbers"),
+        (C, "f table[2] = { 1, 1/0 };", 1, "a division by zero"),
+        (C, "f table[2] = { 1,\n100000*100000 };", 2, "overflows"),
+        (C, "f table[2] = { 1, -2147483647 - 2 };", 1, "overflows"),
+        (C, "f table[2] = { 1, 9223372036854775808 };", 1, "no integer type"),
+        (C, "f table[2] = { 1, 1.0L*2 };", 1, "long doubles"),
+        (Shader, "f table[2] = { 1, 0x80000000 };", 1, "no integer type"),
+        (Python, "table = [1, 7/(1 - 1)]", 1, "a division by zero"),
         (C, "f table[2] = { 1 2 };", 1, "where a comma is expected"),
         (C, "f table[2] = { 1, -};", 1, "is no number"),
         (C, "f table[2] = { 1, (2};", 1, "`)` is missing"),

@@ -33,7 +33,8 @@ pub(crate) fn search(
     least: usize,
 ) -> Vec<Explanation> {
     let mut found = Vec::new();
-    let solvable = !space.is_depth() && space.scale.is_none() && parametric::is_function(space.judge);
+    let solvable =
+        !space.is_depth() && space.scale.is_none() && parametric::is_function(space.judge);
     let Some(name) = space.unknown.filter(|_| solvable) else { return found };
     for reading in readings {
         let settings = space.settings(reading);

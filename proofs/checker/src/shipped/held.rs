@@ -2,6 +2,7 @@
 
 use super::language::Language;
 use super::rounding::{DOUBLE, Format, SINGLE, Type};
+use super::whole::Whole;
 use crate::decimal::Q;
 use crate::reject::Stop;
 use num_traits::Zero;
@@ -12,8 +13,8 @@ pub type Target = Type;
 /// The type of a number in an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// An integer.
-    Integer,
+    /// An integer of this type.
+    Integer(Whole),
     /// IEEE binary32.
     Single,
     /// IEEE binary64.
@@ -46,7 +47,7 @@ impl Kind {
     /// What it is in a table of this type.
     fn within(self, target: Target) -> Kind {
         match (self, target) {
-            (Kind::Integer, _) => Kind::Integer,
+            (Kind::Integer(_), _) => self,
             (_, Type::Decimal(_)) => Kind::Exact,
             (Kind::Table, Type::Binary(format)) if format == SINGLE => Kind::Single,
             (Kind::Table, _) => Kind::Double,
@@ -71,8 +72,17 @@ impl Held {
     }
 
     /// −x.
-    pub fn negated(self) -> Held {
-        Held { value: self.value.map(|value| -value), kind: self.kind }
+    pub fn negated(self) -> Result<Held, Stop> {
+        let value = self.value.map(|value| match self.kind {
+            Kind::Integer(whole) => Ok(Q::from_integer(whole.wrapped(-value.to_integer())?)),
+            _ => Ok(-value),
+        });
+        Ok(Held { value: value.transpose()?, kind: self.kind })
+    }
+
+    /// Whether this is an integer of another value, as a type without a sign holds it.
+    pub fn is_integer_other_than(&self, value: &Q) -> bool {
+        matches!(self.kind, Kind::Integer(_)) && self.value.as_ref() != Some(value)
     }
 
     /// The number as one of this kind.
@@ -98,10 +108,19 @@ impl Held {
         let (Some(x), Some(y)) = (self.value, right.value) else {
             return Err(Stop::Capped("arithmetic of numbers that are not finite"));
         };
-        let integers = kinds == [Kind::Integer; 2];
-        let truncates = integers && sign == '/' && language.truncates();
+        let integers = match kinds {
+            [Kind::Integer(one), Kind::Integer(other)] => Some((one, other)),
+            _ => None,
+        };
+        if let Some((one, other)) = integers.filter(|_| sign != '/' || language.truncates()) {
+            let (whole, value) = one.operate(sign, &x, (other, &y))?;
+            return Ok(Held { value: Some(value), kind: Kind::Integer(whole) });
+        }
+        let integers = integers.is_some();
+        if integers && y.is_zero() {
+            return Err(Stop::Undefined("it divides by 0"));
+        }
         let kind = match kinds {
-            _ if integers && (sign != '/' || truncates) => Kind::Integer,
             _ if kinds.contains(&Kind::Exact) => Kind::Exact,
             _ if kinds.contains(&Kind::Double) || integers => Kind::Double,
             _ => Kind::Single,
@@ -116,7 +135,6 @@ impl Held {
             '-' => x - y,
             '*' => x * y,
             _ if y.is_zero() => return Ok(Held { value: None, kind }),
-            _ if truncates => (x / y).trunc(),
             _ => x / y,
         };
         Ok(Held { value: rounded(value, kind), kind })

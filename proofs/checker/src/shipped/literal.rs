@@ -108,8 +108,10 @@ impl Parser {
     fn factor(&mut self) -> Parsed {
         if self.eat("-") {
             let (written, held) = self.nested(Self::factor)?;
+            let held = held.negated().map_err(Wrong::Stop)?;
             let written = written.map(|w| Written { value: -w.value, ..w });
-            return Ok((written, held.negated()));
+            let written = written.filter(|w| !held.is_integer_other_than(&w.value));
+            return Ok((written, held));
         }
         if self.eat("+") {
             return self.nested(Self::factor);

@@ -18,6 +18,7 @@ mod number;
 mod rounding;
 mod slip;
 mod verdict;
+mod whole;
 
 // Claim files, and the rule.
 mod reading;

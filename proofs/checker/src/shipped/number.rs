@@ -3,6 +3,7 @@
 use super::held::{Held, Kind, Target};
 use super::language::Language;
 use super::rounding::ten;
+use super::whole::Whole;
 use crate::decimal::Q;
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
@@ -76,7 +77,8 @@ fn decimal(text: &str, language: Language, target: Target) -> Result<Literal, &'
     let places = places - exponent.unwrap_or(0);
     let mantissa: BigInt = all.parse().map_err(|_| "no digits")?;
     let value = Q::from_integer(mantissa) * ten(-places);
-    let held = Held::new(value.clone(), kind(suffix, is_whole, language)?, target);
+    let kind = kind(suffix, is_whole.then_some((&value, true)), language)?;
+    let held = Held::new(value.clone(), kind, target);
     let digits = all.trim_start_matches('0').len();
     Ok((Some(Written { value, digits, places }), held))
 }
@@ -95,23 +97,27 @@ fn hexadecimal(text: &str, language: Language, target: Target) -> Result<Literal
     let scale = Q::from_integer(BigInt::one() << power.unsigned_abs());
     let value = Q::from_integer(mantissa.unwrap_or_else(BigInt::zero));
     let value = if power < 0 { value / scale } else { value * scale };
-    Ok((None, Held::new(value, kind(suffix, !is_float, language)?, target)))
+    let kind = kind(suffix, (!is_float).then_some((&value, false)), language)?;
+    Ok((None, Held::new(value, kind, target)))
 }
 
-/// What a literal is by its suffix.
-fn kind(suffix: &str, is_whole: bool, language: Language) -> Result<Kind, &'static str> {
+/// What a literal is by its suffix; `whole` is the value of an integer, and whether it is decimal.
+/// In JavaScript, all numbers are doubles.
+fn kind(suffix: &str, whole: Option<(&Q, bool)>, language: Language) -> Result<Kind, &'static str> {
     use Language::{C, JavaScript, Python, Rust, Shader};
+    let suffixes: &[&str] = match language {
+        C => &["", "u", "l", "ul", "lu", "ll", "ull", "llu"],
+        Shader => &["", "u"],
+        Python => &[""],
+        JavaScript | Rust => &[],
+    };
+    if let Some((value, decimal)) = whole.filter(|_| suffixes.contains(&suffix)) {
+        return Ok(Kind::Integer(Whole::of(value, suffix, decimal, language)?));
+    }
     Ok(match (language, suffix) {
         (Rust, "") => Kind::Table,
-        (C, "" | "u" | "l" | "ul" | "lu" | "ll" | "ull" | "llu")
-        | (Shader, "" | "u")
-        | (Python, "")
-            if is_whole =>
-        {
-            Kind::Integer
-        }
         (C | JavaScript | Python, "") | (Rust, "f64") | (Shader, "lf") => Kind::Double,
-        (C, "f") if is_whole => return Err("a suffix of floating point after an integer"),
+        (C, "f") if whole.is_some() => return Err("a suffix of floating point after an integer"),
         (C, "f") | (Rust, "f32") | (Shader, "" | "f") => Kind::Single,
         (C, "l") => Kind::Long,
         _ => return Err("the language has no such suffix"),
