@@ -16,7 +16,7 @@ pub use crate::finding::{
     AsRead, Assumed, Attained, Broken, ByHand, CaseFinding, CellFinding, CellKind, Contraction,
     Contradiction, Control, Correction, Difference, Direction, EndFinding, EndRelation,
     EquationFinding, EquationVerdict, EveryShift, Example, Explanation, FailingPremise, Failure,
-    FunctionFinding, FunctionVerdict, HandCell, HandConstant, Kept, Known, Later, LeftOut,
+    Fitting, FunctionFinding, FunctionVerdict, HandCell, HandConstant, Kept, Known, Later, LeftOut,
     LevelEvidence, Levels, Limits, Line, LineReading, MAX_DIFFERENCES, Missing, Naturally, Need,
     Needed, Outcome, PaperAudit, Place, PromiseCounts, RangeFinding, RangeOfLimits, RangeVerdict,
     Recovered, RecoveredFrom, Refiner, Refutation, Repair, Search, Side, Slip, SmoothnessFinding,

@@ -31,7 +31,7 @@ pub use reading::{
     Difference, Explanation, Line, LineReading, MAX_DIFFERENCES, Need, Search, Solved,
 };
 pub(crate) use recovered::values;
-pub use recovered::{Recovered, RecoveredFrom};
+pub use recovered::{Fitting, Recovered, RecoveredFrom};
 pub use smoothness::{
     Contraction, Known, Limits, RangeOfLimits, SmoothnessFinding, SmoothnessVerdict, Witness,
 };

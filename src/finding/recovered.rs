@@ -19,6 +19,16 @@ impl Recovered {
     }
 }
 
+/// Values of parameters that the paper does not state, with which a reading gives most cells of a
+/// table, though so few that it may be luck.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fitting {
+    /// The values, by name.
+    pub values: BTreeMap<String, Recovered>,
+    /// How many cells the reading gives there.
+    pub cells: usize,
+}
+
 /// The values of recovered parameters.
 pub(crate) fn values(recovered: &BTreeMap<String, Recovered>) -> BTreeMap<String, Rational> {
     recovered.iter().map(|(name, recovered)| (name.clone(), recovered.value.clone())).collect()

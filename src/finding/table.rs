@@ -5,7 +5,7 @@ use crate::exact::Rational;
 use crate::finding::cell::{CellFinding, CellKind};
 use crate::finding::promise::{Kept, PromiseCounts};
 use crate::finding::reading::{Need, Search};
-use crate::finding::recovered::{Recovered, values};
+use crate::finding::recovered::{Fitting, Recovered, values};
 use std::collections::BTreeMap;
 
 impl TableFinding<'_> {
@@ -42,6 +42,8 @@ pub struct TableFinding<'a> {
     pub needs: Vec<Need>,
     /// The parameters that the paper does not state and that were recovered, by name.
     pub recovered: BTreeMap<String, Recovered>,
+    /// Where nothing was recovered, the values that fit best, if some fit.
+    pub fitting: Option<Fitting>,
 }
 
 impl TableFinding<'_> {

@@ -3,7 +3,7 @@
 use crate::claim::{Paper, Table};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::library::Library;
-use crate::finding::{CellKind, Recovered, RecoveredFrom, TableFinding, Verdict, values};
+use crate::finding::{CellKind, Fitting, Recovered, RecoveredFrom, TableFinding, Verdict, values};
 use crate::judge::reading::plain::plain_numbers;
 use crate::judge::reading::recover::solved;
 use crate::judge::reading::space::Family;
@@ -13,14 +13,23 @@ use std::collections::BTreeMap;
 /// Recovered parameters by name.
 pub(crate) type Values = BTreeMap<String, Recovered>;
 
-/// The table judged at values of its open parameters with which a reading gives most of its cells,
-/// and so many that it is no luck; `None` where there are no such values. `offers` lists for each
-/// open parameter the values that other tables have for it.
+/// The values of a table's open parameters that its numbers give.
+pub(crate) enum Given<'a> {
+    /// The table judged at values with which a reading gives so many cells that it is no luck.
+    Values(TableFinding<'a>),
+    /// Values with which a reading gives some, which may be luck.
+    Fitting(Fitting),
+    /// There are none.
+    Nothing,
+}
+
+/// The values of a table's open parameters with which a reading gives most of its cells. `offers`
+/// lists for each open parameter the values that other tables have for it.
 pub(crate) fn recover<'a>(
     paper: &'a Paper,
     table: &'a Table,
     offers: &[(String, Vec<Recovered>)],
-) -> Result<Option<TableFinding<'a>>, Diagnostic> {
+) -> Result<Given<'a>, Diagnostic> {
     let library = Library::new(paper);
     let mut recovery = Recovery { paper, table, library, best: None, likeliest: None };
     for (name, _) in offers {
@@ -44,12 +53,14 @@ pub(crate) fn recover<'a>(
             }
         }
     }
-    if let (None, Some((_, values))) = (&recovery.best, recovery.likeliest.take()) {
-        // What the first part of the family gives may be luck, and what the whole family gives none.
-        let found = judge(paper, table, values, Family::Whole)?;
-        return Ok((reproduced(&found) > 0).then_some(found));
+    if let Some((_, finding)) = recovery.best {
+        return Ok(Given::Values(finding));
     }
-    Ok(recovery.best.map(|(_, finding)| finding))
+    let Some((cells, values)) = recovery.likeliest else { return Ok(Given::Nothing) };
+    // What the first part of the family gives may be luck, and what the whole family gives none.
+    let found = judge(paper, table, values.clone(), Family::Whole)?;
+    let given = reproduced(&found) > 0;
+    Ok(if given { Given::Values(found) } else { Given::Fitting(Fitting { values, cells }) })
 }
 
 /// How many cells of a table are reproduced.

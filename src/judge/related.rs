@@ -5,7 +5,7 @@ use crate::diagnostic::Diagnostic;
 use crate::exact::Rational;
 use crate::finding::{Recovered, RecoveredFrom, TableFinding};
 use crate::judge::reading::space::Family;
-use crate::judge::recovery::{self, Values, combinations, reproduced};
+use crate::judge::recovery::{self, Given, Values, combinations, reproduced};
 use crate::judge::table::{judge, judge_promises};
 use std::collections::BTreeSet;
 
@@ -53,6 +53,7 @@ pub(crate) fn judge_all<'a>(
         finding.map_err(|error| (place, error))
     });
     let mut findings = judged.collect::<Placed<Vec<TableFinding<'a>>>>()?;
+    let mut fitting = vec![None; findings.len()];
     // A pass may recover values that help the next one.
     loop {
         let mut more = false;
@@ -61,16 +62,20 @@ pub(crate) fn judge_all<'a>(
                 continue;
             }
             let found = recover(paper, &findings[i], &findings);
-            if let Some(found) = found.map_err(|error| (places[i], error))? {
-                (findings[i], more) = (found, true);
+            fitting[i] = None;
+            match found.map_err(|error| (places[i], error))? {
+                Given::Values(found) => (findings[i], more) = (found, true),
+                Given::Fitting(values) => fitting[i] = Some(values),
+                Given::Nothing => {}
             }
         }
         if !more {
             break;
         }
     }
-    for (finding, &place) in findings.iter_mut().zip(places) {
+    for ((finding, fitting), &place) in findings.iter_mut().zip(fitting).zip(places) {
         widen(paper, finding).map_err(|error| (place, error))?;
+        finding.fitting = fitting;
         judge_promises(paper, finding).map_err(|error| (place, error))?;
         after_table();
     }
@@ -189,12 +194,12 @@ fn offered(
     found
 }
 
-/// A table judged at recovered values; `None` where there are none.
+/// A table judged at recovered values.
 fn recover<'a>(
     paper: &'a Paper,
     finding: &TableFinding<'a>,
     all: &[TableFinding<'_>],
-) -> Result<Option<TableFinding<'a>>, Diagnostic> {
+) -> Result<Given<'a>, Diagnostic> {
     let table = finding.table;
     let suitable = |other: &Table| same_scheme(table, other);
     let offers = missing(finding).into_iter().map(|name| {
@@ -205,8 +210,10 @@ fn recover<'a>(
     if finding.cells.iter().flatten().all(|cell| cell.printed.is_none()) {
         // A table without printed numbers determines nothing, and contradicts no value of another
         // table.
-        let values = combinations(&offers).into_iter().next();
-        return values.map(|values| judge(paper, table, values, Family::Plain)).transpose();
+        let Some(values) = combinations(&offers).into_iter().next() else {
+            return Ok(Given::Nothing);
+        };
+        return judge(paper, table, values, Family::Plain).map(Given::Values);
     }
     recovery::recover(paper, table, &offers)
 }

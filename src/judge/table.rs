@@ -29,9 +29,15 @@ pub(crate) fn judge<'a>(
     family: Family,
 ) -> Result<TableFinding<'a>, Diagnostic> {
     let library = Library::new(paper);
-    let (cells, needs) = (Vec::new(), Vec::new());
-    let mut finding =
-        TableFinding { table, cells, search: None, assumed_search: None, needs, recovered };
+    let mut finding = TableFinding {
+        table,
+        cells: Vec::new(),
+        search: None,
+        assumed_search: None,
+        needs: Vec::new(),
+        recovered,
+        fitting: None,
+    };
     let judge = Evaluator::new(paper, table, &library, &finding.values())?;
     let mut cells = judge.cells()?;
     judge.compare_with_neighbours(&mut cells);

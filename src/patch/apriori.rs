@@ -184,6 +184,9 @@ fn doo_sabin(mesh: &PolygonMesh<Rational>) -> Bound {
     let sizes = face_sizes(mesh);
     let scheme = MeshScheme::DooSabin;
     let ratio = contraction(scheme, sizes.iter().copied());
+    if ratio >= Q {
+        return Bound { first: f64::INFINITY, later: f64::INFINITY, ratio: Q };
+    }
     let stencils = Stencils::new(scheme, sizes.iter().copied());
     let (mut across, mut step) = (0.0_f64, 0.0_f64);
     for &n in &sizes {

@@ -247,6 +247,7 @@ fn unclear_grid(tables: &[&TableFinding<'_>]) -> Grid {
         if !names.is_empty() {
             missing.push(format!("{names} not stated"));
         }
+        missing.extend(finding.fitting.as_ref().map(|fitting| reading::fitting(fitting, count)));
         if cells(finding).any(|cell| cell.printed.is_none()) {
             missing.push("the cells are lost".to_owned());
         }

@@ -2,8 +2,8 @@
 
 use super::parts::mark;
 use crate::audit::{
-    CellFinding, Explanation, Line, LineReading, MAX_DIFFERENCES, Recovered, RecoveredFrom, Search,
-    Slip, TableFinding, Verdict,
+    CellFinding, Explanation, Fitting, Line, LineReading, MAX_DIFFERENCES, Recovered,
+    RecoveredFrom, Search, Slip, TableFinding, Verdict,
 };
 use crate::claim::{Axis, Table};
 use crate::exact::{Rational, format::short};
@@ -56,7 +56,7 @@ pub(super) fn line_remarks(table: &Table, search: &Search) -> Vec<String> {
     search.lines.iter().map(remark).collect()
 }
 
-/// The parameters that were recovered, a sentence each.
+/// The parameters that were recovered, a sentence each, or the values that fit best.
 pub(super) fn recovered(finding: &TableFinding<'_>) -> Vec<String> {
     let sentence = |(name, recovered): (&String, &Recovered)| {
         let value = &recovered.value;
@@ -74,7 +74,22 @@ pub(super) fn recovered(finding: &TableFinding<'_>) -> Vec<String> {
         };
         format!("The paper does not state {name}. {from}")
     };
-    finding.recovered.iter().map(sentence).collect()
+    let fitting = finding.fitting.as_ref();
+    let count = finding.cells.iter().flatten().filter(|cell| cell.printed.is_some()).count();
+    let fitting = fitting.map(|found| format!("{}.", self::fitting(found, count)));
+    finding.recovered.iter().map(sentence).chain(fitting).collect()
+}
+
+/// The values that fit some of the cells of a table, which may be luck.
+pub(super) fn fitting(fitting: &Fitting, of: usize) -> String {
+    let value = |(name, recovered): (&String, &Recovered)| match &recovered.from {
+        RecoveredFrom::Solved(low, high) => {
+            format!("{name} from {} to {}", short(low, 8), short(high, 8))
+        }
+        _ => format!("{name} = {}", recovered.value),
+    };
+    let values: Vec<String> = fitting.values.iter().map(value).collect();
+    format!("{} of {of} fit {}, which may be luck", fitting.cells, values.join(", "))
 }
 
 /// A reading in words.

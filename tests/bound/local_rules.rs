@@ -4,7 +4,7 @@ use crate::common::{any_ring, mask, r, rational, ring};
 use proptest::prelude::*;
 use subcert::bound::{LocalConstants, LocalWork, MAX_LOCAL_WORK, transport};
 use subcert::exact::{Rational, RealCyclotomic, Scalar as _};
-use subcert::scheme::LocalRules;
+use subcert::scheme::{LocalRules, parse_local_rules};
 
 const LEVELS: u32 = 3;
 
@@ -198,4 +198,15 @@ fn too_much_work_is_refused() {
         matches!(error, LocalWork { points: 97, levels: 1_000, work } if work > MAX_LOCAL_WORK)
     );
     assert!(LocalWork::check(&ring, 2, 2).is_ok());
+}
+
+/// The bounds of Doo and Sabin's scheme by the longest edge suppose it.
+#[test]
+fn one_level_of_doo_and_sabin_contracts_below_three_quarters() {
+    for n in 3..=40 {
+        let ring = parse_local_rules(&format!("doo-sabin:n={n}")).expect("a ring");
+        let constants = LocalConstants::new(&ring, 1).expect("small");
+        let (_, found) = constants.contraction(1).expect("a constant");
+        assert!(found.value < RealCyclotomic::from(Rational::new(3, 4)), "{n}: {}", found.value);
+    }
 }

@@ -68,6 +68,33 @@ fn certified(claims: &str, audit: &PaperAudit<'_>) {
     }
 }
 
+/// Every digit of a copied table is changed: nothing explains it.
+fn not_copied(start: i64, b: i64, off: u32) {
+    let rows = [start, start + 1, start + 2];
+    let claims = claims(Author::Repeats, &rows, b);
+    let (before, after) = claims.split_once("id = 'values'").expect("the table");
+    let (head, cells) = after.split_once("cells = ").expect("cells");
+    // Every digit is another one.
+    let other = |c: char| {
+        c.to_digit(10).map_or(c, |d| char::from_digit((d + off) % 10, 10).expect("a digit"))
+    };
+    let (cells, rest) = cells.split_once("[[table]]").expect("the next table");
+    let cells: String = cells.chars().map(other).collect();
+    let claims = format!("{before}id = 'values'{head}cells = {cells}[[table]]{rest}");
+    let paper = paper(&claims);
+    let audit = judged(&paper);
+    let cells = audit.tables[1].cells.iter().flatten();
+    assert!(cells.clone().all(|cell| cell.verdict != Verdict::OtherReading), "{claims}");
+    assert!(cells.clone().any(|cell| cell.verdict == Verdict::Refuted), "{claims}");
+    certified(&claims, &audit);
+}
+
+/// Here one cell of twelve is explained by luck.
+#[test]
+fn one_cell_by_luck_is_no_reading() {
+    not_copied(33, 8, 8);
+}
+
 proptest! {
     #[test]
     fn what_was_copied_is_found(
@@ -108,24 +135,8 @@ proptest! {
 
     /// Numbers that come from nowhere stay refuted, and the whole family is in the certificate.
     #[test]
-    fn what_was_not_copied_is_refuted(start in 1_i64..40, b in 1_i64..20, off in 3_i64..9) {
-        let rows = [start, start + 1, start + 2];
-        let claims = claims(Author::Repeats, &rows, b);
-        let (before, after) = claims.split_once("id = 'values'").expect("the table");
-        let (head, cells) = after.split_once("cells = ").expect("cells");
-        // Every digit is another one.
-        let other = |c: char| c.to_digit(10).map_or(c, |d| {
-            char::from_digit((d + u32::try_from(off).expect("a digit")) % 10, 10).expect("a digit")
-        });
-        let (cells, rest) = cells.split_once("[[table]]").expect("the next table");
-        let cells: String = cells.chars().map(other).collect();
-        let claims = format!("{before}id = 'values'{head}cells = {cells}[[table]]{rest}");
-        let paper = paper(&claims);
-        let audit = judged(&paper);
-        let cells = audit.tables[1].cells.iter().flatten();
-        prop_assert!(cells.clone().all(|cell| cell.verdict != Verdict::OtherReading), "{claims}");
-        prop_assert!(cells.clone().any(|cell| cell.verdict == Verdict::Refuted), "{claims}");
-        certified(&claims, &audit);
+    fn what_was_not_copied_is_refuted(start in 1_i64..40, b in 1_i64..20, off in 3_u32..9) {
+        not_copied(start, b, off);
     }
 }
 

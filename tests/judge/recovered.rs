@@ -159,3 +159,20 @@ proptest! {
         }
     }
 }
+
+/// Two of three cells fit an interval of k, which may be luck: nothing is recovered, and the values that fit are said.
+#[test]
+fn what_fits_and_may_be_luck_is_said_and_certifies_nothing() {
+    let cells = ["0.7", "1.4", "3.9"];
+    let paper = paper(&table("few", "k*x", "['k']", &["1", "2", "3"], &cells));
+    let audit = judged(&paper);
+    let finding = &audit.tables[0];
+    assert!(finding.recovered.is_empty());
+    let fitting = finding.fitting.as_ref().expect("values that fit");
+    assert_eq!(fitting.cells, 2);
+    let found = &fitting.values["k"];
+    assert!(found.value >= Rational::new(65, 100) && found.value <= Rational::new(75, 100));
+    assert!(matches!(&found.from, RecoveredFrom::Solved(low, high) if low < high));
+    let report = subcert::report::audit_sheet(&[audit], true).to_text(Some(200));
+    assert!(report.contains("2 of 3 fit k from 0.675 to 0.725, which may be luck"), "{report}");
+}

@@ -48,6 +48,21 @@ fn the_boxes_fill_the_region() {
     assert_eq!(MAP.looked_at, 300);
 }
 
+/// The symbol (1 − w + wz²)(1 + z)²/2·(1 − v + vz) has an end coefficient above 1 in most of each box. Its parts have
+/// a common zero everywhere but at w = 0, which lies in both boxes; what is said must not depend on the middle of a box.
+#[test]
+fn what_is_outside_does_not_depend_on_the_box() {
+    let mask = parse_in_parameters("tests/smoothness/product.toml", &["w", "v"]).expect("a mask");
+    let polynomial = |entry: &Polynomial| entry.in_variables(["w", "v"]).expect("a polynomial");
+    let rules = mask.rules().map(polynomial);
+    for high in [r(1, 8), r(1, 7)] {
+        let region = [[r(-1, 8), high], [r(5, 4), r(7, 4)]];
+        let map = smooth_map(&rules, 0, &region, 100, &AtomicUsize::new(0)).expect("sum rules");
+        let [_, outside, _] = map.shares();
+        assert!(outside > r(9, 10), "{outside}");
+    }
+}
+
 #[test]
 fn the_cubic_b_spline_is_inside_and_a_divergent_scheme_is_not() {
     assert!(certain([&r(0, 1), &r(1, 8)]).iter().all(|c| **c == Certain::Inside));

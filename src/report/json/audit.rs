@@ -4,7 +4,7 @@ use super::SCHEMA;
 use super::claim::Claim;
 use super::consistency::Contradiction;
 use super::reading::Search;
-use super::recovered::Recovered;
+use super::recovered::{Fitting, Recovered};
 use super::summary::Summary;
 use crate::audit::{PaperAudit, PromiseCounts, TableFinding, Verdict};
 use serde::Serialize;
@@ -52,6 +52,10 @@ pub struct Table<'a> {
     /// are none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub recovered: Vec<Recovered<'a>>,
+    /// Where nothing was recovered, the values that fit best, which may be luck; missing where none
+    /// fit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fitting: Option<Fitting<'a>>,
     /// The search for a reading that explains its cells; null where none was needed.
     pub search: Option<Search<'a>>,
     /// The search for a reading that explains its cells with a parameter that the paper does not
@@ -116,6 +120,7 @@ impl<'a> Table<'a> {
             locus: &table.locus,
             value: &table.value.text,
             recovered: finding.recovered.iter().map(Recovered::of).collect(),
+            fitting: finding.fitting.as_ref().map(Fitting::of),
             search: finding.search.as_ref().map(|search| Search::of(table, search)),
             search_of_cells_with_assumptions: finding
                 .assumed_search

@@ -37,7 +37,7 @@ pub use exact::{Exact, Named};
 pub use explain::Explained;
 pub use promise::{Broken, ControlData, Natural as NaturalPromise, Promise};
 pub use reading::{Explanation, Line, Reading, ReadingOfCell, Search, Shift, Solved};
-pub use recovered::Recovered;
+pub use recovered::{Fitting, Recovered};
 pub use shift::{EveryShift, Greatest, Polygon};
 pub use shipped::{
     Number, ProjectReport, ProjectsReport, ShippedTable, SplitValues, Sums,

@@ -19,6 +19,22 @@ pub struct Recovered<'a> {
     pub table: Option<&'a str>,
 }
 
+/// Values of parameters that fit some cells of a table.
+#[derive(Debug, Serialize)]
+pub struct Fitting<'a> {
+    /// The parameters with these values.
+    pub parameters: Vec<Recovered<'a>>,
+    /// How many cells a reading gives there.
+    pub cells: usize,
+}
+
+impl<'a> Fitting<'a> {
+    pub(super) fn of(fitting: &'a audit::Fitting) -> Fitting<'a> {
+        let parameters = fitting.values.iter().map(Recovered::of).collect();
+        Fitting { parameters, cells: fitting.cells }
+    }
+}
+
 impl<'a> Recovered<'a> {
     pub(super) fn of((name, recovered): (&'a String, &'a audit::Recovered)) -> Recovered<'a> {
         let (from, to, table) = match &recovered.from {
