@@ -1,0 +1,110 @@
+(** What the statements mean. A reader who trusts Coq has to read this file, and the statement of a theorem. *)
+
+Require Import ZArith QArith Qround Qabs List.
+Import ListNotations.
+
+(** * Schemes
+
+    A mask has n rules of rational entries. All entries are integers over one denominator. *)
+
+Record scheme := Scheme {
+  denominator : positive;
+  offset : Z;
+  rules : list (list Z)
+}.
+
+Definition arity (s : scheme) : nat := length (rules s).
+Definition arityZ (s : scheme) : Z := Z.of_nat (arity s).
+
+(** Points x_i for all integers i. Coordinates are rational numbers. *)
+Definition points := Z -> Q.
+
+(** combination [a_0; a_1; …] x i = a_0 x_i + a_1 x_(i+1) + … *)
+Fixpoint combination (row : list Z) (x : points) (i : Z) : Q :=
+  match row with
+  | [] => 0
+  | a :: rest => inject_Z a * x i + combination rest x (i + 1)
+  end.
+
+(** x'_(n i + alpha) = Σ_j a_(alpha,j) x_(i + offset + j), 0 <= alpha < n. *)
+Definition refine (s : scheme) (x : points) : points := fun m =>
+  let n := arityZ s in
+  (1 # denominator s) * combination (nth (Z.to_nat (m mod n)) (rules s) []) x (m / n + offset s).
+
+(** The points of level k; those of level 0 are x. *)
+Fixpoint level (s : scheme) (k : nat) (x : points) : points :=
+  match k with
+  | O => x
+  | S k => refine s (level s k x)
+  end.
+
+Definition sum (row : list Z) : Z := fold_right Z.add 0%Z row.
+
+(** A scheme has two rules or more, and every rule sums to 1. *)
+Definition affine (s : scheme) : Prop :=
+  (2 <= arity s)%nat /\ Forall (fun rule => sum rule = Zpos (denominator s)) (rules s).
+
+(** * Differences *)
+
+Definition difference (x : points) : points := fun i => x (i + 1)%Z - x i.
+
+Definition at_most (x : points) (b : Q) : Prop := forall i, Qabs (x i) <= b.
+
+(** The differences of level c are at most T times the largest difference of level 0, for all points. *)
+Definition bounds_differences (s : scheme) (c : nat) (T : Q) : Prop :=
+  forall x b, at_most (difference x) b -> at_most (difference (level s c x)) (T * b).
+
+(** Some points have differences of at most 1 at level 0, and a difference T at level c. *)
+Definition attains_difference (s : scheme) (c : nat) (T : Q) : Prop :=
+  exists x i, at_most (difference x) 1 /\ difference (level s c x) i == T.
+
+(** T is the contraction constant T_c: the least number that bounds the differences. *)
+Definition contraction_constant (s : scheme) (c : nat) (T : Q) : Prop :=
+  bounds_differences s c T /\ attains_difference s c T.
+
+(** The same for the points: the norm Λ_c. *)
+Definition scheme_norm (s : scheme) (c : nat) (L : Q) : Prop :=
+  (forall x b, at_most x b -> at_most (level s c x) (L * b)) /\
+  (exists x i, at_most x 1 /\ level s c x i == L).
+
+(** * Distances *)
+
+(** The piecewise linear function with the value x_i at the integer i. *)
+Definition interpolant (x : points) (u : Q) : Q :=
+  let i := Qfloor u in x i + (u - inject_Z i) * (x (i + 1)%Z - x i).
+
+(** P^k, the piecewise linear function with the value x^k_i at i/n^k. *)
+Definition polygon (s : scheme) (k : nat) (x : points) (t : Q) : Q :=
+  interpolant (level s k x) (inject_Z (arityZ s ^ Z.of_nat k) * t).
+
+(** From level k to all later levels, polygons move by at most B times the largest difference of level 0. *)
+Definition bounds_distance (s : scheme) (k : nat) (B : Q) : Prop :=
+  forall x b t l, at_most (difference x) b -> (k <= l)%nat ->
+  Qabs (polygon s l x t - polygon s k x t) <= B * b.
+
+(** The same from level k to level k + 1. *)
+Definition bounds_step (s : scheme) (k : nat) (B : Q) : Prop :=
+  forall x b t, at_most (difference x) b ->
+  Qabs (polygon s (S k) x t - polygon s k x t) <= B * b.
+
+(** From level k on, polygons of points with differences of at most b move by at most epsilon. *)
+Definition sufficient_depth (s : scheme) (b epsilon : Q) (k : nat) : Prop :=
+  forall x t m l, at_most (difference x) b -> (k <= m <= l)%nat ->
+  Qabs (polygon s l x t - polygon s m x t) <= epsilon.
+
+(** * Data
+
+    Points given by the integers from index [first] on; before and after them, the first and last are repeated. *)
+Definition data (first : Z) (values : list Z) : points := fun i =>
+  inject_Z (nth (Z.to_nat (Z.min (i - first) (Z.of_nat (length values) - 1))) values 0%Z).
+
+(** Some points with differences of at most b move by more than B from level k to EVERY level from l on. *)
+Definition exceeds_distance (s : scheme) (k : nat) (b B : Q) : Prop :=
+  exists x t l margin, at_most (difference x) b /\ 0 < margin /\
+  forall m, (l <= m)%nat -> B + margin <= Qabs (polygon s m x t - polygon s k x t).
+
+Definition exceeds_step (s : scheme) (k : nat) (b B : Q) : Prop :=
+  exists x t, at_most (difference x) b /\ B < Qabs (polygon s (S k) x t - polygon s k x t).
+
+Definition exceeds_difference (s : scheme) (k : nat) (b B : Q) : Prop :=
+  exists x i, at_most (difference x) b /\ B < Qabs (difference (level s k x) i).
