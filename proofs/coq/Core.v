@@ -125,6 +125,22 @@ Proof.
   destruct (i <=? j)%Z; [apply nth_small, F | simpl; lia].
 Qed.
 
+Definition greatest (values : list Z) : Z := fold_right Z.max 0%Z values.
+
+Lemma greatest_ge (f : nat -> Z) k : forall a r, (a <= r < a + k)%nat -> (f r <= greatest (map f (seq a k)))%Z.
+Proof. induction k; simpl; intros a r L; [lia|]. destruct (Nat.eq_dec a r) as [->|]; [lia|].
+  specialize (IHk (S a) r ltac:(lia)). lia. Qed.
+
+Lemma greatest_attained (f : nat -> Z) k : forall a, (forall r, 0 <= f r)%Z -> (0 < k)%nat ->
+  exists r, (a <= r < a + k)%nat /\ greatest (map f (seq a k)) = f r.
+Proof.
+  induction k as [|k IH]; intros a P L; [lia|]. simpl.
+  destruct k as [|k].
+  - exists a. simpl. specialize (P a). split; lia.
+  - destruct (IH (S a) P ltac:(lia)) as (r & R & E). rewrite E.
+    destruct (Z.max_spec (f a) (f r)) as [[? ->]|[? ->]]; [exists r|exists a]; split; lia.
+Qed.
+
 (** * Pulling a combination back through one level *)
 
 Section Pull.
@@ -176,22 +192,6 @@ Section Pull.
     assert (N : (0 < arityZ s)%Z) by (unfold arityZ; lia).
     pose proof (Z.mod_pos_bound p _ N). pose proof (Z.div_mod p (arityZ s)).
     unfold arityZ in *. split; lia.
-  Qed.
-
-  Definition greatest (values : list Z) : Z := fold_right Z.max 0%Z values.
-
-  Lemma greatest_ge (f : nat -> Z) k : forall a r, (a <= r < a + k)%nat -> (f r <= greatest (map f (seq a k)))%Z.
-  Proof. induction k; simpl; intros a r L; [lia|]. destruct (Nat.eq_dec a r) as [->|]; [lia|].
-    specialize (IHk (S a) r ltac:(lia)). lia. Qed.
-
-  Lemma greatest_attained (f : nat -> Z) k : forall a, (forall r, 0 <= f r)%Z -> (0 < k)%nat ->
-    exists r, (a <= r < a + k)%nat /\ greatest (map f (seq a k)) = f r.
-  Proof.
-    induction k as [|k IH]; intros a P L; [lia|]. simpl.
-    destruct k as [|k].
-    - exists a. simpl. specialize (P a). split; lia.
-    - destruct (IH (S a) P ltac:(lia)) as (r & R & E). rewrite E.
-      destruct (Z.max_spec (f a) (f r)) as [[? ->]|[? ->]]; [exists r|exists a]; split; lia.
   Qed.
 
   (** The tree of digits: the greatest sum of absolute coefficients of w, pulled back c levels. *)
