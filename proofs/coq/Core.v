@@ -404,16 +404,73 @@ Proof.
     exists x, i. split; [exact B | now rewrite <- E].
 Qed.
 
-(** The same for the norm of the scheme. *)
+(** The same for the norm of a scheme; its rules may have any sums. *)
 Definition norm (s : scheme) (c : nat) : Q := tree s c [1%Z] # power (denominator s) c.
 
-Definition norm_is (s : scheme) (c : nat) (L : Q) : bool := is_affine s && Qeq_bool (norm s c) L.
+Definition norm_is (s : scheme) (c : nat) (L : Q) : bool := Nat.leb 2 (arity s) && Qeq_bool (norm s c) L.
 
 Theorem scheme_norm_by s c L : norm_is s c L = true -> scheme_norm s c L.
 Proof.
   unfold norm_is. intros H. apply andb_prop in H. destruct H as [A E].
-  apply is_affine_correct in A. apply Qeq_bool_eq in E. split.
-  - intros x b B i. rewrite <- E, <- combination_one. apply tree_bounds; [apply A | exact B].
-  - destruct (tree_attained s (proj1 A) c [1%Z]) as (p & x & B & _ & V).
+  apply Nat.leb_le in A. apply Qeq_bool_eq in E. split.
+  - intros x b B i. rewrite <- E, <- combination_one. now apply tree_bounds.
+  - destruct (tree_attained s A c [1%Z]) as (p & x & B & _ & V).
     exists x, p. split; [exact B|]. now rewrite <- E, <- combination_one.
+Qed.
+
+(** * Difference masks, and the other order *)
+
+Definition zeros (row : list Z) : bool := forallb (Z.eqb 0) row.
+
+(** Equal, apart from zeros at the end. *)
+Fixpoint same_row (u v : list Z) : bool :=
+  match u, v with
+  | [], _ => zeros v
+  | _, [] => zeros u
+  | a :: u, b :: v => Z.eqb a b && same_row u v
+  end.
+
+Lemma combination_all_zeros u x i : zeros u = true -> combination u x i == 0.
+Proof.
+  revert i; induction u as [|a u IH]; intros i H; [reflexivity|].
+  cbn [zeros forallb] in H. apply andb_prop in H. destruct H as [E H]. apply Z.eqb_eq in E. subst a.
+  cbn [combination]. rewrite IH by exact H. change (inject_Z 0) with 0. ring.
+Qed.
+
+Lemma same_row_correct u x : forall v i, same_row u v = true -> combination u x i == combination v x i.
+Proof.
+  induction u as [|a u IH]; intros [|b v] i H.
+  - reflexivity.
+  - symmetry. now apply combination_all_zeros.
+  - now apply combination_all_zeros.
+  - cbn [same_row] in H. apply andb_prop in H. destruct H as [E H]. apply Z.eqb_eq in E. subst b.
+    cbn [combination]. now rewrite (IH v (i + 1)%Z H).
+Qed.
+
+Definition difference_mask_is (s D : scheme) : bool :=
+  let E := difference_scheme s in
+  is_affine s && Pos.eqb (denominator D) (denominator E) && Z.eqb (offset D) (offset E) &&
+  Nat.eqb (arity D) (arity E) &&
+  forallb (fun r => same_row (nth r (rules E) []) (nth r (rules D) [])) (seq 0 (arity E)).
+
+Theorem difference_mask_by s D : difference_mask_is s D = true -> difference_mask s D.
+Proof.
+  unfold difference_mask_is. intros H.
+  repeat match type of H with (_ && _)%bool = true =>
+    let G := fresh "G" in apply andb_prop in H; destruct H as [H G] end.
+  apply is_affine_correct in H. apply Pos.eqb_eq in G2. apply Z.eqb_eq in G1. apply Nat.eqb_eq in G0.
+  intros x i. rewrite difference_refine by exact H. unfold refine.
+  assert (Z : arityZ D = arityZ (difference_scheme s)) by (unfold arityZ; now rewrite G0).
+  rewrite Z, G1, G2.
+  rewrite (same_row_correct _ _ (nth (Z.to_nat (i mod arityZ (difference_scheme s))) (rules D) [])); [reflexivity|].
+  rewrite forallb_forall in G. apply G, in_seq. split; [lia|].
+  pose proof (difference_arity s). pose proof (proj1 H).
+  pose proof (Z.mod_pos_bound i (arityZ (difference_scheme s)) ltac:(unfold arityZ; lia)).
+  unfold arityZ in *. lia.
+Qed.
+
+Theorem backwards_constant_by s D c T :
+  difference_mask_is s D && norm_is (backwards D) c T = true -> backwards_constant s D c T.
+Proof.
+  intros H. apply andb_prop in H. destruct H as [H G]. split; [now apply difference_mask_by | now apply scheme_norm_by].
 Qed.

@@ -67,6 +67,18 @@ Definition scheme_norm (s : scheme) (c : nat) (L : Q) : Prop :=
   (forall x b, at_most x b -> at_most (level s c x) (L * b)) /\
   (exists x i, at_most x 1 /\ level s c x i == L).
 
+(** D refines the differences as s refines the points: D is the difference mask of s. *)
+Definition difference_mask (s D : scheme) : Prop :=
+  forall x i, difference (refine s x) i == refine D (difference x) i.
+
+(** Every rule read from its other end, as some papers read the difference mask. The greatest sum of absolute
+    values after c levels, which they print, is then the norm of this mask, and need not bound differences. *)
+Definition backwards (s : scheme) : scheme :=
+  Scheme (denominator s) (offset s) (map (@rev Z) (rules s)).
+
+Definition backwards_constant (s D : scheme) (c : nat) (T : Q) : Prop :=
+  difference_mask s D /\ scheme_norm (backwards D) c T.
+
 (** * Distances *)
 
 (** The piecewise linear function with the value x_i at the integer i. *)
