@@ -120,3 +120,52 @@ Definition exceeds_step (s : scheme) (k : nat) (b B : Q) : Prop :=
 
 Definition exceeds_difference (s : scheme) (k : nat) (b B : Q) : Prop :=
   exists x i, at_most (difference x) b /\ B < Qabs (difference (level s k x) i).
+
+(** * Rings
+
+    The points around a vertex or of a face: x'_a = Σ_b m_(a,b) x_b, with all weights over one denominator.
+    The edges join the points whose differences count. *)
+
+Record ring := Ring {
+  ring_denominator : positive;
+  weights : list (list Z);
+  edges : list (nat * nat)
+}.
+
+Fixpoint dot (row : list Z) (x : list Q) : Q :=
+  match row, x with
+  | a :: row, v :: x => inject_Z a * v + dot row x
+  | _, _ => 0
+  end.
+
+Definition refine_ring (r : ring) (x : list Q) : list Q :=
+  map (fun row => (1 # ring_denominator r) * dot row x) (weights r).
+
+Fixpoint ring_level (r : ring) (k : nat) (x : list Q) : list Q :=
+  match k with
+  | O => x
+  | S k => refine_ring r (ring_level r k x)
+  end.
+
+(** The differences of x along the edges are at most b; x has as many points as the ring. *)
+Definition ring_at_most (r : ring) (x : list Q) (b : Q) : Prop :=
+  length x = length (weights r) /\
+  forall a c, In (a, c) (edges r) -> Qabs (nth a x 0 - nth c x 0) <= b.
+
+Definition exceeds_ring_difference (r : ring) (k : nat) (b B : Q) : Prop :=
+  exists x a c, ring_at_most r x b /\ (In (a, c) (edges r) \/ In (c, a) (edges r)) /\
+  B < Qabs (nth a (ring_level r k x) 0 - nth c (ring_level r k x) 0).
+
+Definition exceeds_ring_step (r : ring) (k : nat) (b B : Q) : Prop :=
+  exists x a, ring_at_most r x b /\ (a < length (weights r))%nat /\
+  B < Qabs (nth a (ring_level r (S k) x) 0 - nth a (ring_level r k x) 0).
+
+(** All points tend to the number p. *)
+Definition ring_tends_to (r : ring) (x : list Q) (p : Q) : Prop :=
+  forall epsilon, 0 < epsilon -> exists l, forall m a, (l <= m)%nat -> (a < length (weights r))%nat ->
+  Qabs (nth a (ring_level r m x) 0 - p) <= epsilon.
+
+(** Some points tend to a number, and one of them is farther than B from it at level k. *)
+Definition exceeds_ring_distance (r : ring) (k : nat) (b B : Q) : Prop :=
+  exists x a p, ring_at_most r x b /\ (a < length (weights r))%nat /\ ring_tends_to r x p /\
+  B < Qabs (nth a (ring_level r k x) 0 - p).

@@ -9,8 +9,9 @@ pub use crate::digest::{
 };
 pub use crate::evaluation::{Choice, Copied, Effect, FAMILY, QUANTITIES, Way};
 pub use crate::evidence::{
-    AttainedConstant, DepthLevels, Evidence, Powers, PromiseEvidence, SearchedConstant, SoundCell,
-    by_hand, depth_levels, evidence, promise_evidence, promise_refiner, theorem_evidence, working,
+    AttainedConstant, DepthLevels, Evidence, Excess, KernelFinding, KernelStatement, Powers,
+    PromiseEvidence, RingExcess, SearchedConstant, SoundCell, by_hand, depth_levels, evidence,
+    kernel_findings, promise_evidence, promise_refiner, theorem_evidence, working,
 };
 pub use crate::finding::{
     AsRead, Assumed, Attained, Broken, ByHand, CaseFinding, CellFinding, CellKind, Contraction,
