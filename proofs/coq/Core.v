@@ -203,7 +203,7 @@ Section Pull.
 
   Lemma tree_nonneg c w : (0 <= tree c w)%Z.
   Proof.
-    destruct c; simpl; [apply norm1_nonneg|].
+    clear two_rules. destruct c; simpl; [apply norm1_nonneg|].
     induction (map _ _); simpl; lia.
   Qed.
 
