@@ -147,9 +147,13 @@ Fixpoint ring_level (r : ring) (k : nat) (x : list Q) : list Q :=
   | S k => refine_ring r (ring_level r k x)
   end.
 
-(** The differences of x along the edges are at most b; x has as many points as the ring. *)
+(** Every row has a weight for each point, and they sum to 1. *)
+Definition affine_ring (r : ring) : Prop :=
+  Forall (fun row => length row = length (weights r) /\ sum row = Zpos (ring_denominator r)) (weights r).
+
+(** The differences of x along the edges are at most b; x has as many points as the ring, which is affine. *)
 Definition ring_at_most (r : ring) (x : list Q) (b : Q) : Prop :=
-  length x = length (weights r) /\
+  affine_ring r /\ length x = length (weights r) /\
   forall a c, In (a, c) (edges r) -> Qabs (nth a x 0 - nth c x 0) <= b.
 
 Definition exceeds_ring_difference (r : ring) (k : nat) (b B : Q) : Prop :=

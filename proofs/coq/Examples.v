@@ -1,7 +1,7 @@
 (** Every definition at work: none of them is empty, and none holds of everything. *)
 
-Require Import ZArith QArith Qabs Qreals Reals List Lia Lqa.
-From Subcert Require Import Definitions Core Error Depth Refutation Ring Limit.
+Require Import ZArith QArith Qabs List Lqa.
+From Subcert Require Import Definitions Core Error Depth Refutation Ring.
 Import ListNotations.
 Local Open Scope Q_scope.
 
@@ -110,15 +110,6 @@ Qed.
 (** The same rules compared at another offset: the new point moves by 21/25. *)
 Example quinary_step : exceeds_step (Scheme 25 0 (rules quinary)) 0 1 (20 # 25).
 Proof. apply (exceeds_step_by (Scheme 25 0 (rules quinary)) 0 0 [0; 1; 0]%Z 0). vm_compute. reflexivity. Qed.
-
-(** * The limit *)
-
-Example chaikin_limit x b t : at_most (difference x) b -> exists L, tends_to chaikin x t L.
-Proof. apply (limit_exists chaikin 1); [now apply is_affine_correct | lia | reflexivity]. Qed.
-
-Example chaikin_in_the_limit x b t L : at_most (difference x) b -> tends_to chaikin x t L ->
-  (Rabs (L - Q2R (polygon chaikin 3 x t)) <= Q2R ((1 # 16) * b))%R.
-Proof. apply distance_in_the_limit, chaikin_distance. Qed.
 
 (** * Rings *)
 

@@ -143,3 +143,14 @@ Proof.
       with (Q2R (polygon s l x t) - Q2R (polygon s m x t)) in T by ring. lra. }
   destruct (R_complete _ C) as [L U]. now exists L.
 Qed.
+
+(** * Chaikin's scheme *)
+
+Definition chaikin := Scheme 4 0 [[3; 1]; [1; 3]]%Z.
+
+Example chaikin_limit x b t : at_most (difference x) b -> exists L, tends_to chaikin x t L.
+Proof. apply (limit_exists chaikin 1); [now apply is_affine_correct | lia | reflexivity]. Qed.
+
+Example chaikin_in_the_limit x b t L : at_most (difference x) b -> tends_to chaikin x t L ->
+  Rabs (L - Q2R (polygon chaikin 3 x t)) <= Q2R ((1 # 16) * b).
+Proof. apply distance_in_the_limit, (bounds_distance_by chaikin 1 1). vm_compute. reflexivity. Qed.

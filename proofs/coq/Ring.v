@@ -237,14 +237,25 @@ End Limit.
 
 Definition ring_data (values : list Z) : list Q := map inject_Z values.
 
+Definition is_affine_ring (r : ring) : bool :=
+  forallb (fun row => Nat.eqb (length row) (length (weights r)) && Z.eqb (sum row) (Zpos (ring_denominator r)))
+    (weights r).
+
+Lemma is_affine_ring_correct r : is_affine_ring r = true -> affine_ring r.
+Proof.
+  unfold is_affine_ring. intros H. apply Forall_forall. intros row I.
+  rewrite forallb_forall in H. specialize (H row I). apply andb_prop in H. destruct H as [L S].
+  split; [now apply Nat.eqb_eq | now apply Z.eqb_eq].
+Qed.
+
 Definition ring_spread (r : ring) (x : list Q) (b : Q) : bool :=
-  Nat.eqb (length x) (length (weights r)) &&
+  is_affine_ring r && Nat.eqb (length x) (length (weights r)) &&
   forallb (fun p => Qle_bool (Qabs (nth (fst p) x 0 - nth (snd p) x 0)) b) (edges r).
 
 Lemma ring_spread_correct r x b : ring_spread r x b = true -> ring_at_most r x b.
 Proof.
-  unfold ring_spread. intros H. apply andb_prop in H. destruct H as [L F]. split; [now apply Nat.eqb_eq|].
-  intros a c I. rewrite forallb_forall in F. specialize (F _ I). now apply Qle_bool_iff in F.
+  unfold ring_spread. intros H. conditions H. rename G into F. apply is_affine_ring_correct in H.
+  split; [exact H|]. split; [now apply Nat.eqb_eq|]. intros a c I. rewrite forallb_forall in F. specialize (F _ I). now apply Qle_bool_iff in F.
 Qed.
 
 Definition is_edge (r : ring) (a c : nat) : bool :=

@@ -64,7 +64,7 @@ Local Open Scope Q_scope.
 ";
 
 /// Every theorem is one application, and one computation that decides its conditions.
-const PROOF: &str = "vm_compute. reflexivity. Qed.";
+const PROOF: &str = "vm_cast_no_check (eq_refl true). Qed.";
 
 /// A file in the making, with the objects that it has defined.
 #[derive(Default)]
@@ -116,7 +116,7 @@ impl File {
             }
             KernelStatement::Exceeds { mask, level, first, points, excess, bound } => {
                 let scheme = self.define("scheme", rules(mask.rules()));
-                let data = format!("({first}) {}", integers(points));
+                let data = format!("{} {}", signed(*first), integers(points));
                 let bound = rational(bound);
                 exceeds(&format!("{scheme} {level}"), &data, excess, &bound)
             }
@@ -134,9 +134,10 @@ impl File {
             let _ = writeln!(self.text, "(* {} *)", comment(line));
         }
         let number = self.theorems;
+        let lemma = if lemma.contains(' ') { format!("({lemma})") } else { lemma };
         let _ = write!(
             self.text,
-            "Theorem finding_{number} :\n  {statement}.\nProof. apply ({lemma}). {PROOF}\n\n"
+            "Theorem finding_{number} :\n  {statement}.\nProof. apply {lemma}. {PROOF}\n\n"
         );
     }
 
@@ -175,7 +176,7 @@ fn exceeds(of: &str, data: &str, excess: &Excess, bound: &str) -> (String, Strin
     match excess {
         Excess::Difference(place) => (
             format!("exceeds_difference {of} 1 {bound}"),
-            format!("exceeds_difference_by {of} {data} ({place})"),
+            format!("exceeds_difference_by {of} {data} {}", signed(*place)),
         ),
         Excess::Step(place) => (
             format!("exceeds_step {of} 1 {bound}"),
@@ -234,6 +235,10 @@ fn integers(numbers: &[i64]) -> String {
     format!("[{}]%Z", numbers.join("; "))
 }
 
+fn signed(number: i64) -> String {
+    if number < 0 { format!("({number})") } else { number.to_string() }
+}
+
 /// The common denominator of all entries, and the rows times it.
 fn over_one(rows: &[Vec<Rational>]) -> (Integer, String) {
     let denominator = common(rows);
@@ -265,5 +270,5 @@ fn rules(rules: &Rules) -> String {
 /// Rules over the common denominator of a mask.
 fn rules_over(rules: &Rules, mask: &Rules) -> String {
     let denominator = common(mask.rows());
-    format!("Scheme {denominator} ({}) {}", mask.offset(), over(rules.rows(), &denominator))
+    format!("Scheme {denominator} {} {}", signed(mask.offset()), over(rules.rows(), &denominator))
 }
