@@ -146,7 +146,11 @@ def main() -> int:
             counts.setdefault(file.parent.name, []).append(count)
             if seconds > 20:
                 print(f"{file.relative_to(COQ)}: {seconds:.0f} s")
+        page = (COQ / "README.md").read_text()
         for paper, each in counts.items():
+            line = f"| `{paper}` | {sum(each)} | {len(each)} |"
+            if line not in page:
+                sys.exit(f"proofs/coq/README.md does not say: {line}")
             print(f"{paper}: {sum(each)} theorems in {len(each)} files, closed under the global context")
 
         def rejected(case: tuple[str, str, Path]) -> str | None:
