@@ -121,6 +121,30 @@ Definition exceeds_step (s : scheme) (k : nat) (b B : Q) : Prop :=
 Definition exceeds_difference (s : scheme) (k : nat) (b B : Q) : Prop :=
   exists x i, at_most (difference x) b /\ B < Qabs (difference (level s k x) i).
 
+(** * Tensor nets: refined by s along the first index, and by r along the second *)
+
+Definition net := Z -> Z -> Q.
+
+Definition refine_net (s r : scheme) (x : net) : net := fun i j => refine s (fun a => refine r (x a) j) i.
+
+Fixpoint net_level (s r : scheme) (k : nat) (x : net) : net :=
+  match k with O => x | S k => refine_net s r (net_level s r k x) end.
+
+Definition net_at_most (x : net) (b : Q) : Prop := forall i j,
+  Qabs (x (i + 1)%Z j - x i j) <= b /\ Qabs (x i (j + 1)%Z - x i j) <= b.
+
+(** The piecewise bilinear function with the value x^k_(i,j) at (i/n^k, j/m^k). *)
+Definition surface (s r : scheme) (k : nat) (x : net) (t u : Q) : Q :=
+  interpolant (fun i => interpolant (net_level s r k x i) (inject_Z (arityZ r ^ Z.of_nat k) * u))
+    (inject_Z (arityZ s ^ Z.of_nat k) * t).
+
+Definition exceeds_net_step (s r : scheme) (k : nat) (b B : Q) : Prop := exists x t u,
+  net_at_most x b /\ B < Qabs (surface s r (S k) x t u - surface s r k x t u).
+
+Definition exceeds_net_distance (s r : scheme) (k : nat) (b B : Q) : Prop := exists x t u l margin,
+  net_at_most x b /\ 0 < margin /\
+  forall m, (l <= m)%nat -> B + margin <= Qabs (surface s r m x t u - surface s r k x t u).
+
 (** * Rings
 
     The points around a vertex or of a face: x'_a = Σ_b m_(a,b) x_b, with all weights over one denominator.

@@ -1,7 +1,7 @@
 (** Every definition at work: none of them is empty, and none holds of everything. *)
 
 Require Import ZArith QArith Qabs List Lqa.
-From Subcert Require Import Definitions Core Error Depth Refutation Ring.
+From Subcert Require Import Definitions Core Error Depth Refutation Net Ring.
 Import ListNotations.
 Local Open Scope Q_scope.
 
@@ -110,6 +110,20 @@ Qed.
 (** The same rules compared at another offset: the new point moves by 21/25. *)
 Example quinary_step : exceeds_step (Scheme 25 0 (rules quinary)) 0 1 (20 # 25).
 Proof. apply (exceeds_step_by (Scheme 25 0 (rules quinary)) 0 0 [0; 1; 0]%Z 0). vm_compute. reflexivity. Qed.
+
+(** * Nets *)
+
+Example quinary_net_step : exceeds_net_step (Scheme 25 0 (rules quinary)) chaikin 0 1 1.
+Proof.
+  apply (exceeds_net_step_by (Scheme 25 0 (rules quinary)) chaikin 0 0 [0; 1; 0]%Z 0 [0; 1]%Z 0 0).
+  vm_compute. reflexivity.
+Qed.
+
+Example chaikin_net_distance : exceeds_net_distance chaikin chaikin 0 1 (9 # 10).
+Proof.
+  apply (exceeds_net_distance_by chaikin chaikin 0 0 [0; 1]%Z 0 [0; 1]%Z 0 0 1 (9 # 10) 9 1 1 (1 # 100) 1 1 (1 # 100)).
+  vm_compute. reflexivity.
+Qed.
 
 (** * Rings *)
 

@@ -9,20 +9,21 @@ pub use crate::digest::{
 };
 pub use crate::evaluation::{Choice, Copied, Effect, FAMILY, QUANTITIES, Way};
 pub use crate::evidence::{
-    AttainedConstant, DepthLevels, Evidence, Excess, KernelFinding, KernelStatement, Powers,
-    PromiseEvidence, RingExcess, SearchedConstant, SoundCell, by_hand, depth_levels, evidence,
-    kernel_findings, promise_evidence, promise_refiner, theorem_evidence, working,
+    AttainedConstant, DepthLevels, Evidence, Powers, PromiseEvidence, SearchedConstant, SoundCell,
+    by_hand, depth_levels, evidence, kernel_findings, promise_evidence, promise_refiner,
+    theorem_evidence, working,
 };
 pub use crate::finding::{
     AsRead, Assumed, Attained, Broken, ByHand, CaseFinding, CellFinding, CellKind, Contraction,
     Contradiction, Control, Correction, Difference, Direction, EndFinding, EndRelation,
-    EquationFinding, EquationVerdict, EveryShift, Example, Explanation, FailingPremise, Failure,
-    FunctionFinding, FunctionVerdict, HandCell, HandConstant, Kept, Known, Later, LeftOut,
-    LevelEvidence, Levels, Limits, Line, LineReading, MAX_DIFFERENCES, Missing, Naturally, Need,
-    Needed, Outcome, PaperAudit, Place, PromiseCounts, RangeFinding, RangeOfLimits, RangeVerdict,
-    Recovered, RecoveredFrom, Refiner, Refutation, Repair, Search, Side, Slip, SmoothnessFinding,
-    SmoothnessVerdict, Solved, Sound, Supremum, TableFinding, TablePart, TheoremFinding,
-    TheoremVerdict, Unshiftable, Verdict, Violation, Witness, Working,
+    EquationFinding, EquationVerdict, EveryShift, Example, Excess, Explanation, FailingPremise,
+    Failure, FunctionFinding, FunctionVerdict, HandCell, HandConstant, Kept, KernelFinding,
+    KernelStatement, Known, Later, LeftOut, LevelEvidence, Levels, Limits, Line, LineReading,
+    MAX_DIFFERENCES, Missing, Naturally, Need, Needed, Outcome, PaperAudit, Place, PromiseCounts,
+    RangeFinding, RangeOfLimits, RangeVerdict, Recovered, RecoveredFrom, Refiner, Refutation,
+    Repair, RingExcess, Search, Side, Slip, SmoothnessFinding, SmoothnessVerdict, Solved, Sound,
+    Supremum, TableFinding, TablePart, TheoremFinding, TheoremVerdict, Unshiftable, Verdict,
+    Violation, Witness, Working,
 };
 pub use crate::judge::MAX_CASES;
 

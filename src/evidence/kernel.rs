@@ -1,6 +1,6 @@
 //! The findings that the Coq library of `proofs/coq` covers, as statements about numbers.
 
-use crate::bound::{Constants, Operator, Order, SoundBound};
+use crate::bound::{Operator, Order, SoundBound};
 use crate::claim::{Paper, Promise, Quantity};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::context::At;
@@ -10,133 +10,17 @@ use crate::evaluation::table::Evaluator;
 use crate::evaluation::trace::NotedConstant;
 use crate::evidence::by_hand::by_hand;
 use crate::evidence::drawn::promise_refiner;
+use crate::evidence::excess::{exceeds, rationals};
 use crate::evidence::table::{integer, number};
-use crate::exact::{Rational, RealCyclotomic};
-use crate::finding::{
-    Attained, CellFinding, Control, Kept, PaperAudit, Place, Refiner, TableFinding,
-};
-use crate::scheme::{LocalRules, Mask, Rules};
+use crate::exact::Rational;
+use crate::finding::{CellFinding, Kept, KernelFinding, KernelStatement, PaperAudit, TableFinding};
 use std::collections::BTreeSet;
 
 /// Constants with more residue classes are left out: `coqc` computes every class.
 const MAX_CLASSES: u64 = 1 << 14;
 
-/// The most levels that are computed for the bound of all later ones.
+/// Bounds at higher levels are left out.
 const MAX_LEVELS: u32 = 200;
-
-/// A finding as a statement about numbers.
-#[derive(Clone, Debug)]
-pub struct KernelFinding {
-    /// The id of the claim within its paper.
-    pub claim: String,
-    /// Where it stands in the paper, and what it prints there.
-    pub about: Vec<String>,
-    /// What is true.
-    pub statement: KernelStatement,
-}
-
-/// A statement about a scheme and numbers.
-#[derive(Clone, Debug)]
-pub enum KernelStatement {
-    /// T_c of a mask, or Λ_c.
-    Constant {
-        /// The mask.
-        mask: Mask,
-        /// Whether it is T_c or Λ_c.
-        operator: Operator,
-        /// If the rules are read from their other end, the rules that are read so.
-        backwards: Option<Rules>,
-        /// c.
-        levels: u32,
-        /// The constant.
-        value: Rational,
-    },
-    /// The distance of level k to all later levels is at most the bound times the spread.
-    Distance {
-        /// The mask.
-        mask: Mask,
-        /// k.
-        level: u32,
-        /// The bound.
-        bound: Rational,
-        /// M and c.
-        block: (usize, u32),
-    },
-    /// From level k on, polygons of a spread keep a tolerance.
-    Depth {
-        /// The mask.
-        mask: Mask,
-        /// k.
-        level: u32,
-        /// The spread.
-        spread: Rational,
-        /// The tolerance.
-        tolerance: Rational,
-        /// M and c.
-        block: (usize, u32),
-    },
-    /// Data of spread 1 exceed a bound.
-    Exceeds {
-        /// The mask.
-        mask: Mask,
-        /// k.
-        level: u32,
-        /// The index of the first point.
-        first: i64,
-        /// The points.
-        points: Vec<i64>,
-        /// Where.
-        excess: Excess,
-        /// The bound.
-        bound: Rational,
-    },
-    /// A ring of rational weights exceeds a bound.
-    Ring {
-        /// The weights, row by row.
-        weights: Vec<Vec<Rational>>,
-        /// The edges.
-        edges: Vec<(usize, usize)>,
-        /// k.
-        level: u32,
-        /// The points.
-        points: Vec<i64>,
-        /// Where.
-        excess: RingExcess,
-        /// The bound.
-        bound: Rational,
-    },
-}
-
-/// A quantity of a curve that exceeds a bound, and its place.
-#[derive(Clone, Debug)]
-pub enum Excess {
-    /// x^k_{i+1} − x^k_i at this i.
-    Difference(i64),
-    /// P^{k+1} − P^k at this t.
-    Step(Rational),
-    /// P^m − P^k at this t, for all m from a level on.
-    Distance {
-        /// t.
-        place: Rational,
-        /// The level.
-        later: u32,
-        /// A bound of the distance of this level to all later ones.
-        tail: Rational,
-        /// M and c that show the bound.
-        block: (usize, u32),
-    },
-}
-
-/// A quantity of a ring that exceeds a bound, and its place.
-#[derive(Clone, Debug)]
-pub enum RingExcess {
-    /// The difference of two points.
-    Difference(usize, usize),
-    /// The step of a point to the next level.
-    Step(usize),
-    /// The distance of a point to the limit of the ring, with the weights of the limit.
-    Distance(usize, Vec<Rational>),
-}
 
 /// The findings of a paper that the Coq library covers, claim by claim.
 ///
@@ -168,10 +52,6 @@ pub fn kernel_findings(audit: &PaperAudit<'_>) -> Result<Vec<KernelFinding>, Dia
         found.push(KernelFinding { claim: theorem.id.clone(), about, statement });
     }
     Ok(found)
-}
-
-fn rationals<'n>(numbers: impl IntoIterator<Item = &'n RealCyclotomic>) -> Option<Vec<Rational>> {
-    numbers.into_iter().map(|number| number.as_rational().cloned()).collect()
 }
 
 fn of_table(
@@ -297,73 +177,4 @@ fn fewest(bound: &SoundBound, serves: impl Fn(&SoundBound) -> Option<u32>) -> Op
         let less = SoundBound::of(bound.factor().clone(), bound.constants()[..=most].to_vec());
         Some((most, serves(&less)?))
     })
-}
-
-fn exceeds(
-    refiner: &Refiner,
-    (quantity, level): (Quantity, u32),
-    attained: &Attained,
-    (bound, limit): (&Rational, Option<&[Rational]>),
-) -> Option<KernelStatement> {
-    match (refiner, &attained.control) {
-        (Refiner::Masks(masks), Control::Polygon(polygon)) => {
-            let [mask] = &masks[..] else { return None };
-            let excess = match (quantity, &attained.place) {
-                (Quantity::Difference, Place::Difference(i)) => Excess::Difference(*i),
-                (Quantity::Step, Place::Point(i)) => {
-                    let points = Rational::from(mask.arity() as u64).pow((level + 1).cast_signed());
-                    Excess::Step(Rational::from(*i) / points)
-                }
-                (Quantity::Distance, Place::Parameter(t)) => {
-                    far(mask, t, &(attained.value.as_rational()? - bound))?
-                }
-                _ => return None,
-            };
-            let (first, points) = (polygon.first, polygon.points.clone());
-            let (mask, bound) = (mask.clone(), bound.clone());
-            Some(KernelStatement::Exceeds { mask, level, first, points, excess, bound })
-        }
-        (Refiner::Ring(ring), Control::Points(points)) => {
-            let place = |name: &String| points.iter().position(|(known, _)| known == name);
-            let excess = match (quantity, &attained.place) {
-                (Quantity::Difference, Place::Edge([a, b])) => {
-                    RingExcess::Difference(place(a)?, place(b)?)
-                }
-                (Quantity::Step, Place::Named(a)) => RingExcess::Step(place(a)?),
-                (Quantity::Distance, Place::Named(a)) => {
-                    RingExcess::Distance(place(a)?, limit?.to_vec())
-                }
-                _ => return None,
-            };
-            let points = points.iter().map(|(_, height)| *height).collect();
-            let (weights, edges) = (weights(ring)?, ring.edges().to_vec());
-            let bound = bound.clone();
-            Some(KernelStatement::Ring { weights, edges, level, points, excess, bound })
-        }
-        _ => None,
-    }
-}
-
-fn weights(ring: &LocalRules) -> Option<Vec<Vec<Rational>>> {
-    let weights = ring.weights();
-    (0..ring.point_count()).map(|row| rationals(weights.row(row))).collect()
-}
-
-/// A later level whose distance to all levels beyond is so small that what exceeds a bound by `gap`
-/// in the limit exceeds it from there on.
-fn far(mask: &Mask, place: &Rational, gap: &Rational) -> Option<Excess> {
-    let mut tail = Rational::one();
-    while &tail + &tail + &tail > *gap {
-        tail = tail / Rational::from(2);
-    }
-    let constants = Constants::new(mask.clone());
-    let most = (1..=8).take_while(|c| (mask.arity() as u64).pow(*c) <= 1 << 11).last()?;
-    let bound = SoundBound::curve(&constants, most).ok()?;
-    let one = Rational::one();
-    let least = bound.constants().iter().skip(1).position(|constant| *constant < one)? + 1;
-    let bound = SoundBound::of(bound.factor().clone(), bound.constants()[..=least].to_vec());
-    let later =
-        (0..MAX_LEVELS).find(|level| bound.level(*level).is_some_and(|(b, _)| b <= tail))?;
-    let block = (least, bound.level(later)?.1);
-    Some(Excess::Distance { place: place.clone(), later, tail, block })
 }

@@ -51,6 +51,6 @@ fn statements_hold_the_numbers_of_the_paper() {
     }
     // (20) for c = 2, k = 0: σ as printed is 3/5 and T = 193/625, so that the bound is 125/144.
     assert!(of("theorem_5").contains("exceeds_distance scheme_1 0 1 (125 # 144)."));
-    // Nothing is said of tensor products.
-    assert!(files.iter().all(|file| !file.name.contains("theorem_8")));
+    // (32) of the quaternary scheme in both directions, c = 2, k = 1: at (15/16, 15/16) the net is 3/4 off.
+    assert!(of("theorem_8").contains("exceeds_net_distance scheme_1 scheme_1 1 1 (1133 # 5120)."));
 }

@@ -1,7 +1,7 @@
 (** Khan, Shakoor, Mustafa, Razaq 2022: theorem-5. Written by `subcert prove --coq`. *)
 
 From Coq Require Import ZArith QArith List.
-From Subcert Require Import Definitions Core Error Depth Refutation Ring.
+From Subcert Require Import Definitions Core Error Depth Refutation Net Ring.
 Import ListNotations.
 Local Open Scope Q_scope.
 

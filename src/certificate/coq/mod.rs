@@ -3,13 +3,16 @@
 //! Nothing here is trusted: each file holds masks, numbers and one application of a lemma to each
 //! statement, and Coq accepts or rejects it.
 
+mod numbers;
+
 use crate::audit::{
     Excess, KernelFinding, KernelStatement, PaperAudit, RingExcess, kernel_findings,
 };
 use crate::bound::Operator;
 use crate::diagnostic::Diagnostic;
-use crate::exact::{Integer, Rational};
+use crate::exact::Rational;
 use crate::scheme::Rules;
+use numbers::{integers, over_one, rational, rules, rules_over, signed};
 use std::fmt::Write as _;
 
 /// The theorems about one claim.
@@ -58,7 +61,7 @@ pub fn coq_files(audit: &PaperAudit<'_>) -> Result<Vec<CoqFile>, Diagnostic> {
 
 const HEAD: &str = "\
 From Coq Require Import ZArith QArith List.
-From Subcert Require Import Definitions Core Error Depth Refutation Ring.
+From Subcert Require Import Definitions Core Error Depth Refutation Net Ring.
 Import ListNotations.
 Local Open Scope Q_scope.
 ";
@@ -119,6 +122,14 @@ impl File {
                 let data = format!("{} {}", signed(*first), integers(points));
                 let bound = rational(bound);
                 exceeds(&format!("{scheme} {level}"), &data, excess, &bound)
+            }
+            KernelStatement::Net { masks, level, polygons, excess, bound } => {
+                let names = masks.each_ref().map(|mask| self.define("scheme", rules(mask.rules())));
+                let data = polygons
+                    .each_ref()
+                    .map(|(first, points)| format!("{} {}", signed(*first), integers(points)));
+                let of = format!("{} {level}", names.join(" "));
+                net_exceeds(&of, &data.join(" "), excess, &rational(bound))
             }
             KernelStatement::Ring { weights, edges, level, points, excess, bound } => {
                 let edges: Vec<String> = edges.iter().map(|(a, b)| format!("({a}, {b})")).collect();
@@ -193,6 +204,30 @@ fn exceeds(of: &str, data: &str, excess: &Excess, bound: &str) -> (String, Strin
     }
 }
 
+fn net_exceeds(of: &str, data: &str, excess: &[Excess; 2], bound: &str) -> (String, String) {
+    match excess {
+        [
+            Excess::Distance { place: s, later, tail, block: (most, block) },
+            Excess::Distance { place: t, later: later2, tail: tail2, block: (most2, block2) },
+        ] => (
+            format!("exceeds_net_distance {of} 1 {bound}"),
+            format!(
+                "exceeds_net_distance_by {of} {data} {} {} 1 {bound}\n  {} {most} {block} {} {most2} {block2} {}",
+                rational(s),
+                rational(t),
+                later.max(later2),
+                rational(tail),
+                rational(tail2)
+            ),
+        ),
+        [Excess::Step(s), Excess::Step(t)] => (
+            format!("exceeds_net_step {of} 1 {bound}"),
+            format!("exceeds_net_step_by {of} {data} {} {}", rational(s), rational(t)),
+        ),
+        _ => unreachable!("both directions have the same quantity"),
+    }
+}
+
 fn ring_exceeds(of: &str, data: &str, excess: &RingExcess, bound: &str) -> (String, String) {
     match excess {
         RingExcess::Difference(a, b) => (
@@ -221,54 +256,4 @@ fn word(id: &str) -> String {
 /// A text that a comment of Coq can hold.
 fn comment(text: &str) -> String {
     text.replace("(*", "( *").replace("*)", "* )").replace('"', "'")
-}
-
-fn rational(number: &Rational) -> String {
-    if number.is_integer() && number.sign() >= 0 {
-        return number.to_string();
-    }
-    format!("({} # {})", number.numerator(), number.denominator())
-}
-
-fn integers(numbers: &[i64]) -> String {
-    let numbers: Vec<String> = numbers.iter().map(ToString::to_string).collect();
-    format!("[{}]%Z", numbers.join("; "))
-}
-
-fn signed(number: i64) -> String {
-    if number < 0 { format!("({number})") } else { number.to_string() }
-}
-
-/// The common denominator of all entries, and the rows times it.
-fn over_one(rows: &[Vec<Rational>]) -> (Integer, String) {
-    let denominator = common(rows);
-    (denominator.clone(), over(rows, &denominator))
-}
-
-fn common(rows: &[Vec<Rational>]) -> Integer {
-    rows.iter().flatten().fold(Integer::one(), |common, entry| {
-        let rest = (entry * Rational::from(common.clone())).denominator();
-        common * rest
-    })
-}
-
-fn over(rows: &[Vec<Rational>], denominator: &Integer) -> String {
-    let times = |entry: &Rational| (entry * Rational::from(denominator.clone())).to_string();
-    let row = |row: &Vec<Rational>| {
-        format!("[{}]", row.iter().map(times).collect::<Vec<String>>().join("; "))
-    };
-    if let [only] = rows {
-        return format!("{}%Z", row(only));
-    }
-    format!("[{}]%Z", rows.iter().map(row).collect::<Vec<String>>().join("; "))
-}
-
-fn rules(rules: &Rules) -> String {
-    rules_over(rules, rules)
-}
-
-/// Rules over the common denominator of a mask.
-fn rules_over(rules: &Rules, mask: &Rules) -> String {
-    let denominator = common(mask.rows());
-    format!("Scheme {denominator} {} {}", signed(mask.offset()), over(rules.rows(), &denominator))
 }
