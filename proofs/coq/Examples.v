@@ -1,6 +1,6 @@
 (** Every definition at work: none of them is empty, and none holds of everything. *)
 
-Require Import ZArith QArith Qabs List Lqa.
+Require Import ZArith QArith Qabs Qround List Lia Lqa.
 From Subcert Require Import Definitions Core Error Depth Refutation Net Ring.
 Import ListNotations.
 Local Open Scope Q_scope.
@@ -77,6 +77,46 @@ Proof. apply contraction_constant_by. vm_compute. reflexivity. Qed.
 
 Example six_point_backwards : backwards_constant six_point six_point_differences 2 (176871 # 400000).
 Proof. apply backwards_constant_by. vm_compute. reflexivity. Qed.
+
+(** * Rules that sum to 1, and points that grow beyond all bounds
+
+    Khan, Omar, Mustafa 2019, (2.2), says that rules that sum to 1 are enough for convergence. *)
+
+Definition diverging := Scheme 1 0 [[2; -1]; [2; -1]]%Z.
+
+Definition peak : points := fun i => if Z.eqb i 0 then 1 else 0.
+
+Lemma diverging_step x : refine diverging x 0%Z == 2 * x 0%Z - x 1%Z /\
+  refine diverging x 1%Z == 2 * x 0%Z - x 1%Z /\ refine diverging x (-1)%Z == 2 * x (-1)%Z - x 0%Z.
+Proof.
+  change (refine diverging x 0%Z) with ((1 # 1) * (inject_Z 2 * x 0%Z + (inject_Z (-1) * x 1%Z + 0))).
+  change (refine diverging x 1%Z) with ((1 # 1) * (inject_Z 2 * x 0%Z + (inject_Z (-1) * x 1%Z + 0))).
+  change (refine diverging x (-1)%Z) with ((1 # 1) * (inject_Z 2 * x (-1)%Z + (inject_Z (-1) * x 0%Z + 0))).
+  change (inject_Z 2) with 2. change (inject_Z (-1)) with (-(1)). change (1 # 1) with 1. repeat split; ring.
+Qed.
+
+Lemma diverging_levels k : level diverging (S k) peak 0%Z == 2 /\ level diverging (S k) peak 1%Z == 2 /\
+  level diverging (S k) peak (-1)%Z == inject_Z (2 - 3 * 2 ^ Z.of_nat k).
+Proof.
+  induction k as [|k (A & B & C)]; [repeat split; reflexivity|].
+  change (level diverging (S (S k)) peak) with (refine diverging (level diverging (S k) peak)).
+  destruct (diverging_step (level diverging (S k) peak)) as (-> & -> & ->). rewrite A, B, C.
+  split; [reflexivity|]. split; [reflexivity|].
+  rewrite Nat2Z.inj_succ, Z.pow_succ_r by lia. unfold Z.sub.
+  rewrite !inject_Z_plus, !inject_Z_opp, !inject_Z_mult. change (inject_Z 2) with 2. change (inject_Z 3) with 3. ring.
+Qed.
+
+Theorem rules_that_sum_to_1_are_not_enough : affine diverging /\ at_most peak 1 /\
+  forall B, exists k, B < Qabs (level diverging k peak (-1)%Z).
+Proof.
+  split; [now apply is_affine_correct|]. split.
+  - intros i. unfold peak. destruct (Z.eqb i 0); discriminate.
+  - intros B. set (n := Z.to_nat (Z.max 2 (Qround.Qceiling B))). exists (S n).
+    destruct (diverging_levels n) as (_ & _ & ->). rewrite inject_Z_abs.
+    pose proof (Z.pow_gt_lin_r 2 (Z.of_nat n) ltac:(lia) ltac:(lia)).
+    apply Qle_lt_trans with (inject_Z (Qround.Qceiling B)); [apply Qround.Qle_ceiling|].
+    rewrite <- Zlt_Qlt. lia.
+Qed.
 
 (** * Distances *)
 
