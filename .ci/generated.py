@@ -13,7 +13,7 @@ begins with WORD, and `head=N` keeps N lines. A block under `<!-- file: PATH -->
 file, and one under `<!-- part of: PATH -->` some lines of it.
 The files of FILES, and proofs/errata, hold what their command writes, and nothing else; docs/audits/index.html
 is the index of the pages that `audit --format html` writes, with links to the errata in place of pages, which are not
-in the repository. docs/gallery.md has the audits of proofs/projects. docs/depth.svg is a picture of a page of `depth`, with the styles of the page.
+in the repository. docs/gallery.md has the audits of proofs/projects. proofs/coq/papers has the theorems of `prove --coq`, and no other file. docs/depth.svg is a picture of a page of `depth`, with the styles of the page.
 """
 
 import os
@@ -91,6 +91,14 @@ def index() -> str:
     return page.replace(says, here)
 
 
+def theorems() -> dict[str, str]:
+    """The theorems of Coq, by the names of their files."""
+    with tempfile.TemporaryDirectory() as folder:
+        output(f"prove --coq {folder}")
+        files = sorted(Path(folder).rglob("*.v"))
+        return {f"proofs/coq/papers/{file.relative_to(folder)}": file.read_text() for file in files}
+
+
 def picture() -> str:
     """The first picture of levels of a page of `depth`, as a file of its own."""
     page = output("depth examples/my-scheme.toml --tolerance 1/1000 --format html")
@@ -134,7 +142,13 @@ def main() -> int:
     for claims in sorted((ROOT / "proofs" / "claims").glob("*.toml")):
         key = claims.stem
         generated[f"proofs/errata/{key}.md"] = output(f"errata --paper {key}")
+    written = theorems()
+    generated |= written
+    there = {str(file.relative_to(ROOT)) for file in (ROOT / "proofs" / "coq" / "papers").rglob("*.v")}
+    idle = sorted(there - written.keys())
     if "--check" not in sys.argv[1:]:
+        for name in idle:
+            (ROOT / name).unlink()
         for name, text in generated.items():
             (ROOT / name).parent.mkdir(parents=True, exist_ok=True)
             (ROOT / name).write_text(text)
@@ -146,6 +160,9 @@ def main() -> int:
     ]
     for name in stale:
         print(f"{name} is not what the program writes; run .ci/generated.py", file=sys.stderr)
+    for name in idle:
+        print(f"{name} is no file that the program writes; run .ci/generated.py", file=sys.stderr)
+    stale += idle
     if not stale:
         print(f"{', '.join(generated)}: as the program writes them")
     return 1 if stale else 0

@@ -10,18 +10,20 @@ pub use crate::digest::{
 pub use crate::evaluation::{Choice, Copied, Effect, FAMILY, QUANTITIES, Way};
 pub use crate::evidence::{
     AttainedConstant, DepthLevels, Evidence, Powers, PromiseEvidence, SearchedConstant, SoundCell,
-    by_hand, depth_levels, evidence, promise_evidence, promise_refiner, theorem_evidence, working,
+    by_hand, depth_levels, evidence, kernel_findings, promise_evidence, promise_refiner,
+    theorem_evidence, working,
 };
 pub use crate::finding::{
     AsRead, Assumed, Attained, Broken, ByHand, CaseFinding, CellFinding, CellKind, Contraction,
     Contradiction, Control, Correction, Difference, Direction, EndFinding, EndRelation,
-    EquationFinding, EquationVerdict, EveryShift, Example, Explanation, FailingPremise, Failure,
-    Fitting, FunctionFinding, FunctionVerdict, HandCell, HandConstant, Kept, Known, Later, LeftOut,
-    LevelEvidence, Levels, Limits, Line, LineReading, MAX_DIFFERENCES, Missing, Naturally, Need,
-    Needed, Outcome, PaperAudit, Place, PromiseCounts, RangeFinding, RangeOfLimits, RangeVerdict,
-    Recovered, RecoveredFrom, Refiner, Refutation, Repair, Search, Side, Slip, SmoothnessFinding,
-    SmoothnessVerdict, Solved, Sound, Supremum, TableFinding, TablePart, TheoremFinding,
-    TheoremVerdict, Unshiftable, Verdict, Violation, Witness, Working,
+    EquationFinding, EquationVerdict, EveryShift, Example, Excess, Explanation, FailingPremise,
+    Failure, Fitting, FunctionFinding, FunctionVerdict, HandCell, HandConstant, Kept,
+    KernelFinding, KernelStatement, Known, Later, LeftOut, LevelEvidence, Levels, Limits, Line,
+    LineReading, MAX_DIFFERENCES, Missing, Naturally, Need, Needed, Outcome, PaperAudit, Place,
+    PromiseCounts, RangeFinding, RangeOfLimits, RangeVerdict, Recovered, RecoveredFrom, Refiner,
+    Refutation, Repair, RingExcess, Search, Side, Slip, SmoothnessFinding, SmoothnessVerdict,
+    Solved, Sound, Supremum, TableFinding, TablePart, TheoremFinding, TheoremVerdict, Unshiftable,
+    Verdict, Violation, Witness, Working,
 };
 pub use crate::judge::MAX_CASES;
 

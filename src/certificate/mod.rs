@@ -5,6 +5,7 @@
 
 mod block;
 mod constant;
+mod coq;
 mod equation;
 mod family;
 mod limits;
@@ -21,6 +22,7 @@ mod witness;
 
 use crate::audit::PaperAudit;
 use block::{Block, words};
+pub use coq::{CoqFile, coq_files};
 pub use radius::{radius_certificate, smoothness_certificate};
 pub use shipped::project_certificate;
 

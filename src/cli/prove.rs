@@ -8,7 +8,8 @@ use super::projects::judge_projects;
 use super::save::save;
 use std::fmt::Write as _;
 use std::path::Path;
-use subcert::certificate::{Certificate, certificate, project_certificate};
+use subcert::audit::PaperAudit;
+use subcert::certificate::{Certificate, CoqFile, certificate, coq_files, project_certificate};
 
 pub(super) fn prove(arguments: &ProveArguments) -> Outcome {
     let claims = claims_or_keys(&arguments.what)?;
@@ -16,19 +17,52 @@ pub(super) fn prove(arguments: &ProveArguments) -> Outcome {
         Claims::Papers(papers) => papers.len(),
         Claims::Projects(projects) => projects.len(),
     };
+    let ProveArguments { output, coq, .. } = arguments;
     // Before anything is judged.
-    if arguments.output.as_os_str() == "-" && count != 1 {
+    if output.as_ref().is_some_and(|output| output.as_os_str() == "-") && count != 1 {
         let message = "one certificate at a time goes to the standard output: name one paper or \
                        project";
         return Err(Failure::Input(message.to_owned()));
     }
     let certificates: Vec<Certificate> = match claims {
-        Claims::Papers(papers) => judge_all(&papers, true)?.iter().map(certificate).collect(),
+        Claims::Papers(papers) => {
+            let audits = judge_all(&papers, true)?;
+            if let Some(folder) = coq {
+                theorems(&audits, folder)?;
+            }
+            match output {
+                Some(_) => audits.iter().map(certificate).collect(),
+                None => return Ok(()),
+            }
+        }
+        Claims::Projects(_) if coq.is_some() => {
+            let message = "the library of Coq has no theorems about constants of programs: \
+                           without --coq";
+            return Err(Failure::Input(message.to_owned()));
+        }
         Claims::Projects(projects) => {
             judge_projects(&projects, true)?.iter().map(project_certificate).collect()
         }
     };
-    deliver(&certificates, &arguments.output)
+    output.as_ref().map_or(Ok(()), |output| deliver(&certificates, output))
+}
+
+/// Writes the theorems of Coq into folders, one for each paper.
+fn theorems(audits: &[PaperAudit<'_>], folder: &Path) -> Outcome {
+    let mut said = String::new();
+    for audit in audits {
+        let files = coq_files(audit)?;
+        for CoqFile { name, text, .. } in &files {
+            let path = folder.join(name);
+            save(&path, text).map_err(|error| {
+                Failure::Input(format!("cannot write `{}`: {error}", path.display()))
+            })?;
+        }
+        let theorems: usize = files.iter().map(|file| file.theorems).sum();
+        let (key, files) = (&audit.paper.key, files.len());
+        let _ = writeln!(said, "{key}: {theorems} theorems of Coq in {files} files");
+    }
+    write_results(&said)
 }
 
 /// Writes certificates into a folder, or to the standard output.

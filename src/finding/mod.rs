@@ -5,6 +5,7 @@ mod cell;
 mod consistency;
 mod equation;
 mod function;
+mod kernel;
 mod levels;
 mod paper;
 mod promise;
@@ -22,6 +23,7 @@ pub use cell::{AsRead, Assumed, CellFinding, CellKind, Direction, Missing, Slip,
 pub use consistency::{Contradiction, Needed, Side, TablePart};
 pub use equation::{EquationFinding, EquationVerdict, Failure};
 pub use function::{Example, FunctionFinding, FunctionVerdict};
+pub use kernel::{Excess, KernelFinding, KernelStatement, RingExcess};
 pub use levels::{Later, LevelEvidence, Levels};
 pub use paper::PaperAudit;
 pub use promise::{Broken, Kept, PromiseCounts};

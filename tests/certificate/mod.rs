@@ -1,6 +1,7 @@
 //! Certificates that the program writes, and the checker.
 
 mod constants;
+mod coq;
 mod levels;
 mod papers;
 mod smoothness;

@@ -32,6 +32,7 @@ fn files_of_two_kinds_and_commands_of_papers_are_refused() {
         &refused(["prove", "khan2019-newton", WEIGHTS, "-o", "-"]),
         &["once for the projects"],
     );
+    assert_parts(&refused(["prove", WEIGHTS, "--coq", "target"]), &["without --coq"]);
     assert_parts(&refused(["coverage", WEIGHTS]), &["about papers", "audit, explain, errata"]);
     assert_parts(
         &refused(["audit", WEIGHTS, WEIGHTS]),

@@ -142,8 +142,11 @@ pub(in crate::cli) struct ProveArguments {
     #[arg(value_name = "KEY|FILE")]
     pub(in crate::cli) what: Vec<String>,
     /// The folder for the certificates KEY.cert; `-` for one paper to the standard output
-    #[arg(short = 'o', long = "output", value_name = "DIR")]
-    pub(in crate::cli) output: PathBuf,
+    #[arg(short = 'o', long = "output", value_name = "DIR", required_unless_present = "coq")]
+    pub(in crate::cli) output: Option<PathBuf>,
+    /// The folder for theorems of Coq, KEY/CLAIM.v, which need the library in proofs/coq
+    #[arg(long, value_name = "DIR")]
+    pub(in crate::cli) coq: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]

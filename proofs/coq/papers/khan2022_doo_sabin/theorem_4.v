@@ -1,0 +1,17 @@
+(** Khan, Shakoor, Mustafa, Razaq 2022: theorem-4. Written by `subcert prove --coq`. *)
+
+From Coq Require Import ZArith QArith List.
+From Subcert Require Import Definitions Core Error Depth Refutation Net Ring.
+Import ListNotations.
+Local Open Scope Q_scope.
+
+Definition ring_1 :=
+  Ring 6 [[4; 1; 1]; [1; 4; 1]; [1; 1; 4]]%Z
+    [(0, 1); (1, 2); (2, 0)]%nat.
+
+(* Theorem 4, (42), (68), (69): The step of two levels *)
+(* Refuted: doo-sabin:n=3, c = 2, at level 1; the bound is 2/3*(1/16)^1*1 *)
+Theorem finding_1 :
+  exceeds_ring_step ring_1 1 1 (1 # 24).
+Proof. apply (exceeds_ring_step_by ring_1 1 [0; 1; 1]%Z 0). vm_cast_no_check (eq_refl true). Qed.
+

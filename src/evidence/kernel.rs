@@ -1,0 +1,180 @@
+//! The findings that the Coq library of `proofs/coq` covers, as statements about numbers.
+
+use crate::bound::{Operator, Order, SoundBound};
+use crate::claim::{Paper, Promise, Quantity};
+use crate::diagnostic::Diagnostic;
+use crate::evaluation::context::At;
+use crate::evaluation::library::Library;
+use crate::evaluation::settings::Settings;
+use crate::evaluation::table::Evaluator;
+use crate::evaluation::trace::NotedConstant;
+use crate::evidence::by_hand::by_hand;
+use crate::evidence::drawn::promise_refiner;
+use crate::evidence::excess::{exceeds, rationals};
+use crate::evidence::table::{integer, number};
+use crate::exact::Rational;
+use crate::finding::{CellFinding, Kept, KernelFinding, KernelStatement, PaperAudit, TableFinding};
+use std::collections::BTreeSet;
+
+/// Constants with more residue classes are left out: `coqc` computes every class.
+const MAX_CLASSES: u64 = 1 << 14;
+
+/// Bounds at higher levels are left out.
+const MAX_LEVELS: u32 = 200;
+
+/// The findings of a paper that the Coq library covers, claim by claim.
+///
+/// # Errors
+/// When a formula of the claim file is wrong.
+pub fn kernel_findings(audit: &PaperAudit<'_>) -> Result<Vec<KernelFinding>, Diagnostic> {
+    let mut found = Vec::new();
+    for table in &audit.tables {
+        of_table(audit.paper, table, &mut found)?;
+    }
+    for finding in &audit.theorems {
+        let Some(refutation) = &finding.refutation else { continue };
+        let Some(hand) = by_hand(audit, finding)? else { continue };
+        let violation = &refutation.violation;
+        let Some(bound) = violation.bound.as_rational() else { continue };
+        let (theorem, level) = (finding.theorem, violation.level);
+        let limit = rationals(&refutation.limit);
+        let excess = exceeds(
+            &hand.refiner,
+            (violation.quantity, level),
+            &violation.attained,
+            (bound, limit.as_deref()),
+        );
+        let Some(statement) = excess else { continue };
+        let about = vec![
+            format!("{}: {}", theorem.locus, theorem.title),
+            format!("Refuted: {}, at level {level}; the bound is {}", refutation.case, hand.bound),
+        ];
+        found.push(KernelFinding { claim: theorem.id.clone(), about, statement });
+    }
+    Ok(found)
+}
+
+fn of_table(
+    paper: &Paper,
+    finding: &TableFinding<'_>,
+    found: &mut Vec<KernelFinding>,
+) -> Result<(), Diagnostic> {
+    let (library, table) = (Library::new(paper), finding.table);
+    let judge = Evaluator::new(paper, table, &library, &finding.values())?;
+    let assume: BTreeSet<String> = judge.assumed.keys().cloned().collect();
+    let settings = Settings::default();
+    let new =
+        |about: Vec<String>, statement| KernelFinding { claim: table.id.clone(), about, statement };
+    let mut known = BTreeSet::new();
+    for (row, cells) in finding.cells.iter().enumerate() {
+        for (column, cell) in cells.iter().enumerate() {
+            let at = At { row, column, assume: &assume, settings: &settings };
+            for noted in judge.constants(at)?.constants {
+                let key = (noted.instance.clone(), noted.operator, noted.order, noted.levels);
+                if known.contains(&key) {
+                    continue;
+                }
+                if let Some((statement, value)) = constant(&noted) {
+                    known.insert(key);
+                    let rests = format!("{}: a constant that the cell rests on", cell.locus);
+                    let about = if cell.exact.as_ref() == Some(&value.into()) {
+                        printed(cell)
+                    } else {
+                        rests
+                    };
+                    found.push(new(vec![about], statement));
+                }
+            }
+            if let Some(promise) = &table.promise
+                && let Some(statement) = sound(&judge, promise, at)?
+            {
+                found.push(new(vec![printed(cell), "What holds:".to_owned()], statement));
+            }
+            if let Some(Kept::No(broken)) = &cell.kept
+                && let Some(refiner) = promise_refiner(paper, finding, (row, column))?
+            {
+                let bound = &broken.most / &broken.spread;
+                let of = (Quantity::Distance, broken.level);
+                if let Some(statement) = exceeds(&refiner, of, &broken.attained, (&bound, None)) {
+                    let scaled = format!(
+                        "It does not keep its promise: {} at level {}, for points of spread {}",
+                        broken.most, broken.level, broken.spread
+                    );
+                    found.push(new(vec![printed(cell), scaled], statement));
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+fn printed(cell: &CellFinding) -> String {
+    let text = cell.printed.as_deref().unwrap_or("nothing");
+    format!("{} prints {text}", cell.locus)
+}
+
+fn constant(noted: &NotedConstant) -> Option<(KernelStatement, Rational)> {
+    let NotedConstant { constants, operator, levels, order, .. } = noted;
+    let mask = constants.mask().clone();
+    let classes = (mask.arity() as u64).checked_pow(*levels)?;
+    if *levels == 0 || classes > MAX_CLASSES {
+        return None;
+    }
+    let value = constants.norm(*operator, *levels, *order).ok()?;
+    // For c = 1 the order does not matter.
+    let backwards = (*order == Order::Forward && *levels > 1).then(|| match operator {
+        Operator::Difference => constants.difference().clone(),
+        Operator::Scheme => mask.rules().clone(),
+    });
+    let (operator, levels) = (*operator, *levels);
+    Some((
+        KernelStatement::Constant { mask, operator, backwards, levels, value: value.clone() },
+        value,
+    ))
+}
+
+/// The sound bound of a cell about a curve, by as few constants as give it.
+fn sound(
+    judge: &Evaluator<'_>,
+    promise: &Promise,
+    at: At<'_>,
+) -> Result<Option<KernelStatement>, Diagnostic> {
+    let Ok(quantities) = judge.quantities(at)? else { return Ok(None) };
+    let Some(scheme) = quantities.scheme else { return Ok(None) };
+    let [axis] = &scheme.constants[..] else { return Ok(None) };
+    let (Promise::Depth { spread, offset, .. } | Promise::Bound { spread, offset, .. }) = promise;
+    let offset = offset.as_ref().map(|offset| integer(judge, offset, at)).transpose()?.flatten();
+    let mask = axis.mask().with_offset(offset.unwrap_or(axis.mask().offset()));
+    let Ok(bound) = judge.library.sound_bound(&scheme, offset) else { return Ok(None) };
+    let Some(spread) = number(judge, spread, at)? else { return Ok(None) };
+    match promise {
+        Promise::Depth { tolerance, .. } => {
+            let Some(tolerance) = number(judge, tolerance, at)? else { return Ok(None) };
+            let Ok(depth) = bound.depth(&spread, &tolerance) else { return Ok(None) };
+            let found = fewest(&bound, |bound| {
+                let less = bound.depth(&spread, &tolerance).ok()?;
+                (less.level == depth.level).then_some(less.block)
+            });
+            let level = depth.level;
+            Ok(found.map(|block| KernelStatement::Depth { mask, level, spread, tolerance, block }))
+        }
+        Promise::Bound { level, .. } => {
+            let level = integer(judge, level, at)?.and_then(|level| u32::try_from(level).ok());
+            let Some(level) = level.filter(|level| *level <= MAX_LEVELS) else { return Ok(None) };
+            let Some((value, _)) = bound.level(level) else { return Ok(None) };
+            let found = fewest(&bound, |bound| {
+                bound.level(level).filter(|(less, _)| *less == value).map(|(_, block)| block)
+            });
+            let bound = value;
+            Ok(found.map(|block| KernelStatement::Distance { mask, level, bound, block }))
+        }
+    }
+}
+
+/// The least M whose constants T_1, …, T_M serve, with the block length.
+fn fewest(bound: &SoundBound, serves: impl Fn(&SoundBound) -> Option<u32>) -> Option<(usize, u32)> {
+    (1..bound.constants().len()).find_map(|most| {
+        let less = SoundBound::of(bound.factor().clone(), bound.constants()[..=most].to_vec());
+        Some((most, serves(&less)?))
+    })
+}

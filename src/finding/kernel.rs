@@ -1,0 +1,132 @@
+//! Findings as statements about numbers, which the Coq library of `proofs/coq` covers.
+
+use crate::bound::Operator;
+use crate::exact::Rational;
+use crate::scheme::{Mask, Rules};
+
+/// A finding as a statement about numbers.
+#[derive(Clone, Debug)]
+pub struct KernelFinding {
+    /// The id of the claim within its paper.
+    pub claim: String,
+    /// Where it stands in the paper, and what it prints there.
+    pub about: Vec<String>,
+    /// What is true.
+    pub statement: KernelStatement,
+}
+
+/// A statement about a scheme and numbers.
+#[derive(Clone, Debug)]
+pub enum KernelStatement {
+    /// T_c of a mask, or Λ_c.
+    Constant {
+        /// The mask.
+        mask: Mask,
+        /// Whether it is T_c or Λ_c.
+        operator: Operator,
+        /// If the rules are read from their other end, the rules that are read so.
+        backwards: Option<Rules>,
+        /// c.
+        levels: u32,
+        /// The constant.
+        value: Rational,
+    },
+    /// The distance of level k to all later levels is at most the bound times the spread.
+    Distance {
+        /// The mask.
+        mask: Mask,
+        /// k.
+        level: u32,
+        /// The bound.
+        bound: Rational,
+        /// M and c.
+        block: (usize, u32),
+    },
+    /// From level k on, polygons of a spread keep a tolerance.
+    Depth {
+        /// The mask.
+        mask: Mask,
+        /// k.
+        level: u32,
+        /// The spread.
+        spread: Rational,
+        /// The tolerance.
+        tolerance: Rational,
+        /// M and c.
+        block: (usize, u32),
+    },
+    /// Data of spread 1 exceed a bound.
+    Exceeds {
+        /// The mask.
+        mask: Mask,
+        /// k.
+        level: u32,
+        /// The index of the first point.
+        first: i64,
+        /// The points.
+        points: Vec<i64>,
+        /// Where.
+        excess: Excess,
+        /// The bound.
+        bound: Rational,
+    },
+    /// A net x_{i,j} = a_i + b_j of spread 1 exceeds a bound.
+    Net {
+        /// The masks of both indices.
+        masks: [Mask; 2],
+        /// k.
+        level: u32,
+        /// a and b, with the indices of their first points.
+        polygons: [(i64, Vec<i64>); 2],
+        /// The place in both directions.
+        excess: [Excess; 2],
+        /// The bound.
+        bound: Rational,
+    },
+    /// A ring of rational weights exceeds a bound.
+    Ring {
+        /// The weights, row by row.
+        weights: Vec<Vec<Rational>>,
+        /// The edges.
+        edges: Vec<(usize, usize)>,
+        /// k.
+        level: u32,
+        /// The points.
+        points: Vec<i64>,
+        /// Where.
+        excess: RingExcess,
+        /// The bound.
+        bound: Rational,
+    },
+}
+
+/// A quantity of a curve that exceeds a bound, and its place.
+#[derive(Clone, Debug)]
+pub enum Excess {
+    /// x^k_{i+1} − x^k_i at this i.
+    Difference(i64),
+    /// P^{k+1} − P^k at this t.
+    Step(Rational),
+    /// P^m − P^k at this t, for all m from a level on.
+    Distance {
+        /// t.
+        place: Rational,
+        /// The level.
+        later: u32,
+        /// A bound of the distance of this level to all later ones.
+        tail: Rational,
+        /// M and c that show the bound.
+        block: (usize, u32),
+    },
+}
+
+/// A quantity of a ring that exceeds a bound, and its place.
+#[derive(Clone, Debug)]
+pub enum RingExcess {
+    /// The difference of two points.
+    Difference(usize, usize),
+    /// The step of a point to the next level.
+    Step(usize),
+    /// The distance of a point to the limit of the ring, with the weights of the limit.
+    Distance(usize, Vec<Rational>),
+}
