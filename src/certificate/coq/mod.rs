@@ -47,7 +47,9 @@ pub fn coq_files(audit: &PaperAudit<'_>) -> Result<Vec<CoqFile>, Diagnostic> {
     for claims in findings.chunk_by(|a, b| a.claim == b.claim) {
         let name = format!("{}/{}.v", word(&audit.paper.key), word(&claims[0].claim));
         let mut file = File::default();
-        claims.iter().for_each(|finding| file.theorem(finding));
+        for finding in claims {
+            file.theorem(finding);
+        }
         let head = format!(
             "(** {}: {}. Written by `subcert prove --coq`. *)\n\n{HEAD}\n",
             comment(&audit.paper.bibliography.short()),
