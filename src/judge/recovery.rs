@@ -16,7 +16,7 @@ pub(crate) type Values = BTreeMap<String, Recovered>;
 /// The values of a table's open parameters that its numbers give.
 pub(crate) enum Given<'a> {
     /// The table judged at values with which a reading gives so many cells that it is no luck.
-    Values(TableFinding<'a>),
+    Values(Box<TableFinding<'a>>),
     /// Values with which a reading gives some, which may be luck.
     Fitting(Fitting),
     /// There are none.
@@ -54,13 +54,17 @@ pub(crate) fn recover<'a>(
         }
     }
     if let Some((_, finding)) = recovery.best {
-        return Ok(Given::Values(finding));
+        return Ok(Given::Values(Box::new(finding)));
     }
     let Some((cells, values)) = recovery.likeliest else { return Ok(Given::Nothing) };
     // What the first part of the family gives may be luck, and what the whole family gives none.
     let found = judge(paper, table, values.clone(), Family::Whole)?;
     let given = reproduced(&found) > 0;
-    Ok(if given { Given::Values(found) } else { Given::Fitting(Fitting { values, cells }) })
+    Ok(if given {
+        Given::Values(Box::new(found))
+    } else {
+        Given::Fitting(Fitting { values, cells })
+    })
 }
 
 /// How many cells of a table are reproduced.

@@ -64,7 +64,7 @@ pub(crate) fn judge_all<'a>(
             let found = recover(paper, &findings[i], &findings);
             fitting[i] = None;
             match found.map_err(|error| (places[i], error))? {
-                Given::Values(found) => (findings[i], more) = (found, true),
+                Given::Values(found) => (findings[i], more) = (*found, true),
                 Given::Fitting(values) => fitting[i] = Some(values),
                 Given::Nothing => {}
             }
@@ -213,7 +213,8 @@ fn recover<'a>(
         let Some(values) = combinations(&offers).into_iter().next() else {
             return Ok(Given::Nothing);
         };
-        return judge(paper, table, values, Family::Plain).map(Given::Values);
+        return judge(paper, table, values, Family::Plain)
+            .map(|found| Given::Values(Box::new(found)));
     }
     recovery::recover(paper, table, &offers)
 }

@@ -54,12 +54,11 @@ pub(super) fn number(text: &str, language: Language) -> Result<Number, String> {
         return Err("an integer with a leading 0, which some languages read in octal".to_owned());
     }
     let value = parts.value(base)?;
-    let kind = match kind(parts.suffix, whole, language)? {
-        Some(kind) => kind,
-        None => {
-            let whole = Whole::literal(value.numerator(), parts.suffix, base == 10, language)?;
-            Type::Integer(whole.width)
-        }
+    let kind = if let Some(kind) = kind(parts.suffix, whole, language)? {
+        kind
+    } else {
+        let whole = Whole::literal(value.numerator(), parts.suffix, base == 10, language)?;
+        Type::Integer(whole.width)
     };
     Ok(Number {
         value,
