@@ -50,6 +50,9 @@ Examples:
   subcert smoothness ternary-four-point:mu=1/11 --format json";
 
 pub(super) const SPECTRUM: &str = "\
+The conditions on eigenvalues are necessary only: C^1 also needs a regular and injective
+characteristic map, which `subcert smoothness` decides.
+
 Examples:
   subcert spectrum catmull-clark --valence 5
   subcert spectrum loop --valence 7 --format json
