@@ -16,8 +16,7 @@ use subcert::spectrum::{
 };
 
 /// What the conditions leave open.
-const NECESSARY: &str =
-    "These conditions on eigenvalues are necessary only: for a C^1 surface the characteristic map must be \
+const NECESSARY: &str = "These conditions on eigenvalues are necessary only: for a C^1 surface the characteristic map must be \
      regular and injective too, which `subcert smoothness` decides.";
 
 /// The most weights of an orbit that the text shows.
