@@ -51,6 +51,7 @@
 //! | [`joint`] | the joint spectral radius of rational matrices, from both sides |
 //! | [`smoothness`] | how smooth limits are: C^m, and the Hölder exponent |
 //! | [`spectrum`] | eigenvalues of the rules around a vertex or on a face, stencils of limits and tangents |
+//! | [`characteristic`] | whether surfaces are C¹ at an extraordinary vertex: the characteristic map |
 //! | [`mesh`] | polygon meshes: files, refinement, limit points and normals |
 //! | [`net`] | tensor nets: files, refinement, limit points |
 //! | [`solid`] | hexahedral meshes: files, refinement by Bajaj's scheme, limit points |
@@ -73,6 +74,7 @@
 pub mod audit;
 pub mod bound;
 pub mod certificate;
+pub mod characteristic;
 pub mod claim;
 pub mod diagnostic;
 mod digest;

@@ -46,6 +46,7 @@ mod solid;
 mod spectrum;
 mod table;
 mod terminal;
+mod vertex;
 
 use arguments::{Arguments, Command, grouped};
 use clap::FromArgMatches as _;

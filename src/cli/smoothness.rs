@@ -9,13 +9,18 @@ use super::radius::{
     between, down, enclosed_root, ends, product_text, radius_form, root_text, up, upper,
     write_certificate,
 };
+use super::vertex;
 use subcert::certificate::smoothness_certificate;
 use subcert::exact::{Integer, Rational, RationalPolynomial, format::short};
 use subcert::report::{Sheet, json::Exact};
-use subcert::scheme::Mask;
+use subcert::scheme::{AnyScheme, Mask, parse_any_scheme};
 use subcert::smoothness::{Coefficient, Hoelder, Smoothness, Symbol, contractions};
 
 pub(super) fn smoothness(arguments: &SmoothnessArguments) -> Outcome {
+    let ring = || matches!(parse_any_scheme(&arguments.scheme), Ok(AnyScheme::LocalRules(_)));
+    if arguments.valences.is_some() || (arguments.certificate.is_none() && ring()) {
+        return vertex::vertex(arguments);
+    }
     match curve(&arguments.scheme)? {
         Curve::Rational(mask) => answer(arguments, &mask),
         Curve::Algebraic(mask) => answer(arguments, &mask),

@@ -15,6 +15,10 @@ use subcert::spectrum::{
     Curvature, Eigenvalue, Spectrum, SpectrumError, Surroundings, surroundings,
 };
 
+/// What the conditions leave open.
+const NECESSARY: &str = "These conditions on eigenvalues are necessary only: for a C^1 surface the characteristic map must be \
+     regular and injective too, which `subcert smoothness` decides.";
+
 /// The most weights of an orbit that the text shows.
 const SHOWN_WEIGHTS: usize = 12;
 
@@ -59,6 +63,7 @@ impl Report<'_> {
         sheet.grid(Grid { header, rows: rows.collect(), left_columns: 2 });
         sheet.heading(2, "Conditions");
         sheet.facts(self.conditions());
+        sheet.text(NECESSARY);
         sheet.heading(2, "Stencils");
         sheet.facts(self.stencils());
         if self.spectrum.tangents.is_some() {

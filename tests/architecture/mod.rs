@@ -12,7 +12,7 @@ const CRATES: [(&str, &str); 2] = [("src", "subcert"), ("proofs/checker/src", "s
 
 /// The layers of `subcert` from below: folders or files of `src`. A module imports its own layer and
 /// those before it. A new folder gets a line here.
-const LAYERS: [&str; 29] = [
+const LAYERS: [&str; 30] = [
     "diagnostic",
     "suggestion",
     "exact",
@@ -24,6 +24,7 @@ const LAYERS: [&str; 29] = [
     "joint",
     "smoothness",
     "spectrum",
+    "characteristic",
     "mesh",
     "net",
     "solid",

@@ -49,6 +49,27 @@ fn spectra_as_text() {
     );
 }
 
+// The characteristic map of these rules folds over.
+#[test]
+fn eigenvalues_alone_do_not_make_a_surface_smooth() {
+    let rules = TemporaryFile::new(
+        "folded.toml",
+        "name = 'folded'\norbits = { face = 'n' }\nparameters.n = { about = 'the valence' }\n\
+         edges = [['face[i]', 'face[i + 1]']]\n[weights.face]\n\
+         face = '(1 + 27*kronecker(i, j))/30'\n",
+    );
+    let text = written(["spectrum", rules.path(), "--valence", "3"]);
+    assert_parts(
+        &text,
+        &[
+            "yes: λ = 9/10",
+            "These conditions on eigenvalues are necessary only",
+            "regular and injective",
+            "`subcert smoothness` decides",
+        ],
+    );
+}
+
 #[test]
 fn files_are_rings_of_their_own() {
     let found = json("examples/loop.toml", "7");

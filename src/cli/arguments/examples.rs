@@ -45,11 +45,21 @@ Examples:
   subcert range four-point --param w --smoothness 1";
 
 pub(super) const SMOOTHNESS: &str = "\
+Of rules around a vertex or on a face it says whether the surface is C^1 there in Reif's sense: for
+generic data, where the regular part is smooth. The orbits declare the regular part: vertex, edge
+and face: bicubic; vertex and edge: the quartic box spline; face: biquadratic.
+
 Examples:
   subcert smoothness four-point:w=1/16
-  subcert smoothness ternary-four-point:mu=1/11 --format json";
+  subcert smoothness ternary-four-point:mu=1/11 --format json
+  subcert smoothness catmull-clark:N=7
+  subcert smoothness loop --valences 3..50
+  subcert smoothness doo-sabin --valences all";
 
 pub(super) const SPECTRUM: &str = "\
+The conditions on eigenvalues are necessary only: C^1 also needs a regular and injective
+characteristic map, which `subcert smoothness` decides.
+
 Examples:
   subcert spectrum catmull-clark --valence 5
   subcert spectrum loop --valence 7 --format json

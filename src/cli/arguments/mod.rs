@@ -23,7 +23,7 @@ pub(super) use schemes::{
     BoundaryArgument, CertifyArguments, ConstantsArguments, DepthArguments, OracleArguments,
     OracleFormat, RangeArguments, SchemesArguments,
 };
-pub(super) use smoothness::{JsrArguments, SmoothnessArguments};
+pub(super) use smoothness::{JsrArguments, SmoothnessArguments, Valences};
 pub(super) use spectrum::{SpectrumArguments, TableArguments, TypeArgument};
 use std::path::PathBuf;
 

@@ -6,14 +6,32 @@ use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct SmoothnessArguments {
-    /// The scheme: a mask, also with coefficients such as sqrt(3), of matrices of up to 24 rows
+    /// The scheme: a mask, also with coefficients such as sqrt(3), of matrices of up to 24 rows; or rules
+    /// around a vertex or on a face
     #[arg(value_name = "SCHEME")]
     pub(in crate::cli) scheme: String,
+    /// Rules around a vertex or on a face: the valences, or all from 3 on at once
+    #[arg(long, value_name = "FIRST..LAST|all", value_parser = valences, conflicts_with = "certificate")]
+    pub(in crate::cli) valences: Option<Valences>,
     /// Write a certificate of the radius and of what follows, for subcert-check --radius
     #[arg(long, value_name = "FILE")]
     pub(in crate::cli) certificate: Option<PathBuf>,
     #[command(flatten)]
     pub(in crate::cli) output: Output,
+}
+
+/// Some valences, or all from 3 on.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::cli) enum Valences {
+    Some(usize, usize),
+    All,
+}
+
+fn valences(text: &str) -> Result<Valences, String> {
+    if text == "all" {
+        return Ok(Valences::All);
+    }
+    super::spectrum::valences(text).map(|(first, last)| Valences::Some(first, last))
 }
 
 #[derive(Debug, Args)]

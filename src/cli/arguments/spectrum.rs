@@ -90,7 +90,7 @@ fn valence(text: &str) -> Result<usize, String> {
 }
 
 /// The first and the last valence.
-fn valences(text: &str) -> Result<(usize, usize), String> {
+pub(super) fn valences(text: &str) -> Result<(usize, usize), String> {
     let form = || "write the first and the last valence, such as 3..12".to_owned();
     let (first, last) = text.split_once("..").ok_or_else(form)?;
     let number = |text: &str| text.trim().parse::<usize>().map_err(|_| form());

@@ -11,6 +11,7 @@ pub(super) mod range;
 pub(super) mod schemes;
 pub(super) mod smoothness;
 pub(super) mod spectrum;
+pub(super) mod vertex;
 
 /// The version of the JSON form.
 pub(super) const SCHEMA: u32 = 1;

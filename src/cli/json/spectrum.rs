@@ -51,7 +51,8 @@ pub struct Eigenvalue {
     pub block: Vec<usize>,
 }
 
-/// What the literature asks of the eigenvalues.
+/// What the literature asks of the eigenvalues: necessary conditions only. C¹ also needs a regular and
+/// injective characteristic map, which `smoothness` decides.
 #[derive(Serialize)]
 pub struct Conditions {
     /// Whether 1 is simple, and all others are below 1 in absolute value.

@@ -1,0 +1,41 @@
+//! All valences at once.
+
+use super::family::Family;
+use super::laurent::Laurent;
+use super::net::ratio;
+use super::ring::{Ring, examined};
+use crate::exact::{Rational, Scalar as _};
+
+/// Whether the characteristic maps of a scheme are regular and injective for all valences n ≥ 3: the
+/// Bernstein coefficients of J and of the half-plane are polynomials in one variable t that Sturm's theorem
+/// shows to be positive on an interval with all values of t.
+///
+/// | scheme | t | interval | |
+/// |---|---|---|---|
+/// | Catmull–Clark | λ | 41/100 to 6546/10000 | c = (16λ² − 10λ + 1)/(2λ), −1/2 ≤ c < 1 |
+/// | Loop, both weights | c | −1/2 to 1 | λ = 3/8 + c/4 |
+/// | Doo–Sabin | c | −1/2 to 1 | λ = 1/2 |
+///
+/// ```
+/// use subcert::characteristic::{Family, regular_for_all_valences};
+///
+/// assert!(regular_for_all_valences(Family::Biquadratic));
+/// ```
+#[must_use]
+pub fn regular_for_all_valences(family: Family) -> bool {
+    let numbers = |all: [i64; 3]| all.map(Rational::from);
+    let t = Laurent::variable;
+    let (cosine, value) = match family {
+        Family::Bicubic => (Laurent::new(&numbers([1, -10, 16]), 1).times(&ratio(1, 2)), t()),
+        Family::BoxSpline => {
+            (t(), ratio::<Laurent>(3, 8).plus(&ratio::<Laurent>(1, 4).times(&t())))
+        }
+        Family::Biquadratic => (t(), ratio(1, 2)),
+    };
+    let (low, high) = match family {
+        Family::Bicubic => (Rational::new(41, 100), Rational::new(6546, 10000)),
+        _ => (Rational::new(-1, 2), Rational::one()),
+    };
+    let sign = |x: &Laurent| x.sign_on(&low, &high);
+    matches!(examined(family, &cosine, &value, &sign), Ring::Regular { .. })
+}

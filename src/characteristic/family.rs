@@ -1,0 +1,173 @@
+//! The schemes, and the eigenvectors of blocks 1 and 0 on their wider rings.
+
+use super::net::{Lattice, Net, Point, ratio};
+use crate::exact::Scalar;
+use std::collections::BTreeMap;
+
+/// A regular part with the rules next to the vertex or face.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Family {
+    /// Bicubic B-splines around a vertex, as Catmull–Clark.
+    Bicubic,
+    /// Quartic box splines around a vertex, as Loop.
+    BoxSpline,
+    /// Biquadratic B-splines around a face, as Doo–Sabin.
+    Biquadratic,
+}
+
+impl Family {
+    /// The family of a ring with these orbits: their names declare the regular part.
+    #[must_use]
+    pub fn of_orbits(names: &[&str]) -> Option<Family> {
+        match names {
+            ["vertex", "edge", "face"] => Some(Family::Bicubic),
+            ["vertex", "edge"] => Some(Family::BoxSpline),
+            ["face"] => Some(Family::Biquadratic),
+            _ => None,
+        }
+    }
+
+    /// The scheme of the catalogue with this regular part.
+    #[must_use]
+    pub fn scheme(self) -> &'static str {
+        match self {
+            Family::Bicubic => "catmull-clark",
+            Family::BoxSpline => "loop",
+            Family::Biquadratic => "doo-sabin",
+        }
+    }
+
+    /// The pieces of the ring, in words.
+    #[must_use]
+    pub fn pieces(self) -> &'static str {
+        match self {
+            Family::Bicubic => "3 bicubic pieces in each sector",
+            Family::BoxSpline => "3 quartic box-spline pieces in each sector",
+            Family::Biquadratic => "3 biquadratic pieces in each sector",
+        }
+    }
+
+    pub(super) fn lattice(self) -> Lattice {
+        match self {
+            Family::Bicubic => Lattice::Primal,
+            Family::BoxSpline => Lattice::Triangle,
+            Family::Biquadratic => Lattice::Dual,
+        }
+    }
+
+    /// The eigenvector of block 1 for its eigenvalue λ, times a polynomial in λ that is positive for
+    /// λ > 1/4.
+    pub(super) fn eigenvector<R: Scalar>(self, cosine: &R, value: &R) -> Net<R> {
+        let points = match self {
+            Family::Bicubic => {
+                let edge = ratio::<R>(4, 1).times(value).minus(&ratio(1, 1));
+                bicubic(cosine, value, &[R::zero(), edge, ratio(1, 1)])
+            }
+            Family::BoxSpline => box_spline(cosine, value, &[R::zero(), ratio(1, 1)]),
+            Family::Biquadratic => biquadratic(cosine, value),
+        };
+        Net { lattice: self.lattice(), cosine: cosine.clone(), points }
+    }
+
+    /// The eigenvector of block 0 for an eigenvalue other than 1 on the inner ring, in the same form with ω = 1;
+    /// `None` for rings without a vertex.
+    pub(super) fn still_eigenvector<R: Scalar>(self, value: &R) -> Option<Net<R>> {
+        let one = ratio::<R>(1, 1);
+        let less = |p, q| value.minus(&ratio(p, q));
+        let points = match self {
+            Family::Bicubic => {
+                // Times μ − 1/4.
+                let quarter = less(1, 4);
+                let vertex = less(1, 2).times(&quarter).minus(&ratio(1, 16));
+                let edge = ratio::<R>(3, 8).times(&quarter).plus(&ratio(1, 32));
+                let face = vertex.times(&ratio(1, 8)).plus(&edge.times(&ratio(1, 4)));
+                let all = [vertex.times(&quarter), edge.times(&quarter), face];
+                bicubic(&one, value, &all)
+            }
+            Family::BoxSpline => {
+                let vertex = less(5, 8).times(&ratio(8, 3));
+                box_spline(&one, value, &[vertex, one.clone()])
+            }
+            Family::Biquadratic => return None,
+        };
+        Some(Net { lattice: self.lattice(), cosine: one, points })
+    }
+}
+
+type Points<R> = BTreeMap<(i32, i32), Point<R>>;
+
+/// vertex V, edge E and face F(1 + ω); times (x − 1/16)(x − 1/8)(x − 1/32)(x − 1/64).
+fn bicubic<R: Scalar>(cosine: &R, value: &R, [vertex, edge, face]: &[R; 3]) -> Points<R> {
+    let less = |p, q| value.minus(&ratio(p, q));
+    let of = |p, q, x: &R| x.times(&ratio(p, q));
+    let (m, k) = (less(1, 16), less(1, 64));
+    let d = less(1, 8).times(&less(1, 32));
+    // left = (p + qω)/(x − 1/16), without its part of outer in p.
+    let p = of(1, 16, vertex).plus(&of(3, 8, edge)).plus(&of(3, 8, face));
+    let q = of(1, 16, edge).plus(&of(3, 8, face));
+    let near = of(3, 32, vertex)
+        .plus(&of(9, 16, edge))
+        .plus(&of(1, 32, &cosine.times(edge)))
+        .plus(&of(3, 16, &face.plus(&cosine.times(face))));
+    let outer = m.times(&near).plus(&of(1, 32, &p.plus(&cosine.times(&q))));
+    let [p, q] = [d.times(&p).plus(&of(1, 16, &outer)), d.times(&q)];
+    let s = m.times(&d);
+    let corner = of(1, 128, vertex)
+        .plus(&of(3, 32, edge))
+        .plus(&of(9, 16, face))
+        .times(&s)
+        .plus(&of(1, 64, &m.times(&outer)))
+        .plus(&of(3, 32, &p.plus(&q)));
+    let s = s.times(&k);
+    let zero = R::zero();
+    [
+        ((0, 0), [vertex.times(&s), zero.clone()]),
+        ((1, 0), [edge.times(&s), zero.clone()]),
+        ((1, 1), [face.times(&s), face.times(&s)]),
+        ((2, 0), [m.times(&k).times(&outer), zero]),
+        ((2, 1), [k.times(&p), k.times(&q)]),
+        ((1, 2), [k.times(&q), k.times(&p)]),
+        ((2, 2), [corner.clone(), corner]),
+    ]
+    .into()
+}
+
+/// vertex V and edge E; times (x − 1/8)(x − 1/16).
+fn box_spline<R: Scalar>(cosine: &R, value: &R, [vertex, edge]: &[R; 2]) -> Points<R> {
+    let less = |p, q| value.minus(&ratio(p, q));
+    let of = |p, q, x: &R| x.times(&ratio(p, q));
+    let s = less(1, 8).times(&less(1, 16));
+    let corner = of(1, 16, vertex).plus(&of(3, 8, edge));
+    let near = of(1, 16, vertex).plus(&of(5, 8, edge)).plus(&of(1, 8, &cosine.times(edge)));
+    let outer = less(1, 8).times(&near).plus(&of(1, 8, &corner.plus(&cosine.times(&corner))));
+    let corner = less(1, 16).times(&corner);
+    let zero = R::zero();
+    [
+        ((0, 0), [vertex.times(&s), zero.clone()]),
+        ((1, 0), [edge.times(&s), zero.clone()]),
+        ((2, 0), [outer, zero]),
+        ((1, 1), [corner.clone(), corner]),
+    ]
+    .into()
+}
+
+/// face 1; times (x − 1/4)(x − 1/8)(x − 1/16).
+fn biquadratic<R: Scalar>(cosine: &R, value: &R) -> Points<R> {
+    let less = |p, q| value.minus(&ratio(p, q));
+    let of = |p, q, x: &R| x.times(&ratio(p, q));
+    let k = less(1, 16);
+    let d = less(1, 4).times(&less(1, 8));
+    let p = of(9, 16, &less(3, 16)).plus(&ratio(3, 256));
+    let q = of(3, 16, &less(3, 16)).plus(&ratio(9, 256));
+    let corner = of(9, 16, &d).plus(&of(3, 8, &p.plus(&cosine.times(&q))));
+    let zero = R::zero();
+    let (p, q) = (k.times(&p), k.times(&q));
+    [
+        ((0, 0), [d.times(&k), zero.clone()]),
+        ((0, 1), [p.clone(), q.clone()]),
+        // right of the sector before: the mirror image of left, p + q/ω.
+        ((1, 0), [p.plus(&ratio::<R>(2, 1).times(&cosine.times(&q))), zero.minus(&q)]),
+        ((1, 1), [corner, zero]),
+    ]
+    .into()
+}
