@@ -8,6 +8,7 @@ mod architecture;
 mod audit;
 mod bound;
 mod certificate;
+mod characteristic;
 mod claim;
 #[cfg(feature = "cli")]
 mod cli;

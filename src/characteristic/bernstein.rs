@@ -137,7 +137,9 @@ impl<R: Scalar> Form<R> {
             high.push(right);
         }
         if !self.triangle {
-            high.iter_mut().for_each(|column: &mut Vec<R>| column.reverse());
+            for column in &mut high {
+                column.reverse();
+            }
         }
         let (d, e) = self.degrees;
         [low, high].map(|columns| {

@@ -9,7 +9,7 @@ use subcert::characteristic::{
     Family, Hypothesis, MAX_BISECTIONS, Reason, Refutation, RingPoint, Verdict, Vertex,
     regular_for_all_valences,
 };
-use subcert::exact::{Rational, format::short};
+use subcert::exact::format::short;
 use subcert::report::{Grid, Sheet, json::Exact};
 use subcert::spectrum::Curvature;
 

@@ -1,0 +1,158 @@
+//! C¹ at the vertex: against closed formulas, meshes that are refined, and rules that were broken.
+
+use std::f64::consts::PI;
+use std::io::Write as _;
+use subcert::characteristic::{
+    Family, Hypothesis, Refutation, Verdict, Vertex, regular_for_all_valences,
+};
+use subcert::exact::format::short;
+use subcert::exact::{Rational, RealCyclotomic};
+use subcert::float::{exact as exactly, nearest};
+use subcert::mesh::{MeshScheme, PolygonMesh, refine_mesh};
+
+/// λ at a valence, by closed formulas.
+fn subdominant(scheme: &str, n: usize) -> f64 {
+    let c = (2.0 * PI / real(n)).cos();
+    match scheme {
+        "catmull-clark" => (5.0 + c + ((c + 9.0) * (c + 1.0)).sqrt()) / 16.0,
+        "doo-sabin" => 0.5,
+        _ => 0.375 + c / 4.0,
+    }
+}
+
+#[expect(clippy::cast_precision_loss, reason = "small numbers")]
+fn real(n: usize) -> f64 {
+    n as f64
+}
+
+#[test]
+fn schemes_of_the_catalogue_are_smooth_at_every_valence() {
+    for scheme in ["catmull-clark", "loop", "loop-warren", "doo-sabin"] {
+        for n in (3..=12).chain([20, 31, 50]) {
+            let vertex = Vertex::of(scheme, Some(n)).expect("a valence");
+            let Verdict::Proved { least, .. } = &vertex.verdict else {
+                panic!("{scheme} {n}: {:?}", vertex.verdict)
+            };
+            assert!(least.sign() > 0);
+            let found = vertex.spectrum.conditions.subdominant.expect("an eigenvalue");
+            let found = short(&found, 15).parse::<f64>().expect("a number");
+            assert!((found - subdominant(scheme, n)).abs() < 1e-12, "{scheme} {n}: {found}");
+        }
+    }
+    for family in [Family::Bicubic, Family::BoxSpline, Family::Biquadratic] {
+        assert!(regular_for_all_valences(family), "{family:?}");
+    }
+}
+
+/// A plane mesh of n sectors is refined: next to the vertex no face turns over, and the edges shrink by λ.
+#[test]
+fn refined_meshes_keep_their_orientation() {
+    for n in [3, 5, 8] {
+        let turned = |k: usize, x: usize, y: usize| {
+            let at = |k: usize| 2.0 * PI * real(k) / real(n);
+            let (a, b) = (at(k), at(k + 1));
+            let (x, y) = (real(x), real(y));
+            [x * a.cos() + y * b.cos(), x * a.sin() + y * b.sin(), 0.0]
+        };
+        // Point (x, y), x ≥ 1, of sector k.
+        let index = |k: usize, x: usize, y: usize| match (x, y) {
+            (0, 0) => 0,
+            (0, y) => 1 + ((k + 1) % n) * 12 + (y - 1) * 4,
+            (x, y) => 1 + (k % n) * 12 + (x - 1) * 4 + y,
+        };
+        let mut points = vec![[0.0; 3]];
+        for k in 0..n {
+            points.extend((1..=3).flat_map(|x| (0..=3).map(move |y| turned(k, x, y))));
+        }
+        let face = |k, x, y| {
+            vec![index(k, x, y), index(k, x + 1, y), index(k, x + 1, y + 1), index(k, x, y + 1)]
+        };
+        let faces = (0..n).flat_map(|k| (0..9).map(move |i| face(k, i / 3, i % 3))).collect();
+        let exact = |x: f64| {
+            let x = exactly((x * 1e6).round()).expect("finite") / Rational::from(1_000_000);
+            RealCyclotomic::from(x)
+        };
+        let points = points.iter().map(|point| point.map(exact)).collect();
+        let mut mesh = PolygonMesh::new(points, faces).expect("a mesh");
+        let mut lengths = Vec::new();
+        for _ in 0..4 {
+            mesh = refine_mesh(&mesh, MeshScheme::CatmullClark, 1).expect("small");
+            let at = |v: usize| mesh.points()[v].each_ref().map(nearest);
+            let next: Vec<&Vec<usize>> =
+                mesh.faces().iter().filter(|face| face.contains(&0)).collect();
+            assert_eq!(next.len(), n);
+            for face in next {
+                let area: f64 = (0..4)
+                    .map(|i| (at(face[i]), at(face[(i + 1) % 4])))
+                    .map(|(p, q)| p[0] * q[1] - p[1] * q[0])
+                    .sum();
+                assert!(area > 0.0, "{n}");
+                let first = face.iter().position(|&v| v == 0).expect("the vertex");
+                let edge = at(face[(first + 1) % 4]);
+                lengths.push(edge[0].hypot(edge[1]));
+            }
+        }
+        let ratio = lengths[3 * n] / lengths[2 * n];
+        assert!((ratio - subdominant("catmull-clark", n)).abs() < 0.02, "{n}: {ratio}");
+    }
+}
+
+/// A ring in a file of its own.
+fn ring(name: &str, text: &str) -> Vertex {
+    let path = std::env::temp_dir().join(format!("subcert-{}-{name}.toml", std::process::id()));
+    std::fs::File::create(&path)
+        .and_then(|mut file| file.write_all(text.as_bytes()))
+        .expect("a file");
+    let vertex = Vertex::of(path.to_str().expect("a path"), None);
+    std::fs::remove_file(&path).expect("the file");
+    vertex.unwrap_or_else(|error| panic!("{name}: {error}"))
+}
+
+/// Rules on a face of three vertices, with a weight for each distance.
+fn face(weights: [&str; 3]) -> String {
+    let [own, next, last] = weights;
+    format!(
+        "name = 'face'\ntitle = 'Rules on a triangle'\norbits = {{ face = '3' }}\nedges = [['face[i]', 'face[i + 1]']]\n\
+         [weights.face]\nface = '({own})*kronecker(t, 0) + ({next})*kronecker(t, 1) + ({last})*kronecker(t, 2)'\n\
+         [let]\nt = 'mod(j - i, 3)'\n"
+    )
+}
+
+/// λ = 9/10 with blocks 1 and 2, all others at most 1/4: the eigenvalues are in order, and the map folds over.
+#[test]
+fn a_map_that_folds_is_refuted() {
+    let vertex = ring("folds", &face(["28/30", "1/30", "1/30"]));
+    let subdominant = vertex.spectrum.conditions.subdominant.as_ref().expect("in order");
+    assert_eq!(short(subdominant, 6), "0.9");
+    let Verdict::Refuted(Refutation::Folds { values, .. }) = &vertex.verdict else {
+        panic!("{:?}", vertex.verdict)
+    };
+    assert!(values[0].lower().sign() > 0 && values[1].upper().sign() < 0);
+    // Doo and Sabin's own weights do not fold.
+    let own = ring("own", &face(["2/3", "1/6", "1/6"]));
+    assert!(matches!(own.verdict, Verdict::Proved { .. }), "{:?}", own.verdict);
+}
+
+/// Loop's rules with another weight of all neighbours together, which is 1 less the one of the vertex.
+fn vertex_rules(vertex: &str, edge: &str) -> String {
+    let text = std::fs::read_to_string("examples/loop.toml").expect("an example");
+    let text =
+        text.replace("'(5/8 - (3/8 + cos(2*pi/N)/4)^2)/N'", vertex).replace("vertex = '3/8'", edge);
+    text.replace("parameters.N = {", "parameters.N = { default = '6',")
+        .replace("name = \"loop\"", "name = \"changed\"")
+}
+
+/// Block 0 has 5/8 − Nβ: with β = 1/100 and N = 6 it is 0.565, above λ = 1/2.
+#[test]
+fn an_eigenvalue_of_block_0_above_the_others_refutes() {
+    let changed = ring("block0", &vertex_rules("'1/100'", "vertex = '3/8'"));
+    let Verdict::Refuted(Refutation::Block0 { value }) = &changed.verdict else {
+        panic!("{:?}", changed.verdict)
+    };
+    assert_eq!(short(value, 6), "0.565");
+    // Nβ = 9/8 gives −1/2, as large as λ: nothing is refuted.
+    let tie = ring("tie", &vertex_rules("'9/8/N'", "vertex = '3/8'"));
+    assert_eq!(tie.verdict, Verdict::Fails(Hypothesis::Alone));
+    let same = ring("same", &vertex_rules("'(5/8 - 1/4)/N'", "vertex = '3/8'"));
+    assert!(matches!(same.verdict, Verdict::Proved { .. }));
+}
