@@ -112,7 +112,8 @@ fn facts(vertex: &Vertex) -> Vec<(String, String)> {
         let text = format!("{}, double, of the blocks 1 and n − 1", with_decimal(value));
         facts.push(("λ", text));
     }
-    if let Some(family) = family {
+    // Where it is open, the rules may have another regular part.
+    if let Some(family) = family.as_ref().filter(|_| !matches!(verdict, Verdict::Open(_))) {
         facts.push(("ring", family.pieces().to_owned()));
     }
     match verdict {

@@ -89,7 +89,12 @@ fn bad_input_of_these() {
     assert_parts(&jsr("empty.txt", "# nothing\n"), &["0 matrices", "empty line between"]);
     assert_parts(&refused(["jsr", "nowhere.txt"]), &["nowhere.txt"]);
     assert_parts(&refused(["smoothness", "chaikin x chaikin"]), &["tensor product"]);
-    assert_parts(&refused(["smoothness", "doo-sabin:n=5"]), &["needs a mask"]);
+    assert_parts(&refused(["smoothness", "loop", "--valences", "3..100000"]), &["up to 100"]);
+    assert_parts(&refused(["smoothness", "loop:N=2"]), &["needs N >= 3"]);
+    assert_parts(
+        &refused(["smoothness", "doo-sabin:n=5", "--certificate", "-"]),
+        &["needs a mask"],
+    );
     let rule = vec!["'1/60'"; 60].join(", ");
     let long =
         TemporaryFile::new("long.toml", &format!("name = \"long\"\nmask = [[{rule}], [{rule}]]\n"));

@@ -51,7 +51,6 @@ and face: bicubic; vertex and edge: the quartic box spline; face: biquadratic.
 
 Examples:
   subcert smoothness four-point:w=1/16
-  subcert smoothness ternary-four-point:mu=1/11 --format json
   subcert smoothness catmull-clark:N=7
   subcert smoothness loop --valences 3..50
   subcert smoothness doo-sabin --valences all";

@@ -20,6 +20,9 @@ pub(in crate::cli) struct SmoothnessArguments {
     pub(in crate::cli) output: Output,
 }
 
+/// The greatest valence of a table: its time grows with the square of the valence.
+const MAX_VALENCE: usize = 100;
+
 /// Some valences, or all from 3 on.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::cli) enum Valences {
@@ -31,7 +34,11 @@ fn valences(text: &str) -> Result<Valences, String> {
     if text == "all" {
         return Ok(Valences::All);
     }
-    super::spectrum::valences(text).map(|(first, last)| Valences::Some(first, last))
+    let (first, last) = super::spectrum::valences(text)?;
+    if last > MAX_VALENCE {
+        return Err(format!("valences up to {MAX_VALENCE} only; `all` is for all at once"));
+    }
+    Ok(Valences::Some(first, last))
 }
 
 #[derive(Debug, Args)]
