@@ -128,6 +128,11 @@ fn a_map_that_folds_is_refuted() {
         panic!("{:?}", vertex.verdict)
     };
     assert!(values[0].lower().sign() > 0 && values[1].upper().sign() < 0);
+    // Computed by hand in another scale, at (1, 0) and (1, 1).
+    let by_hand = Rational::new(23, 806) / Rational::new(-133_785, 43_525_612);
+    let [first, second] = values.each_ref().map(|value| value.lower().clone());
+    let off = (first / second / by_hand - Rational::one()).abs();
+    assert!(off < Rational::new(1, 1_000_000_000), "{off}");
     // Doo and Sabin's own weights do not fold.
     let own = ring("own", &face(["2/3", "1/6", "1/6"]));
     assert!(matches!(own.verdict, Verdict::Proved { .. }), "{:?}", own.verdict);
