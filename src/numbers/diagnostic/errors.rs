@@ -70,11 +70,16 @@ impl Collected {
         other.0.into_iter().for_each(|error| self.add(error));
     }
 
+    /// Whether there are none.
+    #[must_use]
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
     /// Fails if there are errors; gives all of them, by their places in the file.
+    ///
+    /// # Errors
+    /// All that were added.
     pub fn none(self) -> Result<(), Errors> {
         let mut errors = self.0;
         errors.sort_by_key(|error| error.span.start);

@@ -1,6 +1,7 @@
 //! Breaking text into lines.
 
 /// How many characters a text takes in a line.
+#[must_use]
 pub fn width_of(text: &str) -> usize {
     text.chars().count()
 }

@@ -93,6 +93,7 @@ impl Expr {
     }
 
     /// The direct subexpressions.
+    #[must_use]
     pub fn parts(&self) -> Vec<&Expr> {
         match &self.node {
             Node::Number(_) | Node::Name(_) => Vec::new(),

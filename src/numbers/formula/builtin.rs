@@ -23,6 +23,7 @@ pub(super) const NAMES: [&str; 12] = [
 ];
 
 /// Whether `name` is a built-in function.
+#[must_use]
 pub fn is_builtin(name: &str) -> bool {
     NAMES.contains(&name)
 }

@@ -26,6 +26,9 @@ pub fn evaluate<V: Value>(expr: &Expr, context: &dyn Context<V>) -> Result<V, Fo
 
 /// As [`evaluate`], inside sums whose `indices` have values. The first value of a name
 /// counts, and hides the context's.
+///
+/// # Errors
+/// As [`evaluate`].
 pub fn evaluate_with<V: Value>(
     expr: &Expr,
     context: &dyn Context<V>,

@@ -67,6 +67,7 @@ impl SoundBound {
 
     /// The bound for any factor σ and any submultiplicative constants C_0 = 1, C_1, …,
     /// C_c.
+    #[must_use]
     pub fn of(factor: Rational, constants: Vec<Rational>) -> SoundBound {
         SoundBound { factor, exact: constants }
     }

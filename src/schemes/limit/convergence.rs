@@ -39,6 +39,7 @@ pub(super) fn contraction_constants(rules: &Rules) -> Vec<Rational> {
 }
 
 /// The least computed c with ‖R^c‖ < 1, if there is one.
+#[must_use]
 pub fn first_contraction(rules: &Rules) -> Option<u32> {
     let constants = contraction_constants(rules);
     let c = constants.iter().position(|constant| *constant < Rational::one());

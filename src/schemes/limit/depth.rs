@@ -114,6 +114,7 @@ impl Distances {
 
     /// The least c with T_c ≤ 1. If c levels in a row are within a bound, all later ones
     /// are.
+    #[must_use]
     pub fn lasting(&self) -> Option<u32> {
         let constants = self.limit().contraction();
         let c = constants.iter().skip(1).position(|constant| *constant <= Rational::one())?;

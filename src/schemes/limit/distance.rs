@@ -258,6 +258,7 @@ impl Distances {
     }
 
     /// An upper bound of C_k without a search. It does not increase with the level.
+    #[must_use]
     pub fn at_most(&self, level: u32) -> Rational {
         self.remainders.of_all(level)
     }

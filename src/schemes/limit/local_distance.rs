@@ -274,11 +274,13 @@ impl<S: Real + Ord + Value> LocalDistances<S> {
     }
 
     /// A c such that, if c levels in a row are within a bound, all later ones are.
+    #[must_use]
     pub fn lasting(&self) -> u32 {
         if self.averages() { 1 } else { self.block().0 }
     }
 
     /// Whether no weight is negative.
+    #[must_use]
     pub fn averages(&self) -> bool {
         let zero = S::zero();
         self.limit.ring().weights().values().iter().all(|weight| *weight >= zero)
@@ -358,6 +360,7 @@ pub fn least_flows<S: Real + Ord + Value>(
 
 impl<S: Real + Ord + Value> LocalLimit<S> {
     /// e_a − w for every point a.
+    #[must_use]
     pub fn errors(&self) -> Vec<Vec<S>> {
         (0..self.weights().len()).map(|a| self.error(a)).collect()
     }
@@ -368,6 +371,7 @@ impl<S: Real + Ord + Value> LocalLimit<S> {
 }
 
 /// The unit vector e_a for a = `at`.
+#[must_use]
 pub fn unit<S: Real>(count: usize, at: usize) -> Vec<S> {
     let entry = |b| S::from_rational(&Rational::from(u32::from(b == at)));
     (0..count).map(entry).collect()

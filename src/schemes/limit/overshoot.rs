@@ -94,6 +94,9 @@ pub struct Overshoots {
 impl Overshoots {
     /// The trial polygons: polygons that are far from their limit in the natural parametrisation,
     /// zigzags, and the negatives of both.
+    ///
+    /// # Errors
+    /// When the limit has too many pieces for the search.
     pub fn new(limit: &Limit) -> Result<Overshoots, LimitError> {
         let shift = natural_shift(limit.mask()).shift;
         let arity = limit.mask().arity();

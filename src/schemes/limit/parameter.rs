@@ -84,6 +84,7 @@ impl Parameter {
 }
 
 /// Whether t = i/n^m for some integers i and m ≥ 0.
+#[must_use]
 pub fn is_fraction(t: &Rational, arity: usize) -> bool {
     let (mut rest, n) = (t.denominator(), Integer::from(arity));
     while rest != Integer::one() {

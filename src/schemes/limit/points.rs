@@ -57,6 +57,7 @@ pub struct Points<'a> {
 impl<'a> Points<'a> {
     /// The points for a mask and a control polygon that is continued as a constant beyond
     /// both ends.
+    #[must_use]
     pub fn new(mask: &'a Mask, control: &'a ExtremalPolygon) -> Points<'a> {
         Points { rules: mask.rules(), control, known: BTreeMap::new() }
     }
@@ -116,6 +117,7 @@ impl<'a> Points<'a> {
     }
 
     /// The computed points of all levels above 0, level by level.
+    #[must_use]
     pub fn refined(&self) -> Vec<(u32, Vec<(i64, Rational)>)> {
         let mut levels: Vec<(u32, Vec<(i64, Rational)>)> = Vec::new();
         for ((level, i), point) in &self.known {

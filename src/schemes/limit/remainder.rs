@@ -210,6 +210,7 @@ fn displacements(limit: &Limit, shift: &Rational) -> Result<Vec<Functional>, Lim
 
 /// ‖(nD_2)^c‖ for c = 0, 1, …, where D_2 takes ∇Δ to the next level. `None` unless the
 /// rows of nD sum to 1. If they do, nD_2 is the difference operator of the scheme nD.
+#[must_use]
 pub fn second_contraction_constants(limit: &Limit) -> Option<Vec<Rational>> {
     let arity = Rational::from(limit.mask().arity());
     let derived = limit.difference().map(|entry| entry * &arity);

@@ -82,6 +82,9 @@ pub fn greatest_step_from(
 ///
 /// # Errors
 /// As [`greatest_step`].
+///
+/// # Panics
+/// Never: the rules of a mask sum to 1.
 pub fn step_supremum(mask: &Mask, level: u32, shift: &Rational) -> Result<Rational, LimitError> {
     let at_points = greatest_step_from(mask, level, shift)?.value;
     let arity = Rational::from(mask.arity());

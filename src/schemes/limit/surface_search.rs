@@ -166,6 +166,7 @@ impl SurfaceDistances {
     /// A c such that, if c levels in a row meet a tolerance, all later ones do; `None` if no
     /// small c is found. Over c levels the spreads grow at most by the factors T¹_cΛ²_c and
     /// T²_cΛ¹_c, which must be at most 1.
+    #[must_use]
     pub fn lasting(&self) -> Option<u32> {
         let [first, second] = self.axes.each_ref();
         let one = Rational::one();
@@ -186,6 +187,7 @@ impl SurfaceDistances {
     }
 
     /// A bound of C_k without a search. It does not increase with the level.
+    #[must_use]
     pub fn at_most(&self, level: u32, spreads: &Spreads) -> Rational {
         self.bound(&self.axes.each_ref().map(|axis| axis.unsearched(level)), spreads)
     }

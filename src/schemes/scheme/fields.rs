@@ -7,6 +7,9 @@ use std::sync::Arc;
 use toml::Spanned;
 
 /// Deserialises TOML. An error points at its place.
+///
+/// # Errors
+/// When the text is no TOML, or not of the form of `T`.
 pub fn from_toml<T: serde::de::DeserializeOwned>(
     source: &Arc<SourceText>,
 ) -> Result<T, Diagnostic> {
@@ -24,6 +27,9 @@ pub fn from_toml<T: serde::de::DeserializeOwned>(
 }
 
 /// Parses a TOML string as a formula.
+///
+/// # Errors
+/// When it is none, with its place in the file.
 pub fn formula(
     source: &Arc<SourceText>,
     text: &Spanned<String>,
@@ -32,6 +38,9 @@ pub fn formula(
 }
 
 /// Parses a table of named formulas. Every name must be an identifier.
+///
+/// # Errors
+/// When a name is no identifier, or a text is no formula.
 pub fn definitions(
     source: &Arc<SourceText>,
     table: &BTreeMap<Spanned<String>, Spanned<String>>,
@@ -43,6 +52,9 @@ pub fn definitions(
 }
 
 /// Checks that `name` can be used in formulas, and returns it.
+///
+/// # Errors
+/// When it is no identifier, or `pi`.
 pub fn identifier(source: &Arc<SourceText>, name: &Spanned<String>) -> Result<String, Diagnostic> {
     if name.get_ref() == PI {
         let message = "`pi` is reserved for the angles inside `cos`";

@@ -77,6 +77,7 @@ pub fn read_scheme(source: &Arc<SourceText>) -> Result<SchemeDefinition, Diagnos
 
 impl SchemeTable {
     /// The scheme that this table is an alias of, if the table defines nothing else.
+    #[must_use]
     pub fn alias(&self) -> Option<&Spanned<String>> {
         let own = self.offset.is_some()
             || self.arity.is_some()
@@ -90,6 +91,9 @@ impl SchemeTable {
     }
 
     /// The scheme definition in this table.
+    ///
+    /// # Errors
+    /// When fields contradict each other, or a formula or a name is none.
     pub fn define(&self, source: &Arc<SourceText>) -> Result<SchemeDefinition, Diagnostic> {
         let mut parameters = BTreeMap::new();
         for (name, table) in &self.parameters {

@@ -165,6 +165,9 @@ pub fn files_without_offset(text: &str) -> Result<Vec<Option<String>>, SchemeErr
 }
 
 /// The catalogue entry of this name; the error lists the names that exist.
+///
+/// # Errors
+/// When there is no entry of this name.
 pub fn find_in_catalogue(name: &str) -> Result<&'static SchemeDefinition, SchemeError> {
     catalogue::find(name).ok_or_else(|| SchemeError::Unknown {
         name: name.to_owned(),

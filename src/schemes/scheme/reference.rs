@@ -81,6 +81,7 @@ impl Reference {
     }
 
     /// The free names in the formulas of its parameters, without the names of families.
+    #[must_use]
     pub fn parameters(&self) -> BTreeSet<String> {
         let none = BTreeMap::new();
         let mut free = FreeNames::new(&none);
@@ -111,6 +112,9 @@ impl Reference {
 
     /// As [`instances`](Self::instances), with `values` for further names, which hide the
     /// names of the context. Of several values of one name the first counts.
+    ///
+    /// # Errors
+    /// As [`instances`](Self::instances).
     pub fn instances_with<V: Value>(
         &self,
         context: &dyn Context<V>,

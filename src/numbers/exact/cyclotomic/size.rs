@@ -35,6 +35,7 @@ impl RealCyclotomic {
     ///
     /// # Panics
     /// When the numbers have no [`common_conductor`](super::common_conductor).
+    #[must_use]
     pub fn coordinates(values: &[RealCyclotomic]) -> Vec<Vec<Rational>> {
         let conductor = values.iter().fold(1, |n, value| num_integer::lcm(n, value.conductor()));
         if conductor == 1 {

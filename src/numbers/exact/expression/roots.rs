@@ -42,6 +42,7 @@ impl RealExpression {
 
     /// A rational s and y with √x = s√y, for x > 0: √(c·z) = s√(t·z) for the content c = s²t of x = c·z.
     /// y = 1 for the square of a rational.
+    #[must_use]
     pub fn root_parts(value: &RealCyclotomic) -> (Rational, RealCyclotomic) {
         let content = value.content();
         let (s, t) = square_part(&content);

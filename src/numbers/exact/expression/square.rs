@@ -6,6 +6,10 @@ use crate::exact::{Integer, Rational};
 const MAX_FACTOR: u32 = 1_000;
 
 /// ⌊√x⌋ for x ≥ 0, by Newton's method from above.
+///
+/// # Panics
+/// When x has more than 2^32 bits.
+#[must_use]
 pub fn floor_root(x: &Integer) -> Integer {
     if x.is_zero() {
         return Integer::zero();

@@ -58,6 +58,7 @@ impl Integer {
     }
 
     /// Σ 2^{64i}·words[i].
+    #[must_use]
     pub fn from_words(words: &[u64]) -> Integer {
         Integer::normal(backend::from_words(words))
     }

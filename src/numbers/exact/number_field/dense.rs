@@ -16,6 +16,9 @@ pub fn value_at<F: Real>(p: &[F], x: &F) -> F {
 }
 
 /// The quotient and the remainder of p by q, whose last coefficient is not 0.
+///
+/// # Panics
+/// When q is empty.
 pub fn divided<F: Real + PartialEq>(p: &[F], q: &[F]) -> (Vec<F>, Vec<F>) {
     let (leading, lower) = q.split_last().expect("division by zero");
     let mut rest = p.to_vec();
