@@ -115,6 +115,14 @@ pub(super) enum Command {
         /// The shell
         shell: clap_complete::Shell,
     },
+    /// Write the JSON schemas of all answers
+    #[cfg(feature = "schema")]
+    #[command(hide = true)]
+    Schemas {
+        /// The folder for a file for each form
+        #[arg(value_name = "DIR")]
+        folder: PathBuf,
+    },
     /// Write man pages
     #[command(after_help = examples::MAN)]
     Man {

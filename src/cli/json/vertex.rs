@@ -5,6 +5,7 @@ use subcert::report::json::Exact;
 
 /// One valence or several.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Vertices<'a> {
     /// The version of this form.
     pub schema: u32,
@@ -21,6 +22,7 @@ pub struct Vertices<'a> {
 
 /// One valence.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Vertex {
     /// The valence.
     pub valence: usize,

@@ -8,6 +8,7 @@ use serde::Serialize;
 
 /// The fields that only claims about smoothness have.
 #[derive(Debug, Default, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SmoothnessDetails {
     /// What is proved of the limits; null for a range without a value that refutes it.
     pub limits: Option<LimitsForm>,
@@ -17,6 +18,7 @@ pub struct SmoothnessDetails {
 
 /// What is proved of the limits of a mask.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LimitsForm {
     /// The greatest m for which they are C^m; null where convergence is not proved.
     pub continuity: Option<usize>,
@@ -28,6 +30,7 @@ pub struct LimitsForm {
 
 /// The Hölder exponent.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct HoelderForm {
     /// A decimal that is not above it.
     pub lower: String,
@@ -41,6 +44,7 @@ pub struct HoelderForm {
 
 /// What is proved for all values of a parameter.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct RangeForm {
     /// Where the limits are C^m.
     pub inside: Option<String>,
