@@ -6,9 +6,10 @@ use crate::convolution::{MAX_LENGTH, Sequence, Sums};
 use crate::displacement::gather;
 use crate::evaluate::{Indices, MAX_INTEGER, Scope};
 use crate::formula::{Expr, Head};
-use crate::library::Library;
+use crate::library::{Constant, Library};
 use crate::reject::Stop;
 use crate::value::Value;
+use std::rc::Rc;
 
 /// The value of such a function.
 pub fn greatest(call: &mut Call<'_>, indices: &mut Indices) -> Result<Value, Stop> {
@@ -79,6 +80,10 @@ fn sums(
     let level = c.integer(MAX_INTEGER).ok().and_then(|c| u32::try_from(c).ok());
     let sums = masks.iter().map(|&rules| {
         let of = Sequence { rules, ..sequence };
+        if let Some(level) = level {
+            let (scheme, norm) = (Rc::clone(&scheme), std::ptr::eq(rules, a));
+            library.note(|| Constant { scheme, norm, forward: of.forward, level });
+        }
         match level.and_then(|level| library.products.shown(of, level)) {
             Some(value) if !joint && greatest => Ok(Sums::new(vec![value])),
             _ => library.products.classes(of, c, piece),

@@ -35,7 +35,9 @@ use crate::paper::Paper;
 use crate::reject::{Checked, Reason};
 use crate::shape::misfit;
 use crate::toml::Toml;
+pub use instance::{Instance, first_level};
 pub use recovered::{Given, Recovered};
+pub use sound::Promised;
 use theorem::Citation;
 
 /// The verdict that a valid certificate proves.
