@@ -6,7 +6,7 @@ use super::json::{
 };
 use super::output::{Failure, Outcome, json_text};
 use super::save::save;
-use schemars::{JsonSchema, Schema, schema_for};
+use schemars::{JsonSchema, Schema, generate::SchemaSettings};
 use std::path::Path;
 use subcert::oracle::OracleValues;
 use subcert::report::json::{
@@ -16,7 +16,8 @@ use subcert::report::json::{
 /// The name of a file, and its schema.
 fn all() -> Vec<(&'static str, Schema)> {
     fn of<T: JsonSchema>() -> Schema {
-        schema_for!(T)
+        // What is written, not what could be read: an absent field may be required otherwise.
+        SchemaSettings::draft2020_12().for_serialize().into_generator().into_root_schema_for::<T>()
     }
     vec![
         ("audit", of::<AuditReport>()),
