@@ -1,12 +1,13 @@
 //! The definitions that have one value in each row of a table, computed once for each row.
 
+use crate::claim::{SchemeSource, Table};
 use crate::evaluation::choices::HEADER;
 use crate::evaluation::context::{At, Known, Outcome, TableContext};
 use crate::evaluation::quantity::Quantities;
 use crate::evaluation::settings::{Restricted, Settings, choices_of};
 use crate::exact::Rational;
 use crate::formula::FreeNames;
-use crate::scheme::Instance;
+use crate::scheme::{Instance, Reference};
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
@@ -22,6 +23,8 @@ type Key = (Option<Rational>, Vec<Instance>, Restricted, BTreeSet<String>);
 #[derive(Default)]
 pub(crate) struct RowDefinitions {
     names: Vec<String>,
+    /// Whether the parameters of some scheme may depend on the column.
+    schemes_vary: bool,
     /// The choices that the values may depend on.
     depends: BTreeSet<&'static str>,
     /// The choices that the definitions consult in some row, each with its printed word.
@@ -53,14 +56,32 @@ impl RowDefinitions {
             let varies = |name: &&String| !free.of_name(name).iter().all(fixed);
             varying.extend(definitions.keys().filter(varies).cloned().collect::<Vec<_>>());
         }
+        let aliases = paper.schemes.values().filter_map(|source| match source {
+            SchemeSource::Alias(other) => Some(other),
+            SchemeSource::Own(_) => None,
+        });
+        let named = paper.tables.iter().flat_map(Table::schemes).map(|own| &own.reference);
+        let parameters: BTreeSet<String> =
+            named.chain(aliases).flat_map(Reference::parameters).collect();
+        let column = table.columns.name();
+        let schemes_vary =
+            parameters.iter().any(|name| varying.contains(name) || column == Some(&name[..]));
         let used = paper.definitions_in(&table.value).into_keys().map(str::to_owned);
         let names = used.filter(|name| !varying.contains(name)).collect();
         let formulas = paper.definitions.values();
         let formulas = formulas.chain(paper.alternatives.iter().map(|other| &other.value));
         let depends = formulas.flat_map(|formula| choices_of(&formula.expr)).collect();
-        let mut rows = RowDefinitions { names, depends, ..RowDefinitions::default() };
+        let mut rows = RowDefinitions { names, schemes_vary, depends, ..RowDefinitions::default() };
         rows.find_choices(context);
         rows
+    }
+
+    /// Whether a definition has one value in each row, also with other parameters and schemes of the
+    /// paper's tables.
+    pub(crate) fn fixes(&self, context: &TableContext<'_>, name: &str) -> bool {
+        !self.schemes_vary
+            && context.table.columns.schemes().is_empty()
+            && self.names.iter().any(|own| own == name)
     }
 
     /// The values of the definitions in the row of a cell, for the scheme of these quantities.

@@ -5,6 +5,7 @@ use crate::evaluation::choices::FAMILY;
 use crate::evaluation::{Choice, Copied, Effect};
 use crate::exact::{Rational, RealCyclotomic};
 use crate::formula::{Expr, LocatedFormula};
+use crate::scheme::Instance;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
@@ -26,8 +27,51 @@ pub(crate) struct Settings {
     /// The place, among the schemes of the paper's tables, of the scheme that replaces the cell's
     /// own.
     pub(crate) scheme: Option<usize>,
+    /// The number of the point that becomes number 0, where masks are read forwards.
+    pub(crate) first: usize,
+    /// The values of definitions in the rows so far.
+    pub(crate) rows: RowValues,
     /// The printed word of every choice consulted.
     consulted: RefCell<BTreeMap<&'static str, String>>,
+}
+
+/// The values of definitions in a row: the row, the scheme and the parameters that are assumed, with
+/// the values.
+type OfRow = (usize, Vec<Instance>, BTreeSet<String>, Rc<BTreeMap<String, RealCyclotomic>>);
+
+/// The values of definitions in some rows under one reading. Another reading starts with none.
+#[derive(Debug, Default)]
+pub(crate) struct RowValues(RefCell<Vec<OfRow>>);
+
+impl Clone for RowValues {
+    fn clone(&self) -> RowValues {
+        RowValues::default()
+    }
+}
+
+impl RowValues {
+    /// The values in this row, if they are known.
+    pub(crate) fn get(
+        &self,
+        row: usize,
+        scheme: &[Instance],
+        assume: &BTreeSet<String>,
+    ) -> Option<Rc<BTreeMap<String, RealCyclotomic>>> {
+        let known = self.0.borrow();
+        let mut same = known.iter().rev().filter(|one| one.0 == row && one.2 == *assume);
+        same.find(|one| one.1 == scheme).map(|one| Rc::clone(&one.3))
+    }
+
+    pub(crate) fn keep(
+        &self,
+        row: usize,
+        scheme: &[Instance],
+        assume: &BTreeSet<String>,
+        values: &Rc<BTreeMap<String, RealCyclotomic>>,
+    ) {
+        let one = (row, scheme.to_vec(), assume.clone(), Rc::clone(values));
+        self.0.borrow_mut().push(one);
+    }
 }
 
 /// The choices that a formula may depend on: those of the functions that it calls.
@@ -46,6 +90,7 @@ pub(crate) struct Restricted {
     words: Vec<(&'static str, &'static str)>,
     replaced: Vec<usize>,
     parameters: BTreeMap<String, Rational>,
+    first: usize,
 }
 
 impl Settings {
@@ -81,6 +126,7 @@ impl Settings {
             words: words.copied().collect(),
             replaced,
             parameters: self.parameters.clone(),
+            first: self.first,
         }
     }
 

@@ -119,11 +119,26 @@ impl Axis {
         width: &Rational,
         share: &Share<'_>,
     ) -> Result<Constant, LimitError> {
+        self.constant_until(level, width, share, &|_| false)
+    }
+
+    /// As [`constant`](Self::constant), up to an upper bound that is `enough`.
+    pub(super) fn constant_until(
+        &self,
+        level: u32,
+        width: &Rational,
+        share: &Share<'_>,
+        enough: &dyn Fn(&Rational) -> bool,
+    ) -> Result<Constant, LimitError> {
         let any = self.distances.any_polygon();
         let (mut search, mut best) = self.distances.search(&any, level, share)?;
         let mut upper = search.bound(&mut best);
         let mut step = &upper - &best.value;
-        while &upper - &best.value > *width && step > *width && search.goes_on() {
+        while &upper - &best.value > *width
+            && step > *width
+            && search.goes_on()
+            && !enough(&upper)
+        {
             step = (step / Rational::from(4)).max(width.clone());
             upper = search.run(&Goal::Width(step.clone()), &mut best).min(upper);
         }

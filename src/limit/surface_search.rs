@@ -66,7 +66,7 @@ impl SurfaceDistances {
     ) -> Result<(Enclosure, SurfaceWitness), SurfaceError> {
         positive("the width", width)?;
         let share = self.budget.share();
-        let known = self.known(level, &(width / Rational::from(2)), spreads, &share)?;
+        let known = self.known(level, &(width / Rational::from(2)), spreads, None, &share)?;
         let (upper, best) = self.narrowed(known, spreads, None, &share)?;
         Ok((Enclosure::new(best.distance.clone(), upper), best))
     }
@@ -95,7 +95,7 @@ impl SurfaceDistances {
         let mut coarse: Option<Known> = None;
         let known = loop {
             let width = widths.next().unwrap_or_else(Rational::zero).max(Rational::new(1, 1 << 30));
-            let known = self.known(level, &width, spreads, share)?.or(coarse);
+            let known = self.known(level, &width, spreads, Some(threshold), share)?.or(coarse);
             if known.best.distance > *threshold {
                 return Ok(Comparison::Exceeds(known.best));
             }
@@ -197,19 +197,36 @@ impl SurfaceDistances {
     }
 
     /// Bounds of C¹_k and C²_k, where each constant times its spread is computed to this
-    /// width, and the net of the extremal polygons.
+    /// width, and the net of the extremal polygons. They are computed no further than shows that
+    /// C_k is at most `threshold`.
     fn known(
         &self,
         level: u32,
         width: &Rational,
         spreads: &Spreads,
+        threshold: Option<&Rational>,
         share: &Share<'_>,
     ) -> Result<Known, SurfaceError> {
         let widths = [0, 1].map(|axis| width / spreads.along(axis));
-        let curve = |axis: usize| self.axes[axis].constant(level, &widths[axis], share);
-        let first = curve(0)?;
         let alike = widths[0] == widths[1] && self.axes[0].is_like(&self.axes[1]);
-        let second = if alike { first.clone() } else { curve(1)? };
+        let within = |curves: &[Constant; 2]| {
+            threshold.is_some_and(|threshold| self.bound(curves, spreads) <= *threshold)
+        };
+        let constant = |upper: &Rational| Constant {
+            level,
+            upper: upper.clone(),
+            parameter: Rational::zero(),
+        };
+        let first = self.axes[0].constant_until(level, &widths[0], share, &|upper| {
+            alike && within(&[constant(upper), constant(upper)])
+        })?;
+        let second = if alike {
+            first.clone()
+        } else {
+            self.axes[1].constant_until(level, &widths[1], share, &|upper| {
+                within(&[first.clone(), constant(upper)])
+            })?
+        };
         let curves = [first, second];
         let parameters = curves.each_ref().map(|curve| curve.parameter.clone());
         let best = self.separable(level, parameters, spreads)?;
