@@ -55,7 +55,7 @@ impl Evaluator<'_> {
         at: At<'_>,
         quantities: &Quantities<'_>,
     ) -> Rc<Known> {
-        let mut known = (*self.rows.of(self, at, quantities)).clone();
+        let mut known = self.rows.of(self, at, quantities);
         known.retain(|name, _| !self.leads_to(name, of, at.settings));
         known.insert(of.to_owned(), value);
         Rc::new(known)
@@ -75,9 +75,9 @@ impl Evaluator<'_> {
     /// The value of a definition; a formula that is wrong under these settings has none.
     fn definition(&self, name: &str, at: At<'_>) -> Result<RealCyclotomic, Outcome> {
         if let Ok(Ok(quantities)) = &self.quantities(at)
-            && let Some(value) = self.rows.of(self, at, quantities).get(name)
+            && let Some(value) = self.rows.one(self, at, quantities, name)
         {
-            return Ok(value.clone());
+            return Ok(value);
         }
         let definitions = at.settings.definitions.as_deref().unwrap_or(&self.paper.definitions);
         match self.evaluate(&definitions[name], at) {

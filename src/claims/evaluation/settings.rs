@@ -1,10 +1,10 @@
 //! A reading as the functions of a claim see it: a point of the family of readings.
 
-use crate::claim::Alternative;
-use crate::evaluation::choices::FAMILY;
+use crate::claim::{Alternative, Paper};
+use crate::evaluation::choices::{FAMILY, HEADER, ORDER};
 use crate::evaluation::{Choice, Copied, Effect};
 use crate::exact::{Rational, RealCyclotomic};
-use crate::formula::{Expr, LocatedFormula};
+use crate::formula::{Expr, LocatedFormula, is_builtin};
 use crate::scheme::Instance;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
@@ -84,6 +84,55 @@ pub(crate) fn choices_of(expr: &Expr) -> BTreeSet<&'static str> {
     FAMILY.iter().copied().filter(depends).map(|choice| choice.key).collect()
 }
 
+/// What the value of a definition may depend on.
+pub(crate) struct Depends {
+    choices: BTreeSet<&'static str>,
+    /// The places of alternatives.
+    alternatives: BTreeSet<usize>,
+    /// The names that occur; `None` if the value leads to a scheme, whose parameters are others.
+    parameters: Option<BTreeSet<String>>,
+}
+
+impl Depends {
+    /// What this definition may depend on, and the definitions that it leads to, itself included,
+    /// whichever alternative stands for a definition. `header`: whether headers are tolerances.
+    pub(crate) fn of<'p>(
+        paper: &'p Paper,
+        name: &'p str,
+        header: bool,
+    ) -> (Depends, BTreeSet<&'p str>) {
+        let (mut led, mut waiting) = (BTreeSet::new(), vec![name]);
+        let (mut choices, mut alternatives) = (BTreeSet::new(), BTreeSet::new());
+        let mut parameters = Some(BTreeSet::new());
+        while let Some(name) = waiting.pop() {
+            let Some((name, own)) = paper.definitions.get_key_value(name) else { continue };
+            if !led.insert(&name[..]) {
+                continue;
+            }
+            let others = paper.alternatives.iter().enumerate().filter(|(_, one)| one.of == *name);
+            let mut formulas = vec![own];
+            for (place, other) in others {
+                alternatives.insert(place);
+                formulas.push(&other.value);
+            }
+            for formula in formulas {
+                choices.extend(choices_of(&formula.expr));
+                waiting.extend(formula.expr.names());
+                if !formula.expr.functions().iter().all(|name| is_builtin(name)) {
+                    parameters = None;
+                }
+                if let Some(parameters) = &mut parameters {
+                    parameters.extend(formula.expr.names().into_iter().map(str::to_owned));
+                }
+            }
+        }
+        if header {
+            choices.insert(HEADER.key);
+        }
+        (Depends { choices, alternatives, parameters }, led)
+    }
+}
+
 /// The part of a reading that certain values depend on.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Restricted {
@@ -118,15 +167,21 @@ impl Settings {
         self.words.iter().find(|(name, _)| *name == choice.key).map(|(_, word)| *word)
     }
 
-    /// The part of this reading that concerns these choices, the definitions and the parameters.
-    pub(crate) fn restricted(&self, choices: &BTreeSet<&'static str>) -> Restricted {
-        let words = self.words.iter().filter(|(name, _)| choices.contains(name));
-        let replaced = self.replaced.clone();
+    /// The part of this reading that a value depends on.
+    pub(crate) fn restricted(&self, depends: &Depends) -> Restricted {
+        let words = self.words.iter().filter(|(name, _)| depends.choices.contains(name));
+        let replaced = self.replaced.iter().filter(|place| depends.alternatives.contains(place));
+        let parameters = self.parameters.iter();
+        let parameters = parameters.filter(|(name, _)| match &depends.parameters {
+            // The members of a family are no names.
+            Some(names) => names.contains(&name[..]) || name.contains('['),
+            None => true,
+        });
         Restricted {
             words: words.copied().collect(),
-            replaced,
-            parameters: self.parameters.clone(),
-            first: self.first,
+            replaced: replaced.copied().collect(),
+            parameters: parameters.map(|(name, value)| (name.clone(), value.clone())).collect(),
+            first: if depends.choices.contains(ORDER.key) { self.first } else { 0 },
         }
     }
 

@@ -119,30 +119,27 @@ impl Axis {
         width: &Rational,
         share: &Share<'_>,
     ) -> Result<Constant, LimitError> {
-        self.constant_until(level, width, share, &|_| false)
-    }
-
-    /// As [`constant`](Self::constant), up to an upper bound that is `enough`.
-    pub(super) fn constant_until(
-        &self,
-        level: u32,
-        width: &Rational,
-        share: &Share<'_>,
-        enough: &dyn Fn(&Rational) -> bool,
-    ) -> Result<Constant, LimitError> {
         let any = self.distances.any_polygon();
         let (mut search, mut best) = self.distances.search(&any, level, share)?;
         let mut upper = search.bound(&mut best);
         let mut step = &upper - &best.value;
-        while &upper - &best.value > *width
-            && step > *width
-            && search.goes_on()
-            && !enough(&upper)
-        {
+        while &upper - &best.value > *width && step > *width && search.goes_on() {
             step = (step / Rational::from(4)).max(width.clone());
             upper = search.run(&Goal::Width(step.clone()), &mut best).min(upper);
         }
         Ok(Constant { level, upper, parameter: best.parameter })
+    }
+
+    /// Whether a search shows that C_k is at most this. It ends with the first greater value.
+    pub(super) fn is_within(
+        &self,
+        level: u32,
+        most: &Rational,
+        share: &Share<'_>,
+    ) -> Result<bool, LimitError> {
+        let any = self.distances.any_polygon();
+        let (mut search, mut best) = self.distances.search(&any, level, share)?;
+        Ok(search.run(&Goal::Threshold(most.clone()), &mut best) <= *most)
     }
 
     /// A bound of C_k without a search.

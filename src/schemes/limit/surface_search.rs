@@ -14,6 +14,10 @@ const MAX_CANDIDATES: usize = 16;
 /// The greatest number of pairs of parameters at which the exact norm is computed.
 const MAX_TRANSPORTS: usize = 32;
 
+/// The halvings of the interval from 0 to a threshold in which the constant of a curve is sought that
+/// the threshold allows.
+const HALVINGS: u32 = 12;
+
 /// The cost in steps of a pair of intervals, and the greatest cost of an exact norm.
 const PAIR: u64 = 40;
 const TRANSPORT: u64 = 1 << 20;
@@ -66,7 +70,7 @@ impl SurfaceDistances {
     ) -> Result<(Enclosure, SurfaceWitness), SurfaceError> {
         positive("the width", width)?;
         let share = self.budget.share();
-        let known = self.known(level, &(width / Rational::from(2)), spreads, None, &share)?;
+        let known = self.known(level, &(width / Rational::from(2)), spreads, &share)?;
         let (upper, best) = self.narrowed(known, spreads, None, &share)?;
         Ok((Enclosure::new(best.distance.clone(), upper), best))
     }
@@ -91,11 +95,14 @@ impl SurfaceDistances {
         spreads: &Spreads,
         share: &Share<'_>,
     ) -> Result<Comparison<SurfaceWitness>, SurfaceError> {
+        if self.are_within(level, threshold, spreads, share)? {
+            return Ok(Comparison::Within);
+        }
         let mut widths = WIDTHS.iter().map(|part| threshold.abs() / Rational::from(*part));
         let mut coarse: Option<Known> = None;
         let known = loop {
             let width = widths.next().unwrap_or_else(Rational::zero).max(Rational::new(1, 1 << 30));
-            let known = self.known(level, &width, spreads, Some(threshold), share)?.or(coarse);
+            let known = self.known(level, &width, spreads, share)?.or(coarse);
             if known.best.distance > *threshold {
                 return Ok(Comparison::Exceeds(known.best));
             }
@@ -115,6 +122,35 @@ impl SurfaceDistances {
         } else {
             Comparison::Undecided(Box::new(Enclosure::new(best.distance, upper)))
         })
+    }
+
+    /// Whether both constants are so small that the bound of C_k is at most the threshold. This needs
+    /// fewer cells than the constants themselves.
+    fn are_within(
+        &self,
+        level: u32,
+        threshold: &Rational,
+        spreads: &Spreads,
+        share: &Share<'_>,
+    ) -> Result<bool, SurfaceError> {
+        let constant =
+            |upper: Rational| Constant { level, upper, parameter: Rational::zero() };
+        let shows = |most: &Rational| {
+            let curves = [most, most].map(|most| constant(most.clone()));
+            self.bound(&curves, spreads) <= *threshold
+        };
+        // The bound rises with the constants.
+        let (mut low, mut high) = (Rational::zero(), threshold.clone());
+        if threshold.sign() <= 0 || !shows(&low) {
+            return Ok(false);
+        }
+        for _ in 0..HALVINGS {
+            let middle = (&low + &high) / Rational::from(2);
+            if shows(&middle) { low = middle } else { high = middle }
+        }
+        let [first, second] = self.axes.each_ref();
+        Ok(first.is_within(level, &low, share)?
+            && (first.is_like(second) || second.is_within(level, &low, share)?))
     }
 
     /// The least k from which on every net of these spreads is within `tolerance` of its limit.
@@ -199,36 +235,19 @@ impl SurfaceDistances {
     }
 
     /// Bounds of C¹_k and C²_k, where each constant times its spread is computed to this
-    /// width, and the net of the extremal polygons. They are computed no further than shows that
-    /// C_k is at most `threshold`.
+    /// width, and the net of the extremal polygons.
     fn known(
         &self,
         level: u32,
         width: &Rational,
         spreads: &Spreads,
-        threshold: Option<&Rational>,
         share: &Share<'_>,
     ) -> Result<Known, SurfaceError> {
         let widths = [0, 1].map(|axis| width / spreads.along(axis));
+        let curve = |axis: usize| self.axes[axis].constant(level, &widths[axis], share);
+        let first = curve(0)?;
         let alike = widths[0] == widths[1] && self.axes[0].is_like(&self.axes[1]);
-        let within = |curves: &[Constant; 2]| {
-            threshold.is_some_and(|threshold| self.bound(curves, spreads) <= *threshold)
-        };
-        let constant = |upper: &Rational| Constant {
-            level,
-            upper: upper.clone(),
-            parameter: Rational::zero(),
-        };
-        let first = self.axes[0].constant_until(level, &widths[0], share, &|upper| {
-            alike && within(&[constant(upper), constant(upper)])
-        })?;
-        let second = if alike {
-            first.clone()
-        } else {
-            self.axes[1].constant_until(level, &widths[1], share, &|upper| {
-                within(&[first.clone(), constant(upper)])
-            })?
-        };
+        let second = if alike { first.clone() } else { curve(1)? };
         let curves = [first, second];
         let parameters = curves.each_ref().map(|curve| curve.parameter.clone());
         let best = self.separable(level, parameters, spreads)?;
