@@ -28,6 +28,12 @@ impl Ball {
         self.0.sign()
     }
 
+    /// Whether the interval shows that the number is not 0.
+    #[must_use]
+    pub fn is_apart(&self) -> bool {
+        matches!(self.sign(), Some(1 | -1))
+    }
+
     fn outward(exact: &Enclosure) -> Ball {
         let scale = Integer::one().shifted_left(BITS);
         let times = |x: &Rational| x * &Rational::from(scale.clone());

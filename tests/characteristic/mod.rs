@@ -1,5 +1,8 @@
 //! C¹ at the vertex: against closed formulas, meshes that are refined, and rules that were broken.
 
+mod slow;
+
+use slow::{Kind, Net};
 use std::f64::consts::PI;
 use std::io::Write as _;
 use subcert::characteristic::{
@@ -160,4 +163,98 @@ fn an_eigenvalue_of_block_0_above_the_others_refutes() {
     assert_eq!(tie.verdict, Verdict::Fails(Hypothesis::Alone));
     let same = ring("same", &vertex_rules("'(5/8 - 1/4)/N'", "vertex = '3/8'"));
     assert!(matches!(same.verdict, Verdict::Proved { .. }));
+}
+
+/// Rules on a face of n points with the eigenvalues 1, and these of the blocks 1, 2, …; and their weights.
+fn face_with(name: &str, eigenvalues: &[(i64, i64)], n: usize) -> (Vertex, Vec<f64>) {
+    let both = if n.is_multiple_of(2) { eigenvalues.len() - 1 } else { eigenvalues.len() };
+    let factor = |k: usize| if k < both { 2 } else { 1 };
+    let terms = eigenvalues
+        .iter()
+        .enumerate()
+        .map(|(k, (p, q))| format!(" + {}*({p})/{q}*cos(2*pi*{}*(j - i)/{n})", factor(k), k + 1));
+    let text = format!(
+        "name = 'face'\ntitle = 'Rules on a face'\norbits = {{ face = '{n}' }}\nedges = [['face[i]', 'face[i + 1]']]\n\
+         [weights.face]\nface = '(1{})/{n}'\n",
+        terms.collect::<String>()
+    );
+    let weight = |d: usize| {
+        let turn = |k: usize| (2.0 * PI * real(k * d) / real(n)).cos();
+        let terms = eigenvalues.iter().enumerate().map(|(k, (p, q))| {
+            f64::from(factor(k))
+                * turn(k + 1)
+                * nearest(&RealCyclotomic::from(Rational::new(*p, *q)))
+        });
+        (1.0 + terms.sum::<f64>()) / real(n)
+    };
+    (ring(name, &text), (0..n).map(weight).collect())
+}
+
+/// The verdicts on the catalogue against cells of refined nets.
+#[test]
+fn slow_nets_agree_with_proofs() {
+    for n in [3, 4, 5, 7, 12, 20] {
+        for (kind, k) in [(Kind::Vertex, 1), (Kind::Triangles, 1)] {
+            let net = Net::new(kind, n, k, &[]);
+            let (_, negative) = net.areas();
+            assert_eq!(negative, 0, "{n}");
+            assert!((net.winding() - 1.0).abs() < 1e-6, "{n}");
+        }
+    }
+}
+
+/// The eigenvalues of a face are chosen: folds, winding numbers, negative eigenvalues, ties.
+#[test]
+fn faces_with_chosen_eigenvalues() {
+    // Block 1 above: λ from 1/2 to 0.9.
+    let n = 5;
+    for (p, q, smooth) in [(1, 2, true), (3, 5, true), (19, 20, false)] {
+        let (vertex, weights) = face_with(&format!("lambda{p}-{q}"), &[(p, q), (1, 5)], n);
+        let net = Net::new(Kind::Face, 5, 1, &weights);
+        let (positive, negative) = net.areas();
+        if smooth {
+            assert!(
+                matches!(vertex.verdict, Verdict::Proved { .. }),
+                "{p}/{q}: {:?}",
+                vertex.verdict
+            );
+            assert_eq!(negative, 0, "{p}/{q}");
+            assert!((net.winding() - 1.0).abs() < 1e-6);
+        } else {
+            assert!(
+                matches!(vertex.verdict, Verdict::Refuted(Refutation::Folds { .. })),
+                "{p}/{q}: {:?}",
+                vertex.verdict
+            );
+            assert!(positive > 0 && negative > 0, "{p}/{q}");
+        }
+    }
+    // Block 2 above: the map winds twice.
+    let (vertex, weights) = face_with("winds", &[(3, 10), (1, 2)], n);
+    let Verdict::Refuted(Refutation::Winds { number: Some(2) }) = vertex.verdict else {
+        panic!("{:?}", vertex.verdict)
+    };
+    let net = Net::new(Kind::Face, 5, 2, &weights);
+    assert!((net.winding() - 2.0).abs() < 1e-6);
+    assert_eq!(net.areas().1, 0);
+    // Negative.
+    let (vertex, _) = face_with("negative", &[(-1, 2), (1, 5)], n);
+    assert!(
+        matches!(vertex.verdict, Verdict::Refuted(Refutation::Negative | Refutation::Folds { .. })),
+        "{:?}",
+        vertex.verdict
+    );
+    // Ties, and too small.
+    for (name, eigenvalues) in
+        [("tie", [(1, 2), (1, 2)]), ("opposite", [(1, 2), (-1, 2)]), ("outer", [(1, 4), (1, 5)])]
+    {
+        let (vertex, _) = face_with(name, &eigenvalues, n);
+        assert_eq!(vertex.verdict, Verdict::Fails(Hypothesis::Alone), "{name}");
+    }
+    // Not below 1.
+    let (vertex, _) = face_with("one", &[(1, 1), (1, 5)], n);
+    assert_eq!(vertex.verdict, Verdict::Fails(Hypothesis::SimpleOne));
+    // Block n/2 alone.
+    let (vertex, _) = face_with("half", &[(3, 10), (1, 2)], 4);
+    assert_eq!(vertex.verdict, Verdict::Fails(Hypothesis::Blocks));
 }

@@ -2,6 +2,7 @@
 
 mod exponent;
 mod range;
+mod vertices;
 
 use crate::claim::{LocatedReference, Paper, SmoothnessBody, SmoothnessClaim, SmoothnessStatement};
 use crate::diagnostic::Diagnostic;
@@ -33,6 +34,9 @@ fn of(
     library: &Library<'_>,
 ) -> Result<(SmoothnessVerdict, Known), Diagnostic> {
     let scheme = LimitScheme { paper, library, located };
+    if let Some(instances) = scheme.ring_instances()? {
+        return vertices::judge(&scheme, &instances, statement);
+    }
     if let SmoothnessStatement::Range(range) = statement {
         return range::judge(&scheme, range);
     }
@@ -42,11 +46,21 @@ fn of(
     };
     let smoothness = &limits.smoothness;
     let verdict = match statement {
-        SmoothnessStatement::Continuity { continuous, not_continuous } => together(&[
-            continuous.map_or(Some(true), |m| is_continuous(smoothness, m)),
-            not_continuous
-                .map_or(Some(true), |m| is_continuous(smoothness, m).map(|continuous| !continuous)),
-        ]),
+        SmoothnessStatement::Continuity { valences: Some(valences), .. } => {
+            return Err(scheme
+                .error(format!("`valences = '{}'` of a mask", valences.text))
+                .with_help(
+                    "valences are those of rules around a vertex or on a face, such as `loop`",
+                ));
+        }
+        SmoothnessStatement::Continuity { continuous, not_continuous, valences: None } => {
+            together(&[
+                continuous.map_or(Some(true), |m| is_continuous(smoothness, m)),
+                not_continuous.map_or(Some(true), |m| {
+                    is_continuous(smoothness, m).map(|continuous| !continuous)
+                }),
+            ])
+        }
         SmoothnessStatement::Exponent { exponent, attained } => {
             exponent::judge(smoothness, exponent, *attained)
         }
