@@ -16,6 +16,12 @@ impl Ball {
         Ball::outward(&number.enclosure(1))
     }
 
+    /// Any number of an interval.
+    #[must_use]
+    pub fn within(interval: &Enclosure) -> Ball {
+        Ball::outward(interval)
+    }
+
     /// The interval.
     #[must_use]
     pub fn enclosure(&self) -> &Enclosure {

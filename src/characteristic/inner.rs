@@ -103,4 +103,23 @@ impl<'r> Inner<'r> {
         let face = vector.get(2).map_or_else(Ball::zero, |face| face.times(&half));
         Some([vector[0].clone(), vector[1].clone(), face])
     }
+
+    /// The eigenvector of block 0 at a vertex for an eigenvalue, by the rules of the other points alone: it is one if the number
+    /// is an eigenvalue.
+    pub(super) fn still_by_edges(&self, value: &Ball) -> [Ball; 3] {
+        let one = |_| whole(1);
+        let sum = |a: usize, b: usize| self.sum(a, b, one);
+        let edge = sum(1, 1).minus(value);
+        if self.family != Family::Bicubic {
+            return [Ball::zero().minus(&edge), sum(1, 0), Ball::zero()];
+        }
+        let face = sum(2, 2).minus(value);
+        let minor = |a: &Ball, b: &Ball, c: &Ball, d: &Ball| a.times(d).minus(&b.times(c));
+        let half = Ball::from_rational(&Rational::new(1, 2));
+        [
+            minor(&edge, &sum(1, 2), &sum(2, 1), &face),
+            minor(&sum(1, 2), &sum(1, 0), &face, &sum(2, 0)),
+            minor(&sum(1, 0), &edge, &sum(2, 0), &sum(2, 1)).times(&half),
+        ]
+    }
 }

@@ -2,8 +2,9 @@
 
 use super::ball::Ball;
 use super::net::{Lattice, Net, ratio};
+use super::pieces::Piece;
 use super::ring::{RingPoint, jacobian, on_ring, ring_pieces};
-use super::sign::boxes;
+use super::sign::{Place, boxes};
 use crate::exact::{Enclosure, Rational, Scalar as _};
 
 /// The square of the length of the first point.
@@ -28,28 +29,34 @@ pub(super) fn least(net: &Net<Ball>, value: &Ball) -> (Rational, RingPoint) {
     (part.least / unit(net).upper().clone(), on_ring(piece, &part.near))
 }
 
-/// J at a point of the ring.
-pub(super) fn jacobian_at(net: &Net<Ball>, value: &Ball, point: &RingPoint) -> Enclosure {
-    let ball = |x: &Rational| Ball::from_rational(x);
-    let one = ball(&Rational::one());
-    for piece in ring_pieces(net, value) {
+/// The piece with a point of the ring, and its place there.
+pub(super) fn located<'p>(
+    pieces: &'p [Piece<Ball>],
+    point: &RingPoint,
+) -> Option<(&'p Piece<Ball>, Place)> {
+    let one = Rational::one();
+    let inside = |x: &Rational| x.sign() >= 0 && *x <= one;
+    pieces.iter().find_map(|piece| {
         let side = Rational::from(i64::from(piece.direction));
         let along = |corner: i32, x: &Rational| (x - &Rational::from(i64::from(corner))) * &side;
         let [u, v] = [along(piece.corner.0, &point.at[0]), along(piece.corner.1, &point.at[1])];
-        let form = jacobian(&piece);
-        let inside = |x: &Rational| x.sign() >= 0 && *x <= Rational::one();
-        if !inside(&u) || !inside(&v) || (form.triangle && &u + &v > Rational::one()) {
-            continue;
-        }
-        let w = if form.triangle { Rational::one() - &u - &v } else { Rational::zero() };
-        let found = form.value(&[&ball(&u), &ball(&v), &ball(&w), &one]);
-        let unit = unit(net);
-        let over = |x: &Rational, by: &Rational| x / by;
-        let ends = [found.enclosure().lower(), found.enclosure().upper()];
-        let quotients = ends.map(|x| [over(x, unit.lower()), over(x, unit.upper())]).concat();
-        let low = quotients.iter().min().expect("four numbers").clone();
-        let high = quotients.iter().max().expect("four numbers").clone();
-        return Enclosure::new(low, high);
-    }
-    unreachable!("a point of the ring")
+        let within = inside(&u) && inside(&v) && (!piece.coordinates[0].triangle || &u + &v <= one);
+        within.then_some((piece, [u, v]))
+    })
+}
+
+/// J at a point of the ring.
+pub(super) fn jacobian_at(net: &Net<Ball>, value: &Ball, point: &RingPoint) -> Enclosure {
+    let ball = |x: &Rational| Ball::from_rational(x);
+    let pieces = ring_pieces(net, value);
+    let (piece, [u, v]) = located(&pieces, point).expect("a point of the ring");
+    let w = Rational::one() - &u - &v;
+    let one = Rational::one();
+    let found = jacobian(piece).value(&[&ball(&u), &ball(&v), &ball(&w), &ball(&one)]);
+    let unit = unit(net);
+    let ends = [found.enclosure().lower(), found.enclosure().upper()];
+    let quotients = ends.map(|x| [x / unit.lower(), x / unit.upper()]).concat();
+    let low = quotients.iter().min().expect("four numbers").clone();
+    let high = quotients.iter().max().expect("four numbers").clone();
+    Enclosure::new(low, high)
 }

@@ -13,10 +13,13 @@
 //! | `winding` | the winding number of the outer curve |
 //! | `rules` | which regular part rules have |
 //! | `inner` | eigenvectors on the points with rules of their own |
+//! | `lines` | lines on the ring, for pictures |
 //! | `jacobian` | values of the Jacobian |
 //! | `verdict` | what is said |
 //! | `vertex` | the verdict at one valence |
 //! | `all_valences` | all valences at once |
+//! | `positive` | where polynomials in a parameter are positive |
+//! | `range` | the values of a parameter for which surfaces are C¹ |
 //! | `exponent` | the Hölder exponent of the first derivatives |
 
 mod all_valences;
@@ -27,8 +30,11 @@ mod family;
 mod inner;
 mod jacobian;
 mod laurent;
+mod lines;
 mod net;
 mod pieces;
+mod positive;
+mod range;
 mod ring;
 mod rules;
 mod sign;
@@ -40,6 +46,8 @@ pub use all_valences::{ORDERED, regular_for_all_valences, smooth_for_all_valence
 pub use ball::Ball;
 pub use exponent::Exponent;
 pub use family::Family;
+pub use lines::RingLine;
+pub use range::{VertexRange, VertexRangeError, vertex_range};
 pub use ring::{RingBox, RingPoint};
 pub use rules::Reason;
 pub use sign::{MAX_BISECTIONS, Place};

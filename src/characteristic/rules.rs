@@ -53,7 +53,10 @@ pub(super) fn rules(ring: LocalRules) -> Result<Rules, SpectrumError> {
 }
 
 /// What keeps rules from being judged by the regular part of others.
-fn difference(own: &LocalRules, model: &LocalRules) -> Option<Reason> {
+pub(super) fn difference<S: PartialEq>(
+    own: &LocalRules<S>,
+    model: &LocalRules<S>,
+) -> Option<Reason> {
     let n = own.point_count();
     if own.orbits().len() > 1 {
         // All but the vertex.

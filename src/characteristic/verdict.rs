@@ -64,4 +64,6 @@ pub enum Hypothesis {
     Simple,
     /// λ is of two blocks k and n − k.
     Blocks,
+    /// λ is positive, of the blocks 1 and n − 1.
+    First,
 }

@@ -5,8 +5,11 @@ use super::exponent::{Exponent, exponent};
 use super::family::Family;
 use super::inner::Inner;
 use super::jacobian::{jacobian_at, least, unit};
+use super::lines::{RingLine, lines, mapped};
 use super::net::Net;
-use super::ring::{Ring, RingBox, all_boxes, examined, in_half_plane, outer_curve, ring_pieces};
+use super::ring::{
+    Ring, RingBox, RingPoint, all_boxes, examined, in_half_plane, outer_curve, ring_pieces,
+};
 use super::rules::{Reason, Rules, rules};
 use super::verdict::{Hypothesis, Refutation, Verdict};
 use super::winding::winding;
@@ -32,6 +35,8 @@ pub struct Vertex {
     pub spectrum: Spectrum,
     /// The eigenvalue whose eigenvectors decide.
     pub second: Option<Second>,
+    /// The hypothesis on these eigenvalues that fails, if one does. The verdict may say more.
+    pub hypothesis: Option<Hypothesis>,
     /// Whether the surface is C¹.
     pub verdict: Verdict,
     /// How smooth its first derivatives are, where it is C¹.
@@ -77,7 +82,7 @@ impl Vertex {
     fn judged(rules: Rules) -> Result<Vertex, SpectrumError> {
         let Rules { family, reason, ring, wider } = rules;
         let spectrum = Spectrum::within(&ring, wider.as_ref())?;
-        let (mut found, mut net) = (second(&spectrum), None);
+        let (found, mut net) = (second(&spectrum), None);
         let verdict = match (family, reason, &found) {
             (Some(family), None, Ok(second)) => {
                 let inner = Inner::new(family, &ring, spectrum.order);
@@ -97,12 +102,14 @@ impl Vertex {
             (Some(_), None, Err(hypothesis)) => Verdict::Fails(*hypothesis),
             (_, reason, _) => Verdict::Open(reason.unwrap_or(Reason::RegularPart)),
         };
-        if net.is_none() {
-            found = Err(Hypothesis::Blocks);
-        }
+        let hypothesis = match &found {
+            Err(hypothesis) => Some(*hypothesis),
+            Ok(second) if second.block == 1 && second.value.sign() > 0 => None,
+            Ok(_) => Some(Hypothesis::First),
+        };
         let proved = matches!(verdict, Verdict::Proved { .. });
         let exponent = if proved { exponent(&spectrum) } else { None };
-        Ok(Vertex { family, spectrum, second: found.ok(), verdict, exponent, net })
+        Ok(Vertex { family, spectrum, second: found.ok(), hypothesis, verdict, exponent, net })
     }
 
     /// Whether the surface of generic data is C^m there; `None` where that is not decided. C² fails where it is not C¹,
@@ -130,6 +137,22 @@ impl Vertex {
             part.least = &part.least / &unit;
         }
         boxes
+    }
+
+    /// Lines of constant parameters on sector 0 of the ring; none without a ring in the plane.
+    #[must_use]
+    pub fn lines(&self) -> Vec<RingLine> {
+        match (&self.net, &self.second) {
+            (Some(net), Some(second)) => lines(&ring_pieces(net, &Ball::of(&second.value))),
+            _ => Vec::new(),
+        }
+    }
+
+    /// Where a point of sector 0 of the ring is mapped to: p and q.
+    #[must_use]
+    pub fn image(&self, point: &RingPoint) -> Option<[Rational; 2]> {
+        let (net, second) = (self.net.as_ref()?, self.second.as_ref()?);
+        mapped(&ring_pieces(net, &Ball::of(&second.value)), point)
     }
 
     /// Whether the outer curve of a sector is in the half-plane p + q > 0, or p + cq > 0 on a face, or in its opposite.

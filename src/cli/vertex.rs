@@ -1,14 +1,18 @@
 //! `subcert smoothness` of rules around a vertex or on a face.
 
 use super::arguments::{SmoothnessArguments, Valences};
+use super::finding::{Destination, command};
 use super::json::{SCHEMA, vertex as form};
-use super::output::{Failure, Outcome, show};
+use super::output::{Failure, Outcome};
 use super::spectrum::failure;
 use subcert::characteristic::{Family, ORDERED, Vertex, regular_for_all_valences};
+use subcert::report::html::{FindingPage, Picture};
 use subcert::report::json::VertexForm;
-use subcert::report::{Grid, SCOPE, Sheet, VERTEX_HEADER, vertex_facts, vertex_row};
+use subcert::report::{
+    Grid, SCOPE, Sheet, VERTEX_HEADER, verdict_name, verdict_reason, vertex_facts, vertex_row,
+};
 
-pub(super) fn vertex(arguments: &SmoothnessArguments) -> Outcome {
+pub(super) fn vertex(arguments: &SmoothnessArguments, to: &Destination) -> Outcome {
     let scheme = &arguments.scheme;
     let (mut all, mut found) = (None, Vec::new());
     match arguments.valences {
@@ -29,8 +33,22 @@ pub(super) fn vertex(arguments: &SmoothnessArguments) -> Outcome {
             all = Some((*family, regular_for_all_valences(*family)));
         }
     }
-    show(
-        arguments.output.format,
+    let page = || {
+        let (sheet, command) = (sheet(scheme, all, &found), command());
+        let pictures: Vec<Picture> = match &found[..] {
+            [vertex] => Picture::of_ring(vertex).into_iter().collect(),
+            _ => Vec::new(),
+        };
+        let sentence = sentence(all, &found);
+        let page = FindingPage {
+            sentence: &sentence,
+            sheet: &sheet,
+            pictures: &pictures,
+            command: &command,
+        };
+        Ok(page.to_html())
+    };
+    to.deliver(
         || sheet(scheme, all, &found),
         || form::Vertices {
             schema: SCHEMA,
@@ -39,7 +57,33 @@ pub(super) fn vertex(arguments: &SmoothnessArguments) -> Outcome {
             all_valences: all.map(|(_, holds)| holds),
             valences: found.iter().map(VertexForm::of).collect(),
         },
+        page,
     )
+}
+
+/// What is found, in a sentence.
+fn sentence(all: Option<(Family, bool)>, found: &[Vertex]) -> String {
+    match (all, found) {
+        (Some((_, true)), _) => "C^1 is proved for all valences n >= 3.".to_owned(),
+        (Some(_), _) => "It is open whether surfaces are C^1 for all valences.".to_owned(),
+        (None, [vertex]) => {
+            let verdict = &vertex.verdict;
+            format!(
+                "C^1 at valence {}: {}, as {}.",
+                vertex.spectrum.order,
+                verdict_name(verdict),
+                verdict_reason(verdict)
+            )
+        }
+        (None, _) => {
+            let proved = |vertex: &&Vertex| verdict_name(&vertex.verdict) == "proved";
+            format!(
+                "C^1 is proved at {} of {} valences.",
+                found.iter().filter(proved).count(),
+                found.len()
+            )
+        }
+    }
 }
 
 fn sheet(scheme: &str, all: Option<(Family, bool)>, found: &[Vertex]) -> Sheet {

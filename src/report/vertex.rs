@@ -77,17 +77,7 @@ pub fn verdict_reason(verdict: &Verdict) -> String {
                 "the characteristic map winds around the vertex or the centre of the face {times}, and not once"
             );
         }
-        Verdict::Fails(hypothesis) => match hypothesis {
-            Hypothesis::SimpleOne => "1 is not simple, or another eigenvalue is not below it",
-            Hypothesis::Alone => {
-                "the eigenvalues next to 1 are not alone of their absolute value; a Jordan block is not excluded"
-            }
-            Hypothesis::Real => "the eigenvalues next to 1 are not real",
-            Hypothesis::Simple => {
-                "λ is a multiple eigenvalue of one block, so that a Jordan block is not excluded"
-            }
-            Hypothesis::Blocks => "the eigenvalue next to 1 is not of two blocks k and n − k",
-        },
+        Verdict::Fails(hypothesis) => failing(*hypothesis),
         Verdict::Open(reason) => match reason {
             Reason::RegularPart => {
                 "the orbits declare no regular part that is known here, or there are too many points"
@@ -107,6 +97,24 @@ pub fn verdict_reason(verdict: &Verdict) -> String {
         },
     };
     text.to_owned()
+}
+
+/// What a failing hypothesis means.
+fn failing(hypothesis: Hypothesis) -> &'static str {
+    match hypothesis {
+        Hypothesis::SimpleOne => "1 is not simple, or another eigenvalue is not below it",
+        Hypothesis::Alone => {
+            "the eigenvalues next to 1 are not alone of their absolute value; a Jordan block is not excluded"
+        }
+        Hypothesis::Real => "the eigenvalues next to 1 are not real",
+        Hypothesis::Simple => {
+            "λ is a multiple eigenvalue of one block, so that a Jordan block is not excluded"
+        }
+        Hypothesis::Blocks => "the eigenvalue next to 1 is not of two blocks k and n − k",
+        Hypothesis::First => {
+            "the eigenvalue next to 1 is not a positive one of the blocks 1 and n − 1"
+        }
+    }
 }
 
 fn place(point: &RingPoint) -> String {
@@ -129,6 +137,15 @@ pub fn vertex_facts(vertex: &Vertex) -> Vec<(String, String)> {
         facts.push(("λ", format!("{}, {blocks}", with_decimal(&second.value))));
     } else if let Some(value) = &spectrum.conditions.subdominant {
         facts.push(("λ", format!("{}, double, of the blocks 1 and n − 1", with_decimal(value))));
+    }
+    if matches!(verdict, Verdict::Open(_)) {
+        let text = match vertex.hypothesis {
+            None => {
+                "those of these points are in order for C^1; points further out may have others"
+            }
+            Some(hypothesis) => failing(hypothesis),
+        };
+        facts.push(("eigenvalues", text.to_owned()));
     }
     // Where it is open, the rules may have another regular part.
     if let Some(family) = family.as_ref().filter(|_| !matches!(verdict, Verdict::Open(_))) {
@@ -163,10 +180,20 @@ fn exponent_facts(found: &Exponent) -> Vec<(&'static str, String)> {
     } else {
         ""
     };
-    vec![
+    let mut facts = vec![
         ("Hölder exponent", format!("{text}, of the first derivatives{jordan}")),
         ("curvature", format!("{}; decided by the blocks {blocks}", found.curvature.name())),
-    ]
+    ];
+    let names = ["elliptic shapes", "hyperbolic shapes"];
+    let blocks = ["block 0", "the blocks 2 and n − 2"];
+    for ((name, of), shape) in names.into_iter().zip(blocks).zip(&found.shapes) {
+        if let Some((modulus, curvature)) = shape {
+            let text =
+                format!("|μ| = {} of {of}: {} curvature", with_decimal(modulus), curvature.name());
+            facts.push((name, text));
+        }
+    }
+    facts
 }
 
 /// Decimals around the exponent of the first derivatives.

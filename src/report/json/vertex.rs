@@ -28,6 +28,8 @@ pub struct VertexForm {
     pub subdominant: Option<Exact>,
     /// k, or null.
     pub block: Option<usize>,
+    /// Whether the eigenvalues are in order for C¹, as far as the points show it.
+    pub in_order: bool,
     /// The most bisections of a piece; of a proof only.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bisections: Option<usize>,
@@ -42,6 +44,19 @@ pub struct VertexForm {
     pub curvature: Option<&'static str>,
     /// The blocks that decide the last two.
     pub blocks: Vec<usize>,
+    /// Of a proof: the greatest modulus of block 0 but 1, and what the curvature of elliptic shapes does; or null.
+    pub elliptic: Option<ShapeForm>,
+    /// Of a proof and n ≥ 4: the same of the blocks 2 and n − 2, of hyperbolic shapes; or null.
+    pub hyperbolic: Option<ShapeForm>,
+}
+
+/// The eigenvalue of shapes.
+#[derive(Debug, Serialize)]
+pub struct ShapeForm {
+    /// Its modulus.
+    pub modulus: Exact,
+    /// `bounded`, `vanishing` or `unbounded`.
+    pub curvature: &'static str,
 }
 
 impl VerticesForm {
@@ -64,6 +79,10 @@ impl VertexForm {
             _ => (None, Vec::new()),
         };
         let exponent = vertex.exponent.as_ref();
+        let shape = |which: usize| {
+            let (modulus, curvature) = exponent?.shapes[which].as_ref()?;
+            Some(ShapeForm { modulus: Exact::of(modulus), curvature: curvature.name() })
+        };
         VertexForm {
             valence: vertex.spectrum.order,
             verdict: match &vertex.verdict {
@@ -73,12 +92,15 @@ impl VertexForm {
             reason: verdict_reason(&vertex.verdict),
             subdominant: vertex.second.as_ref().map(|second| Exact::of(&second.value)),
             block: vertex.second.as_ref().map(|second| second.block),
+            in_order: vertex.hypothesis.is_none(),
             bisections,
             least_jacobian: least(vertex),
             points,
             hoelder: exponent.map(exponent_ends),
             curvature: exponent.map(|found| found.curvature.name()),
             blocks: exponent.map(|found| found.blocks.clone()).unwrap_or_default(),
+            elliptic: shape(0),
+            hyperbolic: shape(1),
         }
     }
 }
