@@ -101,7 +101,7 @@ pub fn vertex_range(
 
 /// The coefficients of a polynomial of degree 1 at most.
 fn linear(p: &Polynomial, variable: &str) -> Result<[RealCyclotomic; 2], VertexRangeError> {
-    let found = p.in_variable(variable).filter(|found| found.len() <= 2);
+    let found = p.coefficients_in(variable).filter(|found| found.len() <= 2);
     let mut found = found.ok_or_else(|| VertexRangeError::Degree(variable.to_owned()))?;
     found.resize(2, RealCyclotomic::from(0));
     Ok([found[0].clone(), found[1].clone()])
@@ -264,7 +264,7 @@ fn of_face(
     let net = Family::Biquadratic.eigenvector(&Polynomial::constant(cosine(1)), &value);
     let pieces = ring_pieces(&net, &value);
     let set = |p: &Polynomial| -> Result<IntervalSet, VertexRangeError> {
-        positive(&p.in_variable(variable).ok_or(Field)?).ok_or(Field)
+        positive(&p.coefficients_in(variable).ok_or(Field)?).ok_or(Field)
     };
     let mut inside = ordered.clone();
     for form in &outer_curve(&net, &pieces) {

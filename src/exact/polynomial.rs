@@ -99,11 +99,11 @@ impl Polynomial {
     ///
     /// let [w, x] = ["w", "x"].map(Polynomial::variable);
     /// let [zero, one] = [0, 1].map(RealCyclotomic::from);
-    /// assert_eq!((&w * &w).in_variable("w"), Some(vec![zero.clone(), zero, one]));
-    /// assert_eq!((&w * &x).in_variable("w"), None);
+    /// assert_eq!((&w * &w).coefficients_in("w"), Some(vec![zero.clone(), zero, one]));
+    /// assert_eq!((&w * &x).coefficients_in("w"), None);
     /// ```
     #[must_use]
-    pub fn in_variable(&self, variable: &str) -> Option<Vec<RealCyclotomic>> {
+    pub fn coefficients_in(&self, variable: &str) -> Option<Vec<RealCyclotomic>> {
         let constant = (!is_zero(&self.constant)).then_some((0, &self.constant));
         let others = self.terms.iter().map(|(monomial, c)| Some((monomial.only(variable)?, c)));
         let terms: Option<Vec<(u32, &RealCyclotomic)>> =

@@ -6,12 +6,13 @@ use slow::{Kind, Net};
 use std::f64::consts::PI;
 use std::io::Write as _;
 use subcert::characteristic::{
-    Family, Hypothesis, Refutation, Verdict, Vertex, regular_for_all_valences,
+    Family, Hypothesis, Refutation, Verdict, Vertex, regular_for_all_valences, vertex_range,
 };
 use subcert::exact::format::short;
-use subcert::exact::{Rational, RealCyclotomic};
+use subcert::exact::{Interval, Rational, RealCyclotomic};
 use subcert::float::{exact as exactly, nearest};
 use subcert::mesh::{MeshScheme, PolygonMesh, refine_mesh};
+use subcert::scheme::parse_rules_in_parameter;
 
 /// λ at a valence, by closed formulas.
 fn subdominant(scheme: &str, n: usize) -> f64 {
@@ -257,4 +258,93 @@ fn faces_with_chosen_eigenvalues() {
     // Block n/2 alone.
     let (vertex, _) = face_with("half", &[(3, 10), (1, 2)], 4);
     assert_eq!(vertex.verdict, Verdict::Fails(Hypothesis::Blocks));
+}
+
+/// Ranges of a parameter against verdicts at single values, in and out of them.
+#[test]
+fn ranges_agree_with_verdicts_at_values() {
+    for (file, parameter, valences) in [
+        ("loop-beta", "beta", &[3, 4, 5, 6, 7, 12][..]),
+        ("catmull-clark-gamma", "gamma", &[3, 4, 5, 8]),
+        ("doo-sabin-alpha", "alpha", &[3, 4, 5]),
+    ] {
+        for &n in valences {
+            let scheme = format!("examples/{file}.toml");
+            let ring = parse_rules_in_parameter(&scheme, parameter, Some(n)).expect("rules");
+            let range = vertex_range(&ring, parameter)
+                .unwrap_or_else(|error| panic!("{file} {n}: {error}"));
+            assert!(!range.inside.is_empty(), "{file} {n}");
+            assert!(range.inside.intersection(&range.outside).is_empty());
+            for (set, smooth) in [(&range.inside, true), (&range.outside, false)] {
+                for at in set.intervals().iter().filter_map(Interval::rational) {
+                    let vertex = Vertex::of(&format!("{scheme}:{parameter}={at}"), Some(n));
+                    let verdict = vertex.expect("a spectrum").verdict;
+                    assert_eq!(
+                        matches!(verdict, Verdict::Proved { .. }),
+                        smooth,
+                        "{file} {n} {at}: {verdict:?}"
+                    );
+                    assert_eq!(
+                        matches!(verdict, Verdict::Refuted(_)),
+                        !smooth,
+                        "{file} {n} {at}: {verdict:?}"
+                    );
+                }
+            }
+            // The ends of Loop's weight: |5/8 − nβ| < λ.
+            if file == "loop-beta" {
+                let ends: Vec<f64> = range.inside.ends().map(|(end, _)| nearest(end)).collect();
+                let value = subdominant("loop", n);
+                let expected = [(0.625 - value) / real(n), (0.625 + value) / real(n)];
+                assert!(
+                    ends.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-12),
+                    "{n}: {ends:?}"
+                );
+            }
+        }
+    }
+}
+
+/// Beyond the end of the range of a face's eigenvalue the cells of a refined net have both orientations, and before it one.
+#[test]
+fn the_end_of_a_range_is_where_nets_fold() {
+    let ring =
+        parse_rules_in_parameter("examples/doo-sabin-alpha.toml", "alpha", Some(3)).expect("rules");
+    let range = vertex_range(&ring, "alpha").expect("a range");
+    let (end, _) = range.inside.ends().last().expect("an end");
+    let end = nearest(end);
+    assert!((0.8..0.95).contains(&end), "{end}");
+    let areas = |value: f64| {
+        let weight = |d: usize| {
+            let turn = (2.0 * PI * real(d) / 3.0).cos();
+            (1.0 + 2.0 * value * turn) / 3.0
+        };
+        Net::new(Kind::Face, 3, 1, &[weight(0), weight(1), weight(2)]).areas()
+    };
+    assert_eq!(areas(end - 0.02).1, 0);
+    let (positive, negative) = areas(end + 0.03);
+    assert!(positive > 0 && negative > 0);
+}
+
+/// The butterfly rules are known to fail at valence 3 and from 8 on; nothing is proved of them.
+#[test]
+fn the_butterfly_is_open_with_what_its_eigenvalues_say() {
+    for n in 3..=10 {
+        let vertex = Vertex::of("butterfly", Some(n)).expect("a spectrum");
+        assert!(matches!(vertex.verdict, Verdict::Open(_)), "{n}: {:?}", vertex.verdict);
+        let expected = match n {
+            3 => Some(Hypothesis::Alone),
+            8.. => Some(Hypothesis::First),
+            _ => None,
+        };
+        assert_eq!(vertex.hypothesis, expected, "{n}");
+    }
+    for n in [3, 4, 5, 7, 9] {
+        let vertex = Vertex::of("modified-butterfly", Some(n)).expect("a spectrum");
+        assert!(matches!(vertex.verdict, Verdict::Open(_)));
+        let value = vertex.second.expect("an eigenvalue").value;
+        assert_eq!((value.to_string().as_str(), vertex.hypothesis), ("1/2", None), "{n}");
+    }
+    let vertex = Vertex::of("mid-edge", Some(5)).expect("a spectrum");
+    assert!(matches!(vertex.verdict, Verdict::Open(_)) && vertex.hypothesis.is_none());
 }

@@ -1,6 +1,7 @@
 //! The rules `smoothness` and `exponent`: how smooth the limits of a scheme are.
 
 use super::limits::{Shown, mask, verdict};
+use super::theorem::Citation;
 use crate::certificate::Block;
 use crate::decimal::{Decimal, int};
 use crate::definitions::formula;
@@ -20,11 +21,15 @@ const MAX_VALENCE: i64 = 100;
 /// The steps of a vertex.
 const VERTEX_STEPS: u64 = 100_000;
 
-/// Checks a claim that all limits are C^m, or not all.
-pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<()> {
+/// Checks a claim that all limits are C^m, or not all; gives the statement that is cited, if one is.
+pub fn check<'a>(
+    paper: &'a Paper<'a>,
+    claim: &'a Toml,
+    block: &mut Block<'_>,
+) -> Checked<Option<Citation>> {
     let keys = ["continuous", "not_continuous"];
     if lacking(claim, &keys, block)? {
-        return Ok(());
+        return Ok(None);
     }
     block.restates("scheme", claim.text("scheme"))?;
     let orders = keys.map(|key| claim.text(key).map(order));
@@ -41,7 +46,10 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     let stated = continuous.is_some() || not_continuous.is_some();
     require(stated, Reason::Malformed("continuous or not_continuous"))?;
     if paper.library.is_ring(claim.text("scheme").unwrap_or_default()) {
-        return vertices(paper, claim, (continuous, not_continuous), block);
+        if let Some(said) = block.maybe("proved-by") {
+            return cited(paper, claim, (continuous, not_continuous), said, block).map(Some);
+        }
+        return vertices(paper, claim, (continuous, not_continuous), block).map(|()| None);
     }
     require(claim.get("valences").is_none(), Reason::Malformed("rules around a vertex"))?;
     let shown = Shown::read(paper, mask(paper, claim, &scope(paper))?, block)?;
@@ -51,7 +59,31 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         continuous.is_some_and(|m| shown.not_continuous(m))
             || not_continuous.is_some_and(|m| shown.continuous(m)),
     )?;
-    agree(block.any()?.0, found, Reason::Verdict)
+    agree(block.any()?.0, found, Reason::Verdict)?;
+    Ok(None)
+}
+
+/// The schemes of the catalogue of which THEOREMS.md, 133 and 135, say that they are C¹ for all valences.
+const FOR_ALL: [&str; 4] = ["catmull-clark", "doo-sabin", "loop", "loop-warren"];
+
+/// A claim about all valences that cites this statement.
+fn cited(
+    paper: &Paper<'_>,
+    claim: &Toml,
+    (continuous, not_continuous): (Option<usize>, Option<usize>),
+    said: &str,
+    block: &mut Block<'_>,
+) -> Checked<Citation> {
+    agree(said, "THEOREMS 135", Reason::Restated)?;
+    let name = claim.text("scheme").unwrap_or_default().trim();
+    let known = FOR_ALL.contains(&name) && !paper.library.redefines(name);
+    require(known, Reason::Vertex("135 speaks of this scheme"))?;
+    let states = claim.text("valences") == Some("all")
+        && continuous.is_some_and(|m| m <= 1)
+        && not_continuous.is_none();
+    require(states, Reason::Vertex("135 says what is stated"))?;
+    agree(block.any()?.0, "confirmed", Reason::Verdict)?;
+    Ok(Citation { statement: "THEOREMS.md, 135".to_owned(), uses: Vec::new() })
 }
 
 /// Checks a claim that surfaces at a vertex or on a face are C^m, or are not.
