@@ -45,7 +45,7 @@ const CLAIMS: [(&str, &str, &str, &str, bool); 16] = [
     ("face:l=-1/2,m=1/5", "", "continuous = '1'", "refuted", true),
     ("face:l=1/2,m=1/2", "", "continuous = '1'", "open", false),
     ("sqrt3", "5", "continuous = '1'", "open", false),
-    ("loop", "5", "not_continuous = '2'", "confirmed", false),
+    ("loop", "7", "not_continuous = '2'", "confirmed", false),
 ];
 
 fn claims() -> String {

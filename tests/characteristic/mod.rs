@@ -333,7 +333,7 @@ fn the_butterfly_is_open_with_what_its_eigenvalues_say() {
         let vertex = Vertex::of("butterfly", Some(n)).expect("a spectrum");
         assert!(matches!(vertex.verdict, Verdict::Open(_)), "{n}: {:?}", vertex.verdict);
         let expected = match n {
-            3 => Some(Hypothesis::Alone),
+            3 => Some(Hypothesis::Simple),
             8.. => Some(Hypothesis::First),
             _ => None,
         };

@@ -9,11 +9,12 @@ use super::rules::{Reason, difference};
 use super::verdict::Verdict;
 use super::vertex::Vertex;
 use crate::exact::{
-    Adjugate, Enclosure, IntervalSet, Polynomial, Rational, RealCyclotomic, RealExpression,
-    Scalar as _,
+    Adjugate, Enclosure, Interval, IntervalSet, Polynomial, Rational, RealCyclotomic,
+    RealExpression, Scalar as _,
 };
 use crate::scheme::LocalRules;
 use crate::spectrum::{SpectrumError, surroundings};
+use std::ops::Bound;
 
 /// The most bisections of a piece of the ring.
 const MAX_BISECTIONS: usize = 3;
@@ -264,8 +265,10 @@ fn of_face(
     }
     let net = Family::Biquadratic.eigenvector(&Polynomial::constant(cosine(1)), &value);
     let pieces = ring_pieces(&net, &value);
+    // Without a hull, λ does not depend on the parameter.
+    let (low, high) = ordered.hull().unwrap_or_else(|| (Rational::zero(), Rational::one()));
     let set = |p: &Polynomial| -> Result<IntervalSet, VertexRangeError> {
-        positive(&p.coefficients_in(variable).ok_or(Field)?).ok_or(Field)
+        positive(&p.coefficients_in(variable).ok_or(Field)?, &low, &high).ok_or(Field)
     };
     let mut inside = ordered.clone();
     for form in &outer_curve(&net, &pieces) {
@@ -302,7 +305,7 @@ fn signs(
         inside = inside.intersection(&set(coefficient)?);
     }
     let open = within.without(&inside).without(&below);
-    if left > 0 && !open.is_empty() {
+    if left > 0 && has_length(&open) {
         let mut both = open.clone();
         for half in form.halves() {
             let found = signs(&half, &open, set, left - 1)?;
@@ -313,4 +316,13 @@ fn signs(
         inside = inside.union(&both);
     }
     Ok([inside, above, below])
+}
+
+/// Whether a set is more than single points.
+fn has_length(set: &IntervalSet) -> bool {
+    let point = |interval: &Interval| match (&interval.low, &interval.high) {
+        (Bound::Included(low), Bound::Included(high)) => low == high,
+        _ => false,
+    };
+    !set.intervals().iter().all(point)
 }

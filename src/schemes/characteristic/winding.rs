@@ -1,7 +1,7 @@
 //! The winding number of the outer curve of a ring around the image of the vertex or of the centre of the face.
 
 use super::ball::Ball;
-use super::net::{Lattice, Net, Point};
+use super::net::{Lattice, Net, Point, ratio};
 use super::pieces::Piece;
 use crate::exact::{Rational, Scalar as _};
 
@@ -12,16 +12,17 @@ const MAX_BISECTIONS: usize = 16;
 /// the origin.
 ///
 /// On a sector the argument changes by 2πk/n + 2πm, where m counts how often the curve crosses the ray opposite to
-/// the middle of its ends: the number is k + nm. A part of the curve with all its Bézier points in an open half-plane
+/// a point between its ends: the number is k + nm. A part of the curve with all its Bézier points in an open half-plane
 /// crosses the ray as the line between its ends does.
 pub(super) fn winding(net: &Net<Ball>, pieces: &[Piece<Ball>], k: usize, n: usize) -> Option<i64> {
     let parts = parts(net, pieces);
     let first = parts.first()?.first()?;
     let middle = {
+        // 5z + 3ωz: the line through it has no corner of a piece by symmetry.
         let [p, q] = first;
-        let twice = net.cosine.plus(&net.cosine);
-        // z + ωz = p − q + (q + p + 2cq)ω.
-        [p.minus(q), q.plus(p).plus(&twice.times(q))]
+        let of = |n: i64, x: &Ball| x.times(&ratio(n, 1));
+        let turned = p.plus(&net.cosine.plus(&net.cosine).times(q));
+        [of(5, p).minus(&of(3, q)), of(5, q).plus(&of(3, &turned))]
     };
     let mut crossings = 0;
     for part in parts {

@@ -34,11 +34,11 @@ fn of(
     library: &Library<'_>,
 ) -> Result<(SmoothnessVerdict, Known), Diagnostic> {
     let scheme = LimitScheme { paper, library, located };
-    if let Some(instances) = scheme.ring_instances()? {
-        return vertices::judge(&scheme, &instances, statement);
-    }
     if let SmoothnessStatement::Range(range) = statement {
         return range::judge(&scheme, range);
+    }
+    if let Some(instances) = scheme.ring_instances()? {
+        return vertices::judge(&scheme, &instances, statement);
     }
     let limits = match limits(scheme.mask(None)?) {
         Ok(limits) => limits,
