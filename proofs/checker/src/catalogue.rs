@@ -3,10 +3,9 @@
 use crate::toml::Toml;
 
 /// The schemes that every claim file may name. They are data.
-const CATALOGUE: [&str; 19] = [
+const CATALOGUE: [&str; 18] = [
     include_str!("../catalogue/b-spline.toml"),
     include_str!("../catalogue/bajaj.toml"),
-    include_str!("../catalogue/butterfly.toml"),
     include_str!("../catalogue/catmull-clark.toml"),
     include_str!("../catalogue/chaikin.toml"),
     include_str!("../catalogue/doo-sabin.toml"),
