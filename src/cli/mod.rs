@@ -49,6 +49,7 @@ mod spectrum;
 mod table;
 mod terminal;
 mod vertex;
+mod vertex_range;
 
 use arguments::{Arguments, Command, grouped};
 use clap::FromArgMatches as _;

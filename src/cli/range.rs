@@ -6,6 +6,7 @@ use super::output::{Failure, Outcome, show};
 use super::sets::{Parameter, number};
 use super::smooth_map::smooth_map;
 use super::smooth_range::smooth_range;
+use super::vertex_range::of_rules;
 use subcert::bound::{Order, ParameterRange, RangeError, norm_function, polynomial_rules};
 use subcert::exact::{IntervalSet, PiecewisePolynomial, RationalPolynomial, RealAlgebraic};
 use subcert::report::{Grid, Sheet};
@@ -25,6 +26,13 @@ pub(super) fn range(arguments: &RangeArguments) -> Outcome {
     if arguments.bounds.is_some() || arguments.boxes.is_some() {
         let message =
             "`--bounds` and `--boxes` belong to a map of two parameters: give `--param` twice";
+        return Err(Failure::Input(message.to_owned()));
+    }
+    if let Some(outcome) = of_rules(arguments, parameter) {
+        return outcome;
+    }
+    if arguments.valences.is_some() {
+        let message = "`--valences` belongs to rules around a vertex or on a face";
         return Err(Failure::Input(message.to_owned()));
     }
     let mask = parse_parametric(&arguments.scheme, parameter)?;

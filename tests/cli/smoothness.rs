@@ -207,3 +207,32 @@ fn maps_of_two_parameters() {
     let unused = ["range", "four-point", "--param", "w", "--param", "v", "--smoothness", "1"];
     assert_parts(&refused(unused), &["`v`"]);
 }
+
+#[test]
+fn rules_at_a_vertex() {
+    let page = written(["smoothness", "loop:N=5", "--format", "html"]);
+    for part in ["<polyline", "least J", "C^1 at valence 5: proved", "Reproduce"] {
+        assert!(page.contains(part), "no `{part}`");
+    }
+    let range = ["range", "examples/loop-beta.toml", "--param", "beta", "--smoothness", "1"];
+    let found = json(range.into_iter().chain(["--valences", "3..4"]));
+    let first = &found["valences"][0];
+    // |5/8 − 3β| < 1/4.
+    assert_eq!(first["inside"][0]["low"]["exact"], "1/8");
+    assert_parts(&refused(range.into_iter().chain(["--valences", "all"])), &["single valences"]);
+    let other = ["range", "examples/loop-beta.toml:N=5", "--param", "beta"];
+    assert_parts(&refused(other), &["--smoothness 1"]);
+    assert_parts(
+        &refused([
+            "range",
+            "four-point",
+            "--param",
+            "w",
+            "--smoothness",
+            "1",
+            "--valences",
+            "3..4",
+        ]),
+        &["vertex or on a face"],
+    );
+}

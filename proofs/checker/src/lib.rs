@@ -57,6 +57,9 @@ mod exponent;
 mod functions;
 mod sums;
 
+// Surfaces at a vertex or on a face.
+mod vertex;
+
 // Claim files, and the rules by which certificates prove claims.
 mod copied;
 mod elsewhere;

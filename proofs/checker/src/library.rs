@@ -147,6 +147,11 @@ impl<'a> Library<'a> {
         tables.find(|table| table.text("name") == Some(name))
     }
 
+    /// Whether the claim file has a scheme of this name, which hides that of the catalogue.
+    pub fn redefines(&self, name: &str) -> bool {
+        self.file.iter().any(|table| table.text("name") == Some(name))
+    }
+
     /// Whether a reference names a ring.
     pub fn is_ring(&self, reference: &str) -> bool {
         let table = |reference: &str| self.named(split(reference).0);

@@ -140,6 +140,8 @@ reasons! {
     Negative "the bound is negative: it presupposes something that does not hold"
     Radius(why: RadiusReason) "the certificate of the radius: {why}"
     NotShown "the radius does not show this verdict"
+    Said(said: Text, found: Text) "the certificate says {said}, and it is {found}"
+    Vertex(what: &'static str) "this is not shown: {what}"
     NoRefutation(at: Text) "the value {at} does not refute this range"
     Uncovered "the condition is not shown in the whole printed range"
     NoLiteral(said: Text, what: &'static str) "`{said}` is no number in the language of the table: expected is {what}"

@@ -23,7 +23,7 @@ equation: symbols=*text hypotheses=*text indices=*axis left=text|*text right=tex
 function: variable=text left=text right=text
 range: variable=text value=text below=text at_most=text smoothness=text from=number to=number \
  closed=flag only=flag
-smoothness: continuous=text not_continuous=text absent=text
+smoothness: continuous=text not_continuous=text valences=text absent=text
 exponent: value=text printed=number at_least=text at_most=text attained=flag absent=text
 theorem: bounds=text by=text from=text says=text rests=*text schemes=*text values=%*text \
  offset=text interpolant=text supposes=supposes block=text corrections=*correction \

@@ -88,6 +88,42 @@ impl<'a> Library<'a> {
         }
     }
 
+    /// Whether this scheme is one ring.
+    pub(crate) fn is_ring<V>(&self, scheme: &[Instance<V>]) -> Result<bool, SchemeError> {
+        match scheme {
+            [instance] => Ok(self.define(&instance.name)?.is_ring()),
+            _ => Ok(false),
+        }
+    }
+
+    /// The ring of this scheme at a valence, which is the value of its parameter `N` or `n`.
+    pub(crate) fn ring_of_valence(
+        &self,
+        scheme: &[Instance<RealCyclotomic>],
+        valence: usize,
+    ) -> Result<LocalRules, SchemeError> {
+        let [instance] = scheme else { return self.ring(scheme) };
+        let definition = self.define(&instance.name)?;
+        let name = definition.valence_name(&instance.parameters);
+        let name = name.ok_or_else(|| SchemeError::NoValence { scheme: instance.name.clone() })?;
+        let mut parameters = instance.parameters.clone();
+        parameters.insert(name.to_owned(), RealCyclotomic::from(Rational::from(valence)));
+        definition.ring(&parameters)
+    }
+
+    /// The name in the catalogue of a scheme without parameters.
+    pub(crate) fn in_catalogue<'i, V>(&self, scheme: &'i [Instance<V>]) -> Option<&'i str> {
+        match scheme {
+            [instance]
+                if instance.parameters.is_empty()
+                    && !self.paper.schemes.contains_key(&instance.name) =>
+            {
+                Some(&instance.name)
+            }
+            _ => None,
+        }
+    }
+
     /// The masks of these schemes, over numbers of any kind.
     pub(crate) fn masks<V: Value + PartialEq>(
         &self,

@@ -1,7 +1,7 @@
 //! The arguments of the commands about schemes.
 
 use super::meshes::ClosedArgument;
-use super::{FindingOutput, Output, TableOutput};
+use super::{FindingOutput, Output, TableOutput, Valences};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -99,7 +99,8 @@ pub(in crate::cli) struct DepthArguments {
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct RangeArguments {
-    /// The scheme, without a value for the parameter
+    /// The scheme, without a value for the parameter: a mask, or with `--smoothness 1` rules around a vertex or on a
+    /// face, where surfaces of generic data are meant
     #[arg(value_name = "SCHEME")]
     pub(in crate::cli) scheme: String,
     /// The parameter, in which the mask is polynomial; twice, with `--smoothness`, for a map of two
@@ -110,6 +111,9 @@ pub(in crate::cli) struct RangeArguments {
     /// Where the limits are C^M, and where they are not, in place of T_c < 1
     #[arg(long, value_name = "M", conflicts_with = "function", allow_negative_numbers = true, value_parser = count)]
     pub(in crate::cli) smoothness: Option<usize>,
+    /// Rules around a vertex or on a face, with `--smoothness 1`: the valences [default: as in SCHEME]
+    #[arg(long, value_name = "FIRST..LAST", value_parser = super::smoothness::valences, requires = "smoothness")]
+    pub(in crate::cli) valences: Option<Valences>,
     /// The region of a map of two parameters, such as a=-1..1,b=0..1/2 [default: from -1 to 1]
     #[arg(long, value_name = "BOX", requires = "smoothness", allow_hyphen_values = true)]
     pub(in crate::cli) bounds: Option<String>,

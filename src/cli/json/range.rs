@@ -88,6 +88,34 @@ pub struct SmoothRange<'a> {
     pub levels: Vec<Level>,
 }
 
+/// For which values of a parameter in rules around a vertex or on a face surfaces are C^1 there.
+#[derive(Serialize)]
+pub struct VertexRange<'a> {
+    /// The version of this form.
+    pub schema: u32,
+    /// The scheme as it was given.
+    pub scheme: &'a str,
+    /// The parameter.
+    pub parameter: &'a str,
+    /// 1.
+    pub smoothness: usize,
+    /// What «C¹» means here.
+    pub scope: &'static str,
+    /// The valences.
+    pub valences: Vec<VertexValence>,
+}
+
+/// One valence.
+#[derive(Serialize)]
+pub struct VertexValence {
+    /// The valence.
+    pub valence: usize,
+    /// There the surface is proved C^1.
+    pub inside: Vec<Interval>,
+    /// There it is refuted.
+    pub outside: Vec<Interval>,
+}
+
 /// Where, in a plane of two parameters, the limits are C^m.
 #[derive(Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

@@ -38,7 +38,7 @@ pub use parse::{
     AnyScheme, files_without_offset, parse_algebraic, parse_any_scheme, parse_local_rules,
     parse_rules_of_valence, parse_scheme,
 };
-pub use parse_open::{parse_in_parameters, parse_parametric};
+pub use parse_open::{parse_in_parameters, parse_parametric, parse_rules_in_parameter};
 pub use reference::{Instance, Reference};
 pub use rules::{MAX_ARITY, MAX_WIDTH, Rules, RulesError};
 pub use tensor::Scheme;

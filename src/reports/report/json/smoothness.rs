@@ -1,6 +1,7 @@
 //! What is known of limits, as JSON.
 
 use super::exact::decimal;
+use super::vertex::VerticesForm;
 use crate::audit::{Known, Limits, RangeOfLimits};
 use crate::report::smoothness::decimals;
 use crate::smoothness::Hoelder;
@@ -14,6 +15,9 @@ pub struct SmoothnessDetails {
     pub limits: Option<LimitsForm>,
     /// What is proved for all values of the parameter; null unless the claim is a range.
     pub parameter: Option<RangeForm>,
+    /// What is known of surfaces at a vertex or on a face; only of rules there.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub vertices: Option<VerticesForm>,
 }
 
 /// What is proved of the limits of a mask.
@@ -64,11 +68,15 @@ impl SmoothnessDetails {
     pub(super) fn of(known: &Known) -> SmoothnessDetails {
         match known {
             Known::Limits(limits) => {
-                SmoothnessDetails { limits: Some(LimitsForm::of(limits)), parameter: None }
+                SmoothnessDetails { limits: Some(LimitsForm::of(limits)), ..Default::default() }
             }
             Known::Range(range) => {
                 let limits = range.witness.as_ref().map(|witness| LimitsForm::of(&witness.limits));
-                SmoothnessDetails { limits, parameter: Some(RangeForm::of(range)) }
+                let parameter = Some(RangeForm::of(range));
+                SmoothnessDetails { limits, parameter, vertices: None }
+            }
+            Known::Vertices(found) => {
+                SmoothnessDetails { vertices: Some(VerticesForm::of(found)), ..Default::default() }
             }
             Known::Absent(_) | Known::Capped(_) => SmoothnessDetails::default(),
         }
