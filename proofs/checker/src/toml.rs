@@ -208,7 +208,8 @@ fn whole_number(c: &mut Cursor) -> Parsed<String> {
     let spelled = c.take(|c| c.is_ascii_alphanumeric() || matches!(c, '_' | '.' | '+' | '-' | ':'));
     let groups: Vec<&str> = spelled.split('_').collect();
     let digits = groups.concat();
-    let right = groups.iter().all(|group| !group.is_empty() && group.bytes().all(|b| b.is_ascii_digit()));
+    let right =
+        groups.iter().all(|group| !group.is_empty() && group.bytes().all(|b| b.is_ascii_digit()));
     if !right || digits.len() > 1 && digits.starts_with('0') {
         return Err(WHOLE);
     }
