@@ -1,6 +1,7 @@
 //! Schemes in files of one's own.
 
 use crate::common::{mask, r};
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use subcert::diagnostic::{Diagnostic, SourceText};
 use subcert::exact::Rational;
