@@ -99,6 +99,10 @@ fn bad_input_of_these() {
     let long =
         TemporaryFile::new("long.toml", &format!("name = \"long\"\nmask = [[{rule}], [{rule}]]\n"));
     assert_parts(&refused(["smoothness", long.path()]), &["too long", "from 1 to 24"]);
+    // The one parameter of a scheme needs no name, and a name no flag.
+    let named = written(["range", "four-point", "--param", "w", "-c", "1"]);
+    assert_eq!(written(["range", "four-point", "-c", "1"]), named);
+    assert_eq!(written(["range", "four-point", "w", "-c", "1"]), named);
     let range = |m| refused(["range", "four-point", "--param", "w", "--smoothness", m]);
     assert_parts(&range("2"), &["sum rules of order 3", "order 2"]);
     assert_parts(&range("-1"), &["no whole number"]);

@@ -38,7 +38,7 @@ project-file: key=text project=project define=%text shipped=*any
 project: name=text repository=text commit=text licence=text note=text
 shipped: id=text locus=text title=text type=text indices=*text equals=text equals_cells=nested \
  cells=nested cells_from=source language=text tolerance=text note=text convention=*convention
-source: file=text after=text shape=*size skip=text
+source: file=text after=text shape=*text skip=text
 convention: label=text equals=text equals_cells=nested
 ";
 
@@ -73,7 +73,6 @@ fn path(value: &Toml, of: &str) -> Option<String> {
             table.iter().find_map(|entry| nested(entry, field(of, &entry.0).unwrap_or("none")))
         }
         (Toml::Text(_), ..) if ["text", "number", "header", "nested"].contains(&of) => None,
-        (Toml::Size(_), ..) if of == "size" => None,
         (Toml::Flag(_), ..) if of == "flag" => None,
         _ if of == "any" => None,
         _ => Some(String::new()),

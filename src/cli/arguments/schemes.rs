@@ -103,8 +103,12 @@ pub(in crate::cli) struct RangeArguments {
     /// face, where surfaces of generic data are meant
     #[arg(value_name = "SCHEME")]
     pub(in crate::cli) scheme: String,
-    /// The parameter, in which the mask is polynomial; twice, with `--smoothness`, for a map of two
-    #[arg(long, value_name = "NAME", required = true)]
+    /// The parameter, in which the mask is polynomial, if the scheme has several; two of them, with
+    /// `--smoothness`, for a map
+    #[arg(value_name = "PARAM", conflicts_with = "param")]
+    pub(in crate::cli) names: Vec<String>,
+    /// The same as PARAM
+    #[arg(long, value_name = "NAME")]
     pub(in crate::cli) param: Vec<String>,
     #[command(flatten)]
     pub(in crate::cli) block: Block,

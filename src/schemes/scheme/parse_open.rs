@@ -27,6 +27,28 @@ pub fn parse_parametric(text: &str, parameter: &str) -> Result<Mask<Polynomial>,
     parse_in_parameters(text, &[parameter])
 }
 
+/// The parameters of the mask that SCHEME names to which it gives no value, in the order of their names.
+///
+/// # Errors
+/// As [`parse_parametric`], but for that the mask may depend on none.
+///
+/// ```
+/// use subcert::scheme::open_parameters;
+///
+/// assert_eq!(open_parameters("six-point")?, ["w"]);
+/// assert!(open_parameters("six-point:w=1/256")?.is_empty());
+/// # Ok::<(), subcert::scheme::SchemeError>(())
+/// ```
+pub fn open_parameters(text: &str) -> Result<Vec<String>, SchemeError> {
+    let named = Named::read(text)?;
+    let mut instances = named.instances_in(&Parameters(BTreeMap::<String, Polynomial>::new()))?;
+    let (Some(instance), true) = (instances.pop(), instances.is_empty()) else {
+        return Err(SchemeError::TensorProduct { scheme: text.trim().to_owned() });
+    };
+    let known = named.definition(&instance.name)?.parameters.keys();
+    Ok(known.filter(|name| !instance.parameters.contains_key(*name)).cloned().collect())
+}
+
 /// The mask that SCHEME names, with some parameters left open, as [`parse_parametric`].
 ///
 /// # Errors

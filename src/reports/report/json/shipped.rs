@@ -34,11 +34,11 @@ pub struct ProjectReport<'a> {
     /// Its name.
     pub name: &'a str,
     /// Where its source is public.
-    pub repository: &'a str,
+    pub repository: Option<&'a str>,
     /// The commit that was read.
-    pub commit: &'a str,
+    pub commit: Option<&'a str>,
     /// The licence of the source.
-    pub licence: &'a str,
+    pub licence: Option<&'a str>,
     /// How many tables have each outcome.
     pub summary: BTreeMap<&'static str, usize>,
     /// Its tables.
@@ -156,9 +156,9 @@ impl<'a> ProjectReport<'a> {
         ProjectReport {
             key: &project.key,
             name: &project.name,
-            repository: &project.repository,
-            commit: &project.commit,
-            licence: &project.licence,
+            repository: project.repository.as_deref(),
+            commit: project.commit.as_deref(),
+            licence: project.licence.as_deref(),
             summary: tally(audit.findings.iter().map(|finding| finding.outcome)),
             tables: audit.findings.iter().map(ShippedTable::of).collect(),
         }
