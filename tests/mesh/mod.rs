@@ -1,6 +1,7 @@
 //! Polygon meshes: files, validity, refinement and limits of whole meshes.
 
 mod connectivity;
+mod creases;
 mod laws;
 mod limit;
 mod naive;
