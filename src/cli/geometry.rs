@@ -1,7 +1,7 @@
 //! `subcert refine` and `limit`, and `oracle --mesh`: for polygon meshes, tensor nets and hexahedral
 //! solids.
 
-use super::arguments::{BoundaryArgument, LimitArguments, OracleArguments, RefineArguments};
+use super::arguments::{LimitArguments, MeshBoundary, OracleArguments, RefineArguments};
 use super::net::NetInput;
 use super::output::{Failure, Outcome};
 use super::{mesh, net, solid};
@@ -16,7 +16,7 @@ pub(super) enum Geometry {
 
 impl Geometry {
     /// The same, where rules at the boundary are given for polygon meshes.
-    fn with(input: &NetInput<'_>, boundary: Option<BoundaryArgument>) -> Result<Geometry, Failure> {
+    fn with(input: &NetInput<'_>, boundary: Option<MeshBoundary>) -> Result<Geometry, Failure> {
         let geometry = Geometry::of(input)?;
         if boundary.is_some() && !matches!(geometry, Geometry::Mesh) {
             return Err(Failure::Input("--boundary is for polygon meshes".to_owned()));

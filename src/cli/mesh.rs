@@ -1,7 +1,7 @@
 //! `subcert refine` and `subcert limit`, and `subcert oracle --mesh`.
 
 use super::arguments::{
-    BoundaryArgument, LimitArguments, MeshOutput, MeshOutputFormat, RefineArguments,
+    LimitArguments, MeshBoundary, MeshOutput, MeshOutputFormat, RefineArguments,
 };
 use super::forms::OF_MESHES;
 use super::json::SCHEMA;
@@ -165,15 +165,15 @@ impl Work {
         scheme: &str,
         path: &Path,
         level: u32,
-        boundary: Option<BoundaryArgument>,
+        boundary: Option<MeshBoundary>,
     ) -> Result<Work, Failure> {
         let (scheme, name, mut file) = read(scheme, path)?;
         if let Some(boundary) = boundary {
             let mut tags = file.mesh().tags().clone();
             tags.boundary = match boundary {
-                BoundaryArgument::None => Boundary::None,
-                BoundaryArgument::Edge => Boundary::Edge,
-                BoundaryArgument::Corner => Boundary::Corner,
+                MeshBoundary::None => Boundary::None,
+                MeshBoundary::Edge => Boundary::Edge,
+                MeshBoundary::Corner => Boundary::Corner,
             };
             let mesh = file.mesh().clone().with_tags(tags);
             file = file.with_mesh(mesh);

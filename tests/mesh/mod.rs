@@ -2,6 +2,7 @@
 
 mod connectivity;
 mod creases;
+mod files;
 mod laws;
 mod limit;
 mod naive;

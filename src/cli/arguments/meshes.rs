@@ -24,7 +24,7 @@ pub(in crate::cli) enum MeshOutputFormat {
 
 /// The rules at the boundary of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(in crate::cli) enum BoundaryArgument {
+pub(in crate::cli) enum MeshBoundary {
     /// Faces at the boundary are holes
     None,
     /// The B-spline of the boundary polygon
@@ -72,7 +72,7 @@ pub(in crate::cli) struct RefineArguments {
     pub(in crate::cli) closed: Option<ClosedArgument>,
     /// The rules at the boundary of a polygon mesh [default: those in the file, or else edge]
     #[arg(long, value_enum)]
-    pub(in crate::cli) boundary: Option<BoundaryArgument>,
+    pub(in crate::cli) boundary: Option<MeshBoundary>,
     /// How many times it is refined
     #[arg(long, value_name = "K", default_value_t = 1, allow_negative_numbers = true)]
     pub(in crate::cli) level: u32,
@@ -95,7 +95,7 @@ pub(in crate::cli) struct LimitArguments {
     pub(in crate::cli) closed: Option<ClosedArgument>,
     /// The rules at the boundary of a polygon mesh [default: those in the file, or else edge]
     #[arg(long, value_enum)]
-    pub(in crate::cli) boundary: Option<BoundaryArgument>,
+    pub(in crate::cli) boundary: Option<MeshBoundary>,
     /// How many times it is refined before
     #[arg(long, value_name = "K", default_value_t = 0, allow_negative_numbers = true)]
     pub(in crate::cli) level: u32,
