@@ -199,7 +199,9 @@ fn errors_in_ply_files() {
                   property double z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
     let points = "0 0 0\n1 0 0\n0 1 0\n";
     check("plx\n", 1, "begins with the line `ply`");
-    check("ply\nformat binary_little_endian 1.0\n", 2, "a binary PLY file");
+    check("ply\nformat binary_little_endian 1.0\n", 2, "`end_header` is missing");
+    check("ply\nformat binary_big_endian 1.0\nend_header\n", 1, "is read from its bytes");
+    check("ply\nelement vertex 1\nproperty real x\n", 3, "`real` is no type of numbers");
     check("ply\nproperty float x\n", 2, "a property before the first element");
     check("ply\nelement vertex 1\nelement vertex 1\n", 3, "`vertex` is there twice");
     check("ply\nformat ascii 1.0\n", 2, "`end_header` is missing");
