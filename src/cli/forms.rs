@@ -12,8 +12,13 @@ pub(super) struct Forms {
 }
 
 pub(super) const OF_MESHES: Forms = Forms {
-    all: &[MeshOutputFormat::Obj, MeshOutputFormat::Ply, MeshOutputFormat::Json],
-    words: "polygon meshes are written as obj, ply or json",
+    all: &[
+        MeshOutputFormat::Obj,
+        MeshOutputFormat::Ply,
+        MeshOutputFormat::Usda,
+        MeshOutputFormat::Json,
+    ],
+    words: "polygon meshes are written as obj, ply, usda or json",
 };
 
 pub(super) const OF_NETS: Forms = Forms {
@@ -38,6 +43,7 @@ impl Forms {
         let by_extension = match extension.to_ascii_lowercase().to_str() {
             Some("obj") => Some(MeshOutputFormat::Obj),
             Some("ply") => Some(MeshOutputFormat::Ply),
+            Some("usda") => Some(MeshOutputFormat::Usda),
             Some("json") => Some(MeshOutputFormat::Json),
             Some("csv") => Some(MeshOutputFormat::Csv),
             Some("vtk") => Some(MeshOutputFormat::Vtk),

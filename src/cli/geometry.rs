@@ -1,7 +1,7 @@
 //! `subcert refine` and `limit`, and `oracle --mesh`: for polygon meshes, tensor nets and hexahedral
 //! solids.
 
-use super::arguments::{LimitArguments, OracleArguments, RefineArguments};
+use super::arguments::{LimitArguments, MeshBoundary, OracleArguments, RefineArguments};
 use super::net::NetInput;
 use super::output::{Failure, Outcome};
 use super::{mesh, net, solid};
@@ -15,6 +15,15 @@ pub(super) enum Geometry {
 }
 
 impl Geometry {
+    /// The same, where rules at the boundary are given for polygon meshes.
+    fn with(input: &NetInput<'_>, boundary: Option<MeshBoundary>) -> Result<Geometry, Failure> {
+        let geometry = Geometry::of(input)?;
+        if boundary.is_some() && !matches!(geometry, Geometry::Mesh) {
+            return Err(Failure::Input("--boundary is for polygon meshes".to_owned()));
+        }
+        Ok(geometry)
+    }
+
     /// The scheme decides on solids, the file or `--closed` on nets.
     pub(super) fn of(input: &NetInput<'_>) -> Result<Geometry, Failure> {
         if solid::takes(input.scheme) {
@@ -29,9 +38,9 @@ impl Geometry {
 }
 
 pub(super) fn refine(arguments: &RefineArguments) -> Outcome {
-    let RefineArguments { scheme, mesh, closed, level, output } = arguments;
+    let RefineArguments { scheme, mesh, closed, level, output, boundary } = arguments;
     let net = NetInput { scheme, path: mesh, closed: *closed };
-    match Geometry::of(&net)? {
+    match Geometry::with(&net, *boundary)? {
         Geometry::Mesh => mesh::refine(arguments),
         Geometry::Net => net::refine(&net, *level, output),
         Geometry::Solid => solid::refine(arguments),
@@ -39,9 +48,9 @@ pub(super) fn refine(arguments: &RefineArguments) -> Outcome {
 }
 
 pub(super) fn limit(arguments: &LimitArguments) -> Outcome {
-    let LimitArguments { scheme, mesh, closed, level, output } = arguments;
+    let LimitArguments { scheme, mesh, closed, level, output, boundary } = arguments;
     let net = NetInput { scheme, path: mesh, closed: *closed };
-    match Geometry::of(&net)? {
+    match Geometry::with(&net, *boundary)? {
         Geometry::Mesh => mesh::limit(arguments),
         Geometry::Net => net::limit(&net, *level, output),
         Geometry::Solid => solid::limit(arguments),

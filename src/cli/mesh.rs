@@ -1,16 +1,19 @@
 //! `subcert refine` and `subcert limit`, and `subcert oracle --mesh`.
 
-use super::arguments::{LimitArguments, MeshOutput, MeshOutputFormat, RefineArguments};
+use super::arguments::{
+    LimitArguments, MeshBoundary, MeshOutput, MeshOutputFormat, RefineArguments,
+};
 use super::forms::OF_MESHES;
 use super::json::SCHEMA;
 use super::output::{Failure, Outcome, write_results};
 use super::save::save;
 use std::path::Path;
-use subcert::diagnostic::{SourceText, read_text, read_text_from};
+use subcert::diagnostic::{SourceText, read_bytes_from};
 use subcert::exact::RealCyclotomic;
 use subcert::mesh::{
-    LimitPoint, MAX_FILE_BYTES, MeshError, MeshFile, MeshFormat, MeshScheme, PolygonMesh,
-    limit_points, read_mesh, refine_mesh, to_json, to_obj, to_ply,
+    Boundary, LimitPoint, MAX_FILE_BYTES, MeshError, MeshFile, MeshFormat, MeshScheme, PolygonMesh,
+    is_polygonal_vtk, limit_points, read_binary_mesh, read_mesh, refine_mesh, to_json, to_obj,
+    to_ply, to_usda,
 };
 use subcert::net::NetScheme;
 use subcert::solid::{SOLID_SCHEME, SolidFormat};
@@ -18,19 +21,28 @@ use subcert::solid::{SOLID_SCHEME, SolidFormat};
 type Mesh = PolygonMesh<RealCyclotomic>;
 
 pub(super) fn refine(arguments: &RefineArguments) -> Outcome {
-    let work = Work::new(&arguments.scheme, &arguments.mesh, arguments.level)?;
+    let work = Work::new(&arguments.scheme, &arguments.mesh, arguments.level, arguments.boundary)?;
     let mesh = work.refined()?;
     let title = work.title("refined");
-    let text = match OF_MESHES.chosen(&arguments.output)? {
+    let format = OF_MESHES.chosen(&arguments.output)?;
+    let extras = !mesh.tags().is_plain() || mesh.texture().is_some();
+    if format == MeshOutputFormat::Ply && extras {
+        super::output::note(
+            "ply holds no creases, corners, holes and texture coordinates, and they are left out; obj, \
+             usda and json have them",
+        );
+    }
+    let text = match format {
         MeshOutputFormat::Obj => to_obj(&mesh, &title, &[]).map_err(|e| input(&e))?,
         MeshOutputFormat::Ply => to_ply(&mesh, &title).map_err(|e| input(&e))?,
+        MeshOutputFormat::Usda => to_usda(&mesh, work.scheme, &title).map_err(|e| input(&e))?,
         _ => to_json(&mesh, &work.head(), None),
     };
     deliver(&arguments.output, &text)
 }
 
 pub(super) fn limit(arguments: &LimitArguments) -> Outcome {
-    let work = Work::new(&arguments.scheme, &arguments.mesh, arguments.level)?;
+    let work = Work::new(&arguments.scheme, &arguments.mesh, arguments.level, arguments.boundary)?;
     let mesh = work.refined()?;
     let limits = work.limits(&mesh)?;
     let title = work.title("limit points of its vertices");
@@ -41,6 +53,9 @@ pub(super) fn limit(arguments: &LimitArguments) -> Outcome {
         MeshOutputFormat::Ply => {
             to_ply(&at_limit(&mesh, &limits)?, &title).map_err(|e| input(&e))?
         }
+        MeshOutputFormat::Usda => {
+            to_usda(&at_limit(&mesh, &limits)?, work.scheme, &title).map_err(|e| input(&e))?
+        }
         _ => to_json(&mesh, &work.head(), Some(&limits)),
     };
     deliver(&arguments.output, &text)
@@ -48,7 +63,7 @@ pub(super) fn limit(arguments: &LimitArguments) -> Outcome {
 
 /// What `subcert oracle --mesh` writes.
 pub(super) fn reference_values(scheme: &str, path: &Path, level: u32) -> Outcome {
-    let work = Work::new(scheme, path, level)?;
+    let work = Work::new(scheme, path, level, None)?;
     let mesh = work.refined()?;
     let limits = work.limits(&mesh)?;
     write_results(&to_json(&mesh, &work.head(), Some(&limits)))
@@ -67,8 +82,12 @@ pub(super) fn read(scheme: &str, path: &Path) -> Result<(MeshScheme, String, Mes
             message
         })
     })?;
-    let (name, text) = text_of(path)?;
-    if SolidFormat::of(path, &text).is_some() {
+    let (name, bytes) = bytes_of(path)?;
+    if let Some(file) = read_binary_mesh(&name, &bytes) {
+        return noted(scheme, name, file?);
+    }
+    let text = text(&name, bytes)?;
+    if SolidFormat::of(path, &text).is_some() && !is_polygonal_vtk(&text) {
         return Err(Failure::Input(format!(
             "`{name}` is a hexahedral mesh, and `{}` refines polygon meshes; take {SOLID_SCHEME}",
             scheme.name()
@@ -76,23 +95,51 @@ pub(super) fn read(scheme: &str, path: &Path) -> Result<(MeshScheme, String, Mes
     }
     let format = MeshFormat::of(path, &text);
     let file = read_mesh(&SourceText::new(name.clone(), text), format)?;
+    noted(scheme, name, file)
+}
+
+/// The file, after its notes have been told.
+fn noted(
+    scheme: MeshScheme,
+    name: String,
+    file: MeshFile,
+) -> Result<(MeshScheme, String, MeshFile), Failure> {
+    for note in file.notes() {
+        super::output::note(&format!("{name}: {note}"));
+    }
     Ok((scheme, name, file))
 }
 
 /// The name of a file, or of the standard input, and its text.
 pub(super) fn text_of(path: &Path) -> Result<(String, String), Failure> {
+    let (name, bytes) = bytes_of(path)?;
+    let text = text(&name, bytes)?;
+    Ok((name, text))
+}
+
+/// The name of a file, or of the standard input, and what is in it.
+fn bytes_of(path: &Path) -> Result<(String, Vec<u8>), Failure> {
     let standard = path.as_os_str() == "-";
     let name = if standard { "standard input".to_owned() } else { path.display().to_string() };
-    let text = if standard {
-        read_text_from(std::io::stdin().lock(), MAX_FILE_BYTES)
+    let bytes = if standard {
+        read_bytes_from(std::io::stdin().lock(), MAX_FILE_BYTES)
     } else {
-        read_text(path, MAX_FILE_BYTES)
+        let file = std::fs::File::open(path).map_err(|error| error.to_string());
+        file.and_then(|file| read_bytes_from(file, MAX_FILE_BYTES))
     };
-    let text = text.map_err(|reason| {
-        let hint = if reason.contains("UTF-8") { "; save it in an ascii form" } else { "" };
-        Failure::Input(format!("cannot read `{name}`: {reason}{hint}"))
-    })?;
-    Ok((name, text))
+    let bytes =
+        bytes.map_err(|reason| Failure::Input(format!("cannot read `{name}`: {reason}")))?;
+    Ok((name, bytes))
+}
+
+/// The text of a file that is no binary mesh.
+fn text(name: &str, bytes: Vec<u8>) -> Result<String, Failure> {
+    String::from_utf8(bytes).map_err(|_| {
+        Failure::Input(format!(
+            "cannot read `{name}`: it is not UTF-8 text, and no binary PLY or STL that is whole; save it \
+             in an ascii form"
+        ))
+    })
 }
 
 /// An error about a face or a point is about level 0, and so has a place in the file.
@@ -114,8 +161,23 @@ struct Work {
 }
 
 impl Work {
-    fn new(scheme: &str, path: &Path, level: u32) -> Result<Work, Failure> {
-        let (scheme, name, file) = read(scheme, path)?;
+    fn new(
+        scheme: &str,
+        path: &Path,
+        level: u32,
+        boundary: Option<MeshBoundary>,
+    ) -> Result<Work, Failure> {
+        let (scheme, name, mut file) = read(scheme, path)?;
+        if let Some(boundary) = boundary {
+            let mut tags = file.mesh().tags().clone();
+            tags.boundary = match boundary {
+                MeshBoundary::None => Boundary::None,
+                MeshBoundary::Edge => Boundary::Edge,
+                MeshBoundary::Corner => Boundary::Corner,
+            };
+            let mesh = file.mesh().clone().with_tags(tags);
+            file = file.with_mesh(mesh);
+        }
         Ok(Work { scheme, level, name, file })
     }
 

@@ -121,6 +121,7 @@ impl NetFile {
         let limit = |point: [Rational; 3]| LimitPoint {
             position: point.each_ref().map(real),
             normal: None,
+            sectors: Vec::new(),
         };
         Ok(limits.map(|point| point.map(limit)).collect())
     }

@@ -70,6 +70,11 @@ impl Failure {
     }
 }
 
+/// Tells of something that is no failure.
+pub(super) fn note(message: &str) {
+    let _ = writeln!(anstream::stderr(), "{}", fitted(&format!("note: {message}")));
+}
+
 /// A message in lines as wide as the terminal. A longer word, such as a path, is not cut.
 fn fitted(message: &str) -> String {
     match terminal::error_width() {

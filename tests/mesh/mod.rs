@@ -1,6 +1,8 @@
 //! Polygon meshes: files, validity, refinement and limits of whole meshes.
 
 mod connectivity;
+mod creases;
+mod files;
 mod laws;
 mod limit;
 mod naive;

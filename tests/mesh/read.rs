@@ -65,6 +65,40 @@ fn lines_that_say_nothing_about_the_surface() {
     assert_eq!(file(colours).mesh().points().len(), 3);
 }
 
+/// Texture coordinates are kept, and what is dropped is told.
+#[test]
+fn what_is_kept_and_what_is_dropped() {
+    let square = "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 7 7 7\nvn 0 0 1\n";
+    let text = format!(
+        "{square}vt 0 0\nvt 1/3 0\nvt 1 1\nf 2/1/1 3/2/1 4/3/1 5/1/1\nt corner 1/1/0 3 1.5\n"
+    );
+    let file = file(&text);
+    assert_eq!(file.mesh().points().len(), 4);
+    assert_eq!(file.mesh().tags().vertices().keys().copied().collect::<Vec<usize>>(), [2]);
+    let texture = file.mesh().texture().expect("texture coordinates");
+    assert_eq!(
+        (texture.values[1][0].to_string(), &texture.faces[0][..]),
+        ("1/3".to_owned(), &[0, 1, 2, 0][..])
+    );
+    let notes = file.notes().join("; ");
+    assert!(notes.contains("2 points are vertices of no face"), "{notes}");
+    assert!(
+        notes.contains("point 1 (line 1)") && notes.contains("1 normals are dropped"),
+        "{notes}"
+    );
+    let mesh = file.mesh().map(number);
+    let next = subcert::mesh::refine_mesh(&mesh, subcert::mesh::MeshScheme::CatmullClark, 1)
+        .expect("a small mesh");
+    let texture = next.texture().expect("texture coordinates");
+    // (0 + 1/3 + 1 + 0)/4, in the middle.
+    assert_eq!(texture.values[texture.faces[0][2]][0].to_string(), "1/3");
+    let written = to_obj(&next, "a", &[]).expect("small");
+    let again = self::file(&written);
+    assert_eq!(again.mesh().tags(), next.tags());
+    assert_eq!(again.mesh().texture().expect("kept").faces, texture.faces);
+    assert!(again.notes().is_empty());
+}
+
 fn refused(format: MeshFormat, text: &str) -> (usize, String) {
     let source = SourceText::new("mesh", text);
     let error = read_mesh(&source, format).map(|_| ()).expect_err("refused");
@@ -94,11 +128,34 @@ fn errors_in_obj_files() {
     check(&with("f 1 2 99999999999999999999999\n"), 4, "does not exist");
     check(&with("f 1 2 x\n"), 4, "`x` is no vertex");
     check(&with("f 1 2 2\n"), 4, "it has the vertex 2 twice");
-    check(&with("v 5 5 5\nf 1 2 3\n"), 4, "point 4 is a vertex of no face");
     check(&with("v 5 5 5\nf 1 2 3\nf 1 2 4\n"), 6, "two faces run from vertex 1 to vertex 2");
     check(&with("v 5 5 5\nv 6 6 6\nf 1 2 3\nf 2 1 4\nf 1 2 5\n"), 8, "a third face at the edge");
     check(&with("v 5 5 5\nv 6 6 6\nf 1 2 3\nf 1 4 5\n"), 1, "not one disc or one fan");
-    check(&with("f 1 2 3\nt crease 1/1/0 0\n"), 5, "creases are not supported");
+    let tagged = |tag: &str| with(&format!("f 1 2 3\n{tag}\n"));
+    for (tag, part) in [
+        ("t crease 1/1/0 0 2", "pairs of vertices"),
+        ("t crease 2/1/0 0 2", "1 after `2/1/0`"),
+        ("t crease 2/1/0 0 2 -1", "the sharpness -1 is below 0"),
+        ("t crease 2/1/0 0 3 1", "there is no edge between the vertices 0 and 3"),
+        ("t crease 2/2/0 0 1 1 2", "one sharpness for all"),
+        ("t crease 2/1 0 1 x", "`x` is not a number"),
+        ("t crease x 0 1 x", "how many"),
+        ("t crease 99999999999999999999999/0/0", "how many"),
+        ("t crease 18446744073709551615/1/0 1", "1 after"),
+        ("t", "without a name"),
+        ("t corner 1/1/0 3 1", "vertex 3 does not exist: there are 3"),
+        ("t hole 1/0/0 1", "face 1 does not exist: there are 1"),
+        ("t interpolateboundary 1/0/0 3", "0 (none), 1 (edges and corners) or 2 (edges)"),
+        ("t creasemethod 0/0/1 linear", "`normal` or `chaikin`"),
+        ("t smoothtriangles 1/0/0 1", "`smoothtriangles` is not supported"),
+    ] {
+        check(&tagged(tag), 5, part);
+    }
+    check(&with("vt 0 0\nf 1/1 2/1 3/1\nv 1 1 1\nf 1 4 2\n"), 7, "without texture coordinates");
+    check(&with("vt 0 0\nf 1/1 2/1 3/2\n"), 5, "texture coordinate 2 does not exist");
+    check(&with("vt 0 0\nf 1/1 2/1 3\n"), 5, "some have none");
+    check(&with("vt 0 0\nvt 0 0 0\nf 1/1 2/1 3/2\n"), 5, "more or fewer numbers");
+    check(&with("vt\n"), 4, "0 numbers");
     check(&with("curv 0 1\n"), 4, "`curv` is no statement");
     check(&with("f 1 2 \\"), 4, "its last line is continued");
     let digits = "7".repeat(2_000);
@@ -142,7 +199,9 @@ fn errors_in_ply_files() {
                   property double z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
     let points = "0 0 0\n1 0 0\n0 1 0\n";
     check("plx\n", 1, "begins with the line `ply`");
-    check("ply\nformat binary_little_endian 1.0\n", 2, "a binary PLY file");
+    check("ply\nformat binary_little_endian 1.0\n", 2, "`end_header` is missing");
+    check("ply\nformat binary_big_endian 1.0\nend_header\n", 1, "is read from its bytes");
+    check("ply\nelement vertex 1\nproperty real x\n", 3, "`real` is no type of numbers");
     check("ply\nproperty float x\n", 2, "a property before the first element");
     check("ply\nelement vertex 1\nelement vertex 1\n", 3, "`vertex` is there twice");
     check("ply\nformat ascii 1.0\n", 2, "`end_header` is missing");

@@ -10,6 +10,8 @@ pub(in crate::cli) enum MeshOutputFormat {
     Obj,
     /// The same
     Ply,
+    /// The same, with creases, corners, holes and texture coordinates, as OBJ has them too
+    Usda,
     /// The same, of a solid
     Vtk,
     /// The same, of a solid
@@ -18,6 +20,17 @@ pub(in crate::cli) enum MeshOutputFormat {
     Json,
     /// The nearest f64 of each coordinate; of nets only
     Csv,
+}
+
+/// The rules at the boundary of a mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum MeshBoundary {
+    /// Faces at the boundary are holes
+    None,
+    /// The B-spline of the boundary polygon
+    Edge,
+    /// The same, with a corner at each vertex of one face
+    Corner,
 }
 
 /// The closed directions of a net.
@@ -50,13 +63,16 @@ pub(in crate::cli) struct RefineArguments {
     /// between them; bajaj for a solid
     #[arg(value_name = "SCHEME")]
     pub(in crate::cli) scheme: String,
-    /// The control mesh as OBJ, OFF or PLY (ascii), a tensor net as CSV or JSON, or a solid as VTK or
-    /// MEDIT (ascii); `-` for the standard input
+    /// The control mesh as OBJ, OFF, PLY, STL, USD (usda) or VTK polygons, a tensor net as CSV or JSON, or
+    /// a solid as VTK or MEDIT (ascii); `-` for the standard input
     #[arg(long, value_name = "FILE")]
     pub(in crate::cli) mesh: PathBuf,
     /// The directions in which a net is closed [default: those in the file, or else none]
     #[arg(long, value_enum)]
     pub(in crate::cli) closed: Option<ClosedArgument>,
+    /// The rules at the boundary of a polygon mesh [default: those in the file, or else edge]
+    #[arg(long, value_enum)]
+    pub(in crate::cli) boundary: Option<MeshBoundary>,
     /// How many times it is refined
     #[arg(long, value_name = "K", default_value_t = 1, allow_negative_numbers = true)]
     pub(in crate::cli) level: u32,
@@ -70,13 +86,16 @@ pub(in crate::cli) struct LimitArguments {
     /// between them; bajaj for a solid
     #[arg(value_name = "SCHEME")]
     pub(in crate::cli) scheme: String,
-    /// The control mesh as OBJ, OFF or PLY (ascii), a tensor net as CSV or JSON, or a solid as VTK or
-    /// MEDIT (ascii); `-` for the standard input
+    /// The control mesh as OBJ, OFF, PLY, STL, USD (usda) or VTK polygons, a tensor net as CSV or JSON, or
+    /// a solid as VTK or MEDIT (ascii); `-` for the standard input
     #[arg(long, value_name = "FILE")]
     pub(in crate::cli) mesh: PathBuf,
     /// The directions in which a net is closed [default: those in the file, or else none]
     #[arg(long, value_enum)]
     pub(in crate::cli) closed: Option<ClosedArgument>,
+    /// The rules at the boundary of a polygon mesh [default: those in the file, or else edge]
+    #[arg(long, value_enum)]
+    pub(in crate::cli) boundary: Option<MeshBoundary>,
     /// How many times it is refined before
     #[arg(long, value_name = "K", default_value_t = 0, allow_negative_numbers = true)]
     pub(in crate::cli) level: u32,

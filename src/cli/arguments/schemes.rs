@@ -73,7 +73,7 @@ pub(in crate::cli) struct DepthArguments {
     /// What happens at its ends [default: closed]
     #[arg(long, value_enum, requires = "polygon")]
     pub(in crate::cli) boundary: Option<BoundaryArgument>,
-    /// A polygon mesh as OBJ, OFF or PLY (ascii), a tensor net as CSV or JSON, or a solid as VTK or MEDIT
+    /// A polygon mesh as OBJ, OFF, PLY, STL, USD (usda) or VTK, a tensor net as CSV or JSON, or a solid as VTK or MEDIT
     /// (ascii), for the depth that it needs; `-` for the standard input. The scheme is catmull-clark,
     /// doo-sabin, loop, or loop-warren; of a net a curve, or two with ` x ` between them; of a solid
     /// bajaj
@@ -184,7 +184,7 @@ pub(in crate::cli) struct OracleArguments {
     /// grid of numbers, one row on a line; for a ring, one line for each of its points
     #[arg(long, value_name = "FILE", conflicts_with_all = ["seed", "points"])]
     pub(in crate::cli) polygon: Option<std::path::PathBuf>,
-    /// A polygon mesh in place of a polygon, as OBJ, OFF or PLY, a tensor net as CSV or JSON, or a solid
+    /// A polygon mesh in place of a polygon, as OBJ, OFF, PLY, STL, USD or VTK, a tensor net as CSV or JSON, or a solid
     /// as VTK or MEDIT (bajaj): its
     /// refinement, and limit points and normals, as JSON
     #[arg(long, value_name = "FILE", conflicts_with_all = ["polygon", "seed", "points", "boundary"])]

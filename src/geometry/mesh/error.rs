@@ -83,6 +83,30 @@ pub enum MeshError {
         /// Why not, and what would be right.
         reason: String,
     },
+    /// A crease along no edge.
+    NoEdge {
+        /// The two vertices.
+        ends: [usize; 2],
+    },
+    /// A corner at no vertex.
+    NoVertex {
+        /// The vertex.
+        vertex: usize,
+        /// How many there are.
+        count: usize,
+    },
+    /// A hole that is no face.
+    NoFace {
+        /// The face.
+        face: usize,
+        /// How many there are.
+        count: usize,
+    },
+    /// Texture coordinates that do not fit the faces, or tags that the scheme has no rules for.
+    Attribute {
+        /// What is wrong, and what would be right.
+        reason: String,
+    },
     /// Work beyond a cap.
     TooMuch {
         /// Which cap, and what would be right.
@@ -149,7 +173,16 @@ impl MeshError {
                 "give each of the surfaces that meet there only at one point a point of its own"
             }
             MeshError::Isolated { .. } => "remove the point, or use it in a face",
-            MeshError::Face { .. } | MeshError::Vertex { .. } | MeshError::TooMuch { .. } => {
+            MeshError::NoEdge { .. } => {
+                "a crease runs along an edge of a face, from vertex to vertex"
+            }
+            MeshError::NoVertex { .. } | MeshError::NoFace { .. } => {
+                "tags count vertices and faces from 0"
+            }
+            MeshError::Attribute { .. }
+            | MeshError::Face { .. }
+            | MeshError::Vertex { .. }
+            | MeshError::TooMuch { .. } => {
                 return None;
             }
         })
@@ -189,7 +222,18 @@ impl MeshError {
             MeshError::Isolated { point } => {
                 format!("point {} is a vertex of no face", point + base)
             }
-            MeshError::Face { reason, .. } | MeshError::TooMuch { reason } => reason.clone(),
+            MeshError::NoEdge { ends } => {
+                format!("there is no edge between the vertices {}", pair(ends))
+            }
+            MeshError::NoVertex { vertex, count } => {
+                format!("vertex {} does not exist: there are {count}", vertex + base)
+            }
+            MeshError::NoFace { face, count } => {
+                format!("face {} does not exist: there are {count}", face + base)
+            }
+            MeshError::Face { reason, .. }
+            | MeshError::TooMuch { reason }
+            | MeshError::Attribute { reason } => reason.clone(),
             MeshError::Vertex { point, reason } => format!("vertex {}: {reason}", point + base),
         }
     }

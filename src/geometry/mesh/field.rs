@@ -3,6 +3,7 @@
 use super::connectivity::Connectivity;
 use super::error::MeshError;
 use super::point::Point;
+use super::polygon::PolygonMesh;
 use super::scheme::MeshScheme;
 use super::{MAX_POINTS, MAX_VALENCE};
 use crate::exact::{RealCyclotomic, common_conductor};
@@ -48,6 +49,39 @@ pub(crate) fn check_rules(
         }
     }
     Ok(())
+}
+
+/// Checks that the scheme has rules for creases and texture coordinates, if there are any.
+///
+/// # Errors
+/// When the scheme is Doo–Sabin and there are some.
+pub(super) fn check_tags<S>(mesh: &PolygonMesh<S>, scheme: MeshScheme) -> Result<(), MeshError> {
+    if scheme != MeshScheme::DooSabin {
+        return Ok(());
+    }
+    let reason = if !mesh.tags().is_plain() {
+        "doo-sabin has no rules for creases, corners, holes and boundaries; remove the tags, or take \
+         catmull-clark"
+    } else if mesh.texture().is_some() {
+        "doo-sabin does not carry texture coordinates on; remove them, or take catmull-clark"
+    } else {
+        return Ok(());
+    };
+    Err(MeshError::Attribute { reason: reason.to_owned() })
+}
+
+/// Checks that a mesh has no creases, corners or holes, and the usual boundary.
+///
+/// # Errors
+/// When it has.
+pub(crate) fn check_plain<S>(mesh: &PolygonMesh<S>) -> Result<(), MeshError> {
+    if mesh.tags().is_plain() {
+        return Ok(());
+    }
+    let reason = "distances are not bounded for meshes with creases, corners, holes or another boundary \
+                  than the B-spline of its polygon: the pieces of the limit there are other ones; remove \
+                  the tags, or ask `subcert refine` and `subcert limit`";
+    Err(MeshError::Attribute { reason: reason.to_owned() })
 }
 
 /// The vertices that are not at the boundary, with the number of their edges.

@@ -6,16 +6,16 @@
 //!
 //! | item | what it is |
 //! |---|---|
-//! | [`read_mesh`], [`MeshFormat`], [`MeshFile`] | OBJ, OFF and PLY files, with the place of every error |
+//! | [`read_mesh`], [`read_binary_mesh`], [`MeshFormat`], [`MeshFile`] | OBJ, OFF, PLY, STL, USD and VTK files, with the place of every error |
 //! | [`PolygonMesh`], [`Connectivity`] | points and faces; edges, boundary, the faces around a vertex in order |
 //! | [`MeshScheme`], [`refine_mesh`] | Catmull–Clark, Doo–Sabin and Loop on whole meshes |
 //! | [`limit_points`], [`LimitPoint`] | where vertices go, and the normal of the limit surface there |
-//! | [`to_obj`], [`to_ply`], [`to_json`] | meshes as text |
-//!
-//! Creases, corners and other tags are not supported: a boundary is smooth, and there are no
-//! sharp edges inside.
+//! | [`to_obj`], [`to_ply`], [`to_usda`], [`to_json`] | meshes as text |
+//! | [`Tags`], [`Sharpness`], [`VertexBlend`] | creases, corners, holes and boundaries, and the rules that follow from them |
+//! | [`Texture`] | texture coordinates, which are refined linearly on each face |
 
 mod connectivity;
+mod crease;
 mod error;
 mod field;
 mod limit;
@@ -27,24 +27,30 @@ mod root;
 mod scheme;
 mod star;
 mod stencil;
+mod texture;
 mod write;
 
 pub use connectivity::{Connectivity, Edge};
+pub use crease::{Boundary, Creasing, INFINITE_FROM, Sharpness, Tags, VertexBlend, VertexMask};
 pub use error::MeshError;
-pub(crate) use field::{check_field, check_rules};
+pub(crate) use field::{check_field, check_plain, check_rules};
 pub(crate) use limit::loop_limit_weights;
-pub use limit::{LimitPoint, Normal, limit_points};
+pub use limit::{LimitPoint, Normal, Sector, Tangents, limit_points};
 pub use point::Point;
 pub use polygon::PolygonMesh;
 pub(crate) use read::parse_coordinate;
-pub(crate) use read::{About, Lines, Parts, Places, Word};
-pub use read::{MAX_FILE_BYTES, MeshFile, MeshFormat, read_mesh};
+pub(crate) use read::{About, Cell, Parts, Places, Word, Words};
+pub use read::{
+    MAX_FILE_BYTES, MeshFile, MeshFormat, is_polygonal_vtk, read_binary_mesh, read_mesh,
+};
+pub(crate) use read::{vtk_header, vtk_lists, vtk_points};
 pub use refine::{MAX_MESH_LEVEL, refine_mesh};
 pub(crate) use refine::{step_with, weighted_valences};
 pub use scheme::MeshScheme;
 pub use star::Star;
 pub(crate) use stencil::Stencils;
-pub use write::{BeyondF64, to_json, to_obj, to_ply};
+pub use texture::Texture;
+pub use write::{BeyondF64, to_json, to_obj, to_ply, to_usda};
 pub(crate) use write::{decimals, list, numbers, one_line};
 
 /// The most points of a mesh, refined or not.

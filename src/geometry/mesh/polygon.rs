@@ -1,10 +1,12 @@
 //! Points and faces.
 
 use super::connectivity::Connectivity;
+use super::crease::Tags;
 use super::error::MeshError;
 use super::point::Point;
+use super::texture::Texture;
 
-/// A polygon mesh: points of space, and faces on them.
+/// A polygon mesh: points of space, and faces on them; what is sharp, and texture coordinates.
 ///
 /// ```
 /// use subcert::exact::Rational;
@@ -19,6 +21,8 @@ use super::point::Point;
 pub struct PolygonMesh<S> {
     points: Vec<Point<S>>,
     connectivity: Connectivity,
+    tags: Tags,
+    texture: Option<Texture>,
 }
 
 impl<S> PolygonMesh<S> {
@@ -28,7 +32,24 @@ impl<S> PolygonMesh<S> {
     /// As [`Connectivity::new`].
     pub fn new(points: Vec<Point<S>>, faces: Vec<Vec<usize>>) -> Result<Self, MeshError> {
         let connectivity = Connectivity::new(points.len(), faces)?;
-        Ok(PolygonMesh { points, connectivity })
+        Ok(PolygonMesh { points, connectivity, tags: Tags::default(), texture: None })
+    }
+
+    /// The same mesh with these creases, corners and holes.
+    #[must_use]
+    pub fn with_tags(self, tags: Tags) -> PolygonMesh<S> {
+        PolygonMesh { tags, ..self }
+    }
+
+    /// The same mesh with texture coordinates.
+    ///
+    /// # Errors
+    /// When they are for other faces.
+    pub fn with_texture(self, texture: Option<Texture>) -> Result<PolygonMesh<S>, MeshError> {
+        if let Some(texture) = &texture {
+            texture.check(self.faces())?;
+        }
+        Ok(PolygonMesh { texture, ..self })
     }
 
     /// The points.
@@ -49,11 +70,28 @@ impl<S> PolygonMesh<S> {
         &self.connectivity
     }
 
+    /// Creases, corners and holes.
+    #[must_use]
+    pub fn tags(&self) -> &Tags {
+        &self.tags
+    }
+
+    /// The texture coordinates, if there are any.
+    #[must_use]
+    pub fn texture(&self) -> Option<&Texture> {
+        self.texture.as_ref()
+    }
+
     /// The same mesh with coordinates of another kind.
     #[must_use]
     pub fn map<T>(&self, mut map: impl FnMut(&S) -> T) -> PolygonMesh<T> {
         let points = self.points.iter().map(|point| point.each_ref().map(&mut map)).collect();
-        PolygonMesh { points, connectivity: self.connectivity.clone() }
+        self.on(points)
+    }
+
+    fn on<T>(&self, points: Vec<Point<T>>) -> PolygonMesh<T> {
+        let (tags, texture) = (self.tags.clone(), self.texture.clone());
+        PolygonMesh { points, connectivity: self.connectivity.clone(), tags, texture }
     }
 
     /// The same faces on other points.
@@ -63,6 +101,6 @@ impl<S> PolygonMesh<S> {
     #[must_use]
     pub fn with_points<T>(&self, points: Vec<Point<T>>) -> PolygonMesh<T> {
         assert_eq!(points.len(), self.points.len(), "a point for each point");
-        PolygonMesh { points, connectivity: self.connectivity.clone() }
+        self.on(points)
     }
 }

@@ -25,12 +25,4 @@ impl Star {
     pub fn valence(&self) -> usize {
         self.edges.len()
     }
-
-    /// The other ends of the two boundary edges at v: the first and the last neighbour.
-    ///
-    /// # Panics
-    /// Never: a face at v has two edges there.
-    pub(super) fn boundary_neighbours(&self) -> [usize; 2] {
-        [self.neighbours[0], self.neighbours[self.neighbours.len() - 1]]
-    }
 }

@@ -6,7 +6,8 @@ use crate::bound::LocalConstants;
 use crate::exact::{Enclosed, Rational, RealCyclotomic};
 use crate::float::{lower, nearest, upper};
 use crate::mesh::{
-    MeshError, MeshScheme, Point, PolygonMesh, Stencils, check_rules, weighted_valences,
+    MeshError, MeshScheme, Point, PolygonMesh, Stencils, check_plain, check_rules,
+    weighted_valences,
 };
 use crate::scheme::{LocalRules, parse_local_rules};
 use std::collections::BTreeSet;
@@ -55,6 +56,7 @@ pub fn a_priori(
     tolerance: &Rational,
 ) -> Result<APriori, MeshError> {
     not_positive(tolerance)?;
+    check_plain(mesh)?;
     check_rules(mesh.connectivity(), scheme)?;
     let edges = mesh.connectivity().edges().iter().map(|edge| edge.ends);
     let longest_edge = longest_edge(mesh.points(), edges);

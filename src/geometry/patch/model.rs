@@ -11,7 +11,8 @@ use super::threads::in_threads;
 use crate::exact::{Rational, RealCyclotomic};
 use crate::float::nearest;
 use crate::mesh::{
-    MeshError, MeshScheme, Point, PolygonMesh, Stencils, check_rules, step_with, weighted_valences,
+    MeshError, MeshScheme, Point, PolygonMesh, Stencils, check_plain, check_rules, step_with,
+    weighted_valences,
 };
 use crate::solid::{HexMesh, MAX_POINTS, SolidError};
 use std::sync::OnceLock;
@@ -41,6 +42,7 @@ impl Model {
         scheme: MeshScheme,
     ) -> Result<Model, MeshError> {
         let connectivity = control.connectivity();
+        check_plain(&control)?;
         check_rules(connectivity, scheme)?;
         let stencils = Stencils::new(scheme, weighted_valences(connectivity, scheme));
         let scale = scale(control.points());

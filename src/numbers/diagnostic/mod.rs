@@ -150,6 +150,15 @@ pub fn read_text(path: &std::path::Path, max_bytes: u64) -> Result<String, Strin
 /// # Errors
 /// As [`read_text`].
 pub fn read_text_from(reader: impl std::io::Read, max_bytes: u64) -> Result<String, String> {
+    let bytes = read_bytes_from(reader, max_bytes)?;
+    String::from_utf8(bytes).map_err(|_| "it is not UTF-8 text".to_owned())
+}
+
+/// The bytes that a reader gives, at most `max_bytes`.
+///
+/// # Errors
+/// When they cannot be read, or are more; the message says which.
+pub fn read_bytes_from(reader: impl std::io::Read, max_bytes: u64) -> Result<Vec<u8>, String> {
     use std::io::Read as _;
     let mut bytes = Vec::new();
     // Reading one byte more than is allowed detects a text that is too large, even if the system
@@ -158,5 +167,5 @@ pub fn read_text_from(reader: impl std::io::Read, max_bytes: u64) -> Result<Stri
     if bytes.len() as u64 > max_bytes {
         return Err(format!("it is larger than {max_bytes} bytes"));
     }
-    String::from_utf8(bytes).map_err(|_| "it is not UTF-8 text".to_owned())
+    Ok(bytes)
 }

@@ -1,30 +1,50 @@
 //! Catmull–Clark.
 
+use super::super::crease::VertexMask;
 use super::super::error::MeshError;
-use super::super::point::{Point, combination, difference, sum};
+use super::super::point::{Point, combination, sum};
 use super::super::polygon::PolygonMesh;
 use super::super::refine::refine_mesh;
 use super::super::scheme::MeshScheme;
 use super::super::star::Star;
-use super::{LimitPoint, Normal, boundary_limit, circular, cosine};
+use super::{LimitPoint, Normal, at_vertex, circular, cosine, dart, sharp_limit};
 use crate::exact::{Rational, RealCyclotomic, Scalar};
 
 pub(super) fn limits(
     mesh: &PolygonMesh<RealCyclotomic>,
 ) -> Result<Vec<Option<LimitPoint>>, MeshError> {
     let count = mesh.points().len();
+    let all = |mesh: &PolygonMesh<RealCyclotomic>| {
+        (0..count)
+            .map(|vertex| at_vertex(mesh, vertex, MeshScheme::CatmullClark, limit))
+            .collect::<Result<Vec<_>, _>>()
+    };
     if mesh.faces().iter().all(|face| face.len() == 4) {
-        return Ok((0..count).map(|vertex| Some(limit(mesh, vertex))).collect());
+        return all(mesh);
     }
     // A refinement has quadrilaterals only, moves no limit, and keeps the numbers of the vertices.
-    let refined = refine_mesh(mesh, MeshScheme::CatmullClark, 1)?;
-    Ok((0..count).map(|vertex| Some(limit(&refined, vertex))).collect())
+    let mut limits = all(&refine_mesh(mesh, MeshScheme::CatmullClark, 1)?)?;
+    // Its faces are parts of those of the mesh.
+    let sizes = mesh.faces().iter().enumerate();
+    let parents: Vec<usize> =
+        sizes.flat_map(|(face, own)| std::iter::repeat_n(face, own.len())).collect();
+    for sector in limits.iter_mut().flatten().flat_map(|limit| &mut limit.sectors) {
+        sector.faces.iter_mut().for_each(|face| *face = parents[*face]);
+    }
+    Ok(limits)
 }
 
-/// The limit point of a vertex of a mesh of quadrilaterals.
-fn limit(mesh: &PolygonMesh<RealCyclotomic>, vertex: usize) -> LimitPoint {
-    let star = mesh.connectivity().star(vertex);
-    let ring = Ring {
+/// The limit point of a vertex of a mesh of quadrilaterals, whose sharp edges are infinitely sharp.
+fn limit(
+    mesh: &PolygonMesh<RealCyclotomic>,
+    vertex: usize,
+    star: &Star,
+    mask: &VertexMask,
+) -> LimitPoint {
+    if *mask != VertexMask::Smooth {
+        return sharp_limit(mesh, vertex, star, mask, true);
+    }
+    let mut ring = Ring {
         vertex: &mesh.points()[vertex],
         edges: star.neighbours.iter().map(|&v| &mesh.points()[v]).collect(),
         faces: star
@@ -34,12 +54,12 @@ fn limit(mesh: &PolygonMesh<RealCyclotomic>, vertex: usize) -> LimitPoint {
             .map(|(&face, &corner)| &mesh.points()[mesh.faces()[face][(corner + 2) % 4]])
             .collect(),
     };
-    if star.boundary {
-        let position = boundary_limit(mesh, vertex, star.boundary_neighbours());
-        let tangents = ring.at_boundary(&star);
-        return LimitPoint { position, normal: tangents.as_ref().and_then(Normal::of) };
+    if let Some(first) = dart(mesh, star) {
+        ring.edges.rotate_left(first);
+        ring.faces.rotate_left(first);
+        return LimitPoint { position: ring.at_dart(), normal: None, sectors: Vec::new() };
     }
-    LimitPoint { position: ring.position(), normal: ring.normal() }
+    LimitPoint { position: ring.position(), normal: ring.normal(), sectors: Vec::new() }
 }
 
 /// The points around a vertex; face point i is between the edge points i and i + 1.
@@ -89,17 +109,14 @@ impl Ring<'_> {
         [0, 1].map(|i| sum([&here[i], &there[i]]))
     }
 
-    /// At a boundary vertex of two faces: e₀ − e₂ along the boundary, and across it
-    /// (f₀ − e₀) + 4(e₁ − v) + (f₁ − e₂). There the surface is a bicubic B-spline with one more row of
-    /// points, 2v − e₁ and so on, outside.
-    fn at_boundary(&self, star: &Star) -> Option<[Point<RealCyclotomic>; 2]> {
-        if star.faces.len() != 2 {
-            return None;
-        }
-        let (four, one) = (RealCyclotomic::from(4), RealCyclotomic::from(1));
-        let [e0, e1, e2] = [self.edges[0], self.edges[1], self.edges[2]];
-        let sides = difference(&sum([self.faces[0], self.faces[1]]), &sum([e0, e2]));
-        let across = combination([(&four, &difference(e1, self.vertex)), (&one, &sides)]);
-        Some([difference(e0, e2), across])
+    /// The position where the first edge is sharp.
+    fn at_dart(&self) -> Point<RealCyclotomic> {
+        let (vertex, edges, faces) = super::dart::catmull_clark(self.edges.len());
+        let number = |all: Vec<Rational>| all.into_iter().map(RealCyclotomic::from);
+        let edges: Vec<_> = number(edges).zip(self.edges.iter().copied()).collect();
+        let faces: Vec<_> = number(faces).zip(self.faces.iter().copied()).collect();
+        let vertex = RealCyclotomic::from(vertex);
+        let around = edges.iter().chain(&faces).map(|(weight, point)| (weight, *point));
+        combination(std::iter::once((&vertex, self.vertex)).chain(around))
     }
 }

@@ -26,7 +26,7 @@ pub(super) fn limits(
         let corners: Vec<_> = face.iter().map(|&v| &refined.points()[v]).collect();
         let share = RealCyclotomic::from(Rational::new(1, corners.len()));
         let position = sum(corners.iter().copied()).map(|x| x.times(&share));
-        Some(LimitPoint { position, normal: Normal::of(&circular(&corners)) })
+        Some(LimitPoint { position, normal: Normal::of(&circular(&corners)), sectors: Vec::new() })
     };
     Ok((0..mesh.points().len()).map(limit).collect())
 }

@@ -1,18 +1,24 @@
 //! Limit points of vertices, and the normals there.
 
 mod catmull_clark;
+mod dart;
 mod doo_sabin;
 mod loops;
 mod normal;
+mod sector;
+mod settle;
 
 pub(crate) use loops::limit_weights as loop_limit_weights;
-pub use normal::Normal;
+pub use normal::{Normal, Tangents};
+pub use sector::Sector;
 
+use super::crease::VertexMask;
 use super::error::MeshError;
-use super::field::{check_field, check_rules};
+use super::field::{check_field, check_rules, check_tags};
 use super::point::{Point, combination};
 use super::polygon::PolygonMesh;
 use super::scheme::MeshScheme;
+use super::star::Star;
 use crate::exact::{Rational, RealCyclotomic};
 
 /// The limit of a vertex of a mesh.
@@ -20,9 +26,12 @@ use crate::exact::{Rational, RealCyclotomic};
 pub struct LimitPoint {
     /// The point that the vertex tends to.
     pub position: Point<RealCyclotomic>,
-    /// The normal there. `None` at a boundary vertex that is not regular, and where the tangents that
-    /// give the normal are parallel.
+    /// The normal there. `None` at a vertex of several sectors or of none whose tangents are known, and
+    /// where the tangents that give the normal are parallel.
     pub normal: Option<Normal>,
+    /// The sectors between sharp edges at a vertex on a crease, at a corner or at the boundary, with
+    /// their tangents; none where the surface is smooth.
+    pub sectors: Vec<Sector>,
 }
 
 /// The limit point of every vertex of a mesh.
@@ -32,6 +41,10 @@ pub struct LimitPoint {
 /// | Catmull–Clark | (n² v + 4 Σ e_i + Σ f_i)/(n(n + 5)), after one refinement where a face at v is no quadrilateral | (1, 4, 1)/6 of the boundary polygon |
 /// | Doo–Sabin | the mean of the new points of v in its n faces | `None`: the surface does not reach it |
 /// | Loop | (1 − nω) v + ω Σ e_i, ω = 1/(n + 3/(8β)) | (1, 4, 1)/6 of the boundary polygon |
+///
+/// On a crease it is (1, 4, 1)/6 of the crease, at a corner the vertex itself, and where one sharp
+/// edge ends the left eigenvector for 1 of the rules there. Around a sharpness that falls, the mesh is
+/// refined until it has fallen.
 ///
 /// These weights are left eigenvectors of the rules in the catalogue for the eigenvalue 1. Normals
 /// are cross products of two tangents, given by left eigenvectors for the next eigenvalue; see
@@ -62,12 +75,73 @@ pub fn limit_points(
     scheme: MeshScheme,
 ) -> Result<Vec<Option<LimitPoint>>, MeshError> {
     check_rules(mesh.connectivity(), scheme)?;
+    check_tags(mesh, scheme)?;
     check_field(mesh.connectivity(), mesh.points(), scheme, true, mesh.points().len())?;
-    match scheme {
-        MeshScheme::CatmullClark => catmull_clark::limits(mesh),
-        MeshScheme::DooSabin => doo_sabin::limits(mesh),
-        MeshScheme::Loop | MeshScheme::LoopWarren => Ok(loops::limits(mesh, scheme)),
+    let scheme_limits = match scheme {
+        MeshScheme::CatmullClark => return catmull_clark::limits(mesh),
+        MeshScheme::DooSabin => return doo_sabin::limits(mesh),
+        MeshScheme::Loop | MeshScheme::LoopWarren => loops::Limits::new(mesh, scheme),
+    };
+    (0..mesh.points().len())
+        .map(|vertex| {
+            at_vertex(mesh, vertex, scheme, |mesh, vertex, star, mask| {
+                scheme_limits.limit(mesh, vertex, star, mask)
+            })
+        })
+        .collect()
+}
+
+/// The limit of a vertex by `limit`, after refinement around it where a sharpness falls there.
+fn at_vertex(
+    mesh: &PolygonMesh<RealCyclotomic>,
+    vertex: usize,
+    scheme: MeshScheme,
+    limit: impl Fn(&PolygonMesh<RealCyclotomic>, usize, &Star, &VertexMask) -> LimitPoint,
+) -> Result<Option<LimitPoint>, MeshError> {
+    let star = mesh.connectivity().star(vertex);
+    if !settle::falls(mesh, vertex, &star) {
+        let mask = mesh.tags().vertex_mask(mesh.connectivity(), vertex, &star);
+        return Ok(Some(limit(mesh, vertex, &star, &mask)));
     }
+    let (part, at) = settle::settled(mesh, vertex, scheme)?;
+    let own = part.connectivity().star(at);
+    let mask = part.tags().vertex_mask(part.connectivity(), at, &own);
+    let mut limit = limit(&part, at, &own, &mask);
+    // The faces of a part have other numbers. Its star begins at another face where all is smooth.
+    let ends: Vec<usize> = own.faces.clone();
+    for sector in &mut limit.sectors {
+        for face in &mut sector.faces {
+            let place = ends.iter().position(|end| end == face).unwrap_or(0);
+            *face = star.faces[place % star.faces.len()];
+        }
+    }
+    Ok(Some(limit))
+}
+
+/// The position and the sectors of a vertex that is not smooth.
+fn sharp_limit(
+    mesh: &PolygonMesh<RealCyclotomic>,
+    vertex: usize,
+    star: &Star,
+    mask: &VertexMask,
+    quadrilaterals: bool,
+) -> LimitPoint {
+    let position = match mask {
+        VertexMask::Crease(ends) => crease_limit(mesh, vertex, *ends),
+        _ => mesh.points()[vertex].clone(),
+    };
+    let sectors = sector::sectors(mesh, vertex, star, mask, quadrilaterals);
+    let normal = match &sectors[..] {
+        [one] => one.tangents.as_ref().and_then(Tangents::normal),
+        _ => None,
+    };
+    LimitPoint { position, normal, sectors }
+}
+
+/// Which edge of a smooth vertex is sharp, if one is.
+fn dart(mesh: &PolygonMesh<RealCyclotomic>, star: &Star) -> Option<usize> {
+    let sharp = |&edge: &usize| mesh.tags().edge(mesh.connectivity(), edge).is_some();
+    if mesh.tags().has_sharp() { star.edges.iter().position(sharp) } else { None }
 }
 
 /// Σ cos(2πi/n) x_i and Σ cos(2π(i − 1)/n) x_i over n points around a vertex or a face.
@@ -86,8 +160,8 @@ fn cosine(i: usize, n: usize) -> RealCyclotomic {
     RealCyclotomic::cosine(&Rational::new(i, n)).expect("a valence within the cap")
 }
 
-/// (1, 4, 1)/6 of a vertex and its neighbours at the boundary.
-fn boundary_limit(
+/// (1, 4, 1)/6 of a vertex and its neighbours on a crease.
+fn crease_limit(
     mesh: &PolygonMesh<RealCyclotomic>,
     vertex: usize,
     ends: [usize; 2],

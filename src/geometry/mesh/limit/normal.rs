@@ -13,6 +13,57 @@ pub struct Normal {
     rooted: Option<(Point<RealCyclotomic>, RealCyclotomic)>,
 }
 
+/// Two tangents p_i + q_i√d of a limit surface at a vertex, of any lengths. They are parallel where the
+/// control points make them so.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tangents {
+    plain: [Point<RealCyclotomic>; 2],
+    rooted: Option<([Point<RealCyclotomic>; 2], RealCyclotomic)>,
+}
+
+impl Tangents {
+    pub(super) fn plain(plain: [Point<RealCyclotomic>; 2]) -> Tangents {
+        Tangents { plain, rooted: None }
+    }
+
+    pub(super) fn with_root(
+        plain: [Point<RealCyclotomic>; 2],
+        rooted: [Point<RealCyclotomic>; 2],
+        radicand: RealCyclotomic,
+    ) -> Tangents {
+        Tangents { plain, rooted: Some((rooted, radicand)) }
+    }
+
+    /// t₀ × t₁; `None` where that is 0.
+    #[must_use]
+    pub fn normal(&self) -> Option<Normal> {
+        match &self.rooted {
+            None => Normal::of(&self.plain),
+            Some((rooted, d)) => Normal::with_root(&self.plain, rooted, d.clone()),
+        }
+    }
+
+    /// The coordinates of both as formulas, such as `1/2 + (3/4)*sqrt(17/4)`.
+    #[must_use]
+    pub fn exact(&self) -> [[String; 3]; 2] {
+        [0, 1].map(|i| {
+            let root = self.rooted.as_ref().map(|(rooted, d)| (&rooted[i], d));
+            formulas(&self.plain[i], root)
+        })
+    }
+}
+
+/// p + q√d, coordinate by coordinate.
+fn formulas(
+    plain: &Point<RealCyclotomic>,
+    rooted: Option<(&Point<RealCyclotomic>, &RealCyclotomic)>,
+) -> [String; 3] {
+    [0, 1, 2].map(|i| match rooted {
+        Some((q, d)) if q[i].sign() != 0 => format!("{} + ({})*sqrt({d})", plain[i], q[i]),
+        _ => plain[i].to_string(),
+    })
+}
+
 impl Normal {
     /// t₀ × t₁; `None` where that is 0.
     pub(super) fn of([first, second]: &[Point<RealCyclotomic>; 2]) -> Option<Normal> {
@@ -47,13 +98,7 @@ impl Normal {
     /// The coordinates as formulas, such as `1/2 + (3/4)*sqrt(17/4)`.
     #[must_use]
     pub fn exact(&self) -> [String; 3] {
-        [0, 1, 2].map(|i| {
-            let plain = self.plain[i].to_string();
-            match &self.rooted {
-                Some((q, d)) if q[i].sign() != 0 => format!("{plain} + ({})*sqrt({d})", q[i]),
-                _ => plain,
-            }
-        })
+        formulas(&self.plain, self.rooted())
     }
 
     /// The unit vector of this direction: the nearest f64 of each coordinate.

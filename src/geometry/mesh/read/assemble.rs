@@ -1,8 +1,12 @@
 //! From points and faces with their places to a mesh.
 
 use super::super::MAX_POINTS;
+use super::super::connectivity::Connectivity;
+use super::super::crease::{Sharpness, Tags};
+use super::super::error::MeshError;
 use super::super::point::Point;
 use super::super::polygon::PolygonMesh;
+use super::super::texture::Texture;
 use super::{MeshFile, Places};
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::{Integer, Rational};
@@ -13,7 +17,7 @@ use std::sync::Arc;
 const MAX_BITS: u64 = 4_096;
 
 /// The most vertices of all faces together.
-const MAX_CORNERS: usize = 4 * MAX_POINTS;
+pub(super) const MAX_CORNERS: usize = 4 * MAX_POINTS;
 
 /// The points and faces that have been read so far.
 pub(crate) struct Parts {
@@ -22,6 +26,39 @@ pub(crate) struct Parts {
     places: Places,
     denominator: Integer,
     corners: usize,
+    /// What the file says besides points and faces.
+    pub(crate) extras: Extras,
+}
+
+/// What a file says of a mesh besides points and faces.
+#[derive(Default)]
+pub(crate) struct Extras {
+    pub(crate) tags: Vec<(Tag, Range<usize>)>,
+    /// The rules at the boundary and of creasing; the tags come later.
+    pub(crate) rules: Tags,
+    /// Values of texture coordinates, and their places.
+    pub(crate) texture: Vec<(Vec<Rational>, Range<usize>)>,
+    /// For each face the values of its vertices, if it has some.
+    pub(crate) textured: Vec<Option<Vec<usize>>>,
+    /// What a reader of the file should know.
+    pub(crate) notes: Vec<String>,
+}
+
+/// A tag, by numbers from 0.
+pub(crate) enum Tag {
+    Crease([usize; 2], Option<Sharpness>),
+    Corner(usize, Option<Sharpness>),
+    Hole(usize),
+}
+
+impl Tag {
+    fn put(&self, tags: &mut Tags, connectivity: &Connectivity) -> Result<(), MeshError> {
+        match self {
+            Tag::Crease(ends, sharp) => tags.crease(connectivity, *ends, sharp.clone()),
+            Tag::Corner(vertex, sharp) => tags.corner(connectivity, *vertex, sharp.clone()),
+            Tag::Hole(face) => tags.hole(connectivity, *face),
+        }
+    }
 }
 
 impl Parts {
@@ -29,7 +66,7 @@ impl Parts {
         let source = Arc::clone(source);
         let places = Places { source, points: Vec::new(), faces: Vec::new(), base };
         let (points, faces, denominator) = (Vec::new(), Vec::new(), Integer::one());
-        Parts { points, faces, places, denominator, corners: 0 }
+        Parts { points, faces, places, denominator, corners: 0, extras: Extras::default() }
     }
 
     pub(crate) fn point_count(&self) -> usize {
@@ -91,10 +128,129 @@ impl Parts {
     }
 
     /// The mesh of these points and faces; an error with its place if they are none.
-    pub(crate) fn assemble(self) -> Result<MeshFile, Diagnostic> {
-        match PolygonMesh::new(self.points, self.faces) {
-            Ok(mesh) => Ok(MeshFile { mesh, places: self.places }),
-            Err(error) => Err(self.places.diagnostic(&error)),
+    pub(crate) fn assemble(mut self) -> Result<MeshFile, Diagnostic> {
+        let mut extras = std::mem::take(&mut self.extras);
+        if !self.faces.is_empty() {
+            self.drop_isolated(&mut extras);
         }
+        let Parts { points, faces, places, .. } = self;
+        let mesh = PolygonMesh::new(points, faces).map_err(|error| places.diagnostic(&error))?;
+        let texture = extras.texture(&mesh, &places)?;
+        let mut tags = std::mem::take(&mut extras.rules);
+        for (tag, place) in &extras.tags {
+            tag.put(&mut tags, mesh.connectivity()).map_err(|error| {
+                // Tags count from 0, whatever the file calls its first point.
+                let diagnostic = Diagnostic::new(&places.source, place.clone(), error.message(0));
+                match error.help() {
+                    Some(help) => diagnostic.with_help(help),
+                    None => diagnostic,
+                }
+            })?;
+        }
+        let mesh = mesh.with_tags(tags).with_texture(texture);
+        let mesh = mesh.map_err(|error| places.diagnostic(&error))?;
+        Ok(MeshFile { mesh, places, notes: extras.notes })
+    }
+
+    /// Drops the points that no face has, with a note.
+    fn drop_isolated(&mut self, extras: &mut Extras) {
+        let mut used = vec![false; self.points.len()];
+        for point in self.faces.iter().flatten() {
+            if let Some(used) = used.get_mut(*point) {
+                *used = true;
+            }
+        }
+        let loose: Vec<usize> = (0..used.len()).filter(|point| !used[*point]).collect();
+        let Some(&first) = loose.first() else { return };
+        // A vertex that does not exist is an error of its own, and its number must stay.
+        if self.faces.iter().flatten().any(|point| *point >= used.len()) {
+            return;
+        }
+        let line = self.places.line(first);
+        let first = first + self.places.base;
+        extras.notes.push(match loose.len() {
+            1 => format!(
+                "point {first} (line {line}) is a vertex of no face and is dropped; the points after \
+                 it move up"
+            ),
+            count => format!(
+                "{count} points are vertices of no face and are dropped, the first of them point \
+                 {first} (line {line}); the points after them move up"
+            ),
+        });
+        let mut next = 0;
+        let numbers: Vec<Option<usize>> = used
+            .iter()
+            .map(|used| {
+                next += usize::from(*used);
+                used.then(|| next - 1)
+            })
+            .collect();
+        let number = |point: usize| numbers.get(point).copied().flatten().unwrap_or(usize::MAX);
+        self.faces.iter_mut().flatten().for_each(|point| *point = number(*point));
+        for (tag, _) in &mut extras.tags {
+            match tag {
+                Tag::Crease(ends, _) => *ends = ends.map(number),
+                Tag::Corner(vertex, _) => *vertex = number(*vertex),
+                Tag::Hole(_) => {}
+            }
+        }
+        let mut keep = used.iter();
+        self.points.retain(|_| keep.next() == Some(&true));
+        let mut keep = used.iter();
+        self.places.points.retain(|_| keep.next() == Some(&true));
+    }
+}
+
+impl Extras {
+    /// The texture coordinates: of all faces, or of none.
+    fn texture(
+        &mut self,
+        mesh: &PolygonMesh<Rational>,
+        places: &Places,
+    ) -> Result<Option<Texture>, Diagnostic> {
+        let values = std::mem::take(&mut self.texture);
+        let textured = std::mem::take(&mut self.textured);
+        if textured.iter().all(Option::is_none) {
+            if !values.is_empty() {
+                let count = values.len();
+                self.notes
+                    .push(format!("{count} texture coordinates that no face has are dropped"));
+            }
+            return Ok(None);
+        }
+        let wrong = |face: usize, message: String, help: &str| {
+            let place = places.faces[face].clone();
+            Diagnostic::new(&places.source, place, message).with_help(help)
+        };
+        let mut faces = Vec::with_capacity(textured.len());
+        for (face, own) in textured.into_iter().enumerate() {
+            let Some(own) = own else {
+                let help = "give texture coordinates to all faces, or to none";
+                return Err(wrong(
+                    face,
+                    "a face without texture coordinates, which others have".to_owned(),
+                    help,
+                ));
+            };
+            if let Some(value) = own.iter().find(|value| **value >= values.len()) {
+                let message = format!(
+                    "texture coordinate {} does not exist: there are {}",
+                    value + places.base,
+                    values.len()
+                );
+                return Err(wrong(face, message, "is the file cut off, or is the number wrong?"));
+            }
+            faces.push(own);
+        }
+        let lengths = values.first().map(|(value, _)| value.len());
+        if let Some((_, place)) = values.iter().find(|(value, _)| Some(value.len()) != lengths) {
+            let message = "this texture coordinate has more or fewer numbers than the first";
+            return Err(Diagnostic::new(&places.source, place.clone(), message)
+                .with_help("write all of them with two numbers, or all with three"));
+        }
+        debug_assert_eq!(faces.len(), mesh.faces().len());
+        let values = values.into_iter().map(|(value, _)| value).collect();
+        Ok(Some(Texture { values, faces }))
     }
 }

@@ -1,13 +1,22 @@
 //! Mesh files. Numbers are read from their text, exactly.
 
 mod assemble;
+mod binary;
 mod lines;
 mod obj;
 mod off;
 mod ply;
+mod stl;
+mod tags;
+mod usd;
+mod usd_tokens;
+mod vtk;
+mod words;
 
 pub(crate) use assemble::Parts;
-pub(crate) use lines::{Lines, Word, parse_coordinate};
+pub(crate) use lines::{Word, parse_coordinate};
+pub(crate) use vtk::{Cell, vtk_header, vtk_lists, vtk_points};
+pub(crate) use words::Words;
 
 use super::error::MeshError;
 use super::polygon::PolygonMesh;
@@ -27,8 +36,14 @@ pub enum MeshFormat {
     Obj,
     /// OFF, ascii.
     Off,
-    /// PLY, ascii.
+    /// PLY, ascii or binary.
     Ply,
+    /// STL, ascii or binary.
+    Stl,
+    /// USD, ascii.
+    Usda,
+    /// Legacy VTK, ascii, of polygons.
+    Vtk,
 }
 
 impl MeshFormat {
@@ -40,12 +55,22 @@ impl MeshFormat {
             Some("obj") => return MeshFormat::Obj,
             Some("off") => return MeshFormat::Off,
             Some("ply") => return MeshFormat::Ply,
+            Some("stl") => return MeshFormat::Stl,
+            Some("usda" | "usd" | "usdc" | "usdz") => return MeshFormat::Usda,
+            Some("vtk") => return MeshFormat::Vtk,
             _ => {}
+        }
+        if text.trim_start_matches('\u{feff}').starts_with("#usda") {
+            return MeshFormat::Usda;
+        }
+        if vtk::is_polydata(text) {
+            return MeshFormat::Vtk;
         }
         let lines = text.lines().map(|line| line.split('#').next().unwrap_or_default().trim());
         let first = lines.into_iter().find(|line| !line.is_empty()).unwrap_or_default();
         match first.split_whitespace().next() {
             Some("ply") => MeshFormat::Ply,
+            Some("solid") => MeshFormat::Stl,
             Some(word) if word.ends_with("OFF") => MeshFormat::Off,
             _ => MeshFormat::Obj,
         }
@@ -57,6 +82,7 @@ impl MeshFormat {
 pub struct MeshFile {
     mesh: PolygonMesh<Rational>,
     places: Places,
+    notes: Vec<String>,
 }
 
 /// Where points and faces stand; in a file of a solid, cells in place of faces.
@@ -84,6 +110,18 @@ impl MeshFile {
         &self.mesh
     }
 
+    /// The same file with another mesh on its faces, such as with other tags.
+    #[must_use]
+    pub fn with_mesh(self, mesh: PolygonMesh<Rational>) -> MeshFile {
+        MeshFile { mesh, ..self }
+    }
+
+    /// What was dropped or changed when the file was read, in sentences.
+    #[must_use]
+    pub fn notes(&self) -> &[String] {
+        &self.notes
+    }
+
     /// An error about the mesh, at its place in the file.
     #[must_use]
     pub fn diagnostic(&self, error: &MeshError) -> Diagnostic {
@@ -96,6 +134,12 @@ impl Places {
         let (point, face, other) = (error.point(), error.face(), error.other_face());
         let about = About { point, face, other, help: error.help() };
         self.place(&about, error.message(self.base))
+    }
+
+    /// The line in which a point stands.
+    fn line(&self, point: usize) -> usize {
+        let start = self.points.get(point).map_or(0, |place| place.start);
+        1 + self.source.text.get(..start).unwrap_or_default().matches('\n').count()
     }
 
     /// What the file calls the first point and the first face.
@@ -126,8 +170,10 @@ impl Places {
 /// Reads a mesh file.
 ///
 /// Coordinates are decimals, such as `-0.5`, `.5`, `5.`, `+1` or `1e-3`, or fractions such as `1/3`, and
-/// are read exactly. Normals, colours, texture coordinates, names, materials and lines are passed
-/// over. `#` begins a comment in OBJ and OFF.
+/// are read exactly. In OBJ, texture coordinates `vt` are read, and so are the tags `t crease`, `t corner`, `t hole`,
+/// `t interpolateboundary` and `t creasemethod`, as OpenSubdiv's own shapes have them. Colours, names,
+/// materials and lines are passed over. Normals and points of no face are dropped with a note
+/// ([`MeshFile::notes`]). `#` begins a comment in OBJ and OFF.
 ///
 /// # Errors
 /// When the text has another form, is cut off, or is no oriented surface
@@ -148,6 +194,49 @@ pub fn read_mesh(source: &Arc<SourceText>, format: MeshFormat) -> Result<MeshFil
         MeshFormat::Obj => obj::read(source),
         MeshFormat::Off => off::read(source),
         MeshFormat::Ply => ply::read(source),
+        MeshFormat::Stl => stl::read(source),
+        MeshFormat::Usda => usd::read(source),
+        MeshFormat::Vtk => vtk::read(source),
     }?;
     parts.assemble()
+}
+
+/// Reads a binary PLY or STL file; `None` where the bytes are neither.
+///
+/// A binary float is the dyadic number that it is. The places of errors are lines of a listing of
+/// what the file holds, with the first byte of each point and face.
+///
+/// # Errors
+/// As [`read_mesh`].
+///
+/// ```
+/// use subcert::mesh::read_binary_mesh;
+///
+/// let mut bytes = vec![0; 80];
+/// bytes.extend(1_u32.to_le_bytes());
+/// for x in [0.0_f32, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.5, 0.0] {
+///     bytes.extend(x.to_le_bytes());
+/// }
+/// bytes.extend([0, 0]);
+/// let file = read_binary_mesh("a.stl", &bytes).expect("binary STL")?;
+/// assert_eq!(file.mesh().points()[2][1].to_string(), "1/2");
+/// assert!(read_binary_mesh("a.obj", b"v 0 0 0").is_none());
+/// # Ok::<(), subcert::diagnostic::Diagnostic>(())
+/// ```
+#[must_use]
+pub fn read_binary_mesh(name: &str, bytes: &[u8]) -> Option<Result<MeshFile, Diagnostic>> {
+    let parts = if let Some(start) = ply::binary_start(bytes) {
+        ply::read_binary(name, bytes, start)
+    } else if stl::is_binary(bytes) {
+        stl::read_binary(name, bytes)
+    } else {
+        return None;
+    };
+    Some(parts.and_then(Parts::assemble))
+}
+
+/// Whether a text is VTK with polygons, which is no solid.
+#[must_use]
+pub fn is_polygonal_vtk(text: &str) -> bool {
+    vtk::is_polydata(text)
 }

@@ -1,9 +1,11 @@
-//! PLY, ascii.
+//! PLY, ascii and binary.
 
 use super::assemble::Parts;
+use super::binary::{ByteOrder, Bytes, Kind, Listing};
 use super::lines::{Line, Lines, extent};
 use super::off::vertices;
 use crate::diagnostic::{Diagnostic, SourceText};
+use crate::exact::Rational;
 use std::sync::Arc;
 
 /// What the header says of one kind of lines.
@@ -15,13 +17,26 @@ struct Element {
 
 struct Property {
     name: String,
-    list: bool,
+    kind: Kind,
+    /// The type of the length, of a list.
+    list: Option<Kind>,
+}
+
+/// How the numbers after the header are written.
+enum Form {
+    Ascii,
+    Binary(ByteOrder),
 }
 
 pub(super) fn read(source: &Arc<SourceText>) -> Result<Parts, Diagnostic> {
     let mut lines = Lines::new(source, false);
     let mut parts = Parts::new(source, 0);
-    for element in header(&mut lines)? {
+    let (form, elements) = header(&mut lines)?;
+    if !matches!(form, Form::Ascii) {
+        let message = "a binary PLY file, which is read from its bytes";
+        return Err(lines.wrong(0..3, message).with_help("give the file, not its text"));
+    }
+    for element in elements {
         let name = element.name.as_str();
         for index in 0..element.count {
             let line = lines.next().ok_or_else(|| {
@@ -45,7 +60,8 @@ pub(super) fn read(source: &Arc<SourceText>) -> Result<Parts, Diagnostic> {
     }
 }
 
-fn header(lines: &mut Lines<'_>) -> Result<Vec<Element>, Diagnostic> {
+fn header(lines: &mut Lines<'_>) -> Result<(Form, Vec<Element>), Diagnostic> {
+    let mut form = Form::Ascii;
     let mut elements: Vec<Element> = Vec::new();
     let mut first = true;
     while let Some(line) = lines.next() {
@@ -55,9 +71,9 @@ fn header(lines: &mut Lines<'_>) -> Result<Vec<Element>, Diagnostic> {
             ["ply"] if first => {}
             _ if first => return Err(wrong("a PLY file begins with the line `ply`")),
             ["format", "ascii", ..] | ["comment" | "obj_info", ..] => {}
-            ["format", ..] => {
-                return Err(wrong("a binary PLY file").with_help("save it in the ascii form"));
-            }
+            ["format", "binary_little_endian", ..] => form = Form::Binary(ByteOrder::Little),
+            ["format", "binary_big_endian", ..] => form = Form::Binary(ByteOrder::Big),
+            ["format", ..] => return Err(wrong("this is no format of PLY files")),
             ["element", name, _] => {
                 let count = lines.natural(line[2], "the number of lines")?;
                 let name = name.to_owned();
@@ -70,10 +86,18 @@ fn header(lines: &mut Lines<'_>) -> Result<Vec<Element>, Diagnostic> {
                 let Some(element) = elements.last_mut() else {
                     return Err(wrong("a property before the first element"));
                 };
-                let (name, list) = (name.to_owned(), words[1] == "list");
-                element.properties.push(Property { name, list });
+                let kind = |place: usize| {
+                    Kind::parse(words[place]).ok_or_else(|| {
+                        wrong(&format!("`{}` is no type of numbers", words[place])).with_help(
+                            "the types are char, uchar, short, ushort, int, uint, float, double",
+                        )
+                    })
+                };
+                let list = if words[1] == "list" { Some(kind(2)?) } else { None };
+                let (name, kind) = (name.to_owned(), kind(words.len() - 2)?);
+                element.properties.push(Property { name, kind, list });
             }
-            ["end_header"] => return Ok(elements),
+            ["end_header"] => return Ok((form, elements)),
             _ => return Err(wrong("this is no line of a PLY header")),
         }
         first = false;
@@ -91,7 +115,8 @@ fn point(
     for name in ["x", "y", "z"] {
         let position = element.properties.iter().position(|property| property.name == name);
         let before = position.map(|position| &element.properties[..position]);
-        let Some(before) = before.filter(|before| !before.iter().any(|property| property.list))
+        let Some(before) =
+            before.filter(|before| !before.iter().any(|property| property.list.is_some()))
         else {
             let message = format!("the header gives points no property `{name}` before lists");
             return Err(lines.wrong(extent(line), message));
@@ -118,7 +143,7 @@ fn face(
             lines.wrong(extent(line), message)
         })?;
         at += 1;
-        if property.list {
+        if property.list.is_some() {
             let count = lines.natural(word, "the number of vertices of this face")?;
             if ["vertex_indices", "vertex_index"].contains(&property.name.as_str()) {
                 return parts.face(vertices(lines, line, &line[at..], count)?, extent(line));
@@ -128,4 +153,117 @@ fn face(
     }
     let message = "the header gives faces no list `vertex_indices`";
     Err(lines.wrong(extent(line), message))
+}
+
+/// Where the bytes of a binary file begin, if the header says that it is one.
+pub(super) fn binary_start(bytes: &[u8]) -> Option<usize> {
+    if !bytes.starts_with(b"ply") {
+        return None;
+    }
+    let end = b"end_header";
+    let at = bytes.windows(end.len()).position(|window| window == end)? + end.len();
+    let text = bytes[..at].to_ascii_lowercase();
+    let binary = b"format binary";
+    text.windows(binary.len()).position(|window| window == binary)?;
+    let rest = &bytes[at..];
+    Some(at + if rest.starts_with(b"\r\n") { 2 } else { 1 })
+}
+
+/// A point or a face with its place in the listing.
+enum Thing {
+    Point([Rational; 3]),
+    Face(Vec<usize>),
+}
+
+/// A binary file, whose errors have the line of a listing: the header, then each point and each face with
+/// its first byte.
+pub(super) fn read_binary(name: &str, bytes: &[u8], start: usize) -> Result<Parts, Diagnostic> {
+    let head = bytes.get(..start).unwrap_or(bytes);
+    let head = SourceText::new(name, String::from_utf8_lossy(head));
+    let mut lines = Lines::new(&head, false);
+    let (form, elements) = header(&mut lines)?;
+    let order = match form {
+        Form::Binary(order) => order,
+        Form::Ascii => ByteOrder::Little,
+    };
+    let mut cursor = Bytes::new(bytes, start, order);
+    let mut listing = Listing::default();
+    head.text.lines().for_each(|line| drop(listing.line(line)));
+    let mut things = Vec::new();
+    for element in &elements {
+        // A thing without properties has no bytes.
+        let count = if element.properties.is_empty() { 0 } else { element.count };
+        for index in 0..count {
+            let at = cursor.at;
+            let place = listing.line(&format!("{} {index}, byte {at}", element.name));
+            match thing(&mut cursor, element) {
+                Ok(None) => {}
+                Ok(Some(thing)) => things.push((thing, place)),
+                Err(message) => {
+                    return Err(Diagnostic::new(&listing.source(name), place, message)
+                        .with_help("the file is cut off, or its header does not fit it"));
+                }
+            }
+        }
+    }
+    if cursor.left() > 0 {
+        let place = listing.line(&format!("the rest, byte {}", cursor.at));
+        let message =
+            format!("{} bytes after the last thing that the header tells of", cursor.left());
+        return Err(Diagnostic::new(&listing.source(name), place, message)
+            .with_help("the counts in the header say how many things there are"));
+    }
+    let mut parts = Parts::new(&listing.source(name), 0);
+    for (thing, place) in things {
+        match thing {
+            Thing::Point(point) => parts.point(point, place)?,
+            Thing::Face(vertices) => parts.face(vertices, place)?,
+        }
+    }
+    Ok(parts)
+}
+
+/// The next thing of an element, if it is a point or a face.
+fn thing(cursor: &mut Bytes<'_>, element: &Element) -> Result<Option<Thing>, String> {
+    let mut point: [Option<Rational>; 3] = Default::default();
+    let mut face = None;
+    for property in &element.properties {
+        let name = property.name.as_str();
+        let ended = || format!("`{name}` is missing, or no number of its type");
+        let Some(length) = property.list else {
+            let number = cursor.number(property.kind);
+            let axis = ["x", "y", "z"].iter().position(|axis| *axis == name);
+            match axis.filter(|_| element.name == "vertex") {
+                Some(axis) => point[axis] = Some(number.ok_or_else(ended)?),
+                // Another number may be infinite, but must be there.
+                None if cursor.ended => return Err(ended()),
+                None => {}
+            }
+            continue;
+        };
+        let count = cursor.natural(length).ok_or_else(ended)?;
+        if count > cursor.left() {
+            return Err(format!("`{name}` has {count} numbers, and the file ends before them"));
+        }
+        let wanted = element.name == "face" && ["vertex_indices", "vertex_index"].contains(&name);
+        if wanted {
+            let all = (0..count).map(|_| cursor.natural(property.kind).ok_or_else(ended));
+            face = Some(all.collect::<Result<Vec<usize>, String>>()?);
+        } else {
+            (0..count).for_each(|_| drop(cursor.number(property.kind)));
+            if cursor.ended {
+                return Err(ended());
+            }
+        }
+    }
+    match element.name.as_str() {
+        "vertex" => match point {
+            [Some(x), Some(y), Some(z)] => Ok(Some(Thing::Point([x, y, z]))),
+            _ => Err("the header gives points no x, y and z".to_owned()),
+        },
+        "face" => face
+            .map(|face| Some(Thing::Face(face)))
+            .ok_or_else(|| "the header gives faces no list `vertex_indices`".to_owned()),
+        _ => Ok(None),
+    }
 }

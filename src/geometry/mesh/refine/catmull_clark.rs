@@ -1,11 +1,12 @@
 //! Catmull–Clark.
 
-use super::super::connectivity::Edge;
 use super::super::error::MeshError;
 use super::super::point::{Point, sum};
 use super::super::polygon::PolygonMesh;
 use super::super::star::Star;
 use super::super::stencil::Stencils;
+use super::super::texture::Texture;
+use super::tagged;
 use super::triangles::{midpoint, vertex_point};
 use crate::exact::{Rational, Scalar};
 
@@ -22,7 +23,7 @@ pub(super) fn step<S: Scalar>(
     let mut points = Vec::with_capacity(vertices + edges + centres.len());
     let around = |star: &Star| Some(sum(star.faces.iter().map(|&face| &centres[face])));
     points.extend((0..vertices).map(|vertex| vertex_point(mesh, stencils, vertex, around)));
-    points.extend(connectivity.edges().iter().map(|edge| edge_point(mesh, &centres, edge)));
+    points.extend((0..edges).map(|edge| edge_point(mesh, &centres, edge)));
     points.extend(centres);
     let mut faces = Vec::with_capacity(connectivity.corner_count());
     for (face, corners) in mesh.faces().iter().enumerate() {
@@ -33,7 +34,14 @@ pub(super) fn step<S: Scalar>(
             faces.push(vec![vertex, vertices + own[i], face, vertices + before]);
         }
     }
-    PolygonMesh::new(points, faces)
+    let mut first = Vec::with_capacity(mesh.faces().len() + 1);
+    first.push(0);
+    first.extend(mesh.faces().iter().scan(0, |total, face| {
+        *total += face.len();
+        Some(*total)
+    }));
+    let refined = PolygonMesh::new(points, faces)?;
+    tagged::carry(mesh, refined, |face| first[face]..first[face + 1], Texture::quadrilaterals)
 }
 
 fn mean<'a, S: Scalar + 'a>(points: impl ExactSizeIterator<Item = &'a Point<S>>) -> Point<S> {
@@ -41,10 +49,11 @@ fn mean<'a, S: Scalar + 'a>(points: impl ExactSizeIterator<Item = &'a Point<S>>)
     sum(points).map(|x| x.times(&share))
 }
 
-fn edge_point<S: Scalar>(mesh: &PolygonMesh<S>, centres: &[Point<S>], edge: &Edge) -> Point<S> {
+fn edge_point<S: Scalar>(mesh: &PolygonMesh<S>, centres: &[Point<S>], index: usize) -> Point<S> {
+    let edge = &mesh.connectivity().edges()[index];
     let [p, q] = edge.ends.map(|end| &mesh.points()[end]);
-    match edge.other {
-        Some((other, _)) => mean([p, q, &centres[edge.face.0], &centres[other]].into_iter()),
-        None => midpoint(p, q),
-    }
+    let Some((other, _)) = edge.other else { return midpoint(p, q) };
+    tagged::edge_point(mesh, index, || {
+        mean([p, q, &centres[edge.face.0], &centres[other]].into_iter())
+    })
 }

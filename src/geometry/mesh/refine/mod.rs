@@ -2,12 +2,13 @@
 
 mod catmull_clark;
 mod doo_sabin;
+mod tagged;
 mod triangles;
 
 use super::MAX_POINTS;
 use super::connectivity::Connectivity;
 use super::error::MeshError;
-use super::field::{check_field, check_rules, inner_valences};
+use super::field::{check_field, check_rules, check_tags, inner_valences};
 use super::polygon::PolygonMesh;
 use super::scheme::MeshScheme;
 use super::stencil::Stencils;
@@ -63,6 +64,7 @@ pub fn refine_mesh(
         return Err(MeshError::TooMuch { reason });
     }
     check_rules(mesh.connectivity(), scheme)?;
+    check_tags(mesh, scheme)?;
     let points = counts(mesh.connectivity(), scheme, level);
     if points > MAX_POINTS {
         return Err(MeshError::TooManyPoints { points });

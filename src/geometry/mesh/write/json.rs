@@ -1,6 +1,6 @@
 //! JSON.
 
-use super::super::limit::LimitPoint;
+use super::super::limit::{LimitPoint, Normal, Sector, Tangents};
 use super::super::point::Point;
 use super::super::polygon::PolygonMesh;
 use crate::exact::{Enclosed, RealCyclotomic};
@@ -13,7 +13,8 @@ use std::fmt::Write as _;
 /// has for each point `exact` (p/q, or a sum of cosines) and `f64` (the nearest f64, as the
 /// shortest decimal that reads back). The field `faces` has the vertices of each face by number,
 /// from 0 on. With `limits`, the field `limits` has for each point its `position` and its `normal`, or
-/// `null` where there is none. A normal is exact, of any length, with the nearest f64 of the unit
+/// `null` where there is none; at a crease, a corner or the boundary also its `sectors`, with the two
+/// tangents of each. A mesh with texture coordinates, creases, corners or holes has fields of these. A normal is exact, of any length, with the nearest f64 of the unit
 /// vector. Numbers are texts, but for vertices.
 ///
 /// # Panics
@@ -41,12 +42,48 @@ pub fn to_json(
     }
     list(&mut text, "points", mesh.points().iter().map(numbers), false);
     let faces = mesh.faces().iter().map(|face| format!("{face:?}"));
-    list(&mut text, "faces", faces, limits.is_none());
+    list(&mut text, "faces", faces, limits.is_none() && plain(mesh));
+    tags(mesh, &mut text, limits.is_none());
     if let Some(limits) = limits {
         list(&mut text, "limits", limits.iter().map(|one| limit(one.as_ref())), true);
     }
     text.push_str("}\n");
     text
+}
+
+/// Whether there are no tags and no texture coordinates.
+fn plain(mesh: &PolygonMesh<RealCyclotomic>) -> bool {
+    mesh.tags().is_plain() && mesh.texture().is_none()
+}
+
+/// Texture coordinates, creases, corners, holes and the rules, if there are any.
+fn tags(mesh: &PolygonMesh<RealCyclotomic>, text: &mut String, last: bool) {
+    if let Some(texture) = mesh.texture() {
+        let values = texture.values.iter().map(|value| {
+            let numbers: Vec<String> = value.iter().map(|x| format!("\"{x}\"")).collect();
+            format!("[{}]", numbers.join(", "))
+        });
+        list(text, "texture", values, false);
+        let faces = texture.faces.iter().map(|face| format!("{face:?}"));
+        list(text, "texture_faces", faces, last && mesh.tags().is_plain());
+    }
+    let tags = mesh.tags();
+    if tags.is_plain() {
+        return;
+    }
+    writeln!(text, "  \"boundary\": \"{}\",", tags.boundary.name()).expect("memory");
+    writeln!(text, "  \"creasing\": \"{}\",", tags.creasing.name()).expect("memory");
+    let edges = tags.edges().iter().map(|(&edge, sharp)| {
+        let [a, b] = mesh.connectivity().edges()[edge].ends;
+        format!("{{\"vertices\": [{a}, {b}], \"sharpness\": \"{sharp}\"}}")
+    });
+    list(text, "creases", edges, false);
+    let corners = tags.vertices().iter();
+    let corners = corners
+        .map(|(vertex, sharp)| format!("{{\"vertex\": {vertex}, \"sharpness\": \"{sharp}\"}}"));
+    list(text, "corners", corners, false);
+    let holes = tags.holes(mesh.connectivity()).into_iter().map(|hole| hole.to_string());
+    list(text, "holes", holes, last);
 }
 
 /// A list of a form in JSON, with a line for each item.
@@ -75,12 +112,26 @@ pub(crate) fn numbers<S: Enclosed + ToString>(point: &Point<S>) -> String {
 
 fn limit(limit: Option<&LimitPoint>) -> String {
     let Some(limit) = limit else { return "null".to_owned() };
-    let normal = limit.normal.as_ref().map_or_else(
-        || "null".to_owned(),
-        |normal| {
-            let unit = texts(&normal.unit().map(shortest));
-            format!("{{\"exact\": {}, \"unit_f64\": {unit}}}", texts(&normal.exact()))
-        },
-    );
-    format!("{{\"position\": {}, \"normal\": {normal}}}", numbers(&limit.position))
+    let sectors: Vec<String> = limit.sectors.iter().map(sector).collect();
+    let sectors = match sectors.len() {
+        0 => String::new(),
+        _ => format!(", \"sectors\": [{}]", sectors.join(", ")),
+    };
+    let (position, normal) = (numbers(&limit.position), normal(limit.normal.as_ref()));
+    format!("{{\"position\": {position}, \"normal\": {normal}{sectors}}}")
+}
+
+fn normal(normal: Option<&Normal>) -> String {
+    let Some(normal) = normal else { return "null".to_owned() };
+    let unit = texts(&normal.unit().map(shortest));
+    format!("{{\"exact\": {}, \"unit_f64\": {unit}}}", texts(&normal.exact()))
+}
+
+fn sector(sector: &Sector) -> String {
+    let tangents = sector.tangents.as_ref().map_or("null".to_owned(), |tangents| {
+        let [first, second] = tangents.exact().map(|one| texts(&one));
+        format!("[{first}, {second}]")
+    });
+    let normal = normal(sector.tangents.as_ref().and_then(Tangents::normal).as_ref());
+    format!("{{\"faces\": {:?}, \"tangents\": {tangents}, \"normal\": {normal}}}", sector.faces)
 }

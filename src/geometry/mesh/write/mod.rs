@@ -3,11 +3,13 @@
 mod json;
 mod obj;
 mod ply;
+mod usd;
 
 pub use json::to_json;
 pub(crate) use json::{list, numbers};
 pub use obj::to_obj;
 pub use ply::to_ply;
+pub use usd::to_usda;
 
 use super::point::Point;
 use crate::exact::Enclosed;

@@ -1,8 +1,7 @@
 //! MEDIT, ascii: `Vertices` and `Hexahedra`.
 
-use super::words::Words;
 use crate::diagnostic::{Diagnostic, SourceText};
-use crate::mesh::{Parts, Word};
+use crate::mesh::{Parts, Word, Words};
 use std::sync::Arc;
 
 /// Cells that the scheme has no rules for.

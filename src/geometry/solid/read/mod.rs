@@ -2,7 +2,6 @@
 
 mod medit;
 mod vtk;
-mod words;
 
 use super::error::SolidError;
 use super::hexes::HexMesh;

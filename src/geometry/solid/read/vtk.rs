@@ -1,8 +1,7 @@
 //! Legacy VTK, ascii: an unstructured grid of hexahedra or voxels.
 
-use super::words::Words;
 use crate::diagnostic::{Diagnostic, SourceText};
-use crate::mesh::Parts;
+use crate::mesh::{Cell, Parts, Words, vtk_header, vtk_lists, vtk_points};
 use crate::solid::cube::FILE_ORDER;
 use std::ops::Range;
 use std::sync::Arc;
@@ -38,19 +37,16 @@ type Kind = (usize, Range<usize>);
 const SECTIONS: [&str; 7] =
     ["POINTS", "CELLS", "CELL_TYPES", "POINT_DATA", "CELL_DATA", "METADATA", "FIELD"];
 
-/// A cell: its corners, and where it stands.
-type Cell = (Vec<usize>, Range<usize>);
-
 pub(super) fn read(source: &Arc<SourceText>) -> Result<Parts, Diagnostic> {
-    let mut words = Words::new(source, header(source)?, false);
+    let mut words = Words::new(source, vtk_header(source)?, false);
     let mut parts = Parts::new(source, 0);
     let mut cells: Option<Vec<Cell>> = None;
     let mut types: Option<Vec<Kind>> = None;
     dataset(&mut words)?;
     while let Some(word) = words.next() {
         match word.text.to_ascii_uppercase().as_str() {
-            "POINTS" => points(&mut words, &mut parts)?,
-            "CELLS" => cells = Some(self::cells(&mut words)?),
+            "POINTS" => vtk_points(&mut words, &mut parts)?,
+            "CELLS" => cells = Some(vtk_lists(&mut words)?),
             "CELL_TYPES" => types = Some(cell_types(&mut words)?),
             // What belongs to points and cells comes after them.
             "POINT_DATA" | "CELL_DATA" => break,
@@ -83,36 +79,6 @@ fn cut_off(source: &Arc<SourceText>, message: &str) -> Diagnostic {
         .with_help("the file is cut off, or no unstructured grid")
 }
 
-/// Where the third line ends: the first two say what the file is, in words that do not matter.
-fn header(source: &Arc<SourceText>) -> Result<usize, Diagnostic> {
-    let text = &source.text;
-    let mut at = 0;
-    let mut line = || {
-        let start = at;
-        at += text[at..].find('\n').map_or(text.len() - at, |end| end + 1);
-        (start, text[start..at].trim())
-    };
-    let ((_, first), (second, _)) = (line(), line());
-    let known = first.trim_start_matches('\u{feff}').to_ascii_lowercase();
-    if !known.starts_with("# vtk datafile") {
-        let place = 0..text[..second].trim_end().len();
-        return Err(Diagnostic::new(source, place, "this is no solid").with_help(
-            "a VTK file begins with `# vtk DataFile Version 3.0`, and a MEDIT file with \
-             `MeshVersionFormatted 2`; of other forms, such as .vtu or .msh, save one of these",
-        ));
-    }
-    let (start, third) = line();
-    if third.eq_ignore_ascii_case("ASCII") {
-        return Ok(at);
-    }
-    let (message, help) = if third.eq_ignore_ascii_case("BINARY") {
-        ("a binary VTK file", "save it in the ascii form")
-    } else {
-        ("`ASCII` is expected here", "it is the third line of a VTK file")
-    };
-    Err(Diagnostic::new(source, start..start + third.len(), message).with_help(help))
-}
-
 fn dataset(words: &mut Words<'_>) -> Result<(), Diagnostic> {
     let missing = || "`DATASET UNSTRUCTURED_GRID` is missing".to_owned();
     let word = words.expect(missing)?;
@@ -124,65 +90,6 @@ fn dataset(words: &mut Words<'_>) -> Result<(), Diagnostic> {
     }
     let message = "`DATASET UNSTRUCTURED_GRID` is expected here";
     Err(words.wrong(word.at..kind.place().end, message).with_help("save the mesh so"))
-}
-
-fn points(words: &mut Words<'_>, parts: &mut Parts) -> Result<(), Diagnostic> {
-    let count = words.count("the number of points")?;
-    words.expect(|| "the type of the points is missing".to_owned())?;
-    for found in 0..count {
-        let (point, place) = words.point(|| format!("{found} of {count} points have been read"))?;
-        parts.point(point, place)?;
-    }
-    Ok(())
-}
-
-/// Both forms: each cell after the number of its corners, or (from version 5 on) where the cells begin in
-/// a list of all corners.
-fn cells(words: &mut Words<'_>) -> Result<Vec<Cell>, Diagnostic> {
-    let count = words.count("the number of cells")?;
-    let size = words.count("the number of numbers")?;
-    if words.peek().is_some_and(|word| word.text.eq_ignore_ascii_case("OFFSETS")) {
-        return listed(words, count, size);
-    }
-    let mut cells = Vec::new();
-    for found in 0..count {
-        let missing = || format!("{found} of {count} cells have been read");
-        let (length, start) = words.natural("the number of corners", missing)?;
-        let mut corners = Vec::new();
-        let mut end = start.end;
-        for _ in 0..length {
-            let (corner, place) = words.natural("the number of a point", missing)?;
-            corners.push(corner);
-            end = place.end;
-        }
-        cells.push((corners, start.start..end));
-    }
-    Ok(cells)
-}
-
-fn listed(words: &mut Words<'_>, count: usize, size: usize) -> Result<Vec<Cell>, Diagnostic> {
-    let mut list = |name: &str, count: usize| {
-        let missing = || format!("`{name}` and its numbers are expected");
-        let word = words.expect(missing)?;
-        if !word.text.eq_ignore_ascii_case(name) {
-            return Err(words.wrong(word.place(), format!("`{name}` is expected here")));
-        }
-        words.expect(missing)?;
-        let missing = || format!("{count} numbers of `{name}` are expected");
-        let numbers = (0..count).map(|_| words.natural("a number of this list", missing));
-        numbers.collect::<Result<Vec<(usize, Range<usize>)>, Diagnostic>>()
-    };
-    let offsets = list("OFFSETS", count)?;
-    let corners = list("CONNECTIVITY", size)?;
-    let cell = |pair: &[(usize, Range<usize>)]| {
-        let own = corners.get(pair[0].0..pair[1].0).filter(|own| !own.is_empty());
-        let own = own.ok_or_else(|| {
-            words.wrong(pair[1].1.clone(), "no cell: the offsets must rise, up to the corners")
-        })?;
-        let place = own[0].1.start..own[own.len() - 1].1.end;
-        Ok((own.iter().map(|(corner, _)| *corner).collect(), place))
-    };
-    offsets.windows(2).map(cell).collect()
 }
 
 fn cell_types(words: &mut Words<'_>) -> Result<Vec<Kind>, Diagnostic> {

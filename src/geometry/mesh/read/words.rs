@@ -1,8 +1,9 @@
 //! Words of a file whose lines do not matter.
 
+use super::super::point::Point;
+use super::lines::{Lines, Word};
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::exact::Rational;
-use crate::mesh::{Lines, Point, Word};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -12,14 +13,14 @@ fn is_name(text: &str) -> bool {
 }
 
 /// The words, one after the other.
-pub(super) struct Words<'a> {
+pub(crate) struct Words<'a> {
     lines: Lines<'a>,
     line: std::iter::Peekable<std::vec::IntoIter<Word<'a>>>,
 }
 
 impl<'a> Words<'a> {
     /// The words from a byte on; where there are `comments`, `#` begins one.
-    pub(super) fn new(source: &'a Arc<SourceText>, at: usize, comments: bool) -> Words<'a> {
+    pub(crate) fn new(source: &'a Arc<SourceText>, at: usize, comments: bool) -> Words<'a> {
         let mut lines = Lines::new(source, comments);
         if at > 0 {
             lines = lines.from(at);
@@ -27,35 +28,35 @@ impl<'a> Words<'a> {
         Words { lines, line: Vec::new().into_iter().peekable() }
     }
 
-    pub(super) fn peek(&mut self) -> Option<Word<'a>> {
+    pub(crate) fn peek(&mut self) -> Option<Word<'a>> {
         while self.line.peek().is_none() {
             self.line = self.lines.next()?.into_iter().peekable();
         }
         self.line.peek().copied()
     }
 
-    pub(super) fn next(&mut self) -> Option<Word<'a>> {
+    pub(crate) fn next(&mut self) -> Option<Word<'a>> {
         self.peek()?;
         self.line.next()
     }
 
     /// The next word of a file that must go on.
-    pub(super) fn expect(&mut self, missing: impl Fn() -> String) -> Result<Word<'a>, Diagnostic> {
+    pub(crate) fn expect(&mut self, missing: impl Fn() -> String) -> Result<Word<'a>, Diagnostic> {
         self.next().ok_or_else(|| self.lines.cut_off(&missing()))
     }
 
-    pub(super) fn wrong(&self, place: Range<usize>, message: impl Into<String>) -> Diagnostic {
+    pub(crate) fn wrong(&self, place: Range<usize>, message: impl Into<String>) -> Diagnostic {
         self.lines.wrong(place, message)
     }
 
     /// A count.
-    pub(super) fn count(&mut self, what: &str) -> Result<usize, Diagnostic> {
+    pub(crate) fn count(&mut self, what: &str) -> Result<usize, Diagnostic> {
         let word = self.expect(|| format!("{what} is missing"))?;
         self.lines.natural(word, what)
     }
 
     /// An index or another number that is not negative, with its place.
-    pub(super) fn natural(
+    pub(crate) fn natural(
         &mut self,
         what: &str,
         missing: impl Fn() -> String,
@@ -67,7 +68,7 @@ impl<'a> Words<'a> {
     }
 
     /// Three coordinates with their place.
-    pub(super) fn point(
+    pub(crate) fn point(
         &mut self,
         missing: impl Fn() -> String,
     ) -> Result<(Point<Rational>, Range<usize>), Diagnostic> {
@@ -84,7 +85,7 @@ impl<'a> Words<'a> {
     }
 
     /// Passes over words until one that `known` knows.
-    pub(super) fn skip(&mut self, known: impl Fn(&str) -> bool) {
+    pub(crate) fn skip(&mut self, known: impl Fn(&str) -> bool) {
         while self.peek().is_some_and(|word| !known(word.text)) {
             self.next();
         }

@@ -1,0 +1,531 @@
+//! USD, ascii: the fields of one mesh.
+
+use super::super::crease::{Boundary, Sharpness};
+use super::assemble::{Extras, Parts, Tag};
+use super::lines::parse_coordinate;
+use super::usd_tokens::{Kind, Token, tokens};
+use crate::diagnostic::{Diagnostic, SourceText};
+use crate::exact::Rational;
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::sync::Arc;
+
+/// The deepest nesting of prims and values.
+const MAX_DEPTH: usize = 100;
+
+/// The fields of a mesh that are read, and those that say nothing of its surface.
+const PASSED_OVER: [&str; 7] = [
+    "doubleSided",
+    "extent",
+    "purpose",
+    "visibility",
+    "proxyPrim",
+    "facevaryinglinearinterpolation",
+    "primvars:displaycolor",
+];
+
+/// The value of a field: its tokens, and what is in parentheses after it.
+#[derive(Default)]
+struct Field {
+    name: Range<usize>,
+    value: Vec<Token>,
+    about: Vec<Token>,
+}
+
+/// A mesh: its name, where it begins, and its fields.
+struct Prim {
+    name: String,
+    place: Range<usize>,
+    fields: BTreeMap<String, Field>,
+}
+
+struct Reader<'a> {
+    source: &'a Arc<SourceText>,
+    tokens: Vec<Token>,
+    at: usize,
+    meshes: Vec<Prim>,
+    /// Whether a transformation stands above or in a mesh.
+    moved: bool,
+}
+
+pub(super) fn read(source: &Arc<SourceText>) -> Result<Parts, Diagnostic> {
+    let start = source.text.len() - source.text.trim_start_matches('\u{feff}').len();
+    if !source.text[start..].starts_with("#usda") {
+        let end = source.text.len().min(start + 1);
+        return Err(Diagnostic::new(source, start..end, "a USD file begins with `#usda 1.0`")
+            .with_help("convert a binary file with `usdcat in.usd -o out.usda`"));
+    }
+    let tokens = tokens(source, start)?;
+    let mut reader = Reader { source, tokens, at: 0, meshes: Vec::new(), moved: false };
+    reader.parentheses()?;
+    reader.body(None, 0)?;
+    let moved = reader.moved;
+    let mut meshes = reader.meshes.into_iter();
+    let help = "save one mesh in a file";
+    let Some(prim) = meshes.next() else {
+        return Err(Diagnostic::new(source, start..start + 5, "there is no `def Mesh`").with_help(
+            "is it behind a reference or in a variant? `usdcat --flatten` writes it out",
+        ));
+    };
+    if let Some(other) = meshes.next() {
+        let message = format!("a second mesh, `{}` after `{}`", other.name, prim.name);
+        return Err(Diagnostic::new(source, other.place, message)
+            .with_place(prim.place, "the first mesh")
+            .with_help(help));
+    }
+    let mut parts = Parts::new(source, 0);
+    Fields { source, prim: &prim }.put(&mut parts)?;
+    if moved {
+        let note = "transformations (`xformOp`) are not applied: points are as the mesh has them";
+        parts.extras.notes.push(note.to_owned());
+    }
+    Ok(parts)
+}
+
+impl Reader<'_> {
+    fn text(&self, token: &Token) -> &str {
+        &self.source.text[token.place.clone()]
+    }
+
+    fn is(&self, sign: u8) -> bool {
+        self.tokens.get(self.at).is_some_and(|token| token.kind == Kind::Sign(sign))
+    }
+
+    fn wrong(&self, token: Option<&Token>, message: impl Into<String>) -> Diagnostic {
+        let end = self.source.text.trim_end().len();
+        let place = token.map_or(end..end, |token| token.place.clone());
+        Diagnostic::new(self.source, place, message)
+    }
+
+    fn cut_off(&self) -> Diagnostic {
+        self.wrong(None, "the file ends here, and a bracket is open")
+            .with_help("the file is cut off, or a bracket is missing")
+    }
+
+    /// The tokens between a bracket and its counterpart, if a bracket stands here.
+    fn bracketed(&mut self, open: u8, close: u8) -> Result<Option<Vec<Token>>, Diagnostic> {
+        if !self.is(open) {
+            return Ok(None);
+        }
+        let (start, mut depth) = (self.at, 0_usize);
+        while let Some(token) = self.tokens.get(self.at) {
+            self.at += 1;
+            if token.kind == Kind::Sign(open) {
+                depth += 1;
+            } else if token.kind == Kind::Sign(close) {
+                depth -= 1;
+                if depth == 0 {
+                    return Ok(Some(self.tokens[start + 1..self.at - 1].to_vec()));
+                }
+            }
+        }
+        Err(self.cut_off())
+    }
+
+    fn parentheses(&mut self) -> Result<Vec<Token>, Diagnostic> {
+        Ok(self.bracketed(b'(', b')')?.unwrap_or_default())
+    }
+
+    /// The prims and fields up to a closing bracket, or to the end of the file.
+    fn body(&mut self, mut mesh: Option<&mut Prim>, depth: usize) -> Result<(), Diagnostic> {
+        if depth > MAX_DEPTH {
+            let message = format!("prims are nested deeper than {MAX_DEPTH}");
+            return Err(self.wrong(self.tokens.get(self.at), message));
+        }
+        loop {
+            let Some(token) = self.tokens.get(self.at).cloned() else {
+                return if depth == 0 { Ok(()) } else { Err(self.cut_off()) };
+            };
+            match token.kind {
+                Kind::Sign(b'}') if depth > 0 => {
+                    self.at += 1;
+                    return Ok(());
+                }
+                Kind::Sign(b';') => self.at += 1,
+                Kind::Word => match self.text(&token) {
+                    "def" | "over" | "class" => self.prim(depth)?,
+                    "variantSet" => {
+                        self.at += 2;
+                        if self.is(b'=') {
+                            self.at += 1;
+                        }
+                        self.bracketed(b'{', b'}')?;
+                    }
+                    _ => self.field(mesh.as_deref_mut())?,
+                },
+                _ => {
+                    return Err(self
+                        .wrong(Some(&token), "a prim or a field is expected here")
+                        .with_help(
+                            "prims are `def Mesh \"name\" { … }`, fields `type name = value`",
+                        ));
+                }
+            }
+        }
+    }
+
+    fn prim(&mut self, depth: usize) -> Result<(), Diagnostic> {
+        let word = self.tokens[self.at].clone();
+        self.at += 1;
+        let mut kind = String::new();
+        while let Some(token) = self.tokens.get(self.at).filter(|token| token.kind == Kind::Word) {
+            kind = self.text(token).to_owned();
+            self.at += 1;
+        }
+        let Some(name) = self.tokens.get(self.at).filter(|token| token.kind == Kind::Text).cloned()
+        else {
+            return Err(self
+                .wrong(self.tokens.get(self.at), "the name of the prim is expected here")
+                .with_help("write it between quotation marks"));
+        };
+        self.at += 1;
+        self.parentheses()?;
+        if !self.is(b'{') {
+            return Err(self
+                .wrong(self.tokens.get(self.at), "`{` is expected here")
+                .with_help("the file is cut off, or a bracket is missing"));
+        }
+        self.at += 1;
+        if kind != "Mesh" {
+            return self.body(None, depth + 1);
+        }
+        let place = word.place.start..name.place.end;
+        let name = self.text(&name).to_owned();
+        let mut prim = Prim { name, place, fields: BTreeMap::new() };
+        self.body(Some(&mut prim), depth + 1)?;
+        self.meshes.push(prim);
+        Ok(())
+    }
+
+    /// `type name = value (about)`; the value may be absent.
+    fn field(&mut self, mesh: Option<&mut Prim>) -> Result<(), Diagnostic> {
+        let line = self.tokens[self.at].line;
+        let mut last = self.tokens[self.at].clone();
+        while let Some(token) = self.tokens.get(self.at) {
+            if token.kind != Kind::Word || token.line != line {
+                break;
+            }
+            last = token.clone();
+            self.at += 1;
+        }
+        let mut field = Field { name: last.place.clone(), ..Field::default() };
+        let mut end = line;
+        if self.is(b'=') {
+            self.at += 1;
+            let value = self.bracketed(b'[', b']')?;
+            let value = match value {
+                Some(value) => Some(value),
+                None => self.bracketed(b'(', b')')?,
+            };
+            field.value = match value {
+                Some(value) => value,
+                None => match self.bracketed(b'{', b'}')? {
+                    Some(value) => value,
+                    None => {
+                        let token =
+                            self.tokens.get(self.at).cloned().ok_or_else(|| self.cut_off())?;
+                        if !matches!(token.kind, Kind::Word | Kind::Text | Kind::Path) {
+                            return Err(self.wrong(Some(&token), "a value is expected here"));
+                        }
+                        self.at += 1;
+                        vec![token]
+                    }
+                },
+            };
+            end = self.tokens[self.at - 1].line;
+        }
+        if self.tokens.get(self.at).is_some_and(|token| token.line == end) {
+            field.about = self.parentheses()?;
+        }
+        let name = self.text(&last).to_owned();
+        self.moved |= name.starts_with("xformOp:") && !field.value.is_empty();
+        if let Some(mesh) = mesh {
+            mesh.fields.insert(name, field);
+        }
+        Ok(())
+    }
+}
+
+/// The fields of the mesh, and what is made of them.
+struct Fields<'a> {
+    source: &'a Arc<SourceText>,
+    prim: &'a Prim,
+}
+
+/// Numbers with their places.
+type Placed<T> = Vec<(T, Range<usize>)>;
+
+impl Fields<'_> {
+    fn text(&self, token: &Token) -> &str {
+        &self.source.text[token.place.clone()]
+    }
+
+    fn wrong(&self, place: Range<usize>, message: impl Into<String>) -> Diagnostic {
+        Diagnostic::new(self.source, place, message)
+    }
+
+    fn field(&self, name: &str) -> Result<Option<&Field>, Diagnostic> {
+        let sampled = format!("{name}.timeSamples");
+        if let Some(field) = self.prim.fields.get(&sampled) {
+            let message = format!("`{name}` changes with time");
+            return Err(self
+                .wrong(field.name.clone(), message)
+                .with_help("save one time: `name = value` in place of time samples"));
+        }
+        Ok(self.prim.fields.get(name))
+    }
+
+    /// A list of tuples of `size` numbers, or of numbers for `size` 1.
+    fn tuples(&self, name: &str, size: usize) -> Result<Placed<Vec<Rational>>, Diagnostic> {
+        let Some(field) = self.field(name)? else { return Ok(Vec::new()) };
+        let (mut all, mut open): (Placed<Vec<Rational>>, Option<usize>) = (Vec::new(), None);
+        let mut tuple = Vec::new();
+        for token in &field.value {
+            match token.kind {
+                Kind::Word => {
+                    let number = parse_coordinate(self.text(token)).map_err(|error| {
+                        self.wrong(token.place.clone(), error.to_string())
+                            .with_help("write a decimal such as -0.25 or 2.5e-3")
+                    })?;
+                    if size == 1 {
+                        all.push((vec![number], token.place.clone()));
+                    } else {
+                        tuple.push(number);
+                    }
+                }
+                Kind::Sign(b',') => {}
+                Kind::Sign(b'(') if size > 1 && open.is_none() => open = Some(token.place.start),
+                Kind::Sign(b')') if open.is_some() && tuple.len() == size => {
+                    let place = open.take().unwrap_or(0)..token.place.end;
+                    all.push((std::mem::take(&mut tuple), place));
+                }
+                _ => {
+                    let message = format!("`{name}` is a list of tuples of {size}");
+                    return Err(self.wrong(token.place.clone(), message));
+                }
+            }
+        }
+        if !tuple.is_empty() || open.is_some() {
+            let message = format!("`{name}` ends within a tuple of {size} numbers");
+            return Err(self.wrong(field.name.clone(), message));
+        }
+        Ok(all)
+    }
+
+    fn naturals(&self, name: &str) -> Result<Placed<usize>, Diagnostic> {
+        let all = self.tuples(name, 1)?.into_iter();
+        all.map(|(number, place)| {
+            let whole = number[0].is_integer().then(|| number[0].numerator().to_i64()).flatten();
+            let natural = whole.and_then(|number| usize::try_from(number).ok());
+            natural.map(|number| (number, place.clone())).ok_or_else(|| {
+                self.wrong(place, format!("a number of `{name}` is no natural number"))
+            })
+        })
+        .collect()
+    }
+
+    /// The only word or text of a field.
+    fn choice(&self, name: &str) -> Result<Option<(&str, Range<usize>)>, Diagnostic> {
+        let field = self.field(name)?;
+        let token = field.and_then(|field| field.value.first());
+        Ok(token.map(|token| (self.text(token), token.place.clone())))
+    }
+
+    fn put(&self, parts: &mut Parts) -> Result<(), Diagnostic> {
+        for (point, place) in self.tuples("points", 3)? {
+            let point = <[Rational; 3]>::try_from(point);
+            parts.point(point.expect("three numbers"), place)?;
+        }
+        let turned = match self.choice("orientation")? {
+            Some(("leftHanded", _)) => true,
+            None | Some(("rightHanded", _)) => false,
+            Some((other, place)) => {
+                return Err(self.wrong(place, format!("`{other}` is no orientation")));
+            }
+        };
+        let counts = self.naturals("faceVertexCounts")?;
+        let sizes: Vec<usize> = counts.iter().map(|(count, _)| *count).collect();
+        let total = sizes.iter().try_fold(0_usize, |sum, size| sum.checked_add(*size));
+        let indices = self.naturals("faceVertexIndices")?;
+        if total != Some(indices.len()) {
+            let message = format!(
+                "{} of `faceVertexIndices`, and `faceVertexCounts` has the sum {}",
+                indices.len(),
+                total.map_or("of too large numbers".to_owned(), |total| total.to_string())
+            );
+            let place = self.prim.fields.get("faceVertexIndices").map(|field| field.name.clone());
+            return Err(self
+                .wrong(place.unwrap_or(self.prim.place.clone()), message)
+                .with_help("the file is cut off, or a number is missing"));
+        }
+        let mut at = 0;
+        for (size, place) in &counts {
+            let own = &indices[at..at + size];
+            at += size;
+            let mut vertices: Vec<usize> = own.iter().map(|(vertex, _)| *vertex).collect();
+            turn(&mut vertices, turned);
+            let place = match own {
+                [first, .., last] => first.1.start..last.1.end,
+                _ => place.clone(),
+            };
+            parts.face(vertices, place)?;
+        }
+        self.tags(&mut parts.extras)?;
+        self.texture(&mut parts.extras, &sizes, &indices, turned)?;
+        let read = |name: &str| {
+            name.starts_with("crease")
+                || name.starts_with("corner")
+                || name.starts_with("faceVertex")
+                || name.starts_with("xformOp")
+                || [
+                    "points",
+                    "holeIndices",
+                    "interpolateBoundary",
+                    "orientation",
+                    "subdivisionScheme",
+                ]
+                .contains(&name)
+                || ["triangleSubdivisionRule", "faceVaryingLinearInterpolation"].contains(&name)
+                || name.starts_with("primvars:st")
+                || PASSED_OVER.iter().any(|passed| passed.eq_ignore_ascii_case(name))
+        };
+        let dropped = self.prim.fields.keys().filter(|name| !read(name));
+        let dropped: Vec<&str> = dropped.map(String::as_str).take(10).collect();
+        if !dropped.is_empty() {
+            parts.extras.notes.push(format!("these fields are dropped: {}", dropped.join(", ")));
+        }
+        Ok(())
+    }
+
+    fn tags(&self, extras: &mut Extras) -> Result<(), Diagnostic> {
+        // OpenUSD's fallback is edgeAndCorner.
+        extras.rules.boundary = match self.choice("interpolateBoundary")? {
+            None | Some(("edgeAndCorner", _)) => Boundary::Corner,
+            Some(("edgeOnly", _)) => Boundary::Edge,
+            Some(("none", _)) => Boundary::None,
+            Some((other, place)) => {
+                return Err(self
+                    .wrong(place, format!("`{other}` is no rule at the boundary"))
+                    .with_help("write \"none\", \"edgeOnly\" or \"edgeAndCorner\""));
+            }
+        };
+        match self.choice("triangleSubdivisionRule")? {
+            None | Some(("catmullClark", _)) => {}
+            Some((_, place)) => {
+                return Err(self
+                    .wrong(place, "only the triangle rule `catmullClark` is supported")
+                    .with_help("remove the field"));
+            }
+        }
+        if let Some((scheme, _)) = self.choice("subdivisionScheme")? {
+            let known = ["catmullClark", "loop"].contains(&scheme);
+            if !known {
+                let note = format!("the file asks for the scheme `{scheme}`, and yours is taken");
+                extras.notes.push(note);
+            }
+        }
+        let sharp = |name: &str| -> Result<Placed<Option<Sharpness>>, Diagnostic> {
+            let all = self.tuples(name, 1)?.into_iter();
+            all.map(|(number, place)| {
+                if number[0].sign() < 0 {
+                    return Err(self.wrong(place, "a sharpness below 0"));
+                }
+                Ok((Sharpness::new(&number[0]), place))
+            })
+            .collect()
+        };
+        let (ends, lengths) = (self.naturals("creaseIndices")?, self.naturals("creaseLengths")?);
+        let sharps = sharp("creaseSharpnesses")?;
+        let wrong = |name: &str, message: &str| {
+            let field = self.prim.fields.get(name);
+            let place = field.map_or(self.prim.place.clone(), |field| field.name.clone());
+            self.wrong(place, message)
+        };
+        let total = lengths.iter().try_fold(0_usize, |sum, (length, _)| sum.checked_add(*length));
+        if total != Some(ends.len()) || lengths.iter().any(|(length, _)| *length < 2) {
+            return Err(wrong(
+                "creaseLengths",
+                "the lengths have the sum of `creaseIndices`, and are 2 or more",
+            ));
+        }
+        let edges = ends.len() - lengths.len();
+        if sharps.len() != lengths.len() && sharps.len() != edges {
+            let message = "a sharpness for each crease, or one for each of its edges, is expected";
+            return Err(wrong("creaseSharpnesses", message));
+        }
+        let (mut at, mut edge) = (0, 0);
+        for (crease, (length, _)) in lengths.iter().enumerate() {
+            for pair in ends[at..at + length].windows(2) {
+                let which = if sharps.len() == lengths.len() { crease } else { edge };
+                let place = pair[0].1.start..pair[1].1.end;
+                extras
+                    .tags
+                    .push((Tag::Crease([pair[0].0, pair[1].0], sharps[which].0.clone()), place));
+                edge += 1;
+            }
+            at += length;
+        }
+        let (corners, sharps) = (self.naturals("cornerIndices")?, sharp("cornerSharpnesses")?);
+        if corners.len() != sharps.len() {
+            return Err(wrong(
+                "cornerSharpnesses",
+                "a sharpness for each of `cornerIndices` is expected",
+            ));
+        }
+        for ((vertex, place), (sharp, _)) in corners.into_iter().zip(sharps) {
+            extras.tags.push((Tag::Corner(vertex, sharp), place));
+        }
+        for (face, place) in self.naturals("holeIndices")? {
+            extras.tags.push((Tag::Hole(face), place));
+        }
+        Ok(())
+    }
+
+    /// `primvars:st`, of vertices or of vertices of faces, with `primvars:st:indices` or without.
+    fn texture(
+        &self,
+        extras: &mut Extras,
+        sizes: &[usize],
+        vertices: &Placed<usize>,
+        turned: bool,
+    ) -> Result<(), Diagnostic> {
+        let Some(field) = self.field("primvars:st")? else { return Ok(()) };
+        extras.texture = self.tuples("primvars:st", 2)?;
+        let about: Vec<&str> = field.about.iter().map(|token| self.text(token)).collect();
+        let place = about.iter().position(|word| *word == "interpolation");
+        let interpolation = place.and_then(|place| about.get(place + 2)).copied();
+        let given: Vec<usize> =
+            self.naturals("primvars:st:indices")?.into_iter().map(|(index, _)| index).collect();
+        let own: Vec<usize> = match interpolation {
+            Some("faceVarying") => (0..vertices.len()).collect(),
+            Some("vertex" | "varying") => vertices.iter().map(|(vertex, _)| *vertex).collect(),
+            _ => {
+                let message =
+                    "texture coordinates need `interpolation = \"faceVarying\"` or `\"vertex\"`";
+                return Err(self
+                    .wrong(field.name.clone(), message)
+                    .with_help("or remove the field"));
+            }
+        };
+        let value = |own: usize| if given.is_empty() { Some(own) } else { given.get(own).copied() };
+        let Some(values) = own.into_iter().map(value).collect::<Option<Vec<usize>>>() else {
+            let message = "`primvars:st:indices` has too few numbers";
+            return Err(self.wrong(field.name.clone(), message));
+        };
+        let mut at = 0;
+        for size in sizes {
+            let mut face = values[at..at + size].to_vec();
+            turn(&mut face, turned);
+            extras.textured.push(Some(face));
+            at += size;
+        }
+        Ok(())
+    }
+}
+
+/// The opposite order around a face, from the same vertex on.
+fn turn(face: &mut [usize], turned: bool) {
+    if let Some(rest) = face.get_mut(1..).filter(|_| turned) {
+        rest.reverse();
+    }
+}

@@ -1,0 +1,298 @@
+//! USD, binary PLY, STL and VTK polygons: the same mesh in all of them, and files that are cut off or changed.
+
+use super::{file, number};
+use proptest::prelude::*;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use subcert::diagnostic::{Diagnostic, SourceText};
+use subcert::exact::Rational;
+use subcert::mesh::{
+    Boundary, MeshFile, MeshFormat, MeshScheme, PolygonMesh, read_binary_mesh, read_mesh,
+    refine_mesh, to_obj, to_usda,
+};
+
+const POINTS: [[f32; 3]; 4] =
+    [[1.0, 1.0, 1.0], [1.0, -1.0, -0.125], [-1.0, 1.0, -1.0], [-1.0, -1.0, 0.1]];
+const FACES: [[i32; 3]; 4] = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
+
+fn read(format: MeshFormat, text: &str) -> Result<MeshFile, Diagnostic> {
+    read_mesh(&SourceText::new("mesh", text), format)
+}
+
+fn exact(point: &[f32; 3]) -> [Rational; 3] {
+    point.map(|x| subcert::float::exact(f64::from(x)).expect("finite"))
+}
+
+fn expected() -> PolygonMesh<Rational> {
+    let faces = FACES.map(|face| face.map(|v| usize::try_from(v).expect("a vertex")).to_vec());
+    PolygonMesh::new(POINTS.iter().map(exact).collect(), faces.to_vec()).expect("a surface")
+}
+
+/// A binary PLY file, with properties that are passed over before and after.
+fn ply(big: bool) -> Vec<u8> {
+    let order = if big { "big" } else { "little" };
+    let mut bytes = format!(
+        "ply\nformat binary_{order}_endian 1.0\nelement vertex 4\nproperty uchar red\nproperty float x\n\
+         property float y\nproperty double z\nelement face 4\nproperty list short float weights\n\
+         property list uchar int vertex_indices\nproperty ushort flags\nend_header\n"
+    )
+    .into_bytes();
+    let mut put = |mut number: Vec<u8>| {
+        if big {
+            number.reverse();
+        }
+        bytes.extend(number);
+    };
+    for [x, y, z] in POINTS {
+        put(vec![7]);
+        put(x.to_le_bytes().to_vec());
+        put(y.to_le_bytes().to_vec());
+        put(f64::from(z).to_le_bytes().to_vec());
+    }
+    for face in FACES {
+        put(1_i16.to_le_bytes().to_vec());
+        put(f32::NAN.to_le_bytes().to_vec());
+        put(vec![3]);
+        face.iter().for_each(|v| put(v.to_le_bytes().to_vec()));
+        put(9_u16.to_le_bytes().to_vec());
+    }
+    bytes
+}
+
+fn stl() -> Vec<u8> {
+    let mut bytes = vec![b's'; 80];
+    bytes.extend(4_u32.to_le_bytes());
+    for face in FACES {
+        bytes.extend([0; 12]);
+        for v in face {
+            let point = POINTS[usize::try_from(v).expect("a vertex")];
+            point.iter().for_each(|x| bytes.extend(x.to_le_bytes()));
+        }
+        bytes.extend([0; 2]);
+    }
+    bytes
+}
+
+fn ascii_stl() -> String {
+    let mut text = "solid a tetrahedron\n".to_owned();
+    for face in FACES {
+        text.push_str("facet normal 0 0 1\n outer loop\n");
+        for v in face {
+            let [x, y, z] = exact(&POINTS[usize::try_from(v).expect("a vertex")]);
+            text.push_str(&format!("  vertex {x} {y} {z}\n"));
+        }
+        text.push_str(" endloop\nendfacet\n");
+    }
+    text + "endsolid\n"
+}
+
+fn vtk() -> String {
+    let point = |p: &[f32; 3]| exact(p).map(|x| x.to_string()).join(" ");
+    let points: Vec<String> = POINTS.iter().map(point).collect();
+    let faces: Vec<String> = FACES.iter().map(|[a, b, c]| format!("3 {a} {b} {c}")).collect();
+    format!(
+        "# vtk DataFile Version 3.0\na\nASCII\nDATASET POLYDATA\nPOINTS 4 double\n{}\nPOLYGONS 4 16\n{}\n",
+        points.join("\n"),
+        faces.join("\n")
+    )
+}
+
+const USDA: &str = r#"#usda 1.0
+( defaultPrim = "a" upAxis = "Y" )
+def Xform "a" ( kind = "component" ) {
+    double3 xformOp:translate = (1, 2, 3)
+    uniform token[] xformOpOrder = ["xformOp:translate"]
+    def Mesh "cube" {
+        uniform bool doubleSided = 1
+        float3[] extent = [(-1, -1, -1), (1, 1, 1)]
+        int[] faceVertexCounts = [4, 4, 4, 4, 4, 4]
+        int[] faceVertexIndices = [0, 1, 3, 2, 2, 3, 5, 4, 4, 5, 7, 6, 6, 7, 1, 0, 1, 7, 5, 3, 6, 0, 2, 4]
+        point3f[] points = [(-1, -1, 1), (1, -1, 1), (-1, 1, 1), (1, 1, 1), (-1, 1, -1), (1, 1, -1), (-1, -1, -1), (1, -1, -0.1)]
+        int[] creaseIndices = [0, 1, 3, 2, 0, 4, 5]
+        int[] creaseLengths = [5, 2]
+        float[] creaseSharpnesses = [2.5, 10]
+        int[] cornerIndices = [7]
+        float[] cornerSharpnesses = [1.25]
+        int[] holeIndices = [5]
+        normal3f[] normals = [(0, 0, 1)] ( interpolation = "constant" )
+        uniform token interpolateBoundary = "edgeOnly" # a comment
+        uniform token subdivisionScheme = "catmullClark"
+        texCoord2f[] primvars:st = [(0, 0), (1, 0), (1, 1), (0, 0.1)] (
+            interpolation = "faceVarying"
+        )
+        int[] primvars:st:indices = [0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3]
+        rel material:binding = </a/b>
+    }
+}
+"#;
+
+#[test]
+fn all_forms_hold_the_same_mesh() {
+    for big in [false, true] {
+        let file = read_binary_mesh("a.ply", &ply(big)).expect("binary").expect("a mesh");
+        assert_eq!(*file.mesh(), expected());
+    }
+    for file in
+        [read_binary_mesh("a.stl", &stl()).expect("binary"), read(MeshFormat::Stl, &ascii_stl())]
+    {
+        let file = file.expect("a mesh");
+        assert_eq!(*file.mesh(), expected());
+        assert!(file.notes()[0].starts_with("12 vertices of triangles are at 4 different points"));
+    }
+    assert_eq!(*read(MeshFormat::Vtk, &vtk()).expect("a mesh").mesh(), expected());
+    assert_eq!(subcert::mesh::MeshFormat::of(std::path::Path::new("-"), &vtk()), MeshFormat::Vtk);
+}
+
+#[test]
+fn fields_of_usd() {
+    let file = read(MeshFormat::Usda, USDA).unwrap_or_else(|error| panic!("{error}"));
+    let (mesh, tags) = (file.mesh(), file.mesh().tags());
+    assert_eq!(mesh.points()[7][2].to_string(), "-1/10");
+    assert_eq!(tags.boundary, Boundary::Edge);
+    let sharps: Vec<String> = tags.edges().values().map(ToString::to_string).collect();
+    assert_eq!(sharps.iter().filter(|s| *s == "5/2").count(), 4);
+    assert_eq!(sharps.iter().filter(|s| *s == "10").count(), 1);
+    assert_eq!(tags.vertices()[&7].to_string(), "5/4");
+    assert!(tags.holes(mesh.connectivity()).contains(&5));
+    assert_eq!(mesh.texture().expect("st").values[3][1].to_string(), "1/10");
+    let notes = file.notes().join("; ");
+    assert!(notes.contains("xformOp") && notes.contains("material:binding, normals"), "{notes}");
+    let turned =
+        USDA.replace("uniform bool doubleSided = 1", "uniform token orientation = \"leftHanded\"");
+    let turned = read(MeshFormat::Usda, &turned).expect("a mesh");
+    assert_eq!(turned.mesh().faces()[0], [0, 2, 3, 1]);
+    // Without a word, OpenUSD has edgeAndCorner.
+    let plain = USDA.replace("uniform token interpolateBoundary", "uniform token other");
+    assert_eq!(
+        read(MeshFormat::Usda, &plain).expect("a mesh").mesh().tags().boundary,
+        Boundary::Corner
+    );
+}
+
+/// What is written is read again with the same creases, one level lower, and so is OBJ.
+#[test]
+fn creases_are_written_one_level_lower() {
+    let control = read(MeshFormat::Usda, USDA).expect("a mesh").mesh().map(number);
+    let next = refine_mesh(&control, MeshScheme::CatmullClark, 1).expect("small");
+    let usda = to_usda(&next, MeshScheme::CatmullClark, "cube").expect("small");
+    let usda = read(MeshFormat::Usda, &usda).unwrap_or_else(|error| panic!("{error}"));
+    let obj = file(&to_obj(&next, "cube", &[]).expect("small"));
+    for again in [usda, obj] {
+        assert_eq!(again.mesh().tags(), next.tags());
+        assert_eq!(again.mesh().faces(), next.faces());
+        assert_eq!(again.mesh().texture().expect("st").faces, next.texture().expect("st").faces);
+        assert!(again.notes().is_empty(), "{:?}", again.notes());
+    }
+    assert_eq!(next.tags().edges().values().filter(|s| s.to_string() == "3/2").count(), 8);
+    assert_eq!(next.tags().vertices()[&7].to_string(), "1/4");
+}
+
+#[test]
+fn errors_in_usd_files() {
+    for (from, to, line, part) in [
+        ("#usda 1.0", "PXR-USDC", 1, "begins with `#usda 1.0`"),
+        ("(1, -1, 1)", "(1, -1)", 11, "a list of tuples of 3"),
+        ("(1, -1, 1)", "(1, -1, x)", 11, "`x` is not a number"),
+        ("[4, 4, 4, 4, 4, 4]", "[4, 4, 4, 4, 4]", 10, "`faceVertexCounts` has the sum 20"),
+        ("[5, 2]", "[5, 3]", 13, "the lengths have the sum"),
+        ("[2.5, 10]", "[2.5]", 14, "a sharpness for each crease"),
+        ("[2.5, 10]", "[2.5, -1]", 14, "a sharpness below 0"),
+        (
+            "[0, 1, 3, 2, 0, 4, 5]",
+            "[0, 1, 3, 2, 0, 4, 0]",
+            12,
+            "no edge between the vertices 4 and 0",
+        ),
+        ("cornerIndices = [7]", "cornerIndices = [8]", 15, "vertex 8 does not exist"),
+        ("[1.25]", "[]", 16, "a sharpness for each of `cornerIndices`"),
+        ("holeIndices = [5]", "holeIndices = [6]", 17, "face 6 does not exist"),
+        ("\"edgeOnly\"", "\"edges\"", 19, "`edges` is no rule at the boundary"),
+        ("def Mesh \"cube\"", "def Cube \"cube\"", 1, "there is no `def Mesh`"),
+        ("\"faceVarying\"", "\"uniform\"", 21, "interpolation = "),
+        (
+            "points = [",
+            "points.timeSamples = {0: [(1, 1, 1)]}\n point3f[] other = [",
+            11,
+            "changes with time",
+        ),
+    ] {
+        assert!(USDA.contains(from), "{from}");
+        let error = read(MeshFormat::Usda, &USDA.replace(from, to)).map(|_| ()).expect_err(from);
+        assert!(error.to_string().contains(part), "no `{part}` in {error}");
+        assert_eq!(error.line_and_column().0, line, "{error}");
+    }
+    let twice = USDA.to_owned() + &USDA[USDA.find("def Xform").expect("a prim")..];
+    assert!(read(MeshFormat::Usda, &twice).expect_err("two").to_string().contains("a second mesh"));
+    let deep = "#usda 1.0\n".to_owned() + &"def Xform \"a\" {\n".repeat(100_000);
+    assert!(read(MeshFormat::Usda, &deep).expect_err("deep").to_string().contains("nested deeper"));
+}
+
+/// Bytes of every form, as files.
+fn all() -> Vec<(MeshFormat, Vec<u8>)> {
+    vec![
+        (MeshFormat::Ply, ply(false)),
+        (MeshFormat::Ply, ply(true)),
+        (MeshFormat::Stl, stl()),
+        (MeshFormat::Stl, ascii_stl().into_bytes()),
+        (MeshFormat::Vtk, vtk().into_bytes()),
+        (MeshFormat::Usda, USDA.as_bytes().to_vec()),
+        (
+            MeshFormat::Obj,
+            format!("{}vt 0 1\nf 1/1 2/1 3/1\nt crease 2/1/0 0 1 2.5\n", "v 1 0 1\n".repeat(3))
+                .into_bytes(),
+        ),
+    ]
+}
+
+/// The file is read, or refused with a message; it does not panic.
+fn survives(format: MeshFormat, bytes: &[u8]) -> Result<bool, String> {
+    let read = || match read_binary_mesh("a", bytes) {
+        Some(file) => file,
+        None => read(format, &String::from_utf8_lossy(bytes)),
+    };
+    match catch_unwind(AssertUnwindSafe(read)) {
+        Ok(Ok(_)) => Ok(true),
+        Ok(Err(error)) if !error.to_string().is_empty() => Ok(false),
+        _ => Err(format!("{format:?}: {:?}", String::from_utf8_lossy(bytes))),
+    }
+}
+
+/// A file that is cut off is refused, wherever that is, but for blanks and words at its end that say nothing.
+#[test]
+fn files_that_are_cut_off() {
+    for (format, bytes) in all() {
+        assert_eq!(survives(format, &bytes), Ok(true), "{format:?}");
+        let mut accepted = 0;
+        for length in 0..bytes.len() {
+            accepted +=
+                usize::from(survives(format, &bytes[..length]).unwrap_or_else(|e| panic!("{e}")));
+        }
+        // OBJ has no end, and a number may lose its last digit.
+        let most = match format {
+            MeshFormat::Obj => 30,
+            MeshFormat::Vtk | MeshFormat::Usda => 2,
+            _ => 1,
+        };
+        assert!(accepted <= most, "{format:?}: {accepted}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+
+    #[test]
+    fn files_that_are_changed(
+        which in 0_usize..7,
+        changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>(), 0_u8..3), 1..6),
+    ) {
+        let (format, mut bytes) = all().swap_remove(which);
+        for (place, byte, how) in changes {
+            let at = place.index(bytes.len());
+            match how {
+                0 => bytes[at] = byte,
+                1 => bytes.insert(at, b"(){}[]\"'-0<,#\n"[usize::from(byte) % 14]),
+                _ => drop(bytes.remove(at)),
+            }
+        }
+        prop_assert!(survives(format, &bytes).is_ok());
+    }
+}
