@@ -36,70 +36,30 @@
 //! | the same of a surface, of a ring | [`SurfaceDistances`](limit::SurfaceDistances), [`LocalDistances`](limit::LocalDistances) |
 //! | k ≥ log_T(…) | [`log_level`](bound::log_level), [`least_level`](bound::least_level) |
 //!
-//! # Modules
+//! # Crates
 //!
-//! Imports run one way: a module imports those above it in this list only.
+//! The library is five crates, one floor upon the other, and this one, which has all their modules
+//! and the program. Imports run downwards only.
 //!
-//! | module | what it holds |
+//! | crate | modules |
 //! |---|---|
-//! | [`exact`] | numbers, no geometry |
-//! | [`formula`] | the expression language of masks and claims |
-//! | [`scheme`] | masks, difference masks, tensor products, rings, the catalogue |
-//! | [`bound`] | contraction constants, also of rings, displacement, error bounds, depth |
-//! | [`limit`] | limits at rational parameters, distances of polygons from them in both parametrisations |
-//! | [`float`] | the same in f64, certified against the exact path |
-//! | [`joint`] | the joint spectral radius of rational matrices, from both sides |
-//! | [`smoothness`] | how smooth limits are: C^m, and the Hölder exponent |
-//! | [`spectrum`] | eigenvalues of the rules around a vertex or on a face, stencils of limits and tangents |
-//! | [`characteristic`] | whether surfaces are C¹ at an extraordinary vertex: the characteristic map |
-//! | [`mesh`] | polygon meshes: files, refinement, limit points and normals |
-//! | [`net`] | tensor nets: files, refinement, limit points |
-//! | [`solid`] | hexahedral meshes: files, refinement by Bajaj's scheme, limit points |
-//! | [`patch`] | how far meshes, nets and solids are from their limits |
-//! | [`oracle`] | reference values and checks for other programs' tests |
-//! | [`claim`] | what a paper asserts |
-//! | [`shipped`] | tables of constants in programs: claim files about them, and verdicts |
-//! | `evaluation` | from the formulas of claims to values, under a reading |
-//! | `finding` | what the audit says of claims, as plain data |
-//! | `judge` | verdicts, one file for each kind of claim |
-//! | `digest` | what follows from findings: errata, coverage, contradictions |
-//! | `evidence` | what certificates need beyond the findings |
-//! | [`audit`] | the face of these five: from claims to verdicts |
-//! | [`certificate`] | verdicts as certificates, for a checker that trusts nothing of this |
-//! | `report` | findings as text, Markdown and JSON (feature `cli`) |
-//!
-//! [`diagnostic`] serves them all: errors that point at a place in a file. So does [`suggestion`]: what a
-//! misspelt name may have meant.
+//! | [`subcert_numbers`] | [`exact`], [`formula`], [`diagnostic`], [`suggestion`] |
+//! | [`subcert_schemes`] | [`scheme`], [`bound`], [`limit`], [`float`], [`joint`], [`smoothness`], [`spectrum`], [`characteristic`] |
+//! | [`subcert_geometry`] | [`mesh`], [`net`], [`solid`], [`patch`], [`oracle`] |
+//! | [`subcert_claims`] | [`literal`], [`claim`], [`shipped`], [`audit`] |
+//! | [`subcert_reports`] | [`certificate`], `report` (feature `cli`) |
 
-pub mod audit;
-pub mod bound;
-pub mod certificate;
-pub mod characteristic;
-pub mod claim;
-pub mod diagnostic;
-mod digest;
-mod evaluation;
-mod evidence;
-pub mod exact;
-mod finding;
-pub mod float;
-pub mod formula;
-pub mod joint;
-mod judge;
-pub mod limit;
-pub mod literal;
-pub mod mesh;
-pub mod net;
-pub mod oracle;
-pub mod patch;
+pub use subcert_claims::{audit, claim, literal, shipped};
+pub use subcert_geometry::{
+    assert_slice_within_ulps, assert_within, assert_within_ulps, mesh, net, oracle, patch, solid,
+};
+pub use subcert_numbers::{diagnostic, exact, formula, suggestion};
+pub use subcert_reports::certificate;
 #[cfg(feature = "cli")]
-pub mod report;
-pub mod scheme;
-pub mod shipped;
-pub mod smoothness;
-pub mod solid;
-pub mod spectrum;
-pub mod suggestion;
+pub use subcert_reports::report;
+pub use subcert_schemes::{
+    bound, characteristic, float, joint, limit, scheme, smoothness, spectrum,
+};
 
 /// The examples of README.md, run as tests.
 #[cfg(doctest)]

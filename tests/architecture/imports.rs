@@ -115,7 +115,7 @@ pub fn name(module: &Module) -> String {
     if module.is_empty() { "the root".to_owned() } else { module.join("::") }
 }
 
-/// The sources of the files in a folder, by module.
+/// The sources of the files in a folder, by module, without those of other crates and of builds.
 fn collect(folder: &Path, module: &Module, sources: &mut BTreeMap<Module, String>) {
     for entry in read_dir(folder).expect("a folder of sources") {
         let path = entry.expect("a file").path();
@@ -123,6 +123,9 @@ fn collect(folder: &Path, module: &Module, sources: &mut BTreeMap<Module, String
         let mut inner = module.clone();
         if path.is_dir() || !["mod", "lib"].contains(&stem) {
             inner.push(stem.to_owned());
+        }
+        if path.join("Cargo.toml").exists() || stem == "build" {
+            continue;
         }
         if path.is_dir() {
             collect(&path, &inner, sources);

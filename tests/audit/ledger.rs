@@ -49,7 +49,7 @@ fn lines(audit: &PaperAudit<'_>) -> Vec<String> {
             EquationVerdict::Fails { cases, failures, .. } => {
                 format!("in {} of {cases}: {}", failures.len(), failures[0].difference())
             }
-            _ => String::new(),
+            EquationVerdict::NotCheckable(_) => String::new(),
         };
         lines.push(format!("{} {} {detail}", finding.id, finding.verdict.name()));
     }
@@ -58,7 +58,7 @@ fn lines(audit: &PaperAudit<'_>) -> Vec<String> {
             FunctionVerdict::Fails { example, .. } => {
                 format!("at {}: {} and {}", example.at, example.left, example.right)
             }
-            _ => String::new(),
+            FunctionVerdict::Holds => String::new(),
         };
         lines.push(format!("{} {} {detail}", finding.id, finding.verdict.name()));
     }

@@ -25,6 +25,6 @@ fn every_claim_file_is_embedded_under_its_key_by_year() {
 #[test]
 fn every_scheme_file_is_in_the_catalogue_by_name() {
     let names: BTreeSet<String> = catalogue().iter().map(|entry| entry.name.clone()).collect();
-    assert_eq!(names, files("src/scheme/catalogue"));
+    assert_eq!(names, files("src/schemes/scheme/catalogue"));
     assert!(catalogue().is_sorted_by_key(|entry| &entry.name));
 }

@@ -73,7 +73,7 @@ fn corollaries_of_the_paper() {
             let example = [at, left, right].map(Rational::to_string);
             (larger.to_string(), smaller.to_string(), example)
         }
-        other => panic!("{id}: {other:?}"),
+        FunctionVerdict::Holds => panic!("{id} holds"),
     };
     // At μ = −1: max{1/6·(4/3 + 2 + 2/3), 1/3·(3 + 2)} = 5/3, and
     // max{1/6·(2/3 + 4 + 4/3), 1/3·(1 + 2)} = 1.

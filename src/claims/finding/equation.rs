@@ -1,0 +1,69 @@
+//! The finding about an equation.
+
+use crate::claim::Equation;
+use crate::exact::{Polynomial, Rational};
+
+/// The finding about an equation.
+#[derive(Clone, Debug)]
+pub struct EquationFinding<'a> {
+    /// `key:equation`.
+    pub id: String,
+    /// The equation.
+    pub equation: &'a Equation,
+    /// The verdict.
+    pub verdict: EquationVerdict,
+}
+
+/// The verdict of an equation.
+#[derive(Clone, Debug, PartialEq)]
+pub enum EquationVerdict {
+    /// Both sides are equal in all cases.
+    Holds {
+        /// The number of combinations of the indices.
+        cases: usize,
+    },
+    /// They differ somewhere.
+    Fails {
+        /// The number of combinations of the indices.
+        cases: usize,
+        /// The cases in which the sides differ.
+        failures: Vec<Failure>,
+        /// Changes of one symbol after which the equation holds in all cases.
+        mends: Vec<String>,
+    },
+    /// The equation needs something that is absent; the text says what.
+    NotCheckable(String),
+}
+
+impl EquationVerdict {
+    /// The verdict's name.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            EquationVerdict::Holds { .. } => "holds",
+            EquationVerdict::Fails { .. } => "fails",
+            EquationVerdict::NotCheckable(_) => "not-checkable",
+        }
+    }
+}
+
+/// A case in which the two sides differ.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Failure {
+    /// The indices in words; empty when there are none.
+    pub at: String,
+    /// The values of the indices.
+    pub indices: Vec<Rational>,
+    /// The left side.
+    pub left: Polynomial,
+    /// The right side.
+    pub right: Polynomial,
+}
+
+impl Failure {
+    /// left − right.
+    #[must_use]
+    pub fn difference(&self) -> Polynomial {
+        &self.left - &self.right
+    }
+}

@@ -1,0 +1,53 @@
+//! The finding about a closed form in a free parameter.
+
+use crate::claim::FunctionClaim;
+use crate::exact::{IntervalSet, Rational};
+
+/// The finding about a closed form in a free parameter.
+#[derive(Clone, Debug)]
+pub struct FunctionFinding<'a> {
+    /// `key:function`.
+    pub id: String,
+    /// The claim.
+    pub claim: &'a FunctionClaim,
+    /// The verdict.
+    pub verdict: FunctionVerdict,
+}
+
+/// The verdict of a closed form in a free parameter.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FunctionVerdict {
+    /// Both sides are equal at every value of the parameter.
+    Holds,
+    /// They differ somewhere.
+    Fails {
+        /// Where the printed form is larger.
+        larger: IntervalSet,
+        /// Where the printed form is smaller: there a bound that uses it promises too much.
+        smaller: IntervalSet,
+        /// A value of the parameter at which they differ.
+        example: Box<Example>,
+    },
+}
+
+impl FunctionVerdict {
+    /// The verdict's name.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            FunctionVerdict::Holds => "holds",
+            FunctionVerdict::Fails { .. } => "fails",
+        }
+    }
+}
+
+/// Both sides at one value of the parameter.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Example {
+    /// The parameter.
+    pub at: Rational,
+    /// The printed form there.
+    pub left: Rational,
+    /// The other side there.
+    pub right: Rational,
+}

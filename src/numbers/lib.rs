@@ -1,0 +1,15 @@
+//! Exact numbers, the formulas that give them, and errors that point at a place in a file.
+//!
+//! | module | what it holds |
+//! |---|---|
+//! | [`diagnostic`] | errors that point at a place in a file |
+//! | [`suggestion`] | what a misspelt name may have meant |
+//! | [`exact`] | integers, rationals, cyclotomic and algebraic numbers, polynomials |
+//! | [`machine`] | f64: conversion from and to exact numbers |
+//! | [`formula`] | the expression language of masks and claims |
+
+pub mod diagnostic;
+pub mod exact;
+pub mod formula;
+pub mod machine;
+pub mod suggestion;

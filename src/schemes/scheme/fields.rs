@@ -1,0 +1,69 @@
+//! Reading TOML, with formulas, their names and their places.
+
+use crate::diagnostic::{Diagnostic, SourceText};
+use crate::formula::{LocatedFormula, PI, is_identifier};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use toml::Spanned;
+
+/// Deserialises TOML. An error points at its place.
+///
+/// # Errors
+/// When the text is no TOML, or not of the form of `T`.
+pub fn from_toml<T: serde::de::DeserializeOwned>(
+    source: &Arc<SourceText>,
+) -> Result<T, Diagnostic> {
+    toml::from_str(&source.text).map_err(|error| {
+        let diagnostic = Diagnostic::new(source, error.span().unwrap_or(0..0), error.message());
+        let number = ["integer", "floating point"]
+            .iter()
+            .any(|kind| error.message().contains(&format!("invalid type: {kind}")));
+        if number {
+            diagnostic.with_help("write numbers in quotes, as '3/256': they are read exactly")
+        } else {
+            diagnostic
+        }
+    })
+}
+
+/// Parses a TOML string as a formula.
+///
+/// # Errors
+/// When it is none, with its place in the file.
+pub fn formula(
+    source: &Arc<SourceText>,
+    text: &Spanned<String>,
+) -> Result<LocatedFormula, Diagnostic> {
+    LocatedFormula::read(source, text.span(), text.get_ref())
+}
+
+/// Parses a table of named formulas. Every name must be an identifier.
+///
+/// # Errors
+/// When a name is no identifier, or a text is no formula.
+pub fn definitions(
+    source: &Arc<SourceText>,
+    table: &BTreeMap<Spanned<String>, Spanned<String>>,
+) -> Result<BTreeMap<String, LocatedFormula>, Diagnostic> {
+    let read = |(name, text): (&Spanned<String>, &Spanned<String>)| {
+        Ok((identifier(source, name)?, formula(source, text)?))
+    };
+    table.iter().map(read).collect()
+}
+
+/// Checks that `name` can be used in formulas, and returns it.
+///
+/// # Errors
+/// When it is no identifier, or `pi`.
+pub fn identifier(source: &Arc<SourceText>, name: &Spanned<String>) -> Result<String, Diagnostic> {
+    if name.get_ref() == PI {
+        let message = "`pi` is reserved for the angles inside `cos`";
+        return Err(Diagnostic::new(source, name.span(), message));
+    }
+    if is_identifier(name.get_ref()) {
+        return Ok(name.get_ref().clone());
+    }
+    let message = format!("`{}` cannot be a name in a formula", name.get_ref());
+    Err(Diagnostic::new(source, name.span(), message)
+        .with_help("use a letter or `_`, then letters, digits and `_`"))
+}

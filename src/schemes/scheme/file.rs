@@ -1,0 +1,203 @@
+//! Reading schemes from TOML.
+
+use super::definition::{Coefficients, ParameterSpec, RuleFormulas, SchemeDefinition};
+use super::fields::{definitions, formula, from_toml, identifier};
+use super::local_file::{EdgeTable, OrbitTable, WeightTable, ring};
+use super::local_formulas::{LocalFormulas, NEW_INDEX, OLD_INDEX};
+use crate::diagnostic::{Diagnostic, SourceText};
+use crate::formula::LocatedFormula;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::sync::Arc;
+use toml::Spanned;
+
+/// The rules of a mask as lists of formulas. The mask, each rule and each formula has its
+/// place.
+type MaskTable = Spanned<Vec<Spanned<Vec<Spanned<String>>>>>;
+
+/// A scheme in TOML, as a whole file or as an entry `[[scheme]]`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SchemeTable {
+    /// The name by which claims call it, with its place.
+    pub name: Spanned<String>,
+    #[serde(default)]
+    title: String,
+    #[serde(default)]
+    source: String,
+    #[serde(default)]
+    parameters: BTreeMap<Spanned<String>, ParameterTable>,
+    #[serde(default, rename = "let")]
+    definitions: BTreeMap<Spanned<String>, Spanned<String>>,
+    offset: Option<Spanned<String>>,
+    arity: Option<Spanned<String>>,
+    width: Option<Spanned<String>>,
+    entry: Option<Spanned<String>>,
+    mask: Option<MaskTable>,
+    orbits: Option<OrbitTable>,
+    weights: Option<WeightTable>,
+    edges: Option<EdgeTable>,
+    /// The scheme that `name` is an alias of. Allowed in claim files only.
+    r#use: Option<Spanned<String>>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ParameterTable {
+    default: Option<Spanned<String>>,
+    least: Option<Spanned<String>>,
+    #[serde(default)]
+    about: String,
+}
+
+/// Reads one scheme from the text of a TOML file.
+///
+/// # Errors
+/// When the text is not TOML, a key is unknown or missing, or a formula is malformed. The
+/// error points at the place.
+///
+/// ```
+/// use subcert::diagnostic::SourceText;
+/// use subcert::scheme::read_scheme;
+///
+/// let text = r#"
+/// name = "corner"
+/// parameters.w = { default = "1/4" }
+/// mask = [['1-w', 'w'], ['w', '1-w']]
+/// "#;
+/// let scheme = read_scheme(&SourceText::new("corner.toml", text))?;
+/// assert_eq!(scheme.name, "corner");
+/// # Ok::<(), subcert::diagnostic::Diagnostic>(())
+/// ```
+pub fn read_scheme(source: &Arc<SourceText>) -> Result<SchemeDefinition, Diagnostic> {
+    let table: SchemeTable = from_toml(source)?;
+    table.define(source)
+}
+
+impl SchemeTable {
+    /// The scheme that this table is an alias of, if the table defines nothing else.
+    #[must_use]
+    pub fn alias(&self) -> Option<&Spanned<String>> {
+        let own = self.offset.is_some()
+            || self.arity.is_some()
+            || self.width.is_some()
+            || self.entry.is_some()
+            || self.mask.is_some()
+            || self.is_ring()
+            || !self.parameters.is_empty()
+            || !self.definitions.is_empty();
+        self.r#use.as_ref().filter(|_| !own)
+    }
+
+    /// The scheme definition in this table.
+    ///
+    /// # Errors
+    /// When fields contradict each other, or a formula or a name is none.
+    pub fn define(&self, source: &Arc<SourceText>) -> Result<SchemeDefinition, Diagnostic> {
+        let mut parameters = BTreeMap::new();
+        for (name, table) in &self.parameters {
+            let default = table.default.as_ref().map(|text| formula(source, text)).transpose()?;
+            let least = table.least.as_ref().map(|text| formula(source, text)).transpose()?;
+            let spec = ParameterSpec { default, least, about: table.about.clone() };
+            parameters.insert(identifier(source, name)?, spec);
+        }
+        Ok(SchemeDefinition {
+            name: self.name.get_ref().clone(),
+            title: self.title.clone(),
+            citation: self.source.clone(),
+            parameters,
+            definitions: definitions(source, &self.definitions)?,
+            offset: self.offset.as_ref().map(|text| formula(source, text)).transpose()?,
+            coefficients: self.coefficients(source)?,
+        })
+    }
+
+    fn is_ring(&self) -> bool {
+        self.orbits.is_some() || self.weights.is_some() || self.edges.is_some()
+    }
+
+    fn coefficients(&self, source: &Arc<SourceText>) -> Result<Coefficients, Diagnostic> {
+        if let Some(other) = &self.r#use {
+            return Err(Diagnostic::new(
+                source,
+                other.span(),
+                "`use` stands alone, in claim files",
+            )
+            .with_help("write `name` and `use` only, or the scheme's own mask"));
+        }
+        if self.is_ring() {
+            return self.ring(source).map(|formulas| Coefficients::LocalRules(Box::new(formulas)));
+        }
+        match (&self.mask, &self.arity, &self.width, &self.entry) {
+            (Some(mask), None, None, None) => listed(source, mask).map(Coefficients::Listed),
+            (None, Some(arity), Some(width), Some(entry)) => {
+                Ok(Coefficients::Rule(Box::new(RuleFormulas {
+                    arity: formula(source, arity)?,
+                    width: formula(source, width)?,
+                    entry: formula(source, entry)?,
+                })))
+            }
+            _ => Err(Diagnostic::new(
+                source,
+                self.name.span(),
+                "a scheme needs either `mask`, or `arity`, `width` and `entry`",
+            )
+            .with_help(
+                "mask = [['3/4', '1/4'], ['1/4', '3/4']] lists the rules; `entry` is one formula \
+                 for all coefficients, in alpha = 0..arity-1 and r = 0..width-1; a ring has \
+                 `orbits`, `weights` and `edges` instead",
+            )),
+        }
+    }
+}
+
+impl SchemeTable {
+    fn ring(&self, source: &Arc<SourceText>) -> Result<LocalFormulas, Diagnostic> {
+        let at_name = |message: &str| Diagnostic::new(source, self.name.span(), message);
+        let of_mask = [&self.offset, &self.arity, &self.width, &self.entry];
+        if self.mask.is_some() || of_mask.iter().any(|field| field.is_some()) {
+            let message = "a scheme has either a mask or a ring, not both";
+            return Err(at_name(message).with_help(
+                "`mask`, `arity`, `width`, `entry` and `offset` make a mask; `orbits`, `weights` \
+                 and `edges` a ring",
+            ));
+        }
+        let (Some(orbits), Some(weights), Some(edges)) = (&self.orbits, &self.weights, &self.edges)
+        else {
+            return Err(at_name("a ring needs `orbits`, `weights` and `edges`").with_help(
+                "orbits = { vertex = '1', edge = 'N' }; [weights.edge] with vertex = '3/4' and \
+                 edge = 'kronecker(i, j)/4'; edges = [['vertex', 'edge[i]']]",
+            ));
+        };
+        for name in self.parameters.keys().chain(self.definitions.keys()) {
+            if [NEW_INDEX, OLD_INDEX].contains(&name.get_ref().as_str()) {
+                let message = format!("`{}` is an index of the points of a ring", name.get_ref());
+                return Err(
+                    Diagnostic::new(source, name.span(), message).with_help("take another name")
+                );
+            }
+        }
+        ring(source, orbits, weights, edges)
+    }
+}
+
+fn listed(
+    source: &Arc<SourceText>,
+    mask: &MaskTable,
+) -> Result<Vec<Vec<LocatedFormula>>, Diagnostic> {
+    let empty = |span: Range<usize>| {
+        Diagnostic::new(source, span, "a mask needs at least one coefficient in each rule")
+            .with_help("write a rule as ['3/4', '1/4']")
+    };
+    if mask.get_ref().is_empty() {
+        return Err(empty(mask.span()));
+    }
+    let rule = |row: &Spanned<Vec<Spanned<String>>>| {
+        if row.get_ref().is_empty() {
+            return Err(empty(row.span()));
+        }
+        row.get_ref().iter().map(|text| formula(source, text)).collect()
+    };
+    mask.get_ref().iter().map(rule).collect()
+}

@@ -1,0 +1,44 @@
+//! Subdivision schemes: masks, difference masks, tensor products, rings, the catalogue.
+//!
+//! A scheme of arity n refines `x'_{ni+α} = Σ_j a_{α,j} x_{i+o+j}`, with
+//! α = 0, …, n−1, j = 0, …, N−1, an index offset o, and Σ_j a_{α,j} = 1. Around an
+//! extraordinary vertex or face the rules depend on the valence: there a [`LocalRules`] of v
+//! points is refined by a v×v matrix.
+
+mod catalogue;
+mod definition;
+mod error;
+mod fields;
+mod file;
+mod interpolation;
+mod local_definition;
+mod local_file;
+mod local_formulas;
+mod local_rules;
+mod local_symmetry;
+mod mask;
+mod parse;
+mod parse_open;
+mod reference;
+mod rules;
+mod tensor;
+
+pub use catalogue::{Entry, catalogue, find};
+pub use definition::{ParameterSpec, SchemeDefinition};
+pub use error::{ReferenceError, SchemeError};
+pub use fields::{definitions, formula, from_toml, identifier};
+pub use file::SchemeTable;
+pub use file::read_scheme;
+pub use interpolation::lagrange_mask;
+pub use local_rules::{LocalError, LocalRules, MAX_LOCAL_POINTS, Orbit};
+pub use local_symmetry::Representatives;
+pub use mask::{Mask, MaskError};
+pub use parse::find_in_catalogue;
+pub use parse::{
+    AnyScheme, files_without_offset, parse_algebraic, parse_any_scheme, parse_local_rules,
+    parse_rules_of_valence, parse_scheme,
+};
+pub use parse_open::{parse_in_parameters, parse_parametric};
+pub use reference::{Instance, Reference};
+pub use rules::{MAX_ARITY, MAX_WIDTH, Rules, RulesError};
+pub use tensor::Scheme;

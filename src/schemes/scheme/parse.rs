@@ -1,0 +1,251 @@
+//! Reads SCHEME as a scheme or a ring.
+
+use super::Scheme;
+use super::catalogue;
+use super::definition::SchemeDefinition;
+use super::error::{ReferenceError, SchemeError};
+use super::file::read_scheme;
+use super::local_rules::LocalRules;
+use super::mask::Mask;
+use super::reference::{Instance, Reference};
+use crate::diagnostic::SourceText;
+use crate::exact::{AlgebraicNumber, FieldElement, Rational, RealCyclotomic};
+use crate::formula::{Parameters, Value};
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// The names of a parameter that is a valence.
+const VALENCE_NAMES: [&str; 2] = ["N", "n"];
+
+/// The greatest size of a scheme file, in bytes.
+const MAX_FILE_BYTES: u64 = 1 << 20;
+
+/// The two kinds of schemes that SCHEME can name.
+#[derive(Clone, Debug, PartialEq)]
+pub enum AnyScheme {
+    /// A scheme with the same rules everywhere: one mask, or two for a tensor product.
+    Uniform(Scheme<Rational>),
+    /// Rules around one extraordinary vertex or face.
+    LocalRules(LocalRules<RealCyclotomic>),
+}
+
+/// The exact scheme that SCHEME names: a catalogue entry such as
+/// `six-point:w=3/256`, a file such as `my.toml:w=1/16`, or two with ` x `
+/// between them.
+///
+/// # Errors
+/// When there is no such scheme, it is a ring, a parameter is missing, or the file is not
+/// a scheme file.
+///
+/// ```
+/// use subcert::scheme::parse_scheme;
+///
+/// let scheme = parse_scheme("newton:j=1,n=3")?;
+/// assert_eq!(scheme.masks()[0].arity(), 3);
+/// assert!(parse_scheme("six-point").unwrap_err().to_string().contains("`w`"));
+/// # Ok::<(), subcert::scheme::SchemeError>(())
+/// ```
+pub fn parse_scheme(text: &str) -> Result<Scheme<Rational>, SchemeError> {
+    Named::read(text)?.scheme()
+}
+
+/// The exact ring that SCHEME names: a catalogue entry such as `doo-sabin:n=5`, or a
+/// file.
+///
+/// # Errors
+/// When there is no such scheme, it is not a ring, a parameter is missing, or the file is
+/// not a scheme file.
+///
+/// ```
+/// use subcert::scheme::parse_local_rules;
+///
+/// let ring = parse_local_rules("catmull-clark:N=5")?;
+/// assert_eq!(ring.point_count(), 11);
+/// assert_eq!(ring.weights().entry(0, 0).to_string(), "13/20");
+/// # Ok::<(), subcert::scheme::SchemeError>(())
+/// ```
+pub fn parse_local_rules(text: &str) -> Result<LocalRules<RealCyclotomic>, SchemeError> {
+    Named::read(text)?.ring()
+}
+
+/// The ring that SCHEME names, with `valence` for its parameter `N` or `n`, if one is given.
+///
+/// # Errors
+/// As [`parse_local_rules`], and when a valence is given and the ring has no such parameter, or SCHEME
+/// states it too.
+///
+/// ```
+/// use subcert::scheme::{parse_local_rules, parse_rules_of_valence};
+///
+/// assert_eq!(parse_rules_of_valence("loop", Some(5))?, parse_local_rules("loop:N=5")?);
+/// assert!(parse_rules_of_valence("loop:N=5", Some(5)).is_err());
+/// # Ok::<(), subcert::scheme::SchemeError>(())
+/// ```
+pub fn parse_rules_of_valence(
+    text: &str,
+    valence: Option<usize>,
+) -> Result<LocalRules<RealCyclotomic>, SchemeError> {
+    let named = Named::read(text)?;
+    let (Some(valence), [instance]) = (valence, &named.instances()?[..]) else {
+        return named.ring();
+    };
+    let definition = named.definition(&instance.name)?;
+    if !definition.is_ring() {
+        return named.ring();
+    }
+    let open = |name: &&str| {
+        definition.parameters.contains_key(*name) && !instance.parameters.contains_key(*name)
+    };
+    let name = VALENCE_NAMES.into_iter().find(open);
+    let name = name.ok_or_else(|| SchemeError::NoValence { scheme: text.trim().to_owned() })?;
+    let mut parameters = instance.parameters.clone();
+    parameters.insert(name.to_owned(), RealCyclotomic::from(Rational::from(valence)));
+    definition.ring(&parameters)
+}
+
+/// The scheme or the ring that SCHEME names.
+///
+/// # Errors
+/// As [`parse_scheme`] and [`parse_local_rules`].
+///
+/// ```
+/// use subcert::scheme::{AnyScheme, parse_any_scheme};
+///
+/// assert!(matches!(parse_any_scheme("chaikin")?, AnyScheme::Uniform(_)));
+/// assert!(matches!(parse_any_scheme("doo-sabin:n=5")?, AnyScheme::LocalRules(_)));
+/// # Ok::<(), subcert::scheme::SchemeError>(())
+/// ```
+pub fn parse_any_scheme(text: &str) -> Result<AnyScheme, SchemeError> {
+    let named = Named::read(text)?;
+    let names: Vec<&str> = named.reference.names().collect();
+    match names[..] {
+        [name] if named.definition(name)?.is_ring() => named.ring().map(AnyScheme::LocalRules),
+        _ => named.scheme().map(AnyScheme::Uniform),
+    }
+}
+
+/// The mask that SCHEME names, with coefficients of one real field Q(α): in its formulas and in the values of its
+/// parameters, `sqrt` and `root` are numbers.
+///
+/// # Errors
+/// As [`parse_scheme`], when this is a tensor product, and when the coefficients are in no field within the caps.
+///
+/// ```
+/// use subcert::exact::format::fixed;
+/// use subcert::scheme::parse_algebraic;
+///
+/// let mask = parse_algebraic("four-point:w=sqrt(2)/32")?;
+/// assert_eq!(fixed(&mask.rules().rows()[1][0], 8), "-0.04419417");
+/// # Ok::<(), subcert::scheme::SchemeError>(())
+/// ```
+pub fn parse_algebraic(text: &str) -> Result<Mask<FieldElement>, SchemeError> {
+    let named = Named::read(text)?;
+    let mut instances = named.instances::<AlgebraicNumber>()?;
+    let (Some(instance), true) = (instances.pop(), instances.is_empty()) else {
+        return Err(SchemeError::TensorProduct { scheme: text.trim().to_owned() });
+    };
+    // The coefficients of a mask are in one field.
+    let mask = named.definition(&instance.name)?.mask(&instance.parameters)?;
+    Ok(mask.map(|c| c.element().clone()))
+}
+
+/// For each factor of SCHEME, the path of its file if the file defines a mask without an offset,
+/// which is then 0. `None` for a scheme of the catalogue, for a ring, and for a file that states an
+/// offset.
+///
+/// # Errors
+/// When SCHEME is no reference, or a file cannot be read.
+pub fn files_without_offset(text: &str) -> Result<Vec<Option<String>>, SchemeError> {
+    let named = Named::read(text)?;
+    let without = |name: &str| {
+        let definition = named.files.get(name)?;
+        definition.leaves_offset_out().then(|| name.to_owned())
+    };
+    Ok(named.reference.names().map(without).collect())
+}
+
+/// The catalogue entry of this name; the error lists the names that exist.
+///
+/// # Errors
+/// When there is no entry of this name.
+pub fn find_in_catalogue(name: &str) -> Result<&'static SchemeDefinition, SchemeError> {
+    catalogue::find(name).ok_or_else(|| SchemeError::Unknown {
+        name: name.to_owned(),
+        known: catalogue::catalogue().iter().map(|entry| entry.name.clone()).collect(),
+    })
+}
+
+/// A reference, with the files that it names.
+pub(super) struct Named<'a> {
+    text: &'a str,
+    reference: Reference,
+    files: BTreeMap<String, SchemeDefinition>,
+}
+
+impl Named<'_> {
+    pub(super) fn read(text: &str) -> Result<Named<'_>, SchemeError> {
+        let reference = Reference::parse(text)?;
+        let mut files = BTreeMap::new();
+        for name in reference.names().filter(|name| is_file(name)) {
+            files.insert(name.to_owned(), read_file(name)?);
+        }
+        Ok(Named { text, reference, files })
+    }
+
+    pub(super) fn definition(&self, name: &str) -> Result<&SchemeDefinition, SchemeError> {
+        match self.files.get(name) {
+            Some(definition) => Ok(definition),
+            None => find_in_catalogue(name).map_err(|error| other_file(name).unwrap_or(error)),
+        }
+    }
+
+    fn instances<V: Value>(&self) -> Result<Vec<Instance<V>>, SchemeError> {
+        self.instances_in(&Parameters::default())
+    }
+
+    pub(super) fn instances_in<V: Value>(
+        &self,
+        parameters: &Parameters<V>,
+    ) -> Result<Vec<Instance<V>>, SchemeError> {
+        self.reference.instances(parameters).map_err(|error| {
+            let text = self.text.to_owned();
+            SchemeError::Reference(ReferenceError::Formula { text, error })
+        })
+    }
+
+    fn scheme(&self) -> Result<Scheme<Rational>, SchemeError> {
+        let instances = self.instances()?.into_iter();
+        let mask = |instance: Instance| self.definition(&instance.name)?.mask(&instance.parameters);
+        Ok(Scheme::of(instances.map(mask).collect::<Result<Vec<Mask>, SchemeError>>()?))
+    }
+
+    fn ring(&self) -> Result<LocalRules<RealCyclotomic>, SchemeError> {
+        match &self.instances()?[..] {
+            [instance] => self.definition(&instance.name)?.ring(&instance.parameters),
+            _ => Err(SchemeError::NotRing { scheme: self.text.trim().to_owned() }),
+        }
+    }
+}
+
+fn is_file(name: &str) -> bool {
+    Path::new(name).extension().is_some_and(|extension| extension == "toml")
+}
+
+/// The error that the directory or file at `path` is not a scheme; `None` if nothing is
+/// there.
+fn other_file(path: &str) -> Option<SchemeError> {
+    let found = std::fs::metadata(path).ok()?;
+    let extension = Path::new(path).extension().unwrap_or_default();
+    let what = match (found.is_dir(), extension.to_str()) {
+        (true, _) => "a directory",
+        (false, Some("csv" | "json" | "txt")) => "a file of points or of results",
+        _ => "a file that does not end in .toml",
+    };
+    Some(SchemeError::OtherFile { path: path.to_owned(), what })
+}
+
+fn read_file(path: &str) -> Result<SchemeDefinition, SchemeError> {
+    let unreadable = |reason: String| SchemeError::Unreadable { path: path.to_owned(), reason };
+    let text = crate::diagnostic::read_text(Path::new(path), MAX_FILE_BYTES).map_err(unreadable)?;
+    read_scheme(&SourceText::new(path, text)).map_err(|error| SchemeError::File(Box::new(error)))
+}
