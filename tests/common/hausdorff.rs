@@ -160,7 +160,7 @@ impl Plain {
         let mut faces = Vec::new();
         for (number, face) in self.faces.iter().enumerate() {
             let n = face.len();
-            let next = |i: usize| middle(face[i], face[(i + 1) % n]);
+            let next = |i: usize| middle(face[i % n], face[(i + 1) % n]);
             if rule == Rule::Loop {
                 (0..3).for_each(|i| faces.push(vec![face[i], next(i), next(i + 2)]));
                 faces.push(vec![next(0), next(1), next(2)]);

@@ -2,8 +2,8 @@
 
 use super::faces::{FaceRow, FacesFormat};
 use super::mesh::{digits, point};
-use super::pictures::Coloured;
 use super::promise::Formula;
+use super::refined::rounded;
 use crate::cli::arguments::DepthArguments;
 use crate::cli::finding::{Destination, command};
 use crate::cli::json::{SCHEMA, geometric_depth as form, mesh_depth};
@@ -13,7 +13,7 @@ use subcert::float::shortest;
 use subcert::mesh::{MeshScheme, PolygonMesh};
 use subcert::patch::{APriori, FaceDepth, FaceSurface, GeometricDepth, GeometricPlace};
 use subcert::report::Sheet;
-use subcert::report::html::{FindingPage, Picture};
+use subcert::report::html::{ColouredFaces, FindingPage, Picture};
 
 /// What each face needs, and its distance at the level found.
 pub(super) struct Faces {
@@ -35,15 +35,17 @@ impl Faces {
 
     /// The picture of the distances.
     fn picture(&self, name: &str, mesh: &PolygonMesh<Rational>, level: u32) -> Option<Picture> {
-        let values = self.distances.iter().map(|[_, upper]| *upper).collect();
-        let coloured = Coloured {
+        let points: Vec<[f64; 3]> = mesh.points().iter().map(rounded).collect();
+        let values: Vec<f64> = self.distances.iter().map(|[_, upper]| *upper).collect();
+        Picture::of_faces(&ColouredFaces {
             name,
             values_are: format!("upper bound of the Hausdorff distance at level {level}"),
-            mesh,
-            values,
-            note: "Bounds are the tolerance, a half, a quarter or an eighth of it.",
-        };
-        coloured.picture()
+            points: &points,
+            faces: mesh.faces(),
+            values: &values,
+            place: None,
+            note: "Bounds are the tolerance, or a half, a quarter or an eighth of it.",
+        })
     }
 
     /// How many faces there are at one level for all, and where each face has its own.
@@ -216,7 +218,7 @@ impl GeometricReport<'_> {
             mesh: &self.name,
             tolerance: self.tolerance.to_string(),
             relative: self.relative.as_ref().map(ToString::to_string),
-            distance: "hausdorff",
+            measure: "hausdorff",
             faces: self.surface.name(),
             level,
             too_few: self.found.too_few,

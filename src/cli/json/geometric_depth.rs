@@ -16,8 +16,8 @@ pub struct Report<'a> {
     pub tolerance: String,
     /// The share of the diagonal that it was asked for as; null without `--relative`.
     pub relative: Option<String>,
-    /// `hausdorff`.
-    pub distance: &'static str,
+    /// How distances are measured: `hausdorff`.
+    pub measure: &'static str,
     /// What faces are: `bilinear` or `fan`.
     pub faces: &'static str,
     /// The least level found to be sufficient.

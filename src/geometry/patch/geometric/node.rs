@@ -20,7 +20,6 @@ pub(super) struct Node {
     pub(super) radius: f64,
     /// The level, from 1 on.
     pub(super) level: u32,
-    pub(super) path: u128,
     parts: Option<Range<usize>>,
 }
 
@@ -42,8 +41,8 @@ impl Node {
             (cell.points.clone(), combinations(&rules.limits, &cell.points))
         };
         let (centre, radius) = ball(&hull);
-        let (level, path) = (cell.level, cell.path);
-        Node { cell, hull, limits, centre, radius, level, path, parts: None }
+        let level = cell.level;
+        Node { cell, hull, limits, centre, radius, level, parts: None }
     }
 }
 
