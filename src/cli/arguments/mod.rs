@@ -20,7 +20,8 @@ pub(super) use papers::{
     NewArguments, ProveArguments, is_of_papers,
 };
 pub(super) use schemes::{
-    BoundaryArgument, CertifyArguments, ConstantsArguments, DepthArguments, OracleArguments,
+    BoundaryArgument, CertifyArguments, ConstantsArguments, DepthArguments, DistanceArgument,
+    FacesArgument, OracleArguments,
     OracleFormat, RangeArguments, SchemesArguments,
 };
 pub(super) use smoothness::{JsrArguments, SmoothnessArguments, Valences};

@@ -85,9 +85,20 @@ pub(in crate::cli) struct DepthArguments {
     /// Only what the longest edge and the valences of the mesh guarantee
     #[arg(long, requires = "mesh")]
     pub(in crate::cli) a_priori: bool,
-    /// Write the distance of every face of the mesh at the level found: .csv, or .ply with colours
+    /// Write the distance of every face of the mesh at the level found, and its own least level where the
+    /// distance is that of sets: .csv, .json, or .ply with colours
     #[arg(long, value_name = "FILE", requires = "mesh", conflicts_with = "a_priori")]
     pub(in crate::cli) per_face: Option<PathBuf>,
+    /// How far a mesh is from its limit: as sets of points, or at equal parameters. Polygons, nets and
+    /// solids have the latter alone [default: geometric for polygon meshes, else parametric]
+    #[arg(long, value_enum)]
+    pub(in crate::cli) distance: Option<DistanceArgument>,
+    /// What a face of a polygon mesh is whose vertices are not in one plane; triangles are flat
+    #[arg(long, value_enum, default_value_t = FacesArgument::Bilinear, requires = "mesh")]
+    pub(in crate::cli) faces: FacesArgument,
+    /// The tolerance is that part of the diagonal of the box around the polygon mesh
+    #[arg(long, requires = "mesh")]
+    pub(in crate::cli) relative: bool,
     /// How narrow the intervals around exact distances are [default: ε/1000]
     #[arg(long, value_name = "W", allow_hyphen_values = true)]
     pub(in crate::cli) width: Option<String>,
@@ -159,6 +170,22 @@ pub(in crate::cli) enum OracleFormat {
     Table,
     /// A function of MATLAB and Octave that tests an implementation
     Matlab,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum DistanceArgument {
+    /// The Hausdorff distance of the mesh and the limit, from both sides
+    Geometric,
+    /// The greatest distance of points of equal parameters
+    Parametric,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum FacesArgument {
+    /// Quadrilaterals are bilinear, larger faces are fans of triangles from their centroids
+    Bilinear,
+    /// All but triangles are fans of triangles from their centroids
+    Fan,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -14,6 +14,8 @@ pub struct Report<'a> {
     pub mesh: &'a str,
     /// The tolerance ε.
     pub tolerance: String,
+    /// How distances are measured: `parametric`.
+    pub measure: &'static str,
     /// The least level found to be sufficient, with all later ones; null with `--a-priori`.
     pub level: Option<u32>,
     /// The greatest level that is certainly not sufficient.
