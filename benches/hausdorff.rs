@@ -29,7 +29,9 @@ fn main() {
             (pairs, same, above) = (pairs + pair, same + equal, above + beyond);
         }
     }
-    println!("{pairs} pairs, {same} of them the same, {above} with the dense level above the certified");
+    println!(
+        "{pairs} pairs, {same} of them the same, {above} with the dense level above the certified"
+    );
 }
 
 fn table(case: &Case) -> Vec<[u32; 3]> {

@@ -88,8 +88,7 @@ fn json(text: &str) -> serde_json::Value {
 
 #[test]
 fn the_depth_of_a_mesh() {
-    let depth =
-        ["depth", "catmull-clark", "--tolerance", "1/100", "--distance", "parametric"];
+    let depth = ["depth", "catmull-clark", "--tolerance", "1/100", "--distance", "parametric"];
     let text = written(of_cube(&depth));
     assert_parts(&text, &["4 levels; 3 are too few", "a priori", "too far at level 3"]);
     let form = json(&written(of_cube(&[&depth[..], &["--format", "json"]].concat())));
@@ -117,15 +116,8 @@ fn the_depth_of_a_mesh() {
 
 #[test]
 fn the_distance_of_every_face() {
-    let depth = [
-        "depth",
-        "catmull-clark",
-        "--tolerance",
-        "1/10",
-        "--distance",
-        "parametric",
-        "--per-face",
-    ];
+    let depth =
+        ["depth", "catmull-clark", "--tolerance", "1/10", "--distance", "parametric", "--per-face"];
     let table = TemporaryFile::new("faces.csv", "");
     written(of_cube(&[&depth[..], &[table.path()]].concat()));
     let text = std::fs::read_to_string(table.path()).expect("the file");
@@ -155,7 +147,10 @@ fn the_depth_as_the_eye_sees_it() {
     let form = json(&written(of_cube(&[&depth[..], &["--format", "json"]].concat())));
     let parametric = [&depth[..], &["--format", "json", "--distance", "parametric"]].concat();
     let parametric = json(&written(of_cube(&parametric)));
-    assert_eq!((&form["measure"], &parametric["measure"]), (&"hausdorff".into(), &"parametric".into()));
+    assert_eq!(
+        (&form["measure"], &parametric["measure"]),
+        (&"hausdorff".into(), &"parametric".into())
+    );
     let level = |form: &serde_json::Value| form["level"].as_u64().expect("a level");
     assert!(level(&form) < level(&parametric), "{form}");
     assert_eq!(form["too_few"].as_u64(), Some(level(&form) - 1));

@@ -92,7 +92,8 @@ impl Plain {
                 for i in 0..n {
                     let mut point = [0.0; 3];
                     for j in 0..n {
-                        let angle = 2.0 * std::f64::consts::PI * (number(i) - number(j)) / number(n);
+                        let angle =
+                            2.0 * std::f64::consts::PI * (number(i) - number(j)) / number(n);
                         let weight = if i == j {
                             (number(n) + 5.0) / (4.0 * number(n))
                         } else {
@@ -218,11 +219,20 @@ impl Plain {
                 };
                 for i in 0..pieces {
                     for j in 0..pieces {
-                        all.extend(split(&[at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]));
+                        all.extend(split(&[
+                            at(i, j),
+                            at(i + 1, j),
+                            at(i + 1, j + 1),
+                            at(i, j + 1),
+                        ]));
                     }
                 }
             } else {
-                let coarse = if corners.len() == 3 { vec![[corners[0], corners[1], corners[2]]] } else { fan(&corners) };
+                let coarse = if corners.len() == 3 {
+                    vec![[corners[0], corners[1], corners[2]]]
+                } else {
+                    fan(&corners)
+                };
                 let mut parts = coarse;
                 let mut size = 1;
                 while size < pieces {

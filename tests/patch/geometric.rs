@@ -26,8 +26,7 @@ fn agrees(name: &str, rule: Rule, count: usize) {
     let sampled = dense(&case.plain(), rule, 4, 5, 3);
     let distances = MeshDistances::new(exact(case), scheme(rule)).expect("small");
     for &(p, q) in &case.tolerances[..count] {
-        let depth =
-            distances.geometric_depth(&r(p, q), FaceSurface::Bilinear).expect("few levels");
+        let depth = distances.geometric_depth(&r(p, q), FaceSurface::Bilinear).expect("few levels");
         let tolerance = p as f64 / q as f64;
         let level = sampled.iter().position(|&x| x <= tolerance).expect("few levels");
         assert_eq!(depth.level as usize, level, "{name}, {tolerance}, {sampled:?}, {depth:?}");

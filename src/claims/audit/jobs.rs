@@ -87,7 +87,12 @@ impl Part {
         }
     }
 
-    fn judge<'a>(&self, paper: &'a Paper, chosen: &Chosen, after_claim: &(dyn Fn() + Sync)) -> Found<'a> {
+    fn judge<'a>(
+        &self,
+        paper: &'a Paper,
+        chosen: &Chosen,
+        after_claim: &(dyn Fn() + Sync),
+    ) -> Found<'a> {
         match self {
             Part::Tables(places) => match related::judge_all(paper, places, after_claim) {
                 Ok(findings) => Found::Tables(findings),

@@ -22,7 +22,9 @@ impl Evaluator<'_> {
     ) -> Result<Rc<Known>, Outcome> {
         let of = match copied {
             // These give no definition another value.
-            Copied::Tolerance { .. } | Copied::Numbers { .. } => return Ok(self.of_row(at, quantities)),
+            Copied::Tolerance { .. } | Copied::Numbers { .. } => {
+                return Ok(self.of_row(at, quantities));
+            }
             Copied::Printed { of, table, .. } => {
                 let printed = self.printed_elsewhere(table, at);
                 let value = printed.map(RealCyclotomic::from).ok_or_else(|| missing(of))?;
@@ -35,7 +37,9 @@ impl Evaluator<'_> {
             let settings = match copied {
                 Copied::Parameter { name, value, .. } => settings.with_parameter(name, value),
                 Copied::Scheme { number, .. } => settings.with_scheme(*number),
-                Copied::Printed { .. } | Copied::Tolerance { .. } | Copied::Numbers { .. } => settings,
+                Copied::Printed { .. } | Copied::Tolerance { .. } | Copied::Numbers { .. } => {
+                    settings
+                }
             };
             let value = self.definition(of, At { settings: &settings, ..at })?;
             Ok(self.with_copied(of, value, at, quantities))

@@ -82,8 +82,10 @@ impl<'a> Evaluator<'a> {
 
     /// The values of the row's definitions.
     pub(crate) fn of_row(&self, at: At<'_>, quantities: &Quantities<'_>) -> Rc<Known> {
-        self.once_in_row(at, quantities, || Ok(Rc::new(self.rows.of(&self.context, at, quantities))))
-            .unwrap_or_default()
+        self.once_in_row(at, quantities, || {
+            Ok(Rc::new(self.rows.of(&self.context, at, quantities)))
+        })
+        .unwrap_or_default()
     }
 
     /// The values of definitions under the reading of a cell, which are the same in its row. They are

@@ -21,8 +21,7 @@ pub(super) use papers::{
 };
 pub(super) use schemes::{
     BoundaryArgument, CertifyArguments, ConstantsArguments, DepthArguments, DistanceArgument,
-    FacesArgument, OracleArguments,
-    OracleFormat, RangeArguments, SchemesArguments,
+    FacesArgument, OracleArguments, OracleFormat, RangeArguments, SchemesArguments,
 };
 pub(super) use smoothness::{JsrArguments, SmoothnessArguments, Valences};
 pub(super) use spectrum::{SpectrumArguments, TableArguments, TypeArgument};

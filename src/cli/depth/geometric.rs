@@ -121,7 +121,9 @@ impl GeometricReport<'_> {
             level => format!("{level} levels"),
         };
         let few = few.unwrap_or_default();
-        format!("The mesh is within {tolerance} of its limit, as a set of points, after {levels} of refinement{few}.")
+        format!(
+            "The mesh is within {tolerance} of its limit, as a set of points, after {levels} of refinement{few}."
+        )
     }
 
     fn sheet(&self, arguments: &DepthArguments) -> Sheet {
@@ -139,7 +141,8 @@ impl GeometricReport<'_> {
             Some(few) => format!("; {few} are too few, and those between are open"),
             None => "; fewer are open".to_owned(),
         };
-        let mut facts = vec![("depth of the mesh".to_owned(), format!("{} levels{few}", found.level))];
+        let mut facts =
+            vec![("depth of the mesh".to_owned(), format!("{} levels{few}", found.level))];
         if self.relative.is_some() {
             facts.push(("tolerance".to_owned(), short(&self.tolerance, 9)));
         }

@@ -17,8 +17,8 @@ use subcert::exact::{Rational, format::short};
 use subcert::float::{exact, shortest, upper};
 use subcert::mesh::{MeshScheme, PolygonMesh};
 use subcert::patch::{
-    APriori, FORMULA_PAPER, FaceSurface, FarPlace, MeshDepth, MeshDistances, a_priori, formula_level,
-    relative_tolerance,
+    APriori, FORMULA_PAPER, FaceSurface, FarPlace, MeshDepth, MeshDistances, a_priori,
+    formula_level, relative_tolerance,
 };
 use subcert::report::Sheet;
 use subcert::report::html::{FindingPage, Picture};
@@ -27,11 +27,8 @@ pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments, to: &Destinati
     let asked = positive("--tolerance", &arguments.tolerance)?;
     let (scheme, name, file) = read(&arguments.scheme, path)?;
     let geometric = arguments.distance != Some(DistanceArgument::Parametric);
-    let tolerance = if arguments.relative {
-        relative(file.mesh(), &asked, geometric)?
-    } else {
-        asked.clone()
-    };
+    let tolerance =
+        if arguments.relative { relative(file.mesh(), &asked, geometric)? } else { asked.clone() };
     let refused = |error| failure(&file, &error);
     let guaranteed = a_priori(file.mesh(), scheme, &tolerance).map_err(refused)?;
     let promised = (scheme == MeshScheme::DooSabin).then(|| Formula {
@@ -65,7 +62,16 @@ pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments, to: &Destinati
         drop(progress);
         let relative = arguments.relative.then_some(asked);
         let report = GeometricReport {
-            scheme, name, mesh, tolerance, relative, surface, guaranteed, promised, found, faces,
+            scheme,
+            name,
+            mesh,
+            tolerance,
+            relative,
+            surface,
+            guaranteed,
+            promised,
+            found,
+            faces,
         };
         return report.show(arguments, to);
     }

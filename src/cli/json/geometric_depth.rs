@@ -5,6 +5,7 @@ use serde::Serialize;
 
 /// The depth of one mesh.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Report<'a> {
     /// The version of this form.
     pub schema: u32,
@@ -38,6 +39,7 @@ pub struct Report<'a> {
 
 /// A point of one set that is far from the other.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Place {
     /// The face of the control mesh, from 0.
     pub face: usize,
@@ -57,6 +59,7 @@ pub struct Place {
 
 /// Numbers of faces, those that join levels not counted.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Adaptive {
     /// At one level for all.
     pub uniform: String,

@@ -90,6 +90,7 @@ pub struct SmoothRange<'a> {
 
 /// For which values of a parameter in rules around a vertex or on a face surfaces are C^1 there.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct VertexRange<'a> {
     /// The version of this form.
     pub schema: u32,
@@ -107,6 +108,7 @@ pub struct VertexRange<'a> {
 
 /// One valence.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct VertexValence {
     /// The valence.
     pub valence: usize,

@@ -133,8 +133,7 @@ impl SurfaceDistances {
         spreads: &Spreads,
         share: &Share<'_>,
     ) -> Result<bool, SurfaceError> {
-        let constant =
-            |upper: Rational| Constant { level, upper, parameter: Rational::zero() };
+        let constant = |upper: Rational| Constant { level, upper, parameter: Rational::zero() };
         let shows = |most: &Rational| {
             let curves = [most, most].map(|most| constant(most.clone()));
             self.bound(&curves, spreads) <= *threshold

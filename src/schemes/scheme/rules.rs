@@ -124,7 +124,8 @@ impl<S: Scalar> Rules<S> {
         }
         let later = self.rows[first..].iter().map(|row| row.iter().cloned().chain([S::zero()]));
         let rows = later.map(Iterator::collect);
-        let wrapped = self.rows[..first].iter().map(|row| [S::zero()].into_iter().chain(row.iter().cloned()));
+        let wrapped =
+            self.rows[..first].iter().map(|row| [S::zero()].into_iter().chain(row.iter().cloned()));
         let rows = rows.chain(wrapped.map(Iterator::collect)).collect();
         Rules { rows, offset: self.offset }
     }

@@ -128,8 +128,17 @@ impl<'s> Space<'s> {
         let assume = of_printed.flat_map(|(names, _)| names).cloned().collect();
         let settings = Settings::default();
         let (as_printed, scale, changes) = (Values::new(), None, Vec::new());
-        let mut space =
-            Space { judge, printed, assume, needed, unknown, as_printed, scale, changes, order: None };
+        let mut space = Space {
+            judge,
+            printed,
+            assume,
+            needed,
+            unknown,
+            as_printed,
+            scale,
+            changes,
+            order: None,
+        };
         space.as_printed = space.values(&settings);
         let mut consulted = settings.consulted();
         consulted.extend(judge.rows.choices.clone());

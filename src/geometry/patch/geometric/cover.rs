@@ -82,7 +82,8 @@ impl<'a, 's, F: Fn(&Point<f64>, SetKind) -> bool> Cover<'a, 's, F> {
     fn around(scene: &'a Scene<'s>, unit: usize, is_far: &'a F, steps: usize) -> Self {
         let ring = scene.ring(unit, steps);
         let mut nodes = Nodes::new(scene.shapes);
-        let roots: Vec<usize> = ring.units.iter().map(|&unit| nodes.add(scene.cell(unit))).collect();
+        let roots: Vec<usize> =
+            ring.units.iter().map(|&unit| nodes.add(scene.cell(unit))).collect();
         let patches: Vec<Patch> =
             ring.units.iter().flat_map(|&unit| scene.units[unit].patches.iter().copied()).collect();
         let own = nodes.get(roots[0]);
@@ -112,7 +113,8 @@ impl<'a, 's, F: Fn(&Point<f64>, SetKind) -> bool> Cover<'a, 's, F> {
     /// Whether a piece of the limit is near the mesh.
     fn limit(&mut self, node: usize, divisions: u32) -> Nearness {
         let own = self.direction;
-        if own.is_some_and(|direction| self.is_over_mesh(node, &direction)) || self.is_near_patch(node)
+        if own.is_some_and(|direction| self.is_over_mesh(node, &direction))
+            || self.is_near_patch(node)
         {
             return Nearness::Near;
         }
@@ -188,9 +190,10 @@ impl<'a, 's, F: Fn(&Point<f64>, SetKind) -> bool> Cover<'a, 's, F> {
     fn is_near_patch(&mut self, node: usize) -> bool {
         let node = self.nodes.get(node);
         let from = |patch: &Patch, point: &Point<f64>| length(&patch.near(point).minus(point));
-        let nearest = self.patches.iter().min_by(|left, right| {
-            from(left, &node.centre).total_cmp(&from(right, &node.centre))
-        });
+        let nearest = self
+            .patches
+            .iter()
+            .min_by(|left, right| from(left, &node.centre).total_cmp(&from(right, &node.centre)));
         self.pairs = self.pairs.saturating_sub(4);
         nearest.is_some_and(|patch| {
             let enough = self.tolerance - patch.warp() - self.scene.slack;
@@ -332,4 +335,3 @@ fn normal(node: &Node) -> Option<Direction> {
     };
     Direction::new(&normal)
 }
-

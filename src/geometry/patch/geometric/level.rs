@@ -4,6 +4,7 @@ use super::super::depth::MeshDistances;
 use super::super::judge::{Judge, Rounded};
 use super::super::kind::Kind;
 use super::super::levels::Source;
+use super::super::number::Vector as _;
 use super::super::search::{Search, Verdict};
 use super::super::shapes::Shapes;
 use super::super::threads::in_threads;
@@ -13,7 +14,6 @@ use super::patch::{FaceSurface, length};
 use super::region::{cut, groups, grown};
 use super::scene::{Scene, Stage, Unit};
 use super::whole::Whole;
-use super::super::number::Vector as _;
 use crate::exact::Rational;
 use crate::float::nearest;
 use crate::mesh::{
@@ -314,18 +314,24 @@ impl<'a> Geometry<'a> {
         let this = self.place_maker(level);
         let Some((scene, owners)) = self.scene(level, group)? else { return Ok(Vec::new()) };
         let tolerance = Judge::<Point<f64>>::tolerance(&scene.judge);
-        let own: Vec<usize> = (0..scene.units.len()).filter(|&unit| owners[unit].is_some()).collect();
+        let own: Vec<usize> =
+            (0..scene.units.len()).filter(|&unit| owners[unit].is_some()).collect();
         let step = own.len().div_ceil(TRIED).max(1);
         let tried: Vec<usize> = own.into_iter().step_by(step).collect();
         let far = in_threads(&tried, |&unit| {
             let points = scene.unit_points(unit);
-            points.into_iter().find(|(point, from)| whole.is_beyond(point, *from, tolerance * 1.000_001))
+            points
+                .into_iter()
+                .find(|(point, from)| whole.is_beyond(point, *from, tolerance * 1.000_001))
         });
         let far = tried.iter().zip(far).find_map(|(&unit, far)| {
             let ((point, from), owner) = (far?, owners[unit]?);
             let other = scene.near(unit, &point, from);
             let far = FarPoint { unit, from, point, other };
-            Some((group[owner.0], Known::Far(this.place(whole, &scene, group[owner.0], owner.1, &far))))
+            Some((
+                group[owner.0],
+                Known::Far(this.place(whole, &scene, group[owner.0], owner.1, &far)),
+            ))
         });
         Ok(far.into_iter().collect())
     }
@@ -342,10 +348,10 @@ impl<'a> Geometry<'a> {
         let work = self.distances.work();
         let Some((scene, owners)) = self.scene(level, group)? else { return Ok(None) };
         let tolerance = nearest(&(&this.tolerance / &this.scale));
-        let is_far = |point: &Point<f64>, from: SetKind| {
-            whole.is_beyond(point, from, tolerance.next_up())
-        };
-        let own: Vec<usize> = (0..scene.units.len()).filter(|&unit| owners[unit].is_some()).collect();
+        let is_far =
+            |point: &Point<f64>, from: SetKind| whole.is_beyond(point, from, tolerance.next_up());
+        let own: Vec<usize> =
+            (0..scene.units.len()).filter(|&unit| owners[unit].is_some()).collect();
         let stop = std::sync::atomic::AtomicBool::new(false);
         let order = std::sync::atomic::Ordering::Relaxed;
         let found = in_threads(&own, |&unit| {
@@ -374,8 +380,7 @@ impl<'a> Geometry<'a> {
                 }
                 Nearness::Far(far) => {
                     if !matches!(entry, Known::Far(_)) {
-                        *entry =
-                            Known::Far(this.place(whole, &scene, group[owner], number, far));
+                        *entry = Known::Far(this.place(whole, &scene, group[owner], number, far));
                     }
                 }
             }
@@ -419,9 +424,10 @@ impl Places<'_> {
         // The greatest of a few lower bounds that holds.
         let greatest = length(&far.other.minus(&far.point));
         let share = |i: u32| least + (greatest - least) * f64::from(i) / 16.0;
-        let lower = (0..16).rev().map(share).find(|&distance| {
-            distance > least && whole.is_beyond(&far.point, far.from, distance)
-        });
+        let lower = (0..16)
+            .rev()
+            .map(share)
+            .find(|&distance| distance > least && whole.is_beyond(&far.point, far.from, distance));
         let lower = lower.unwrap_or(least);
         let Source::Surface { mesh, .. } = &model.source else { unreachable!("a surface") };
         let doo_sabin = self.scheme == MeshScheme::DooSabin;

@@ -27,7 +27,8 @@ impl Node {
     fn new(cell: Cell<Point<f64>>, shapes: &Shapes) -> Node {
         let rules = Point::<f64>::rules(shapes.get(cell.shape));
         let (hull, limits) = if let Some((bezier, _)) = &rules.regular {
-            let hull: Vec<Point<f64>> = combinations(bezier.iter().map(|(row, _)| row), &cell.points);
+            let hull: Vec<Point<f64>> =
+                combinations(bezier.iter().map(|(row, _)| row), &cell.points);
             let at_corner = bezier.iter().map(|(_, plain)| plain.len() == 1);
             let limits = hull.iter().zip(at_corner).filter(|(_, corner)| *corner);
             let mut limits: Vec<Point<f64>> = limits.map(|(point, _)| *point).collect();

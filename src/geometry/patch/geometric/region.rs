@@ -79,7 +79,8 @@ pub(super) fn cut(
             let behind = (1..count).take_while(|i| *i <= at || !star.boundary);
             let behind = behind.map(|i| place((at + count - i) % count));
             let behind = behind.take_while(Option::is_some).flatten();
-            let all: Vec<(usize, usize)> = place(at).into_iter().chain(ahead).chain(behind).collect();
+            let all: Vec<(usize, usize)> =
+                place(at).into_iter().chain(ahead).chain(behind).collect();
             for (face, corner) in all {
                 new[face][corner] = points.len();
             }

@@ -3,11 +3,11 @@
 use super::super::cell::Cell;
 use super::super::judge::{Judge, Rounded};
 use super::super::kind::Kind;
+use super::super::number::Vector as _;
 use super::super::number::combinations;
 use super::super::roots::{Roots, corners};
 use super::super::search::{Search, Verdict};
 use super::super::shapes::Shapes;
-use super::super::number::Vector as _;
 use super::depth::SetKind;
 use super::node::Nodes;
 use super::patch::{FaceSurface, Patch, length};

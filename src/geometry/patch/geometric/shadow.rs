@@ -1,9 +1,9 @@
 //! Projections along a direction, and the gap between two things of which one is over the other
 //! (`proofs/THEOREMS.md`, 160).
 
-use super::patch::{Patch, cross, dot, unit};
 use super::super::number::Vector as _;
 use super::super::shape::UP;
+use super::patch::{Patch, cross, dot, unit};
 use crate::mesh::Point;
 
 type Flat = [f64; 2];
@@ -58,9 +58,8 @@ impl Direction {
             let height = |shadow: &Flat| {
                 normal[0] * (shadow[0] - from[0]) + normal[1] * (shadow[1] - from[1])
             };
-            let way = [0, 1, 2].map(|k| {
-                normal[0] * self.across[0][k] + normal[1] * self.across[1][k]
-            });
+            let way =
+                [0, 1, 2].map(|k| normal[0] * self.across[0][k] + normal[1] * self.across[1][k]);
             let start = normal[0] * from[0] + normal[1] * from[1];
             let [low, high] = range(shadows.iter().map(height));
             let [least, most] = range(points.iter().map(|point| dot(&way, point) - start));
@@ -85,12 +84,7 @@ impl Direction {
 
     /// Whether the shadow of a closed chain of segments winds around every point that is at most `radius` from
     /// the shadow of the centre. Each segment may be moved by its own distance.
-    pub(super) fn winds(
-        &self,
-        chain: &[Segment],
-        centre: &Point<f64>,
-        radius: f64,
-    ) -> bool {
+    pub(super) fn winds(&self, chain: &[Segment], centre: &Point<f64>, radius: f64) -> bool {
         let centre = self.shadow(centre);
         let mut angle = 0.0_f64;
         for Segment { ends, moved } in chain {

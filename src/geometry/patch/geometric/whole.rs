@@ -3,12 +3,12 @@
 use super::super::cell::Cell;
 use super::super::judge::{Points as _, Rounded};
 use super::super::model::Model;
+use super::super::number::{Vector as _, combinations};
 use super::super::roots::Root;
 use super::super::threads::in_threads;
 use super::cover::reach;
 use super::depth::SetKind;
 use super::patch::{FaceSurface, Patch, ball, dot, mean, unit};
-use super::super::number::{Vector as _, combinations};
 use crate::mesh::Point;
 
 /// How many pieces are looked at for one point.
@@ -74,9 +74,7 @@ impl<'a> Whole<'a> {
             *steps -= 1;
             let rules = Point::<f64>::rules(shapes.get(cell.shape));
             let hull: Vec<Point<f64>> = match &rules.regular {
-                Some((bezier, _)) => {
-                    combinations(bezier.iter().map(|(row, _)| row), &cell.points)
-                }
+                Some((bezier, _)) => combinations(bezier.iter().map(|(row, _)| row), &cell.points),
                 None => cell.points.clone(),
             };
             let (centre, radius) = ball(&hull);
@@ -162,8 +160,7 @@ fn is_beyond_patch(patch: Patch, point: &Point<f64>, enough: f64, steps: &mut u6
         if reached <= enough {
             let near = patch.near(point).minus(point);
             if let Some(normal) = unit(&near) {
-                let heights =
-                    corners.iter().map(|x| dot(&normal, &x.minus(point)));
+                let heights = corners.iter().map(|x| dot(&normal, &x.minus(point)));
                 reached = reached.max(heights.fold(f64::INFINITY, f64::min));
             }
         }

@@ -118,9 +118,7 @@ impl RealCyclotomic {
     #[must_use]
     pub fn stored(&self) -> StoredForm {
         match &self.0 {
-            Form::Rational(value) => {
-                StoredForm(1, vec![value.numerator()], value.denominator())
-            }
+            Form::Rational(value) => StoredForm(1, vec![value.numerator()], value.denominator()),
             Form::Irrational(element) => {
                 let conductor = element.field.conductor();
                 StoredForm(conductor, element.numerators.clone(), element.denominator.clone())

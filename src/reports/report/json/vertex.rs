@@ -8,6 +8,7 @@ use serde::Serialize;
 
 /// What is known of the valences that a claim is about.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct VerticesForm {
     /// Whether it is proved for all valences from 3 on at once.
     pub all_valences: bool,
@@ -17,6 +18,7 @@ pub struct VerticesForm {
 
 /// One valence.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct VertexForm {
     /// The valence.
     pub valence: usize,
@@ -52,6 +54,7 @@ pub struct VertexForm {
 
 /// The eigenvalue of shapes.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ShapeForm {
     /// Its modulus.
     pub modulus: Exact,

@@ -101,14 +101,18 @@ impl Writer {
         let (first, last) = (self.first, self.first + self.count - 1);
         match self.language {
             Language::C => {
-                lines.extend(self.guard().map(|guard| format!("#ifndef {guard}\n#define {guard}\n")));
+                lines.extend(
+                    self.guard().map(|guard| format!("#ifndef {guard}\n#define {guard}\n")),
+                );
                 lines.push(format!(
                     "enum {{ {0}_first_valence = {first}, {0}_last_valence = {last} }};",
                     self.name
                 ));
             }
             Language::Cpp => {
-                lines.extend(self.guard().map(|guard| format!("#ifndef {guard}\n#define {guard}\n")));
+                lines.extend(
+                    self.guard().map(|guard| format!("#ifndef {guard}\n#define {guard}\n")),
+                );
                 lines.push(format!("namespace {} {{", self.name));
                 lines
                     .push(format!("constexpr int first_valence = {first}, last_valence = {last};"));
