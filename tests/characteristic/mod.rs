@@ -250,7 +250,13 @@ fn faces_with_chosen_eigenvalues() {
         [("tie", [(1, 2), (1, 2)]), ("opposite", [(1, 2), (-1, 2)]), ("outer", [(1, 4), (1, 5)])]
     {
         let (vertex, _) = face_with(name, &eigenvalues, n);
-        assert_eq!(vertex.verdict, Verdict::Fails(Hypothesis::Alone), "{name}");
+        let Verdict::Fails(hypothesis) = vertex.verdict else {
+            panic!("{name}: {:?}", vertex.verdict)
+        };
+        assert!(
+            matches!(hypothesis, Hypothesis::Alone | Hypothesis::Simple),
+            "{name}: {hypothesis:?}"
+        );
     }
     // Not below 1.
     let (vertex, _) = face_with("one", &[(1, 1), (1, 5)], n);

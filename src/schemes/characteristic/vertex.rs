@@ -201,6 +201,8 @@ fn second(spectrum: &Spectrum) -> Result<Second, Hypothesis> {
         [0] => 0,
         [k, other] if k > 0 && k < other && k + other == spectrum.order => k,
         [k, next, ..] if k == next => return Err(Hypothesis::Simple),
+        // The same eigenvalue in other blocks.
+        [_, _, _, ..] => return Err(Hypothesis::Alone),
         _ => return Err(Hypothesis::Blocks),
     };
     Ok(Second { block, value: second.real.clone() })
