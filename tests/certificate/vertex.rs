@@ -113,10 +113,14 @@ fn claims_are_judged_and_certified_and_changed_certificates_are_rejected() {
         assert_eq!(valid, *certified, "{id}, {scheme}, {states}: {outcome:?}");
     }
     for (id, from, to) in CHANGES {
-        // The block of this claim.
+        // The block of this claim alone.
         let begin = written.text.find(&format!("smoothness {id}\n")).expect("a block");
-        let at = begin + written.text[begin..].find(from).unwrap_or_else(|| panic!("{id}: {from}"));
-        let changed = format!("{}{to}{}", &written.text[..at], &written.text[at + from.len()..]);
+        let lines = written.text[begin..].lines().enumerate();
+        let own = lines.take_while(|(place, line)| *place == 0 || line.starts_with(' '));
+        let block: String = own.map(|(_, line)| format!("{line}\n")).collect();
+        let at = block.find(from).unwrap_or_else(|| panic!("{id}: {from}"));
+        let block = format!("{}{to}{}", &block[..at], &block[at + from.len()..]);
+        let changed = format!("subcert-certificate 4\npaper k\n{block}end 1\n");
         let report = check(&text, &[&changed]).expect("a claim file");
         let found = report.claims.iter().find(|(_, claim, _)| claim == id).expect("the claim");
         assert!(matches!(found.2, Outcome::Invalid(..)), "{id}: {from} as {to}: {:?}", found.2);
