@@ -237,6 +237,6 @@ fn rules_at_a_vertex() {
             "--valences",
             "3..4",
         ]),
-        &["vertex or on a face"],
+        &["no ring of points"],
     );
 }
