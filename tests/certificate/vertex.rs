@@ -5,7 +5,7 @@ use subcert::certificate::certificate;
 use subcert_check::{Outcome, check};
 
 /// Schemes with own weights, and claims with their expected verdicts.
-const SCHEMES: &str = r#"
+const SCHEMES: &str = r"
 [[scheme]]
 name = 'heavy'
 parameters.N = {}
@@ -26,7 +26,7 @@ parameters = { l = {}, m = {} }
 orbits = { face = '5' }
 edges = [['face[i]', 'face[i + 1]']]
 weights.face = { face = '(1 + 2*l*cos(2*pi*(j - i)/5) + 2*m*cos(4*pi*(j - i)/5))/5' }
-"#;
+";
 
 /// Claims: scheme, valences, what is stated, and the verdict.
 const CLAIMS: [(&str, &str, &str, &str, bool); 16] = [

@@ -310,7 +310,9 @@ impl Tree {
         }
         match &self.kind {
             Kind::Leaf(triangles) => {
-                triangles.iter().for_each(|triangle| *best = best.min(to_triangle(p, triangle)));
+                for triangle in triangles {
+                    *best = best.min(to_triangle(p, triangle));
+                }
             }
             Kind::Node(parts) => {
                 let [left, right] = [&parts[0], &parts[1]];

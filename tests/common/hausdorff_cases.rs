@@ -41,8 +41,11 @@ fn tetrahedron() -> Shape {
 
 /// A point of a circle of radius 10, on integers.
 fn circle(i: usize, n: usize) -> [i64; 2] {
-    let angle = 2.0 * std::f64::consts::PI * signed(i) as f64 / signed(n) as f64;
-    [10.0 * angle.cos(), 10.0 * angle.sin()].map(|x| x.round() as i64)
+    let real = |x: usize| f64::from(u32::try_from(x).expect("few points"));
+    let angle = 2.0 * std::f64::consts::PI * real(i) / real(n);
+    // The integer from -10 to 10 that is nearest.
+    let whole = |x: f64| (-10..=10).find(|&k| (f64::from(k) - x).abs() <= 0.5).expect("at most 10");
+    [10.0 * angle.cos(), 10.0 * angle.sin()].map(|x| i64::from(whole(x)))
 }
 
 /// Triangles from two poles to a ring of n points.

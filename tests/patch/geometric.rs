@@ -4,6 +4,7 @@ use super::{Mesh, cube, mesh};
 use crate::common::hausdorff::{Rule, distances as dense};
 use crate::common::hausdorff_cases::{Case, cases};
 use crate::common::r;
+use subcert::float::nearest;
 use subcert::mesh::MeshScheme;
 use subcert::patch::{FaceSurface, MeshDistances};
 
@@ -27,10 +28,10 @@ fn agrees(name: &str, rule: Rule, count: usize) {
     let distances = MeshDistances::new(exact(case), scheme(rule)).expect("small");
     for &(p, q) in &case.tolerances[..count] {
         let depth = distances.geometric_depth(&r(p, q), FaceSurface::Bilinear).expect("few levels");
-        let tolerance = p as f64 / q as f64;
+        let tolerance = nearest(&r(p, q));
         let level = sampled.iter().position(|&x| x <= tolerance).expect("few levels");
         assert_eq!(depth.level as usize, level, "{name}, {tolerance}, {sampled:?}, {depth:?}");
-        assert_eq!(depth.too_few, level.checked_sub(1).map(|x| x as u32));
+        assert_eq!(depth.too_few, level.checked_sub(1).and_then(|x| u32::try_from(x).ok()));
         if let Some(place) = depth.beyond {
             let sampled = sampled[level - 1];
             assert!(place.distance >= tolerance && place.distance <= sampled * 1.02);

@@ -26,7 +26,7 @@ fn check(audit: &PaperAudit<'_>) {
             let plural =
                 ["are", "differ", "cells", "promises", "take", "fail", "tables"].contains(&next);
             assert!(
-                !(singular && count != 1) && !(plural && count == 1),
+                !(singular && count != 1 || plural && count == 1),
                 "{} in {said}",
                 pair.join(" ")
             );

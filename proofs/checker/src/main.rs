@@ -185,7 +185,8 @@ fn theorems(paths: &[String]) -> Result<bool, String> {
     let read = |path: &String| {
         std::fs::read_to_string(path).map_err(|error| format!("cannot read `{path}`: {error}"))
     };
-    let is_theorems = |path: &&String| path.ends_with(".v");
+    let is_theorems =
+        |path: &&String| std::path::Path::new(path).extension().is_some_and(|ending| ending == "v");
     let (files, others): (Vec<&String>, Vec<&String>) = paths.iter().partition(is_theorems);
     let [claims, certificates @ ..] = &others[..] else {
         return Err(format!("`--coq` needs a claim file and theorems\n{USAGE}"));

@@ -45,7 +45,7 @@ impl Evaluator<'_> {
             Ok(self.with_copied(of, value, at, quantities))
         };
         if self.rows.fixes(self, of) {
-            self.once_in_row(at, quantities, compute)
+            Self::once_in_row(at, quantities, compute)
         } else {
             compute()
         }

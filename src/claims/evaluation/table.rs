@@ -82,7 +82,7 @@ impl<'a> Evaluator<'a> {
 
     /// The values of the row's definitions.
     pub(crate) fn of_row(&self, at: At<'_>, quantities: &Quantities<'_>) -> Rc<Known> {
-        self.once_in_row(at, quantities, || {
+        Self::once_in_row(at, quantities, || {
             Ok(Rc::new(self.rows.of(&self.context, at, quantities)))
         })
         .unwrap_or_default()
@@ -91,7 +91,6 @@ impl<'a> Evaluator<'a> {
     /// The values of definitions under the reading of a cell, which are the same in its row. They are
     /// computed once for each scheme, and each set of assumed parameters.
     pub(crate) fn once_in_row(
-        &self,
         at: At<'_>,
         quantities: &Quantities<'_>,
         compute: impl FnOnce() -> Result<Rc<Known>, Outcome>,

@@ -85,7 +85,7 @@ struct Recovery<'a> {
 /// A parameter to solve for, if there is one, and the values of the others.
 type Way<'n> = (Option<&'n String>, Values);
 
-impl<'a> Recovery<'a> {
+impl Recovery<'_> {
     fn count(&self) -> usize {
         self.best.as_ref().map_or(0, |(count, _)| *count)
     }

@@ -58,7 +58,7 @@ pub(crate) fn judge_all<'a>(
     });
     let mut findings = judged.into_iter().collect::<Placed<Vec<TableFinding<'a>>>>()?;
     let mut fitting = vec![None; findings.len()];
-    let mut tried: Vec<Option<Vec<(String, Vec<Recovered>)>>> = vec![None; findings.len()];
+    let mut tried: Vec<Option<Offers>> = vec![None; findings.len()];
     // A pass may recover values that help the next one.
     loop {
         let mut more = false;
@@ -220,8 +220,11 @@ fn offered(
     found
 }
 
+/// For parameters that a table lacks, the values that other tables have recovered.
+type Offers = Vec<(String, Vec<Recovered>)>;
+
 /// For each parameter that a table misses, the values that tables of its schemes have.
-fn offers(finding: &TableFinding<'_>, all: &[TableFinding<'_>]) -> Vec<(String, Vec<Recovered>)> {
+fn offers(finding: &TableFinding<'_>, all: &[TableFinding<'_>]) -> Offers {
     let suitable = |other: &Table| same_scheme(finding.table, other);
     let offers = missing(finding).into_iter().map(|name| {
         let values = offered(finding, all, &name, suitable);

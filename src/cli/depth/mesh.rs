@@ -54,7 +54,9 @@ pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments, to: &Destinati
             let bounds = distances.geometric_distances(found.level, &tolerance, surface);
             let mut bounds = bounds.map_err(refused)?;
             // The level is sufficient for all.
-            bounds.iter_mut().for_each(|bounds| bounds[1] = bounds[1].min(upper(&tolerance)));
+            for bounds in &mut bounds {
+                bounds[1] = bounds[1].min(upper(&tolerance));
+            }
             Some(Faces { depths, distances: bounds })
         } else {
             None

@@ -155,7 +155,7 @@ fn cells(audit: &PaperAudit<'_>) -> Vec<String> {
             }),
             (1, all) => sentences.push(format!("1 of these {all} takes another reading too.")),
             (read, all) => {
-                sentences.push(format!("{read} of these {all} take another reading too."))
+                sentences.push(format!("{read} of these {all} take another reading too."));
             }
         }
         sentences.extend(if_assumed(&printed));

@@ -35,7 +35,7 @@ pub fn agree<'a>(
         table.assumed.insert(name.clone(), number);
         used.push((name.clone(), value.clone()));
     }
-    for theorem in &file.theorems {
+    for theorem in &file.statements {
         one(&table, theorem).map_err(|rejection| rejection.at(theorem.line))?;
     }
     Ok(used)

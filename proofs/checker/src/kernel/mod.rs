@@ -56,7 +56,7 @@ pub fn agree<'a>(
             "table" => cell::agree(paper, claim, recovered, &file)?,
             _ => theorem::agree(paper, claim, &file).map(|()| Vec::new())?,
         };
-        Ok(Agreement { id: file.id.clone(), theorems: file.theorems.len(), recovered })
+        Ok(Agreement { id: file.id.clone(), theorems: file.statements.len(), recovered })
     };
     // What is wrong with all theorems stands in the first lines.
     agreement().map_err(|rejection: Rejection| rejection.at(1))

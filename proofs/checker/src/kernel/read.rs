@@ -48,7 +48,7 @@ pub struct Theorems {
     /// The values of parameters that the paper does not state.
     pub assumed: Vec<(String, Q)>,
     /// The theorems, in their order.
-    pub theorems: Vec<Theorem>,
+    pub statements: Vec<Theorem>,
 }
 
 /// A mask at an offset, or the weights of a ring with its edges.
@@ -155,7 +155,7 @@ fn file(c: &mut Cursor) -> Parsed<Theorems> {
         }
     }
     let kind = kind.to_owned();
-    Ok(Theorems { key, kind, id, assumed, theorems })
+    Ok(Theorems { key, kind, id, assumed, statements: theorems })
 }
 
 /// `NAME :=\n  OBJECT.\n`

@@ -17,7 +17,7 @@ pub fn agree<'a>(paper: &'a Paper<'a>, claim: &'a Toml, file: &Theorems) -> Chec
     if let Some((name, _)) = file.assumed.first() {
         return Err(Reason::Recovered(name.clone()).into());
     }
-    for theorem in &file.theorems {
+    for theorem in &file.statements {
         one(paper, claim, theorem).map_err(|rejection| rejection.at(theorem.line))?;
     }
     Ok(())

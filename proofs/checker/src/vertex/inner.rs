@@ -58,7 +58,7 @@ impl Inner {
         };
         require(order >= 3 && counts.into_iter().all(fits), RING)?;
         let inner = Inner { part, order, orbits, weights: ring.weights.clone() };
-        require(inner.is_symmetric() && inner.is_regular()?, RING)?;
+        require(inner.is_symmetric() && inner.is_regular(), RING)?;
         Ok(inner)
     }
 
@@ -97,16 +97,16 @@ impl Inner {
     }
 
     /// Whether the weights in all points but the vertex are those of the regular part. On a face all are free.
-    fn is_regular(&self) -> Result<bool, Stop> {
+    fn is_regular(&self) -> bool {
         if self.part == Part::Biquadratic {
-            return Ok(true);
+            return true;
         }
         for a in 1..self.orbits.len() {
             let mut row = vec![int(0); self.weights.len()];
             for (place, weight) in self.part.rule(self.part.inner()[a]) {
                 let (home, turns) = self.part.turned(place);
                 let Some(orbit) = self.part.inner().iter().position(|known| *known == home) else {
-                    return Ok(false);
+                    return false;
                 };
                 let order = i32::try_from(self.order).unwrap_or(i32::MAX);
                 let sector = usize::try_from(turns.rem_euclid(order)).unwrap_or(0);
@@ -114,10 +114,10 @@ impl Inner {
             }
             let own = &self.weights[self.point(a, 0)];
             if !row.into_iter().zip(own).all(|(regular, own)| Value::from(regular) == *own) {
-                return Ok(false);
+                return false;
             }
         }
-        Ok(true)
+        true
     }
 
     /// Block k in real form: the entries Σ_d m_{(a,0),(b,d)} cos(2πk(d + β/2 − α/2)/n), of all orbits for k = 0, otherwise of

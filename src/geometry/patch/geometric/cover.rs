@@ -67,13 +67,13 @@ impl<'a, 's, F: Fn(&Point<f64>, SetKind) -> bool> Cover<'a, 's, F> {
         match cover.limit(own, 0) {
             Nearness::Near => {}
             Nearness::Open => result = Nearness::Open,
-            far => return far,
+            far @ Nearness::Far(_) => return far,
         }
         for patch in scene.units[unit].patches.clone() {
             match cover.mesh(&patch, 0) {
                 Nearness::Near => {}
                 Nearness::Open => result = Nearness::Open,
-                far => return far,
+                far @ Nearness::Far(_) => return far,
             }
         }
         result
@@ -143,7 +143,7 @@ impl<'a, 's, F: Fn(&Point<f64>, SetKind) -> bool> Cover<'a, 's, F> {
                         break;
                     }
                 }
-                far => return far,
+                far @ Nearness::Far(_) => return far,
             }
         }
         result
@@ -246,7 +246,7 @@ impl<'a, 's, F: Fn(&Point<f64>, SetKind) -> bool> Cover<'a, 's, F> {
                         break;
                     }
                 }
-                far => return far,
+                far @ Nearness::Far(_) => return far,
             }
         }
         result
