@@ -155,7 +155,8 @@ fn the_depth_as_the_eye_sees_it() {
     assert!(level(&form) < level(&parametric), "{form}");
     assert_eq!(form["too_few"].as_u64(), Some(level(&form) - 1));
     // The diagonal of the cube is 2√3.
-    let relative = ["depth", "doo-sabin", "--tolerance", "1/1559", "--relative", "--format", "json"];
+    let relative =
+        ["depth", "doo-sabin", "--tolerance", "1/1559", "--relative", "--format", "json"];
     assert_eq!(level(&json(&written(of_cube(&relative)))), level(&form));
     let table = TemporaryFile::new("own.csv", "");
     let text = written(of_cube(&[&depth[..], &["--per-face", table.path()]].concat()));

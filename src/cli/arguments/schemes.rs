@@ -90,7 +90,7 @@ pub(in crate::cli) struct DepthArguments {
     #[arg(long, value_name = "FILE", requires = "mesh", conflicts_with = "a_priori")]
     pub(in crate::cli) per_face: Option<PathBuf>,
     /// How far a mesh is from its limit: as sets of points, or at equal parameters. Polygons, nets and
-    /// solids have the latter alone [default: geometric for polygon meshes, else parametric]
+    /// solids have the latter alone
     #[arg(long, value_enum)]
     pub(in crate::cli) distance: Option<DistanceArgument>,
     /// What a face of a polygon mesh is whose vertices are not in one plane; triangles are flat

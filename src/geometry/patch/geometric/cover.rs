@@ -1,9 +1,9 @@
 //! Whether the two parts of a unit are near the other set (`proofs/THEOREMS.md`, 161 and 162).
 
 use super::super::number::Vector as _;
-use super::depth::SetKind;
 use super::node::{Node, Nodes};
 use super::patch::{Patch, ball, cross, dot, length, unit};
+use super::place::SetKind;
 use super::scene::{Ring, Scene};
 use super::shadow::Direction;
 use crate::mesh::Point;

@@ -3,6 +3,7 @@
 use super::super::depth::{MeshDistances, not_positive};
 use super::level::{Geometry, Known};
 use super::patch::FaceSurface;
+use super::place::GeometricPlace;
 use crate::exact::Rational;
 use crate::float::{exact as from_f64, nearest, upper};
 use crate::mesh::{MeshError, Point};
@@ -10,44 +11,8 @@ use crate::mesh::{MeshError, Point};
 /// The highest level that is looked at as a set of points.
 pub(super) const MAX_LEVEL: u32 = 14;
 
-/// One of the two sets.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SetKind {
-    /// The mesh of the level.
-    Mesh,
-    /// The limit surface.
-    Limit,
-}
-
-impl SetKind {
-    /// `mesh` or `limit`.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            SetKind::Mesh => "mesh",
-            SetKind::Limit => "limit",
-        }
-    }
-}
-
-/// A point of one set that is far from all of the other.
-#[derive(Clone, Debug, PartialEq)]
-pub struct GeometricPlace {
-    /// The face of the control mesh.
-    pub face: usize,
-    /// The vertex of that face that it is near to, where that is known.
-    pub vertex: Option<usize>,
-    /// The face of the level; `None` at level 0 and for Doo and Sabin.
-    pub level_face: Option<u128>,
-    /// The set that has the point.
-    pub from: SetKind,
-    /// The point, to f64.
-    pub point: Point<f64>,
-    /// A point of the other set that is near, to f64; no bound rests on it.
-    pub other: Point<f64>,
-    /// A lower bound of the distance of the point from the other set.
-    pub distance: f64,
-}
+/// A tolerance is at least 2 to the power of minus this, times the diagonal of the box around the mesh.
+const LEAST_SHARE: u32 = 20;
 
 /// How many levels a mesh needs as a set of points.
 #[derive(Clone, Debug, PartialEq)]
@@ -106,8 +71,7 @@ impl MeshDistances {
         tolerance: &Rational,
         surface: FaceSurface,
     ) -> Result<GeometricDepth, MeshError> {
-        not_positive(tolerance)?;
-        let mut geometry = Geometry::new(self, surface, tolerance)?;
+        let mut geometry = self.geometry(surface, tolerance)?;
         let wanted = vec![true; geometry.face_count()];
         let (mut too_few, mut beyond, mut certain) = (None, None, true);
         // A level that equal parameters show to be sufficient, found when it is needed.
@@ -148,6 +112,24 @@ impl MeshDistances {
         Err(too_many())
     }
 
+    fn geometry(
+        &self,
+        surface: FaceSurface,
+        tolerance: &Rational,
+    ) -> Result<Geometry<'_>, MeshError> {
+        not_positive(tolerance)?;
+        let share = Rational::new(1, 1 << LEAST_SHARE);
+        let least = relative_tolerance(self.mesh().points(), &share);
+        if least.is_some_and(|least| *tolerance < least) {
+            let reason = format!(
+                "as a distance of sets, a tolerance is at least 2^-{LEAST_SHARE} of the diagonal of the \
+                 box around the mesh; take a greater one, or --distance parametric"
+            );
+            return Err(MeshError::TooMuch { reason });
+        }
+        Geometry::new(self, surface, tolerance)
+    }
+
     /// For each face of the control mesh a lower and an upper bound of the distance, at a level, of its part of the mesh
     /// and its part of the limit from the whole other set: with upper bounds ε, ε/2, ε/4 or ε/8, or infinite
     /// where ε is none.
@@ -160,12 +142,11 @@ impl MeshDistances {
         tolerance: &Rational,
         surface: FaceSurface,
     ) -> Result<Vec<[f64; 2]>, MeshError> {
-        not_positive(tolerance)?;
         let mut bounds = Vec::new();
         let mut wanted = Vec::new();
         for halved in 0..4 {
             let tolerance = tolerance * &Rational::new(1, 1_i64 << halved);
-            let mut geometry = Geometry::new(self, surface, &tolerance)?;
+            let mut geometry = self.geometry(surface, &tolerance)?;
             if halved == 0 {
                 bounds = vec![[0.0, f64::INFINITY]; geometry.face_count()];
                 wanted = vec![true; geometry.face_count()];
@@ -197,8 +178,7 @@ impl MeshDistances {
         tolerance: &Rational,
         surface: FaceSurface,
     ) -> Result<Vec<FaceDepth>, MeshError> {
-        not_positive(tolerance)?;
-        let mut geometry = Geometry::new(self, surface, tolerance)?;
+        let mut geometry = self.geometry(surface, tolerance)?;
         let none = FaceDepth { level: 0, is_least: true, too_far: None };
         let mut faces = vec![none; geometry.face_count()];
         let mut wanted = vec![true; faces.len()];

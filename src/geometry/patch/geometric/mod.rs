@@ -10,6 +10,7 @@
 //! | `cover` | whether a piece of the mesh, or of the limit, is near the other set: the upper side |
 //! | `whole` | whether a point is far from a whole set: the lower side |
 //! | `region` | which faces are looked at, and the parts of a mesh that they need |
+//! | `place` | a point of one set that is far from the other |
 //! | `level` | one level; `depth`: the least level that is sufficient |
 
 mod cover;
@@ -17,10 +18,12 @@ mod depth;
 mod level;
 mod node;
 mod patch;
+mod place;
 mod region;
 mod scene;
 mod shadow;
 mod whole;
 
-pub use depth::{FaceDepth, GeometricDepth, GeometricPlace, SetKind, relative_tolerance};
+pub use depth::{FaceDepth, GeometricDepth, relative_tolerance};
 pub use patch::FaceSurface;
+pub use place::{GeometricPlace, SetKind};

@@ -7,8 +7,8 @@ use super::super::number::{Vector as _, combinations};
 use super::super::roots::Root;
 use super::super::threads::in_threads;
 use super::cover::reach;
-use super::depth::SetKind;
 use super::patch::{FaceSurface, Patch, ball, dot, mean, unit};
+use super::place::SetKind;
 use crate::mesh::Point;
 
 /// How many pieces are looked at for one point.
