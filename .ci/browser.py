@@ -4,7 +4,7 @@
     .ci/browser.py FOLDER [SCREENSHOTS]
 
 FOLDER holds the pages of `subcert audit --format html -o FOLDER`, and of `explain` and `depth`. Nothing may be written to the console or
-loaded from elsewhere, nothing may be wider than a phone, anchors open their cells, filters hide what they
+loaded from elsewhere, no box may stand outside the window, anchors open their cells, filters hide what they
 should, certificates unfold, pictures have words, and all of it works by the keyboard alone and without scripts. With SCREENSHOTS, each page is drawn
 there at 390 and at 1280 pixels, light and dark. Chromium comes from Debian where it is missing; it is
 driven by its own protocol over a pipe, so that Python needs no packages.
@@ -160,8 +160,14 @@ class Checks:
                 self.wrong.append(f"{name}: {complaint}")
             wide = self.chromium.value("document.documentElement.scrollWidth")
             self.expect(f"{name}: {wide} pixels wide in a window of {size[0]}", wide <= size[0])
-            if pictures:
-                self.pictures(pictures, page.stem, size[0])
+            for scheme in ("light", "dark"):
+                self.chromium.call("Emulation.setEmulatedMedia",
+                                   features=[{"name": "prefers-color-scheme", "value": scheme}])
+                self.boxes(f"{name}, {size[0]} pixels, {scheme}")
+                if pictures:
+                    pictures.mkdir(parents=True, exist_ok=True)
+                    self.chromium.picture(pictures / f"{page.stem}-{size[0]}-{scheme}.png")
+            self.chromium.call("Emulation.setEmulatedMedia", features=[])
         self.texts(name)
         if name == "index.html":
             return
@@ -173,13 +179,25 @@ class Checks:
         else:
             self.skip(address, name)
 
-    def pictures(self, folder: Path, name: str, width: int) -> None:
-        folder.mkdir(parents=True, exist_ok=True)
-        for scheme in ("light", "dark"):
-            self.chromium.call("Emulation.setEmulatedMedia",
-                               features=[{"name": "prefers-color-scheme", "value": scheme}])
-            self.chromium.picture(folder / f"{name}-{width}-{scheme}.png")
-        self.chromium.call("Emulation.setEmulatedMedia", features=[])
+    def boxes(self, where: str) -> None:
+        """The box of every element is inside the window; of what scrolls by itself, that of the whole. Pictures do
+        not scroll, and neither do their words stand outside."""
+        outside = self.chromium.value(
+            """[...document.querySelectorAll('body *')].filter(element => {
+                if (element.closest('.skip, .hidden, title, desc') || !element.getClientRects().length) return false;
+                const drawn = element.closest('svg');
+                for (let above = element.parentElement; above && !drawn; above = above.parentElement)
+                    if (['auto', 'scroll', 'hidden'].includes(getComputedStyle(above).overflowX)) return false;
+                const box = element.getBoundingClientRect();
+                return box.left < -0.5 || box.right > innerWidth + 0.5;
+            }).map(element => `${element.tagName} ${element.textContent.slice(0, 40)}`).slice(0, 5)"""
+        )
+        self.expect(f"{where}: outside the window: {outside}", outside == [])
+        small = self.chromium.value(
+            """[...document.querySelectorAll('svg')].filter(svg => svg.getClientRects().length && [...svg.querySelectorAll('text')]
+                .some(text => text.getBoundingClientRect().height < 8)).length"""
+        )
+        self.expect(f"{where}: {small} pictures have words of less than 8 pixels", small == 0)
 
     def texts(self, name: str) -> None:
         """Every picture has a title and a description, and no link leads nowhere."""

@@ -3,7 +3,8 @@
 
 Without `coqc` it says so, and does nothing. Otherwise, with J jobs at a time (as many as there are cores):
 
-- no file says one of FORBIDDEN;
+- no file says one of FORBIDDEN, and no file that the papers import says one of RENAMING or gives a name of Definitions.v
+  another meaning;
 - every file compiles, in a copy of proofs/coq;
 - `Print Assumptions` of every theorem of the papers is closed: no axiom at all. The theorems about limits over R may
   use the axioms of the real numbers of the standard library, ALLOWED, and no others;
@@ -26,6 +27,13 @@ FORBIDDEN = [
     "Admitted", "admit", "Axiom", "Axioms", "Conjecture", "Parameter", "Parameters", "Hypotheses", "native_compute", "BigZ", "BigN",
     "BigQ", "Int63", "Uint63", "PArray", "bypass_check", "Unset Guard", "Unset Universe", "Unset Positivity", "type_in_type", "Declare ML",
 ]
+# What could change the meaning of a statement that is written after it.
+RENAMING = [
+    "Notation", "Infix", "Coercion", "Canonical", "Arguments", "Bind", "Delimit", "Declare", "Export", "Global", "Instance", "Set", "Unset",
+    "Module", "Include", "Load",
+]
+IMPORTED = ["Definitions", "Core", "Error", "Depth", "Refutation", "Net", "Ring"]
+DEFINED = re.compile(r"\b(?:Definition|Fixpoint|Record|Inductive|Lemma|Theorem|Example|Ltac)\s+(\w+)")
 ALLOWED = {
     "ClassicalDedekindReals.sig_forall_dec",
     "ClassicalDedekindReals.sig_not_dec",
@@ -55,6 +63,46 @@ def without_comments(text: str) -> str:
                 kept.append(text[i])
             i += 1
     return "".join(kept)
+
+
+def renaming() -> str | None:
+    """What could give a name of a statement another meaning than that of Definitions.v, if anything."""
+    # This only says what the tactic `simpl` leaves as it is.
+    harmless = re.compile(r"^#\[global\] Arguments [\w.]+ : simpl never\.$", re.MULTILINE)
+    texts = {name: harmless.sub("", without_comments((COQ / f"{name}.v").read_text())) for name in IMPORTED}
+    meanings = set(DEFINED.findall(texts["Definitions"]))
+    for name, text in texts.items():
+        for word in RENAMING:
+            if re.search(rf"(?<!\w){word}(?!\w)", text):
+                return f"{name}.v: `{word}` is not allowed where papers import it"
+        if re.search(r"^\s*Open Scope", text, re.MULTILINE):
+            return f"{name}.v: a scope is opened for others too"
+        again = meanings & set(DEFINED.findall(text)) if name != "Definitions" else set()
+        if again:
+            return f"{name}.v: {', '.join(again)} of Definitions.v again"
+    return None
+
+
+def findings(key: str, folder: Path) -> str:
+    """A line of the table in README.md: of the findings in a paper's certificate, how many Coq confirms."""
+    of = dict.fromkeys(["cell", "sound", "broken", "refuted", "proved", "other"], 0)
+    kind = ""
+    for line in (ROOT / "proofs" / "certificates" / f"{key}.cert").read_text().splitlines():
+        word = line.split(" ", 1)[0] if line[:1].strip() else line.split()[0] if line.strip() else ""
+        if line[:1].strip():
+            kind = word
+            of["other"] += kind in ["equation", "function", "range", "smoothness", "exponent"]
+        elif word in of and (kind == "theorem") == (word in ["refuted", "proved"]):
+            of[word] += 1
+    text = "".join(file.read_text() for file in folder.glob("*.v"))
+    proved = {
+        "cell": len(set(re.findall(r"^\(\* (row \d+, column \d+: .* prints .*) \*\)\n\(\* It is this", text, re.MULTILINE))),
+        "sound": text.count("(* This bound holds. *)") + text.count("(* This depth suffices. *)"),
+        "broken": text.count("(* Broken at level "),
+        # (2.2) of this paper is refuted in Examples.v.
+        "refuted": text.count("(* Refuted for ") + (key == "khan2019-newton"),
+    }
+    return f"| `{key}` | " + " | ".join(f"{proved.get(kind, 0)} of {of[kind]}" for kind in of) + " |"
 
 
 def coqc(folder: Path, file: Path) -> subprocess.CompletedProcess:
@@ -125,6 +173,13 @@ def main() -> int:
         for word in FORBIDDEN:
             if re.search(rf"(?<!\w){word}(?!\w)", bare):
                 sys.exit(f"{file}: `{word}` is not allowed")
+    if wrong := renaming():
+        sys.exit(wrong)
+    readme = (ROOT / "README.md").read_text()
+    for claims in sorted((ROOT / "proofs" / "claims").glob("*.toml")):
+        line = findings(claims.stem, COQ / "papers" / re.sub("[^A-Za-z0-9]", "_", claims.stem))
+        if line not in readme:
+            sys.exit(f"README.md does not say: {line}")
     papers = [file for file in files if file.parent != COQ]
     with tempfile.TemporaryDirectory() as name, ThreadPoolExecutor(os.cpu_count()) as pool:
         copy = Path(name)

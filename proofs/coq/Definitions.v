@@ -33,10 +33,7 @@ Definition refine (s : scheme) (x : points) : points := fun m =>
 
 (** The points of level k; those of level 0 are x. *)
 Fixpoint level (s : scheme) (k : nat) (x : points) : points :=
-  match k with
-  | O => x
-  | S k => refine s (level s k x)
-  end.
+  match k with O => x | S k => refine s (level s k x) end.
 
 Definition sum (row : list Z) : Z := fold_right Z.add 0%Z row.
 
@@ -138,6 +135,10 @@ Definition surface (s r : scheme) (k : nat) (x : net) (t u : Q) : Q :=
   interpolant (fun i => interpolant (net_level s r k x i) (inject_Z (arityZ r ^ Z.of_nat k) * u))
     (inject_Z (arityZ s ^ Z.of_nat k) * t).
 
+(** From level k to all later levels, surfaces move by at most B times the largest difference of level 0. *)
+Definition bounds_net_distance (s r : scheme) (k : nat) (B : Q) : Prop := forall x b t u l,
+  net_at_most x b -> (k <= l)%nat -> Qabs (surface s r l x t u - surface s r k x t u) <= B * b.
+
 Definition exceeds_net_step (s r : scheme) (k : nat) (b B : Q) : Prop := exists x t u,
   net_at_most x b /\ B < Qabs (surface s r (S k) x t u - surface s r k x t u).
 
@@ -166,10 +167,7 @@ Definition refine_ring (r : ring) (x : list Q) : list Q :=
   map (fun row => (1 # ring_denominator r) * dot row x) (weights r).
 
 Fixpoint ring_level (r : ring) (k : nat) (x : list Q) : list Q :=
-  match k with
-  | O => x
-  | S k => refine_ring r (ring_level r k x)
-  end.
+  match k with O => x | S k => refine_ring r (ring_level r k x) end.
 
 (** Every row has a weight for each point, and they sum to 1. *)
 Definition affine_ring (r : ring) : Prop :=
@@ -184,9 +182,10 @@ Definition exceeds_ring_difference (r : ring) (k : nat) (b B : Q) : Prop :=
   exists x a c, ring_at_most r x b /\ (In (a, c) (edges r) \/ In (c, a) (edges r)) /\
   B < Qabs (nth a (ring_level r k x) 0 - nth c (ring_level r k x) 0).
 
-Definition exceeds_ring_step (r : ring) (k : nat) (b B : Q) : Prop :=
+(** A new point is farther than B from where the rules p put it; those of weights 0 and 1 leave it where it was. *)
+Definition exceeds_ring_step (r p : ring) (k : nat) (b B : Q) : Prop :=
   exists x a, ring_at_most r x b /\ (a < length (weights r))%nat /\
-  B < Qabs (nth a (ring_level r (S k) x) 0 - nth a (ring_level r k x) 0).
+  B < Qabs (nth a (ring_level r (S k) x) 0 - nth a (refine_ring p (ring_level r k x)) 0).
 
 (** All points tend to the number p. *)
 Definition ring_tends_to (r : ring) (x : list Q) (p : Q) : Prop :=

@@ -1,7 +1,7 @@
 (** Every definition at work: none of them is empty, and none holds of everything. *)
 
 Require Import ZArith QArith Qabs Qround List Lia Lqa.
-From Subcert Require Import Definitions Core Error Depth Refutation Net Ring.
+From Subcert Require Import Definitions Core Error Depth Refutation Net NetBound Ring.
 Import ListNotations.
 Local Open Scope Q_scope.
 
@@ -165,6 +165,20 @@ Proof.
   vm_compute. reflexivity.
 Qed.
 
+(** The bound of all nets is nearly attained: 9/10 is exceeded by the net above, so that the bound is not 9/10. *)
+Example chaikin_net_bound : bounds_net_distance chaikin chaikin 0 1.
+Proof. apply (bounds_net_distance_by chaikin chaikin 1). vm_compute. reflexivity. Qed.
+
+Example chaikin_net_no_bound : ~ bounds_net_distance chaikin chaikin 0 (9 # 10).
+Proof. apply (net_distance_refuted chaikin chaikin 0 1). exact chaikin_net_distance. Qed.
+
+(** Arities 3 and 5, at level 3; negative weights make T_c Λ_c larger than T_c. *)
+Example ternary_net_bound : bounds_net_distance ternary ternary 3 (92 # 100).
+Proof. apply (bounds_net_distance_by ternary ternary 3). vm_compute. reflexivity. Qed.
+
+Example quinary_net_bound : bounds_net_distance quinary quinary 3 (87 # 100).
+Proof. apply (bounds_net_distance_by quinary quinary 2). vm_compute. reflexivity. Qed.
+
 (** * Rings *)
 
 (** Doo and Sabin's rules of a triangle. *)
@@ -179,8 +193,17 @@ Proof. apply (ring_limit triangle 3 [1; 1; 1]%Z [1; 0; 0]); reflexivity. Qed.
 Example triangle_difference : exceeds_ring_difference triangle 1 1 (49 # 100).
 Proof. apply (exceeds_ring_difference_by triangle 1 [1; 0; 0]%Z 0 1). vm_compute. reflexivity. Qed.
 
-Example triangle_step : exceeds_ring_step triangle 0 1 (1 # 4).
-Proof. apply (exceeds_ring_step_by triangle 0 [1; 0; 0]%Z 0). vm_compute. reflexivity. Qed.
+(** The points stay where they are, or move half the way to the next one. *)
+Definition stay := Ring 1 [[1; 0; 0]; [0; 1; 0]; [0; 0; 1]]%Z (edges triangle).
+Definition half := Ring 2 [[1; 1; 0]; [0; 1; 1]; [1; 0; 1]]%Z (edges triangle).
+
+Example triangle_step : exceeds_ring_step triangle stay 0 1 (1 # 4).
+Proof. apply (exceeds_ring_step_by triangle stay 0 [1; 0; 0]%Z 0). vm_compute. reflexivity. Qed.
+
+(** Another rule for the points before says something else: the first point is 1/6 off, and not 1/3. *)
+Example triangle_step_half :
+  ring_step_exceeded triangle half 0 [1; 0; 0]%Z 0 1 (1 # 4) = false /\ exceeds_ring_step triangle half 0 1 (1 # 7).
+Proof. split; [reflexivity|]. apply (exceeds_ring_step_by triangle half 0 [1; 0; 0]%Z 0). vm_compute. reflexivity. Qed.
 
 Example triangle_distance : exceeds_ring_distance triangle 1 1 (2 # 9).
 Proof. apply (exceeds_ring_distance_by triangle 1 [1; 0; 0]%Z 0 3 [1; 1; 1]%Z). vm_compute. reflexivity. Qed.

@@ -280,13 +280,13 @@ Proof.
   split; [now apply ring_spread_correct|]. split; [now apply is_edge_correct | now apply below_correct].
 Qed.
 
-Definition ring_step_exceeded (r : ring) (k : nat) (values : list Z) (a : nat) (b B : Q) : bool :=
+Definition ring_step_exceeded (r p : ring) (k : nat) (values : list Z) (a : nat) (b B : Q) : bool :=
   let x := ring_data values in
   ring_spread r x b && Nat.ltb a (length (weights r)) &&
-  below B (Qabs (nth a (ring_level r (S k) x) 0 - nth a (ring_level r k x) 0)).
+  below B (Qabs (nth a (ring_level r (S k) x) 0 - nth a (refine_ring p (ring_level r k x)) 0)).
 
-Theorem exceeds_ring_step_by r k values a b B :
-  ring_step_exceeded r k values a b B = true -> exceeds_ring_step r k b B.
+Theorem exceeds_ring_step_by r p k values a b B :
+  ring_step_exceeded r p k values a b B = true -> exceeds_ring_step r p k b B.
 Proof.
   unfold ring_step_exceeded. intros H. conditions H.
   exists (ring_data values), a.

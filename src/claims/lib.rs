@@ -16,7 +16,7 @@
 //! everywhere.
 
 use subcert_numbers::{diagnostic, exact, formula, suggestion};
-use subcert_schemes::{bound, float, limit, scheme, smoothness};
+use subcert_schemes::{bound, characteristic, float, limit, scheme, smoothness};
 
 pub mod audit;
 pub mod claim;

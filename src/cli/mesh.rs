@@ -84,7 +84,7 @@ pub(super) fn read(scheme: &str, path: &Path) -> Result<(MeshScheme, String, Mes
     })?;
     let (name, bytes) = bytes_of(path)?;
     if let Some(file) = read_binary_mesh(&name, &bytes) {
-        return noted(scheme, name, file?);
+        return Ok(noted(scheme, name, file?));
     }
     let text = text(&name, bytes)?;
     if SolidFormat::of(path, &text).is_some() && !is_polygonal_vtk(&text) {
@@ -95,19 +95,15 @@ pub(super) fn read(scheme: &str, path: &Path) -> Result<(MeshScheme, String, Mes
     }
     let format = MeshFormat::of(path, &text);
     let file = read_mesh(&SourceText::new(name.clone(), text), format)?;
-    noted(scheme, name, file)
+    Ok(noted(scheme, name, file))
 }
 
 /// The file, after its notes have been told.
-fn noted(
-    scheme: MeshScheme,
-    name: String,
-    file: MeshFile,
-) -> Result<(MeshScheme, String, MeshFile), Failure> {
+fn noted(scheme: MeshScheme, name: String, file: MeshFile) -> (MeshScheme, String, MeshFile) {
     for note in file.notes() {
         super::output::note(&format!("{name}: {note}"));
     }
-    Ok((scheme, name, file))
+    (scheme, name, file)
 }
 
 /// The name of a file, or of the standard input, and its text.

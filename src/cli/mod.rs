@@ -37,6 +37,8 @@ mod prove;
 mod radius;
 mod range;
 mod save;
+#[cfg(feature = "schema")]
+mod schemas;
 mod schemes;
 mod sets;
 mod smooth_map;
@@ -47,6 +49,7 @@ mod spectrum;
 mod table;
 mod terminal;
 mod vertex;
+mod vertex_range;
 
 use arguments::{Arguments, Command, grouped};
 use clap::FromArgMatches as _;
@@ -96,6 +99,8 @@ pub(crate) fn run() -> ExitCode {
         Command::Refine(command) => geometry::refine(&command),
         Command::Limit(command) => geometry::limit(&command),
         Command::Schemes(command) => schemes::schemes(&command),
+        #[cfg(feature = "schema")]
+        Command::Schemas { folder } => schemas::schemas(&folder),
         Command::Man { folder } => man::man(&folder),
         Command::Completions { shell } => man::completions(shell),
     };

@@ -6,25 +6,34 @@ use super::output::{Failure, Outcome, show};
 use super::sets::{Parameter, number};
 use super::smooth_map::smooth_map;
 use super::smooth_range::smooth_range;
+use super::vertex_range::of_rules;
 use subcert::bound::{Order, ParameterRange, RangeError, norm_function, polynomial_rules};
 use subcert::exact::{IntervalSet, PiecewisePolynomial, RationalPolynomial, RealAlgebraic};
 use subcert::report::{Grid, Sheet};
-use subcert::scheme::parse_parametric;
+use subcert::scheme::{open_parameters, parse_parametric};
 
 pub(super) fn range(arguments: &RangeArguments) -> Outcome {
-    let parameter = match &arguments.param[..] {
+    let named = [&arguments.names[..], &arguments.param[..]].concat();
+    let parameter = match &named[..] {
+        [] => &the_parameter(&arguments.scheme)?,
         [parameter] => parameter,
         [first, second] => return smooth_map(arguments, [first, second]),
         more => {
             let count = more.len();
-            let message =
-                format!("`--param` is given {count} times; there are maps of up to two parameters");
+            let message = format!("{count} parameters; there are maps of up to two");
             return Err(Failure::Input(message));
         }
     };
     if arguments.bounds.is_some() || arguments.boxes.is_some() {
         let message =
             "`--bounds` and `--boxes` belong to a map of two parameters: give `--param` twice";
+        return Err(Failure::Input(message.to_owned()));
+    }
+    if let Some(outcome) = of_rules(arguments, parameter) {
+        return outcome;
+    }
+    if arguments.valences.is_some() {
+        let message = "`--valences` belongs to rules around a vertex or on a face";
         return Err(Failure::Input(message.to_owned()));
     }
     let mask = parse_parametric(&arguments.scheme, parameter)?;
@@ -34,6 +43,28 @@ pub(super) fn range(arguments: &RangeArguments) -> Outcome {
     let report = Report::of(arguments, parameter, &mask.difference())
         .map_err(|e| Failure::Input(e.to_string()))?;
     show(arguments.output.format, || report.sheet(), || report.form())
+}
+
+/// The one parameter that SCHEME leaves open.
+fn the_parameter(scheme: &str) -> Result<String, Failure> {
+    let mut open = open_parameters(scheme)?;
+    match (open.pop(), open.is_empty()) {
+        (Some(name), true) => Ok(name),
+        (None, _) => {
+            let message = format!(
+                "`{scheme}` leaves no parameter open; give the scheme without a value for the parameter"
+            );
+            Err(Failure::Input(message))
+        }
+        (Some(last), false) => {
+            let names = open.iter().chain([&last]).map(|name| format!("`{name}`"));
+            let names: Vec<String> = names.collect();
+            Err(Failure::Input(format!(
+                "the mask of `{scheme}` may depend on {}: name one, as in `subcert range {scheme} {last}`",
+                names.join(", ")
+            )))
+        }
+    }
 }
 
 struct Report<'a> {

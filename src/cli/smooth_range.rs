@@ -43,12 +43,18 @@ impl Report<'_> {
         let (m, param, range) = (self.m, self.parameter(), &self.range);
         let mut sheet = Sheet::default();
         sheet.heading(1, format!("{}: where the limits are C^{m}", self.arguments.scheme));
-        let gap =
-            range.gap.as_ref().map_or("unbounded".to_owned(), |gap| format!("at most {}", up(gap)));
+        let found = |set: &IntervalSet| {
+            if set.is_empty() { "none found".to_owned() } else { param.set(set) }
+        };
+        let gap = match &range.gap {
+            None => "unbounded".to_owned(),
+            Some(gap) if gap.is_zero() => "none".to_owned(),
+            Some(gap) => format!("at most {}", up(gap)),
+        };
         let fact = |name: &str, text: String| (name.to_owned(), text);
         sheet.facts(vec![
-            fact("inside", param.set(&range.inside)),
-            fact("outside", param.set(&range.outside)),
+            fact("inside", found(&range.inside)),
+            fact("outside", found(&range.outside)),
             fact("gap", gap),
         ]);
         sheet.heading(2, "By contraction");

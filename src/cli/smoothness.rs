@@ -2,8 +2,9 @@
 
 use super::arguments::SmoothnessArguments;
 use super::curve::{Curve, curve};
+use super::finding::{Destination, command};
 use super::json::{SCHEMA, smoothness as form};
-use super::output::{Failure, Outcome, show, with_decimal};
+use super::output::{Failure, Outcome, with_decimal};
 use super::progress::Progress;
 use super::radius::{
     between, down, enclosed_root, ends, product_text, radius_form, root_text, up, upper,
@@ -12,22 +13,27 @@ use super::radius::{
 use super::vertex;
 use subcert::certificate::smoothness_certificate;
 use subcert::exact::{Integer, Rational, RationalPolynomial, format::short};
-use subcert::report::{Sheet, json::Exact};
+use subcert::report::{Sheet, html::FindingPage, json::Exact};
 use subcert::scheme::{AnyScheme, Mask, parse_any_scheme};
 use subcert::smoothness::{Coefficient, Hoelder, Smoothness, Symbol, contractions};
 
 pub(super) fn smoothness(arguments: &SmoothnessArguments) -> Outcome {
+    let to = Destination::of(&arguments.output, &format!("smoothness-{}", arguments.scheme))?;
     let ring = || matches!(parse_any_scheme(&arguments.scheme), Ok(AnyScheme::LocalRules(_)));
     if arguments.valences.is_some() || (arguments.certificate.is_none() && ring()) {
-        return vertex::vertex(arguments);
+        return vertex::vertex(arguments, &to);
     }
     match curve(&arguments.scheme)? {
-        Curve::Rational(mask) => answer(arguments, &mask),
-        Curve::Algebraic(mask) => answer(arguments, &mask),
+        Curve::Rational(mask) => answer(arguments, &mask, &to),
+        Curve::Algebraic(mask) => answer(arguments, &mask, &to),
     }
 }
 
-fn answer<F: Coefficient>(arguments: &SmoothnessArguments, mask: &Mask<F>) -> Outcome {
+fn answer<F: Coefficient>(
+    arguments: &SmoothnessArguments,
+    mask: &Mask<F>,
+    to: &Destination,
+) -> Outcome {
     let name = &arguments.scheme;
     let progress = Progress::of_search(true);
     let smoothness = Smoothness::of(mask).map_err(|error| Failure::Input(error.to_string()))?;
@@ -38,7 +44,14 @@ fn answer<F: Coefficient>(arguments: &SmoothnessArguments, mask: &Mask<F>) -> Ou
     let most = smoothness.continuity;
     let contractions = most.map_or_else(Vec::new, |most| contractions(&smoothness.symbol, most));
     let report = Report { name, generator: generator(mask), smoothness, contractions };
-    show(arguments.output.format, || report.sheet(), || report.form())
+    let page = || {
+        let (sheet, command) = (report.sheet(), command());
+        let facts = report.continuity().into_iter().map(|(name, text)| format!("{name}: {text}"));
+        let sentence = facts.collect::<Vec<String>>().join("; ");
+        Ok(FindingPage { sentence: &sentence, sheet: &sheet, pictures: &[], command: &command }
+            .to_html())
+    };
+    to.deliver(|| report.sheet(), || report.form(), page)
 }
 
 /// The number t in which irrational coefficients are polynomials: its value, and its minimal polynomial.

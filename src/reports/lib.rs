@@ -10,7 +10,9 @@
 
 use subcert_claims::{audit, claim, shipped};
 use subcert_numbers::{diagnostic, exact, formula};
-use subcert_schemes::{bound, float, joint, limit, scheme, smoothness};
+#[cfg(feature = "report")]
+use subcert_schemes::spectrum;
+use subcert_schemes::{bound, characteristic, float, joint, limit, scheme, smoothness};
 
 pub mod certificate;
 #[cfg(feature = "report")]

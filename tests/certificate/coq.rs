@@ -43,7 +43,7 @@ fn statements_hold_the_numbers_of_the_paper() {
     };
     for said in [
         "Scheme 2000 (-2) [[0; 0; 2000; 0; 0; 0]; [39; -242; 1203; 1203; -242; 39]]%Z.",
-        "(* Table 1, c_0 = 1 prints 0.742000 *)\nTheorem finding_1 :\n  contraction_constant scheme_1 1 (371 # 500).",
+        "(* row 1, column 1: Table 1, c_0 = 1 prints 0.742000 *)\n(* It is this constant. *)\nTheorem finding_1 :\n  contraction_constant scheme_1 1 (371 # 500).",
         "Scheme 2000 (-2) [[-39; 203; 1000; -203; 39; 0]; [39; -203; 1000; 203; -39; 0]]%Z.",
         "backwards_constant scheme_1 difference_1 2 (176871 # 400000).",
     ] {

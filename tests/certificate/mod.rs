@@ -6,3 +6,4 @@ mod levels;
 mod papers;
 mod smoothness;
 mod theorems;
+mod vertex;

@@ -1,14 +1,18 @@
 //! C¹ at the vertex: against closed formulas, meshes that are refined, and rules that were broken.
 
+mod slow;
+
+use slow::{Kind, Net};
 use std::f64::consts::PI;
 use std::io::Write as _;
 use subcert::characteristic::{
-    Family, Hypothesis, Refutation, Verdict, Vertex, regular_for_all_valences,
+    Family, Hypothesis, Refutation, Verdict, Vertex, regular_for_all_valences, vertex_range,
 };
 use subcert::exact::format::short;
-use subcert::exact::{Rational, RealCyclotomic};
+use subcert::exact::{Interval, Rational, RealCyclotomic};
 use subcert::float::{exact as exactly, nearest};
 use subcert::mesh::{MeshScheme, PolygonMesh, refine_mesh};
+use subcert::scheme::parse_rules_in_parameter;
 
 /// λ at a valence, by closed formulas.
 fn subdominant(scheme: &str, n: usize) -> f64 {
@@ -160,4 +164,177 @@ fn an_eigenvalue_of_block_0_above_the_others_refutes() {
     assert_eq!(tie.verdict, Verdict::Fails(Hypothesis::Alone));
     let same = ring("same", &vertex_rules("'(5/8 - 1/4)/N'", "vertex = '3/8'"));
     assert!(matches!(same.verdict, Verdict::Proved { .. }));
+}
+
+/// Rules on a face of n points with the eigenvalues 1, and these of the blocks 1, 2, …; and their weights.
+fn face_with(name: &str, eigenvalues: &[(i64, i64)], n: usize) -> (Vertex, Vec<f64>) {
+    let both = if n.is_multiple_of(2) { eigenvalues.len() - 1 } else { eigenvalues.len() };
+    let factor = |k: usize| if k < both { 2 } else { 1 };
+    let terms = eigenvalues
+        .iter()
+        .enumerate()
+        .map(|(k, (p, q))| format!(" + {}*({p})/{q}*cos(2*pi*{}*(j - i)/{n})", factor(k), k + 1));
+    let text = format!(
+        "name = 'face'\ntitle = 'Rules on a face'\norbits = {{ face = '{n}' }}\nedges = [['face[i]', 'face[i + 1]']]\n\
+         [weights.face]\nface = '(1{})/{n}'\n",
+        terms.collect::<String>()
+    );
+    let weight = |d: usize| {
+        let turn = |k: usize| (2.0 * PI * real(k * d) / real(n)).cos();
+        let terms = eigenvalues.iter().enumerate().map(|(k, (p, q))| {
+            f64::from(factor(k))
+                * turn(k + 1)
+                * nearest(&RealCyclotomic::from(Rational::new(*p, *q)))
+        });
+        (1.0 + terms.sum::<f64>()) / real(n)
+    };
+    (ring(name, &text), (0..n).map(weight).collect())
+}
+
+/// The verdicts on the catalogue against cells of refined nets.
+#[test]
+fn slow_nets_agree_with_proofs() {
+    for n in [3, 4, 5, 7, 12, 20] {
+        for (kind, k) in [(Kind::Vertex, 1), (Kind::Triangles, 1)] {
+            let net = Net::new(kind, n, k, &[]);
+            let (_, negative) = net.areas();
+            assert_eq!(negative, 0, "{n}");
+            assert!((net.winding() - 1.0).abs() < 1e-6, "{n}");
+        }
+    }
+}
+
+/// The eigenvalues of a face are chosen: folds, winding numbers, negative eigenvalues, ties.
+#[test]
+fn faces_with_chosen_eigenvalues() {
+    // Block 1 above: λ from 1/2 to 0.9.
+    let n = 5;
+    for (p, q, smooth) in [(1, 2, true), (3, 5, true), (19, 20, false)] {
+        let (vertex, weights) = face_with(&format!("lambda{p}-{q}"), &[(p, q), (1, 5)], n);
+        let net = Net::new(Kind::Face, 5, 1, &weights);
+        let (positive, negative) = net.areas();
+        if smooth {
+            assert!(
+                matches!(vertex.verdict, Verdict::Proved { .. }),
+                "{p}/{q}: {:?}",
+                vertex.verdict
+            );
+            assert_eq!(negative, 0, "{p}/{q}");
+            assert!((net.winding() - 1.0).abs() < 1e-6);
+        } else {
+            assert!(
+                matches!(vertex.verdict, Verdict::Refuted(Refutation::Folds { .. })),
+                "{p}/{q}: {:?}",
+                vertex.verdict
+            );
+            assert!(positive > 0 && negative > 0, "{p}/{q}");
+        }
+    }
+    // Block 2 above: the map winds twice.
+    let (vertex, weights) = face_with("winds", &[(3, 10), (1, 2)], n);
+    let Verdict::Refuted(Refutation::Winds { number: Some(2) }) = vertex.verdict else {
+        panic!("{:?}", vertex.verdict)
+    };
+    let net = Net::new(Kind::Face, 5, 2, &weights);
+    assert!((net.winding() - 2.0).abs() < 1e-6);
+    assert_eq!(net.areas().1, 0);
+    // Negative.
+    let (vertex, _) = face_with("negative", &[(-1, 2), (1, 5)], n);
+    assert!(
+        matches!(vertex.verdict, Verdict::Refuted(Refutation::Negative | Refutation::Folds { .. })),
+        "{:?}",
+        vertex.verdict
+    );
+    // Ties, and too small.
+    for (name, eigenvalues) in
+        [("tie", [(1, 2), (1, 2)]), ("opposite", [(1, 2), (-1, 2)]), ("outer", [(1, 4), (1, 5)])]
+    {
+        let (vertex, _) = face_with(name, &eigenvalues, n);
+        assert_eq!(vertex.verdict, Verdict::Fails(Hypothesis::Alone), "{name}");
+    }
+    // Not below 1.
+    let (vertex, _) = face_with("one", &[(1, 1), (1, 5)], n);
+    assert_eq!(vertex.verdict, Verdict::Fails(Hypothesis::SimpleOne));
+    // Block n/2 alone.
+    let (vertex, _) = face_with("half", &[(3, 10), (1, 2)], 4);
+    assert_eq!(vertex.verdict, Verdict::Fails(Hypothesis::Blocks));
+}
+
+/// Ranges of a parameter against verdicts at single values, in and out of them.
+#[test]
+fn ranges_agree_with_verdicts_at_values() {
+    for (file, parameter, valences) in [
+        ("loop-beta", "beta", &[3, 4, 5, 6, 7, 12][..]),
+        ("catmull-clark-gamma", "gamma", &[3, 4, 5, 8]),
+        ("doo-sabin-alpha", "alpha", &[3, 4, 5]),
+    ] {
+        for &n in valences {
+            let scheme = format!("examples/{file}.toml");
+            let ring = parse_rules_in_parameter(&scheme, parameter, Some(n)).expect("rules");
+            let range = vertex_range(&ring, parameter)
+                .unwrap_or_else(|error| panic!("{file} {n}: {error}"));
+            assert!(!range.inside.is_empty(), "{file} {n}");
+            assert!(range.inside.intersection(&range.outside).is_empty());
+            for (set, smooth) in [(&range.inside, true), (&range.outside, false)] {
+                for at in set.intervals().iter().filter_map(Interval::rational) {
+                    let vertex = Vertex::of(&format!("{scheme}:{parameter}={at}"), Some(n));
+                    let verdict = vertex.expect("a spectrum").verdict;
+                    assert_eq!(
+                        matches!(verdict, Verdict::Proved { .. }),
+                        smooth,
+                        "{file} {n} {at}: {verdict:?}"
+                    );
+                    assert_eq!(
+                        matches!(verdict, Verdict::Refuted(_)),
+                        !smooth,
+                        "{file} {n} {at}: {verdict:?}"
+                    );
+                }
+            }
+            // The ends of Loop's weight: |5/8 − nβ| < λ.
+            if file == "loop-beta" {
+                let ends: Vec<f64> = range.inside.ends().map(|(end, _)| nearest(end)).collect();
+                let value = subdominant("loop", n);
+                let expected = [(0.625 - value) / real(n), (0.625 + value) / real(n)];
+                assert!(
+                    ends.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-12),
+                    "{n}: {ends:?}"
+                );
+            }
+        }
+    }
+}
+
+/// Beyond the end of the range of a face's eigenvalue the cells of a refined net have both orientations, and before it one.
+#[test]
+fn the_end_of_a_range_is_where_nets_fold() {
+    let ring =
+        parse_rules_in_parameter("examples/doo-sabin-alpha.toml", "alpha", Some(3)).expect("rules");
+    let range = vertex_range(&ring, "alpha").expect("a range");
+    let (end, _) = range.inside.ends().last().expect("an end");
+    let end = nearest(end);
+    assert!((0.8..0.95).contains(&end), "{end}");
+    let areas = |value: f64| {
+        let weight = |d: usize| {
+            let turn = (2.0 * PI * real(d) / 3.0).cos();
+            (1.0 + 2.0 * value * turn) / 3.0
+        };
+        Net::new(Kind::Face, 3, 1, &[weight(0), weight(1), weight(2)]).areas()
+    };
+    assert_eq!(areas(end - 0.02).1, 0);
+    let (positive, negative) = areas(end + 0.03);
+    assert!(positive > 0 && negative > 0);
+}
+
+/// Rings without polynomial pieces that are known: nothing is proved, and the eigenvalues are said.
+#[test]
+fn other_regular_parts_are_open_with_what_the_eigenvalues_say() {
+    for n in [3, 4, 5, 7, 9] {
+        let vertex = Vertex::of("modified-butterfly", Some(n)).expect("a spectrum");
+        assert!(matches!(vertex.verdict, Verdict::Open(_)));
+        let value = vertex.second.expect("an eigenvalue").value;
+        assert_eq!((value.to_string().as_str(), vertex.hypothesis), ("1/2", None), "{n}");
+    }
+    let vertex = Vertex::of("mid-edge", Some(5)).expect("a spectrum");
+    assert!(matches!(vertex.verdict, Verdict::Open(_)) && vertex.hypothesis.is_none());
 }

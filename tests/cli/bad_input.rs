@@ -101,7 +101,7 @@ fn ranges() {
     for (scheme, parameter, parts) in cases {
         assert_parts(&refused(["range", scheme, "--param", parameter]), parts);
     }
-    assert_parts(&refused(["range", "six-point"]), &["--param"]);
+    assert_parts(&refused(["range", "six-point:w=0"]), &["leaves no parameter open"]);
     let deep = refused(["range", "six-point", "--param", "w", "-c", "10"]);
     assert_parts(&deep, &["2^10 residue classes", "524288", "smaller number"]);
 }

@@ -88,7 +88,7 @@ fn json(text: &str) -> serde_json::Value {
 
 #[test]
 fn the_depth_of_a_mesh() {
-    let depth = ["depth", "catmull-clark", "--tolerance", "1/100"];
+    let depth = ["depth", "catmull-clark", "--tolerance", "1/100", "--distance", "parametric"];
     let text = written(of_cube(&depth));
     assert_parts(&text, &["4 levels; 3 are too few", "a priori", "too far at level 3"]);
     let form = json(&written(of_cube(&[&depth[..], &["--format", "json"]].concat())));
@@ -116,7 +116,8 @@ fn the_depth_of_a_mesh() {
 
 #[test]
 fn the_distance_of_every_face() {
-    let depth = ["depth", "catmull-clark", "--tolerance", "1/10", "--per-face"];
+    let depth =
+        ["depth", "catmull-clark", "--tolerance", "1/10", "--distance", "parametric", "--per-face"];
     let table = TemporaryFile::new("faces.csv", "");
     written(of_cube(&[&depth[..], &[table.path()]].concat()));
     let text = std::fs::read_to_string(table.path()).expect("the file");
@@ -139,6 +140,32 @@ fn the_distance_of_every_face() {
 }
 
 #[test]
+fn the_depth_as_the_eye_sees_it() {
+    let depth = ["depth", "doo-sabin", "--tolerance", "1/30"];
+    let text = written(of_cube(&depth));
+    assert_parts(&text, &["Hausdorff", "quadrilaterals bilinear", "too far at level"]);
+    let form = json(&written(of_cube(&[&depth[..], &["--format", "json"]].concat())));
+    let parametric = [&depth[..], &["--format", "json", "--distance", "parametric"]].concat();
+    let parametric = json(&written(of_cube(&parametric)));
+    assert_eq!(
+        (&form["measure"], &parametric["measure"]),
+        (&"hausdorff".into(), &"parametric".into())
+    );
+    let level = |form: &serde_json::Value| form["level"].as_u64().expect("a level");
+    assert!(level(&form) < level(&parametric), "{form}");
+    assert_eq!(form["too_few"].as_u64(), Some(level(&form) - 1));
+    // The diagonal of the cube is 2√3.
+    let relative = ["depth", "doo-sabin", "--tolerance", "1/104", "--relative", "--format", "json"];
+    assert_eq!(level(&json(&written(of_cube(&relative)))), level(&form));
+    let table = TemporaryFile::new("own.csv", "");
+    let text = written(of_cube(&[&depth[..], &["--per-face", table.path()]].concat()));
+    assert_parts(&text, &["adaptive refinement"]);
+    let text = std::fs::read_to_string(table.path()).expect("the file");
+    assert!(text.starts_with("face,vertices,level,lower,upper,own_level,is_least\n"), "{text}");
+    assert_parts(&refused(["depth", "chaikin", "--tolerance", "1", "--relative"]), &["--relative"]);
+}
+
+#[test]
 fn what_has_no_depth() {
     let square =
         TemporaryFile::new("flat.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n");
@@ -148,11 +175,11 @@ fn what_has_no_depth() {
         (&["catmull-clark", "--tolerance", "0", "--mesh", square.path()], &["must be positive"]),
         (
             &["catmull-clark", "--tolerance", "1e-60", "--mesh", square.path()],
-            &["more than 40 levels", "take a greater one"],
+            &["take a greater one"],
         ),
         (
             &["catmull-clark", "--tolerance", "1", "--mesh", square.path(), "--per-face", "x.txt"],
-            &[".csv or .ply"],
+            &[".csv, .json or .ply"],
         ),
         (&["chaikin", "--tolerance", "1", "--mesh", square.path()], &["no scheme for meshes"]),
     ];

@@ -82,6 +82,14 @@ fn the_standard_input_is_a_claim_file() {
     let wrong = subcert(["audit", "-"]).stdin("key = 'k'\n").assert().code(2);
     let message = String::from_utf8_lossy(&wrong.get_output().stderr).into_owned();
     assert_parts(&message, &["standard input:1:1", "missing field `paper`"]);
+    // What is missing is named at once, also in a table of the file.
+    let wrong = subcert(["audit", "-"]).stdin("[paper]\n[[table]]\nid = 't'\n").assert().code(2);
+    let message = String::from_utf8_lossy(&wrong.get_output().stderr).into_owned();
+    assert_parts(&message, &["missing field", "`key`", "`title` and `year`", "`locus`", "`cells`"]);
+    // TOML as people write it, and no more than is needed.
+    let short = "key = 'k'\n[paper]\ntitle = 'T'\nyear = 2020\n[[table]]\nid = 't'\nlocus = 'Table 1'\nvalue = 'c + 1'\n\
+                 columns = { name = 'c', values = [1, -2] }\ncells = [[2, -1]]\n";
+    subcert(["audit", "-", "--deny", "refuted"]).stdin(short).assert().success();
     let twice = subcert(["audit", "-", "-"]).stdin(text.as_str()).assert().code(2);
     let message = String::from_utf8_lossy(&twice.get_output().stderr).into_owned();
     assert_parts(&message, &["empty or was read before"]);

@@ -99,6 +99,10 @@ fn bad_input_of_these() {
     let long =
         TemporaryFile::new("long.toml", &format!("name = \"long\"\nmask = [[{rule}], [{rule}]]\n"));
     assert_parts(&refused(["smoothness", long.path()]), &["too long", "from 1 to 24"]);
+    // The one parameter of a scheme needs no name, and a name no flag.
+    let named = written(["range", "four-point", "--param", "w", "-c", "1"]);
+    assert_eq!(written(["range", "four-point", "-c", "1"]), named);
+    assert_eq!(written(["range", "four-point", "w", "-c", "1"]), named);
     let range = |m| refused(["range", "four-point", "--param", "w", "--smoothness", m]);
     assert_parts(&range("2"), &["sum rules of order 3", "order 2"]);
     assert_parts(&range("-1"), &["no whole number"]);
@@ -206,4 +210,33 @@ fn maps_of_two_parameters() {
     assert_parts(&refused(one), &["give `--param` twice"]);
     let unused = ["range", "four-point", "--param", "w", "--param", "v", "--smoothness", "1"];
     assert_parts(&refused(unused), &["`v`"]);
+}
+
+#[test]
+fn rules_at_a_vertex() {
+    let page = written(["smoothness", "loop:N=5", "--format", "html"]);
+    for part in ["<polyline", "least J", "C^1 at valence 5: proved", "Reproduce"] {
+        assert!(page.contains(part), "no `{part}`");
+    }
+    let range = ["range", "examples/loop-beta.toml", "--param", "beta", "--smoothness", "1"];
+    let found = json(range.into_iter().chain(["--valences", "3..4"]));
+    let first = &found["valences"][0];
+    // |5/8 − 3β| < 1/4.
+    assert_eq!(first["inside"][0]["low"]["exact"], "1/8");
+    assert_parts(&refused(range.into_iter().chain(["--valences", "all"])), &["single valences"]);
+    let other = ["range", "examples/loop-beta.toml:N=5", "--param", "beta"];
+    assert_parts(&refused(other), &["--smoothness 1"]);
+    assert_parts(
+        &refused([
+            "range",
+            "four-point",
+            "--param",
+            "w",
+            "--smoothness",
+            "1",
+            "--valences",
+            "3..4",
+        ]),
+        &["vertex or on a face"],
+    );
 }

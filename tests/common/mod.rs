@@ -3,6 +3,8 @@
 #![allow(dead_code, reason = "each test crate uses its part")]
 
 pub mod claims;
+pub mod hausdorff;
+pub mod hausdorff_cases;
 pub mod meshes;
 pub mod papers;
 pub mod solids;

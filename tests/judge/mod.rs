@@ -4,6 +4,7 @@ mod copied;
 mod every_shift;
 mod functions_and_ranges;
 mod lines;
+mod numbers;
 mod proportional;
 mod readings;
 mod recovered;

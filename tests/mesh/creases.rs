@@ -252,7 +252,7 @@ proptest! {
     fn sharpness_falls((scheme, mesh) in tagged()) {
         let later = refined(&mesh, scheme, 3);
         let left = later.tags().edges().values().chain(later.tags().vertices().values());
-        prop_assert!(left.cloned().all(|one| one == Sharpness::Infinite));
+        prop_assert!(left.into_iter().all(|one| *one == Sharpness::Infinite));
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::{file, number};
 use proptest::prelude::*;
+use std::fmt::Write as _;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use subcert::diagnostic::{Diagnostic, SourceText};
 use subcert::exact::Rational;
@@ -52,7 +53,9 @@ fn ply(big: bool) -> Vec<u8> {
         put(1_i16.to_le_bytes().to_vec());
         put(f32::NAN.to_le_bytes().to_vec());
         put(vec![3]);
-        face.iter().for_each(|v| put(v.to_le_bytes().to_vec()));
+        for v in face {
+            put(v.to_le_bytes().to_vec());
+        }
         put(9_u16.to_le_bytes().to_vec());
     }
     bytes
@@ -65,7 +68,9 @@ fn stl() -> Vec<u8> {
         bytes.extend([0; 12]);
         for v in face {
             let point = POINTS[usize::try_from(v).expect("a vertex")];
-            point.iter().for_each(|x| bytes.extend(x.to_le_bytes()));
+            for x in point {
+                bytes.extend(x.to_le_bytes());
+            }
         }
         bytes.extend([0; 2]);
     }
@@ -78,7 +83,7 @@ fn ascii_stl() -> String {
         text.push_str("facet normal 0 0 1\n outer loop\n");
         for v in face {
             let [x, y, z] = exact(&POINTS[usize::try_from(v).expect("a vertex")]);
-            text.push_str(&format!("  vertex {x} {y} {z}\n"));
+            let _ = writeln!(text, "  vertex {x} {y} {z}");
         }
         text.push_str(" endloop\nendfacet\n");
     }

@@ -1,6 +1,7 @@
 //! How far meshes are from their limit surfaces, and how many levels they need.
 
 mod exactness;
+mod geometric;
 mod laws;
 mod naive;
 mod nets;

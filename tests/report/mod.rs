@@ -4,6 +4,7 @@ mod depth_pictures;
 mod document;
 mod explained;
 mod figures;
+mod headline;
 mod html;
 mod latex;
 mod latex_table;

@@ -1,6 +1,7 @@
 //! Schemes in files of one's own.
 
 use crate::common::{mask, r};
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use subcert::diagnostic::{Diagnostic, SourceText};
 use subcert::exact::Rational;
@@ -81,22 +82,22 @@ fn errors_say_where_what_and_what_would_be_right() {
             "",
         ),
         (
-            "name = 'a'\nmask = [['1', 0], ['1', '0']]",
-            "0",
+            "name = 'a'\nmask = [['1', 0x0], ['1', '0']]",
+            "0x0",
             "invalid type: integer",
-            "write numbers in quotes, as '3/256'",
+            "write it as a decimal number",
         ),
         (
             "name = 'a'\nmask = [[0.5, '1/2'], ['1', '0']]",
             "0.5",
             "invalid type: floating point",
-            "write numbers in quotes",
+            "write it in quotes, as '0.5'",
         ),
         (
-            "name = 'a'\noffset = -1\nmask = [['1'], ['1']]",
-            "-1",
-            "invalid type: integer",
-            "write numbers in quotes",
+            "name = 'a'\noffset = -1.0\nmask = [['1'], ['1']]",
+            "-1.0",
+            "invalid type: floating point",
+            "write it in quotes",
         ),
         ("name = 'a", "", "invalid literal string", ""),
         (
@@ -222,4 +223,18 @@ fn parameters_without_value() {
     let error = definition.mask::<Rational>(&[].into()).unwrap_err();
     assert_eq!(error.to_string(), "`a` needs its parameter `w`: write `a:w=…`");
     assert!(definition.mask(&[("w".to_owned(), r(1, 1))].into()).is_ok());
+}
+
+#[test]
+fn whole_numbers_are_what_they_spell() {
+    let read = |text: &str| {
+        let source = SourceText::new("mine.toml", text.to_owned());
+        read_scheme(&source).unwrap_or_else(|error| panic!("{error}"))
+    };
+    let spelled = read("name = 'a'\noffset = '-1'\nmask = [['1', '0'], ['3', '-2']]");
+    let typed = read("name = 'a'\noffset = -1\nmask = [[1, 0], [+3, -2]]");
+    let values = BTreeMap::new();
+    let mask =
+        |definition: &SchemeDefinition| definition.mask::<Rational>(&values).expect("a mask");
+    assert_eq!(mask(&typed), mask(&spelled));
 }

@@ -223,7 +223,7 @@ fn errors_say_where_what_and_what_would_be_right() {
         ),
         ("n = '4'", "n = 'm'", "w/n", "unknown name", ""),
         ("n = '4'", "n = '0'", "'n'", "the number of points of `corner` is 0", ""),
-        ("'1 - w'", "1", "1", "invalid type: integer", "write numbers in quotes"),
+        ("'1 - w'", "1.5", "1.5", "invalid type: floating point", "write it in quotes"),
         ("'1 - w'", "'1 - cos(2*pi/99991)'", "cos(2*pi/99991)", "n = 99991", ""),
     ] {
         let text = TRIANGLE.replacen(old, new, 1);

@@ -2,3 +2,4 @@ mod algebraic;
 mod known;
 mod laws;
 mod map;
+mod range;

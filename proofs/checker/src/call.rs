@@ -91,9 +91,14 @@ impl<'c> Call<'c> {
         scheme.ok_or_else(|| Stop::Wrong(format!("`{}` needs a scheme", self.function)))
     }
 
+    /// Whether masks are read forwards, by the order that the call chooses.
+    pub fn is_forward(&mut self) -> Result<bool, Stop> {
+        Ok(self.choose("order", &ORDER)? == 1)
+    }
+
     /// The sequence of a mask in the order that the call chooses.
     pub fn sequence<'s>(&mut self, rules: &'s [Vec<Value>]) -> Result<Sequence<'s>, Stop> {
-        Ok(Sequence { rules, forward: self.choose("order", &ORDER)? == 1 })
+        Ok(Sequence { rules, forward: self.is_forward()? })
     }
 
     /// The convolution of level c ≤ `most` and arity n, by the recursion that the call chooses.

@@ -3,7 +3,7 @@
 use crate::toml::Toml;
 
 /// The schemes that every claim file may name. They are data.
-const CATALOGUE: [&str; 16] = [
+const CATALOGUE: [&str; 18] = [
     include_str!("../catalogue/b-spline.toml"),
     include_str!("../catalogue/bajaj.toml"),
     include_str!("../catalogue/catmull-clark.toml"),
@@ -12,6 +12,8 @@ const CATALOGUE: [&str; 16] = [
     include_str!("../catalogue/four-point.toml"),
     include_str!("../catalogue/loop.toml"),
     include_str!("../catalogue/loop-warren.toml"),
+    include_str!("../catalogue/mid-edge.toml"),
+    include_str!("../catalogue/modified-butterfly.toml"),
     include_str!("../catalogue/newton.toml"),
     include_str!("../catalogue/quaternary-four-point.toml"),
     include_str!("../catalogue/quinary-three-point.toml"),

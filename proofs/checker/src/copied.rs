@@ -14,6 +14,8 @@ pub enum Copied<'r> {
     /// The tolerances are those at which the depth in this row or column is a whole number before
     /// it is rounded: `tolerance@line#NUMBER`.
     Tolerance(usize),
+    /// The points of all schemes are numbered from this one on: `scheme@row#NUMBER`.
+    Numbers(usize),
 }
 
 impl<'r> Copied<'r> {
@@ -27,6 +29,9 @@ impl<'r> Copied<'r> {
         match from.split_once('#') {
             Some(("scheme", place)) => Some(Copied::Scheme(of, number(place)?)),
             Some(("line", place)) if of == "tolerance" => Some(Copied::Tolerance(number(place)?)),
+            Some(("row", place)) if of == "scheme" => {
+                Some(Copied::Numbers(number(place).filter(|first| *first > 0)?))
+            }
             Some(_) => None,
             None => Some(Copied::Printed(of, from)),
         }

@@ -44,6 +44,11 @@ impl Cursor {
         if self.eat(token) { Ok(()) } else { Err(token) }
     }
 
+    /// Takes a text, which is described by `what`. It has to stand here.
+    pub fn expect_text(&mut self, text: &str, what: &'static str) -> Parsed<()> {
+        if self.eat(text) { Ok(()) } else { Err(what) }
+    }
+
     /// Takes the characters that fit.
     pub fn take(&mut self, fits: impl Fn(char) -> bool) -> String {
         let start = self.at.min(self.text.len());
@@ -62,10 +67,15 @@ impl Cursor {
         self.at = at;
     }
 
+    /// The line of the position, counted from 1.
+    pub fn line(&self) -> usize {
+        1 + self.text[..self.at.min(self.text.len())].iter().filter(|c| **c == '\n').count()
+    }
+
     /// A message that says what was expected, and in which line and column.
     pub fn expected(&self, what: &str) -> String {
         let before = &self.text[..self.at.min(self.text.len())];
-        let line = 1 + before.iter().filter(|c| **c == '\n').count();
+        let line = self.line();
         let column = 1 + before.iter().rev().take_while(|c| **c != '\n').count();
         format!("expected {what} in line {line}, column {column}")
     }

@@ -61,6 +61,11 @@ impl Table<'_> {
                 instead.values.extend(self.tolerance_at(*line, at, read, assumed)?);
                 return self.own_scope(at, read, assumed, &instead);
             }
+            Copied::Numbers(first) => {
+                let mut scoped = own()?;
+                scoped.0.first = *first;
+                return Ok(scoped);
+            }
             Copied::Printed(of, table) => (of, self.printed_in(table, at, &own()?.0)?),
             Copied::Parameter(of, name, value) => {
                 let value = Value::from(value.clone());

@@ -65,6 +65,8 @@ pub struct Scope<'a> {
     pub piece: Option<Piece<'a>>,
     /// The reading of the options of functions.
     pub reading: &'a Reading,
+    /// The number of the point that becomes number 0, where masks are read forwards.
+    pub first: usize,
     functions: &'a dyn Functions,
     /// The values of definitions that are known under this reading.
     pub memory: Rc<Memory>,
@@ -94,6 +96,7 @@ impl<'a> Scope<'a> {
             hidden,
             piece,
             reading,
+            first: 0,
             functions,
             memory,
             depth,

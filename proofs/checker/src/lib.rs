@@ -57,6 +57,9 @@ mod exponent;
 mod functions;
 mod sums;
 
+// Surfaces at a vertex or on a face.
+mod vertex;
+
 // Claim files, and the rules by which certificates prove claims.
 mod copied;
 mod elsewhere;
@@ -68,12 +71,14 @@ mod setting;
 mod table;
 mod witness;
 
-// Joint spectral radii, and constants that programs ship.
+// Joint spectral radii, constants that programs ship, and theorems of Coq.
+mod kernel;
 mod radius;
 mod shipped;
 
 use catalogue::catalogue;
 use certificate::{About, Block};
+pub use kernel::Agreement;
 use library::Library;
 use meter::Meter;
 use paper::Paper;
@@ -134,15 +139,10 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
     if file.get("project").is_some() {
         return check_project(&file, certificates);
     }
-    let known = catalogue()?;
-    if let Some(path) = shape::misfit(&file, "file") {
-        return Err(format!("`{path}` is unknown, or not of its type"));
-    }
-    names::misuse(&file)?;
+    let (known, key) = (catalogue()?, of_paper(&file)?.to_owned());
     let meter = Meter::default();
     let library = Library::new(file.list("scheme"), &known, &meter);
     let paper = Paper::new(&file, &library).map_err(|stop| stop.to_string())?;
-    let key = file.text("key").ok_or("`key` is missing")?.to_owned();
     let mut ids = BTreeSet::new();
     for id in paper.claims().into_iter().map(|(_, id)| id).chain([&key[..]]) {
         if !is_id(id) {
@@ -227,6 +227,77 @@ pub fn check(claims: &str, certificates: &[&str]) -> Result<Report, String> {
         (kind, id.to_owned(), outcomes.remove(&(kind, id)).unwrap_or(Outcome::Incomplete(None)))
     });
     Ok(Report { key, claims: claims.collect(), verdicts: verdicts_said, broken })
+}
+
+/// Checks the fields and names of a claim file, and gives its key.
+fn of_paper(file: &Toml) -> Result<&str, String> {
+    if let Some(path) = shape::misfit(file, "file") {
+        return Err(format!("`{path}` is unknown, or not of its type"));
+    }
+    names::misuse(file)?;
+    file.text("key").ok_or("`key` is missing".to_owned())
+}
+
+/// Compares files of theorems of Coq with their claim file: masks, numbers, levels and places
+/// (FORMAT.md, Theorems of Coq). Certificates recover the values of parameters that the paper does not
+/// state; they are checked. Whether the theorems are true, Coq checks.
+///
+/// # Errors
+/// The claim file is wrong, or is about a project; the message says why.
+///
+/// # Panics
+/// When the machine has no thread left.
+pub fn check_theorems(
+    claims: &str,
+    certificates: &[&str],
+    files: &[&str],
+) -> Result<Vec<Result<Agreement, Rejection>>, String> {
+    let file = Toml::read(claims)?;
+    if file.get("project").is_some() {
+        return Err("there are no theorems about the constants of a project".to_owned());
+    }
+    let (known, key) = (catalogue()?, of_paper(&file)?);
+    let recovered = recovered(claims, certificates, key)?;
+    let compare = || {
+        let meter = Meter::default();
+        let library = Library::new(file.list("scheme"), &known, &meter);
+        let paper = Paper::new(&file, &library).map_err(|stop| stop.to_string())?;
+        Ok(files.iter().map(|text| kernel::agree(&paper, key, &recovered, text)).collect())
+    };
+    std::thread::scope(|scope| {
+        let worker = Builder::new().stack_size(STACK).spawn_scoped(scope, compare);
+        worker.expect("a thread").join().unwrap_or_else(|panic| resume_unwind(panic))
+    })
+}
+
+/// The values that valid certificates recover.
+fn recovered(claims: &str, certificates: &[&str], key: &str) -> Result<Vec<kernel::Given>, String> {
+    let report = check(claims, certificates)?;
+    let is_valid = |kind: &str, id: &str| {
+        let valid = |(k, i, outcome): &(&str, String, Outcome)| {
+            *k == kind && i == id && *outcome == Outcome::Valid
+        };
+        report.claims.iter().any(valid)
+    };
+    let mut given = Vec::new();
+    for text in certificates {
+        for block in certificate::blocks(text, About::Paper(key)).unwrap_or_default() {
+            let (kind, id) = block.head.word();
+            let lines = block.lines().iter().map(certificate::Line::word);
+            for (_, said) in lines.filter(|(word, _)| *word == "recovered" && is_valid(kind, id)) {
+                let mut words = said.split(' ');
+                let (name, value) = (words.next(), words.next().and_then(decimal::read_rational));
+                if let (Some(name), Some(value)) = (name, value) {
+                    given.push(kernel::Given {
+                        table: id.to_owned(),
+                        name: name.to_owned(),
+                        value,
+                    });
+                }
+            }
+        }
+    }
+    Ok(given)
 }
 
 /// Checks certificates against the claim file of a project.

@@ -27,6 +27,21 @@ pub struct Library<'a> {
     pub products: Products<'a>,
     nothing: Definitions,
     as_printed: Reading,
+    /// The constants that formulas asked for, while they are traced.
+    asked: RefCell<Option<Vec<Constant>>>,
+}
+
+/// A constant T_c or Λ_c that a formula asked for.
+#[derive(Clone)]
+pub struct Constant {
+    /// The scheme.
+    pub scheme: Rc<Scheme>,
+    /// Whether it is Λ_c.
+    pub norm: bool,
+    /// Whether the sequence is read forwards.
+    pub forward: bool,
+    /// c.
+    pub level: u32,
 }
 
 /// The name of a scheme, its table, and its parameters.
@@ -39,9 +54,23 @@ fn wrong<T>(of: &str, what: &str) -> Result<T, Stop> {
 impl<'a> Library<'a> {
     /// The library of a claim file's `[[scheme]]` tables.
     pub fn new(file: &'a [Toml], catalogue: &'a [Toml], meter: &'a Meter) -> Library<'a> {
-        let (schemes, nothing, as_printed) = Default::default();
+        let (schemes, nothing, as_printed, asked) = Default::default();
         let products = Products::new(meter);
-        Library { file, catalogue, schemes, meter, products, nothing, as_printed }
+        Library { file, catalogue, schemes, meter, products, nothing, as_printed, asked }
+    }
+
+    /// What a computation gives, and the constants of schemes that its formulas ask for.
+    pub fn trace<T>(&self, computation: impl FnOnce() -> T) -> (T, Vec<Constant>) {
+        *self.asked.borrow_mut() = Some(Vec::new());
+        let value = computation();
+        (value, self.asked.take().unwrap_or_default())
+    }
+
+    /// Notes a constant that a formula asks for.
+    pub fn note(&self, constant: impl FnOnce() -> Constant) {
+        if let Some(asked) = &mut *self.asked.borrow_mut() {
+            asked.push(constant());
+        }
     }
 
     /// Forgets everything, so that the cost of a claim does not depend on the claims before it.
@@ -116,6 +145,11 @@ impl<'a> Library<'a> {
     fn named(&self, name: &str) -> Option<&'a Toml> {
         let mut tables = self.file.iter().chain(self.catalogue);
         tables.find(|table| table.text("name") == Some(name))
+    }
+
+    /// Whether the claim file has a scheme of this name, which hides that of the catalogue.
+    pub fn redefines(&self, name: &str) -> bool {
+        self.file.iter().any(|table| table.text("name") == Some(name))
     }
 
     /// Whether a reference names a ring.

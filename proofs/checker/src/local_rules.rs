@@ -31,7 +31,26 @@ impl<'a> LocalRules<'a> {
         reference: &str,
         scope: &Scope<'_>,
     ) -> Result<LocalRules<'a>, Stop> {
-        let (name, table, parameters) = library.entry(reference, scope)?;
+        LocalRules::of_valence(library, reference, scope, None)
+    }
+
+    /// The same; a valence is the value of the parameter `N`, or else `n`, that has none.
+    pub fn of_valence(
+        library: &'a Library<'a>,
+        reference: &str,
+        scope: &Scope<'_>,
+        valence: Option<i64>,
+    ) -> Result<LocalRules<'a>, Stop> {
+        let (name, table, mut parameters) = library.entry(reference, scope)?;
+        if let Some(valence) = valence {
+            let known = table.entries("parameters");
+            let open = |name: &&str| {
+                known.iter().any(|(known, _)| known == name) && !parameters.contains_key(*name)
+            };
+            let open = ["N", "n"].into_iter().find(open);
+            let open = open.ok_or_else(|| wrong("no parameter is its valence"))?;
+            parameters.insert(open.to_owned(), Value::int(valence));
+        }
         let definitions = formulas(table.entries("let"))?;
         let mut inner = library.scope(&definitions);
         inner.values = library.complete(name, table, parameters)?;

@@ -3,10 +3,13 @@
 
 use std::io::Write;
 use std::process::ExitCode;
-use subcert_check::{Outcome, Reason, Report, check, check_radius};
+use subcert_check::{
+    Agreement, Outcome, Reason, Rejection, Report, check, check_radius, check_theorems,
+};
 
 const USAGE: &str = "usage: subcert-check [--only KIND-OR-ID]… [--accept WHAT]… CLAIMS CERTIFICATE…
        subcert-check --radius CERTIFICATE…
+       subcert-check --coq CLAIMS [CERTIFICATE…] THEOREMS.v…
 
 Checks certificates against their claim file. It checks all claims, or with --only the claims of
 a kind (table, equation, function, range, theorem) or with an id (theorem-1 or KEY:theorem-1).
@@ -15,6 +18,9 @@ cited, claims pass that a statement of THEOREMS.md decides; with --accept open, 
 that a certificate calls open. They are listed as such.
 With --radius, the files are certificates of joint spectral radii and of smoothness, which need no
 claim file; a line says what each proves.
+With --coq, files of theorems of Coq, whose names end in .v, are compared with the claim file: masks,
+numbers, levels and places. The certificates give the values of parameters that the paper does not
+state. Whether the theorems are true, Coq checks.
 The exit code is 0 if all these claims pass, 1 if one does not, and 2 if the arguments are wrong or
 a file cannot be read. --help shows this, --version the version.";
 
@@ -174,6 +180,48 @@ fn radii(paths: &[String]) -> ExitCode {
     ExitCode::from(code)
 }
 
+/// Compares files of theorems of Coq with their claim file. Gives whether all agree.
+fn theorems(paths: &[String]) -> Result<bool, String> {
+    let read = |path: &String| {
+        std::fs::read_to_string(path).map_err(|error| format!("cannot read `{path}`: {error}"))
+    };
+    let is_theorems =
+        |path: &&String| std::path::Path::new(path).extension().is_some_and(|ending| ending == "v");
+    let (files, others): (Vec<&String>, Vec<&String>) = paths.iter().partition(is_theorems);
+    let [claims, certificates @ ..] = &others[..] else {
+        return Err(format!("`--coq` needs a claim file and theorems\n{USAGE}"));
+    };
+    if files.is_empty() {
+        return Err(format!("`--coq` needs a file whose name ends in .v\n{USAGE}"));
+    }
+    let texts = |paths: &[&String]| paths.iter().map(|it| read(it)).collect::<Result<Vec<_>, _>>();
+    let (certificates, theorems) = (texts(certificates)?, texts(&files)?);
+    let certificates: Vec<&str> = certificates.iter().map(String::as_str).collect();
+    let theorems: Vec<&str> = theorems.iter().map(String::as_str).collect();
+    let compared = check_theorems(&read(claims)?, &certificates, &theorems);
+    let compared = compared.map_err(|error| format!("`{claims}`: {error}"))?;
+    let (mut agreeing, mut count) = (0, 0);
+    for (path, compared) in files.iter().zip(&compared) {
+        let line = match compared {
+            Ok(Agreement { id, theorems, recovered }) => {
+                (agreeing, count) = (agreeing + 1, count + theorems);
+                let values = recovered.iter().map(|(name, value)| format!(", {name} = {value}"));
+                format!(
+                    "agrees      {path}: {id}, {theorems} theorems{}",
+                    values.collect::<String>()
+                )
+            }
+            Err(Rejection { line, reason }) => format!("differs     {path}:{line}: {reason}"),
+        };
+        // A closed pipe is no failure of the check.
+        let _ = writeln!(std::io::stdout(), "{line}");
+    }
+    let all = files.len();
+    let said = format!("{count} theorems in {agreeing} of {all} files agree with the claim file");
+    let _ = writeln!(std::io::stdout(), "{said}");
+    Ok(agreeing == all)
+}
+
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let has = |flags: [&str; 2]| arguments.iter().any(|argument| flags.contains(&&argument[..]));
@@ -191,7 +239,11 @@ fn main() -> ExitCode {
     if arguments.first().is_some_and(|first| first == "--radius") {
         return radii(&arguments[1..]);
     }
-    match Arguments::read(arguments.into_iter()).and_then(|arguments| arguments.run()) {
+    let outcome = match arguments.first() {
+        Some(first) if first == "--coq" => theorems(&arguments[1..]),
+        _ => Arguments::read(arguments.into_iter()).and_then(|arguments| arguments.run()),
+    };
+    match outcome {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::from(1),
         Err(message) => {

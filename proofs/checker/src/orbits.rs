@@ -8,7 +8,7 @@ use crate::toml::Toml;
 use crate::value::Value;
 
 /// The most points.
-const MAX_POINTS: i64 = 100;
+const MAX_POINTS: i64 = 201;
 
 /// The greatest index of a point.
 const MAX_INDEX: i64 = 1_000_000;
@@ -31,7 +31,7 @@ impl<'t> Orbits<'t> {
             table.entries("orbits").iter().map(count).collect::<Result<_, Stop>>()?;
         let points: i64 = orbits.iter().map(|(_, count)| *count).sum();
         if orbits.iter().any(|(_, count)| *count < 1) || !(2..=MAX_POINTS).contains(&points) {
-            return Err(wrong("it does not have 2 to 100 points, or an orbit has none"));
+            return Err(wrong("it does not have 2 to 201 points, or an orbit has none"));
         }
         Ok(Orbits(orbits))
     }

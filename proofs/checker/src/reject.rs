@@ -8,6 +8,12 @@ use std::fmt;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Text(pub String);
 
+impl From<String> for Text {
+    fn from(text: String) -> Text {
+        Text(text)
+    }
+}
+
 impl fmt::Display for Text {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let text: Vec<char> = self.0.chars().collect();
@@ -134,11 +140,17 @@ reasons! {
     Negative "the bound is negative: it presupposes something that does not hold"
     Radius(why: RadiusReason) "the certificate of the radius: {why}"
     NotShown "the radius does not show this verdict"
+    Said(said: Text, found: Text) "the certificate says {said}, and it is {found}"
+    Vertex(what: &'static str) "this is not shown: {what}"
     NoRefutation(at: Text) "the value {at} does not refute this range"
     Uncovered "the condition is not shown in the whole printed range"
     NoLiteral(said: Text, what: &'static str) "`{said}` is no number in the language of the table: expected is {what}"
     NotRight(number: Text, verdict: Text) "by the reading the number {number} is {verdict}"
     NoNeed "a number is open, or none is wrong and better by the reading, which explains nothing"
+    Form(what: String) "the file does not have the form of a file of theorems: {what}"
+    Stated(said: Text, found: Text) "the theorem says {said}, and by the claim file it is {found}"
+    NotAsked "the value of the cell does not use this constant"
+    NoValueGiven(name: String) "no valid certificate gives a value of {name}"
     NotViolated(value: Text, bound: Text) "the value is {value}, which does not violate the bound {bound}"
 }
 

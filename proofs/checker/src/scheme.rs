@@ -2,6 +2,9 @@
 
 use crate::reject::Stop;
 use crate::value::Value;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::rc::Rc;
 
 /// The most rules of a scheme.
 pub const MAX_ARITY: usize = 64;
@@ -17,6 +20,9 @@ pub struct Scheme {
     pub difference: Vec<Vec<Value>>,
     /// The offset o.
     pub offset: i64,
+    /// The same scheme with other numbers of its points, by the number of the point that becomes
+    /// number 0.
+    numbered: RefCell<BTreeMap<usize, Rc<Scheme>>>,
 }
 
 impl Scheme {
@@ -32,6 +38,11 @@ impl Scheme {
                 return Err(wrong("a rule does not sum to 1"));
             }
         }
+        Scheme::of(mask, offset)
+    }
+
+    /// As [`new`](Self::new), for a mask of which this has been checked.
+    fn of(mask: Vec<Vec<Value>>, offset: i64) -> Result<Scheme, Stop> {
         // b_{n−1,j} = a_{0,j} − Σ_{β<n−1} b_{β,j}
         let (mut difference, mut last) = (Vec::new(), mask[0].clone());
         for pair in mask.windows(2) {
@@ -45,7 +56,31 @@ impl Scheme {
             difference.push(row);
         }
         difference.push(last);
-        Ok(Scheme { mask, difference, offset })
+        Ok(Scheme { mask, difference, offset, numbered: RefCell::default() })
+    }
+
+    /// The scheme whose point i is the point i + `first` of this one, 0 ≤ `first` < n: rule α is
+    /// rule α + `first` or, one place later, α + `first` − n.
+    pub fn numbered_from(self: &Rc<Scheme>, first: usize) -> Result<Rc<Scheme>, Stop> {
+        if first == 0 {
+            return Ok(Rc::clone(self));
+        }
+        if let Some(known) = self.numbered.borrow().get(&first) {
+            return Ok(Rc::clone(known));
+        }
+        let zero = || Value::int(0);
+        let row = |alpha: usize| {
+            let own = self.mask[(alpha + first) % self.arity()].iter().cloned();
+            if alpha + first < self.arity() {
+                own.chain([zero()]).collect()
+            } else {
+                [zero()].into_iter().chain(own).collect()
+            }
+        };
+        let mask = (0..self.arity()).map(row).collect();
+        let scheme = Rc::new(Scheme::of(mask, self.offset)?);
+        self.numbered.borrow_mut().insert(first, Rc::clone(&scheme));
+        Ok(scheme)
     }
 
     /// The arity n.

@@ -23,7 +23,7 @@ equation: symbols=*text hypotheses=*text indices=*axis left=text|*text right=tex
 function: variable=text left=text right=text
 range: variable=text value=text below=text at_most=text smoothness=text from=number to=number \
  closed=flag only=flag
-smoothness: continuous=text not_continuous=text absent=text
+smoothness: continuous=text not_continuous=text valences=text absent=text
 exponent: value=text printed=number at_least=text at_most=text attained=flag absent=text
 theorem: bounds=text by=text from=text says=text rests=*text schemes=*text values=%*text \
  offset=text interpolant=text supposes=supposes block=text corrections=*correction \
@@ -38,7 +38,7 @@ project-file: key=text project=project define=%text shipped=*any
 project: name=text repository=text commit=text licence=text note=text
 shipped: id=text locus=text title=text type=text indices=*text equals=text equals_cells=nested \
  cells=nested cells_from=source language=text tolerance=text note=text convention=*convention
-source: file=text after=text shape=*size skip=text
+source: file=text after=text shape=*text skip=text
 convention: label=text equals=text equals_cells=nested
 ";
 
@@ -73,7 +73,6 @@ fn path(value: &Toml, of: &str) -> Option<String> {
             table.iter().find_map(|entry| nested(entry, field(of, &entry.0).unwrap_or("none")))
         }
         (Toml::Text(_), ..) if ["text", "number", "header", "nested"].contains(&of) => None,
-        (Toml::Size(_), ..) if of == "size" => None,
         (Toml::Flag(_), ..) if of == "flag" => None,
         _ if of == "any" => None,
         _ => Some(String::new()),

@@ -6,9 +6,10 @@ use crate::convolution::{MAX_LENGTH, Sequence, Sums};
 use crate::displacement::gather;
 use crate::evaluate::{Indices, MAX_INTEGER, Scope};
 use crate::formula::{Expr, Head};
-use crate::library::Library;
+use crate::library::{Constant, Library};
 use crate::reject::Stop;
 use crate::value::Value;
+use std::rc::Rc;
 
 /// The value of such a function.
 pub fn greatest(call: &mut Call<'_>, indices: &mut Indices) -> Result<Value, Stop> {
@@ -60,6 +61,9 @@ fn sums(
         return Ok((sums.collect::<Result<_, Stop>>()?, joint));
     }
     let (function, scheme) = (call.function, call.scheme()?);
+    let (forward, first) = (call.is_forward()?, call.scope.first % scheme.arity());
+    // The norms of powers depend on the numbers of the points only if masks are read forwards.
+    let scheme = if forward { scheme.numbered_from(first)? } else { scheme };
     let (a, b) = (&scheme.mask[..], &scheme.difference[..]);
     let (masks, c) = match (function, call.arguments) {
         ("contraction", [c]) => (&[b][..], c),
@@ -67,7 +71,6 @@ fn sums(
         ("tensor", [c]) => (&[b, a][..], c),
         _ => return wrong(format!("`{function}` is no constant of this kind")),
     };
-    let sequence = call.sequence(b)?;
     if function == "contraction" && call.choose("terms", &TERMS)? == 1 {
         if *c != Value::int(1) {
             return Err(Stop::Undefined("`terms = total` is defined for c = 1 only"));
@@ -78,7 +81,11 @@ fn sums(
     let joint = function == "tensor" && call.choose("suprema", &SUPREMA)? == 1;
     let level = c.integer(MAX_INTEGER).ok().and_then(|c| u32::try_from(c).ok());
     let sums = masks.iter().map(|&rules| {
-        let of = Sequence { rules, ..sequence };
+        let of = Sequence { rules, forward };
+        if let Some(level) = level {
+            let (scheme, norm) = (Rc::clone(&scheme), std::ptr::eq(rules, a));
+            library.note(|| Constant { scheme, norm, forward, level });
+        }
         match level.and_then(|level| library.products.shown(of, level)) {
             Some(value) if !joint && greatest => Ok(Sums::new(vec![value])),
             _ => library.products.classes(of, c, piece),

@@ -1,4 +1,5 @@
-//! The part of TOML that claim files use: strings, booleans, lists, tables, and whole numbers for sizes.
+//! The part of TOML that claim files use: strings, booleans, lists, tables, and whole numbers, which are the strings that
+//! they spell. Other numbers stand in quotes.
 
 use crate::cursor::{Cursor, Parsed};
 use std::collections::BTreeSet;
@@ -14,8 +15,6 @@ const MAX_NESTING: usize = 32;
 pub enum Toml {
     /// A string.
     Text(String),
-    /// A whole number, such as a size of a table. Other numbers stand in quotes.
-    Size(String),
     /// `true` or `false`.
     Flag(bool),
     /// `[…]`, or the tables under `[[…]]`.
@@ -192,11 +191,29 @@ fn value(c: &mut Cursor, depth: usize) -> Parsed<Toml> {
         let mut table = Table::new();
         items(c, "}", |c| entry(c, &mut table, depth + 1))?;
         Ok(Toml::Table(table))
-    } else if c.peek().is_some_and(|c| c.is_ascii_digit()) {
-        Ok(Toml::Size(c.take(|c| c.is_ascii_digit())))
+    } else if c.peek().is_some_and(|c| c.is_ascii_digit() || c == '-' || c == '+') {
+        whole_number(c).map(Toml::Text)
     } else {
         Err("a string, a list or a table; numbers stand in quotes")
     }
+}
+
+/// Reads a decimal whole number: a sign, digits without a 0 before them, and `_` between digits. A `+` and `_` are left out.
+fn whole_number(c: &mut Cursor) -> Parsed<String> {
+    const WHOLE: &str = "a whole number; other numbers stand in quotes";
+    let negative = c.eat("-");
+    if !negative {
+        c.eat("+");
+    }
+    let spelled = c.take(|c| c.is_ascii_alphanumeric() || matches!(c, '_' | '.' | '+' | '-' | ':'));
+    let groups: Vec<&str> = spelled.split('_').collect();
+    let digits = groups.concat();
+    let right =
+        groups.iter().all(|group| !group.is_empty() && group.bytes().all(|b| b.is_ascii_digit()));
+    if !right || digits.len() > 1 && digits.starts_with('0') {
+        return Err(WHOLE);
+    }
+    Ok(if negative { format!("-{digits}") } else { digits })
 }
 
 /// Reads items up to a bracket. Commas separate them, and one may follow the last.

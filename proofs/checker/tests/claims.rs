@@ -244,3 +244,15 @@ fn a_name_hands_on_the_parameters_that_have_a_place_in_its_use() {
         assert!(!accepted(reference), "{reference}");
     }
 }
+
+#[test]
+fn whole_numbers_are_the_texts_that_they_spell() {
+    let with = |text: &str| shown(&altered(CLAIMS, "values = ['2', '3']", text), CERTIFICATE);
+    assert_eq!(with("values = [2, +3]"), Some(5));
+    let typed = altered(CLAIMS, "from = '-1'\nto = '1'", "from = -1\nto = 1");
+    assert_eq!(shown(&typed, CERTIFICATE), Some(5));
+    // Other numbers are not taken.
+    for other in ["3.0", "03", "0x3", "3e0", "-", "3_"] {
+        assert_eq!(with(&format!("values = [2, {other}]")), None, "{other}");
+    }
+}

@@ -9,6 +9,7 @@ mod claims;
 mod command;
 mod family;
 mod format;
+mod kernel;
 mod mutation;
 mod names;
 mod opposites;

@@ -9,12 +9,9 @@ use crate::finding::{
     EquationFinding, FunctionFinding, PaperAudit, RangeFinding, SmoothnessFinding, TableFinding,
     TheoremFinding,
 };
-use crate::judge::{equation, function, range, related, smoothness, theorem};
+use crate::judge::{equation, function, parallel, range, related, smoothness, theorem};
 use std::cmp::Reverse;
-use std::num::NonZero;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
-use std::thread::available_parallelism;
+use std::sync::{Mutex, PoisonError};
 
 /// A part of a paper that one thread judges. Its findings depend neither on the other parts nor on
 /// the thread.
@@ -62,14 +59,19 @@ pub(super) fn judge<'a>(
     }
     // The longest first, so that they end together.
     jobs.sort_by_key(|(at, part)| Reverse(part.size(&papers[*at])));
-    let found = on_all_cores(&jobs, |(at, part)| {
+    let found = parallel::map(&jobs, |(at, part)| {
         (*at, part.judge(&papers[*at], &chosen[*at], after_claim))
     });
     let mut parts: Vec<Vec<Found<'a>>> = papers.iter().map(|_| Vec::new()).collect();
     for (at, found) in found {
         parts[at].push(found);
     }
-    papers.iter().zip(parts).map(|(paper, parts)| together(paper, parts)).collect()
+    let parts: Vec<_> = papers.iter().zip(parts.into_iter().map(Mutex::new)).collect();
+    let audits = parallel::map(&parts, |(paper, parts)| {
+        let parts = std::mem::take(&mut *parts.lock().unwrap_or_else(PoisonError::into_inner));
+        together(paper, parts)
+    });
+    audits.into_iter().collect()
 }
 
 impl Part {
@@ -85,7 +87,12 @@ impl Part {
         }
     }
 
-    fn judge<'a>(&self, paper: &'a Paper, chosen: &Chosen, after_claim: &dyn Fn()) -> Found<'a> {
+    fn judge<'a>(
+        &self,
+        paper: &'a Paper,
+        chosen: &Chosen,
+        after_claim: &(dyn Fn() + Sync),
+    ) -> Found<'a> {
         match self {
             Part::Tables(places) => match related::judge_all(paper, places, after_claim) {
                 Ok(findings) => Found::Tables(findings),
@@ -166,25 +173,4 @@ fn together<'a>(paper: &'a Paper, parts: Vec<Found<'a>>) -> Result<PaperAudit<'a
     audit.contradictions = consistency::judge(paper, &audit.tables, &Library::new(paper))?;
     premises::premises(&mut audit);
     Ok(audit)
-}
-
-/// The results of all jobs, in any order.
-fn on_all_cores<J: Sync, T: Send>(jobs: &[J], run: impl Fn(&J) -> T + Sync) -> Vec<T> {
-    let next = AtomicUsize::new(0);
-    let work = || {
-        let mine = std::iter::from_fn(|| jobs.get(next.fetch_add(1, Ordering::Relaxed)));
-        mine.map(&run).collect::<Vec<T>>()
-    };
-    let threads = available_parallelism().map_or(1, NonZero::get).min(jobs.len());
-    if threads <= 1 {
-        return work();
-    }
-    thread::scope(|scope| {
-        let threads: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
-        let results = threads.into_iter().map(|thread| match thread.join() {
-            Ok(results) => results,
-            Err(panic) => std::panic::resume_unwind(panic),
-        });
-        results.flatten().collect()
-    })
 }

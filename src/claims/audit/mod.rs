@@ -23,7 +23,7 @@ pub use crate::finding::{
     PromiseCounts, RangeFinding, RangeOfLimits, RangeVerdict, Recovered, RecoveredFrom, Refiner,
     Refutation, Repair, RingExcess, Search, Side, Slip, SmoothnessFinding, SmoothnessVerdict,
     Solved, Sound, Supremum, TableFinding, TablePart, TheoremFinding, TheoremVerdict, Unshiftable,
-    Verdict, Violation, Witness, Working,
+    Verdict, Vertices, Violation, Witness, Working,
 };
 pub use crate::judge::MAX_CASES;
 

@@ -22,8 +22,8 @@ pub use function::{FunctionClaim, Limit, RangeClaim};
 pub use paper::{Alternative, Bibliography, Paper, SchemeSource};
 pub use read::{MAX_CLAIM_FILE_BYTES, is_id, read_paper, read_paper_file, read_whole_paper};
 pub use smoothness::{
-    ExponentStatement, PrintedExponent, RangeEnd, SmoothRangeStatement, SmoothnessBody,
-    SmoothnessClaim, SmoothnessKind, SmoothnessStatement,
+    ExponentStatement, PrintedExponent, PrintedValences, RangeEnd, SmoothRangeStatement,
+    SmoothnessBody, SmoothnessClaim, SmoothnessKind, SmoothnessStatement,
 };
 pub use table::{
     Axis, AxisEntry, Cell, Figure, Headers, LocatedReference, Printed, Promise, Table,

@@ -80,11 +80,11 @@ pub struct Alternative {
 /// Who wrote what, where and when.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Bibliography {
-    /// The authors, family names first or last as printed.
+    /// The authors, family names first or last as printed; none where the file names none.
     pub authors: Vec<String>,
     /// The title.
     pub title: String,
-    /// The journal, volume and pages.
+    /// The journal, volume and pages; empty where the file says nothing.
     pub venue: String,
     /// The year.
     pub year: String,
@@ -95,14 +95,37 @@ pub struct Bibliography {
 }
 
 impl Bibliography {
-    /// The authors' family names and the year: `Khan, Omar, Mustafa 2019`.
+    /// The authors' family names and the year: `Khan, Omar, Mustafa 2019`. Without authors, title and year.
     #[must_use]
     pub fn short(&self) -> String {
         let family = |author: &String| {
             author.rsplit_once(' ').map_or(author.as_str(), |(_, family)| family).to_owned()
         };
+        if self.authors.is_empty() {
+            return format!("{} ({})", self.title, self.year);
+        }
         let names: Vec<String> = self.authors.iter().map(family).collect();
         format!("{} {}", names.join(", "), self.year)
+    }
+
+    /// Title and venue as sentences: `Curves by corner cutting. Journal of Examples 1.`
+    #[must_use]
+    pub fn title_and_venue(&self) -> String {
+        if self.venue.is_empty() {
+            return format!("{}.", self.title);
+        }
+        format!("{}. {}.", self.title, self.venue)
+    }
+
+    /// Authors, venue and year as sentences: `Richard Roe. Journal of Examples 1, 2026.`
+    #[must_use]
+    pub fn imprint(&self) -> String {
+        let authors = self.authors.join(", ");
+        let parts = [self.venue.as_str(), self.year.as_str()];
+        let place = parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<&str>>();
+        let parts = [authors, place.join(", ")];
+        let parts = parts.into_iter().filter(|part| !part.is_empty());
+        parts.map(|part| format!("{part}.")).collect::<Vec<String>>().join(" ")
     }
 }
 

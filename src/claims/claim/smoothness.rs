@@ -4,7 +4,7 @@ use super::table::LocatedReference;
 use crate::exact::{Decimal, LogSum, RealAlgebraic};
 use std::ops::Range;
 
-/// A claim about the limits of a scheme for curves.
+/// A claim about the limits of a scheme: of curves, or at a vertex or on a face.
 #[derive(Clone, Debug)]
 pub struct SmoothnessClaim {
     /// Its id within the paper.
@@ -76,6 +76,9 @@ pub enum SmoothnessStatement {
         continuous: Option<usize>,
         /// Not all limits are C^m for this m; 0 says that the scheme diverges for some data.
         not_continuous: Option<usize>,
+        /// Of rules around a vertex or on a face: the valences of which it speaks. The limits are surfaces of
+        /// generic data at the vertex or on the face, in Reif's sense.
+        valences: Option<PrintedValences>,
     },
     /// A statement about the Hölder exponent.
     Exponent {
@@ -86,6 +89,17 @@ pub enum SmoothnessStatement {
     },
     /// The values of a parameter for which the limits are C^m.
     Range(SmoothRangeStatement),
+}
+
+/// The valences that a claim is about: `5`, `3..50`, or `all` from 3 on.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PrintedValences {
+    /// As the claim file has them.
+    pub text: String,
+    /// The first.
+    pub first: usize,
+    /// The last; `None` where they go on for ever.
+    pub last: Option<usize>,
 }
 
 /// A statement about the Hölder exponent.

@@ -6,7 +6,8 @@ use crate::formula::Node;
 use std::collections::BTreeSet;
 
 /// Errors that are made when tables are copied: a constant is that of another row, column, table or
-/// scheme, or a tolerance was itself computed and then rounded.
+/// scheme, or a tolerance was itself computed and then rounded. And the same scheme with other
+/// numbers of its points, on which masks that are read forwards depend.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Copied {
     /// A definition has the numbers that another table prints for it, at the same headers.
@@ -44,6 +45,13 @@ pub enum Copied {
         line: usize,
         /// Its header, if it has one.
         header: String,
+    },
+    /// The points of all schemes are numbered from another one on
+    /// ([`Rules::numbered_from`](crate::scheme::Rules::numbered_from)), and their masks are read
+    /// forwards.
+    Numbers {
+        /// The number of the point that becomes number 0, from 1.
+        first: usize,
     },
 }
 

@@ -2,63 +2,86 @@
 
 use crate::bound::Rounded;
 use crate::claim::{Axis, Cell};
-use crate::diagnostic::Diagnostic;
 use crate::evaluation::Copied;
 use crate::evaluation::context::{At, Known, Outcome};
-use crate::evaluation::settings::Settings;
+use crate::evaluation::quantity::Quantities;
+use crate::evaluation::settings::{RowValues, Settings};
 use crate::evaluation::table::Evaluator;
 use crate::exact::{Rational, RealCyclotomic, parse_decimal};
 use std::collections::BTreeSet;
+use std::rc::Rc;
 
 impl Evaluator<'_> {
-    /// The settings, and the known values of definitions, for a cell whose reading takes a quantity
-    /// from another place. The inner error is the outcome of the cell if there is no such quantity.
+    /// The known values of definitions for a cell whose reading takes a quantity from another place,
+    /// or the outcome of the cell if there is no such quantity.
     pub(crate) fn copied(
         &self,
         copied: &Copied,
         at: At<'_>,
-    ) -> Result<Result<(Settings, Known), Outcome>, Diagnostic> {
-        let mut settings = at.settings.without_copied();
-        let there = At { settings: &settings, ..at };
-        let (of, value) = match copied {
-            Copied::Tolerance { line, .. } => {
-                if let Some((name, value)) = self.computed_tolerance(*line, there) {
-                    settings.parameters.insert(name.to_owned(), value);
-                }
-                return Ok(Ok((settings, Known::new())));
+        quantities: &Quantities<'_>,
+    ) -> Result<Rc<Known>, Outcome> {
+        let of = match copied {
+            // These give no definition another value.
+            Copied::Tolerance { .. } | Copied::Numbers { .. } => {
+                return Ok(self.of_row(at, quantities));
             }
             Copied::Printed { of, table, .. } => {
-                let printed = self.printed_elsewhere(table, there);
-                (of, printed.map(RealCyclotomic::from).ok_or_else(|| missing(of)))
+                let printed = self.printed_elsewhere(table, at);
+                let value = printed.map(RealCyclotomic::from).ok_or_else(|| missing(of))?;
+                return Ok(self.with_copied(of, value, at, quantities));
             }
-            Copied::Parameter { of, name, value } => {
-                let settings = settings.with_parameter(name, value);
-                (of, self.definition(of, At { settings: &settings, ..at }))
-            }
-            Copied::Scheme { of, number, .. } => {
-                let settings = settings.with_scheme(*number);
-                (of, self.definition(of, At { settings: &settings, ..at }))
-            }
+            Copied::Parameter { of, .. } | Copied::Scheme { of, .. } => of,
         };
-        let value = match value {
-            Ok(value) => value,
-            Err(outcome) => return Ok(Err(outcome)),
+        let compute = || {
+            let settings = at.settings.without_copied();
+            let settings = match copied {
+                Copied::Parameter { name, value, .. } => settings.with_parameter(name, value),
+                Copied::Scheme { number, .. } => settings.with_scheme(*number),
+                Copied::Printed { .. } | Copied::Tolerance { .. } | Copied::Numbers { .. } => {
+                    settings
+                }
+            };
+            let value = self.definition(of, At { settings: &settings, ..at })?;
+            Ok(self.with_copied(of, value, at, quantities))
         };
-        let mut known = match self.quantities(there)? {
-            Ok(quantities) => (*self.rows.of(self, there, &quantities)).clone(),
-            Err(outcome) => return Ok(Err(outcome)),
-        };
-        known.retain(|name, _| !self.leads_to(name, of, &settings));
-        known.insert(of.clone(), value);
-        Ok(Ok((settings, known)))
+        if self.rows.fixes(self, of) {
+            Self::once_in_row(at, quantities, compute)
+        } else {
+            compute()
+        }
+    }
+
+    /// The values of the row's definitions that do not depend on `of`, and this value for `of`.
+    fn with_copied(
+        &self,
+        of: &str,
+        value: RealCyclotomic,
+        at: At<'_>,
+        quantities: &Quantities<'_>,
+    ) -> Rc<Known> {
+        let mut known = self.rows.of(self, at, quantities);
+        known.retain(|name, _| !self.leads_to(name, of, at.settings));
+        known.insert(of.to_owned(), value);
+        Rc::new(known)
+    }
+
+    /// The reading of a cell with the tolerance before it was rounded.
+    pub(crate) fn at_computed_tolerance(&self, line: usize, at: At<'_>) -> Settings {
+        let mut settings = at.settings.without_copied();
+        let found = self.computed_tolerance(line, At { settings: &settings, ..at });
+        if let Some((name, value)) = found {
+            settings.parameters.insert(name.to_owned(), value);
+            settings.rows = RowValues::default();
+        }
+        settings
     }
 
     /// The value of a definition; a formula that is wrong under these settings has none.
     fn definition(&self, name: &str, at: At<'_>) -> Result<RealCyclotomic, Outcome> {
         if let Ok(Ok(quantities)) = &self.quantities(at)
-            && let Some(value) = self.rows.of(self, at, quantities).get(name)
+            && let Some(value) = self.rows.one(self, at, quantities, name)
         {
-            return Ok(value.clone());
+            return Ok(value);
         }
         let definitions = at.settings.definitions.as_deref().unwrap_or(&self.paper.definitions);
         match self.evaluate(&definitions[name], at) {

@@ -7,13 +7,13 @@ use crate::claim::{Paper, SchemeSource};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::reference::Unresolved;
 use crate::evaluation::series::Norms;
-use crate::exact::{Rational, RealCyclotomic};
+use crate::exact::{Rational, RealCyclotomic, StoredForm};
 use crate::formula::{Context, LocatedFormula, Parameters, Value, evaluate};
 use crate::scheme::{
     Instance, LocalRules, Mask, Reference, SchemeDefinition, SchemeError, find_in_catalogue,
 };
 use std::cell::RefCell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
 
 /// The greatest block length of a sound bound.
@@ -32,18 +32,20 @@ const MAX_ALIAS_DEPTH: usize = 8;
 type SoundKey = (Vec<Instance>, Option<i64>);
 
 /// The base of a logarithm, its argument, and its rounding.
-type LogLevel = (Rational, Rational, Rounded);
+type LogLevel = (StoredForm, StoredForm, Rounded);
 
 /// The schemes of one claim. Each claim has its own library, so that the work spent on one claim
 /// does not decide what is found for another.
 pub(crate) struct Library<'a> {
     paper: &'a Paper,
     constants: RefCell<BTreeMap<Instance, Rc<Constants>>>,
+    /// The constants of masks with other numbers of the points.
+    numbered: RefCell<BTreeMap<(Instance, usize), Rc<Constants>>>,
     /// The work that all searches for constants may take together.
     budget: Budget,
     sound: RefCell<BTreeMap<SoundKey, Rc<SoundBound>>>,
     pub(crate) norms: Norms<RealCyclotomic>,
-    log_levels: RefCell<BTreeMap<LogLevel, Result<u32, DepthError>>>,
+    log_levels: RefCell<HashMap<LogLevel, Result<u32, DepthError>>>,
 }
 
 /// A scheme with the constants of its masks, one per direction.
@@ -57,8 +59,8 @@ impl<'a> Library<'a> {
     pub(crate) fn new(paper: &'a Paper) -> Library<'a> {
         let (constants, sound) = Default::default();
         let budget = Budget::new(MAX_STEPS);
-        let (norms, log_levels) = Default::default();
-        Library { paper, constants, budget, sound, norms, log_levels }
+        let (norms, log_levels, numbered) = Default::default();
+        Library { paper, constants, numbered, budget, sound, norms, log_levels }
     }
 
     /// The scheme that `reference` means in `context`.
@@ -83,6 +85,42 @@ impl<'a> Library<'a> {
         match scheme {
             [instance] => self.define(&instance.name)?.ring(&instance.parameters),
             _ => Err(SchemeError::NotRing { scheme: "a tensor product".to_owned() }),
+        }
+    }
+
+    /// Whether this scheme is one ring.
+    pub(crate) fn is_ring<V>(&self, scheme: &[Instance<V>]) -> Result<bool, SchemeError> {
+        match scheme {
+            [instance] => Ok(self.define(&instance.name)?.is_ring()),
+            _ => Ok(false),
+        }
+    }
+
+    /// The ring of this scheme at a valence, which is the value of its parameter `N` or `n`.
+    pub(crate) fn ring_of_valence(
+        &self,
+        scheme: &[Instance<RealCyclotomic>],
+        valence: usize,
+    ) -> Result<LocalRules, SchemeError> {
+        let [instance] = scheme else { return self.ring(scheme) };
+        let definition = self.define(&instance.name)?;
+        let name = definition.valence_name(&instance.parameters);
+        let name = name.ok_or_else(|| SchemeError::NoValence { scheme: instance.name.clone() })?;
+        let mut parameters = instance.parameters.clone();
+        parameters.insert(name.to_owned(), RealCyclotomic::from(Rational::from(valence)));
+        definition.ring(&parameters)
+    }
+
+    /// The name in the catalogue of a scheme without parameters.
+    pub(crate) fn in_catalogue<'i, V>(&self, scheme: &'i [Instance<V>]) -> Option<&'i str> {
+        match scheme {
+            [instance]
+                if instance.parameters.is_empty()
+                    && !self.paper.schemes.contains_key(&instance.name) =>
+            {
+                Some(&instance.name)
+            }
+            _ => None,
         }
     }
 
@@ -179,8 +217,22 @@ impl<'a> Library<'a> {
         Ok(constants)
     }
 
-    /// As [`log_level_algebraic`]; a logarithm of rational numbers is computed once for all cells
-    /// and readings.
+    /// The constants of a mask with other numbers of its points.
+    pub(crate) fn numbered_from(
+        &self,
+        instance: &Instance,
+        mask: &Mask,
+        first: usize,
+    ) -> Rc<Constants> {
+        let key = (instance.clone(), first);
+        let new = || {
+            let constants = Constants::new(mask.numbered_from(first));
+            Rc::new(constants.with_budget(self.budget.clone()))
+        };
+        Rc::clone(self.numbered.borrow_mut().entry(key).or_insert_with(new))
+    }
+
+    /// As [`log_level_algebraic`]; a logarithm is computed once for all cells and readings.
     pub(crate) fn log_level(
         &self,
         ratio: &RealCyclotomic,
@@ -188,8 +240,7 @@ impl<'a> Library<'a> {
         rounded: Rounded,
     ) -> Result<u32, DepthError> {
         let compute = || log_level_algebraic(ratio, x, rounded);
-        let (Some(p), Some(q)) = (ratio.as_rational(), x.as_rational()) else { return compute() };
-        let key = (p.clone(), q.clone(), rounded);
+        let key = (ratio.stored(), x.stored(), rounded);
         self.log_levels.borrow_mut().entry(key).or_insert_with(compute).clone()
     }
 

@@ -7,7 +7,7 @@ use crate::evaluation::parametric::polynomial;
 use crate::evaluation::reference::{Unresolved, scheme_error};
 use crate::exact::{Parametric, Rational, RationalPolynomial, RealCyclotomic};
 use crate::formula::{Context, Scope, Value};
-use crate::scheme::{Mask, Rules, SchemeError};
+use crate::scheme::{Instance, LocalRules, Mask, Rules, SchemeError};
 
 /// The scheme of a claim about limits, in its paper.
 pub(crate) struct LimitScheme<'a> {
@@ -27,6 +27,31 @@ impl LimitScheme<'_> {
         let resolved = self.library.resolve(&self.located.reference, &scope);
         let resolved = resolved.map_err(|error| self.unresolved(error))?;
         Ok(resolved.constants[0].mask().clone())
+    }
+
+    /// The instances of the scheme, if it is a ring: the rules around a vertex or on a face.
+    pub(crate) fn ring_instances(
+        &self,
+    ) -> Result<Option<Vec<Instance<RealCyclotomic>>>, Diagnostic> {
+        let scope: Scope<'_, RealCyclotomic> = self.scope()?;
+        let instances = self.library.instances(&self.located.reference, &scope);
+        let instances = instances.map_err(|error| self.unresolved(error))?;
+        let ring = self.library.is_ring(&instances);
+        let ring = ring.map_err(|error| scheme_error(self.located, &error))?;
+        Ok(ring.then_some(instances))
+    }
+
+    /// The ring at this valence; without one, as its parameters stand.
+    pub(crate) fn ring(
+        &self,
+        instances: &[Instance<RealCyclotomic>],
+        valence: Option<usize>,
+    ) -> Result<LocalRules, Diagnostic> {
+        let ring = match valence {
+            Some(valence) => self.library.ring_of_valence(instances, valence),
+            None => self.library.ring(instances),
+        };
+        ring.map_err(|error| scheme_error(self.located, &error))
     }
 
     /// The rules, with polynomials in the variable as coefficients.
@@ -79,7 +104,7 @@ impl LimitScheme<'_> {
         }
     }
 
-    fn error(&self, message: impl Into<String>) -> Diagnostic {
+    pub(crate) fn error(&self, message: impl Into<String>) -> Diagnostic {
         Diagnostic::new(&self.located.source, self.located.span.clone(), message)
     }
 }

@@ -18,6 +18,7 @@ use crate::evaluation::table::Evaluator;
 use crate::exact::{Parametric, PiecewisePolynomial, Rational, RationalPolynomial, Scalar};
 use crate::formula::{Call, CallError, Context, Functions, LocatedFormula, Scope, evaluate};
 use crate::scheme::Rules;
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// The context of the formulas of a claim about a free parameter.
@@ -206,6 +207,19 @@ impl Functions<Parametric> for Constants<'_> {
 }
 
 impl Constants<'_> {
+    /// The rules with the numbers of the points that the reading says, if they are read forwards.
+    fn numbered<'r>(
+        &self,
+        rules: &'r Rules<Parametric>,
+        order: Order,
+    ) -> Cow<'r, Rules<Parametric>> {
+        let first = self.settings.map_or(0, |settings| settings.first) % rules.arity();
+        match order {
+            Order::Forward if first > 0 => Cow::Owned(rules.numbered_from(first)),
+            Order::Forward | Order::Adjoint => Cow::Borrowed(rules),
+        }
+    }
+
     /// ‖Rᶜ‖_∞ as a function of the parameter: for polynomial rules by [`norm_function`], and for c
     /// ≤ 1 also for rules with |·| or max in them.
     fn norm(
@@ -214,6 +228,7 @@ impl Constants<'_> {
         c: u32,
         order: Order,
     ) -> Result<Parametric, CallError> {
+        let rules = &*self.numbered(rules, order);
         if let Some(rules) = polynomial(rules) {
             let function = match self.window {
                 None => norm_function(&rules, c, order),
@@ -241,7 +256,8 @@ impl Constants<'_> {
         let window = self.window.ok_or_else(|| {
             misuse("joint suprema are not computed as a function of a free parameter")
         })?;
-        let [Some(first), Some(second)] = rules.map(polynomial) else {
+        let rules = rules.map(|rules| self.numbered(rules, order));
+        let [Some(first), Some(second)] = rules.each_ref().map(|rules| polynomial(rules)) else {
             return Err(misuse("joint suprema need a mask that is polynomial in the parameter"));
         };
         let function = joint_norm_function_on([&first, &second], c, order, window);

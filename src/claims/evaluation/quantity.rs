@@ -1,7 +1,7 @@
 //! The functions that claims can use: constants of the scheme they are about.
 
 use crate::bound::{
-    ClassCap, Constants, DepthError, Operator, Suprema, Terms, surface_displacement,
+    ClassCap, Constants, DepthError, Operator, Order, Suprema, Terms, surface_displacement,
 };
 use crate::evaluation::arguments::level;
 use crate::evaluation::constants::{moved, total_contraction};
@@ -83,6 +83,7 @@ impl Quantities<'_> {
         let missing = || CallError::Misuse("this needs a scheme: give the table one".to_owned());
         let scheme = scheme.ok_or_else(missing)?;
         let constants: &Constants = &scheme.constants[0];
+        let in_order = |order| self.in_order(scheme, order);
         let note = |operator, levels, order| {
             let Some(noted) = &self.noted else { return };
             noted.borrow_mut().constants.push(NotedConstant {
@@ -100,7 +101,7 @@ impl Quantities<'_> {
                 match options.terms()? {
                     Terms::Each => {
                         note(Operator::Difference, c, order);
-                        self.capped(constants.norm(Operator::Difference, c, order))
+                        self.capped(in_order(order).norm(Operator::Difference, c, order))
                     }
                     Terms::Total if c == 1 => Ok(total_contraction(constants.difference())),
                     Terms::Total => {
@@ -112,7 +113,7 @@ impl Quantities<'_> {
             ("norm", [c]) => {
                 let (c, order) = (level(c)?, options.order()?);
                 note(Operator::Scheme, c, order);
-                self.capped(constants.norm(Operator::Scheme, c, order))
+                self.capped(in_order(order).norm(Operator::Scheme, c, order))
             }
             ("tensor", [c]) => {
                 let (c, order, suprema) = (level(c)?, options.order()?, options.suprema()?);
@@ -120,7 +121,7 @@ impl Quantities<'_> {
                     note(Operator::Difference, c, order);
                     note(Operator::Scheme, c, order);
                 }
-                self.capped(constants.tensor(c, order, suprema))
+                self.capped(in_order(order).tensor(c, order, suprema))
             }
             ("displacement", []) => moved(constants.mask(), options),
             ("surface_displacement", [x1, x2, x3]) => {
@@ -135,6 +136,18 @@ impl Quantities<'_> {
             }
         };
         value.map(RealCyclotomic::from)
+    }
+
+    /// The constants of a scheme's first mask in this order. Those of a mask that is read forwards
+    /// depend on the numbers of the points.
+    fn in_order(&self, scheme: &Resolved, order: Order) -> Rc<Constants> {
+        let own = &scheme.constants[0];
+        match (order, self.settings.first % own.mask().arity()) {
+            (Order::Adjoint, _) | (_, 0) => Rc::clone(own),
+            (Order::Forward, first) => {
+                self.library.numbered_from(&scheme.instances[0], own.mask(), first)
+            }
+        }
     }
 
     fn levels(

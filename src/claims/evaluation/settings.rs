@@ -1,10 +1,11 @@
 //! A reading as the functions of a claim see it: a point of the family of readings.
 
-use crate::claim::Alternative;
-use crate::evaluation::choices::FAMILY;
+use crate::claim::{Alternative, Paper};
+use crate::evaluation::choices::{FAMILY, HEADER, ORDER};
 use crate::evaluation::{Choice, Copied, Effect};
 use crate::exact::{Rational, RealCyclotomic};
-use crate::formula::{Expr, LocatedFormula};
+use crate::formula::{Expr, LocatedFormula, is_builtin};
+use crate::scheme::Instance;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
@@ -26,8 +27,51 @@ pub(crate) struct Settings {
     /// The place, among the schemes of the paper's tables, of the scheme that replaces the cell's
     /// own.
     pub(crate) scheme: Option<usize>,
+    /// The number of the point that becomes number 0, where masks are read forwards.
+    pub(crate) first: usize,
+    /// The values of definitions in the rows so far.
+    pub(crate) rows: RowValues,
     /// The printed word of every choice consulted.
     consulted: RefCell<BTreeMap<&'static str, String>>,
+}
+
+/// The values of definitions in a row: the row, the scheme and the parameters that are assumed, with
+/// the values.
+type OfRow = (usize, Vec<Instance>, BTreeSet<String>, Rc<BTreeMap<String, RealCyclotomic>>);
+
+/// The values of definitions in some rows under one reading. Another reading starts with none.
+#[derive(Debug, Default)]
+pub(crate) struct RowValues(RefCell<Vec<OfRow>>);
+
+impl Clone for RowValues {
+    fn clone(&self) -> RowValues {
+        RowValues::default()
+    }
+}
+
+impl RowValues {
+    /// The values in this row, if they are known.
+    pub(crate) fn get(
+        &self,
+        row: usize,
+        scheme: &[Instance],
+        assume: &BTreeSet<String>,
+    ) -> Option<Rc<BTreeMap<String, RealCyclotomic>>> {
+        let known = self.0.borrow();
+        let mut same = known.iter().rev().filter(|one| one.0 == row && one.2 == *assume);
+        same.find(|one| one.1 == scheme).map(|one| Rc::clone(&one.3))
+    }
+
+    pub(crate) fn keep(
+        &self,
+        row: usize,
+        scheme: &[Instance],
+        assume: &BTreeSet<String>,
+        values: &Rc<BTreeMap<String, RealCyclotomic>>,
+    ) {
+        let one = (row, scheme.to_vec(), assume.clone(), Rc::clone(values));
+        self.0.borrow_mut().push(one);
+    }
 }
 
 /// The choices that a formula may depend on: those of the functions that it calls.
@@ -40,12 +84,62 @@ pub(crate) fn choices_of(expr: &Expr) -> BTreeSet<&'static str> {
     FAMILY.iter().copied().filter(depends).map(|choice| choice.key).collect()
 }
 
+/// What the value of a definition may depend on.
+pub(crate) struct Depends {
+    choices: BTreeSet<&'static str>,
+    /// The places of alternatives.
+    alternatives: BTreeSet<usize>,
+    /// The names that occur; `None` if the value leads to a scheme, whose parameters are others.
+    parameters: Option<BTreeSet<String>>,
+}
+
+impl Depends {
+    /// What this definition may depend on, and the definitions that it leads to, itself included,
+    /// whichever alternative stands for a definition. `header`: whether headers are tolerances.
+    pub(crate) fn of<'p>(
+        paper: &'p Paper,
+        name: &'p str,
+        header: bool,
+    ) -> (Depends, BTreeSet<&'p str>) {
+        let (mut led, mut waiting) = (BTreeSet::new(), vec![name]);
+        let (mut choices, mut alternatives) = (BTreeSet::new(), BTreeSet::new());
+        let mut parameters = Some(BTreeSet::new());
+        while let Some(name) = waiting.pop() {
+            let Some((name, own)) = paper.definitions.get_key_value(name) else { continue };
+            if !led.insert(&name[..]) {
+                continue;
+            }
+            let others = paper.alternatives.iter().enumerate().filter(|(_, one)| one.of == *name);
+            let mut formulas = vec![own];
+            for (place, other) in others {
+                alternatives.insert(place);
+                formulas.push(&other.value);
+            }
+            for formula in formulas {
+                choices.extend(choices_of(&formula.expr));
+                waiting.extend(formula.expr.names());
+                if !formula.expr.functions().iter().all(|name| is_builtin(name)) {
+                    parameters = None;
+                }
+                if let Some(parameters) = &mut parameters {
+                    parameters.extend(formula.expr.names().into_iter().map(str::to_owned));
+                }
+            }
+        }
+        if header {
+            choices.insert(HEADER.key);
+        }
+        (Depends { choices, alternatives, parameters }, led)
+    }
+}
+
 /// The part of a reading that certain values depend on.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Restricted {
     words: Vec<(&'static str, &'static str)>,
     replaced: Vec<usize>,
     parameters: BTreeMap<String, Rational>,
+    first: usize,
 }
 
 impl Settings {
@@ -73,14 +167,21 @@ impl Settings {
         self.words.iter().find(|(name, _)| *name == choice.key).map(|(_, word)| *word)
     }
 
-    /// The part of this reading that concerns these choices, the definitions and the parameters.
-    pub(crate) fn restricted(&self, choices: &BTreeSet<&'static str>) -> Restricted {
-        let words = self.words.iter().filter(|(name, _)| choices.contains(name));
-        let replaced = self.replaced.clone();
+    /// The part of this reading that a value depends on.
+    pub(crate) fn restricted(&self, depends: &Depends) -> Restricted {
+        let words = self.words.iter().filter(|(name, _)| depends.choices.contains(name));
+        let replaced = self.replaced.iter().filter(|place| depends.alternatives.contains(place));
+        let parameters = self.parameters.iter();
+        let parameters = parameters.filter(|(name, _)| match &depends.parameters {
+            // The members of a family are no names.
+            Some(names) => names.contains(&name[..]) || name.contains('['),
+            None => true,
+        });
         Restricted {
             words: words.copied().collect(),
-            replaced,
-            parameters: self.parameters.clone(),
+            replaced: replaced.copied().collect(),
+            parameters: parameters.map(|(name, value)| (name.clone(), value.clone())).collect(),
+            first: if depends.choices.contains(ORDER.key) { self.first } else { 0 },
         }
     }
 

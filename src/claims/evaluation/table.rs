@@ -2,6 +2,7 @@
 
 use crate::claim::{Paper, Table};
 use crate::diagnostic::Diagnostic;
+use crate::evaluation::Copied;
 use crate::evaluation::context::{At, Known, Outcome, TableContext};
 use crate::evaluation::library::Library;
 use crate::evaluation::quantity::Quantities;
@@ -13,6 +14,7 @@ use crate::formula::LocatedFormula;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Deref;
+use std::rc::Rc;
 
 /// The context of a table, and the values of definitions that are the same in a whole row.
 pub(crate) struct Evaluator<'a> {
@@ -59,34 +61,47 @@ impl<'a> Evaluator<'a> {
         at: At<'_>,
         evaluate: impl FnOnce(At<'_>, &Quantities<'_>, &Known) -> Result<T, Diagnostic>,
     ) -> Result<Result<T, Outcome>, Diagnostic> {
-        let (settings, known) = match &at.settings.copied {
-            None => (None, None),
-            Some(copied) => match self.copied(copied, at)? {
-                Ok((settings, known)) => (Some(settings), Some(known)),
-                Err(outcome) => return Ok(Err(outcome)),
-            },
+        let computed = match &at.settings.copied {
+            Some(Copied::Tolerance { line, .. }) => Some(self.at_computed_tolerance(*line, at)),
+            _ => None,
         };
-        let at = At { settings: settings.as_ref().unwrap_or(at.settings), ..at };
+        let at = At { settings: computed.as_ref().unwrap_or(at.settings), ..at };
         let quantities = match self.quantities(at)? {
             Ok(quantities) => quantities,
             Err(outcome) => return Ok(Err(outcome)),
         };
-        self.evaluate_in(at, &quantities, known, evaluate).map(Ok)
+        let known = match &at.settings.copied {
+            None => self.of_row(at, &quantities),
+            Some(copied) => match self.copied(copied, at, &quantities) {
+                Ok(known) => known,
+                Err(outcome) => return Ok(Err(outcome)),
+            },
+        };
+        evaluate(at, &quantities, &known).map(Ok)
     }
 
-    /// As `within`, with these quantities; the values of the row's definitions take the place of
-    /// `known` where that is empty.
-    fn evaluate_in<T>(
-        &self,
+    /// The values of the row's definitions.
+    pub(crate) fn of_row(&self, at: At<'_>, quantities: &Quantities<'_>) -> Rc<Known> {
+        Self::once_in_row(at, quantities, || {
+            Ok(Rc::new(self.rows.of(&self.context, at, quantities)))
+        })
+        .unwrap_or_default()
+    }
+
+    /// The values of definitions under the reading of a cell, which are the same in its row. They are
+    /// computed once for each scheme, and each set of assumed parameters.
+    pub(crate) fn once_in_row(
         at: At<'_>,
         quantities: &Quantities<'_>,
-        known: Option<Known>,
-        evaluate: impl FnOnce(At<'_>, &Quantities<'_>, &Known) -> Result<T, Diagnostic>,
-    ) -> Result<T, Diagnostic> {
-        match known.filter(|known| !known.is_empty()) {
-            Some(known) => evaluate(at, quantities, &known),
-            None => evaluate(at, quantities, &self.rows.of(&self.context, at, quantities)),
+        compute: impl FnOnce() -> Result<Rc<Known>, Outcome>,
+    ) -> Result<Rc<Known>, Outcome> {
+        let scheme = quantities.scheme.as_ref().map_or(&[][..], |scheme| &scheme.instances);
+        if let Some(known) = at.settings.rows.get(at.row, scheme, at.assume) {
+            return Ok(known);
         }
+        let values = compute()?;
+        at.settings.rows.keep(at.row, scheme, at.assume, &values);
+        Ok(values)
     }
 
     /// The constants that the value of a cell as printed uses. Those of a definition with one value
@@ -94,9 +109,8 @@ impl<'a> Evaluator<'a> {
     pub(crate) fn constants(&self, at: At<'_>) -> Result<Noted, Diagnostic> {
         let Ok(mut quantities) = self.quantities(at)? else { return Ok(Noted::default()) };
         quantities.noted = Some(RefCell::default());
-        self.evaluate_in(at, &quantities, None, |at, quantities, known| {
-            self.evaluate_with(&self.table.value, at, quantities, known)
-        })?;
+        let known = self.of_row(at, &quantities);
+        self.evaluate_with(&self.table.value, at, &quantities, &known)?;
         Ok(quantities.noted.take().unwrap_or_default().into_inner())
     }
 

@@ -41,6 +41,7 @@ pub fn by_hand(
         constants,
         bound: instance.bound,
         refiner: instance.refiner,
+        interpolant: instance.interpolant,
         contraction: None,
         weights: None,
         refined: Vec::new(),

@@ -11,7 +11,7 @@ const MAX_LEVELS: u32 = 200;
 
 /// The statement that data exceed a bound, if the library covers it.
 pub(super) fn exceeds(
-    refiner: &Refiner,
+    (refiner, interpolant): (&Refiner, Option<&LocalRules>),
     (quantity, level): (Quantity, u32),
     attained: &Attained,
     (bound, limit): (&Rational, Option<&[Rational]>),
@@ -52,8 +52,12 @@ pub(super) fn exceeds(
                 (Quantity::Difference, Place::Edge([a, b])) => {
                     RingExcess::Difference(place(a)?, place(b)?)
                 }
-                (Quantity::Step, Place::Named(a)) => RingExcess::Step(place(a)?),
-                (Quantity::Distance, Place::Named(a)) => {
+                (Quantity::Step, Place::Named(a)) => {
+                    let weights = interpolant.map_or_else(|| Some(identity(ring)), weights);
+                    RingExcess::Step(place(a)?, weights?)
+                }
+                // With an interpolant, only the points that it keeps have the limit of the ring.
+                (Quantity::Distance, Place::Named(a)) if interpolant.is_none() => {
                     RingExcess::Distance(place(a)?, limit?.to_vec())
                 }
                 _ => return None,
@@ -79,6 +83,13 @@ fn summands(rows: &[Vec<i64>]) -> Option<[Vec<i64>; 2]> {
     let b: Vec<i64> = rows[0].iter().map(|x| x - rows[0][0]).collect();
     let is_sum = |(row, a): (&Vec<i64>, &i64)| row.iter().zip(&b).all(|(x, b)| *x == a + b);
     rows.iter().zip(&a).all(is_sum).then_some([a, b])
+}
+
+/// The weights that leave every point where it is.
+fn identity(ring: &LocalRules) -> Vec<Vec<Rational>> {
+    let points = 0..ring.point_count();
+    let row = |a| points.clone().map(|b| Rational::from(u64::from(a == b))).collect();
+    points.clone().map(row).collect()
 }
 
 fn weights(ring: &LocalRules) -> Option<Vec<Vec<Rational>>> {

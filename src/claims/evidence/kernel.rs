@@ -1,7 +1,7 @@
 //! The findings that the Coq library of `proofs/coq` covers, as statements about numbers.
 
 use crate::bound::{Operator, Order, SoundBound};
-use crate::claim::{Paper, Promise, Quantity};
+use crate::claim::{Paper, Promise, Quantity, Statement};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::context::At;
 use crate::evaluation::library::Library;
@@ -13,7 +13,7 @@ use crate::evidence::drawn::promise_refiner;
 use crate::evidence::excess::{exceeds, rationals};
 use crate::evidence::table::{integer, number};
 use crate::exact::Rational;
-use crate::finding::{CellFinding, Kept, KernelFinding, KernelStatement, PaperAudit, TableFinding};
+use crate::finding::{Kept, KernelFinding, KernelStatement, PaperAudit, TableFinding};
 use std::collections::BTreeSet;
 
 /// Constants with more residue classes are left out: `coqc` computes every class.
@@ -37,19 +37,32 @@ pub fn kernel_findings(audit: &PaperAudit<'_>) -> Result<Vec<KernelFinding>, Dia
         let violation = &refutation.violation;
         let Some(bound) = violation.bound.as_rational() else { continue };
         let (theorem, level) = (finding.theorem, violation.level);
+        let (tolerance, what, by) = match &theorem.statement {
+            Statement::Bound { by, .. } => (String::new(), "bound", by),
+            Statement::Depth(by) => (format!(" and tolerance {bound}"), "depth", by),
+            Statement::Other(_) => continue,
+        };
         let limit = rationals(&refutation.limit);
         let excess = exceeds(
-            &hand.refiner,
+            (&hand.refiner, hand.interpolant.as_ref()),
             (violation.quantity, level),
             &violation.attained,
             (bound, limit.as_deref()),
         );
         let Some(statement) = excess else { continue };
-        let about = vec![
-            format!("{}: {}", theorem.locus, theorem.title),
-            format!("Refuted: {}, at level {level}; the bound is {}", refutation.case, hand.bound),
-        ];
-        found.push(KernelFinding { claim: theorem.id.clone(), about, statement });
+        let values = refutation.values.iter().map(|(name, value)| format!(", {name} = {value}"));
+        let (scheme, values) = (&refutation.scheme, values.collect::<String>());
+        found.push(KernelFinding {
+            kind: "theorem",
+            claim: theorem.id.clone(),
+            assumed: Vec::new(),
+            place: format!("{}: {}", theorem.locus, theorem.title),
+            about: format!(
+                "Refuted for {scheme}{values} at level {level}{tolerance}; the {what} is {}",
+                by.text
+            ),
+            statement,
+        });
     }
     Ok(found)
 }
@@ -63,12 +76,23 @@ fn of_table(
     let judge = Evaluator::new(paper, table, &library, &finding.values())?;
     let assume: BTreeSet<String> = judge.assumed.keys().cloned().collect();
     let settings = Settings::default();
-    let new =
-        |about: Vec<String>, statement| KernelFinding { claim: table.id.clone(), about, statement };
+    let assumed: Vec<_> =
+        judge.assumed.iter().map(|(name, value)| (name.clone(), value.clone())).collect();
+    let new = |place: &str, about: &str, statement| KernelFinding {
+        kind: "table",
+        claim: table.id.clone(),
+        assumed: assumed.clone(),
+        place: place.to_owned(),
+        about: about.to_owned(),
+        statement,
+    };
     let mut known = BTreeSet::new();
     for (row, cells) in finding.cells.iter().enumerate() {
         for (column, cell) in cells.iter().enumerate() {
             let at = At { row, column, assume: &assume, settings: &settings };
+            let printed = cell.printed.as_deref().unwrap_or("nothing");
+            let place =
+                format!("row {}, column {}: {} prints {printed}", row + 1, column + 1, cell.locus);
             for noted in judge.constants(at)?.constants {
                 let key = (noted.instance.clone(), noted.operator, noted.order, noted.levels);
                 if known.contains(&key) {
@@ -76,41 +100,38 @@ fn of_table(
                 }
                 if let Some((statement, value)) = constant(&noted) {
                     known.insert(key);
-                    let rests = format!("{}: a constant that the cell rests on", cell.locus);
-                    let about = if cell.exact.as_ref() == Some(&value.into()) {
-                        printed(cell)
-                    } else {
-                        rests
-                    };
-                    found.push(new(vec![about], statement));
+                    let is_value = cell.exact.as_ref() == Some(&value.into());
+                    let how = if is_value { "is" } else { "rests on" };
+                    found.push(new(&place, &format!("It {how} this constant."), statement));
                 }
             }
             if let Some(promise) = &table.promise
                 && let Some(statement) = sound(&judge, promise, at)?
             {
-                found.push(new(vec![printed(cell), "What holds:".to_owned()], statement));
+                let what = match statement {
+                    KernelStatement::Depth { .. } => "This depth suffices.",
+                    _ => "This bound holds.",
+                };
+                found.push(new(&place, what, statement));
             }
             if let Some(Kept::No(broken)) = &cell.kept
                 && let Some(refiner) = promise_refiner(paper, finding, (row, column))?
             {
                 let bound = &broken.most / &broken.spread;
                 let of = (Quantity::Distance, broken.level);
-                if let Some(statement) = exceeds(&refiner, of, &broken.attained, (&bound, None)) {
+                if let Some(statement) =
+                    exceeds((&refiner, None), of, &broken.attained, (&bound, None))
+                {
                     let scaled = format!(
-                        "It does not keep its promise: {} at level {}, for points of spread {}",
-                        broken.most, broken.level, broken.spread
+                        "Broken at level {}: {} for points of spread {}",
+                        broken.level, broken.most, broken.spread
                     );
-                    found.push(new(vec![printed(cell), scaled], statement));
+                    found.push(new(&place, &scaled, statement));
                 }
             }
         }
     }
     Ok(())
-}
-
-fn printed(cell: &CellFinding) -> String {
-    let text = cell.printed.as_deref().unwrap_or("nothing");
-    format!("{} prints {text}", cell.locus)
 }
 
 fn constant(noted: &NotedConstant) -> Option<(KernelStatement, Rational)> {

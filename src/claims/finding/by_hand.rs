@@ -3,6 +3,7 @@
 use crate::exact::{Rational, RealCyclotomic};
 use crate::finding::witness::Refiner;
 use crate::limit::{Combination, LimitWeights};
+use crate::scheme::LocalRules;
 
 /// The computation behind the data that refute a theorem with points at i/n^k, in the order in which
 /// one would check it.
@@ -10,6 +11,8 @@ use crate::limit::{Combination, LimitWeights};
 pub struct ByHand {
     /// What refines the data.
     pub refiner: Refiner,
+    /// What puts the points with which a step of a ring is compared, if not themselves.
+    pub interpolant: Option<LocalRules>,
     /// The constants in the bound.
     pub constants: Vec<HandConstant>,
     /// The bound with all numbers put in.

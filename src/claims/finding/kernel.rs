@@ -7,10 +7,16 @@ use crate::scheme::{Mask, Rules};
 /// A finding as a statement about numbers.
 #[derive(Clone, Debug)]
 pub struct KernelFinding {
+    /// `table` or `theorem`.
+    pub kind: &'static str,
     /// The id of the claim within its paper.
     pub claim: String,
-    /// Where it stands in the paper, and what it prints there.
-    pub about: Vec<String>,
+    /// The values of parameters that the paper does not state, the same for all findings of a claim.
+    pub assumed: Vec<(String, Rational)>,
+    /// Where it stands in the paper, and what is printed there.
+    pub place: String,
+    /// What the statement says of this.
+    pub about: String,
     /// What is true.
     pub statement: KernelStatement,
 }
@@ -125,8 +131,8 @@ pub enum Excess {
 pub enum RingExcess {
     /// The difference of two points.
     Difference(usize, usize),
-    /// The step of a point to the next level.
-    Step(usize),
+    /// The step of a point to the next level, from where these weights put it.
+    Step(usize, Vec<Vec<Rational>>),
     /// The distance of a point to the limit of the ring, with the weights of the limit.
     Distance(usize, Vec<Rational>),
 }

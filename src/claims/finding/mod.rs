@@ -35,7 +35,8 @@ pub use reading::{
 pub(crate) use recovered::values;
 pub use recovered::{Fitting, Recovered, RecoveredFrom};
 pub use smoothness::{
-    Contraction, Known, Limits, RangeOfLimits, SmoothnessFinding, SmoothnessVerdict, Witness,
+    Contraction, Known, Limits, RangeOfLimits, SmoothnessFinding, SmoothnessVerdict, Vertices,
+    Witness,
 };
 pub use table::TableFinding;
 pub use theorem::{

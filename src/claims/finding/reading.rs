@@ -165,10 +165,23 @@ impl fmt::Display for Difference {
                 let at = if header.is_empty() { "" } else { " at " };
                 write!(f, "{at}{header}, rounded to what is printed")
             }
+            Difference::Copied(Copied::Numbers { first }) => {
+                write!(f, "the scheme's points and rows numbered from the {} on", ordinal(*first))
+            }
             Difference::Scale { name, value, stated } => {
                 write!(f, "{name} = {value}, where {stated} is stated")
             }
         }
+    }
+}
+
+/// The name of a row that is counted from 0.
+fn ordinal(place: usize) -> String {
+    match place + 1 {
+        1 => "first".to_owned(),
+        2 => "second".to_owned(),
+        3 => "third".to_owned(),
+        other => format!("{other}th"),
     }
 }
 

@@ -1,5 +1,6 @@
 //! The finding about a claim of smoothness.
 
+use crate::characteristic::{Family, Vertex};
 use crate::claim::SmoothnessClaim;
 use crate::exact::{IntervalSet, Rational};
 use crate::finding::cell::Direction;
@@ -58,10 +59,22 @@ pub enum Known {
     Limits(Box<Limits>),
     /// The limits for all values of a parameter.
     Range(Box<RangeOfLimits>),
+    /// The surfaces at a vertex or on a face.
+    Vertices(Box<Vertices>),
     /// What the paper lacks.
     Absent(String),
     /// The cap that the rules are beyond.
     Capped(String),
+}
+
+/// What is known of the surfaces at a vertex or on a face.
+#[derive(Clone, Debug)]
+pub struct Vertices {
+    /// The regular part, if they are proved C¹ at all valences from 3 on (`proofs/THEOREMS.md`, 133 and 135).
+    pub all: Option<Family>,
+    /// What is known at single valences. Where the claim is about all and refuted, the first that refutes it stands
+    /// last.
+    pub vertices: Vec<Vertex>,
 }
 
 /// A mask, and what is proved of its limits.

@@ -8,6 +8,7 @@ pub(crate) mod function;
 mod hypotheses;
 pub(crate) mod later;
 mod mend;
+pub(crate) mod parallel;
 pub(crate) mod promise;
 pub(crate) mod range;
 pub(crate) mod reading;

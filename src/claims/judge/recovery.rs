@@ -4,10 +4,11 @@ use crate::claim::{Paper, Table};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::library::Library;
 use crate::finding::{CellKind, Fitting, Recovered, RecoveredFrom, TableFinding, Verdict, values};
+use crate::judge::parallel;
 use crate::judge::reading::plain::plain_numbers;
 use crate::judge::reading::recover::solved;
 use crate::judge::reading::space::Family;
-use crate::judge::table::judge;
+use crate::judge::table::{judge, judge_with};
 use std::collections::BTreeMap;
 
 /// Recovered parameters by name.
@@ -30,27 +31,25 @@ pub(crate) fn recover<'a>(
     table: &'a Table,
     offers: &[(String, Vec<Recovered>)],
 ) -> Result<Given<'a>, Diagnostic> {
-    let library = Library::new(paper);
-    let mut recovery = Recovery { paper, table, library, best: None, likeliest: None };
+    let mut recovery = Recovery { paper, table, best: None, likeliest: None };
+    let mut ways = Vec::new();
     for (name, _) in offers {
         let others: Vec<_> = offers.iter().filter(|(other, _)| other != name).cloned().collect();
-        for others in combinations(&others) {
-            recovery.solve(name, others)?;
-        }
+        ways.extend(combinations(&others).into_iter().map(|others| (Some(name), others)));
     }
-    for values in combinations(offers) {
-        recovery.attempt(values)?;
-    }
+    ways.extend(combinations(offers).into_iter().map(|values| (None, values)));
+    recovery.attempt(&ways)?;
     if let [(first, _), (second, _)] = offers {
         let cells = table.cells.iter().flatten().filter(|cell| cell.printed().is_some()).count();
         for value in plain_numbers() {
             if recovery.count() * 2 >= cells {
                 break;
             }
-            for (name, other) in [(first, second), (second, first)] {
+            let ways = [(first, second), (second, first)].map(|(name, other)| {
                 let tried = Recovered { value: value.clone(), from: RecoveredFrom::Tried };
-                recovery.solve(name, Values::from([(other.clone(), tried)]))?;
-            }
+                (Some(name), Values::from([(other.clone(), tried)]))
+            });
+            recovery.attempt(&ways)?;
         }
     }
     if let Some((_, finding)) = recovery.best {
@@ -77,40 +76,56 @@ pub(crate) fn reproduced(finding: &TableFinding<'_>) -> usize {
 struct Recovery<'a> {
     paper: &'a Paper,
     table: &'a Table,
-    library: Library<'a>,
     /// How many cells are reproduced, and the table judged there.
     best: Option<(usize, TableFinding<'a>)>,
     /// The values at which a reading gives most cells, and how many, while no cell is reproduced.
     likeliest: Option<(usize, Values)>,
 }
 
+/// A parameter to solve for, if there is one, and the values of the others.
+type Way<'n> = (Option<&'n String>, Values);
+
 impl Recovery<'_> {
     fn count(&self) -> usize {
         self.best.as_ref().map_or(0, |(count, _)| *count)
     }
 
-    /// Solves for one parameter at these values of the others, and judges the table there.
-    fn solve(&mut self, name: &str, mut others: Values) -> Result<(), Diagnostic> {
-        let values = values(&others);
-        if let Some(recovered) = solved(self.paper, self.table, &self.library, &values, name) {
-            others.insert(name.to_owned(), recovered);
-            self.attempt(others)?;
+    /// Judges the table at the values of each of these ways. Of equally good values the first
+    /// remain.
+    fn attempt(&mut self, ways: &[Way<'_>]) -> Result<(), Diagnostic> {
+        let (paper, table) = (self.paper, self.table);
+        for judged in parallel::map(ways, |way| judged(paper, table, way)) {
+            let Some((values, found)) = judged? else { continue };
+            let count = reproduced(&found);
+            let most = found.search_of(CellKind::Assumed).map_or(0, |search| search.most);
+            if most > self.likeliest.as_ref().map_or(0, |(most, _)| *most) {
+                self.likeliest = Some((most, values));
+            }
+            if count > self.count() {
+                self.best = Some((count, found));
+            }
         }
         Ok(())
     }
+}
 
-    fn attempt(&mut self, values: Values) -> Result<(), Diagnostic> {
-        let found = judge(self.paper, self.table, values.clone(), Family::Plain)?;
-        let count = reproduced(&found);
-        let most = found.search_of(CellKind::Assumed).map_or(0, |search| search.most);
-        if most > self.likeliest.as_ref().map_or(0, |(most, _)| *most) {
-            self.likeliest = Some((most, values));
-        }
-        if count > self.count() {
-            self.best = Some((count, found));
-        }
-        Ok(())
+/// The table judged at the values of a way, and these values; `None` where there is nothing to solve
+/// for the parameter.
+fn judged<'a>(
+    paper: &'a Paper,
+    table: &'a Table,
+    (name, others): &Way<'_>,
+) -> Result<Option<(Values, TableFinding<'a>)>, Diagnostic> {
+    let (library, mut all, mut family) = (Library::new(paper), others.clone(), Family::Plain);
+    if let Some(name) = name {
+        let Some((value, by)) = solved(paper, table, &library, &values(others), name) else {
+            return Ok(None);
+        };
+        all.insert((*name).clone(), value);
+        family = by;
     }
+    let found = judge_with(&library, paper, table, all.clone(), family)?;
+    Ok(Some((all, found)))
 }
 
 /// The most combinations of values that other tables offer.

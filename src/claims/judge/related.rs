@@ -4,6 +4,7 @@ use crate::claim::{Paper, Promise, Table};
 use crate::diagnostic::Diagnostic;
 use crate::exact::Rational;
 use crate::finding::{Recovered, RecoveredFrom, TableFinding};
+use crate::judge::parallel;
 use crate::judge::reading::space::Family;
 use crate::judge::recovery::{self, Given, Values, combinations, reproduced};
 use crate::judge::table::{judge, judge_promises};
@@ -46,14 +47,18 @@ pub(crate) fn related(paper: &Paper) -> Vec<Vec<usize>> {
 pub(crate) fn judge_all<'a>(
     paper: &'a Paper,
     places: &[usize],
-    after_table: &dyn Fn(),
+    after_table: &(dyn Fn() + Sync),
 ) -> Placed<Vec<(usize, TableFinding<'a>)>> {
-    let judged = places.iter().map(|&place| {
-        let finding = judge(paper, &paper.tables[place], Values::new(), Family::Plain);
-        finding.map_err(|error| (place, error))
+    let judged = parallel::map(places, |&place| {
+        let table = &paper.tables[place];
+        // Of these tables nothing is recovered.
+        let known = open(table).next().is_none();
+        let family = if known { Family::InTurn } else { Family::Plain };
+        judge(paper, table, Values::new(), family).map_err(|error| (place, error))
     });
-    let mut findings = judged.collect::<Placed<Vec<TableFinding<'a>>>>()?;
+    let mut findings = judged.into_iter().collect::<Placed<Vec<TableFinding<'a>>>>()?;
     let mut fitting = vec![None; findings.len()];
+    let mut tried: Vec<Option<Offers>> = vec![None; findings.len()];
     // A pass may recover values that help the next one.
     loop {
         let mut more = false;
@@ -61,8 +66,13 @@ pub(crate) fn judge_all<'a>(
             if missing(&findings[i]).is_empty() {
                 continue;
             }
-            let found = recover(paper, &findings[i], &findings);
-            fitting[i] = None;
+            let offers = offers(&findings[i], &findings);
+            // With the same offers an earlier pass found nothing.
+            if tried[i].as_ref() == Some(&offers) {
+                continue;
+            }
+            let found = recover(paper, &findings[i], &offers);
+            (tried[i], fitting[i]) = (Some(offers), None);
             match found.map_err(|error| (places[i], error))? {
                 Given::Values(found) => (findings[i], more) = (*found, true),
                 Given::Fitting(values) => fitting[i] = Some(values),
@@ -73,19 +83,22 @@ pub(crate) fn judge_all<'a>(
             break;
         }
     }
-    for ((finding, fitting), &place) in findings.iter_mut().zip(fitting).zip(places) {
-        widen(paper, finding).map_err(|error| (place, error))?;
-        finding.fitting = fitting;
-        judge_promises(paper, finding).map_err(|error| (place, error))?;
+    let judged: Vec<_> = findings.into_iter().zip(fitting).zip(places).collect();
+    let judged = parallel::map(&judged, |((finding, fitting), place)| {
+        let mut finding = finding.clone();
+        widen(paper, &mut finding).map_err(|error| (**place, error))?;
+        finding.fitting.clone_from(fitting);
+        judge_promises(paper, &mut finding).map_err(|error| (**place, error))?;
         after_table();
-    }
-    Ok(places.iter().copied().zip(findings).collect())
+        Ok((**place, finding))
+    });
+    judged.into_iter().collect()
 }
 
 /// Judges a table again by the whole family of readings, if the readings that take nothing from
-/// elsewhere leave cells unexplained.
+/// elsewhere leave cells unexplained, and this has not been done yet.
 fn widen<'a>(paper: &'a Paper, finding: &mut TableFinding<'a>) -> Result<(), Diagnostic> {
-    if finding.searches().any(|search| search.explained() < search.cells) {
+    if open(finding.table).next().is_some() && !finding.is_explained() {
         let recovered = std::mem::take(&mut finding.recovered);
         *finding = judge(paper, finding.table, recovered, Family::Whole)?;
     }
@@ -106,15 +119,23 @@ pub(crate) fn borrow<'a>(
     for i in 0..findings.len() {
         agree(paper, findings, i)?;
     }
-    for i in 0..findings.len() {
-        let mut values = findings[i].recovered.clone();
-        for name in missing(&findings[i]) {
-            let others = offered(&findings[i], findings, &name, |_| true);
+    // What a table gets here it hands on to no other.
+    let borrowed = parallel::map(findings, |finding| {
+        let mut values = finding.recovered.clone();
+        for name in missing(finding) {
+            let others = offered(finding, findings, &name, |_| true);
             values.extend(others.into_iter().next().map(|value| (name, value)));
         }
-        if values.len() > findings[i].recovered.len() {
-            findings[i] = judge(paper, findings[i].table, values, Family::Whole)?;
-            judge_promises(paper, &mut findings[i])?;
+        if values.len() == finding.recovered.len() {
+            return Ok(None);
+        }
+        let mut found = judge(paper, finding.table, values, Family::Whole)?;
+        judge_promises(paper, &mut found)?;
+        Ok(Some(found))
+    });
+    for (finding, found) in findings.iter_mut().zip(borrowed) {
+        if let Some(found) = found? {
+            *finding = found;
         }
     }
     Ok(())
@@ -168,9 +189,14 @@ fn agree<'a>(
 
 /// The parameters that a table leaves open and that were not recovered.
 fn missing(finding: &TableFinding<'_>) -> Vec<String> {
-    let unstated = finding.table.unstated.iter().filter(|(_, assumed)| assumed.is_none());
-    let names = unstated.map(|(name, _)| name);
+    let names = open(finding.table);
     names.filter(|name| !finding.recovered.contains_key(*name)).cloned().collect()
+}
+
+/// The parameters that a table leaves open.
+fn open(table: &Table) -> impl Iterator<Item = &String> {
+    let unstated = table.unstated.iter().filter(|(_, assumed)| assumed.is_none());
+    unstated.map(|(name, _)| name)
 }
 
 /// The values of a parameter that suitable other tables give by their own numbers. Each value comes
@@ -194,29 +220,36 @@ fn offered(
     found
 }
 
-/// A table judged at recovered values.
-fn recover<'a>(
-    paper: &'a Paper,
-    finding: &TableFinding<'a>,
-    all: &[TableFinding<'_>],
-) -> Result<Given<'a>, Diagnostic> {
-    let table = finding.table;
-    let suitable = |other: &Table| same_scheme(table, other);
+/// For parameters that a table lacks, the values that other tables have recovered.
+type Offers = Vec<(String, Vec<Recovered>)>;
+
+/// For each parameter that a table misses, the values that tables of its schemes have.
+fn offers(finding: &TableFinding<'_>, all: &[TableFinding<'_>]) -> Offers {
+    let suitable = |other: &Table| same_scheme(finding.table, other);
     let offers = missing(finding).into_iter().map(|name| {
         let values = offered(finding, all, &name, suitable);
         (name, values)
     });
-    let offers: Vec<(String, Vec<Recovered>)> = offers.collect();
+    offers.collect()
+}
+
+/// A table judged at recovered values.
+fn recover<'a>(
+    paper: &'a Paper,
+    finding: &TableFinding<'a>,
+    offers: &[(String, Vec<Recovered>)],
+) -> Result<Given<'a>, Diagnostic> {
+    let table = finding.table;
     if finding.cells.iter().flatten().all(|cell| cell.printed.is_none()) {
         // A table without printed numbers determines nothing, and contradicts no value of another
         // table.
-        let Some(values) = combinations(&offers).into_iter().next() else {
+        let Some(values) = combinations(offers).into_iter().next() else {
             return Ok(Given::Nothing);
         };
         return judge(paper, table, values, Family::Plain)
             .map(|found| Given::Values(Box::new(found)));
     }
-    recovery::recover(paper, table, &offers)
+    recovery::recover(paper, table, offers)
 }
 
 /// Whether the other table has schemes, all of which occur in this one.

@@ -17,6 +17,7 @@ use crate::judge::distance::Schemes;
 use crate::judge::reading::plain::as_plain;
 use crate::judge::reading::search::{self, Candidates};
 use crate::judge::reading::space::{Family, needed};
+use crate::judge::reading::tried::Evaluated;
 use crate::judge::slips::Part;
 use std::collections::BTreeMap;
 
@@ -28,7 +29,17 @@ pub(crate) fn judge<'a>(
     recovered: BTreeMap<String, Recovered>,
     family: Family,
 ) -> Result<TableFinding<'a>, Diagnostic> {
-    let library = Library::new(paper);
+    judge_with(&Library::new(paper), paper, table, recovered, family)
+}
+
+/// As [`judge`], with the constants of this library.
+pub(crate) fn judge_with<'a>(
+    library: &Library<'a>,
+    paper: &'a Paper,
+    table: &'a Table,
+    recovered: BTreeMap<String, Recovered>,
+    family: Family,
+) -> Result<TableFinding<'a>, Diagnostic> {
     let mut finding = TableFinding {
         table,
         cells: Vec::new(),
@@ -38,18 +49,30 @@ pub(crate) fn judge<'a>(
         recovered,
         fitting: None,
     };
-    let judge = Evaluator::new(paper, table, &library, &finding.values())?;
+    let judge = Evaluator::new(paper, table, library, &finding.values())?;
     let mut cells = judge.cells()?;
     judge.compare_with_neighbours(&mut cells);
     let candidates = candidates(paper, &finding.recovered);
-    for kind in CellKind::of(&cells) {
-        let found = search::search(&judge, &cells, kind, &candidates, family);
-        let (search, needs) = found.unwrap_or_default();
-        finding.needs.extend(needs);
-        if kind == CellKind::Plain || CellKind::of(&cells).len() == 1 {
-            finding.search = search;
-        } else {
-            finding.assumed_search = search;
+    let kinds = CellKind::of(&cells);
+    let families = match family {
+        Family::InTurn => &[Family::Plain, Family::Whole][..],
+        ref one => std::slice::from_ref(one),
+    };
+    let mut plain: Vec<Option<Vec<Evaluated>>> = kinds.iter().map(|_| None).collect();
+    for &family in families {
+        finding.needs.clear();
+        for (&kind, plain) in kinds.iter().zip(&mut plain) {
+            let found = search::search(&judge, &cells, kind, &candidates, family, plain);
+            let (search, needs) = found.unwrap_or_default();
+            finding.needs.extend(needs);
+            if kind == CellKind::Plain || kinds.len() == 1 {
+                finding.search = search;
+            } else {
+                finding.assumed_search = search;
+            }
+        }
+        if finding.is_explained() {
+            break;
         }
     }
     for search in finding.searches() {
@@ -81,6 +104,11 @@ fn candidates(paper: &Paper, recovered: &BTreeMap<String, Recovered>) -> Candida
 }
 
 impl TableFinding<'_> {
+    /// Whether the searches for readings leave no cell unexplained.
+    pub(crate) fn is_explained(&self) -> bool {
+        self.searches().all(|search| search.explained() >= search.cells)
+    }
+
     /// Marks as reproduced the cells that a reading explains at recovered values, if this is no
     /// luck.
     fn reproduce(&mut self) {

@@ -15,12 +15,12 @@ pub struct Project {
     pub key: String,
     /// The project's name.
     pub name: String,
-    /// Where its source is public.
-    pub repository: String,
+    /// Where its source is public, if it is.
+    pub repository: Option<String>,
     /// The commit whose source is described, 40 hexadecimal digits.
-    pub commit: String,
+    pub commit: Option<String>,
     /// The licence of the source.
-    pub licence: String,
+    pub licence: Option<String>,
     /// A note for the reader.
     pub note: Option<String>,
     /// Named formulas.
@@ -29,6 +29,16 @@ pub struct Project {
     pub shipped: Vec<ShippedClaim>,
     /// The claim file.
     pub source: Arc<SourceText>,
+}
+
+impl Project {
+    /// Where the source stands, as far as the file says it: the repository, `commit …`, `licence …`.
+    #[must_use]
+    pub fn source_words(&self) -> Vec<String> {
+        let commit = self.commit.as_ref().map(|commit| format!("commit {commit}"));
+        let licence = self.licence.as_ref().map(|licence| format!("licence {licence}"));
+        [self.repository.clone(), commit, licence].into_iter().flatten().collect()
+    }
 }
 
 /// A table of numbers in a program, and what they are said to equal.

@@ -20,8 +20,8 @@ pub(super) use papers::{
     NewArguments, ProveArguments, is_of_papers,
 };
 pub(super) use schemes::{
-    BoundaryArgument, CertifyArguments, ConstantsArguments, DepthArguments, OracleArguments,
-    OracleFormat, RangeArguments, SchemesArguments,
+    BoundaryArgument, CertifyArguments, ConstantsArguments, DepthArguments, DistanceArgument,
+    FacesArgument, OracleArguments, OracleFormat, RangeArguments, SchemesArguments,
 };
 pub(super) use smoothness::{JsrArguments, SmoothnessArguments, Valences};
 pub(super) use spectrum::{SpectrumArguments, TableArguments, TypeArgument};
@@ -114,6 +114,14 @@ pub(super) enum Command {
     Completions {
         /// The shell
         shell: clap_complete::Shell,
+    },
+    /// Write the JSON schemas of all answers
+    #[cfg(feature = "schema")]
+    #[command(hide = true)]
+    Schemas {
+        /// The folder for a file for each form
+        #[arg(value_name = "DIR")]
+        folder: PathBuf,
     },
     /// Write man pages
     #[command(after_help = examples::MAN)]

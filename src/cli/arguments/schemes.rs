@@ -1,7 +1,7 @@
 //! The arguments of the commands about schemes.
 
 use super::meshes::ClosedArgument;
-use super::{FindingOutput, Output, TableOutput};
+use super::{FindingOutput, Output, TableOutput, Valences};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -85,9 +85,20 @@ pub(in crate::cli) struct DepthArguments {
     /// Only what the longest edge and the valences of the mesh guarantee
     #[arg(long, requires = "mesh")]
     pub(in crate::cli) a_priori: bool,
-    /// Write the distance of every face of the mesh at the level found: .csv, or .ply with colours
+    /// Write the distance of every face of the mesh at the level found, and its own least level where the
+    /// distance is that of sets: .csv, .json, or .ply with colours
     #[arg(long, value_name = "FILE", requires = "mesh", conflicts_with = "a_priori")]
     pub(in crate::cli) per_face: Option<PathBuf>,
+    /// How far a mesh is from its limit: as sets of points, or at equal parameters. Polygons, nets and
+    /// solids have the latter alone [default: geometric for polygon meshes, else parametric]
+    #[arg(long, value_enum)]
+    pub(in crate::cli) distance: Option<DistanceArgument>,
+    /// What a face of a polygon mesh is whose vertices are not in one plane; triangles are flat
+    #[arg(long, value_enum, default_value_t = FacesArgument::Bilinear, requires = "mesh")]
+    pub(in crate::cli) faces: FacesArgument,
+    /// The tolerance is that part of the diagonal of the box around the polygon mesh
+    #[arg(long, requires = "mesh")]
+    pub(in crate::cli) relative: bool,
     /// How narrow the intervals around exact distances are [default: ε/1000]
     #[arg(long, value_name = "W", allow_hyphen_values = true)]
     pub(in crate::cli) width: Option<String>,
@@ -99,17 +110,25 @@ pub(in crate::cli) struct DepthArguments {
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct RangeArguments {
-    /// The scheme, without a value for the parameter
+    /// The scheme, without a value for the parameter: a mask, or with `--smoothness 1` rules around a vertex or on a
+    /// face, where surfaces of generic data are meant
     #[arg(value_name = "SCHEME")]
     pub(in crate::cli) scheme: String,
-    /// The parameter, in which the mask is polynomial; twice, with `--smoothness`, for a map of two
-    #[arg(long, value_name = "NAME", required = true)]
+    /// The parameter, in which the mask is polynomial, if the scheme has several; two of them, with
+    /// `--smoothness`, for a map
+    #[arg(value_name = "PARAM", conflicts_with = "param")]
+    pub(in crate::cli) names: Vec<String>,
+    /// The same as PARAM
+    #[arg(long, value_name = "NAME")]
     pub(in crate::cli) param: Vec<String>,
     #[command(flatten)]
     pub(in crate::cli) block: Block,
     /// Where the limits are C^M, and where they are not, in place of T_c < 1
     #[arg(long, value_name = "M", conflicts_with = "function", allow_negative_numbers = true, value_parser = count)]
     pub(in crate::cli) smoothness: Option<usize>,
+    /// Rules around a vertex or on a face, with `--smoothness 1`: the valences [default: as in SCHEME]
+    #[arg(long, value_name = "FIRST..LAST", value_parser = super::smoothness::valences, requires = "smoothness")]
+    pub(in crate::cli) valences: Option<Valences>,
     /// The region of a map of two parameters, such as a=-1..1,b=0..1/2 [default: from -1 to 1]
     #[arg(long, value_name = "BOX", requires = "smoothness", allow_hyphen_values = true)]
     pub(in crate::cli) bounds: Option<String>,
@@ -151,6 +170,22 @@ pub(in crate::cli) enum OracleFormat {
     Table,
     /// A function of MATLAB and Octave that tests an implementation
     Matlab,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum DistanceArgument {
+    /// The Hausdorff distance of the mesh and the limit, from both sides
+    Geometric,
+    /// The greatest distance of points of equal parameters
+    Parametric,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum FacesArgument {
+    /// Quadrilaterals are bilinear, larger faces are fans of triangles from their centroids
+    Bilinear,
+    /// All but triangles are fans of triangles from their centroids
+    Fan,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

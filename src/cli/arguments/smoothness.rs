@@ -1,13 +1,14 @@
 //! The arguments of the commands about smoothness.
 
-use super::Output;
+use super::{FindingOutput, Output};
 use clap::Args;
 use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct SmoothnessArguments {
     /// The scheme: a mask, also with coefficients such as sqrt(3), of matrices of up to 24 rows; or rules
-    /// around a vertex or on a face
+    /// around a vertex or on a face, where C^1 is meant in Reif's sense: of surfaces of generic data, at the vertex or
+    /// on the face, with the smoothness of the regular part elsewhere
     #[arg(value_name = "SCHEME")]
     pub(in crate::cli) scheme: String,
     /// Rules around a vertex or on a face: the valences, or all from 3 on at once
@@ -17,7 +18,7 @@ pub(in crate::cli) struct SmoothnessArguments {
     #[arg(long, value_name = "FILE")]
     pub(in crate::cli) certificate: Option<PathBuf>,
     #[command(flatten)]
-    pub(in crate::cli) output: Output,
+    pub(in crate::cli) output: FindingOutput,
 }
 
 /// The greatest valence of a table: its time grows with the square of the valence.
@@ -30,7 +31,7 @@ pub(in crate::cli) enum Valences {
     All,
 }
 
-fn valences(text: &str) -> Result<Valences, String> {
+pub(super) fn valences(text: &str) -> Result<Valences, String> {
     if text == "all" {
         return Ok(Valences::All);
     }

@@ -1,5 +1,6 @@
 //! The distances of all faces of a mesh, as a table or as colours.
 
+use crate::cli::json::SCHEMA;
 use crate::cli::output::{Failure, Outcome};
 use crate::cli::save::save;
 use std::fmt::Write as _;
@@ -8,10 +9,25 @@ use subcert::exact::{Rational, RealCyclotomic};
 use subcert::float::shortest;
 use subcert::mesh::{PolygonMesh, to_ply};
 
+/// One row: what is known of a face.
+pub(super) struct FaceRow {
+    /// The level of the bounds, and these.
+    pub(super) level: u32,
+    pub(super) bounds: [f64; 2],
+    /// The least level of the face itself, and whether all below certainly are not sufficient.
+    pub(super) own: Option<(u32, bool)>,
+}
+
+/// Rows without levels of their own.
+pub(super) fn plain_rows(level: u32, bounds: Vec<[f64; 2]>) -> Vec<FaceRow> {
+    bounds.into_iter().map(|bounds| FaceRow { level, bounds, own: None }).collect()
+}
+
 /// The forms of the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum FacesFormat {
     Csv,
+    Json,
     Ply,
 }
 
@@ -21,9 +37,10 @@ impl FacesFormat {
         let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
         match extension.to_str() {
             Some("csv") => Ok(FacesFormat::Csv),
+            Some("json") => Ok(FacesFormat::Json),
             Some("ply") => Ok(FacesFormat::Ply),
             _ => Err(Failure::Input(format!(
-                "--per-face writes .csv or .ply, and not `{}`",
+                "--per-face writes .csv, .json or .ply, and not `{}`",
                 path.display()
             ))),
         }
@@ -34,25 +51,47 @@ impl FacesFormat {
         self,
         path: &Path,
         mesh: &PolygonMesh<Rational>,
-        level: u32,
-        distances: &[[f64; 2]],
+        rows: &[FaceRow],
     ) -> Outcome {
         let text = match self {
-            FacesFormat::Csv => csv(mesh, level, distances),
-            FacesFormat::Ply => ply(mesh, level, distances)?,
+            FacesFormat::Csv => csv(mesh, rows),
+            FacesFormat::Json => json(mesh, rows),
+            FacesFormat::Ply => ply(mesh, rows)?,
         };
         save(path, &text)
             .map_err(|error| Failure::Input(format!("cannot write `{}`: {error}", path.display())))
     }
 }
 
-fn csv(mesh: &PolygonMesh<Rational>, level: u32, distances: &[[f64; 2]]) -> String {
-    let mut text = "face,vertices,level,lower,upper\n".to_owned();
-    for (face, ([lower, upper], vertices)) in distances.iter().zip(mesh.faces()).enumerate() {
-        let (lower, upper) = (shortest(*lower), shortest(*upper));
-        writeln!(text, "{face},{},{level},{lower},{upper}", vertices.len()).expect("memory");
+fn csv(mesh: &PolygonMesh<Rational>, rows: &[FaceRow]) -> String {
+    let own = rows.iter().any(|row| row.own.is_some());
+    let more = if own { ",own_level,is_least" } else { "" };
+    let mut text = format!("face,vertices,level,lower,upper{more}\n");
+    for (face, (row, vertices)) in rows.iter().zip(mesh.faces()).enumerate() {
+        let FaceRow { level, bounds, own } = row;
+        let [lower, upper] = bounds.map(shortest);
+        let own = own.map(|(level, least)| format!(",{level},{least}")).unwrap_or_default();
+        writeln!(text, "{face},{},{level},{lower},{upper}{own}", vertices.len()).expect("memory");
     }
     text
+}
+
+fn json(mesh: &PolygonMesh<Rational>, rows: &[FaceRow]) -> String {
+    let row = |(face, (row, vertices)): (usize, (&FaceRow, &Vec<usize>))| {
+        let FaceRow { level, bounds, own } = row;
+        let [lower, upper] = bounds.map(shortest);
+        let mut entry = serde_json::json!({
+            "face": face, "vertices": vertices.len(), "level": level, "lower": lower, "upper": upper,
+        });
+        if let Some((level, is_least)) = own {
+            entry["own_level"] = (*level).into();
+            entry["is_least"] = (*is_least).into();
+        }
+        entry
+    };
+    let rows: Vec<serde_json::Value> = rows.iter().zip(mesh.faces()).enumerate().map(row).collect();
+    let form = serde_json::json!({ "schema": SCHEMA, "faces": rows });
+    serde_json::to_string_pretty(&form).expect("keys that are texts") + "\n"
 }
 
 /// From blue over white to red, by the share of the greatest distance.
@@ -67,15 +106,12 @@ fn colour(share: f64) -> [u8; 3] {
 
 /// The control mesh with the colours and the upper bounds of its faces; a vertex has the greatest
 /// distance of its faces.
-fn ply(
-    mesh: &PolygonMesh<Rational>,
-    level: u32,
-    distances: &[[f64; 2]],
-) -> Result<String, Failure> {
+fn ply(mesh: &PolygonMesh<Rational>, rows: &[FaceRow]) -> Result<String, Failure> {
+    let level = rows.first().map_or(0, |row| row.level);
     let title = format!("distance of each face from the limit surface at level {level}");
     let plain = to_ply(&mesh.map(|x| RealCyclotomic::from(x.clone())), &title)
         .map_err(|error| Failure::Input(error.to_string()))?;
-    let upper: Vec<f64> = distances.iter().map(|[_, upper]| *upper).collect();
+    let upper: Vec<f64> = rows.iter().map(|row| row.bounds[1]).collect();
     let greatest = upper.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
     let mut at_vertices = vec![0.0_f64; mesh.points().len()];
     for (face, distance) in mesh.faces().iter().zip(&upper) {

@@ -1,29 +1,34 @@
 //! The depth of one polygon mesh.
 
-use super::faces::FacesFormat;
+use super::faces::{FacesFormat, plain_rows};
+use super::geometric::{Faces, GeometricReport};
 use super::kind::Kind;
 use super::pictures::{Drawn, Pieces};
 use super::promise::{Formula, Promise, promises};
 use super::refined::Refined;
-use crate::cli::arguments::{DepthArguments, FindingFormat};
+use crate::cli::arguments::{DepthArguments, DistanceArgument, FacesArgument, FindingFormat};
 use crate::cli::finding::{Destination, command};
 use crate::cli::json::{SCHEMA, mesh_depth as form};
 use crate::cli::mesh::{failure, read};
-use crate::cli::output::{Outcome, positive};
+use crate::cli::output::{Failure, Outcome, positive};
 use crate::cli::progress::Progress;
 use std::path::Path;
 use subcert::exact::{Rational, format::short};
-use subcert::float::{exact, shortest};
-use subcert::mesh::MeshScheme;
+use subcert::float::{exact, shortest, upper};
+use subcert::mesh::{MeshScheme, PolygonMesh};
 use subcert::patch::{
-    APriori, FORMULA_PAPER, FarPlace, MeshDepth, MeshDistances, a_priori, formula_level,
+    APriori, FORMULA_PAPER, FaceSurface, FarPlace, MeshDepth, MeshDistances, a_priori,
+    formula_level, relative_tolerance,
 };
 use subcert::report::Sheet;
 use subcert::report::html::{FindingPage, Picture};
 
 pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments, to: &Destination) -> Outcome {
-    let tolerance = positive("--tolerance", &arguments.tolerance)?;
+    let asked = positive("--tolerance", &arguments.tolerance)?;
     let (scheme, name, file) = read(&arguments.scheme, path)?;
+    let geometric = arguments.distance != Some(DistanceArgument::Parametric);
+    let tolerance =
+        if arguments.relative { relative(file.mesh(), &asked, geometric)? } else { asked.clone() };
     let refused = |error| failure(&file, &error);
     let guaranteed = a_priori(file.mesh(), scheme, &tolerance).map_err(refused)?;
     let promised = (scheme == MeshScheme::DooSabin).then(|| Formula {
@@ -34,6 +39,49 @@ pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments, to: &Destinati
     let per_face =
         per_face.map(|path| FacesFormat::of(path).map(|format| (path, format))).transpose()?;
     let mut pictures = Vec::new();
+    if geometric && !arguments.a_priori {
+        let surface = match arguments.faces {
+            FacesArgument::Bilinear => FaceSurface::Bilinear,
+            FacesArgument::Fan => FaceSurface::Fan,
+        };
+        let mesh = file.mesh();
+        let distances = MeshDistances::new(mesh.clone(), scheme).map_err(refused)?;
+        let wanted = arguments.output.format != FindingFormat::Json;
+        let progress = Progress::of_pieces(distances.work(), wanted);
+        let found = distances.geometric_depth(&tolerance, surface).map_err(refused)?;
+        let faces = if per_face.is_some() || arguments.output.is_page() {
+            let depths = distances.geometric_faces(&tolerance, surface).map_err(refused)?;
+            let bounds = distances.geometric_distances(found.level, &tolerance, surface);
+            let mut bounds = bounds.map_err(refused)?;
+            // The level is sufficient for all.
+            for bounds in &mut bounds {
+                bounds[1] = bounds[1].min(upper(&tolerance));
+            }
+            Some(Faces { depths, distances: bounds })
+        } else {
+            None
+        };
+        drop(progress);
+        let relative = arguments.relative.then_some(asked);
+        let report = GeometricReport {
+            scheme,
+            name,
+            mesh,
+            tolerance,
+            relative,
+            surface,
+            guaranteed,
+            promised,
+            found,
+            faces,
+        };
+        return report.show(arguments, to);
+    }
+    if arguments.faces == FacesArgument::Fan {
+        let message = "--faces fan is for --distance geometric; at equal parameters, quadrilaterals \
+                       are bilinear";
+        return Err(Failure::Input(message.to_owned()));
+    }
     let found = if arguments.a_priori {
         None
     } else {
@@ -42,7 +90,8 @@ pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments, to: &Destinati
         let progress = Progress::of_pieces(distances.work(), wanted);
         let depth = distances.depth(&tolerance).map_err(refused)?;
         if let Some((path, format)) = per_face {
-            format.write(path, file.mesh(), depth.level, &distances.faces(depth.level))?;
+            let rows = plain_rows(depth.level, distances.faces(depth.level));
+            format.write(path, file.mesh(), &rows)?;
         }
         if arguments.output.is_page() {
             let pieces = Pieces::of_mesh(file.mesh(), distances.faces(depth.level));
@@ -59,6 +108,24 @@ pub(super) fn mesh_depth(path: &Path, arguments: &DepthArguments, to: &Destinati
         .show(arguments, to)
 }
 
+/// A tolerance that is a share of the diagonal of the box around a mesh.
+fn relative(
+    mesh: &PolygonMesh<Rational>,
+    share: &Rational,
+    geometric: bool,
+) -> Result<Rational, Failure> {
+    if !geometric {
+        // The diagonal is a root, and ties at equal parameters are decided exactly.
+        let message = "--relative is for the distance of sets; leave out --distance parametric, or give \
+                       the tolerance itself";
+        return Err(Failure::Input(message.to_owned()));
+    }
+    relative_tolerance(mesh.points(), share).ok_or_else(|| {
+        let message = "--relative: the box around the mesh has no diagonal that f64 can hold";
+        Failure::Input(message.to_owned())
+    })
+}
+
 /// The answers for one mesh, net or solid.
 pub(super) struct Report {
     pub(super) scheme: String,
@@ -73,11 +140,11 @@ pub(super) struct Report {
 }
 
 /// An f64 in at most nine digits.
-fn digits(value: f64) -> String {
+pub(super) fn digits(value: f64) -> String {
     exact(value).map_or_else(|| shortest(value), |value| short(&value, 9))
 }
 
-fn point(point: &[f64; 3]) -> String {
+pub(super) fn point(point: &[f64; 3]) -> String {
     let [x, y, z] = point.map(digits);
     format!("({x}, {y}, {z})")
 }
@@ -199,6 +266,7 @@ impl Report {
             scheme: &self.scheme,
             mesh: &self.name,
             tolerance: self.tolerance.to_string(),
+            measure: "parametric",
             level: found.map(|found| found.level),
             too_few: found.and_then(|found| found.too_few),
             distance: found.map(|found| {

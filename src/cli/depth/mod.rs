@@ -4,6 +4,7 @@ mod answer;
 mod bound;
 mod exact;
 mod faces;
+mod geometric;
 mod interval;
 mod kind;
 mod local_rules;
@@ -18,7 +19,9 @@ mod scheme_pictures;
 mod solid;
 mod surface;
 
-use super::arguments::{BoundaryArgument, DepthArguments, FindingFormat};
+use super::arguments::{
+    BoundaryArgument, DepthArguments, DistanceArgument, FacesArgument, FindingFormat,
+};
 use super::finding::{Destination, command};
 use super::geometry::Geometry;
 use super::json::{SCHEMA, depth as form};
@@ -44,12 +47,17 @@ pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
     let to = Destination::of(&arguments.output, &page_name(arguments))?;
     if let Some(path) = &arguments.mesh {
         let net = NetInput { scheme: &arguments.scheme, path, closed: arguments.closed };
-        return match Geometry::of(&net)? {
+        let kind = Geometry::of(&net)?;
+        if !matches!(kind, Geometry::Mesh) {
+            only_parametric(arguments, "nets and solids")?;
+        }
+        return match kind {
             Geometry::Mesh => mesh::mesh_depth(path, arguments, &to),
             Geometry::Net => net::net_depth(&net, arguments, &to),
             Geometry::Solid => solid::solid_depth(path, arguments, &to),
         };
     }
+    only_parametric(arguments, "control polygons and schemes")?;
     let scheme = match parse_any_scheme(&arguments.scheme)? {
         AnyScheme::Uniform(scheme) => scheme,
         AnyScheme::LocalRules(ring) => return ring_depth(&ring, arguments, &to),
@@ -63,6 +71,24 @@ pub(super) fn depth(arguments: &DepthArguments) -> Outcome {
         Ok(FindingPage { sentence: &sentence, sheet, pictures, command: &command }.to_html())
     };
     to.deliver(|| report.sheet(arguments), || report.form(arguments), page)
+}
+
+/// Refuses the options of distances of sets, which are known of polygon meshes.
+fn only_parametric(arguments: &DepthArguments, of: &str) -> Outcome {
+    let asked = [
+        (arguments.distance == Some(DistanceArgument::Geometric), "--distance geometric"),
+        (arguments.faces == FacesArgument::Fan, "--faces fan"),
+        (arguments.relative, "--relative"),
+    ];
+    match asked.iter().find(|(asked, _)| *asked) {
+        None => Ok(()),
+        Some((_, option)) => {
+            let message = format!(
+                "{option} is for polygon meshes; {of} are compared with their limits at equal parameters"
+            );
+            Err(Failure::Input(message))
+        }
+    }
 }
 
 /// The name of a page in a folder: `depth-` and that of the file, or of the scheme.

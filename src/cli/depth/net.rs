@@ -1,6 +1,6 @@
 //! The depth of one tensor net.
 
-use super::faces::FacesFormat;
+use super::faces::{FacesFormat, plain_rows};
 use super::kind::Kind;
 use super::mesh::Report;
 use super::pictures::{Drawn, Pieces};
@@ -41,7 +41,7 @@ pub(super) fn net_depth(
         let progress = Progress::of_pieces(distances.work(), wanted);
         let depth = distances.depth(&tolerance).map_err(failure)?;
         if let Some((path, format)) = per_face {
-            format.write(path, &mesh, depth.level, &distances.faces(depth.level))?;
+            format.write(path, &mesh, &plain_rows(depth.level, distances.faces(depth.level)))?;
         }
         if arguments.output.is_page() {
             let refined = Refined::of_net(&control, &scheme, depth.level);

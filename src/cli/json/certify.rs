@@ -4,6 +4,7 @@ use serde::Serialize;
 
 /// The f64 path of a scheme against the exact one.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Certification<'a> {
     /// The version of this form.
     pub schema: u32,
@@ -20,6 +21,7 @@ pub struct Certification<'a> {
 
 /// A constant in f64.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Quantity<'a> {
     /// Which constant.
     pub name: &'a str,
@@ -45,6 +47,7 @@ pub struct Quantity<'a> {
 /// The least k with σβC^k/(1 − C) ≤ ε, C = T_c, in f64 and exactly: a depth by a formula, not the
 /// exact depth that `subcert depth` gives.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Depth {
     /// The block length c.
     pub block: u32,
@@ -67,6 +70,7 @@ pub struct Depth {
 
 /// How clearly k is decided: the bound at k and at k − 1, as parts of the tolerance.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Margin {
     /// The bound at k divided by the tolerance: at most 1.
     pub at: String,

@@ -6,6 +6,7 @@ use subcert::report::json::Exact;
 
 /// The constants of a mask, or of a tensor product of two.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Constants<'a> {
     /// The version of this form.
     pub schema: u32,
@@ -22,6 +23,7 @@ pub struct Constants<'a> {
 
 /// The constants of a mask.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Direction<'a> {
     /// How many rules there are.
     pub arity: usize,
@@ -45,6 +47,7 @@ pub struct Direction<'a> {
 
 /// δ.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Delta {
     /// The value; its fields stand here.
     #[serde(flatten)]
@@ -55,6 +58,7 @@ pub struct Delta {
 
 /// σ at one offset.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Displacement<'a> {
     /// The value; its fields stand here.
     #[serde(flatten)]
@@ -65,6 +69,7 @@ pub struct Displacement<'a> {
 
 /// The constants for blocks of c levels; null where they are beyond reach.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Level {
     /// c.
     pub c: usize,
@@ -79,6 +84,7 @@ pub struct Level {
 
 /// The constants for blocks of c levels with the masks read forwards; null where they are beyond reach.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Forward {
     /// T_c.
     pub contraction_forward: Option<Exact>,
@@ -88,6 +94,7 @@ pub struct Forward {
 
 /// The constants of a tensor product.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Surface {
     /// The factor σ of the surface.
     pub factor: Exact,
@@ -99,6 +106,7 @@ pub struct Surface {
 
 /// The constants of a ring.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LocalConstants<'a> {
     /// The version of this form.
     pub schema: u32,
@@ -120,6 +128,7 @@ pub struct LocalConstants<'a> {
 
 /// Points of a ring that are alike.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Orbit<'a> {
     /// What they are called.
     pub name: &'a str,
@@ -129,6 +138,7 @@ pub struct Orbit<'a> {
 
 /// σ of a ring.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LocalDisplacement<'a> {
     /// The value; its fields stand here.
     #[serde(flatten)]
@@ -141,6 +151,7 @@ pub struct LocalDisplacement<'a> {
 
 /// The constants of a ring for blocks of c levels.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LocalLevel<'a> {
     /// c.
     pub c: u32,

@@ -6,6 +6,7 @@ use subcert::report::json::Exact;
 
 /// The depth for a tolerance.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Report<'a> {
     /// The version of this form.
     pub schema: u32,
@@ -33,6 +34,7 @@ pub struct Report<'a> {
 
 /// An answer, or the reason that there is none.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum OrNone<T> {
     /// The answer.
@@ -46,6 +48,7 @@ pub enum OrNone<T> {
 
 /// A depth from both sides: the least level that meets the tolerance with all later ones.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct TwoSided {
     /// A level that meets the tolerance with all later ones: the upper side.
     pub level: u32,
@@ -59,6 +62,7 @@ pub struct TwoSided {
 
 /// An interval that holds a number.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Interval {
     /// Its lower end.
     pub lower: Exact,
@@ -68,6 +72,7 @@ pub struct Interval {
 
 /// A distance at a level.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Distance {
     /// An interval that holds it; its fields stand here.
     #[serde(flatten)]
@@ -82,6 +87,7 @@ pub struct Distance {
 
 /// The true depth for every control polygon or net of the spread.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Exactly<'a> {
     /// The depth; its fields stand here.
     #[serde(flatten)]
@@ -101,6 +107,7 @@ pub struct Exactly<'a> {
 
 /// Control data that are too far from their limit.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum Witness {
     /// A piece of a control polygon.
@@ -137,6 +144,7 @@ pub enum Witness {
 
 /// A control polygon.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Polygon {
     /// How many points the polygon has.
     pub points: usize,
@@ -152,6 +160,7 @@ pub struct Polygon {
 
 /// The depth of a control polygon.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct OfPolygon {
     /// The depth; its fields stand here.
     #[serde(flatten)]
@@ -164,6 +173,7 @@ pub struct OfPolygon {
 
 /// The distance of a control polygon: the greatest of its coordinates.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct DistanceOfPolygon {
     /// The distance; its fields stand here.
     #[serde(flatten)]
@@ -174,6 +184,7 @@ pub struct DistanceOfPolygon {
 
 /// A place at which a control polygon is too far from its limit.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct TooFar {
     /// The level.
     pub level: u32,
@@ -187,6 +198,7 @@ pub struct TooFar {
 
 /// The depth by the sound bound.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Sound {
     /// The depth; null where there is none.
     pub depth: Option<u32>,
@@ -200,6 +212,7 @@ pub struct Sound {
 
 /// The depth by the printed formula.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Printed {
     /// The block length c.
     pub c: u32,
@@ -213,6 +226,7 @@ pub struct Printed {
 
 /// The depth of a ring.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LocalReport<'a> {
     /// The version of this form.
     pub schema: u32,
@@ -228,6 +242,7 @@ pub struct LocalReport<'a> {
 
 /// The true depth for every control ring of the spread.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ExactlyOfRing<'a> {
     /// The depth; its fields stand here.
     #[serde(flatten)]
@@ -242,6 +257,7 @@ pub struct ExactlyOfRing<'a> {
 
 /// A control ring, and how far one of its points is from its limit.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LocalWitness<'a> {
     /// The level.
     pub level: u32,

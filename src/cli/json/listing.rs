@@ -4,6 +4,7 @@ use serde::Serialize;
 
 /// The claims of a paper.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Listing<'a> {
     /// The version of this form.
     pub schema: u32,
@@ -15,6 +16,7 @@ pub struct Listing<'a> {
 
 /// A claim that can be explained.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Claim<'a> {
     /// Its id within the paper.
     pub id: &'a str,

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 /// The depth of one mesh.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Report<'a> {
     /// The version of this form.
     pub schema: u32,
@@ -13,6 +14,8 @@ pub struct Report<'a> {
     pub mesh: &'a str,
     /// The tolerance ε.
     pub tolerance: String,
+    /// How distances are measured: `parametric`.
+    pub measure: &'static str,
     /// The least level found to be sufficient, with all later ones; null with `--a-priori`.
     pub level: Option<u32>,
     /// The greatest level that is certainly not sufficient.
@@ -35,6 +38,7 @@ pub struct Report<'a> {
 
 /// A lower and an upper bound.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Bounds {
     /// At least this.
     pub lower: String,
@@ -44,6 +48,7 @@ pub struct Bounds {
 
 /// A lower bound.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct AtLeast {
     /// At least this.
     pub lower: String,
@@ -51,6 +56,7 @@ pub struct AtLeast {
 
 /// A place on a mesh and on its limit.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Place {
     /// The face of the control mesh, from 0; of a solid, the cell.
     pub face: usize,
@@ -69,6 +75,7 @@ pub struct Place {
 
 /// What the longest edge and the valences guarantee.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct APriori {
     /// The level.
     pub level: u32,
@@ -80,6 +87,7 @@ pub struct APriori {
 
 /// What a paper's formula promises.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Formula {
     /// The paper.
     pub paper: &'static str,

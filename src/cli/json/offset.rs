@@ -6,6 +6,7 @@ use subcert::report::json::Exact;
 
 /// An offset that is better than 0, which is taken where a file states none.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct BetterOffset<'a> {
     /// The file.
     pub file: &'a str,

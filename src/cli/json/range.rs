@@ -5,6 +5,7 @@ use subcert::report::json::Exact;
 
 /// Where in a parameter T_c < 1.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Range<'a> {
     /// The version of this form.
     pub schema: u32,
@@ -20,6 +21,7 @@ pub struct Range<'a> {
 
 /// Where T_c < 1.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Level {
     /// c.
     pub c: u32,
@@ -31,6 +33,7 @@ pub struct Level {
 
 /// An open interval.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Interval {
     /// Its lower end; null where it has none.
     pub low: Option<Number>,
@@ -40,6 +43,7 @@ pub struct Interval {
 
 /// A real algebraic number.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Number {
     /// The value; its fields stand here.
     #[serde(flatten)]
@@ -52,6 +56,7 @@ pub struct Number {
 
 /// A piecewise polynomial function.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Function {
     /// Where one piece ends and the next begins.
     pub breaks: Vec<Number>,
@@ -61,6 +66,7 @@ pub struct Function {
 
 /// Where in a parameter the limits are C^m.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SmoothRange<'a> {
     /// The version of this form.
     pub schema: u32,
@@ -82,8 +88,39 @@ pub struct SmoothRange<'a> {
     pub levels: Vec<Level>,
 }
 
+/// For which values of a parameter in rules around a vertex or on a face surfaces are C^1 there.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct VertexRange<'a> {
+    /// The version of this form.
+    pub schema: u32,
+    /// The scheme as it was given.
+    pub scheme: &'a str,
+    /// The parameter.
+    pub parameter: &'a str,
+    /// 1.
+    pub smoothness: usize,
+    /// What «C¹» means here.
+    pub scope: &'static str,
+    /// The valences.
+    pub valences: Vec<VertexValence>,
+}
+
+/// One valence.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct VertexValence {
+    /// The valence.
+    pub valence: usize,
+    /// There the surface is proved C^1.
+    pub inside: Vec<Interval>,
+    /// There it is refuted.
+    pub outside: Vec<Interval>,
+}
+
 /// Where, in a plane of two parameters, the limits are C^m.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SmoothMap<'a> {
     /// The version of this form.
     pub schema: u32,
@@ -105,6 +142,7 @@ pub struct SmoothMap<'a> {
 
 /// Parts of an area, which sum to 1.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Shares {
     /// Where all limits are C^m.
     pub inside: String,
@@ -116,6 +154,7 @@ pub struct Shares {
 
 /// A box of parameters.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct MapBox {
     /// `inside`, `outside` or `open`.
     pub state: &'static str,

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 /// The catalogue.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Catalogue<'a> {
     /// The version of this form.
     pub schema: u32,
@@ -13,6 +14,7 @@ pub struct Catalogue<'a> {
 
 /// A scheme of the catalogue.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Scheme<'a> {
     /// Its name.
     pub name: &'a str,
@@ -28,6 +30,7 @@ pub struct Scheme<'a> {
 
 /// A parameter of a scheme.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Parameter<'a> {
     /// Its name.
     pub name: &'a str,

@@ -5,6 +5,7 @@ use subcert::report::json::Exact;
 
 /// How smooth the limits of a scheme are.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Smoothness<'a> {
     /// The version of this form.
     pub schema: u32,
@@ -44,6 +45,7 @@ pub struct Smoothness<'a> {
 
 /// The field of irrational coefficients.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Field {
     /// The minimal polynomial of t.
     pub minimal_polynomial: String,
@@ -53,6 +55,7 @@ pub struct Field {
 
 /// That the differences of a derived scheme contract.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Contraction {
     /// The number c of levels.
     pub c: u32,
@@ -62,6 +65,7 @@ pub struct Contraction {
 
 /// The critical Hölder exponent.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Hoelder {
     /// A decimal that is not above it.
     pub lower: String,
@@ -75,6 +79,7 @@ pub struct Hoelder {
 
 /// The joint spectral radius of n matrices.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Radius {
     /// The size of the matrices.
     pub size: usize,
@@ -102,6 +107,7 @@ pub struct Radius {
 
 /// What `subcert jsr` writes.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct JointRadius<'a> {
     /// The version of this form.
     pub schema: u32,

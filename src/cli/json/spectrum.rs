@@ -5,6 +5,7 @@ use subcert::report::json::Exact;
 
 /// The spectrum of a ring and its stencils.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Spectrum<'a> {
     /// The version of this form.
     pub schema: u32,
@@ -29,6 +30,7 @@ pub struct Spectrum<'a> {
 
 /// The points of one kind.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Orbit<'a> {
     /// Their name.
     pub name: &'a str,
@@ -38,6 +40,7 @@ pub struct Orbit<'a> {
 
 /// An eigenvalue.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Eigenvalue {
     /// The value; the real part of a pair of complex eigenvalues.
     #[serde(flatten)]
@@ -54,6 +57,7 @@ pub struct Eigenvalue {
 /// What the literature asks of the eigenvalues: necessary conditions only. C¹ also needs a regular and
 /// injective characteristic map, which `smoothness` decides.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Conditions {
     /// Whether 1 is simple, and all others are below 1 in absolute value.
     pub simple_one: bool,
@@ -69,6 +73,7 @@ pub struct Conditions {
 
 /// The weight of a point.
 #[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Weight {
     /// The point, such as `edge[3]`.
     pub point: String,

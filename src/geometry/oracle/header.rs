@@ -4,6 +4,7 @@ use serde::Serialize;
 
 /// What was computed, and by which program. Numbers that may be long are strings.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Header {
     /// `subcert` and its version.
     pub program: String,
@@ -34,6 +35,7 @@ pub struct Header {
 
 /// The arity n, the width N and the offset o of a mask.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct MaskShape {
     /// The arity n.
     pub arity: usize,
@@ -45,6 +47,7 @@ pub struct MaskShape {
 
 /// The points and edges of a ring.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LocalShape {
     /// The name of every point, in the order of their numbers.
     pub points: Vec<String>,

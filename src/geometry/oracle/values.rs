@@ -30,6 +30,7 @@ pub struct OracleRequest {
 
 /// Reference values, with a header.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct OracleValues {
     /// The version of this format.
     pub schema: u32,
@@ -41,6 +42,7 @@ pub struct OracleValues {
 
 /// The values of one quantity.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Group {
     /// `mask`, `difference-mask`, `contraction-constant`, `scheme-norm`, `displacement`,
     /// `control`, `refined`; for a tensor product the first five begin with `first-` or
@@ -58,6 +60,7 @@ pub struct Group {
 
 /// One exact value in four forms.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Value {
     /// Its indices, as the formula of the group counts them.
     pub index: Vec<usize>,

@@ -159,6 +159,12 @@ impl MeshDistances {
         Ok(MeshDepth { level, too_few, beyond, distance, worst, apart, exact_pieces })
     }
 
+    /// The level of [`depth`](Self::depth).
+    pub(super) fn parametric_level(&self, tolerance: &Rational) -> Result<u32, MeshError> {
+        let sure = self.sure_level(tolerance)?;
+        Ok(descend(sure, |level, left| self.examine(level, tolerance, left)).level)
+    }
+
     /// The least level, from 1 on, from which on simple bounds are within the tolerance.
     fn sure_level(&self, tolerance: &Rational) -> Result<u32, MeshError> {
         let judge = self.model.rounded_judge(tolerance);

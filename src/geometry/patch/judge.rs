@@ -68,7 +68,8 @@ impl Rounded {
         Rounded { tolerance: [lower(tolerance), upper(tolerance)], unit }
     }
 
-    fn slack(&self, level: u32) -> f64 {
+    /// How far a length of points of this level may be off.
+    pub(super) fn slack(&self, level: u32) -> f64 {
         self.unit * f64::from(level + 2)
     }
 }

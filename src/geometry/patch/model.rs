@@ -128,6 +128,26 @@ impl Model {
         Rounded::new(&(tolerance / &self.scale), self.size, self.terms)
     }
 
+    /// The same for the points of the levels after that many, counted from 0 again: the slack of level ℓ is at least
+    /// that of level ℓ + `level`.
+    pub(super) fn rounded_judge_after(&self, tolerance: &Rational, level: u32) -> Rounded {
+        let size = self.size * f64::from(level + 1);
+        Rounded::new(&(tolerance / &self.scale), size, self.terms)
+    }
+
+    /// The points of a control mesh in f64: moved and scaled.
+    pub(super) fn control(&self) -> Vec<Point<f64>> {
+        moved(self.source.points(), &self.scale)
+    }
+
+    /// How many vertices the face of a piece has.
+    pub(super) fn face_size(&self, root: &Root) -> usize {
+        match &self.source {
+            Source::Surface { mesh, .. } => mesh.faces()[root.face].len(),
+            Source::Solid(_) => 0,
+        }
+    }
+
     fn cell<V: Points>(&self, root: &Root, level: u32, points: &Levels<V>) -> Cell<V> {
         let cell = self.roots.cell(root, &self.shapes, &points.refined);
         if level > 0 {

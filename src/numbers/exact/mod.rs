@@ -73,7 +73,7 @@ pub use common::CommonDenominator;
 pub use common::common_denominator;
 pub use comparable::comparable;
 pub use cyclotomic::{
-    CosineError, MAX_CONDUCTOR, RealCyclotomic, common_conductor, cosine_polynomial,
+    CosineError, MAX_CONDUCTOR, RealCyclotomic, StoredForm, common_conductor, cosine_polynomial,
 };
 pub use decimal::{Decimal, Rounding};
 pub use enclosure::{Enclosed, Enclosure};

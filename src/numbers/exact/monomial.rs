@@ -5,7 +5,7 @@ use std::sync::Arc;
 /// A product of powers of variables, as pairs of name and exponent > 0 in the order of the
 /// names; no pairs for 1. The pairs are shared by reference counting, as monomials are
 /// copied more often than they are made.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) struct Monomial(Arc<[(Arc<str>, u32)]>);
 
 impl Monomial {

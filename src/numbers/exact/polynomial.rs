@@ -25,7 +25,7 @@ use std::ops::{Add, AddAssign, Mul, Sub};
 /// assert_eq!((&cosine * &w).to_string(), "(cos(2*pi/5))*w");
 /// # Ok::<(), subcert::exact::CosineError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Polynomial {
     /// Stored apart from the other terms, since in many formulas most values are
     /// constants.
@@ -90,6 +90,31 @@ impl Polynomial {
             |monomial: &Monomial| matches!(monomial.powers(), [(name, 1)] if **name == *variable);
         let term = self.terms.iter().find(|(monomial, _)| is_variable(monomial));
         term.map_or(RealCyclotomic::from(0), |(_, coefficient)| coefficient.clone())
+    }
+
+    /// The coefficients c_0, c_1, … of Σ c_i·variable^i, none for 0; `None` when another variable occurs.
+    ///
+    /// ```
+    /// use subcert::exact::{Polynomial, RealCyclotomic};
+    ///
+    /// let [w, x] = ["w", "x"].map(Polynomial::variable);
+    /// let [zero, one] = [0, 1].map(RealCyclotomic::from);
+    /// assert_eq!((&w * &w).coefficients_in("w"), Some(vec![zero.clone(), zero, one]));
+    /// assert_eq!((&w * &x).coefficients_in("w"), None);
+    /// ```
+    #[must_use]
+    pub fn coefficients_in(&self, variable: &str) -> Option<Vec<RealCyclotomic>> {
+        let constant = (!is_zero(&self.constant)).then_some((0, &self.constant));
+        let others = self.terms.iter().map(|(monomial, c)| Some((monomial.only(variable)?, c)));
+        let terms: Option<Vec<(u32, &RealCyclotomic)>> =
+            constant.map(Some).into_iter().chain(others).collect();
+        let terms = terms?;
+        let length = terms.iter().map(|(i, _)| *i as usize + 1).max().unwrap_or(0);
+        let mut coefficients = vec![RealCyclotomic::from(0); length];
+        for (i, c) in terms {
+            coefficients[i as usize] = c.clone();
+        }
+        Some(coefficients)
     }
 
     /// The number of terms.

@@ -18,6 +18,7 @@ mod smooth_range;
 mod smoothness;
 mod table;
 mod theorem;
+mod vertex;
 mod witness;
 
 use crate::audit::PaperAudit;

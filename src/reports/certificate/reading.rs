@@ -148,13 +148,15 @@ fn lines(reading: &Explanation) -> impl Iterator<Item = String> {
     differences.chain(parameters)
 }
 
-/// `DEFINITION@TABLE`, `DEFINITION@NAME=VALUE`, `DEFINITION@scheme#NUMBER` or `tolerance@line#NUMBER`.
+/// `DEFINITION@TABLE`, `DEFINITION@NAME=VALUE`, `DEFINITION@scheme#NUMBER`, `tolerance@line#NUMBER` or
+/// `scheme@row#NUMBER`.
 fn copied(source: &Copied) -> String {
     match source {
         Copied::Printed { of, table, .. } => format!("{of}@{table}"),
         Copied::Parameter { of, name, value } => format!("{of}@{name}={value}"),
         Copied::Scheme { of, number, .. } => format!("{of}@scheme#{}", number + 1),
         Copied::Tolerance { line, .. } => format!("tolerance@line#{}", line + 1),
+        Copied::Numbers { first } => format!("scheme@row#{}", first + 1),
     }
 }
 

@@ -3,7 +3,7 @@
 use super::block::Block;
 use super::limits::radius;
 use super::radius::LimitLines;
-use super::smooth_range;
+use super::{smooth_range, vertex};
 use crate::audit::{Direction, Known, Limits, SmoothnessFinding, SmoothnessVerdict};
 use crate::claim::{ExponentStatement, PrintedExponent, SmoothnessBody, SmoothnessStatement};
 use crate::exact::{Decimal, LogSum, LogTerm, Rational};
@@ -32,6 +32,18 @@ pub(super) fn block(finding: &SmoothnessFinding<'_>) -> Block {
         (SmoothnessStatement::Range(range), Known::Range(known)) => {
             smooth_range::lines(&mut block, range, &scheme, known, finding.verdict);
         }
+        (
+            SmoothnessStatement::Continuity { continuous, not_continuous, valences },
+            Known::Vertices(known),
+        ) => {
+            block.restate("scheme", &scheme);
+            restate(&mut block, statement);
+            if let Some(valences) = valences {
+                block.restate("valences", &valences.text);
+            }
+            let orders = [*continuous, *not_continuous];
+            vertex::lines(&mut block, known, orders, finding.verdict);
+        }
         (_, Known::Limits(known)) => {
             block.restate("scheme", &scheme);
             restate(&mut block, statement);
@@ -44,7 +56,7 @@ pub(super) fn block(finding: &SmoothnessFinding<'_>) -> Block {
 
 fn restate(block: &mut Block, statement: &SmoothnessStatement) {
     match statement {
-        SmoothnessStatement::Continuity { continuous, not_continuous } => {
+        SmoothnessStatement::Continuity { continuous, not_continuous, .. } => {
             let orders =
                 [("states-continuous", continuous), ("states-not-continuous", not_continuous)];
             for (word, order) in orders {
@@ -81,7 +93,7 @@ fn of_limits(
         other => other.name(),
     };
     let shown = match statement {
-        SmoothnessStatement::Continuity { continuous, not_continuous } => {
+        SmoothnessStatement::Continuity { continuous, not_continuous, .. } => {
             let [yes, no] = [continuous, not_continuous].map(|m| {
                 m.map(|m| {
                     let yes = lines.continuous.is_some_and(|shown| m <= shown);

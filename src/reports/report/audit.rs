@@ -32,7 +32,7 @@ pub fn audit_sheet(audits: &[PaperAudit<'_>], all: bool) -> Sheet {
 fn paper(sheet: &mut Sheet, audit: &PaperAudit<'_>, all: bool) {
     let paper = audit.paper;
     sheet.heading(1, format!("{} · {}", paper.key, paper.bibliography.short()));
-    sheet.text(format!("{}. {}.", paper.bibliography.title, paper.bibliography.venue));
+    sheet.text(paper.bibliography.title_and_venue());
     if let Some(note) = &paper.bibliography.note {
         sheet.text(note.clone());
     }

@@ -1,67 +1,176 @@
 //! The findings of an audit, in a few sentences for each paper.
 
-use crate::audit::{CellFinding, PaperAudit, Verdict};
-use std::collections::BTreeMap;
+use crate::audit::{CellFinding, PaperAudit, PromiseCounts, Verdict};
+use std::collections::{BTreeMap, BTreeSet};
 
-/// Up to three sentences: about the cells of a paper, about their promises, and about the other
-/// claims.
+/// The most places that the first sentence names.
+const MAX_PLACES: usize = 3;
+
+/// The most words of the places that it names.
+const MAX_PLACE_WORDS: usize = 12;
+
+/// The verdicts of cells that are not what the paper's own definition gives.
+const WRONG_CELLS: [&str; 3] = ["refuted", "misprint", "other-reading"];
+
+/// What matters most in one sentence of up to 25 words, and then the counts: of the cells of a paper, of their
+/// promises, and of the other claims.
 pub(super) fn headline(audit: &PaperAudit<'_>) -> String {
-    let sentences = [cells(audit), promises(audit), claims(audit)];
-    let sentences: Vec<String> = sentences.into_iter().flatten().collect();
-    let said =
-        if sentences.is_empty() { "nothing to check.".to_owned() } else { sentences.join(" ") };
-    format!("{}: {said}", audit.paper.key)
+    let (about, first) = first(audit);
+    let promises = if about == About::Promises { open_promises(audit) } else { promises(audit) };
+    let claims = claims(audit, about);
+    let rest = cells(audit).into_iter().chain(promises).chain(claims);
+    let sentences: Vec<String> = std::iter::once(first).chain(rest).collect();
+    format!("{}: {}", audit.paper.key, sentences.join(" "))
 }
 
-/// `229 of 240 cells are reproduced with w = 39/2000, which the paper does not state; 5 are
-/// confirmed. 12 are lost.`
-fn cells(audit: &PaperAudit<'_>) -> Option<String> {
+/// What the first sentence is about.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum About {
+    Promises,
+    Cells,
+    /// The claims of this kind, such as `equations`.
+    Claims(&'static str),
+    Nothing,
+}
+
+/// `164 of 220 promises are broken, in Table 2, Table 3 and 12 other tables.`: what does most harm.
+fn first(audit: &PaperAudit<'_>) -> (About, String) {
+    let PromiseCounts { broken, .. } = audit.promise_counts();
+    if broken > 0 {
+        let tables = audit.tables.iter().filter(|table| table.promise_counts().broken > 0);
+        let places = places(tables.map(|table| table.table.locus.as_str()), "table");
+        let said = if broken == 1 {
+            format!("a promise in {places} is broken")
+        } else {
+            format!("promises in {places} are broken")
+        };
+        return (About::Promises, format!("{said}: {broken} of {}.", audit.promise_counts().all()));
+    }
+    let wrong = |cell: &&CellFinding| WRONG_CELLS.contains(&cell.verdict.name());
+    let cells = || audit.tables.iter().flat_map(|table| table.cells.iter().flatten());
+    let count = cells().filter(wrong).count();
+    if count > 0 {
+        let has = |table: &&crate::audit::TableFinding<'_>| {
+            table.cells.iter().flatten().any(|cell| wrong(&cell))
+        };
+        let tables = audit.tables.iter().filter(has);
+        let places = places(tables.map(|table| table.table.locus.as_str()), "table");
+        let said = if count == 1 {
+            format!("a number in {places} is not what its definition gives")
+        } else {
+            format!("numbers in {places} are not what their definitions give")
+        };
+        let all = cells().filter(|cell| cell.printed.is_some()).count();
+        return (About::Cells, format!("{said}: {count} of {all}."));
+    }
+    if let Some(kind) = kinds(audit).into_iter().find(|kind| kind.wrong() > 0) {
+        let claims = audit.claims();
+        let wrong = claims.iter().filter(|claim| claim.verdicts.contains_key(kind.verdict));
+        let wrong = wrong.filter(|claim| (kind.is_one)(audit, claim.id));
+        let places = places(wrong.map(|claim| claim.locus), kind.one);
+        let is = kind.words[usize::from(kind.wrong() != 1)];
+        let sentence =
+            format!("{places} {is}: {} of {} {}.", kind.wrong(), kind.all(), kind.several);
+        return (About::Claims(kind.several), sentence);
+    }
+    let judged = cells().any(|cell| cell.printed.is_some()) || !audit.claims().is_empty();
+    let sentence =
+        if judged { "nothing was found to be wrong." } else { "there is nothing to check." };
+    (About::Nothing, sentence.to_owned())
+}
+
+/// `Table 2, Table 3 and 10 other tables`, or `12 tables` where the names are long.
+fn places<'l>(loci: impl Iterator<Item = &'l str>, one: &str) -> String {
+    let mut seen = BTreeSet::new();
+    let loci: Vec<&str> = loci.filter(|locus| seen.insert(*locus)).collect();
+    let several = |count: usize| format!("{count} {one}{}", if count == 1 { "" } else { "s" });
+    let named = if loci.len() <= MAX_PLACES { loci.len() } else { MAX_PLACES - 1 };
+    let words = |named: usize| {
+        loci[..named].iter().map(|locus| locus.split_whitespace().count()).sum::<usize>()
+    };
+    let named = (0..=named).rev().find(|named| words(*named) <= MAX_PLACE_WORDS).unwrap_or(0);
+    let others = loci.len() - named;
+    let mut parts: Vec<String> = loci[..named].iter().map(|locus| (*locus).to_owned()).collect();
+    if others > 0 {
+        parts.push(match named {
+            0 => several(others),
+            _ => format!("{others} other {one}{}", if others == 1 { "" } else { "s" }),
+        });
+    }
+    listed(&parts)
+}
+
+/// `a`, `a and b`, `a, b and c`.
+fn listed(parts: &[String]) -> String {
+    match parts.split_last() {
+        None => String::new(),
+        Some((last, [])) => last.clone(),
+        Some((last, others)) => format!("{} and {last}", others.join(", ")),
+    }
+}
+
+/// `Of 240 cells, 230 are reproduced with w = 39/2000, which the paper does not state, and 5 are confirmed.`
+fn cells(audit: &PaperAudit<'_>) -> Vec<String> {
     let all = || audit.tables.iter().flat_map(|table| table.cells.iter().flatten());
     let printed: Vec<&CellFinding> = all().filter(|cell| cell.printed.is_some()).collect();
     let lost = all().count() - printed.len();
-    let lost = (lost > 0).then(|| format!("{} lost.", are(lost)));
-    if printed.is_empty() {
-        return lost.map(|lost| format!("of the cells, {lost}"));
-    }
-    let count = |name: &str| printed.iter().filter(|cell| cell.verdict.name() == name).count();
-    let read =
-        printed.iter().filter(|cell| cell.verdict == Verdict::Reproduced && cell.as_read.is_some());
-    let with = match read.count() {
-        0 => recovered(audit),
-        count => format!("{}, {count} of them by another reading", recovered(audit)),
-    };
-    let left = if_assumed(&printed);
-    let mut parts = Vec::new();
-    for (name, said) in [
-        ("confirmed", "confirmed"),
-        ("reproduced", "reproduced"),
-        ("rounding", "rounded otherwise"),
-        ("other-reading", "given by another reading"),
-        ("misprint", "a slip away"),
-        ("refuted", "refuted"),
-        ("not-checkable", "not checkable"),
-    ] {
-        let with = match name {
-            "reproduced" => with.as_str(),
-            "not-checkable" => left.as_str(),
-            _ => "",
+    let mut sentences = Vec::new();
+    if !printed.is_empty() {
+        let count = |name: &str| printed.iter().filter(|cell| cell.verdict.name() == name).count();
+        let mut parts = Vec::new();
+        for (name, said) in [
+            ("confirmed", "confirmed"),
+            ("reproduced", "reproduced"),
+            ("rounding", "rounded otherwise"),
+            ("other-reading", "given by another reading"),
+            ("misprint", "a slip away"),
+            ("refuted", "refuted"),
+            ("not-checkable", "not checkable"),
+        ] {
+            parts.extend(Some((count(name), said)).filter(|(count, _)| *count > 0));
+        }
+        // The largest part comes first.
+        parts.sort_by_key(|(count, _)| std::cmp::Reverse(*count));
+        let words: Vec<String> =
+            parts.into_iter().map(|(count, said)| format!("{} {said}", are(count))).collect();
+        let of = match printed.len() {
+            1 => "The only cell is".to_owned(),
+            count => format!("Of {count} cells, {}", listed(&words)),
         };
-        parts.extend(Some(count(name)).filter(|count| *count > 0).map(|count| (count, said, with)));
+        let one = words.first().map(|words| words.trim_start_matches("1 is").to_owned());
+        sentences.push(if printed.len() == 1 {
+            format!("{of}{}.", one.unwrap_or_default())
+        } else {
+            format!("{of}.")
+        });
+        sentences.extend(recovered(audit));
+        let read = printed
+            .iter()
+            .filter(|cell| cell.verdict == Verdict::Reproduced && cell.as_read.is_some());
+        match (read.count(), count("reproduced")) {
+            (0, _) => {}
+            (read, all) if read == all => sentences.push(match all {
+                1 => "This one takes another reading too.".to_owned(),
+                _ => format!("All {all} take another reading too."),
+            }),
+            (1, all) => sentences.push(format!("1 of these {all} takes another reading too.")),
+            (read, all) => {
+                sentences.push(format!("{read} of these {all} take another reading too."));
+            }
+        }
+        sentences.extend(if_assumed(&printed));
     }
-    // The largest part comes first.
-    parts.sort_by_key(|(count, ..)| std::cmp::Reverse(*count));
-    let mut words = parts.into_iter().map(|(count, said, with)| (count, format!("{said}{with}")));
-    let (first, said) = words.next()?;
-    let is = if printed.len() == 1 { "cell is" } else { "cells are" };
-    let first = format!("{first} of {} {is} {said}", printed.len());
-    let rest = words.map(|(count, said)| format!("{} {said}", are(count)));
-    let sentence = std::iter::once(first).chain(rest).collect::<Vec<String>>().join("; ");
-    Some([Some(format!("{sentence}.")), lost].into_iter().flatten().collect::<Vec<_>>().join(" "))
+    match lost {
+        0 => {}
+        1 => sentences.push("1 cell is lost.".to_owned()),
+        lost => sentences.push(format!("{lost} cells are lost.")),
+    }
+    sentences
 }
 
-/// ` (at the values shown, 7 differ and 1 is a slip away)`: the verdicts that cells which are not
-/// checkable have at the values that were put in.
-fn if_assumed(printed: &[&CellFinding]) -> String {
+/// `Of the cells that are not checkable, 7 differ and 1 is a slip away at the values shown.`: the verdicts that these
+/// have at the values that were put in.
+fn if_assumed(printed: &[&CellFinding]) -> Option<String> {
     let judged = || printed.iter().filter_map(|cell| cell.verdict_if_assumed.as_ref());
     let differ = judged().filter(|verdict| **verdict == Verdict::Refuted).count();
     let slips = judged().filter(|verdict| matches!(verdict, Verdict::Misprint(_))).count();
@@ -69,10 +178,9 @@ fn if_assumed(printed: &[&CellFinding]) -> String {
         .then(|| format!("{differ} {}", if differ == 1 { "differs" } else { "differ" }));
     let slips = (slips > 0).then(|| format!("{} a slip away", are(slips)));
     let parts: Vec<String> = differ.into_iter().chain(slips).collect();
-    if parts.is_empty() {
-        return String::new();
-    }
-    format!(" (at the values shown, {})", parts.join(" and "))
+    let said = listed(&parts);
+    (!parts.is_empty())
+        .then(|| format!("Of the cells that are not checkable, {said} at the values shown."))
 }
 
 /// `5 are`, or `1 is`.
@@ -80,9 +188,9 @@ fn are(count: usize) -> String {
     format!("{count} {}", if count == 1 { "is" } else { "are" })
 }
 
-/// ` with w = 39/2000 or 3/400, which the paper does not state`: the values at which cells are
-/// reproduced, those of most cells first.
-fn recovered(audit: &PaperAudit<'_>) -> String {
+/// `This takes w = 39/2000 or 3/400, which the paper does not state.`: the values at which cells are reproduced, those
+/// of most cells first.
+fn recovered(audit: &PaperAudit<'_>) -> Option<String> {
     let mut values: BTreeMap<&str, BTreeMap<String, usize>> = BTreeMap::new();
     for table in &audit.tables {
         let cells = table.cells.iter().flatten();
@@ -93,7 +201,7 @@ fn recovered(audit: &PaperAudit<'_>) -> String {
         }
     }
     if values.is_empty() {
-        return String::new();
+        return None;
     }
     let named = values.into_iter().map(|(name, values)| {
         let mut values: Vec<(String, usize)> = values.into_iter().collect();
@@ -102,54 +210,106 @@ fn recovered(audit: &PaperAudit<'_>) -> String {
         format!("{name} = {}", values.join(" or "))
     });
     let named: Vec<String> = named.collect();
-    format!(" with {}, which the paper does not state", named.join(", "))
+    Some(format!("What is reproduced takes {}, which the paper does not state.", listed(&named)))
 }
 
-/// `Of 220 promises, 157 are broken, 1 is open.`
+/// `Of 220 promises, none is broken and 1 is open.`
 fn promises(audit: &PaperAudit<'_>) -> Option<String> {
     let counts = audit.promise_counts();
-    let open = if counts.open > 0 { format!(", {} open", are(counts.open)) } else { String::new() };
-    let broken = match counts.broken {
-        0 => "none is".to_owned(),
-        count => are(count),
+    let open =
+        if counts.open > 0 { format!(" and {} open", are(counts.open)) } else { String::new() };
+    let said = match counts.all() {
+        0 => return None,
+        1 if counts.open == 1 => "The only promise is open.".to_owned(),
+        1 => "The only promise is kept.".to_owned(),
+        all => format!("Of {all} promises, none is broken{open}."),
     };
-    (counts.all() > 0).then(|| format!("Of {} promises, {broken} broken{open}.", counts.all()))
+    Some(said)
 }
 
-/// A kind of claim: its counts, its name in the plural and in the singular, the verdict of a wrong
-/// claim, and the words for this verdict in the singular and in the plural.
-type Kind =
-    (BTreeMap<&'static str, usize>, &'static str, &'static str, &'static str, [&'static str; 2]);
+/// `1 promise is open.`
+fn open_promises(audit: &PaperAudit<'_>) -> Option<String> {
+    match audit.promise_counts().open {
+        0 => None,
+        1 => Some("1 promise is open.".to_owned()),
+        open => Some(format!("{open} promises are open.")),
+    }
+}
 
-/// `15 of 43 equations fail, 8 of 10 theorems are refuted.`
-fn claims(audit: &PaperAudit<'_>) -> Option<String> {
-    let kinds: [Kind; 4] = [
-        (audit.equation_counts(), "equations", "equation", "fails", ["fails", "fail"]),
-        (audit.range_counts(), "ranges", "range", "inexact", ["is wrong", "are wrong"]),
-        (
-            audit.smoothness_counts(),
-            "statements about smoothness",
-            "statement about smoothness",
-            "refuted",
-            ["is refuted", "are refuted"],
-        ),
-        (audit.theorem_counts(), "theorems", "theorem", "refuted", ["is refuted", "are refuted"]),
+/// A kind of claim other than cells.
+struct Kind {
+    counts: BTreeMap<&'static str, usize>,
+    several: &'static str,
+    one: &'static str,
+    /// The verdict of a wrong claim.
+    verdict: &'static str,
+    /// The words for it in the singular and in the plural.
+    words: [&'static str; 2],
+    /// Whether the claim of this id is of this kind.
+    is_one: fn(&PaperAudit<'_>, &str) -> bool,
+}
+
+impl Kind {
+    fn all(&self) -> usize {
+        self.counts.values().sum()
+    }
+
+    fn wrong(&self) -> usize {
+        self.counts.get(self.verdict).copied().unwrap_or(0)
+    }
+}
+
+/// The kinds of claims that a paper has, those that weigh most first.
+fn kinds(audit: &PaperAudit<'_>) -> Vec<Kind> {
+    let kinds = [
+        Kind {
+            counts: audit.theorem_counts(),
+            several: "theorems",
+            one: "theorem",
+            verdict: "refuted",
+            words: ["is refuted", "are refuted"],
+            is_one: |audit, id| audit.theorems.iter().any(|found| found.theorem.id == id),
+        },
+        Kind {
+            counts: audit.smoothness_counts(),
+            several: "statements about smoothness",
+            one: "statement",
+            verdict: "refuted",
+            words: ["is refuted", "are refuted"],
+            is_one: |audit, id| audit.smoothness.iter().any(|found| found.claim.id == id),
+        },
+        Kind {
+            counts: audit.equation_counts(),
+            several: "equations",
+            one: "equation",
+            verdict: "fails",
+            words: ["fails", "fail"],
+            is_one: |audit, id| {
+                audit.equations.iter().any(|found| found.equation.id == id)
+                    || audit.functions.iter().any(|found| found.claim.id == id)
+            },
+        },
+        Kind {
+            counts: audit.range_counts(),
+            several: "ranges",
+            one: "range",
+            verdict: "inexact",
+            words: ["is wrong", "are wrong"],
+            is_one: |audit, id| audit.ranges.iter().any(|found| found.claim.id == id),
+        },
     ];
-    let (mut wrong, mut right) = (Vec::new(), Vec::new());
-    for (counts, several, one, verdict, is) in kinds {
-        let all: usize = counts.values().sum();
-        match counts.get(verdict).copied().unwrap_or(0) {
-            _ if all == 0 => {}
-            0 => right.push(one),
-            count => {
-                let is = is[usize::from(count != 1)];
-                wrong.push(format!("{count} of {all} {several} {is}"));
-            }
-        }
-    }
-    match (wrong.is_empty(), right.is_empty()) {
-        (false, _) => Some(format!("{}.", wrong.join(", "))),
-        (true, false) => Some(format!("No {} was found to be wrong.", right.join(", no "))),
-        (true, true) => None,
-    }
+    kinds.into_iter().filter(|kind| kind.all() > 0).collect()
+}
+
+/// `15 of 43 equations fail and 8 of 10 theorems are refuted.`, without what is said already.
+fn claims(audit: &PaperAudit<'_>, said: About) -> Option<String> {
+    let kinds = kinds(audit);
+    let rest = kinds.iter().filter(|kind| said != About::Claims(kind.several) && kind.wrong() > 0);
+    let wrong: Vec<String> = rest
+        .map(|kind| {
+            let is = kind.words[usize::from(kind.wrong() != 1)];
+            format!("{} of {} {} {is}", kind.wrong(), kind.all(), kind.several)
+        })
+        .collect();
+    (!wrong.is_empty()).then(|| format!("{}.", listed(&wrong)))
 }

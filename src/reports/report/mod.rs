@@ -31,6 +31,7 @@ mod summary;
 mod text;
 mod theorem;
 mod tried;
+mod vertex;
 mod witness;
 mod working;
 
@@ -43,3 +44,4 @@ pub use overview::overview_sheet;
 pub use parts::mark;
 pub use sheet::{Block, Grid, Sheet};
 pub use shipped::{finding_sheet, headline as shipped_headline, issue_sheet, projects_sheet};
+pub use vertex::{SCOPE, VERTEX_HEADER, verdict_name, verdict_reason, vertex_facts, vertex_row};

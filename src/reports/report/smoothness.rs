@@ -3,11 +3,13 @@
 use super::parts::{mark, titled};
 use super::set::set_text;
 use super::sheet::Sheet;
+use super::vertex::{SCOPE, vertex_facts, vertices_outcome};
 use crate::audit::{
     Known, Limits, PaperAudit, RangeOfLimits, SmoothnessFinding, SmoothnessVerdict,
 };
 use crate::claim::{
-    ExponentStatement, SmoothRangeStatement, SmoothnessBody, SmoothnessClaim, SmoothnessStatement,
+    ExponentStatement, PrintedValences, SmoothRangeStatement, SmoothnessBody, SmoothnessClaim,
+    SmoothnessStatement,
 };
 use crate::exact::{Enclosed as _, Integer, IntervalSet, Rational, format::fixed};
 use crate::smoothness::Hoelder;
@@ -62,9 +64,21 @@ pub(super) fn explain(audit: &PaperAudit<'_>, id: &str) -> Option<Sheet> {
 pub(super) fn statement(claim: &SmoothnessClaim) -> Option<String> {
     let SmoothnessBody::Statement(_, statement) = &claim.body else { return None };
     Some(match &**statement {
-        SmoothnessStatement::Continuity { continuous, not_continuous } => {
+        SmoothnessStatement::Continuity { continuous, not_continuous, valences } => {
             let parts = [continuous.map(smooth), not_continuous.map(not_smooth)];
-            parts.into_iter().flatten().collect::<Vec<String>>().join(", and ")
+            let parts = parts.into_iter().flatten().collect::<Vec<String>>().join(", and ");
+            match valences {
+                None => parts,
+                Some(PrintedValences { last: None, first, .. }) => {
+                    format!("at every valence N >= {first} {parts}")
+                }
+                Some(PrintedValences { first, last: Some(last), .. }) if first == last => {
+                    format!("at valence {first} {parts}")
+                }
+                Some(PrintedValences { first, last: Some(last), .. }) => {
+                    format!("at each valence from {first} to {last} {parts}")
+                }
+            }
         }
         SmoothnessStatement::Exponent { exponent, attained } => {
             let said = match exponent {
@@ -121,6 +135,11 @@ pub(super) fn outcome(finding: &SmoothnessFinding<'_>) -> Vec<String> {
         Known::Capped(reason) => vec![format!("not checkable: {reason}")],
         Known::Limits(limits) => vec![of_limits(limits)],
         Known::Range(range) => of_range(finding, range),
+        Known::Vertices(found) => {
+            let mut lines = vertices_outcome(found);
+            lines.push(format!("{SCOPE}."));
+            lines
+        }
     };
     match finding.verdict {
         SmoothnessVerdict::Rounding(direction) => {
@@ -231,6 +250,12 @@ pub(super) fn details(finding: &SmoothnessFinding<'_>) -> Vec<(String, String)> 
             Some(witness) => &witness.limits,
             None => return Vec::new(),
         },
+        Known::Vertices(found) => {
+            return match &found.vertices[..] {
+                [.., vertex] => vertex_facts(vertex),
+                [] => Vec::new(),
+            };
+        }
         Known::Absent(_) | Known::Capped(_) => return Vec::new(),
     };
     let deciding = limits.smoothness.deciding();

@@ -3,7 +3,7 @@
 use super::family::Family;
 use super::laurent::Laurent;
 use super::net::ratio;
-use super::ring::{Ring, examined};
+use super::ring::{Ring, examined, in_half_plane, ring_pieces};
 use crate::exact::{Rational, Scalar as _};
 
 /// Whether the characteristic maps of a scheme are regular and injective for all valences n ≥ 3: the
@@ -37,5 +37,30 @@ pub fn regular_for_all_valences(family: Family) -> bool {
         _ => (Rational::new(-1, 2), Rational::one()),
     };
     let sign = |x: &Laurent| x.sign_on(&low, &high);
-    matches!(examined(family, &cosine, &value, &sign), Ring::Regular { .. })
+    let net = family.eigenvector(&cosine, &value);
+    let pieces = ring_pieces(&net, &value);
+    matches!(examined(&pieces, &sign), Ring::OneSign { sign: 1, .. })
+        && in_half_plane(&net, &pieces, &sign)
+}
+
+/// The schemes of the catalogue whose eigenvalues are in order at all valences (`proofs/THEOREMS.md`, 135).
+pub const ORDERED: [(&str, Family); 4] = [
+    ("catmull-clark", Family::Bicubic),
+    ("loop", Family::BoxSpline),
+    ("loop-warren", Family::BoxSpline),
+    ("doo-sabin", Family::Biquadratic),
+];
+
+/// The regular part of a scheme of the catalogue that is proved C¹ at all valences n ≥ 3 at once; `None` of others.
+///
+/// ```
+/// use subcert::characteristic::{Family, smooth_for_all_valences};
+///
+/// assert_eq!(smooth_for_all_valences("loop"), Some(Family::BoxSpline));
+/// assert_eq!(smooth_for_all_valences("sqrt3"), None);
+/// ```
+#[must_use]
+pub fn smooth_for_all_valences(scheme: &str) -> Option<Family> {
+    let (_, family) = ORDERED.into_iter().find(|(name, _)| *name == scheme)?;
+    regular_for_all_valences(family).then_some(family)
 }

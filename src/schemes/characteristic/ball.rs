@@ -16,6 +16,12 @@ impl Ball {
         Ball::outward(&number.enclosure(1))
     }
 
+    /// Any number of an interval.
+    #[must_use]
+    pub fn within(interval: &Enclosure) -> Ball {
+        Ball::outward(interval)
+    }
+
     /// The interval.
     #[must_use]
     pub fn enclosure(&self) -> &Enclosure {
@@ -26,6 +32,12 @@ impl Ball {
     #[must_use]
     pub fn sign(&self) -> Option<i8> {
         self.0.sign()
+    }
+
+    /// Whether the interval shows that the number is not 0.
+    #[must_use]
+    pub fn is_apart(&self) -> bool {
+        matches!(self.sign(), Some(1 | -1))
     }
 
     fn outward(exact: &Enclosure) -> Ball {

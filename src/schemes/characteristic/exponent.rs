@@ -1,7 +1,7 @@
 //! The Hölder exponent of the first derivatives.
 
-use crate::exact::{Enclosed, Enclosure, Rational, natural_logarithm};
-use crate::spectrum::{Curvature, Spectrum};
+use crate::exact::{Enclosed, Enclosure, Rational, RealExpression, Scalar as _, natural_logarithm};
+use crate::spectrum::{Curvature, Eigenvalue, Spectrum};
 
 /// The surface is C^{1,α} at the vertex for the α of the interval, by the eigenvalues; more smoothness is not
 /// asked for.
@@ -13,6 +13,9 @@ pub struct Exponent {
     pub curvature: Curvature,
     /// The blocks with eigenvalues of the modulus μ, ascending.
     pub blocks: Vec<usize>,
+    /// The greatest eigenvalue but 1 of block 0, of shapes as a cup (elliptic), and that of the blocks 2 and n − 2, n ≥ 4, of
+    /// shapes as a saddle (hyperbolic), by their moduli; and how each compares with λ².
+    pub shapes: [Option<(RealExpression, Curvature)>; 2],
 }
 
 /// The exponent of a C¹ surface; `None` where no eigenvalue follows.
@@ -24,6 +27,13 @@ pub(super) fn exponent(spectrum: &Spectrum) -> Option<Exponent> {
     let mut blocks: Vec<usize> = with_modulus.flat_map(|one| one.blocks.clone()).collect();
     blocks.sort_unstable();
     blocks.dedup();
+    let shape = |block: usize| {
+        let own = |one: &&Eigenvalue| one.blocks.contains(&block);
+        let found = spectrum.eigenvalues[1..].iter().find(own)?;
+        let square = value.times(value);
+        Some((found.modulus.clone(), Curvature::of(&found.modulus, &square)))
+    };
+    let shapes = [shape(0), if spectrum.order > 3 { shape(2) } else { None }];
     let one = Rational::one();
     let value = if curvature == Curvature::Unbounded {
         // ln μ/ln λ, both negative.
@@ -37,5 +47,5 @@ pub(super) fn exponent(spectrum: &Spectrum) -> Option<Exponent> {
     } else {
         Enclosure::exact(one)
     };
-    Some(Exponent { value, curvature, blocks })
+    Some(Exponent { value, curvature, blocks, shapes })
 }

@@ -27,6 +27,16 @@ impl Family {
         }
     }
 
+    /// Its name: `bicubic`, `box-spline` or `biquadratic`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Family::Bicubic => "bicubic",
+            Family::BoxSpline => "box-spline",
+            Family::Biquadratic => "biquadratic",
+        }
+    }
+
     /// The scheme of the catalogue with this regular part.
     #[must_use]
     pub fn scheme(self) -> &'static str {
@@ -55,42 +65,28 @@ impl Family {
         }
     }
 
-    /// The eigenvector of block 1 for its eigenvalue λ, times a polynomial in λ that is positive for
-    /// λ > 1/4.
-    pub(super) fn eigenvector<R: Scalar>(self, cosine: &R, value: &R) -> Net<R> {
+    /// The net of an eigenvector with these values at the vertex, at an edge point, and at a face point of the
+    /// sector divided by 1 + ω; around a face, at its point. The eigenvalue is none of the points around it.
+    /// They are multiplied by a polynomial in it.
+    pub(super) fn net<R: Scalar>(self, cosine: &R, value: &R, inner: &[R; 3]) -> Net<R> {
+        let [vertex, edge, _] = inner;
         let points = match self {
-            Family::Bicubic => {
-                let edge = ratio::<R>(4, 1).times(value).minus(&ratio(1, 1));
-                bicubic(cosine, value, &[R::zero(), edge, ratio(1, 1)])
-            }
-            Family::BoxSpline => box_spline(cosine, value, &[R::zero(), ratio(1, 1)]),
+            Family::Bicubic => bicubic(cosine, value, inner),
+            Family::BoxSpline => box_spline(cosine, value, &[vertex.clone(), edge.clone()]),
             Family::Biquadratic => biquadratic(cosine, value),
         };
         Net { lattice: self.lattice(), cosine: cosine.clone(), points }
     }
 
-    /// The eigenvector of block 0 for an eigenvalue other than 1 on the inner ring, in the same form with ω = 1;
-    /// `None` for rings without a vertex.
-    pub(super) fn still_eigenvector<R: Scalar>(self, value: &R) -> Option<Net<R>> {
-        let one = ratio::<R>(1, 1);
-        let less = |p, q| value.minus(&ratio(p, q));
-        let points = match self {
-            Family::Bicubic => {
-                // Times μ − 1/4.
-                let quarter = less(1, 4);
-                let vertex = less(1, 2).times(&quarter).minus(&ratio(1, 16));
-                let edge = ratio::<R>(3, 8).times(&quarter).plus(&ratio(1, 32));
-                let face = vertex.times(&ratio(1, 8)).plus(&edge.times(&ratio(1, 4)));
-                let all = [vertex.times(&quarter), edge.times(&quarter), face];
-                bicubic(&one, value, &all)
-            }
-            Family::BoxSpline => {
-                let vertex = less(5, 8).times(&ratio(8, 3));
-                box_spline(&one, value, &[vertex, one.clone()])
-            }
-            Family::Biquadratic => return None,
+    /// The eigenvector of block 1 for its eigenvalue λ by the rules of the scheme of the catalogue, times a
+    /// polynomial in λ that is positive for λ > 1/4.
+    pub(super) fn eigenvector<R: Scalar>(self, cosine: &R, value: &R) -> Net<R> {
+        let one = || ratio::<R>(1, 1);
+        let edge = match self {
+            Family::Bicubic => ratio::<R>(4, 1).times(value).minus(&one()),
+            _ => one(),
         };
-        Some(Net { lattice: self.lattice(), cosine: one, points })
+        self.net(cosine, value, &[R::zero(), edge, one()])
     }
 }
 

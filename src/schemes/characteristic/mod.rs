@@ -10,9 +10,16 @@
 //! | `pieces` | the ring between two levels in Bézier form |
 //! | `sign` | signs on a piece, by bisection |
 //! | `ring` | the Jacobian, and the half-plane of the outer curve |
+//! | `winding` | the winding number of the outer curve |
 //! | `rules` | which regular part rules have |
+//! | `inner` | eigenvectors on the points with rules of their own |
+//! | `lines` | lines on the ring, for pictures |
+//! | `jacobian` | values of the Jacobian |
+//! | `verdict` | what is said |
 //! | `vertex` | the verdict at one valence |
 //! | `all_valences` | all valences at once |
+//! | `positive` | where polynomials in a parameter are positive |
+//! | `range` | the values of a parameter for which surfaces are C¹ |
 //! | `exponent` | the Hölder exponent of the first derivatives |
 
 mod all_valences;
@@ -20,19 +27,29 @@ mod ball;
 mod bernstein;
 mod exponent;
 mod family;
+mod inner;
+mod jacobian;
 mod laurent;
+mod lines;
 mod net;
 mod pieces;
+mod positive;
+mod range;
 mod ring;
 mod rules;
 mod sign;
+mod verdict;
 mod vertex;
+mod winding;
 
-pub use all_valences::regular_for_all_valences;
+pub use all_valences::{ORDERED, regular_for_all_valences, smooth_for_all_valences};
 pub use ball::Ball;
 pub use exponent::Exponent;
 pub use family::Family;
-pub use ring::RingPoint;
+pub use lines::RingLine;
+pub use range::{VertexRange, VertexRangeError, vertex_range};
+pub use ring::{RingBox, RingPoint};
 pub use rules::Reason;
 pub use sign::{MAX_BISECTIONS, Place};
-pub use vertex::{Hypothesis, Refutation, Verdict, Vertex};
+pub use verdict::{Hypothesis, Refutation, Verdict};
+pub use vertex::{Second, Vertex};

@@ -1,10 +1,10 @@
 //! The characteristic ring: its Jacobian, and the half-plane of its outer curve.
 
+use super::ball::Ball;
 use super::bernstein::Form;
-use super::family::Family;
 use super::net::{Lattice, Net};
 use super::pieces::{Piece, pieces};
-use super::sign::{Place, signs};
+use super::sign::{Part, Place, boxes, signs};
 use crate::exact::{Rational, Scalar};
 
 /// A point of the ring: on the lattice of the refined points of sector 0.
@@ -17,14 +17,43 @@ pub struct RingPoint {
 /// What the signs of polynomials on the ring say.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Ring {
-    /// J > 0 on all of the closed ring, with this many bisections, and the outer curve is in the half-plane.
-    Regular { bisections: usize },
+    /// J has this sign on all of the closed ring, with this many bisections.
+    OneSign { sign: i8, bisections: usize },
     /// J > 0 at the first point and J < 0 at the second.
     Folded { points: [RingPoint; 2] },
     /// The sign of J is not decided.
     Undecided,
-    /// J > 0, but the outer curve of a sector is not shown to be in a half-plane.
-    NoHalfPlane,
+}
+
+/// A part of a piece on which all Bernstein coefficients of J have one sign.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RingBox {
+    /// The piece of sector 0, from 0 on.
+    pub piece: usize,
+    /// The bisections that lead to the part: 0 and 1 are the first and the second half.
+    pub path: String,
+    /// A lower bound of the absolute values of the coefficients.
+    pub least: Rational,
+    /// Whether they are positive.
+    pub positive: bool,
+}
+
+/// The parts of all pieces; empty where a piece has no such parts.
+pub(super) fn all_boxes(pieces: &[Piece<Ball>]) -> Vec<RingBox> {
+    let mut all = Vec::new();
+    for (place, piece) in pieces.iter().enumerate() {
+        let parts = boxes(&jacobian(piece));
+        if parts.is_empty() {
+            return Vec::new();
+        }
+        all.extend(parts.into_iter().map(|Part { path, least, positive, .. }| RingBox {
+            piece: place,
+            path,
+            least,
+            positive,
+        }));
+    }
+    all
 }
 
 /// J = det D(p, q) of a piece.
@@ -38,18 +67,18 @@ pub(super) fn ring_pieces<R: Scalar>(net: &Net<R>, value: &R) -> Vec<Piece<R>> {
     pieces(&net.refined(value))
 }
 
-pub(super) fn examined<R: Scalar>(
-    family: Family,
-    cosine: &R,
-    value: &R,
-    sign: &impl Fn(&R) -> Option<i8>,
-) -> Ring {
-    let net = family.eigenvector(cosine, value);
-    let pieces = ring_pieces(&net, value);
+/// The sign of J on the pieces.
+pub(super) fn examined<R: Scalar>(pieces: &[Piece<R>], sign: &impl Fn(&R) -> Option<i8>) -> Ring {
+    let first = pieces.first().map(jacobian);
+    let corner =
+        first.and_then(|form| form.corners().into_iter().find_map(|x| sign(x).filter(|s| *s != 0)));
+    // Where J is negative at a corner, it is tried whether it is so everywhere.
+    let side = corner.unwrap_or(1);
+    let turned = |x: &R| sign(x).map(|found| found * side);
     let mut witnesses: [Option<RingPoint>; 2] = [None, None];
     let (mut all, mut most) = (true, 0);
-    for piece in &pieces {
-        let found = signs(&jacobian(piece), sign);
+    for piece in pieces {
+        let found = signs(&jacobian(piece), &turned);
         all &= found.positive;
         most = most.max(found.bisections);
         for (known, place) in witnesses.iter_mut().zip(found.witnesses) {
@@ -59,28 +88,30 @@ pub(super) fn examined<R: Scalar>(
         }
     }
     match witnesses {
-        [Some(positive), Some(negative)] => Ring::Folded { points: [positive, negative] },
-        _ if !all => Ring::Undecided,
-        _ if !in_half_plane(&net, &pieces, sign) => Ring::NoHalfPlane,
-        _ => Ring::Regular { bisections: most },
+        [Some(one), Some(other)] => {
+            Ring::Folded { points: if side == 1 { [one, other] } else { [other, one] } }
+        }
+        _ if all => Ring::OneSign { sign: side, bisections: most },
+        _ => Ring::Undecided,
     }
 }
 
 /// The place on the lattice of the refined points: the vertex, or the centre of the face, is the origin.
-fn on_ring<R>(piece: &Piece<R>, [u, v]: &Place) -> RingPoint {
+pub(super) fn on_ring<R>(piece: &Piece<R>, [u, v]: &Place) -> RingPoint {
     let side = Rational::from(i64::from(piece.direction));
     let along = |corner: i32, t: &Rational| Rational::from(i64::from(corner)) + &(&side * t);
     RingPoint { at: [along(piece.corner.0, u), along(piece.corner.1, v)] }
 }
 
-/// Whether p + q (around a face: p + cq) is positive on the outer curve of sector 0: a multiple of the real
-/// part of (p + qω)/e^{iπ/n}, or of p + qω.
+/// Whether p + q (around a face: p + cq) has one sign on the outer curve of sector 0, and is not 0 there: it is a
+/// multiple of the real part of (p + qω)/e^{iπ/n}, or of p + qω.
 pub(super) fn in_half_plane<R: Scalar>(
     net: &Net<R>,
     pieces: &[Piece<R>],
     sign: &impl Fn(&R) -> Option<i8>,
 ) -> bool {
-    outer_curve(net, pieces).iter().all(|x| sign(x) == Some(1))
+    let curve = outer_curve(net, pieces);
+    [1, -1].iter().any(|side| curve.iter().all(|x| sign(x) == Some(*side)))
 }
 
 /// The Bézier coefficients of the linear form of the half-plane on the outer curve of sector 0.

@@ -1,9 +1,9 @@
-//! Which regular part the rules of a scheme have, and their wider ring.
+//! Which regular part the rules of a ring have, and their wider ring.
 
 use super::family::Family;
 use crate::exact::RealCyclotomic;
-use crate::scheme::{LocalRules, Reference};
-use crate::spectrum::{SpectrumError, Surroundings, surroundings};
+use crate::scheme::LocalRules;
+use crate::spectrum::{SpectrumError, surroundings};
 
 /// Why nothing is decided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,7 +16,7 @@ pub enum Reason {
     Mirror,
     /// The sign of J is not decided within the cap.
     Sign,
-    /// The outer curve of a sector is not shown to be in a half-plane.
+    /// The outer curve of a sector is not shown to be in a half-plane, and its winding number is not found.
     HalfPlane,
 }
 
@@ -25,40 +25,38 @@ pub(super) struct Rules {
     pub(super) family: Option<Family>,
     /// Why the regular part does not serve.
     pub(super) reason: Option<Reason>,
-    pub(super) rings: Surroundings,
+    pub(super) ring: LocalRules,
+    pub(super) wider: Option<LocalRules>,
 }
 
-/// The rules of a scheme. The names of the orbits declare the regular part: vertex, edge and face, vertex and
+/// The rules of a ring. The names of the orbits declare the regular part: vertex, edge and face, vertex and
 /// edge, or face. Only the weights of the vertex, or of the face, may differ from those of the scheme of the
 /// catalogue with this part.
-pub(super) fn rules(scheme: &str, valence: Option<usize>) -> Result<Rules, SpectrumError> {
-    let mut rings = surroundings(scheme, valence)?;
-    let reference = Reference::parse(scheme).map_err(crate::scheme::SchemeError::from)?;
-    let known = ["catmull-clark", "loop", "loop-warren", "doo-sabin"];
-    let catalogued = reference.names().next().is_some_and(|name| known.contains(&name));
-    let orbits = rings.ring.orbits();
-    let names: Vec<&str> = orbits.iter().map(|orbit| orbit.name.as_str()).collect();
-    let counts: Vec<usize> = orbits.iter().map(|orbit| orbit.count).collect();
+pub(super) fn rules(ring: LocalRules) -> Result<Rules, SpectrumError> {
+    let names: Vec<&str> = ring.orbits().iter().map(|orbit| orbit.name.as_str()).collect();
+    let counts: Vec<usize> = ring.orbits().iter().map(|orbit| orbit.count).collect();
     let n = counts.last().copied().unwrap_or(0);
     let expected: Vec<usize> =
         names.iter().map(|name| if *name == "vertex" { 1 } else { n }).collect();
-    let family = Family::of_orbits(&names).filter(|_| counts == expected);
+    let family = Family::of_orbits(&names).filter(|_| counts == expected && n >= 3);
     let Some(family) = family else {
-        return Ok(Rules { family: None, reason: Some(Reason::RegularPart), rings });
+        return Ok(Rules { family: None, reason: Some(Reason::RegularPart), ring, wider: None });
     };
-    if catalogued {
-        let reason = rings.wider.is_none().then_some(Reason::RegularPart);
-        return Ok(Rules { family: Some(family), reason, rings });
-    }
     let model = surroundings(family.scheme(), Some(n))?;
-    let reason = difference(&rings.ring, &model.ring);
-    rings.wider = model.wider.and_then(|wider| replaced(&rings.ring, &wider));
-    let reason = reason.or(rings.wider.is_none().then_some(Reason::RegularPart));
-    Ok(Rules { family: Some(family), reason, rings })
+    let reason = difference(&ring, &model.ring);
+    let wider = match reason {
+        None => model.wider.and_then(|wider| replaced(&ring, &wider)),
+        Some(_) => None,
+    };
+    let reason = reason.or(wider.is_none().then_some(Reason::RegularPart));
+    Ok(Rules { family: Some(family), reason, ring, wider })
 }
 
 /// What keeps rules from being judged by the regular part of others.
-fn difference(own: &LocalRules, model: &LocalRules) -> Option<Reason> {
+pub(super) fn difference<S: PartialEq>(
+    own: &LocalRules<S>,
+    model: &LocalRules<S>,
+) -> Option<Reason> {
     let n = own.point_count();
     if own.orbits().len() > 1 {
         // All but the vertex.

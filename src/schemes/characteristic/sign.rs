@@ -1,5 +1,6 @@
 //! The sign of a polynomial on a square or a triangle.
 
+use super::ball::Ball;
 use super::bernstein::Form;
 use crate::exact::{Rational, Scalar};
 
@@ -64,6 +65,49 @@ pub(super) fn signs<R: Scalar>(form: &Form<R>, sign: &impl Fn(&R) -> Option<i8>)
         }
     }
     found
+}
+
+/// A part of a piece on which all coefficients have one sign.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Part {
+    /// The bisections that lead to it.
+    pub(super) path: String,
+    /// The least absolute value of a coefficient.
+    pub(super) least: Rational,
+    /// Whether the coefficients are positive.
+    pub(super) positive: bool,
+    /// A corner of it.
+    pub(super) near: Place,
+}
+
+/// Parts that cover a piece, on each of which all coefficients have one sign, the same for all; none where they are not
+/// found within the caps.
+pub(super) fn boxes(form: &Form<Ball>) -> Vec<Part> {
+    let mut places: Vec<Place> =
+        [[0, 0], [1, 0], [0, 1], [1, 1]].map(|place| place.map(Rational::from)).to_vec();
+    places.truncate(form.corners().len());
+    let side = form.corners().into_iter().find_map(|x| x.sign().filter(|sign| *sign != 0));
+    let (mut waiting, mut parts) = (vec![(form.clone(), places, String::new())], Vec::new());
+    while let Some((form, places, path)) = waiting.pop() {
+        if form.coefficients().all(|x| x.sign() == side && x.is_apart()) {
+            let size = |x: &Ball| x.enclosure().lower().abs().min(x.enclosure().upper().abs());
+            let least = form.coefficients().map(size).min().expect("a coefficient");
+            let corners = form.corners().into_iter().map(size).zip(&places);
+            let near = corners.min_by(|(a, _), (b, _)| a.cmp(b)).expect("a corner").1.clone();
+            parts.push(Part { path, least, positive: side == Some(1), near });
+            continue;
+        }
+        let wrong = form.corners().into_iter().any(|x| x.is_apart() && x.sign() != side);
+        if wrong || path.len() == MAX_BISECTIONS || parts.len() + waiting.len() > MAX_PARTS {
+            return Vec::new();
+        }
+        // The first half is looked at first.
+        let halves = form.halves().into_iter().zip(half_places(&places)).zip(['0', '1']);
+        for ((half, corners), digit) in halves.collect::<Vec<_>>().into_iter().rev() {
+            waiting.push((half, corners, format!("{path}{digit}")));
+        }
+    }
+    parts
 }
 
 /// The corners of the halves, in their order.

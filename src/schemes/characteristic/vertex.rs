@@ -3,65 +3,27 @@
 use super::ball::Ball;
 use super::exponent::{Exponent, exponent};
 use super::family::Family;
-use super::net::{Lattice, Net};
-use super::ring::{Ring, RingPoint, examined, jacobian, outer_curve, ring_pieces};
+use super::inner::Inner;
+use super::jacobian::{jacobian_at, least, unit};
+use super::lines::{RingLine, lines, mapped};
+use super::net::Net;
+use super::ring::{
+    Ring, RingBox, RingPoint, all_boxes, examined, in_half_plane, outer_curve, ring_pieces,
+};
 use super::rules::{Reason, Rules, rules};
-use crate::exact::{Enclosure, Rational, RealCyclotomic, RealExpression, Scalar as _};
-use crate::spectrum::{Eigenvalue, Spectrum, SpectrumError};
+use super::verdict::{Hypothesis, Refutation, Verdict};
+use super::winding::winding;
+use crate::exact::{Enclosed as _, Integer, Rational, RealExpression};
+use crate::scheme::LocalRules;
+use crate::spectrum::{Curvature, Spectrum, SpectrumError, surroundings};
 
-/// Whether the limit surface is C¹ at the vertex or on the face, in Reif's sense: for generic data, with the
-/// regular part's smoothness elsewhere.
+/// A real eigenvalue λ that is alone of its modulus after 1, of the blocks k and n − k, or of block 0.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Verdict {
-    /// C¹.
-    Proved {
-        /// The most bisections of a piece.
-        bisections: usize,
-        /// A lower bound of J where the point (1, 0) of the net has the length 1.
-        least: Rational,
-        /// A point next to which J is about that small.
-        near: RingPoint,
-    },
-    /// Not C¹.
-    Refuted(Refutation),
-    /// A hypothesis fails, and nothing is refuted.
-    Fails(Hypothesis),
-    /// Not decided.
-    Open(Reason),
-}
-
-/// Why a surface is not C¹.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Refutation {
-    /// The Jacobian has both signs, at these points.
-    Folds {
-        /// The points, the positive one first.
-        points: [RingPoint; 2],
-        /// J there, where the point (1, 0) of the net has the length 1.
-        values: [Enclosure; 2],
-    },
-    /// A simple eigenvalue of block 0 is alone above all but 1, and its eigenfunction has one sign.
-    Block0 {
-        /// The eigenvalue.
-        value: RealExpression,
-    },
-}
-
-/// A hypothesis of the theorem.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Hypothesis {
-    /// 1 is simple, and all others are below it in absolute value.
-    SimpleOne,
-    /// The eigenvalues next to 1 are alone of their modulus.
-    Alone,
-    /// λ is real.
-    Real,
-    /// λ is positive.
-    Positive,
-    /// λ is of block 1 and of block n − 1, once each.
-    Blocks,
-    /// λ is above the eigenvalue 1/4 of the points around it.
-    AboveOuter,
+pub struct Second {
+    /// k, k < n/2.
+    pub block: usize,
+    /// λ.
+    pub value: RealExpression,
 }
 
 /// What is known of the surface at the vertex or on the face.
@@ -71,10 +33,16 @@ pub struct Vertex {
     pub family: Option<Family>,
     /// The spectrum, of the wider ring where the regular part is known.
     pub spectrum: Spectrum,
+    /// The eigenvalue whose eigenvectors decide.
+    pub second: Option<Second>,
+    /// The hypothesis on these eigenvalues that fails, if one does. The verdict may say more.
+    pub hypothesis: Option<Hypothesis>,
     /// Whether the surface is C¹.
     pub verdict: Verdict,
     /// How smooth its first derivatives are, where it is C¹.
     pub exponent: Option<Exponent>,
+    /// The net of an eigenvector of λ, of block k or 0.
+    net: Option<Net<Ball>>,
 }
 
 impl Vertex {
@@ -94,132 +62,188 @@ impl Vertex {
     /// # Ok::<(), subcert::spectrum::SpectrumError>(())
     /// ```
     pub fn of(scheme: &str, valence: Option<usize>) -> Result<Vertex, SpectrumError> {
-        let Rules { family, reason, rings } = rules(scheme, valence)?;
-        let spectrum = rings.spectrum()?;
-        let verdict = match (family, reason) {
-            (Some(family), None) => judged(family, &spectrum),
-            (_, reason) => Verdict::Open(reason.unwrap_or(Reason::RegularPart)),
+        let known = surroundings(scheme, valence)?;
+        let mut rules = rules(known.ring)?;
+        rules.wider = rules.wider.or(known.wider);
+        Vertex::judged(rules)
+    }
+
+    /// The rules of a ring.
+    ///
+    /// # Errors
+    /// When its spectrum is out of reach.
+    ///
+    /// # Panics
+    /// Never.
+    pub fn of_ring(ring: LocalRules) -> Result<Vertex, SpectrumError> {
+        Vertex::judged(rules(ring)?)
+    }
+
+    fn judged(rules: Rules) -> Result<Vertex, SpectrumError> {
+        let Rules { family, reason, ring, wider } = rules;
+        let spectrum = Spectrum::within(&ring, wider.as_ref())?;
+        let (found, mut net) = (second(&spectrum), None);
+        let verdict = match (family, reason, &found) {
+            (Some(family), None, Ok(second)) => {
+                let inner = Inner::new(family, &ring, spectrum.order);
+                let value = Ball::of(&second.value);
+                let cosine = inner.cosine(second.block);
+                let vector = match second.block {
+                    0 => inner.still(&value),
+                    k => Some(inner.turning(k, &value)),
+                };
+                net = vector.map(|vector| family.net(&cosine, &value, &vector));
+                match &net {
+                    None => Verdict::Fails(Hypothesis::Blocks),
+                    Some(net) if second.block == 0 => of_block_0(net, &value, second),
+                    Some(net) => of_block(net, &value, second.block, spectrum.order),
+                }
+            }
+            (Some(_), None, Err(hypothesis)) => Verdict::Fails(*hypothesis),
+            (_, reason, _) => Verdict::Open(reason.unwrap_or(Reason::RegularPart)),
+        };
+        let hypothesis = match &found {
+            Err(hypothesis) => Some(*hypothesis),
+            Ok(second) if second.block == 1 && second.value.sign() > 0 => None,
+            Ok(_) => Some(Hypothesis::First),
         };
         let proved = matches!(verdict, Verdict::Proved { .. });
         let exponent = if proved { exponent(&spectrum) } else { None };
-        Ok(Vertex { family, spectrum, verdict, exponent })
+        Ok(Vertex { family, spectrum, second: found.ok(), hypothesis, verdict, exponent, net })
+    }
+
+    /// Whether the surface of generic data is C^m there; `None` where that is not decided. C² fails where it is not C¹,
+    /// or the curvature is unbounded.
+    #[must_use]
+    pub fn is_continuous(&self, m: usize) -> Option<bool> {
+        let unbounded =
+            || self.exponent.as_ref().is_some_and(|found| found.curvature == Curvature::Unbounded);
+        match (&self.verdict, m) {
+            (Verdict::Proved { .. }, 0 | 1) => Some(true),
+            (Verdict::Proved { .. }, _) if unbounded() => Some(false),
+            (Verdict::Refuted(_), 1..) => Some(false),
+            _ => None,
+        }
+    }
+
+    /// The parts into which the pieces of sector 0 are divided so that J has only positive or only negative
+    /// coefficients on each, in the scale of [`Verdict::Proved`]; empty where J has both signs, or there is no ring.
+    #[must_use]
+    pub fn boxes(&self) -> Vec<RingBox> {
+        let (Some(net), Some(second)) = (&self.net, &self.second) else { return Vec::new() };
+        let mut boxes = all_boxes(&ring_pieces(net, &Ball::of(&second.value)));
+        let unit = unit(net).upper().clone();
+        for part in &mut boxes {
+            part.least = &part.least / &unit;
+        }
+        boxes
+    }
+
+    /// Lines of constant parameters on sector 0 of the ring; none without a ring in the plane.
+    #[must_use]
+    pub fn lines(&self) -> Vec<RingLine> {
+        match (&self.net, &self.second) {
+            (Some(net), Some(second)) => lines(&ring_pieces(net, &Ball::of(&second.value))),
+            _ => Vec::new(),
+        }
+    }
+
+    /// Where a point of sector 0 of the ring is mapped to: p and q.
+    #[must_use]
+    pub fn image(&self, point: &RingPoint) -> Option<[Rational; 2]> {
+        let (net, second) = (self.net.as_ref()?, self.second.as_ref()?);
+        mapped(&ring_pieces(net, &Ball::of(&second.value)), point)
+    }
+
+    /// Whether the outer curve of a sector is in the half-plane p + q > 0, or p + cq > 0 on a face, or in its opposite.
+    #[must_use]
+    pub fn in_half_plane(&self) -> bool {
+        let (Some(net), Some(second)) = (&self.net, &self.second) else { return false };
+        in_half_plane(net, &ring_pieces(net, &Ball::of(&second.value)), &Ball::sign)
+    }
+
+    /// A number of few digits above the moduli of all eigenvalues after λ, and below that of λ; `None` without λ, or
+    /// where they are too near to each other.
+    #[must_use]
+    pub fn between(&self) -> Option<Rational> {
+        self.second.as_ref()?;
+        let size = &self.spectrum.eigenvalues.get(1)?.modulus;
+        let next = self.spectrum.eigenvalues.iter().find(|one| one.modulus < *size);
+        let high = size.enclosure(2).lower().clone();
+        let low =
+            next.map_or_else(Rational::zero, |next| next.modulus.enclosure(2).upper().clone());
+        let middle = (&low + &high) / Rational::from(2);
+        let rounded = |places: u32| {
+            let scale = Rational::from(Integer::one().shifted_left(places));
+            Rational::from((&middle * &scale).floor()) / scale
+        };
+        (3..96).map(rounded).find(|x| low < *x && *x < high)
     }
 }
 
-fn judged(family: Family, spectrum: &Spectrum) -> Verdict {
-    let Some(value) = &spectrum.conditions.subdominant else {
-        return out_of_order(family, spectrum);
+/// The eigenvalue after 1, if it is as a characteristic map needs it; otherwise the hypothesis that fails.
+fn second(spectrum: &Spectrum) -> Result<Second, Hypothesis> {
+    let (true, [_, second, rest @ ..]) =
+        (spectrum.conditions.simple_one, &spectrum.eigenvalues[..])
+    else {
+        return Err(Hypothesis::SimpleOne);
     };
-    let value = Ball::of(value);
-    if value.minus(&Ball::from_rational(&Rational::new(1, 4))).sign() != Some(1)
-        && family != Family::BoxSpline
-    {
-        return Verdict::Fails(Hypothesis::AboveOuter);
-    }
-    let turn = Rational::new(1, spectrum.order);
-    let cosine = RealCyclotomic::cosine(&turn).expect("no more points than a ring may have");
-    let cosine = Ball::of(&cosine);
-    match examined(family, &cosine, &value, &Ball::sign) {
-        Ring::Regular { bisections } => {
-            let net = family.eigenvector(&cosine, &value);
-            let (least, near) = least(&net, &value);
-            Verdict::Proved { bisections, least, near }
-        }
-        Ring::Folded { points } => {
-            let net = family.eigenvector(&cosine, &value);
-            let values = points.each_ref().map(|point| jacobian_at(&net, &value, point));
-            Verdict::Refuted(Refutation::Folds { points, values })
-        }
-        Ring::Undecided => Verdict::Open(Reason::Sign),
-        Ring::NoHalfPlane => Verdict::Open(Reason::HalfPlane),
-    }
-}
-
-/// The square of the length of the first point.
-fn unit(net: &Net<Ball>) -> Enclosure {
-    let first = if net.lattice == Lattice::Dual { (0, 0) } else { (1, 0) };
-    let length = &net.points[&first][0];
-    length.times(length).enclosure().clone()
-}
-
-/// A lower bound of J, and the corner of a part with the least coefficient.
-fn least(net: &Net<Ball>, value: &Ball) -> (Rational, RingPoint) {
-    let mut best: Option<(Rational, RingPoint)> = None;
-    for piece in ring_pieces(net, value) {
-        let form = jacobian(&piece);
-        let (d, e) = form.degrees;
-        for (i, row) in form.rows.iter().enumerate() {
-            for (j, x) in row.iter().enumerate() {
-                let low = x.enclosure().lower();
-                if best.as_ref().is_none_or(|(least, _)| low < least) {
-                    let side = i64::from(piece.direction);
-                    let along = |corner: i32, i: usize, d: usize| {
-                        Rational::from(i64::from(corner))
-                            + Rational::from(side) * Rational::new(i, d)
-                    };
-                    let at = [along(piece.corner.0, i, d), along(piece.corner.1, j, e)];
-                    best = Some((low.clone(), RingPoint { at }));
-                }
-            }
-        }
-    }
-    let (least, near) = best.expect("three pieces");
-    (least / unit(net).upper().clone(), near)
-}
-
-/// J at a point of the ring.
-fn jacobian_at(net: &Net<Ball>, value: &Ball, point: &RingPoint) -> Enclosure {
-    let ball = |x: &Rational| Ball::from_rational(x);
-    let one = ball(&Rational::one());
-    for piece in ring_pieces(net, value) {
-        let side = Rational::from(i64::from(piece.direction));
-        let along = |corner: i32, x: &Rational| (x - &Rational::from(i64::from(corner))) * &side;
-        let [u, v] = [along(piece.corner.0, &point.at[0]), along(piece.corner.1, &point.at[1])];
-        let form = jacobian(&piece);
-        let inside = |x: &Rational| x.sign() >= 0 && *x <= Rational::one();
-        if !inside(&u) || !inside(&v) || (form.triangle && &u + &v > Rational::one()) {
-            continue;
-        }
-        let w = if form.triangle { Rational::one() - &u - &v } else { Rational::zero() };
-        let found = form.value(&[&ball(&u), &ball(&v), &ball(&w), &one]);
-        let unit = unit(net);
-        let over = |x: &Rational, by: &Rational| x / by;
-        let ends = [found.enclosure().lower(), found.enclosure().upper()];
-        let quotients = ends.map(|x| [over(x, unit.lower()), over(x, unit.upper())]).concat();
-        let low = quotients.iter().min().expect("four numbers").clone();
-        let high = quotients.iter().max().expect("four numbers").clone();
-        return Enclosure::new(low, high);
-    }
-    unreachable!("a point of the ring")
-}
-
-/// What follows from eigenvalues that are not in the right order.
-fn out_of_order(family: Family, spectrum: &Spectrum) -> Verdict {
-    let [_, second, rest @ ..] = &spectrum.eigenvalues[..] else {
-        return Verdict::Fails(Hypothesis::SimpleOne);
-    };
-    if !spectrum.conditions.simple_one {
-        return Verdict::Fails(Hypothesis::SimpleOne);
+    if second.real.sign() == 0 && second.imaginary.is_none() {
+        return Err(Hypothesis::Blocks);
     }
     if rest.first().is_some_and(|next| next.modulus == second.modulus) {
-        return Verdict::Fails(Hypothesis::Alone);
+        return Err(Hypothesis::Alone);
     }
     if second.imaginary.is_some() {
-        return Verdict::Fails(Hypothesis::Real);
+        return Err(Hypothesis::Real);
     }
-    if second.blocks == [0] && one_sign(family, second) {
-        return Verdict::Refuted(Refutation::Block0 { value: second.real.clone() });
-    }
-    if second.real.sign() < 0 {
-        return Verdict::Fails(Hypothesis::Positive);
-    }
-    Verdict::Fails(Hypothesis::Blocks)
+    let block = match second.blocks[..] {
+        [0] => 0,
+        [k, other] if k > 0 && k < other && k + other == spectrum.order => k,
+        [k, next, ..] if k == next => return Err(Hypothesis::Simple),
+        _ => return Err(Hypothesis::Blocks),
+    };
+    Ok(Second { block, value: second.real.clone() })
 }
 
-/// Whether the eigenfunction of a simple eigenvalue of block 0 has one sign on the outer curve of the ring.
-fn one_sign(family: Family, eigenvalue: &Eigenvalue) -> bool {
-    let value = Ball::of(&eigenvalue.real);
-    let Some(net) = family.still_eigenvector(&value) else { return false };
-    let curve = outer_curve(&net, &ring_pieces(&net, &value));
-    [1, -1].iter().any(|side| curve.iter().all(|x| x.sign() == Some(*side)))
+/// What an eigenvector of block k, 0 < k < n/2, shows.
+fn of_block(net: &Net<Ball>, value: &Ball, k: usize, n: usize) -> Verdict {
+    let pieces = ring_pieces(net, value);
+    let (sign, bisections) = match examined(&pieces, &Ball::sign) {
+        Ring::Folded { points } => {
+            let values = points.each_ref().map(|point| jacobian_at(net, value, point));
+            return Verdict::Refuted(Refutation::Folds { points, values });
+        }
+        Ring::Undecided => return Verdict::Open(Reason::Sign),
+        Ring::OneSign { sign, bisections } => (sign, bisections),
+    };
+    if value.sign() == Some(-1) {
+        return Verdict::Refuted(Refutation::Negative);
+    }
+    let number = if k == 1 && in_half_plane(net, &pieces, &Ball::sign) {
+        Some(1)
+    } else {
+        winding(net, &pieces, k, n)
+    };
+    if k > 1 || sign == -1 {
+        // It is k modulo n, and negative for a negative J.
+        return Verdict::Refuted(Refutation::Winds { number });
+    }
+    match number {
+        Some(1) => {
+            let (least, near) = least(net, value);
+            Verdict::Proved { bisections, least, near }
+        }
+        Some(_) => Verdict::Refuted(Refutation::Winds { number }),
+        None => Verdict::Open(Reason::HalfPlane),
+    }
+}
+
+/// What an eigenvector of block 0 shows.
+fn of_block_0(net: &Net<Ball>, value: &Ball, second: &Second) -> Verdict {
+    let curve = outer_curve(net, &ring_pieces(net, value));
+    if [1, -1].iter().any(|side| curve.iter().all(|x| x.sign() == Some(*side))) {
+        return Verdict::Refuted(Refutation::Block0 { value: second.value.clone() });
+    }
+    Verdict::Fails(Hypothesis::Blocks)
 }

@@ -130,6 +130,18 @@ impl Axis {
         Ok(Constant { level, upper, parameter: best.parameter })
     }
 
+    /// Whether a search shows that C_k is at most this. It ends with the first greater value.
+    pub(super) fn is_within(
+        &self,
+        level: u32,
+        most: &Rational,
+        share: &Share<'_>,
+    ) -> Result<bool, LimitError> {
+        let any = self.distances.any_polygon();
+        let (mut search, mut best) = self.distances.search(&any, level, share)?;
+        Ok(search.run(&Goal::Threshold(most.clone()), &mut best) <= *most)
+    }
+
     /// A bound of C_k without a search.
     pub(super) fn unsearched(&self, level: u32) -> Constant {
         let upper = self.distances.unsearched(&self.distances.any_polygon(), level);

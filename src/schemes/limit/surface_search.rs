@@ -14,6 +14,10 @@ const MAX_CANDIDATES: usize = 16;
 /// The greatest number of pairs of parameters at which the exact norm is computed.
 const MAX_TRANSPORTS: usize = 32;
 
+/// The halvings of the interval from 0 to a threshold in which the constant of a curve is sought that
+/// the threshold allows.
+const HALVINGS: u32 = 12;
+
 /// The cost in steps of a pair of intervals, and the greatest cost of an exact norm.
 const PAIR: u64 = 40;
 const TRANSPORT: u64 = 1 << 20;
@@ -91,6 +95,9 @@ impl SurfaceDistances {
         spreads: &Spreads,
         share: &Share<'_>,
     ) -> Result<Comparison<SurfaceWitness>, SurfaceError> {
+        if self.are_within(level, threshold, spreads, share)? {
+            return Ok(Comparison::Within);
+        }
         let mut widths = WIDTHS.iter().map(|part| threshold.abs() / Rational::from(*part));
         let mut coarse: Option<Known> = None;
         let known = loop {
@@ -115,6 +122,34 @@ impl SurfaceDistances {
         } else {
             Comparison::Undecided(Box::new(Enclosure::new(best.distance, upper)))
         })
+    }
+
+    /// Whether both constants are so small that the bound of C_k is at most the threshold. This needs
+    /// fewer cells than the constants themselves.
+    fn are_within(
+        &self,
+        level: u32,
+        threshold: &Rational,
+        spreads: &Spreads,
+        share: &Share<'_>,
+    ) -> Result<bool, SurfaceError> {
+        let constant = |upper: Rational| Constant { level, upper, parameter: Rational::zero() };
+        let shows = |most: &Rational| {
+            let curves = [most, most].map(|most| constant(most.clone()));
+            self.bound(&curves, spreads) <= *threshold
+        };
+        // The bound rises with the constants.
+        let (mut low, mut high) = (Rational::zero(), threshold.clone());
+        if threshold.sign() <= 0 || !shows(&low) {
+            return Ok(false);
+        }
+        for _ in 0..HALVINGS {
+            let middle = (&low + &high) / Rational::from(2);
+            if shows(&middle) { low = middle } else { high = middle }
+        }
+        let [first, second] = self.axes.each_ref();
+        Ok(first.is_within(level, &low, share)?
+            && (first.is_like(second) || second.is_within(level, &low, share)?))
     }
 
     /// The least k from which on every net of these spreads is within `tolerance` of its limit.

@@ -6,26 +6,6 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use toml::Spanned;
 
-/// Deserialises TOML. An error points at its place.
-///
-/// # Errors
-/// When the text is no TOML, or not of the form of `T`.
-pub fn from_toml<T: serde::de::DeserializeOwned>(
-    source: &Arc<SourceText>,
-) -> Result<T, Diagnostic> {
-    toml::from_str(&source.text).map_err(|error| {
-        let diagnostic = Diagnostic::new(source, error.span().unwrap_or(0..0), error.message());
-        let number = ["integer", "floating point"]
-            .iter()
-            .any(|kind| error.message().contains(&format!("invalid type: {kind}")));
-        if number {
-            diagnostic.with_help("write numbers in quotes, as '3/256': they are read exactly")
-        } else {
-            diagnostic
-        }
-    })
-}
-
 /// Parses a TOML string as a formula.
 ///
 /// # Errors

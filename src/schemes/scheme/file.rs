@@ -1,9 +1,10 @@
 //! Reading schemes from TOML.
 
 use super::definition::{Coefficients, ParameterSpec, RuleFormulas, SchemeDefinition};
-use super::fields::{definitions, formula, from_toml, identifier};
+use super::fields::{definitions, formula, identifier};
 use super::local_file::{EdgeTable, OrbitTable, WeightTable, ring};
 use super::local_formulas::{LocalFormulas, NEW_INDEX, OLD_INDEX};
+use super::toml_file::from_toml;
 use crate::diagnostic::{Diagnostic, SourceText};
 use crate::formula::LocatedFormula;
 use serde::Deserialize;

@@ -55,7 +55,17 @@ impl<'a> Block<'a> {
     }
 }
 
+/// The names of a parameter that is a valence.
+const VALENCE_NAMES: [&str; 2] = ["N", "n"];
+
 impl SchemeDefinition {
+    /// The parameter that is a valence, if it has no value among these: `N` or `n`.
+    #[must_use]
+    pub fn valence_name<V>(&self, values: &BTreeMap<String, V>) -> Option<&'static str> {
+        let open = |name: &&str| self.parameters.contains_key(*name) && !values.contains_key(*name);
+        VALENCE_NAMES.into_iter().find(open)
+    }
+
     /// Whether this is a ring rather than a mask.
     #[must_use]
     pub fn is_ring(&self) -> bool {

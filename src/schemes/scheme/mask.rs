@@ -91,6 +91,15 @@ impl<S: Scalar> Mask<S> {
         Mask { rules: self.rules.with_offset(offset) }
     }
 
+    /// The mask of the same points with other numbers, as [`Rules::numbered_from`].
+    ///
+    /// # Panics
+    /// When `first` is not below n.
+    #[must_use]
+    pub fn numbered_from(&self, first: usize) -> Mask<S> {
+        Mask { rules: self.rules.numbered_from(first) }
+    }
+
     /// The mask with `map` applied to every coefficient. `map` may round. The sums of the
     /// rules are not checked again.
     #[must_use]

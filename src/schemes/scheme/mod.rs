@@ -22,11 +22,12 @@ mod parse_open;
 mod reference;
 mod rules;
 mod tensor;
+mod toml_file;
 
 pub use catalogue::{Entry, catalogue, find};
 pub use definition::{ParameterSpec, SchemeDefinition};
 pub use error::{ReferenceError, SchemeError};
-pub use fields::{definitions, formula, from_toml, identifier};
+pub use fields::{definitions, formula, identifier};
 pub use file::SchemeTable;
 pub use file::read_scheme;
 pub use interpolation::lagrange_mask;
@@ -38,7 +39,10 @@ pub use parse::{
     AnyScheme, files_without_offset, parse_algebraic, parse_any_scheme, parse_local_rules,
     parse_rules_of_valence, parse_scheme,
 };
-pub use parse_open::{parse_in_parameters, parse_parametric};
+pub use parse_open::{
+    open_parameters, parse_in_parameters, parse_parametric, parse_rules_in_parameter,
+};
 pub use reference::{Instance, Reference};
 pub use rules::{MAX_ARITY, MAX_WIDTH, Rules, RulesError};
 pub use tensor::Scheme;
+pub use toml_file::from_toml;

@@ -14,9 +14,6 @@ use crate::formula::{Parameters, Value};
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// The names of a parameter that is a valence.
-const VALENCE_NAMES: [&str; 2] = ["N", "n"];
-
 /// The greatest size of a scheme file, in bytes.
 const MAX_FILE_BYTES: u64 = 1 << 20;
 
@@ -93,10 +90,7 @@ pub fn parse_rules_of_valence(
     if !definition.is_ring() {
         return named.ring();
     }
-    let open = |name: &&str| {
-        definition.parameters.contains_key(*name) && !instance.parameters.contains_key(*name)
-    };
-    let name = VALENCE_NAMES.into_iter().find(open);
+    let name = definition.valence_name(&instance.parameters);
     let name = name.ok_or_else(|| SchemeError::NoValence { scheme: text.trim().to_owned() })?;
     let mut parameters = instance.parameters.clone();
     parameters.insert(name.to_owned(), RealCyclotomic::from(Rational::from(valence)));

@@ -1,9 +1,10 @@
 //! Reads SCHEME as a mask with parameters left open.
 
 use super::error::SchemeError;
+use super::local_rules::LocalRules;
 use super::mask::Mask;
 use super::parse::Named;
-use crate::exact::Polynomial;
+use crate::exact::{Polynomial, Rational};
 use crate::formula::{Parameters, is_identifier};
 use std::collections::BTreeMap;
 
@@ -24,6 +25,28 @@ use std::collections::BTreeMap;
 /// ```
 pub fn parse_parametric(text: &str, parameter: &str) -> Result<Mask<Polynomial>, SchemeError> {
     parse_in_parameters(text, &[parameter])
+}
+
+/// The parameters of the mask that SCHEME names to which it gives no value, in the order of their names.
+///
+/// # Errors
+/// As [`parse_parametric`], but for that the mask may depend on none.
+///
+/// ```
+/// use subcert::scheme::open_parameters;
+///
+/// assert_eq!(open_parameters("six-point")?, ["w"]);
+/// assert!(open_parameters("six-point:w=1/256")?.is_empty());
+/// # Ok::<(), subcert::scheme::SchemeError>(())
+/// ```
+pub fn open_parameters(text: &str) -> Result<Vec<String>, SchemeError> {
+    let named = Named::read(text)?;
+    let mut instances = named.instances_in(&Parameters(BTreeMap::<String, Polynomial>::new()))?;
+    let (Some(instance), true) = (instances.pop(), instances.is_empty()) else {
+        return Err(SchemeError::TensorProduct { scheme: text.trim().to_owned() });
+    };
+    let known = named.definition(&instance.name)?.parameters.keys();
+    Ok(known.filter(|name| !instance.parameters.contains_key(*name)).cloned().collect())
 }
 
 /// The mask that SCHEME names, with some parameters left open, as [`parse_parametric`].
@@ -68,5 +91,56 @@ pub fn parse_in_parameters(
     match parameters.iter().find(|name| !occurs(name)) {
         Some(name) => Err(independent(name, definition.parameters.keys().cloned().collect())),
         None => Ok(mask),
+    }
+}
+
+/// The ring that SCHEME names, with one parameter left open. The weights are polynomials in this parameter. A valence is the
+/// value of the parameter `N` or `n`.
+///
+/// # Errors
+/// When SCHEME names no ring, its weights are no polynomials in the parameter, or they do not depend on it.
+///
+/// ```
+/// use subcert::scheme::parse_rules_in_parameter;
+///
+/// let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/loop-beta.toml");
+/// let ring = parse_rules_in_parameter(file, "beta", Some(6))?;
+/// assert_eq!(ring.weights().entry(0, 1).to_string(), "beta");
+/// # Ok::<(), subcert::scheme::SchemeError>(())
+/// ```
+pub fn parse_rules_in_parameter(
+    text: &str,
+    parameter: &str,
+    valence: Option<usize>,
+) -> Result<LocalRules<Polynomial>, SchemeError> {
+    let independent = |known: Vec<String>| SchemeError::Independent {
+        scheme: text.trim().to_owned(),
+        parameter: parameter.to_owned(),
+        known,
+    };
+    if !is_identifier(parameter) {
+        return Err(independent(Vec::new()));
+    }
+    let named = Named::read(text)?;
+    let variable = Polynomial::variable(parameter);
+    let values = BTreeMap::from([(parameter.to_owned(), variable.clone())]);
+    let mut instances = named.instances_in(&Parameters(values))?;
+    let (Some(mut instance), true) = (instances.pop(), instances.is_empty()) else {
+        return Err(SchemeError::TensorProduct { scheme: text.trim().to_owned() });
+    };
+    let definition = named.definition(&instance.name)?;
+    if definition.parameters.contains_key(parameter) {
+        instance.parameters.entry(parameter.to_owned()).or_insert(variable);
+    }
+    if let Some(valence) = valence.filter(|_| definition.is_ring()) {
+        let name = definition.valence_name(&instance.parameters);
+        let name = name.ok_or_else(|| SchemeError::NoValence { scheme: text.trim().to_owned() })?;
+        instance.parameters.insert(name.to_owned(), Polynomial::constant(Rational::from(valence)));
+    }
+    let ring = definition.ring(&instance.parameters)?;
+    if ring.weights().values().iter().any(|weight| weight.has(parameter)) {
+        Ok(ring)
+    } else {
+        Err(independent(definition.parameters.keys().cloned().collect()))
     }
 }

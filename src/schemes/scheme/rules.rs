@@ -97,6 +97,39 @@ impl<S: Scalar> Rules<S> {
         Rules { rows: self.rows.iter().map(reverse).collect(), offset: self.offset }
     }
 
+    /// The rules of the same points with other numbers: point i gets the number i − `first`, for
+    /// 0 ≤ `first` < n. So rule α becomes rule α − `first`; a rule before `first` becomes rule
+    /// α + n − `first`, whose coefficients stand one place later.
+    ///
+    /// Powers of the rules have the same norms, as points keep their values. This is not so for
+    /// [`reversed`](Self::reversed) rules.
+    ///
+    /// # Panics
+    /// When `first` is not below n.
+    ///
+    /// ```
+    /// use subcert::scheme::parse_scheme;
+    ///
+    /// let scheme = parse_scheme("ternary-three-point:a=2/9")?;
+    /// let rules = scheme.masks()[0].rules().numbered_from(2);
+    /// // The point that stays is the second now.
+    /// assert!(rules.rows()[1].iter().filter(|entry| !entry.is_zero()).count() == 1);
+    /// # Ok::<(), subcert::scheme::SchemeError>(())
+    /// ```
+    #[must_use]
+    pub fn numbered_from(&self, first: usize) -> Rules<S> {
+        assert!(first < self.arity(), "there are as many rules as the arity says");
+        if first == 0 {
+            return self.clone();
+        }
+        let later = self.rows[first..].iter().map(|row| row.iter().cloned().chain([S::zero()]));
+        let rows = later.map(Iterator::collect);
+        let wrapped =
+            self.rows[..first].iter().map(|row| [S::zero()].into_iter().chain(row.iter().cloned()));
+        let rows = rows.chain(wrapped.map(Iterator::collect)).collect();
+        Rules { rows, offset: self.offset }
+    }
+
     /// The rules with every coefficient mapped by `map`.
     #[must_use]
     pub fn map<T>(&self, mut map: impl FnMut(&S) -> T) -> Rules<T> {

@@ -155,39 +155,6 @@ fn choose(top: usize, bottom: usize) -> Integer {
     Integer::binomial(small(top), small(bottom))
 }
 
-/// det(I − P) and det(I + P), as polynomials, by the recursion of Faddeev and Le Verrier.
-pub(super) fn unit_determinants(matrix: &PolynomialMatrix) -> [RationalPolynomial; 2] {
-    let size = matrix.len();
-    let one = RationalPolynomial::constant(Rational::one());
-    let (mut power, mut sums) = (matrix.clone(), [one.clone(), one]);
-    for k in 1..=size {
-        if k > 1 {
-            power = multiplied(matrix, &power);
-        }
-        let trace = RationalPolynomial::total((0..size).map(|i| &power[i][i]));
-        let factor = RationalPolynomial::constant(-Rational::from(k).recip());
-        let c = trace.times(&factor);
-        for (i, row) in power.iter_mut().enumerate() {
-            row[i] = row[i].plus(&c);
-        }
-        sums[0] = sums[0].plus(&c);
-        sums[1] = if k.is_multiple_of(2) { sums[1].plus(&c) } else { sums[1].minus(&c) };
-    }
-    sums
-}
-
-/// The matrix on alternating tensors: its eigenvalues are the products λ_i λ_j, i < j.
-pub(super) fn exterior_square(matrix: &PolynomialMatrix) -> PolynomialMatrix {
-    let size = matrix.len();
-    let pairs: Vec<(usize, usize)> =
-        (0..size).flat_map(|a| (a + 1..size).map(move |b| (a, b))).collect();
-    let entry = |(a, b): (usize, usize), (p, q): (usize, usize)| {
-        let minor = matrix[a][p].times(&matrix[b][q]);
-        minor.minus(&matrix[a][q].times(&matrix[b][p]))
-    };
-    pairs.iter().map(|&row| pairs.iter().map(|&column| entry(row, column)).collect()).collect()
-}
-
 /// AB.
 pub(super) fn multiplied<P: Scalar + PartialEq>(a: &[Vec<P>], b: &[Vec<P>]) -> Vec<Vec<P>> {
     let zero = P::zero();

@@ -1,11 +1,9 @@
 //! For which parameters the limits are C^m, from both sides.
 
 use super::parametric::{ParametricSymbol, PolynomialMatrix};
-use super::search::Search;
+use super::search::{Search, outer_ends};
 use crate::bound::{ParameterRange, RangeError};
-use crate::exact::{
-    Enclosed as _, Interval, IntervalSet, Rational, RationalPolynomial, RealAlgebraic,
-};
+use crate::exact::{Interval, IntervalSet, Rational, RationalPolynomial};
 use crate::joint::MatrixSetError;
 use crate::scheme::Rules;
 use std::ops::Bound;
@@ -49,6 +47,9 @@ pub struct SmoothRange {
     pub but_finitely_many: bool,
     /// The length of what is in neither, rounded upwards; `None` where that is unbounded.
     pub gap: Option<Rational>,
+    search: Search,
+    /// Whether what the search finds outside is outside.
+    refutes: bool,
 }
 
 /// Where the limits of a mask in one parameter are C^m.
@@ -75,12 +76,14 @@ pub fn smooth_range(
     let contraction = ParameterRange::new(&derived.rules(), levels)?;
     let mut search = Search::new(matrices)?;
     search.run(&contraction.union)?;
-    let inside = search.inside.union(&contraction.union);
     let sure = m == 0 || whole.is_interpolating();
-    let known = sure || is_independent(&whole);
-    let outside = if known { search.outside } else { IntervalSet::default() };
-    let gap = gap(&inside.union(&outside));
-    Ok(SmoothRange { contraction, inside, outside, but_finitely_many: !sure, gap })
+    let refutes = sure || is_independent(&whole);
+    let (inside, outside) = (contraction.union.clone(), IntervalSet::default());
+    let but_finitely_many = !sure;
+    let mut range =
+        SmoothRange { contraction, inside, outside, but_finitely_many, gap: None, search, refutes };
+    range.take();
+    Ok(range)
 }
 
 impl SmoothRange {
@@ -88,7 +91,7 @@ impl SmoothRange {
     /// wider than `width`. Of a set that is not bounded nothing is looked at beyond its finite ends.
     ///
     /// # Errors
-    /// As [`smooth_range`], for the same arguments.
+    /// When the matrices of an interval are too many.
     ///
     /// ```
     /// use subcert::bound::polynomial_rules;
@@ -103,32 +106,30 @@ impl SmoothRange {
     /// let end = Rational::new(19_272, 100_000);
     /// assert!(!range.inside.contains(&end));
     /// let open = IntervalSet::everything().without(&range.inside).without(&range.outside);
-    /// range.look_closer(&rules, 1, &open, &Rational::new(1, 1_000_000))?;
+    /// range.look_closer(&open, &Rational::new(1, 1_000_000))?;
     /// assert!(range.inside.contains(&end));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn look_closer(
         &mut self,
-        rules: &Rules<RationalPolynomial>,
-        m: usize,
         values: &IntervalSet,
         width: &Rational,
-    ) -> Result<(), SmoothRangeError> {
-        let (whole, matrices) = scaled_matrices(rules, m)?;
-        let mut search = Search::new(matrices)?;
-        for interval in values.intervals() {
-            let (Some(low), Some(high)) = (place(&interval.low), place(&interval.high)) else {
-                continue;
-            };
-            let ends = (low.bounds().0, high.bounds().1);
-            search.divide(ends, &self.inside, width)?;
+    ) -> Result<(), MatrixSetError> {
+        self.search.refresh();
+        for (low, high) in values.intervals().iter().filter_map(outer_ends) {
+            self.search.divide((low, high), &self.inside, width)?;
         }
-        self.inside = self.inside.union(&search.inside);
-        if !self.but_finitely_many || is_independent(&whole) {
-            self.outside = self.outside.union(&search.outside);
+        self.take();
+        Ok(())
+    }
+
+    /// Takes over what the search has found.
+    fn take(&mut self) {
+        self.inside = self.inside.union(&self.search.inside);
+        if self.refutes {
+            self.outside = self.outside.union(&self.search.outside);
         }
         self.gap = gap(&self.inside.union(&self.outside));
-        Ok(())
     }
 }
 
@@ -153,24 +154,18 @@ fn is_independent(symbol: &ParametricSymbol) -> bool {
     symbol.is_independent(|c, [value, _]| c.value_at(value))
 }
 
-fn place(end: &Bound<RealAlgebraic>) -> Option<RealAlgebraic> {
-    match end {
-        Bound::Unbounded => None,
-        Bound::Included(place) | Bound::Excluded(place) => Some(place.clone()),
-    }
-}
-
 /// The length of the complement, if it is bounded.
 fn gap(known: &IntervalSet) -> Option<Rational> {
     let intervals = known.intervals();
     let bounded = matches!(intervals.first()?.low, Bound::Unbounded)
         && matches!(intervals.last()?.high, Bound::Unbounded);
-    let length = |pair: &[Interval]| {
-        let (low, high) = (place(&pair[0].high)?, place(&pair[1].low)?);
-        Some(high.enclosure(0).upper() - low.enclosure(0).lower())
-    };
     if !bounded {
         return None;
     }
-    intervals.windows(2).map(length).sum()
+    let gaps = IntervalSet::everything().without(known);
+    let length = |gap: &Interval| {
+        let (low, high) = outer_ends(gap)?;
+        Some(high - low)
+    };
+    gaps.intervals().iter().map(length).sum()
 }

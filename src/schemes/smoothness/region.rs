@@ -1,9 +1,8 @@
 //! What is certain in whole boxes of two parameters.
 
+use super::excluded::excluding;
 use super::parametric::multiplied;
-use crate::exact::{
-    BivariatePolynomial, Integer, Rational, Scalar as _, characteristic_coefficients,
-};
+use crate::exact::{BivariatePolynomial, Rational, characteristic_coefficients};
 use crate::joint::{MatrixSet, MatrixSetError, contracts, expanding_product};
 
 /// A box of parameters: \[low, high\] of the first and of the second.
@@ -128,30 +127,8 @@ impl Search {
         let factors = word.iter().map(|&i| self.matrices[i].clone());
         let product = factors.reduce(|product, matrix| multiplied(&product, &matrix));
         let Some(product) = product else { return false };
-        self.excluding.push(Excluding { word: word.to_vec(), polynomials: excluding(&product) });
+        let polynomials = excluding(&characteristic_coefficients(&product));
+        self.excluding.push(Excluding { word: word.to_vec(), polynomials });
         true
     }
-}
-
-/// det(I ∓ P), and C(d, k) ∓ c_k for the coefficients c_k of the characteristic polynomial: these are sums of C(d, k)
-/// products of eigenvalues.
-fn excluding(product: &Matrix) -> Vec<BivariatePolynomial> {
-    let size = product.len();
-    let coefficients = characteristic_coefficients(product);
-    let zero = BivariatePolynomial::zero();
-    let small = |x| u32::try_from(x).expect("a small matrix");
-    let mut found = vec![zero.clone(), zero];
-    // The coefficient of x^i is c_k, k = d − i, and det(I + P) = Σ (−1)^k c_k.
-    for (i, c) in coefficients.iter().enumerate() {
-        let k = size - i;
-        found[0] = found[0].plus(c);
-        found[1] = if k.is_multiple_of(2) { found[1].plus(c) } else { found[1].minus(c) };
-        if k > 0 {
-            let count = Rational::from(Integer::binomial(small(size), small(k)));
-            let most = BivariatePolynomial::from_rational(&count);
-            found.push(most.minus(c));
-            found.push(most.plus(c));
-        }
-    }
-    found
 }

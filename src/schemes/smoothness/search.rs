@@ -2,22 +2,27 @@
 
 use super::excluded::{excluded, first_words, included};
 use super::parametric::{PolynomialMatrix, bernstein, multiplied};
-use crate::exact::{Interval, IntervalSet, Rational, RationalPolynomial, RealAlgebraic};
+use crate::exact::{
+    Enclosed as _, Interval, IntervalSet, Rational, RationalPolynomial, RealAlgebraic,
+};
 use crate::joint::{MatrixSet, MatrixSetError, contracts, expanding_product};
 use std::collections::BTreeSet;
+use std::ops::Bound;
 
-/// Intervals that are not wider than this are not divided.
-const WIDTH: (i64, i64) = (1, 16_384);
+/// A gap beside an interval inside is narrow enough at this part of the length of that interval.
+const NARROW: (i64, i64) = (1, 16_384);
 
-/// The most factors of a product whose eigenvalues are taken as functions of the parameter.
-const MAX_FACTORS: usize = 6;
+/// A gap is divided into pieces of this part of its length at least, before it is looked at anew.
+const PART: i64 = 8;
+
+/// The line between the ends of what is known is first divided into pieces of this part at least.
+const FIRST_PART: i64 = 32;
 
 /// The largest matrices whose determinants are taken as functions of the parameter.
-const MAX_SIZE: usize = 10;
+const MAX_SIZE: usize = 12;
 
-/// The most factors of a product, times the size: the degree of its determinants, for masks that are
-/// linear in the parameter.
-const MAX_DEGREE: usize = 16;
+/// The most factors of a product, times the size and the degree of the entries: the degree of its determinants.
+const MAX_DEGREE: usize = 48;
 
 /// The most products.
 const MAX_WORDS: usize = 48;
@@ -29,6 +34,7 @@ const FAR: i32 = 8;
 const MAX_PIECES: usize = 1_500;
 
 /// What is known of a line of parameters.
+#[derive(Clone, Debug)]
 pub(super) struct Search {
     matrices: Vec<PolynomialMatrix>,
     /// The greatest degree of an entry, at least 1.
@@ -67,36 +73,63 @@ impl Search {
     /// Adds to the outside where this product shows it.
     fn exclude(&mut self, word: &[usize]) {
         let size = self.matrices.first().map_or(0, Vec::len);
-        let large = size > MAX_SIZE || size * word.len() > MAX_DEGREE;
-        if large
-            || word.len() > MAX_FACTORS
-            || self.words.len() == MAX_WORDS
-            || self.words.contains(word)
-        {
+        let degree = word.len() * self.degree;
+        let large = size > MAX_SIZE || size * degree > MAX_DEGREE;
+        if large || self.words.len() == MAX_WORDS || self.words.contains(word) {
             return;
         }
         let factors = word.iter().map(|&i| self.matrices[i].clone());
         let product = factors.reduce(|product, matrix| multiplied(&product, &matrix));
         let Some(product) = product else { return };
         self.words.insert(word.to_vec());
-        let excluded = excluded(word, &product, |value| self.set_at(value).ok());
-        self.outside = self.outside.union(&excluded);
+        self.outside = self.outside.union(&excluded(&product, degree));
     }
 
-    /// Divides the line between the ends of what is known until all is decided, or too narrow.
+    /// Divides the line between the ends of what is known, and then the gaps, as long as they become narrower.
     pub(super) fn run(&mut self, known: &IntervalSet) -> Result<(), MatrixSetError> {
         self.look_far(known)?;
-        let ends = known.ends().chain(self.outside.ends()).flat_map(|(end, _)| {
-            let (low, high) = end.bounds();
-            [low, high]
+        let ends: Vec<Rational> = known
+            .ends()
+            .chain(self.outside.ends())
+            .flat_map(|(end, _)| <[Rational; 2]>::from(end.bounds()))
+            .collect();
+        let (one, zero) = (Rational::one(), Rational::zero());
+        let low = Rational::from((ends.iter().min().unwrap_or(&zero) - &one).floor());
+        let high = Rational::from((ends.iter().max().unwrap_or(&zero) + &one).ceil());
+        let width = (&high - &low) / Rational::from(FIRST_PART);
+        self.divide((low, high), known, &width)?;
+        // A gap that a round has left as it was is not looked at again.
+        let mut before = Vec::new();
+        loop {
+            let gaps = self.wide_gaps(known);
+            let mut open = gaps.iter().filter(|gap| !before.contains(*gap)).peekable();
+            if open.peek().is_none() || self.pieces == MAX_PIECES {
+                return Ok(());
+            }
+            for (a, b) in open {
+                let width = (b - a) / Rational::from(PART);
+                self.divide((a.clone(), b.clone()), known, &width)?;
+            }
+            before = gaps;
+        }
+    }
+
+    /// The bounded gaps, with rational ends a little outside, but those that are narrow beside an interval inside.
+    fn wide_gaps(&self, known: &IntervalSet) -> Vec<(Rational, Rational)> {
+        let inside = self.inside.union(known);
+        let gaps = IntervalSet::everything().without(&inside).without(&self.outside);
+        let lengths = inside.intervals().iter().filter_map(|interval| {
+            let (low, high) = outer_ends(interval)?;
+            Some((&high - &low, low, high))
         });
-        let ends: Vec<Rational> = ends.collect();
-        let one = Rational::one();
-        let zero = Rational::zero();
-        let low = (ends.iter().min().unwrap_or(&zero) - &one).floor();
-        let high = (ends.iter().max().unwrap_or(&zero) + &one).ceil();
-        let line = (Rational::from(low), Rational::from(high));
-        self.divide(line, known, &Rational::new(WIDTH.0, WIDTH.1))
+        let lengths: Vec<(Rational, Rational, Rational)> = lengths.collect();
+        let is_narrow = |(a, b): &(Rational, Rational)| {
+            let beside = lengths.iter().filter(|(_, low, high)| low <= b && a <= high);
+            let length = beside.map(|(length, ..)| length).min();
+            length.is_some_and(|length| (b - a) <= length * Rational::new(NARROW.0, NARROW.1))
+        };
+        let ends = gaps.intervals().iter().filter_map(outer_ends);
+        ends.filter(|gap| !is_narrow(gap)).map(rounded).collect()
     }
 
     /// Divides an interval until all is decided, or narrower than `width`.
@@ -126,6 +159,11 @@ impl Search {
             waiting.push((middle, b));
         }
         Ok(())
+    }
+
+    /// Allows for as many pieces as at first.
+    pub(super) fn refresh(&mut self) {
+        self.pieces = 0;
     }
 
     /// Looks for products that exclude parameters far away.
@@ -161,6 +199,27 @@ impl Search {
         let set = MatrixSet::new(parts.collect())?;
         Ok(contracts(&set, &self.set_at(&middle)?))
     }
+}
+
+/// Ends that are not inside, and multiples of a power of two that is small against the length.
+fn rounded((a, b): (Rational, Rational)) -> (Rational, Rational) {
+    let length = &b - &a;
+    let mut unit = Rational::one();
+    while &unit * Rational::from(2 * PART) > length {
+        unit = unit / Rational::from(2);
+    }
+    let low = Rational::from((a / &unit).floor()) * &unit;
+    (low, Rational::from((b / &unit).ceil()) * unit)
+}
+
+/// Rational numbers next to the ends of a bounded interval, not inside it.
+pub(super) fn outer_ends(interval: &Interval) -> Option<(Rational, Rational)> {
+    let place = |end: &Bound<RealAlgebraic>| match end {
+        Bound::Unbounded => None,
+        Bound::Included(place) | Bound::Excluded(place) => Some(place.enclosure(0)),
+    };
+    let (low, high) = (place(&interval.low)?, place(&interval.high)?);
+    Some((low.lower().clone(), high.upper().clone()))
 }
 
 fn closed(a: &Rational, b: &Rational) -> Interval {

@@ -16,6 +16,16 @@ pub enum Curvature {
 }
 
 impl Curvature {
+    /// By a modulus and λ².
+    #[must_use]
+    pub fn of(modulus: &RealExpression, square: &RealExpression) -> Curvature {
+        match modulus.cmp(square) {
+            Ordering::Less => Curvature::Vanishing,
+            Ordering::Equal => Curvature::Bounded,
+            Ordering::Greater => Curvature::Unbounded,
+        }
+    }
+
     /// `vanishing`, `bounded` or `unbounded`.
     #[must_use]
     pub fn name(self) -> &'static str {
@@ -67,11 +77,7 @@ impl Conditions {
         conditions.subdominant = Some(second.real.clone());
         if let Some(next) = rest.first() {
             let square = second.real.times(&second.real);
-            conditions.curvature = Some(match next.modulus.cmp(&square) {
-                Ordering::Less => Curvature::Vanishing,
-                Ordering::Equal => Curvature::Bounded,
-                Ordering::Greater => Curvature::Unbounded,
-            });
+            conditions.curvature = Some(Curvature::of(&next.modulus, &square));
             conditions.next = Some(next.modulus.clone());
         }
         conditions

@@ -1,7 +1,7 @@
 //! The members of a family that take a quantity from another place of the paper.
 
 use super::degree::{OF_NUMBERS, depends};
-use super::members::{MAX_MEMBERS, Members};
+use super::members::{MAX_MEMBERS, Members, values as values_of};
 use crate::decimal::Q;
 use crate::definitions::{formula, names};
 use crate::elsewhere::{behind_names, references};
@@ -9,7 +9,7 @@ use crate::formula::{Expr, Head};
 use crate::headers::Headers;
 use crate::paper::printed;
 use crate::reject::Stop;
-use crate::table::Table;
+use crate::table::{Cells, Read, Table};
 use crate::toml::Toml;
 use crate::value::Value;
 use std::collections::BTreeSet;
@@ -17,26 +17,60 @@ use std::collections::BTreeSet;
 /// The most differences of such a member.
 const MAX_WITH_COPIED: usize = 3;
 
+/// The constants of masks, which have an order.
+const OF_MASKS: [&str; 3] = ["contraction", "norm", "tensor"];
+
 /// The most values of cells under all members of a family.
 const MAX_VALUES: usize = 100_000;
 
 /// The members that take a quantity from another place; `others` are the members that take none.
 /// Empty if all together are too many.
-pub fn copied(table: &Table<'_>, others: &Members) -> Result<Members, Stop> {
+pub fn copied(table: &Table<'_>, cells: &Cells, others: &Members) -> Result<Members, Stop> {
     let (rows, columns) = table.size();
     let most = MAX_MEMBERS.min(MAX_VALUES / (rows * columns).max(1)).max(1);
     let mut members = Members::new();
-    for source in sources(table)? {
+    let order = order(table, cells)?;
+    let last = if order.is_some() { greatest_arity(table, cells)? } else { 0 };
+    let numbers = (2..=last).map(|number| format!("scheme@row#{number}"));
+    for source in sources(table)?.into_iter().chain(numbers) {
         let computed = source.starts_with("tolerance@line#");
+        let numbered = source.starts_with("scheme@row#");
         let fits = |other: &&BTreeSet<String>| {
             let rounded = other.iter().any(|difference| difference.starts_with("tolerance="));
-            other.len() < MAX_WITH_COPIED && !(computed && rounded)
+            let way = other.iter().find_map(|difference| difference.strip_prefix("order="));
+            let forward = way.or(order.as_deref()) == Some("forward");
+            other.len() < MAX_WITH_COPIED && !(computed && rounded) && (forward || !numbered)
         };
         for other in others.iter().filter(fits) {
             members.insert(other.iter().cloned().chain([source.clone()]).collect());
         }
     }
     Ok(if others.len() + members.len() > most { Members::new() } else { members })
+}
+
+/// The printed order of masks, if the value of some cell depends on one, and the value of the table
+/// leads to a constant of masks.
+fn order(table: &Table<'_>, cells: &Cells) -> Result<Option<String>, Stop> {
+    let printed = Read::default();
+    values_of(table, cells, &printed)?;
+    let order = printed.reading.consulted.borrow().get("order").cloned();
+    Ok(order.filter(|_| leads_to(table, &table.value, |name| OF_MASKS.contains(&name))))
+}
+
+/// The greatest arity of the schemes of these cells.
+fn greatest_arity(table: &Table<'_>, cells: &Cells) -> Result<usize, Stop> {
+    let (read, mut greatest) = (Read::default(), 0);
+    for (place, _) in cells {
+        let (assumed, _) = table.needed(*place);
+        match table.scope(*place, &read, &assumed) {
+            Ok((_, schemes)) => {
+                greatest = schemes.iter().map(|scheme| scheme.arity()).fold(greatest, usize::max);
+            }
+            Err(stop @ (Stop::Capped(_) | Stop::Wrong(_))) => return Err(stop),
+            Err(_) => {}
+        }
+    }
+    Ok(greatest)
 }
 
 /// The names of all quantities that a reading of this table may take from another place.
@@ -133,6 +167,11 @@ fn values(table: &Table<'_>, name: &str) -> Result<BTreeSet<Q>, Stop> {
 
 /// Whether a definition leads to a function of schemes.
 fn needs_scheme(table: &Table<'_>, definition: &Expr) -> bool {
+    leads_to(table, definition, |function| !OF_NUMBERS.contains(&function))
+}
+
+/// Whether a formula leads to such a function.
+fn leads_to(table: &Table<'_>, definition: &Expr, such: impl Fn(&str) -> bool) -> bool {
     let definitions = &table.paper.definitions;
     let led = names(definition, definitions);
     let led = led.iter().filter_map(|name| definitions.get(name)).map(|led| &**led);
@@ -140,7 +179,7 @@ fn needs_scheme(table: &Table<'_>, definition: &Expr) -> bool {
     while let Some(expr) = waiting.pop() {
         let Expr::Of(head, parts) = expr else { continue };
         if let Head::Call(function, _) = head
-            && !OF_NUMBERS.contains(&&function[..])
+            && such(function)
         {
             return true;
         }

@@ -69,7 +69,7 @@ fn family(
     }
     let mut listed = Listed::new(table, refuted, block)?;
     let mut members = members(table, &cells)?;
-    let copied = copied(table, &members)?;
+    let copied = copied(table, &cells, &members)?;
     let all: Members = members.union(&copied).cloned().collect();
     for part in reads.all(plain) {
         belongs(table, &cells, &part.read, &all, scale)?;
@@ -123,8 +123,9 @@ fn assumed(table: &Table<'_>, reads: &Reads) -> Checked<()> {
     if reads.all(false).count() == 0 {
         return Ok(());
     }
-    let mut members = members(table, &table.cells(false))?;
-    members.extend(copied(table, &members)?);
+    let cells = table.cells(false);
+    let mut members = members(table, &cells)?;
+    members.extend(copied(table, &cells, &members)?);
     for PartRead { read, .. } in reads.all(false) {
         is_member(read, &members)?;
         if let Some(name) = read.parameters.keys().next() {

@@ -10,6 +10,7 @@ use crate::reject::{Checked, Reason, Stop, compare, require};
 use crate::scheme::Scheme;
 use crate::setting::Setting;
 use crate::toml::Toml;
+use crate::value::Value;
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
@@ -33,6 +34,21 @@ impl<'a> Instance<'a> {
         block: &mut Block<'_>,
     ) -> Checked<Instance<'a>> {
         let reference = block.after("scheme")?;
+        let mut values = Vec::new();
+        while let Some(said) = block.maybe("let") {
+            let (name, value) = said.split_once(' ').unwrap_or((said, ""));
+            values.push((name.to_owned(), paper.number(value.trim())?));
+        }
+        Instance::new(paper, claim, reference, values)
+    }
+
+    /// The instance of a scheme that the claim lists, and of a value for each name of `values`.
+    pub fn new(
+        paper: &'a Paper<'a>,
+        claim: &'a Toml,
+        reference: &str,
+        values: Vec<(String, Value)>,
+    ) -> Checked<Instance<'a>> {
         let known = claim.list("schemes").iter().map(Toml::as_text).chain([claim.text("scheme")]);
         let known: Vec<&str> = known.flatten().collect();
         let same = |known: &&str| known.split_whitespace().eq(reference.split_whitespace());
@@ -45,19 +61,17 @@ impl<'a> Instance<'a> {
         scope.reserved = &OF_THEOREMS;
         let mut left: BTreeSet<&String> =
             claim.entries("values").iter().map(|(name, _)| name).collect();
-        while let Some(said) = block.maybe("let") {
-            let (name, value) = said.split_once(' ').unwrap_or((said, ""));
-            let value = paper.number(value.trim())?;
+        for (name, value) in values {
             let same = |text: &Toml| {
                 let known =
                     paper.library.closed().value(&formula(text.as_text().unwrap_or_default())?)?;
                 known.equals(&value)
             };
-            let values = claim.get("values").map_or(&[][..], |values| values.list(name));
+            let values = claim.get("values").map_or(&[][..], |values| values.list(&name));
             let same = values.iter().map(same).collect::<Result<Vec<bool>, Stop>>()?;
-            let listed = left.remove(&name.to_owned()) && same.contains(&true);
-            require(listed, Reason::NotListed(name.to_owned()))?;
-            scope.values.insert(name.to_owned(), value);
+            let listed = left.remove(&name) && same.contains(&true);
+            require(listed, Reason::NotListed(name.clone()))?;
+            scope.values.insert(name, value);
         }
         if let Some(name) = left.first() {
             return Err(Reason::NotListed((*name).clone()).into());

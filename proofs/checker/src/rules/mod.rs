@@ -35,7 +35,9 @@ use crate::paper::Paper;
 use crate::reject::{Checked, Reason};
 use crate::shape::misfit;
 use crate::toml::Toml;
+pub use instance::{Instance, first_level};
 pub use recovered::{Given, Recovered};
+pub use sound::Promised;
 use theorem::Citation;
 
 /// The verdict that a valid certificate proves.
@@ -81,7 +83,7 @@ fn judge<'a>(
         "function" => function::check(paper, claim, block)?,
         "range" if claim.get("smoothness").is_some() => smooth_range::check(paper, claim, block)?,
         "range" => range::check(paper, claim, block)?,
-        "smoothness" => smoothness::check(paper, claim, block)?,
+        "smoothness" => cited = smoothness::check(paper, claim, block)?,
         "exponent" => smoothness::exponent(paper, claim, block)?,
         "theorem" => cited = theorem::check(paper, claim, block)?,
         _ => return Err(Reason::NoSuchClaim.into()),
@@ -90,5 +92,6 @@ fn judge<'a>(
     let holds = ["holds", "exact", "confirmed"].contains(&block.last().word().0);
     let table = recovered.map(Verdict::Recovers);
     let other = cited.map(Verdict::Cited).or(table).unwrap_or(Verdict::Other);
+    let holds = holds && !matches!(other, Verdict::Cited(_));
     Ok(if holds { Verdict::Holds } else { other })
 }

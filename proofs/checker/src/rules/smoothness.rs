@@ -1,22 +1,35 @@
 //! The rules `smoothness` and `exponent`: how smooth the limits of a scheme are.
 
 use super::limits::{Shown, mask, verdict};
+use super::theorem::Citation;
 use crate::certificate::Block;
 use crate::decimal::{Decimal, int};
 use crate::definitions::formula;
 use crate::exponent::LogSum;
+use crate::local_rules::LocalRules;
 use crate::paper::{Paper, printed};
 use crate::reject::{Checked, Reason, Stop, agree, require};
 use crate::toml::Toml;
+use crate::vertex::{Found, check_vertex};
 
 /// The greatest m of a C^m.
 const MAX_ORDER: usize = 64;
 
-/// Checks a claim that all limits are C^m, or not all.
-pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<()> {
+/// The greatest valence.
+const MAX_VALENCE: i64 = 100;
+
+/// The steps of a vertex.
+const VERTEX_STEPS: u64 = 100_000;
+
+/// Checks a claim that all limits are C^m, or not all; gives the statement that is cited, if one is.
+pub fn check<'a>(
+    paper: &'a Paper<'a>,
+    claim: &'a Toml,
+    block: &mut Block<'_>,
+) -> Checked<Option<Citation>> {
     let keys = ["continuous", "not_continuous"];
     if lacking(claim, &keys, block)? {
-        return Ok(());
+        return Ok(None);
     }
     block.restates("scheme", claim.text("scheme"))?;
     let orders = keys.map(|key| claim.text(key).map(order));
@@ -27,8 +40,18 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
             block.restates(word, claim.text(key))?;
         }
     }
+    if claim.get("valences").is_some() {
+        block.restates("valences", claim.text("valences"))?;
+    }
     let stated = continuous.is_some() || not_continuous.is_some();
     require(stated, Reason::Malformed("continuous or not_continuous"))?;
+    if paper.library.is_ring(claim.text("scheme").unwrap_or_default()) {
+        if let Some(said) = block.maybe("proved-by") {
+            return cited(paper, claim, (continuous, not_continuous), said, block).map(Some);
+        }
+        return vertices(paper, claim, (continuous, not_continuous), block).map(|()| None);
+    }
+    require(claim.get("valences").is_none(), Reason::Malformed("rules around a vertex"))?;
     let shown = Shown::read(paper, mask(paper, claim, &scope(paper))?, block)?;
     let found = verdict(
         continuous.is_none_or(|m| shown.continuous(m))
@@ -36,6 +59,87 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         continuous.is_some_and(|m| shown.not_continuous(m))
             || not_continuous.is_some_and(|m| shown.continuous(m)),
     )?;
+    agree(block.any()?.0, found, Reason::Verdict)?;
+    Ok(None)
+}
+
+/// The schemes of the catalogue of which THEOREMS.md, 133 and 135, say that they are C¹ for all valences.
+const FOR_ALL: [&str; 4] = ["catmull-clark", "doo-sabin", "loop", "loop-warren"];
+
+/// A claim about all valences that cites this statement.
+fn cited(
+    paper: &Paper<'_>,
+    claim: &Toml,
+    (continuous, not_continuous): (Option<usize>, Option<usize>),
+    said: &str,
+    block: &mut Block<'_>,
+) -> Checked<Citation> {
+    agree(said, "THEOREMS 135", Reason::Restated)?;
+    let name = claim.text("scheme").unwrap_or_default().trim();
+    let known = FOR_ALL.contains(&name) && !paper.library.redefines(name);
+    require(known, Reason::Vertex("135 speaks of this scheme"))?;
+    let states = claim.text("valences") == Some("all")
+        && continuous.is_some_and(|m| m <= 1)
+        && not_continuous.is_none();
+    require(states, Reason::Vertex("135 says what is stated"))?;
+    agree(block.any()?.0, "confirmed", Reason::Verdict)?;
+    Ok(Citation { statement: "THEOREMS.md, 135".to_owned(), uses: Vec::new() })
+}
+
+/// Checks a claim that surfaces at a vertex or on a face are C^m, or are not.
+fn vertices<'a>(
+    paper: &'a Paper<'a>,
+    claim: &Toml,
+    (continuous, not_continuous): (Option<usize>, Option<usize>),
+    block: &mut Block<'_>,
+) -> Checked<()> {
+    let reference = claim.text("scheme").unwrap_or_default();
+    let scope = scope(paper);
+    // The valences of which the claim speaks, from the first on.
+    let said = claim.text("valences");
+    let number = |text: &str| {
+        let number: Option<i64> = text.parse().ok();
+        number.filter(|n| (3..=MAX_VALENCE).contains(n)).ok_or(Reason::Malformed("valences"))
+    };
+    let ends = match said.map(|said| (said, said.split_once(".."))) {
+        None => None,
+        Some(("all", _)) => Some((3, None)),
+        Some((one, None)) => Some((number(one)?, Some(number(one)?))),
+        Some((_, Some((first, last)))) => Some((number(first)?, Some(number(last)?))),
+    };
+    let (mut refuted, mut next) = (false, ends.map_or(0, |(first, _)| first));
+    let (mut complete, mut confirmed) = (true, true);
+    while let Some(said) = block.maybe("vertex") {
+        let valence: i64 =
+            said.parse().ok().filter(|n| *n >= 3).ok_or(Reason::Malformed("a valence"))?;
+        if let Some((first, last)) = ends {
+            let within = first <= valence && last.is_none_or(|last| valence <= last);
+            require(within, Reason::Vertex("the claim speaks of this valence"))?;
+            complete &= valence == next;
+            next = valence + 1;
+        }
+        let ring = LocalRules::of_valence(paper.library, reference, &scope, ends.map(|_| valence))?;
+        paper.library.meter.spend(VERTEX_STEPS)?;
+        let size = ring.names.iter().filter(|name| name.contains('[')).count();
+        // There are one or two orbits of so many points.
+        let valence = usize::try_from(valence).unwrap_or(0);
+        require(
+            [valence, 2 * valence].contains(&size),
+            Reason::Vertex("this is the valence of the rules"),
+        )?;
+        let found = check_vertex(&ring, block)?;
+        let holds = |m: usize| found == Found::Smooth && m <= 1;
+        let fails = |m: usize| found == Found::Rough && m >= 1;
+        confirmed &= continuous.is_none_or(holds) && not_continuous.is_none_or(fails);
+        refuted |= continuous.is_some_and(fails) || not_continuous.is_some_and(holds);
+        complete &= ends.is_some() || next == 0;
+        next = if ends.is_some() { next } else { 1 };
+    }
+    complete &= match ends {
+        None => next == 1,
+        Some((_, last)) => last.is_some_and(|last| next == last + 1),
+    };
+    let found = verdict(complete && confirmed, refuted)?;
     agree(block.any()?.0, found, Reason::Verdict)
 }
 

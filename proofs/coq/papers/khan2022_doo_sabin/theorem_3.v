@@ -1,4 +1,4 @@
-(** Khan, Shakoor, Mustafa, Razaq 2022: theorem-3. Written by `subcert prove --coq`. *)
+(** khan2022-doo-sabin, theorem theorem-3 (written by `subcert prove --coq`) *)
 
 From Coq Require Import ZArith QArith List.
 From Subcert Require Import Definitions Core Error Depth Refutation Net Ring.
@@ -10,8 +10,7 @@ Definition ring_1 :=
     [(0, 1); (1, 2); (2, 0)]%nat.
 
 (* Theorem 3, (14), (15): The differences fall by Σ|g_j| and by Σ|h_j| in a level *)
-(* Refuted: doo-sabin:n=3, at level 1; the bound is 0^1*1 *)
+(* Refuted for doo-sabin:n=n, n = 3 at level 1; the bound is least_sum^k*beta *)
 Theorem finding_1 :
   exceeds_ring_difference ring_1 1 1 0.
 Proof. apply (exceeds_ring_difference_by ring_1 1 [1; 0; 0]%Z 0 1). vm_cast_no_check (eq_refl true). Qed.
-

@@ -1,4 +1,4 @@
-(** Khan, Shakoor, Mustafa, Razaq 2022: theorem-6. Written by `subcert prove --coq`. *)
+(** khan2022-doo-sabin, theorem theorem-6 (written by `subcert prove --coq`) *)
 
 From Coq Require Import ZArith QArith List.
 From Subcert Require Import Definitions Core Error Depth Refutation Net Ring.
@@ -10,8 +10,7 @@ Definition ring_1 :=
     [(0, 1); (1, 2); (2, 0)]%nat.
 
 (* Theorem 6, (74): The subdivision depth *)
-(* Refuted: doo-sabin:n=3, c = 1, at level 1; the bound is 1 *)
+(* Refuted for doo-sabin:n=n, c = 1, n = 3 at level 1 and tolerance 85/256; the depth is levels(GH, epsilon*(1 - GH)/(b*beta)) *)
 Theorem finding_1 :
   exceeds_ring_distance ring_1 1 1 (85 # 256).
 Proof. apply (exceeds_ring_distance_by ring_1 1 [1; 0; 0]%Z 0 3 [1; 1; 1]%Z). vm_cast_no_check (eq_refl true). Qed.
-

@@ -1,4 +1,4 @@
-(** Mustafa, Shahzad, Khan, Baleanu, Chu 2020: theorem-4. Written by `subcert prove --coq`. *)
+(** mustafa2020-nary, theorem theorem-4 (written by `subcert prove --coq`) *)
 
 From Coq Require Import ZArith QArith List.
 From Subcert Require Import Definitions Core Error Depth Refutation Net Ring.
@@ -9,8 +9,7 @@ Definition scheme_1 :=
   Scheme 25 0 [[7; 21; -3]; [3; 24; -2]; [0; 25; 0]; [-2; 24; 3]; [-3; 21; 7]]%Z.
 
 (* Theorem 4, (19): The step between two successive polygons, for every number c of convolutions *)
-(* Refuted: quinary-three-point, c = 1, at level 0; the bound is 3/5*1*(17/25)^0 *)
+(* Refuted for quinary-three-point, c = 1 at level 0; the bound is sigma*beta*T^k *)
 Theorem finding_1 :
   exceeds_step scheme_1 0 1 (3 # 5).
 Proof. apply (exceeds_step_by scheme_1 0 0 [0; 1; 0]%Z 0). vm_cast_no_check (eq_refl true). Qed.
-

@@ -1,4 +1,4 @@
-(** Mustafa, Shahzad, Khan, Baleanu, Chu 2020: theorem-6. Written by `subcert prove --coq`. *)
+(** mustafa2020-nary, theorem theorem-6 (written by `subcert prove --coq`) *)
 
 From Coq Require Import ZArith QArith List.
 From Subcert Require Import Definitions Core Error Depth Refutation Net Ring.
@@ -9,9 +9,8 @@ Definition scheme_1 :=
   Scheme 128 0 [[28; 58; 40; 2]; [15; 57; 49; 7]; [7; 49; 57; 15]; [2; 40; 58; 28]]%Z.
 
 (* Theorem 6, (21): The subdivision depth for a tolerance ε, curve *)
-(* Refuted: quaternary-four-point:mu=0, c = 2, at level 0; the bound is 0 *)
+(* Refuted for quaternary-four-point:mu=0, c = 2 at level 0 and tolerance 130/87; the depth is levels(T, epsilon*(1 - T)/(sigma*beta)) *)
 Theorem finding_1 :
   exceeds_distance scheme_1 0 1 (130 # 87).
 Proof. apply (exceeds_distance_by scheme_1 0 0 [0; 1; 2; 3]%Z 0 1 (130 # 87)
   6 1 1 (1 # 1024)). vm_cast_no_check (eq_refl true). Qed.
-

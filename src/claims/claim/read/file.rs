@@ -48,8 +48,10 @@ pub(super) struct PaperFile {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct BibliographyTable {
+    #[serde(default)]
     authors: Vec<String>,
     title: String,
+    #[serde(default)]
     venue: String,
     year: String,
     doi: Option<String>,

@@ -4,7 +4,8 @@ use super::exponent::exponent;
 use super::fields::{CommonFields, NumberField, claim_table};
 use super::reader::{Head, Reader};
 use crate::claim::{
-    ExponentStatement, SmoothnessBody, SmoothnessClaim, SmoothnessKind, SmoothnessStatement,
+    ExponentStatement, PrintedValences, SmoothnessBody, SmoothnessClaim, SmoothnessKind,
+    SmoothnessStatement,
 };
 use crate::diagnostic::Diagnostic;
 use toml::Spanned;
@@ -12,9 +13,13 @@ use toml::Spanned;
 /// The greatest m of a C^m.
 const MAX_ORDER: usize = 64;
 
+/// The greatest valence that is judged by itself.
+const MAX_VALENCE: usize = 100;
+
 claim_table!(SmoothnessTable {
     continuous: Option<Spanned<String>>,
     not_continuous: Option<Spanned<String>>,
+    valences: Option<Spanned<String>>,
     absent: Option<String>,
 });
 
@@ -60,7 +65,9 @@ impl Reader<'_> {
                          itself has two claims",
                     ));
                 }
-                Ok(SmoothnessStatement::Continuity { continuous, not_continuous })
+                let valences =
+                    table.valences.as_ref().map(|text| self.valences(text)).transpose()?;
+                Ok(SmoothnessStatement::Continuity { continuous, not_continuous, valences })
             }
         };
         self.about_limits(table.common(), SmoothnessKind::Continuity, statement)
@@ -126,6 +133,29 @@ impl Reader<'_> {
             }
         };
         Ok(SmoothnessClaim { id, locus, title, kind, body, note })
+    }
+
+    /// The valences of a claim.
+    fn valences(&self, text: &Spanned<String>) -> Result<PrintedValences, Diagnostic> {
+        let printed = text.get_ref();
+        let number = |text: &str| {
+            let number = text.parse().ok();
+            number.filter(|n: &usize| (3..=MAX_VALENCE).contains(n) && n.to_string() == text)
+        };
+        let ends = match (printed.as_str(), printed.split_once("..")) {
+            ("all", _) => Some((3, None)),
+            (one, None) => number(one).map(|n| (n, Some(n))),
+            (_, Some((first, last))) => number(first)
+                .zip(number(last))
+                .filter(|(first, last)| first <= last)
+                .map(|(first, last)| (first, Some(last))),
+        };
+        let (first, last) = ends.ok_or_else(|| {
+            self.error(text.span(), format!("`{printed}` are no valences")).with_help(format!(
+                "write '5', '3..50', or 'all' for all from 3 on; others are at most {MAX_VALENCE}"
+            ))
+        })?;
+        Ok(PrintedValences { text: printed.clone(), first, last })
     }
 
     /// m of C^m.

@@ -18,14 +18,13 @@ pub(crate) fn height(value: &Rational) -> (Integer, Rational, bool) {
 fn cost(value: &Rational) -> Integer {
     let denominator = value.denominator();
     let square = denominator.pow(2);
-    let divides = |places: &u32| {
-        let power = Integer::power_of_ten(*places);
-        (Rational::from(power) * value).is_integer()
-    };
-    match (0..=MAX_PLACES).find(divides).map(Integer::power_of_ten) {
-        Some(power) => power.min(square),
-        None => square,
+    let holds = |power: &Integer| power.div_floor(&denominator) * &denominator == *power;
+    // Most denominators that occur divide no power of 10, which one division shows.
+    if !holds(&Integer::power_of_ten(MAX_PLACES)) {
+        return square;
     }
+    let mut powers = (0..=MAX_PLACES).map(Integer::power_of_ten);
+    powers.find(holds).map_or(square.clone(), |power| power.min(square))
 }
 
 /// An upper bound of how many numbers are as plain as this one: with K as of [`height`] and

@@ -6,7 +6,7 @@ use crate::evaluation::table::Evaluator;
 use crate::exact::{Integer, Rational};
 use crate::finding::{Explanation, Recovered, RecoveredFrom};
 use crate::judge::reading::plain::as_plain;
-use crate::judge::reading::space::{Needed, Space};
+use crate::judge::reading::space::{Change, Family, Needed, Space};
 use crate::judge::reading::{solve, tried};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -17,15 +17,15 @@ use std::collections::BTreeMap;
 const START: (i64, i64) = (1, 100);
 
 /// The value of an unstated parameter with which some reading gives most of the cells that need it,
-/// with the other unstated parameters at these values. `None` where no reading depends on it in a
-/// way that can be solved.
+/// with the other unstated parameters at these values; and the part of the family with that reading.
+/// `None` where no reading depends on it in a way that can be solved.
 pub(crate) fn solved(
     paper: &Paper,
     table: &Table,
     library: &Library<'_>,
     others: &BTreeMap<String, Rational>,
     name: &str,
-) -> Option<Recovered> {
+) -> Option<(Recovered, Family)> {
     let mut values = others.clone();
     values.insert(name.to_owned(), Rational::new(START.0, START.1));
     let judge = Evaluator::new(paper, table, library, &values).ok()?;
@@ -36,16 +36,38 @@ pub(crate) fn solved(
     });
     let printed = printed.collect();
     let space = Space::new(&judge, needed, &printed, Some(name))?;
-    let all = space.evaluated(space.readings());
-    let mut explanations = space.all_explanations(&all);
-    explanations.extend(solve::solve(&space, &all, &tried::best(&explanations)));
-    explanations.retain(|explanation| explanation.solved.iter().any(|one| one.name == name));
-    // Of equally good ones the first.
-    let best = explanations.iter().rev().max_by_key(|one| rank(one))?;
+    let cells = printed.iter().flatten().flatten().count();
+    let mut best = None;
+    // The same scheme with other numbers of its points is tried where nothing else gives half of the
+    // cells.
+    let count =
+        |best: &Option<(Explanation, Family)>| best.as_ref().map_or(0, |best| best.0.count());
+    for family in [Family::Plain, Family::InTurn] {
+        if count(&best) * 2 >= cells {
+            break;
+        }
+        let plain = family == Family::Plain;
+        let readings = if plain { space.readings() } else { space.numbered_readings() };
+        let found = best_of(&space, name, readings).map(|found| (found, family));
+        if best.is_none() || count(&found) > count(&best) {
+            best = found;
+        }
+    }
+    let (best, family) = best?;
     let solved = best.solved.iter().find(|solved| solved.name == name)?;
     let (low, high) = solved.between.clone();
     let from = RecoveredFrom::Solved(low, high);
-    Some(Recovered { value: solved.simplest.clone(), from })
+    Some((Recovered { value: solved.simplest.clone(), from }, family))
+}
+
+/// The best explanation by these readings that solves for the parameter; of equally good ones the
+/// first.
+fn best_of(space: &Space<'_>, name: &str, readings: Vec<Vec<Change>>) -> Option<Explanation> {
+    let all = space.evaluated(readings);
+    let mut explanations = space.all_explanations(&all);
+    explanations.extend(solve::solve(space, &all, &tried::best(&explanations)));
+    explanations.retain(|explanation| explanation.solved.iter().any(|one| one.name == name));
+    explanations.into_iter().rev().max_by_key(rank)
 }
 
 /// The rank of an explanation: by the number of cells that it gives, then by how few candidates

@@ -6,7 +6,7 @@ use crate::exact::{Integer, Rational};
 use crate::finding::{COPIED, CellFinding, CellKind, Explanation, Need, Search};
 use crate::judge::reading::chance::{LEAST_CELLS, chance, is_small, of_decimal, of_depth};
 use crate::judge::reading::space::{Family, PrintedCells, Space, needed, printed};
-use crate::judge::reading::tried::{Part, parts};
+use crate::judge::reading::tried::{Evaluated, Part, parts};
 use crate::judge::reading::{line, tried};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -18,13 +18,15 @@ pub(crate) type Candidates = BTreeMap<String, (Integer, bool)>;
 /// Searches the family for readings of the cells of one kind, where `findings` are all cells of the
 /// table as printed. Gives the search, or `None` for it if every cell is as printed and no
 /// parameter was recovered, and what the cells need. The whole result is `None` if no cell of this
-/// kind is printed, or if a parameter that they need has no value.
+/// kind is printed, or if a parameter that they need has no value. `plain` keeps the values under the
+/// readings that take nothing from elsewhere, for another search of the same cells.
 pub(crate) fn search(
     judge: &Evaluator<'_>,
     findings: &[Vec<CellFinding>],
     kind: CellKind,
     recovered: &Candidates,
     family: Family,
+    plain: &mut Option<Vec<Evaluated>>,
 ) -> Option<(Option<Search>, Vec<Need>)> {
     let printed = printed(judge, findings, kind);
     let cells: Vec<&Printed> = printed.iter().flatten().flatten().copied().collect();
@@ -34,8 +36,8 @@ pub(crate) fn search(
     }
     let as_printed = space.explained_as_printed();
     let count = as_printed.iter().flatten().filter(|explained| **explained).count();
-    let plain = space.evaluated(space.readings());
-    let explanations = space.all_explanations(&plain);
+    let plain = &*plain.get_or_insert_with(|| space.evaluated(space.readings()));
+    let explanations = space.all_explanations(plain);
     let mut needs = space.needs(&explanations);
     let candidates = recovered;
     let counts = space.assume.iter().filter_map(|name| candidates.get(name));
@@ -82,9 +84,9 @@ pub(crate) fn search(
         let best = if sure { best } else { Vec::new() };
         Found { best, most, chance }
     };
-    let mut tried = space.count(&plain);
+    let mut tried = space.count(plain);
     let mut found = judged(&explanations, tried);
-    let mut parts = vec![Part { all: &plain, tried }];
+    let mut parts = vec![Part { all: plain, tried }];
     let reached = |found: &Found| found.best.first().map_or(count, Explanation::count);
     let copied = if family == Family::Whole && reached(&found) < cells.len() {
         space.evaluated(space.copied_readings())

@@ -1,7 +1,7 @@
 //! The readings of one table, and the choices in which they may differ.
 
 use crate::claim::{Cell, Printed};
-use crate::evaluation::choices::{DECIMAL_ROUNDING, FAMILY};
+use crate::evaluation::choices::{DECIMAL_ROUNDING, FAMILY, ORDER};
 use crate::evaluation::context::At;
 use crate::evaluation::settings::Settings;
 use crate::evaluation::table::Evaluator;
@@ -36,6 +36,12 @@ const MAX_VALUES: usize = 100_000;
 /// place; this quantity is one of them.
 const MAX_WITH_COPIED: usize = 3;
 
+/// The way of the order in which masks are read forwards.
+const FORWARD: &str = "forward";
+
+/// The functions that take the order of masks.
+const MASK_CONSTANTS: [&str; 3] = ["contraction", "norm", "tensor"];
+
 /// The cells of a table; `None` where one is lost.
 pub(crate) type PrintedCells<'a> = Vec<Vec<Option<&'a Printed>>>;
 
@@ -69,6 +75,8 @@ pub(crate) enum Family {
     Plain,
     /// Also the readings that do, where the others leave cells unexplained.
     Whole,
+    /// As the first; then as the second, if that leaves cells of the table unexplained.
+    InTurn,
 }
 
 /// Whether a reading takes a quantity from another place of the paper.
@@ -92,6 +100,8 @@ pub(crate) struct Space<'s> {
     pub(crate) scale: Option<Scale>,
     /// For each choice, the ways other than the printed one.
     pub(crate) changes: Vec<Vec<Change>>,
+    /// The printed order of masks, if the value depends on one.
+    order: Option<String>,
 }
 
 impl<'s> Space<'s> {
@@ -118,11 +128,21 @@ impl<'s> Space<'s> {
         let assume = of_printed.flat_map(|(names, _)| names).cloned().collect();
         let settings = Settings::default();
         let (as_printed, scale, changes) = (Values::new(), None, Vec::new());
-        let mut space =
-            Space { judge, printed, assume, needed, unknown, as_printed, scale, changes };
+        let mut space = Space {
+            judge,
+            printed,
+            assume,
+            needed,
+            unknown,
+            as_printed,
+            scale,
+            changes,
+            order: None,
+        };
         space.as_printed = space.values(&settings);
         let mut consulted = settings.consulted();
         consulted.extend(judge.rows.choices.clone());
+        space.order = consulted.get(ORDER.key).cloned();
         for choice in FAMILY {
             let ways = choice.ways.iter();
             let ways: Vec<Change> = match choice.effect {
@@ -196,15 +216,21 @@ impl<'s> Space<'s> {
 
     /// Every combination of one quantity from another place of the paper and fewer than
     /// [`MAX_WITH_COPIED`] other changes. A tolerance that was computed is not combined with
-    /// another rounding of tolerances. Empty if there are too many readings.
+    /// another rounding of tolerances, and other numbers of the points only with masks that are read
+    /// forwards. Empty if there are too many readings.
     pub(crate) fn copied_readings(&self) -> Vec<Vec<Change>> {
         let others = self.readings();
+        let numbers = (1..self.arity()).map(|first| Copied::Numbers { first });
         let is_tolerance = |change: &Change| matches!(change, Change::Way(choice, _) if choice.effect == Effect::Header);
         let mut readings = Vec::new();
-        for source in sources(self.judge) {
-            let computed = matches!(source, Copied::Tolerance { .. });
+        for source in sources(self.judge).into_iter().chain(numbers) {
             let fits = |other: &&Vec<Change>| {
-                other.len() < MAX_WITH_COPIED && !(computed && other.iter().any(is_tolerance))
+                other.len() < MAX_WITH_COPIED
+                    && match source {
+                        Copied::Tolerance { .. } => !other.iter().any(is_tolerance),
+                        Copied::Numbers { .. } => self.is_forward(other),
+                        _ => true,
+                    }
             };
             let copied = Change::Copied(source.clone());
             let with = |other: &Vec<Change>| [other.clone(), vec![copied.clone()]].concat();
@@ -213,6 +239,45 @@ impl<'s> Space<'s> {
         readings.sort_by_key(Vec::len);
         let all = others.len() + readings.len();
         if all > self.most_readings() { Vec::new() } else { readings }
+    }
+
+    /// As [`copied_readings`](Self::copied_readings), those with other numbers of the points only.
+    pub(crate) fn numbered_readings(&self) -> Vec<Vec<Change>> {
+        let mut readings = self.copied_readings();
+        let numbers = |change: &Change| matches!(change, Change::Copied(Copied::Numbers { .. }));
+        readings.retain(|reading| reading.iter().any(numbers));
+        readings
+    }
+
+    /// Whether masks are read forwards under a reading.
+    fn is_forward(&self, reading: &[Change]) -> bool {
+        let order = reading.iter().find_map(|change| match change {
+            Change::Way(choice, way) if choice.key == ORDER.key => Some(way.word),
+            _ => None,
+        });
+        order.or(self.order.as_deref()) == Some(FORWARD)
+    }
+
+    /// The greatest arity of the schemes of the printed cells, if the value leads to constants of
+    /// masks that have an order; otherwise 0.
+    fn arity(&self) -> usize {
+        let (table, paper) = (self.judge.table, self.judge.paper);
+        let led = paper.definitions_in(&table.value).into_values();
+        let mut formulas = [&table.value].into_iter().chain(led);
+        let calls = |name: &&str| MASK_CONSTANTS.contains(name);
+        if self.order.is_none() || !formulas.any(|one| one.expr.functions().iter().any(calls)) {
+            return 0;
+        }
+        let settings = Settings::default();
+        let of = |row: usize, column: usize| {
+            self.printed[row][column]?;
+            let quantities = self.judge.quantities(self.at(row, column, &settings)).ok()?.ok()?;
+            let constants = quantities.scheme?.constants;
+            constants.iter().map(|axis| axis.mask().arity()).max()
+        };
+        let cells = (0..self.printed.len())
+            .flat_map(|row| (0..self.printed[row].len()).map(move |column| (row, column)));
+        cells.filter_map(|(row, column)| of(row, column)).max().unwrap_or(0)
     }
 
     /// The most readings that are compared.
@@ -233,6 +298,7 @@ impl<'s> Space<'s> {
                 Change::Definition(i) => {
                     settings.replace(&paper.definitions, *i, &paper.alternatives[*i]);
                 }
+                Change::Copied(Copied::Numbers { first }) => settings.first = *first,
                 Change::Copied(source) => settings.copied = Some(source.clone()),
                 Change::Way(..) => {}
             }

@@ -2,6 +2,7 @@
 
 mod exponent;
 mod range;
+mod vertices;
 
 use crate::claim::{LocatedReference, Paper, SmoothnessBody, SmoothnessClaim, SmoothnessStatement};
 use crate::diagnostic::Diagnostic;
@@ -36,17 +37,30 @@ fn of(
     if let SmoothnessStatement::Range(range) = statement {
         return range::judge(&scheme, range);
     }
+    if let Some(instances) = scheme.ring_instances()? {
+        return vertices::judge(&scheme, &instances, statement);
+    }
     let limits = match limits(scheme.mask(None)?) {
         Ok(limits) => limits,
         Err(capped) => return Ok((SmoothnessVerdict::NotCheckable, Known::Capped(capped))),
     };
     let smoothness = &limits.smoothness;
     let verdict = match statement {
-        SmoothnessStatement::Continuity { continuous, not_continuous } => together(&[
-            continuous.map_or(Some(true), |m| is_continuous(smoothness, m)),
-            not_continuous
-                .map_or(Some(true), |m| is_continuous(smoothness, m).map(|continuous| !continuous)),
-        ]),
+        SmoothnessStatement::Continuity { valences: Some(valences), .. } => {
+            return Err(scheme
+                .error(format!("`valences = '{}'` of a mask", valences.text))
+                .with_help(
+                    "valences are those of rules around a vertex or on a face, such as `loop`",
+                ));
+        }
+        SmoothnessStatement::Continuity { continuous, not_continuous, valences: None } => {
+            together(&[
+                continuous.map_or(Some(true), |m| is_continuous(smoothness, m)),
+                not_continuous.map_or(Some(true), |m| {
+                    is_continuous(smoothness, m).map(|continuous| !continuous)
+                }),
+            ])
+        }
         SmoothnessStatement::Exponent { exponent, attained } => {
             exponent::judge(smoothness, exponent, *attained)
         }

@@ -38,7 +38,7 @@ pub(super) fn judge(
     };
     let mut trial = Trial { scheme, statement, sets };
     let printed = trial.printed(0);
-    trial.look_closer(&rules, &printed);
+    trial.look_closer(&printed);
     let undecided = trial.undecided(&printed, &printed);
     let right = trial.witness(&printed, &printed)?.is_none() && !trial.excludes(&printed);
     let (witness, verdict) = if right && undecided.is_empty() {
@@ -137,14 +137,13 @@ impl Trial<'_> {
     }
 
     /// Looks closer at the bounded parts of what is open.
-    fn look_closer(&mut self, rules: &Rules<RationalPolynomial>, printed: &IntervalSet) {
+    fn look_closer(&mut self, printed: &IntervalSet) {
         let open = self.undecided(printed, printed);
-        let m = self.statement.m;
         if let Some(sets) = self.sets.as_mut().filter(|_| !open.is_empty()) {
             let known = sets.inside.union(&sets.outside);
             let width = Rational::new(CLOSER.0, CLOSER.1);
             // The sets are computed already, so that no cap is met.
-            let _ = sets.look_closer(rules, m, &open.without(&known), &width);
+            let _ = sets.look_closer(&open.without(&known), &width);
         }
     }
 

@@ -9,6 +9,7 @@ use crate::finding::{HandConstant, Refiner};
 use crate::formula::{Expr, LocatedFormula, Node, is_builtin};
 use crate::judge::theorem::case::{Case, Stage};
 use crate::judge::theorem::evaluate::{LEVEL, TOLERANCE};
+use crate::scheme::LocalRules;
 use std::collections::BTreeMap;
 
 /// An instance of a theorem, with numbers in place of names.
@@ -17,6 +18,8 @@ pub(crate) struct Instance {
     pub(crate) resolved: Option<Resolved>,
     /// What refines its data; masks at the offsets at which they are compared with their limit.
     pub(crate) refiner: Refiner,
+    /// What puts the points with which a step of a ring is compared, if not themselves.
+    pub(crate) interpolant: Option<LocalRules>,
     /// The values of parameters.
     pub(crate) values: BTreeMap<String, Rational>,
     /// The constants in the bound; the cells that print them are not yet looked for.
@@ -51,8 +54,10 @@ pub(crate) fn instance(
     let masks = axes.map(|axis| axis.mask());
     let masks = masks.map(|mask| mask.with_offset(offset.unwrap_or(mask.offset()))).collect();
     let ring = case.setting.as_ref().and_then(|setting| setting.ring());
+    let interpolant = case.setting.as_ref().and_then(|setting| setting.interpolant().cloned());
     Ok(Some(Instance {
         resolved: case.resolved.clone(),
+        interpolant,
         refiner: ring.map_or(Refiner::Masks(masks), |ring| Refiner::Ring(ring.clone())),
         values: case.values.clone(),
         constants,

@@ -122,6 +122,10 @@ impl Setting for AroundPoint {
         Some(&self.ring)
     }
 
+    fn interpolant(&self) -> Option<&LocalRules> {
+        self.interpolant.as_ref()
+    }
+
     fn compare(
         &self,
         quantity: Quantity,

@@ -15,6 +15,11 @@ pub(crate) trait Setting {
         None
     }
 
+    /// The rules that put the points with which a step of a ring is compared, if not itself.
+    fn interpolant(&self) -> Option<&LocalRules> {
+        None
+    }
+
     /// Compares a supremum with a bound. If it exceeds the bound, the result has data that attain a
     /// greater value.
     fn compare(

@@ -22,9 +22,9 @@ pub(super) struct ProjectFile {
 #[serde(deny_unknown_fields)]
 pub(super) struct ProjectTable {
     pub(super) name: String,
-    pub(super) repository: String,
-    pub(super) commit: Spanned<String>,
-    pub(super) licence: String,
+    pub(super) repository: Option<String>,
+    pub(super) commit: Option<Spanned<String>>,
+    pub(super) licence: Option<String>,
     pub(super) note: Option<String>,
 }
 
@@ -57,8 +57,7 @@ pub(super) struct ShippedTable {
 pub(super) struct CellsFrom {
     pub(super) file: Spanned<String>,
     pub(super) after: Spanned<String>,
-    /// Sizes are counts, which TOML does not round.
-    pub(super) shape: Option<Spanned<Vec<u32>>>,
+    pub(super) shape: Option<Spanned<Vec<Spanned<String>>>>,
     pub(super) skip: Option<Spanned<String>>,
 }
 

@@ -81,7 +81,9 @@ impl Reader<'_> {
         let skipped = skip.as_ref().map_or(Ok(0), |skip| self.count(skip))?;
         let wanted: usize = sizes.iter().product();
         let shape = match shape {
-            Some(shape) => shape.get_ref().iter().map(|&size| size as usize).collect(),
+            Some(shape) => {
+                shape.get_ref().iter().map(|size| self.count(size)).collect::<Result<_, _>>()?
+            }
             None if skipped == 0 => sizes.to_vec(),
             None => {
                 return Err(self

@@ -75,7 +75,7 @@ pub fn read_project(source: &Arc<SourceText>) -> Result<Project, Errors> {
         key: file.key.into_inner(),
         name,
         repository,
-        commit: commit.into_inner(),
+        commit: commit.map(Spanned::into_inner),
         licence,
         note,
         definitions,
@@ -95,13 +95,14 @@ impl Reader<'_> {
     }
 
     fn commit(&self, project: &ProjectTable) -> Result<(), Diagnostic> {
-        let commit = project.commit.get_ref();
+        let Some(located) = &project.commit else { return Ok(()) };
+        let commit = located.get_ref();
         let fits = |c: char| c.is_ascii_digit() || ('a'..='f').contains(&c);
         if commit.len() == 40 && commit.chars().all(fits) {
             return Ok(());
         }
         Err(self
-            .error(project.commit.span(), format!("`{commit}` is no commit"))
+            .error(located.span(), format!("`{commit}` is no commit"))
             .with_help("write its 40 hexadecimal digits, in lower case: `git rev-parse HEAD`"))
     }
 

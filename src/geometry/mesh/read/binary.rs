@@ -54,7 +54,7 @@ impl Kind {
 
 /// Bytes that are read one number after the other.
 pub(super) struct Bytes<'a> {
-    bytes: &'a [u8],
+    content: &'a [u8],
     pub(super) at: usize,
     order: ByteOrder,
     /// Whether a number was asked for that is not there.
@@ -63,11 +63,11 @@ pub(super) struct Bytes<'a> {
 
 impl<'a> Bytes<'a> {
     pub(super) fn new(bytes: &'a [u8], at: usize, order: ByteOrder) -> Bytes<'a> {
-        Bytes { bytes, at, order, ended: false }
+        Bytes { content: bytes, at, order, ended: false }
     }
 
     pub(super) fn left(&self) -> usize {
-        self.bytes.len().saturating_sub(self.at)
+        self.content.len().saturating_sub(self.at)
     }
 
     pub(super) fn skip(&mut self, count: usize) {
@@ -76,7 +76,7 @@ impl<'a> Bytes<'a> {
 
     /// The next bytes, the lowest first; `None` where the file ends.
     fn next<const N: usize>(&mut self) -> Option<[u8; N]> {
-        let rest = self.bytes.get(self.at..).unwrap_or_default();
+        let rest = self.content.get(self.at..).unwrap_or_default();
         let Some(mut bytes) = rest.first_chunk::<N>().copied() else {
             self.ended = true;
             return None;

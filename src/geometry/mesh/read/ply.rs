@@ -188,7 +188,9 @@ pub(super) fn read_binary(name: &str, bytes: &[u8], start: usize) -> Result<Part
     };
     let mut cursor = Bytes::new(bytes, start, order);
     let mut listing = Listing::default();
-    head.text.lines().for_each(|line| drop(listing.line(line)));
+    for line in head.text.lines() {
+        listing.line(line);
+    }
     let mut things = Vec::new();
     for element in &elements {
         // A thing without properties has no bytes.

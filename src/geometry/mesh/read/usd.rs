@@ -169,7 +169,7 @@ impl Reader<'_> {
         self.at += 1;
         let mut kind = String::new();
         while let Some(token) = self.tokens.get(self.at).filter(|token| token.kind == Kind::Word) {
-            kind = self.text(token).to_owned();
+            self.text(token).clone_into(&mut kind);
             self.at += 1;
         }
         let Some(name) = self.tokens.get(self.at).filter(|token| token.kind == Kind::Text).cloned()
@@ -217,20 +217,19 @@ impl Reader<'_> {
                 Some(value) => Some(value),
                 None => self.bracketed(b'(', b')')?,
             };
-            field.value = match value {
-                Some(value) => value,
-                None => match self.bracketed(b'{', b'}')? {
-                    Some(value) => value,
-                    None => {
-                        let token =
-                            self.tokens.get(self.at).cloned().ok_or_else(|| self.cut_off())?;
-                        if !matches!(token.kind, Kind::Word | Kind::Text | Kind::Path) {
-                            return Err(self.wrong(Some(&token), "a value is expected here"));
-                        }
-                        self.at += 1;
-                        vec![token]
-                    }
-                },
+            let value = match value {
+                Some(value) => Some(value),
+                None => self.bracketed(b'{', b'}')?,
+            };
+            field.value = if let Some(value) = value {
+                value
+            } else {
+                let token = self.tokens.get(self.at).cloned().ok_or_else(|| self.cut_off())?;
+                if !matches!(token.kind, Kind::Word | Kind::Text | Kind::Path) {
+                    return Err(self.wrong(Some(&token), "a value is expected here"));
+                }
+                self.at += 1;
+                vec![token]
             };
             end = self.tokens[self.at - 1].line;
         }

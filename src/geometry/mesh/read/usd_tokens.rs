@@ -51,7 +51,7 @@ pub(super) fn tokens(source: &Arc<SourceText>, start: usize) -> Result<Vec<Token
                 ));
             };
             all.push(Token { kind, place: inside..end, line });
-            line += bytes[inside..end].iter().filter(|byte| **byte == b'\n').count();
+            line += source.text[inside..end].matches('\n').count();
             at = end + close.len();
         } else {
             let ends =

@@ -31,5 +31,5 @@ mod symmetric;
 pub use error::{CosineError, MAX_CONDUCTOR, common_conductor};
 pub use fixed::{cosines, pi};
 pub use norm::{is_prime, primes};
-pub use number::RealCyclotomic;
+pub use number::{RealCyclotomic, StoredForm};
 pub use symmetric::cosine_polynomial;

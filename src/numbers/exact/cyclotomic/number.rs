@@ -48,6 +48,11 @@ pub(super) struct Element {
     pub(super) denominator: Integer,
 }
 
+/// How a number is stored: its conductor, its numerators and its denominator. Equal forms are equal
+/// numbers; a number of several fields has a form in each.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct StoredForm(usize, Vec<Integer>, Integer);
+
 impl<T: Into<Rational>> From<T> for RealCyclotomic {
     fn from(value: T) -> RealCyclotomic {
         RealCyclotomic(Form::Rational(value.into()))
@@ -105,6 +110,18 @@ impl RealCyclotomic {
                 sum[field.fold(k.residue(n) as usize)] = Integer::from(sign);
                 let numerators = field.reduce(sum);
                 Ok(RealCyclotomic::normal(field, numerators, Integer::from(2)))
+            }
+        }
+    }
+
+    /// How this number is stored, as a key of tables.
+    #[must_use]
+    pub fn stored(&self) -> StoredForm {
+        match &self.0 {
+            Form::Rational(value) => StoredForm(1, vec![value.numerator()], value.denominator()),
+            Form::Irrational(element) => {
+                let conductor = element.field.conductor();
+                StoredForm(conductor, element.numerators.clone(), element.denominator.clone())
             }
         }
     }

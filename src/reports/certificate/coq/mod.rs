@@ -50,11 +50,15 @@ pub fn coq_files(audit: &PaperAudit<'_>) -> Result<Vec<CoqFile>, Diagnostic> {
         for finding in claims {
             file.theorem(finding);
         }
-        let head = format!(
-            "(** {}: {}. Written by `subcert prove --coq`. *)\n\n{HEAD}\n",
-            comment(&audit.paper.bibliography.short()),
-            claims[0].claim
-        );
+        let KernelFinding { kind, claim, assumed, .. } = &claims[0];
+        let key = &audit.paper.key;
+        let mut head = format!("(** {key}, {kind} {claim} (written by `subcert prove --coq`) *)\n");
+        if !assumed.is_empty() {
+            let values = assumed.iter().map(|(name, value)| format!("{name} = {value}"));
+            let values = values.collect::<Vec<String>>().join(", ");
+            let _ = writeln!(head, "(* Not stated: {values} *)");
+        }
+        let _ = write!(head, "\n{HEAD}");
         let text = format!("{head}{}", file.text);
         files.push(CoqFile { name, text, theorems: claims.len() });
     }
@@ -82,12 +86,12 @@ struct File {
 impl File {
     /// The name of an object, which is defined where it is new.
     fn define(&mut self, kind: &str, value: String) -> String {
-        let of_kind = self.defined.iter().filter(|(name, _)| name.starts_with(kind)).count();
-        if let Some((name, _)) = self.defined.iter().find(|(_, known)| *known == value) {
+        let of_kind = self.defined.iter().filter(|(name, _)| name.starts_with(kind));
+        if let Some((name, _)) = of_kind.clone().find(|(_, known)| *known == value) {
             return name.clone();
         }
-        let name = format!("{kind}_{}", of_kind + 1);
-        let _ = write!(self.text, "Definition {name} :=\n  {value}.\n\n");
+        let name = format!("{kind}_{}", of_kind.count() + 1);
+        let _ = write!(self.text, "\nDefinition {name} :=\n  {value}.\n");
         self.defined.push((name.clone(), value));
         name
     }
@@ -135,22 +139,27 @@ impl File {
             }
             KernelStatement::Ring { weights, edges, level, points, excess, bound } => {
                 let edges: Vec<String> = edges.iter().map(|(a, b)| format!("({a}, {b})")).collect();
-                let (denominator, rows) = over_one(weights);
-                let value = format!("Ring {denominator} {rows}\n    [{}]%nat", edges.join("; "));
-                let ring = self.define("ring", value);
+                let mut ring = |weights: &[Vec<Rational>]| {
+                    let (denominator, rows) = over_one(weights);
+                    let edges = edges.join("; ");
+                    self.define("ring", format!("Ring {denominator} {rows}\n    [{edges}]%nat"))
+                };
+                let mut of = ring(weights);
+                if let RingExcess::Step(_, earlier) = excess {
+                    let _ = write!(of, " {}", ring(earlier));
+                }
                 let bound = rational(bound);
-                ring_exceeds(&format!("{ring} {level}"), &integers(points), excess, &bound)
+                ring_exceeds(&format!("{of} {level}"), &integers(points), excess, &bound)
             }
         };
         self.theorems += 1;
-        for line in &finding.about {
-            let _ = writeln!(self.text, "(* {} *)", comment(line));
-        }
+        let (place, about) = (comment(&finding.place), comment(&finding.about));
+        let _ = write!(self.text, "\n(* {place} *)\n(* {about} *)\n");
         let number = self.theorems;
         let lemma = if lemma.contains(' ') { format!("({lemma})") } else { lemma };
         let _ = write!(
             self.text,
-            "Theorem finding_{number} :\n  {statement}.\nProof. apply {lemma}. {PROOF}\n\n"
+            "Theorem finding_{number} :\n  {statement}.\nProof. apply {lemma}. {PROOF}\n"
         );
     }
 
@@ -236,7 +245,7 @@ fn ring_exceeds(of: &str, data: &str, excess: &RingExcess, bound: &str) -> (Stri
             format!("exceeds_ring_difference {of} 1 {bound}"),
             format!("exceeds_ring_difference_by {of} {data} {a} {b}"),
         ),
-        RingExcess::Step(a) => (
+        RingExcess::Step(a, _) => (
             format!("exceeds_ring_step {of} 1 {bound}"),
             format!("exceeds_ring_step_by {of} {data} {a}"),
         ),
@@ -255,7 +264,8 @@ fn word(id: &str) -> String {
     id.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect()
 }
 
-/// A text that a comment of Coq can hold.
+/// A text that a comment of Coq can hold, in one line.
 fn comment(text: &str) -> String {
-    text.replace("(*", "( *").replace("*)", "* )").replace('"', "'")
+    let words: Vec<&str> = text.split_whitespace().collect();
+    words.join(" ").replace("(*", "( *").replace("*)", "* )").replace('"', "'")
 }

@@ -24,7 +24,7 @@ fn paper(sheet: &mut Sheet, errata: &Errata<'_, '_>) {
     let bibliography = &audit.paper.bibliography;
     sheet.heading(1, format!("Errata · {}", bibliography.short()));
     let doi = bibliography.doi.as_ref().map(|doi| format!(" DOI {doi}.")).unwrap_or_default();
-    sheet.text(format!("{}. {}.{doi}", bibliography.title, bibliography.venue));
+    sheet.text(format!("{}{doi}", bibliography.title_and_venue()));
     if let Some(note) = &bibliography.note {
         sheet.text(format!(
             "{note} A wrong digit may be the transcription's: compare with the printed page."

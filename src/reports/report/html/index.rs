@@ -19,12 +19,12 @@ pub fn index_page(audits: &[PaperAudit<'_>], more: &Sheet) -> String {
             h1 { "Audits of papers about subdivision schemes" }
             p { "Every claim that can be checked, against exact values. Each paper has a page with its tables, cell by cell." }
         }
-        main id="page:main" tabindex="-1" {
+        main.index id="page:main" tabindex="-1" {
             ul.papers {
                 @for audit in audits {
                     li id=(audit.paper.key) {
                         h2 { a href={ (audit.paper.key) ".html" } { (audit.paper.bibliography.short()) } }
-                        p.title { (audit.paper.bibliography.title) ". " (audit.paper.bibliography.venue) "." }
+                        p.title { (audit.paper.bibliography.title_and_venue()) }
                         p { (headline(audit)) }
                     }
                 }

@@ -46,7 +46,7 @@ pub fn audit_page(audit: &PaperAudit<'_>, file: Option<&str>) -> Result<String, 
         header {
             h1 { (bibliography.title) }
             p {
-                (bibliography.authors.join(", ")) ". " (bibliography.venue) ", " (bibliography.year) "."
+                (bibliography.imprint())
                 @if let Some(doi) = &bibliography.doi {
                     " " a href={ "https://doi.org/" (doi) } { "doi:" (doi) }
                 }
@@ -54,7 +54,7 @@ pub fn audit_page(audit: &PaperAudit<'_>, file: Option<&str>) -> Result<String, 
             @if let Some(note) = &bibliography.note { p.note { (note) } }
         }
         main id="page:main" tabindex="-1" {
-            (overview(audit))
+            p.headline { strong { (headline(audit)) } }
             (contents(audit))
             (buttons(audit))
             (list("Tables", "tables", &tables, Markup::clone))
@@ -63,22 +63,19 @@ pub fn audit_page(audit: &PaperAudit<'_>, file: Option<&str>) -> Result<String, 
             (list("Parameter ranges", "ranges", &audit.ranges, |one| claims::range(&context, one)))
             (list("Smoothness", "smoothness", &audit.smoothness, |one| claims::smoothness(&context, one)))
             (list("Theorems", "theorems", &theorems, Markup::clone))
-            section.overview { (blocks(&rest(audit), 0)) }
+            section.overview { (blocks(&rest(audit), 0)) h2 { "Counts" } (tallies(audit)) }
             (legend())
         }
     };
     Ok(document(&format!("{} · audit by subcert", bibliography.short()), &main))
 }
 
-/// A sentence on what the claims come to, and their counts.
-fn overview(audit: &PaperAudit<'_>) -> Markup {
+/// How many claims have each verdict.
+fn tallies(audit: &PaperAudit<'_>) -> Markup {
     let sheet = overview_sheet(std::slice::from_ref(audit));
     html! {
-        section.overview {
-            p.headline { strong { (headline(audit)) } }
-            @for block in &sheet.blocks {
-                @if let Block::Grid(grid) = block { (counts(grid)) }
-            }
+        @for block in &sheet.blocks {
+            @if let Block::Grid(grid) = block { (counts(grid)) }
         }
     }
 }
@@ -99,7 +96,7 @@ fn list<F>(heading: &str, id: &str, findings: &[F], one: impl Fn(&F) -> Markup) 
 fn contents(audit: &PaperAudit<'_>) -> Markup {
     html! {
         nav aria-label="Claims" {
-            details.contents open {
+            details.contents {
                 summary { "Claims" }
                 ul {
                     @for claim in audit.claims() {

@@ -61,11 +61,12 @@ pub fn projects_page(audits: &[ProjectAudit<'_>], more: &Sheet) -> String {
 
 /// Where the source of a project is.
 fn source(project: &Project) -> Markup {
-    let Project { repository, commit, licence, .. } = project;
     html! {
         p.title {
-            @if repository.starts_with("https://") { a href=(repository) { (repository) } } @else { (repository) }
-            ", commit " code { (commit) } ", licence " (licence) "."
+            @for (i, word) in project.source_words().iter().enumerate() {
+                @if i > 0 { ", " }
+                @if word.starts_with("https://") { a href=(word) { (word) } } @else { (word) }
+            }
         }
     }
 }

@@ -12,6 +12,7 @@ use std::collections::BTreeMap;
 
 /// What `subcert audit` finds.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct AuditReport<'a> {
     /// The version of this form.
     pub schema: u32,
@@ -21,6 +22,7 @@ pub struct AuditReport<'a> {
 
 /// What an audit finds in a paper.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Paper<'a> {
     /// The paper's key.
     pub key: &'a str,
@@ -41,6 +43,7 @@ pub struct Paper<'a> {
 
 /// A table, with the search for its reading.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Table<'a> {
     /// Its id within the paper.
     pub id: &'a str,
@@ -66,6 +69,7 @@ pub struct Table<'a> {
 
 /// How many printed bounds and depths keep their promise for all control data.
 #[derive(Clone, Copy, Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct PromiseTally {
     /// They do.
     pub kept: usize,

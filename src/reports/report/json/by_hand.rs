@@ -9,6 +9,7 @@ use serde::Serialize;
 
 /// The computation behind the data that refute a theorem with points at i/n^k.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ByHand<'a> {
     /// The masks at their offsets; empty for a ring.
     pub masks: Vec<HandMask>,
@@ -29,6 +30,7 @@ pub struct ByHand<'a> {
 
 /// A mask.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct HandMask {
     /// The rules, one for each α.
     pub rules: Vec<Vec<String>>,
@@ -38,6 +40,7 @@ pub struct HandMask {
 
 /// A constant in a bound.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Constant<'a> {
     /// Its name, or the call of a function.
     pub name: &'a str,
@@ -54,6 +57,7 @@ pub struct Constant<'a> {
 
 /// Points of a level.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Level {
     /// The level.
     pub level: u32,
@@ -63,6 +67,7 @@ pub struct Level {
 
 /// A point, or the coefficient of one.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Point {
     /// Its index.
     pub index: i64,
@@ -72,6 +77,7 @@ pub struct Point {
 
 /// Weights that give the points of a level and the refined points the same weighted sum.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Weights {
     /// The weights, which sum to 1.
     pub weights: Vec<Point>,
@@ -83,6 +89,7 @@ pub struct Weights {
 
 /// A value as a sum over points of a level.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Side {
     /// The level.
     pub level: u32,

@@ -7,6 +7,7 @@ use serde::Serialize;
 
 /// A cell under another reading than the printed one.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct AsRead {
     /// How the reading differs from the printed text.
     pub differs: String,
@@ -19,6 +20,7 @@ pub struct AsRead {
 /// The sound value of a printed bound or depth, and whether its promise is kept, whatever its
 /// verdict is.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CellSound<'a> {
     /// The sound value; its fields stand here.
     #[serde(flatten)]
@@ -36,6 +38,7 @@ pub struct CellSound<'a> {
 
 /// A sound value.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum SoundValue<'a> {
     /// A depth by the sound bound.

@@ -15,6 +15,7 @@ use std::borrow::Cow;
 
 /// A claim: a cell of a table, an equation, a closed form, a range, a claim about smoothness or a theorem.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Claim<'a> {
     /// The id: `key:table:row:column` for a cell, `key:claim` for other claims.
     pub id: &'a str,
@@ -51,6 +52,7 @@ pub struct Claim<'a> {
 
 /// A sound statement on a claim, whatever its verdict is.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum Sound<'a> {
     /// Of a cell.
@@ -64,6 +66,7 @@ pub enum Sound<'a> {
 
 /// The fields that only claims of one kind have.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum Details<'a> {
     /// Of a cell.
@@ -116,6 +119,7 @@ pub enum Details<'a> {
 
 /// A case in which two sides differ.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Failure<'a> {
     /// The case in words.
     pub at: Cow<'a, str>,
@@ -129,6 +133,7 @@ pub struct Failure<'a> {
 
 /// An end of a printed range.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct End<'a> {
     /// The end as printed.
     pub printed: &'a str,
@@ -144,6 +149,7 @@ pub struct End<'a> {
 
 /// The result of the checker for a claim, or for the table of a cell.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Certificate {
     /// Whether there is a valid certificate.
     pub certified: bool,

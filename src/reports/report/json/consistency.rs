@@ -6,6 +6,7 @@ use serde::Serialize;
 
 /// Tables that need different readings.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Contradiction<'a> {
     /// The choice or the parameter of which they need different values.
     pub about: &'a str,
@@ -15,6 +16,7 @@ pub struct Contradiction<'a> {
 
 /// The tables, rows and columns that need the same.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Side<'a> {
     /// What they need.
     pub says: String,
@@ -24,6 +26,7 @@ pub struct Side<'a> {
 
 /// A table, a row or a column, and the number of its cells that are explained.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct TablePart<'a> {
     /// The id of the table.
     pub table: &'a str,

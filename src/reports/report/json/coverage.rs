@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 
 /// What `subcert coverage` finds.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CoverageReport<'a> {
     /// The version of this form.
     pub schema: u32,
@@ -16,6 +17,7 @@ pub struct CoverageReport<'a> {
 
 /// The numbered items of a paper, and the claims about them.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CoveredPaper<'a> {
     /// The paper's key.
     pub key: &'a str,
@@ -25,6 +27,7 @@ pub struct CoveredPaper<'a> {
 
 /// An item that a paper numbers.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct NumberedItem<'a> {
     /// Its number.
     pub item: String,
@@ -38,6 +41,7 @@ pub struct NumberedItem<'a> {
 
 /// A claim that covers an item.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct CoveringClaim<'a> {
     /// Its id within the paper.
     pub id: &'a str,

@@ -11,6 +11,7 @@ use serde::Serialize;
 
 /// What `subcert errata` finds.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ErrataReport<'a> {
     /// The version of this form.
     pub schema: u32,
@@ -20,6 +21,7 @@ pub struct ErrataReport<'a> {
 
 /// What is wrong in a paper.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct PaperErrata<'a> {
     /// The paper's key.
     pub key: &'a str,
@@ -41,6 +43,7 @@ pub struct PaperErrata<'a> {
 
 /// The parameters of a table that the paper does not state.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct OfTable<'a> {
     /// The id of the table.
     pub table: &'a str,
@@ -52,6 +55,7 @@ pub struct OfTable<'a> {
 
 /// Something wrong.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Erratum<'a> {
     /// Its number, from 1.
     pub number: usize,
@@ -69,6 +73,7 @@ pub struct Erratum<'a> {
 
 /// What is wrong.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum Detail<'a> {
     /// Cells of a table.
@@ -79,6 +84,7 @@ pub enum Detail<'a> {
 
 /// Cells of a table that are wrong for one reason.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct WrongCells<'a> {
     /// Their standing.
     pub standing: &'static str,
@@ -94,6 +100,7 @@ pub struct WrongCells<'a> {
 
 /// A wrong cell.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct WrongCell<'a> {
     /// Its id.
     pub id: &'a str,
@@ -107,6 +114,7 @@ pub struct WrongCell<'a> {
 
 /// What follows from an erratum.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Changes<'a> {
     /// Whether anything follows.
     pub any: bool,
@@ -130,6 +138,7 @@ pub struct Changes<'a> {
 
 /// Cells of a table that could not be checked.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Unchecked<'a> {
     /// The id of the table.
     pub table: &'a str,

@@ -9,6 +9,7 @@ const DECIMAL_DIGITS: u32 = 17;
 
 /// An exact value with its decimal.
 #[derive(Clone, Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Exact {
     /// The value: `p/q`, or an expression for an irrational number.
     pub exact: String,
@@ -32,6 +33,16 @@ pub(super) fn decimal(value: &impl Enclosed) -> String {
 /// An object: values with their names, in this order.
 #[derive(Clone, Debug)]
 pub struct Named<T>(pub Vec<(String, T)>);
+
+#[cfg(feature = "schema")]
+impl<T: schemars::JsonSchema> schemars::JsonSchema for Named<T> {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        format!("Named_{}", T::schema_name()).into()
+    }
+    fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        std::collections::BTreeMap::<String, T>::json_schema(generator)
+    }
+}
 
 impl<T: Serialize> Serialize for Named<T> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

@@ -12,6 +12,7 @@ use serde::Serialize;
 
 /// What `subcert explain` finds.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Explained<'a> {
     /// The version of this form.
     pub schema: u32,

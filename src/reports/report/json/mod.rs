@@ -21,6 +21,7 @@ mod smoothness;
 mod smoothness_claim;
 mod summary;
 mod theorem;
+mod vertex;
 mod witness;
 mod working;
 
@@ -45,6 +46,7 @@ pub use shipped::{
 };
 pub use summary::{Group, Outcome, Summary};
 pub use theorem::{Case, Repair, Trial};
+pub use vertex::{VertexForm, VerticesForm};
 pub use witness::{Control, Exceeding, Natural as NaturalTheorem, Place, Supremum, Witness};
 pub use working::Working;
 

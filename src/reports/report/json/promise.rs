@@ -7,6 +7,7 @@ use serde::Serialize;
 
 /// Whether a printed bound or depth keeps its promise for all control data.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Promise<'a> {
     /// Whether it does; null where that is open.
     pub kept: Option<bool>,
@@ -24,6 +25,7 @@ pub struct Promise<'a> {
 
 /// Control data that break a promise.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Broken<'a> {
     /// The data for spread 1, and the place; their fields stand here.
     #[serde(flatten)]
@@ -40,6 +42,7 @@ pub struct Broken<'a> {
 
 /// Control data of spread 1, and a place.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum ControlData<'a> {
     /// A piece of a control polygon.
@@ -71,6 +74,7 @@ pub enum ControlData<'a> {
 
 /// A promise with each point at its natural parameter.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Natural<'a> {
     /// Whether it is kept; null where that is open.
     pub kept: Option<bool>,

@@ -9,6 +9,7 @@ use serde::Serialize;
 
 /// The search for a reading of a table: what it covered, and what it found.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Search<'a> {
     /// How many readings were tried.
     pub tried: usize,
@@ -32,6 +33,7 @@ pub struct Search<'a> {
 
 /// The reading of a row or a column.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Line<'a> {
     /// Which row or column.
     pub place: String,
@@ -49,6 +51,7 @@ pub struct Line<'a> {
 
 /// How far the values of a row or a column are from their places.
 #[derive(Clone, Copy, Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Shift {
     /// By so many rows down.
     pub rows: i32,
@@ -58,6 +61,7 @@ pub struct Shift {
 
 /// A reading, and how many cells it explains.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Explanation<'a> {
     /// How it differs from the printed text; empty where it does not.
     pub differs: String,
@@ -69,6 +73,7 @@ pub struct Explanation<'a> {
 
 /// A parameter that was solved for.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Solved<'a> {
     /// Its name.
     pub name: &'a str,
@@ -82,6 +87,7 @@ pub struct Solved<'a> {
 
 /// A reading that was tried.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Reading<'a> {
     /// The reading; its fields stand here.
     #[serde(flatten)]
@@ -94,6 +100,7 @@ pub struct Reading<'a> {
 
 /// The value of a reading for one cell.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ReadingOfCell {
     /// The value; null where it has none.
     pub exact: Option<String>,

@@ -5,6 +5,7 @@ use serde::Serialize;
 
 /// The value of a parameter that the paper does not state.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Recovered<'a> {
     /// Its name.
     pub name: &'a str,
@@ -21,6 +22,7 @@ pub struct Recovered<'a> {
 
 /// Values of parameters that fit some cells of a table.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Fitting<'a> {
     /// The parameters with these values.
     pub parameters: Vec<Recovered<'a>>,

@@ -9,6 +9,7 @@ use serde::Serialize;
 /// Whether a theorem is refuted in every shift s of the parameter: with x^k_i at (i + s)/n^k, for
 /// every real number s.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct EveryShift<'a> {
     /// Whether it is refuted: false where it holds at the natural parameters, at the levels that
     /// were looked at, and null where neither is known.
@@ -21,6 +22,7 @@ pub struct EveryShift<'a> {
 /// Control data of spread 1. Their greatest values at a level and at the next one, or in the limit,
 /// differ by more than the theorem's bound of a step or a distance.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Greatest<'a> {
     /// The scheme and the values of the parameters.
     pub case: &'a str,
@@ -45,6 +47,7 @@ pub struct Greatest<'a> {
 
 /// A piece of a control polygon.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Polygon<'a> {
     /// The index of its first point.
     pub first: i64,

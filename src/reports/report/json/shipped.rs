@@ -17,6 +17,7 @@ const ERROR_DIGITS: u32 = 6;
 
 /// What `subcert audit` finds about the constants of projects.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ProjectsReport<'a> {
     /// The version of this form.
     pub schema: u32,
@@ -26,17 +27,18 @@ pub struct ProjectsReport<'a> {
 
 /// What is found in a project.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ProjectReport<'a> {
     /// Its key.
     pub key: &'a str,
     /// Its name.
     pub name: &'a str,
     /// Where its source is public.
-    pub repository: &'a str,
+    pub repository: Option<&'a str>,
     /// The commit that was read.
-    pub commit: &'a str,
+    pub commit: Option<&'a str>,
     /// The licence of the source.
-    pub licence: &'a str,
+    pub licence: Option<&'a str>,
     /// How many tables have each outcome.
     pub summary: BTreeMap<&'static str, usize>,
     /// Its tables.
@@ -45,6 +47,7 @@ pub struct ProjectReport<'a> {
 
 /// What is found of a table.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ShippedTable<'a> {
     /// Its id within the project.
     pub id: &'a str,
@@ -79,6 +82,7 @@ pub struct ShippedTable<'a> {
 
 /// An error that is accepted.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Tolerance<'a> {
     /// As written.
     pub value: &'a str,
@@ -88,6 +92,7 @@ pub struct Tolerance<'a> {
 
 /// Lines along the last index whose sums are not the exact one.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Sums {
     /// The exact sum, a fraction.
     pub exact: String,
@@ -103,6 +108,7 @@ pub struct Sums {
 
 /// Equal values that are shipped differently.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SplitValues {
     /// How many exact values.
     pub values: usize,
@@ -112,6 +118,7 @@ pub struct SplitValues {
 
 /// A number.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Number<'a> {
     /// The values of the indices.
     pub at: BTreeMap<&'a str, i64>,
@@ -149,9 +156,9 @@ impl<'a> ProjectReport<'a> {
         ProjectReport {
             key: &project.key,
             name: &project.name,
-            repository: &project.repository,
-            commit: &project.commit,
-            licence: &project.licence,
+            repository: project.repository.as_deref(),
+            commit: project.commit.as_deref(),
+            licence: project.licence.as_deref(),
             summary: tally(audit.findings.iter().map(|finding| finding.outcome)),
             tables: audit.findings.iter().map(ShippedTable::of).collect(),
         }

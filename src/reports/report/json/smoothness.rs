@@ -1,6 +1,7 @@
 //! What is known of limits, as JSON.
 
 use super::exact::decimal;
+use super::vertex::VerticesForm;
 use crate::audit::{Known, Limits, RangeOfLimits};
 use crate::report::smoothness::decimals;
 use crate::smoothness::Hoelder;
@@ -8,15 +9,20 @@ use serde::Serialize;
 
 /// The fields that only claims about smoothness have.
 #[derive(Debug, Default, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SmoothnessDetails {
     /// What is proved of the limits; null for a range without a value that refutes it.
     pub limits: Option<LimitsForm>,
     /// What is proved for all values of the parameter; null unless the claim is a range.
     pub parameter: Option<RangeForm>,
+    /// What is known of surfaces at a vertex or on a face; only of rules there.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub vertices: Option<VerticesForm>,
 }
 
 /// What is proved of the limits of a mask.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LimitsForm {
     /// The greatest m for which they are C^m; null where convergence is not proved.
     pub continuity: Option<usize>,
@@ -28,6 +34,7 @@ pub struct LimitsForm {
 
 /// The Hölder exponent.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct HoelderForm {
     /// A decimal that is not above it.
     pub lower: String,
@@ -41,6 +48,7 @@ pub struct HoelderForm {
 
 /// What is proved for all values of a parameter.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct RangeForm {
     /// Where the limits are C^m.
     pub inside: Option<String>,
@@ -60,11 +68,15 @@ impl SmoothnessDetails {
     pub(super) fn of(known: &Known) -> SmoothnessDetails {
         match known {
             Known::Limits(limits) => {
-                SmoothnessDetails { limits: Some(LimitsForm::of(limits)), parameter: None }
+                SmoothnessDetails { limits: Some(LimitsForm::of(limits)), ..Default::default() }
             }
             Known::Range(range) => {
                 let limits = range.witness.as_ref().map(|witness| LimitsForm::of(&witness.limits));
-                SmoothnessDetails { limits, parameter: Some(RangeForm::of(range)) }
+                let parameter = Some(RangeForm::of(range));
+                SmoothnessDetails { limits, parameter, vertices: None }
+            }
+            Known::Vertices(found) => {
+                SmoothnessDetails { vertices: Some(VerticesForm::of(found)), ..Default::default() }
             }
             Known::Absent(_) | Known::Capped(_) => SmoothnessDetails::default(),
         }

@@ -5,6 +5,7 @@ use serde::Serialize;
 
 /// How many cells are in each standing, and why.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Summary {
     /// How many cells there are.
     pub count: usize,
@@ -14,6 +15,7 @@ pub struct Summary {
 
 /// Cells of one outcome.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Group {
     /// How many they are.
     pub count: usize,
@@ -26,6 +28,7 @@ pub struct Group {
 
 /// The outcome of a cell.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Outcome {
     /// `confirmed`, `reproduced`, `explained`, `misprinted`, `refuted` or `not checkable`.
     pub standing: &'static str,

@@ -6,6 +6,7 @@ use serde::Serialize;
 
 /// The trial of a theorem.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Trial<'a> {
     /// What proves it.
     pub proof: Option<&'a str>,
@@ -19,6 +20,7 @@ pub struct Trial<'a> {
 
 /// A case that a theorem was tried on.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Case<'a> {
     /// The scheme and the values of the parameters.
     pub case: &'a str,
@@ -33,6 +35,7 @@ pub struct Case<'a> {
 
 /// Corrections with which a theorem is not refuted.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Repair {
     /// What each of them says.
     pub corrections: Vec<String>,

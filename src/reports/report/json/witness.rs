@@ -9,6 +9,7 @@ use serde::Serialize;
 
 /// What refutes a theorem.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Witness<'a> {
     /// The data; their fields stand here.
     #[serde(flatten)]
@@ -26,6 +27,7 @@ pub struct Witness<'a> {
 
 /// Whether a refuted theorem is also refuted with each point at its natural parameter.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Natural<'a> {
     /// Whether it is refuted there too; null where that is open.
     pub refuted: Option<bool>,
@@ -37,6 +39,7 @@ pub struct Natural<'a> {
 
 /// Control data of spread 1, and a place where a quantity is greater than a theorem says.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Exceeding<'a> {
     /// The scheme and the values of the parameters.
     pub case: &'a str,
@@ -54,6 +57,7 @@ pub struct Exceeding<'a> {
 
 /// Control data of integers.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum Control<'a> {
     /// A piece of a control polygon.
@@ -79,6 +83,7 @@ pub enum Control<'a> {
 
 /// Where a quantity has a value.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum Place {
     /// A parameter t.
@@ -110,6 +115,7 @@ pub enum Place {
 
 /// Bounds of a supremum.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Supremum {
     /// A value that is attained.
     pub lower: Exact,

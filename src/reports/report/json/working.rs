@@ -6,6 +6,7 @@ use serde::Serialize;
 
 /// The values from which a cell is computed by the printed definition.
 #[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Working {
     /// The scheme, its parameters with their values; both factors of a tensor product.
     pub scheme: Vec<String>,

@@ -28,7 +28,12 @@ pub fn issue_sheet(audits: &[ProjectAudit<'_>]) -> Sheet {
 fn project(sheet: &mut Sheet, audit: &ProjectAudit<'_>) {
     let Project { name, repository, commit, .. } = audit.project;
     sheet.heading(1, format!("Constants in {name}, compared with their exact values"));
-    sheet.text(format!("Read in {repository} at commit {commit}."));
+    let repository = repository.as_ref().map(|repository| format!(" in {repository}"));
+    let commit = commit.as_ref().map(|commit| format!(" at commit {commit}"));
+    let place = repository.unwrap_or_default() + &commit.unwrap_or_default();
+    if !place.is_empty() {
+        sheet.text(format!("Read{place}."));
+    }
     let (right, rest): (Vec<_>, Vec<_>) =
         audit.findings.iter().partition(|finding| finding.is_right());
     if rest.is_empty() {

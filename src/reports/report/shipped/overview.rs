@@ -102,9 +102,12 @@ pub(in crate::report) fn counts(audits: &[ProjectAudit<'_>]) -> Grid {
 }
 
 fn project(sheet: &mut Sheet, audit: &ProjectAudit<'_>, all: bool) {
-    let Project { key, name, repository, commit, licence, note, .. } = audit.project;
+    let Project { key, name, note, .. } = audit.project;
     sheet.heading(1, format!("{key} · {name}"));
-    sheet.text(format!("{repository}, commit {commit}, licence {licence}."));
+    let source = audit.project.source_words();
+    if !source.is_empty() {
+        sheet.text(format!("{}.", source.join(", ")));
+    }
     if let Some(note) = note {
         sheet.text(note.clone());
     }

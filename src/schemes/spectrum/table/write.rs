@@ -101,12 +101,18 @@ impl Writer {
         let (first, last) = (self.first, self.first + self.count - 1);
         match self.language {
             Language::C => {
+                lines.extend(
+                    self.guard().map(|guard| format!("#ifndef {guard}\n#define {guard}\n")),
+                );
                 lines.push(format!(
                     "enum {{ {0}_first_valence = {first}, {0}_last_valence = {last} }};",
                     self.name
                 ));
             }
             Language::Cpp => {
+                lines.extend(
+                    self.guard().map(|guard| format!("#ifndef {guard}\n#define {guard}\n")),
+                );
                 lines.push(format!("namespace {} {{", self.name));
                 lines
                     .push(format!("constexpr int first_valence = {first}, last_valence = {last};"));
@@ -133,7 +139,17 @@ impl Writer {
             lines.push(String::new());
             lines.push("}".to_owned());
         }
+        if self.guard().is_some() {
+            lines.push("\n#endif".to_owned());
+        }
         lines.join("\n") + "\n"
+    }
+
+    /// The macro by which a header of C or C++ is read once only.
+    fn guard(&self) -> Option<String> {
+        let headers = [Language::C, Language::Cpp];
+        let name = self.name.to_ascii_uppercase();
+        headers.contains(&self.language).then(|| format!("SUBCERT_{name}_H"))
     }
 
     fn literal(&self, value: &Real) -> String {

@@ -1,0 +1,86 @@
+#!/usr/bin/env python3
+"""The JSON schemas of docs/schema: `--write` writes them from the types of the program; without it they are compared,
+and answers of every command are validated against them (with the package jsonschema)."""
+
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+SCHEMAS = ROOT / "docs/schema"
+
+# The file of the schema, and a command that writes such an answer.
+ANSWERS = [
+    ("audit", "audit examples/first-paper.toml"),
+    ("audit", "audit examples/my-paper.toml --all"),
+    ("audit", "audit examples/first-paper.toml --certified"),
+    ("audit", "audit --paper mustafa2007-ternary"),
+    ("audit-project", "audit examples/weights.toml"),
+    ("certify", "certify four-point:w=1/16"),
+    ("constants", "constants six-point:w=3/256 -c 3"),
+    ("constants", "constants four-point:w=1/16 x chaikin -c 2"),
+    ("constants-ring", "constants doo-sabin:n=5 -c 2"),
+    ("coverage", "coverage --paper khan2019-newton"),
+    ("depth", "depth chaikin --tolerance 1/100"),
+    ("depth", "depth chaikin --polygon examples/polygon.csv --tolerance 1/100"),
+    ("depth-mesh", "depth catmull-clark --mesh examples/cube.obj --tolerance 1/10"),
+    ("depth-ring", "depth doo-sabin:n=5 --tolerance 1/100"),
+    ("errata", "errata --paper khan2019-newton"),
+    ("explain", "explain khan2022-doo-sabin:theorem-3"),
+    ("explain-list", "explain khan2019-newton"),
+    ("oracle", "oracle chaikin"),
+    ("range", "range four-point --param w -c 2"),
+    ("range-smoothness", "range four-point --param w --smoothness 1"),
+    ("schemes", "schemes"),
+    ("smoothness", "smoothness four-point:w=1/16"),
+    ("smoothness-vertex", "smoothness catmull-clark:N=5"),
+    ("spectrum", "spectrum loop --valence 5"),
+]
+
+
+def main():
+    build = ["cargo", "build", "--locked", "--quiet", "--bin", "subcert", "--features", "schema"]
+    subprocess.run(build, cwd=ROOT, check=True)
+    program = Path(target()) / "debug/subcert"
+    if sys.argv[1:] == ["--write"]:
+        subprocess.run([program, "schemas", SCHEMAS], check=True)
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run([program, "schemas", folder], check=True)
+        written = {path.name: path.read_text() for path in Path(folder).glob("*.json")}
+    kept = {path.name: path.read_text() for path in SCHEMAS.glob("*.json")}
+    differing = sorted(name for name in written.keys() | kept.keys() if written.get(name) != kept.get(name))
+    if differing:
+        sys.exit(f"not the schemas of the program: {', '.join(differing)}; `python3 .ci/schemas.py --write` writes them")
+
+    from jsonschema import Draft202012Validator
+
+    for name, command in ANSWERS:
+        schema = json.loads(kept[f"{name}.json"])
+        Draft202012Validator.check_schema(schema)
+        words = command.split(" --format")[0].split(" ")
+        # A tensor product is one word.
+        if " x " in command:
+            start = words.index("x") - 1
+            words[start : start + 3] = [" ".join(words[start : start + 3])]
+        said = subprocess.run([program, *words, "--format", "json"], cwd=ROOT, capture_output=True, text=True)
+        if said.returncode != 0:
+            sys.exit(f"subcert {command}: {said.stderr}")
+        for error in Draft202012Validator(schema).iter_errors(json.loads(said.stdout)):
+            sys.exit(f"subcert {command} --format json: {error.json_path}: {error.message[:300]}")
+        # A schema that allows everything would say nothing.
+        if not list(Draft202012Validator(schema).iter_errors({"schema": "one"})):
+            sys.exit(f"{name}.json allows an answer of no form")
+    print(f"{len(kept)} schemas are those of the program, and {len(ANSWERS)} answers fit them")
+
+
+def target():
+    metadata = subprocess.run(
+        ["cargo", "metadata", "--format-version", "1", "--no-deps"], cwd=ROOT, check=True, capture_output=True
+    )
+    return json.loads(metadata.stdout)["target_directory"]
+
+
+main()

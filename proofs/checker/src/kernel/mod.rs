@@ -1,0 +1,109 @@
+//! Theorems of Coq: whether they are about the masks, numbers and places of a claim file. Whether they are
+//! true, Coq checks (FORMAT.md, Theorems of Coq).
+
+mod cell;
+mod read;
+mod theorem;
+
+use crate::decimal::Q;
+use crate::local_rules::LocalRules;
+use crate::paper::Paper;
+use crate::reject::{Checked, Reason, Rejection, compare, require};
+use crate::scheme::Scheme;
+use crate::shape::misfit;
+use crate::value::Value;
+use read::{Argument, Object, Theorem};
+
+/// A file of theorems that agrees with the claim file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Agreement {
+    /// The id of the claim.
+    pub id: String,
+    /// The number of theorems.
+    pub theorems: usize,
+    /// The values of parameters that certificates recover and that the theorems use.
+    pub recovered: Vec<(String, Q)>,
+}
+
+/// A value of a parameter that a valid certificate of a table recovers.
+pub struct Given {
+    /// The id of the table.
+    pub table: String,
+    /// The name of the parameter.
+    pub name: String,
+    /// The value.
+    pub value: Q,
+}
+
+/// Compares a file of theorems with the claim file.
+pub fn agree<'a>(
+    paper: &'a Paper<'a>,
+    key: &str,
+    recovered: &[Given],
+    text: &str,
+) -> Checked<Agreement> {
+    paper.library.restart();
+    let file = read::read(text)?;
+    let agreement = || {
+        compare(file.key == key, &file.key, key, Reason::Stated)?;
+        let mut claims = paper.file.list(&file.kind).iter();
+        let claim = claims.find(|claim| claim.text("id") == Some(&file.id));
+        let claim = claim.ok_or(Reason::NoSuchClaim)?;
+        if let Some(path) = misfit(claim, &file.kind) {
+            return Err(Reason::Field(path).into());
+        }
+        let recovered = match &file.kind[..] {
+            "table" => cell::agree(paper, claim, recovered, &file)?,
+            _ => theorem::agree(paper, claim, &file).map(|()| Vec::new())?,
+        };
+        Ok(Agreement { id: file.id.clone(), theorems: file.statements.len(), recovered })
+    };
+    // What is wrong with all theorems stands in the first lines.
+    agreement().map_err(|rejection: Rejection| rejection.at(1))
+}
+
+/// A text of the claim file as comments of Coq hold it: in one line, and without what would end a comment.
+fn comment(text: &str) -> String {
+    let words: Vec<&str> = text.split_whitespace().collect();
+    words.join(" ").replace("(*", "( *").replace("*)", "* )").replace('"', "'")
+}
+
+/// The mask of a scheme at an offset, or its difference mask; `None` if it is not rational.
+fn mask(offset: i64, rules: &[Vec<Value>]) -> Option<Object> {
+    let row = |row: &Vec<Value>| row.iter().map(Value::rational).collect();
+    Some(Object::Mask(offset, rules.iter().map(row).collect::<Option<_>>()?))
+}
+
+/// The arguments that a statement has to begin with: the masks of the schemes, at an offset or at their own.
+fn masks<'s>(
+    schemes: impl IntoIterator<Item = &'s Scheme>,
+    offset: Option<i64>,
+) -> Checked<Vec<Argument>> {
+    let of =
+        |scheme: &Scheme| mask(offset.unwrap_or(scheme.offset), &scheme.mask).map(Argument::Object);
+    let masks: Option<Vec<Argument>> = schemes.into_iter().map(of).collect();
+    masks.ok_or(Reason::Malformed("rational masks").into())
+}
+
+/// A rational number.
+fn rational(value: &Value) -> Checked<Q> {
+    value.rational().ok_or(Reason::Malformed("rational numbers").into())
+}
+
+/// Weights for the points of a ring, with its edges.
+fn ring(ring: &LocalRules<'_>, weights: &[Vec<Value>]) -> Checked<Argument> {
+    let row = |row: &Vec<Value>| row.iter().map(rational).collect();
+    let weights = weights.iter().map(row).collect::<Checked<Vec<Vec<Q>>>>()?;
+    Ok(Argument::Object(Object::Ring(weights, ring.edges.clone())))
+}
+
+/// Checks that a theorem is this statement, and that its arguments begin with these.
+fn stated(theorem: &Theorem, statement: &str, arguments: &[Argument]) -> Checked<()> {
+    compare(theorem.statement == statement, &theorem.statement, statement, Reason::Stated)?;
+    let enough = theorem.arguments.len() >= arguments.len();
+    require(enough, Reason::Malformed("the arguments of the statement"))?;
+    for (said, found) in theorem.arguments.iter().zip(arguments) {
+        compare(said == found, said, found, Reason::Stated)?;
+    }
+    Ok(())
+}

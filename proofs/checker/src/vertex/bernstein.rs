@@ -1,0 +1,130 @@
+//! Polynomials on a square or a triangle by their coefficients in Bernstein form.
+
+use super::ball::Ball;
+use crate::decimal::{Q, int};
+
+/// The coefficients x_{i,j} of Σ x_{i,j} C(d,i)u^i(1−u)^{d−i} C(d,j)v^j(1−v)^{d−j}; or, on a triangle, for i + j ≤ d, of
+/// Σ x_{i,j} d!/(i!j!(d−i−j)!) u^i v^j (1−u−v)^{d−i−j}.
+#[derive(Clone, Debug)]
+pub struct Form {
+    /// Whether it is a polynomial on a triangle.
+    pub triangle: bool,
+    /// The coefficients.
+    pub rows: Vec<Vec<Ball>>,
+}
+
+fn choose(n: usize, k: usize) -> Q {
+    let number = |n: usize| int(i64::try_from(n).unwrap_or(1));
+    (0..k).fold(int(1), |product, i| product * number(n - i) / number(i + 1))
+}
+
+impl Form {
+    /// The degree in u and in v; that of v where both differ comes last.
+    fn degrees(&self) -> (usize, usize) {
+        (self.rows.len() - 1, self.rows.first().map_or(1, Vec::len) - 1)
+    }
+
+    fn binomial(&self, i: usize, j: usize) -> Q {
+        let (d, e) = self.degrees();
+        choose(d, i) * choose(if self.triangle { d - i } else { e }, j)
+    }
+
+    fn map(&self, entry: impl Fn(usize, usize) -> Ball) -> Form {
+        let row = |(i, row): (usize, &Vec<Ball>)| (0..row.len()).map(|j| entry(i, j)).collect();
+        Form { triangle: self.triangle, rows: self.rows.iter().enumerate().map(row).collect() }
+    }
+
+    /// The derivative along u.
+    pub fn along_u(&self) -> Form {
+        let d = self.rows.len() - 1;
+        let factor = Ball::from(i64::try_from(d).unwrap_or(1));
+        let row = |i: usize| {
+            let pairs = self.rows[i + 1].iter().zip(&self.rows[i]);
+            pairs.map(|(next, this)| next.minus(this).times(&factor)).collect()
+        };
+        Form { triangle: self.triangle, rows: (0..d).map(row).collect() }
+    }
+
+    /// u and v exchanged.
+    pub fn exchanged(&self) -> Form {
+        let columns = self.rows.first().map_or(0, Vec::len);
+        let column = |j: usize| self.rows.iter().filter_map(|row| row.get(j).cloned()).collect();
+        Form { triangle: self.triangle, rows: (0..columns).map(column).collect() }
+    }
+
+    /// The product.
+    pub fn times(&self, other: &Form) -> Form {
+        let ((d, e), (f, g)) = (self.degrees(), other.degrees());
+        let length = |i: usize| if self.triangle { d + f - i + 1 } else { e + g + 1 };
+        let rows = (0..=d + f).map(|i| vec![Ball::from(0); length(i)]).collect();
+        let mut sum = Form { triangle: self.triangle, rows };
+        for (i, row) in self.rows.iter().enumerate() {
+            for (j, x) in row.iter().enumerate() {
+                for (k, others) in other.rows.iter().enumerate() {
+                    for (l, y) in others.iter().enumerate() {
+                        let weight = self.binomial(i, j) * other.binomial(k, l);
+                        let weight = Ball::from(&(weight / sum.binomial(i + k, j + l)));
+                        let term = x.times(y).times(&weight);
+                        sum.rows[i + k][j + l] = sum.rows[i + k][j + l].plus(&term);
+                    }
+                }
+            }
+        }
+        sum
+    }
+
+    /// self − other.
+    pub fn minus(&self, other: &Form) -> Form {
+        self.map(|i, j| self.rows[i][j].minus(&other.rows[i][j]))
+    }
+
+    /// Times a number.
+    pub fn scaled(&self, factor: &Ball) -> Form {
+        self.map(|i, j| self.rows[i][j].times(factor))
+    }
+
+    /// A half. A square is cut at u = 1/2, and u and v are exchanged then. A triangle with the corners A, B, C at (0, 0),
+    /// (1, 0), (0, 1) is cut from C to the middle M of AB; the halves have the corners C, A, M and C, B, M.
+    pub fn half(&self, second: bool) -> Form {
+        let half = Ball::from(&(int(1) / int(2)));
+        // The columns: polynomials in u of degree d − j, or d.
+        let columns = self.exchanged().rows.into_iter().map(|mut line| {
+            let mut kept = Vec::new();
+            while let (Some(first), Some(last)) = (line.first(), line.last()) {
+                kept.push(if second { last.clone() } else { first.clone() });
+                line = line.windows(2).map(|pair| pair[0].plus(&pair[1]).times(&half)).collect();
+            }
+            if second && !self.triangle {
+                kept.reverse();
+            }
+            kept
+        });
+        let columns: Vec<Vec<Ball>> = columns.collect();
+        if !self.triangle {
+            return Form { triangle: false, rows: columns };
+        }
+        // In column j, the entry m has the powers j at C, m at M and d − j − m at the other end.
+        let d = self.rows.len() - 1;
+        let row = |end: usize| (0..=d - end).map(|m| columns[d - end - m][m].clone()).collect();
+        Form { triangle: true, rows: (0..=d).map(row).collect() }
+    }
+
+    /// The value at a place.
+    pub fn at(&self, u: &Q, v: &Q) -> Ball {
+        let power = |x: &Q, k: usize| (0..k).fold(int(1), |product, _| product * x);
+        let (d, e) = self.degrees();
+        let mut sum = Ball::from(0);
+        for (i, row) in self.rows.iter().enumerate() {
+            for (j, x) in row.iter().enumerate() {
+                let rest = if self.triangle {
+                    power(&(int(1) - u - v), d - i - j)
+                } else {
+                    power(&(int(1) - u), d - i) * power(&(int(1) - v), e - j)
+                };
+                let weight = self.binomial(i, j) * power(u, i) * power(v, j) * rest;
+                sum = sum.plus(&x.times(&Ball::from(&weight)));
+            }
+        }
+        sum
+    }
+}

@@ -1,0 +1,178 @@
+//! What a certificate shows of the surface at one vertex or on one face.
+
+use super::ball::Ball;
+use super::bernstein::Form;
+use super::inner::Inner;
+use super::lattice::Part;
+use super::net::Net;
+use super::pieces::{Piece, pieces};
+use super::spectrum;
+use crate::certificate::Block;
+use crate::decimal::{Q, int, read_rational};
+use crate::local_rules::LocalRules;
+use crate::reject::{Checked, Reason, Stop, agree, require};
+use num_traits::Zero;
+
+/// The most bisections of a piece.
+const MAX_BISECTIONS: usize = 24;
+
+/// What is shown of the surface of generic data.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Found {
+    /// It is C¹.
+    Smooth,
+    /// It is not C¹.
+    Rough,
+}
+
+/// A number of a line.
+fn number(text: Option<&str>) -> Checked<Q> {
+    Ok(text.and_then(read_rational).ok_or(Reason::Malformed("a number"))?)
+}
+
+/// Reads the lines from `part` on, about the rules of a ring.
+pub fn check_vertex(ring: &LocalRules<'_>, block: &mut Block<'_>) -> Checked<Found> {
+    let inner = Inner::read(ring)?;
+    agree(block.after("part")?, inner.part.name(), Reason::Said)?;
+    let mut words = block.after("eigenvalue")?.split_whitespace();
+    let k = words.next().and_then(|k| k.parse().ok()).ok_or(Reason::Malformed("a block"))?;
+    let (low, high) = (number(words.next())?, number(words.next())?);
+    require(words.next().is_none(), Reason::Malformed("a block and two numbers"))?;
+    let r = number(Some(block.after("below")?))?;
+    spectrum::check(&inner, k, [&low, &high], &r)?;
+    let value = Ball::between(&low, &high);
+    let net = Net::of(&inner, k, &value)?;
+    let ring = pieces(&net.refined(&value)?)?;
+    if k == 0 {
+        // A face has no other eigenvalue of block 0.
+        block.word("outer")?;
+        let curve = outer_curve(&net, &ring);
+        let one = [1, -1].iter().any(|side| curve.iter().all(|x| x.sign() == Some(*side)));
+        require(one, Reason::Vertex("the eigenfunction has one sign on the outer curve"))?;
+        return Ok(Found::Rough);
+    }
+    let unit = unit(&net)?;
+    let forms: Vec<Form> = ring.iter().map(|piece| jacobian(piece).scaled(&unit)).collect();
+    if block.next_word() == "positive" {
+        for (word, sign) in [("positive", 1), ("negative", -1)] {
+            let mut words = block.after(word)?.split_whitespace();
+            let (a, b) = (number(words.next())?, number(words.next())?);
+            require(words.next().is_none(), Reason::Malformed("two numbers"))?;
+            let found = at(&ring, &forms, [&a, &b])?.sign();
+            require(found == Some(sign), Reason::Vertex("the Jacobian has this sign there"))?;
+        }
+        return Ok(Found::Rough);
+    }
+    let side = match block.after("jacobian")? {
+        "+" => 1,
+        "-" => -1,
+        _ => return Err(Reason::Malformed("+ or -").into()),
+    };
+    for (place, form) in forms.iter().enumerate() {
+        covered(block, place, form, &mut String::new(), side)?;
+    }
+    let negative = high < Q::zero();
+    if side == 1 && k == 1 && !negative {
+        let curve = outer_curve(&net, &ring);
+        let one = [1, -1].iter().any(|side| curve.iter().all(|x| x.sign() == Some(*side)));
+        require(one, Reason::Vertex("the outer curve of a sector is in the half-plane"))?;
+        return Ok(Found::Smooth);
+    }
+    // For λ < 0, for k ≥ 2, and for a negative Jacobian the map is not injective.
+    Ok(Found::Rough)
+}
+
+/// 1 over the square of the length of the first point; 1 where that may be 0.
+fn unit(net: &Net) -> Checked<Ball> {
+    let [p, q] = net.at(if net.part == Part::Biquadratic { (0, 0) } else { (1, 0) })?;
+    let twice = net.cosine.plus(&net.cosine);
+    let square = p.times(&p).plus(&q.times(&q)).plus(&twice.times(&p.times(&q)));
+    Ok(square.inverse().unwrap_or_else(|| Ball::from(1)))
+}
+
+/// p_u·q_v − p_v·q_u.
+fn jacobian(piece: &Piece) -> Form {
+    let [p, q] = &piece.coordinates;
+    let along_v = |form: &Form| form.exchanged().along_u().exchanged();
+    p.along_u().times(&along_v(q)).minus(&along_v(p).times(&q.along_u()))
+}
+
+/// Reads the boxes of a part of a piece, and checks that they cover it.
+fn covered(
+    block: &mut Block<'_>,
+    place: usize,
+    form: &Form,
+    path: &mut String,
+    side: i8,
+) -> Checked<()> {
+    block.look();
+    let line = block.peek().ok_or(Reason::Malformed("box"))?;
+    let mut words = line.text.split_whitespace();
+    let head = [words.next(), words.next(), words.next()];
+    let [Some("box"), Some(piece), Some(said)] = head else {
+        return Err(Reason::Malformed("box").into());
+    };
+    require(piece == place.to_string(), Reason::Vertex("the boxes cover the pieces in order"))?;
+    let said = if said == "-" { "" } else { said };
+    if said == path {
+        let least = number(words.next())?;
+        require(words.next().is_none(), Reason::Malformed("a box"))?;
+        require(least > Q::zero(), Reason::Vertex("a positive bound of the coefficients"))?;
+        let bound = Ball::from(&least);
+        for x in form.rows.iter().flatten() {
+            let holds = x.sign() == Some(side) && bound.is_below(&x.least_size());
+            require(
+                holds,
+                Reason::Vertex("the coefficients have this sign, and are above the bound"),
+            )?;
+        }
+        block.any()?;
+        return Ok(());
+    }
+    let inside = said.starts_with(path.as_str()) && path.len() < MAX_BISECTIONS;
+    require(inside, Reason::Vertex("the boxes cover the pieces in order"))?;
+    for (digit, second) in [('0', false), ('1', true)] {
+        path.push(digit);
+        covered(block, place, &form.half(second), path, side)?;
+        path.pop();
+    }
+    Ok(())
+}
+
+/// The value of the Jacobian at a place on the lattice of the refined points.
+fn at(ring: &[Piece], forms: &[Form], [a, b]: [&Q; 2]) -> Checked<Ball> {
+    for (piece, form) in ring.iter().zip(forms) {
+        let along = |x: &Q, corner: i32| (x - int(corner.into())) * int(piece.direction.into());
+        let (u, v) = (along(a, piece.corner.0), along(b, piece.corner.1));
+        let within = |x: &Q| *x >= Q::zero() && *x <= int(1);
+        if within(&u) && within(&v) && (!form.triangle || &u + &v <= int(1)) {
+            return Ok(form.at(&u, &v));
+        }
+    }
+    Err(Stop::Undefined("no place of the ring").into())
+}
+
+/// The coefficients of p + q, or on a face p + cq, on the outer curve of sector 0.
+fn outer_curve(net: &Net, ring: &[Piece]) -> Vec<Ball> {
+    let factor = if net.part == Part::Biquadratic { net.cosine.clone() } else { Ball::from(1) };
+    let mut curve = Vec::new();
+    for piece in ring {
+        let [p, q] = &piece.coordinates;
+        let d = p.rows.len() - 1;
+        let mut add =
+            |i: usize, j: usize| curve.push(p.rows[i][j].plus(&factor.times(&q.rows[i][j])));
+        if p.triangle {
+            if piece.direction == 1 {
+                (0..=d).for_each(|i| add(i, d - i));
+            }
+            continue;
+        }
+        if piece.corner.0 == 1 {
+            (0..=d).for_each(|j| add(d, j));
+        }
+        if piece.corner.1 == 1 {
+            (0..=d).for_each(|i| add(i, d));
+        }
+    }
+    curve
+}

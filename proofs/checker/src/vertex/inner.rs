@@ -1,0 +1,151 @@
+//! The rules on the inner ring, and their Fourier blocks.
+
+use super::ball::Ball;
+use super::lattice::Part;
+use crate::decimal::{Q, int};
+use crate::local_rules::LocalRules;
+use crate::number::Number;
+use crate::reject::{Checked, Reason, Stop, require};
+use crate::value::Value;
+
+/// The inner ring.
+pub struct Inner {
+    /// Its regular part.
+    pub part: Part,
+    /// The valence n.
+    pub order: usize,
+    /// For each orbit: its first point, and its number of points.
+    orbits: Vec<(usize, usize)>,
+    weights: Vec<Vec<Value>>,
+}
+
+const RING: Reason = Reason::Vertex(
+    "the orbits are those of a regular part, the weights are the same in all \
+                                     sectors and their own mirror image, and only those of the vertex or face are free",
+);
+
+fn integer(n: usize) -> Q {
+    int(i64::try_from(n).unwrap_or(i64::MAX))
+}
+
+/// cos(2π·turn).
+fn cosine(turn: &Q) -> Result<Ball, Stop> {
+    Ok(Ball::of(&Number::cosine(turn)?))
+}
+
+impl Inner {
+    /// The rules of a ring, if its orbits are those of a regular part. The weights have to be the same in all sectors,
+    /// and their own mirror image; those of points other than the vertex have to be those of the regular part.
+    pub fn read(ring: &LocalRules<'_>) -> Checked<Inner> {
+        let mut orbits: Vec<(usize, usize)> = Vec::new();
+        let mut names: Vec<&str> = Vec::new();
+        for (place, name) in ring.names.iter().enumerate() {
+            let name = name.split('[').next().unwrap_or_default();
+            if names.last() == Some(&name) {
+                if let Some((_, count)) = orbits.last_mut() {
+                    *count += 1;
+                }
+            } else {
+                names.push(name);
+                orbits.push((place, 1));
+            }
+        }
+        let part = Part::of_orbits(&names).ok_or(RING)?;
+        let order = orbits.last().map_or(0, |(_, count)| *count);
+        let counts = names.iter().zip(&orbits);
+        let fits = |(name, (_, count)): (&&str, &(usize, usize))| {
+            *count == if *name == "vertex" { 1 } else { order }
+        };
+        require(order >= 3 && counts.into_iter().all(fits), RING)?;
+        let inner = Inner { part, order, orbits, weights: ring.weights.clone() };
+        require(inner.is_symmetric() && inner.is_regular(), RING)?;
+        Ok(inner)
+    }
+
+    /// The point of an orbit in a sector.
+    fn point(&self, orbit: usize, sector: usize) -> usize {
+        let (first, count) = self.orbits[orbit];
+        first + sector % count
+    }
+
+    /// Twice the angle of the first point of an orbit, in sectors.
+    fn offset(&self, orbit: usize) -> usize {
+        usize::from(self.part == Part::Bicubic && orbit == 2)
+    }
+
+    /// The weight of the point in a sector of an orbit in the first point of another.
+    fn weight(&self, a: usize, b: usize, sector: usize) -> &Value {
+        &self.weights[self.point(a, 0)][self.point(b, sector)]
+    }
+
+    fn is_symmetric(&self) -> bool {
+        let (n, all) = (self.order, 0..self.orbits.len());
+        all.clone().all(|a| {
+            all.clone().all(|b| {
+                (0..n).all(|d| {
+                    let weight = self.weight(a, b, d);
+                    let turned = (0..n).all(|s| {
+                        let (row, column) = (self.point(a, s), self.point(b, d + s));
+                        self.weights[row][column] == *weight
+                    });
+                    // The mirror of sector 0 takes the angle d + β/2 to α − d − β/2.
+                    let mirrored = (2 * n + self.offset(a) - self.offset(b) - d) % n;
+                    turned && *self.weight(a, b, mirrored) == *weight
+                })
+            })
+        })
+    }
+
+    /// Whether the weights in all points but the vertex are those of the regular part. On a face all are free.
+    fn is_regular(&self) -> bool {
+        if self.part == Part::Biquadratic {
+            return true;
+        }
+        for a in 1..self.orbits.len() {
+            let mut row = vec![int(0); self.weights.len()];
+            for (place, weight) in self.part.rule(self.part.inner()[a]) {
+                let (home, turns) = self.part.turned(place);
+                let Some(orbit) = self.part.inner().iter().position(|known| *known == home) else {
+                    return false;
+                };
+                let order = i32::try_from(self.order).unwrap_or(i32::MAX);
+                let sector = usize::try_from(turns.rem_euclid(order)).unwrap_or(0);
+                row[self.point(orbit, sector)] += weight;
+            }
+            let own = &self.weights[self.point(a, 0)];
+            if !row.into_iter().zip(own).all(|(regular, own)| Value::from(regular) == *own) {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// Block k in real form: the entries Σ_d m_{(a,0),(b,d)} cos(2πk(d + β/2 − α/2)/n), of all orbits for k = 0, otherwise of
+    /// those of n points. It is similar to the Fourier block.
+    pub fn block(&self, k: usize) -> Result<Vec<Vec<Ball>>, Stop> {
+        let orbits = || (0..self.orbits.len()).filter(|&a| k == 0 || self.orbits[a].1 > 1);
+        let entry = |(a, b): (usize, usize)| -> Result<Ball, Stop> {
+            let mut sum = Ball::from(0);
+            for d in 0..self.orbits[b].1 {
+                let weight = self.weight(a, b, d);
+                if !weight.is_zero() {
+                    let angle = integer(2 * d + self.offset(b)) - integer(self.offset(a));
+                    let turn = angle * integer(k) / integer(2 * self.order);
+                    sum = sum.plus(&Ball::of(weight.number()?).times(&cosine(&turn)?));
+                }
+            }
+            Ok(sum)
+        };
+        orbits().map(|a| orbits().map(|b| entry((a, b))).collect()).collect()
+    }
+
+    /// cos(2πk/n).
+    pub fn cosine(&self, k: usize) -> Result<Ball, Stop> {
+        cosine(&(integer(k) / integer(self.order)))
+    }
+
+    /// cos(πk/n).
+    pub fn half_cosine(&self, k: usize) -> Result<Ball, Stop> {
+        cosine(&(integer(k) / integer(2 * self.order)))
+    }
+}

@@ -1,0 +1,17 @@
+//! Surfaces at an extraordinary vertex or on an extraordinary face (FORMAT.md, Vertices and faces).
+
+// Numbers with proven errors, linear equations and polynomials.
+mod ball;
+mod bernstein;
+mod equations;
+
+// The regular parts, the rules, and the ring of an eigenvector.
+mod inner;
+mod lattice;
+mod net;
+mod pieces;
+mod spectrum;
+
+mod check;
+
+pub use check::{Found, check_vertex};

@@ -1,0 +1,200 @@
+//! Theorems of Coq: the files of the papers agree with their claim files, and none does that says something else.
+
+use std::fs::{read_dir, read_to_string};
+use std::path::PathBuf;
+use subcert_check::{Agreement, Reason, Rejection, check_theorems};
+
+fn proofs() -> PathBuf {
+    PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
+}
+
+fn text(path: &str) -> String {
+    let path = proofs().join(path);
+    read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// The outcome for each text; the tables of the paper need no certificate.
+fn outcomes(key: &str, texts: &[&str]) -> Vec<Result<Agreement, Rejection>> {
+    check_theorems(&text(&format!("claims/{key}.toml")), &[], texts).expect("a claim file")
+}
+
+/// Every file of the papers without recovered parameters.
+#[test]
+fn the_files_of_the_papers_agree() {
+    for key in ["khan2019-newton", "khan2022-doo-sabin", "mustafa2007-bajaj", "mustafa2020-nary"] {
+        let folder = proofs().join("coq/papers").join(key.replace('-', "_"));
+        let files = read_dir(folder).expect("a folder").map(|file| file.expect("a file").path());
+        let texts: Vec<String> = files
+            .filter(|file| file.extension().is_some_and(|extension| extension == "v"))
+            .map(|file| read_to_string(file).expect("a text"))
+            .filter(|text| key != "mustafa2020-nary" || !text.contains("(* Not stated: "))
+            .collect();
+        assert!(!texts.is_empty());
+        let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
+        for (text, outcome) in texts.iter().zip(outcomes(key, &texts)) {
+            let head = text.lines().next().unwrap_or_default();
+            let theorems = text.matches("\nTheorem ").count();
+            assert_eq!(outcome.map(|agreement| agreement.theorems), Ok(theorems), "{head}");
+        }
+    }
+}
+
+/// What is changed in a file, and how the reason begins for which it is rejected.
+type Change = (&'static str, &'static str, &'static str);
+
+/// The form of the file: nothing that could give a name another meaning, or hide a theorem.
+const FORM: &str = "the file does not have the form";
+/// Another statement or comment than the claim file gives.
+const STATED: &str = "the theorem says ";
+
+/// Each of these compiles, or did before the form was read strictly, but for those in a mask or proof.
+const FORMS: [Change; 17] = [
+    (
+        "\n(* row 1",
+        "\nDefinition contraction_constant (s : scheme) (c : nat) (T : Q) := True.\n\n(* row 1",
+        FORM,
+    ),
+    ("\n(* row 1", "\nNotation \"'scheme_1'\" := other.\n\n(* row 1", FORM),
+    (
+        "\n(* row 1",
+        "\nSection Hidden.\nVariable bounds_distance : scheme -> nat -> Q -> Prop.\n\n(* row 1",
+        FORM,
+    ),
+    ("\n(* row 1", "\nHypothesis all : forall P : Prop, P.\n\n(* row 1", FORM),
+    ("\n(* row 1", "\nParameter all : forall P : Prop, P.\n\n(* row 1", FORM),
+    ("\n(* row 1", "\nModule Type Hidden.\n\n(* row 1", FORM),
+    ("\n(* row 1", "\nFrom Other Require Import Definitions.\n\n(* row 1", FORM),
+    ("List.\n", "List Other.\n", FORM),
+    ("Local Open Scope Q_scope.\n", "Local Open Scope Z_scope.\n", FORM),
+    ("Theorem finding_1", "Theorem finding_2", FORM),
+    ("Theorem finding_1", "(* *) Theorem finding_1", FORM),
+    ("(eq_refl true). Qed.", "(eq_refl true). Admitted.", FORM),
+    ("(eq_refl true). Qed.", "(eq_refl true). Qed. Axiom a : False.", FORM),
+    (" *)\n(* This bound", " *) (* \n *)\n(* This bound", FORM),
+    (
+        "Theorem finding_1 :\n  bounds_distance scheme_1",
+        "Theorem finding_1 :\n  bounds_distance scheme_2",
+        FORM,
+    ),
+    ("bounds_distance scheme_1 1 (1 # 4)", "bounds_distance scheme_1 1 (1 # 4) \\/ True", FORM),
+    // A Greek letter in place of a Latin one, which looks alike.
+    (
+        "Theorem finding_1 :\n  bounds_distance",
+        "Theorem finding_1 :\n  b\u{3bf}unds_distance",
+        FORM,
+    ),
+];
+
+/// Differences from the claim file. All are well-formed, and Coq accepts many of them.
+const NEWTON: [Change; 14] = [
+    ("khan2019-newton, table", "khan2019-other, table", STATED),
+    ("table table-1 (", "table table-2 (", STATED),
+    ("table table-1 (", "table table-9 (", "the claim file has no such claim"),
+    ("row 1, column 1: ", "row 1, column 2: ", STATED),
+    ("row 1, column 1: ", "row 9, column 1: ", "the table has no such cell"),
+    ("j = 0, κ = 1 prints", "j = 1, κ = 1 prints", STATED),
+    ("prints 0.002500", "prints 0.002600", STATED),
+    ("Scheme 4 0 [[3; 1]; [1; 3]]", "Scheme 4 0 [[3; 1]; [2; 2]]", STATED),
+    ("Scheme 4 0 [[3; 1]; [1; 3]]", "Scheme 4 0 [[1; 3]; [3; 1]]", STATED),
+    ("Scheme 4 0 [[3; 1]; [1; 3]]", "Scheme 4 1 [[3; 1]; [1; 3]]", STATED),
+    ("Scheme 4 0 [[3; 1]; [1; 3]]", "Scheme 5 0 [[3; 1]; [1; 3]]", STATED),
+    ("bounds_distance scheme_1 1 (1 # 4)", "bounds_distance scheme_1 2 (1 # 4)", STATED),
+    ("scheme_1 4 1 (39 # 1250)", "scheme_1 4 1 (38 # 1250)", STATED),
+    ("Broken at level 4: 39/125000", "Broken at level 4: 39/125001", STATED),
+];
+
+const BOUND: [Change; 9] = [
+    ("theorem theorem-5 (", "theorem theorem-4 (", STATED),
+    ("(20): The distance", "(21): The distance", STATED),
+    (
+        "Refuted for quinary-three-point, c = 2",
+        "Refuted for quinary-three-point, c = 20",
+        "the claim lists",
+    ),
+    ("Refuted for quinary-three-point", "Refuted for chaikin", STATED),
+    ("at level 0; the bound is", "at level 1; the bound is", STATED),
+    ("the bound is sigma", "the bound is 2*sigma", STATED),
+    ("[7; 21; -3]", "[7; 20; -2]", STATED),
+    (
+        "exceeds_distance scheme_1 0 1 (125 # 144)",
+        "exceeds_distance scheme_1 0 2 (125 # 144)",
+        STATED,
+    ),
+    (
+        "exceeds_distance scheme_1 0 1 (125 # 144)",
+        "exceeds_distance scheme_1 0 1 (126 # 144)",
+        STATED,
+    ),
+];
+
+/// The interpolant of the claim, and not the points before.
+const RING: [Change; 3] = [
+    ("ring_1 ring_2 0 1", "ring_1 ring_1 0 1", STATED),
+    ("[27; 6; 6; 6; 1; 1; 1]", "[28; 5; 6; 6; 1; 1; 1]", STATED),
+    ("(0, 1); (0, 2)", "(0, 1); (1, 2)", STATED),
+];
+
+#[test]
+fn nothing_else_is_accepted() {
+    let files: [(&str, &str, &[Change]); 4] = [
+        ("khan2019-newton", "khan2019_newton/table_1", &FORMS),
+        ("khan2019-newton", "khan2019_newton/table_1", &NEWTON),
+        ("mustafa2020-nary", "mustafa2020_nary/theorem_5", &BOUND),
+        ("mustafa2007-bajaj", "mustafa2007_bajaj/eq_37_step", &RING),
+    ];
+    for (key, file, changes) in files {
+        let original = text(&format!("coq/papers/{file}.v"));
+        let changed: Vec<String> =
+            changes.iter().map(|(old, new, _)| original.replacen(old, new, 1)).collect();
+        let texts: Vec<&str> = changed.iter().map(String::as_str).collect();
+        for ((change, text), outcome) in changes.iter().zip(&texts).zip(outcomes(key, &texts)) {
+            let (old, new, reason) = change;
+            assert_ne!(*text, original, "{file} does not say `{old}`");
+            let found = outcome.expect_err(new).reason.to_string();
+            assert!(found.starts_with(reason), "{file}, `{new}`: {found}");
+        }
+    }
+}
+
+/// T_c has an order and a number of levels, which the cell has to use.
+#[test]
+fn constants_are_those_of_the_cell() {
+    let original = text("coq/papers/mustafa2020_nary/table_13.v");
+    assert!(outcomes("mustafa2020-nary", &[&original])[0].is_ok());
+    for (old, new) in [
+        ("contraction_constant scheme_1 1 ", "scheme_norm scheme_1 1 "),
+        ("contraction_constant scheme_1 1 ", "contraction_constant scheme_1 5 "),
+    ] {
+        let lemma = |text: &str| text.split(' ').next().unwrap_or_default().to_owned() + "_by";
+        let changed = original.replacen(old, new, 1).replacen(&lemma(old), &lemma(new), 1);
+        assert_ne!(changed, original, "{old}");
+        let outcome = &outcomes("mustafa2020-nary", &[&changed])[0];
+        let reason = outcome.as_ref().expect_err(new).reason.clone();
+        assert_eq!(reason, Reason::NotAsked, "{new}");
+    }
+}
+
+/// A value that the paper does not state is that of a valid certificate.
+#[test]
+fn recovered_values_come_from_a_certificate() {
+    let claims = text("claims/mustafa2020-nary.toml");
+    let theorems = text("coq/papers/mustafa2020_nary/table_1.v");
+    let certificate = text("certificates/mustafa2020-nary.cert");
+    let (start, end) = ("table table-1\n", "table table-2\n");
+    let from = certificate.find(start).expect("the table");
+    let to = certificate.find(end).expect("the next one");
+    let block = &certificate[from..to];
+    let head = "subcert-certificate 4\npaper mustafa2020-nary\n";
+    let one = format!("{head}{block}end 1\n");
+    let other = one.replacen("recovered w 39/2000", "recovered w 39/2001", 1);
+    let reason = |certificates: &[&str], theorems: &str| {
+        let outcomes = check_theorems(&claims, certificates, &[theorems]).expect("claims");
+        outcomes[0].as_ref().map_err(|rejection| rejection.reason.to_string()).err()
+    };
+    assert_eq!(reason(&[&one], &theorems), None);
+    let without = "no valid certificate gives a value of w";
+    assert_eq!(reason(&[], &theorems).as_deref(), Some(without));
+    assert_eq!(reason(&[&other], &theorems).as_deref(), Some(without), "an invalid certificate");
+    let changed = theorems.replacen("w = 39/2000 *)", "w = 1/16 *)", 1);
+    assert!(reason(&[&one], &changed).is_some_and(|reason| reason.starts_with(STATED)));
+}

@@ -1,0 +1,66 @@
+//! Work that is spread over all cores.
+
+use std::num::NonZero;
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicIsize, AtomicUsize, Ordering};
+use std::thread::{self, available_parallelism};
+
+/// The cores that have nothing to do.
+fn idle() -> &'static AtomicIsize {
+    static IDLE: OnceLock<AtomicIsize> = OnceLock::new();
+    let others = || available_parallelism().map_or(1, NonZero::get) - 1;
+    IDLE.get_or_init(|| AtomicIsize::new(isize::try_from(others()).unwrap_or(0)))
+}
+
+/// Takes an idle core, if there is one.
+fn taken() -> bool {
+    idle().fetch_update(Ordering::AcqRel, Ordering::Acquire, |n| (n > 0).then_some(n - 1)).is_ok()
+}
+
+/// The results of all jobs, in the order of the jobs, whichever thread does them. A job may call
+/// this itself: all calls together share the cores, and a call whose own jobs are done leaves its
+/// core to the others.
+///
+/// # Panics
+/// When a job does.
+pub(crate) fn map<J: Sync, T: Send>(jobs: &[J], run: impl Fn(&J) -> T + Sync) -> Vec<T> {
+    let next = AtomicUsize::new(0);
+    let mut done = thread::scope(|scope| {
+        let run = &run;
+        let next = &next;
+        let job = move || {
+            let place = next.fetch_add(1, Ordering::Relaxed);
+            jobs.get(place).map(|job| (place, run(job)))
+        };
+        let helper = move || {
+            let done: Vec<(usize, T)> = std::iter::from_fn(job).collect();
+            idle().fetch_add(1, Ordering::AcqRel);
+            done
+        };
+        let (mut done, mut helpers) = (Vec::new(), Vec::new());
+        loop {
+            // A core may have become idle since the last job.
+            while next.load(Ordering::Relaxed) + 1 < jobs.len() && taken() {
+                helpers.push(scope.spawn(helper));
+            }
+            let Some(one) = job() else { break };
+            done.push(one);
+        }
+        if !helpers.is_empty() {
+            idle().fetch_add(1, Ordering::AcqRel);
+        }
+        let waits = !helpers.is_empty();
+        for helper in helpers {
+            match helper.join() {
+                Ok(others) => done.extend(others),
+                Err(panic) => std::panic::resume_unwind(panic),
+            }
+        }
+        if waits {
+            idle().fetch_sub(1, Ordering::AcqRel);
+        }
+        done
+    });
+    done.sort_by_key(|(place, _)| *place);
+    done.into_iter().map(|(_, result)| result).collect()
+}

@@ -1,0 +1,253 @@
+//! The depth of one polygon mesh by the distance of mesh and limit as sets of points.
+
+use super::faces::{FaceRow, FacesFormat};
+use super::mesh::{digits, point};
+use super::promise::Formula;
+use super::refined::rounded;
+use crate::cli::arguments::DepthArguments;
+use crate::cli::finding::{Destination, command};
+use crate::cli::json::{SCHEMA, geometric_depth as form, mesh_depth};
+use crate::cli::output::Outcome;
+use subcert::exact::{Rational, format::short};
+use subcert::float::shortest;
+use subcert::mesh::{MeshScheme, PolygonMesh};
+use subcert::patch::{APriori, FaceDepth, FaceSurface, GeometricDepth, GeometricPlace};
+use subcert::report::Sheet;
+use subcert::report::html::{ColouredFaces, FindingPage, Picture};
+
+/// What each face needs, and its distance at the level found.
+pub(super) struct Faces {
+    pub(super) depths: Vec<FaceDepth>,
+    /// Lower and upper bounds at the level.
+    pub(super) distances: Vec<[f64; 2]>,
+}
+
+impl Faces {
+    /// The rows of `--per-face`.
+    fn rows(&self, level: u32) -> Vec<FaceRow> {
+        let row = |(depth, bounds): (&FaceDepth, &[f64; 2])| FaceRow {
+            level,
+            bounds: *bounds,
+            own: Some((depth.level, depth.is_least)),
+        };
+        self.depths.iter().zip(&self.distances).map(row).collect()
+    }
+
+    /// The picture of the distances.
+    fn picture(&self, name: &str, mesh: &PolygonMesh<Rational>, level: u32) -> Option<Picture> {
+        let points: Vec<[f64; 3]> = mesh.points().iter().map(rounded).collect();
+        let values: Vec<f64> = self.distances.iter().map(|[_, upper]| *upper).collect();
+        Picture::of_faces(&ColouredFaces {
+            name,
+            values_are: format!("upper bound of the Hausdorff distance at level {level}"),
+            points: &points,
+            faces: mesh.faces(),
+            values: &values,
+            place: None,
+            note: "Bounds are the tolerance, or a half, a quarter or an eighth of it.",
+        })
+    }
+
+    /// How many faces there are at one level for all, and where each face has its own.
+    fn counts(&self, mesh: &PolygonMesh<Rational>, scheme: MeshScheme, level: u32) -> [f64; 2] {
+        let count = |face: &Vec<usize>, level: u32| {
+            let first = match scheme {
+                MeshScheme::Loop | MeshScheme::LoopWarren => 4,
+                _ => face.len(),
+            };
+            let first = f64::from(u32::try_from(first).unwrap_or(u32::MAX));
+            let later = i32::try_from(level).unwrap_or(i32::MAX) - 1;
+            if level == 0 { 1.0 } else { first * 4.0_f64.powi(later) }
+        };
+        let all = mesh.faces().iter().map(|face| count(face, level)).sum();
+        let own = mesh.faces().iter().zip(&self.depths).map(|(face, own)| count(face, own.level));
+        [all, own.sum()]
+    }
+}
+
+/// The answer for one mesh.
+pub(super) struct GeometricReport<'a> {
+    pub(super) scheme: MeshScheme,
+    pub(super) name: String,
+    pub(super) mesh: &'a PolygonMesh<Rational>,
+    pub(super) tolerance: Rational,
+    /// The share of the diagonal that the tolerance was asked for as.
+    pub(super) relative: Option<Rational>,
+    pub(super) surface: FaceSurface,
+    pub(super) guaranteed: APriori,
+    pub(super) promised: Option<Formula>,
+    pub(super) found: GeometricDepth,
+    pub(super) faces: Option<Faces>,
+}
+
+fn place_text(place: &GeometricPlace) -> String {
+    let GeometricPlace { face, vertex, level_face, from, point: at, distance, .. } = place;
+    let corner = vertex.map(|vertex| format!(" near vertex {vertex}")).unwrap_or_default();
+    let of_level = level_face.map(|face| format!(", face {face} of the level")).unwrap_or_default();
+    let (from, other) = match from {
+        subcert::patch::SetKind::Mesh => ("mesh", "limit"),
+        subcert::patch::SetKind::Limit => ("limit", "mesh"),
+    };
+    format!(
+        "face {face}{corner}{of_level}: {} of the {from} is at least {} from the {other}",
+        point(at),
+        digits(*distance)
+    )
+}
+
+impl GeometricReport<'_> {
+    pub(super) fn show(&self, arguments: &DepthArguments, to: &Destination) -> Outcome {
+        if let (Some(path), Some(faces)) = (&arguments.per_face, &self.faces) {
+            let rows = faces.rows(self.found.level);
+            FacesFormat::of(path)?.write(path, self.mesh, &rows)?;
+        }
+        let page = || {
+            let (sentence, command) = (self.sentence(), command());
+            let sheet = &self.sheet(arguments);
+            let picture = self.faces.as_ref();
+            let picture =
+                picture.and_then(|faces| faces.picture(&self.name, self.mesh, self.found.level));
+            let pictures = &picture.into_iter().collect::<Vec<Picture>>();
+            Ok(FindingPage { sentence: &sentence, sheet, pictures, command: &command }.to_html())
+        };
+        to.deliver(|| self.sheet(arguments), || self.form(), page)
+    }
+
+    fn sentence(&self) -> String {
+        let tolerance = short(&self.tolerance, 6);
+        let few = self.found.too_few.map(|few| format!(", and not after {few}"));
+        let levels = match self.found.level {
+            1 => "1 level".to_owned(),
+            level => format!("{level} levels"),
+        };
+        let few = few.unwrap_or_default();
+        format!(
+            "The mesh is within {tolerance} of its limit, as a set of points, after {levels} of refinement{few}."
+        )
+    }
+
+    fn sheet(&self, arguments: &DepthArguments) -> Sheet {
+        let mut sheet = Sheet::default();
+        let scheme = self.scheme.name();
+        let tolerance = match &self.relative {
+            None => arguments.tolerance.clone(),
+            Some(_) => format!("{} of the diagonal", arguments.tolerance),
+        };
+        sheet.heading(1, format!("{}, {scheme}, ε = {tolerance}", self.name));
+        let found = &self.found;
+        let few = match found.too_few {
+            None if found.level == 0 => String::new(),
+            Some(few) if few + 1 == found.level => format!("; {few} are too few"),
+            Some(few) => format!("; {few} are too few, and those between are open"),
+            None => "; fewer are open".to_owned(),
+        };
+        let mut facts =
+            vec![("depth of the mesh".to_owned(), format!("{} levels{few}", found.level))];
+        if self.relative.is_some() {
+            facts.push(("tolerance".to_owned(), short(&self.tolerance, 9)));
+        }
+        facts.push((
+            "distance".to_owned(),
+            "Hausdorff: of mesh and limit as sets of points, from both sides".to_owned(),
+        ));
+        facts.push(("faces".to_owned(), faces_text(self.surface).to_owned()));
+        let few = found.too_few.zip(found.beyond.as_ref());
+        facts.extend(few.map(|(level, x)| (format!("too far at level {level}"), place_text(x))));
+        if let Some(faces) = &self.faces {
+            let [all, own] = faces.counts(self.mesh, self.scheme, found.level);
+            facts.push((
+                "adaptive refinement".to_owned(),
+                format!(
+                    "{own} faces where each has its own level, {all} at one level for all; faces that \
+                     join levels are not counted"
+                ),
+            ));
+        }
+        facts.push((
+            "a priori".to_owned(),
+            format!(
+                "{} levels, of all meshes with these valences and edges of {} at most, by equal \
+                 parameters",
+                self.guaranteed.level,
+                digits(self.guaranteed.longest_edge)
+            ),
+        ));
+        if let Some(Formula { paper, level }) = self.promised {
+            let text = match level {
+                None => "nothing: its constant is not below 1 for this mesh".to_owned(),
+                Some(level) => format!("{level} levels: {}", self.verdict(level)),
+            };
+            facts.push((format!("formula of {paper}"), text));
+        }
+        sheet.facts(facts);
+        sheet.text(
+            "The distance is the greatest one of any point of the mesh from the limit surface, and of any \
+             point of the surface from the mesh. It has no certificate. Levels between are not claimed \
+             to be better than earlier ones: the depth is the least level that is within the tolerance. \
+             `--distance parametric` compares points of equal parameters. Faces and vertices are numbered \
+             from 0.",
+        );
+        sheet
+    }
+
+    /// A promised number of levels, compared with what is known as sets of points.
+    fn verdict(&self, level: u32) -> &'static str {
+        match self.found.too_few {
+            Some(few) if level <= few => "too few",
+            _ if level > self.found.level => "more than needed",
+            _ if level == self.found.level => "enough",
+            _ => "open",
+        }
+    }
+
+    fn form(&self) -> form::Report<'_> {
+        let place = |place: &GeometricPlace| form::Place {
+            face: place.face,
+            vertex: place.vertex,
+            level_face: place.level_face.map(|face| face.to_string()),
+            from: place.from.name(),
+            point: place.point.map(shortest),
+            other: place.other.map(shortest),
+            distance: shortest(place.distance),
+        };
+        let level = self.found.level;
+        let adaptive = self.faces.as_ref().map(|faces| {
+            let [uniform, adaptive] = faces.counts(self.mesh, self.scheme, level);
+            form::Adaptive { uniform: shortest(uniform), adaptive: shortest(adaptive) }
+        });
+        form::Report {
+            schema: SCHEMA,
+            scheme: self.scheme.name(),
+            mesh: &self.name,
+            tolerance: self.tolerance.to_string(),
+            relative: self.relative.as_ref().map(ToString::to_string),
+            measure: "hausdorff",
+            faces: self.surface.name(),
+            level,
+            too_few: self.found.too_few,
+            too_far: self.found.beyond.as_ref().map(place),
+            adaptive,
+            a_priori: mesh_depth::APriori {
+                level: self.guaranteed.level,
+                longest_edge: shortest(self.guaranteed.longest_edge),
+                ratio: shortest(self.guaranteed.ratio),
+            },
+            formula: self.promised.map(|Formula { paper, level }| mesh_depth::Formula {
+                paper,
+                level,
+                verdict: level.map(|level| self.verdict(level)),
+            }),
+            certificate: None,
+        }
+    }
+}
+
+/// What faces are, in words.
+fn faces_text(surface: FaceSurface) -> &'static str {
+    match surface {
+        FaceSurface::Bilinear => {
+            "triangles flat, quadrilaterals bilinear, others as fans from their centroids"
+        }
+        FaceSurface::Fan => "triangles flat, others as fans from their centroids",
+    }
+}

@@ -1,0 +1,57 @@
+//! `subcert schemas DIR`: the JSON schemas of what `--format json` writes, from the types that are
+//! written.
+
+use super::json::{
+    certify, constants, depth, listing, mesh_depth, range, schemes, smoothness, spectrum, vertex,
+};
+use super::output::{Failure, Outcome, json_text};
+use super::save::save;
+use schemars::{JsonSchema, Schema, generate::SchemaSettings};
+use std::path::Path;
+use subcert::oracle::OracleValues;
+use subcert::report::json::{
+    AuditReport, CoverageReport, ErrataReport, Explained, ProjectsReport, ShippedTable,
+};
+
+/// The name of a file, and its schema.
+fn all() -> Vec<(&'static str, Schema)> {
+    fn of<T: JsonSchema>() -> Schema {
+        // What is written, not what could be read: an absent field may be required otherwise.
+        SchemaSettings::draft2020_12().for_serialize().into_generator().into_root_schema_for::<T>()
+    }
+    vec![
+        ("audit", of::<AuditReport>()),
+        ("audit-project", of::<ProjectsReport>()),
+        ("certify", of::<certify::Certification<'_>>()),
+        ("constants", of::<constants::Constants<'_>>()),
+        ("constants-ring", of::<constants::LocalConstants<'_>>()),
+        ("coverage", of::<CoverageReport>()),
+        ("depth", of::<depth::Report<'_>>()),
+        ("depth-mesh", of::<mesh_depth::Report<'_>>()),
+        ("depth-ring", of::<depth::LocalReport<'_>>()),
+        ("errata", of::<ErrataReport>()),
+        ("explain", of::<Explained>()),
+        ("explain-list", of::<listing::Listing<'_>>()),
+        ("explain-project", of::<ShippedTable>()),
+        ("jsr", of::<smoothness::JointRadius<'_>>()),
+        ("oracle", of::<OracleValues>()),
+        ("range", of::<range::Range<'_>>()),
+        ("range-smoothness", of::<range::SmoothRange<'_>>()),
+        ("range-smoothness-map", of::<range::SmoothMap<'_>>()),
+        ("schemes", of::<schemes::Catalogue<'_>>()),
+        ("smoothness", of::<smoothness::Smoothness<'_>>()),
+        ("smoothness-vertex", of::<vertex::Vertices<'_>>()),
+        ("spectrum", of::<spectrum::Spectrum<'_>>()),
+    ]
+}
+
+/// Writes all of them into a folder.
+pub(super) fn schemas(folder: &Path) -> Outcome {
+    for (name, schema) in all() {
+        let file = folder.join(format!("{name}.json"));
+        save(&file, &json_text(&schema)).map_err(|error| {
+            Failure::Input(format!("cannot write `{}`: {error}", file.display()))
+        })?;
+    }
+    Ok(())
+}

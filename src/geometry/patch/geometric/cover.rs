@@ -1,0 +1,337 @@
+//! Whether the two parts of a unit are near the other set (`proofs/THEOREMS.md`, 161 and 162).
+
+use super::super::number::Vector as _;
+use super::depth::SetKind;
+use super::node::{Node, Nodes};
+use super::patch::{Patch, ball, cross, dot, length, unit};
+use super::scene::{Ring, Scene};
+use super::shadow::Direction;
+use crate::mesh::Point;
+
+/// How often a patch or a piece of the limit is divided.
+const MAX_DIVISIONS: u32 = 16;
+
+/// How many pairs are looked at for one unit.
+const UNIT_PAIRS: u64 = 400_000;
+
+/// How many points of one unit are handed to `is_far`.
+const MAX_TRIED: u32 = 24;
+
+/// A point of one set, and one that is near it of the other.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct FarPoint {
+    pub(super) unit: usize,
+    pub(super) from: SetKind,
+    pub(super) point: Point<f64>,
+    pub(super) other: Point<f64>,
+}
+
+/// Whether a unit is near the other set, with both of its parts.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Nearness {
+    Near,
+    Far(FarPoint),
+    Open,
+}
+
+/// The search on one unit. `is_far` says whether a point of a set is surely beyond the tolerance from the other
+/// set, all of it.
+pub(super) struct Cover<'a, 's, F> {
+    scene: &'a Scene<'s>,
+    nodes: Nodes<'a>,
+    unit: usize,
+    ring: Ring,
+    /// For the units of the ring, their pieces of the limit.
+    roots: Vec<usize>,
+    patches: Vec<Patch>,
+    /// A direction in which the ring surrounds the whole unit.
+    direction: Option<Direction>,
+    pairs: u64,
+    tried: u32,
+    tolerance: f64,
+    is_far: &'a F,
+}
+
+impl<'a, 's, F: Fn(&Point<f64>, SetKind) -> bool> Cover<'a, 's, F> {
+    /// Looks at one unit.
+    pub(super) fn unit(scene: &'a Scene<'s>, unit: usize, is_far: &'a F) -> Nearness {
+        if scene.is_near_by_parameter(unit) {
+            return Nearness::Near;
+        }
+        let mut cover = Cover::around(scene, unit, is_far, 2);
+        if cover.direction.is_none() {
+            cover = Cover::around(scene, unit, is_far, 4);
+        }
+        let mut result = Nearness::Near;
+        let own = cover.roots[0];
+        match cover.limit(own, 0) {
+            Nearness::Near => {}
+            Nearness::Open => result = Nearness::Open,
+            far @ Nearness::Far(_) => return far,
+        }
+        for patch in scene.units[unit].patches.clone() {
+            match cover.mesh(&patch, 0) {
+                Nearness::Near => {}
+                Nearness::Open => result = Nearness::Open,
+                far @ Nearness::Far(_) => return far,
+            }
+        }
+        result
+    }
+
+    fn around(scene: &'a Scene<'s>, unit: usize, is_far: &'a F, steps: usize) -> Self {
+        let ring = scene.ring(unit, steps);
+        let mut nodes = Nodes::new(scene.shapes);
+        let roots: Vec<usize> =
+            ring.units.iter().map(|&unit| nodes.add(scene.cell(unit))).collect();
+        let patches: Vec<Patch> =
+            ring.units.iter().flat_map(|&unit| scene.units[unit].patches.iter().copied()).collect();
+        let own = nodes.get(roots[0]);
+        let corners = scene.units[unit].patches.iter().flat_map(|patch| patch.corners().to_vec());
+        let all: Vec<Point<f64>> = own.hull.iter().copied().chain(corners).collect();
+        let (centre, radius) = ball(&all);
+        let normals = scene.units[unit].patches.iter().filter_map(Patch::normal);
+        let sum = normals.fold([0.0; 3], |sum, x| [0, 1, 2].map(|i| sum[i] + x[i]));
+        let direction = Direction::new(&sum)
+            .filter(|direction| direction.winds(&ring.boundary, &centre, radius + scene.slack));
+        let tolerance = scene.tolerance();
+        Cover {
+            scene,
+            nodes,
+            unit,
+            ring,
+            roots,
+            patches,
+            direction,
+            pairs: UNIT_PAIRS,
+            tried: 0,
+            tolerance,
+            is_far,
+        }
+    }
+
+    /// Whether a piece of the limit is near the mesh.
+    fn limit(&mut self, node: usize, divisions: u32) -> Nearness {
+        let own = self.direction;
+        if own.is_some_and(|direction| self.is_over_mesh(node, &direction))
+            || self.is_near_patch(node)
+        {
+            return Nearness::Near;
+        }
+        if let Some(direction) = self.surrounded(node)
+            && self.is_over_mesh(node, &direction)
+        {
+            return Nearness::Near;
+        }
+        for i in 0..self.nodes.get(node).limits.len() {
+            let point = self.nodes.get(node).limits[i];
+            let other = self.near_on_mesh(&point);
+            if length(&other.minus(&point)) > self.tolerance && self.tries(&point, SetKind::Limit) {
+                return self.far(SetKind::Limit, point, other);
+            }
+        }
+        if divisions == MAX_DIVISIONS || self.pairs == 0 {
+            return Nearness::Open;
+        }
+        let mut result = Nearness::Near;
+        for part in self.nodes.parts(node) {
+            match self.limit(part, divisions + 1) {
+                Nearness::Near => {}
+                Nearness::Open => {
+                    result = Nearness::Open;
+                    if self.pairs == 0 {
+                        break;
+                    }
+                }
+                far @ Nearness::Far(_) => return far,
+            }
+        }
+        result
+    }
+
+    fn tries(&mut self, point: &Point<f64>, from: SetKind) -> bool {
+        self.tried += 1;
+        self.tried <= MAX_TRIED && (self.is_far)(point, from)
+    }
+
+    fn far(&self, from: SetKind, point: Point<f64>, other: Point<f64>) -> Nearness {
+        Nearness::Far(FarPoint { unit: self.unit, from, point, other })
+    }
+
+    /// The normal of a piece of the limit, if the ring surrounds the piece in this direction.
+    fn surrounded(&self, node: usize) -> Option<Direction> {
+        let node = self.nodes.get(node);
+        let direction = normal(node)?;
+        let radius = node.radius + self.scene.slack;
+        direction.winds(&self.ring.boundary, &node.centre, radius).then_some(direction)
+    }
+
+    /// 161 for a piece of the limit over the patches of the ring.
+    fn is_over_mesh(&mut self, node: usize, direction: &Direction) -> bool {
+        let node = self.nodes.get(node);
+        let slack = self.scene.slack;
+        let mut stack: Vec<(Patch, u32)> = self.patches.iter().map(|patch| (*patch, 0)).collect();
+        while let Some((patch, divisions)) = stack.pop() {
+            self.pairs = self.pairs.saturating_sub(1);
+            if direction.separates(&node.hull, &patch, slack)
+                || direction.gap(&node.hull, &patch, slack) <= self.tolerance
+            {
+                continue;
+            }
+            if divisions > 5 || patch.warp() < self.tolerance / 32.0 {
+                return false;
+            }
+            stack.extend(patch.parts().map(|part| (part, divisions + 1)));
+        }
+        true
+    }
+
+    /// 162 for a piece of the limit and the patch that is nearest to its centre.
+    fn is_near_patch(&mut self, node: usize) -> bool {
+        let node = self.nodes.get(node);
+        let from = |patch: &Patch, point: &Point<f64>| length(&patch.near(point).minus(point));
+        let nearest = self
+            .patches
+            .iter()
+            .min_by(|left, right| from(left, &node.centre).total_cmp(&from(right, &node.centre)));
+        self.pairs = self.pairs.saturating_sub(4);
+        nearest.is_some_and(|patch| {
+            let enough = self.tolerance - patch.warp() - self.scene.slack;
+            node.hull.iter().all(|point| from(patch, point) <= enough)
+        })
+    }
+
+    fn near_on_mesh(&self, point: &Point<f64>) -> Point<f64> {
+        let near = self.patches.iter().map(|patch| patch.near(point));
+        let squared = |other: &Point<f64>| dot(&other.minus(point), &other.minus(point));
+        near.min_by(|left, right| squared(left).total_cmp(&squared(right))).unwrap_or(*point)
+    }
+
+    /// Whether a patch is near the limit.
+    fn mesh(&mut self, patch: &Patch, divisions: u32) -> Nearness {
+        let mut failed = self.roots[0];
+        if let Some(direction) = self.direction {
+            match self.is_over_limit(patch, &direction) {
+                None => return Nearness::Near,
+                Some(node) => failed = node,
+            }
+        }
+        let (centre, radius) = ball(patch.corners());
+        if divisions > 0 || self.direction.is_none() {
+            let direction = normal(self.nodes.get(failed)).filter(|direction| {
+                direction.winds(&self.ring.boundary, &centre, radius + self.scene.slack)
+            });
+            if direction.is_some_and(|direction| self.is_over_limit(patch, &direction).is_none()) {
+                return Nearness::Near;
+            }
+        }
+        for point in patch.corners().iter().chain([&centre]) {
+            // The mean of the corners is a point of the patch.
+            if let Some(other) = self.beyond_limit(point)
+                && self.tries(point, SetKind::Mesh)
+            {
+                return self.far(SetKind::Mesh, *point, other);
+            }
+        }
+        if divisions == MAX_DIVISIONS || self.pairs == 0 {
+            return Nearness::Open;
+        }
+        let mut result = Nearness::Near;
+        for part in patch.parts() {
+            match self.mesh(&part, divisions + 1) {
+                Nearness::Near => {}
+                Nearness::Open => {
+                    result = Nearness::Open;
+                    if self.pairs == 0 {
+                        break;
+                    }
+                }
+                far @ Nearness::Far(_) => return far,
+            }
+        }
+        result
+    }
+
+    /// 161 for a patch under the limit of the ring; else a piece that keeps it from holding.
+    fn is_over_limit(&mut self, patch: &Patch, direction: &Direction) -> Option<usize> {
+        let slack = self.scene.slack;
+        let (_, radius) = ball(patch.corners());
+        let mut stack = self.roots.clone();
+        while let Some(at) = stack.pop() {
+            self.pairs = self.pairs.saturating_sub(1);
+            let node = self.nodes.get(at);
+            if direction.separates(&node.hull, patch, slack)
+                || direction.gap(&node.hull, patch, slack) <= self.tolerance
+            {
+                continue;
+            }
+            if node.radius < radius / 2.0 || node.level > MAX_DIVISIONS + 2 || self.pairs == 0 {
+                return Some(at);
+            }
+            stack.extend(self.nodes.parts(at));
+        }
+        None
+    }
+
+    /// A limit point that is near, if the point is farther than the tolerance from all limits of the ring.
+    fn beyond_limit(&mut self, point: &Point<f64>) -> Option<Point<f64>> {
+        let mut stack = self.roots.clone();
+        let (mut nearest, mut least) = (*point, f64::INFINITY);
+        while let Some(at) = stack.pop() {
+            self.pairs = self.pairs.saturating_sub(1);
+            let node = self.nodes.get(at);
+            for limit in &node.limits {
+                let distance = length(&limit.minus(point));
+                if distance < least {
+                    (nearest, least) = (*limit, distance);
+                }
+            }
+            if least <= self.tolerance {
+                return None;
+            }
+            if reach(point, &node.hull, &node.centre, node.radius) > self.tolerance {
+                continue;
+            }
+            if node.radius < self.tolerance * 1e-4
+                || node.level > MAX_DIVISIONS + 2
+                || self.pairs == 0
+            {
+                return None;
+            }
+            stack.extend(self.nodes.parts(at));
+        }
+        Some(nearest)
+    }
+}
+
+/// A lower bound, up to rounding, of the distance of a point from the hull of some points: by their ball, and by a
+/// plane between them.
+pub(super) fn reach(
+    point: &Point<f64>,
+    hull: &[Point<f64>],
+    centre: &Point<f64>,
+    radius: f64,
+) -> f64 {
+    let way = centre.minus(point);
+    let round = length(&way) - radius;
+    let squared = |x: &Point<f64>| dot(&x.minus(point), &x.minus(point));
+    let nearest = hull.iter().min_by(|x, y| squared(x).total_cmp(&squared(y)));
+    let beyond = |way: &Point<f64>| {
+        let Some(normal) = unit(way) else { return 0.0 };
+        hull.iter().map(|x| dot(&normal, &x.minus(point))).fold(f64::INFINITY, f64::min)
+    };
+    let to_nearest = nearest.map_or(0.0, |x| beyond(&x.minus(point)));
+    round.max(beyond(&way)).max(to_nearest)
+}
+
+/// The normal of a piece of the limit, from its corners.
+fn normal(node: &Node) -> Option<Direction> {
+    let normal = match &node.limits[..] {
+        [a, b, c] => cross(&b.minus(a), &c.minus(a)),
+        corners if corners.len() >= 4 => {
+            cross(&corners[2].minus(&corners[0]), &corners[3].minus(&corners[1]))
+        }
+        _ => return None,
+    };
+    Direction::new(&normal)
+}

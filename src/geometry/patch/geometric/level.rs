@@ -1,0 +1,457 @@
+//! One level: whether its mesh, or the parts of it that belong to some faces, are within the tolerance.
+
+use super::super::depth::MeshDistances;
+use super::super::judge::{Judge, Rounded};
+use super::super::kind::Kind;
+use super::super::levels::Source;
+use super::super::number::Vector as _;
+use super::super::search::{Search, Verdict};
+use super::super::shapes::Shapes;
+use super::super::threads::in_threads;
+use super::cover::{Cover, FarPoint, Nearness};
+use super::depth::{GeometricPlace, SetKind};
+use super::patch::{FaceSurface, length};
+use super::region::{cut, groups, grown};
+use super::scene::{Scene, Stage, Unit};
+use super::whole::Whole;
+use crate::exact::Rational;
+use crate::float::nearest;
+use crate::mesh::{
+    MeshError, MeshScheme, Point, PolygonMesh, Stencils, step_with, weighted_valences,
+};
+
+/// How many pieces are looked at by parameter in one piece of level 1 before its face is looked at closely.
+const FILTER_STEPS: u64 = 2_000;
+
+/// About how many faces of a level are made at once.
+const GROUP: usize = 16_384;
+
+/// How many points are tried at the faces that are farthest by parameter.
+const TRIED: usize = 400;
+
+/// With more faces than this, a mesh on the way to a level is trimmed.
+const TRIMMED: usize = 2_048;
+
+/// The most faces of a mesh that is refined once more.
+const LARGEST: usize = 100_000;
+
+/// The number of a face in a group, and of a face of a level among those of that face.
+type Owner = Option<(usize, usize)>;
+
+/// A scene with the owners of its units.
+type Owned<'s> = (Scene<'s>, Vec<Owner>);
+
+/// What is known of a face at a level.
+#[derive(Clone, Debug)]
+pub(super) enum Known {
+    Near,
+    Far(GeometricPlace),
+    Open,
+}
+
+/// The search on a mesh.
+pub(super) struct Geometry<'a> {
+    distances: &'a MeshDistances,
+    scheme: MeshScheme,
+    surface: FaceSurface,
+    tolerance: Rational,
+    /// The control mesh as the model has it.
+    control: PolygonMesh<f64>,
+    stencils: Stencils<f64>,
+    shapes: Shapes,
+}
+
+impl<'a> Geometry<'a> {
+    pub(super) fn new(
+        distances: &'a MeshDistances,
+        surface: FaceSurface,
+        tolerance: &Rational,
+    ) -> Result<Geometry<'a>, MeshError> {
+        let model = &distances.model;
+        let Source::Surface { mesh, scheme, stencils } = &model.source else {
+            let reason = "the distance of a solid is that at equal parameters".to_owned();
+            return Err(MeshError::TooMuch { reason });
+        };
+        let control = mesh.with_points(model.control());
+        let mut valences = weighted_valences(mesh.connectivity(), *scheme);
+        let next = step_with(&control, *scheme, &stencils.map(nearest))?;
+        valences.extend(weighted_valences(next.connectivity(), *scheme));
+        let stencils = Stencils::new(*scheme, valences).map(nearest);
+        let shapes = Shapes::new(Kind::Surface(*scheme));
+        let (scheme, tolerance) = (*scheme, tolerance.clone());
+        Ok(Geometry { distances, scheme, surface, tolerance, control, stencils, shapes })
+    }
+
+    /// Whether the mesh of every level is that of 91, so that equal parameters bound the distance of the sets.
+    pub(super) fn is_plain_everywhere(&self) -> bool {
+        let quadrilaterals = || self.control.faces().iter().all(|face| face.len() == 4);
+        let fours = || {
+            let connectivity = self.control.connectivity();
+            let stars = (0..connectivity.point_count()).map(|v| connectivity.star(v));
+            quadrilaterals() && stars.into_iter().all(|star| star.boundary || star.valence() == 4)
+        };
+        match self.scheme {
+            MeshScheme::Loop | MeshScheme::LoopWarren => true,
+            MeshScheme::CatmullClark => self.surface == FaceSurface::Bilinear,
+            MeshScheme::DooSabin => self.surface == FaceSurface::Bilinear && fours(),
+        }
+    }
+
+    pub(super) fn face_count(&self) -> usize {
+        self.control.faces().len()
+    }
+
+    fn judge(&self) -> Rounded {
+        self.distances.model.rounded_judge(&self.tolerance)
+    }
+
+    /// The faces, of those that are asked for, which the distance at equal parameters does not show to be near, the
+    /// farthest first.
+    fn waiting(&self, level: u32, wanted: &[bool]) -> Vec<usize> {
+        let model = &self.distances.model;
+        let judge = self.judge();
+        let mut best = vec![-1.0_f64; self.face_count()];
+        let bounds: Vec<f64> = match level {
+            0 => vec![0.0; model.roots.all.len()],
+            _ => model.bounds(level).collect(),
+        };
+        let roots: Vec<usize> =
+            (0..model.roots.all.len()).filter(|&i| wanted[model.roots.all[i].face]).collect();
+        let far = in_threads(&roots, |&number| {
+            let root = &model.roots.all[number];
+            // A fan is not the mesh that is compared at equal parameters.
+            if !self.is_plain(root.face, root.shape, level) {
+                return true;
+            }
+            let mut search = Search::new(&model.shapes, model.kind, &judge, level, FILTER_STEPS);
+            !matches!(search.examine(model.rounded_cell(root, level)), Verdict::Within)
+        });
+        for (&number, far) in roots.iter().zip(far) {
+            let face = model.roots.all[number].face;
+            if far {
+                best[face] = best[face].max(bounds[number]);
+            }
+        }
+        let mut waiting: Vec<usize> = (0..best.len()).filter(|&face| best[face] >= 0.0).collect();
+        waiting.sort_by(|&left, &right| best[right].total_cmp(&best[left]));
+        waiting
+    }
+
+    /// Whether the mesh of a level on a piece of level 1 is that of 91.
+    fn is_plain(&self, face: usize, shape: usize, level: u32) -> bool {
+        if self.scheme == MeshScheme::Loop || self.scheme == MeshScheme::LoopWarren {
+            return true;
+        }
+        let quadrilateral = self.surface.is_bilinear(self.control.faces()[face].len());
+        match (self.scheme, level) {
+            (_, 0) => quadrilateral,
+            (MeshScheme::DooSabin, _) => {
+                self.surface == FaceSurface::Bilinear
+                    && self.distances.model.shapes.get(shape).is_regular()
+            }
+            _ => self.surface == FaceSurface::Bilinear,
+        }
+    }
+
+    /// What is known of the faces that are asked for. Where `all` is false the search ends at the first face that is
+    /// far.
+    pub(super) fn examine(
+        &mut self,
+        level: u32,
+        wanted: &[bool],
+        all: bool,
+    ) -> Result<Vec<(usize, Known)>, MeshError> {
+        let waiting = self.waiting(level, wanted);
+        let work = self.distances.work();
+        work.begin(level, waiting.len());
+        let whole = Whole::new(&self.distances.model, &self.judge(), self.surface, level);
+        let mut known = Vec::new();
+        if !all {
+            let first = self.first_points(level, &waiting, &whole)?;
+            if !first.is_empty() {
+                return Ok(first);
+            }
+        }
+        let connectivity = self.control.connectivity();
+        let size = (GROUP >> (2 * level).min(20)).max(1);
+        let mut left = groups(connectivity, &waiting, size);
+        left.reverse();
+        while let Some(group) = left.pop() {
+            if work.is_stopped() {
+                known.extend(group.iter().map(|&face| (face, Known::Open)));
+                continue;
+            }
+            let Some(found) = self.group(level, &group, &whole, all)? else {
+                if let [face] = group[..] {
+                    known.push((face, Known::Open));
+                } else {
+                    let (first, second) = group.split_at(group.len() / 2);
+                    left.extend([second.to_vec(), first.to_vec()]);
+                }
+                continue;
+            };
+            let far = found.iter().any(|(_, known)| matches!(known, Known::Far(_)));
+            known.extend(found);
+            if far && !all {
+                break;
+            }
+        }
+        Ok(known)
+    }
+
+    /// The mesh of the level around some faces, as a scene, and for each unit the number, in the group, of its
+    /// face, with the number of its face of the level among those of that face; `None` where that would be
+    /// too large. Units of which equal parameters show that they are near are left out on the way.
+    fn scene(&mut self, level: u32, group: &[usize]) -> Result<Option<Owned<'_>>, MeshError> {
+        let doo_sabin = self.scheme == MeshScheme::DooSabin;
+        let steps = match level {
+            0 => 4,
+            1 => 3,
+            _ => 2,
+        } + u32::from(doo_sabin);
+        let faces = grown(self.control.connectivity(), group, steps);
+        let (mut mesh, _) = cut(&self.control, &faces)?;
+        // Of faces; for Doo–Sabin, from level 1 on, of vertices.
+        let mut owners: Vec<Owner> =
+            (0..faces.len()).map(|i| (i < group.len()).then_some((i, 0))).collect();
+        for step in 0..level {
+            if step > 0 && mesh.faces().len() > TRIMMED {
+                (mesh, owners) = self.trimmed(mesh, owners, step, level)?;
+            }
+            if mesh.faces().len() > LARGEST {
+                return Ok(None);
+            }
+            let next = step_with(&mesh, self.scheme, &self.stencils)?;
+            let corners = mesh.faces().iter().enumerate();
+            owners = if doo_sabin {
+                let of = |(face, vertices): (usize, &Vec<usize>)| -> Vec<Owner> {
+                    let owner =
+                        |&vertex: &usize| if step == 0 { owners[face] } else { owners[vertex] };
+                    vertices.iter().map(owner).collect()
+                };
+                corners.flat_map(of).collect()
+            } else {
+                let triangles = self.scheme != MeshScheme::CatmullClark;
+                let of = |(face, vertices): (usize, &Vec<usize>)| -> Vec<Owner> {
+                    let parts = if triangles { 4 } else { vertices.len() };
+                    let owner = owners[face];
+                    (0..parts).map(|i| owner.map(|(owner, n)| (owner, n * parts + i))).collect()
+                };
+                corners.flat_map(of).collect()
+            };
+            mesh = next;
+        }
+        let by_vertex = doo_sabin && level > 0;
+        let vertices: Vec<Vec<usize>> = if by_vertex { mesh.faces().to_vec() } else { Vec::new() };
+        let model = &self.distances.model;
+        let judge = model.rounded_judge_after(&self.tolerance, level);
+        let stage = Stage::new(mesh, self.scheme, &self.stencils, &mut self.shapes)?;
+        let scene = stage.scene(self.scheme, self.surface, &self.shapes, judge);
+        let of = |unit: &Unit| {
+            if by_vertex { owners[vertices[unit.face][unit.part]] } else { owners[unit.face] }
+        };
+        let owners = scene.units.iter().map(of).collect();
+        Ok(Some((scene, owners)))
+    }
+
+    /// The part of a mesh of level `step` that has the units which equal parameters do not show to be near at
+    /// `level`, with what is around it.
+    fn trimmed(
+        &mut self,
+        mesh: PolygonMesh<f64>,
+        owners: Vec<Owner>,
+        step: u32,
+        level: u32,
+    ) -> Result<(PolygonMesh<f64>, Vec<Owner>), MeshError> {
+        if self.surface != FaceSurface::Bilinear {
+            return Ok((mesh, owners));
+        }
+        let doo_sabin = self.scheme == MeshScheme::DooSabin;
+        let judge = self.distances.model.rounded_judge_after(&self.tolerance, step);
+        let stage = Stage::new(mesh.clone(), self.scheme, &self.stencils, &mut self.shapes)?;
+        let scene = stage.scene(self.scheme, self.surface, &self.shapes, judge);
+        let at = |unit: &Unit| {
+            if doo_sabin { mesh.faces()[unit.face][unit.part] } else { unit.face }
+        };
+        let numbers: Vec<usize> = (0..scene.units.len()).collect();
+        let far = in_threads(&numbers, |&number| {
+            owners[at(&scene.units[number])].is_some()
+                && !scene.is_near_later(number, level - step, doo_sabin)
+        });
+        let mut kept = vec![false; owners.len()];
+        let mut faces = vec![false; mesh.faces().len()];
+        for (unit, _) in scene.units.iter().zip(far).filter(|(_, far)| *far) {
+            kept[at(unit)] = true;
+            faces[unit.face] = true;
+        }
+        let chosen: Vec<usize> = (0..faces.len()).filter(|&face| faces[face]).collect();
+        if chosen.is_empty() {
+            // Any face will do: none is owned.
+            let (mesh, _) = cut(&mesh, &grown(mesh.connectivity(), &[0], 1))?;
+            let count = if doo_sabin { mesh.points().len() } else { mesh.faces().len() };
+            return Ok((mesh, vec![None; count]));
+        }
+        let chosen = grown(mesh.connectivity(), &chosen, 3);
+        let (mesh, origins) = cut(&mesh, &chosen)?;
+        let owner = |old: &usize| owners[*old].filter(|_| kept[*old]);
+        let owners = if doo_sabin { &origins } else { &chosen }.iter().map(owner).collect();
+        Ok((mesh, owners))
+    }
+
+    /// The points of the units of the faces that are farthest by parameter, for a level that is far from
+    /// sufficient.
+    fn first_points(
+        &mut self,
+        level: u32,
+        waiting: &[usize],
+        whole: &Whole,
+    ) -> Result<Vec<(usize, Known)>, MeshError> {
+        let size = (2_048 >> (2 * level).min(20)).clamp(1, 64).min(waiting.len());
+        let group = &waiting[..size];
+        if group.is_empty() {
+            return Ok(Vec::new());
+        }
+        let this = self.place_maker(level);
+        let Some((scene, owners)) = self.scene(level, group)? else { return Ok(Vec::new()) };
+        let tolerance = Judge::<Point<f64>>::tolerance(&scene.judge);
+        let own: Vec<usize> =
+            (0..scene.units.len()).filter(|&unit| owners[unit].is_some()).collect();
+        let step = own.len().div_ceil(TRIED).max(1);
+        let tried: Vec<usize> = own.into_iter().step_by(step).collect();
+        let far = in_threads(&tried, |&unit| {
+            let points = scene.unit_points(unit);
+            points
+                .into_iter()
+                .find(|(point, from)| whole.is_beyond(point, *from, tolerance * 1.000_001))
+        });
+        let far = tried.iter().zip(far).find_map(|(&unit, far)| {
+            let ((point, from), owner) = (far?, owners[unit]?);
+            let other = scene.near(unit, &point, from);
+            let far = FarPoint { unit, from, point, other };
+            Some((
+                group[owner.0],
+                Known::Far(this.place(whole, &scene, group[owner.0], owner.1, &far)),
+            ))
+        });
+        Ok(far.into_iter().collect())
+    }
+
+    /// Some faces; `None` where they are too many at once.
+    fn group(
+        &mut self,
+        level: u32,
+        group: &[usize],
+        whole: &Whole,
+        all: bool,
+    ) -> Result<Option<Vec<(usize, Known)>>, MeshError> {
+        let this = self.place_maker(level);
+        let work = self.distances.work();
+        let Some((scene, owners)) = self.scene(level, group)? else { return Ok(None) };
+        let tolerance = nearest(&(&this.tolerance / &this.scale));
+        let is_far =
+            |point: &Point<f64>, from: SetKind| whole.is_beyond(point, from, tolerance.next_up());
+        let own: Vec<usize> =
+            (0..scene.units.len()).filter(|&unit| owners[unit].is_some()).collect();
+        let stop = std::sync::atomic::AtomicBool::new(false);
+        let order = std::sync::atomic::Ordering::Relaxed;
+        let found = in_threads(&own, |&unit| {
+            if work.is_stopped() || stop.load(order) {
+                return Nearness::Open;
+            }
+            let nearness = Cover::unit(&scene, unit, &is_far);
+            if matches!(nearness, Nearness::Far(_)) && !all {
+                stop.store(true, order);
+            }
+            nearness
+        });
+        for _ in group {
+            work.step();
+        }
+        let mut known: Vec<Known> = vec![Known::Near; group.len()];
+        for (&unit, nearness) in own.iter().zip(&found) {
+            let Some((owner, number)) = owners[unit] else { continue };
+            let entry = &mut known[owner];
+            match nearness {
+                Nearness::Near => {}
+                Nearness::Open => {
+                    if matches!(entry, Known::Near) {
+                        *entry = Known::Open;
+                    }
+                }
+                Nearness::Far(far) => {
+                    if !matches!(entry, Known::Far(_)) {
+                        *entry = Known::Far(this.place(whole, &scene, group[owner], number, far));
+                    }
+                }
+            }
+        }
+        Ok(Some(group.iter().copied().zip(known).collect()))
+    }
+
+    fn place_maker(&self, level: u32) -> Places<'a> {
+        let scale = self.distances.model.scale.clone();
+        Places {
+            distances: self.distances,
+            scheme: self.scheme,
+            level,
+            tolerance: self.tolerance.clone(),
+            scale,
+        }
+    }
+}
+
+/// Says where a point is.
+struct Places<'a> {
+    distances: &'a MeshDistances,
+    scheme: MeshScheme,
+    level: u32,
+    tolerance: Rational,
+    scale: Rational,
+}
+
+impl Places<'_> {
+    fn place(
+        &self,
+        whole: &Whole,
+        scene: &Scene,
+        face: usize,
+        number: usize,
+        far: &FarPoint,
+    ) -> GeometricPlace {
+        let model = &self.distances.model;
+        let scale = nearest(&self.scale);
+        let least = nearest(&(&self.tolerance / &self.scale));
+        // The greatest of a few lower bounds that holds.
+        let greatest = length(&far.other.minus(&far.point));
+        let share = |i: u32| least + (greatest - least) * f64::from(i) / 16.0;
+        let lower = (0..16)
+            .rev()
+            .map(share)
+            .find(|&distance| distance > least && whole.is_beyond(&far.point, far.from, distance));
+        let lower = lower.unwrap_or(least);
+        let Source::Surface { mesh, .. } = &model.source else { unreachable!("a surface") };
+        let doo_sabin = self.scheme == MeshScheme::DooSabin;
+        let level_face = (self.level > 0 && !doo_sabin).then(|| {
+            let before: usize = match self.scheme {
+                MeshScheme::CatmullClark => mesh.faces()[..face].iter().map(Vec::len).sum(),
+                _ => 4 * face,
+            };
+            ((before as u128) << (2 * (self.level - 1))) + number as u128
+        });
+        let part = match self.level {
+            0 => Some(scene.units[far.unit].part),
+            _ if doo_sabin => None,
+            level => Some(number >> (2 * (level - 1))),
+        };
+        let vertex = part.and_then(|part| mesh.faces()[face].get(part).copied());
+        GeometricPlace {
+            face,
+            vertex,
+            level_face,
+            from: far.from,
+            point: model.place(&far.point),
+            other: model.place(&far.other),
+            distance: lower * scale * (1.0 - 1e-15),
+        }
+    }
+}

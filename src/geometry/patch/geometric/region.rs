@@ -1,0 +1,92 @@
+//! Parts of a mesh.
+
+use crate::mesh::{Connectivity, MeshError, Point, PolygonMesh};
+use std::collections::{HashMap, HashSet};
+
+/// These faces, and all that are up to so many steps from them, from vertex to vertex.
+pub(super) fn grown(connectivity: &Connectivity, faces: &[usize], steps: u32) -> Vec<usize> {
+    let mut all = faces.to_vec();
+    let mut met: HashSet<usize> = faces.iter().copied().collect();
+    let mut begin = 0;
+    for _ in 0..steps {
+        let end = all.len();
+        for at in begin..end {
+            for &vertex in &connectivity.faces()[all[at]] {
+                for face in connectivity.star(vertex).faces {
+                    if met.insert(face) {
+                        all.push(face);
+                    }
+                }
+            }
+        }
+        begin = end;
+    }
+    all
+}
+
+/// The faces in groups of at most `size` that hang together, as far as they do.
+pub(super) fn groups(connectivity: &Connectivity, faces: &[usize], size: usize) -> Vec<Vec<usize>> {
+    let mut left: HashSet<usize> = faces.iter().copied().collect();
+    let mut groups = Vec::new();
+    for &start in faces {
+        if !left.remove(&start) {
+            continue;
+        }
+        let mut group = vec![start];
+        let mut at = 0;
+        while at < group.len() && group.len() < size {
+            for &vertex in &connectivity.faces()[group[at]] {
+                for face in connectivity.star(vertex).faces {
+                    if group.len() < size && left.remove(&face) {
+                        group.push(face);
+                    }
+                }
+            }
+            at += 1;
+        }
+        groups.push(group);
+    }
+    groups
+}
+
+/// The mesh of these faces alone, in their order, and the numbers that its vertices had. A vertex at which they are
+/// several fans is several vertices.
+pub(super) fn cut(
+    mesh: &PolygonMesh<f64>,
+    faces: &[usize],
+) -> Result<(PolygonMesh<f64>, Vec<usize>), MeshError> {
+    let connectivity = mesh.connectivity();
+    let numbers: HashMap<usize, usize> = faces.iter().enumerate().map(|(i, &x)| (x, i)).collect();
+    let mut new: Vec<Vec<usize>> =
+        faces.iter().map(|&face| vec![usize::MAX; mesh.faces()[face].len()]).collect();
+    let (mut points, mut origins): (Vec<Point<f64>>, Vec<usize>) = (Vec::new(), Vec::new());
+    for (number, &face) in faces.iter().enumerate() {
+        for corner in 0..new[number].len() {
+            if new[number][corner] != usize::MAX {
+                continue;
+            }
+            let vertex = mesh.faces()[face][corner];
+            let star = connectivity.star(vertex);
+            let count = star.faces.len();
+            let at = star.faces.iter().position(|&x| x == face).unwrap_or(0);
+            let place = |i: usize| {
+                let number = *numbers.get(&star.faces[i])?;
+                Some((number, star.corners[i]))
+            };
+            // From this face on in both directions, to faces that are left out or the end of the fan.
+            let ahead = (at + 1..at + count).take_while(|i| *i < count || !star.boundary);
+            let ahead = ahead.map(|i| place(i % count)).take_while(Option::is_some).flatten();
+            let behind = (1..count).take_while(|i| *i <= at || !star.boundary);
+            let behind = behind.map(|i| place((at + count - i) % count));
+            let behind = behind.take_while(Option::is_some).flatten();
+            let all: Vec<(usize, usize)> =
+                place(at).into_iter().chain(ahead).chain(behind).collect();
+            for (face, corner) in all {
+                new[face][corner] = points.len();
+            }
+            points.push(mesh.points()[vertex]);
+            origins.push(vertex);
+        }
+    }
+    Ok((PolygonMesh::new(points, new)?, origins))
+}

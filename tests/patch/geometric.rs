@@ -1,0 +1,59 @@
+//! The distance of meshes from their limits as sets of points, against dense samples.
+
+use super::{Mesh, cube, mesh};
+use crate::common::hausdorff::{Rule, distances as dense};
+use crate::common::hausdorff_cases::{Case, cases};
+use crate::common::r;
+use subcert::float::nearest;
+use subcert::mesh::MeshScheme;
+use subcert::patch::{FaceSurface, MeshDistances};
+
+fn scheme(rule: Rule) -> MeshScheme {
+    match rule {
+        Rule::CatmullClark => MeshScheme::CatmullClark,
+        Rule::DooSabin => MeshScheme::DooSabin,
+        Rule::Loop => MeshScheme::Loop,
+    }
+}
+
+fn exact(case: &Case) -> Mesh {
+    mesh(&case.points, case.faces.clone())
+}
+
+/// A case at its first tolerances: the whole table is `benches/hausdorff.rs`.
+fn agrees(name: &str, rule: Rule, count: usize) {
+    let all = cases();
+    let case = all.iter().find(|case| case.name == name && case.rule == rule).expect("there");
+    let sampled = dense(&case.plain(), rule, 4, 5, 3);
+    let distances = MeshDistances::new(exact(case), scheme(rule)).expect("small");
+    for &(p, q) in &case.tolerances[..count] {
+        let depth = distances.geometric_depth(&r(p, q), FaceSurface::Bilinear).expect("few levels");
+        let tolerance = nearest(&r(p, q));
+        let level = sampled.iter().position(|&x| x <= tolerance).expect("few levels");
+        assert_eq!(depth.level as usize, level, "{name}, {tolerance}, {sampled:?}, {depth:?}");
+        assert_eq!(depth.too_few, level.checked_sub(1).and_then(|x| u32::try_from(x).ok()));
+        if let Some(place) = depth.beyond {
+            let sampled = sampled[level - 1];
+            assert!(place.distance >= tolerance && place.distance <= sampled * 1.02);
+        }
+    }
+}
+
+#[test]
+fn the_least_level_is_that_of_dense_samples() {
+    agrees("cube", Rule::CatmullClark, 2);
+    agrees("cube", Rule::DooSabin, 2);
+    agrees("tetrahedron", Rule::Loop, 2);
+    agrees("bipyramid of 8", Rule::Loop, 2);
+    agrees("trapezohedron of 7", Rule::CatmullClark, 2);
+    agrees("prism of 5", Rule::DooSabin, 2);
+}
+
+#[test]
+fn the_eye_needs_fewer_levels_than_equal_parameters() {
+    let distances = MeshDistances::new(cube(), MeshScheme::DooSabin).expect("small");
+    let tolerance = r(1, 100);
+    let depth = distances.geometric_depth(&tolerance, FaceSurface::Bilinear).expect("few");
+    let parametric = distances.without_apart().depth(&tolerance).expect("few");
+    assert!(depth.level < parametric.level, "{depth:?}, {parametric:?}");
+}

@@ -1,0 +1,41 @@
+//! Where the limits are C^m, in a parameter: inside and outside meet.
+
+use super::known::of;
+use subcert::bound::polynomial_rules;
+use subcert::exact::{Rational, RationalPolynomial, parse_rational};
+use subcert::scheme::{Rules, parse_parametric};
+use subcert::smoothness::{SmoothRange, smooth_range};
+
+fn rules(scheme: &str, parameter: &str) -> Rules<RationalPolynomial> {
+    let mask = parse_parametric(scheme, parameter).expect("a mask");
+    polynomial_rules(mask.rules(), parameter).expect("polynomials")
+}
+
+/// The gap over the length of the only interval inside.
+fn relative_gap(range: &SmoothRange) -> Rational {
+    let [inside] = range.inside.intervals() else { panic!("{}", range.inside) };
+    let ends = range.inside.ends().map(|(end, _)| end.bounds().0).collect::<Vec<Rational>>();
+    assert!(inside.rational().is_some());
+    range.gap.as_ref().expect("bounded") / (&ends[1] - &ends[0])
+}
+
+#[test]
+fn both_sets_of_the_six_point_scheme_meet() {
+    let rules = rules("six-point", "w");
+    for (m, most) in
+        [(1, Rational::new(1, 1000)), (2, Rational::new(1, 1000)), (3, Rational::new(1, 20))]
+    {
+        let range = smooth_range(&rules, m, 1).expect("short rules");
+        let gap = relative_gap(&range);
+        assert!(gap <= most, "C^{m}: {gap}");
+        // What single parameters say agrees.
+        for w in
+            ["-1/20", "1/1000", "0.0124", "3/200", "0.0168", "0.017", "1/30", "0.0448", "1/10", "3"]
+        {
+            let smooth = of(&format!("six-point:w={w}")).continuity >= Some(m);
+            let w = parse_rational(w).expect("a number");
+            assert!(smooth || !range.inside.contains(&w), "C^{m} at {w}");
+            assert!(!smooth || !range.outside.contains(&w), "C^{m} at {w}");
+        }
+    }
+}
