@@ -6,8 +6,8 @@ use super::super::polygon::PolygonMesh;
 use super::super::star::Star;
 use super::super::stencil::Stencils;
 use super::super::texture::Texture;
-use super::tagged;
-use super::triangles::{midpoint, vertex_point};
+use super::tagged::{self, midpoint};
+use super::triangles::vertex_point;
 use crate::exact::{Rational, Scalar};
 
 /// One level: the points of vertices, edges and faces in this order, and a quadrilateral for

@@ -2,10 +2,9 @@
 
 use super::super::crease::Tags;
 use super::super::error::MeshError;
-use super::super::point::Point;
+use super::super::point::{Point, combination};
 use super::super::polygon::PolygonMesh;
 use super::super::texture::Texture;
-use super::triangles::{blended, midpoint};
 use crate::exact::{Rational, Scalar};
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -88,4 +87,17 @@ fn tags<S>(
         tags.set_edge(new, place.and_then(|place| own[place].clone()));
     }
     Ok(tags)
+}
+
+/// (1 − w)·p + w·q.
+pub(super) fn blended<S: Scalar>(p: &Point<S>, q: &Point<S>, weight: &Rational) -> Point<S> {
+    let [first, second] =
+        [&Rational::one() - weight, weight.clone()].map(|share| S::from_rational(&share));
+    combination([(&first, p), (&second, q)])
+}
+
+/// (p + q)/2.
+pub(super) fn midpoint<S: Scalar>(p: &Point<S>, q: &Point<S>) -> Point<S> {
+    let half = S::from_rational(&Rational::new(1, 2));
+    combination([(&half, p), (&half, q)])
 }

@@ -8,7 +8,7 @@ use super::super::polygon::PolygonMesh;
 use super::super::star::Star;
 use super::super::stencil::Stencils;
 use super::super::texture::Texture;
-use super::tagged;
+use super::tagged::{self, blended, midpoint};
 use crate::exact::{Rational, Scalar};
 
 /// One level: the points of vertices and edges in this order, and four triangles for each.
@@ -79,19 +79,6 @@ pub(super) fn vertex_point<S: Scalar>(
         None => now,
         Some((mask, rest)) => blended(&now, &point(&mask), &rest),
     }
-}
-
-/// (1 − w)·p + w·q.
-pub(super) fn blended<S: Scalar>(p: &Point<S>, q: &Point<S>, weight: &Rational) -> Point<S> {
-    let [first, second] =
-        [&Rational::one() - weight, weight.clone()].map(|share| S::from_rational(&share));
-    combination([(&first, p), (&second, q)])
-}
-
-/// (p + q)/2.
-pub(super) fn midpoint<S: Scalar>(p: &Point<S>, q: &Point<S>) -> Point<S> {
-    let half = S::from_rational(&Rational::new(1, 2));
-    combination([(&half, p), (&half, q)])
 }
 
 /// (1, 6, 1)/8 of a vertex between these on a crease: the cubic B-spline.
