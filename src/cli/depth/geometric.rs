@@ -1,7 +1,7 @@
 //! The depth of one polygon mesh by the distance of mesh and limit as sets of points.
 
 use super::faces::{FaceRow, FacesFormat};
-use super::mesh::{digits, point};
+use super::numbers::{digits, point};
 use super::promise::Formula;
 use super::refined::rounded;
 use crate::cli::arguments::DepthArguments;

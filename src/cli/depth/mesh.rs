@@ -3,6 +3,7 @@
 use super::faces::{FacesFormat, plain_rows};
 use super::geometric::{Faces, GeometricReport};
 use super::kind::Kind;
+use super::numbers::{digits, point};
 use super::pictures::{Drawn, Pieces};
 use super::promise::{Formula, Promise, promises};
 use super::refined::Refined;
@@ -14,7 +15,7 @@ use crate::cli::output::{Failure, Outcome, positive};
 use crate::cli::progress::Progress;
 use std::path::Path;
 use subcert::exact::{Rational, format::short};
-use subcert::float::{exact, shortest, upper};
+use subcert::float::{shortest, upper};
 use subcert::mesh::{MeshScheme, PolygonMesh};
 use subcert::patch::{
     APriori, FORMULA_PAPER, FaceSurface, FarPlace, MeshDepth, MeshDistances, a_priori,
@@ -137,16 +138,6 @@ pub(super) struct Report {
     pub(super) found: Option<MeshDepth>,
     pub(super) kind: Kind,
     pub(super) pictures: Vec<Picture>,
-}
-
-/// An f64 in at most nine digits.
-pub(super) fn digits(value: f64) -> String {
-    exact(value).map_or_else(|| shortest(value), |value| short(&value, 9))
-}
-
-pub(super) fn point(point: &[f64; 3]) -> String {
-    let [x, y, z] = point.map(digits);
-    format!("({x}, {y}, {z})")
 }
 
 fn place_text(place: &FarPlace, kind: Kind) -> String {

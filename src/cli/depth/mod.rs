@@ -10,6 +10,7 @@ mod kind;
 mod local_rules;
 mod mesh;
 mod net;
+mod numbers;
 mod pictures;
 mod place;
 mod polygon;

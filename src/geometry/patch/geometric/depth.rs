@@ -1,18 +1,15 @@
 //! The least level whose mesh is within a tolerance of the limit surface as a set of points.
 
-use super::super::depth::{MeshDistances, not_positive};
+use super::super::depth::MeshDistances;
 use super::level::{Geometry, Known};
 use super::patch::FaceSurface;
 use super::place::GeometricPlace;
 use crate::exact::Rational;
-use crate::float::{exact as from_f64, nearest, upper};
-use crate::mesh::{MeshError, Point};
+use crate::float::upper;
+use crate::mesh::MeshError;
 
 /// The highest level that is looked at as a set of points.
 pub(super) const MAX_LEVEL: u32 = 14;
-
-/// A tolerance is at least 2 to the power of minus this, times the diagonal of the box around the mesh.
-const LEAST_SHARE: u32 = 20;
 
 /// How many levels a mesh needs as a set of points.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,7 +68,7 @@ impl MeshDistances {
         tolerance: &Rational,
         surface: FaceSurface,
     ) -> Result<GeometricDepth, MeshError> {
-        let mut geometry = self.geometry(surface, tolerance)?;
+        let mut geometry = Geometry::new(self, surface, tolerance)?;
         let wanted = vec![true; geometry.face_count()];
         let (mut too_few, mut beyond, mut certain) = (None, None, true);
         // A level that equal parameters show to be sufficient, found when it is needed.
@@ -112,24 +109,6 @@ impl MeshDistances {
         Err(too_many())
     }
 
-    fn geometry(
-        &self,
-        surface: FaceSurface,
-        tolerance: &Rational,
-    ) -> Result<Geometry<'_>, MeshError> {
-        not_positive(tolerance)?;
-        let share = Rational::new(1, 1 << LEAST_SHARE);
-        let least = relative_tolerance(self.mesh().points(), &share);
-        if least.is_some_and(|least| *tolerance < least) {
-            let reason = format!(
-                "as a distance of sets, a tolerance is at least 2^-{LEAST_SHARE} of the diagonal of the \
-                 box around the mesh; take a greater one, or --distance parametric"
-            );
-            return Err(MeshError::TooMuch { reason });
-        }
-        Geometry::new(self, surface, tolerance)
-    }
-
     /// For each face of the control mesh a lower and an upper bound of the distance, at a level, of its part of the mesh
     /// and its part of the limit from the whole other set: with upper bounds ε, ε/2, ε/4 or ε/8, or infinite
     /// where ε is none.
@@ -146,7 +125,7 @@ impl MeshDistances {
         let mut wanted = Vec::new();
         for halved in 0..4 {
             let tolerance = tolerance * &Rational::new(1, 1_i64 << halved);
-            let mut geometry = self.geometry(surface, &tolerance)?;
+            let mut geometry = Geometry::new(self, surface, &tolerance)?;
             if halved == 0 {
                 bounds = vec![[0.0, f64::INFINITY]; geometry.face_count()];
                 wanted = vec![true; geometry.face_count()];
@@ -178,7 +157,7 @@ impl MeshDistances {
         tolerance: &Rational,
         surface: FaceSurface,
     ) -> Result<Vec<FaceDepth>, MeshError> {
-        let mut geometry = self.geometry(surface, tolerance)?;
+        let mut geometry = Geometry::new(self, surface, tolerance)?;
         let none = FaceDepth { level: 0, is_least: true, too_far: None };
         let mut faces = vec![none; geometry.face_count()];
         let mut wanted = vec![true; faces.len()];
@@ -208,39 +187,4 @@ fn too_many() -> MeshError {
          take a greater one, or --distance parametric"
     );
     MeshError::TooMuch { reason }
-}
-
-/// A share of the diagonal of the box around some points, as a tolerance: the diagonal is a root, and the result is
-/// less than it times the share, by less than 2^−100 of that.
-///
-/// # Panics
-/// Never.
-///
-/// ```
-/// use subcert::exact::Rational;
-/// use subcert::patch::relative_tolerance;
-///
-/// let points = [[0, 0, 0], [3, 4, 0]].map(|p| p.map(Rational::from));
-/// assert_eq!(relative_tolerance(&points, &Rational::new(1, 5)), Some(Rational::from(1)));
-/// assert_eq!(relative_tolerance(&points[..1], &Rational::from(1)), None);
-/// ```
-#[must_use]
-pub fn relative_tolerance(points: &[Point<Rational>], share: &Rational) -> Option<Rational> {
-    let mut square = Rational::zero();
-    for i in 0..3 {
-        let coordinates = || points.iter().map(|point| &point[i]);
-        let width = coordinates().max()? - coordinates().min()?;
-        square = &square + &(&width * &width);
-    }
-    square = &square * &(share * share);
-    if square.sign() <= 0 {
-        return None;
-    }
-    // Newton's iterates are above the root, and the square over them below it.
-    let mut root = from_f64(nearest(&square).sqrt())?;
-    let half = Rational::new(1, 2);
-    for _ in 0..2 {
-        root = &(&root + &(&square / &root)) * &half;
-    }
-    Some(&square / &root)
 }

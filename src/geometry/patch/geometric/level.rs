@@ -1,6 +1,6 @@
 //! One level: whether its mesh, or the parts of it that belong to some faces, are within the tolerance.
 
-use super::super::depth::MeshDistances;
+use super::super::depth::{MeshDistances, not_positive};
 use super::super::judge::{Judge, Rounded};
 use super::super::kind::Kind;
 use super::super::levels::Source;
@@ -12,6 +12,7 @@ use super::cover::{Cover, FarPoint, Nearness};
 use super::patch::{FaceSurface, length};
 use super::place::{GeometricPlace, SetKind};
 use super::region::{cut, groups, grown};
+use super::relative::relative_tolerance;
 use super::scene::{Scene, Stage, Unit};
 use super::whole::Whole;
 use crate::exact::Rational;
@@ -49,6 +50,9 @@ pub(super) enum Known {
     Open,
 }
 
+/// A tolerance is at least 2 to the power of minus this, times the diagonal of the box around the mesh.
+const LEAST_SHARE: u32 = 20;
+
 /// The search on a mesh.
 pub(super) struct Geometry<'a> {
     distances: &'a MeshDistances,
@@ -72,6 +76,16 @@ impl<'a> Geometry<'a> {
             let reason = "the distance of a solid is that at equal parameters".to_owned();
             return Err(MeshError::TooMuch { reason });
         };
+        not_positive(tolerance)?;
+        let share = Rational::new(1, 1 << LEAST_SHARE);
+        let least = relative_tolerance(mesh.points(), &share);
+        if least.is_some_and(|least| *tolerance < least) {
+            let reason = format!(
+                "as a distance of sets, a tolerance is at least 2^-{LEAST_SHARE} of the diagonal of the \
+                 box around the mesh; take a greater one, or --distance parametric"
+            );
+            return Err(MeshError::TooMuch { reason });
+        }
         let control = mesh.with_points(model.control());
         let mut valences = weighted_valences(mesh.connectivity(), *scheme);
         let next = step_with(&control, *scheme, &stencils.map(nearest))?;

@@ -11,6 +11,7 @@
 //! | `whole` | whether a point is far from a whole set: the lower side |
 //! | `region` | which faces are looked at, and the parts of a mesh that they need |
 //! | `place` | a point of one set that is far from the other |
+//! | `relative` | tolerances as a share of the size of a mesh |
 //! | `level` | one level; `depth`: the least level that is sufficient |
 
 mod cover;
@@ -20,10 +21,12 @@ mod node;
 mod patch;
 mod place;
 mod region;
+mod relative;
 mod scene;
 mod shadow;
 mod whole;
 
-pub use depth::{FaceDepth, GeometricDepth, relative_tolerance};
+pub use depth::{FaceDepth, GeometricDepth};
 pub use patch::FaceSurface;
 pub use place::{GeometricPlace, SetKind};
+pub use relative::relative_tolerance;

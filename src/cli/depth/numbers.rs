@@ -1,0 +1,14 @@
+//! Numbers and points of meshes in words.
+
+use subcert::exact::format::short;
+use subcert::float::{exact, shortest};
+
+/// An f64 in at most nine digits.
+pub(super) fn digits(value: f64) -> String {
+    exact(value).map_or_else(|| shortest(value), |value| short(&value, 9))
+}
+
+pub(super) fn point(point: &[f64; 3]) -> String {
+    let [x, y, z] = point.map(digits);
+    format!("({x}, {y}, {z})")
+}

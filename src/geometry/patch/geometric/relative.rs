@@ -1,0 +1,40 @@
+//! Tolerances as a share of the size of a mesh.
+
+use crate::exact::Rational;
+use crate::float::{exact as from_f64, nearest};
+use crate::mesh::Point;
+
+/// A share of the diagonal of the box around some points, as a tolerance: the diagonal is a root, and the result is
+/// less than it times the share, by less than 2^−100 of that.
+///
+/// # Panics
+/// Never.
+///
+/// ```
+/// use subcert::exact::Rational;
+/// use subcert::patch::relative_tolerance;
+///
+/// let points = [[0, 0, 0], [3, 4, 0]].map(|p| p.map(Rational::from));
+/// assert_eq!(relative_tolerance(&points, &Rational::new(1, 5)), Some(Rational::from(1)));
+/// assert_eq!(relative_tolerance(&points[..1], &Rational::from(1)), None);
+/// ```
+#[must_use]
+pub fn relative_tolerance(points: &[Point<Rational>], share: &Rational) -> Option<Rational> {
+    let mut square = Rational::zero();
+    for i in 0..3 {
+        let coordinates = || points.iter().map(|point| &point[i]);
+        let width = coordinates().max()? - coordinates().min()?;
+        square = &square + &(&width * &width);
+    }
+    square = &square * &(share * share);
+    if square.sign() <= 0 {
+        return None;
+    }
+    // Newton's iterates are above the root, and the square over them below it.
+    let mut root = from_f64(nearest(&square).sqrt())?;
+    let half = Rational::new(1, 2);
+    for _ in 0..2 {
+        root = &(&root + &(&square / &root)) * &half;
+    }
+    Some(&square / &root)
+}
