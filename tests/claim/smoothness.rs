@@ -44,12 +44,6 @@ fn bad_claims_are_refused_with_their_place() {
         ),
         (
             "smoothness",
-            "scheme = 'doo-sabin:n=5'\ncontinuous = '1'".to_owned(),
-            "'doo-sabin:n=5'",
-            "",
-        ),
-        (
-            "smoothness",
             "scheme = 'four-point:w=z'\ncontinuous = '1'".to_owned(),
             "'four-point:w=z'",
             "z",

@@ -91,7 +91,7 @@ fn ranges() {
         ("chaikin", "w", &["does not depend on `w`", "it has none"]),
         ("six-point", "", &["does not depend on ``"]),
         ("six-point x chaikin", "w", &["tensor product", "one of its factors"]),
-        ("doo-sabin", "n", &["is a ring", "needs a mask"]),
+        ("doo-sabin", "n", &["the number of points of `face` is n", "integer from 1"]),
         ("newton:j=1", "n", &["the arity is n", "integer"]),
         ("newton:n=3", "w", &["needs its parameter `j`"]),
         ("six-point:w=1/w", "w", &["w"]),

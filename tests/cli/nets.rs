@@ -140,7 +140,7 @@ fn what_does_not_fit() {
     let closed = cube.into_iter().chain(["--closed", "u"]);
     assert_parts(&refused(closed), &["--closed is for nets", "polygon mesh"]);
     let csv = ["refine", "catmull-clark", "--mesh", "examples/cube.obj", "--format", "csv"];
-    assert_parts(&refused(csv), &["polygon meshes are written as obj, ply or json"]);
+    assert_parts(&refused(csv), &["polygon meshes are written as obj, ply, usda or json"]);
     assert_parts(
         &refused(["limit", "bicubic", "--mesh", "nowhere.csv"]),
         &["cannot read `nowhere.csv`"],

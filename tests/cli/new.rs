@@ -81,7 +81,7 @@ fn the_standard_input_is_a_claim_file() {
     }
     let wrong = subcert(["audit", "-"]).stdin("key = 'k'\n").assert().code(2);
     let message = String::from_utf8_lossy(&wrong.get_output().stderr).into_owned();
-    assert_parts(&message, &["standard input:1:1", "missing field `paper`"]);
+    assert_parts(&message, &["standard input:1:1", "missing fields `paper` and `title`"]);
     // What is missing is named at once, also in a table of the file.
     let wrong = subcert(["audit", "-"]).stdin("[paper]\n[[table]]\nid = 't'\n").assert().code(2);
     let message = String::from_utf8_lossy(&wrong.get_output().stderr).into_owned();

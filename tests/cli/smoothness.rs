@@ -200,7 +200,7 @@ fn maps_of_two_parameters() {
         (&["--smoothness", "1", "--bounds", "a=0..1,a=0..1"], "has bounds already"),
         (&["--smoothness", "1", "--bounds", "a=0-1"], "there is no `..`"),
         (&["--smoothness", "1", "--bounds", "a=x..1"], "in `--bounds`"),
-        (&["--smoothness", "1", "--param", "c"], "`--param` is given 3 times"),
+        (&["--smoothness", "1", "--param", "c"], "3 parameters; there are maps of up to two"),
     ] {
         assert_parts(&refused(map(extra)), &[part]);
     }

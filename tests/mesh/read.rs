@@ -16,7 +16,7 @@ const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
 #[test]
 fn the_three_forms_agree() {
-    let obj = read(MeshFormat::Obj, &format!("{TRIANGLE}v 1 1 0.5\nf 1/1 2/2/2 4//4 -2\n"));
+    let obj = read(MeshFormat::Obj, &format!("{TRIANGLE}v 1 1 0.5\nf 1//1 2 4//4 -2\n"));
     let off = read(
         MeshFormat::Off,
         "OFF # points\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n1 1 .5\n4 0 1 3 2 255 0 0\n",
@@ -134,14 +134,14 @@ fn errors_in_obj_files() {
     let tagged = |tag: &str| with(&format!("f 1 2 3\n{tag}\n"));
     for (tag, part) in [
         ("t crease 1/1/0 0 2", "pairs of vertices"),
-        ("t crease 2/1/0 0 2", "1 after `2/1/0`"),
+        ("t crease 2/1/0 0 2", "2 values after `2/1/0`"),
         ("t crease 2/1/0 0 2 -1", "the sharpness -1 is below 0"),
         ("t crease 2/1/0 0 3 1", "there is no edge between the vertices 0 and 3"),
         ("t crease 2/2/0 0 1 1 2", "one sharpness for all"),
         ("t crease 2/1 0 1 x", "`x` is not a number"),
         ("t crease x 0 1 x", "how many"),
         ("t crease 99999999999999999999999/0/0", "how many"),
-        ("t crease 18446744073709551615/1/0 1", "1 after"),
+        ("t crease 18446744073709551615/1/0 1", "1 values after"),
         ("t", "without a name"),
         ("t corner 1/1/0 3 1", "vertex 3 does not exist: there are 3"),
         ("t hole 1/0/0 1", "face 1 does not exist: there are 1"),

@@ -1,7 +1,9 @@
 //! Meshes as text.
 
 use super::{grid, mesh, tetrahedron};
-use subcert::mesh::{BeyondF64, MeshScheme, PolygonMesh, limit_points, to_json, to_obj, to_ply};
+use subcert::mesh::{
+    BeyondF64, LimitPoint, MeshScheme, PolygonMesh, limit_points, to_json, to_obj, to_ply,
+};
 
 #[test]
 fn json_is_json_and_exact() {
@@ -27,7 +29,13 @@ fn normals_stand_in_obj_where_all_vertices_have_one() {
     let flat = grid(3, 3, false);
     let limits = limit_points(&flat, MeshScheme::CatmullClark).expect("small");
     let text = to_obj(&flat, "a\nb", &limits).expect("finite");
-    assert!(text.starts_with("# a b\nv 0.0 0.0 ") && !text.contains("vn"), "{text}");
+    assert!(text.starts_with("# a b\nv 0.0 0.0 ") && text.contains("\nf 1//1 "), "{text}");
+    let part: Vec<_> = limits
+        .into_iter()
+        .map(|limit| limit.map(|one| LimitPoint { normal: None, ..one }))
+        .collect();
+    let text = to_obj(&flat, "a", &part).expect("finite");
+    assert!(!text.contains("vn") && !text.contains("//"), "{text}");
 }
 
 #[test]

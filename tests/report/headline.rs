@@ -18,9 +18,10 @@ fn check(audit: &PaperAudit<'_>) {
     assert!(first.split_whitespace().count() <= MAX_WORDS, "{first}");
     assert!(said.ends_with('.') && !said.contains("  ") && !said.contains(".."), "{said}");
     let words: Vec<&str> = said.split_whitespace().collect();
-    for pair in words.windows(2) {
-        // `2 is`, `1 are`, `1 cells`.
-        if let Ok(count) = pair[0].parse::<usize>() {
+    for (place, pair) in words.windows(2).enumerate() {
+        // `2 is`, `1 are`, `1 cells`; the number of a table counts nothing.
+        let counts = place == 0 || !["Table", "Theorem"].contains(&words[place - 1]);
+        if let Some(count) = pair[0].parse::<usize>().ok().filter(|_| counts) {
             let next = pair[1].trim_end_matches(['.', ',']);
             let singular = ["is", "differs", "cell", "promise", "takes", "fails"].contains(&next);
             let plural =

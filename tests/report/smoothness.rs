@@ -18,7 +18,7 @@ fn reports_say_what_is_stated_and_what_is_known() {
     let words = |text: String| text.split_whitespace().collect::<Vec<&str>>().join(" ");
     let report = words(audit_sheet(&audits, false).to_text(None));
     for part in [
-        "2 of 4 statements about smoothness are refuted.",
+        "Theorem 1 and Theorem 4 are refuted: 2 of 4 statements about smoothness.",
         "✗ Theorem 1 Too smooth · s states: the limits are C^2 the limits are C^1, and not all limits are C^2; \
          Hölder exponent 2, attained",
         "? Theorem 2 a not checkable without the mask",

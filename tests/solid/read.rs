@@ -83,7 +83,7 @@ fn bad_vtk() {
         refused(&VTK.replacen(from, to, 1), SolidFormat::Vtk, parts);
     };
     vtk("ASCII", "BINARY", &["test:3:1", "a binary VTK file", "ascii"]);
-    vtk("# vtk", "<VTKFile", &["test:1:1", "this is no solid", "MeshVersionFormatted"]);
+    vtk("# vtk", "<VTKFile", &["test:1:1", "this is no VTK file", "MeshVersionFormatted"]);
     vtk("UNSTRUCTURED_GRID", "POLYDATA", &["test:4:1", "`DATASET UNSTRUCTURED_GRID` is expected"]);
     vtk(
         "POINTS 21",

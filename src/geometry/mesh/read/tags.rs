@@ -99,7 +99,8 @@ impl<'a> Parsed<'a> {
         sizes.resize(3, 0);
         let total = sizes.iter().try_fold(0_usize, |sum, size| sum.checked_add(*size));
         if total != Some(rest.len()) {
-            let message = format!("{} after `{}`, which says otherwise", rest.len(), counts.text);
+            let message =
+                format!("{} values after `{}`, which counts others", rest.len(), counts.text);
             return Err(lines.wrong(extent(line), message).with_help(HELP));
         }
         let (wholes, rest) = rest.split_at(sizes[0]);
