@@ -85,7 +85,11 @@ fn the_standard_input_is_a_claim_file() {
     // What is missing is named at once, also in a table of the file.
     let wrong = subcert(["audit", "-"]).stdin("[paper]\n[[table]]\nid = 't'\n").assert().code(2);
     let message = String::from_utf8_lossy(&wrong.get_output().stderr).into_owned();
-    assert_parts(&message, &["missing field", "`key`", "`title` and `year`", "`locus`", "`cells`"]);
+    assert_parts(&message, &["missing fields `title` and `year`"]);
+    let table = "key = 'k'\n[paper]\ntitle = 'T'\nyear = 2020\n[[table]]\nid = 't'\n";
+    let wrong = subcert(["audit", "-"]).stdin(table).assert().code(2);
+    let message = String::from_utf8_lossy(&wrong.get_output().stderr).into_owned();
+    assert_parts(&message, &["`locus`"]);
     // TOML as people write it, and no more than is needed.
     let short = "key = 'k'\n[paper]\ntitle = 'T'\nyear = 2020\n[[table]]\nid = 't'\nlocus = 'Table 1'\nvalue = 'c + 1'\n\
                  columns = { name = 'c', values = [1, -2] }\ncells = [[2, -1]]\n";

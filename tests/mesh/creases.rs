@@ -40,20 +40,21 @@ fn an_infinite_crease_is_a_boundary_of_both_sides() {
     for (triangles, scheme) in [(false, MeshScheme::CatmullClark), (true, MeshScheme::LoopWarren)] {
         let whole = grid(5, 3, triangles);
         let line = [([6, 7], sharp(10, 1)), ([7, 8], sharp(12, 1))];
-        // The ends of the line are corners of both parts.
-        let with_corners = |mesh: &Mesh| {
-            let mut tags = mesh.tags().clone();
-            tags.boundary = Boundary::Corner;
-            mesh.clone().with_tags(tags)
-        };
         let (below, above) = (0..9, 6..15);
-        let found = refined(&with_corners(&creased(&whole, &line)), scheme, 3);
+        let found = refined(&creased(&whole, &line), scheme, 3);
         for part in [below, above] {
+            let start = part.start;
             let faces = whole.faces().iter().filter(|face| face.iter().all(|v| part.contains(v)));
             let faces = faces.map(|face| face.iter().map(|v| v - part.start).collect()).collect();
             let points = whole.points()[part.clone()].to_vec();
             let part = PolygonMesh::new(points, faces).expect("a surface");
-            let part = refined(&with_corners(&part), scheme, 3);
+            // Three sharp edges meet at the ends of the line: they are corners.
+            let mut tags = Tags::default();
+            for end in [6, 8] {
+                let end = end - start;
+                tags.corner(part.connectivity(), end, sharp(10, 1)).expect("a vertex");
+            }
+            let part = refined(&part.with_tags(tags), scheme, 3);
             assert!(part.points().iter().all(|point| found.points().contains(point)));
         }
         let smooth = refined(&whole, scheme, 3);

@@ -139,8 +139,12 @@ fn regular_boundary_normals() {
         normal_shrinks(MeshScheme::CatmullClark, &grid(4, 5, false), vertex, &half);
         normal_shrinks(MeshScheme::LoopWarren, &grid(4, 5, true), vertex, &half);
     }
-    // The corner of one face has the tangents of its two boundaries.
-    normal_shrinks(MeshScheme::CatmullClark, &grid(4, 5, false), 0, &half);
+    // At a corner of one face that is no corner of the rules, λ is 1/2 along the boundary and 1/4 across.
+    let mesh = grid(4, 5, false);
+    let refined = refine_mesh(&mesh, MeshScheme::CatmullClark, 1).expect("small");
+    let normal = |mesh| limits(mesh, MeshScheme::CatmullClark)[0].clone().unwrap().normal.unwrap();
+    let expected = scaled(normal(&mesh).plain(), &RealCyclotomic::from(r(1, 8)));
+    assert_eq!(*normal(&refined).plain(), expected);
 }
 
 /// The vertices of a deep level, at first those of the mesh, are near the limit points, and the faces around

@@ -109,8 +109,8 @@ fn bad_vtk() {
         "8 7 10 11 12 0 3 4 5",
         &["test:29:1", "on the same side of their face", "the other place", "exchange its bottom"],
     );
-    refused("", SolidFormat::Vtk, &["this is no solid"]);
-    refused("\u{feff}  é\u{2003}", SolidFormat::Vtk, &["this is no solid"]);
+    refused("", SolidFormat::Vtk, &["this is no VTK file"]);
+    refused("\u{feff}  é\u{2003}", SolidFormat::Vtk, &["this is no VTK file"]);
     refused("# vtk DataFile Version 3.0\n", SolidFormat::Vtk, &["`ASCII` is expected"]);
     refused(&VTK[..VTK.len() / 2], SolidFormat::Vtk, &["the file ends here"]);
 }
