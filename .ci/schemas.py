@@ -26,6 +26,7 @@ ANSWERS = [
     ("depth", "depth chaikin --tolerance 1/100"),
     ("depth", "depth chaikin --polygon examples/polygon.csv --tolerance 1/100"),
     ("depth-mesh", "depth catmull-clark --mesh examples/cube.obj --tolerance 1/10"),
+    ("depth-mesh-geometric", "depth doo-sabin --mesh examples/cube.obj --tolerance 1/10 --distance geometric"),
     ("depth-ring", "depth doo-sabin:n=5 --tolerance 1/100"),
     ("errata", "errata --paper khan2019-newton"),
     ("explain", "explain khan2022-doo-sabin:theorem-3"),

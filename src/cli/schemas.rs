@@ -2,7 +2,8 @@
 //! written.
 
 use super::json::{
-    certify, constants, depth, listing, mesh_depth, range, schemes, smoothness, spectrum, vertex,
+    certify, constants, depth, geometric_depth, listing, mesh_depth, range, schemes, smoothness,
+    spectrum, vertex,
 };
 use super::output::{Failure, Outcome, json_text};
 use super::save::save;
@@ -28,6 +29,7 @@ fn all() -> Vec<(&'static str, Schema)> {
         ("coverage", of::<CoverageReport>()),
         ("depth", of::<depth::Report<'_>>()),
         ("depth-mesh", of::<mesh_depth::Report<'_>>()),
+        ("depth-mesh-geometric", of::<geometric_depth::Report<'_>>()),
         ("depth-ring", of::<depth::LocalReport<'_>>()),
         ("errata", of::<ErrataReport>()),
         ("explain", of::<Explained>()),
