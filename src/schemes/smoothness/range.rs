@@ -99,11 +99,11 @@ impl SmoothRange {
     /// use subcert::scheme::parse_parametric;
     /// use subcert::smoothness::smooth_range;
     ///
-    /// // C^1 ends at 0.1927292…
+    /// // C^1 ends at 0.19272925…
     /// let mask = parse_parametric("four-point", "w")?;
     /// let rules = polynomial_rules(mask.rules(), "w")?;
     /// let mut range = smooth_range(&rules, 1, 2)?;
-    /// let end = Rational::new(19_272, 100_000);
+    /// let end = Rational::new(192_728, 1_000_000);
     /// assert!(!range.inside.contains(&end));
     /// let open = IntervalSet::everything().without(&range.inside).without(&range.outside);
     /// range.look_closer(&open, &Rational::new(1, 1_000_000))?;

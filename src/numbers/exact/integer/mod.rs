@@ -57,7 +57,7 @@ impl Integer {
         valid.then(|| backend::parse_digits(digits).map(Integer::normal)).flatten()
     }
 
-    /// Σ 2^{64i}·words[i].
+    /// Σ 2^{64i}·words\[i\].
     #[must_use]
     pub fn from_words(words: &[u64]) -> Integer {
         Integer::normal(backend::from_words(words))
