@@ -9,10 +9,12 @@
 //! everywhere.
 
 use subcert_claims::{audit, claim, shipped};
-use subcert_numbers::{diagnostic, exact, formula};
 #[cfg(feature = "report")]
-use subcert_schemes::spectrum;
-use subcert_schemes::{bound, characteristic, float, joint, limit, scheme, smoothness};
+use subcert_numbers::formula;
+use subcert_numbers::{diagnostic, exact};
+use subcert_schemes::{bound, characteristic, joint, limit, scheme, smoothness};
+#[cfg(feature = "report")]
+use subcert_schemes::{float, spectrum};
 
 pub mod certificate;
 #[cfg(feature = "report")]

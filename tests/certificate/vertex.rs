@@ -117,7 +117,7 @@ fn claims_are_judged_and_certified_and_changed_certificates_are_rejected() {
         let begin = written.text.find(&format!("smoothness {id}\n")).expect("a block");
         let lines = written.text[begin..].lines().enumerate();
         let own = lines.take_while(|(place, line)| *place == 0 || line.starts_with(' '));
-        let block: String = own.map(|(_, line)| format!("{line}\n")).collect();
+        let block: String = own.fold(String::new(), |text, (_, line)| text + line + "\n");
         let at = block.find(from).unwrap_or_else(|| panic!("{id}: {from}"));
         let block = format!("{}{to}{}", &block[..at], &block[at + from.len()..]);
         let changed = format!("subcert-certificate 4\npaper k\n{block}end 1\n");
