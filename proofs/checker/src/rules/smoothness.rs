@@ -107,6 +107,9 @@ fn vertices<'a>(
         Some((one, None)) => Some((number(one)?, Some(number(one)?))),
         Some((_, Some((first, last)))) => Some((number(first)?, Some(number(last)?))),
     };
+    // Of no valence everything would hold.
+    let ordered = ends.is_none_or(|(first, last)| last.is_none_or(|last| first <= last));
+    require(ordered, Reason::Malformed("valences, of which the first is not above the last"))?;
     let (mut refuted, mut next) = (false, ends.map_or(0, |(first, _)| first));
     let (mut complete, mut confirmed) = (true, true);
     while let Some(said) = block.maybe("vertex") {
@@ -120,14 +123,7 @@ fn vertices<'a>(
         }
         let ring = LocalRules::of_valence(paper.library, reference, &scope, ends.map(|_| valence))?;
         paper.library.meter.spend(VERTEX_STEPS)?;
-        let size = ring.names.iter().filter(|name| name.contains('[')).count();
-        // There are one or two orbits of so many points.
-        let valence = usize::try_from(valence).unwrap_or(0);
-        require(
-            [valence, 2 * valence].contains(&size),
-            Reason::Vertex("this is the valence of the rules"),
-        )?;
-        let found = check_vertex(&ring, block)?;
+        let found = check_vertex(&ring, usize::try_from(valence).unwrap_or(0), block)?;
         let holds = |m: usize| found == Found::Smooth && m <= 1;
         let fails = |m: usize| found == Found::Rough && m >= 1;
         confirmed &= continuous.is_none_or(holds) && not_continuous.is_none_or(fails);

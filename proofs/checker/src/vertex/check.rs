@@ -31,8 +31,13 @@ fn number(text: Option<&str>) -> Checked<Q> {
 }
 
 /// Reads the lines from `part` on, about the rules of a ring.
-pub fn check_vertex(ring: &LocalRules<'_>, block: &mut Block<'_>) -> Checked<Found> {
+pub fn check_vertex(
+    ring: &LocalRules<'_>,
+    valence: usize,
+    block: &mut Block<'_>,
+) -> Checked<Found> {
     let inner = Inner::read(ring)?;
+    require(inner.order == valence, Reason::Vertex("this is the valence of the rules"))?;
     agree(block.after("part")?, inner.part.name(), Reason::Said)?;
     let mut words = block.after("eigenvalue")?.split_whitespace();
     let k = words.next().and_then(|k| k.parse().ok()).ok_or(Reason::Malformed("a block"))?;

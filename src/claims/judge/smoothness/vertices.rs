@@ -45,7 +45,16 @@ pub(super) fn judge(
     for valence in first.unwrap_or(0)..=last.unwrap_or(0) {
         let ring = scheme.ring(instances, first.map(|_| valence))?;
         match Vertex::of_ring(ring) {
-            Ok(vertex) => vertices.push(vertex),
+            Ok(vertex) => {
+                let order = vertex.spectrum.order;
+                if first.is_some_and(|_| order != valence) {
+                    let message = format!("at valence {valence} these rules have {order} sectors");
+                    return Err(scheme.error(message).with_help(
+                        "the parameter `N` or `n` of rules is the number of their sectors, as of the catalogue's",
+                    ));
+                }
+                vertices.push(vertex);
+            }
             Err(error) => return Ok(capped(&error)),
         }
     }
