@@ -147,6 +147,8 @@ pub struct SmoothRangeStatement {
     pub closed: bool,
     /// Whether the paper says that the limits are C^m for no other values.
     pub only: bool,
+    /// Of rules around a vertex or on a face: the valences of which it speaks.
+    pub valences: Option<PrintedValences>,
 }
 
 /// An end of a printed interval.
