@@ -7,7 +7,7 @@ use crate::definitions::formula_of;
 use crate::meter::Meter;
 use crate::paper::{Paper, printed};
 use crate::piece::Piece;
-use crate::reject::{Checked, Reason, Stop, Text, agree, compare};
+use crate::reject::{Checked, Reason, Stop, Text, agree, compare, require};
 use crate::root::Root;
 use crate::rounding::rounding_on;
 use crate::toml::Toml;
@@ -18,6 +18,7 @@ type End = (Option<Root>, bool);
 
 /// Checks a range.
 pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<()> {
+    require(claim.get("valences").is_none(), Reason::Malformed("`valences` beside `smoothness`"))?;
     let free = Free::read(paper, claim, block)?;
     block.restates("value", claim.text("value"))?;
     let below = claim.get("below").is_some();

@@ -96,6 +96,8 @@ pub(super) fn of_each(verdicts: &[SmoothnessVerdict]) -> SmoothnessVerdict {
         SmoothnessVerdict::Refuted
     } else if has(SmoothnessVerdict::Open) {
         SmoothnessVerdict::Open
+    } else if has(SmoothnessVerdict::RoundedEnds) {
+        SmoothnessVerdict::RoundedEnds
     } else {
         SmoothnessVerdict::Confirmed
     }
