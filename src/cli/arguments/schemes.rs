@@ -1,7 +1,7 @@
 //! The arguments of the commands about schemes.
 
 use super::meshes::ClosedArgument;
-use super::{FindingOutput, Output, TableOutput, Valences};
+use super::{FindingOutput, Output, Valences};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -52,7 +52,7 @@ pub(in crate::cli) struct ConstantsArguments {
     #[arg(long)]
     pub(in crate::cli) forward: bool,
     #[command(flatten)]
-    pub(in crate::cli) output: TableOutput,
+    pub(in crate::cli) output: Output,
 }
 
 #[derive(Debug, Args)]
