@@ -1,9 +1,9 @@
 //! Readings of the same scheme with other numbers of its points.
 
-use crate::common::claims::{HEAD, judged, paper};
+use crate::common::claims::{HEAD, judged, paper, theorem};
 use crate::common::r;
 use proptest::prelude::*;
-use subcert::audit::{Copied, Difference, PaperAudit, Verdict};
+use subcert::audit::{Copied, Correction, Difference, PaperAudit, TheoremVerdict, Verdict};
 use subcert::bound::{Order, power_norm};
 use subcert::certificate::certificate;
 use subcert::exact::Rational;
@@ -82,6 +82,45 @@ fn other_digits_are_refuted() {
     let search = audit.tables[0].search.as_ref().expect("a search");
     // The order, the terms of T_1, and the decimals; then two numbers with the order forward, alone or with the terms.
     assert!(search.elsewhere && search.tried == 3 * 4 + 3 * 4, "{}", search.tried);
+}
+
+/// A theorem that differences are at most this from level 2 on.
+fn differences_at_most(by: &str) -> String {
+    theorem(&format!(
+        "scheme = 'ternary-three-point:a=1389/5000'\nbounds = 'difference'\nby = '{by}'\nfrom = '2'"
+    ))
+}
+
+/// Differences after two levels are at most T_2 = 0.222163…, and reach it. Nine tenths of T_2 read
+/// forwards are less in the catalogue's numbers, and 9/10·0.253017… in the two others.
+#[test]
+fn a_theorem_is_true_in_other_numbers_of_the_points() {
+    let by = "beta*contraction(2, order=forward)*(9/10)^(k-1)";
+    let claims = differences_at_most(by);
+    let paper = paper(&claims);
+    let finding = &judged(&paper).theorems[0];
+    assert_eq!(finding.verdict, TheoremVerdict::Refuted);
+    let saves = |one: &Correction| match one {
+        Correction::Numbers { first } => *first,
+        Correction::Way(choice, _) if choice.key == "order" => 0,
+        other => panic!("{other}"),
+    };
+    assert_eq!(finding.corrections.iter().map(saves).collect::<Vec<_>>(), [0, 1, 2]);
+    let sets: Vec<_> =
+        finding.repairs.iter().map(|one| (&one.corrections[..], one.proved)).collect();
+    assert_eq!(sets, [(&[1][..], true), (&[2], true)]);
+}
+
+/// A bound that is false in every numbering of the points stays so, and no set holds two numberings or
+/// one of them beside the order in which they change nothing.
+#[test]
+fn a_theorem_that_is_false_in_all_numbers_is_not_saved() {
+    let by = "beta*contraction(2, order=forward)/2*(9/10)^(k-2)";
+    let claims = differences_at_most(by);
+    let paper = paper(&claims);
+    let finding = &judged(&paper).theorems[0];
+    assert_eq!(finding.verdict, TheoremVerdict::Refuted);
+    assert_eq!((finding.corrections.len(), finding.repairs.len()), (3, 0));
 }
 
 fn mask() -> impl Strategy<Value = Mask> {

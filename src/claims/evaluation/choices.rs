@@ -109,6 +109,9 @@ pub(crate) const OFFSET: Choice = Choice {
     source: "the papers print their masks from index 0, whatever the scheme's own offset is",
 };
 
+/// The word of masks that are read forwards, whose constants depend on the numbers of the points.
+pub(crate) const FORWARD: &str = "forward";
+
 /// The order of the sequence t: t_{nu+β} = b_{β,N−1−u} or b_{β,u}.
 pub(crate) const ORDER: Choice = Choice {
     key: "order",
@@ -119,7 +122,7 @@ pub(crate) const ORDER: Choice = Choice {
     },
     ways: &[
         Way { word: "adjoint", says: "masks read backwards" },
-        Way { word: "forward", says: "masks read forwards" },
+        Way { word: FORWARD, says: "masks read forwards" },
     ],
     source: "Mustafa et al. 2020: (3) reads the mask of a curve forwards, (23) that of a surface \
              backwards",

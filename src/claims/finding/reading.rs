@@ -165,14 +165,17 @@ impl fmt::Display for Difference {
                 let at = if header.is_empty() { "" } else { " at " };
                 write!(f, "{at}{header}, rounded to what is printed")
             }
-            Difference::Copied(Copied::Numbers { first }) => {
-                write!(f, "the scheme's points and rows numbered from the {} on", ordinal(*first))
-            }
+            Difference::Copied(Copied::Numbers { first }) => numbered(f, *first),
             Difference::Scale { name, value, stated } => {
                 write!(f, "{name} = {value}, where {stated} is stated")
             }
         }
     }
+}
+
+/// Says that the points are numbered from this one on.
+pub(super) fn numbered(f: &mut fmt::Formatter<'_>, first: usize) -> fmt::Result {
+    write!(f, "the scheme's points and rows numbered from the {} on", ordinal(first))
 }
 
 /// The name of a row that is counted from 0.

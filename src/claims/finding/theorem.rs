@@ -4,6 +4,7 @@ use crate::claim::Theorem;
 use crate::evaluation::{Choice, Way};
 use crate::exact::{Rational, RealCyclotomic};
 use crate::finding::levels::Levels;
+use crate::finding::reading::numbered;
 use crate::finding::witness::{Supremum, Unshiftable, Violation};
 use std::fmt;
 
@@ -34,6 +35,12 @@ pub enum Correction {
     Greatest,
     /// Polygon and limit are compared at the offset that serves the scheme best.
     Centred,
+    /// The points, and so the rows of a mask that is read forwards, are numbered from another one
+    /// on ([`Rules::numbered_from`](crate::scheme::Rules::numbered_from)).
+    Numbers {
+        /// The number of the point that becomes number 0, from 1.
+        first: usize,
+    },
 }
 
 impl fmt::Display for Correction {
@@ -47,6 +54,7 @@ impl fmt::Display for Correction {
             Correction::AllSteps => "the steps of all levels of a block, not of one",
             Correction::Greatest => "the greatest of the levels of a block",
             Correction::Centred => "polygon and limit compared at the best offset",
+            Correction::Numbers { first } => return numbered(f, *first),
         })
     }
 }

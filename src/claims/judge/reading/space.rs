@@ -1,7 +1,7 @@
 //! The readings of one table, and the choices in which they may differ.
 
 use crate::claim::{Cell, Printed};
-use crate::evaluation::choices::{DECIMAL_ROUNDING, FAMILY, ORDER};
+use crate::evaluation::choices::{DECIMAL_ROUNDING, FAMILY, FORWARD, ORDER};
 use crate::evaluation::context::At;
 use crate::evaluation::settings::Settings;
 use crate::evaluation::table::Evaluator;
@@ -35,9 +35,6 @@ const MAX_VALUES: usize = 100_000;
 /// The most differences from the printed text of a reading that takes a quantity from another
 /// place; this quantity is one of them.
 const MAX_WITH_COPIED: usize = 3;
-
-/// The way of the order in which masks are read forwards.
-const FORWARD: &str = "forward";
 
 /// The functions that take the order of masks.
 const MASK_CONSTANTS: [&str; 3] = ["contraction", "norm", "tensor"];

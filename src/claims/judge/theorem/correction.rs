@@ -2,7 +2,7 @@
 
 use crate::claim::{Paper, Quantity, Statement, Theorem};
 use crate::diagnostic::Diagnostic;
-use crate::evaluation::choices::FAMILY;
+use crate::evaluation::choices::{FAMILY, FORWARD, ORDER};
 use crate::evaluation::settings::Settings;
 use crate::exact::Rational;
 use crate::finding::Correction;
@@ -74,6 +74,12 @@ pub(crate) fn corrections(
         found.push(Correction::Centred);
     }
     found.truncate(MAX_CORRECTIONS);
+    if consulted.get(ORDER.key).is_some_and(|word| word == FORWARD) {
+        let masks = cases.iter().filter_map(|case| case.resolved.as_ref());
+        let masks = masks.flat_map(|scheme| &scheme.constants);
+        let arity = masks.map(|axis| axis.mask().arity()).max().unwrap_or(0);
+        found.extend((1..arity).map(|first| Correction::Numbers { first }));
+    }
     Ok(found)
 }
 
@@ -86,6 +92,10 @@ pub(crate) fn settings(paper: &Paper, theorem: &Theorem, corrections: &[&Correct
     let mut settings = Settings::new(words.collect());
     for correction in corrections {
         let (of, value) = match correction {
+            Correction::Numbers { first } => {
+                settings.first = *first;
+                continue;
+            }
             Correction::Alternative { place, .. } => {
                 let alternative = &paper.alternatives[*place];
                 (&alternative.of, &alternative.value)
@@ -103,14 +113,19 @@ pub(crate) fn settings(paper: &Paper, theorem: &Theorem, corrections: &[&Correct
     settings
 }
 
-/// Every set of corrections, smaller ones first.
+/// Every set of corrections, smaller ones first. A set has at most one numbering of the points, and
+/// none beside masks in adjoint order, whose constants do not depend on it.
 pub(crate) fn subsets(corrections: &[Correction]) -> Vec<Vec<&Correction>> {
-    let mut sets: Vec<Vec<&Correction>> = (0_u32..1 << corrections.len())
-        .map(|bits| {
-            let chosen = corrections.iter().enumerate().filter(|(i, _)| bits >> i & 1 == 1);
-            chosen.map(|(_, correction)| correction).collect()
-        })
+    let (numbers, others): (Vec<&Correction>, Vec<_>) =
+        corrections.iter().partition(|one| matches!(one, Correction::Numbers { .. }));
+    let mut sets: Vec<Vec<&Correction>> = (0_u32..1 << others.len())
+        .map(|bits| (0..others.len()).filter(|i| bits >> i & 1 == 1).map(|i| others[i]).collect())
         .collect();
+    let ordered =
+        |one: &&Correction| matches!(one, Correction::Way(choice, _) if choice.key == ORDER.key);
+    let forward = sets.iter().filter(|set| !set.iter().any(ordered));
+    let numbered = forward.flat_map(|set| numbers.iter().map(|one| [&set[..], &[*one]].concat()));
+    sets.extend(numbered.collect::<Vec<_>>());
     sets.sort_by_key(Vec::len);
     sets
 }
