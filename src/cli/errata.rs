@@ -17,24 +17,12 @@ pub(super) fn errata(arguments: &ErrataArguments) -> Outcome {
         Claims::Papers(papers) => {
             let papers = select(papers, arguments.paper.as_deref())?;
             let audits = judge_all(&papers, bar)?;
-            deliver(
-                arguments,
-                &audits,
-                |audit| &audit.paper.key,
-                errata_sheet,
-                ErrataReport::of,
-            )
+            deliver(arguments, &audits, |audit| &audit.paper.key, errata_sheet, ErrataReport::of)
         }
         Claims::Projects(projects) => {
             let projects = select_project(projects, arguments.paper.as_deref())?;
             let audits = judge_projects(&projects, bar)?;
-            deliver(
-                arguments,
-                &audits,
-                |audit| &audit.project.key,
-                issue_sheet,
-                ProjectsReport::of,
-            )
+            deliver(arguments, &audits, |audit| &audit.project.key, issue_sheet, ProjectsReport::of)
         }
     }
 }

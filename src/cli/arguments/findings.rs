@@ -44,7 +44,7 @@ pub(in crate::cli) struct FindingOutput {
     pub(in crate::cli) format: FindingFormat,
     /// The file for the results; of `--format html` a file that ends in .html, or a folder for it
     /// [default: the standard output]
-    #[arg(short = 'o', long = "output", value_name = "FILE|DIR")]
+    #[arg(id = "output", short = 'o', long, value_name = "FILE|DIR")]
     pub(in crate::cli) file: Option<PathBuf>,
 }
 

@@ -115,6 +115,9 @@ pub(super) enum Command {
         /// The shell
         shell: clap_complete::Shell,
     },
+    /// Which command takes which flags
+    #[command(hide = true)]
+    Flags(Output),
     /// Write the JSON schemas of all answers
     #[cfg(feature = "schema")]
     #[command(hide = true)]
@@ -165,6 +168,6 @@ pub(super) struct Output {
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub(super) format: Format,
     /// The file for the results [default: the standard output]
-    #[arg(short = 'o', long = "output", value_name = "FILE")]
+    #[arg(id = "output", short = 'o', long, value_name = "FILE")]
     pub(super) file: Option<PathBuf>,
 }

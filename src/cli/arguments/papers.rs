@@ -28,7 +28,7 @@ pub(in crate::cli) struct AuditArguments {
     pub(in crate::cli) format: FindingFormat,
     /// The file for the results; of `--format html` the folder for a page of each paper, KEY.html, and
     /// index.html [default: the standard output]
-    #[arg(short = 'o', long = "output", value_name = "FILE|DIR")]
+    #[arg(id = "output", short = 'o', long, value_name = "FILE|DIR")]
     pub(in crate::cli) file: Option<PathBuf>,
 }
 

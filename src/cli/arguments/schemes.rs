@@ -233,6 +233,9 @@ pub(in crate::cli) struct OracleArguments {
     /// Output format
     #[arg(long, value_enum, default_value_t = OracleFormat::Json)]
     pub(in crate::cli) format: OracleFormat,
+    /// The file for the values [default: the standard output]
+    #[arg(id = "output", short = 'o', long, value_name = "FILE")]
+    pub(in crate::cli) file: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]
