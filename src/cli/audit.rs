@@ -3,6 +3,7 @@
 use super::arguments::{AuditArguments, BROKEN, FindingFormat, Format, Output, is_of_papers};
 use super::certified::Certified;
 use super::claim_files::{Claims, claims};
+use super::finding::no_page;
 use super::output::{Failure, Outcome, denied, show_table};
 use super::papers::{judge_all, select};
 use super::{csv, pages, projects, terminal};
@@ -47,7 +48,7 @@ impl Destination<'_> {
     fn of(arguments: &AuditArguments) -> Result<Destination<'_>, Failure> {
         match arguments.format.of_text(arguments.file.as_ref()) {
             None => Ok(Destination::Pages(pages::folder(arguments.file.as_deref())?)),
-            Some(to) => Ok(Destination::Output(to)),
+            Some(to) => Ok(Destination::Output(no_page(to)?)),
         }
     }
 }

@@ -23,7 +23,7 @@ impl Destination {
     pub(super) fn of(output: &FindingOutput, name: &str) -> Result<Destination, Failure> {
         let file = output.file.as_ref();
         match (output.format.of_text(file), file.map(PathBuf::as_path)) {
-            (Some(text), _) => Ok(Destination::Output(text)),
+            (Some(text), _) => Ok(Destination::Output(no_page(text)?)),
             (None, None) => Ok(Destination::Page),
             (None, Some(path)) if path.as_os_str() == "-" => Ok(Destination::Page),
             (None, Some(path)) if is_page(path) => Ok(Destination::File(path.to_owned())),
@@ -48,6 +48,17 @@ impl Destination {
                 write_results(&format!("{}\n", path.display()))
             }
         }
+    }
+}
+
+/// Where a text goes, which is no file for a page, and no folder.
+pub(super) fn no_page(to: Output) -> Result<Output, Failure> {
+    match &to.file {
+        Some(path) if is_page(path) || path.is_dir() => Err(Failure::Input(format!(
+            "`{}` is for pages: add --format html, or name another file with -o FILE",
+            path.display()
+        ))),
+        _ => Ok(to),
     }
 }
 

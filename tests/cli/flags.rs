@@ -123,7 +123,7 @@ fn reports_come_in_every_format() {
             }
             let to_file = [&formatted[..], &["-o", file]].concat();
             subcert(to_file.iter().copied()).assert().success().stdout_eq("");
-            assert_data_eq!(std::fs::read_to_string(file).expect(file), text);
+            assert_eq!(std::fs::read_to_string(file).expect(file), text, "{what}");
         }
     }
 }
