@@ -165,6 +165,7 @@ pub fn exponent<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>
     };
     let of_value = number("value")?;
     let [lower, upper] = [number("at_least")?, number("at_most")?];
+    block.look();
     let found = if shown.diverges() {
         "refuted"
     } else if let Some(field) = claim.get("printed") {
