@@ -123,7 +123,10 @@ fn reports_come_in_every_format() {
             }
             let to_file = [&formatted[..], &["-o", file]].concat();
             subcert(to_file.iter().copied()).assert().success().stdout_eq("");
-            assert_eq!(std::fs::read_to_string(file).expect(file), text, "{what}");
+            let saved = std::fs::read_to_string(file).expect(file);
+            // On a screen a long audit repeats its summary at the end.
+            let repeats = (name, format) == ("audit", "text");
+            assert!(saved == text || repeats && text.starts_with(&saved), "{what}\n\n{saved}");
         }
     }
 }
