@@ -24,7 +24,7 @@ pub(super) fn smooth_range(
     let range = computed(&rules, m, arguments.block.levels).map_err(|e| input(&e))?;
     drop(progress);
     let report = Report { arguments, parameter, m, range };
-    show(arguments.output.format, || report.sheet(), || report.form())
+    show(&arguments.output, || report.sheet(), || report.form())
 }
 
 struct Report<'a> {

@@ -47,7 +47,7 @@ pub(super) fn of_rules(arguments: &RangeArguments, parameter: &str) -> Option<Ou
         outside: parameter.set_form(&range.outside),
     };
     Some(show(
-        arguments.output.format,
+        &arguments.output,
         || sheet(scheme, parameter, &found),
         || form::VertexRange {
             schema: SCHEMA,

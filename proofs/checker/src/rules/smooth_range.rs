@@ -10,7 +10,7 @@ use crate::definitions::formula;
 use crate::evaluate::Scope;
 use crate::meter::Meter;
 use crate::paper::{Paper, printed};
-use crate::reject::{Checked, Reason, Stop, Text, agree, require};
+use crate::reject::{Checked, Reason, Stop, Text, require};
 use crate::root::Root;
 use crate::toml::Toml;
 use crate::value::Value;
@@ -55,7 +55,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         let pieces = free.pieces(block, &above)?;
         let within = covered(&pieces.breaks, &pieces.signs, &ends, closed, paper.library.meter)?;
         require(within, Reason::Uncovered)?;
-        return agree(block.any()?.0, "confirmed", Reason::Verdict);
+        return block.verdict("confirmed");
     }
     let said = block.after("at")?;
     let at = read_rational(said).ok_or(Reason::Malformed("a number"))?;
@@ -84,7 +84,7 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
     let inside = side > 0 || side == 0 && closed;
     let refutes = if inside { fails } else { only && holds };
     require(refutes, Reason::NoRefutation(Text(said.to_string())))?;
-    agree(block.any()?.0, "refuted", Reason::Verdict)
+    block.verdict("refuted")
 }
 
 /// An end of the printed range.

@@ -59,7 +59,7 @@ pub fn check<'a>(
         continuous.is_some_and(|m| shown.not_continuous(m))
             || not_continuous.is_some_and(|m| shown.continuous(m)),
     )?;
-    agree(block.any()?.0, found, Reason::Verdict)?;
+    block.verdict(found)?;
     Ok(None)
 }
 
@@ -82,7 +82,7 @@ fn cited(
         && continuous.is_some_and(|m| m <= 1)
         && not_continuous.is_none();
     require(states, Reason::Vertex("135 says what is stated"))?;
-    agree(block.any()?.0, "confirmed", Reason::Verdict)?;
+    block.verdict("confirmed")?;
     Ok(Citation { statement: "THEOREMS.md, 135".to_owned(), uses: Vec::new() })
 }
 
@@ -156,7 +156,7 @@ fn vertices<'a>(
         Some((_, last)) => last.is_some_and(|last| next == last + 1),
     };
     let found = verdict(complete && confirmed, refuted)?;
-    agree(block.any()?.0, found, Reason::Verdict)
+    block.verdict(found)
 }
 
 /// Checks a claim about the Hölder exponent.
@@ -185,7 +185,7 @@ pub fn exponent<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>
     };
     let of_value = number("value")?;
     let [lower, upper] = [number("at_least")?, number("at_most")?];
-    let (word, rest) = block.any()?;
+    block.look();
     let found = if shown.diverges() {
         "refuted"
     } else if let Some(field) = claim.get("printed") {
@@ -206,7 +206,7 @@ pub fn exponent<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>
     };
     // The certificate does not show whether an exponent is attained.
     require(claim.get("attained").is_none() || found == "refuted", Reason::NotShown)?;
-    agree(format!("{word} {rest}").trim(), found, Reason::Verdict)
+    block.verdict(found)
 }
 
 /// How the decimal came from the exponent.
