@@ -31,6 +31,8 @@ pub struct SchemeDefinition {
     pub title: String,
     /// Where it was published.
     pub citation: String,
+    /// Values of its parameters, such as `w=1/16`, whose schemes stand for the family in tables.
+    pub samples: Vec<String>,
     /// Its parameters, under their names.
     pub parameters: BTreeMap<String, ParameterSpec>,
     pub(super) definitions: BTreeMap<String, LocatedFormula>,
