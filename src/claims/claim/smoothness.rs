@@ -88,7 +88,7 @@ pub enum SmoothnessStatement {
         attained: Option<bool>,
     },
     /// The values of a parameter for which the limits are C^m.
-    Range(SmoothRangeStatement),
+    Range(Box<SmoothRangeStatement>),
 }
 
 /// The valences that a claim is about: `5`, `3..50`, or `all` from 3 on.

@@ -120,7 +120,7 @@ fn range_at_valence(found: &RangeAtValence, variable: &str) -> Vec<String> {
         set(&range.outside)
     );
     if !undecided.is_empty() {
-        line.push_str(&format!("; open for {}", set(undecided)));
+        line = format!("{line}; open for {}", set(undecided));
     }
     let witness = witness.as_ref().map(|VertexWitness { at, inside, vertex }| {
         let place = if *inside { "in the printed range" } else { "beyond the printed range" };

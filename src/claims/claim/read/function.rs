@@ -96,7 +96,7 @@ impl Reader<'_> {
             only: table.only.as_ref().is_some_and(|only| *only.get_ref()),
             valences: table.valences.as_ref().map(|text| self.valences(text)).transpose()?,
         };
-        let statement = Ok(SmoothnessStatement::Range(statement));
+        let statement = Ok(SmoothnessStatement::Range(Box::new(statement)));
         self.about_limits(table.common(), SmoothnessKind::Range, statement)
     }
 
