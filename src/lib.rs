@@ -44,7 +44,7 @@
 //! | crate | modules |
 //! |---|---|
 //! | [`subcert_numbers`] | [`exact`], [`formula`], [`diagnostic`], [`suggestion`] |
-//! | [`subcert_schemes`] | [`scheme`], [`bound`], [`limit`], [`float`], [`joint`], [`smoothness`], [`spectrum`], [`characteristic`] |
+//! | [`subcert_schemes`] | [`scheme`], [`bound`], [`limit`], [`float`], [`joint`], [`smoothness`], [`spectrum`], [`characteristic`], [`facts`] |
 //! | [`subcert_geometry`] | [`mesh`], [`net`], [`solid`], [`patch`], [`oracle`] |
 //! | [`subcert_claims`] | [`literal`], [`claim`], [`shipped`], [`audit`] |
 //! | [`subcert_reports`] | [`certificate`], `report` (feature `cli`) |
@@ -58,7 +58,7 @@ pub use subcert_reports::certificate;
 #[cfg(feature = "cli")]
 pub use subcert_reports::report;
 pub use subcert_schemes::{
-    bound, characteristic, float, joint, limit, scheme, smoothness, spectrum,
+    bound, characteristic, facts, float, joint, limit, scheme, smoothness, spectrum,
 };
 
 /// The examples of README.md, run as tests.

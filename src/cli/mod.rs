@@ -1,6 +1,7 @@
 //! The command line: the only user of clap and of the standard output.
 
 mod arguments;
+mod atlas;
 mod audit;
 mod certified;
 mod certify;
@@ -40,6 +41,7 @@ mod range;
 mod save;
 #[cfg(feature = "schema")]
 mod schemas;
+mod scheme;
 mod schemes;
 mod sets;
 mod smooth_map;
@@ -100,6 +102,8 @@ pub(crate) fn run() -> ExitCode {
         Command::Refine(command) => geometry::refine(&command),
         Command::Limit(command) => geometry::limit(&command),
         Command::Schemes(command) => schemes::schemes(&command),
+        Command::Scheme(command) => scheme::scheme(&command),
+        Command::Atlas(command) => atlas::atlas(&command),
         Command::Flags(output) => flags::flags(&output),
         #[cfg(feature = "schema")]
         Command::Schemas { folder } => schemas::schemas(&folder),

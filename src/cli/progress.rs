@@ -38,6 +38,12 @@ impl Progress {
         Progress::new(tables, "{bar:40} {pos} of {len} tables, {elapsed}", wanted, |_| {})
     }
 
+    /// The progress of the facts of so many schemes.
+    pub(super) fn of_schemes(schemes: usize, wanted: bool) -> Progress {
+        let schemes = u64::try_from(schemes).unwrap_or(u64::MAX);
+        Progress::new(schemes, "{bar:40} {pos} of {len} schemes, {elapsed}", wanted, |_| {})
+    }
+
     /// The progress of the spectra of so many rings.
     pub(super) fn of_spectra(done: Arc<AtomicU64>, rings: usize, wanted: bool) -> Progress {
         let rings = u64::try_from(rings).unwrap_or(u64::MAX);

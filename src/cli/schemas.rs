@@ -2,7 +2,7 @@
 //! written.
 
 use super::json::{
-    certify, constants, depth, geometric_depth, listing, mesh_depth, range, schemes, smoothness,
+    certify, constants, depth, facts, geometric_depth, listing, mesh_depth, range, schemes, smoothness,
     spectrum, vertex,
 };
 use super::output::{Failure, Outcome, json_text};
@@ -21,6 +21,7 @@ fn all() -> Vec<(&'static str, Schema)> {
         SchemaSettings::draft2020_12().for_serialize().into_generator().into_root_schema_for::<T>()
     }
     vec![
+        ("atlas", of::<facts::Atlas<'_>>()),
         ("audit", of::<AuditReport>()),
         ("audit-project", of::<ProjectsReport>()),
         ("certify", of::<certify::Certification<'_>>()),
@@ -40,6 +41,7 @@ fn all() -> Vec<(&'static str, Schema)> {
         ("range", of::<range::Range<'_>>()),
         ("range-smoothness", of::<range::SmoothRange<'_>>()),
         ("range-smoothness-map", of::<range::SmoothMap<'_>>()),
+        ("scheme", of::<facts::Facts<'_>>()),
         ("schemes", of::<schemes::Catalogue<'_>>()),
         ("smoothness", of::<smoothness::Smoothness<'_>>()),
         ("smoothness-vertex", of::<vertex::Vertices<'_>>()),

@@ -14,7 +14,7 @@ use subcert_numbers::formula;
 use subcert_numbers::{diagnostic, exact};
 use subcert_schemes::{bound, characteristic, joint, limit, scheme, smoothness};
 #[cfg(feature = "report")]
-use subcert_schemes::{float, spectrum};
+use subcert_schemes::{facts, float, spectrum};
 
 pub mod certificate;
 #[cfg(feature = "report")]

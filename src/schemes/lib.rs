@@ -10,6 +10,7 @@
 //! | [`smoothness`] | how smooth limits are: C^m, and the Hölder exponent |
 //! | [`spectrum`] | eigenvalues of the rules around a vertex or on a face, stencils of limits and tangents |
 //! | [`characteristic`] | whether surfaces are C¹ at an extraordinary vertex: the characteristic map |
+//! | [`facts`] | what all of these say of one scheme |
 //!
 //! Rooms of the crates below have their names here too, so that `crate::exact` is the same
 //! everywhere.
@@ -18,6 +19,7 @@ use subcert_numbers::{diagnostic, exact, formula, machine, suggestion};
 
 pub mod bound;
 pub mod characteristic;
+pub mod facts;
 pub mod float;
 pub mod joint;
 pub mod limit;

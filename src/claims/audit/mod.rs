@@ -26,6 +26,7 @@ pub use crate::finding::{
     TheoremVerdict, Unshiftable, Verdict, VertexWitness, Vertices, Violation, Witness, Working,
 };
 pub use crate::judge::MAX_CASES;
+pub use crate::judge::parallel::map as on_all_cores;
 
 use crate::audit::chosen::Chosen;
 use crate::claim::Paper;

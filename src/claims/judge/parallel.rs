@@ -21,9 +21,15 @@ fn taken() -> bool {
 /// this itself: all calls together share the cores, and a call whose own jobs are done leaves its
 /// core to the others.
 ///
+/// ```
+/// use subcert::audit::on_all_cores;
+///
+/// assert_eq!(on_all_cores(&[1, 2, 3], |x| x * x), [1, 4, 9]);
+/// ```
+///
 /// # Panics
 /// When a job does.
-pub(crate) fn map<J: Sync, T: Send>(jobs: &[J], run: impl Fn(&J) -> T + Sync) -> Vec<T> {
+pub fn map<J: Sync, T: Send>(jobs: &[J], run: impl Fn(&J) -> T + Sync) -> Vec<T> {
     let next = AtomicUsize::new(0);
     let mut done = thread::scope(|scope| {
         let run = &run;

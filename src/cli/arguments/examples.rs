@@ -114,6 +114,17 @@ Examples:
   subcert schemes
   subcert schemes --format json";
 
+pub(super) const SCHEME: &str = "\
+Examples:
+  subcert scheme six-point:w=3/256
+  subcert scheme '[1, 3, 3, 1]/4' --format json
+  subcert scheme loop";
+
+pub(super) const ATLAS: &str = "\
+Examples:
+  subcert atlas
+  subcert atlas --format json -o atlas.json";
+
 pub(super) const COMPLETIONS: &str = "\
 Examples:
   subcert completions bash

@@ -20,8 +20,8 @@ pub(super) use papers::{
     NewArguments, ProveArguments, is_of_papers,
 };
 pub(super) use schemes::{
-    BoundaryArgument, CertifyArguments, ConstantsArguments, DepthArguments, DistanceArgument,
-    FacesArgument, OracleArguments, OracleFormat, RangeArguments, SchemesArguments,
+    AtlasArguments, BoundaryArgument, CertifyArguments, ConstantsArguments, DepthArguments, DistanceArgument,
+    FacesArgument, OracleArguments, OracleFormat, RangeArguments, SchemeArguments, SchemesArguments,
 };
 pub(super) use smoothness::{JsrArguments, SmoothnessArguments, Valences};
 pub(super) use spectrum::{SpectrumArguments, TableArguments, TypeArgument};
@@ -109,6 +109,12 @@ pub(super) enum Command {
     /// List the schemes of the catalogue
     #[command(after_help = examples::SCHEMES)]
     Schemes(SchemesArguments),
+    /// All facts of one scheme: polynomials, smoothness, constants, depths, values of the limit
+    #[command(after_help = examples::SCHEME)]
+    Scheme(SchemeArguments),
+    /// The facts of all schemes of the catalogue at once
+    #[command(after_help = examples::ATLAS)]
+    Atlas(AtlasArguments),
     /// Write a completion script for a shell
     #[command(after_help = examples::COMPLETIONS)]
     Completions {

@@ -243,3 +243,18 @@ pub(in crate::cli) struct SchemesArguments {
     #[command(flatten)]
     pub(in crate::cli) output: Output,
 }
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct SchemeArguments {
+    /// The scheme: a mask, or rules around a vertex or on a face, these without a valence for all from 3 to 12
+    #[arg(value_name = "SCHEME")]
+    pub(in crate::cli) scheme: String,
+    #[command(flatten)]
+    pub(in crate::cli) output: Output,
+}
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct AtlasArguments {
+    #[command(flatten)]
+    pub(in crate::cli) output: Output,
+}

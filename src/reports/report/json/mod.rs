@@ -12,6 +12,7 @@ mod coverage;
 mod errata;
 mod exact;
 mod explain;
+mod facts;
 mod promise;
 mod reading;
 mod recovered;
@@ -36,6 +37,9 @@ pub use errata::{
 };
 pub use exact::{Exact, Named};
 pub use explain::Explained;
+pub use facts::{
+    CurveForm, DepthForm, FactsForm, OffsetForm, OpenForm, StencilForm, ValenceForm, WeightForm,
+};
 pub use promise::{Broken, ControlData, Natural as NaturalPromise, Promise};
 pub use reading::{Explanation, Line, Reading, ReadingOfCell, Search, Shift, Solved};
 pub use recovered::{Fitting, Recovered};
@@ -44,6 +48,7 @@ pub use shipped::{
     Number, ProjectReport, ProjectsReport, ShippedTable, SplitValues, Sums,
     Tolerance as AcceptedError,
 };
+pub use smoothness::HoelderForm;
 pub use summary::{Group, Outcome, Summary};
 pub use theorem::{Case, Repair, Trial};
 pub use vertex::{VertexForm, VerticesForm};

@@ -139,7 +139,8 @@ impl LimitsForm {
 }
 
 impl HoelderForm {
-    fn of(hoelder: &Hoelder) -> HoelderForm {
+    /// The form of an exponent.
+    pub(super) fn of(hoelder: &Hoelder) -> HoelderForm {
         let [lower, upper] = decimals(hoelder);
         let exact = hoelder.formula.as_ref().map(ToString::to_string);
         HoelderForm { lower, upper, exact, attained: hoelder.attained }

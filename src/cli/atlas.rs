@@ -1,0 +1,90 @@
+//! `subcert atlas`.
+
+use super::arguments::AtlasArguments;
+use super::json::{SCHEMA, facts as form};
+use super::output::{Failure, Outcome, show};
+use super::progress::Progress;
+use super::scheme::{VALENCE_HEADER, continuity, depth, hoelder, number, valence_row};
+use subcert::audit::on_all_cores;
+use subcert::facts::{SchemeFacts, atlas_references};
+use subcert::report::json::{CurveForm, FactsForm};
+use subcert::report::{Grid, SCOPE, Sheet};
+
+pub(super) fn atlas(arguments: &AtlasArguments) -> Outcome {
+    let entries = atlas_references();
+    let all = entries.iter().flat_map(|(entry, references)| {
+        references.iter().map(move |reference| (*entry, reference))
+    });
+    let all: Vec<_> = all.collect();
+    let progress = Progress::of_schemes(all.len(), true);
+    let found = on_all_cores(&all, |(entry, reference)| {
+        let facts = SchemeFacts::of(reference).map(|facts| FactsForm::of(reference, &facts));
+        progress.step();
+        facts.map(|facts| form::Entry { title: &entry.title, source: &entry.citation, facts })
+    });
+    drop(progress);
+    let schemes = found.into_iter().collect::<Result<Vec<form::Entry<'_>>, _>>();
+    let atlas = form::Atlas { schema: SCHEMA, schemes: schemes.map_err(Failure::from)? };
+    show(&arguments.output, || sheet(&atlas), || &atlas)
+}
+
+fn sheet(atlas: &form::Atlas<'_>) -> Sheet {
+    let mut sheet = Sheet::default();
+    sheet.heading(1, "Curves");
+    let header = [
+        "scheme",
+        "n",
+        "points",
+        "kind",
+        "support",
+        "sum rules",
+        "reproduces",
+        "limits",
+        "Hölder exponent",
+        "T_1",
+        "σ",
+        "depths",
+    ];
+    let curves = atlas.schemes.iter().filter_map(|entry| Some((entry, entry.facts.curve.as_ref()?)));
+    let rows = curves.map(|(entry, curve)| curve_row(&entry.facts.scheme, curve)).collect();
+    sheet.grid(Grid { header: header.map(str::to_owned).to_vec(), rows, left_columns: 1 });
+    sheet.text(
+        "Points: of a rule, from the first to the last. Support: its length. Reproduces: the degree, at the \
+         natural shift. Depths: levels that polygons with differences up to 1 need for the tolerance 1/100, \
+         with x^k_i at i/n^k and at natural parameters. What is not decided is open; `subcert scheme NAME` \
+         gives the reasons, and all constants.",
+    );
+    sheet.heading(1, "Rules around a vertex or on a face");
+    let surfaces =
+        atlas.schemes.iter().filter_map(|entry| Some((entry, entry.facts.valences.as_ref()?)));
+    let rows = surfaces.flat_map(|(entry, valences)| {
+        valences.iter().map(|one| {
+            let name = std::iter::once(entry.facts.scheme.clone());
+            name.chain(valence_row(one)).collect::<Vec<String>>()
+        })
+    });
+    let header = std::iter::once("scheme").chain(VALENCE_HEADER).map(str::to_owned).collect();
+    sheet.grid(Grid { header, rows: rows.collect(), left_columns: 1 });
+    sheet.text(format!("{SCOPE}. μ is the greatest modulus after λ."));
+    sheet
+}
+
+fn curve_row(name: &str, curve: &CurveForm) -> Vec<String> {
+    let kind = curve.kind.unwrap_or("neither");
+    let kind = if curve.interpolating { format!("{kind}, interpolating") } else { kind.to_owned() };
+    let [indexed, natural] = [&curve.depth_indexed, &curve.depth_natural];
+    vec![
+        name.to_owned(),
+        curve.arity.to_string(),
+        curve.points.to_string(),
+        kind,
+        number(&curve.support_length),
+        curve.sum_rules.to_string(),
+        if curve.natural_shift.is_some() { curve.reproduction.to_string() } else { "0".to_owned() },
+        continuity(curve),
+        hoelder(curve),
+        curve.contraction.first().map_or("open".to_owned(), number),
+        number(&curve.displacement),
+        format!("{}, {}", depth(indexed.as_ref()), depth(natural.as_ref())),
+    ]
+}

@@ -1,0 +1,228 @@
+//! The facts of a scheme, as JSON.
+
+use super::exact::Exact;
+use super::smoothness::HoelderForm;
+use super::vertex::VertexForm;
+use crate::exact::Rational;
+use crate::facts::{CurveFacts, Kind, SchemeFacts, ValenceFacts};
+use crate::limit::{Functional, TwoSidedDepth};
+use crate::smoothness::Coefficient;
+use serde::Serialize;
+
+/// The facts of a scheme. One of `curve` and `valences` is there.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct FactsForm {
+    /// The scheme as it was given.
+    pub scheme: String,
+    /// The facts of a mask.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub curve: Option<CurveForm>,
+    /// The facts of rules around a vertex or on a face.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub valences: Option<Vec<ValenceForm>>,
+}
+
+/// The facts of a mask.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct CurveForm {
+    /// The arity n.
+    pub arity: usize,
+    /// How many points a rule takes, from the first to the last.
+    pub points: usize,
+    /// `primal` or `dual`; null where the scheme is neither, or has no centre and keeps no lines.
+    pub kind: Option<&'static str>,
+    /// Whether all points of the data are kept.
+    pub interpolating: bool,
+    /// The ends of the support of the basic limit function, when x^k_i belongs to i/n^k.
+    pub support: [Exact; 2],
+    /// Its length.
+    pub support_length: Exact,
+    /// The centre of the basic limit function; null where the mask is not symmetric.
+    pub centre: Option<Exact>,
+    /// The order of the sum rules.
+    pub sum_rules: usize,
+    /// The degree up to which polynomials are generated.
+    pub generation: usize,
+    /// The degree up to which polynomials are reproduced at the natural shift.
+    pub reproduction: usize,
+    /// The natural shift s: x^k_i belongs to (i + s)/n^k. Null where lines are not kept.
+    pub natural_shift: Option<Exact>,
+    /// The largest m for which the limits are proven to be C^m; null where convergence is not proven.
+    pub continuity: Option<usize>,
+    /// The least m for which it is proven that not all limits are C^m, 0 of a divergent scheme; null where there is
+    /// none.
+    pub continuity_fails: Option<usize>,
+    /// The Hölder exponent; null where convergence is not proven.
+    pub hoelder: Option<HoelderForm>,
+    /// T_1, T_2, …, as far as they are found, up to T_8.
+    pub contraction: Vec<Exact>,
+    /// Λ_1, Λ_2, …, as far as they are found, up to Λ_8.
+    pub norm: Vec<Exact>,
+    /// σ at the scheme's offset.
+    pub displacement: Exact,
+    /// The best offset, and σ there; null of irrational masks.
+    pub best_offset: Option<OffsetForm>,
+    /// The depth of polygons with differences up to 1 for the tolerance 1/100, with x^k_i at i/n^k.
+    pub depth_indexed: Option<DepthForm>,
+    /// The same with x^k_i at its natural parameter.
+    pub depth_natural: Option<DepthForm>,
+    /// The values of the basic limit function at the integers where it is not 0; null where they are open.
+    pub values: Option<Vec<WeightForm>>,
+    /// The stencils of the limit at 0 and, where that is another place, at the natural shift; null where they are open.
+    pub stencils: Option<Vec<StencilForm>>,
+    /// What is open, and why.
+    pub open: Vec<OpenForm>,
+}
+
+/// An offset and its σ.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct OffsetForm {
+    /// The offset.
+    pub offset: i64,
+    /// σ.
+    pub displacement: Exact,
+}
+
+/// A depth from both sides.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct DepthForm {
+    /// Fewer levels are too few.
+    pub lower: u32,
+    /// So many are enough, and all later ones.
+    pub upper: u32,
+}
+
+/// A number with an index.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct WeightForm {
+    /// The index of a point, or the parameter of a value.
+    pub index: i64,
+    /// The number; its fields stand here.
+    #[serde(flatten)]
+    pub value: Exact,
+}
+
+/// The limit at a parameter as a combination of points.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct StencilForm {
+    /// The parameter, when x^0_i belongs to i.
+    pub parameter: Exact,
+    /// The weights of the points.
+    pub weights: Vec<WeightForm>,
+}
+
+/// A fact that is open.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct OpenForm {
+    /// Which one.
+    pub fact: &'static str,
+    /// Why.
+    pub reason: String,
+}
+
+/// The facts at a valence.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct ValenceForm {
+    /// The valence.
+    pub valence: usize,
+    /// What is known; null where there are no eigenvalues.
+    pub vertex: Option<VertexForm>,
+    /// μ, the greatest modulus after λ; null where it is not known.
+    pub next: Option<Exact>,
+    /// Why there are no eigenvalues; null where there are.
+    pub open: Option<String>,
+}
+
+impl FactsForm {
+    /// The form of what is known.
+    #[must_use]
+    pub fn of(scheme: &str, facts: &SchemeFacts) -> FactsForm {
+        let (curve, valences) = match facts {
+            SchemeFacts::Rational(curve) => (Some(CurveForm::of(curve)), None),
+            SchemeFacts::Algebraic(curve) => (Some(CurveForm::of(curve)), None),
+            SchemeFacts::Surface(all) => (None, Some(all.iter().map(ValenceForm::of).collect())),
+        };
+        FactsForm { scheme: scheme.to_owned(), curve, valences }
+    }
+}
+
+impl CurveForm {
+    fn of<F: Coefficient>(facts: &CurveFacts<F>) -> CurveForm {
+        let (low, high) = facts.symbol.support();
+        let smoothness = facts.smoothness.as_ref().ok();
+        let best = facts.best_offset.as_ref();
+        let limit = facts.limit.as_ref().ok();
+        CurveForm {
+            arity: facts.symbol.arity(),
+            points: facts.points,
+            kind: facts.kind.map(Kind::name),
+            interpolating: facts.interpolating,
+            support: [Exact::of(&low), Exact::of(&high)],
+            support_length: Exact::of(&(&high - &low)),
+            centre: facts.centre.as_ref().map(Exact::of),
+            sum_rules: facts.sum_rules,
+            generation: facts.sum_rules.saturating_sub(1),
+            reproduction: facts.reproduction,
+            natural_shift: facts.shift.keeps_lines.then(|| Exact::of(&facts.shift.shift)),
+            continuity: smoothness.and_then(|found| found.continuity),
+            continuity_fails: smoothness.and_then(|found| found.continuity_fails),
+            hoelder: smoothness.and_then(|found| found.hoelder.as_ref()).map(HoelderForm::of),
+            contraction: facts.columns.contraction.iter().map(Exact::of).collect(),
+            norm: facts.columns.norm.iter().map(Exact::of).collect(),
+            displacement: Exact::of(&facts.displacement),
+            best_offset: best.map(|(offset, least)| OffsetForm {
+                offset: *offset,
+                displacement: Exact::of(least),
+            }),
+            depth_indexed: facts.depths.indexed.as_ref().ok().map(DepthForm::of),
+            depth_natural: facts.depths.natural.as_ref().ok().map(DepthForm::of),
+            values: limit.map(|limit| {
+                let value = |(index, value): &_| WeightForm { index: *index, value: Exact::of(value) };
+                limit.values().iter().map(value).collect()
+            }),
+            stencils: limit.map(|limit| {
+                let zero = StencilForm::of(&Rational::zero(), &limit.at_zero);
+                let moved = limit.at_shift.as_ref();
+                let moved = moved.map(|(place, stencil)| StencilForm::of(place, stencil));
+                std::iter::once(zero).chain(moved).collect()
+            }),
+            open: facts.open().into_iter().map(|(fact, reason)| OpenForm { fact, reason }).collect(),
+        }
+    }
+}
+
+impl StencilForm {
+    fn of(parameter: &Rational, stencil: &Functional) -> StencilForm {
+        let weight = |(index, value): (i64, &_)| WeightForm { index, value: Exact::of(value) };
+        StencilForm {
+            parameter: Exact::of(parameter),
+            weights: stencil.terms().map(weight).collect(),
+        }
+    }
+}
+
+impl DepthForm {
+    fn of(depth: &TwoSidedDepth) -> DepthForm {
+        DepthForm { lower: depth.lower, upper: depth.upper }
+    }
+}
+
+impl ValenceForm {
+    fn of((valence, facts): &ValenceFacts) -> ValenceForm {
+        let vertex = facts.as_ref().ok();
+        ValenceForm {
+            valence: *valence,
+            vertex: vertex.map(VertexForm::of),
+            next: vertex.and_then(|vertex| vertex.spectrum.conditions.next.as_ref()).map(Exact::of),
+            open: facts.as_ref().err().map(ToString::to_string),
+        }
+    }
+}

@@ -1,0 +1,70 @@
+//! Values of limits, and depths.
+
+use crate::bound::Budget;
+use crate::exact::Rational;
+use crate::limit::{Distances, Functional, Limit, Parametrisation, TwoSidedDepth};
+use crate::scheme::Mask;
+
+/// The most steps of the search for one depth.
+const MAX_STEPS: u64 = 20_000_000;
+
+/// The tolerance of depths.
+const TOLERANCE: (i64, i64) = (1, 100);
+
+/// The depths of a polygon with differences up to 1 and the tolerance 1/100.
+#[derive(Clone, Debug)]
+pub struct Depths {
+    /// With x^k_i at i/n^k.
+    pub indexed: Result<TwoSidedDepth, String>,
+    /// With x^k_i at (i + s)/n^k, s the natural shift.
+    pub natural: Result<TwoSidedDepth, String>,
+}
+
+/// Values of the basic limit function φ, and stencils.
+#[derive(Clone, Debug)]
+pub struct LimitFacts {
+    /// Σ_i φ(−i) x_i is the limit at 0. The stencil of the limit at the integer 0.
+    pub at_zero: Functional,
+    /// The natural shift s, and the limit at s, where x_0 tends to; `None` where s is 0, or has no value.
+    pub at_shift: Option<(Rational, Functional)>,
+}
+
+impl LimitFacts {
+    /// The values φ(k), k an integer, that are not 0.
+    #[must_use]
+    pub fn values(&self) -> Vec<(i64, Rational)> {
+        self.at_zero.terms().rev().map(|(i, value)| (-i, value.clone())).collect()
+    }
+
+    /// The depths and values of a mask.
+    pub(super) fn with_depths(mask: &Mask) -> (Depths, Result<LimitFacts, String>) {
+        let limit = match Limit::new(mask) {
+            Ok(limit) => limit,
+            Err(error) => {
+                let reason = error.to_string();
+                let depths =
+                    Depths { indexed: Err(reason.clone()), natural: Err(reason.clone()) };
+                return (depths, Err(reason));
+            }
+        };
+        let [indexed, natural] = [Parametrisation::Indexed, Parametrisation::Natural];
+        let depths = Depths { indexed: depth(&limit, indexed), natural: depth(&limit, natural) };
+        let facts = limit.at(&Rational::zero()).map_err(|error| error.to_string()).map(|at_zero| {
+            let shift = natural.shift(mask);
+            let moved = (!shift.is_zero()).then_some(shift);
+            let at_shift = moved.and_then(|shift| {
+                let stencil = limit.at(&shift).ok()?;
+                Some((shift, stencil))
+            });
+            LimitFacts { at_zero, at_shift }
+        });
+        (depths, facts)
+    }
+}
+
+fn depth(limit: &Limit, parametrisation: Parametrisation) -> Result<TwoSidedDepth, String> {
+    let distances = Distances::placed(limit, parametrisation).map_err(|error| error.to_string())?;
+    let distances = distances.with_budget(Budget::new(MAX_STEPS));
+    let tolerance = Rational::new(TOLERANCE.0, TOLERANCE.1);
+    distances.depth(&Rational::one(), &tolerance).map_err(|error| error.to_string())
+}

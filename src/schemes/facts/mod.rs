@@ -1,0 +1,26 @@
+//! What is known of a scheme, gathered from the other modules: nothing is computed here alone.
+//!
+//! Each fact has a cap on its work. What is not decided within it, or has no meaning for the scheme, is open, with
+//! the reason.
+//!
+//! ```
+//! use subcert::facts::{CurveFacts, Kind};
+//! use subcert::scheme::parse_scheme;
+//!
+//! let scheme = parse_scheme("chaikin")?;
+//! let facts = CurveFacts::of_rational(scheme.masks()[0]);
+//! assert_eq!((facts.kind, facts.points, facts.sum_rules), (Some(Kind::Dual), 2, 3));
+//! # Ok::<(), subcert::scheme::SchemeError>(())
+//! ```
+
+mod curve;
+mod distance;
+mod ranges;
+mod scheme;
+mod shape;
+
+pub use curve::{Columns, CurveFacts, MAX_LEVELS};
+pub use distance::{Depths, LimitFacts};
+pub use ranges::{ParameterFacts, parameter_facts};
+pub use scheme::{SchemeFacts, VALENCES, ValenceFacts, atlas_references};
+pub use shape::{Kind, centre, is_interpolating, kind, points};
