@@ -13,6 +13,7 @@ SCHEMAS = ROOT / "docs/schema"
 
 # The file of the schema, and a command that writes such an answer.
 ANSWERS = [
+    ("atlas", "atlas chaikin daubechies-4 loop"),
     ("audit", "audit examples/first-paper.toml"),
     ("audit", "audit examples/my-paper.toml --all"),
     ("audit", "audit examples/first-paper.toml --certified"),
@@ -34,6 +35,8 @@ ANSWERS = [
     ("oracle", "oracle chaikin"),
     ("range", "range four-point --param w -c 2"),
     ("range-smoothness", "range four-point --param w --smoothness 1"),
+    ("scheme", "scheme four-point:w=1/16"),
+    ("scheme", "scheme catmull-clark:N=5"),
     ("schemes", "schemes"),
     ("smoothness", "smoothness four-point:w=1/16"),
     ("smoothness-vertex", "smoothness catmull-clark:N=5"),

@@ -15,6 +15,7 @@ mod cli;
 mod common;
 mod digest;
 mod exact;
+mod facts;
 mod float;
 mod formula;
 mod fuzz;

@@ -9,9 +9,15 @@ use subcert::audit::on_all_cores;
 use subcert::facts::{SchemeFacts, atlas_references};
 use subcert::report::json::{CurveForm, FactsForm};
 use subcert::report::{Grid, SCOPE, Sheet};
+use subcert::scheme::{SchemeError, find_in_catalogue};
 
 pub(super) fn atlas(arguments: &AtlasArguments) -> Outcome {
-    let entries = atlas_references();
+    let mut entries = atlas_references();
+    if !arguments.names.is_empty() {
+        let found = arguments.names.iter().map(|name| find_in_catalogue(name).map(|one| &one.name));
+        let found = found.collect::<Result<Vec<&String>, SchemeError>>()?;
+        entries.retain(|(entry, _)| found.contains(&&entry.name));
+    }
     let all = entries.iter().flat_map(|(entry, references)| {
         references.iter().map(move |reference| (*entry, reference))
     });
@@ -45,7 +51,8 @@ fn sheet(atlas: &form::Atlas<'_>) -> Sheet {
         "σ",
         "depths",
     ];
-    let curves = atlas.schemes.iter().filter_map(|entry| Some((entry, entry.facts.curve.as_ref()?)));
+    let curves =
+        atlas.schemes.iter().filter_map(|entry| Some((entry, entry.facts.curve.as_ref()?)));
     let rows = curves.map(|(entry, curve)| curve_row(&entry.facts.scheme, curve)).collect();
     sheet.grid(Grid { header: header.map(str::to_owned).to_vec(), rows, left_columns: 1 });
     sheet.text(

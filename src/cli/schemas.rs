@@ -2,8 +2,8 @@
 //! written.
 
 use super::json::{
-    certify, constants, depth, facts, geometric_depth, listing, mesh_depth, range, schemes, smoothness,
-    spectrum, vertex,
+    certify, constants, depth, facts, geometric_depth, listing, mesh_depth, range, schemes,
+    smoothness, spectrum, vertex,
 };
 use super::output::{Failure, Outcome, json_text};
 use super::save::save;

@@ -35,7 +35,8 @@ fn sheet(facts: &FactsForm) -> Sheet {
         let rows = valences.iter().map(valence_row).collect();
         sheet.grid(Grid { header, rows, left_columns: 0 });
         sheet.text(format!("{SCOPE}. μ is the greatest modulus after λ."));
-        let open = valences.iter().filter_map(|one| Some((one.valence.to_string(), one.open.clone()?)));
+        let open =
+            valences.iter().filter_map(|one| Some((one.valence.to_string(), one.open.clone()?)));
         let open: Vec<(String, String)> = open.collect();
         if !open.is_empty() {
             sheet.heading(2, "Open");
@@ -49,9 +50,10 @@ fn write_curve(curve: &CurveForm, sheet: &mut Sheet) {
     let fact = |name: &str, text: String| (name.to_owned(), text);
     let yes = |holds: bool| if holds { "yes" } else { "no" }.to_owned();
     let [low, high] = &curve.support;
-    let symmetry = curve.centre.as_ref().map_or("none".to_owned(), |centre| {
-        format!("about {}", number(centre))
-    });
+    let symmetry = curve
+        .centre
+        .as_ref()
+        .map_or("none".to_owned(), |centre| format!("about {}", number(centre)));
     let reproduced = match &curve.natural_shift {
         Some(shift) => format!(
             "up to degree {}, with x^k_i at (i + {})/{}^k",

@@ -18,7 +18,17 @@ const CRATES: [(&str, &str, &[&str]); 7] = [
     (
         "src/schemes",
         "subcert_schemes",
-        &["scheme", "bound", "limit", "float", "joint", "smoothness", "spectrum", "characteristic"],
+        &[
+            "scheme",
+            "bound",
+            "limit",
+            "float",
+            "joint",
+            "smoothness",
+            "spectrum",
+            "characteristic",
+            "facts",
+        ],
     ),
     ("src/geometry", "subcert_geometry", &["mesh", "net", "solid", "patch", "oracle"]),
     (

@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 const REPORT: [&str; 5] = ["text", "json", "markdown", "csv", "latex"];
 
 /// Commands that answer with a report, and an answer that is found quickly.
-const REPORTS: [(&str, &[&str]); 12] = [
+const REPORTS: [(&str, &[&str]); 14] = [
     ("audit", &["audit", "examples/my-paper.toml"]),
     ("explain", &["explain", "doe2026-corner:eq-3", "examples/my-paper.toml"]),
     ("errata", &["errata", "examples/my-paper.toml"]),
@@ -22,6 +22,8 @@ const REPORTS: [(&str, &[&str]); 12] = [
     ("jsr", &["jsr", "examples/pair.txt"]),
     ("certify", &["certify", "chaikin", "-c", "1"]),
     ("schemes", &["schemes"]),
+    ("scheme", &["scheme", "chaikin"]),
+    ("atlas", &["atlas", "chaikin"]),
 ];
 
 /// What answers otherwise: geometry, values and source code.

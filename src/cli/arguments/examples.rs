@@ -123,6 +123,7 @@ Examples:
 pub(super) const ATLAS: &str = "\
 Examples:
   subcert atlas
+  subcert atlas chaikin four-point
   subcert atlas --format json -o atlas.json";
 
 pub(super) const COMPLETIONS: &str = "\

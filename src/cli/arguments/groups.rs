@@ -17,7 +17,17 @@ const GROUPS: [Group; 4] = [
     (
         "Look up a scheme",
         "subcert constants six-point:w=3/256",
-        &["schemes", "scheme", "atlas", "constants", "depth", "range", "smoothness", "spectrum", "jsr"],
+        &[
+            "schemes",
+            "scheme",
+            "atlas",
+            "constants",
+            "depth",
+            "range",
+            "smoothness",
+            "spectrum",
+            "jsr",
+        ],
     ),
     (
         "Meshes, nets and solids",

@@ -20,8 +20,9 @@ pub(super) use papers::{
     NewArguments, ProveArguments, is_of_papers,
 };
 pub(super) use schemes::{
-    AtlasArguments, BoundaryArgument, CertifyArguments, ConstantsArguments, DepthArguments, DistanceArgument,
-    FacesArgument, OracleArguments, OracleFormat, RangeArguments, SchemeArguments, SchemesArguments,
+    AtlasArguments, BoundaryArgument, CertifyArguments, ConstantsArguments, DepthArguments,
+    DistanceArgument, FacesArgument, OracleArguments, OracleFormat, RangeArguments,
+    SchemeArguments, SchemesArguments,
 };
 pub(super) use smoothness::{JsrArguments, SmoothnessArguments, Valences};
 pub(super) use spectrum::{SpectrumArguments, TableArguments, TypeArgument};

@@ -255,6 +255,9 @@ pub(in crate::cli) struct SchemeArguments {
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct AtlasArguments {
+    /// Schemes of the catalogue [default: all]
+    #[arg(value_name = "NAME")]
+    pub(in crate::cli) names: Vec<String>,
     #[command(flatten)]
     pub(in crate::cli) output: Output,
 }

@@ -66,10 +66,8 @@ impl CurveFacts {
     /// The facts of a rational mask.
     #[must_use]
     pub fn of_rational(mask: &Mask) -> CurveFacts {
-        let columns = Columns {
-            contraction: searched(&mask.difference()),
-            norm: searched(mask.rules()),
-        };
+        let columns =
+            Columns { contraction: searched(&mask.difference()), norm: searched(mask.rules()) };
         let (depths, limit) = LimitFacts::with_depths(mask);
         let mut facts = CurveFacts::gathered(mask, columns, depths, limit);
         facts.best_offset = Some(best_offset(mask));
@@ -83,7 +81,9 @@ impl CurveFacts<FieldElement> {
     pub fn of_algebraic(mask: &Mask<FieldElement>) -> CurveFacts<FieldElement> {
         let columns =
             Columns { contraction: walked(&mask.difference()), norm: walked(mask.rules()) };
-        let open = || "the coefficients are irrational, and limits are computed of rational ones".to_owned();
+        let open = || {
+            "the coefficients are irrational, and limits are computed of rational ones".to_owned()
+        };
         let depths = Depths { indexed: Err(open()), natural: Err(open()) };
         CurveFacts::gathered(mask, columns, depths, Err(open()))
     }
@@ -128,17 +128,25 @@ impl<F: Coefficient> CurveFacts<F> {
             Err(error) => open.push(("smoothness", error.to_string())),
             Ok(found) => {
                 if found.continuity.is_none() && found.continuity_fails.is_none() {
-                    open.push(("convergence", "neither a contraction nor a divergent product is found".to_owned()));
+                    open.push((
+                        "convergence",
+                        "neither a contraction nor a divergent product is found".to_owned(),
+                    ));
                 }
                 let exact = found.hoelder.as_ref().is_none_or(|hoelder| hoelder.formula.is_some());
                 if !exact {
-                    open.push(("Hölder exponent", "its bounds do not meet: no extremal hull is found within the caps".to_owned()));
+                    open.push((
+                        "Hölder exponent",
+                        "its bounds do not meet: no extremal hull is found within the caps"
+                            .to_owned(),
+                    ));
                 }
             }
         }
         for (name, found) in [("T_c", &self.columns.contraction), ("Λ_c", &self.columns.norm)] {
             if found.len() < MAX_LEVELS as usize {
-                let reason = format!("beyond c = {} the search reaches its cap on work", found.len());
+                let reason =
+                    format!("beyond c = {} the search reaches its cap on work", found.len());
                 open.push((name, reason));
             }
         }

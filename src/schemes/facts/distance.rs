@@ -42,8 +42,7 @@ impl LimitFacts {
             Ok(limit) => limit,
             Err(error) => {
                 let reason = error.to_string();
-                let depths =
-                    Depths { indexed: Err(reason.clone()), natural: Err(reason.clone()) };
+                let depths = Depths { indexed: Err(reason.clone()), natural: Err(reason.clone()) };
                 return (depths, Err(reason));
             }
         };

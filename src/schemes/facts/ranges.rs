@@ -54,7 +54,9 @@ pub fn parameter_facts(
                 outside: range.outside,
                 but_finitely_many: range.but_finitely_many,
             }),
-            Err(error @ SmoothRangeError::SumRules { .. }) => return Ok((found, error.to_string())),
+            Err(error @ SmoothRangeError::SumRules { .. }) => {
+                return Ok((found, error.to_string()));
+            }
             Err(error) => return Ok((found, format!("C^{m}: {error}"))),
         }
     }

@@ -185,7 +185,8 @@ impl CurveForm {
             depth_indexed: facts.depths.indexed.as_ref().ok().map(DepthForm::of),
             depth_natural: facts.depths.natural.as_ref().ok().map(DepthForm::of),
             values: limit.map(|limit| {
-                let value = |(index, value): &_| WeightForm { index: *index, value: Exact::of(value) };
+                let value =
+                    |(index, value): &_| WeightForm { index: *index, value: Exact::of(value) };
                 limit.values().iter().map(value).collect()
             }),
             stencils: limit.map(|limit| {
@@ -194,7 +195,11 @@ impl CurveForm {
                 let moved = moved.map(|(place, stencil)| StencilForm::of(place, stencil));
                 std::iter::once(zero).chain(moved).collect()
             }),
-            open: facts.open().into_iter().map(|(fact, reason)| OpenForm { fact, reason }).collect(),
+            open: facts
+                .open()
+                .into_iter()
+                .map(|(fact, reason)| OpenForm { fact, reason })
+                .collect(),
         }
     }
 }

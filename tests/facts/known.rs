@@ -1,0 +1,113 @@
+//! Facts that stand in the literature or follow by hand.
+
+use crate::common::{mask, r};
+use proptest::prelude::*;
+use subcert::exact::Rational;
+use subcert::facts::{CurveFacts, Kind, SchemeFacts, VALENCES, atlas_references, parameter_facts};
+use subcert::scheme::parse_any_scheme;
+
+#[test]
+fn kinds_of_schemes() {
+    let found = |name: &str| {
+        let facts = CurveFacts::of_rational(&mask(name));
+        (facts.kind, facts.interpolating, facts.points, facts.centre)
+    };
+    let (primal, dual) = (Some(Kind::Primal), Some(Kind::Dual));
+    assert_eq!(found("four-point:w=1/16"), (primal, true, 4, Some(r(0, 1))));
+    assert_eq!(found("chaikin"), (dual, false, 2, Some(r(-1, 2))));
+    assert_eq!(found("b-spline:degree=3"), (primal, false, 3, Some(r(0, 1))));
+    assert_eq!(found("ternary-four-point:mu=1/11"), (primal, true, 4, Some(r(0, 1))));
+    assert_eq!(found("ternary-four-point-approximating"), (dual, false, 4, Some(r(-1, 4))));
+    assert_eq!(found("colella-heil:a=1/2,b=1/4"), (None, false, 2, None));
+}
+
+/// Values of the cubic B-spline, the limit of one of its points, and of Chaikin's, which moves.
+#[test]
+fn limits() {
+    let cubic = CurveFacts::of_rational(&mask("b-spline:degree=3")).limit.expect("a limit");
+    assert_eq!(cubic.values(), [(-1, r(1, 6)), (0, r(2, 3)), (1, r(1, 6))]);
+    assert!(cubic.at_shift.is_none());
+    let chaikin = CurveFacts::of_rational(&mask("chaikin")).limit.expect("a limit");
+    assert_eq!(chaikin.values(), [(-1, r(1, 2)), (0, r(1, 2))]);
+    let (shift, stencil) = chaikin.at_shift.expect("a shift");
+    let weights: Vec<(i64, Rational)> = stencil.terms().map(|(i, c)| (i, c.clone())).collect();
+    assert_eq!((shift, weights), (r(-1, 2), vec![(-1, r(1, 8)), (0, r(3, 4)), (1, r(1, 8))]));
+}
+
+/// Deslauriers and Dubuc's schemes reproduce as they generate; divergence and irrational numbers leave facts open.
+#[test]
+fn open_facts() {
+    let exact = CurveFacts::of_rational(&mask("dubuc-deslauriers:m=2"));
+    assert_eq!(exact.open(), []);
+    let diverges = CurveFacts::of_rational(&mask("four-point:w=1"));
+    assert_eq!(diverges.smoothness.as_ref().expect("decided").continuity_fails, Some(0));
+    let open: Vec<&str> = diverges.open().iter().map(|(fact, _)| *fact).collect();
+    assert_eq!(open, ["depth, indexed", "depth, natural", "limit values"]);
+    let Ok(SchemeFacts::Algebraic(irrational)) = SchemeFacts::of("daubechies-4") else {
+        panic!("of another kind");
+    };
+    // Daubechies: 2 − log_2(1 + √3) = 0.5500…
+    let hoelder = irrational.smoothness.as_ref().expect("decided").hoelder.clone();
+    let exponent = hoelder.expect("it converges").formula.expect("exact");
+    assert!(exponent.to_string().starts_with("2 - log_2("), "{exponent}");
+    assert_eq!((irrational.sum_rules, irrational.columns.contraction.len()), (2, 8));
+}
+
+/// The four-point scheme of Dyn, Gregory and Levin is C^0 for |w| < 1/4 at least, C^1 about 0 < w ≤ 1/8, and never C^2.
+#[test]
+fn ranges() {
+    let (ranges, reason) = parameter_facts("four-point", "w").expect("ranges");
+    assert_eq!(ranges.len(), 2, "{reason}");
+    assert!(ranges[0].inside.contains(&r(1, 5)) && ranges[1].inside.contains(&r(1, 10)));
+    assert!(ranges[0].outside.contains(&r(3, 4)) && ranges[1].outside.contains(&r(-1, 100)));
+    assert!(parameter_facts("four-point", "v").is_err());
+}
+
+#[test]
+fn surfaces_at_all_valences() {
+    let Ok(SchemeFacts::Surface(found)) = SchemeFacts::of("doo-sabin") else {
+        panic!("of another kind");
+    };
+    let valences: Vec<usize> = found.iter().map(|(valence, _)| *valence).collect();
+    assert_eq!(valences, VALENCES.collect::<Vec<usize>>());
+    for (_, vertex) in found {
+        let vertex = vertex.expect("eigenvalues");
+        let half = vertex.spectrum.conditions.subdominant.expect("λ");
+        assert_eq!(half.to_string(), "1/2");
+    }
+}
+
+#[test]
+fn the_atlas_has_every_entry_and_reads_each() {
+    let entries = atlas_references();
+    assert!(entries.len() >= 60, "{}", entries.len());
+    for (entry, references) in entries {
+        assert!(!references.is_empty(), "{}", entry.name);
+    }
+    assert!(SchemeFacts::of("chaikin x chaikin").is_err());
+    assert!(SchemeFacts::of("no-such-scheme").is_err());
+}
+
+proptest! {
+    /// Where a symmetric mask keeps lines, its centre is the natural shift; a shift of all indices changes no kind.
+    #[test]
+    fn centres(mask in crate::common::affine(4, 5), by in -3_i64..4) {
+        let facts = CurveFacts::of_rational(&mask);
+        if let (Some(centre), true) = (&facts.centre, facts.shift.keeps_lines) {
+            prop_assert_eq!(centre, &facts.shift.shift);
+        }
+        let moved = CurveFacts::of_rational(&mask.with_offset(mask.offset() + by));
+        prop_assert_eq!(facts.kind, moved.kind);
+        prop_assert_eq!(facts.points, moved.points);
+    }
+}
+
+/// Typed masks and files have facts as entries do.
+#[test]
+fn typed_masks() {
+    let of = |name: &str| match parse_any_scheme(name).map(|_| SchemeFacts::of(name)) {
+        Ok(Ok(SchemeFacts::Rational(facts))) => (facts.sum_rules, facts.columns),
+        _ => panic!("{name}"),
+    };
+    assert_eq!(of("[1, 3, 3, 1]/4"), of("chaikin"));
+}
