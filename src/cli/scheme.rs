@@ -4,10 +4,11 @@ use super::arguments::SchemeArguments;
 use super::json::{SCHEMA, facts as form};
 use super::output::{Failure, Outcome, show};
 use super::progress::Progress;
-use subcert::facts::SchemeFacts;
+use super::sets::Parameter;
+use subcert::facts::{ParameterFacts, SchemeFacts, parameter_facts};
 use subcert::report::json::{CurveForm, DepthForm, Exact, FactsForm, StencilForm, ValenceForm};
 use subcert::report::{Grid, SCOPE, Sheet};
-use subcert::scheme::{AnyScheme, parse_any_scheme};
+use subcert::scheme::{AnyScheme, Reference, find, parse_any_scheme};
 
 pub(super) fn scheme(arguments: &SchemeArguments) -> Outcome {
     let name = &arguments.scheme;
@@ -20,15 +21,76 @@ pub(super) fn scheme(arguments: &SchemeArguments) -> Outcome {
     }
     let progress = Progress::of_search(true);
     let facts = FactsForm::of(name, &SchemeFacts::of(name)?);
+    let family = Family::of(name);
     drop(progress);
-    show(&arguments.output, || sheet(&facts), || form::Facts { schema: SCHEMA, facts: &facts })
+    show(
+        &arguments.output,
+        || sheet(&facts, family.as_ref()),
+        || form::Facts { schema: SCHEMA, facts: &facts, ranges: family.as_ref().map(Family::form) },
+    )
 }
 
-fn sheet(facts: &FactsForm) -> Sheet {
+/// The family of a scheme of the catalogue with one parameter, in which its mask is polynomial.
+struct Family {
+    parameter: String,
+    ranges: Vec<ParameterFacts>,
+    end: String,
+}
+
+impl Family {
+    fn of(scheme: &str) -> Option<Family> {
+        let reference = Reference::parse(scheme).ok()?;
+        let entry = find(reference.names().next()?)?;
+        let mut parameters = entry.parameters.keys();
+        let (Some(parameter), None) = (parameters.next(), parameters.next()) else { return None };
+        // A parameter such as a degree is in no polynomial: there is nothing to say then.
+        let (ranges, end) = parameter_facts(&entry.name, parameter).ok()?;
+        Some(Family { parameter: parameter.clone(), ranges, end })
+    }
+
+    fn write(&self, sheet: &mut Sheet) {
+        let parameter = Parameter(&self.parameter);
+        sheet.heading(2, format!("The family, in {}", self.parameter));
+        let row = |range: &ParameterFacts| {
+            let outside = parameter.found(&range.outside);
+            let but = if range.but_finitely_many { "\nbut for finitely many" } else { "" };
+            vec![
+                format!("C^{}", range.m),
+                parameter.found(&range.inside),
+                format!("{outside}{but}"),
+            ]
+        };
+        let header = ["", "all limits", "not all"].map(str::to_owned).to_vec();
+        let rows = self.ranges.iter().map(row).collect();
+        sheet.grid(Grid { header, rows, left_columns: 3 });
+        let end = &self.end;
+        sheet.text(format!("What is in neither set is open; `subcert range` looks closer. {end}."));
+    }
+
+    fn form(&self) -> form::Ranges {
+        let parameter = Parameter(&self.parameter);
+        let order = |range: &ParameterFacts| form::Order {
+            smoothness: range.m,
+            inside: parameter.set_form(&range.inside),
+            outside: parameter.set_form(&range.outside),
+            but_finitely_many: range.but_finitely_many,
+        };
+        form::Ranges {
+            parameter: self.parameter.clone(),
+            orders: self.ranges.iter().map(order).collect(),
+            end: self.end.clone(),
+        }
+    }
+}
+
+fn sheet(facts: &FactsForm, family: Option<&Family>) -> Sheet {
     let mut sheet = Sheet::default();
     sheet.heading(1, facts.scheme.clone());
     if let Some(curve) = &facts.curve {
         write_curve(curve, &mut sheet);
+    }
+    if let Some(family) = family {
+        family.write(&mut sheet);
     }
     if let Some(valences) = &facts.valences {
         let header = VALENCE_HEADER.map(str::to_owned).to_vec();
@@ -56,10 +118,10 @@ fn write_curve(curve: &CurveForm, sheet: &mut Sheet) {
         .map_or("none".to_owned(), |centre| format!("about {}", number(centre)));
     let reproduced = match &curve.natural_shift {
         Some(shift) => format!(
-            "up to degree {}, with x^k_i at (i + {})/{}^k",
+            "up to degree {}, with x^k_i at (i + s)/{}^k, s = {}",
             curve.reproduction,
-            number(shift),
-            curve.arity
+            curve.arity,
+            number(shift)
         ),
         None => "only constants: lines are not kept".to_owned(),
     };
@@ -121,9 +183,15 @@ const LONGEST: usize = 32;
 /// The digits of a decimal.
 const DIGITS: usize = 12;
 
-/// The exact value, or a decimal where that is long.
+/// The exact value where that is a short fraction, or else a decimal.
 pub(super) fn number(value: &Exact) -> String {
-    if value.exact.len() <= LONGEST { value.exact.clone() } else { decimal(value) }
+    let fraction = is_fraction(&value.exact) && value.exact.len() <= LONGEST;
+    if fraction { value.exact.clone() } else { decimal(value) }
+}
+
+/// Whether this is an integer or p/q.
+fn is_fraction(text: &str) -> bool {
+    text.chars().all(|c| c.is_ascii_digit() || matches!(c, '-' | '/'))
 }
 
 /// A decimal, cut to a few digits.
@@ -164,8 +232,9 @@ pub(super) fn hoelder(curve: &CurveForm) -> String {
     };
     let not = if found.attained == Some(false) { ", not attained" } else { "" };
     match &found.exact {
-        Some(exact) if exact.parse::<usize>().is_ok() => format!("{exact}{not}"),
-        Some(exact) => format!("{exact} = {}{not}", shortened(&found.lower)),
+        Some(exact) if is_fraction(exact) => format!("{exact}{not}"),
+        Some(exact) if exact.len() <= LONGEST => format!("{exact} = {}…{not}", found.lower),
+        Some(_) => format!("{}…{not}", found.lower),
         None => format!("open: from {} to {}", found.lower, found.upper),
     }
 }

@@ -10,7 +10,7 @@ fn json<'a>(arguments: impl IntoIterator<Item = &'a str>) -> Value {
 
 #[test]
 fn facts_as_text() {
-    let text = written(["scheme", "six-point:w=3/256"]);
+    let text = written(["scheme", "dubuc-deslauriers:m=3"]);
     let parts =
         ["interpolating", "from -5 to 5", "of order 6", "C^2, not C^3", "6 - log_2(9)", "φ(0)"];
     for part in parts {
@@ -28,6 +28,11 @@ fn facts_as_json() {
     assert_eq!(curve["contraction"].as_array().expect("a list").len(), 8);
     assert_eq!(curve["contraction"][7]["exact"], "1/256");
     assert_eq!(curve["open"], Value::Array(Vec::new()));
+    assert_eq!(chaikin["ranges"], Value::Null);
+    let corner = json(["scheme", "corner-cutting:w=1/5"]);
+    assert_eq!(corner["ranges"]["parameter"], "w");
+    // Cutting at less than half of an edge converges.
+    assert_eq!(corner["ranges"]["orders"][0]["inside"][0]["high"]["exact"], "1/2");
     let loops = json(["scheme", "loop"]);
     assert_eq!(loops["valences"].as_array().expect("a list").len(), 10);
     assert_eq!(loops["valences"][3]["vertex"]["curvature"], "bounded");
