@@ -31,8 +31,15 @@ fn facts_as_json() {
     assert_eq!(chaikin["ranges"], Value::Null);
     let corner = json(["scheme", "corner-cutting:w=1/5"]);
     assert_eq!(corner["ranges"]["parameter"], "w");
-    // Cutting at less than half of an edge converges.
-    assert_eq!(corner["ranges"]["orders"][0]["inside"][0]["high"]["exact"], "1/2");
+    // Convergence for 0 < w < 1, as far as it is found.
+    let all = corner["ranges"]["orders"][0]["inside"].as_array().expect("a list");
+    let high: Vec<f64> = all
+        .iter()
+        .map(|interval| {
+            interval["high"]["decimal"].as_str().expect("a decimal").parse().expect("a number")
+        })
+        .collect();
+    assert!(high.last().is_some_and(|high| (0.9..=1.0).contains(high)), "{high:?}");
     let loops = json(["scheme", "loop"]);
     assert_eq!(loops["valences"].as_array().expect("a list").len(), 10);
     assert_eq!(loops["valences"][3]["vertex"]["curvature"], "bounded");

@@ -1,6 +1,7 @@
 //! Facts of a mask by definition, in slow ways that share nothing with the program but numbers and the coefficients.
 
 use subcert::exact::Rational;
+use subcert::float::nearest;
 use subcert::scheme::Mask;
 
 /// n, the least index s, and a_s with x'_r = Σ_k a_{r−nk} x_k.
@@ -107,7 +108,7 @@ impl Plain {
     /// powers of products, and by the norm of the c-th power.
     pub fn radius(&self, k: usize, factors: u32) -> [f64; 2] {
         let scaled = self.scaled(k);
-        let b: Vec<f64> = scaled.a.iter().map(|b| b.to_string()).map(|b| number(&b)).collect();
+        let b: Vec<f64> = scaled.a.iter().map(nearest).collect();
         let size = (b.len() - 1).div_ceil(index(self.n - 1)).max(1);
         let matrix = |e: usize| -> Vec<Vec<f64>> {
             let entry = |i: usize, j: usize| {
@@ -130,16 +131,9 @@ impl Plain {
                 low = low.max(by_traces(product).powf(1.0 / f64::from(length)));
             }
         }
-        let norm = number(&scaled.norm(factors).to_string());
+        let norm = nearest(&scaled.norm(factors));
         [low, norm.powf(1.0 / f64::from(factors))]
     }
-}
-
-/// A fraction as f64.
-fn number(text: &str) -> f64 {
-    let (top, bottom) = text.split_once('/').unwrap_or((text, "1"));
-    let part = |text: &str| text.parse::<f64>().expect("an integer");
-    part(top) / part(bottom)
 }
 
 fn times(left: &[Vec<f64>], right: &[Vec<f64>]) -> Vec<Vec<f64>> {

@@ -3,8 +3,13 @@
 use crate::common::{mask, r};
 use proptest::prelude::*;
 use subcert::exact::Rational;
-use subcert::facts::{CurveFacts, Kind, SchemeFacts, VALENCES, atlas_references, parameter_facts};
-use subcert::scheme::parse_any_scheme;
+use subcert::facts::{
+    CurveFacts, Kind, SchemeFacts, VALENCES, atlas_references, centre, is_interpolating, kind,
+    parameter_facts, points,
+};
+use subcert::limit::natural_shift;
+use subcert::scheme::{Mask, Scheme, parse_any_scheme, parse_scheme};
+use subcert::smoothness::Symbol;
 
 #[test]
 fn kinds_of_schemes() {
@@ -88,17 +93,42 @@ fn the_atlas_has_every_entry_and_reads_each() {
     assert!(SchemeFacts::of("no-such-scheme").is_err());
 }
 
-proptest! {
-    /// Where a symmetric mask keeps lines, its centre is the natural shift; a shift of all indices changes no kind.
-    #[test]
-    fn centres(mask in crate::common::affine(4, 5), by in -3_i64..4) {
-        let facts = CurveFacts::of_rational(&mask);
-        if let (Some(centre), true) = (&facts.centre, facts.shift.keeps_lines) {
-            prop_assert_eq!(centre, &facts.shift.shift);
+/// Where a symmetric mask of the catalogue keeps lines, its centre is the natural shift.
+#[test]
+fn centres() {
+    let references = atlas_references().into_iter().flat_map(|(_, references)| references);
+    let masks = references.filter_map(|name| match parse_scheme(&name) {
+        Ok(Scheme::Curve(mask)) => Some((name, mask)),
+        _ => None,
+    });
+    let mut compared = 0;
+    for (name, mask) in masks {
+        let shift = natural_shift(&mask);
+        if let (Some(centre), true) = (centre(&Symbol::of(&mask)), shift.keeps_lines) {
+            assert_eq!(centre, shift.shift, "{name}");
+            compared += 1;
         }
-        let moved = CurveFacts::of_rational(&mask.with_offset(mask.offset() + by));
-        prop_assert_eq!(facts.kind, moved.kind);
-        prop_assert_eq!(facts.points, moved.points);
+    }
+    assert!(compared > 50, "{compared}");
+}
+
+proptest! {
+    /// A shift of all indices changes neither the kind nor the points.
+    #[test]
+    fn shifts(mask in crate::common::affine(4, 5), by in -3_i64..4) {
+        let found = |mask: &Mask| {
+            let kind = centre(&Symbol::of(mask)).and_then(|place| kind(mask.arity(), &place));
+            (kind, points(mask), is_interpolating(mask))
+        };
+        let rows = mask.rules().rows();
+        let reversed = rows.iter().rev().map(|row| row.iter().rev().cloned().collect());
+        let folded = rows.iter().zip(reversed).map(|(row, other): (_, Vec<Rational>)| {
+            row.iter().zip(&other).map(|(a, b)| (a + b) * r(1, 2)).collect()
+        });
+        // The mean of a mask and its mirror image is symmetric.
+        let symmetric = Mask::new(folded.collect(), mask.offset()).expect("affine");
+        prop_assert!(found(&symmetric).0.is_some());
+        prop_assert_eq!(found(&symmetric), found(&symmetric.with_offset(mask.offset() + by)));
     }
 }
 
