@@ -36,7 +36,8 @@ pub(super) fn atlas(arguments: &AtlasArguments) -> Outcome {
 
 fn sheet(atlas: &form::Atlas<'_>) -> Sheet {
     let mut sheet = Sheet::default();
-    sheet.heading(1, "Curves");
+    sheet.heading(1, "The atlas of schemes");
+    sheet.heading(2, "Curves");
     let header = [
         "scheme",
         "n",
@@ -61,7 +62,7 @@ fn sheet(atlas: &form::Atlas<'_>) -> Sheet {
          with x^k_i at i/n^k and at natural parameters. What is not decided is open; `subcert scheme NAME` \
          gives the reasons, and all constants.",
     );
-    sheet.heading(1, "Rules around a vertex or on a face");
+    sheet.heading(2, "Rules around a vertex or on a face");
     let surfaces =
         atlas.schemes.iter().filter_map(|entry| Some((entry, entry.facts.valences.as_ref()?)));
     let rows = surfaces.flat_map(|(entry, valences)| {
