@@ -28,12 +28,6 @@ impl Chosen {
                 waiting.extend(by_hand.map(String::as_str));
             }
         }
-        // A table of orders and exponents is all of its cells.
-        for claim in &paper.smoothness {
-            if claim.cell.as_ref().is_some_and(|cell| ids.contains(&cell.table.id[..])) {
-                ids.insert(&claim.id);
-            }
-        }
         let groups = related(paper);
         loop {
             let before = ids.len();
