@@ -38,10 +38,10 @@ pub struct RegularityCell {
 }
 
 impl RegularityCell {
-    /// Where the cell stands: `Table 2, w = 1/16, exponent`.
+    /// Where the cell stands: `Table 2 (w = 1/16, exponent)`.
     #[must_use]
     pub fn locus(&self) -> String {
         let RegularityCell { table, column, header, .. } = self;
-        format!("{}, {header}, {}", table.locus, table.columns[*column])
+        format!("{} ({header}, {})", table.locus, table.columns[*column])
     }
 }
