@@ -7,11 +7,7 @@ Import ListNotations.
 
     A mask has n rules of rational entries. All entries are integers over one denominator. *)
 
-Record scheme := Scheme {
-  denominator : positive;
-  offset : Z;
-  rules : list (list Z)
-}.
+Record scheme := Scheme { denominator : positive; offset : Z; rules : list (list Z) }.
 
 Definition arity (s : scheme) : nat := length (rules s).
 Definition arityZ (s : scheme) : Z := Z.of_nat (arity s).
@@ -158,11 +154,7 @@ Definition exceeds_net_distance (s r : scheme) (tau rho : Q) (k : nat) (b B : Q)
     The points around a vertex or of a face: x'_a = Σ_b m_(a,b) x_b, with all weights over one denominator.
     The edges join the points whose differences count. *)
 
-Record ring := Ring {
-  ring_denominator : positive;
-  weights : list (list Z);
-  edges : list (nat * nat)
-}.
+Record ring := Ring { ring_denominator : positive; weights : list (list Z); edges : list (nat * nat) }.
 
 Fixpoint dot (row : list Z) (x : list Q) : Q :=
   match row, x with

@@ -266,21 +266,23 @@ Lemma polygon_from s tau m x t :
   polygon s tau m x t == polygon s tau 0 (level s m x) (inject_Z (arityZ s ^ Z.of_nat m) * t).
 Proof. exact (polygon_add s tau 0 m x t). Qed.
 
-Lemma polygon_zero s tau x t : polygon s tau 0 x t == interpolant x (t - tau).
-Proof.
-  apply interpolant_param. change (arityZ s ^ Z.of_nat 0)%Z with 1%Z. change (inject_Z 1) with 1. ring.
-Qed.
+Lemma no_shift s tau t : inject_Z (arityZ s ^ Z.of_nat 0) * t - tau == t - tau.
+Proof. change (arityZ s ^ Z.of_nat 0)%Z with 1%Z. change (inject_Z 1) with 1. ring. Qed.
 
-Lemma polygon_one s tau x t : polygon s tau 1 x t ==
-  interpolant (refine s x) (inject_Z (arityZ s) * (t - tau) + inject_Z (arityZ s - 1) * tau).
+(** The place in level 1 is n (t - tau) + (n - 1) tau. *)
+Lemma first_shift s tau t : inject_Z (arityZ s ^ Z.of_nat 1) * t - tau ==
+  inject_Z (arityZ s) * (t - tau) + inject_Z (arityZ s - 1) * tau.
 Proof.
-  apply interpolant_param. change (Z.of_nat 1) with 1%Z. rewrite Z.pow_1_r.
+  change (Z.of_nat 1) with 1%Z. rewrite Z.pow_1_r.
   unfold Z.sub. rewrite inject_Z_plus, inject_Z_opp. change (inject_Z 1) with 1. ring.
 Qed.
 
 Lemma polygon_step s tau y b t : affine s -> at_most (difference y) b ->
   Qabs (polygon s tau 1 y t - polygon s tau 0 y t) <= displacement s tau * b.
-Proof. intros A H. rewrite polygon_one, polygon_zero. now apply step_bound. Qed.
+Proof.
+  intros A H. unfold polygon. rewrite (interpolant_param _ _ _ (first_shift s tau t)),
+    (interpolant_param _ _ _ (no_shift s tau t)). now apply step_bound.
+Qed.
 
 Lemma bounds_step_by s tau k T : affine s -> bounds_differences s k T -> bounds_step s tau k (displacement s tau * T).
 Proof.
