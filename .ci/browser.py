@@ -317,7 +317,8 @@ def main() -> int:
     if not pages:
         print(f"no pages in {folder}", file=sys.stderr)
         return 2
-    with tempfile.TemporaryDirectory() as profile:
+    # Helpers of the browser may still write while the folder is removed.
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:
         chromium = Chromium(profile)
         try:
             checks = Checks(chromium)

@@ -30,7 +30,7 @@ BLOCK = re.compile(
     re.DOTALL,
 )
 PAGES = ["README.md", *(f"docs/{page.name}" for page in sorted((ROOT / "docs").glob("*.md")))]
-FILES = {"proofs/COVERAGE.md": "coverage --format markdown"} | {
+FILES = {"proofs/COVERAGE.md": "coverage --format markdown", "docs/flags.md": "flags --format markdown"} | {
     f"proofs/certificates/{claims.stem}.cert": f"prove {claims.stem} -o -"
     for claims in sorted((ROOT / "proofs" / "claims").glob("*.toml"))
 }

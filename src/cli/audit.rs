@@ -1,8 +1,9 @@
 //! `subcert audit`.
 
-use super::arguments::{AuditArguments, BROKEN, TableFormat, is_of_papers};
+use super::arguments::{AuditArguments, BROKEN, FindingFormat, Format, Output, is_of_papers};
 use super::certified::Certified;
 use super::claim_files::{Claims, claims};
+use super::finding::no_page;
 use super::output::{Failure, Outcome, denied, show_table};
 use super::papers::{judge_all, select};
 use super::{csv, pages, projects, terminal};
@@ -21,10 +22,10 @@ pub(super) fn audit(arguments: &AuditArguments) -> Outcome {
         let message = format!("--deny {word}: this is said only of constants that programs ship");
         return Err(Failure::Input(message));
     }
-    let audits = judge_all(&papers, to != Destination::Output(TableFormat::Json))?;
+    let audits = judge_all(&papers, arguments.format != FindingFormat::Json)?;
     let certified = if arguments.certified { Some(Certified::of(&audits)?) } else { None };
     match to {
-        Destination::Output(format) => show_audit(arguments, format, &audits, certified.as_ref())?,
+        Destination::Output(to) => show_audit(arguments, &to, &audits, certified.as_ref())?,
         Destination::Pages(folder) => {
             pages::pages(&audits, certified.as_ref(), arguments.files.is_empty(), folder)?;
         }
@@ -36,38 +37,31 @@ pub(super) fn audit(arguments: &AuditArguments) -> Outcome {
 }
 
 /// Where an audit goes.
-#[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Destination<'a> {
-    /// To the standard output.
-    Output(TableFormat),
+    /// A text.
+    Output(Output),
     /// Into this folder.
     Pages(&'a Path),
 }
 
 impl Destination<'_> {
     fn of(arguments: &AuditArguments) -> Result<Destination<'_>, Failure> {
-        let folder = arguments.output_folder.as_deref();
-        match arguments.format.of_table() {
-            None => Ok(Destination::Pages(pages::folder(folder)?)),
-            Some(format) if folder.is_none() => Ok(Destination::Output(format)),
-            Some(_) => {
-                let message = "-o is the folder of --format html; other formats go to the standard \
-                               output";
-                Err(Failure::Input(message.to_owned()))
-            }
+        match arguments.format.of_text(arguments.file.as_ref()) {
+            None => Ok(Destination::Pages(pages::folder(arguments.file.as_deref())?)),
+            Some(to) => Ok(Destination::Output(no_page(to)?)),
         }
     }
 }
 
-/// Writes the report to the standard output.
+/// Writes the report.
 fn show_audit(
     arguments: &AuditArguments,
-    format: TableFormat,
+    to: &Output,
     audits: &[PaperAudit<'_>],
     certified: Option<&Certified>,
 ) -> Outcome {
     show_table(
-        format,
+        to,
         || {
             let mut sheet = audit_sheet(audits, arguments.all);
             sheet.text(
@@ -79,7 +73,7 @@ fn show_audit(
             if let Some(certified) = certified {
                 certified.section(&mut sheet);
             }
-            if format == TableFormat::Text && is_longer_than_a_screen(&sheet) {
+            if to.format == Format::Text && to.file.is_none() && is_longer_than_a_screen(&sheet) {
                 // The summary has scrolled off the screen, and is repeated at the end.
                 sheet.heading(1, "All papers");
                 sheet.blocks.extend(overview_sheet(audits).blocks);

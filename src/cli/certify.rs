@@ -29,7 +29,7 @@ pub(super) fn certify(arguments: &CertifyArguments) -> Outcome {
     let result = compare(&scheme, &options)
         .map_err(|error: CertifyError| Failure::Input(error.to_string()))?;
     show(
-        arguments.output.format,
+        &arguments.output,
         || sheet(&arguments.scheme, &result),
         || form_of(&arguments.scheme, &result),
     )
@@ -45,7 +45,7 @@ fn ring_certificate(ring: &LocalRules, arguments: &CertifyArguments) -> Outcome 
     let result = certify_local_rules(ring, arguments.block.levels)
         .map_err(|error| Failure::Input(error.to_string()))?;
     let name = &arguments.scheme;
-    show(arguments.output.format, || head(name, &result.quantities), || ring_form(name, &result))
+    show(&arguments.output, || head(name, &result.quantities), || ring_form(name, &result))
 }
 
 /// A number type that reports print.

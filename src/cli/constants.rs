@@ -1,6 +1,6 @@
 //! `subcert constants`.
 
-use super::arguments::{ConstantsArguments, TableFormat};
+use super::arguments::{ConstantsArguments, Format};
 use super::columns::{Columns, Wanted, columns};
 use super::csv;
 use super::json::{SCHEMA, constants as form};
@@ -27,13 +27,13 @@ pub(super) fn constants(arguments: &ConstantsArguments) -> Outcome {
     let wanted = Wanted {
         levels: arguments.block.levels,
         forward: arguments.forward,
-        progress: arguments.output.format != TableFormat::Json,
+        progress: arguments.output.format != Format::Json,
     };
     let mut report = Report::of(&scheme, &wanted).map_err(|e| Failure::Input(e.to_string()))?;
     let name = &arguments.scheme;
     report.better_offsets = BetterOffset::all_of(name, &scheme)?;
     show_table(
-        arguments.output.format,
+        &arguments.output,
         || report.sheet(name),
         || report.form(name),
         || csv::constants(&report.form(name)),

@@ -9,7 +9,7 @@ use subcert::report::{coverage_sheet, json::CoverageReport};
 pub(super) fn coverage(arguments: &CoverageArguments) -> Outcome {
     let papers = select(papers(&arguments.files)?, arguments.paper.as_deref())?;
     let audits = judge_all(&papers, arguments.output.format != Format::Json)?;
-    show(arguments.output.format, || coverage_sheet(&audits), || CoverageReport::of(&audits))?;
+    show(&arguments.output, || coverage_sheet(&audits), || CoverageReport::of(&audits))?;
     denied(&arguments.deny, |state| {
         let items = audits.iter().flat_map(PaperAudit::coverage);
         let count = items.filter(|coverage| coverage.state().name() == state).count();

@@ -1,6 +1,8 @@
 //! Tables as comma-separated values (RFC 4180, with line feeds).
 
 use super::json::constants::{Constants, LocalConstants};
+use serde::Serialize;
+use serde_json::Value;
 use subcert::audit::PaperAudit;
 use subcert::exact::format::short;
 use subcert::report::json::{Exact, ProjectsReport};
@@ -103,6 +105,13 @@ pub(super) fn shipped(audits: &[ProjectAudit<'_>]) -> String {
     out.text
 }
 
+/// Any report: one row for each value of its JSON, named as jq names it, such as `levels[0].c`.
+pub(super) fn values(json: &impl Serialize) -> String {
+    let mut out = Table::new(&["name", "value"]);
+    out.values("", &serde_json::to_value(json).expect("keys that are texts"));
+    out.text
+}
+
 struct Table {
     text: String,
 }
@@ -112,6 +121,25 @@ impl Table {
         let mut table = Table { text: String::new() };
         table.row(header);
         table
+    }
+
+    fn values(&mut self, name: &str, value: &Value) {
+        match value {
+            Value::Object(fields) => {
+                for (key, value) in fields {
+                    let dot = if name.is_empty() { "" } else { "." };
+                    self.values(&format!("{name}{dot}{key}"), value);
+                }
+            }
+            Value::Array(entries) => {
+                for (i, value) in entries.iter().enumerate() {
+                    self.values(&format!("{name}[{i}]"), value);
+                }
+            }
+            Value::Null => self.row(&[name, ""]),
+            Value::String(text) => self.row(&[name, text]),
+            Value::Bool(_) | Value::Number(_) => self.row(&[name, &value.to_string()]),
+        }
     }
 
     fn row(&mut self, fields: &[&str]) {

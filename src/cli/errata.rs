@@ -5,7 +5,8 @@ use super::claim_files::{Claims, claims};
 use super::output::{Failure, Outcome, json_text, write_results};
 use super::papers::{judge_all, select};
 use super::projects::{judge_projects, select_project};
-use super::terminal;
+use super::{csv, terminal};
+use serde::Serialize;
 use std::path::Path;
 use subcert::report::json::{ErrataReport, ProjectsReport};
 use subcert::report::{Sheet, errata_sheet, issue_sheet};
@@ -16,41 +17,30 @@ pub(super) fn errata(arguments: &ErrataArguments) -> Outcome {
         Claims::Papers(papers) => {
             let papers = select(papers, arguments.paper.as_deref())?;
             let audits = judge_all(&papers, bar)?;
-            deliver(
-                arguments,
-                &audits,
-                |audit| &audit.paper.key,
-                errata_sheet,
-                |audits| json_text(&ErrataReport::of(audits)),
-            )
+            deliver(arguments, &audits, |audit| &audit.paper.key, errata_sheet, ErrataReport::of)
         }
         Claims::Projects(projects) => {
             let projects = select_project(projects, arguments.paper.as_deref())?;
             let audits = judge_projects(&projects, bar)?;
-            deliver(
-                arguments,
-                &audits,
-                |audit| &audit.project.key,
-                issue_sheet,
-                |audits| json_text(&ProjectsReport::of(audits)),
-            )
+            deliver(arguments, &audits, |audit| &audit.project.key, issue_sheet, ProjectsReport::of)
         }
     }
 }
 
 /// Writes the errata of all to the standard output, or those of each into a file of its own, named by its key.
-fn deliver<A>(
+fn deliver<'a, A, J: Serialize>(
     arguments: &ErrataArguments,
-    audits: &[A],
+    audits: &'a [A],
     key: impl Fn(&A) -> &str,
     sheet: impl Fn(&[A]) -> Sheet,
-    json: impl Fn(&[A]) -> String,
+    json: impl Fn(&'a [A]) -> J,
 ) -> Outcome {
-    let text = |audits: &[A], width: Option<usize>| match arguments.format {
+    let text = |audits: &'a [A], width: Option<usize>| match arguments.format {
         ErrataFormat::Text => sheet(audits).to_text(width),
         ErrataFormat::Markdown => sheet(audits).to_markdown(),
         ErrataFormat::Latex => sheet(audits).to_latex_document(),
-        ErrataFormat::Json => json(audits),
+        ErrataFormat::Json => json_text(&json(audits)),
+        ErrataFormat::Csv => csv::values(&json(audits)),
     };
     let Some(folder) = &arguments.output_folder else {
         return write_results(&text(audits, terminal::width()));
@@ -68,6 +58,7 @@ fn save(folder: &Path, format: ErrataFormat, key: &str, text: String) -> Outcome
         ErrataFormat::Markdown => ("md", text),
         ErrataFormat::Json => ("json", text),
         ErrataFormat::Latex => ("tex", text),
+        ErrataFormat::Csv => ("csv", text),
     };
     let path = folder.join(format!("{key}.{extension}"));
     let written = std::fs::create_dir_all(folder).and_then(|()| std::fs::write(&path, text));

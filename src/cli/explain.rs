@@ -1,10 +1,10 @@
 //! `subcert explain`.
 
-use super::arguments::{ExplainArguments, FindingFormat, TableFormat};
+use super::arguments::{ExplainArguments, FindingFormat, Format};
 use super::claim_files::{Claims, claims};
 use super::finding::Destination;
 use super::listing::{Listed, listing};
-use super::output::{Failure, Outcome, write_results};
+use super::output::{Failure, Outcome, deliver};
 use super::papers::{judge_claim, select};
 use super::projects;
 use subcert::audit::{self, by_hand, readings};
@@ -57,10 +57,10 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Outcome {
         let page = explain_page(audit, id, background, arguments.all, file)?;
         page.ok_or_else(|| Failure::Input(format!("no claim has the id `{id}`")))
     };
-    if let (Destination::Output(TableFormat::Latex), Some((finding, None))) =
-        (&to, table_of(&audits, id))
+    if let (Destination::Output(output), Some((finding, None))) = (&to, table_of(&audits, id))
+        && output.format == Format::Latex
     {
-        return write_results(&corrected_table(finding));
+        return deliver(&corrected_table(finding), output.file.as_deref());
     }
     to.deliver(|| sheet, || Explained::of(&audits, id, background), page)
 }
@@ -68,11 +68,9 @@ pub(super) fn explain(arguments: &ExplainArguments) -> Outcome {
 /// Lists the claims of a paper.
 fn list(paper: &Paper, arguments: &ExplainArguments) -> Outcome {
     match Destination::of(&arguments.output, &paper.key)? {
-        Destination::Output(format) if format != TableFormat::Latex => {
-            listing(paper, format.of_sheet())
-        }
+        Destination::Output(to) => listing(paper, &to),
         _ => Err(Failure::Input(format!(
-            "a list of claims is text, JSON or Markdown; name a claim, or write the pages of all of them with \
+            "a list of claims is no page; name a claim, or write the pages of all of them with \
              `subcert audit --paper {} --format html -o DIR`",
             paper.key
         ))),

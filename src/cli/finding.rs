@@ -1,7 +1,7 @@
 //! Single findings: to the standard output, or as a page in a file.
 
-use super::arguments::{FindingOutput, TableFormat};
-use super::output::{Failure, Outcome, json_text, show, write_results};
+use super::arguments::{FindingOutput, Output};
+use super::output::{Failure, Outcome, show, write_results};
 use super::pages::{folder, write_page};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -10,8 +10,8 @@ use subcert::report::html::shell_word;
 
 /// Where a finding goes.
 pub(super) enum Destination {
-    /// To the standard output.
-    Output(TableFormat),
+    /// A text.
+    Output(Output),
     /// A page to the standard output.
     Page,
     /// A page into this file.
@@ -21,13 +21,9 @@ pub(super) enum Destination {
 impl Destination {
     /// As far as it can be told before anything is computed; in a folder the page is called `name`.
     pub(super) fn of(output: &FindingOutput, name: &str) -> Result<Destination, Failure> {
-        match (output.format.of_table(), output.page.as_deref()) {
-            (Some(format), None) => Ok(Destination::Output(format)),
-            (Some(_), Some(_)) => {
-                let message =
-                    "-o is the page of --format html; other formats go to the standard output";
-                Err(Failure::Input(message.to_owned()))
-            }
+        let file = output.file.as_ref();
+        match (output.format.of_text(file), file.map(PathBuf::as_path)) {
+            (Some(text), _) => Ok(Destination::Output(no_page(text)?)),
             (None, None) => Ok(Destination::Page),
             (None, Some(path)) if path.as_os_str() == "-" => Ok(Destination::Page),
             (None, Some(path)) if is_page(path) => Ok(Destination::File(path.to_owned())),
@@ -45,15 +41,24 @@ impl Destination {
         page: impl FnOnce() -> Result<String, Failure>,
     ) -> Outcome {
         match self {
-            Destination::Output(TableFormat::Latex) => write_results(&sheet().to_latex()),
-            Destination::Output(TableFormat::Json) => write_results(&json_text(&json())),
-            Destination::Output(format) => show(format.of_sheet(), sheet, json),
+            Destination::Output(to) => show(to, sheet, json),
             Destination::Page => write_results(&page()?),
             Destination::File(path) => {
                 write_page(path, &page()?)?;
                 write_results(&format!("{}\n", path.display()))
             }
         }
+    }
+}
+
+/// Where a text goes, which is no file for a page, and no folder.
+pub(super) fn no_page(to: Output) -> Result<Output, Failure> {
+    match &to.file {
+        Some(path) if is_page(path) || path.is_dir() => Err(Failure::Input(format!(
+            "`{}` is for pages: add --format html, or name another file with -o FILE",
+            path.display()
+        ))),
+        _ => Ok(to),
     }
 }
 

@@ -3,7 +3,7 @@
 
 use super::arguments::{LimitArguments, MeshBoundary, OracleArguments, RefineArguments};
 use super::net::NetInput;
-use super::output::{Failure, Outcome};
+use super::output::{Failure, Outcome, deliver};
 use super::{mesh, net, solid};
 use std::path::Path;
 
@@ -61,9 +61,10 @@ pub(super) fn limit(arguments: &LimitArguments) -> Outcome {
 pub(super) fn reference_values(arguments: &OracleArguments, path: &Path) -> Outcome {
     let OracleArguments { scheme, closed, level, .. } = arguments;
     let net = NetInput { scheme, path, closed: *closed };
-    match Geometry::of(&net)? {
-        Geometry::Mesh => mesh::reference_values(scheme, path, *level),
-        Geometry::Net => net::reference_values(&net, *level),
-        Geometry::Solid => solid::reference_values(path, *level),
-    }
+    let text = match Geometry::of(&net)? {
+        Geometry::Mesh => mesh::reference_values(scheme, path, *level)?,
+        Geometry::Net => net::reference_values(&net, *level)?,
+        Geometry::Solid => solid::reference_values(path, *level)?,
+    };
+    deliver(&text, arguments.file.as_deref())
 }

@@ -28,7 +28,7 @@ pub(super) fn jsr(arguments: &JsrArguments) -> Outcome {
         write_certificate(path, radius_certificate(&set, &radius))?;
     }
     show(
-        arguments.output.format,
+        &arguments.output,
         || sheet(&path, &set, &radius),
         || form::JointRadius {
             schema: SCHEMA,

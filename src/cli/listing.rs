@@ -1,6 +1,6 @@
 //! The claims of a paper, without their verdicts.
 
-use super::arguments::Format;
+use super::arguments::Output;
 use super::json::{SCHEMA, listing as form};
 use super::output::{Outcome, show};
 use subcert::claim::Paper;
@@ -44,10 +44,10 @@ impl Listed<'_> {
 }
 
 /// Writes what `subcert explain` can explain of a paper.
-pub(super) fn listing(paper: &Paper, format: Format) -> Outcome {
+pub(super) fn listing(paper: &Paper, to: &Output) -> Outcome {
     let claims = Listed::all(paper);
     show(
-        format,
+        to,
         || sheet(paper, &claims),
         || form::Listing {
             schema: SCHEMA,

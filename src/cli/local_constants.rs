@@ -24,7 +24,7 @@ pub(super) fn local_constants(ring: &LocalRules, arguments: &ConstantsArguments)
     let report = Report { ring, constants };
     let name = &arguments.scheme;
     show_table(
-        arguments.output.format,
+        &arguments.output,
         || report.sheet(name),
         || report.form(name),
         || csv::local_constants(&report.form(name)),

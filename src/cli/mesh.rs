@@ -62,11 +62,11 @@ pub(super) fn limit(arguments: &LimitArguments) -> Outcome {
 }
 
 /// What `subcert oracle --mesh` writes.
-pub(super) fn reference_values(scheme: &str, path: &Path, level: u32) -> Outcome {
+pub(super) fn reference_values(scheme: &str, path: &Path, level: u32) -> Result<String, Failure> {
     let work = Work::new(scheme, path, level, None)?;
     let mesh = work.refined()?;
     let limits = work.limits(&mesh)?;
-    write_results(&to_json(&mesh, &work.head(), Some(&limits)))
+    Ok(to_json(&mesh, &work.head(), Some(&limits)))
 }
 
 /// The scheme of a name and the mesh in a file, with the name of the file.

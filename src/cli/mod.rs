@@ -14,6 +14,7 @@ mod depth;
 mod errata;
 mod explain;
 mod finding;
+mod flags;
 mod forms;
 mod geometry;
 mod interrupt;
@@ -99,6 +100,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Refine(command) => geometry::refine(&command),
         Command::Limit(command) => geometry::limit(&command),
         Command::Schemes(command) => schemes::schemes(&command),
+        Command::Flags(output) => flags::flags(&output),
         #[cfg(feature = "schema")]
         Command::Schemas { folder } => schemas::schemas(&folder),
         Command::Man { folder } => man::man(&folder),

@@ -4,7 +4,7 @@ use super::arguments::{ClosedArgument, MeshOutput, MeshOutputFormat};
 use super::forms::OF_NETS;
 use super::json::SCHEMA;
 use super::mesh::{deliver, input, text_of};
-use super::output::{Failure, Outcome, write_results};
+use super::output::{Failure, Outcome};
 use std::path::Path;
 use subcert::diagnostic::SourceText;
 use subcert::exact::{Rational, RealCyclotomic};
@@ -89,10 +89,10 @@ pub(super) fn limit(asked: &NetInput<'_>, level: u32, output: &MeshOutput) -> Ou
 }
 
 /// What `subcert oracle --mesh` writes.
-pub(super) fn reference_values(asked: &NetInput<'_>, level: u32) -> Outcome {
+pub(super) fn reference_values(asked: &NetInput<'_>, level: u32) -> Result<String, Failure> {
     let file = asked.read()?;
     let net = refine_net(&file.net, &file.scheme, level).map_err(failure)?;
-    write_results(&file.json(&net, level, Some(&file.limits(&net)?))?)
+    file.json(&net, level, Some(&file.limits(&net)?))
 }
 
 fn text(net: &Net, format: MeshOutputFormat, title: &str) -> Result<String, Failure> {

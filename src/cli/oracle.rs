@@ -2,7 +2,7 @@
 
 use super::arguments::{BoundaryArgument, OracleArguments, OracleFormat};
 use super::geometry;
-use super::output::{Failure, Outcome, write_results};
+use super::output::{Failure, Outcome, deliver};
 use super::polygon::{Caps, read_grid, read_polygon};
 use std::path::Path;
 use subcert::oracle::{
@@ -29,12 +29,13 @@ pub(super) fn oracle(arguments: &OracleArguments) -> Outcome {
         AnyScheme::Uniform(scheme) => uniform(&scheme, arguments)?,
         AnyScheme::LocalRules(ring) => of_ring(&ring, arguments)?,
     };
-    write_results(&match arguments.format {
+    let text = match arguments.format {
         OracleFormat::Json => to_json(&values),
         OracleFormat::Csv => to_csv(&values),
         OracleFormat::Table => to_table(&values),
         OracleFormat::Matlab => to_matlab(&values),
-    })
+    };
+    deliver(&text, arguments.file.as_deref())
 }
 
 fn refused(error: &OracleError) -> Failure {

@@ -1,10 +1,12 @@
 //! Results to the standard output, messages to the standard error.
 
-use super::arguments::{Format, TableFormat};
-use super::terminal;
+use super::arguments::{Format, Output};
+use super::save::save;
+use super::{csv, terminal};
 use serde::Serialize;
 use std::fmt::Display;
 use std::io::{ErrorKind, Write as _};
+use std::path::Path;
 use std::process::ExitCode;
 use subcert::diagnostic::{Diagnostic, Errors, wrapped};
 use subcert::exact::{Enclosed, Rational, format::short, parse_rational};
@@ -130,32 +132,45 @@ pub(super) fn write_results(text: &str) -> Outcome {
     if terminal::is_quiet() { Ok(()) } else { write(text) }
 }
 
-/// Writes a report in the chosen format.
-pub(super) fn show<J: Serialize>(
-    format: Format,
-    sheet: impl FnOnce() -> Sheet,
-    json: impl FnOnce() -> J,
-) -> Result<(), Failure> {
-    match format {
-        Format::Text => write_results(&sheet().to_text(terminal::width())),
-        Format::Markdown => write_results(&sheet().to_markdown()),
-        Format::Json => write_results(&json_text(&json())),
-    }
+/// Writes results into a file, without styles; or to the standard output, for which `-` stands too.
+pub(super) fn deliver(text: &str, file: Option<&Path>) -> Outcome {
+    let Some(path) = file.filter(|path| path.as_os_str() != "-") else {
+        return write_results(text);
+    };
+    save(path, &anstream::adapter::strip_str(text).to_string()).map_err(|error| {
+        let path = path.display();
+        Failure::Input(format!("cannot write `{path}`: {error}; name another file with -o FILE"))
+    })
 }
 
-/// Writes a report that is a table in the chosen format.
+/// Writes a report in the chosen format; as CSV it has a row for each value of the JSON.
+pub(super) fn show<J: Serialize>(
+    to: &Output,
+    sheet: impl FnOnce() -> Sheet,
+    json: impl FnOnce() -> J,
+) -> Outcome {
+    let file = to.file.as_deref();
+    let text = match to.format {
+        // A file is as wide as it needs.
+        Format::Text => sheet().to_text(if file.is_none() { terminal::width() } else { None }),
+        Format::Markdown => sheet().to_markdown(),
+        Format::Json => json_text(&json()),
+        Format::Latex => sheet().to_latex(),
+        Format::Csv => csv::values(&json()),
+    };
+    deliver(&text, file)
+}
+
+/// Writes a report that has a table of its own for spreadsheets.
 pub(super) fn show_table<J: Serialize>(
-    format: TableFormat,
+    to: &Output,
     sheet: impl FnOnce() -> Sheet,
     json: impl FnOnce() -> J,
     csv: impl FnOnce() -> String,
 ) -> Outcome {
-    match format {
-        TableFormat::Text => show(Format::Text, sheet, json),
-        TableFormat::Markdown => show(Format::Markdown, sheet, json),
-        TableFormat::Json => show(Format::Json, sheet, json),
-        TableFormat::Latex => write_results(&sheet().to_latex()),
-        TableFormat::Csv => write_results(&csv()),
+    match to.format {
+        Format::Csv => deliver(&csv(), to.file.as_deref()),
+        _ => show(to, sheet, json),
     }
 }
 

@@ -42,7 +42,7 @@ pub(super) fn range(arguments: &RangeArguments) -> Outcome {
     }
     let report = Report::of(arguments, parameter, &mask.difference())
         .map_err(|e| Failure::Input(e.to_string()))?;
-    show(arguments.output.format, || report.sheet(), || report.form())
+    show(&arguments.output, || report.sheet(), || report.form())
 }
 
 /// The one parameter that SCHEME leaves open.

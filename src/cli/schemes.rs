@@ -8,7 +8,7 @@ use subcert::report::Sheet;
 use subcert::scheme::{SchemeDefinition, catalogue};
 
 pub(super) fn schemes(arguments: &SchemesArguments) -> Outcome {
-    show(arguments.output.format, sheet, || Catalogue {
+    show(&arguments.output, sheet, || Catalogue {
         schema: SCHEMA,
         schemes: catalogue().iter().map(form).collect(),
     })

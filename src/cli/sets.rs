@@ -7,7 +7,7 @@ use subcert::exact::{
     SturmSequence,
     format::{fixed, short},
 };
-use subcert::report::json::Exact;
+use subcert::report::{interval_texts, json::Exact};
 
 /// The digits of a decimal in the text.
 const DIGITS: u32 = 12;
@@ -20,28 +20,21 @@ const SHOWN_LENGTH: usize = 16;
 pub(super) struct Parameter<'a>(pub(super) &'a str);
 
 impl Parameter<'_> {
-    /// A set, one interval on a line.
+    /// A set that is known exactly, one interval on a line.
     pub(super) fn set(self, set: &IntervalSet) -> String {
-        let Parameter(param) = self;
+        self.or(set, &format!("no {}", self.0))
+    }
+
+    /// What is found of a set: where that is nothing, there may be some all the same.
+    pub(super) fn found(self, set: &IntervalSet) -> String {
+        self.or(set, "none found")
+    }
+
+    fn or(self, set: &IntervalSet, empty: &str) -> String {
         if set.is_empty() {
-            return format!("no {param}");
+            return empty.to_owned();
         }
-        let sign = |end: &Bound<RealAlgebraic>| match end {
-            Bound::Included(_) => "≤",
-            _ => "<",
-        };
-        let interval = |interval: &Interval| match (&interval.low, &interval.high) {
-            (Bound::Unbounded, Bound::Unbounded) => format!("every {param}"),
-            (Bound::Included(low), Bound::Included(high)) if low == high => {
-                format!("{param} = {}", number(low))
-            }
-            (low, high) => {
-                let left = place(low).map(|place| format!("{} {} ", number(place), sign(low)));
-                let right = place(high).map(|place| format!(" {} {}", sign(high), number(place)));
-                format!("{}{param}{}", left.unwrap_or_default(), right.unwrap_or_default())
-            }
-        };
-        set.intervals().iter().map(interval).collect::<Vec<String>>().join("\n")
+        interval_texts(set, self.0, "≤", number).join("\n")
     }
 
     /// The irrational ones of these numbers, each by its decimal, as roots.

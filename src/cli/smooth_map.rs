@@ -45,7 +45,7 @@ pub(super) fn smooth_map(arguments: &RangeArguments, parameters: [&String; 2]) -
     drop(progress);
     let map = map.map_err(|error| Failure::Input(error.to_string()))?;
     let report = Report { arguments, parameters: [first, second], m, region, map };
-    show(arguments.output.format, || report.sheet(), || report.form())
+    show(&arguments.output, || report.sheet(), || report.form())
 }
 
 /// The region that `a=-1..1,b=0..1/2` names.

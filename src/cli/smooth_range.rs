@@ -24,7 +24,7 @@ pub(super) fn smooth_range(
     let range = computed(&rules, m, arguments.block.levels).map_err(|e| input(&e))?;
     drop(progress);
     let report = Report { arguments, parameter, m, range };
-    show(arguments.output.format, || report.sheet(), || report.form())
+    show(&arguments.output, || report.sheet(), || report.form())
 }
 
 struct Report<'a> {
@@ -43,19 +43,17 @@ impl Report<'_> {
         let (m, param, range) = (self.m, self.parameter(), &self.range);
         let mut sheet = Sheet::default();
         sheet.heading(1, format!("{}: where the limits are C^{m}", self.arguments.scheme));
-        let found = |set: &IntervalSet| {
-            if set.is_empty() { "none found".to_owned() } else { param.set(set) }
-        };
-        let gap = match &range.gap {
-            None => "unbounded".to_owned(),
-            Some(gap) if gap.is_zero() => "none".to_owned(),
-            Some(gap) => format!("at most {}", up(gap)),
+        let open = IntervalSet::everything().without(&range.inside).without(&range.outside);
+        let open = match &range.gap {
+            Some(gap) if gap.is_zero() => "nothing, but for single values at most".to_owned(),
+            Some(gap) => format!("the rest, of the length {} at most", up(gap)),
+            None => param.set(&open),
         };
         let fact = |name: &str, text: String| (name.to_owned(), text);
         sheet.facts(vec![
-            fact("inside", found(&range.inside)),
-            fact("outside", found(&range.outside)),
-            fact("gap", gap),
+            fact("inside", param.found(&range.inside)),
+            fact("outside", param.found(&range.outside)),
+            fact("open", open),
         ]);
         sheet.heading(2, "By contraction");
         let rows = (1_u32..).zip(&range.contraction.levels);
@@ -73,7 +71,7 @@ impl Report<'_> {
         sheet.text(
             "Inside, all limits have this smoothness: by contraction, and by invariant hulls on intervals \
              with rational ends. Outside, some limit does not have it, or the scheme diverges: a product of \
-             matrices of the differences has too large an eigenvalue. The gap is the length of the rest.",
+             matrices of the differences has too large an eigenvalue.",
         );
         if range.but_finitely_many {
             sheet.text(

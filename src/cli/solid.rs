@@ -4,7 +4,7 @@ use super::arguments::{LimitArguments, MeshOutputFormat, RefineArguments};
 use super::forms::OF_SOLIDS;
 use super::json::SCHEMA;
 use super::mesh::{deliver, input, text_of};
-use super::output::{Failure, Outcome, write_results};
+use super::output::{Failure, Outcome};
 use std::path::Path;
 use subcert::diagnostic::SourceText;
 use subcert::exact::Rational;
@@ -36,11 +36,11 @@ pub(super) fn limit(arguments: &LimitArguments) -> Outcome {
 }
 
 /// What `subcert oracle --mesh` writes.
-pub(super) fn reference_values(path: &Path, level: u32) -> Outcome {
+pub(super) fn reference_values(path: &Path, level: u32) -> Result<String, Failure> {
     let work = Work::new(path, level)?;
     let mesh = work.refined()?;
     let limits = solid_limit_points(&mesh);
-    write_results(&solid_to_json(&mesh, &work.head(), Some(&limits)))
+    Ok(solid_to_json(&mesh, &work.head(), Some(&limits)))
 }
 
 /// The solid in a file, with the name of the file.

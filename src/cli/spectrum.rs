@@ -28,7 +28,7 @@ pub(super) fn spectrum(arguments: &SpectrumArguments) -> Outcome {
     let spectrum = rings.spectrum().map_err(failure)?;
     drop(progress);
     let report = Report { name: &arguments.scheme, rings, spectrum };
-    show(arguments.output.format, || report.sheet(), || report.form())
+    show(&arguments.output, || report.sheet(), || report.form())
 }
 
 pub(super) fn failure(error: SpectrumError) -> Failure {

@@ -47,7 +47,7 @@ pub(super) fn of_rules(arguments: &RangeArguments, parameter: &str) -> Option<Ou
         outside: parameter.set_form(&range.outside),
     };
     Some(show(
-        arguments.output.format,
+        &arguments.output,
         || sheet(scheme, parameter, &found),
         || form::VertexRange {
             schema: SCHEMA,
@@ -64,7 +64,11 @@ fn sheet(scheme: &str, parameter: Parameter<'_>, found: &[VertexRange]) -> Sheet
     let mut sheet = Sheet::default();
     sheet.heading(1, format!("{scheme}: where surfaces are C^1 at the vertex or on the face"));
     let row = |range: &VertexRange| {
-        vec![range.order.to_string(), parameter.set(&range.inside), parameter.set(&range.outside)]
+        vec![
+            range.order.to_string(),
+            parameter.found(&range.inside),
+            parameter.found(&range.outside),
+        ]
     };
     let header = ["n", "C^1", "not C^1"].map(str::to_owned).to_vec();
     sheet.grid(Grid { header, rows: found.iter().map(row).collect(), left_columns: 3 });

@@ -7,3 +7,4 @@ mod papers;
 mod smoothness;
 mod theorems;
 mod vertex;
+mod vertex_range;

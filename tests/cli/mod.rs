@@ -2,6 +2,7 @@
 
 mod bad_input;
 mod errors;
+mod flags;
 mod meshes;
 mod names;
 mod nets;

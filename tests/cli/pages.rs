@@ -30,8 +30,10 @@ fn a_page_for_each_paper_and_an_index() {
 fn a_folder_is_needed_and_nothing_else_is_touched() {
     let message = refused(["audit", PAPER, "--format", "html"]);
     assert_parts(&message, &["--format html writes files", "-o DIR"]);
-    let message = refused(["audit", PAPER, "-o", "pages"]);
-    assert_parts(&message, &["-o is the folder of --format html"]);
+    for folder in ["docs", "pages.html"] {
+        let message = refused(["audit", PAPER, "-o", folder]);
+        assert_parts(&message, &["is for pages", "add --format html"]);
+    }
     let file = TemporaryFile::new("no-folder", "mine");
     let message = refused(["audit", PAPER, "--format", "html", "-o", file.path()]);
     assert_parts(&message, &["is no folder", "name another one with -o DIR"]);
@@ -118,7 +120,7 @@ fn pages_of_depths_have_their_pictures() {
 fn places_of_findings_are_refused_before_anything_is_computed() {
     let depth = ["depth", "chaikin", "--tolerance", "1/10"];
     let message = refused(depth.into_iter().chain(["-o", "x.html"]));
-    assert_parts(&message, &["-o is the page of --format html"]);
+    assert_parts(&message, &["`x.html` is for pages", "add --format html"]);
     let file = TemporaryFile::new("page", "mine");
     let message = refused(depth.into_iter().chain(["--format", "html", "-o", file.path()]));
     assert_parts(&message, &["is no folder", "-o DIR"]);

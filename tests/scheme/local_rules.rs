@@ -55,6 +55,7 @@ fn rings_of_the_catalogue() {
         ("loop", "N", 3..=12),
         ("loop-warren", "N", 3..=12),
         ("sqrt3", "N", 3..=12),
+        ("catmull-clark-biquadratic", "n", 3..=12),
     ] {
         for valence in valences.chain([24]) {
             let ring = ring(&format!("{name}:{parameter}={valence}"));

@@ -59,7 +59,7 @@ fn what_is_not_a_scheme() {
         ("six-point", "`six-point` needs its parameter `w`: write `six-point:w=…`"),
         ("six-point:w=1,v=2", "`six-point` has no parameter `v`; it has: w"),
         ("chaikin:w=2", "`chaikin` has no parameter `w`; it has none"),
-        ("seven-point", "unknown scheme `seven-point`; known: b-spline, bajaj, catmull-clark"),
+        ("seven-point", "unknown scheme `seven-point`; known: ashraf-mustafa-deng-1, ashraf"),
         ("newton:j=1,n=1", "the arity is 1; it must be an integer from 2 to 64"),
         ("newton:j=1/3,n=2", "the offset is -1/3; it must be an integer from -10000 to 10000"),
         ("newton:j=200,n=2", "the width is 402; it must be an integer from 1 to 256"),

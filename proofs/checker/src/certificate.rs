@@ -95,6 +95,14 @@ impl<'a> Block<'a> {
         require(rest.is_empty(), Reason::Malformed(word))
     }
 
+    /// Takes the next line. It has to be this verdict, with nothing behind it.
+    pub fn verdict(&mut self, found: &str) -> Checked<()> {
+        self.look();
+        let said = self.peek().map_or("", |line| line.text);
+        self.taken += 1;
+        agree(said, found, Reason::Verdict)
+    }
+
     /// All lines.
     pub fn lines(&self) -> &[Line<'a>] {
         &self.lines

@@ -22,7 +22,7 @@ figure: locus=text lines=*text
 equation: symbols=*text hypotheses=*text indices=*axis left=text|*text right=text absent=text
 function: variable=text left=text right=text
 range: variable=text value=text below=text at_most=text smoothness=text from=number to=number \
- closed=flag only=flag
+ closed=flag only=flag valences=text
 smoothness: continuous=text not_continuous=text valences=text absent=text
 exponent: value=text printed=number at_least=text at_most=text attained=flag absent=text
 theorem: bounds=text by=text from=text says=text rests=*text schemes=*text values=%*text \

@@ -2,7 +2,7 @@
 
 use std::fs::{read_dir, read_to_string};
 use std::path::PathBuf;
-use subcert_check::{Agreement, Reason, Rejection, check_theorems};
+use subcert_check::{Agreement, Reason, Rejection, Stop, check_theorems};
 
 fn proofs() -> PathBuf {
     PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
@@ -197,4 +197,55 @@ fn recovered_values_come_from_a_certificate() {
     assert_eq!(reason(&[&other], &theorems).as_deref(), Some(without), "an invalid certificate");
     let changed = theorems.replacen("w = 39/2000 *)", "w = 1/16 *)", 1);
     assert!(reason(&[&one], &changed).is_some_and(|reason| reason.starts_with(STATED)));
+}
+
+/// A value that the claim file gives for a parameter that the paper leaves open stands in the first lines, once; and a
+/// file says something.
+#[test]
+fn assumed_values_are_not_hidden() {
+    let claims = "key = 'doe'
+[[scheme]]
+name = 'corner'
+parameters.w = { about = 'tension' }
+mask = [['1 - w', 'w'], ['w', '1 - w']]
+[[table]]
+id = 'table-1'
+locus = 'Table 1'
+scheme = 'corner:w=w'
+value = 'contraction(c)'
+unstated = { w = '2/5' }
+columns = { name = 'c', values = ['1'] }
+cells = [['0.80']]
+";
+    let said = "(* Not stated: w = 2/5 *)\n";
+    let theorems = format!(
+        "(** doe, table table-1 (written by `subcert prove --coq`) *)
+{said}
+From Coq Require Import ZArith QArith List.
+From Subcert Require Import Definitions Core Error Depth Refutation Net Ring.
+Import ListNotations.
+Local Open Scope Q_scope.
+
+Definition scheme_1 :=
+  Scheme 5 0 [[3; 2]; [2; 3]]%Z.
+
+(* row 1, column 1: Table 1, c = 1 prints 0.80 *)
+(* It is this constant. *)
+Theorem finding_1 :
+  contraction_constant scheme_1 1 (4 # 5).
+Proof. apply contraction_constant_by. vm_cast_no_check (eq_refl true). Qed.
+"
+    );
+    let reason = |text: &str| {
+        let outcome = check_theorems(claims, &[], &[text]).expect("claims").remove(0);
+        outcome.err().map(|rejection| rejection.reason)
+    };
+    assert_eq!(reason(&theorems), None);
+    let hidden = Reason::Stopped(Stop::Unstated("w".to_owned()));
+    assert_eq!(reason(&theorems.replace(said, "")), Some(hidden));
+    let twice = theorems.replace("w = 2/5", "w = 2/5, w = 2/5");
+    let (empty, _) = theorems.split_once("\nDefinition").expect("an object");
+    for text in [&twice[..], empty] {
+        assert!(matches!(reason(text), Some(Reason::Form(_))), "{text}");
+    }
 }

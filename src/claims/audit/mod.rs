@@ -20,10 +20,10 @@ pub use crate::finding::{
     Failure, Fitting, FunctionFinding, FunctionVerdict, HandCell, HandConstant, Kept,
     KernelFinding, KernelStatement, Known, Later, LeftOut, LevelEvidence, Levels, Limits, Line,
     LineReading, MAX_DIFFERENCES, Missing, Naturally, Need, Needed, Outcome, PaperAudit, Place,
-    PromiseCounts, RangeFinding, RangeOfLimits, RangeVerdict, Recovered, RecoveredFrom, Refiner,
-    Refutation, Repair, RingExcess, Search, Side, Slip, SmoothnessFinding, SmoothnessVerdict,
-    Solved, Sound, Supremum, TableFinding, TablePart, TheoremFinding, TheoremVerdict, Unshiftable,
-    Verdict, Vertices, Violation, Witness, Working,
+    PromiseCounts, RangeAtValence, RangeFinding, RangeOfLimits, RangeVerdict, Recovered,
+    RecoveredFrom, Refiner, Refutation, Repair, RingExcess, Search, Side, Slip, SmoothnessFinding,
+    SmoothnessVerdict, Solved, Sound, Supremum, TableFinding, TablePart, TheoremFinding,
+    TheoremVerdict, Unshiftable, Verdict, VertexWitness, Vertices, Violation, Witness, Working,
 };
 pub use crate::judge::MAX_CASES;
 

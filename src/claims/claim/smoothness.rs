@@ -88,7 +88,7 @@ pub enum SmoothnessStatement {
         attained: Option<bool>,
     },
     /// The values of a parameter for which the limits are C^m.
-    Range(SmoothRangeStatement),
+    Range(Box<SmoothRangeStatement>),
 }
 
 /// The valences that a claim is about: `5`, `3..50`, or `all` from 3 on.
@@ -147,6 +147,8 @@ pub struct SmoothRangeStatement {
     pub closed: bool,
     /// Whether the paper says that the limits are C^m for no other values.
     pub only: bool,
+    /// Of rules around a vertex or on a face: the valences of which it speaks.
+    pub valences: Option<PrintedValences>,
 }
 
 /// An end of a printed interval.

@@ -14,6 +14,7 @@ use crate::scheme::{
 };
 use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap};
+use std::hash::Hash;
 use std::rc::Rc;
 
 /// The greatest block length of a sound bound.
@@ -78,10 +79,10 @@ impl<'a> Library<'a> {
     }
 
     /// The ring of this scheme, one name with parameters.
-    pub(crate) fn ring(
+    pub(crate) fn ring<V: Value + Eq + Hash>(
         &self,
-        scheme: &[Instance<RealCyclotomic>],
-    ) -> Result<LocalRules, SchemeError> {
+        scheme: &[Instance<V>],
+    ) -> Result<LocalRules<V>, SchemeError> {
         match scheme {
             [instance] => self.define(&instance.name)?.ring(&instance.parameters),
             _ => Err(SchemeError::NotRing { scheme: "a tensor product".to_owned() }),
@@ -97,17 +98,17 @@ impl<'a> Library<'a> {
     }
 
     /// The ring of this scheme at a valence, which is the value of its parameter `N` or `n`.
-    pub(crate) fn ring_of_valence(
+    pub(crate) fn ring_of_valence<V: Value + Eq + Hash>(
         &self,
-        scheme: &[Instance<RealCyclotomic>],
+        scheme: &[Instance<V>],
         valence: usize,
-    ) -> Result<LocalRules, SchemeError> {
+    ) -> Result<LocalRules<V>, SchemeError> {
         let [instance] = scheme else { return self.ring(scheme) };
         let definition = self.define(&instance.name)?;
         let name = definition.valence_name(&instance.parameters);
         let name = name.ok_or_else(|| SchemeError::NoValence { scheme: instance.name.clone() })?;
         let mut parameters = instance.parameters.clone();
-        parameters.insert(name.to_owned(), RealCyclotomic::from(Rational::from(valence)));
+        parameters.insert(name.to_owned(), V::from_rational(&Rational::from(valence)));
         definition.ring(&parameters)
     }
 

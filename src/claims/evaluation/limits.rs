@@ -8,6 +8,7 @@ use crate::evaluation::reference::{Unresolved, scheme_error};
 use crate::exact::{Parametric, Rational, RationalPolynomial, RealCyclotomic};
 use crate::formula::{Context, Scope, Value};
 use crate::scheme::{Instance, LocalRules, Mask, Rules, SchemeError};
+use std::hash::Hash;
 
 /// The scheme of a claim about limits, in its paper.
 pub(crate) struct LimitScheme<'a> {
@@ -29,11 +30,16 @@ impl LimitScheme<'_> {
         Ok(resolved.constants[0].mask().clone())
     }
 
-    /// The instances of the scheme, if it is a ring: the rules around a vertex or on a face.
-    pub(crate) fn ring_instances(
+    /// The instances of the scheme, if it is a ring: the rules around a vertex or on a face. The variable of a
+    /// range, if there is one, has this value.
+    pub(crate) fn ring_instances<V: Value>(
         &self,
-    ) -> Result<Option<Vec<Instance<RealCyclotomic>>>, Diagnostic> {
-        let scope: Scope<'_, RealCyclotomic> = self.scope()?;
+        variable: Option<(&str, V)>,
+    ) -> Result<Option<Vec<Instance<V>>>, Diagnostic> {
+        let mut scope: Scope<'_, V> = self.scope()?;
+        if let Some((name, value)) = variable {
+            scope = scope.with(name, value);
+        }
         let instances = self.library.instances(&self.located.reference, &scope);
         let instances = instances.map_err(|error| self.unresolved(error))?;
         let ring = self.library.is_ring(&instances);
@@ -42,16 +48,28 @@ impl LimitScheme<'_> {
     }
 
     /// The ring at this valence; without one, as its parameters stand.
-    pub(crate) fn ring(
+    pub(crate) fn ring<V: Value + Eq + Hash>(
         &self,
-        instances: &[Instance<RealCyclotomic>],
+        instances: &[Instance<V>],
         valence: Option<usize>,
-    ) -> Result<LocalRules, Diagnostic> {
+    ) -> Result<LocalRules<V>, Diagnostic> {
         let ring = match valence {
             Some(valence) => self.library.ring_of_valence(instances, valence),
             None => self.library.ring(instances),
         };
         ring.map_err(|error| scheme_error(self.located, &error))
+    }
+
+    /// Refuses rules that have another number of sectors than this valence.
+    pub(crate) fn check_valence(
+        &self,
+        valence: Option<usize>,
+        sectors: usize,
+    ) -> Result<(), Diagnostic> {
+        let Some(valence) = valence.filter(|valence| *valence != sectors) else { return Ok(()) };
+        Err(self.error(format!("at valence {valence} these rules have {sectors} sectors")).with_help(
+            "the parameter `N` or `n` of rules is the number of their sectors, as of the catalogue's",
+        ))
     }
 
     /// The rules, with polynomials in the variable as coefficients.

@@ -35,8 +35,8 @@ pub use reading::{
 pub(crate) use recovered::values;
 pub use recovered::{Fitting, Recovered, RecoveredFrom};
 pub use smoothness::{
-    Contraction, Known, Limits, RangeOfLimits, SmoothnessFinding, SmoothnessVerdict, Vertices,
-    Witness,
+    Contraction, Known, Limits, RangeAtValence, RangeOfLimits, SmoothnessFinding,
+    SmoothnessVerdict, VertexWitness, Vertices, Witness,
 };
 pub use table::TableFinding;
 pub use theorem::{

@@ -1,6 +1,6 @@
 //! The finding about a claim of smoothness.
 
-use crate::characteristic::{Family, Vertex};
+use crate::characteristic::{Family, Vertex, VertexRange};
 use crate::claim::SmoothnessClaim;
 use crate::exact::{IntervalSet, Rational};
 use crate::finding::cell::Direction;
@@ -61,6 +61,8 @@ pub enum Known {
     Range(Box<RangeOfLimits>),
     /// The surfaces at a vertex or on a face.
     Vertices(Box<Vertices>),
+    /// The surfaces there for all values of a parameter, at each valence.
+    VertexRanges(Vec<RangeAtValence>),
     /// What the paper lacks.
     Absent(String),
     /// The cap that the rules are beyond.
@@ -100,6 +102,28 @@ pub struct RangeOfLimits {
     pub witness: Option<Witness>,
     /// The contraction that proves it in the whole printed interval.
     pub contraction: Option<Contraction>,
+}
+
+/// What is proved of surfaces at a vertex or on a face for the values of a parameter.
+#[derive(Clone, Debug)]
+pub struct RangeAtValence {
+    /// Where they are C¹, and where not, and the valence.
+    pub range: VertexRange,
+    /// As [`RangeOfLimits::undecided`].
+    pub undecided: IntervalSet,
+    /// A value that refutes the claim.
+    pub witness: Option<VertexWitness>,
+}
+
+/// A value of the parameter that refutes a printed range of rules.
+#[derive(Clone, Debug)]
+pub struct VertexWitness {
+    /// The value.
+    pub at: Rational,
+    /// As [`Witness::inside`].
+    pub inside: bool,
+    /// What is known of the surface at this value.
+    pub vertex: Vertex,
 }
 
 /// The norm of so many levels of the differences of a derived scheme, which proves C^m where it is below 1.

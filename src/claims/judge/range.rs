@@ -108,6 +108,12 @@ impl Comparison<'_> {
 
     fn verdict(&self, ends: &[Option<EndFinding>; 2]) -> RangeVerdict {
         let [exact] = self.exact.intervals() else { return RangeVerdict::Inexact };
+        // Between ends in the wrong order there is nothing, however near they are to the exact ones.
+        if let (Some(from), Some(to)) = (&self.claim.from, &self.claim.to)
+            && from.decimal.value() > to.decimal.value()
+        {
+            return RangeVerdict::Inexact;
+        }
         let mut verdict = RangeVerdict::Exact;
         for (side, end) in [Side::Low, Side::High].into_iter().zip(ends) {
             let Some(end) = end else {

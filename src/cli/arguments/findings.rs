@@ -1,6 +1,6 @@
 //! How single findings are written: to the standard output, or as a page.
 
-use super::TableFormat;
+use super::{Format, Output};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -13,6 +13,8 @@ pub(in crate::cli) enum FindingFormat {
     Json,
     /// For pasting into a report
     Markdown,
+    /// For spreadsheets
+    Csv,
     /// Tables for a paper, with the packages amssymb and booktabs
     Latex,
     /// A page with pictures for a browser
@@ -20,15 +22,17 @@ pub(in crate::cli) enum FindingFormat {
 }
 
 impl FindingFormat {
-    /// The format of what is no page; `None` of pages.
-    pub(in crate::cli) fn of_table(self) -> Option<TableFormat> {
-        Some(match self {
-            FindingFormat::Text => TableFormat::Text,
-            FindingFormat::Json => TableFormat::Json,
-            FindingFormat::Markdown => TableFormat::Markdown,
-            FindingFormat::Latex => TableFormat::Latex,
+    /// The format of what is no page, into this file; `None` of pages.
+    pub(in crate::cli) fn of_text(self, file: Option<&PathBuf>) -> Option<Output> {
+        let format = match self {
+            FindingFormat::Text => Format::Text,
+            FindingFormat::Json => Format::Json,
+            FindingFormat::Markdown => Format::Markdown,
+            FindingFormat::Csv => Format::Csv,
+            FindingFormat::Latex => Format::Latex,
             FindingFormat::Html => return None,
-        })
+        };
+        Some(Output { format, file: file.cloned() })
     }
 }
 
@@ -38,10 +42,10 @@ pub(in crate::cli) struct FindingOutput {
     /// Output format
     #[arg(long, value_enum, default_value_t = FindingFormat::Text)]
     pub(in crate::cli) format: FindingFormat,
-    /// Where the page of `--format html` goes: a file that ends in .html, or a folder for it
+    /// The file for the results; of `--format html` a file that ends in .html, or a folder for it
     /// [default: the standard output]
-    #[arg(short = 'o', long = "output", value_name = "FILE|DIR")]
-    pub(in crate::cli) page: Option<PathBuf>,
+    #[arg(id = "output", short = 'o', long, value_name = "FILE|DIR")]
+    pub(in crate::cli) file: Option<PathBuf>,
 }
 
 impl FindingOutput {

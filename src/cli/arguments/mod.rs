@@ -115,6 +115,9 @@ pub(super) enum Command {
         /// The shell
         shell: clap_complete::Shell,
     },
+    /// Which command takes which flags
+    #[command(hide = true)]
+    Flags(Output),
     /// Write the JSON schemas of all answers
     #[cfg(feature = "schema")]
     #[command(hide = true)]
@@ -132,16 +135,6 @@ pub(super) enum Command {
     },
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum Format {
-    /// For people
-    Text,
-    /// For programs
-    Json,
-    /// For pasting into a report
-    Markdown,
-}
-
 /// When to write colours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum Colour {
@@ -153,44 +146,28 @@ pub(super) enum Colour {
     Never,
 }
 
-/// The formats of tables.
+/// The formats of what is written to the standard output, or into a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum TableFormat {
+pub(super) enum Format {
     /// For people
     Text,
     /// For programs
     Json,
     /// For pasting into a report
     Markdown,
-    /// One row for each number
+    /// For spreadsheets
     Csv,
     /// Tables for a paper, with the packages amssymb and booktabs
     Latex,
 }
 
-impl TableFormat {
-    /// The format of a report that is text; text for the formats of tables.
-    pub(super) fn of_sheet(self) -> Format {
-        match self {
-            TableFormat::Json => Format::Json,
-            TableFormat::Markdown => Format::Markdown,
-            TableFormat::Text | TableFormat::Csv | TableFormat::Latex => Format::Text,
-        }
-    }
-}
-
-/// How tables are written.
-#[derive(Debug, Args)]
-pub(super) struct TableOutput {
-    /// Output format
-    #[arg(long, value_enum, default_value_t = TableFormat::Text)]
-    pub(super) format: TableFormat,
-}
-
-/// How results are written.
-#[derive(Debug, Args)]
+/// How results are written. Every command that answers with a report takes these flags.
+#[derive(Clone, Debug, PartialEq, Eq, Args)]
 pub(super) struct Output {
     /// Output format
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub(super) format: Format,
+    /// The file for the results [default: the standard output]
+    #[arg(id = "output", short = 'o', long, value_name = "FILE")]
+    pub(super) file: Option<PathBuf>,
 }

@@ -1,6 +1,6 @@
 //! The arguments of the commands about papers.
 
-use super::{FindingOutput, Output, TableFormat};
+use super::{FindingFormat, FindingOutput, Output};
 use clap::builder::PossibleValuesParser;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -24,42 +24,12 @@ pub(in crate::cli) struct AuditArguments {
     #[arg(long, value_name = "VERDICT,…", value_delimiter = ',', value_parser = verdicts())]
     pub(in crate::cli) deny: Vec<String>,
     /// Output format
-    #[arg(long, value_enum, default_value_t = AuditFormat::Text)]
-    pub(in crate::cli) format: AuditFormat,
-    /// The folder for the pages of `--format html`, KEY.html and index.html
-    #[arg(short = 'o', long, value_name = "DIR")]
-    pub(in crate::cli) output_folder: Option<PathBuf>,
-}
-
-/// The formats of audits.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(in crate::cli) enum AuditFormat {
-    /// For people
-    Text,
-    /// For programs
-    Json,
-    /// For pasting into a report
-    Markdown,
-    /// One row for each number
-    Csv,
-    /// Tables for a paper, with the packages amssymb and booktabs
-    Latex,
-    /// A page for each paper and an index, written into the folder of `-o`
-    Html,
-}
-
-impl AuditFormat {
-    /// The format of what goes to the standard output; `None` of pages.
-    pub(in crate::cli) fn of_table(self) -> Option<TableFormat> {
-        Some(match self {
-            AuditFormat::Text => TableFormat::Text,
-            AuditFormat::Json => TableFormat::Json,
-            AuditFormat::Markdown => TableFormat::Markdown,
-            AuditFormat::Csv => TableFormat::Csv,
-            AuditFormat::Latex => TableFormat::Latex,
-            AuditFormat::Html => return None,
-        })
-    }
+    #[arg(long, value_enum, default_value_t = FindingFormat::Text)]
+    pub(in crate::cli) format: FindingFormat,
+    /// The file for the results; of `--format html` the folder for a page of each paper, KEY.html, and
+    /// index.html [default: the standard output]
+    #[arg(id = "output", short = 'o', long, value_name = "FILE|DIR")]
+    pub(in crate::cli) file: Option<PathBuf>,
 }
 
 /// The value of `--deny` for promises of tables that are not kept.
@@ -101,7 +71,7 @@ pub(in crate::cli) struct ErrataArguments {
     #[arg(long, value_name = "KEY")]
     pub(in crate::cli) paper: Option<String>,
     /// Write one file for each paper into this folder, named by its key
-    #[arg(short = 'o', long, value_name = "DIR")]
+    #[arg(short = 'o', long = "output", alias = "output-folder", value_name = "DIR")]
     pub(in crate::cli) output_folder: Option<PathBuf>,
     /// Output format
     #[arg(long, value_enum, default_value_t = ErrataFormat::Markdown)]
@@ -117,6 +87,8 @@ pub(in crate::cli) enum ErrataFormat {
     Json,
     /// For pasting into a report
     Markdown,
+    /// For spreadsheets
+    Csv,
     /// A document of its own, of the class article
     Latex,
 }

@@ -1,7 +1,7 @@
 //! The arguments of the commands about schemes.
 
 use super::meshes::ClosedArgument;
-use super::{FindingOutput, Output, TableOutput, Valences};
+use super::{FindingOutput, Output, Valences};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -52,7 +52,7 @@ pub(in crate::cli) struct ConstantsArguments {
     #[arg(long)]
     pub(in crate::cli) forward: bool,
     #[command(flatten)]
-    pub(in crate::cli) output: TableOutput,
+    pub(in crate::cli) output: Output,
 }
 
 #[derive(Debug, Args)]
@@ -233,6 +233,9 @@ pub(in crate::cli) struct OracleArguments {
     /// Output format
     #[arg(long, value_enum, default_value_t = OracleFormat::Json)]
     pub(in crate::cli) format: OracleFormat,
+    /// The file for the values [default: the standard output]
+    #[arg(id = "output", short = 'o', long, value_name = "FILE")]
+    pub(in crate::cli) file: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]

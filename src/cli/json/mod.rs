@@ -4,6 +4,7 @@
 pub(super) mod certify;
 pub(super) mod constants;
 pub(super) mod depth;
+pub(super) mod flags;
 pub(super) mod geometric_depth;
 pub(super) mod listing;
 pub(super) mod mesh_depth;

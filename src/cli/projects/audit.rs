@@ -1,7 +1,7 @@
 //! `subcert audit` of constants that programs ship.
 
 use super::{certified, judge_projects, pages, select_project};
-use crate::cli::arguments::{AuditArguments, TableFormat};
+use crate::cli::arguments::{AuditArguments, FindingFormat};
 use crate::cli::audit::Destination;
 use crate::cli::csv;
 use crate::cli::output::{Failure, denied, show_table};
@@ -17,14 +17,14 @@ pub(in crate::cli) fn audit(
 ) -> Result<(), Failure> {
     let denies = arguments.deny.iter().map(|word| outcome(word)).collect::<Result<Vec<_>, _>>()?;
     let projects = select_project(projects, arguments.paper.as_deref())?;
-    let audits = judge_projects(&projects, to != Destination::Output(TableFormat::Json))?;
+    let audits = judge_projects(&projects, arguments.format != FindingFormat::Json)?;
     let mut certificates = Sheet::default();
     if arguments.certified {
         certified::section(&mut certificates, &audits)?;
     }
     match to {
-        Destination::Output(format) => show_table(
-            format,
+        Destination::Output(to) => show_table(
+            &to,
             || {
                 let mut sheet = projects_sheet(&audits, arguments.all);
                 sheet.text(

@@ -1,7 +1,7 @@
 //! `subcert explain` of constants that programs ship.
 
 use super::select_project;
-use crate::cli::arguments::{ExplainArguments, TableFormat};
+use crate::cli::arguments::ExplainArguments;
 use crate::cli::finding::{Destination, command};
 use crate::cli::json::{SCHEMA, listing as form};
 use crate::cli::output::{Failure, Outcome, show};
@@ -43,12 +43,9 @@ pub(in crate::cli) fn explain(arguments: &ExplainArguments, projects: Vec<Projec
 
 /// Lists the tables of a project.
 fn list(project: &Project, arguments: &ExplainArguments) -> Outcome {
-    let Destination::Output(format) = Destination::of(&arguments.output, &project.key)? else {
-        return Err(only_text());
+    let Destination::Output(to) = Destination::of(&arguments.output, &project.key)? else {
+        return Err(no_page());
     };
-    if format == TableFormat::Latex {
-        return Err(only_text());
-    }
     let row = |claim: &subcert::shipped::ShippedClaim| {
         vec![
             claim.id.clone(),
@@ -58,7 +55,7 @@ fn list(project: &Project, arguments: &ExplainArguments) -> Outcome {
         ]
     };
     show(
-        format.of_sheet(),
+        &to,
         || {
             let mut sheet = Sheet::default();
             sheet.heading(1, format!("{} · {}", project.key, project.name));
@@ -91,9 +88,9 @@ fn list(project: &Project, arguments: &ExplainArguments) -> Outcome {
     )
 }
 
-fn only_text() -> Failure {
+fn no_page() -> Failure {
     Failure::Input(
-        "a list of tables is text, JSON or Markdown; name a table, or write the pages of all of them with \
+        "a list of tables is no page; name a table, or write the pages of all of them with \
          `subcert audit FILE --format html -o DIR`"
             .to_owned(),
     )

@@ -32,6 +32,9 @@ pub(super) fn block(finding: &SmoothnessFinding<'_>) -> Block {
         (SmoothnessStatement::Range(range), Known::Range(known)) => {
             smooth_range::lines(&mut block, range, &scheme, known, finding.verdict);
         }
+        (SmoothnessStatement::Range(range), Known::VertexRanges(known)) => {
+            vertex::range_lines(&mut block, range, &scheme, known, finding.verdict);
+        }
         (
             SmoothnessStatement::Continuity { continuous, not_continuous, valences },
             Known::Vertices(known),

@@ -1,8 +1,9 @@
 //! Surfaces at a vertex or on a face: the eigenvalue, and the signs of the Jacobian.
 
 use super::block::Block;
-use crate::audit::{SmoothnessVerdict, Vertices};
+use crate::audit::{RangeAtValence, SmoothnessVerdict, Vertices};
 use crate::characteristic::{Refutation, Second, Verdict, Vertex};
+use crate::claim::SmoothRangeStatement;
 use crate::exact::{Enclosed as _, Integer, Rational};
 
 /// The binary places of the ends of an eigenvalue.
@@ -46,6 +47,37 @@ pub(super) fn lines(
         }
     }
     block.line(if refuted { "refuted" } else { "confirmed" });
+}
+
+/// The lines about a range that a value refutes.
+pub(super) fn range_lines(
+    block: &mut Block,
+    said: &SmoothRangeStatement,
+    scheme: &str,
+    found: &[RangeAtValence],
+    verdict: SmoothnessVerdict,
+) {
+    block.line(format!("variable {}", said.variable));
+    block.restate("scheme", scheme);
+    block.line(format!("smoothness {}", said.m));
+    if let Some(valences) = &said.valences {
+        block.restate("valences", &valences.text);
+    }
+    let witness = found.iter().find_map(|one| one.witness.as_ref());
+    match (verdict, witness) {
+        (SmoothnessVerdict::Refuted, Some(witness)) => {
+            block.line(format!("at {}", witness.at));
+            block.line(format!("vertex {}", witness.vertex.spectrum.order));
+            if let Err(why) = of_vertex(block, &witness.vertex) {
+                block.give_up(why);
+            }
+            block.line("refuted");
+        }
+        (SmoothnessVerdict::Refuted, None) => {
+            block.give_up("there is no rational value that refutes it");
+        }
+        _ => block.give_up("that surfaces are C^1 for all values of a range is not certified"),
+    }
 }
 
 /// The lines about one valence.

@@ -42,6 +42,7 @@ pub use explain::{Background, explain_sheet, table_of};
 pub use latex_table::corrected_table;
 pub use overview::overview_sheet;
 pub use parts::mark;
+pub use set::interval_texts;
 pub use sheet::{Block, Grid, Sheet};
 pub use shipped::{finding_sheet, headline as shipped_headline, issue_sheet, projects_sheet};
 pub use vertex::{SCOPE, VERTEX_HEADER, verdict_name, verdict_reason, vertex_facts, vertex_row};

@@ -3,9 +3,10 @@
 use super::parts::{mark, titled};
 use super::set::set_text;
 use super::sheet::Sheet;
-use super::vertex::{SCOPE, vertex_facts, vertices_outcome};
+use super::vertex::{SCOPE, verdict_name, verdict_reason, vertex_facts, vertices_outcome};
 use crate::audit::{
-    Known, Limits, PaperAudit, RangeOfLimits, SmoothnessFinding, SmoothnessVerdict,
+    Known, Limits, PaperAudit, RangeAtValence, RangeOfLimits, SmoothnessFinding, SmoothnessVerdict,
+    VertexWitness,
 };
 use crate::claim::{
     ExponentStatement, PrintedValences, SmoothRangeStatement, SmoothnessBody, SmoothnessClaim,
@@ -67,18 +68,7 @@ pub(super) fn statement(claim: &SmoothnessClaim) -> Option<String> {
         SmoothnessStatement::Continuity { continuous, not_continuous, valences } => {
             let parts = [continuous.map(smooth), not_continuous.map(not_smooth)];
             let parts = parts.into_iter().flatten().collect::<Vec<String>>().join(", and ");
-            match valences {
-                None => parts,
-                Some(PrintedValences { last: None, first, .. }) => {
-                    format!("at every valence N >= {first} {parts}")
-                }
-                Some(PrintedValences { first, last: Some(last), .. }) if first == last => {
-                    format!("at valence {first} {parts}")
-                }
-                Some(PrintedValences { first, last: Some(last), .. }) => {
-                    format!("at each valence from {first} to {last} {parts}")
-                }
-            }
+            format!("{}{parts}", valences.as_ref().map(at_valences).unwrap_or_default())
         }
         SmoothnessStatement::Exponent { exponent, attained } => {
             let said = match exponent {
@@ -103,9 +93,42 @@ pub(super) fn statement(claim: &SmoothnessClaim) -> Option<String> {
             } else {
                 String::new()
             };
-            format!("{} for {}{only}", smooth(range.m), printed(range))
+            let at = range.valences.as_ref().map(at_valences).unwrap_or_default();
+            format!("{at}{} for {}{only}", smooth(range.m), printed(range))
         }
     })
+}
+
+/// `at each valence from 3 to 50 `.
+fn at_valences(valences: &PrintedValences) -> String {
+    let PrintedValences { first, last, .. } = valences;
+    match last {
+        None => format!("at every valence N >= {first} "),
+        Some(last) if first == last => format!("at valence {first} "),
+        Some(last) => format!("at each valence from {first} to {last} "),
+    }
+}
+
+/// The sets of one valence, what is open there, and the value that refutes the claim.
+fn range_at_valence(found: &RangeAtValence, variable: &str) -> Vec<String> {
+    let set = |set: &IntervalSet| set_text(set, variable);
+    let RangeAtValence { range, undecided, witness } = found;
+    let mut line = format!(
+        "N = {}: C^1 for {}, not C^1 for {}",
+        range.order,
+        set(&range.inside),
+        set(&range.outside)
+    );
+    if !undecided.is_empty() {
+        line = format!("{line}; open for {}", set(undecided));
+    }
+    let witness = witness.as_ref().map(|VertexWitness { at, inside, vertex }| {
+        let place = if *inside { "in the printed range" } else { "beyond the printed range" };
+        let verdict = &vertex.verdict;
+        let (name, reason) = (verdict_name(verdict), verdict_reason(verdict));
+        format!("At N = {}, {variable} = {at}, {place}, C^1 is {name}: {reason}.", range.order)
+    });
+    [line].into_iter().chain(witness).collect()
 }
 
 fn smooth(m: usize) -> String {
@@ -137,6 +160,13 @@ pub(super) fn outcome(finding: &SmoothnessFinding<'_>) -> Vec<String> {
         Known::Range(range) => of_range(finding, range),
         Known::Vertices(found) => {
             let mut lines = vertices_outcome(found);
+            lines.push(format!("{SCOPE}."));
+            lines
+        }
+        Known::VertexRanges(found) => {
+            let variable = finding.claim.range().map_or("", |said| &said.variable);
+            let mut lines: Vec<String> =
+                found.iter().flat_map(|one| range_at_valence(one, variable)).collect();
             lines.push(format!("{SCOPE}."));
             lines
         }
@@ -255,6 +285,10 @@ pub(super) fn details(finding: &SmoothnessFinding<'_>) -> Vec<(String, String)> 
                 [.., vertex] => vertex_facts(vertex),
                 [] => Vec::new(),
             };
+        }
+        Known::VertexRanges(found) => {
+            let witness = found.iter().find_map(|one| one.witness.as_ref());
+            return witness.map_or_else(Vec::new, |witness| vertex_facts(&witness.vertex));
         }
         Known::Absent(_) | Known::Capped(_) => return Vec::new(),
     };

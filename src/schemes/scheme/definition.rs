@@ -31,6 +31,8 @@ pub struct SchemeDefinition {
     pub title: String,
     /// Where it was published.
     pub citation: String,
+    /// Values of its parameters, such as `w=1/16`, whose schemes stand for the family in tables.
+    pub samples: Vec<String>,
     /// Its parameters, under their names.
     pub parameters: BTreeMap<String, ParameterSpec>,
     pub(super) definitions: BTreeMap<String, LocatedFormula>,
@@ -59,6 +61,22 @@ pub(super) struct RuleFormulas {
 }
 
 impl SchemeDefinition {
+    /// The references that stand for this scheme in tables: with each of its samples, or its name alone if
+    /// every parameter has a default. There are none of rules that need a valence.
+    ///
+    /// ```
+    /// let scheme = subcert::scheme::find("ternary-four-point").expect("of the catalogue");
+    /// assert_eq!(scheme.references(), ["ternary-four-point:mu=1/11", "ternary-four-point:mu=1/10"]);
+    /// ```
+    #[must_use]
+    pub fn references(&self) -> Vec<String> {
+        let name = &self.name;
+        if self.samples.is_empty() && self.parameters.values().all(|spec| spec.default.is_some()) {
+            return vec![name.clone()];
+        }
+        self.samples.iter().map(|sample| format!("{name}:{sample}")).collect()
+    }
+
     /// The mask at these parameter values, over any [`Value`]. With
     /// [`Polynomial`](crate::exact::Polynomial) values the mask stays symbolic; with
     /// [`RealCyclotomic`](crate::exact::RealCyclotomic) values it may contain cosines.

@@ -28,6 +28,8 @@ pub struct SchemeTable {
     #[serde(default)]
     source: String,
     #[serde(default)]
+    samples: Vec<String>,
+    #[serde(default)]
     parameters: BTreeMap<Spanned<String>, ParameterTable>,
     #[serde(default, rename = "let")]
     definitions: BTreeMap<Spanned<String>, Spanned<String>>,
@@ -107,6 +109,7 @@ impl SchemeTable {
             name: self.name.get_ref().clone(),
             title: self.title.clone(),
             citation: self.source.clone(),
+            samples: self.samples.clone(),
             parameters,
             definitions: definitions(source, &self.definitions)?,
             offset: self.offset.as_ref().map(|text| formula(source, text)).transpose()?,

@@ -22,6 +22,8 @@ pub fn agree<'a>(
 ) -> Checked<Vec<(String, Q)>> {
     let mut table = Table::new(paper, claim)?;
     let mut used = Vec::new();
+    // A value that the file does not name is not assumed, so that no theorem hides one.
+    table.assumed.retain(|name, _| file.assumed.iter().any(|(named, _)| named == name));
     for (name, value) in &file.assumed {
         require(table.unstated.contains(name), Reason::Recovered(name.clone()))?;
         let number = Value::from(value.clone());

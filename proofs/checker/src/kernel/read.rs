@@ -132,6 +132,9 @@ fn file(c: &mut Cursor) -> Parsed<Theorems> {
         loop {
             let name = word(c)?;
             c.expect(" = ")?;
+            if assumed.iter().any(|(known, _)| *known == name) {
+                return Err("another name");
+            }
             assumed.push((name, fraction(c)?));
             if !c.eat(", ") {
                 break;
@@ -153,6 +156,9 @@ fn file(c: &mut Cursor) -> Parsed<Theorems> {
             let theorem = theorem(c, &objects, theorems.len() + 1)?;
             theorems.push(theorem);
         }
+    }
+    if theorems.is_empty() {
+        return Err("a theorem");
     }
     let kind = kind.to_owned();
     Ok(Theorems { key, kind, id, assumed, statements: theorems })

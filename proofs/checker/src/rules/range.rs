@@ -7,7 +7,7 @@ use crate::definitions::formula_of;
 use crate::meter::Meter;
 use crate::paper::{Paper, printed};
 use crate::piece::Piece;
-use crate::reject::{Checked, Reason, Stop, Text, agree, compare};
+use crate::reject::{Checked, Reason, Stop, Text, agree, compare, require};
 use crate::root::Root;
 use crate::rounding::rounding_on;
 use crate::toml::Toml;
@@ -18,6 +18,7 @@ type End = (Option<Root>, bool);
 
 /// Checks a range.
 pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<()> {
+    require(claim.get("valences").is_none(), Reason::Malformed("`valences` beside `smoothness`"))?;
     let free = Free::read(paper, claim, block)?;
     block.restates("value", claim.text("value"))?;
     let below = claim.get("below").is_some();
@@ -70,13 +71,19 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         agree(relation.trim(), expected, Reason::Relation)?;
         relations.push(expected);
     }
+    // Between ends in the wrong order there is nothing, however near they are to the exact ones.
+    let [from, to] = ["from", "to"].map(|name| {
+        let (_, read) = claim.get(name).and_then(printed)?;
+        Some(Decimal::read(read)?.value)
+    });
+    let reversed = from.zip(to).is_some_and(|(from, to)| from > to);
     let expected = match &set[..] {
+        [_] if reversed => "inexact",
         [_] if relations.iter().all(|relation| *relation == "equal") => "exact",
         [_] if relations.iter().all(|word| !["belonging", "apart"].contains(word)) => "rounding",
         _ => "inexact",
     };
-    let said = block.any()?;
-    compare(said == (expected, ""), &format!("{} {}", said.0, said.1), expected, Reason::Verdict)
+    block.verdict(expected)
 }
 
 /// The intervals on which the sign is −1, or 0 unless `below`.

@@ -2,7 +2,7 @@
 
 use super::limits::{Shown, mask};
 use super::pieces::Free;
-use super::smoothness::order;
+use super::smoothness::{order, scope, valences, vertex};
 use crate::certificate::Block;
 use crate::convolution::{Convolution, MAX_LENGTH};
 use crate::decimal::{Decimal, read_rational};
@@ -10,10 +10,11 @@ use crate::definitions::formula;
 use crate::evaluate::Scope;
 use crate::meter::Meter;
 use crate::paper::{Paper, printed};
-use crate::reject::{Checked, Reason, Stop, Text, agree, require};
+use crate::reject::{Checked, Reason, Stop, Text, require};
 use crate::root::Root;
 use crate::toml::Toml;
 use crate::value::Value;
+use crate::vertex::Found;
 use std::cmp::Ordering;
 
 /// The most levels of a contraction.
@@ -26,6 +27,8 @@ const MAX_HALVINGS: usize = 1_000;
 pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -> Checked<()> {
     let other = ["value", "below", "at_most"].iter().find(|key| claim.get(key).is_some());
     require(other.is_none(), Reason::Malformed("`smoothness` alone"))?;
+    let reference = claim.text("scheme").unwrap_or_default();
+    let rules = paper.library.is_ring(reference);
     let free = Free::read(paper, claim, block)?;
     block.restates("smoothness", claim.text("smoothness"))?;
     let m = order(claim.text("smoothness").unwrap_or_default())?;
@@ -37,24 +40,40 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         // In an empty range everything holds.
         require(from.compare(to)?.is_lt(), Reason::Malformed("an end `to` above `from`"))?;
     }
-    if let Some(said) = block.maybe("contraction") {
+    let valences = valences(claim)?;
+    if valences.is_some() {
+        require(rules, Reason::Malformed("rules around a vertex"))?;
+        block.restates("valences", claim.text("valences"))?;
+    }
+    if let Some(said) = block.maybe("contraction").filter(|_| !rules) {
         // For other values nothing is shown.
         require(!only, Reason::NotShown)?;
         let levels = said.parse().ok().filter(|c| (1..=MAX_LEVELS).contains(c));
         let levels = levels.ok_or(Reason::Malformed("a number of levels"))?;
-        let reference = claim.text("scheme").unwrap_or_default();
         let above =
             |scope: &Scope<'_>| norm(paper, (scope, reference), m, levels)?.minus(&Value::int(1));
         let pieces = free.pieces(block, &above)?;
         let within = covered(&pieces.breaks, &pieces.signs, &ends, closed, paper.library.meter)?;
         require(within, Reason::Uncovered)?;
-        return agree(block.any()?.0, "confirmed", Reason::Verdict);
+        return block.verdict("confirmed");
     }
     let said = block.after("at")?;
     let at = read_rational(said).ok_or(Reason::Malformed("a number"))?;
-    let place = Root::from(at.clone());
-    let scope = free.scope([Some(place.clone()), Some(place)])?;
-    let shown = Shown::read(paper, mask(paper, claim, &scope)?, block)?;
+    // Whether not all limits are C^m at this value, and whether all are.
+    let (fails, holds) = if rules {
+        require(m == 1, Reason::Malformed("smoothness 1 of rules"))?;
+        let mut scope = scope(paper);
+        let variable = claim.text("variable").unwrap_or_default();
+        scope.values.insert(variable.to_owned(), at.clone().into());
+        let said = block.after("vertex")?;
+        let (_, found) = vertex(paper, claim, (said, valences), &scope, block)?;
+        (found == Found::Rough, found == Found::Smooth)
+    } else {
+        let place = Root::from(at.clone());
+        let scope = free.scope([Some(place.clone()), Some(place)])?;
+        let shown = Shown::read(paper, mask(paper, claim, &scope)?, block)?;
+        (shown.not_continuous(m), shown.continuous(m))
+    };
     // −1 outside, 0 at an end, 1 inside.
     let mut side = 1;
     for (end, outwards) in ends.iter().zip([Ordering::Less, Ordering::Greater]) {
@@ -63,9 +82,9 @@ pub fn check<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>) -
         side = side.min(if order == outwards { -1 } else { i32::from(order.is_ne()) });
     }
     let inside = side > 0 || side == 0 && closed;
-    let refutes = if inside { shown.not_continuous(m) } else { only && shown.continuous(m) };
+    let refutes = if inside { fails } else { only && holds };
     require(refutes, Reason::NoRefutation(Text(said.to_string())))?;
-    agree(block.any()?.0, "refuted", Reason::Verdict)
+    block.verdict("refuted")
 }
 
 /// An end of the printed range.

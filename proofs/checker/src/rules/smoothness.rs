@@ -59,7 +59,7 @@ pub fn check<'a>(
         continuous.is_some_and(|m| shown.not_continuous(m))
             || not_continuous.is_some_and(|m| shown.continuous(m)),
     )?;
-    agree(block.any()?.0, found, Reason::Verdict)?;
+    block.verdict(found)?;
     Ok(None)
 }
 
@@ -82,8 +82,49 @@ fn cited(
         && continuous.is_some_and(|m| m <= 1)
         && not_continuous.is_none();
     require(states, Reason::Vertex("135 says what is stated"))?;
-    agree(block.any()?.0, "confirmed", Reason::Verdict)?;
+    block.verdict("confirmed")?;
     Ok(Citation { statement: "THEOREMS.md, 135".to_owned(), uses: Vec::new() })
+}
+
+/// The valences of which a claim speaks: the first, and the last if there is one.
+pub type Valences = Option<(i64, Option<i64>)>;
+
+/// Reads them.
+pub fn valences(claim: &Toml) -> Checked<Valences> {
+    let number = |text: &str| {
+        let number: Option<i64> = text.parse().ok();
+        number.filter(|n| (3..=MAX_VALENCE).contains(n)).ok_or(Reason::Malformed("valences"))
+    };
+    let ends = match claim.text("valences").map(|said| (said, said.split_once(".."))) {
+        None => None,
+        Some(("all", _)) => Some((3, None)),
+        Some((one, None)) => Some((number(one)?, Some(number(one)?))),
+        Some((_, Some((first, last)))) => Some((number(first)?, Some(number(last)?))),
+    };
+    // Of no valence everything would hold.
+    let ordered = ends.is_none_or(|(first, last)| last.is_none_or(|last| first <= last));
+    require(ordered, Reason::Malformed("valences, of which the first is not above the last"))?;
+    Ok(ends)
+}
+
+/// Reads the lines about the valence that is said, which is one of these; the names of the scope have values.
+pub fn vertex(
+    paper: &Paper<'_>,
+    claim: &Toml,
+    (said, ends): (&str, Valences),
+    scope: &crate::evaluate::Scope<'_>,
+    block: &mut Block<'_>,
+) -> Checked<(i64, Found)> {
+    let valence: i64 =
+        said.parse().ok().filter(|n| *n >= 3).ok_or(Reason::Malformed("a valence"))?;
+    let within = ends
+        .is_none_or(|(first, last)| first <= valence && last.is_none_or(|last| valence <= last));
+    require(within, Reason::Vertex("the claim speaks of this valence"))?;
+    let reference = claim.text("scheme").unwrap_or_default();
+    let ring = LocalRules::of_valence(paper.library, reference, scope, ends.map(|_| valence))?;
+    paper.library.meter.spend(VERTEX_STEPS)?;
+    let found = check_vertex(&ring, usize::try_from(valence).unwrap_or(0), block)?;
+    Ok((valence, found))
 }
 
 /// Checks a claim that surfaces at a vertex or on a face are C^m, or are not.
@@ -93,37 +134,16 @@ fn vertices<'a>(
     (continuous, not_continuous): (Option<usize>, Option<usize>),
     block: &mut Block<'_>,
 ) -> Checked<()> {
-    let reference = claim.text("scheme").unwrap_or_default();
     let scope = scope(paper);
-    // The valences of which the claim speaks, from the first on.
-    let said = claim.text("valences");
-    let number = |text: &str| {
-        let number: Option<i64> = text.parse().ok();
-        number.filter(|n| (3..=MAX_VALENCE).contains(n)).ok_or(Reason::Malformed("valences"))
-    };
-    let ends = match said.map(|said| (said, said.split_once(".."))) {
-        None => None,
-        Some(("all", _)) => Some((3, None)),
-        Some((one, None)) => Some((number(one)?, Some(number(one)?))),
-        Some((_, Some((first, last)))) => Some((number(first)?, Some(number(last)?))),
-    };
-    // Of no valence everything would hold.
-    let ordered = ends.is_none_or(|(first, last)| last.is_none_or(|last| first <= last));
-    require(ordered, Reason::Malformed("valences, of which the first is not above the last"))?;
+    let ends = valences(claim)?;
     let (mut refuted, mut next) = (false, ends.map_or(0, |(first, _)| first));
     let (mut complete, mut confirmed) = (true, true);
     while let Some(said) = block.maybe("vertex") {
-        let valence: i64 =
-            said.parse().ok().filter(|n| *n >= 3).ok_or(Reason::Malformed("a valence"))?;
-        if let Some((first, last)) = ends {
-            let within = first <= valence && last.is_none_or(|last| valence <= last);
-            require(within, Reason::Vertex("the claim speaks of this valence"))?;
+        let (valence, found) = vertex(paper, claim, (said, ends), &scope, block)?;
+        if ends.is_some() {
             complete &= valence == next;
             next = valence + 1;
         }
-        let ring = LocalRules::of_valence(paper.library, reference, &scope, ends.map(|_| valence))?;
-        paper.library.meter.spend(VERTEX_STEPS)?;
-        let found = check_vertex(&ring, usize::try_from(valence).unwrap_or(0), block)?;
         let holds = |m: usize| found == Found::Smooth && m <= 1;
         let fails = |m: usize| found == Found::Rough && m >= 1;
         confirmed &= continuous.is_none_or(holds) && not_continuous.is_none_or(fails);
@@ -136,7 +156,7 @@ fn vertices<'a>(
         Some((_, last)) => last.is_some_and(|last| next == last + 1),
     };
     let found = verdict(complete && confirmed, refuted)?;
-    agree(block.any()?.0, found, Reason::Verdict)
+    block.verdict(found)
 }
 
 /// Checks a claim about the Hölder exponent.
@@ -165,7 +185,7 @@ pub fn exponent<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>
     };
     let of_value = number("value")?;
     let [lower, upper] = [number("at_least")?, number("at_most")?];
-    let (word, rest) = block.any()?;
+    block.look();
     let found = if shown.diverges() {
         "refuted"
     } else if let Some(field) = claim.get("printed") {
@@ -186,7 +206,7 @@ pub fn exponent<'a>(paper: &'a Paper<'a>, claim: &'a Toml, block: &mut Block<'_>
     };
     // The certificate does not show whether an exponent is attained.
     require(claim.get("attained").is_none() || found == "refuted", Reason::NotShown)?;
-    agree(format!("{word} {rest}").trim(), found, Reason::Verdict)
+    block.verdict(found)
 }
 
 /// How the decimal came from the exponent.
@@ -229,7 +249,7 @@ pub fn order(text: &str) -> Checked<usize> {
 }
 
 /// The scope of a claim without names of its own.
-fn scope<'a>(paper: &'a Paper<'a>) -> crate::evaluate::Scope<'a> {
+pub fn scope<'a>(paper: &'a Paper<'a>) -> crate::evaluate::Scope<'a> {
     let mut scope = paper.scope();
     scope.values.clone_from(&paper.given);
     scope

@@ -10,8 +10,8 @@ use crate::reject::{Checked, Reason, require};
 use crate::table::{Read, Table};
 use crate::toml::Toml;
 
-/// Checks a table. Gives the recovered values that it takes from other tables, and, if a cell is
-/// reproduced, those that its own numbers give.
+/// Checks a table. Gives the recovered values that it takes from other tables, and those that its own
+/// numbers give.
 pub fn check<'a>(
     paper: &'a Paper<'a>,
     claim: &'a Toml,
@@ -22,7 +22,7 @@ pub fn check<'a>(
         block.restates("scheme", claim.text("scheme"))?;
     }
     block.restates("value", claim.text("value"))?;
-    let mut recovered = recovered::read(&mut table, block)?;
+    let recovered = recovered::read(&mut table, block)?;
     let reads = Reads::new(&table, block)?;
     let (mut places, mut kinds) = (table.places(), Vec::new());
     while let Some(said) = block.maybe("cell") {
@@ -40,8 +40,10 @@ pub fn check<'a>(
     }
     promise::check(&table, block)?;
     family::check(&table, &reads, &kinds, block)?;
-    if !kinds.iter().any(|(_, kind)| matches!(kind, Kind::AsPrinted | Kind::Reproduced)) {
-        recovered.own.clear();
+    // Only what they reproduce gives a value: without it, promises and theorems could rest on any.
+    let gives = kinds.iter().any(|(_, kind)| matches!(kind, Kind::AsPrinted | Kind::Reproduced));
+    if let Some((name, _)) = recovered.own.first().filter(|_| !gives) {
+        return Err(Reason::Undetermined(name.clone()).into());
     }
     Ok(recovered)
 }

@@ -29,6 +29,7 @@ claim_table!(RangeTable {
     to: Option<Spanned<NumberField>>,
     closed: Option<bool>,
     only: Option<Spanned<bool>>,
+    valences: Option<Spanned<String>>,
 });
 
 /// A range of a free parameter, of one of the two kinds.
@@ -93,8 +94,9 @@ impl Reader<'_> {
             to,
             closed: table.closed.unwrap_or(false),
             only: table.only.as_ref().is_some_and(|only| *only.get_ref()),
+            valences: table.valences.as_ref().map(|text| self.valences(text)).transpose()?,
         };
-        let statement = Ok(SmoothnessStatement::Range(statement));
+        let statement = Ok(SmoothnessStatement::Range(Box::new(statement)));
         self.about_limits(table.common(), SmoothnessKind::Range, statement)
     }
 
@@ -141,6 +143,11 @@ impl Reader<'_> {
             return Err(self
                 .error(only.span(), "`only` has a meaning beside `smoothness` alone")
                 .with_help("a range of a `value` is always the exact one: remove `only`"));
+        }
+        if let Some(valences) = &table.valences {
+            return Err(self
+                .error(valences.span(), "`valences` have a meaning beside `smoothness` alone")
+                .with_help("the value of a formula is that of a mask: remove `valences`"));
         }
         let limit = match (&table.below, &table.at_most) {
             (Some(limit), None) => Limit::Below(formula(self.source, limit)?),

@@ -136,7 +136,7 @@ impl Reader<'_> {
     }
 
     /// The valences of a claim.
-    fn valences(&self, text: &Spanned<String>) -> Result<PrintedValences, Diagnostic> {
+    pub(super) fn valences(&self, text: &Spanned<String>) -> Result<PrintedValences, Diagnostic> {
         let printed = text.get_ref();
         let number = |text: &str| {
             let number = text.parse().ok();

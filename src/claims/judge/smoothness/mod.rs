@@ -2,12 +2,17 @@
 
 mod exponent;
 mod range;
+mod trial;
+mod vertex_range;
 mod vertices;
 
-use crate::claim::{LocatedReference, Paper, SmoothnessBody, SmoothnessClaim, SmoothnessStatement};
+use crate::claim::{
+    LocatedReference, Paper, PrintedValences, SmoothnessBody, SmoothnessClaim, SmoothnessStatement,
+};
 use crate::diagnostic::Diagnostic;
 use crate::evaluation::library::Library;
 use crate::evaluation::limits::LimitScheme;
+use crate::exact::RealCyclotomic;
 use crate::finding::{Known, Limits, SmoothnessFinding, SmoothnessVerdict};
 use crate::scheme::Mask;
 use crate::smoothness::Smoothness;
@@ -37,7 +42,7 @@ fn of(
     if let SmoothnessStatement::Range(range) = statement {
         return range::judge(&scheme, range);
     }
-    if let Some(instances) = scheme.ring_instances()? {
+    if let Some(instances) = scheme.ring_instances::<RealCyclotomic>(None)? {
         return vertices::judge(&scheme, &instances, statement);
     }
     let limits = match limits(scheme.mask(None)?) {
@@ -47,11 +52,7 @@ fn of(
     let smoothness = &limits.smoothness;
     let verdict = match statement {
         SmoothnessStatement::Continuity { valences: Some(valences), .. } => {
-            return Err(scheme
-                .error(format!("`valences = '{}'` of a mask", valences.text))
-                .with_help(
-                    "valences are those of rules around a vertex or on a face, such as `loop`",
-                ));
+            return Err(no_valences(&scheme, valences));
         }
         SmoothnessStatement::Continuity { continuous, not_continuous, valences: None } => {
             together(&[
@@ -67,6 +68,13 @@ fn of(
         SmoothnessStatement::Range(_) => unreachable!("ranges are judged above"),
     };
     Ok((verdict, Known::Limits(Box::new(limits))))
+}
+
+/// A mask has no valences.
+fn no_valences(scheme: &LimitScheme<'_>, valences: &PrintedValences) -> Diagnostic {
+    scheme
+        .error(format!("`valences = '{}'` of a mask", valences.text))
+        .with_help("valences are those of rules around a vertex or on a face, such as `loop`")
 }
 
 /// What is proved of the limits of a mask, or the cap that its rules are beyond.

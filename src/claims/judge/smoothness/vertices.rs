@@ -10,7 +10,7 @@ use crate::finding::{Known, SmoothnessVerdict, Vertices};
 use crate::scheme::{Instance, LocalRules};
 
 /// The valences that are tried where a claim is about all of them, and nothing is proved.
-const TRIED: std::ops::RangeInclusive<usize> = 3..=12;
+pub(super) const TRIED: std::ops::RangeInclusive<usize> = 3..=12;
 
 /// Judges a claim about rules around a vertex or on a face.
 pub(super) fn judge(
@@ -46,13 +46,7 @@ pub(super) fn judge(
         let ring = scheme.ring(instances, first.map(|_| valence))?;
         match Vertex::of_ring(ring) {
             Ok(vertex) => {
-                let order = vertex.spectrum.order;
-                if first.is_some_and(|_| order != valence) {
-                    let message = format!("at valence {valence} these rules have {order} sectors");
-                    return Err(scheme.error(message).with_help(
-                        "the parameter `N` or `n` of rules is the number of their sectors, as of the catalogue's",
-                    ));
-                }
+                scheme.check_valence(first.map(|_| valence), vertex.spectrum.order)?;
                 vertices.push(vertex);
             }
             Err(error) => return Ok(capped(&error)),
@@ -91,17 +85,19 @@ fn of_all(
     Ok((SmoothnessVerdict::Open, known(vertices)))
 }
 
-fn capped(error: &dyn std::fmt::Display) -> (SmoothnessVerdict, Known) {
+pub(super) fn capped(error: &dyn std::fmt::Display) -> (SmoothnessVerdict, Known) {
     (SmoothnessVerdict::NotCheckable, Known::Capped(error.to_string()))
 }
 
 /// The verdict on a claim that is made at each of several valences.
-fn of_each(verdicts: &[SmoothnessVerdict]) -> SmoothnessVerdict {
+pub(super) fn of_each(verdicts: &[SmoothnessVerdict]) -> SmoothnessVerdict {
     let has = |verdict| verdicts.contains(&verdict);
     if has(SmoothnessVerdict::Refuted) {
         SmoothnessVerdict::Refuted
     } else if has(SmoothnessVerdict::Open) {
         SmoothnessVerdict::Open
+    } else if has(SmoothnessVerdict::RoundedEnds) {
+        SmoothnessVerdict::RoundedEnds
     } else {
         SmoothnessVerdict::Confirmed
     }

@@ -1,8 +1,8 @@
 //! What is known of limits, as JSON.
 
 use super::exact::decimal;
-use super::vertex::VerticesForm;
-use crate::audit::{Known, Limits, RangeOfLimits};
+use super::vertex::{VertexForm, VerticesForm};
+use crate::audit::{Known, Limits, RangeAtValence, RangeOfLimits};
 use crate::report::smoothness::decimals;
 use crate::smoothness::Hoelder;
 use serde::Serialize;
@@ -18,6 +18,9 @@ pub struct SmoothnessDetails {
     /// What is known of surfaces at a vertex or on a face; only of rules there.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub vertices: Option<VerticesForm>,
+    /// What is proved of rules there for all values of a parameter, at each valence; only of a range of rules.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub valences: Option<Vec<RangeAtValenceForm>>,
 }
 
 /// What is proved of the limits of a mask.
@@ -44,6 +47,24 @@ pub struct HoelderForm {
     pub exact: Option<String>,
     /// Whether it is attained; null where that is open.
     pub attained: Option<bool>,
+}
+
+/// What is proved at one valence for all values of a parameter.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct RangeAtValenceForm {
+    /// The valence.
+    pub valence: usize,
+    /// Where surfaces are C^1.
+    pub inside: String,
+    /// Where they are not.
+    pub outside: String,
+    /// The values of which the claim speaks and that are in neither set.
+    pub undecided: String,
+    /// A value that refutes the claim.
+    pub refuted_at: Option<String>,
+    /// What is known at that value.
+    pub vertex: Option<VertexForm>,
 }
 
 /// What is proved for all values of a parameter.
@@ -73,10 +94,14 @@ impl SmoothnessDetails {
             Known::Range(range) => {
                 let limits = range.witness.as_ref().map(|witness| LimitsForm::of(&witness.limits));
                 let parameter = Some(RangeForm::of(range));
-                SmoothnessDetails { limits, parameter, vertices: None }
+                SmoothnessDetails { limits, parameter, ..Default::default() }
             }
             Known::Vertices(found) => {
                 SmoothnessDetails { vertices: Some(VerticesForm::of(found)), ..Default::default() }
+            }
+            Known::VertexRanges(found) => {
+                let valences = Some(found.iter().map(RangeAtValenceForm::of).collect());
+                SmoothnessDetails { valences, ..Default::default() }
             }
             Known::Absent(_) | Known::Capped(_) => SmoothnessDetails::default(),
         }
@@ -85,6 +110,20 @@ impl SmoothnessDetails {
     /// The exponent as a formula.
     pub(super) fn exact(&self) -> Option<&String> {
         self.limits.as_ref()?.hoelder.as_ref()?.exact.as_ref()
+    }
+}
+
+impl RangeAtValenceForm {
+    fn of(found: &RangeAtValence) -> RangeAtValenceForm {
+        let RangeAtValence { range, undecided, witness } = found;
+        RangeAtValenceForm {
+            valence: range.order,
+            inside: range.inside.to_string(),
+            outside: range.outside.to_string(),
+            undecided: undecided.to_string(),
+            refuted_at: witness.as_ref().map(|witness| witness.at.to_string()),
+            vertex: witness.as_ref().map(|witness| VertexForm::of(&witness.vertex)),
+        }
     }
 }
 

@@ -13,7 +13,9 @@ impl<'a> Claim<'a> {
         let why = match &finding.known {
             Known::Absent(absent) => Some(format!("missing: {absent}")),
             Known::Capped(reason) => Some(reason.clone()),
-            Known::Limits(_) | Known::Range(_) | Known::Vertices(_) => None,
+            Known::Limits(_) | Known::Range(_) | Known::Vertices(_) | Known::VertexRanges(_) => {
+                None
+            }
         };
         let exact = details.exact().cloned();
         let note = why.into_iter().chain(claim.note.clone()).collect::<Vec<String>>().join("; ");
