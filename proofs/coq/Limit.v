@@ -73,7 +73,7 @@ Qed.
 Lemma contraction_nonneg s c : (0 <= contraction s c)%Q.
 Proof. unfold contraction, Qle. simpl. rewrite Z.mul_1_r. apply tree_nonneg. Qed.
 
-Lemma uniform_bound s c : affine s -> (0 < c)%nat -> (contraction s c < 1)%Q ->
+Lemma uniform_bound s tau c : affine s -> (0 < c)%nat -> (contraction s c < 1)%Q ->
   exists B, (0 <= B)%Q /\ bounds_distance s tau 0 B.
 Proof.
   intros A P L. set (q := contraction s c) in *.
@@ -98,11 +98,11 @@ Proof.
   - apply Qle_lteq. right. unfold B. field. intros E. rewrite E in Z. discriminate.
 Qed.
 
-Theorem limit_exists s c : affine s -> (0 < c)%nat -> (contraction s c < 1)%Q ->
+Theorem limit_exists s tau c : affine s -> (0 < c)%nat -> (contraction s c < 1)%Q ->
   forall x b t, at_most (difference x) b -> exists L, tends_to s tau x t L.
 Proof.
   intros A P H x b t S.
-  destruct (uniform_bound s c A P H) as (B & B0 & D).
+  destruct (uniform_bound s tau c A P H) as (B & B0 & D).
   set (q := contraction s c) in *.
   assert (C : Cauchy_crit (fun l => Q2R (polygon s tau l x t))).
   { intros epsilon E.
@@ -149,7 +149,7 @@ Qed.
 Definition chaikin := Scheme 4 0 [[3; 1]; [1; 3]]%Z.
 
 Example chaikin_limit x b t : at_most (difference x) b -> exists L, tends_to chaikin 0 x t L.
-Proof. apply (limit_exists chaikin 1); [now apply is_affine_correct | lia | reflexivity]. Qed.
+Proof. apply (limit_exists chaikin 0 1); [now apply is_affine_correct | lia | reflexivity]. Qed.
 
 Example chaikin_in_the_limit x b t L : at_most (difference x) b -> tends_to chaikin 0 x t L ->
   Rabs (L - Q2R (polygon chaikin 0 3 x t)) <= Q2R ((1 # 16) * b).
