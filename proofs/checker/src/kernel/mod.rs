@@ -5,14 +5,18 @@ mod cell;
 mod read;
 mod theorem;
 
-use crate::decimal::Q;
+use crate::decimal::{Q, int};
+use crate::functional::Rules;
+use crate::library::Library;
 use crate::local_rules::LocalRules;
 use crate::paper::Paper;
 use crate::reject::{Checked, Reason, Rejection, compare, require};
 use crate::scheme::Scheme;
 use crate::shape::misfit;
 use crate::value::Value;
+use crate::witness::Points;
 use read::{Argument, Object, Theorem};
+use std::rc::Rc;
 
 /// A file of theorems that agrees with the claim file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -74,7 +78,7 @@ fn mask(offset: i64, rules: &[Vec<Value>]) -> Option<Object> {
     Some(Object::Mask(offset, rules.iter().map(row).collect::<Option<_>>()?))
 }
 
-/// The arguments that a statement has to begin with: the masks of the schemes, at an offset or at their own.
+/// The masks of schemes, at an offset or at their own, with which a statement begins.
 fn masks<'s>(
     schemes: impl IntoIterator<Item = &'s Scheme>,
     offset: Option<i64>,
@@ -83,6 +87,37 @@ fn masks<'s>(
         |scheme: &Scheme| mask(offset.unwrap_or(scheme.offset), &scheme.mask).map(Argument::Object);
     let masks: Option<Vec<Argument>> = schemes.into_iter().map(of).collect();
     masks.ok_or(Reason::Malformed("rational masks").into())
+}
+
+/// The masks, and then the shifts of their points, with which a statement about polygons or nets begins.
+fn placed(
+    library: &Library<'_>,
+    schemes: &[Rc<Scheme>],
+    offset: Option<i64>,
+    points: Points,
+) -> Checked<Vec<Argument>> {
+    let mut arguments = masks(schemes.iter().map(|scheme| &**scheme), offset)?;
+    for scheme in schemes {
+        let shift = match points {
+            Points::Indexed => int(0),
+            Points::Natural => {
+                let rules = Rules::new(library.meter, scheme, offset.unwrap_or(scheme.offset))?;
+                let rules = rules.ok_or(Reason::Malformed("rational masks"))?;
+                rules.natural_shift().ok_or(Reason::NoLines)?
+            }
+        };
+        arguments.push(Argument::Number(shift));
+    }
+    Ok(arguments)
+}
+
+/// The parameters of the points that a comment names: `WORD …`, or `WORD at natural parameters …`; and the rest of it.
+fn parameters<'t>(about: &'t str, word: &str) -> Option<(Points, &'t str)> {
+    let rest = about.strip_prefix(word)?;
+    Some(match rest.strip_prefix(" at natural parameters ") {
+        Some(rest) => (Points::Natural, rest),
+        None => (Points::Indexed, rest.strip_prefix(' ')?),
+    })
 }
 
 /// A rational number.
