@@ -21,6 +21,8 @@ use std::rc::Rc;
 /// A file of theorems that agrees with the claim file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Agreement {
+    /// `table` or `theorem`.
+    pub kind: String,
     /// The id of the claim.
     pub id: String,
     /// The number of theorems.
@@ -56,14 +58,35 @@ pub fn agree<'a>(
         if let Some(path) = misfit(claim, &file.kind) {
             return Err(Reason::Field(path).into());
         }
+        once(&file.statements)?;
         let recovered = match &file.kind[..] {
             "table" => cell::agree(paper, claim, recovered, &file)?,
             _ => theorem::agree(paper, claim, &file).map(|()| Vec::new())?,
         };
-        Ok(Agreement { id: file.id.clone(), theorems: file.statements.len(), recovered })
+        Ok(Agreement {
+            kind: file.kind.clone(),
+            id: file.id.clone(),
+            theorems: file.statements.len(),
+            recovered,
+        })
     };
     // What is wrong with all theorems stands in the first lines.
     agreement().map_err(|rejection: Rejection| rejection.at(1))
+}
+
+/// Checks that no two theorems say the same of the same place, whatever their second comments call it: they are one
+/// finding. The names of theorems are their numbers, in order.
+fn once(theorems: &[Theorem]) -> Checked<()> {
+    for (number, theorem) in theorems.iter().enumerate() {
+        let same = |earlier: &&Theorem| {
+            (&earlier.place, &earlier.statement, &earlier.arguments)
+                == (&theorem.place, &theorem.statement, &theorem.arguments)
+        };
+        if let Some(earlier) = theorems[..number].iter().find(same) {
+            return Err(Rejection::from(Reason::TwiceStated(earlier.line)).at(theorem.line));
+        }
+    }
+    Ok(())
 }
 
 /// A text of the claim file as comments of Coq hold it: in one line, and without what would end a comment.
