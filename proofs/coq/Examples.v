@@ -151,6 +151,27 @@ Qed.
 Example quinary_step : exceeds_step (Scheme 25 0 (rules quinary)) 0 0 1 (20 # 25).
 Proof. apply (exceeds_step_by (Scheme 25 0 (rules quinary)) 0 0 0 [0; 1; 0]%Z 0). vm_compute. reflexivity. Qed.
 
+(** * Natural parameters, and the least constant *)
+
+(** With x^k_i at (i - 1/2)/2^k, Chaikin's new points are on the polygon before, and its own points are 1/4 off at most. *)
+Example chaikin_natural_step : bounds_step chaikin (-1 # 2) 0 (1 # 4).
+Proof.
+  intros x b t H. eapply Qle_trans; [apply (bounds_step_by chaikin (-1 # 2) 0 1); [|apply bounds_differences_zero | exact H]|].
+  - now apply is_affine_correct.
+  - assert (E : displacement chaikin (-1 # 2) * 1 == 1 # 4) by reflexivity. rewrite E. apply Qle_refl.
+Qed.
+
+Example chaikin_natural_distance : bounds_distance chaikin (-1 # 2) 3 (1 # 16).
+Proof. apply (bounds_distance_by chaikin (-1 # 2) 1 1). vm_compute. reflexivity. Qed.
+
+(** C_0 = 1/2 at i/n^k, up to 2^-19. *)
+Example chaikin_least_constant : least_constant chaikin 0 0 (262143 # 524288) (1 # 2).
+Proof. apply (least_constant_by chaikin 0 1 1 0 0 [0; 1]%Z 0 19 1 1 (1 # 1048576)). vm_compute. reflexivity. Qed.
+
+(** C_0 = 1/4 at natural parameters (THEOREMS.md, 84), which the bound of single steps does not reach. *)
+Example chaikin_natural_least_constant : least_constant chaikin (-1 # 2) 0 (255 # 1024) (1 # 2).
+Proof. apply (least_constant_by chaikin (-1 # 2) 1 1 0 0 [0; 1; 0]%Z (1 # 2) 11 1 1 (1 # 4096)). vm_compute. reflexivity. Qed.
+
 (** * Nets *)
 
 Example quinary_net_step : exceeds_net_step (Scheme 25 0 (rules quinary)) chaikin 0 0 0 1 1.
