@@ -3,6 +3,10 @@
 /// The least likeness, from 0 to 1, of a name that is suggested.
 const ALIKE: f64 = 0.66;
 
+/// Of more names than `MANY` those `FEW` are listed that are most like a word.
+const MANY: usize = 24;
+const FEW: usize = 8;
+
 /// The known name that is most like `word`, if its likeness is at least 0.66. The likeness of two
 /// names is 1 − d/l, with d the Damerau–Levenshtein distance and l the greater length, both in
 /// lower case. A name that begins with the word, of 3 letters or more, has at least 0.66.
@@ -15,20 +19,21 @@ const ALIKE: f64 = 0.66;
 /// assert_eq!(nearest("loop", ["chaikin", "six-point"]), None);
 /// ```
 pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let word = word.to_lowercase();
-    let likeness = |name: &str| {
-        let name = name.to_lowercase();
-        let begins = word.len() >= 3 && name.starts_with(&word);
-        let likeness = strsim::normalized_damerau_levenshtein(&word, &name);
-        if begins { likeness.max(ALIKE) } else { likeness }
-    };
-    let alike = known.into_iter().map(|name| (likeness(name), name));
+    let alike = known.into_iter().map(|name| (likeness(word, name), name));
     let alike = alike.filter(|(likeness, _)| *likeness >= ALIKE);
     // Of equally good names the first.
     alike.reduce(|best, next| if next.0 > best.0 { next } else { best }).map(|(_, name)| name)
 }
 
-/// The end of a message about an unknown name: a name that may be meant, and the known names.
+fn likeness(word: &str, name: &str) -> f64 {
+    let (word, name) = (word.to_lowercase(), name.to_lowercase());
+    let begins = word.len() >= 3 && name.starts_with(&word);
+    let likeness = strsim::normalized_damerau_levenshtein(&word, &name);
+    if begins { likeness.max(ALIKE) } else { likeness }
+}
+
+/// The end of a message about an unknown name: a name that may be meant, and the known names; of more than 24 the 8 that
+/// are most like it.
 ///
 /// ```
 /// use subcert::suggestion::known;
@@ -59,7 +64,13 @@ fn listed<'a>(
     [within, first]: [&str; 2],
 ) -> String {
     let names: Vec<&str> = names.into_iter().collect();
-    let all = names.join(", ");
+    let all = if names.len() > MANY {
+        let mut alike: Vec<&str> = names.clone();
+        alike.sort_by(|a, b| likeness(word, b).total_cmp(&likeness(word, a)));
+        format!("{} and {} more", alike[..FEW].join(", "), names.len() - FEW)
+    } else {
+        names.join(", ")
+    };
     match (nearest(word, names), all.is_empty()) {
         (Some(name), _) => format!("; did you mean `{name}`? {first}: {all}"),
         (None, false) => format!("; {within}: {all}"),

@@ -16,7 +16,10 @@ fn refused_paper(name: &str, text: &str) -> String {
 #[test]
 fn schemes_and_their_parameters() {
     let cases: [(&str, &[&str]); 13] = [
-        ("six-pont:w=1", &["unknown scheme `six-pont`; did you mean `six-point`?", "chaikin"]),
+        (
+            "six-pont:w=1",
+            &["unknown scheme `six-pont`; did you mean `six-point`?", "binary-three-point"],
+        ),
         ("six-point", &["needs its parameter `w`", "six-point:w="]),
         ("six-point:v=1", &["no parameter `v`", "it has: w"]),
         ("six-point:w=1/0", &["division by zero"]),

@@ -98,7 +98,7 @@ fn bad_input_of_these() {
     let rule = vec!["'1/60'"; 60].join(", ");
     let long =
         TemporaryFile::new("long.toml", &format!("name = \"long\"\nmask = [[{rule}], [{rule}]]\n"));
-    assert_parts(&refused(["smoothness", long.path()]), &["too long", "from 1 to 24"]);
+    assert_parts(&refused(["smoothness", long.path()]), &["too long", "from 1 to 64"]);
     // The one parameter of a scheme needs no name, and a name no flag.
     let named = written(["range", "four-point", "--param", "w", "-c", "1"]);
     assert_eq!(written(["range", "four-point", "-c", "1"]), named);

@@ -6,3 +6,4 @@ mod files;
 mod local_rules;
 mod mask;
 mod reference;
+mod typed;

@@ -59,7 +59,11 @@ fn what_is_not_a_scheme() {
         ("six-point", "`six-point` needs its parameter `w`: write `six-point:w=…`"),
         ("six-point:w=1,v=2", "`six-point` has no parameter `v`; it has: w"),
         ("chaikin:w=2", "`chaikin` has no parameter `w`; it has none"),
-        ("seven-point", "unknown scheme `seven-point`; known: ashraf-mustafa-deng-1, ashraf"),
+        ("seven-point", "unknown scheme `seven-point`; known: six-point, four-point"),
+        (
+            "seven-point",
+            "more; or give the path of a .toml file, or a mask such as `[1, 3, 3, 1]/4`",
+        ),
         ("newton:j=1,n=1", "the arity is 1; it must be an integer from 2 to 64"),
         ("newton:j=1/3,n=2", "the offset is -1/3; it must be an integer from -10000 to 10000"),
         ("newton:j=200,n=2", "the width is 402; it must be an integer from 1 to 256"),
@@ -77,7 +81,7 @@ proptest! {
     fn no_text_makes_the_program_panic(
         pieces in prop::collection::vec(prop::sample::select(vec![
             "chaikin", "newton", "six-point", "b-spline", ":", "=", ",", " x ", "w", "j", "n", "degree", "1", "3/256", "-",
-            "(", ")", ".toml", "é", "^9^9", "2", " ",
+            "(", ")", "[", "]", "/4", ".toml", "é", "^9^9", "2", " ",
         ]), 0..12),
     ) {
         match parse_scheme(&pieces.concat()) {

@@ -144,3 +144,50 @@ fn the_ternary_scheme_is_c2_between_two_fractions() {
     let error = smooth_range(&rules, 3, 1).expect_err("no sum rules");
     assert!(error.to_string().contains("sum rules of order 4"), "{error}");
 }
+
+#[test]
+fn long_masks() {
+    // 31 coefficients, and matrices of 29 rows where no sum rule is divided off. The quotient by the sum rules is not
+    // negative on the unit circle, so that the middle coefficient of its iterates is the largest one (Rioul 1992, 4),
+    // and grows as the radius.
+    let long = of("dubuc-deslauriers:m=8");
+    assert_eq!((long.sum_rules, long.continuity, long.continuity_fails), (16, Some(5), Some(6)));
+    let mut quotient: Vec<f64> = vec![0.0; 31];
+    for i in 0..16_i32 {
+        let at = |j: i32| f64::from(2 * j - 15);
+        let others = (0..16).filter(|j| *j != i);
+        quotient[usize::try_from(2 * i).expect("a place")] =
+            others.map(|j| at(j) / (at(j) - at(i))).product();
+    }
+    quotient[15] = 1.0;
+    for _ in 0..16 {
+        for k in 1..quotient.len() {
+            quotient[k] -= quotient[k - 1];
+        }
+        quotient.iter_mut().for_each(|x| *x *= 2.0);
+        assert!(quotient.pop().expect("a rest").abs() < 1e-6);
+    }
+    let mut coefficients = vec![1.0];
+    let mut middle = vec![1.0];
+    for _ in 0..9 {
+        let mut finer = vec![0.0; 2 * coefficients.len() - 1 + quotient.len() - 1];
+        for (j, c) in coefficients.iter().enumerate() {
+            for (k, q) in quotient.iter().enumerate() {
+                finer[2 * j + k] += c * q;
+            }
+        }
+        middle.push(finer[finer.len() / 2]);
+        coefficients = finer;
+    }
+    // Aitken's rule takes off what the second eigenvalue adds.
+    let ratios: Vec<f64> = (6..9).map(|k| middle[k + 1] / middle[k]).collect();
+    let (last, before) = (ratios[2] - ratios[1], ratios[1] - ratios[0]);
+    let ratio = ratios[2] - last * last / (last - before);
+    let exponent = 16.0 - ratio.log2();
+    let hoelder = long.hoelder.expect("an exponent");
+    let [low, high] = [&hoelder.lower, &hoelder.upper].map(subcert::float::nearest);
+    assert!(
+        (low - exponent).abs() < 1e-3 && (high - exponent).abs() < 1e-3,
+        "{low} {exponent} {high}"
+    );
+}

@@ -29,8 +29,8 @@ use std::path::PathBuf;
 
 const AFTER_HELP: &str = "\
 SCHEME is a catalogue name with parameters (`six-point:w=3/256`, `newton:j=1,n=3`,
-`doo-sabin:n=5`), the path of a TOML file (`mine.toml:w=1/16`), or two of these with
-` x ` between them for their tensor product. `subcert schemes` lists the catalogue;
+`doo-sabin:n=5`), a mask (`'[1, 3, 3, 1]/4'`), the path of a TOML file (`mine.toml:w=1/16`), or
+two of these with ` x ` between them for their tensor product. `subcert schemes` lists the catalogue;
 `range` and `smoothness` need a mask, the other commands also take the rings around an extraordinary
 vertex or face.
 

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct SmoothnessArguments {
-    /// The scheme: a mask, also with coefficients such as sqrt(3), of matrices of up to 24 rows; or rules
+    /// The scheme: a mask, also with coefficients such as sqrt(3), of matrices of up to 64 rows; or rules
     /// around a vertex or on a face, where C^1 is meant in Reif's sense: of surfaces of generic data, at the vertex or
     /// on the face, with the smoothness of the regular part elsewhere
     #[arg(value_name = "SCHEME")]
@@ -44,7 +44,7 @@ pub(super) fn valences(text: &str) -> Result<Valences, String> {
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct JsrArguments {
-    /// Up to 64 square matrices of one size, up to 24 rows: one row of rational numbers on a line, and an
+    /// Up to 64 square matrices of one size, up to 64 rows: one row of rational numbers on a line, and an
     /// empty line between two matrices
     #[arg(value_name = "FILE")]
     pub(in crate::cli) file: PathBuf,

@@ -9,7 +9,7 @@ use super::product::{Root, largest_real, shown, square_of_radius};
 use super::proposal::hull;
 use super::roots::{algebraic_root, rational_root};
 use crate::exact::{Rational, RealAlgebraic};
-use crate::float::extremal::{Candidates, SearchCaps, row_times};
+use crate::float::extremal::{Candidates, Rows, SearchCaps, close, row_times};
 use crate::float::nearest;
 
 /// The largest matrices for which products of two conjugate eigenvalues are taken.
@@ -23,6 +23,12 @@ const MAX_WORK: u64 = 1_500_000_000;
 
 /// The excesses of the bounds that are tried in turn when the radius is not found exactly.
 const EXCESSES: [f64; 9] = [0.3, 0.1, 0.03, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7];
+
+/// From a polynomial of so many coefficients on, f64 decides first whether an extremal hull can be found.
+const LONG_POLYNOMIAL: usize = 8;
+
+/// How often a row is multiplied by a product until it is taken for an eigenvector.
+const ROUNDS: usize = 200;
 
 /// How far below the rate a rational bound is that takes the place of a root beyond the caps, and its grid.
 const NEAR: f64 = 1e-9;
@@ -108,6 +114,9 @@ impl<F: Entry> Lower<F> {
             let extremal = Extremal::search(set, rate, unit, &words, caps)?;
             return extremal.hull(set, unit).map(Exact::Rational);
         }
+        if self.polynomial.len() > LONG_POLYNOMIAL && !self.closes(set, unit, &words, caps) {
+            return None;
+        }
         let invariant = |polynomial: &[F], root: &RealAlgebraic, length| -> Option<()> {
             let (set, root) = F::with_root(set, polynomial, root)?;
             let rate = Rate::new(root, length);
@@ -119,6 +128,31 @@ impl<F: Entry> Lower<F> {
         invariant(&self.polynomial, &self.root, self.degree)
             .or_else(|| invariant(&stretched(&self.polynomial, self.degree), &base()?, 1))
             .map(|()| Exact::Irrational)
+    }
+
+    /// Whether the hull of f64 eigenvectors of these words is closed within the caps: what the exact search asks
+    /// for as well, after it has found the eigenvectors in the field of the root, which takes long in a large one.
+    fn closes(
+        &self,
+        set: &MatrixSet<F>,
+        unit: &Rational,
+        words: &[Vec<usize>],
+        caps: SearchCaps,
+    ) -> bool {
+        let size = set.size();
+        let tau = nearest(unit);
+        let unit_row = |i: usize| (0..size).map(|j| if i == j { tau } else { 0.0 }).collect();
+        let mut seeds: Vec<Vec<f64>> = (0..size).map(unit_row).collect();
+        let mut known = Vec::new();
+        for word in words.iter().filter(|word| word.len().is_multiple_of(self.degree)) {
+            let start = seeds.len();
+            seeds.extend(self.eigenvectors(set, word));
+            let next = |i: usize| start + (i + 1) % word.len();
+            if seeds.len() > start {
+                known.extend(word.iter().enumerate().map(|(i, &by)| (start + i, by, next(i))));
+            }
+        }
+        close(&self.scaled(set), seeds, &known, caps).is_some()
     }
 
     /// The hull with the least bound that is found.
@@ -139,28 +173,35 @@ impl<F: Entry> Lower<F> {
         best
     }
 
-    /// The cycle of left eigenvectors in f64: rows of a high power of the product.
+    /// The left eigenvectors of the rotations of the leading product, where its leading eigenvalue is real.
     pub(super) fn seeds(&self, set: &MatrixSet<F>) -> Vec<Vec<f64>> {
-        let matrices: Vec<_> =
-            floats(set).into_iter().map(|matrix| scaled(matrix, 1.0 / self.rate)).collect();
-        let mut rows = Vec::new();
+        if self.real { self.eigenvectors(set, &self.product) } else { Vec::new() }
+    }
+
+    /// The left eigenvectors of the rotations of a product in f64, of which each is the one before it times a
+    /// factor over the rate: rows of a high power of the product. None where the power is 0.
+    fn eigenvectors(&self, set: &MatrixSet<F>, word: &[usize]) -> Vec<Vec<f64>> {
+        let matrices = self.scaled(set);
         let mut row = vec![1.0; set.size()];
-        for round in 0..200 {
-            for &i in &self.product {
-                row = row_times(&row, &matrices[i]);
-                let length: f64 = row.iter().map(|x| x.abs()).sum();
-                if length == 0.0 {
-                    return Vec::new();
-                }
-                for x in &mut row {
-                    *x /= length;
-                }
-                if round == 199 {
-                    rows.push(row.clone());
-                }
+        for i in word.repeat(ROUNDS) {
+            row = row_times(&row, &matrices[i]);
+            let length: f64 = row.iter().map(|x| x.abs()).sum();
+            if length == 0.0 {
+                return Vec::new();
             }
+            row.iter_mut().for_each(|x| *x /= length);
         }
-        if self.real { rows } else { Vec::new() }
+        let mut rows = Vec::new();
+        for &i in word {
+            let next = row_times(&row, &matrices[i]);
+            rows.push(std::mem::replace(&mut row, next));
+        }
+        rows
+    }
+
+    /// The matrices in f64, over the rate.
+    fn scaled(&self, set: &MatrixSet<F>) -> Vec<Rows> {
+        floats(set).into_iter().map(|matrix| scaled(matrix, 1.0 / self.rate)).collect()
     }
 }
 

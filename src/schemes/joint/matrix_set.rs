@@ -3,7 +3,7 @@
 use crate::exact::{Rational, Real, Scalar};
 
 /// The most rows of a matrix.
-pub const MAX_SIZE: usize = 24;
+pub const MAX_SIZE: usize = 64;
 
 /// The most matrices of a set.
 pub const MAX_MATRICES: usize = 64;

@@ -277,10 +277,9 @@ fn cap(max: usize) -> i64 {
     i64::try_from(max).unwrap_or(i64::MAX - 1) + 1
 }
 
-/// The place from the first to the last coefficient of these rows. No row is empty, as
-/// the reader refuses empty rows.
+/// The place that spans all coefficients of these rows. No row is empty, as the reader refuses empty rows.
 fn extent(rows: &[Vec<LocatedFormula>]) -> Range<usize> {
-    let mut all = rows.iter().flatten();
-    let first = all.next().expect("the reader refuses empty rules");
-    first.span.start..all.last().unwrap_or(first).span.end
+    let spans = || rows.iter().flatten().map(|formula| &formula.span);
+    let start = spans().map(|span| span.start).min().expect("the reader refuses empty rules");
+    start..spans().map(|span| span.end).max().unwrap_or(start)
 }

@@ -23,6 +23,7 @@ mod reference;
 mod rules;
 mod tensor;
 mod toml_file;
+mod typed;
 
 pub use catalogue::{Entry, catalogue, find};
 pub use definition::{ParameterSpec, SchemeDefinition};

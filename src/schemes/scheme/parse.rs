@@ -8,6 +8,7 @@ use super::file::read_scheme;
 use super::local_rules::LocalRules;
 use super::mask::Mask;
 use super::reference::{Instance, Reference};
+use super::typed::{is_typed, typed};
 use crate::diagnostic::SourceText;
 use crate::exact::{AlgebraicNumber, FieldElement, Rational, RealCyclotomic};
 use crate::formula::{Parameters, Value};
@@ -26,9 +27,10 @@ pub enum AnyScheme {
     LocalRules(LocalRules<RealCyclotomic>),
 }
 
-/// The exact scheme that SCHEME names: a catalogue entry such as
-/// `six-point:w=3/256`, a file such as `my.toml:w=1/16`, or two with ` x `
-/// between them.
+/// The exact scheme that SCHEME names: a catalogue entry such as `six-point:w=3/256`, a file such as
+/// `my.toml:w=1/16`, a mask such as `[1, 3, 3, 1]/4` or `[w, 1/2, 1 - 2*w, 1/2, w]:w=1/8`, or two with ` x ` between them.
+///
+/// A mask `[a_0, …, a_L]` has the arity n = Σ_s a_s, and refines x'_m = Σ_j a_{m − nj + ⌊L/2⌋} x_j.
 ///
 /// # Errors
 /// When there is no such scheme, it is a ring, a parameter is missing, or the file is not
@@ -152,7 +154,7 @@ pub fn parse_algebraic(text: &str) -> Result<Mask<FieldElement>, SchemeError> {
 pub fn files_without_offset(text: &str) -> Result<Vec<Option<String>>, SchemeError> {
     let named = Named::read(text)?;
     let without = |name: &str| {
-        let definition = named.files.get(name)?;
+        let definition = named.defined.get(name)?;
         definition.leaves_offset_out().then(|| name.to_owned())
     };
     Ok(named.reference.names().map(without).collect())
@@ -169,25 +171,30 @@ pub fn find_in_catalogue(name: &str) -> Result<&'static SchemeDefinition, Scheme
     })
 }
 
-/// A reference, with the files that it names.
+/// A reference, with the definitions in the files that it names, and of the masks in it.
 pub(super) struct Named<'a> {
     text: &'a str,
     reference: Reference,
-    files: BTreeMap<String, SchemeDefinition>,
+    defined: BTreeMap<String, SchemeDefinition>,
 }
 
 impl Named<'_> {
     pub(super) fn read(text: &str) -> Result<Named<'_>, SchemeError> {
         let reference = Reference::parse(text)?;
-        let mut files = BTreeMap::new();
-        for name in reference.names().filter(|name| is_file(name)) {
-            files.insert(name.to_owned(), read_file(name)?);
+        let mut defined = BTreeMap::new();
+        for name in reference.names() {
+            if is_typed(name) {
+                let definition = typed(name).map_err(|error| SchemeError::File(Box::new(error)))?;
+                defined.insert(name.to_owned(), definition);
+            } else if is_file(name) {
+                defined.insert(name.to_owned(), read_file(name)?);
+            }
         }
-        Ok(Named { text, reference, files })
+        Ok(Named { text, reference, defined })
     }
 
     pub(super) fn definition(&self, name: &str) -> Result<&SchemeDefinition, SchemeError> {
-        match self.files.get(name) {
+        match self.defined.get(name) {
             Some(definition) => Ok(definition),
             None => find_in_catalogue(name).map_err(|error| other_file(name).unwrap_or(error)),
         }
